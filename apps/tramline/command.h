@@ -1,0 +1,22 @@
+#pragma once
+// The verbs of the program. setup() only declares options; run() does the work and returns the exit
+// code (0 success, 1 failed run or failed check, 2 bad input). Errors are thrown as tramline::Error.
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+namespace tramline::app {
+
+class Command {
+ public:
+  virtual ~Command() = default;
+  /// Declares the verb as a subcommand of `app` and returns it.
+  virtual CLI::App* setup(CLI::App& app) = 0;
+  virtual int run() = 0;
+};
+
+std::unique_ptr<Command> make_plan_command();
+std::unique_ptr<Command> make_info_command();
+std::unique_ptr<Command> make_check_command();
+
+}  // namespace tramline::app

@@ -1,0 +1,27 @@
+# Each room of the house is one static library that links only what it may include.
+
+set(TRAMLINE_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast
+                      -Woverloaded-virtual -Wnull-dereference)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC 12 reports null dereferences inside libstdc++ when it inlines deeply.
+  list(REMOVE_ITEM TRAMLINE_WARNINGS -Wnull-dereference)
+endif()
+if(TRAMLINE_WERROR)
+  list(APPEND TRAMLINE_WARNINGS -Werror)
+endif()
+
+function(tramline_compile_options target)
+  target_compile_options(${target} PRIVATE ${TRAMLINE_WARNINGS})
+  # The same input gives the same bytes on every compiler: no fused multiply-add behind our back.
+  target_compile_options(${target} PRIVATE -ffp-contract=off)
+endfunction()
+
+# tramline_module(<name> SOURCES ... [LINKS public libraries ...] [PRIVATE_LINKS ...])
+function(tramline_module name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  add_library(tramline_${name} STATIC ${ARG_SOURCES})
+  add_library(tramline::${name} ALIAS tramline_${name})
+  target_include_directories(tramline_${name} PUBLIC "${PROJECT_SOURCE_DIR}/src")
+  target_link_libraries(tramline_${name} PUBLIC ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
+  tramline_compile_options(tramline_${name})
+endfunction()

@@ -1,0 +1,43 @@
+#pragma once
+// A field as admitted: what can be planned on.
+
+#include <string>
+#include <vector>
+
+#include "tramline/geometry/region.h"
+#include "tramline/model/local_frame.h"
+#include "tramline/model/report.h"
+
+namespace tramline {
+
+enum class ObstacleKind {
+  kObstacle,  ///< the machine may not enter
+  kPassable,  ///< crossed with the work interrupted (a grassed waterway)
+};
+
+struct Obstacle {
+  Polygon shape;  ///< local frame, oriented, inside the field's outer ring (clipped to it if need be)
+  ObstacleKind kind = ObstacleKind::kObstacle;
+  std::string origin;  ///< place in the input: "hole 3", "pylons.geojson feature 12"
+};
+
+/// Where in the user's files a field came from.
+struct FieldSource {
+  std::string file;
+  std::string layer;
+  long long fid = -1;
+  int part = 0;  ///< 0-based part of a multipolygon
+};
+
+/// Frame: local metres. outer is simple and counter-clockwise; obstacles do not overlap one another.
+struct Field {
+  std::string id;  ///< the feature's id property, or layer:fid; "#2" is added for further parts
+  Ring outer;
+  std::vector<Obstacle> obstacles;
+  LocalFrame frame;
+  FieldSource source;
+  std::vector<Repair> repairs;
+  std::vector<std::string> warnings;
+};
+
+}  // namespace tramline

@@ -1,0 +1,51 @@
+#include "tramline/model/plan.h"
+
+#include <initializer_list>
+
+namespace tramline {
+namespace {
+
+template <class Choice>
+std::optional<Choice> named(std::string_view word, std::initializer_list<Choice> choices) {
+  for (const Choice choice : choices)
+    if (word == name(choice)) return choice;
+  return std::nullopt;
+}
+
+}  // namespace
+
+const char* name(EndRule rule) {
+  switch (rule) {
+    case EndRule::kCentre: return "centre";
+    case EndRule::kCover: return "cover";
+    case EndRule::kInside: return "inside";
+    case EndRule::kCheapest: return "cheapest";
+  }
+  return "";
+}
+
+const char* name(EdgeKind kind) { return kind == EdgeKind::kSoft ? "soft" : "hard"; }
+
+const char* name(Strategy) { return "sweep"; }
+
+const char* name(CellDirection choice) { return choice == CellDirection::kRectangle ? "rectangle" : "width"; }
+
+std::optional<EndRule> end_rule_named(std::string_view word) {
+  return named(word, {EndRule::kCentre, EndRule::kCover, EndRule::kInside, EndRule::kCheapest});
+}
+std::optional<EdgeKind> edge_kind_named(std::string_view word) {
+  return named(word, {EdgeKind::kSoft, EdgeKind::kHard});
+}
+std::optional<Strategy> strategy_named(std::string_view word) { return named(word, {Strategy::kSweep}); }
+std::optional<CellDirection> cell_direction_named(std::string_view word) {
+  return named(word, {CellDirection::kRectangle, CellDirection::kWidth});
+}
+
+Region swaths(const Plan& plan) {
+  Region out;
+  out.reserve(plan.pieces.size());
+  for (const TrackPiece& piece : plan.pieces) out.push_back({swath(piece, plan.machine.width_m), {}});
+  return out;
+}
+
+}  // namespace tramline

@@ -1,0 +1,83 @@
+#pragma once
+// A plan: every piece the machine drives over a field, and what it amounts to.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tramline/geometry/angle.h"
+#include "tramline/geometry/region.h"
+#include "tramline/model/field.h"
+#include "tramline/model/machine.h"
+#include "tramline/model/objective.h"
+#include "tramline/model/report.h"
+#include "tramline/model/tally.h"
+#include "tramline/model/track.h"
+
+namespace tramline {
+
+/// Where a swath ends at a soft edge that crosses it obliquely (glossary: end rule).
+enum class EndRule { kCentre, kCover, kInside, kCheapest };
+enum class EdgeKind { kSoft, kHard };
+enum class Strategy { kSweep };
+/// How a cell gets its direction: the long side of the smallest bounding rectangle (S1.12), or
+/// across its least width.
+enum class CellDirection { kRectangle, kWidth };
+
+/// Everything besides field, machine and objective that shapes a plan.
+struct PlanSettings {
+  Strategy strategy = Strategy::kSweep;
+  EndRule end_rule = EndRule::kCheapest;
+  EdgeKind boundary = EdgeKind::kSoft;  ///< kind of the field's outer ring; obstacles are hard
+  CellDirection cell_direction = CellDirection::kRectangle;
+  Angle merge_threshold = Angle::degrees(0);             ///< S1.22
+  Angle decomposition_threshold = Angle::degrees(180);   ///< S1.16
+  double small_cell_m2 = 200;                            ///< S1.21
+};
+
+const char* name(EndRule rule);           ///< centre, cover, inside, cheapest
+const char* name(EdgeKind kind);          ///< soft, hard
+const char* name(Strategy strategy);      ///< sweep
+const char* name(CellDirection choice);   ///< rectangle, width
+/// The inverse of name(); nullopt for any other word.
+std::optional<EndRule> end_rule_named(std::string_view word);
+std::optional<EdgeKind> edge_kind_named(std::string_view word);
+std::optional<Strategy> strategy_named(std::string_view word);
+std::optional<CellDirection> cell_direction_named(std::string_view word);
+
+struct Subfield {
+  Polygon shape;  ///< may contain passable obstacles
+  Direction direction;
+};
+
+/// A piece that was too short to drive (S1.14); reported, its land counts as uncovered.
+struct DroppedPiece {
+  Point start;
+  Point end;
+  int subfield = 0;
+};
+
+/// Frame: the field's local metres.
+struct Plan {
+  Field field;
+  Machine machine;
+  Objective objective;
+  PlanSettings settings;
+  Region body;      ///< field minus obstacles, passable ones included
+  Region given_up;  ///< body between clustered obstacles (b) and between obstacle and edge (c); hard
+  std::vector<Subfield> subfields;
+  std::vector<TrackPiece> pieces;  ///< in driving order
+  std::vector<DroppedPiece> dropped;
+  Tally tally;
+  double cost = 0;
+  Region overlap;    ///< where land outside the body or worked already is worked
+  Region uncovered;  ///< body that no swath covers
+  int directions_tried = 0;
+  std::vector<std::string> warnings;
+};
+
+/// All swaths, in driving order.
+Region swaths(const Plan& plan);
+
+}  // namespace tramline

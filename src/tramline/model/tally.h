@@ -1,0 +1,18 @@
+#pragma once
+
+namespace tramline {
+
+/// What a set of tracks amounts to. Areas in m², lengths in m.
+/// Identity: worked_m2 = body − uncovered_m2 + overlap_m2.
+struct Tally {
+  double worked_m2 = 0;     ///< Σ w·L
+  double overlap_m2 = 0;    ///< worked minus usefully worked area
+  double uncovered_m2 = 0;  ///< body minus what the swaths cover of it
+  double track_length_m = 0;
+  int pieces = 0;
+  int crossings = 0;  ///< of passable obstacles, within one track
+  int turns = 0;      ///< max(0, pieces − 1 − crossings)
+  int stops = 0;      ///< piece ends against an obstacle without headland
+};
+
+}  // namespace tramline
