@@ -30,14 +30,16 @@ void append(std::vector<check::Violation>& to, const std::vector<check::Violatio
   to.insert(to.end(), more.begin(), more.end());
 }
 
-/// Everything there is to say about a plan file, compared with the field it was made for if that is given.
+/// Everything there is to say about a plan file, compared with the field it was made for if that is
+/// given. Where shapes or pieces are unsound the rest would only repeat it.
 check::Verdict judge(const io::PlanFile& file, const std::optional<Field>& input) {
   check::Verdict verdict = check::verify(file.plan);
+  if (!verdict.complete) return verdict;
   append(verdict.violations,
          check::compare_swaths(file.plan, file.track_order, file.swaths, file.swath_order));
   for (const io::DerivedNumber& number : file.derived)
     check::compare_number(number.where, number.stored, number.from_shape, number.at, verdict.violations);
-  if (input && verdict.complete) append(verdict.violations, check::compare_fields(file.plan.field, *input));
+  if (input) append(verdict.violations, check::compare_fields(file.plan.field, *input));
   return verdict;
 }
 

@@ -10,15 +10,16 @@ namespace {
 
 constexpr const char* kRule = "pieces";
 
-bool finite(Point p) {
-  return std::isfinite(p.x) && std::isfinite(p.y);
+/// Written so that NaN is not.
+bool on_the_map(Point p) {
+  return std::abs(p.x) <= kFarthest_m && std::abs(p.y) <= kFarthest_m;
 }
 
 void check_piece(const Plan& plan, std::size_t index, Violations& out) {
   const TrackPiece& piece = plan.pieces[index];
   const std::string name = piece_name(index);
-  if (!finite(piece.start) || !finite(piece.end)) {
-    out.push_back({kRule, name + " has an end that is not finite", {}, 0});
+  if (!on_the_map(piece.start) || !on_the_map(piece.end)) {
+    out.push_back({kRule, name + " has an end off the map", {}, 0});
     return;
   }
   if (piece.start == piece.end) {
@@ -43,7 +44,7 @@ void check_piece(const Plan& plan, std::size_t index, Violations& out) {
 }  // namespace
 
 void check_pieces(const Plan& plan, Violations& out) {
-  if (!(plan.machine.width_m > 0) || !std::isfinite(plan.machine.width_m))
+  if (!(plan.machine.width_m > 0) || plan.machine.width_m > kFarthest_m)
     out.push_back(
         {kRule, fmt::format("the working width is {} m", plan.machine.width_m), {}, plan.machine.width_m});
   for (std::size_t i = 0; i < plan.pieces.size(); ++i) check_piece(plan, i, out);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tramline/check/rules.h"
+#include "tramline/check/tolerances.h"
 #include "tramline/geometry/boolean.h"
 
 namespace tramline::check {
@@ -13,7 +14,7 @@ constexpr const char* kRule = "shapes";
 bool usable(const Ring& ring) {
   if (ring.size() < 3) return false;
   for (const Point p : ring)
-    if (!std::isfinite(p.x) || !std::isfinite(p.y)) return false;
+    if (!(std::abs(p.x) <= kFarthest_m) || !(std::abs(p.y) <= kFarthest_m)) return false;
   return true;
 }
 
@@ -21,8 +22,7 @@ void check_polygon(const Polygon& polygon, const std::string& name, Violations& 
   bool all_usable = usable(polygon.outer);
   for (const Ring& hole : polygon.holes) all_usable = all_usable && usable(hole);
   if (!all_usable) {
-    out.push_back(
-        {kRule, name + " has a ring of fewer than three vertices or a vertex that is not finite", {}, 0});
+    out.push_back({kRule, name + " has a ring of fewer than three vertices or a vertex off the map", {}, 0});
     return;
   }
   if (const auto fault = find_invalidity(polygon))

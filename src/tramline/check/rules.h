@@ -21,9 +21,9 @@ struct Case {
 };
 using Violations = std::vector<Violation>;
 
-/// Every polygon is one: at least three vertices, finite, not crossing itself.
+/// Every polygon is one: at least three vertices, on the map, not crossing itself.
 void check_shapes(const Plan& plan, Violations& out);
-/// Pieces have finite, distinct ends, belong to a subfield and run along its direction.
+/// Pieces have distinct ends on the map, belong to a subfield and run along its direction.
 void check_pieces(const Plan& plan, Violations& out);
 /// The body is the field less obstacles, passable ones too; land given up lies within it.
 void check_body(const Case& c, Violations& out);

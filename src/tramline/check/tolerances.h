@@ -10,4 +10,8 @@ inline constexpr double kTouch_m2 = 1e-9;
 /// Of the field's area, for sums of areas.
 inline constexpr double kAreaShare = 1e-6;
 
+/// Nothing in a field's local frame lies farther than this from its origin, nor is wider, m. Beyond it
+/// arithmetic overflows sooner or later.
+inline constexpr double kFarthest_m = 1e7;
+
 }  // namespace tramline::check
