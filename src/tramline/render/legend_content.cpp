@@ -77,7 +77,7 @@ LegendBlock directions(const Plan& plan) {
     const double degrees = subfield.direction.degrees();
     block.rows.push_back(
         {Symbol::kSubfield, static_cast<int>(i),
-         std::isfinite(degrees) ? fmt::format("{:.1f}°", degrees) : std::string("no direction"),
+         std::isfinite(degrees) ? fmt::format("{:.1f}° from north", degrees) : std::string("no direction"),
          area_text(area(subfield.shape))});
   }
   if (shown < n) block.rows.push_back({Symbol::kNone, 0, fmt::format("and {} more", n - shown), ""});
