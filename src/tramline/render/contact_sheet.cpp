@@ -52,16 +52,21 @@ std::vector<int> row_heights(const std::vector<Picture>& pictures, int columns) 
   return out;
 }
 
-void place(Canvas& canvas, const Picture& picture, double left, double top) {
+void place(Canvas& canvas, const Picture& picture, double left, double top, int row_height) {
   const Surface surface = open_png(picture.path);
   cairo_t* cr = canvas.cr();
   cairo_save(cr);
-  cairo_translate(cr, left + 0.5 * (kCellWidth - picture.width * picture.shrink), top);
+  cairo_translate(cr, left + 0.5 * (kCellWidth - picture.width * picture.shrink),
+                  top + 0.5 * (row_height - picture.shown_height()));
   cairo_scale(cr, picture.shrink, picture.shrink);
   cairo_set_source_surface(cr, surface.get(), 0, 0);
   cairo_pattern_set_filter(cairo_get_source(cr), CAIRO_FILTER_GOOD);
   cairo_paint(cr);
   cairo_restore(cr);
+  // A thin frame: pictures are white to their edges and would run into one another.
+  const double right = left + kCellWidth;
+  const double bottom = top + row_height;
+  stroke_line(canvas, {{left, top}, {right, top}, {right, bottom}, {left, bottom}, {left, top}}, {kRule, 1});
 }
 
 }  // namespace
@@ -89,7 +94,7 @@ void contact_sheet(const std::vector<std::filesystem::path>& pngs, const std::ve
     const std::size_t column = i % static_cast<std::size_t>(columns);
     const int row_height = heights[i / static_cast<std::size_t>(columns)];
     const double left = kGap + static_cast<double>(column) * (kCellWidth + kGap);
-    place(canvas, pictures[i], left, top);
+    place(canvas, pictures[i], left, top, row_height);
     const TextStyle style{kTextSize, true, Align::kCentre};
     draw_text(canvas, {left + 0.5 * kCellWidth, top + row_height + 0.5 * kCaptionHeight},
               fitted(canvas, printable(captions[i]), style, kCellWidth), style);
