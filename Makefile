@@ -50,6 +50,10 @@ lint: packages-lint build/clang/build.ninja ## clang-format and clang-tidy over 
 	run-clang-tidy -quiet -j $(JOBS) -p build/clang '/(src/tramline|apps)/'
 	shellcheck .ci/run tools/*.sh $(shell git ls-files 'tests/cli/cases/*/setup.sh')
 
+.PHONY: goldens
+goldens: program ## write the golden outputs of tests/cli anew; read the difference before you commit it
+	tests/cli/run_golden.py --update --tramline $(TRAMLINE)
+
 .PHONY: format
 format: packages-lint ## lay out all sources as .clang-format says
 	clang-format-14 -i $(SOURCES)
