@@ -30,8 +30,9 @@ Masks, so that goldens hold everywhere: "seconds": 0.25 becomes "seconds": X; a 
 or 12 ms becomes X s or X ms; a version "tramline 1.2.3" becomes "tramline VERSION"; the folders
 above become their names again.
 
---update writes stdout, stderr, exit and files as the program gives them. An existing `expect` is
-left alone and has to match nevertheless.
+--update writes stdout, stderr and files as the program gives them, and exit where there is none. What
+a person has decided stays: a run with another exit code than the case asks for writes nothing, and
+an `expect` has to match nevertheless.
 """
 
 import argparse
@@ -176,6 +177,9 @@ def faults_of(case, run):
 
 
 def write_goldens(case, run):
+    if (case / "exit").exists() and int((case / "exit").read_text()) != run.exit_code:
+        return
+
     def write(name, text, wanted):
         if wanted:
             (case / name).write_text(text)

@@ -101,6 +101,10 @@ class RunnerTest(unittest.TestCase):
         self.assertEqual((self.case / "files").read_text(), "a.gpkg\n")
         self.assertEqual(self.faults(), [])
 
+    def test_update_does_not_hide_a_wrong_exit_code(self):
+        self.assertTrue(self.faults(update=True, command="plan a $OUT/a.gpkg", exit="2", expect="a"))
+        self.assertEqual(sorted(p.name for p in self.case.iterdir()), ["command", "exit", "expect"])
+
     def test_update_does_not_hide_an_unmet_expectation(self):
         self.assertTrue(self.faults(update=True, command="two x", expect="names the layer"))
 
