@@ -7,13 +7,14 @@
 #include <regex>
 #include <set>
 #include <sstream>
+#include <utility>
 
 namespace tramline::architecture {
 namespace {
 
 using Names = std::set<std::string, std::less<>>;
 
-// Rooms on one floor do not know one another.
+// Rooms on one floor do not know one another, with the exceptions below.
 const std::vector<Names> kFloors = {{"geometry"}, {"model"},    {"geodesy", "admission", "coverage"},
                                     {"turns"},    {"headland"}, {"decomposition"},
                                     {"tracks"},   {"cost"},     {"avoidance"},
@@ -24,6 +25,9 @@ const std::map<std::string, Names, std::less<>> kBeside = {
     {"io", {"geometry", "model", "geodesy"}},
     {"render", {"geometry", "model"}},
 };
+
+// The exceptions, each with its reason: admission measures faults in metres, so it projects first.
+const std::set<std::pair<std::string, std::string>> kAlongAFloor = {{"admission", "geodesy"}};
 
 struct ThirdParty {
   std::string_view header_prefix;
@@ -145,6 +149,7 @@ std::vector<std::string> rooms() {
 bool may_use(std::string_view from, std::string_view to) {
   if (from == to || from == "apps") return true;
   if (const auto beside = kBeside.find(from); beside != kBeside.end()) return beside->second.contains(to);
+  if (kAlongAFloor.contains({std::string(from), std::string(to)})) return true;
   const auto upper = floor_of(from);
   const auto lower = floor_of(to);
   return upper && lower && *lower < *upper;
