@@ -9,7 +9,7 @@ double mean_width(const Polygon& polygon);
 
 /// The overlap or uncovered land worth drawing. Every fault is drawn at least a pixel wide, so what
 /// rounding leaves between two swaths that only touch, micrometres wide, would look like real overlap:
-/// polygons thinner than a millimetre on average are left out.
+/// what is thinner than a millimetre is left out.
 Region visible_faults(const Region& faults);
 
 }  // namespace tramline::render

@@ -96,8 +96,11 @@ void draw_stops(Canvas& canvas, const Plan& plan) {
   const double k = canvas.scale();
   const double radius = std::clamp(0.36 * swath_px(canvas, plan), kLeastStop * k, kStopRadius * k);
   for (const TrackPiece& piece : plan.pieces) {
-    if (piece.stop_at_start) draw_stop_mark(canvas, canvas.view().to_page(piece.start), radius);
-    if (piece.stop_at_end) draw_stop_mark(canvas, canvas.view().to_page(piece.end), radius);
+    if (!drivable(piece)) continue;
+    // On the track's side of its end: a pylon is smaller than two marks.
+    const Point back = radius * heading_on_page(piece);
+    if (piece.stop_at_start) draw_stop_mark(canvas, canvas.view().to_page(piece.start) + back, radius);
+    if (piece.stop_at_end) draw_stop_mark(canvas, canvas.view().to_page(piece.end) - back, radius);
   }
 }
 
