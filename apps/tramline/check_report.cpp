@@ -1,0 +1,94 @@
+#include "check_report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+namespace tramline::app {
+namespace {
+
+/// Two decimals, and never "-0.00".
+std::string rounded(double value) {
+  return fmt::format("{:.2f}", std::round(value * 100) / 100 + 0.0);
+}
+
+class Table {
+ public:
+  explicit Table(bool recomputed) : recomputed_(recomputed) { row("", "stored", "recomputed"); }
+  void number(const char* what, double stored, double found) { row(what, rounded(stored), rounded(found)); }
+  void count(const char* what, int stored, int found) {
+    row(what, std::to_string(stored), std::to_string(found));
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  void row(const char* what, const std::string& stored, const std::string& found) {
+    fmt::format_to(std::back_inserter(text_), "  {:<18}{:>14}{:>14}\n", what, stored,
+                   recomputed_ ? found : "-");
+  }
+  bool recomputed_;
+  std::string text_;
+};
+
+std::string figures(const Plan& plan, const check::Verdict& verdict) {
+  const Tally& stored = plan.tally;
+  const Tally& found = verdict.recomputed;
+  Table table(verdict.complete);
+  table.number("overlap, m²", stored.overlap_m2, found.overlap_m2);
+  table.number("uncovered, m²", stored.uncovered_m2, found.uncovered_m2);
+  table.number("worked, m²", stored.worked_m2, found.worked_m2);
+  table.number("track length, m", stored.track_length_m, found.track_length_m);
+  table.count("tracks", stored.pieces, found.pieces);
+  table.count("turns", stored.turns, found.turns);
+  table.count("stops", stored.stops, found.stops);
+  table.number("cost", plan.cost, cost(plan.objective, found));
+  return table.text();
+}
+
+nlohmann::ordered_json to_json(const check::Violation& violation) {
+  return {{"rule", violation.rule},
+          {"what", violation.what},
+          {"x_m", violation.at.x},
+          {"y_m", violation.at.y},
+          {"amount", violation.amount}};
+}
+
+nlohmann::ordered_json to_json(const Tally& tally) {
+  return {{"overlap_m2", tally.overlap_m2}, {"uncovered_m2", tally.uncovered_m2},
+          {"worked_m2", tally.worked_m2},   {"turns", tally.turns},
+          {"stops", tally.stops},           {"crossings", tally.crossings},
+          {"tracks", tally.pieces},         {"track_length_m", tally.track_length_m}};
+}
+
+}  // namespace
+
+std::string check_table(const std::string& plan_file, const Plan& plan, const check::Verdict& verdict) {
+  std::string out = fmt::format("{}: field {}, {} subfields, {} tracks\n", plan_file, plan.field.id,
+                                plan.subfields.size(), plan.pieces.size());
+  out += figures(plan, verdict);
+  for (const check::Violation& violation : verdict.violations)
+    fmt::format_to(std::back_inserter(out), "{}: {}, at x {:.3f} m, y {:.3f} m\n", violation.rule,
+                   violation.what, violation.at.x, violation.at.y);
+  if (verdict.violations.empty()) return out + "plan holds\n";
+  return out + fmt::format("{} violation{}\n", verdict.violations.size(),
+                           verdict.violations.size() == 1 ? "" : "s");
+}
+
+nlohmann::ordered_json check_json(const std::string& plan_file, const Plan& plan,
+                                  const check::Verdict& verdict) {
+  nlohmann::ordered_json violations = nlohmann::ordered_json::array();
+  for (const check::Violation& violation : verdict.violations) violations.push_back(to_json(violation));
+  nlohmann::ordered_json recomputed;
+  if (verdict.complete) recomputed = to_json(verdict.recomputed);
+  return {{"plan", plan_file},
+          {"field_id", plan.field.id},
+          {"ok", verdict.holds()},
+          {"complete", verdict.complete},
+          {"violations", violations},
+          {"recomputed", recomputed},
+          {"stored", to_json(plan.tally)}};
+}
+
+}  // namespace tramline::app

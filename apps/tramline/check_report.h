@@ -1,0 +1,20 @@
+#pragma once
+// What `tramline check` tells: a table for people, an object for programs.
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "tramline/check/verdict.h"
+#include "tramline/model/plan.h"
+
+namespace tramline::app {
+
+/// Stored against recomputed figures with their units, every violation with its place, the verdict last.
+std::string check_table(const std::string& plan_file, const Plan& plan, const check::Verdict& verdict);
+
+/// {plan, field_id, ok, complete, violations, recomputed, stored}; recomputed is null where nothing
+/// could be recomputed.
+nlohmann::ordered_json check_json(const std::string& plan_file, const Plan& plan,
+                                  const check::Verdict& verdict);
+
+}  // namespace tramline::app

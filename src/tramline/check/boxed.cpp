@@ -1,0 +1,34 @@
+#include "tramline/check/boxed.h"
+
+namespace tramline::check {
+
+BoxedRegion boxed_obstacles(const Field& field, ObstacleKind kind) {
+  BoxedRegion out;
+  for (const Obstacle& obstacle : field.obstacles)
+    if (obstacle.kind == kind) out.push_back({&obstacle.shape, bounds(obstacle.shape)});
+  return out;
+}
+
+BoxedRegion boxed(const Region& region) {
+  BoxedRegion out;
+  for (const Polygon& polygon : region) out.push_back({&polygon, bounds(polygon)});
+  return out;
+}
+
+Clipped clipped(const BoxedRegion& region, const PieceFrame& frame, const Box& rectangle) {
+  Clipped out;
+  if (region.empty()) return out;
+  const Box near = frame.field_box(rectangle);
+  double largest = 0;
+  for (const Boxed& polygon : region) {
+    if (!intersects(polygon.box, near)) continue;
+    const Clipped part = clipped(*polygon.shape, frame, rectangle);
+    out.area_m2 += part.area_m2;
+    if (part.area_m2 <= largest) continue;
+    largest = part.area_m2;
+    out.at = part.at;
+  }
+  return out;
+}
+
+}  // namespace tramline::check

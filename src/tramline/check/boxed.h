@@ -1,0 +1,26 @@
+#pragma once
+// Polygons with their boxes, so that most of them are passed over without a look at their vertices.
+
+#include <vector>
+
+#include "tramline/check/piece_frame.h"
+#include "tramline/geometry/region.h"
+#include "tramline/model/field.h"
+
+namespace tramline::check {
+
+struct Boxed {
+  const Polygon* shape;
+  Box box;
+};
+using BoxedRegion = std::vector<Boxed>;
+
+/// Refers to the shapes of the field, which has to outlive the result.
+BoxedRegion boxed_obstacles(const Field& field, ObstacleKind kind);
+/// Refers to the polygons of the region.
+BoxedRegion boxed(const Region& region);
+
+/// The part of all polygons within a rectangle of the piece's frame; `at` lies on the largest part.
+Clipped clipped(const BoxedRegion& region, const PieceFrame& frame, const Box& rectangle);
+
+}  // namespace tramline::check

@@ -1,0 +1,73 @@
+#include "tramline/check/compare_layers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tramline/check/rules.h"
+
+namespace tramline::check {
+namespace {
+
+constexpr const char* kRule = "layers";
+constexpr double kSame = 1e-6;
+
+void check_order(const std::vector<int>& order, const char* layer, Violations& out) {
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (order[i] == static_cast<int>(i) + 1) continue;
+    out.push_back(
+        {kRule,
+         fmt::format("the layer {} numbers its feature {} in driving order as {}", layer, i + 1, order[i]),
+         {},
+         static_cast<double>(order[i])});
+    return;
+  }
+}
+
+/// Largest distance between corresponding corners; infinite where the rings have not as many.
+double apart(const Ring& a, const Ring& b) {
+  if (a.size() != b.size()) return std::numeric_limits<double>::infinity();
+  double out = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) out = std::max(out, distance(a[i], b[i]));
+  return out;
+}
+
+}  // namespace
+
+std::vector<Violation> compare_swaths(const Plan& plan, const std::vector<int>& track_order,
+                                      const Region& swaths, const std::vector<int>& swath_order) {
+  std::vector<Violation> out;
+  check_order(track_order, "tracks", out);
+  check_order(swath_order, "swaths", out);
+  if (swaths.size() != plan.pieces.size()) {
+    out.push_back({kRule,
+                   fmt::format("there are {} swaths for {} tracks", swaths.size(), plan.pieces.size()),
+                   {},
+                   static_cast<double>(swaths.size()) - static_cast<double>(plan.pieces.size())});
+    return out;
+  }
+  for (std::size_t i = 0; i < swaths.size(); ++i) {
+    const TrackPiece& piece = plan.pieces[i];
+    const double off = swaths[i].holes.empty() ? apart(swath(piece, plan.machine.width_m), swaths[i].outer)
+                                               : std::numeric_limits<double>::infinity();
+    if (!(off <= kSame))
+      out.push_back({kRule,
+                     fmt::format("the swath stored for {} is not the one its track works: {:.6f} m apart",
+                                 piece_name(i), off),
+                     midpoint(piece.start, piece.end), off});
+  }
+  return out;
+}
+
+void compare_number(const std::string& where, double stored, double from_shape, Point at,
+                    std::vector<Violation>& out) {
+  const double tolerance = kSame * std::max(1.0, std::abs(from_shape));
+  if (std::abs(stored - from_shape) <= tolerance) return;
+  out.push_back({kRule,
+                 fmt::format("{} is stored as {:.6f}, its shape gives {:.6f}", where, stored, from_shape), at,
+                 stored - from_shape});
+}
+
+}  // namespace tramline::check

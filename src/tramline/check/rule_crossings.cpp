@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "tramline/check/rules.h"
+#include "tramline/check/tolerances.h"
+
+namespace tramline::check {
+namespace {
+
+/// Why the second piece is not the first one going on, or "" where it is.
+std::string not_in_line(const TrackPiece& first, const TrackPiece& second) {
+  if (second.subfield != first.subfield || second.track != first.track) return "belongs to another track";
+  const PieceFrame frame(first);
+  const Point start = frame.to_local(second.start), end = frame.to_local(second.end);
+  if (std::abs(start.x) > kLengthTolerance_m || std::abs(end.x) > kLengthTolerance_m) return "is not in line";
+  if (start.y <= frame.length() || end.y <= start.y) return "does not lie ahead";
+  return "";
+}
+
+/// What is wrong with the gap between two pieces in line, or "".
+std::string wrong_gap(const Case& c, const TrackPiece& first, const TrackPiece& second) {
+  const PieceFrame frame(first.end, second.start);
+  const double half = 0.5 * c.plan.machine.width_m;
+  const Box gap{-half, 0, half, frame.length()};
+  if (clipped(c.passables, frame, gap).area_m2 <= kTouch_m2) return "with no passable obstacle between";
+  const Box core = gap.grown(-kLengthTolerance_m);
+  if (core.width() <= 0 || core.height() <= 0) return "";
+  if (clipped(c.obstacles, frame, core).area_m2 > kTouch_m2) return "through an obstacle";
+  if (clipped(c.given_up, frame, core).area_m2 > kTouch_m2) return "through land given up";
+  return "";
+}
+
+}  // namespace
+
+void check_crossings(const Case& c, Violations& out) {
+  const auto& pieces = c.plan.pieces;
+  const auto report = [&](std::size_t i, const std::string& why) {
+    out.push_back({"crossings",
+                   fmt::format("{} is flagged as going on after a crossing, but {}", piece_name(i), why),
+                   pieces[i].start, 1});
+  };
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (!pieces[i].after_crossing) continue;
+    if (i == 0) {
+      report(i, "no piece comes before it");
+    } else if (const std::string why = not_in_line(pieces[i - 1], pieces[i]); !why.empty()) {
+      report(i, fmt::format("{} {}", piece_name(i - 1) + "'s continuation", why));
+    } else if (const std::string gap = wrong_gap(c, pieces[i - 1], pieces[i]); !gap.empty()) {
+      report(i, "it goes on " + gap);
+    }
+  }
+}
+
+}  // namespace tramline::check

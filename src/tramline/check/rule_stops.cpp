@@ -1,0 +1,42 @@
+#include <fmt/format.h>
+
+#include "tramline/check/rules.h"
+#include "tramline/check/tolerances.h"
+
+namespace tramline::check {
+namespace {
+
+/// Is there an obstacle or land given up in the first millimetre behind `last`, seen from `first`?
+bool blocked(const Case& c, Point first, Point last) {
+  const PieceFrame frame(last, last + (last - first));
+  const double half = 0.5 * c.plan.machine.width_m;
+  const Box beyond{-half, 0, half, kLengthTolerance_m};
+  return clipped(c.obstacles, frame, beyond).area_m2 + clipped(c.given_up, frame, beyond).area_m2 > kTouch_m2;
+}
+
+void compare(bool flagged, bool found, const std::string& end_name, Point at, Violations& out) {
+  if (flagged == found) return;
+  out.push_back(
+      {"stops",
+       found ? fmt::format("the {} is not flagged as a stop, but lies against an obstacle or land given up",
+                           end_name)
+             : fmt::format("the {} is flagged as a stop, but nothing lies behind it", end_name),
+       at, 1});
+}
+
+}  // namespace
+
+int check_stops(const Case& c, Violations& out) {
+  int stops = 0;
+  for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
+    const TrackPiece& piece = c.plan.pieces[i];
+    const bool at_start = blocked(c, piece.end, piece.start);
+    const bool at_end = blocked(c, piece.start, piece.end);
+    stops += (at_start ? 1 : 0) + (at_end ? 1 : 0);
+    compare(piece.stop_at_start, at_start, "start of " + piece_name(i), piece.start, out);
+    compare(piece.stop_at_end, at_end, "end of " + piece_name(i), piece.end, out);
+  }
+  return stops;
+}
+
+}  // namespace tramline::check

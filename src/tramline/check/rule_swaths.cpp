@@ -1,0 +1,56 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tramline/check/rules.h"
+#include "tramline/check/tolerances.h"
+
+namespace tramline::check {
+namespace {
+
+void check_clear(const BoxedRegion& land, const char* of_what, const PieceFrame& frame, const Box& core,
+                 std::size_t index, Violations& out) {
+  const Clipped entered = clipped(land, frame, core);
+  if (entered.area_m2 > kTouch_m2)
+    out.push_back(
+        {"swaths",
+         fmt::format("the swath of {} works {:.6f} m² of {}", piece_name(index), entered.area_m2, of_what),
+         entered.at, entered.area_m2});
+}
+
+/// A vertex of the core that lies outside, or its middle where only an edge bulges.
+Point place_outside(const Ring& outer, const PieceFrame& frame, const Box& core) {
+  for (const double x : {core.min_x, core.max_x})
+    for (const double y : {core.min_y, core.max_y})
+      if (!contains(outer, frame.to_field({x, y}))) return frame.to_field({x, y});
+  return frame.to_field(core.centre());
+}
+
+void check_inside(const Ring& outer, const PieceFrame& frame, const Box& core, std::size_t index,
+                  Violations& out) {
+  const double whole = core.width() * core.height();
+  const double outside = whole - clipped(Polygon{outer, {}}, frame, core).area_m2;
+  // A difference of large areas: rounding grows with them.
+  if (outside > std::max(kTouch_m2, 1e-12 * whole))
+    out.push_back(
+        {"swaths",
+         fmt::format("the swath of {} works {:.6f} m² beyond the hard boundary", piece_name(index), outside),
+         place_outside(outer, frame, core), outside});
+}
+
+}  // namespace
+
+void check_swaths(const Case& c, Violations& out) {
+  const double half = 0.5 * c.plan.machine.width_m;
+  for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
+    const PieceFrame frame(c.plan.pieces[i]);
+    const Box core = Box{-half, 0, half, frame.length()}.grown(-kLengthTolerance_m);
+    if (core.width() <= 0 || core.height() <= 0) continue;
+    check_clear(c.obstacles, "an obstacle", frame, core, i, out);
+    check_clear(c.passables, "a passable obstacle", frame, core, i, out);
+    check_clear(c.given_up, "land given up", frame, core, i, out);
+    if (c.plan.settings.boundary == EdgeKind::kHard) check_inside(c.plan.field.outer, frame, core, i, out);
+  }
+}
+
+}  // namespace tramline::check

@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tramline/check/rules.h"
+#include "tramline/geometry/boolean.h"
+
+namespace tramline::check {
+namespace {
+
+constexpr const char* kRule = "tally";
+
+/// The land worked, and the tally it amounts to.
+struct Worked {
+  Region land;       ///< union of the swaths
+  Region uncovered;  ///< body less that
+  Tally tally;
+};
+
+/// Sums are rounded like any other: a comparison of sums allows for it.
+double rounding_of(double value) {
+  return 1e-9 * std::max(1.0, std::abs(value));
+}
+
+Worked recompute(const Plan& plan, int stops) {
+  Worked out;
+  out.land = unite(swaths(plan));
+  out.uncovered = difference(plan.body, out.land);
+  Tally& tally = out.tally;
+  for (const TrackPiece& piece : plan.pieces) {
+    tally.track_length_m += length(piece);
+    if (piece.after_crossing) ++tally.crossings;
+  }
+  tally.worked_m2 = plan.machine.width_m * tally.track_length_m;
+  const double covered = area(intersection(out.land, plan.body));
+  tally.overlap_m2 = tally.worked_m2 - covered;
+  tally.uncovered_m2 = area(plan.body) - covered;
+  tally.pieces = static_cast<int>(plan.pieces.size());
+  tally.turns = std::max(0, tally.pieces - 1 - tally.crossings);
+  tally.stops = stops;
+  return out;
+}
+
+class Comparison {
+ public:
+  Comparison(Point at, Violations& out) : at_(at), out_(out) {}
+  void number(const char* what, const char* unit, double stored, double found, double tolerance) {
+    // Written so that a stored NaN is a violation too.
+    if (std::abs(stored - found) <= tolerance) return;
+    out_.push_back({kRule,
+                    fmt::format("the plan says {} {:.6f}{}, the tracks amount to {:.6f}{}", what, stored,
+                                unit, found, unit),
+                    at_, stored - found});
+  }
+  void count(const char* what, int stored, int found) {
+    if (stored == found) return;
+    out_.push_back({kRule, fmt::format("the plan counts {} {}, the tracks have {}", stored, what, found), at_,
+                    static_cast<double>(stored - found)});
+  }
+
+ private:
+  Point at_;
+  Violations& out_;
+};
+
+void compare_tallies(const Case& c, const Tally& found, Violations& out) {
+  const Tally& stored = c.plan.tally;
+  Comparison compare(c.plan.field.outer.front(), out);
+  const double tolerance = c.area_tolerance_m2;
+  compare.number("worked area", " m²", stored.worked_m2, found.worked_m2, tolerance);
+  compare.number("overlap", " m²", stored.overlap_m2, found.overlap_m2, tolerance);
+  compare.number("uncovered area", " m²", stored.uncovered_m2, found.uncovered_m2, tolerance);
+  compare.number("track length", " m", stored.track_length_m, found.track_length_m,
+                 rounding_of(found.track_length_m));
+  compare.count("pieces", stored.pieces, found.pieces);
+  compare.count("crossings", stored.crossings, found.crossings);
+  compare.count("turns", stored.turns, found.turns);
+  compare.count("stops", stored.stops, found.stops);
+  // The tally is compared above, so the cost only has to follow from it.
+  const double expected = cost(c.plan.objective, stored);
+  compare.number("cost", "", c.plan.cost, expected, rounding_of(expected));
+  // Σ w·L = body − u + o on the stored figures, whatever they are.
+  compare.number("worked area, as body less uncovered plus overlap,", " m²",
+                 area(c.plan.body) - stored.uncovered_m2 + stored.overlap_m2, found.worked_m2, tolerance);
+}
+
+void compare_layers_of_land(const Case& c, const Worked& found, Violations& out) {
+  const Region off = symmetric_difference(c.plan.uncovered, found.uncovered);
+  if (const double amount = area(off); amount > c.area_tolerance_m2)
+    out.push_back(
+        {kRule, fmt::format("the layer uncovered differs from the body less the swaths by {:.3f} m²", amount),
+         place_on_largest(off), amount});
+  const Region idle = difference(c.plan.overlap, found.land);
+  if (const double amount = area(idle); amount > c.area_tolerance_m2)
+    out.push_back({kRule, fmt::format("{:.3f} m² of the layer overlap are not worked at all", amount),
+                   place_on_largest(idle), amount});
+  // Land worked three times lies once in the layer and twice in the sum.
+  if (const double excess = area(c.plan.overlap) - found.tally.overlap_m2; excess > c.area_tolerance_m2)
+    out.push_back(
+        {kRule, fmt::format("the layer overlap is {:.3f} m² larger than the overlap of the tracks", excess),
+         place_on_largest(c.plan.overlap), excess});
+}
+
+}  // namespace
+
+Tally check_tally(const Case& c, int stops, Violations& out) {
+  const Worked found = recompute(c.plan, stops);
+  compare_tallies(c, found.tally, out);
+  compare_layers_of_land(c, found, out);
+  return found.tally;
+}
+
+}  // namespace tramline::check

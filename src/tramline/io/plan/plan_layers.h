@@ -1,0 +1,23 @@
+#pragma once
+// Names shared by the writer and the reader of plan files.
+//
+// Numbers for people (order, subfield, track) count from 1; the model counts from 0.
+
+namespace tramline::io::plan_layers {
+
+inline constexpr const char* kField = "field";
+inline constexpr const char* kObstacles = "obstacles";
+inline constexpr const char* kBody = "body";
+inline constexpr const char* kGivenUp = "given_up";
+inline constexpr const char* kSubfields = "subfields";
+inline constexpr const char* kTracks = "tracks";
+inline constexpr const char* kSwaths = "swaths";
+inline constexpr const char* kOverlap = "overlap";
+inline constexpr const char* kUncovered = "uncovered";
+inline constexpr const char* kDropped = "dropped";
+inline constexpr const char* kMetadata = "metadata";
+
+inline constexpr const char* kObstacle = "obstacle";
+inline constexpr const char* kPassable = "passable";
+
+}  // namespace tramline::io::plan_layers

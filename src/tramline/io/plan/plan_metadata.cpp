@@ -1,0 +1,206 @@
+#include "tramline/io/plan/plan_metadata.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "tramline/geometry/error.h"
+
+namespace tramline::io {
+namespace {
+
+constexpr const char* kFormat = "tramline plan";
+constexpr int kFormatVersion = 1;
+
+/// The one list of keys, walked by the writer (const plan) and by the reader.
+template <class PlanOrConst, class Visitor>
+void each_value(PlanOrConst& plan, Visitor&& visit) {
+  visit("field.id", plan.field.id);
+  visit("field.source.file", plan.field.source.file);
+  visit("field.source.layer", plan.field.source.layer);
+  visit("field.source.fid", plan.field.source.fid);
+  visit("field.source.part", plan.field.source.part);
+  visit("field.repairs", plan.field.repairs);
+  visit("field.warnings", plan.field.warnings);
+  visit("frame.geodetic", plan.field.frame.geodetic);
+  visit("frame.origin_lon_deg", plan.field.frame.origin_lon_deg);
+  visit("frame.origin_lat_deg", plan.field.frame.origin_lat_deg);
+  visit("frame.origin_x_m", plan.field.frame.origin_x_m);
+  visit("frame.origin_y_m", plan.field.frame.origin_y_m);
+  visit("machine.name", plan.machine.name);
+  visit("machine.width_m", plan.machine.width_m);
+  visit("machine.radius_m", plan.machine.radius_m);
+  visit("machine.min_length_m", plan.machine.min_length_m);
+  visit("objective.overlap", plan.objective.overlap);
+  visit("objective.uncovered", plan.objective.uncovered);
+  visit("objective.turn", plan.objective.turn);
+  visit("objective.stop", plan.objective.stop);
+  visit("settings.strategy", plan.settings.strategy);
+  visit("settings.end_rule", plan.settings.end_rule);
+  visit("settings.boundary", plan.settings.boundary);
+  visit("settings.cell_direction", plan.settings.cell_direction);
+  visit("settings.merge_threshold", plan.settings.merge_threshold);
+  visit("settings.decomposition_threshold", plan.settings.decomposition_threshold);
+  visit("settings.small_cell_m2", plan.settings.small_cell_m2);
+  visit("tally.worked_m2", plan.tally.worked_m2);
+  visit("tally.overlap_m2", plan.tally.overlap_m2);
+  visit("tally.uncovered_m2", plan.tally.uncovered_m2);
+  visit("tally.track_length_m", plan.tally.track_length_m);
+  visit("tally.pieces", plan.tally.pieces);
+  visit("tally.crossings", plan.tally.crossings);
+  visit("tally.turns", plan.tally.turns);
+  visit("tally.stops", plan.tally.stops);
+  visit("cost", plan.cost);
+  visit("directions_tried", plan.directions_tried);
+  visit("warnings", plan.warnings);
+}
+
+nlohmann::json to_json(const Repair& repair) {
+  return {{"what", repair.what},
+          {"where", repair.where},
+          {"x", repair.at.x},
+          {"y", repair.at.y},
+          {"area_change_m2", repair.area_change_m2}};
+}
+
+class Writer {
+ public:
+  explicit Writer(Metadata& out) : out_(out) {}
+  void operator()(const std::string& key, const std::string& value) { out_[key] = value; }
+  void operator()(const std::string& key, double value) { out_[key] = fmt::format("{:.17g}", value); }
+  void operator()(const std::string& key, int value) { out_[key] = std::to_string(value); }
+  void operator()(const std::string& key, long long value) { out_[key] = std::to_string(value); }
+  void operator()(const std::string& key, bool value) { out_[key] = value ? "true" : "false"; }
+  void operator()(const std::string& key, EndRule value) { out_[key] = name(value); }
+  void operator()(const std::string& key, EdgeKind value) { out_[key] = name(value); }
+  void operator()(const std::string& key, Strategy value) { out_[key] = name(value); }
+  void operator()(const std::string& key, CellDirection value) { out_[key] = name(value); }
+  /// Degrees are for people; radians are what is read back, to the bit.
+  void operator()(const std::string& key, Angle value) {
+    (*this)(key + "_deg", value.degrees());
+    (*this)(key + "_rad", value.radians());
+  }
+  void operator()(const std::string& key, const std::vector<std::string>& values) {
+    out_[key] = dumped(nlohmann::json(values));
+  }
+  void operator()(const std::string& key, const std::vector<Repair>& repairs) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const Repair& repair : repairs) list.push_back(to_json(repair));
+    out_[key] = dumped(list);
+  }
+
+ private:
+  /// A name that is not UTF-8 must not stop a plan from being written.
+  static std::string dumped(const nlohmann::json& json) {
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  }
+  Metadata& out_;
+};
+
+class Reader {
+ public:
+  Reader(const Metadata& metadata, const std::filesystem::path& file) : metadata_(metadata), file_(file) {}
+
+  void operator()(const std::string& key, std::string& value) { value = text(key); }
+  void operator()(const std::string& key, double& value) {
+    value = number<double>(key);
+    if (!std::isfinite(value)) throw wrong(key, "a finite number");
+  }
+  void operator()(const std::string& key, int& value) { value = number<int>(key); }
+  void operator()(const std::string& key, long long& value) { value = number<long long>(key); }
+  void operator()(const std::string& key, bool& value) {
+    if (text(key) != "true" && text(key) != "false") throw wrong(key, "true or false");
+    value = text(key) == "true";
+  }
+  void operator()(const std::string& key, EndRule& value) { value = word(key, end_rule_named(text(key))); }
+  void operator()(const std::string& key, EdgeKind& value) { value = word(key, edge_kind_named(text(key))); }
+  void operator()(const std::string& key, Strategy& value) { value = word(key, strategy_named(text(key))); }
+  void operator()(const std::string& key, CellDirection& value) {
+    value = word(key, cell_direction_named(text(key)));
+  }
+  void operator()(const std::string& key, Angle& value) {
+    double radians = 0;
+    (*this)(key + "_rad", radians);
+    value = Angle::radians(radians);
+  }
+  void operator()(const std::string& key, std::vector<std::string>& values) {
+    parse(key, [&](const nlohmann::json& json) { values = json.get<std::vector<std::string>>(); });
+  }
+  void operator()(const std::string& key, std::vector<Repair>& repairs) {
+    parse(key, [&](const nlohmann::json& json) {
+      for (const nlohmann::json& item : json)
+        repairs.push_back({item.at("what").get<std::string>(),
+                           item.at("where").get<std::string>(),
+                           {item.at("x").get<double>(), item.at("y").get<double>()},
+                           item.at("area_change_m2").get<double>()});
+    });
+  }
+
+  const std::string& text(const std::string& key) const {
+    const auto found = metadata_.find(key);
+    if (found != metadata_.end()) return found->second;
+    throw bad_input(
+        fmt::format("{}: the table metadata has no key '{}'; write the plan again with tramline plan",
+                    file_.string(), key));
+  }
+  Error wrong(const std::string& key, const char* expected) const {
+    return bad_input(fmt::format("{}: '{}' in the table metadata is '{}', expected {}", file_.string(), key,
+                                 text(key), expected));
+  }
+
+ private:
+  template <class Number>
+  Number number(const std::string& key) const {
+    const std::string& digits = text(key);
+    Number value{};
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error != std::errc{} || end != digits.data() + digits.size()) throw wrong(key, "a number");
+    return value;
+  }
+  template <class Choice>
+  Choice word(const std::string& key, std::optional<Choice> choice) const {
+    if (!choice) throw wrong(key, "a word this version of tramline knows");
+    return *choice;
+  }
+  template <class Take>
+  void parse(const std::string& key, Take take) const {
+    try {
+      take(nlohmann::json::parse(text(key)));
+    } catch (const nlohmann::json::exception&) {
+      throw wrong(key, "a JSON list");
+    }
+  }
+
+  const Metadata& metadata_;
+  const std::filesystem::path& file_;
+};
+
+}  // namespace
+
+Metadata metadata_of(const Plan& plan) {
+  Metadata out;
+  each_value(plan, Writer(out));
+  out["format"] = kFormat;
+  out["format_version"] = std::to_string(kFormatVersion);
+  out["field.source.file"] = std::filesystem::path(plan.field.source.file).filename().string();
+  // The kinds that no setting changes are written all the same: the file explains itself.
+  out["edges.exterior"] = name(plan.settings.boundary);
+  out["edges.obstacles"] = name(EdgeKind::kHard);
+  out["edges.subfield_borders"] = name(EdgeKind::kSoft);
+  return out;
+}
+
+void apply_metadata(const Metadata& metadata, const std::filesystem::path& file, Plan& plan) {
+  Reader reader(metadata, file);
+  if (reader.text("format") != kFormat) throw reader.wrong("format", "'tramline plan'");
+  int version = 0;
+  reader("format_version", version);
+  if (version != kFormatVersion)
+    throw reader.wrong("format_version", "1: read it with the tramline that wrote it");
+  each_value(plan, reader);
+}
+
+}  // namespace tramline::io

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tramline/model/plan.h"
+
+namespace tramline::io {
+
+/// A number of a plan file that repeats what a shape in it says already.
+struct DerivedNumber {
+  std::string where;      ///< "layer tracks, feature 12, length_m"
+  double stored = 0;      ///< as the file has it
+  double from_shape = 0;  ///< as it follows from the shape in the file
+  Point at;               ///< on the shape, local metres
+};
+
+/// A plan file with what a Plan does not hold because it follows from the rest; kept apart so that it
+/// can be compared. Shapes are in local metres.
+struct PlanFile {
+  Plan plan;
+  std::vector<int> track_order;  ///< the column order of the pieces, ascending; 1, 2, 3 … when whole
+  std::vector<int> swath_order;  ///< the same of the swaths
+  Region swaths;                 ///< the layer swaths, sorted by order
+  std::vector<DerivedNumber> derived;
+};
+
+/// Reads a plan file written by write_plan. Coordinates and numbers come back to the bit (in a plain
+/// frame, which is shifted: to 1e-9 m); of the source file only the base name comes back.
+/// Throws Error(kBadInput) naming the file, and the layer and feature at fault, where the file is
+/// missing, cut off, no plan, or holds a number that is not finite. O(n log n).
+PlanFile read_plan_file(const std::filesystem::path& path);
+
+/// The plan alone.
+Plan read_plan(const std::filesystem::path& path);
+
+}  // namespace tramline::io

@@ -1,0 +1,266 @@
+#include "tramline/io/plan/write_plan.h"
+
+#include <cpl_conv.h>
+#include <cpl_vsi.h>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <ogrsf_frmts.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <charconv>
+#include <cstdlib>
+#include <ctime>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <variant>
+
+#include "tramline/geometry/error.h"
+#include "tramline/io/plan/gdal_errors.h"
+#include "tramline/io/plan/local_crs.h"
+#include "tramline/io/plan/plan_layers.h"
+#include "tramline/io/plan/plan_metadata.h"
+#include "tramline/io/plan/whole_file.h"
+
+namespace tramline::io {
+namespace {
+
+namespace layers = plan_layers;
+
+struct Column {
+  const char* name;
+  OGRFieldType type;
+  OGRFieldSubType subtype = OFSTNone;
+};
+using Cell = std::variant<long long, double, bool, std::string>;
+
+constexpr Column kArea{"area_m2", OFTReal};
+constexpr Column integer(const char* name) {
+  return {name, OFTInteger};
+}
+constexpr Column real(const char* name) {
+  return {name, OFTReal};
+}
+constexpr Column text(const char* name) {
+  return {name, OFTString};
+}
+constexpr Column flag(const char* name) {
+  return {name, OFTInteger, OFSTBoolean};
+}
+
+std::string time_stamp() {
+  long long seconds = 0;
+  if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH"); epoch != nullptr && *epoch != '\0') {
+    const std::string_view digits(epoch);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), seconds);
+    constexpr long long kYear9999 = 253402300799;
+    if (error != std::errc{} || end != digits.data() + digits.size() || seconds < 0 || seconds > kYear9999)
+      throw bad_input(
+          fmt::format("SOURCE_DATE_EPOCH is '{}'; give whole seconds since 1970 or unset it", epoch));
+  }
+  return fmt::format("{:%Y-%m-%dT%H:%M:%S}.000Z", fmt::gmtime(static_cast<std::time_t>(seconds)));
+}
+
+/// Local metres to the file's coordinates.
+class Shapes {
+ public:
+  explicit Shapes(Point offset) : offset_(offset) {}
+
+  std::unique_ptr<OGRGeometry> line(Point start, Point end) const {
+    auto out = std::make_unique<OGRLineString>();
+    append(*out, start);
+    append(*out, end);
+    return out;
+  }
+  std::unique_ptr<OGRGeometry> polygon(const Polygon& polygon) const {
+    auto out = std::make_unique<OGRPolygon>();
+    append(*out, polygon.outer);
+    for (const Ring& hole : polygon.holes) append(*out, hole);
+    return out;
+  }
+
+ private:
+  void append(OGRLineString& out, Point p) const { out.addPoint(p.x + offset_.x, p.y + offset_.y); }
+  void append(OGRPolygon& out, const Ring& ring) const {
+    auto closed = std::make_unique<OGRLinearRing>();
+    for (const Point p : ring) append(*closed, p);
+    if (!ring.empty()) append(*closed, ring.front());
+    out.addRingDirectly(closed.release());
+  }
+  Point offset_;
+};
+
+/// A layer under construction. Failures are left to the GdalErrors of the caller.
+class Table {
+ public:
+  Table(GDALDataset& file, const char* name, OGRwkbGeometryType type, OGRSpatialReference* crs,
+        std::initializer_list<Column> columns)
+      : layer_(file.CreateLayer(name, crs, type, nullptr)) {
+    if (layer_ == nullptr) return;
+    for (const Column& column : columns) {
+      OGRFieldDefn definition(column.name, column.type);
+      definition.SetSubType(column.subtype);
+      layer_->CreateField(&definition);
+    }
+  }
+
+  void add(std::unique_ptr<OGRGeometry> shape, std::initializer_list<Cell> cells) {
+    if (layer_ == nullptr) return;
+    OGRFeature feature(layer_->GetLayerDefn());
+    int column = 0;
+    for (const Cell& cell : cells) set(feature, column++, cell);
+    if (shape != nullptr) {
+      feature.SetGeometryDirectly(shape.release());
+    }
+    if (layer_->CreateFeature(&feature) != OGRERR_NONE)
+      CPLError(CE_Failure, CPLE_AppDefined, "a feature of layer %s was refused", layer_->GetName());
+  }
+
+ private:
+  static void set(OGRFeature& feature, int column, const Cell& cell) {
+    if (const auto* whole = std::get_if<long long>(&cell)) feature.SetField(column, GIntBig{*whole});
+    if (const auto* number = std::get_if<double>(&cell)) feature.SetField(column, *number);
+    if (const auto* yes = std::get_if<bool>(&cell)) feature.SetField(column, *yes ? 1 : 0);
+    if (const auto* word = std::get_if<std::string>(&cell)) feature.SetField(column, word->c_str());
+  }
+  OGRLayer* layer_;
+};
+
+struct Target {
+  GDALDataset& file;
+  OGRSpatialReference* crs;
+  Shapes shapes;
+};
+
+void write_region(const Target& target, const char* name, const Region& region) {
+  Table table(target.file, name, wkbPolygon, target.crs, {kArea});
+  for (const Polygon& polygon : region) table.add(target.shapes.polygon(polygon), {area(polygon)});
+}
+
+void write_field(const Target& target, const Field& field) {
+  Table fields(target.file, layers::kField, wkbPolygon, target.crs, {text("field_id"), kArea});
+  fields.add(target.shapes.polygon({field.outer, {}}), {field.id, area(Polygon{field.outer, {}})});
+
+  Table obstacles(target.file, layers::kObstacles, wkbPolygon, target.crs,
+                  {text("kind"), text("origin"), kArea});
+  for (const Obstacle& obstacle : field.obstacles) {
+    const bool passable = obstacle.kind == ObstacleKind::kPassable;
+    obstacles.add(target.shapes.polygon(obstacle.shape),
+                  {std::string(passable ? layers::kPassable : layers::kObstacle), obstacle.origin,
+                   area(obstacle.shape)});
+  }
+}
+
+/// direction_rad gives the direction back to the bit, which degrees do not.
+void write_subfields(const Target& target, const Plan& plan) {
+  Table table(target.file, layers::kSubfields, wkbPolygon, target.crs,
+              {integer("number"), real("direction_deg"), real("direction_rad"), kArea});
+  long long number = 0;
+  for (const Subfield& subfield : plan.subfields)
+    table.add(
+        target.shapes.polygon(subfield.shape),
+        {++number, subfield.direction.degrees(), subfield.direction.angle().radians(), area(subfield.shape)});
+}
+
+void write_tracks(const Target& target, const Plan& plan) {
+  Table table(target.file, layers::kTracks, wkbLineString, target.crs,
+              {integer("order"), integer("subfield"), integer("track"), real("heading_deg"), real("length_m"),
+               flag("stop_at_start"), flag("stop_at_end"), flag("after_crossing")});
+  long long order = 0;
+  for (const TrackPiece& piece : plan.pieces)
+    table.add(
+        target.shapes.line(piece.start, piece.end),
+        {++order, piece.subfield + 1LL, piece.track + 1LL, Heading::from_to(piece.start, piece.end).degrees(),
+         length(piece), piece.stop_at_start, piece.stop_at_end, piece.after_crossing});
+}
+
+void write_swaths(const Target& target, const Plan& plan) {
+  Table table(target.file, layers::kSwaths, wkbPolygon, target.crs,
+              {integer("order"), real("width_m"), kArea});
+  const double width_m = plan.machine.width_m;
+  long long order = 0;
+  for (const TrackPiece& piece : plan.pieces)
+    table.add(target.shapes.polygon({swath(piece, width_m), {}}),
+              {++order, width_m, width_m * length(piece)});
+}
+
+void write_dropped(const Target& target, const Plan& plan) {
+  Table table(target.file, layers::kDropped, wkbLineString, target.crs,
+              {integer("subfield"), real("length_m")});
+  for (const DroppedPiece& piece : plan.dropped)
+    table.add(target.shapes.line(piece.start, piece.end),
+              {piece.subfield + 1LL, distance(piece.start, piece.end)});
+}
+
+void write_metadata(GDALDataset& file, const Plan& plan) {
+  Table table(file, layers::kMetadata, wkbNone, nullptr, {text("key"), text("value")});
+  for (const auto& [key, value] : metadata_of(plan)) table.add(nullptr, {key, value});
+}
+
+void write_layers(GDALDataset& file, const Plan& plan) {
+  OGRSpatialReference crs = crs_of(plan.field.frame);
+  const Target target{file, &crs, Shapes(offset_of(plan.field.frame))};
+  file.StartTransaction();
+  write_field(target, plan.field);
+  write_region(target, layers::kBody, plan.body);
+  write_region(target, layers::kGivenUp, plan.given_up);
+  write_subfields(target, plan);
+  write_tracks(target, plan);
+  write_swaths(target, plan);
+  write_region(target, layers::kOverlap, plan.overlap);
+  write_region(target, layers::kUncovered, plan.uncovered);
+  write_dropped(target, plan);
+  write_metadata(file, plan);
+  file.CommitTransaction();
+}
+
+/// A file in GDAL's memory, gone at the end of the scope. Building the GeoPackage there keeps
+/// half-written databases and journals off the disk, whatever happens.
+class MemoryFile {
+ public:
+  MemoryFile() {
+    static std::atomic<unsigned> count{0};
+    name_ = fmt::format("/vsimem/tramline_plan_{}_{}.gpkg", getpid(), count++);
+  }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  ~MemoryFile() { VSIUnlink(name_.c_str()); }
+  const char* name() const { return name_.c_str(); }
+  std::span<const std::byte> bytes() const {
+    vsi_l_offset size = 0;
+    const GByte* data = VSIGetMemFileBuffer(name_.c_str(), &size, FALSE);
+    return std::as_bytes(std::span(data, static_cast<std::size_t>(size)));
+  }
+
+ private:
+  std::string name_;
+};
+
+GDALDriver& driver() {
+  RegisterOGRGeoPackage();
+  GDALDriver* found = GetGDALDriverManager()->GetDriverByName("GPKG");
+  if (found == nullptr) throw failure("this GDAL has no GeoPackage driver; install one built with SQLite");
+  return *found;
+}
+
+}  // namespace
+
+void write_plan(const Plan& plan, const std::filesystem::path& path) {
+  if (path.extension() != ".gpkg")
+    throw bad_input(
+        fmt::format("'{}' cannot hold a plan: plans are GeoPackages; end the name in .gpkg", path.string()));
+  const CPLConfigOptionSetter date("OGR_CURRENT_DATE", time_stamp().c_str(), false);
+  GdalErrors errors;
+  MemoryFile memory;
+  {
+    const GDALDatasetUniquePtr file(driver().Create(memory.name(), 0, 0, 0, GDT_Unknown, nullptr));
+    if (file != nullptr) write_layers(*file, plan);
+  }
+  const std::span<const std::byte> bytes = memory.bytes();
+  if (errors.any() || bytes.empty())
+    throw failure(fmt::format("cannot write {}: GDAL reports: {}", path.string(), errors.first()));
+  write_whole(path, bytes);
+}
+
+}  // namespace tramline::io

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+
+#include "tramline/model/plan.h"
+
+namespace tramline::io {
+
+/// Writes a plan as a GeoPackage with the layers field, obstacles, body, given_up, subfields, tracks,
+/// swaths, overlap, uncovered and dropped, and the attribute table metadata; empty layers exist too.
+///
+/// Coordinates: for a geodetic frame the field's local metres in a transverse Mercator on WGS 84
+/// defined in the file; for a plain frame the input plane (local metres plus the frame's origin), in
+/// an engineering CRS. Numbers for people (order, subfield, track) count from 1.
+///
+/// The same plan gives the same bytes: time stamps are SOURCE_DATE_EPOCH where that is set, else
+/// 1970-01-01. The file is written whole or not at all.
+///
+/// Throws Error(kBadInput) for a name that does not end in .gpkg, Error(kFailure) where the file
+/// cannot be written. O(n) in vertices and pieces.
+void write_plan(const Plan& plan, const std::filesystem::path& path);
+
+}  // namespace tramline::io

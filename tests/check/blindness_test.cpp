@@ -1,0 +1,210 @@
+// A verifier that never finds anything is worth nothing: each fault made on purpose is found, and
+// found under the right name only.
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "check/plans.h"
+
+namespace tramline {
+namespace {
+
+using namespace testing_plans;
+
+Names found(const Plan& plan) {
+  return rules(check::verify(plan));
+}
+
+TEST(Blindness, swath_moved_into_an_obstacle) {
+  Plan plan = obstacle_plan();
+  // From behind the obstacle's edge to 10 cm before its other side.
+  for (TrackPiece& piece : plan.pieces)
+    if (piece.end.x == 40) {
+      piece.end.x = 40.1;
+      piece.stop_at_end = true;
+    }
+  EXPECT_EQ(found(settled(plan)), Names{"swaths"});
+}
+
+TEST(Blindness, swath_two_millimetres_inside_an_obstacle) {
+  Plan plan = obstacle_plan();
+  for (TrackPiece& piece : plan.pieces)
+    if (piece.end.x == 40) piece.end.x = 40.0005;
+  EXPECT_EQ(found(settled(plan)), Names{});
+  for (TrackPiece& piece : plan.pieces)
+    if (piece.end.x == 40.0005) piece.end.x = 40.002;
+  EXPECT_EQ(found(settled(plan)), Names{"swaths"});
+}
+
+TEST(Blindness, swath_over_a_passable_and_over_land_given_up) {
+  Plan plan = crossing_plan();
+  plan.pieces[0].end.x = 40.1;
+  EXPECT_EQ(found(settled(plan)), Names{"swaths"});
+
+  plan = obstacle_plan();
+  plan.field.obstacles.clear();
+  plan.body = {{plan.field.outer, {}}};
+  plan.given_up = {{rectangle(40, 11, 60, 13), {}}};
+  for (TrackPiece& piece : plan.pieces)
+    if (piece.end.x == 40) piece.end.x = 40.1;
+  EXPECT_EQ(found(settled(plan)), Names{"swaths"});
+}
+
+TEST(Blindness, swath_beyond_a_hard_boundary) {
+  Plan plan = triangle_plan(EndRule::kCheapest, cheapest_share(Objective{}));
+  plan.settings.boundary = EdgeKind::kHard;
+  EXPECT_EQ(found(plan), Names{"swaths"});
+  plan = triangle_plan(EndRule::kInside, 1);
+  plan.settings.boundary = EdgeKind::kHard;
+  EXPECT_EQ(found(plan), Names{});
+}
+
+TEST(Blindness, removed_track_with_the_old_tally) {
+  Plan plan = rectangle_plan();
+  plan.pieces.erase(plan.pieces.begin() + 4);
+  EXPECT_EQ(found(plan), Names{"tally"});
+}
+
+TEST(Blindness, field_corner_deleted) {
+  Plan plan = rectangle_plan();
+  plan.field.outer.erase(plan.field.outer.begin() + 2);
+  EXPECT_EQ(found(plan), Names{"body"});
+}
+
+TEST(Blindness, land_given_up_outside_the_body) {
+  Plan plan = rectangle_plan();
+  plan.given_up = {{rectangle(100.01, 0, 101, 10), {}}};
+  // Its swaths now stop against that land, were it there.
+  plan.given_up[0].outer = rectangle(110, 0, 120, 10);
+  EXPECT_EQ(found(plan), Names{"body"});
+}
+
+TEST(Blindness, false_figures) {
+  const Plan honest = triangle_plan(EndRule::kCentre, 0.5);
+  ASSERT_EQ(found(honest), Names{});
+  const auto with = [&](auto change) {
+    Plan plan = honest;
+    change(plan);
+    return found(plan);
+  };
+  EXPECT_EQ(with([](Plan& p) { p.tally.overlap_m2 += 0.01; }), Names{"tally"});
+  EXPECT_EQ(with([](Plan& p) { p.tally.uncovered_m2 -= 0.01; }), Names{"tally"});
+  EXPECT_EQ(with([](Plan& p) { p.tally.worked_m2 += 0.01; }), Names{"tally"});
+  EXPECT_EQ(with([](Plan& p) { p.tally.track_length_m += 0.001; }), Names{"tally"});
+  EXPECT_EQ(with([](Plan& p) { p.tally.turns -= 1; }), Names{"tally"});
+  EXPECT_EQ(with([](Plan& p) { p.tally.stops += 1; }), Names{"tally"});
+  EXPECT_EQ(with([](Plan& p) { p.tally.crossings += 1; }), Names{"tally"});
+  EXPECT_EQ(with([](Plan& p) { p.tally.pieces += 1; }), Names{"tally"});
+  EXPECT_EQ(with([](Plan& p) { p.cost *= 0.999; }), Names{"tally"});
+  EXPECT_EQ(with([](Plan& p) { p.tally.overlap_m2 = std::numeric_limits<double>::quiet_NaN(); }),
+            Names{"tally"});
+  EXPECT_EQ(with([](Plan& p) { p.uncovered.clear(); }), Names{"tally"});
+  EXPECT_EQ(with([](Plan& p) { p.overlap = {{rectangle(-50, -50, -49, -49), {}}}; }), Names{"tally"});
+  EXPECT_EQ(with([](Plan& p) { p.overlap = {{rectangle(1, 1, 11, 11), {}}}; }), Names{"tally"});
+}
+
+TEST(Blindness, piece_prolonged_past_its_end_rule) {
+  const auto prolonged = [](EndRule rule, double f, double by) {
+    Plan plan = triangle_plan(rule, f);
+    plan.pieces[2].end.x += by;
+    return found(settled(plan));
+  };
+  const double share = cheapest_share(Objective{});
+  EXPECT_EQ(prolonged(EndRule::kCentre, 0.5, 0.01), Names{"ends"});
+  EXPECT_EQ(prolonged(EndRule::kCover, 0, 0.01), Names{"ends"});
+  EXPECT_EQ(prolonged(EndRule::kInside, 1, 0.01), Names{"ends"});
+  EXPECT_EQ(prolonged(EndRule::kCheapest, share, 0.01), Names{"ends"});
+  EXPECT_EQ(prolonged(EndRule::kCheapest, share, 0.0005), Names{});
+  EXPECT_EQ(prolonged(EndRule::kCheapest, share, -0.5), Names{});
+}
+
+/// Both ends of the piece obey the rule, the land falls away in between.
+TEST(Blindness, end_rule_broken_in_the_middle_of_a_piece) {
+  Plan plan = rectangle_plan();
+  plan.field.outer = {{0, 0}, {45, 0}, {45, 2.5}, {55, 2.5}, {55, 0}, {100, 0}, {100, 30}, {0, 30}};
+  plan.body = {{plan.field.outer, {}}};
+  plan.subfields[0].shape = plan.body[0];
+  const check::Verdict verdict = check::verify(settled(plan));
+  EXPECT_EQ(rules(verdict), Names{"ends"});
+  ASSERT_EQ(verdict.violations.size(), 1u);
+  EXPECT_NEAR(verdict.violations[0].amount, 10, 1e-6);
+  EXPECT_NEAR(verdict.violations[0].at.x, 50, 1e-6);
+}
+
+TEST(Blindness, wrong_stop_flags) {
+  Plan plan = obstacle_plan();
+  for (TrackPiece& piece : plan.pieces) piece.stop_at_start = false;
+  EXPECT_EQ(found(plan), Names{"stops"});
+  plan = obstacle_plan();
+  plan.pieces[0].stop_at_end = true;
+  EXPECT_EQ(found(plan), Names{"stops"});
+}
+
+TEST(Blindness, crossing_without_a_passable) {
+  Plan plan = rectangle_plan();
+  TrackPiece second = plan.pieces[0];
+  plan.pieces[0].end.x = 40;
+  second.start.x = 43;
+  second.after_crossing = true;
+  plan.pieces.insert(plan.pieces.begin() + 1, second);
+  EXPECT_EQ(found(settled(plan)), Names{"crossings"});
+}
+
+TEST(Blindness, crossing_that_is_none) {
+  Plan other_track = crossing_plan();
+  other_track.pieces[1].track = 5;
+  EXPECT_EQ(found(other_track), Names{"crossings"});
+
+  Plan first = rectangle_plan();
+  first.pieces[0].after_crossing = true;
+  EXPECT_EQ(found(settled(first)), Names{"crossings"});
+
+  Plan backwards = crossing_plan();
+  std::swap(backwards.pieces[1].start, backwards.pieces[1].end);
+  EXPECT_EQ(found(backwards), Names{"crossings"});
+}
+
+TEST(Blindness, piece_too_short_to_drive) {
+  Plan plan = rectangle_plan();
+  plan.pieces[3].start.x = 5.9;
+  plan.pieces[3].end.x = 0;
+  EXPECT_EQ(found(settled(plan)), Names{"length"});
+  plan.machine.min_length_m = 5;
+  EXPECT_EQ(found(settled(plan)), Names{});
+}
+
+TEST(Blindness, overlapping_and_missing_subfields) {
+  Plan plan = two_subfields_plan();
+  plan.subfields[1].shape.outer = {{39, 0}, {100, 0}, {100, 30}, {59, 30}};
+  EXPECT_EQ(found(plan), Names{"subfields"});
+  plan = two_subfields_plan();
+  plan.subfields.push_back({{rectangle(101, 0, 110, 10), {}}, plan.subfields[0].direction});
+  EXPECT_EQ(found(plan), Names{"subfields"});
+}
+
+TEST(Blindness, unsound_pieces) {
+  const auto with = [](auto change) {
+    Plan plan = rectangle_plan();
+    change(plan.pieces[4]);
+    return found(plan);
+  };
+  EXPECT_EQ(with([](TrackPiece& p) { p.end = p.start; }), Names{"pieces"});
+  EXPECT_EQ(with([](TrackPiece& p) { p.end.x = std::numeric_limits<double>::infinity(); }), Names{"pieces"});
+  EXPECT_EQ(with([](TrackPiece& p) { p.subfield = 1; }), Names{"pieces"});
+  EXPECT_EQ(with([](TrackPiece& p) { p.subfield = -1; }), Names{"pieces"});
+  EXPECT_EQ(with([](TrackPiece& p) { p.end.y += 0.01; }), Names{"pieces"});
+}
+
+TEST(Blindness, unsound_shapes) {
+  Plan plan = rectangle_plan();
+  std::swap(plan.field.outer[1], plan.field.outer[2]);
+  EXPECT_EQ(found(plan), Names{"shapes"});
+  EXPECT_FALSE(check::verify(plan).complete);
+  plan = rectangle_plan();
+  plan.body[0].outer.resize(2);
+  EXPECT_EQ(found(plan), Names{"shapes"});
+}
+
+}  // namespace
+}  // namespace tramline

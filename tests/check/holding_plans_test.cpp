@@ -1,0 +1,182 @@
+// Plans that hold, with figures known by hand.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "check/plans.h"
+#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/track_frame.h"
+
+namespace tramline {
+namespace {
+
+using namespace testing_plans;
+
+void expect_holds(const Plan& plan) {
+  const check::Verdict verdict = check::verify(plan);
+  EXPECT_TRUE(verdict.holds());
+  for (const check::Violation& v : verdict.violations) ADD_FAILURE() << v.rule << ": " << v.what;
+}
+
+TEST(HoldingPlans, rectangle_is_covered_exactly_under_every_end_rule) {
+  Plan plan = rectangle_plan();
+  for (const EndRule rule : {EndRule::kCentre, EndRule::kCover, EndRule::kInside, EndRule::kCheapest})
+    for (const EdgeKind boundary : {EdgeKind::kSoft, EdgeKind::kHard}) {
+      plan.settings.end_rule = rule;
+      plan.settings.boundary = boundary;
+      expect_holds(plan);
+    }
+  EXPECT_NEAR(plan.tally.overlap_m2, 0, 1e-6);
+  EXPECT_NEAR(plan.tally.uncovered_m2, 0, 1e-6);
+  EXPECT_DOUBLE_EQ(plan.tally.worked_m2, 3000);
+  EXPECT_EQ(plan.tally.turns, 9);
+  EXPECT_EQ(plan.tally.stops, 0);
+}
+
+/// Each oblique end overlaps ½·w²·cot φ·(1−f)² and misses ½·w²·cot φ·f².
+TEST(HoldingPlans, triangle_with_centre_ends) {
+  const Plan plan = triangle_plan(EndRule::kCentre, 0.5);
+  expect_holds(plan);
+  EXPECT_NEAR(plan.tally.overlap_m2, 10 * 5.0, 1e-4);
+  EXPECT_NEAR(plan.tally.uncovered_m2, 10 * 5.0, 1e-4);
+}
+
+TEST(HoldingPlans, triangle_with_cheapest_ends) {
+  const double f = cheapest_share(Objective{});
+  const Plan plan = triangle_plan(EndRule::kCheapest, f);
+  expect_holds(plan);
+  EXPECT_NEAR(plan.tally.overlap_m2, 10 * 20 * (1 - f) * (1 - f), 1e-4);
+  EXPECT_NEAR(plan.tally.uncovered_m2, 10 * 20 * f * f, 1e-4);
+}
+
+TEST(HoldingPlans, triangle_with_covering_and_inner_ends) {
+  const Plan cover = triangle_plan(EndRule::kCover, 0);
+  expect_holds(cover);
+  EXPECT_NEAR(cover.tally.overlap_m2, 200, 1e-4);
+  EXPECT_NEAR(cover.tally.uncovered_m2, 0, 1e-4);
+  const Plan inside = triangle_plan(EndRule::kInside, 1);
+  expect_holds(inside);
+  EXPECT_EQ(inside.tally.pieces, 9);
+  EXPECT_NEAR(inside.tally.overlap_m2, 0, 1e-4);
+  EXPECT_NEAR(inside.tally.uncovered_m2, 200, 1e-4);
+}
+
+TEST(HoldingPlans, obstacle_cuts_two_swaths) {
+  const Plan plan = obstacle_plan();
+  expect_holds(plan);
+  EXPECT_EQ(plan.tally.pieces, 12);
+  EXPECT_EQ(plan.tally.turns, 11);
+  EXPECT_EQ(plan.tally.stops, 4);
+  EXPECT_NEAR(plan.tally.uncovered_m2, 2 * 60 - 40, 1e-4);
+  EXPECT_NEAR(plan.tally.overlap_m2, 0, 1e-4);
+}
+
+TEST(HoldingPlans, subfields_may_work_each_others_border) {
+  const Plan plan = two_subfields_plan();
+  expect_holds(plan);
+  EXPECT_NEAR(plan.tally.overlap_m2, 2 * 10 * 3.0, 1e-4);
+  EXPECT_NEAR(plan.tally.uncovered_m2, 0, 1e-4);
+}
+
+TEST(HoldingPlans, crossings_are_neither_turns_nor_stops) {
+  const Plan plan = crossing_plan();
+  expect_holds(plan);
+  EXPECT_EQ(plan.tally.pieces, 20);
+  EXPECT_EQ(plan.tally.crossings, 10);
+  EXPECT_EQ(plan.tally.turns, 9);
+  EXPECT_EQ(plan.tally.stops, 0);
+}
+
+TEST(HoldingPlans, short_pieces_beside_a_crossing_are_exempt) {
+  Plan plan = crossing_plan();
+  plan.machine.min_length_m = 50;
+  expect_holds(plan);
+}
+
+TEST(HoldingPlans, land_given_up_counts_as_uncovered_and_stops_the_machine) {
+  Plan plan = obstacle_plan();
+  plan.field.obstacles.clear();
+  plan.body = {{plan.field.outer, {}}};
+  plan.given_up = {{rectangle(40, 11, 60, 13), {}}};
+  plan = settled(plan);
+  expect_holds(plan);
+  EXPECT_EQ(plan.tally.stops, 4);
+  EXPECT_NEAR(plan.tally.uncovered_m2, 2 * 60, 1e-4);
+}
+
+TEST(HoldingPlans, a_plan_without_pieces_misses_everything) {
+  Plan plan = rectangle_plan();
+  plan.pieces.clear();
+  plan = settled(plan);
+  expect_holds(plan);
+  EXPECT_DOUBLE_EQ(plan.tally.uncovered_m2, 3000);
+  EXPECT_EQ(plan.tally.turns, 0);
+}
+
+Ring moved(const Ring& ring, const TrackFrame& frame, Point by) {
+  Ring out;
+  for (const Point p : ring) out.push_back(frame.to_field(p) + by);
+  return out;
+}
+
+/// The same plan turned by some odd angle and moved away holds as well: nothing depends on the axes.
+TEST(HoldingPlans, turning_and_moving_changes_nothing) {
+  for (const double degrees : {1.0, 33.3, 89.99, 122.4}) {
+    Plan plan = triangle_plan(EndRule::kCheapest, cheapest_share(Objective{}));
+    const TrackFrame frame(Direction::clockwise_from_north(Angle::degrees(degrees)));
+    const Point by{-712.3, 455.1};
+    plan.field.outer = moved(plan.field.outer, frame, by);
+    plan.body = {{plan.field.outer, {}}};
+    plan.subfields = {{plan.body[0], Direction::clockwise_from_north(Angle::degrees(90 + degrees))}};
+    plan.uncovered.clear();
+    for (TrackPiece& piece : plan.pieces) {
+      piece.start = frame.to_field(piece.start) + by;
+      piece.end = frame.to_field(piece.end) + by;
+    }
+    const Tally before = plan.tally;
+    plan = settled(plan);
+    expect_holds(plan);
+    EXPECT_NEAR(plan.tally.overlap_m2, before.overlap_m2, 1e-3);
+    EXPECT_NEAR(plan.tally.uncovered_m2, before.uncovered_m2, 1e-3);
+  }
+}
+
+/// A round field of 1,300 vertices with 600 swaths and 20 round obstacles.
+TEST(HoldingPlans, large_plans_are_judged_quickly) {
+  Plan plan;
+  const auto circle = [](Point centre, double radius, int n) {
+    Ring out;
+    for (int i = 0; i < n; ++i) {
+      const double t = 2 * std::numbers::pi * i / n;
+      out.push_back(centre + radius * Point{std::cos(t), std::sin(t)});
+    }
+    return out;
+  };
+  plan.field.outer = circle({}, 600, 1300);
+  plan.machine.width_m = 2;
+  for (int i = 0; i < 20; ++i) {
+    const Ring obstacle = circle({50.0 * (i - 10) + 20, 13.0 * (i - 10)}, 5, 40);
+    plan.field.obstacles.push_back({{obstacle, {}}, ObstacleKind::kObstacle, "tree"});
+  }
+  Region obstacles;
+  for (const Obstacle& obstacle : plan.field.obstacles) obstacles.push_back(obstacle.shape);
+  plan.body = difference({{plan.field.outer, {}}}, obstacles);
+  plan.subfields = {{plan.body[0], Direction::clockwise_from_north(Angle::degrees(0))}};
+  for (int i = 0; i < 600; ++i) {
+    const double x = -599 + 2 * i, half = std::sqrt(600.0 * 600 - x * x);
+    plan.pieces.push_back({{x, -half}, {x, half}, 0, i});
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  const check::Verdict verdict = check::verify(plan);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  EXPECT_TRUE(verdict.complete);
+  RecordProperty("seconds", std::to_string(seconds));
+  // Well under one; the bound leaves room for sanitizers and a busy machine.
+  EXPECT_LT(seconds, 10);
+}
+
+}  // namespace
+}  // namespace tramline

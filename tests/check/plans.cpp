@@ -1,0 +1,114 @@
+#include "check/plans.h"
+
+#include "tramline/geometry/boolean.h"
+
+namespace tramline::testing_plans {
+namespace {
+
+const Direction kEast = Direction::clockwise_from_north(Angle::degrees(90));
+
+/// Adds a piece along a horizontal centre line, driven east on even tracks and west on odd ones.
+void add_piece(Plan& plan, int track, double y, double from_x, double to_x, int subfield = 0) {
+  TrackPiece piece{{from_x, y}, {to_x, y}, subfield, track};
+  if (track % 2 == 1) std::swap(piece.start, piece.end);
+  plan.pieces.push_back(piece);
+}
+
+Plan bare_rectangle() {
+  Plan plan;
+  plan.field.id = "rectangle";
+  plan.field.outer = rectangle(0, 0, 100, 30);
+  plan.machine.width_m = 3;
+  plan.body = {{plan.field.outer, {}}};
+  plan.subfields = {{plan.body[0], kEast}};
+  return plan;
+}
+
+}  // namespace
+
+Ring rectangle(double min_x, double min_y, double max_x, double max_y) {
+  return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
+}
+
+Plan settled(Plan plan) {
+  plan.overlap.clear();
+  plan.uncovered = difference(plan.body, unite(swaths(plan)));
+  plan.tally = check::verify(plan).recomputed;
+  plan.cost = cost(plan.objective, plan.tally);
+  return plan;
+}
+
+Plan rectangle_plan() {
+  Plan plan = bare_rectangle();
+  for (int i = 0; i < 10; ++i) add_piece(plan, i, 3 * i + 1.5, 0, 100);
+  return settled(plan);
+}
+
+Plan triangle_plan(EndRule rule, double f) {
+  Plan plan;
+  plan.field.id = "triangle";
+  plan.field.outer = {{0, 0}, {100, 0}, {0, 40}};
+  plan.machine.width_m = 4;
+  plan.machine.min_length_m = 1;
+  plan.settings.end_rule = rule;
+  plan.body = {{plan.field.outer, {}}};
+  plan.subfields = {{plan.body[0], kEast}};
+  for (int i = 0; i < 10; ++i) {
+    const double end_x = 2.5 * (40 - 4 * (i + f));
+    if (end_x >= 1) add_piece(plan, i, 4 * i + 2, 0, end_x);
+  }
+  return settled(plan);
+}
+
+Plan obstacle_plan() {
+  Plan plan = bare_rectangle();
+  plan.field.obstacles = {{{rectangle(40, 11, 60, 13), {}}, ObstacleKind::kObstacle, "pylon"}};
+  plan.body[0].holes = {reversed(rectangle(40, 11, 60, 13))};
+  plan.subfields[0].shape = plan.body[0];
+  for (int i = 0; i < 10; ++i) {
+    const double y = 3 * i + 1.5;
+    if (i != 3 && i != 4) {
+      add_piece(plan, i, y, 0, 100);
+      continue;
+    }
+    add_piece(plan, i, y, i == 3 ? 60 : 0, i == 3 ? 100 : 40);
+    add_piece(plan, i, y, i == 3 ? 0 : 60, i == 3 ? 40 : 100);
+  }
+  for (TrackPiece& piece : plan.pieces) {
+    const auto blocked = [](Point p) { return p.x == 40 || p.x == 60; };
+    piece.stop_at_start = blocked(piece.start);
+    piece.stop_at_end = blocked(piece.end);
+  }
+  return settled(plan);
+}
+
+Plan two_subfields_plan() {
+  Plan plan = bare_rectangle();
+  plan.settings.end_rule = EndRule::kCover;
+  plan.subfields = {{{{{0, 0}, {40, 0}, {60, 30}, {0, 30}}, {}}, kEast},
+                    {{{{40, 0}, {100, 0}, {100, 30}, {60, 30}}, {}}, kEast}};
+  for (int i = 0; i < 10; ++i) add_piece(plan, i, 3 * i + 1.5, 0, 40 + 2.0 * (i + 1), 0);
+  for (int i = 0; i < 10; ++i) add_piece(plan, i, 3 * i + 1.5, 40 + 2.0 * i, 100, 1);
+  return settled(plan);
+}
+
+Plan crossing_plan() {
+  Plan plan = bare_rectangle();
+  plan.field.obstacles = {{{rectangle(40, 0, 43, 30), {}}, ObstacleKind::kPassable, "ditch"}};
+  plan.body = {{rectangle(0, 0, 40, 30), {}}, {rectangle(43, 0, 100, 30), {}}};
+  for (int i = 0; i < 10; ++i) {
+    const double y = 3 * i + 1.5;
+    add_piece(plan, i, y, i % 2 == 0 ? 0 : 43, i % 2 == 0 ? 40 : 100);
+    add_piece(plan, i, y, i % 2 == 0 ? 43 : 0, i % 2 == 0 ? 100 : 40);
+    plan.pieces.back().after_crossing = true;
+  }
+  return settled(plan);
+}
+
+std::set<std::string> rules(const check::Verdict& verdict) {
+  std::set<std::string> out;
+  for (const check::Violation& violation : verdict.violations) out.insert(violation.rule);
+  return out;
+}
+
+}  // namespace tramline::testing_plans
