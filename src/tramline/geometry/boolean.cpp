@@ -83,12 +83,18 @@ Geometry to_geos(const Region& region) {
   return collect(std::move(parts), GEOS_MULTIPOLYGON);
 }
 
-Ring ring_from(const GEOSGeometry* ring) {
-  const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(geos(), ring);
+std::vector<Point> points_of(const GEOSGeometry* line) {
+  const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(geos(), line);
   unsigned size = 0;
   GEOSCoordSeq_getSize_r(geos(), sequence, &size);
-  Ring out(size > 0 ? size - 1 : 0);
-  for (unsigned i = 0; i + 1 < size; ++i) GEOSCoordSeq_getXY_r(geos(), sequence, i, &out[i].x, &out[i].y);
+  std::vector<Point> out(size);
+  for (unsigned i = 0; i < size; ++i) GEOSCoordSeq_getXY_r(geos(), sequence, i, &out[i].x, &out[i].y);
+  return out;
+}
+
+Ring ring_from(const GEOSGeometry* closed_line) {
+  Ring out = points_of(closed_line);
+  if (!out.empty()) out.pop_back();
   return out;
 }
 
@@ -113,12 +119,18 @@ Region from_geos(const Geometry& g) {
   return out;
 }
 
-/// The floating union is the fallback of last resort: GEOS's grid overlay refuses some inputs that
-/// collapse on the grid.
 Region overlay(const Region& a, const Region& b,
                GEOSGeometry* (*operation)(GEOSContextHandle_t, const GEOSGeometry*, const GEOSGeometry*, double),
                const char* name) {
   return from_geos(checked(operation(geos(), to_geos(a).get(), to_geos(b).get(), kGridSize), name));
+}
+
+Point point_inside(const Polygon& polygon) {
+  const Geometry point = checked(GEOSPointOnSurface_r(geos(), to_geos(polygon).get()), "interior point");
+  Point p;
+  GEOSGeomGetX_r(geos(), point.get(), &p.x);
+  GEOSGeomGetY_r(geos(), point.get(), &p.y);
+  return p;
 }
 
 }  // namespace
@@ -199,29 +211,34 @@ Region split_by_lines(const Polygon& polygon, const std::vector<std::vector<Poin
   edges.push_back(to_line(polygon.outer, true));
   for (const Ring& hole : polygon.holes) edges.push_back(to_line(hole, true));
   for (const auto& line : lines) edges.push_back(to_line(line, false));
-  const Geometry noded =
-      checked(GEOSNode_r(geos(), collect(std::move(edges), GEOS_MULTILINESTRING).get()), "noding");
+  const Geometry linework = collect(std::move(edges), GEOS_MULTILINESTRING);
+  // Snap rounding: cut lines that all but coincide meet in one line instead of a sliver.
+  const Geometry noded = checked(GEOSUnaryUnionPrec_r(geos(), linework.get(), kGridSize), "noding");
   const GEOSGeometry* input = noded.get();
   const Region faces = from_geos(checked(GEOSPolygonize_r(geos(), &input, 1), "polygonise"));
 
   Region inside;
-  for (const Polygon& face : faces) {
-    const Geometry face_geometry = to_geos(face);
-    const Geometry on_surface = checked(GEOSPointOnSurface_r(geos(), face_geometry.get()), "interior point");
-    Point p;
-    GEOSGeomGetX_r(geos(), on_surface.get(), &p.x);
-    GEOSGeomGetY_r(geos(), on_surface.get(), &p.y);
-    if (contains(polygon, p)) inside.push_back(face);
-  }
+  for (const Polygon& face : faces)
+    if (contains(polygon, point_inside(face))) inside.push_back(face);
   return inside;
 }
 
-double length_inside(const Region& region, Point a, Point b) {
+std::vector<std::vector<Point>> parts_inside(const Region& region, Point a, Point b) {
   const Geometry line = to_line({a, b}, false);
   const Geometry inside = checked(GEOSIntersection_r(geos(), to_geos(region).get(), line.get()), "intersection");
-  double out = 0;
-  if (!GEOSLength_r(geos(), inside.get(), &out)) checked(nullptr, "length");
-  return out;
+  std::vector<std::vector<Point>> parts;
+  for (int i = 0; i < GEOSGetNumGeometries_r(geos(), inside.get()); ++i) {
+    const GEOSGeometry* part = GEOSGetGeometryN_r(geos(), inside.get(), i);
+    if (GEOSGeomTypeId_r(geos(), part) != GEOS_LINESTRING || GEOSisEmpty_r(geos(), part)) continue;
+    parts.push_back(points_of(part));
+  }
+  return parts;
+}
+
+double length_inside(const Region& region, Point a, Point b) {
+  double sum = 0;
+  for (const auto& part : parts_inside(region, a, b)) sum += distance(part.front(), part.back());
+  return sum;
 }
 
 }  // namespace tramline

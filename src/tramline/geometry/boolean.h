@@ -55,10 +55,12 @@ std::optional<Invalidity> find_invalidity(const Polygon& polygon);
 /// The land enclosed an odd number of times by the rings of the polygon (GEOS make-valid, linework).
 Region made_valid(const Polygon& polygon);
 
-/// Faces of the arrangement of the polygon's rings and the polylines that lie inside it.
-/// The faces form a valid coverage: edges shared by two faces are identical.
+/// Faces of the arrangement of the polygon's rings and the polylines that lie inside it, on the
+/// precision grid. They form a valid coverage: edges shared by two faces are identical.
 Region split_by_lines(const Polygon& polygon, const std::vector<std::vector<Point>>& lines);
 
+/// The parts of segment ab inside the region, in no stated order.
+std::vector<std::vector<Point>> parts_inside(const Region& region, Point a, Point b);
 /// Length of the part of segment ab inside the region, m.
 double length_inside(const Region& region, Point a, Point b);
 

@@ -1,0 +1,122 @@
+# Every target does all the set-up it needs: packages, configuring, building. `make help` lists them.
+
+JOBS ?= $(shell nproc)
+TRAMLINE_DATA ?= $(abspath ../shared/data)
+export TRAMLINE_DATA
+
+RELEASE := build/release
+TRAMLINE := $(RELEASE)/apps/tramline/tramline
+CTEST := ctest --parallel $(JOBS) --output-on-failure --no-tests=error
+SOURCES = $(shell git ls-files '*.cpp' '*.h')
+# Longest a part of `make long` may take.
+LIMIT := timeout --foreground 60m
+
+.DEFAULT_GOAL := build
+.NOTPARALLEL:
+.SUFFIXES:
+
+# --- for everyone -------------------------------------------------------------------------------
+
+.PHONY: build
+build: packages $(RELEASE)/build.ninja ## build everything, optimised (what plain `make` does)
+	cmake --build $(RELEASE) -j $(JOBS)
+
+.PHONY: demo
+demo: program ## plan the example field and check the plan; results in out/
+	mkdir -p out
+	$(TRAMLINE) plan examples/riverside.geojson --width 3 --radius 6 -o out/riverside.gpkg --picture out/riverside.png
+	$(TRAMLINE) check out/riverside.gpkg --field examples/riverside.geojson
+	@echo
+	@echo "The plan, for a GIS:   out/riverside.gpkg"
+	@echo "The picture:           out/riverside.png"
+	@echo "The program:           $(TRAMLINE) (try --help)"
+
+.PHONY: test
+test: build ## build and run every test; those on real data where TRAMLINE_DATA is found
+	$(CTEST) --test-dir $(RELEASE)
+
+.PHONY: gallery
+gallery: program ## plan 24 real fields and draw them on one contact sheet, outside the repository
+	cmake --build $(RELEASE) -j $(JOBS) --target tramline_gallery
+	tools/gallery.sh $(RELEASE)
+
+.PHONY: bench
+bench: build ## measure; table on the terminal, figures into bench/results/
+	tools/bench.py $(RELEASE)
+
+.PHONY: lint
+lint: packages-lint build/clang/build.ninja ## clang-format and clang-tidy over all sources, shellcheck over the scripts
+	clang-format-14 --dry-run -Werror $(SOURCES)
+	run-clang-tidy -quiet -j $(JOBS) -p build/clang '/(src/tramline|apps)/'
+	shellcheck .ci/run tools/*.sh $(shell git ls-files 'tests/cli/cases/*/setup.sh')
+
+.PHONY: goldens
+goldens: program ## write the golden outputs of tests/cli anew; read the difference before you commit it
+	tests/cli/run_golden.py --update --tramline $(TRAMLINE)
+
+.PHONY: format
+format: packages-lint ## lay out all sources as .clang-format says
+	clang-format-14 -i $(SOURCES)
+
+.PHONY: clean
+clean: ## remove what was built and the results of the demo
+	rm -rf build out
+
+.PHONY: help
+help: ## show this list
+	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "  make %-16s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+
+# --- set-up -------------------------------------------------------------------------------------
+
+.PHONY: packages packages-lint
+packages: ## install the Debian packages that are missing
+	@tools/install-packages.sh build
+packages-lint:
+	@tools/install-packages.sh build lint
+
+# One rule for every preset of CMakePresets.json. Afterwards ninja configures again by itself.
+build/%/build.ninja: CMakePresets.json
+	cmake --preset $*
+	@touch $@
+
+.PHONY: program
+program: packages $(RELEASE)/build.ninja
+	cmake --build $(RELEASE) -j $(JOBS) --target tramline
+
+# --- the long tests: each part stands alone and takes an hour at most on two cores -----------------
+
+LONG := long-properties long-real-1 long-real-2 long-real-3 long-registers long-asan long-tsan long-clang
+
+.PHONY: long $(LONG)
+long: $(LONG) ## all the long tests, one after another; each part below can be run alone
+
+long-properties: build ## every property with 20,000 random cases
+	TRAMLINE_CASES=20000 RC_PARAMS="max_success=20000" $(LIMIT) $(CTEST) --test-dir $(RELEASE) -L properties
+
+# One scenario of S1 over all real fields: least overlap, least uncovered, fewest turns.
+SWEEP = $(LIMIT) $(RELEASE)/tests/real/sweep_real
+long-real-1: build ## S1's scenario 1 (least overlap) over the real fields
+	TRAMLINE_SCENARIO=1 $(SWEEP)
+long-real-2: build ## S1's scenario 2 (least uncovered) over the real fields
+	TRAMLINE_SCENARIO=2 $(SWEEP)
+long-real-3: build ## S1's scenario 3 (fewest turns) over the real fields
+	TRAMLINE_SCENARIO=3 $(SWEEP)
+
+# Refused fields are part of the register: they are listed in the output and are no failure.
+long-registers: program ## plan every field of the registers, slivers and oddities included
+	mkdir -p out
+	$(LIMIT) $(TRAMLINE) plan $(TRAMLINE_DATA)/fields/fields-all.geojson --all --width 6 --radius 6 --json \
+	  > out/registers.jsonl
+	@echo "$$(wc -l < out/registers.jsonl) lines in out/registers.jsonl"
+
+long-asan: packages build/asan-ubsan/build.ninja ## all tests with address and undefined-behaviour sanitizers
+	cmake --build build/asan-ubsan -j $(JOBS)
+	UBSAN_OPTIONS=print_stacktrace=1 $(LIMIT) $(CTEST) --test-dir build/asan-ubsan
+
+long-tsan: packages build/tsan/build.ninja ## the tests labelled `threads` with the thread sanitizer
+	cmake --build build/tsan -j $(JOBS)
+	$(LIMIT) $(CTEST) --test-dir build/tsan -L threads
+
+long-clang: packages-lint build/clang/build.ninja ## all tests built by clang
+	cmake --build build/clang -j $(JOBS)
+	$(LIMIT) $(CTEST) --test-dir build/clang

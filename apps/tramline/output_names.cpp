@@ -1,0 +1,25 @@
+#include "output_names.h"
+
+#include <cctype>
+
+namespace tramline::app {
+namespace {
+
+std::string as_file_name(const std::string& id) {
+  std::string out;
+  for (const char c : id)
+    out += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '_' || c == '-' ? c : '-';
+  return out;
+}
+
+}  // namespace
+
+std::filesystem::path OutputNames::next(const std::string& field_id) {
+  if (!several_) return given_;
+  const std::string stem = given_.stem().string() + "-" + as_file_name(field_id);
+  std::string name = stem;
+  for (int copy = 2; !taken_.insert(name).second; ++copy) name = stem + "-" + std::to_string(copy);
+  return given_.parent_path() / (name + given_.extension().string());
+}
+
+}  // namespace tramline::app

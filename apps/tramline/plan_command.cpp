@@ -1,0 +1,156 @@
+// tramline plan: a field and a machine in, the passes out.
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <initializer_list>
+
+#include "command.h"
+#include "field_options.h"
+#include "output_names.h"
+#include "plan_options.h"
+#include "plan_report.h"
+#include "progress.h"
+#include "tramline/geometry/error.h"
+#include "tramline/io/plan/write_plan.h"
+#include "tramline/planner/plan_field.h"
+#include "tramline/render/draw_plan.h"
+
+namespace tramline::app {
+namespace {
+
+constexpr const char* kExample =
+    "Example:\n"
+    "  tramline plan field.geojson --width 3 --radius 6 -o plan.gpkg --picture plan.png\n"
+    "  tramline plan parcels.gpkg --layer parcels --where \"crop='wheat'\" --all --json\n"
+    "Without -o and --picture nothing is written.";
+
+class PlanCommand : public Command {
+ public:
+  CLI::App* setup(CLI::App& app) override {
+    CLI::App* verb = app.add_subcommand("plan", "Plan every pass over a field");
+    verb->footer(kExample);
+    add_field_options(*verb, field_options_);
+    add_plan_options(*verb, plan_options_);
+    verb->add_option("-o,--output", output_, "write the plan to this GeoPackage (.gpkg)");
+    verb->add_option("--picture", picture_, "draw the plan to this .png, .svg or .pdf");
+    verb->add_option("--threads", threads_, "threads to use (default: all cores)")->check(CLI::NonNegativeNumber);
+    verb->add_flag("--json", json_, "print one JSON object per field");
+    verb->add_flag("--quiet", quiet_, "no progress, no table");
+    return verb;
+  }
+
+  int run() override {
+    machine_ = machine_of(plan_options_);
+    objective_ = objective_of(plan_options_);
+    settings_ = settings_of(plan_options_);
+    check_extension(output_, {".gpkg"}, "--output");
+    check_extension(picture_, {".png", ".svg", ".pdf"}, "--picture");
+    const FieldInput input = load_fields(field_options_);
+    return field_options_.all ? plan_all(input) : plan_each(input);
+  }
+
+ private:
+  static void check_extension(const std::string& name, std::initializer_list<const char*> allowed,
+                              const char* option) {
+    if (name.empty()) return;
+    const std::string extension = std::filesystem::path(name).extension().string();
+    std::string list;
+    for (const char* one : allowed) {
+      if (extension == one) return;
+      list += (list.empty() ? "" : ", ") + std::string(one);
+    }
+    throw bad_input(fmt::format("{} '{}' must end in {}", option, name, list));
+  }
+
+  /// The parts of the one feature asked for; the first that cannot be planned ends the run.
+  int plan_each(const FieldInput& input) {
+    const bool several = input.fields.size() > 1;
+    OutputNames outputs(output_, several), pictures(picture_, several);
+    for (const Field& field : input.fields) {
+      const Planned planned = plan_one(field);
+      write(planned.plan, outputs, pictures);
+      if (json_)
+        fmt::print("{}\n", plan_json(planned.plan, input.skipped, planned.seconds).dump());
+      else if (!quiet_)
+        fmt::print("{}{}", &field == &input.fields.front() ? "" : "\n",
+                   plan_table(planned.plan, input.skipped, planned.seconds));
+    }
+    return 0;
+  }
+
+  /// All features; what cannot be planned is listed, and the rest goes on.
+  int plan_all(const FieldInput& input) {
+    OutputNames outputs(output_, true), pictures(picture_, true);
+    std::size_t planned_count = 0;
+    for (const Refusal& refusal : input.refusals) refuse(refusal.field_id, refusal.sentence);
+    for (const Field& field : input.fields) {
+      try {
+        const Planned planned = plan_one(field);
+        write(planned.plan, outputs, pictures);
+        report_one_of_many(planned, input.skipped);
+        ++planned_count;
+      } catch (const Error& error) {
+        if (error.kind() != ErrorKind::kBadInput) throw;
+        refuse(field.id, error.what());
+      }
+    }
+    for (const Skipped& skipped : input.skipped)
+      if (!quiet_) fmt::print(stderr, "skipped {} ({}): {}\n", skipped.what, skipped.where, skipped.why);
+    if (!quiet_)
+      fmt::print(stderr, "planned {} of {} fields, {} refused\n", planned_count,
+                 input.fields.size() + input.refusals.size(), refused_);
+    return planned_count > 0 ? 0 : 2;
+  }
+
+  struct Planned {
+    Plan plan;
+    double seconds;
+  };
+
+  Planned plan_one(const Field& field) const {
+    ProgressLine progress(quiet_);
+    const auto start = std::chrono::steady_clock::now();
+    Plan plan = plan_field(field, machine_, objective_, settings_, threads_,
+                           [&](int done, int total) { progress.show("planning " + field.id, done, total); });
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    return {std::move(plan), elapsed.count()};
+  }
+
+  void write(const Plan& plan, OutputNames& outputs, OutputNames& pictures) const {
+    if (!output_.empty()) write_plan(plan, outputs.next(plan.field.id));
+    if (!picture_.empty()) draw_plan(plan, pictures.next(plan.field.id));
+  }
+
+  void report_one_of_many(const Planned& planned, const std::vector<Skipped>& skipped) const {
+    if (json_)
+      fmt::print("{}\n", plan_json(planned.plan, skipped, planned.seconds).dump());
+    else if (!quiet_)
+      fmt::print("{}", plan_line(planned.plan, planned.seconds));
+  }
+
+  void refuse(const std::string& field_id, const std::string& sentence) {
+    ++refused_;
+    if (json_)
+      fmt::print("{}\n", nlohmann::ordered_json{{"field_id", field_id}, {"refused", sentence}}.dump());
+    else
+      fmt::print(stderr, "{} refused: {}\n", field_id, sentence);
+  }
+
+  FieldOptions field_options_;
+  PlanOptions plan_options_;
+  std::string output_, picture_;
+  int threads_ = 0;
+  bool json_ = false, quiet_ = false;
+  Machine machine_;
+  Objective objective_;
+  PlanSettings settings_;
+  std::size_t refused_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_plan_command() { return std::make_unique<PlanCommand>(); }
+
+}  // namespace tramline::app

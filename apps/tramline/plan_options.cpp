@@ -1,0 +1,120 @@
+#include "plan_options.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+#include "tramline/geometry/error.h"
+#include "tramline/io/machine/read_machine.h"
+
+namespace tramline::app {
+namespace {
+
+/// "0.04,0.1,0.45" as numbers.
+std::vector<double> numbers_in(const std::string& text, const char* option) {
+  std::vector<double> out;
+  std::size_t from = 0;
+  while (from <= text.size()) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    const std::string word = text.substr(from, comma - from);
+    char* end = nullptr;
+    const double value = std::strtod(word.c_str(), &end);
+    if (word.empty() || *end != '\0' || !std::isfinite(value) || value < 0)
+      throw bad_input(fmt::format("{} takes numbers of at least 0 separated by commas, and '{}' in '{}' is none", option,
+                                  word, text));
+    out.push_back(value);
+    from = comma + 1;
+  }
+  if (out.size() != 3 && out.size() != 4)
+    throw bad_input(fmt::format("{} takes three or four numbers, overlap,uncovered,turn[,stop], not '{}'", option, text));
+  return out;
+}
+
+/// S1.8: scenario weights; S1 has no price for stops.
+Objective scenario(const std::string& word) {
+  constexpr double kAbove = 99999;
+  if (word == "overlap") return {kAbove, 1, 1, 0};
+  if (word == "uncovered") return {1, kAbove, 1, 0};
+  if (word == "turns") return {1, 1, kAbove, 0};
+  throw bad_input(fmt::format("--minimise takes overlap, uncovered or turns, not '{}'", word));
+}
+
+template <class Choice>
+Choice chosen(std::optional<Choice> choice, const char* option, const std::string& word, const char* words) {
+  if (!choice) throw bad_input(fmt::format("{} takes {}, not '{}'", option, words, word));
+  return *choice;
+}
+
+}  // namespace
+
+void add_plan_options(CLI::App& verb, PlanOptions& o) {
+  const char* machine = "Machine";
+  verb.add_option("--width", o.width_m, "working width w, m (default 3)")->group(machine);
+  verb.add_option("--radius", o.radius_m, "least turning radius, m (default 6)")->group(machine);
+  verb.add_option("--machine", o.machine_file, "machine file (TOML); --width and --radius overrule it")->group(machine);
+  verb.add_option("--min-length", o.min_length_m, "shortest piece worth driving, m (default 2 w)")->group(machine);
+
+  const char* objective = "Objective";
+  auto* weights = verb.add_option("--weights", o.weights, "weights of overlap (1/m²), uncovered (1/m²), turns[, stops]");
+  auto* prices = verb.add_option("--prices", o.prices,
+                                 "€/m² overlap, €/m² uncovered, €/turn[, €/stop] (default 0.04,0.10,0.45,5)");
+  auto* minimise = verb.add_option("--minimise", o.minimise, "overlap, uncovered or turns above all (weight 99999)");
+  weights->group(objective)->excludes(prices)->excludes(minimise);
+  prices->group(objective)->excludes(minimise);
+  minimise->group(objective);
+
+  const char* plan = "Plan";
+  verb.add_option("--strategy", o.strategy, "sweep: every edge direction is tried")->group(plan);
+  verb.add_option("--end-rule", o.end_rule, "where swaths end at a soft edge: cheapest, centre, cover or inside")
+      ->group(plan);
+  verb.add_option("--boundary", o.boundary, "the field's own edge: soft (a headland behind it) or hard")->group(plan);
+  verb.add_option("--merge", o.merge_deg, "merge subfields whose directions differ by no more, degrees (default 0)")
+      ->group(plan);
+  verb.add_option("--decomposition", o.decomposition_deg,
+                  "split at corners with a larger inside angle, degrees (default 180)")
+      ->group(plan);
+  verb.add_option("--cell-direction", o.cell_direction,
+                  "a cell's tracks: along its smallest bounding rectangle, or across its least width")
+      ->group(plan);
+}
+
+Machine machine_of(const PlanOptions& o) {
+  Machine machine = o.machine_file.empty() ? Machine{} : read_machine(o.machine_file);
+  if (o.width_m) machine.width_m = *o.width_m;
+  if (o.radius_m) machine.radius_m = *o.radius_m;
+  if (o.min_length_m && !(*o.min_length_m >= 0))
+    throw bad_input(fmt::format("--min-length must be at least 0 m, not {}", *o.min_length_m));
+  if (o.min_length_m) machine.min_length_m = *o.min_length_m;
+  return machine;
+}
+
+Objective objective_of(const PlanOptions& o) {
+  if (!o.minimise.empty()) return scenario(o.minimise);
+  if (!o.weights.empty()) {
+    const auto n = numbers_in(o.weights, "--weights");
+    return {n[0], n[1], n[2], n.size() > 3 ? n[3] : 0};
+  }
+  Objective prices;
+  if (!o.prices.empty()) {
+    const auto n = numbers_in(o.prices, "--prices");
+    prices = {n[0], n[1], n[2], n.size() > 3 ? n[3] : prices.stop};
+  }
+  return prices;
+}
+
+PlanSettings settings_of(const PlanOptions& o) {
+  PlanSettings settings;
+  settings.strategy = chosen(strategy_named(o.strategy), "--strategy", o.strategy, "sweep");
+  settings.end_rule =
+      chosen(end_rule_named(o.end_rule), "--end-rule", o.end_rule, "cheapest, centre, cover or inside");
+  settings.boundary = chosen(edge_kind_named(o.boundary), "--boundary", o.boundary, "soft or hard");
+  settings.cell_direction = chosen(cell_direction_named(o.cell_direction), "--cell-direction", o.cell_direction,
+                                   "rectangle or width");
+  settings.merge_threshold = Angle::degrees(o.merge_deg);
+  settings.decomposition_threshold = Angle::degrees(o.decomposition_deg);
+  return settings;
+}
+
+}  // namespace tramline::app

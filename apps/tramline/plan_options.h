@@ -1,0 +1,34 @@
+#pragma once
+// The options of `plan` that shape a plan, and what they mean.
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "tramline/model/plan.h"
+
+namespace tramline::app {
+
+/// As typed; empty or unset where the user said nothing.
+struct PlanOptions {
+  std::optional<double> width_m, radius_m, min_length_m;
+  std::string machine_file;
+  std::string weights, prices, minimise;
+  std::string strategy = "sweep";
+  std::string end_rule = "cheapest";
+  std::string boundary = "soft";
+  std::string cell_direction = "rectangle";
+  double merge_deg = 0;
+  double decomposition_deg = 180;
+};
+
+void add_plan_options(CLI::App& verb, PlanOptions& options);
+
+/// The machine file, overruled by --width, --radius and --min-length. Throws kBadInput.
+Machine machine_of(const PlanOptions& options);
+/// --weights o,u,t[,s], --prices o,u,t[,s] or --minimise. Throws kBadInput.
+Objective objective_of(const PlanOptions& options);
+/// Throws kBadInput for an unknown word.
+PlanSettings settings_of(const PlanOptions& options);
+
+}  // namespace tramline::app

@@ -1,0 +1,147 @@
+#include "plan_report.h"
+
+#include <fmt/format.h>
+
+#include "tramline/headland/body.h"
+
+namespace tramline::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+double field_area_m2(const Plan& plan) { return area(Polygon{plan.field.outer, {}}); }
+
+double percent_of_field(const Plan& plan, double area_m2) { return 100 * area_m2 / field_area_m2(plan); }
+
+ordered_json repairs_json(const Field& field) {
+  ordered_json out = ordered_json::array();
+  for (const Repair& repair : field.repairs)
+    out.push_back({{"what", repair.what},
+                   {"where", repair.where},
+                   {"x", repair.at.x},
+                   {"y", repair.at.y},
+                   {"area_change_m2", repair.area_change_m2}});
+  return out;
+}
+
+ordered_json skipped_json(const std::vector<Skipped>& skipped) {
+  ordered_json out = ordered_json::array();
+  for (const Skipped& item : skipped)
+    out.push_back({{"what", item.what}, {"where", item.where}, {"why", item.why}});
+  return out;
+}
+
+ordered_json dropped_json(const Plan& plan) {
+  ordered_json out = ordered_json::array();
+  for (const DroppedPiece& piece : plan.dropped)
+    out.push_back({{"subfield", piece.subfield},
+                   {"x_m", midpoint(piece.start, piece.end).x},
+                   {"y_m", midpoint(piece.start, piece.end).y},
+                   {"length_m", distance(piece.start, piece.end)}});
+  return out;
+}
+
+std::string directions_text(const Plan& plan) {
+  constexpr std::size_t kShown = 8;
+  std::string out;
+  for (std::size_t i = 0; i < plan.subfields.size() && i < kShown; ++i)
+    out += fmt::format("{}{:.2f}°", i > 0 ? ", " : "", plan.subfields[i].direction.degrees());
+  if (plan.subfields.size() > kShown) out += ", …";
+  return out;
+}
+
+std::string ground_rows(const Plan& plan) {
+  std::string out;
+  out += fmt::format("field        {}\n", plan.field.id);
+  out += fmt::format("area         {:.4f} ha, {:.4f} ha to work, {} obstacles\n", field_area_m2(plan) / 1e4,
+                     area(plan.body) / 1e4, plan.field.obstacles.size());
+  out += fmt::format("machine      {}{:g} m wide, turning radius {:g} m\n",
+                     plan.machine.name.empty() ? "" : plan.machine.name + ", ", plan.machine.width_m,
+                     plan.machine.radius_m);
+  out += fmt::format("search       {} strategy, {} directions tried, ends '{}', boundary {}\n",
+                     name(plan.settings.strategy), plan.directions_tried, name(plan.settings.end_rule),
+                     name(plan.settings.boundary));
+  return out;
+}
+
+std::string tally_rows(const Plan& plan) {
+  const Tally& tally = plan.tally;
+  std::string out;
+  out += fmt::format("subfields    {} (direction {})\n", plan.subfields.size(), directions_text(plan));
+  out += fmt::format("tracks       {}, {:.1f} m in all\n", tally.pieces, tally.track_length_m);
+  out += fmt::format("turns        {}\n", tally.turns);
+  out += fmt::format("stops        {}\n", tally.stops);
+  if (tally.crossings > 0) out += fmt::format("crossings    {}\n", tally.crossings);
+  out += fmt::format("overlap      {:.1f} m² ({:.3f} %)\n", tally.overlap_m2, percent_of_field(plan, tally.overlap_m2));
+  out += fmt::format("uncovered    {:.1f} m² ({:.3f} %)\n", tally.uncovered_m2,
+                     percent_of_field(plan, tally.uncovered_m2));
+  out += fmt::format("cost         {:.2f} = {:g}·overlap + {:g}·uncovered + {:g}·turns + {:g}·stops\n", plan.cost,
+                     plan.objective.overlap, plan.objective.uncovered, plan.objective.turn, plan.objective.stop);
+  return out;
+}
+
+}  // namespace
+
+ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, double seconds) {
+  const Tally& tally = plan.tally;
+  ordered_json directions = ordered_json::array();
+  for (const Subfield& subfield : plan.subfields) directions.push_back(subfield.direction.degrees());
+  ordered_json out;
+  out["field_id"] = plan.field.id;
+  out["area_m2"] = field_area_m2(plan);
+  out["body_m2"] = area(plan.body);
+  out["obstacles"] = obstacle_shapes(plan.field, ObstacleKind::kObstacle).size();
+  out["passable"] = obstacle_shapes(plan.field, ObstacleKind::kPassable).size();
+  out["width_m"] = plan.machine.width_m;
+  out["radius_m"] = plan.machine.radius_m;
+  out["min_length_m"] = min_length_m(plan.machine);
+  out["strategy"] = name(plan.settings.strategy);
+  out["end_rule"] = name(plan.settings.end_rule);
+  out["boundary"] = name(plan.settings.boundary);
+  out["directions_tried"] = plan.directions_tried;
+  out["direction_deg"] = std::move(directions);
+  out["subfields"] = plan.subfields.size();
+  out["tracks"] = tally.pieces;
+  out["turns"] = tally.turns;
+  out["stops"] = tally.stops;
+  out["crossings"] = tally.crossings;
+  out["track_length_m"] = tally.track_length_m;
+  out["overlap_m2"] = tally.overlap_m2;
+  out["uncovered_m2"] = tally.uncovered_m2;
+  out["overlap_pct"] = percent_of_field(plan, tally.overlap_m2);
+  out["uncovered_pct"] = percent_of_field(plan, tally.uncovered_m2);
+  out["given_up_m2"] = area(plan.given_up);
+  out["cost"] = plan.cost;
+  out["weights"] = {{"overlap", plan.objective.overlap},
+                    {"uncovered", plan.objective.uncovered},
+                    {"turn", plan.objective.turn},
+                    {"stop", plan.objective.stop}};
+  out["repairs"] = repairs_json(plan.field);
+  out["skipped"] = skipped_json(skipped);
+  out["dropped"] = dropped_json(plan);
+  out["warnings"] = plan.warnings;
+  out["seconds"] = seconds;
+  return out;
+}
+
+std::string plan_table(const Plan& plan, const std::vector<Skipped>& skipped, double seconds) {
+  std::string out = ground_rows(plan) + tally_rows(plan);
+  out += fmt::format("time         {:.3f} s\n", seconds);
+  for (const Repair& repair : plan.field.repairs)
+    out += fmt::format("repaired     {}, {} at ({:.9g}, {:.9g}), area {:+.2f} m²\n", repair.where, repair.what,
+                       repair.at.x, repair.at.y, repair.area_change_m2);
+  for (const Skipped& item : skipped) out += fmt::format("skipped      {} ({}): {}\n", item.what, item.where, item.why);
+  for (const std::string& warning : plan.warnings) out += fmt::format("note         {}\n", warning);
+  return out;
+}
+
+std::string plan_line(const Plan& plan, double seconds) {
+  return fmt::format(
+      "{}: {:.4f} ha, {} tracks in {} subfields, {} turns, {} stops, overlap {:.1f} m² ({:.3f} %), uncovered {:.1f} m² "
+      "({:.3f} %), cost {:.2f}, {:.3f} s\n",
+      plan.field.id, field_area_m2(plan) / 1e4, plan.tally.pieces, plan.subfields.size(), plan.tally.turns,
+      plan.tally.stops, plan.tally.overlap_m2, percent_of_field(plan, plan.tally.overlap_m2), plan.tally.uncovered_m2,
+      percent_of_field(plan, plan.tally.uncovered_m2), plan.cost, seconds);
+}
+
+}  // namespace tramline::app

@@ -1,0 +1,14 @@
+#pragma once
+// What swaths that run past a border between subfields cover beyond it.
+
+#include <vector>
+
+#include "tramline/model/plan.h"
+#include "tramline/tracks/strip_pieces.h"
+
+namespace tramline {
+
+/// Land of all subfields that swaths of other subfields cover and their own swaths do not, m².
+double covered_by_neighbours_m2(const std::vector<Subfield>& subfields, const std::vector<SubfieldTracks>& tracks);
+
+}  // namespace tramline

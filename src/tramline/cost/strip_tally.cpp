@@ -1,0 +1,28 @@
+#include "tramline/cost/strip_tally.h"
+
+#include <algorithm>
+
+#include "tramline/cost/border_overrun.h"
+
+namespace tramline {
+
+Tally tally_of(const std::vector<Subfield>& subfields, const std::vector<SubfieldTracks>& tracks, double body_m2) {
+  Tally tally;
+  double useful_m2 = 0;
+  for (const SubfieldTracks& subfield : tracks)
+    for (const StripPiece& piece : subfield.pieces) {
+      tally.track_length_m += piece.to - piece.from;
+      tally.worked_m2 += subfield.grid.width_m * (piece.to - piece.from);
+      useful_m2 += piece.inside_m2;
+      tally.pieces += 1;
+      tally.crossings += piece.after_crossing ? 1 : 0;
+      tally.stops += (piece.stop_at_from ? 1 : 0) + (piece.stop_at_to ? 1 : 0);
+    }
+  useful_m2 += covered_by_neighbours_m2(subfields, tracks);
+  tally.turns = std::max(0, tally.pieces - 1 - tally.crossings);
+  tally.overlap_m2 = tally.worked_m2 - useful_m2;
+  tally.uncovered_m2 = body_m2 - useful_m2;
+  return tally;
+}
+
+}  // namespace tramline

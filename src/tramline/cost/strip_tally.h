@@ -1,0 +1,19 @@
+#pragma once
+// Overlap, uncovered area, turns and stops of a whole plan in closed form.
+
+#include <vector>
+
+#include "tramline/model/plan.h"
+#include "tramline/tracks/strip_pieces.h"
+
+namespace tramline {
+
+/// The tally of all subfields' tracks. Exact up to rounding, also where swaths of one subfield run
+/// into another: the swaths of one subfield are disjoint rectangles, so the useful area is
+///   Σ area(swath ∩ own subfield) + Σ_i area(S_i ∩ ∪ swaths of others, less the own swaths of S_i),
+/// the second sum by inclusion and exclusion over convex pieces. No swath enters hard or passable
+/// land, so nothing outside the subfields is useful.
+/// `subfields` and `tracks` correspond. `body_m2` is the area of the body.
+Tally tally_of(const std::vector<Subfield>& subfields, const std::vector<SubfieldTracks>& tracks, double body_m2);
+
+}  // namespace tramline

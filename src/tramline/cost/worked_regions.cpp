@@ -1,0 +1,42 @@
+#include "tramline/cost/worked_regions.h"
+
+#include <algorithm>
+
+#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/convex_clip.h"
+
+namespace tramline {
+namespace {
+
+/// Intersections of two swaths thinner than the rounding of their corners are no overlap.
+constexpr double kLeastWidth = 1e-5;
+
+/// Convex intersections of every two swaths that overlap: sorted along x, so only near ones are met.
+Region pairwise_overlaps(const Region& swaths) {
+  struct Item {
+    const Ring* ring;
+    Box box;
+  };
+  std::vector<Item> items;
+  for (const Polygon& swath : swaths) items.push_back({&swath.outer, bounds(swath)});
+  std::sort(items.begin(), items.end(), [](const Item& a, const Item& b) { return a.box.min_x < b.box.min_x; });
+  Region out;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    for (std::size_t j = i + 1; j < items.size() && items[j].box.min_x <= items[i].box.max_x; ++j) {
+      if (!intersects(items[i].box, items[j].box)) continue;
+      Ring both = convex_intersection(*items[i].ring, *items[j].ring);
+      if (signed_area(both) > kLeastWidth * perimeter(both)) out.push_back({std::move(both), {}});
+    }
+  return out;
+}
+
+}  // namespace
+
+WorkedRegions worked_regions(const Region& body, const Region& swaths) {
+  const Region worked = unite(swaths);
+  Region doubled = pairwise_overlaps(swaths);
+  for (Polygon& outside : difference(worked, body)) doubled.push_back(std::move(outside));
+  return {unite(doubled), difference(body, worked)};
+}
+
+}  // namespace tramline

@@ -1,0 +1,17 @@
+#pragma once
+// Where a plan overlaps and what it leaves uncovered, as polygons for maps and pictures.
+
+#include "tramline/geometry/region.h"
+
+namespace tramline {
+
+struct WorkedRegions {
+  Region overlap;    ///< worked outside the body, or by more than one swath
+  Region uncovered;  ///< body that no swath covers
+};
+
+/// By polygon booleans on the precision grid. Overlapping swaths are told apart pair by pair among
+/// those whose boxes meet.
+WorkedRegions worked_regions(const Region& body, const Region& swaths);
+
+}  // namespace tramline

@@ -1,0 +1,18 @@
+#pragma once
+// Which directions the sweep tries (S1.15).
+
+#include <vector>
+
+#include "tramline/geometry/angle.h"
+#include "tramline/model/field.h"
+
+namespace tramline {
+
+/// Directions closer than this are one: over a kilometre they part by a millimetre.
+inline constexpr double kSameDirectionRadians = 1e-6;
+
+/// Every distinct edge direction of the outer ring and of the obstacles (not of passable ones), in
+/// increasing order, modulo 180 degrees. O(n log n).
+std::vector<Direction> candidate_directions(const Field& field);
+
+}  // namespace tramline

@@ -1,0 +1,24 @@
+#include "tramline/decomposition/cells.h"
+
+#include "tramline/decomposition/cuts.h"
+#include "tramline/decomposition/events.h"
+#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/bounding_rectangle.h"
+
+namespace tramline {
+
+Direction driving_direction(const Ring& outer, CellDirection choice) {
+  return choice == CellDirection::kRectangle ? long_side_of_smallest_rectangle(outer) : across_least_width(outer);
+}
+
+std::vector<Cell> sweep_cells(const Region& plannable, Direction sweep, Angle threshold, CellDirection choice) {
+  std::vector<Cell> cells;
+  for (const Polygon& polygon : plannable) {
+    const auto cuts = cut_lines(polygon, split_events(polygon, threshold), sweep);
+    const Region faces = cuts.empty() ? Region{polygon} : split_by_lines(polygon, cuts);
+    for (const Polygon& face : faces) cells.push_back({face, driving_direction(face.outer, choice)});
+  }
+  return cells;
+}
+
+}  // namespace tramline

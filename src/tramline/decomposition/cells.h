@@ -1,0 +1,23 @@
+#pragma once
+// The cells of one sweep direction (S1.17) and their own driving directions (S1.18).
+
+#include "tramline/geometry/angle.h"
+#include "tramline/geometry/region.h"
+#include "tramline/model/plan.h"
+
+namespace tramline {
+
+/// A part of the field cut out by the sweep; not convex where the threshold exceeds 180 degrees.
+struct Cell {
+  Polygon shape;
+  Direction direction;
+};
+
+/// Cuts every polygon of the plannable ground at its split events, parallel to `sweep`. The cells of
+/// one polygon share identical edges; together they are the ground up to the precision grid.
+std::vector<Cell> sweep_cells(const Region& plannable, Direction sweep, Angle threshold, CellDirection choice);
+
+/// S1.12, or the true least width.
+Direction driving_direction(const Ring& outer, CellDirection choice);
+
+}  // namespace tramline

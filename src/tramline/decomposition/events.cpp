@@ -1,0 +1,30 @@
+#include "tramline/decomposition/events.h"
+
+#include <numbers>
+
+namespace tramline {
+namespace {
+
+void append_events(const Ring& ring, Angle threshold, std::vector<SplitEvent>& out) {
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const SplitEvent corner{ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]};
+    if (interior_angle(corner.previous, corner.vertex, corner.next) > threshold) out.push_back(corner);
+  }
+}
+
+}  // namespace
+
+Angle interior_angle(Point previous, Point vertex, Point next) {
+  const Point in = vertex - previous, out = next - vertex;
+  return Angle::radians(std::numbers::pi - std::atan2(cross(in, out), dot(in, out)));
+}
+
+std::vector<SplitEvent> split_events(const Polygon& polygon, Angle threshold) {
+  std::vector<SplitEvent> events;
+  append_events(polygon.outer, threshold, events);
+  for (const Ring& hole : polygon.holes) append_events(hole, threshold, events);
+  return events;
+}
+
+}  // namespace tramline

@@ -1,0 +1,23 @@
+#pragma once
+// Where the sweep splits a field (S1.16).
+
+#include <vector>
+
+#include "tramline/geometry/angle.h"
+#include "tramline/geometry/region.h"
+
+namespace tramline {
+
+/// A vertex whose field-side interior angle exceeds the decomposition threshold (S1's event 1).
+struct SplitEvent {
+  Point previous, vertex, next;  ///< consecutive on the ring, the field on the left
+};
+
+/// Angle on the field's side between the edges previous → vertex → next of an oriented ring, in
+/// (0, 360) degrees; 180 on a straight line.
+Angle interior_angle(Point previous, Point vertex, Point next);
+
+/// All split events of an oriented polygon, outer ring first. O(n).
+std::vector<SplitEvent> split_events(const Polygon& polygon, Angle threshold);
+
+}  // namespace tramline

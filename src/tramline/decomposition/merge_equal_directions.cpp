@@ -1,0 +1,13 @@
+#include "tramline/decomposition/merge_equal_directions.h"
+
+#include "tramline/decomposition/candidate_directions.h"
+
+namespace tramline {
+
+void merge_equal_directions(MergeGraph& graph) {
+  merge_longest_edge_first(graph, Remember::kBoth, [](const MergeNode& a, const MergeNode& b) {
+    return angle_between(a.direction, b.direction).radians() <= kSameDirectionRadians;
+  });
+}
+
+}  // namespace tramline

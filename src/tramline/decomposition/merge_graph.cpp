@@ -1,0 +1,110 @@
+#include "tramline/decomposition/merge_graph.h"
+
+#include <algorithm>
+#include <array>
+
+#include "tramline/geometry/boolean.h"
+
+namespace tramline {
+namespace {
+
+struct CellEdge {
+  std::array<double, 4> key;  ///< the two ends, the smaller first
+  std::size_t cell;
+};
+
+void append_edges(const Ring& ring, std::size_t cell, std::vector<CellEdge>& out) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    std::array<double, 2> a{ring[i].x, ring[i].y};
+    std::array<double, 2> b{ring[(i + 1) % ring.size()].x, ring[(i + 1) % ring.size()].y};
+    if (b < a) std::swap(a, b);
+    out.push_back({{a[0], a[1], b[0], b[1]}, cell});
+  }
+}
+
+void find_neighbours(MergeGraph& graph) {
+  std::vector<CellEdge> edges;
+  for (std::size_t c = 0; c < graph.cells.size(); ++c) {
+    append_edges(graph.cells[c].shape.outer, c, edges);
+    for (const Ring& hole : graph.cells[c].shape.holes) append_edges(hole, c, edges);
+  }
+  std::stable_sort(edges.begin(), edges.end(), [](const CellEdge& a, const CellEdge& b) { return a.key < b.key; });
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+    const CellEdge &one = edges[i], &other = edges[i + 1];
+    if (one.key != other.key || one.cell == other.cell) continue;
+    const double length = std::hypot(one.key[2] - one.key[0], one.key[3] - one.key[1]);
+    graph.nodes[one.cell].shared[other.cell] += length;
+    graph.nodes[other.cell].shared[one.cell] += length;
+  }
+}
+
+void join_histories(MergeNode& into, const MergeNode& other) {
+  into.history.insert(into.history.end(), other.history.begin(), other.history.end());
+  std::sort(into.history.begin(), into.history.end());
+  into.history.erase(std::unique(into.history.begin(), into.history.end()), into.history.end());
+}
+
+}  // namespace
+
+MergeGraph merge_graph(std::vector<Cell> cells) {
+  MergeGraph graph{std::move(cells), {}};
+  for (std::size_t c = 0; c < graph.cells.size(); ++c) {
+    const Cell& cell = graph.cells[c];
+    graph.nodes.push_back({{c}, area(cell.shape), cell.direction, {cell.direction}, {}, true});
+  }
+  find_neighbours(graph);
+  return graph;
+}
+
+void merge(MergeGraph& graph, std::size_t a, std::size_t b, Remember remember) {
+  MergeNode &into = graph.nodes[a], &gone = graph.nodes[b];
+  const bool gone_is_larger = gone.area_m2 > into.area_m2;
+  if (remember == Remember::kBoth)
+    join_histories(into, gone);
+  else if (gone_is_larger)
+    into.history = gone.history;
+  if (gone_is_larger) into.direction = gone.direction;
+  into.area_m2 += gone.area_m2;
+  into.cells.insert(into.cells.end(), gone.cells.begin(), gone.cells.end());
+  into.shared.erase(b);
+  for (const auto& [neighbour, length] : gone.shared) {
+    if (neighbour == a) continue;
+    MergeNode& third = graph.nodes[neighbour];
+    third.shared.erase(b);
+    third.shared[a] += length;
+    into.shared[neighbour] += length;
+  }
+  gone.shared.clear();
+  gone.alive = false;
+}
+
+void merge_longest_edge_first(MergeGraph& graph, Remember remember,
+                              const std::function<bool(const MergeNode&, const MergeNode&)>& eligible) {
+  while (true) {
+    double longest = 0;
+    std::size_t best_a = 0, best_b = 0;
+    for (std::size_t a = 0; a < graph.nodes.size(); ++a)
+      for (const auto& [b, length] : graph.nodes[a].shared) {
+        if (b <= a || length <= longest || !eligible(graph.nodes[a], graph.nodes[b])) continue;
+        longest = length;
+        best_a = a;
+        best_b = b;
+      }
+    if (longest <= 0) return;
+    merge(graph, best_a, best_b, remember);
+  }
+}
+
+std::vector<Subfield> subfields_of(const MergeGraph& graph) {
+  std::vector<Subfield> out;
+  for (const MergeNode& node : graph.nodes) {
+    if (!node.alive) continue;
+    Region parts;
+    for (const std::size_t c : node.cells) parts.push_back(graph.cells[c].shape);
+    for (Polygon& shape : parts.size() == 1 ? parts : unite_coverage(parts))
+      out.push_back({std::move(shape), node.direction});
+  }
+  return out;
+}
+
+}  // namespace tramline

@@ -1,0 +1,45 @@
+#pragma once
+// Cells and the edges they share, merged pair by pair.
+
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "tramline/decomposition/cells.h"
+#include "tramline/model/plan.h"
+
+namespace tramline {
+
+/// One subfield in the making.
+struct MergeNode {
+  std::vector<std::size_t> cells;        ///< members, by index of the original cell
+  double area_m2 = 0;
+  Direction direction;                   ///< of the largest part (S1.23)
+  std::vector<Direction> history;        ///< directions that every later merge must respect (S1.24)
+  std::map<std::size_t, double> shared;  ///< length of the common edge by neighbour, m
+  bool alive = true;
+};
+
+struct MergeGraph {
+  std::vector<Cell> cells;
+  std::vector<MergeNode> nodes;  ///< a merged node stays at the lower index of the two
+};
+
+/// Neighbours are cells that share an edge of positive length. O(n log n) in the number of edges.
+MergeGraph merge_graph(std::vector<Cell> cells);
+
+/// Whether the directions of both nodes enter the history, or only that of the larger one.
+enum class Remember { kBoth, kLargerOnly };
+/// Joins b into a: the larger of the two keeps its direction (S1.23; a tie: the lower index).
+/// Precondition: a < b, both alive and neighbours.
+void merge(MergeGraph& graph, std::size_t a, std::size_t b, Remember remember);
+
+/// Merges, again and again, the eligible pair of neighbours with the longest shared edge (ties: the
+/// lower indices) until no pair is eligible. S1 leaves the order open (S1.25).
+void merge_longest_edge_first(MergeGraph& graph, Remember remember,
+                              const std::function<bool(const MergeNode&, const MergeNode&)>& eligible);
+
+/// The subfields: the union of each node's cells, by node index.
+std::vector<Subfield> subfields_of(const MergeGraph& graph);
+
+}  // namespace tramline

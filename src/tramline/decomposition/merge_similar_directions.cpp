@@ -1,0 +1,19 @@
+#include "tramline/decomposition/merge_similar_directions.h"
+
+#include <algorithm>
+
+namespace tramline {
+
+void merge_similar_directions(MergeGraph& graph, Angle threshold) {
+  // "Equal to or between" (S1 §2.2.3) must not hang on the last bit of a rotation.
+  constexpr double kInclusive = 1e-9;
+  const double limit = threshold.radians() + kInclusive;
+  merge_longest_edge_first(graph, Remember::kBoth, [limit](const MergeNode& a, const MergeNode& b) {
+    return std::all_of(a.history.begin(), a.history.end(), [&](Direction one) {
+      return std::all_of(b.history.begin(), b.history.end(),
+                         [&](Direction other) { return angle_between(one, other).radians() <= limit; });
+    });
+  });
+}
+
+}  // namespace tramline

@@ -1,0 +1,13 @@
+#pragma once
+// Merging, phase 3.
+
+#include "tramline/decomposition/merge_graph.h"
+
+namespace tramline {
+
+/// S1.22: adjacent subfields whose directions differ by at most `threshold` merge. History rule
+/// (S1.24): every direction merged into one must lie within the threshold of every direction merged
+/// into the other, so that a chain of small differences never joins fields that are far apart.
+void merge_similar_directions(MergeGraph& graph, Angle threshold);
+
+}  // namespace tramline

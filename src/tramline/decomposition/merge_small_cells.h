@@ -1,0 +1,12 @@
+#pragma once
+// Merging, phase 2.
+
+#include "tramline/decomposition/merge_graph.h"
+
+namespace tramline {
+
+/// S1.21: a cell of less than `small_cell_m2` joins the neighbour it shares its longest edge with,
+/// whatever the directions. Its direction does not enter the history: it was overruled, not merged.
+void merge_small_cells(MergeGraph& graph, double small_cell_m2);
+
+}  // namespace tramline

@@ -1,0 +1,64 @@
+#include "tramline/planner/plan_field.h"
+
+#include <fmt/format.h>
+
+#include "tramline/cost/worked_regions.h"
+#include "tramline/geometry/error.h"
+#include "tramline/planner/driving_order.h"
+#include "tramline/planner/validate_request.h"
+#include "tramline/planner/warnings.h"
+
+namespace tramline {
+namespace {
+
+std::vector<DroppedPiece> dropped_pieces(const Candidate& candidate) {
+  std::vector<DroppedPiece> out;
+  for (std::size_t i = 0; i < candidate.tracks.size(); ++i) {
+    const StripGrid& grid = candidate.tracks[i].grid;
+    for (const StripPiece& piece : candidate.tracks[i].dropped) {
+      const double across = grid.centre(piece.strip);
+      out.push_back({grid.frame.to_field({across, piece.from}), grid.frame.to_field({across, piece.to}),
+                     static_cast<int>(i)});
+    }
+  }
+  return out;
+}
+
+Error no_tracks(const SearchTask& task) {
+  return bad_input(
+      fmt::format("no track fits into field '{}' of {:.0f} m² with a working width of {} m and pieces of at least {} m: "
+                  "use a narrower machine, a smaller --min-length or another end rule",
+                  task.field.id, area(Polygon{task.field.outer, {}}), task.machine.width_m,
+                  min_length_m(task.machine)));
+}
+
+}  // namespace
+
+Plan plan_field(const Field& field, const Machine& machine, const Objective& objective,
+                const PlanSettings& settings, int threads, const Progress& progress) {
+  validate_request(machine, objective, settings);
+  const SearchTask task = search_task(field, machine, objective, settings);
+  SweepResult found = sweep_search(task, threads, progress);
+  if (found.best.tally.pieces == 0) throw no_tracks(task);
+
+  Plan plan;
+  plan.field = field;
+  plan.machine = machine;
+  plan.objective = objective;
+  plan.settings = settings;
+  plan.body = task.ground.body;
+  plan.given_up = task.ground.given_up;
+  plan.pieces = driving_order(found.best);
+  plan.dropped = dropped_pieces(found.best);
+  plan.subfields = std::move(found.best.subfields);
+  plan.tally = found.best.tally;
+  plan.cost = found.best.cost;
+  plan.directions_tried = found.directions_tried;
+  WorkedRegions worked = worked_regions(plan.body, swaths(plan));
+  plan.overlap = std::move(worked.overlap);
+  plan.uncovered = std::move(worked.uncovered);
+  plan.warnings = warnings_about(plan);
+  return plan;
+}
+
+}  // namespace tramline

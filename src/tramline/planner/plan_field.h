@@ -1,0 +1,16 @@
+#pragma once
+// From a field, a machine and an objective to a plan.
+
+#include "tramline/model/plan.h"
+#include "tramline/planner/sweep_search.h"
+
+namespace tramline {
+
+/// Plans a field by the strategy of the settings. `threads` 0 uses all cores.
+/// Errors: kBadInput where the machine or the objective is not a number or out of range, or where no
+/// piece of the least length fits (the machine is too wide, or the field too small).
+/// Deterministic: the same plan for any number of threads.
+Plan plan_field(const Field& field, const Machine& machine, const Objective& objective,
+                const PlanSettings& settings, int threads = 0, const Progress& progress = {});
+
+}  // namespace tramline

@@ -1,0 +1,44 @@
+#include "tramline/planner/validate_request.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "tramline/geometry/error.h"
+
+namespace tramline {
+namespace {
+
+void require_positive(double value, const char* what) {
+  if (!(std::isfinite(value) && value > 0))
+    throw bad_input(fmt::format("the {} must be a positive number of metres, not {}", what, value));
+}
+
+void require_weight(double value, const char* what) {
+  if (!(std::isfinite(value) && value >= 0))
+    throw bad_input(fmt::format("the weight of {} must be a number of at least 0, not {}", what, value));
+}
+
+void require_degrees(Angle angle, double least, double most, const char* what) {
+  if (!(angle.degrees() >= least && angle.degrees() <= most))
+    throw bad_input(
+        fmt::format("the {} must lie between {} and {} degrees, not at {}", what, least, most, angle.degrees()));
+}
+
+}  // namespace
+
+void validate_request(const Machine& machine, const Objective& objective, const PlanSettings& settings) {
+  require_positive(machine.width_m, "working width");
+  if (!(std::isfinite(machine.radius_m) && machine.radius_m >= 0))
+    throw bad_input(fmt::format("the turning radius must be at least 0 m, not {}", machine.radius_m));
+  if (!std::isfinite(machine.min_length_m))
+    throw bad_input(fmt::format("the least track length must be a number of metres, not {}", machine.min_length_m));
+  require_weight(objective.overlap, "overlap");
+  require_weight(objective.uncovered, "uncovered land");
+  require_weight(objective.turn, "turns");
+  require_weight(objective.stop, "stops");
+  require_degrees(settings.merge_threshold, 0, 90, "merge threshold");
+  require_degrees(settings.decomposition_threshold, 180, 360, "decomposition threshold");
+}
+
+}  // namespace tramline

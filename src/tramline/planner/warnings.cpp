@@ -1,0 +1,63 @@
+#include "tramline/planner/warnings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tramline/geometry/boolean.h"
+
+namespace tramline {
+namespace {
+
+double distance_to_segment(Point p, Point a, Point b) {
+  const Point along = b - a;
+  const double t = std::clamp(dot(p - a, along) / dot(along, along), 0.0, 1.0);
+  return distance(p, a + t * along);
+}
+
+double distance_to(const Ring& ring, Point p) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    nearest = std::min(nearest, distance_to_segment(p, ring[i], ring[(i + 1) % ring.size()]));
+  return nearest;
+}
+
+void warn_of_overrun(const Plan& plan, std::vector<std::string>& out) {
+  constexpr double kWorthSaying = 0.01;  // m
+  const Region outside = difference(plan.overlap, {{plan.field.outer, {}}});
+  double farthest = 0;
+  for (const Polygon& part : outside)
+    for (const Point p : part.outer) farthest = std::max(farthest, distance_to(plan.field.outer, p));
+  if (farthest < kWorthSaying) return;
+  out.push_back(
+      fmt::format("swaths pass the field boundary by up to {:.2f} m ({:.1f} m² in all); --boundary hard keeps them inside",
+                  farthest, area(outside)));
+}
+
+void warn_of_given_up_land(const Plan& plan, std::vector<std::string>& out) {
+  if (plan.given_up.empty()) return;
+  out.push_back(fmt::format(
+      "{:.1f} m² between obstacles, or between obstacles and the edge, are narrower than the machine and are given up",
+      area(plan.given_up)));
+}
+
+void warn_of_dropped_pieces(const Plan& plan, std::vector<std::string>& out) {
+  if (plan.dropped.empty()) return;
+  double total = 0;
+  for (const DroppedPiece& piece : plan.dropped) total += distance(piece.start, piece.end);
+  out.push_back(fmt::format("{} pieces shorter than {:.2f} m are not driven ({:.1f} m in all)", plan.dropped.size(),
+                            min_length_m(plan.machine), total));
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_about(const Plan& plan) {
+  std::vector<std::string> out = plan.field.warnings;
+  warn_of_overrun(plan, out);
+  warn_of_given_up_land(plan, out);
+  warn_of_dropped_pieces(plan, out);
+  out.push_back("connections between tracks are not planned yet: only the order of the pieces is");
+  return out;
+}
+
+}  // namespace tramline

@@ -1,0 +1,25 @@
+#pragma once
+// One picture of a plan.
+
+#include <filesystem>
+
+#include "tramline/model/plan.h"
+#include "tramline/render/page_layout.h"
+
+namespace tramline::render {
+
+struct PictureOptions {
+  int width_px = 1600;  ///< from 600 to 16000; the height follows from the field's shape
+};
+
+/// Draws the plan to a PNG, SVG or PDF by the file's extension, north up: field, obstacles,
+/// subfields, tracks numbered in driving order, overlap and uncovered land on top, with title, scale
+/// bar, north arrow, legend and numbers. The same plan gives the same bytes. The file is written
+/// whole or not at all.
+/// Throws bad_input for another extension or width, Error(kFailure) when the file cannot be written.
+void draw_plan(const Plan& plan, const std::filesystem::path& path, const PictureOptions& options = {});
+
+/// Where draw_plan() puts things: maps a place of the field to its pixel.
+PageLayout layout_of(const Plan& plan, const PictureOptions& options = {});
+
+}  // namespace tramline::render

@@ -1,0 +1,162 @@
+#include "tramline/render/labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "tramline/render/layers.h"
+#include "tramline/render/text.h"
+
+namespace tramline::render {
+namespace {
+
+constexpr double kDigitWidth = 0.637;  // of the size, DejaVu Sans
+constexpr double kLabelGap = 5;
+constexpr double kBadgeRadius = 14;
+constexpr double kLongestArrow = 130;
+constexpr int kBadgeGrid = 28;
+// Share of labels that may find no room before the next stride is tried.
+constexpr double kToleratedMisses = 0.04;
+
+double distance_to_segment(Point p, Point a, Point b) {
+  const Point ab = b - a;
+  const double squared = dot(ab, ab);
+  const double t = squared > 0 ? std::clamp(dot(p - a, ab) / squared, 0.0, 1.0) : 0.0;
+  return distance(p, a + t * ab);
+}
+
+double distance_to_edge(Point p, const Polygon& polygon) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Ring& ring : rings_of({polygon}))
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      least = std::min(least, distance_to_segment(p, ring[i], ring[(i + 1) % ring.size()]));
+  return least;
+}
+
+// The roomiest of a grid of places; the middle of the box where the polygon slips through the grid.
+SubfieldBadge roomiest_place(const Polygon& polygon, const MapView& view) {
+  const Box box = bounds(polygon);
+  SubfieldBadge best{0, view.to_page(box.centre()), 0};
+  for (int row = 0; row < kBadgeGrid; ++row) {
+    for (int column = 0; column < kBadgeGrid; ++column) {
+      const Point p{box.min_x + (column + 0.5) / kBadgeGrid * box.width(),
+                    box.min_y + (row + 0.5) / kBadgeGrid * box.height()};
+      if (!contains(polygon, p)) continue;
+      const double room = distance_to_edge(p, polygon) * view.px_per_m;
+      // A clear gain only: of nearly equal places the first is taken, whatever the rounding.
+      if (room > best.room_px * (1 + 1e-9)) best = {0, view.to_page(p), room};
+    }
+  }
+  return best;
+}
+
+// Just behind the start of the piece, so that the label does not hide the track's own end.
+std::optional<TrackLabel> label_at_start(const TrackPiece& piece, std::size_t number, const MapView& view,
+                                         double scale) {
+  if (piece.start == piece.end) return std::nullopt;
+  const std::string text = std::to_string(number);
+  const double half_width = 0.5 * kDigitWidth * kSmallTextSize * scale * static_cast<double>(text.size());
+  const double half_height = 0.42 * kSmallTextSize * scale;
+  const Point along = (1 / length(piece)) * (piece.end - piece.start);
+  const Point heading{along.x, -along.y};
+  const double reach =
+      std::abs(heading.x) * half_width + std::abs(heading.y) * half_height + kLabelGap * scale;
+  const Point centre = view.to_page(piece.start) - reach * heading;
+  const double rim = 1.5 * scale;
+  return TrackLabel{text,
+                    centre,
+                    {centre.x - half_width - rim, centre.y - half_height - rim, centre.x + half_width + rim,
+                     centre.y + half_height + rim}};
+}
+
+bool meets_any(const Box& box, const std::vector<Box>& taken) {
+  return std::any_of(taken.begin(), taken.end(), [&](const Box& other) { return intersects(box, other); });
+}
+
+struct Attempt {
+  std::vector<TrackLabel> labels;
+  bool good = false;
+};
+
+Attempt label_every(std::size_t stride, const Plan& plan, const MapView& view, double scale,
+                    std::vector<Box> taken) {
+  Attempt attempt;
+  const std::size_t wanted = plan.pieces.size() / stride + 1;
+  const auto tolerated = static_cast<std::size_t>(kToleratedMisses * static_cast<double>(wanted));
+  std::size_t misses = 0;
+  for (std::size_t number = 1; number <= plan.pieces.size(); ++number) {
+    if (number % stride != 0 && number != 1) continue;
+    const auto label = label_at_start(plan.pieces[number - 1], number, view, scale);
+    if (!label) continue;
+    if (meets_any(label->box, taken)) {
+      // Number 1 is an extra where the stride is larger, and so is not missed.
+      if (number % stride == 0 && ++misses > tolerated) return attempt;
+      continue;
+    }
+    taken.push_back(label->box);
+    attempt.labels.push_back(*label);
+  }
+  attempt.good = true;
+  return attempt;
+}
+
+}  // namespace
+
+std::vector<SubfieldBadge> place_badges(const Plan& plan, const MapView& view, double scale) {
+  std::vector<SubfieldBadge> out;
+  for (std::size_t i = 0; i < plan.subfields.size(); ++i) {
+    SubfieldBadge badge = roomiest_place(plan.subfields[i].shape, view);
+    badge.subfield = static_cast<int>(i);
+    if (badge.room_px >= 0.6 * kBadgeRadius * scale) out.push_back(badge);
+  }
+  return out;
+}
+
+std::vector<Box> boxes_of(const std::vector<SubfieldBadge>& badges, double scale) {
+  std::vector<Box> out;
+  for (const SubfieldBadge& badge : badges)
+    out.push_back(
+        Box{badge.centre.x, badge.centre.y, badge.centre.x, badge.centre.y}.grown(kBadgeRadius * scale));
+  return out;
+}
+
+std::vector<TrackLabel> place_track_labels(const Plan& plan, const MapView& view, double scale,
+                                           const std::vector<Box>& taken) {
+  for (std::size_t decade = 1;; decade *= 10) {
+    for (const std::size_t step : {1, 2, 5}) {
+      const std::size_t stride = decade * step;
+      Attempt attempt = label_every(stride, plan, view, scale, taken);
+      if (attempt.good || stride > plan.pieces.size()) return attempt.labels;
+    }
+  }
+}
+
+void draw_badges(Canvas& canvas, const Plan& plan, const std::vector<SubfieldBadge>& badges) {
+  const double k = canvas.scale();
+  const double r = kBadgeRadius * k;
+  for (const SubfieldBadge& badge : badges) {
+    const Point axis = plan.subfields[static_cast<std::size_t>(badge.subfield)].direction.unit();
+    const Point along{axis.x, -axis.y};
+    const double reach = std::min(0.5 * kLongestArrow * k, badge.room_px);
+    const bool arrow = std::isfinite(along.x) && reach > 2 * r;
+    if (arrow) {
+      const Point a = badge.centre - reach * along;
+      const Point b = badge.centre + reach * along;
+      stroke_line(canvas, {a, b}, {rgb(kBackgroundHex, 0.85), 7 * k});
+      stroke_line(canvas, {a + (6 * k) * along, b - (6 * k) * along}, {kInk, 2.4 * k});
+      draw_arrow_head(canvas, b, along, 14 * k, kInk);
+      draw_arrow_head(canvas, a, -1 * along, 14 * k, kInk);
+    }
+    disc(canvas, badge.centre, r, kInk);
+    disc(canvas, badge.centre, r - 2 * k, tint(static_cast<std::size_t>(badge.subfield)));
+    draw_text(canvas, badge.centre, std::to_string(badge.subfield + 1), {kTextSize, true, Align::kCentre});
+  }
+}
+
+void draw_track_labels(Canvas& canvas, const std::vector<TrackLabel>& labels) {
+  for (const TrackLabel& label : labels)
+    draw_text(canvas, label.centre, label.text, {kSmallTextSize, false, Align::kCentre, kInk, true});
+}
+
+}  // namespace tramline::render

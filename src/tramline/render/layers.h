@@ -1,0 +1,41 @@
+#pragma once
+// The layers of the map, in the order they are drawn.
+
+#include "tramline/model/plan.h"
+#include "tramline/render/canvas.h"
+
+namespace tramline::render {
+
+/// The field's ground and the pale tint of each subfield.
+void draw_ground(Canvas& canvas, const Plan& plan);
+/// Every second swath of a subfield a shade darker, as far as the scale lets swaths be told apart.
+void draw_swaths(Canvas& canvas, const Plan& plan);
+/// Passable obstacles, then obstacles.
+void draw_obstacles(Canvas& canvas, const Plan& plan);
+/// Borders of subfields, then the field's outline.
+void draw_outlines(Canvas& canvas, const Plan& plan);
+/// Centre lines with arrow heads, and dropped pieces dashed.
+void draw_tracks(Canvas& canvas, const Plan& plan);
+/// Uncovered land and overlap, at least kSliverWidth wide so that no sliver escapes the eye. Land given
+/// up on purpose is uncovered too, and hatched.
+void draw_faults(Canvas& canvas, const Plan& plan);
+/// A mark wherever the machine has to back out.
+void draw_stops(Canvas& canvas, const Plan& plan);
+
+/// Least width of a drawn fault, px at text scale 1.
+inline constexpr double kSliverWidth = 1.5;
+
+/// The marks, also used by the legend. Pixels of the page.
+void draw_stop_mark(Canvas& canvas, Point at);
+void draw_arrow_head(Canvas& canvas, Point tip, Point heading, double size, Colour colour);
+
+/// Styles shared with the legend.
+const Hatch& obstacle_hatch();
+const Hatch& passable_hatch();
+const Hatch& given_up_hatch();
+/// The line of a track, px at text scale 1.
+inline constexpr double kTrackLine = 1.1;
+inline constexpr double kDroppedLine = 1.8;
+inline constexpr double kOutlineWidth = 2.2;
+
+}  // namespace tramline::render

@@ -1,0 +1,124 @@
+#include "tramline/render/legend.h"
+
+#include "tramline/render/layers.h"
+#include "tramline/render/text.h"
+
+namespace tramline::render {
+namespace {
+
+constexpr double kHeadingHeight = 34;
+constexpr double kRowHeight = 27;
+constexpr double kBlockGap = 20;
+constexpr double kSwatchWidth = 34;
+constexpr double kSwatchHeight = 18;
+constexpr double kTextIndent = 46;
+
+void draw_swatch_box(Canvas& canvas, const Box& box, Colour ground, const Hatch* style, Colour edge) {
+  const double k = canvas.scale();
+  fill_box(canvas, box, ground);
+  if (style != nullptr) hatch_box(canvas, box, *style);
+  stroke_line(canvas,
+              {{box.min_x, box.min_y},
+               {box.max_x, box.min_y},
+               {box.max_x, box.max_y},
+               {box.min_x, box.max_y},
+               {box.min_x, box.min_y}},
+              {edge, 1.3 * k});
+}
+
+void draw_swatch_line(Canvas& canvas, const Box& box, const LegendRow& row) {
+  const double k = canvas.scale();
+  const Point left{box.min_x, box.centre().y};
+  const Point right{box.max_x, box.centre().y};
+  if (row.symbol == Symbol::kTrack) {
+    stroke_line(canvas, {left, right}, {kTrackColour, kTrackLine * k});
+    draw_arrow_head(canvas, box.centre() + Point{5 * k, 0}, {1, 0}, 10 * k, kFieldEdge);
+  } else if (row.symbol == Symbol::kDropped) {
+    stroke_line(canvas, {left, right}, {kDroppedColour, kDroppedLine * k, {5 * k, 3 * k}});
+  } else if (row.symbol == Symbol::kStop) {
+    stroke_line(canvas, {left, box.centre()}, {kTrackColour, kTrackLine * k});
+    draw_stop_mark(canvas, box.centre());
+  }
+}
+
+void draw_symbol(Canvas& canvas, const Box& box, const LegendRow& row) {
+  switch (row.symbol) {
+    case Symbol::kNone:
+      return;
+    case Symbol::kField:
+      return draw_swatch_box(canvas, box, kFieldColour, nullptr, kFieldEdge);
+    case Symbol::kObstacle:
+      return draw_swatch_box(canvas, box, kObstacleColour, &obstacle_hatch(), kObstacleColour);
+    case Symbol::kPassable:
+      return draw_swatch_box(canvas, box, kPassableColour, &passable_hatch(), kPassableHatch);
+    case Symbol::kGivenUp:
+      return draw_swatch_box(canvas, box, kUncoveredColour, &given_up_hatch(), kUncoveredColour);
+    case Symbol::kOverlap:
+      return draw_swatch_box(canvas, box, kOverlapColour, nullptr, kOverlapColour);
+    case Symbol::kUncovered:
+      return draw_swatch_box(canvas, box, kUncoveredColour, nullptr, kUncoveredColour);
+    case Symbol::kSubfield: {
+      draw_swatch_box(canvas, box, tint(static_cast<std::size_t>(row.subfield)), nullptr, kSubfieldEdge);
+      const std::string number = std::to_string(row.subfield + 1);
+      return draw_text(canvas, box.centre(), number, {kSmallTextSize, true, Align::kCentre});
+    }
+    case Symbol::kTrack:
+    case Symbol::kDropped:
+    case Symbol::kStop:
+      return draw_swatch_line(canvas, box, row);
+  }
+}
+
+void draw_row(Canvas& canvas, const Box& box, const LegendRow& row) {
+  const double k = canvas.scale();
+  const double middle = box.centre().y;
+  const bool has_symbol = row.symbol != Symbol::kNone;
+  const double half = 0.5 * kSwatchHeight * k;
+  if (has_symbol)
+    draw_symbol(canvas, {box.min_x, middle - half, box.min_x + kSwatchWidth * k, middle + half}, row);
+  const double indent = has_symbol ? kTextIndent * k : 0;
+  const double value_width = text_width(canvas, row.value, {});
+  const double room = box.width() - indent - value_width - 8 * k;
+  draw_text(canvas, {box.min_x + indent, middle}, fitted(canvas, row.text, {}, room), {});
+  draw_text(canvas, {box.max_x, middle}, row.value, {kTextSize, false, Align::kRight});
+}
+
+double height_of(const LegendBlock& block) {
+  return kHeadingHeight + kRowHeight * static_cast<double>(block.rows.size()) + kBlockGap;
+}
+
+void draw_block(Canvas& canvas, Point corner, double width, const LegendBlock& block) {
+  const double k = canvas.scale();
+  draw_text(canvas, {corner.x, corner.y + 10 * k}, block.heading, {kTextSize, true, Align::kLeft, kInk});
+  const double rule = corner.y + 26 * k;
+  stroke_line(canvas, {{corner.x, rule}, {corner.x + width, rule}}, {kRule, 1.2 * k});
+  double top = corner.y + kHeadingHeight * k;
+  for (const LegendRow& row : block.rows) {
+    draw_row(canvas, {corner.x, top, corner.x + width, top + kRowHeight * k}, row);
+    top += kRowHeight * k;
+  }
+}
+
+}  // namespace
+
+std::vector<double> heights_of(const std::vector<LegendBlock>& blocks) {
+  std::vector<double> out;
+  for (const LegendBlock& block : blocks) out.push_back(height_of(block));
+  return out;
+}
+
+void draw_legend(Canvas& canvas, const PageLayout& page, const std::vector<LegendBlock>& blocks) {
+  const double k = canvas.scale();
+  const double gap = 36 * k;
+  const double width = (page.panel.width() - gap * (page.panel_columns - 1)) / page.panel_columns;
+  const std::vector<double> heights = heights_of(blocks);
+  const std::vector<int> column = columns_of_blocks(heights, page.panel_columns);
+  std::vector<double> top(static_cast<std::size_t>(page.panel_columns), page.panel.min_y);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    double& y = top[static_cast<std::size_t>(column[i])];
+    draw_block(canvas, {page.panel.min_x + column[i] * (width + gap), y}, width, blocks[i]);
+    y += heights[i] * k;
+  }
+}
+
+}  // namespace tramline::render

@@ -1,0 +1,103 @@
+#include "tramline/render/legend_content.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tramline/render/visible_faults.h"
+
+namespace tramline::render {
+namespace {
+
+constexpr std::size_t kMostSubfieldRows = 12;
+
+bool has(const Field& field, ObstacleKind kind) {
+  return std::any_of(field.obstacles.begin(), field.obstacles.end(),
+                     [&](const Obstacle& obstacle) { return obstacle.kind == kind; });
+}
+
+// Small areas with a decimal: a sliver of 0.4 m² is not nothing.
+std::string square_metres(double area_m2) {
+  return area_m2 != 0 && area_m2 < 100 ? fmt::format("{:.1f} m²", area_m2)
+                                       : fmt::format("{:.0f} m²", area_m2);
+}
+
+std::string with_share(double area_m2, double whole_m2) {
+  if (whole_m2 <= 0) return square_metres(area_m2);
+  return fmt::format("{} · {:.2f} %", square_metres(area_m2), 100 * area_m2 / whole_m2);
+}
+
+LegendBlock symbols(const Plan& plan) {
+  LegendBlock block{"Legend", {}};
+  const auto add = [&](bool occurs, Symbol symbol, const char* text) {
+    if (occurs) block.rows.push_back({symbol, 0, text, ""});
+  };
+  add(true, Symbol::kField, "field");
+  add(has(plan.field, ObstacleKind::kObstacle), Symbol::kObstacle, "obstacle");
+  add(has(plan.field, ObstacleKind::kPassable), Symbol::kPassable, "passable obstacle, not worked");
+  add(!plan.given_up.empty(), Symbol::kGivenUp, "given up on purpose (uncovered)");
+  add(!plan.pieces.empty(), Symbol::kTrack, "track, number at its start");
+  add(!plan.dropped.empty(), Symbol::kDropped, "dropped: too short to drive");
+  add(plan.tally.stops > 0, Symbol::kStop, "stop: the machine backs out");
+  add(!visible_faults(plan.overlap).empty(), Symbol::kOverlap, "overlap");
+  add(!visible_faults(plan.uncovered).empty(), Symbol::kUncovered, "uncovered");
+  return block;
+}
+
+LegendBlock numbers(const Plan& plan) {
+  const Tally& tally = plan.tally;
+  const double body_m2 = area(plan.body);
+  LegendBlock block{"Numbers", {}};
+  const auto add = [&](const char* text, std::string value) {
+    block.rows.push_back({Symbol::kNone, 0, text, std::move(value)});
+  };
+  add("field", area_text(std::abs(signed_area(plan.field.outer))));
+  add("body", area_text(body_m2));
+  add("working width", fmt::format("{:g} m", plan.machine.width_m));
+  if (!plan.pieces.empty()) {
+    add("tracks", std::to_string(tally.pieces));
+    add("track length", length_text(tally.track_length_m));
+    add("turns", std::to_string(tally.turns));
+    add("stops", std::to_string(tally.stops));
+    if (tally.crossings > 0) add("crossings", std::to_string(tally.crossings));
+    add("overlap", with_share(tally.overlap_m2, body_m2));
+    add("uncovered", with_share(tally.uncovered_m2, body_m2));
+    add("cost", fmt::format("{:.2f}", plan.cost));
+  }
+  return block;
+}
+
+LegendBlock directions(const Plan& plan) {
+  LegendBlock block{plan.subfields.size() == 1 ? "Direction" : "Subfields", {}};
+  const std::size_t n = plan.subfields.size();
+  const std::size_t shown = n > kMostSubfieldRows ? kMostSubfieldRows - 1 : n;
+  for (std::size_t i = 0; i < shown; ++i) {
+    const Subfield& subfield = plan.subfields[i];
+    const double degrees = subfield.direction.degrees();
+    block.rows.push_back(
+        {Symbol::kSubfield, static_cast<int>(i),
+         std::isfinite(degrees) ? fmt::format("{:.1f}° from north", degrees) : std::string("no direction"),
+         area_text(area(subfield.shape))});
+  }
+  if (shown < n) block.rows.push_back({Symbol::kNone, 0, fmt::format("and {} more", n - shown), ""});
+  return block;
+}
+
+}  // namespace
+
+std::string area_text(double area_m2) {
+  return area_m2 < 1000 ? square_metres(area_m2) : fmt::format("{:.2f} ha", area_m2 / 1e4);
+}
+
+std::string length_text(double length_m) {
+  return length_m < 1000 ? fmt::format("{:.0f} m", length_m) : fmt::format("{:.2f} km", length_m / 1e3);
+}
+
+std::vector<LegendBlock> legend_of(const Plan& plan) {
+  std::vector<LegendBlock> blocks{symbols(plan), numbers(plan)};
+  if (!plan.subfields.empty()) blocks.push_back(directions(plan));
+  return blocks;
+}
+
+}  // namespace tramline::render

@@ -1,0 +1,53 @@
+#pragma once
+// The colours of a drawing. Overlap and uncovered land are an orange and a blue that people with any
+// of the common colour deficiencies tell apart; everything else is pale or grey, so that they stand out.
+
+#include <array>
+#include <cstdint>
+
+namespace tramline::render {
+
+/// Red, green, blue and opacity, each in [0, 1].
+struct Colour {
+  double red = 0;
+  double green = 0;
+  double blue = 0;
+  double opacity = 1;
+};
+
+/// From 0xRRGGBB.
+constexpr Colour rgb(std::uint32_t hex, double opacity = 1) {
+  return {static_cast<double>((hex >> 16) & 0xff) / 255.0, static_cast<double>((hex >> 8) & 0xff) / 255.0,
+          static_cast<double>(hex & 0xff) / 255.0, opacity};
+}
+
+inline constexpr std::uint32_t kBackgroundHex = 0xFFFFFF;
+inline constexpr std::uint32_t kOverlapHex = 0xE66100;
+inline constexpr std::uint32_t kUncoveredHex = 0x0A4FD6;
+
+inline constexpr Colour kBackgroundColour = rgb(kBackgroundHex);
+inline constexpr Colour kOverlapColour = rgb(kOverlapHex);
+inline constexpr Colour kUncoveredColour = rgb(kUncoveredHex);
+inline constexpr Colour kInk = rgb(0x1E2420);
+inline constexpr Colour kFaintInk = rgb(0x5A635C);
+inline constexpr Colour kRule = rgb(0xC9CDC6);
+inline constexpr Colour kFieldColour = rgb(0xF1EFE8);
+inline constexpr Colour kFieldEdge = rgb(0x2F3B2F);
+inline constexpr Colour kSubfieldEdge = rgb(0x6B7266);
+inline constexpr Colour kObstacleColour = rgb(0x4C4A48);
+inline constexpr Colour kObstacleHatch = rgb(0x8E8A86);
+inline constexpr Colour kPassableColour = rgb(0xCFE8C4);
+inline constexpr Colour kPassableHatch = rgb(0x2E8B3D);
+inline constexpr Colour kGivenUpHatch = rgb(0xFFFFFF, 0.85);
+inline constexpr Colour kStripe = rgb(0x2F3B2F, 0.09);
+inline constexpr Colour kTrackColour = rgb(0x3A463B, 0.85);
+inline constexpr Colour kDroppedColour = rgb(0x6E6E6E);
+
+/// Tints of the subfields, used in turn.
+inline constexpr std::array<Colour, 8> kTints = {rgb(0xE2EDD5), rgb(0xF4EACB), rgb(0xE7DFF0), rgb(0xF3DDDB),
+                                                 rgb(0xD3EAE5), rgb(0xEAE9C4), rgb(0xDCE3EC), rgb(0xEADCCB)};
+constexpr Colour tint(std::size_t subfield) {
+  return kTints[subfield % kTints.size()];
+}
+
+}  // namespace tramline::render

@@ -1,0 +1,76 @@
+#include "tramline/tracks/strip_pieces.h"
+
+namespace tramline {
+namespace {
+
+/// Where a strip meets things it may not work, by cause.
+struct Blocked {
+  StripProfile hard;
+  Intervals by_hard;      ///< obstacles and given-up land
+  Intervals by_outside;   ///< land beyond a hard field boundary
+  Intervals by_passable;
+};
+
+/// A piece's end is a stop when the first millimetre beyond it meets something hard.
+bool stops_at(const Blocked& blocked, double end, int sense) {
+  constexpr double kLookAhead = 1e-3;
+  constexpr double kLeastArea = 1e-9;
+  const double beyond = end + sense * kLookAhead;
+  return area_between(blocked.hard, std::min(end, beyond), std::max(end, beyond)) > kLeastArea;
+}
+
+/// The pieces of one undisturbed stretch, which only passable obstacles interrupt.
+void append_stretch(const Interval& stretch, const Blocked& blocked, const StripProfile& subfield, int strip,
+                    double min_length_m, SubfieldTracks& out) {
+  const Intervals parts = without({stretch}, blocked.by_passable);
+  bool before_driven = false;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Interval& part = parts[i];
+    StripPiece piece{strip, part.from, part.to, stops_at(blocked, part.from, -1), stops_at(blocked, part.to, +1),
+                     before_driven, area_between(subfield, part.from, part.to)};
+    const bool between_crossings = i > 0 && i + 1 < parts.size();
+    if (part.length() < min_length_m && !between_crossings) {
+      out.dropped.push_back(piece);
+      before_driven = false;
+    } else {
+      out.pieces.push_back(piece);
+      before_driven = true;
+    }
+  }
+}
+
+std::vector<Blocked> blocked_strips(const StripGrid& grid, StripRange range, const TurnedGround& ground) {
+  std::vector<Blocked> out(static_cast<std::size_t>(range.size()));
+  std::vector<StripProfile> hard = cross_sections(ground.hard, grid, range);
+  const std::vector<StripProfile> passable = cross_sections(ground.passable, grid, range);
+  const std::vector<StripProfile> field = cross_sections(ground.field, grid, range);
+  const Box reach = bounds(ground.field);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i].by_hard = where_at_least(hard[i], kWidthTolerance);
+    out[i].by_passable = where_at_least(passable[i], kWidthTolerance);
+    if (!ground.field.empty())
+      out[i].by_outside = complement(where_at_least(field[i], grid.width_m - kWidthTolerance),
+                                     {reach.min_y - 1, reach.max_y + 1});
+    out[i].hard = std::move(hard[i]);
+  }
+  return out;
+}
+
+}  // namespace
+
+SubfieldTracks strip_pieces(const StripGrid& grid, const Polygon& turned, const TurnedGround& ground,
+                            const EndCriterion& criterion, double min_length_m) {
+  SubfieldTracks out{grid, {}, {}};
+  const StripRange range = strips_over(grid, bounds(turned), kWidthTolerance);
+  const std::vector<StripProfile> subfield = cross_sections({turned}, grid, range);
+  const std::vector<Blocked> blocked = blocked_strips(grid, range, ground);
+  for (int k = range.first; k <= range.last; ++k) {
+    const auto i = static_cast<std::size_t>(k - range.first);
+    const Intervals allowed = allowed_by(criterion, subfield[i]);
+    for (const Interval& stretch : without(without(allowed, blocked[i].by_hard), blocked[i].by_outside))
+      append_stretch(stretch, blocked[i], subfield[i], k, min_length_m, out);
+  }
+  return out;
+}
+
+}  // namespace tramline

@@ -1,0 +1,116 @@
+// Scenes of the kind S1 describes for its figures 13 and 14: a field with an obstacle, split events at
+// the corners whose field-side angle exceeds the threshold, cells from cuts parallel to the sweep.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tramline/decomposition/candidate_directions.h"
+#include "tramline/decomposition/cells.h"
+#include "tramline/decomposition/cuts.h"
+#include "tramline/decomposition/events.h"
+
+namespace tramline {
+namespace {
+
+const Direction kNorth = Direction::clockwise_from_north(Angle::degrees(0));
+
+/// A rectangle with a diamond-shaped obstacle in its middle.
+const Polygon kFieldWithDiamond{{{0, 0}, {100, 0}, {100, 60}, {0, 60}}, {{{30, 30}, {50, 40}, {70, 30}, {50, 20}}}};
+
+TEST(InteriorAngle, IsMeasuredOnTheFieldsSide) {
+  // Corner of a counter-clockwise square: 90. The same corner walked clockwise: 270.
+  EXPECT_NEAR(interior_angle({0, 0}, {1, 0}, {1, 1}).degrees(), 90, 1e-9);
+  EXPECT_NEAR(interior_angle({1, 1}, {1, 0}, {0, 0}).degrees(), 270, 1e-9);
+  EXPECT_NEAR(interior_angle({0, 0}, {1, 0}, {2, 0}).degrees(), 180, 1e-9);
+}
+
+TEST(SplitEvents, AreTheCornersAboveTheThreshold) {
+  // Diamond corners seen from the field: left and right 360 − 2·atan(1/2) = 306.87, top and bottom
+  // 360 − 126.87 = 233.13 degrees.
+  EXPECT_EQ(split_events(kFieldWithDiamond, Angle::degrees(180)).size(), 4u);
+  EXPECT_EQ(split_events(kFieldWithDiamond, Angle::degrees(240)).size(), 2u);
+  EXPECT_EQ(split_events(kFieldWithDiamond, Angle::degrees(310)).size(), 0u);
+}
+
+TEST(Cuts, RunFromTheVertexToTheNextBoundaryOnBothSides) {
+  const auto cuts = cut_lines(kFieldWithDiamond, split_events(kFieldWithDiamond, Angle::degrees(240)), kNorth);
+  ASSERT_EQ(cuts.size(), 4u);  // two corners, up and down
+  for (const auto& cut : cuts) {
+    EXPECT_TRUE(cut[0] == (Point{30, 30}) || cut[0] == (Point{70, 30}));
+    EXPECT_NEAR(std::abs(cut[1].y - 30), 30 + kCutOvershoot, 1e-9);
+    EXPECT_NEAR(cut[1].x, cut[0].x, 1e-9);
+  }
+}
+
+TEST(Cuts, StartOnlyOnTheSideOfTheField) {
+  // The top corner (50, 40) of the diamond sees the field upwards only; the hole runs clockwise.
+  const auto cuts = cut_lines(kFieldWithDiamond, {{{30, 30}, {50, 40}, {70, 30}}}, kNorth);
+  ASSERT_EQ(cuts.size(), 1u);
+  EXPECT_NEAR(cuts[0][1].y, 60 + kCutOvershoot, 1e-9);
+}
+
+TEST(SweepCells, AreSixRoundADiamondAtThreshold180) {
+  // Cuts at x = 30, 50 (above and below the diamond) and 70: left, right, and two above, two below.
+  const auto cells = sweep_cells({kFieldWithDiamond}, kNorth, Angle::degrees(180), CellDirection::kRectangle);
+  EXPECT_EQ(cells.size(), 6u);
+  double sum = 0;
+  for (const Cell& cell : cells) {
+    sum += area(cell.shape);
+    EXPECT_TRUE(split_events(cell.shape, Angle::degrees(180.001)).empty()) << "a cell is not convex";
+  }
+  EXPECT_NEAR(sum, 6000 - 400, 1e-6);  // diamond: ½·40·20
+}
+
+TEST(SweepCells, AreFourAtThreshold240) {
+  EXPECT_EQ(sweep_cells({kFieldWithDiamond}, kNorth, Angle::degrees(240), CellDirection::kRectangle).size(), 4u);
+}
+
+TEST(SweepCells, OfAConvexFieldAreTheField) {
+  const Polygon square{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {}};
+  const auto cells = sweep_cells({square}, kNorth, Angle::degrees(180), CellDirection::kRectangle);
+  ASSERT_EQ(cells.size(), 1u);
+  EXPECT_EQ(cells[0].shape, square);
+}
+
+// An L: the reflex corner (10, 10) has edges along both axes, so a north cut follows the one edge and
+// leaves one cut downwards: two cells.
+TEST(SweepCells, OfAnLAreTwo) {
+  const Polygon l_shape{{{0, 0}, {30, 0}, {30, 10}, {10, 10}, {10, 40}, {0, 40}}, {}};
+  const auto cells = sweep_cells({l_shape}, kNorth, Angle::degrees(180), CellDirection::kRectangle);
+  ASSERT_EQ(cells.size(), 2u);
+  std::vector<double> areas{area(cells[0].shape), area(cells[1].shape)};
+  std::sort(areas.begin(), areas.end());
+  EXPECT_NEAR(areas[0], 200, 1e-6);
+  EXPECT_NEAR(areas[1], 400, 1e-6);
+  for (const Cell& cell : cells)
+    EXPECT_NEAR(cell.direction.degrees(), area(cell.shape) < 300 ? 90 : 0, 1e-6);
+}
+
+// Seven convex cells, as in S1's figure 14: a quadrilateral obstacle and one reflex corner in the
+// outline. Cuts at x = 20 (left corner of the obstacle, both ways), 40 (its top corner, up), 45 (its
+// bottom corner, down), 60 (right corner, both ways) and at the reflex corner (80, 50), down.
+TEST(SweepCells, AreSevenForAnObstacleAndANotch) {
+  const Polygon field{{{0, 0}, {100, 0}, {100, 60}, {80, 50}, {60, 70}, {0, 60}},
+                      {{{20, 30}, {40, 40}, {60, 32}, {45, 20}}}};
+  ASSERT_EQ(split_events(field, Angle::degrees(180)).size(), 5u);
+  const auto cells = sweep_cells({field}, kNorth, Angle::degrees(180), CellDirection::kRectangle);
+  EXPECT_EQ(cells.size(), 7u);
+  for (const Cell& cell : cells) EXPECT_TRUE(split_events(cell.shape, Angle::degrees(180.001)).empty());
+}
+
+TEST(CandidateDirections, AreDistinctModulo180AndLeavePassableObstaclesOut) {
+  Field field;
+  field.outer = {{0, 0}, {100, 0}, {100, 60}, {0, 60}};
+  field.obstacles = {{{{{30, 30}, {50, 20}, {70, 30}, {50, 40}}, {}}, ObstacleKind::kObstacle, "hole 1"},
+                     {{{{80, 30}, {83, 30}, {85, 50}}, {}}, ObstacleKind::kPassable, "waterway"}};
+  const auto directions = candidate_directions(field);
+  ASSERT_EQ(directions.size(), 4u);
+  EXPECT_NEAR(directions[0].degrees(), 0, 1e-9);
+  EXPECT_NEAR(directions[1].degrees(), 90 - 26.565051177, 1e-6);
+  EXPECT_NEAR(directions[2].degrees(), 90, 1e-9);
+  EXPECT_NEAR(directions[3].degrees(), 90 + 26.565051177, 1e-6);
+}
+
+}  // namespace
+}  // namespace tramline

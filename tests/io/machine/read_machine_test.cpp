@@ -1,0 +1,109 @@
+#include "tramline/io/machine/read_machine.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "tramline/geometry/error.h"
+
+namespace tramline {
+namespace {
+
+class MachineFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (std::filesystem::temp_directory_path() / "tramline-machine-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path write(const std::string& text) const {
+    std::ofstream(folder_ / "m.toml", std::ios::binary) << text;
+    return folder_ / "m.toml";
+  }
+  Machine read(const std::string& text) const { return read_machine(write(text)); }
+  std::string refusal(const std::string& text) const { return refusal_of(write(text)); }
+  static std::string refusal_of(const std::filesystem::path& path) {
+    try {
+      read_machine(path);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+      return error.what();
+    }
+    ADD_FAILURE() << "nothing was refused";
+    return "";
+  }
+  std::filesystem::path folder_;
+};
+
+void expect_says(const std::string& message, std::initializer_list<std::string> words) {
+  for (const std::string& word : words) EXPECT_NE(message.find(word), std::string::npos) << message;
+}
+
+TEST_F(MachineFile, AllKeys) {
+  const Machine machine =
+      read("name = \"spreader\"\nwidth_m = 24\nturning_radius_m = 7.5\nmin_track_length_m = 0\n");
+  EXPECT_EQ(machine.name, "spreader");
+  EXPECT_EQ(machine.width_m, 24);
+  EXPECT_EQ(machine.radius_m, 7.5);
+  EXPECT_EQ(min_length_m(machine), 0);
+}
+
+TEST_F(MachineFile, WidthIsEnough) {
+  const Machine machine = read("\xEF\xBB\xBF# a byte order mark, as some editors write\r\nwidth_m = 3.5\r\n");
+  EXPECT_EQ(machine.width_m, 3.5);
+  EXPECT_EQ(machine.radius_m, Machine{}.radius_m);
+  EXPECT_EQ(min_length_m(machine), 7);
+}
+
+TEST_F(MachineFile, UnknownKeyListsTheKnownOnes) {
+  expect_says(refusal("width_m = 3\nwidht_m = 4\n"),
+              {"m.toml", "line 2", "widht_m", "name, width_m, turning_radius_m, min_track_length_m"});
+  expect_says(refusal("width_m = 3\n[sections]\ncount = 4\n"), {"line 2", "sections"});
+}
+
+TEST_F(MachineFile, WrongLengthNamesFileLineAndKey) {
+  for (const char* value :
+       {"-3", "-0.1", "nan", "-nan", "inf", "0", "0.0", "\"3\"", "true", "[3]", "1979-05-27"})
+    expect_says(refusal(std::string("name = \"x\"\nwidth_m = ") + value + "\n"),
+                {"m.toml", "line 2", "width_m"});
+  for (const std::string key : {"turning_radius_m", "min_track_length_m"})
+    for (const char* value : {"-1", "nan", "inf", "\"3\""})
+      expect_says(refusal("width_m = 3\n\n" + key + " = " + value), {"m.toml", "line 3", key});
+}
+
+TEST_F(MachineFile, NameIsText) {
+  expect_says(refusal("width_m = 3\nname = 7\n"), {"line 2", "name"});
+}
+
+TEST_F(MachineFile, WidthIsNeeded) {
+  expect_says(refusal(""), {"m.toml", "width_m", "missing"});
+  expect_says(refusal("name = \"x\"\n"), {"width_m"});
+}
+
+TEST_F(MachineFile, WhatIsNoToml) {
+  expect_says(refusal("name = \"x\"\nwidth_m 3\n"), {"m.toml", "line 2", "TOML"});
+  expect_says(refusal("width_m = 3\nwidth_m = 4\n"), {"line 2"});
+  refusal(std::string("\0\xff\xfe", 3));
+  refusal(std::string(100000, '['));
+  expect_says(refusal(std::string(2 << 20, '#')), {"too long"});
+}
+
+TEST_F(MachineFile, WhatCannotBeRead) {
+  expect_says(refusal_of(folder_ / "none.toml"), {"none.toml", "cannot be read"});
+  expect_says(refusal_of(folder_), {"cannot be read"});
+}
+
+TEST_F(MachineFile, TheExampleIsAMachine) {
+  const Machine machine = read_machine(std::filesystem::path(TRAMLINE_EXAMPLES) / "machine.toml");
+  EXPECT_FALSE(machine.name.empty());
+  EXPECT_GT(machine.width_m, 0);
+}
+
+}  // namespace
+}  // namespace tramline

@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that tramline needs, and only those that are missing.
+# Usage: install-packages.sh [build] [lint]     (default: build)
+set -euo pipefail
+
+build_packages=(
+  build-essential g++ cmake ninja-build ccache pkg-config
+  libgdal-dev gdal-bin libgeos-dev libproj-dev proj-data libcairo2-dev libtbb-dev
+  libcli11-dev libfmt-dev nlohmann-json3-dev libpugixml-dev libtomlplusplus-dev
+  libgtest-dev librapidcheck-dev libbenchmark-dev
+  fonts-dejavu-core python3 sqlite3 zip
+)
+# What `make lint`, `make format` and the long tests need besides.
+lint_packages=(clang clang-tidy clang-format-14 shellcheck)
+
+wanted=()
+for list in "${@:-build}"; do
+  case "$list" in
+    build) wanted+=("${build_packages[@]}") ;;
+    lint) wanted+=("${lint_packages[@]}") ;;
+    *)
+      echo "install-packages.sh: no list named '$list' (there are: build, lint)" >&2
+      exit 2
+      ;;
+  esac
+done
+
+if ! command -v apt-get >/dev/null; then
+  echo "install-packages.sh: no apt-get here; make sure these are installed: ${wanted[*]}" >&2
+  exit 0
+fi
+
+missing=()
+for package in "${wanted[@]}"; do
+  status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
+  [[ $status == installed ]] || missing+=("$package")
+done
+((${#missing[@]} == 0)) && exit 0
+
+as_root=()
+if ((EUID != 0)); then
+  if ! command -v sudo >/dev/null; then
+    echo "install-packages.sh: as root, run: apt-get install --no-install-recommends ${missing[*]}" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+
+echo "Installing ${missing[*]}"
+"${as_root[@]}" apt-get update -q
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+  apt-get install -y -q --no-install-recommends "${missing[@]}"
