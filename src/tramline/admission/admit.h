@@ -1,0 +1,39 @@
+#pragma once
+// Is this feature fit to plan on? Finds faults, repairs what is certain, reports it, and refuses the rest.
+
+#include <string>
+#include <vector>
+
+#include "tramline/geodesy/crs.h"
+#include "tramline/model/field.h"
+#include "tramline/model/raw_feature.h"
+
+namespace tramline {
+
+/// Where features come from, and how their coordinates are meant.
+struct AdmissionContext {
+  std::string file;
+  std::string layer;
+  const Crs* crs = nullptr;       ///< never null; plain for metres
+  bool winding_matters = false;   ///< see RawDataset
+  bool metres_confirmed = false;  ///< the user said so: do not suspect degrees
+};
+
+/// What became of a feature.
+struct Admission {
+  std::vector<Field> fields;     ///< at least one
+  std::vector<Skipped> skipped;  ///< lines and points beside the polygons
+};
+
+/// The feature's id, or "layer:fid" when it has none.
+std::string field_id(const RawFeature& feature, const std::string& layer);
+
+/// Each polygon of the feature becomes a field, and each lobe of a ring that crosses itself; the second gets
+/// the id "…#2". Field coordinates are local metres. In every field the outer ring is simple and
+/// counter-clockwise, the obstacles are valid, lie within it and share no land.
+/// Throws bad_input, one sentence that names file and feature, for: no polygon, coordinates that are not
+/// finite or not on the globe, a CRS that cannot be right, no area, and rings that leave open what they
+/// enclose. O(n log n) per ring, and O(holes²) box tests.
+Admission admit(const RawFeature& feature, const AdmissionContext& context);
+
+}  // namespace tramline

@@ -1,0 +1,16 @@
+#pragma once
+// Step 4: which way the rings run.
+
+#include <vector>
+
+#include "tramline/admission/ledger.h"
+#include "tramline/admission/work_ring.h"
+
+namespace tramline {
+
+/// Makes the outer ring counter-clockwise and the holes clockwise. Noted as a repair where the format
+/// prescribes that winding (`winding_matters`), and in any format for a hole that runs the same way as the
+/// outer ring; otherwise formats differ and nothing was wrong. rings[0] is the outer ring.
+void orient_rings(std::vector<WorkRing>& rings, bool winding_matters, Ledger& ledger);
+
+}  // namespace tramline

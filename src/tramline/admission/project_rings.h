@@ -1,0 +1,31 @@
+#pragma once
+// Step 1: are the coordinates coordinates, and where do they lie in the field's plane?
+
+#include <string>
+
+#include "tramline/admission/ledger.h"
+#include "tramline/admission/work_ring.h"
+#include "tramline/model/raw_feature.h"
+
+namespace tramline {
+
+/// What is wrong with an input coordinate, as the end of a sentence ("has the latitude 123.4, beyond 90
+/// degrees"); empty when nothing is.
+std::string coordinate_fault(Point input, const Crs& crs);
+
+/// Checks every vertex of the part. Throws bad_input, starting with `subject`, naming ring and vertex, for
+/// NaN, infinite and out-of-range coordinates. O(vertices).
+void check_coordinates(const RawPolygon& part, const Crs& crs, const std::string& subject);
+
+/// Refuses coordinates without a CRS that look like degrees: all within ±180, ±90, and less than 1 unit
+/// across. Throws bad_input suggesting --crs.
+void check_plain_metres(const Box& bounds, const std::string& subject);
+
+/// The ring in local metres; an unclosed ring is closed and noted (no area changes: the missing edge is the
+/// one every reader implies). Throws a refusal for a point that PROJ refuses.
+WorkRing project_ring(const RawRing& ring, const std::string& name, Ledger& ledger);
+
+/// "outer ring" for 0, "hole 3" for 3.
+std::string ring_name(std::size_t index);
+
+}  // namespace tramline

@@ -1,0 +1,55 @@
+#pragma once
+// A coordinate reference system of the input, and the way from it to WGS 84 and back.
+//
+// Everywhere in tramline coordinates are in traditional GIS order: longitude, latitude; easting, northing.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "tramline/geometry/point.h"
+
+namespace tramline {
+
+/// What admission has to know about a projected CRS of the transverse Mercator family.
+struct TransverseMercatorGrid {
+  double false_easting_m = 0;
+  double central_meridian_deg = 0;
+};
+
+/// An input CRS, or none at all (plain metres). Owns a PROJ context: objects may be used on different
+/// threads, one object on one thread at a time.
+class Crs {
+ public:
+  /// Plain metres: no CRS.
+  Crs();
+  /// WKT, "EPSG:25832", a PROJ string. Empty or "none": plain metres. Throws bad_input when PROJ does
+  /// not know it or when it is not a geographic or projected CRS.
+  explicit Crs(const std::string& definition);
+  Crs(Crs&&) noexcept;
+  Crs& operator=(Crs&&) noexcept;
+  ~Crs();
+
+  bool plain() const { return impl_ == nullptr; }
+  /// "ETRS89 / UTM zone 32N (EPSG:25832)"; "plain metres" without a CRS.
+  const std::string& name() const { return name_; }
+  /// Coordinates are longitude and latitude in degrees.
+  bool in_degrees() const { return in_degrees_; }
+  /// Set for transverse Mercator grids in metres.
+  const std::optional<TransverseMercatorGrid>& grid() const { return grid_; }
+
+  /// Longitude and latitude on WGS 84, degrees; nullopt where PROJ refuses the point (or a coordinate is
+  /// not finite). Precondition: !plain().
+  std::optional<Point> to_lonlat(Point input) const;
+  /// The inverse of to_lonlat. Precondition: !plain().
+  std::optional<Point> from_lonlat(Point lonlat_deg) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+  std::string name_ = "plain metres";
+  bool in_degrees_ = false;
+  std::optional<TransverseMercatorGrid> grid_;
+};
+
+}  // namespace tramline

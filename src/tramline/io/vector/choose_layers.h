@@ -1,0 +1,21 @@
+#pragma once
+// Which layers of a dataset are meant.
+
+#include <string>
+#include <vector>
+
+#include "tramline/io/vector/read_vector.h"
+
+class GDALDataset;
+class OGRLayer;
+
+namespace tramline {
+
+/// The layer called query.layer; without one the only layer that can hold polygons (the others are listed in
+/// `skipped`); with all_layers every layer. Throws bad_input listing the layers where none or several qualify.
+std::vector<OGRLayer*> choose_layers(GDALDataset& dataset, const VectorQuery& query, std::vector<Skipped>& skipped);
+
+/// "roads (Line String), fields (Polygon)".
+std::string layer_list(GDALDataset& dataset);
+
+}  // namespace tramline

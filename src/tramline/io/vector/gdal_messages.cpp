@@ -1,0 +1,44 @@
+#include "tramline/io/vector/gdal_messages.h"
+
+#include <cpl_error.h>
+#include <gdal.h>
+
+#include <algorithm>
+#include <mutex>
+
+namespace tramline {
+namespace {
+
+void CPL_STDCALL collect(CPLErr error_class, CPLErrorNum, const char* text) {
+  static_cast<GdalMessages*>(CPLGetErrorHandlerUserData())->add(error_class, text);
+}
+
+}  // namespace
+
+GdalMessages::GdalMessages() { CPLPushErrorHandlerEx(collect, this); }
+GdalMessages::~GdalMessages() { CPLPopErrorHandler(); }
+
+void GdalMessages::add(int error_class, const char* text) {
+  if (error_class < CE_Failure) return;
+  failed_ = true;
+  last_ = text != nullptr ? text : "";
+}
+
+std::string GdalMessages::last() const {
+  std::string out = last_.empty() ? "no reason given" : last_;
+  std::replace(out.begin(), out.end(), '\n', ' ');
+  while (!out.empty() && (out.back() == '.' || out.back() == ' ')) out.pop_back();
+  return out;
+}
+
+void GdalMessages::clear() {
+  failed_ = false;
+  last_.clear();
+}
+
+void register_gdal_drivers() {
+  static std::once_flag once;
+  std::call_once(once, [] { GDALAllRegister(); });
+}
+
+}  // namespace tramline

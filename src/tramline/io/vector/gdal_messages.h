@@ -1,0 +1,31 @@
+#pragma once
+// GDAL's messages, collected instead of printed.
+
+#include <string>
+
+namespace tramline {
+
+/// While it lives, GDAL prints nothing on this thread; errors are kept. Not copyable, strictly nested.
+class GdalMessages {
+ public:
+  GdalMessages();
+  GdalMessages(const GdalMessages&) = delete;
+  GdalMessages& operator=(const GdalMessages&) = delete;
+  ~GdalMessages();
+
+  bool failed() const { return failed_; }
+  /// The last error, on one line and without a final full stop; "no reason given" when there was none.
+  std::string last() const;
+  void clear();
+  /// Called by GDAL through the handler.
+  void add(int error_class, const char* text);
+
+ private:
+  bool failed_ = false;
+  std::string last_;
+};
+
+/// Registers GDAL's drivers once per process.
+void register_gdal_drivers();
+
+}  // namespace tramline

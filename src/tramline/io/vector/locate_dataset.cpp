@@ -1,0 +1,103 @@
+#include "tramline/io/vector/locate_dataset.h"
+
+#include <cpl_string.h>
+#include <cpl_vsi.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <regex>
+#include <set>
+
+#include "tramline/geometry/error.h"
+#include "tramline/io/vector/gdal_messages.h"
+
+namespace tramline {
+namespace {
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+std::string extension(const std::string& path) {
+  const std::size_t dot = path.find_last_of("./");
+  return dot == std::string::npos || path[dot] == '/' ? "" : lower(path.substr(dot + 1));
+}
+
+bool exists(const std::string& path) {
+  VSIStatBufL status;
+  return VSIStatL(path.c_str(), &status) == 0;
+}
+
+/// Vector files that stand for a dataset of their own inside a zip.
+bool is_vector_file(const std::string& path) {
+  static const std::set<std::string> known = {"shp", "gpkg", "geojson", "json", "geojsonl", "fgb", "kml",
+                                              "kmz", "gml",  "sqlite",  "tab",  "mif",      "gpx", "dxf"};
+  return known.count(extension(path)) > 0;
+}
+
+std::vector<std::string> members(const std::string& zip) {
+  char** list = VSIReadDirRecursive(zip.c_str());
+  std::vector<std::string> out;
+  for (int i = 0; list != nullptr && list[i] != nullptr; ++i) out.emplace_back(list[i]);
+  CSLDestroy(list);
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+/// Names inside the zip to open: a folder of Shapefiles counts once, a file geodatabase is its folder.
+std::set<std::string> datasets_among(const std::vector<std::string>& names) {
+  std::set<std::string> out;
+  for (std::string name : names) {
+    // macOS adds a shadow of every file.
+    if (name.rfind("__MACOSX", 0) == 0) continue;
+    if (!name.empty() && name.back() == '/') name.pop_back();
+    if (extension(name) == "gdb") out.insert(name);
+    if (!is_vector_file(name)) continue;
+    const std::size_t slash = name.rfind('/');
+    const std::string folder = slash == std::string::npos ? "" : name.substr(0, slash);
+    const auto same_folder_shapefile = [&](const std::string& other) {
+      return other != name && extension(other) == "shp" && other.substr(0, folder.size()) == folder &&
+             other.find('/', folder.size() + 1) == std::string::npos;
+    };
+    const bool several = extension(name) == "shp" && std::any_of(names.begin(), names.end(), same_folder_shapefile);
+    out.insert(several ? folder : name);
+  }
+  return out;
+}
+
+}  // namespace
+
+bool is_database_string(const std::string& file) {
+  static const std::regex prefix("^[A-Za-z][A-Za-z0-9_]+:.*");
+  return std::regex_match(file.begin(), file.end(), prefix) && !exists(file);
+}
+
+std::string shown_name(const std::string& file) {
+  static const std::regex password("(password\\s*=\\s*)('[^']*'|\\S+)", std::regex::icase);
+  static const std::regex in_url("(://[^:/@]+:)[^@]+@");
+  return std::regex_replace(std::regex_replace(file, password, "$1***"), in_url, "$1***@");
+}
+
+std::vector<std::string> locate_datasets(const std::string& file) {
+  if (file.empty()) throw bad_input("no field file was named; give the path of a vector file");
+  if (is_database_string(file) || file.rfind("/vsi", 0) == 0) return {file};
+  const GdalMessages silence;
+  if (!exists(file)) throw bad_input(fmt::format("there is no file '{}'; check the path", file));
+  if (extension(file) != "zip") return {file};
+
+  const std::string zip = "/vsizip/{" + file + "}";
+  const std::vector<std::string> names = members(zip);
+  if (names.empty())
+    throw bad_input(fmt::format("'{}' cannot be read as a zip file; it is empty or was cut off, so fetch it again", file));
+  std::vector<std::string> out;
+  for (const std::string& name : datasets_among(names)) out.push_back(name.empty() ? zip : zip + "/" + name);
+  if (out.empty())
+    throw bad_input(fmt::format("'{}' holds no vector file; found {}", file,
+                                fmt::join(names.begin(), names.begin() + std::min<std::ptrdiff_t>(5, std::ssize(names)), ", ")));
+  return out;
+}
+
+}  // namespace tramline

@@ -1,0 +1,20 @@
+#pragma once
+// From what the user typed to the name under which GDAL opens it.
+
+#include <string>
+#include <vector>
+
+namespace tramline {
+
+/// A database string such as "PG:dbname=farm" rather than a path.
+bool is_database_string(const std::string& file);
+
+/// The string with any password masked, for messages.
+std::string shown_name(const std::string& file);
+
+/// The names GDAL can open for `file`: the file itself, or for a .zip each vector dataset inside, in any
+/// folder (the Shapefiles of one folder are one dataset). Throws bad_input when the file does not exist, or
+/// when the zip cannot be read or holds no vector file.
+std::vector<std::string> locate_datasets(const std::string& file);
+
+}  // namespace tramline

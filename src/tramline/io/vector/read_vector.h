@@ -1,0 +1,27 @@
+#pragma once
+// Any vector file, zip or database that OGR can open, as plain values.
+
+#include <optional>
+#include <string>
+
+#include "tramline/model/raw_feature.h"
+
+namespace tramline {
+
+/// What to read. `file` is a path (a .zip may hold the files in folders) or a database string ("PG:…").
+struct VectorQuery {
+  std::string file;
+  std::string layer;             ///< empty: the one layer with polygons
+  std::string where;             ///< OGR attribute filter, for example "crop = 'wheat'"; empty: all
+  std::optional<long long> fid;  ///< only the feature with this number
+  long long limit = -1;          ///< stop after so many features of a layer; negative: read all
+  bool all_layers = false;       ///< read every layer, whatever its geometry (obstacle files)
+};
+
+/// Reads the features in file order. Arcs become chords of at most 1 degree (area error below 0.006 %).
+/// Throws bad_input, in one sentence, for: a missing file, a file that is no vector file or is cut off,
+/// an unknown layer (naming those found), several layers with polygons and no choice, a filter OGR does not
+/// understand, and a result without any feature. Prints nothing. O(size of the file).
+RawDataset read_vector(const VectorQuery& query);
+
+}  // namespace tramline
