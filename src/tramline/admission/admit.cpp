@@ -27,8 +27,9 @@ void refuse_other_geometry(const Case& c) {
   if (!c.feature.polygons.empty()) return;
   if (c.feature.geometry_type == "none")
     throw bad_input(fmt::format("{}: the feature has no geometry; give it a polygon", c.subject));
-  throw bad_input(fmt::format("{}: the geometry is a {}, not a polygon with land in it; draw the field's boundary as a polygon",
-                              c.subject, c.feature.geometry_type));
+  throw bad_input(fmt::format(
+      "{}: the geometry is a {}, not a polygon with land in it; draw the field's boundary as a polygon",
+      c.subject, c.feature.geometry_type));
 }
 
 Box input_bounds(const RawPolygon& part) {
@@ -43,8 +44,8 @@ FieldProjection projection_for(const RawPolygon& part, const Case& c) {
   const Crs& crs = *c.context.crs;
   if (crs.plain() && !c.context.metres_confirmed) check_plain_metres(box, c.subject);
   if (crs.in_degrees() && box.width() > 180)
-    throw bad_input(fmt::format("{}: the field crosses the 180th meridian; cut it there or give it in a projected CRS",
-                                c.subject));
+    throw bad_input(fmt::format(
+        "{}: the field crosses the 180th meridian; cut it there or give it in a projected CRS", c.subject));
   try {
     return FieldProjection(crs, frame_centred_on(crs, box));
   } catch (const Error& error) {
@@ -55,8 +56,9 @@ FieldProjection projection_for(const RawPolygon& part, const Case& c) {
 void refuse_wide(const Lobe& lobe, const Case& c) {
   const Box box = bounds(lobe.outer);
   if (!c.context.crs->plain() && std::max(box.width(), box.height()) > kWidestField_m)
-    throw bad_input(fmt::format("{}: the field is {:.0f} km wide; check its coordinates and give the right CRS with --crs",
-                                c.subject, std::max(box.width(), box.height()) / 1000));
+    throw bad_input(fmt::format(
+        "{}: the field is {:.0f} km wide; check its coordinates and give the right CRS with --crs", c.subject,
+        std::max(box.width(), box.height()) / 1000));
 }
 
 /// The last word, by another road than the repairs: GEOS's own validity test.
@@ -66,8 +68,8 @@ void verify(const Lobe& lobe, const Ledger& ledger) {
                                      ledger.shown(fault->place), fault->reason));
   for (const Obstacle& obstacle : lobe.obstacles)
     if (const auto fault = find_invalidity(obstacle.shape))
-      throw ledger.refusal(fmt::format("{} could not be repaired at {} ({}); redraw it there", obstacle.origin,
-                                       ledger.shown(fault->place), fault->reason));
+      throw ledger.refusal(fmt::format("{} could not be repaired at {} ({}); redraw it there",
+                                       obstacle.origin, ledger.shown(fault->place), fault->reason));
 }
 
 Field make_field(Lobe lobe, const Case& c, const LocalFrame& frame) {
@@ -80,7 +82,8 @@ Field make_field(Lobe lobe, const Case& c, const LocalFrame& frame) {
 }
 
 /// Adds the fields of one part; a part without area is remembered in `empty`.
-void admit_part(const RawPolygon& part, const Case& c, std::vector<Field>& fields, std::vector<std::string>& empty) {
+void admit_part(const RawPolygon& part, const Case& c, std::vector<Field>& fields,
+                std::vector<std::string>& empty) {
   if (part.rings.empty() || part.rings[0].points.empty()) {
     empty.push_back("its outer ring is empty");
     return;
@@ -102,7 +105,8 @@ void admit_part(const RawPolygon& part, const Case& c, std::vector<Field>& field
       field.repairs = ledger.repairs();
       field.warnings = ledger.warnings();
     } else {
-      field.warnings.push_back("a lobe that the outer ring cut off by crossing itself; its repairs are listed with the first");
+      field.warnings.push_back(
+          "a lobe that the outer ring cut off by crossing itself; its repairs are listed with the first");
     }
     fields.push_back(std::move(field));
   }
@@ -119,11 +123,13 @@ void note_feature_repairs(const Case& c, const std::vector<std::string>& empty, 
   at.x += c.prefix_m;
   std::vector<Repair> notes;
   if (c.prefix_m != 0)
-    notes.push_back({fmt::format("the eastings carried the zone number {:.0f}; it was taken off", c.prefix_m / 1e6),
-                     "whole feature", at, 0});
+    notes.push_back(
+        {fmt::format("the eastings carried the zone number {:.0f}; it was taken off", c.prefix_m / 1e6),
+         "whole feature", at, 0});
   if (c.feature.had_z) notes.push_back({"heights (Z) were left out", "whole feature", at, 0});
   if (c.feature.had_m) notes.push_back({"measures (M) were left out", "whole feature", at, 0});
-  if (c.feature.was_curved) notes.push_back({"arcs were replaced by chords of at most 1 degree", "whole feature", at, 0});
+  if (c.feature.was_curved)
+    notes.push_back({"arcs were replaced by chords of at most 1 degree", "whole feature", at, 0});
   for (const std::string& why : empty)
     notes.push_back({fmt::format("a polygon of the feature was left out: {}", why), "whole feature", at, 0});
   first.repairs.insert(first.repairs.begin(), notes.begin(), notes.end());
@@ -132,9 +138,11 @@ void note_feature_repairs(const Case& c, const std::vector<std::string>& empty, 
 std::vector<Skipped> beside_the_polygons(const Case& c) {
   std::vector<Skipped> out;
   if (!c.feature.lines.empty())
-    out.push_back({fmt::format("{} line(s)", c.feature.lines.size()), c.subject, "a field is made of polygons"});
+    out.push_back(
+        {fmt::format("{} line(s)", c.feature.lines.size()), c.subject, "a field is made of polygons"});
   if (!c.feature.points.empty())
-    out.push_back({fmt::format("{} point(s)", c.feature.points.size()), c.subject, "a field is made of polygons"});
+    out.push_back(
+        {fmt::format("{} point(s)", c.feature.points.size()), c.subject, "a field is made of polygons"});
   return out;
 }
 

@@ -32,14 +32,16 @@ void note(const std::vector<Ring>& outers, const Obstacle& hole, double inside_m
   if (outside_m2 > kNoArea_m2) {
     Region outside = {hole.shape};
     for (const Ring& outer : outers) outside = difference(outside, {{outer, {}}});
-    ledger.repair(fmt::format("{} reached outside the outer ring; the outside part was removed", hole.origin), hole.origin,
-                  outside.empty() ? hole.shape.outer.front() : interior_point(outside.front()), outside_m2);
+    ledger.repair(fmt::format("{} reached outside the outer ring; the outside part was removed", hole.origin),
+                  hole.origin, outside.empty() ? hole.shape.outer.front() : interior_point(outside.front()),
+                  outside_m2);
     return;
   }
   for (const Ring& outer : outers) {
     const auto fault = find_invalidity({outer, {hole.shape.outer}});
     if (!fault) continue;
-    ledger.repair(fmt::format("{} shares an edge with the outer ring; it was kept as an obstacle at the edge", hole.origin),
+    ledger.repair(fmt::format("{} shares an edge with the outer ring; it was kept as an obstacle at the edge",
+                              hole.origin),
                   hole.origin, fault->place, 0);
     return;
   }
@@ -48,8 +50,8 @@ void note(const std::vector<Ring>& outers, const Obstacle& hole, double inside_m
 
 }  // namespace
 
-std::vector<std::vector<Obstacle>> clip_holes(const std::vector<Ring>& outers, const std::vector<Obstacle>& holes,
-                                              Ledger& ledger) {
+std::vector<std::vector<Obstacle>> clip_holes(const std::vector<Ring>& outers,
+                                              const std::vector<Obstacle>& holes, Ledger& ledger) {
   std::vector<std::vector<Obstacle>> out(outers.size());
   for (const Obstacle& hole : holes) {
     const auto home = std::find_if(outers.rbegin(), outers.rend(),

@@ -19,7 +19,9 @@ int winding_number(const Ring& ring, Point p) {
 
 Region disputed_land(const Ring& ring) {
   const Box frame = bounds(ring).grown(1);
-  const Polygon sheet{{{frame.min_x, frame.min_y}, {frame.max_x, frame.min_y}, {frame.max_x, frame.max_y},
+  const Polygon sheet{{{frame.min_x, frame.min_y},
+                       {frame.max_x, frame.min_y},
+                       {frame.max_x, frame.max_y},
                        {frame.min_x, frame.max_y}},
                       {}};
   Ring closed = ring;

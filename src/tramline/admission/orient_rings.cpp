@@ -16,8 +16,9 @@ void orient_rings(std::vector<WorkRing>& rings, bool winding_matters, Ledger& le
     const bool like_outer = r > 0 && clockwise == outer_clockwise;
     const bool against_format = winding_matters && clockwise == (r == 0);
     if (like_outer)
-      ledger.repair(fmt::format("{} ran the same way round as the outer ring; it was taken as a hole", rings[r].name),
-                    rings[r].name, rings[r].points.front(), 0);
+      ledger.repair(
+          fmt::format("{} ran the same way round as the outer ring; it was taken as a hole", rings[r].name),
+          rings[r].name, rings[r].points.front(), 0);
     else if (against_format)
       ledger.repair(fmt::format("{} ran {}, against the file format; it was turned round", rings[r].name,
                                 clockwise ? "clockwise" : "counter-clockwise"),

@@ -55,7 +55,8 @@ Region point_land(Point p, double size_m) {
 
 Region land_of(const LooseObstacle& obstacle, double size_m, Ledger& ledger) {
   Region land;
-  for (const RawPolygon& polygon : obstacle.polygons) append(land, polygon_land(polygon, obstacle.origin, ledger));
+  for (const RawPolygon& polygon : obstacle.polygons)
+    append(land, polygon_land(polygon, obstacle.origin, ledger));
   for (const auto& line : obstacle.lines) append(land, line_land(line, size_m, ledger));
   for (const Point p : obstacle.points) {
     const auto local = ledger.projection().to_local(p);
@@ -70,7 +71,8 @@ Box reach(const Field& field, const FieldProjection& projection, double margin_m
   Box out;
   // The edges of the box bulge a little in longitude and latitude, so its middle points count too.
   for (const double x : {local.min_x, local.centre().x, local.max_x})
-    for (const double y : {local.min_y, local.centre().y, local.max_y}) out.extend(projection.to_input({x, y}));
+    for (const double y : {local.min_y, local.centre().y, local.max_y})
+      out.extend(projection.to_input({x, y}));
   return out;
 }
 
@@ -79,12 +81,14 @@ void refuse_covered(const Field& field) {
   for (const Obstacle& obstacle : field.obstacles)
     if (obstacle.kind == ObstacleKind::kObstacle) left = difference(left, {obstacle.shape});
   if (area(left) <= kNoArea_m2)
-    throw bad_input(fmt::format("{}, feature '{}': the obstacles cover the whole field; check the obstacle file",
-                                field.source.file, field.id));
+    throw bad_input(
+        fmt::format("{}, feature '{}': the obstacles cover the whole field; check the obstacle file",
+                    field.source.file, field.id));
 }
 
 /// Passable land is what no real obstacle stands on.
-std::vector<Obstacle> less_obstacles(const std::vector<Obstacle>& passable, const std::vector<Obstacle>& real) {
+std::vector<Obstacle> less_obstacles(const std::vector<Obstacle>& passable,
+                                     const std::vector<Obstacle>& real) {
   std::vector<Obstacle> out;
   for (const Obstacle& candidate : passable) {
     Region land = {candidate.shape};
@@ -100,7 +104,8 @@ std::vector<Obstacle> less_obstacles(const std::vector<Obstacle>& passable, cons
 
 }  // namespace
 
-void place_obstacles(Field& field, const std::vector<LooseObstacle>& obstacles, double size_m, std::vector<char>& met) {
+void place_obstacles(Field& field, const std::vector<LooseObstacle>& obstacles, double size_m,
+                     std::vector<char>& met) {
   const Crs crs = field.frame.geodetic ? Crs("OGC:CRS84") : Crs();
   const FieldProjection projection(crs, field.frame);
   const Box near = reach(field, projection, size_m);

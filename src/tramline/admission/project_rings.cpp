@@ -13,9 +13,11 @@ std::string coordinate_fault(Point input, const Crs& crs) {
     return fmt::format("has the coordinates ({}, {}), which are not finite numbers", input.x, input.y);
   if (!crs.in_degrees()) return {};
   if (std::abs(input.y) > 90)
-    return fmt::format("has the latitude {:.10g}, beyond 90 degrees; give the CRS of the coordinates with --crs", input.y);
+    return fmt::format(
+        "has the latitude {:.10g}, beyond 90 degrees; give the CRS of the coordinates with --crs", input.y);
   if (std::abs(input.x) > 180)
-    return fmt::format("has the longitude {:.10g}, beyond 180 degrees; give the CRS of the coordinates with --crs", input.x);
+    return fmt::format(
+        "has the longitude {:.10g}, beyond 180 degrees; give the CRS of the coordinates with --crs", input.x);
   return {};
 }
 
@@ -23,16 +25,19 @@ void check_coordinates(const RawPolygon& part, const Crs& crs, const std::string
   for (std::size_t r = 0; r < part.rings.size(); ++r)
     for (std::size_t i = 0; i < part.rings[r].points.size(); ++i) {
       const std::string fault = coordinate_fault(part.rings[r].points[i], crs);
-      if (!fault.empty()) throw bad_input(fmt::format("{}: {}, vertex {} {}", subject, ring_name(r), i + 1, fault));
+      if (!fault.empty())
+        throw bad_input(fmt::format("{}: {}, vertex {} {}", subject, ring_name(r), i + 1, fault));
     }
 }
 
 void check_plain_metres(const Box& bounds, const std::string& subject) {
-  const bool on_globe = bounds.min_x >= -180 && bounds.max_x <= 180 && bounds.min_y >= -90 && bounds.max_y <= 90;
+  const bool on_globe =
+      bounds.min_x >= -180 && bounds.max_x <= 180 && bounds.min_y >= -90 && bounds.max_y <= 90;
   if (on_globe && bounds.width() < 1 && bounds.height() < 1)
-    throw bad_input(fmt::format("{}: the file names no CRS and its coordinates look like degrees; give --crs EPSG:4326, "
-                                "or --crs none if they are metres",
-                                subject));
+    throw bad_input(
+        fmt::format("{}: the file names no CRS and its coordinates look like degrees; give --crs EPSG:4326, "
+                    "or --crs none if they are metres",
+                    subject));
 }
 
 WorkRing project_ring(const RawRing& ring, const std::string& name, Ledger& ledger) {
@@ -41,9 +46,10 @@ WorkRing project_ring(const RawRing& ring, const std::string& name, Ledger& ledg
   for (std::size_t i = 0; i < ring.points.size(); ++i) {
     const std::optional<Point> local = ledger.projection().to_local(ring.points[i]);
     if (!local)
-      throw ledger.refusal(fmt::format("{}, vertex {} at {} lies outside {}; give the right CRS with --crs", name, i + 1,
-                                       shown_coordinates(ring.points[i], ledger.projection().crs().in_degrees()),
-                                       ledger.projection().crs().name()));
+      throw ledger.refusal(
+          fmt::format("{}, vertex {} at {} lies outside {}; give the right CRS with --crs", name, i + 1,
+                      shown_coordinates(ring.points[i], ledger.projection().crs().in_degrees()),
+                      ledger.projection().crs().name()));
     out.points.push_back(*local);
     out.vertex.push_back(static_cast<int>(i) + 1);
   }

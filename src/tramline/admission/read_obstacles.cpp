@@ -26,8 +26,8 @@ class Reader {
     if (crs_.plain()) return input;
     const std::optional<Point> lonlat = crs_.to_lonlat(input);
     if (!lonlat)
-      throw bad_input(fmt::format("{}: vertex {} ({:.10g}, {:.10g}) lies outside {}; correct the file's CRS", subject_,
-                                  vertex_, input.x, input.y, crs_.name()));
+      throw bad_input(fmt::format("{}: vertex {} ({:.10g}, {:.10g}) lies outside {}; correct the file's CRS",
+                                  subject_, vertex_, input.x, input.y, crs_.name()));
     return *lonlat;
   }
 
@@ -40,7 +40,8 @@ class Reader {
 LooseObstacle read_one(RawFeature feature, const Crs& crs, ObstacleKind kind, const std::string& origin) {
   const auto prefix = zone_prefix_m(feature, crs, origin);
   if (prefix) feature = without_prefix(std::move(feature), *prefix);
-  LooseObstacle out{origin, kind, std::move(feature.polygons), std::move(feature.lines), std::move(feature.points), {}};
+  LooseObstacle out{
+      origin, kind, std::move(feature.polygons), std::move(feature.lines), std::move(feature.points), {}};
   Reader read(crs, origin);
   const auto take = [&](Point& p) {
     p = read(p);
@@ -66,13 +67,15 @@ std::vector<LooseObstacle> read_obstacles(const RawDataset& dataset, ObstacleKin
   for (const RawLayer& layer : dataset.layers) {
     const Crs crs = plain ? Crs() : Crs(layer.crs.empty() ? fallback_crs : layer.crs);
     if (plain && !layer.crs.empty() && Crs(layer.crs).in_degrees())
-      throw bad_input(fmt::format("{}: the obstacles are in degrees but the field is in plain metres; give the field's "
-                                  "CRS with --crs",
-                                  dataset.file));
+      throw bad_input(
+          fmt::format("{}: the obstacles are in degrees but the field is in plain metres; give the field's "
+                      "CRS with --crs",
+                      dataset.file));
     for (const RawFeature& feature : layer.features) {
       const std::string name = feature.id.empty() ? std::to_string(feature.fid) : feature.id;
-      const std::string origin = dataset.layers.size() > 1 ? fmt::format("{} {} feature {}", file, layer.name, name)
-                                                           : fmt::format("{} feature {}", file, name);
+      const std::string origin = dataset.layers.size() > 1
+                                     ? fmt::format("{} {} feature {}", file, layer.name, name)
+                                     : fmt::format("{} feature {}", file, name);
       out.push_back(read_one(feature, crs, kind, origin));
     }
   }

@@ -19,16 +19,18 @@ void refuse_guessing(const WorkRing& ring, double enclosed_m2, const Ledger& led
   if (disputed_m2 <= guess_limit_m2(enclosed_m2)) return;
   const auto largest = std::max_element(disputed.begin(), disputed.end(),
                                         [](const Polygon& a, const Polygon& b) { return area(a) < area(b); });
-  throw ledger.refusal(fmt::format(
-      "the {} goes round {:.1f} m² near {} more than once, so it is open whether that land belongs to the field; redraw "
-      "it there",
-      ring.name, disputed_m2, ledger.shown(interior_point(*largest))));
+  throw ledger.refusal(
+      fmt::format("the {} goes round {:.1f} m² near {} more than once, so it is open whether that land "
+                  "belongs to the field; redraw "
+                  "it there",
+                  ring.name, disputed_m2, ledger.shown(interior_point(*largest))));
 }
 
 void drop_small_lobes(Region& lobes, const WorkRing& ring, double limit_m2, double sign, Ledger& ledger) {
   while (lobes.size() > 1 && area(lobes.back()) <= limit_m2) {
     const double lobe_m2 = area(lobes.back());
-    ledger.repair(fmt::format("{} cut off a lobe of {:.3f} m² by crossing itself; the lobe was removed", ring.name, lobe_m2),
+    ledger.repair(fmt::format("{} cut off a lobe of {:.3f} m² by crossing itself; the lobe was removed",
+                              ring.name, lobe_m2),
                   ring.name, interior_point(lobes.back()), -sign * lobe_m2);
     lobes.pop_back();
   }
@@ -43,11 +45,14 @@ Region repair_crossings(const WorkRing& ring, bool is_hole, Ledger& ledger) {
   const double drawn_m2 = std::abs(signed_area(ring.points));
   Region lobes = made_valid({ring.points, {}});
   std::erase_if(lobes, [](const Polygon& lobe) { return area(lobe) <= 0; });
-  std::stable_sort(lobes.begin(), lobes.end(), [](const Polygon& a, const Polygon& b) { return area(a) > area(b); });
+  std::stable_sort(lobes.begin(), lobes.end(),
+                   [](const Polygon& a, const Polygon& b) { return area(a) > area(b); });
   const double enclosed_m2 = area(lobes);
   refuse_guessing(ring, enclosed_m2, ledger);
-  ledger.repair(fmt::format("{} touched or crossed itself; the land it goes round an odd number of times was kept", ring.name),
-                ring.name, fault->place, sign * (enclosed_m2 - drawn_m2));
+  ledger.repair(
+      fmt::format("{} touched or crossed itself; the land it goes round an odd number of times was kept",
+                  ring.name),
+      ring.name, fault->place, sign * (enclosed_m2 - drawn_m2));
   // A hole's lobes all keep the machine out, however small.
   drop_small_lobes(lobes, ring, is_hole ? kNoArea_m2 : guess_limit_m2(enclosed_m2), sign, ledger);
   return lobes;

@@ -35,8 +35,8 @@ std::vector<Obstacle> drawn_holes(const std::vector<WorkRing>& rings, Ledger& le
     Region shapes = points.size() < 3 ? Region{} : repair_crossings(rings[r], true, ledger);
     if (area(shapes) <= kNoArea_m2) {
       if (!points.empty())
-        ledger.repair(fmt::format("{} has no area; it was dropped", rings[r].name), rings[r].name, points.front(),
-                      shapes.empty() ? 0 : area(shapes));
+        ledger.repair(fmt::format("{} has no area; it was dropped", rings[r].name), rings[r].name,
+                      points.front(), shapes.empty() ? 0 : area(shapes));
       continue;
     }
     for (Polygon& shape : shapes) holes.push_back({std::move(shape), ObstacleKind::kObstacle, rings[r].name});
@@ -45,7 +45,8 @@ std::vector<Obstacle> drawn_holes(const std::vector<WorkRing>& rings, Ledger& le
 }
 
 /// Land that the outer ring goes round without containing it, numbered on after the holes drawn.
-void append_enclosed_holes(const Region& lobes, std::size_t number, std::vector<std::vector<Obstacle>>& obstacles) {
+void append_enclosed_holes(const Region& lobes, std::size_t number,
+                           std::vector<std::vector<Obstacle>>& obstacles) {
   for (std::size_t k = 0; k < lobes.size(); ++k)
     for (const Ring& ring : lobes[k].holes)
       obstacles[k].push_back({{reversed(ring), {}},
@@ -55,7 +56,8 @@ void append_enclosed_holes(const Region& lobes, std::size_t number, std::vector<
 
 }  // namespace
 
-std::vector<Lobe> repair_part(const RawPolygon& part, bool winding_matters, Ledger& ledger, std::string& why_empty) {
+std::vector<Lobe> repair_part(const RawPolygon& part, bool winding_matters, Ledger& ledger,
+                              std::string& why_empty) {
   std::vector<WorkRing> rings = cleaned_rings(part, ledger);
   if (rings.empty() || rings[0].points.size() < 3) {
     why_empty = "its outer ring has fewer than three distinct points that enclose land";

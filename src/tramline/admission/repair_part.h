@@ -16,9 +16,10 @@ struct Lobe {
 };
 
 /// Repairs a part: projects, closes, removes duplicate points and spikes, orients, resolves crossings, sorts
-/// the holes. Lobes come largest first; empty when the part has no area (fewer than three points, on one line,
-/// or covered by its holes), with the reason in `why_empty`. Throws refusals (see repair_crossings).
-/// Σ over the lobes (outer − obstacles) = shoelace area drawn (|outer| − Σ|holes|) + Σ area changes noted.
-std::vector<Lobe> repair_part(const RawPolygon& part, bool winding_matters, Ledger& ledger, std::string& why_empty);
+/// the holes. Lobes come largest first; empty when the part has no area (fewer than three points, on one
+/// line, or covered by its holes), with the reason in `why_empty`. Throws refusals (see repair_crossings). Σ
+/// over the lobes (outer − obstacles) = shoelace area drawn (|outer| − Σ|holes|) + Σ area changes noted.
+std::vector<Lobe> repair_part(const RawPolygon& part, bool winding_matters, Ledger& ledger,
+                              std::string& why_empty);
 
 }  // namespace tramline

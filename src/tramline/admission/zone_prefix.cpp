@@ -55,8 +55,9 @@ std::optional<double> zone_prefix_m(const RawFeature& feature, const Crs& crs, c
   });
   if (!same || zone <= 0) return std::nullopt;
   if (!zone_matches(zone, crs.grid()->central_meridian_deg))
-    throw bad_input(fmt::format("{}: the eastings carry zone {} but the CRS is {}; give the right one with --crs", subject,
-                                zone, crs.name()));
+    throw bad_input(
+        fmt::format("{}: the eastings carry zone {} but the CRS is {}; give the right one with --crs",
+                    subject, zone, crs.name()));
   return zone * kPrefixUnit_m;
 }
 

@@ -32,8 +32,10 @@ bool usable(PJ_TYPE type) {
     case PJ_TYPE_GEOGRAPHIC_3D_CRS:
     case PJ_TYPE_PROJECTED_CRS:
     case PJ_TYPE_COMPOUND_CRS:
-    case PJ_TYPE_BOUND_CRS: return true;
-    default: return false;
+    case PJ_TYPE_BOUND_CRS:
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -55,17 +57,19 @@ bool has_degree_axes(PJ_CONTEXT* context, const PJ* crs) {
   if (type != PJ_TYPE_GEOGRAPHIC_2D_CRS && type != PJ_TYPE_GEOGRAPHIC_3D_CRS) return false;
   const proj::Object axes(proj_crs_get_coordinate_system(context, crs));
   double factor = 0;
-  if (axes == nullptr ||
-      !proj_cs_get_axis_info(context, axes.get(), 0, nullptr, nullptr, nullptr, &factor, nullptr, nullptr, nullptr))
+  if (axes == nullptr || !proj_cs_get_axis_info(context, axes.get(), 0, nullptr, nullptr, nullptr, &factor,
+                                                nullptr, nullptr, nullptr))
     return false;
   return std::abs(factor - M_PI / 180) < 1e-12;
 }
 
-std::optional<double> parameter(PJ_CONTEXT* context, const PJ* operation, const char* epsg_name, double& to_si) {
+std::optional<double> parameter(PJ_CONTEXT* context, const PJ* operation, const char* epsg_name,
+                                double& to_si) {
   const int index = proj_coordoperation_get_param_index(context, operation, epsg_name);
   double value = 0;
-  if (index < 0 || !proj_coordoperation_get_param(context, operation, index, nullptr, nullptr, nullptr, &value, nullptr,
-                                                  &to_si, nullptr, nullptr, nullptr, nullptr))
+  if (index < 0 ||
+      !proj_coordoperation_get_param(context, operation, index, nullptr, nullptr, nullptr, &value, nullptr,
+                                     &to_si, nullptr, nullptr, nullptr, nullptr))
     return std::nullopt;
   return value;
 }
@@ -75,8 +79,8 @@ std::optional<TransverseMercatorGrid> grid_of(PJ_CONTEXT* context, const PJ* crs
   const proj::Object operation(proj_crs_get_coordoperation(context, crs));
   const char* method = nullptr;
   if (operation == nullptr ||
-      !proj_coordoperation_get_method_info(context, operation.get(), &method, nullptr, nullptr) || method == nullptr ||
-      std::string(method) != "Transverse Mercator")
+      !proj_coordoperation_get_method_info(context, operation.get(), &method, nullptr, nullptr) ||
+      method == nullptr || std::string(method) != "Transverse Mercator")
     return std::nullopt;
   double metre = 1, degree = 1;
   const auto easting = parameter(context, operation.get(), "False easting", metre);
@@ -109,24 +113,29 @@ Crs::Crs(const std::string& definition) {
   const std::string shown = definition.substr(0, definition.find('\n')).substr(0, 60);
   if (crs == nullptr)
     throw bad_input(fmt::format(
-        "'{}' is not a coordinate reference system that PROJ knows; give one such as --crs EPSG:25832", shown));
-  if (!usable(proj_get_type(crs.get())))
-    throw bad_input(fmt::format(
-        "'{}' is neither a geographic nor a projected coordinate reference system; give one such as --crs EPSG:25832",
+        "'{}' is not a coordinate reference system that PROJ knows; give one such as --crs EPSG:25832",
         shown));
+  if (!usable(proj_get_type(crs.get())))
+    throw bad_input(
+        fmt::format("'{}' is neither a geographic nor a projected coordinate reference system; give one such "
+                    "as --crs EPSG:25832",
+                    shown));
   name_ = name_of(context, crs.get());
   crs = horizontal(context, std::move(crs));
   in_degrees_ = has_degree_axes(context, crs.get());
   grid_ = grid_of(context, crs.get());
 
   const proj::Object wgs84(proj_create(context, "OGC:CRS84"));
-  if (wgs84 == nullptr) throw failure("PROJ does not find its database proj.db; install the package proj-data");
-  impl->no_op = proj_is_equivalent_to(crs.get(), wgs84.get(), PJ_COMP_EQUIVALENT_EXCEPT_AXIS_ORDER_GEOGCRS) != 0;
-  const proj::Object operation(proj_create_crs_to_crs_from_pj(context, crs.get(), wgs84.get(), nullptr, nullptr));
+  if (wgs84 == nullptr)
+    throw failure("PROJ does not find its database proj.db; install the package proj-data");
+  impl->no_op =
+      proj_is_equivalent_to(crs.get(), wgs84.get(), PJ_COMP_EQUIVALENT_EXCEPT_AXIS_ORDER_GEOGCRS) != 0;
+  const proj::Object operation(
+      proj_create_crs_to_crs_from_pj(context, crs.get(), wgs84.get(), nullptr, nullptr));
   if (operation != nullptr) impl->to_wgs84.reset(proj_normalize_for_visualization(context, operation.get()));
   if (impl->to_wgs84 == nullptr)
-    throw bad_input(fmt::format("PROJ knows no way from '{}' to WGS 84 ({}); give another CRS with --crs", name_,
-                                proj::last_error(context)));
+    throw bad_input(fmt::format("PROJ knows no way from '{}' to WGS 84 ({}); give another CRS with --crs",
+                                name_, proj::last_error(context)));
   impl_ = std::move(impl);
 }
 

@@ -42,8 +42,8 @@ Point FrameProjection::to_lonlat(Point local_m) const {
   proj_errno_reset(operation);
   const PJ_COORD out = proj_trans(operation, PJ_INV, proj_coord(local_m.x, local_m.y, 0, HUGE_VAL));
   if (proj_errno(operation) != 0 || !std::isfinite(out.xy.x) || !std::isfinite(out.xy.y))
-    throw failure(fmt::format("the local point ({:.3f} m, {:.3f} m) lies outside the field's projection", local_m.x,
-                              local_m.y));
+    throw failure(fmt::format("the local point ({:.3f} m, {:.3f} m) lies outside the field's projection",
+                              local_m.x, local_m.y));
   return {out.xy.x, out.xy.y};
 }
 
@@ -57,8 +57,9 @@ LocalFrame frame_centred_on(const Crs& crs, const Box& bounds) {
   }
   const std::optional<Point> lonlat = crs.to_lonlat(centre);
   if (!lonlat)
-    throw bad_input(fmt::format("the field's centre ({:.10g}, {:.10g}) lies outside {}; give the right CRS with --crs",
-                                centre.x, centre.y, crs.name()));
+    throw bad_input(
+        fmt::format("the field's centre ({:.10g}, {:.10g}) lies outside {}; give the right CRS with --crs",
+                    centre.x, centre.y, crs.name()));
   frame.geodetic = true;
   frame.origin_lon_deg = std::round(lonlat->x * 1e7) / 1e7;
   frame.origin_lat_deg = std::round(lonlat->y * 1e7) / 1e7;
@@ -89,7 +90,8 @@ Point FieldProjection::to_input(Point local_m) const {
 
 Point FieldProjection::to_lonlat(Point local_m) const {
   if (!projection_)
-    throw failure("the field is in plain metres, so it has no longitude and latitude; give its CRS with --crs");
+    throw failure(
+        "the field is in plain metres, so it has no longitude and latitude; give its CRS with --crs");
   return projection_->to_lonlat(local_m);
 }
 

@@ -40,8 +40,8 @@ struct RawLayer {
 };
 
 struct RawDataset {
-  std::string file;    ///< as the user named it
-  std::string driver;  ///< "GeoJSON", "GPKG" …
+  std::string file;              ///< as the user named it
+  std::string driver;            ///< "GeoJSON", "GPKG" …
   bool winding_matters = false;  ///< the format prescribes counter-clockwise outer rings (RFC 7946)
   std::vector<RawLayer> layers;  ///< those read
   std::vector<Skipped> skipped;  ///< layers left aside

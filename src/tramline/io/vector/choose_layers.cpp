@@ -27,12 +27,14 @@ std::string layer_list(GDALDataset& dataset) {
   return out.empty() ? "none" : out;
 }
 
-std::vector<OGRLayer*> choose_layers(GDALDataset& dataset, const VectorQuery& query, std::vector<Skipped>& skipped) {
+std::vector<OGRLayer*> choose_layers(GDALDataset& dataset, const VectorQuery& query,
+                                     std::vector<Skipped>& skipped) {
   const std::string file = shown_name(query.file);
   if (!query.layer.empty()) {
     OGRLayer* layer = dataset.GetLayerByName(query.layer.c_str());
     if (layer == nullptr)
-      throw bad_input(fmt::format("'{}' has no layer '{}'; found {}", file, query.layer, layer_list(dataset)));
+      throw bad_input(
+          fmt::format("'{}' has no layer '{}'; found {}", file, query.layer, layer_list(dataset)));
     return {layer};
   }
   std::vector<OGRLayer*> all, with_polygons;
@@ -40,14 +42,15 @@ std::vector<OGRLayer*> choose_layers(GDALDataset& dataset, const VectorQuery& qu
     all.push_back(layer);
     if (may_hold_polygons(*layer)) with_polygons.push_back(layer);
   }
-  if (all.empty()) throw bad_input(fmt::format("'{}' has no layer with features; give a file with field boundaries", file));
+  if (all.empty())
+    throw bad_input(fmt::format("'{}' has no layer with features; give a file with field boundaries", file));
   // The only layer is read even if it promises no polygons: its features are then refused one by one.
   if (query.all_layers || all.size() == 1) return all;
   if (with_polygons.empty())
     throw bad_input(fmt::format("'{}' has no layer with polygons; found {}", file, layer_list(dataset)));
   if (with_polygons.size() > 1)
-    throw bad_input(
-        fmt::format("'{}' has several layers with polygons; choose one with --layer: {}", file, layer_list(dataset)));
+    throw bad_input(fmt::format("'{}' has several layers with polygons; choose one with --layer: {}", file,
+                                layer_list(dataset)));
   for (OGRLayer* layer : all)
     if (layer != with_polygons.front())
       skipped.push_back({fmt::format("layer {}", described(*layer)), file, "it holds no polygons"});

@@ -12,8 +12,10 @@ class OGRLayer;
 namespace tramline {
 
 /// The layer called query.layer; without one the only layer that can hold polygons (the others are listed in
-/// `skipped`); with all_layers every layer. Throws bad_input listing the layers where none or several qualify.
-std::vector<OGRLayer*> choose_layers(GDALDataset& dataset, const VectorQuery& query, std::vector<Skipped>& skipped);
+/// `skipped`); with all_layers every layer. Throws bad_input listing the layers where none or several
+/// qualify.
+std::vector<OGRLayer*> choose_layers(GDALDataset& dataset, const VectorQuery& query,
+                                     std::vector<Skipped>& skipped);
 
 /// "roads (Line String), fields (Polygon)".
 std::string layer_list(GDALDataset& dataset);

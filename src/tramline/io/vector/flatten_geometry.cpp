@@ -19,9 +19,13 @@ class Flattener {
       case wkbPoint:
         if (!g->IsEmpty()) feature_.points.push_back(point(g->toPoint()->getX(), g->toPoint()->getY()));
         break;
-      case wkbLineString: feature_.lines.push_back(points_of(g->toLineString())); break;
+      case wkbLineString:
+        feature_.lines.push_back(points_of(g->toLineString()));
+        break;
       case wkbPolygon:
-      case wkbTriangle: add_polygon(g->toPolygon()); break;
+      case wkbTriangle:
+        add_polygon(g->toPolygon());
+        break;
       case wkbMultiPoint:
       case wkbMultiLineString:
       case wkbMultiPolygon:
@@ -32,7 +36,8 @@ class Flattener {
       case wkbTIN:
         for (const OGRPolygon* part : g->toPolyhedralSurface()) add_polygon(part);
         break;
-      default: break;
+      default:
+        break;
     }
   }
 

@@ -62,7 +62,8 @@ std::set<std::string> datasets_among(const std::vector<std::string>& names) {
       return other != name && extension(other) == "shp" && other.substr(0, folder.size()) == folder &&
              other.find('/', folder.size() + 1) == std::string::npos;
     };
-    const bool several = extension(name) == "shp" && std::any_of(names.begin(), names.end(), same_folder_shapefile);
+    const bool several =
+        extension(name) == "shp" && std::any_of(names.begin(), names.end(), same_folder_shapefile);
     out.insert(several ? folder : name);
   }
   return out;
@@ -91,12 +92,14 @@ std::vector<std::string> locate_datasets(const std::string& file) {
   const std::string zip = "/vsizip/{" + file + "}";
   const std::vector<std::string> names = members(zip);
   if (names.empty())
-    throw bad_input(fmt::format("'{}' cannot be read as a zip file; it is empty or was cut off, so fetch it again", file));
+    throw bad_input(fmt::format(
+        "'{}' cannot be read as a zip file; it is empty or was cut off, so fetch it again", file));
   std::vector<std::string> out;
   for (const std::string& name : datasets_among(names)) out.push_back(name.empty() ? zip : zip + "/" + name);
   if (out.empty())
-    throw bad_input(fmt::format("'{}' holds no vector file; found {}", file,
-                                fmt::join(names.begin(), names.begin() + std::min<std::ptrdiff_t>(5, std::ssize(names)), ", ")));
+    throw bad_input(fmt::format(
+        "'{}' holds no vector file; found {}", file,
+        fmt::join(names.begin(), names.begin() + std::min<std::ptrdiff_t>(5, std::ssize(names)), ", ")));
   return out;
 }
 

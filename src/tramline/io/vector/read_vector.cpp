@@ -34,17 +34,19 @@ GDALDatasetUniquePtr open_one(const VectorQuery& query, GdalMessages& messages) 
       }
     std::vector<std::string> inner;
     for (const std::string& name : names) inner.push_back(name.substr(name.find('}') + 1));
-    throw bad_input(fmt::format("'{}' holds several vector files{}; unpack the one you mean or name its layer with "
-                                "--layer: {}",
-                                file, query.layer.empty() ? "" : ", none with layer '" + query.layer + "'",
-                                fmt::join(inner, ", ")));
+    throw bad_input(fmt::format(
+        "'{}' holds several vector files{}; unpack the one you mean or name its layer with "
+        "--layer: {}",
+        file, query.layer.empty() ? "" : ", none with layer '" + query.layer + "'", fmt::join(inner, ", ")));
   }
   GDALDatasetUniquePtr dataset = open(names.front(), messages);
   if (dataset) return dataset;
-  if (is_database_string(query.file)) throw bad_input(fmt::format("'{}' cannot be opened: {}", file, messages.last()));
-  throw bad_input(fmt::format("'{}' cannot be read as a vector file{}; give an undamaged GeoJSON, GeoPackage, Shapefile, "
-                              "FlatGeobuf, KML or GML file",
-                              file, messages.failed() ? " (" + messages.last() + ")" : ""));
+  if (is_database_string(query.file))
+    throw bad_input(fmt::format("'{}' cannot be opened: {}", file, messages.last()));
+  throw bad_input(
+      fmt::format("'{}' cannot be read as a vector file{}; give an undamaged GeoJSON, GeoPackage, Shapefile, "
+                  "FlatGeobuf, KML or GML file",
+                  file, messages.failed() ? " (" + messages.last() + ")" : ""));
 }
 
 /// WKT of the layer's CRS; empty for none and for the "undefined" ones GeoPackage prescribes.
@@ -54,7 +56,8 @@ std::string crs_of(const OGRSpatialReference* srs, const std::string& place) {
   if (name != nullptr && std::string(name).rfind("Undefined", 0) == 0) return {};
   if (srs->IsLocal()) {
     if (srs->GetLinearUnits() == 1.0) return {};
-    throw bad_input(fmt::format("{} is in a local grid with units other than metres; convert it to metres", place));
+    throw bad_input(
+        fmt::format("{} is in a local grid with units other than metres; convert it to metres", place));
   }
   char* text = nullptr;
   const char* const options[] = {"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
@@ -76,7 +79,8 @@ void filter(OGRLayer& layer, const VectorQuery& query, const std::string& place,
   messages.clear();
   if (query.where.empty()) return;
   if (layer.SetAttributeFilter(query.where.c_str()) != OGRERR_NONE || messages.failed())
-    throw bad_input(fmt::format("--where \"{}\" is not a filter for {}: {}", query.where, place, messages.last()));
+    throw bad_input(
+        fmt::format("--where \"{}\" is not a filter for {}: {}", query.where, place, messages.last()));
 }
 
 RawFeature raw_feature(const OGRFeature& feature, bool swap_axes) {
@@ -90,14 +94,16 @@ RawFeature raw_feature(const OGRFeature& feature, bool swap_axes) {
 void check_reading(const VectorQuery& query, const std::string& place, const GdalMessages& messages) {
   if (!messages.failed()) return;
   if (!query.where.empty())
-    throw bad_input(fmt::format("{} cannot be read with --where \"{}\": {}", place, query.where, messages.last()));
+    throw bad_input(
+        fmt::format("{} cannot be read with --where \"{}\": {}", place, query.where, messages.last()));
   throw bad_input(fmt::format("{} is damaged ({}); fetch or export it again", place, messages.last()));
 }
 
 RawLayer read_layer(OGRLayer& layer, const VectorQuery& query, GdalMessages& messages) {
   const std::string place = fmt::format("layer '{}' of '{}'", layer.GetName(), shown_name(query.file));
   const OGRSpatialReference* srs = layer.GetSpatialRef();
-  RawLayer out{layer.GetName(), OGRGeometryTypeToName(wkbFlatten(layer.GetGeomType())), crs_of(srs, place), {}, 0};
+  RawLayer out{
+      layer.GetName(), OGRGeometryTypeToName(wkbFlatten(layer.GetGeomType())), crs_of(srs, place), {}, 0};
   const bool swap_axes = axes_are_swapped(srs);
   filter(layer, query, place, messages);
   messages.clear();

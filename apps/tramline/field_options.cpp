@@ -1,0 +1,206 @@
+#include "field_options.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "tramline/admission/admit.h"
+#include "tramline/admission/place_obstacles.h"
+#include "tramline/admission/read_obstacles.h"
+#include "tramline/geometry/error.h"
+#include "tramline/io/vector/read_vector.h"
+
+namespace tramline::app {
+namespace {
+
+constexpr long long kListed = 20;
+
+/// The obstacles of --obstacles and --passable, and which of them met a field so far.
+struct Loose {
+  std::vector<LooseObstacle> obstacles;
+  std::vector<char> met;
+};
+
+void append_obstacles(const std::string& file, ObstacleKind kind, bool plain, const std::string& crs,
+                      std::vector<LooseObstacle>& out) {
+  if (file.empty()) return;
+  VectorQuery query;
+  query.file = file;
+  query.all_layers = true;
+  for (LooseObstacle& obstacle : read_obstacles(read_vector(query), kind, plain, crs))
+    out.push_back(std::move(obstacle));
+}
+
+Loose loose_obstacles(const FieldOptions& options, const Crs& crs, const std::string& definition) {
+  Loose out;
+  append_obstacles(options.obstacles_file, ObstacleKind::kObstacle, crs.plain(), definition, out.obstacles);
+  append_obstacles(options.passable_file, ObstacleKind::kPassable, crs.plain(), definition, out.obstacles);
+  out.met.assign(out.obstacles.size(), 0);
+  return out;
+}
+
+std::vector<Skipped> not_met(const Loose& loose) {
+  std::vector<Skipped> out;
+  for (std::size_t i = 0; i < loose.obstacles.size(); ++i)
+    if (!loose.met[i]) {
+      const Point at = loose.obstacles[i].bounds.centre();
+      out.push_back({loose.obstacles[i].kind == ObstacleKind::kPassable ? "passable strip" : "obstacle",
+                     fmt::format("{} at ({:.7g}, {:.7g})", loose.obstacles[i].origin, at.x, at.y),
+                     "it does not meet any field read"});
+    }
+  return out;
+}
+
+/// Everything between the raw features and the fields: the CRS, the obstacles, the admission.
+class Admitter {
+ public:
+  Admitter(const FieldOptions& options, const RawDataset& dataset)
+      : options_(options),
+        layer_(dataset.layers.front()),
+        definition_(options.crs.empty() ? layer_.crs : options.crs),
+        crs_(definition_),
+        loose_(loose_obstacles(options, crs_, definition_)),
+        context_{dataset.file, layer_.name, &crs_, dataset.winding_matters, options.crs == "none"} {
+    input_.driver = dataset.driver;
+    input_.layer = layer_.name;
+    input_.layer_geometry = layer_.geometry_type;
+    input_.crs = crs_.name();
+    input_.crs_given = !options.crs.empty();
+    input_.features = layer_.matching;
+    input_.skipped = dataset.skipped;
+  }
+
+  /// Throws the refusal.
+  void admit(const RawFeature& feature) {
+    Admission admission = tramline::admit(feature, context_);
+    if (!loose_.obstacles.empty())
+      for (Field& field : admission.fields)
+        place_obstacles(field, loose_.obstacles, options_.obstacle_size_m, loose_.met);
+    for (Field& field : admission.fields) input_.fields.push_back(std::move(field));
+    for (Skipped& skipped : admission.skipped) input_.skipped.push_back(std::move(skipped));
+  }
+
+  void admit_all() {
+    for (const RawFeature& feature : layer_.features) {
+      try {
+        admit(feature);
+      } catch (const Error& error) {
+        if (error.kind() != ErrorKind::kBadInput) throw;
+        input_.refusals.push_back({field_id(feature, layer_.name), error.what()});
+      }
+    }
+  }
+
+  FieldInput finish() {
+    for (Skipped& skipped : not_met(loose_)) input_.skipped.push_back(std::move(skipped));
+    return std::move(input_);
+  }
+
+ private:
+  const FieldOptions& options_;
+  const RawLayer& layer_;
+  std::string definition_;
+  Crs crs_;
+  Loose loose_;
+  AdmissionContext context_;
+  FieldInput input_;
+};
+
+VectorQuery query_of(const FieldOptions& options) {
+  VectorQuery query;
+  query.file = options.file;
+  query.layer = options.layer;
+  query.where = options.where;
+  return query;
+}
+
+double workable_m2(const Field& field) {
+  double sum = signed_area(field.outer);
+  for (const Obstacle& obstacle : field.obstacles) sum -= area(obstacle.shape);
+  return sum;
+}
+
+[[noreturn]] void refuse_several(const FieldOptions& options, const RawDataset& dataset) {
+  FieldOptions bare = options;
+  bare.obstacles_file.clear();
+  bare.passable_file.clear();
+  Admitter admitter(bare, dataset);
+  admitter.admit_all();
+  const FieldInput input = admitter.finish();
+  std::string list;
+  long long listed = 0;
+  const auto add = [&](const std::string& entry) {
+    if (listed++ < kListed) list += (list.empty() ? "" : ", ") + entry;
+  };
+  for (const Field& field : input.fields) add(fmt::format("{} ({:.1f} m²)", field.id, workable_m2(field)));
+  for (const Refusal& refusal : input.refusals) add(fmt::format("{} (refused)", refusal.field_id));
+  const long long more = input.features - kListed;
+  if (more > 0) list += fmt::format(" and {} more", more);
+  throw bad_input(fmt::format("'{}' has {} features; take all with --all or choose one with --where: {}",
+                              dataset.file, input.features, list));
+}
+
+}  // namespace
+
+void add_field_options(CLI::App& verb, FieldOptions& options) {
+  verb.add_option(
+          "FIELD", options.file,
+          "the field: any vector file (GeoPackage, GeoJSON, Shapefile, KML …), a .zip of one, or a database "
+          "string such as PG:dbname=farm")
+      ->required();
+  verb.add_option("--layer", options.layer, "the layer to read, where there are several");
+  verb.add_option("--where", options.where, "only features that match, for example \"crop='wheat'\"");
+  verb.add_flag("--all", options.all, "take every feature, not just one");
+  verb.add_option("--crs", options.crs,
+                  "the coordinate reference system of FIELD, such as EPSG:25832, whatever the file says; "
+                  "'none' for plain "
+                  "metres");
+  verb.add_option("--obstacles", options.obstacles_file,
+                  "a vector file of obstacles: polygons, or lines and points that get a width");
+  verb.add_option("--obstacle-size", options.obstacle_size_m,
+                  "width of lines and side of points among the obstacles, m")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->capture_default_str();
+  verb.add_option("--passable", options.passable_file,
+                  "a vector file of strips the machine may cross with the work interrupted");
+}
+
+FieldInput load_fields(const FieldOptions& options) {
+  VectorQuery query = query_of(options);
+  if (!options.all) query.limit = kListed + 1;
+  const RawDataset dataset = read_vector(query);
+  const RawLayer& layer = dataset.layers.front();
+  if (!options.all && layer.features.size() > 1) refuse_several(options, dataset);
+  Admitter admitter(options, dataset);
+  if (options.all)
+    admitter.admit_all();
+  else
+    admitter.admit(layer.features.front());
+  return admitter.finish();
+}
+
+FieldInput survey_fields(const FieldOptions& options, long long limit) {
+  VectorQuery query = query_of(options);
+  query.limit = limit;
+  const RawDataset dataset = read_vector(query);
+  Admitter admitter(options, dataset);
+  admitter.admit_all();
+  return admitter.finish();
+}
+
+Field load_field(const FieldOptions& options, const FieldSource& source) {
+  VectorQuery query;
+  query.file = options.file;
+  query.layer = source.layer;
+  query.fid = source.fid;
+  const RawDataset dataset = read_vector(query);
+  Admitter admitter(options, dataset);
+  admitter.admit(dataset.layers.front().features.front());
+  FieldInput input = admitter.finish();
+  for (Field& field : input.fields)
+    if (field.source.part == source.part) return std::move(field);
+  throw bad_input(fmt::format("'{}', layer '{}', feature {} has {} part(s), so there is no part {}",
+                              dataset.file, source.layer, source.fid, input.fields.size(), source.part + 1));
+}
+
+}  // namespace tramline::app

@@ -1,0 +1,83 @@
+// tramline info: what a file says and what was understood of it.
+
+#include <fmt/format.h>
+
+#include "command.h"
+#include "field_options.h"
+#include "info_report.h"
+#include "tramline/geometry/error.h"
+
+namespace tramline::app {
+namespace {
+
+constexpr const char* kHelp =
+    "Shows the fields of a file as they are understood: CRS, areas, obstacles, what was repaired and where. "
+    "Of several "
+    "features the first 20 are listed to choose from.";
+constexpr const char* kExample =
+    "Example:\n"
+    "  tramline info parcels.gpkg\n"
+    "  tramline info parcels.gpkg --where \"id = 'mill-field'\"\n"
+    "  tramline info parcels.gpkg --all --json | jq '.repairs[]'";
+constexpr long long kListed = 20;
+
+class InfoCommand : public Command {
+ public:
+  CLI::App* setup(CLI::App& app) override {
+    CLI::App* verb = app.add_subcommand("info", kHelp);
+    add_field_options(*verb, options_);
+    verb->add_flag("--json", json_, "print JSON: one object, with --all one per field and line");
+    verb->footer(kExample);
+    return verb;
+  }
+
+  int run() override {
+    const FieldInput input = options_.all ? load_fields(options_) : survey_fields(options_, kListed);
+    if (!options_.all && input.features > 1) {
+      list(input);
+      return 0;
+    }
+    // Alone, a refused feature is the result.
+    if (!options_.all && !input.refusals.empty()) throw bad_input(input.refusals.front().sentence);
+    json_ ? print_json(input) : print_table(input);
+    return input.fields.empty() ? 2 : 0;
+  }
+
+ private:
+  static std::string dumped(const nlohmann::ordered_json& json) {
+    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  }
+
+  void list(const FieldInput& input) const {
+    if (json_) {
+      fmt::print("{}\n", dumped(candidates_json(options_.file, input)));
+      return;
+    }
+    fmt::print("{}{}", source_rows(options_.file, input), candidate_rows(input));
+    if (input.features > kListed) fmt::print("and {} more features\n", input.features - kListed);
+    fmt::print("{}choose one with --where, or take all with --all\n", skipped_rows(input.skipped));
+  }
+
+  void print_json(const FieldInput& input) const {
+    for (const Field& field : input.fields)
+      fmt::print("{}\n", dumped(field_json(options_.file, input, field)));
+    for (const Refusal& refusal : input.refusals) fmt::print("{}\n", dumped(refusal_json(refusal)));
+  }
+
+  void print_table(const FieldInput& input) const {
+    fmt::print("{}", source_rows(options_.file, input));
+    for (const Field& field : input.fields)
+      fmt::print("{}{}", input.fields.size() > 1 ? "\n" : "", field_rows(field));
+    for (const Refusal& refusal : input.refusals) fmt::print("\nrefused      {}\n", refusal.sentence);
+    fmt::print("{}", skipped_rows(input.skipped));
+  }
+
+  FieldOptions options_;
+  bool json_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_info_command() { return std::make_unique<InfoCommand>(); }
+
+}  // namespace tramline::app

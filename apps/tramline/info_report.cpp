@@ -1,0 +1,179 @@
+#include "info_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace tramline::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+double workable_m2(const Field& field) {
+  double sum = signed_area(field.outer);
+  for (const Obstacle& obstacle : field.obstacles)
+    if (obstacle.kind == ObstacleKind::kObstacle) sum -= area(obstacle.shape);
+  return sum;
+}
+
+std::size_t vertices(const Field& field) {
+  std::size_t sum = field.outer.size();
+  for (const Obstacle& obstacle : field.obstacles) sum += vertex_count({obstacle.shape});
+  return sum;
+}
+
+const char* kind_name(ObstacleKind kind) { return kind == ObstacleKind::kPassable ? "passable" : "obstacle"; }
+
+/// Degrees with 7 decimals (1 cm), metres with 2.
+std::string place(Point at, const LocalFrame& frame) {
+  const bool degrees = frame.geodetic && std::abs(at.x) <= 180 && std::abs(at.y) <= 90;
+  return degrees ? fmt::format("({:.7f}, {:.7f})", at.x, at.y) : fmt::format("({:.2f}, {:.2f})", at.x, at.y);
+}
+
+std::string frame_row(const LocalFrame& frame) {
+  if (!frame.geodetic)
+    return fmt::format("frame        plain metres, origin at x {:.0f} m, y {:.0f} m of the input\n",
+                       frame.origin_x_m, frame.origin_y_m);
+  return fmt::format(
+      "frame        transverse Mercator, WGS 84, scale 1, origin at longitude {:.7f}°, latitude {:.7f}°\n",
+      frame.origin_lon_deg, frame.origin_lat_deg);
+}
+
+std::string count(std::size_t number, const char* one, const char* several) {
+  return fmt::format("{} {}", number, number == 1 ? one : several);
+}
+
+ordered_json frame_json(const LocalFrame& frame) {
+  if (!frame.geodetic)
+    return {{"kind", "plain metres"}, {"origin_x_m", frame.origin_x_m}, {"origin_y_m", frame.origin_y_m}};
+  return {{"kind", "transverse Mercator"},
+          {"origin_lon_deg", frame.origin_lon_deg},
+          {"origin_lat_deg", frame.origin_lat_deg}};
+}
+
+ordered_json obstacles_json(const Field& field) {
+  ordered_json out = ordered_json::array();
+  for (const Obstacle& obstacle : field.obstacles)
+    out.push_back({{"origin", obstacle.origin},
+                   {"kind", kind_name(obstacle.kind)},
+                   {"area_m2", area(obstacle.shape)},
+                   {"vertices", vertex_count({obstacle.shape})}});
+  return out;
+}
+
+ordered_json repairs_json(const Field& field) {
+  ordered_json out = ordered_json::array();
+  for (const Repair& repair : field.repairs)
+    out.push_back({{"what", repair.what},
+                   {"where", repair.where},
+                   {"at", {repair.at.x, repair.at.y}},
+                   {"area_change_m2", repair.area_change_m2}});
+  return out;
+}
+
+ordered_json skipped_json(const std::vector<Skipped>& skipped) {
+  ordered_json out = ordered_json::array();
+  for (const Skipped& item : skipped)
+    out.push_back({{"what", item.what}, {"where", item.where}, {"why", item.why}});
+  return out;
+}
+
+ordered_json source_json(const std::string& file, const FieldInput& input) {
+  return {{"file", file},
+          {"driver", input.driver},
+          {"layer", input.layer},
+          {"crs", input.crs},
+          {"crs_from", input.crs_given ? "--crs" : "file"}};
+}
+
+}  // namespace
+
+std::string source_rows(const std::string& file, const FieldInput& input) {
+  return fmt::format("file         {} ({})\n", file, input.driver) +
+         fmt::format("layer        {} ({}), {}\n", input.layer, input.layer_geometry,
+                     count(static_cast<std::size_t>(input.features), "feature", "features")) +
+         fmt::format("CRS          {}{}\n", input.crs, input.crs_given ? ", given by --crs" : "");
+}
+
+std::string field_rows(const Field& field) {
+  std::string out;
+  const auto add = std::back_inserter(out);
+  fmt::format_to(add, "field        {} (feature {}, part {})\n", field.id, field.source.fid,
+                 field.source.part + 1);
+  out += frame_row(field.frame);
+  fmt::format_to(add, "area         {:.1f} m² ({:.4f} ha), {:.1f} m² without its obstacles\n",
+                 signed_area(field.outer), signed_area(field.outer) / 1e4, workable_m2(field));
+  fmt::format_to(add, "boundary     {:.1f} m, {} vertices\n", perimeter(field.outer), field.outer.size());
+  fmt::format_to(add, "obstacles    {}\n", field.obstacles.size());
+  for (const Obstacle& obstacle : field.obstacles)
+    fmt::format_to(add, "  {:<11}{}: {:.2f} m², {} vertices\n", kind_name(obstacle.kind), obstacle.origin,
+                   area(obstacle.shape), vertex_count({obstacle.shape}));
+  fmt::format_to(add, "repairs      {}\n", field.repairs.size());
+  for (const Repair& repair : field.repairs)
+    fmt::format_to(add, "  {}: {}, at {}, area {:+.3f} m²\n", repair.where, repair.what,
+                   place(repair.at, field.frame), repair.area_change_m2 + 0.0);
+  for (const std::string& warning : field.warnings) fmt::format_to(add, "note         {}\n", warning);
+  return out;
+}
+
+std::string candidate_rows(const FieldInput& input) {
+  std::size_t width = 5;
+  for (const Field& field : input.fields) width = std::max(width, field.id.size());
+  for (const Refusal& refusal : input.refusals) width = std::max(width, refusal.field_id.size());
+  std::string out;
+  const auto add = std::back_inserter(out);
+  fmt::format_to(add, "{:<{}}  {:>14}  {:>8}  {:>9}  {:>7}\n", "field", width, "area, m²", "vertices",
+                 "obstacles", "repairs");
+  for (const Field& field : input.fields)
+    fmt::format_to(add, "{:<{}}  {:>14.1f}  {:>8}  {:>9}  {:>7}\n", field.id, width, workable_m2(field),
+                   vertices(field), field.obstacles.size(), field.repairs.size());
+  for (const Refusal& refusal : input.refusals)
+    fmt::format_to(add, "{:<{}}  refused: {}\n", refusal.field_id, width, refusal.sentence);
+  return out;
+}
+
+std::string skipped_rows(const std::vector<Skipped>& skipped) {
+  std::string out;
+  for (const Skipped& item : skipped)
+    fmt::format_to(std::back_inserter(out), "skipped      {} ({}): {}\n", item.what, item.where, item.why);
+  return out;
+}
+
+ordered_json field_json(const std::string& file, const FieldInput& input, const Field& field) {
+  ordered_json out{{"field_id", field.id}};
+  out.update(source_json(file, input));
+  out["feature"] = field.source.fid;
+  out["part"] = field.source.part;
+  out["frame"] = frame_json(field.frame);
+  out["outline_m2"] = signed_area(field.outer);
+  out["area_m2"] = workable_m2(field);
+  out["perimeter_m"] = perimeter(field.outer);
+  out["vertices"] = vertices(field);
+  out["obstacles"] = obstacles_json(field);
+  out["repairs"] = repairs_json(field);
+  out["skipped"] = skipped_json(input.skipped);
+  out["warnings"] = field.warnings;
+  return out;
+}
+
+ordered_json refusal_json(const Refusal& refusal) {
+  return {{"field_id", refusal.field_id}, {"error", refusal.sentence}};
+}
+
+ordered_json candidates_json(const std::string& file, const FieldInput& input) {
+  ordered_json out = source_json(file, input);
+  out["features"] = input.features;
+  out["candidates"] = ordered_json::array();
+  for (const Field& field : input.fields)
+    out["candidates"].push_back({{"field_id", field.id},
+                                 {"area_m2", workable_m2(field)},
+                                 {"vertices", vertices(field)},
+                                 {"obstacles", field.obstacles.size()},
+                                 {"repairs", field.repairs.size()}});
+  for (const Refusal& refusal : input.refusals) out["candidates"].push_back(refusal_json(refusal));
+  out["skipped"] = skipped_json(input.skipped);
+  return out;
+}
+
+}  // namespace tramline::app

@@ -1,0 +1,25 @@
+#pragma once
+// What tramline info says, as text and as JSON.
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "field_options.h"
+
+namespace tramline::app {
+
+/// File, driver, layer and CRS, one row each, ending in a line break.
+std::string source_rows(const std::string& file, const FieldInput& input);
+/// One field in full.
+std::string field_rows(const Field& field);
+/// One line for each field and refusal, for choosing among them.
+std::string candidate_rows(const FieldInput& input);
+std::string skipped_rows(const std::vector<Skipped>& skipped);
+
+/// One field with everything about its source.
+nlohmann::ordered_json field_json(const std::string& file, const FieldInput& input, const Field& field);
+nlohmann::ordered_json refusal_json(const Refusal& refusal);
+/// The list of candidates.
+nlohmann::ordered_json candidates_json(const std::string& file, const FieldInput& input);
+
+}  // namespace tramline::app
