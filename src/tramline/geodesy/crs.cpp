@@ -147,7 +147,13 @@ std::optional<Point> Crs::to_lonlat(Point input) const {
 
 std::optional<Point> Crs::from_lonlat(Point lonlat_deg) const {
   if (impl_->no_op) return lonlat_deg;
-  return transformed(impl_->to_wgs84.get(), PJ_INV, lonlat_deg);
+  PJ* operation = impl_->to_wgs84.get();
+  const std::optional<Point> near = transformed(operation, PJ_INV, lonlat_deg);
+  if (!near) return std::nullopt;
+  // A datum shift moves heights too, which plane coordinates cannot carry; the way back is then off by up to
+  // a millimetre. Aiming again by the miss takes that away.
+  const std::optional<Point> hit = transformed(operation, PJ_FWD, *near);
+  return hit ? transformed(operation, PJ_INV, 2 * lonlat_deg - *hit) : near;
 }
 
 }  // namespace tramline

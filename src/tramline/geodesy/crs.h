@@ -41,7 +41,7 @@ class Crs {
   /// Longitude and latitude on WGS 84, degrees; nullopt where PROJ refuses the point (or a coordinate is
   /// not finite). Precondition: !plain().
   std::optional<Point> to_lonlat(Point input) const;
-  /// The inverse of to_lonlat. Precondition: !plain().
+  /// The inverse of to_lonlat, to 1e-6 m within the area the CRS is made for. Precondition: !plain().
   std::optional<Point> from_lonlat(Point lonlat_deg) const;
 
  private:
