@@ -9,6 +9,7 @@
 
 #include "check_report.h"
 #include "command.h"
+#include "field_options.h"
 #include "tramline/check/compare_fields.h"
 #include "tramline/check/compare_layers.h"
 #include "tramline/check/verify.h"
@@ -24,6 +25,7 @@ constexpr const char* kHelp =
 constexpr const char* kExample =
     "Example:\n"
     "  tramline check plan.gpkg\n"
+    "  tramline check plan.gpkg --field field.geojson\n"
     "  tramline check plan.gpkg --json | jq .violations";
 
 void append(std::vector<check::Violation>& to, const std::vector<check::Violation>& more) {
@@ -48,6 +50,11 @@ class CheckCommand : public Command {
   CLI::App* setup(CLI::App& app) override {
     CLI::App* verb = app.add_subcommand("check", kHelp);
     verb->add_option("PLAN", plan_file_, "the plan: a GeoPackage written by tramline plan")->required();
+    verb->add_option("--field", input_.file, "the file the plan was made from: are field and obstacles the same?");
+    verb->add_option("--crs", input_.crs, "CRS of that file, as given to plan");
+    verb->add_option("--obstacles", input_.obstacles_file, "obstacle file, as given to plan");
+    verb->add_option("--obstacle-size", input_.obstacle_size_m, "size of point and line obstacles, m (default 7)");
+    verb->add_option("--passable", input_.passable_file, "passable obstacles, as given to plan");
     verb->add_flag("--json", json_, "print one JSON object instead of the table");
     verb->footer(kExample);
     return verb;
@@ -66,10 +73,13 @@ class CheckCommand : public Command {
   }
 
  private:
-  /// The input's field that the plan was made for. SEAM: no option names an input yet, so there is
-  /// none; with one, load its fields and return the one whose id is the plan's.
-  static std::optional<Field> input_field(const Plan&) { return std::nullopt; }
+  /// The input's field that the plan was made for: the same layer, feature and part.
+  std::optional<Field> input_field(const Plan& plan) const {
+    if (input_.file.empty()) return std::nullopt;
+    return load_field(input_, plan.field.source);
+  }
 
+  FieldOptions input_;
   std::string plan_file_;
   bool json_ = false;
 };

@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   app.footer("Run 'tramline VERB --help' for the options and an example of each verb.");
 
   std::vector<std::unique_ptr<Command>> commands;
+  commands.push_back(make_plan_command());
   commands.push_back(make_info_command());
   commands.push_back(make_check_command());
   std::vector<CLI::App*> verbs;

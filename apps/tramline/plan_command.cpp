@@ -119,8 +119,8 @@ class PlanCommand : public Command {
   }
 
   void write(const Plan& plan, OutputNames& outputs, OutputNames& pictures) const {
-    if (!output_.empty()) write_plan(plan, outputs.next(plan.field.id));
-    if (!picture_.empty()) draw_plan(plan, pictures.next(plan.field.id));
+    if (!output_.empty()) io::write_plan(plan, outputs.next(plan.field.id));
+    if (!picture_.empty()) render::draw_plan(plan, pictures.next(plan.field.id));
   }
 
   void report_one_of_many(const Planned& planned, const std::vector<Skipped>& skipped) const {

@@ -27,8 +27,8 @@ sentence on stderr that begins with "tramline: ". A stream with neither golden n
 has to be empty if the run is to fail, and is an error in the case if it is to succeed.
 
 Masks, so that goldens hold everywhere: "seconds": 0.25 becomes "seconds": X; a time such as 0.25 s
-or 12 ms becomes X s or X ms; a version "tramline 1.2.3" becomes "tramline VERSION"; the folders
-above become their names again.
+or 12 ms becomes X s or X ms; a version, alone on a line or after the word tramline, becomes VERSION;
+the folders above become their names again.
 
 --update writes stdout, stderr and files as the program gives them, and exit where there is none. What
 a person has decided stays: a run with another exit code than the case asks for writes nothing, and
@@ -50,7 +50,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 MASKS = [
     (re.compile(r'("seconds"\s*:\s*)[-+0-9.eE]+'), r"\1X"),
     (re.compile(r"(?<![\w.])\d+(?:\.\d+)?(?:e[-+]?\d+)? (s|ms)\b"), r"X \1"),
-    (re.compile(r"\btramline \d+\.\d+\.\d+\b"), "tramline VERSION"),
+    (re.compile(r"^(tramline )?\d+\.\d+\.\d+$", re.MULTILINE), r"\1VERSION"),
 ]
 
 

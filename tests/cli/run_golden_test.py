@@ -19,6 +19,7 @@ case "$1" in
   litter) touch half-written.gpkg; echo "tramline: disk full" >&2; exit 1 ;;
   colour) printf '\033[31mred\033[0m\n' ;;
   spoil) echo "more" >> "$2" ;;
+  version) echo 1.2.3 ;;
   crash) kill -SEGV $$ ;;
 esac
 """
@@ -88,6 +89,9 @@ class RunnerTest(unittest.TestCase):
 
     def test_a_crash_is_reported_whatever_exit_says(self):
         self.assertTrue(self.faults(command="crash", exit="-11"))
+
+    def test_the_version_is_masked(self):
+        self.assertEqual(self.faults(command="version", exit="0", stdout="VERSION\n", stderr=""), [])
 
     def test_a_setup_that_fails_is_reported(self):
         self.assertTrue(self.faults(command="two x", exit="2", expect="x", setup_sh="false"))

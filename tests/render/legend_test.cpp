@@ -6,6 +6,7 @@
 #include "tramline/render/furniture.h"
 #include "tramline/render/legend_content.h"
 #include "tramline/render/text.h"
+#include "tramline/render/visible_faults.h"
 
 namespace tramline::render {
 namespace {
@@ -75,6 +76,18 @@ TEST(ScaleBar, HasARoundLength) {
   EXPECT_EQ(round_length(70), 50);
   EXPECT_EQ(round_length(350), 200);
   EXPECT_DOUBLE_EQ(round_length(0.3), 0.2);
+}
+
+TEST(VisibleFaults, LeavesOutWhatIsThinnerThanAMillimetre) {
+  EXPECT_TRUE(visible_faults({{rectangle(0, 0, 100, 5e-6), {}}}).empty());
+  EXPECT_EQ(visible_faults({{rectangle(0, 0, 100, 0.01), {}}}).size(), 1u);
+  // A real fault of 2 m × 1 m with a tail of 90 m that rounding left.
+  const Ring with_tail{{0, 0}, {2, 0}, {2, 0.5}, {92, 0.5}, {92, 0.500002}, {2, 0.500002}, {2, 1}, {0, 1}};
+  const Region shown = visible_faults({{with_tail, {}}});
+  ASSERT_EQ(shown.size(), 1u);
+  EXPECT_NEAR(bounds(shown).max_x, 2, 1e-6);
+  EXPECT_NEAR(area(shown), 2, 1e-4);
+  EXPECT_TRUE(visible_faults({}).empty());
 }
 
 TEST(Text, IsMadePrintable) {

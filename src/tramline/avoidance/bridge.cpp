@@ -1,12 +1,27 @@
 #include "tramline/avoidance/bridge.h"
 
+#include <algorithm>
+
 #include "tramline/geometry/boolean.h"
 
 namespace tramline {
 namespace {
 
-void append_points(const Region& region, std::vector<Point>& out) {
-  for (const Polygon& polygon : region) out.insert(out.end(), polygon.outer.begin(), polygon.outer.end());
+/// The point of segment ab nearest to p.
+Point foot(Point p, Point a, Point b) {
+  const Point along = b - a;
+  return a + std::clamp(dot(p - a, along) / dot(along, along), 0.0, 1.0) * along;
+}
+
+/// The region's part near one edge, and its feet on the edge.
+std::vector<Point> near_points_and_feet(const Region& near_part, Point a, Point b) {
+  std::vector<Point> out;
+  for (const Polygon& polygon : near_part)
+    for (const Point p : polygon.outer) {
+      out.push_back(p);
+      out.push_back(foot(p, a, b));
+    }
+  return out;
 }
 
 }  // namespace
@@ -14,20 +29,17 @@ void append_points(const Region& region, std::vector<Point>& out) {
 Region bridge(const Ring& ring, const Region& region, double gap_m) {
   // The chords of a round buffer run inside the circle; a percent more makes up for them.
   const double reach = 1.01 * gap_m;
-  const Region near_region = buffered(region, reach);
-  const Box near_box = bounds(near_region);
+  const Box near_box = bounds(region).grown(reach);
   Region out;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point a = ring[i], b = ring[(i + 1) % ring.size()];
     Box edge_box;
     edge_box.extend(a);
     edge_box.extend(b);
-    if (!intersects(edge_box, near_box)) continue;
-    for (const auto& part : parts_inside(near_region, a, b)) {
-      std::vector<Point> corners = part;
-      append_points(intersection(region, buffered_line(part, reach)), corners);
-      for (Polygon& hull : convex_hull(corners)) out.push_back(std::move(hull));
-    }
+    if (a == b || !intersects(edge_box, near_box)) continue;
+    const Region near_part = intersection(region, line_neighbourhood(a, b, reach));
+    for (const Polygon& part : near_part)
+      for (Polygon& hull : convex_hull(near_points_and_feet({part}, a, b))) out.push_back(std::move(hull));
   }
   return unite(out);
 }

@@ -24,6 +24,10 @@ std::vector<ClosePair> close_pairs(const Region& obstacles, double width_m) {
   return pairs;
 }
 
+void append(Region parts, Region& to) {
+  for (Polygon& part : parts) to.push_back(std::move(part));
+}
+
 /// The first member of each obstacle's group.
 std::vector<Index> group_of_each(Index count, const std::vector<ClosePair>& pairs) {
   std::vector<Index> first(count);
@@ -48,9 +52,10 @@ std::vector<Cluster> clusters(const Region& obstacles, double width_m) {
   std::vector<Cluster> by_first(obstacles.size());
   for (Index i = 0; i < obstacles.size(); ++i) by_first[first[i]].obstacles.push_back(obstacles[i]);
   for (const ClosePair& pair : pairs) {
-    const Region between = bridge(obstacles[pair.a].outer, {obstacles[pair.b]}, width_m);
     Region& given_up = by_first[first[pair.a]].given_up;
-    given_up.insert(given_up.end(), between.begin(), between.end());
+    // From both sides: corner to corner, one bridge alone would end in a point.
+    append(bridge(obstacles[pair.a].outer, {obstacles[pair.b]}, width_m), given_up);
+    append(bridge(obstacles[pair.b].outer, {obstacles[pair.a]}, width_m), given_up);
   }
   std::erase_if(by_first, [](const Cluster& cluster) { return cluster.obstacles.empty(); });
   return by_first;

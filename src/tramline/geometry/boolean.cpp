@@ -11,6 +11,9 @@
 namespace tramline {
 namespace {
 
+constexpr double kMitreLimit = 2;
+constexpr int kRoundSegments = 8;
+
 /// GEOS's re-entrant handle of this thread, with the last error it reported.
 class Context {
  public:
@@ -156,7 +159,6 @@ Region unite_coverage(const Region& cells) {
 }
 
 Region buffered(const Region& region, double distance_m, JoinStyle join, int segments_per_quadrant) {
-  constexpr double kMitreLimit = 2;
   const int style = join == JoinStyle::kRound ? GEOSBUF_JOIN_ROUND : GEOSBUF_JOIN_MITRE;
   return from_geos(checked(GEOSBufferWithStyle_r(geos(), to_geos(region).get(), distance_m, segments_per_quadrant,
                                                  GEOSBUF_CAP_ROUND, style, kMitreLimit),
@@ -164,10 +166,14 @@ Region buffered(const Region& region, double distance_m, JoinStyle join, int seg
 }
 
 Region buffered_line(const std::vector<Point>& line, double distance_m) {
-  constexpr double kMitreLimit = 2;
-  return from_geos(checked(GEOSBufferWithStyle_r(geos(), to_line(line, false).get(), distance_m, 8, GEOSBUF_CAP_FLAT,
-                                                 GEOSBUF_JOIN_MITRE, kMitreLimit),
+  return from_geos(checked(GEOSBufferWithStyle_r(geos(), to_line(line, false).get(), distance_m, kRoundSegments,
+                                                 GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, kMitreLimit),
                            "line buffer"));
+}
+
+Region line_neighbourhood(Point a, Point b, double distance_m) {
+  return from_geos(checked(GEOSBuffer_r(geos(), to_line({a, b}, false).get(), distance_m, kRoundSegments),
+                           "line neighbourhood"));
 }
 
 double distance_between(const Region& a, const Region& b) {
@@ -223,22 +229,12 @@ Region split_by_lines(const Polygon& polygon, const std::vector<std::vector<Poin
   return inside;
 }
 
-std::vector<std::vector<Point>> parts_inside(const Region& region, Point a, Point b) {
+double length_inside(const Region& region, Point a, Point b) {
   const Geometry line = to_line({a, b}, false);
   const Geometry inside = checked(GEOSIntersection_r(geos(), to_geos(region).get(), line.get()), "intersection");
-  std::vector<std::vector<Point>> parts;
-  for (int i = 0; i < GEOSGetNumGeometries_r(geos(), inside.get()); ++i) {
-    const GEOSGeometry* part = GEOSGetGeometryN_r(geos(), inside.get(), i);
-    if (GEOSGeomTypeId_r(geos(), part) != GEOS_LINESTRING || GEOSisEmpty_r(geos(), part)) continue;
-    parts.push_back(points_of(part));
-  }
-  return parts;
-}
-
-double length_inside(const Region& region, Point a, Point b) {
-  double sum = 0;
-  for (const auto& part : parts_inside(region, a, b)) sum += distance(part.front(), part.back());
-  return sum;
+  double out = 0;
+  if (!GEOSLength_r(geos(), inside.get(), &out)) checked(nullptr, "length");
+  return out;
 }
 
 }  // namespace tramline

@@ -35,6 +35,8 @@ Region buffered(const Region& region, double distance_m, JoinStyle join = JoinSt
                 int segments_per_quadrant = 8);
 /// Flat-ended buffer of a polyline, mitre joins. Precondition: at least two distinct points.
 Region buffered_line(const std::vector<Point>& line, double distance_m);
+/// Points within `distance_m` of segment ab: a round-ended buffer.
+Region line_neighbourhood(Point a, Point b, double distance_m);
 
 /// Shortest distance between the two (0 where they meet), m.
 double distance_between(const Region& a, const Region& b);
@@ -59,8 +61,6 @@ Region made_valid(const Polygon& polygon);
 /// precision grid. They form a valid coverage: edges shared by two faces are identical.
 Region split_by_lines(const Polygon& polygon, const std::vector<std::vector<Point>>& lines);
 
-/// The parts of segment ab inside the region, in no stated order.
-std::vector<std::vector<Point>> parts_inside(const Region& region, Point a, Point b);
 /// Length of the part of segment ab inside the region, m.
 double length_inside(const Region& region, Point a, Point b);
 

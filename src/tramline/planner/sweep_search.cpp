@@ -1,11 +1,9 @@
 #include "tramline/planner/sweep_search.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <mutex>
 
 #include "tramline/decomposition/candidate_directions.h"
+#include "tramline/planner/for_each_index.h"
 
 namespace tramline {
 namespace {
@@ -45,11 +43,8 @@ SweepResult sweep_search(const SearchTask& task, int threads, const Progress& pr
   const std::vector<Direction> directions = candidate_directions(task.field);
   const int total = static_cast<int>(directions.size());
   Incumbent incumbent(total, progress);
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, directions.size(),
-                      [&](std::size_t i) { incumbent.offer(evaluate(task, directions[i]), i); });
-  });
+  for_each_index(directions.size(), threads,
+                 [&](std::size_t i) { incumbent.offer(evaluate(task, directions[i]), i); });
   return {incumbent.take(), total};
 }
 

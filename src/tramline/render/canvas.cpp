@@ -5,7 +5,7 @@
 
 #include <cmath>
 #include <numbers>
-#include <regex>
+#include <string_view>
 
 #include "tramline/geometry/error.h"
 
@@ -55,8 +55,15 @@ void require(cairo_status_t status) {
 
 // cairo numbers its surfaces over the whole life of the process, and writes the number into the file.
 std::string without_surface_numbers(const std::string& svg) {
-  static const std::regex numbered("id=\"surface[0-9]+\"");
-  return std::regex_replace(svg, numbered, "id=\"page\"");
+  constexpr std::string_view kNumbered = "id=\"surface";
+  std::string out;
+  std::size_t at = 0;
+  for (std::size_t hit; (hit = svg.find(kNumbered, at)) != std::string::npos;) {
+    hit += kNumbered.size();
+    out.append(svg, at, hit - at);
+    at = svg.find_first_not_of("0123456789", hit);
+  }
+  return out.append(svg, at);
 }
 
 void add_ring(Canvas& canvas, const Ring& ring) {

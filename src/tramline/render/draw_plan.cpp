@@ -24,8 +24,11 @@ void draw_map(Canvas& canvas, const Plan& plan) {
   draw_obstacles(canvas, plan);
   draw_tracks(canvas, plan);
   draw_outlines(canvas, plan);
+  // Marks that stand close together would hide the faults between them.
+  const bool apart = stops_stand_apart(canvas, plan);
+  if (!apart) draw_stops(canvas, plan);
   draw_faults(canvas, plan);
-  draw_stops(canvas, plan);
+  if (apart) draw_stops(canvas, plan);
   const auto badges = place_badges(plan, canvas.view(), canvas.scale());
   const auto labels =
       place_track_labels(plan, canvas.view(), canvas.scale(), boxes_of(badges, canvas.scale()));

@@ -21,12 +21,14 @@ void draw_tracks(Canvas& canvas, const Plan& plan);
 void draw_faults(Canvas& canvas, const Plan& plan);
 /// A mark wherever the machine has to back out.
 void draw_stops(Canvas& canvas, const Plan& plan);
+/// Whether the stops of neighbouring tracks leave room between them.
+bool stops_stand_apart(const Canvas& canvas, const Plan& plan);
 
 /// Least width of a drawn fault, px at text scale 1.
 inline constexpr double kSliverWidth = 1.5;
 
 /// The marks, also used by the legend. Pixels of the page.
-void draw_stop_mark(Canvas& canvas, Point at);
+void draw_stop_mark(Canvas& canvas, Point at, double radius);
 void draw_arrow_head(Canvas& canvas, Point tip, Point heading, double size, Colour colour);
 
 /// Styles shared with the legend.
@@ -37,5 +39,6 @@ const Hatch& given_up_hatch();
 inline constexpr double kTrackLine = 1.1;
 inline constexpr double kDroppedLine = 1.8;
 inline constexpr double kOutlineWidth = 2.2;
+inline constexpr double kStopRadius = 4.2;
 
 }  // namespace tramline::render

@@ -37,7 +37,7 @@ void draw_swatch_line(Canvas& canvas, const Box& box, const LegendRow& row) {
     stroke_line(canvas, {left, right}, {kDroppedColour, kDroppedLine * k, {5 * k, 3 * k}});
   } else if (row.symbol == Symbol::kStop) {
     stroke_line(canvas, {left, box.centre()}, {kTrackColour, kTrackLine * k});
-    draw_stop_mark(canvas, box.centre());
+    draw_stop_mark(canvas, box.centre(), kStopRadius * k);
   }
 }
 

@@ -17,6 +17,11 @@ bool has(const Field& field, ObstacleKind kind) {
                      [&](const Obstacle& obstacle) { return obstacle.kind == kind; });
 }
 
+bool has_stops(const Plan& plan) {
+  return std::any_of(plan.pieces.begin(), plan.pieces.end(),
+                     [](const TrackPiece& piece) { return piece.stop_at_start || piece.stop_at_end; });
+}
+
 // Small areas with a decimal: a sliver of 0.4 m² is not nothing.
 std::string square_metres(double area_m2) {
   return area_m2 != 0 && area_m2 < 100 ? fmt::format("{:.1f} m²", area_m2)
@@ -39,7 +44,7 @@ LegendBlock symbols(const Plan& plan) {
   add(!plan.given_up.empty(), Symbol::kGivenUp, "given up on purpose (uncovered)");
   add(!plan.pieces.empty(), Symbol::kTrack, "track, number at its start");
   add(!plan.dropped.empty(), Symbol::kDropped, "dropped: too short to drive");
-  add(plan.tally.stops > 0, Symbol::kStop, "stop: the machine backs out");
+  add(has_stops(plan), Symbol::kStop, "stop: the machine backs out");
   add(!visible_faults(plan.overlap).empty(), Symbol::kOverlap, "overlap");
   add(!visible_faults(plan.uncovered).empty(), Symbol::kUncovered, "uncovered");
   return block;

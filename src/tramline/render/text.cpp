@@ -2,6 +2,21 @@
 
 #include <cstdint>
 
+// Fontconfig keeps what it read for the life of the process, and cairo never gives it back: builds that
+// look for leaks are told, in every program that draws text.
+#if defined(__SANITIZE_ADDRESS__)
+extern "C" {
+const char* __lsan_default_suppressions();
+const char* __lsan_default_options();
+const char* __lsan_default_suppressions() {
+  return "leak:libfontconfig";
+}
+const char* __lsan_default_options() {
+  return "print_suppressions=0";
+}
+}
+#endif
+
 namespace tramline::render {
 namespace {
 

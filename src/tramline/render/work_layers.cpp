@@ -11,10 +11,30 @@ namespace {
 constexpr double kLeastStripe = 2.5;
 constexpr double kArrowSize = 9;
 constexpr double kLeastArrow = 6;
-constexpr double kStopRadius = 4.2;
+constexpr double kLeastStop = 1.6;
 
 bool drivable(const TrackPiece& piece) {
   return !(piece.start == piece.end);
+}
+
+double swath_px(const Canvas& canvas, const Plan& plan) {
+  return plan.machine.width_m * canvas.view().px_per_m;
+}
+
+struct ByWidth {
+  Region wide;
+  Region thin;
+};
+
+ByWidth by_width(const Region& faults, double thin_m) {
+  ByWidth out;
+  for (const Polygon& fault : faults) (mean_width(fault) < thin_m ? out.thin : out.wide).push_back(fault);
+  return out;
+}
+
+void draw_fault(Canvas& canvas, const Region& faults, Colour colour) {
+  fill(canvas, faults, colour);
+  outline(canvas, faults, {colour, kSliverWidth * canvas.scale()});
 }
 
 // Unit vector on the page (y down) from start to end.
@@ -25,15 +45,15 @@ Point heading_on_page(const TrackPiece& piece) {
 
 // Arrow heads stand side by side in the middle of the tracks: on every n-th one where tracks are
 // close. n is odd, so that both headings of a boustrophedon get their share.
-int arrow_stride(double swath_px, double arrow_px) {
-  const int needed = static_cast<int>(std::ceil(1.2 * arrow_px / swath_px));
+int arrow_stride(double swath, double arrow) {
+  const int needed = static_cast<int>(std::ceil(1.2 * arrow / swath));
   return std::max(1, needed | 1);
 }
 
 }  // namespace
 
 void draw_swaths(Canvas& canvas, const Plan& plan) {
-  if (plan.machine.width_m * canvas.view().px_per_m < kLeastStripe * canvas.scale()) return;
+  if (swath_px(canvas, plan) < kLeastStripe * canvas.scale()) return;
   for (const TrackPiece& piece : plan.pieces)
     if (piece.track % 2 == 0 && drivable(piece))
       fill(canvas, {{swath(piece, plan.machine.width_m), {}}}, kStripe);
@@ -41,10 +61,10 @@ void draw_swaths(Canvas& canvas, const Plan& plan) {
 
 void draw_tracks(Canvas& canvas, const Plan& plan) {
   const double k = canvas.scale();
-  const double swath_px = std::max(0.05, plan.machine.width_m * canvas.view().px_per_m);
-  const double thickness = std::clamp(0.2 * swath_px, 0.4 * k, kTrackLine * k);
-  const double arrow = std::clamp(0.7 * swath_px, kLeastArrow * k, kArrowSize * k);
-  const int stride = arrow_stride(swath_px, arrow);
+  const double swath = std::max(0.05, swath_px(canvas, plan));
+  const double thickness = std::clamp(0.2 * swath, 0.4 * k, kTrackLine * k);
+  const double arrow = std::clamp(0.7 * swath, kLeastArrow * k, kArrowSize * k);
+  const int stride = arrow_stride(swath, arrow);
   for (const DroppedPiece& piece : plan.dropped)
     line(canvas, piece.start, piece.end, {kDroppedColour, kDroppedLine * k, {5 * k, 3 * k}});
   int index = 0;
@@ -61,27 +81,36 @@ void draw_tracks(Canvas& canvas, const Plan& plan) {
 }
 
 void draw_faults(Canvas& canvas, const Plan& plan) {
-  const double thickness = kSliverWidth * canvas.scale();
-  const Region uncovered = visible_faults(plan.uncovered);
-  fill(canvas, uncovered, kUncoveredColour);
-  outline(canvas, uncovered, {kUncoveredColour, thickness});
+  const double thin_m = 2 * kSliverWidth * canvas.scale() / canvas.view().px_per_m;
+  const ByWidth uncovered = by_width(visible_faults(plan.uncovered), thin_m);
+  const ByWidth overlap = by_width(visible_faults(plan.overlap), thin_m);
+  // Slivers last: they would vanish under the rims of the wide ones.
+  draw_fault(canvas, uncovered.wide, kUncoveredColour);
   hatch(canvas, plan.given_up, given_up_hatch());
-  const Region overlap = visible_faults(plan.overlap);
-  fill(canvas, overlap, kOverlapColour);
-  outline(canvas, overlap, {kOverlapColour, thickness});
+  draw_fault(canvas, overlap.wide, kOverlapColour);
+  draw_fault(canvas, uncovered.thin, kUncoveredColour);
+  draw_fault(canvas, overlap.thin, kOverlapColour);
 }
 
 void draw_stops(Canvas& canvas, const Plan& plan) {
+  const double k = canvas.scale();
+  const double radius = std::clamp(0.36 * swath_px(canvas, plan), kLeastStop * k, kStopRadius * k);
   for (const TrackPiece& piece : plan.pieces) {
-    if (piece.stop_at_start) draw_stop_mark(canvas, canvas.view().to_page(piece.start));
-    if (piece.stop_at_end) draw_stop_mark(canvas, canvas.view().to_page(piece.end));
+    if (!drivable(piece)) continue;
+    // On the track's side of its end: a pylon is smaller than two marks.
+    const Point back = radius * heading_on_page(piece);
+    if (piece.stop_at_start) draw_stop_mark(canvas, canvas.view().to_page(piece.start) + back, radius);
+    if (piece.stop_at_end) draw_stop_mark(canvas, canvas.view().to_page(piece.end) - back, radius);
   }
 }
 
-void draw_stop_mark(Canvas& canvas, Point at) {
-  const double r = kStopRadius * canvas.scale();
-  disc(canvas, at, r, kBackgroundColour);
-  disc(canvas, at, 0.68 * r, kInk);
+bool stops_stand_apart(const Canvas& canvas, const Plan& plan) {
+  return swath_px(canvas, plan) >= 4 * kLeastStop * canvas.scale();
+}
+
+void draw_stop_mark(Canvas& canvas, Point at, double radius) {
+  disc(canvas, at, radius, kBackgroundColour);
+  disc(canvas, at, 0.72 * radius, kInk);
 }
 
 void draw_arrow_head(Canvas& canvas, Point tip, Point heading, double size, Colour colour) {

@@ -1,0 +1,88 @@
+// S1's obstacle categories b and c on scenes with areas known by hand; working width 3 m.
+
+#include "tramline/avoidance/ground.h"
+
+#include <gtest/gtest.h>
+
+#include "tramline/avoidance/clusters.h"
+#include "tramline/geometry/boolean.h"
+
+namespace tramline {
+namespace {
+
+constexpr double kWidth = 3;
+
+Polygon box(double x0, double y0, double x1, double y1) { return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}}; }
+
+Field field_with(std::vector<Polygon> obstacles) {
+  Field field;
+  field.outer = box(0, 0, 100, 100).outer;
+  for (Polygon& shape : obstacles) field.obstacles.push_back({std::move(shape), ObstacleKind::kObstacle, "hole"});
+  return field;
+}
+
+// b: squares of 4 m whose faces are 2 m apart: the 2 × 4 m between them are given up.
+TEST(Clusters, GiveUpTheLandBetween) {
+  const Ground ground = sort_obstacles(field_with({box(40, 40, 44, 44), box(46, 40, 50, 44)}), kWidth);
+  EXPECT_NEAR(area(ground.given_up), 8, 1e-6);
+  EXPECT_NEAR(area(ground.body), 10000 - 32, 1e-6) << "given-up land stays in the body";
+  EXPECT_NEAR(area(ground.plannable), 10000 - 40, 1e-6);
+  EXPECT_EQ(ground.hard.size(), 1u) << "one obstacle";
+}
+
+TEST(Clusters, LeaveObstaclesAWidthApartAlone) {
+  const Ground ground = sort_obstacles(field_with({box(40, 40, 44, 44), box(47, 40, 51, 44)}), kWidth);
+  EXPECT_TRUE(ground.given_up.empty());
+  EXPECT_EQ(ground.hard.size(), 2u);
+}
+
+TEST(Clusters, AreTransitive) {
+  const auto groups = clusters({box(0, 0, 1, 1), box(30, 0, 31, 1), box(5, 0, 6, 1), box(2.5, 0, 3.5, 1)}, kWidth);
+  ASSERT_EQ(groups.size(), 2u);
+  EXPECT_EQ(groups[0].obstacles.size(), 3u);
+}
+
+TEST(Clusters, JoinCornerToCorner) {
+  // Corners √2 apart: one obstacle, although no face looks at another.
+  const Ground ground = sort_obstacles(field_with({box(40, 40, 44, 44), box(45, 45, 49, 49)}), kWidth);
+  EXPECT_EQ(ground.hard.size(), 1u);
+}
+
+// c: a square of 4 m, 2 m from the lower edge: the 4 × 2 m between are given up.
+TEST(EdgeClips, GiveUpTheLandUpToTheEdge) {
+  const Ground ground = sort_obstacles(field_with({box(40, 2, 44, 6)}), kWidth);
+  EXPECT_NEAR(area(ground.given_up), 8, 1e-6);
+  ASSERT_EQ(ground.plannable.size(), 1u);
+  EXPECT_TRUE(ground.plannable[0].holes.empty()) << "the obstacle is joined to the edge";
+  EXPECT_NEAR(area(ground.plannable), 10000 - 4 * 6, 1e-6);
+}
+
+TEST(EdgeClips, ApplyToObstaclesThatTouchTheEdge) {
+  const Ground ground = sort_obstacles(field_with({box(40, 0, 44, 4)}), kWidth);
+  EXPECT_NEAR(area(ground.given_up), 0, 1e-6);
+  EXPECT_NEAR(area(ground.hard), 16, 1e-6);
+  EXPECT_TRUE(ground.plannable[0].holes.empty());
+}
+
+TEST(EdgeClips, LeaveObstaclesAWidthFromTheEdgeAlone) {
+  EXPECT_TRUE(sort_obstacles(field_with({box(40, 3, 44, 6)}), kWidth).given_up.empty());
+}
+
+TEST(EdgeClips, ReachThroughAClusterToTheEdge) {
+  // The first square is joined to the edge, the second to the first: 4·2 + 4·2 m².
+  const Ground ground = sort_obstacles(field_with({box(40, 2, 44, 6), box(40, 8, 44, 12)}), kWidth);
+  EXPECT_NEAR(area(ground.given_up), 16, 1e-6);
+  EXPECT_EQ(ground.hard.size(), 1u);
+}
+
+TEST(PassableObstacles, AreTakenOutOfTheBodyButStayPlannable) {
+  Field field = field_with({});
+  field.obstacles.push_back({box(0, 50, 100, 55), ObstacleKind::kPassable, "waterway"});
+  const Ground ground = sort_obstacles(field, kWidth);
+  EXPECT_NEAR(area(ground.body), 9500, 1e-6);
+  EXPECT_NEAR(area(ground.plannable), 10000, 1e-6);
+  EXPECT_TRUE(ground.hard.empty());
+}
+
+}  // namespace
+}  // namespace tramline

@@ -1,0 +1,87 @@
+#include "tramline/cost/strip_tally.h"
+
+#include <gtest/gtest.h>
+
+#include "tramline/cost/worked_regions.h"
+#include "tramline/tracks/strip_origin.h"
+
+namespace tramline {
+namespace {
+
+constexpr double kWidth = 3;
+
+Polygon box(double x0, double y0, double x1, double y1) { return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}}; }
+
+SubfieldTracks tracks_in(const Subfield& subfield, EndRule rule) {
+  const StripGrid grid = strip_grid(subfield, kWidth);
+  return strip_pieces(grid, grid.frame.to_track(Region{subfield.shape}).front(), {},
+                      end_criterion(rule, Objective{}, kWidth), 0);
+}
+
+// Two trapezia share a 45° border from (30, 0) to (60, 30); both are driven north. With the rule
+// `cover` the left rows (strips x in [30, 60], which start at the border) run down by up to 3 m into
+// the right field, and the right rows up into the left one: ten strips, wedge 4.5 m² each way, all of
+// it on land the other covers as well.
+TEST(Tally, CountsOverlapAcrossABorderOnce) {
+  const Direction north = Direction::clockwise_from_north(Angle::degrees(0));
+  const std::vector<Subfield> subfields{{{{{0, 0}, {30, 0}, {60, 30}, {60, 90}, {0, 90}}, {}}, north},
+                                        {{{{30, 0}, {60, 0}, {60, 30}}, {}}, north}};
+  std::vector<SubfieldTracks> tracks;
+  for (const Subfield& subfield : subfields) tracks.push_back(tracks_in(subfield, EndRule::kCover));
+  const double body = 60 * 90;
+  const Tally tally = tally_of(subfields, tracks, body);
+  EXPECT_EQ(tally.pieces, 30);
+  EXPECT_EQ(tally.turns, 29);
+  EXPECT_NEAR(tally.uncovered_m2, 0, 1e-6);
+  EXPECT_NEAR(tally.overlap_m2, 10 * 4.5 * 2, 1e-3);
+  EXPECT_NEAR(tally.worked_m2, body - tally.uncovered_m2 + tally.overlap_m2, 1e-9);
+
+  // With `inside` both leave their wedges bare, and nothing overlaps.
+  for (std::size_t i = 0; i < 2; ++i) tracks[i] = tracks_in(subfields[i], EndRule::kInside);
+  const Tally bare = tally_of(subfields, tracks, body);
+  EXPECT_NEAR(bare.overlap_m2, 0, 1e-3);
+  EXPECT_NEAR(bare.uncovered_m2, 90, 1e-2);
+
+  // With `centre` each covers a quarter of its wedge beyond the border: what the one leaves bare at
+  // its end the other runs into, so the two halves of a strip fit together exactly.
+  for (std::size_t i = 0; i < 2; ++i) tracks[i] = tracks_in(subfields[i], EndRule::kCentre);
+  const Tally half = tally_of(subfields, tracks, body);
+  EXPECT_NEAR(half.overlap_m2, 0, 1e-6);
+  EXPECT_NEAR(half.uncovered_m2, 0, 1e-6);
+}
+
+TEST(Tally, OfOneRectangleIsExact) {
+  const std::vector<Subfield> subfields{{box(0, 0, 31, 100), Direction::clockwise_from_north(Angle::degrees(0))}};
+  const std::vector<SubfieldTracks> tracks{tracks_in(subfields[0], EndRule::kCentre)};
+  // 31 = 10·3 + 1: the eleventh strip's centre lies outside, 1 × 100 m stay uncovered.
+  const Tally tally = tally_of(subfields, tracks, 3100);
+  EXPECT_EQ(tally.pieces, 10);
+  EXPECT_NEAR(tally.overlap_m2, 0, 1e-9);
+  EXPECT_NEAR(tally.uncovered_m2, 100, 1e-9);
+  EXPECT_NEAR(tally.track_length_m, 1000, 1e-9);
+
+  const std::vector<SubfieldTracks> covering{tracks_in(subfields[0], EndRule::kCover)};
+  const Tally full = tally_of(subfields, covering, 3100);
+  EXPECT_EQ(full.pieces, 11);
+  EXPECT_NEAR(full.overlap_m2, 200, 1e-9);
+  EXPECT_NEAR(full.uncovered_m2, 0, 1e-9);
+}
+
+TEST(WorkedRegions, AreWhatIsDoubledOrOutsideAndWhatIsBare) {
+  const WorkedRegions regions = worked_regions({box(0, 0, 10, 10)}, {box(0, 0, 6, 10), box(5, 0, 9, 11)});
+  EXPECT_NEAR(area(regions.overlap), 10 + 4, 1e-6);  // doubled [5,6] × [0,10], outside [5,9] × [10,11]
+  EXPECT_NEAR(area(regions.uncovered), 10, 1e-6);    // [9,10] × [0,10]
+}
+
+TEST(Cost, IsTheWeightedSum) {
+  Tally tally;
+  tally.overlap_m2 = 100;
+  tally.uncovered_m2 = 50;
+  tally.turns = 10;
+  tally.stops = 2;
+  EXPECT_NEAR(cost(Objective{}, tally), 4 + 5 + 4.5 + 10, 1e-12);
+  EXPECT_NEAR(cost(Objective{99999, 1, 1, 0}, tally), 99999 * 100 + 50 + 10, 1e-6);
+}
+
+}  // namespace
+}  // namespace tramline

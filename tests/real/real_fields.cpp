@@ -1,0 +1,113 @@
+#include "real/real_fields.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+
+#include "tramline/admission/admit.h"
+#include "tramline/check/compare_fields.h"
+#include "tramline/check/verify.h"
+#include "tramline/geometry/error.h"
+#include "tramline/io/plan/read_plan.h"
+#include "tramline/io/plan/write_plan.h"
+#include "tramline/io/vector/read_vector.h"
+#include "tramline/planner/plan_field.h"
+
+namespace tramline::testing {
+namespace {
+
+std::vector<Field> admitted(const RealFields& fields, const Crs& crs, const RawFeature& feature) {
+  AdmissionContext context;
+  context.file = fields.file;
+  context.layer = fields.dataset.layers.front().name;
+  context.crs = &crs;
+  context.winding_matters = fields.dataset.winding_matters;
+  return admit(feature, context).fields;
+}
+
+PlanSettings settings_with(EndRule end_rule) {
+  PlanSettings settings;
+  settings.end_rule = end_rule;
+  settings.merge_threshold = Angle::degrees(15);
+  settings.decomposition_threshold = Angle::degrees(205);
+  return settings;
+}
+
+void verify_file(const std::string& file, const Field& input, Outcome& outcome) {
+  const Plan read = io::read_plan(file);
+  check::Verdict verdict = check::verify(read);
+  for (const check::Violation& more : check::compare_fields(read.field, input)) verdict.violations.push_back(more);
+  for (const check::Violation& violation : verdict.violations)
+    outcome.violations.push_back(
+        fmt::format("{}: {} at ({:.3f}, {:.3f})", violation.rule, violation.what, violation.at.x, violation.at.y));
+  if (!verdict.complete) outcome.violations.push_back("the verifier could not look at everything");
+}
+
+Outcome outcome_of(const Field& field, const Field& input, int scenario_number, EndRule end_rule,
+                   const std::string& scratch) {
+  Outcome outcome;
+  outcome.field_id = field.id;
+  try {
+    const auto start = std::chrono::steady_clock::now();
+    const Plan plan = plan_field(field, Machine{}, scenario(scenario_number), settings_with(end_rule), 1);
+    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    outcome.field_m2 = area(Polygon{field.outer, {}});
+    outcome.overlap_pct = 100 * plan.tally.overlap_m2 / outcome.field_m2;
+    outcome.uncovered_pct = 100 * plan.tally.uncovered_m2 / outcome.field_m2;
+    outcome.turns = plan.tally.turns;
+    outcome.pieces = plan.tally.pieces;
+    outcome.directions_tried = plan.directions_tried;
+    outcome.obstacles = field.obstacles.size();
+    io::write_plan(plan, scratch);
+    verify_file(scratch, input, outcome);
+    std::filesystem::remove(scratch);
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::kBadInput)
+      outcome.refused = error.what();
+    else
+      outcome.violations.push_back(std::string("the run failed: ") + error.what());
+  }
+  return outcome;
+}
+
+}  // namespace
+
+std::string real_data_folder() {
+  const char* folder = std::getenv("TRAMLINE_DATA");
+  return folder != nullptr ? folder : TRAMLINE_SOURCE_DIR "/../shared/data";
+}
+
+std::optional<RealFields> read_real_fields() {
+  const std::string file = real_data_folder() + "/fields/fields.geojson";
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  VectorQuery query;
+  query.file = file;
+  RawDataset dataset = read_vector(query);
+  return RealFields{file, std::move(dataset)};
+}
+
+Objective scenario(int number) {
+  constexpr double kAbove = 99999;
+  if (number == 1) return {kAbove, 1, 1, 0};
+  if (number == 2) return {1, kAbove, 1, 0};
+  return {1, 1, kAbove, 0};
+}
+
+std::vector<Outcome> plan_and_verify(const RealFields& fields, const Crs& crs, const RawFeature& feature,
+                                     int scenario_number, EndRule end_rule, const std::string& scratch) {
+  std::vector<Outcome> out;
+  try {
+    const std::vector<Field> parts = admitted(fields, crs, feature), inputs = admitted(fields, crs, feature);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      out.push_back(outcome_of(parts[i], inputs[i], scenario_number, end_rule, scratch));
+  } catch (const Error& error) {
+    out.emplace_back();
+    out.back().field_id = feature.id;
+    out.back().refused = error.what();
+  }
+  return out;
+}
+
+}  // namespace tramline::testing

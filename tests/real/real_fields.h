@@ -1,0 +1,45 @@
+#pragma once
+// Real fields as test material: read, planned and verified.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tramline/geodesy/crs.h"
+#include "tramline/model/plan.h"
+#include "tramline/model/raw_feature.h"
+
+namespace tramline::testing {
+
+/// The folder with the real data: $TRAMLINE_DATA, or shared/data beside the source tree.
+std::string real_data_folder();
+
+/// The curated fields; nullopt where the folder is absent.
+struct RealFields {
+  std::string file;
+  RawDataset dataset;
+  const std::vector<RawFeature>& features() const { return dataset.layers.front().features; }
+};
+std::optional<RealFields> read_real_fields();
+
+/// S1.8: 1 least overlap, 2 least uncovered, 3 fewest turns.
+Objective scenario(int number);
+
+/// How one field fared under one scenario and end rule.
+struct Outcome {
+  std::string field_id;
+  std::string refused;                  ///< why there is no plan; empty when there is one
+  std::vector<std::string> violations;  ///< what the verifier found
+  double field_m2 = 0, overlap_pct = 0, uncovered_pct = 0, seconds = 0;
+  int turns = 0, pieces = 0, directions_tried = 0;
+  std::size_t obstacles = 0;
+};
+
+/// Admits, plans (w = 3, r = 6, merge 15, decomposition 205, one thread), writes the plan file, reads
+/// it back and verifies that, also against a fresh admission of the input. One outcome per part.
+/// `scratch` is a file name of its own for the plan.
+/// `crs` is the dataset's; it serves one thread at a time.
+std::vector<Outcome> plan_and_verify(const RealFields& fields, const Crs& crs, const RawFeature& feature,
+                                     int scenario_number, EndRule end_rule, const std::string& scratch);
+
+}  // namespace tramline::testing

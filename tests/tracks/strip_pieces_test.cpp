@@ -1,0 +1,141 @@
+// End rules, hard edges, crossings and short pieces on scenes with areas known by hand.
+// Tracks run north, strips start at x = 0.
+
+#include "tramline/tracks/strip_pieces.h"
+
+#include <gtest/gtest.h>
+
+namespace tramline {
+namespace {
+
+constexpr double kWidth = 3;
+
+StripGrid north_grid() { return {TrackFrame(Direction::clockwise_from_north(Angle::degrees(0))), 0, kWidth}; }
+
+Polygon box(double x0, double y0, double x1, double y1) { return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}}; }
+
+struct Sums {
+  double overlap = 0, uncovered = 0;
+  int pieces = 0;
+};
+
+Sums sums_of(const SubfieldTracks& tracks, const Polygon& subfield) {
+  Sums out;
+  double inside = 0;
+  for (const StripPiece& piece : tracks.pieces) {
+    out.overlap += kWidth * (piece.to - piece.from) - piece.inside_m2;
+    inside += piece.inside_m2;
+    ++out.pieces;
+  }
+  out.uncovered = area(subfield) - inside;
+  return out;
+}
+
+SubfieldTracks lay(const Polygon& subfield, EndRule rule, const TurnedGround& ground = {}, double min_length = 6,
+                   const Objective& objective = {}) {
+  return strip_pieces(north_grid(), subfield, ground, end_criterion(rule, objective, kWidth), min_length);
+}
+
+// ALGORITHMS §0.1: an edge at angle φ to the tracks makes a wedge of ½w²cot φ at every row end; a row
+// that ends at fraction f of the run has o = wedge·f², u = wedge·(1 − f)². Here φ = 45° and w = 3:
+// wedge 4.5 m², ten rows, two ends each.
+const Polygon kParallelogram{{{0, 0}, {30, 30}, {30, 130}, {0, 100}}, {}};
+constexpr double kWedge = 4.5;
+
+TEST(EndRules, OnAParallelogram) {
+  struct Case {
+    EndRule rule;
+    double fraction;
+  };
+  const Objective prices;  // 0.04 and 0.10: f* = 0.10/0.14
+  for (const Case& c : {Case{EndRule::kCentre, 0.5}, Case{EndRule::kCover, 1.0}, Case{EndRule::kInside, 0.0},
+                        Case{EndRule::kCheapest, 0.10 / 0.14}}) {
+    const Sums sums = sums_of(lay(kParallelogram, c.rule, {}, 6, prices), kParallelogram);
+    EXPECT_EQ(sums.pieces, 10) << name(c.rule);
+    EXPECT_NEAR(sums.overlap, 20 * kWedge * c.fraction * c.fraction, 1e-4) << name(c.rule);
+    EXPECT_NEAR(sums.uncovered, 20 * kWedge * (1 - c.fraction) * (1 - c.fraction), 1e-4) << name(c.rule);
+  }
+}
+
+TEST(EndRules, CheapestHalvesTheRunWhenNothingCosts) {
+  const Objective free{0, 0, 1, 0};
+  const Sums sums = sums_of(lay(kParallelogram, EndRule::kCheapest, {}, 6, free), kParallelogram);
+  EXPECT_NEAR(sums.overlap, 20 * kWedge / 4, 1e-9);
+}
+
+// Legs of 60 m: row k is 60 − 3(k + ½) long; rows 18 and 19 (4.5 and 1.5 m) are shorter than 2w and
+// their land, a triangle with legs of 6 m, stays uncovered.
+TEST(EndRules, OnATriangleWithTheShortRowsDropped) {
+  const Polygon triangle{{{0, 0}, {60, 0}, {0, 60}}, {}};
+  const SubfieldTracks tracks = lay(triangle, EndRule::kCentre);
+  const Sums sums = sums_of(tracks, triangle);
+  EXPECT_EQ(sums.pieces, 18);
+  EXPECT_EQ(tracks.dropped.size(), 2u);
+  EXPECT_NEAR(sums.overlap, 18 * kWedge / 4, 1e-6);
+  EXPECT_NEAR(sums.uncovered, 18 * kWedge / 4 + 18, 1e-6);
+}
+
+TEST(HardEdges, CutTheWholeWidthOverTheObstaclesExtent) {
+  // S1.40: a diamond of 2 × 4 m in the middle of strip 1 cuts that strip from y = 48 to 52.
+  Polygon field = box(0, 0, 9, 100);
+  const Ring diamond{{4.5, 48}, {5.5, 50}, {4.5, 52}, {3.5, 50}};
+  field.holes = {reversed(diamond)};
+  for (const EndRule rule : {EndRule::kCentre, EndRule::kCover, EndRule::kInside, EndRule::kCheapest}) {
+    const SubfieldTracks tracks = lay(field, rule, {{{diamond, {}}}, {}, {}});
+    ASSERT_EQ(tracks.pieces.size(), 4u) << name(rule);
+    EXPECT_NEAR(tracks.pieces[1].to, 48, 1e-5);
+    EXPECT_NEAR(tracks.pieces[2].from, 52, 1e-5);
+    EXPECT_TRUE(tracks.pieces[1].stop_at_to);
+    EXPECT_TRUE(tracks.pieces[2].stop_at_from);
+    EXPECT_FALSE(tracks.pieces[1].stop_at_from);
+    EXPECT_FALSE(tracks.pieces[0].stop_at_to);
+    EXPECT_FALSE(tracks.pieces[2].after_crossing);
+    EXPECT_NEAR(sums_of(tracks, field).uncovered, 3 * 4 - 4, 1e-4);  // strip over 4 m less the diamond
+  }
+}
+
+TEST(HardEdges, KeepEverySwathInsideAHardBoundary) {
+  const TurnedGround ground{{}, {}, {kParallelogram}};
+  const Sums sums = sums_of(lay(kParallelogram, EndRule::kCover, ground), kParallelogram);
+  EXPECT_NEAR(sums.overlap, 0, 1e-3);
+  EXPECT_NEAR(sums.uncovered, 20 * kWedge, 1e-3);
+}
+
+TEST(PassableObstacles, InterruptTheWorkWithoutAStop) {
+  const Polygon field = box(0, 0, 6, 100);
+  const TurnedGround ground{{}, {box(-5, 40, 20, 45)}, {}};
+  const SubfieldTracks tracks = lay(field, EndRule::kCentre, ground);
+  ASSERT_EQ(tracks.pieces.size(), 4u);
+  EXPECT_NEAR(tracks.pieces[0].to, 40, 1e-9);
+  EXPECT_NEAR(tracks.pieces[1].from, 45, 1e-9);
+  EXPECT_TRUE(tracks.pieces[1].after_crossing);
+  EXPECT_FALSE(tracks.pieces[0].stop_at_to);
+  EXPECT_FALSE(tracks.pieces[0].after_crossing);
+  EXPECT_FALSE(tracks.pieces[2].after_crossing) << "another strip";
+}
+
+TEST(PassableObstacles, ExemptWhatLiesBetweenTwoCrossings) {
+  // Two waterways 2 m apart: the 2 m between them are driven although 2w = 6 m. The 4 m before the
+  // first waterway are not: they lie between the edge and one crossing.
+  const Polygon field = box(0, 0, 3, 100);
+  const TurnedGround ground{{}, {box(-5, 4, 20, 6), box(-5, 8, 20, 10)}, {}};
+  const SubfieldTracks tracks = lay(field, EndRule::kCentre, ground);
+  ASSERT_EQ(tracks.pieces.size(), 2u);
+  EXPECT_NEAR(tracks.pieces[0].from, 6, 1e-9);
+  EXPECT_NEAR(tracks.pieces[0].to, 8, 1e-9);
+  EXPECT_FALSE(tracks.pieces[0].after_crossing) << "what lies before the first waterway is dropped";
+  EXPECT_TRUE(tracks.pieces[1].after_crossing);
+  EXPECT_EQ(tracks.dropped.size(), 1u);
+}
+
+TEST(PassableObstacles, DoNotExcuseAnObstacleInTheGap) {
+  const Polygon field = box(0, 0, 3, 100);
+  const TurnedGround ground{{box(1, 44, 2, 50)}, {box(-5, 40, 20, 45)}, {}};
+  const SubfieldTracks tracks = lay(field, EndRule::kCentre, ground);
+  ASSERT_EQ(tracks.pieces.size(), 2u);
+  EXPECT_FALSE(tracks.pieces[1].after_crossing);
+  EXPECT_TRUE(tracks.pieces[1].stop_at_from);
+}
+
+}  // namespace
+}  // namespace tramline
