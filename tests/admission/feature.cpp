@@ -41,7 +41,7 @@ RawFeature feature(const std::vector<std::vector<std::string>>& polygons) {
 
 Admission admit_plain(const RawFeature& feature, bool winding_matters) {
   const Crs plain;
-  return admit(feature, {"farm.gpkg", "parcels", &plain, winding_matters, true});
+  return admit(feature, {"farm.gpkg", "parcels", &plain, winding_matters});
 }
 
 Field admit_one(const std::vector<std::string>& rings) {
@@ -101,7 +101,7 @@ std::string refusal(const RawFeature& feature, const AdmissionContext& context) 
 
 std::string refusal_plain(const std::vector<std::string>& rings) {
   const Crs plain;
-  return refusal(feature({rings}), {"farm.gpkg", "parcels", &plain, false, true});
+  return refusal(feature({rings}), {"farm.gpkg", "parcels", &plain, false});
 }
 
 }  // namespace tramline::testing_features

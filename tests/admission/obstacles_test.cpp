@@ -112,7 +112,7 @@ TEST(ObstacleFiles, AnyCrsIsBroughtIntoTheFieldsFrame) {
   const Crs utm("EPSG:25832");
   const RawFeature raw =
       feature({{"499950 5500000, 500050 5500000, 500050 5500100, 499950 5500100, 499950 5500000"}});
-  Field field = admit(raw, {"farm.gpkg", "parcels", &utm, false, false}).fields.front();
+  Field field = admit(raw, {"farm.gpkg", "parcels", &utm, false}).fields.front();
   // The middle of the field in degrees: on the 9th meridian.
   const Point centre = utm.to_lonlat({500000, 5500050}).value();
   const auto loose =

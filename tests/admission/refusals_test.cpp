@@ -13,7 +13,7 @@ void expect_says(const std::string& sentence, const std::string& part) {
 
 std::string refusal_in(const std::string& crs_name, const std::vector<std::string>& rings) {
   const Crs crs(crs_name);
-  return refusal(feature({rings}), {"farm.gpkg", "parcels", &crs, false, false});
+  return refusal(feature({rings}), {"farm.gpkg", "parcels", &crs, false});
 }
 
 TEST(Refusals, NotFiniteCoordinatesNameRingAndVertex) {
@@ -33,14 +33,15 @@ TEST(Refusals, DegreesBeyondTheGlobe) {
               "--crs");
 }
 
-TEST(Refusals, DegreesWithoutACrs) {
-  const std::string sentence = refusal_in("none", {"10 50, 10.01 50, 10.01 50.01, 10 50"});
-  expect_says(sentence, "look like degrees");
-  expect_says(sentence, "--crs EPSG:4326");
+TEST(Refusals, DegreesThatCountAsMetres) {
+  const std::vector<std::string> degrees = {"10 50, 10.01 50, 10.01 50.01, 10 50"};
+  expect_says(refusal_in("none", degrees), "look like degrees but count as plain metres");
+  expect_says(refusal_in("none", degrees), "--crs EPSG:4326");
+  expect_says(refusal_in("EPSG:25832", degrees), "count as ETRS89 / UTM zone 32N (EPSG:25832)");
   // Plain metres near the origin are not suspected: no field is less than a metre wide.
   const Crs plain;
   const RawFeature metres = feature({{"0 0, 90 0, 90 50, 0 50, 0 0"}});
-  EXPECT_EQ(admit(metres, {"farm.gpkg", "parcels", &plain, false, false}).fields.size(), 1u);
+  EXPECT_EQ(admit(metres, {"farm.gpkg", "parcels", &plain, false}).fields.size(), 1u);
 }
 
 TEST(Refusals, NoArea) {
@@ -51,7 +52,7 @@ TEST(Refusals, NoArea) {
 
 TEST(Refusals, LinesPointsAndNothing) {
   const Crs plain;
-  const AdmissionContext context{"farm.gpkg", "parcels", &plain, false, true};
+  const AdmissionContext context{"farm.gpkg", "parcels", &plain, false};
   RawFeature line;
   line.fid = 3;
   line.geometry_type = "Line String";

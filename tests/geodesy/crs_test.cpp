@@ -68,7 +68,8 @@ TEST(Crs, NotFiniteAndUnreachablePointsAreRefused) {
 }
 
 TEST(Crs, UnknownNamesAreBadInputThatSuggestsOne) {
-  for (const char* name : {"EPSG:99999999", "nonsense", "EPSG:5703" /* heights only */}) {
+  for (const char* name :
+       {"EPSG:99999999", "nonsense", "foo" /* the end of Amersfoort */, "EPSG:5703" /* heights only */}) {
     try {
       const Crs crs{std::string(name)};
       ADD_FAILURE() << name << " was taken for a CRS";

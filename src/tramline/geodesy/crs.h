@@ -23,8 +23,8 @@ class Crs {
  public:
   /// Plain metres: no CRS.
   Crs();
-  /// WKT, "EPSG:25832", a PROJ string. Empty or "none": plain metres. Throws bad_input when PROJ does
-  /// not know it or when it is not a geographic or projected CRS.
+  /// WKT, "EPSG:25832", a PROJ string, a full name ("ETRS89 / UTM zone 32N"). Empty or "none": plain metres.
+  /// Throws bad_input when PROJ does not know it or when it is not a geographic or projected CRS.
   explicit Crs(const std::string& definition);
   Crs(Crs&&) noexcept;
   Crs& operator=(Crs&&) noexcept;

@@ -14,7 +14,7 @@ double admitted_m2(const RawDataset& dataset) {
   double sum = 0;
   for (const RawFeature& feature : layer.features)
     for (const Field& field :
-         admit(feature, {dataset.file, layer.name, &crs, dataset.winding_matters, false}).fields) {
+         admit(feature, {dataset.file, layer.name, &crs, dataset.winding_matters}).fields) {
       sum += signed_area(field.outer);
       for (const Obstacle& obstacle : field.obstacles) sum -= area(obstacle.shape);
     }
