@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <utility>
 
 #include "tramline/admission/admit.h"
@@ -60,7 +61,7 @@ class Admitter {
         definition_(options.crs.empty() ? layer_.crs : options.crs),
         crs_(definition_),
         loose_(loose_obstacles(options, crs_, definition_)),
-        context_{dataset.file, layer_.name, &crs_, dataset.winding_matters, options.crs == "none"} {
+        context_{dataset.file, layer_.name, &crs_, dataset.winding_matters} {
     input_.driver = dataset.driver;
     input_.layer = layer_.name;
     input_.layer_geometry = layer_.geometry_type;
@@ -128,16 +129,21 @@ double workable_m2(const Field& field) {
   admitter.admit_all();
   const FieldInput input = admitter.finish();
   std::string list;
-  long long listed = 0;
-  const auto add = [&](const std::string& entry) {
-    if (listed++ < kListed) list += (list.empty() ? "" : ", ") + entry;
-  };
+  const auto add = [&](const std::string& entry) { list += (list.empty() ? "" : ", ") + entry; };
   for (const Field& field : input.fields) add(fmt::format("{} ({:.1f} m²)", field.id, workable_m2(field)));
   for (const Refusal& refusal : input.refusals) add(fmt::format("{} (refused)", refusal.field_id));
   const long long more = input.features - kListed;
   if (more > 0) list += fmt::format(" and {} more", more);
   throw bad_input(fmt::format("'{}' has {} features; take all with --all or choose one with --where: {}",
                               dataset.file, input.features, list));
+}
+
+/// The message, empty for a size that makes sense; CLI11's own range lets nan through.
+std::string sensible_size(const std::string& text) {
+  char* end = nullptr;
+  const double size_m = std::strtod(text.c_str(), &end);
+  const bool sensible = !text.empty() && *end == '\0' && size_m >= 0.01 && size_m <= 1000;
+  return sensible ? "" : fmt::format("'{}' is not a size between 0.01 and 1000 m", text);
 }
 
 }  // namespace
@@ -159,7 +165,7 @@ void add_field_options(CLI::App& verb, FieldOptions& options) {
                   "a vector file of obstacles: polygons, or lines and points that get a width");
   verb.add_option("--obstacle-size", options.obstacle_size_m,
                   "width of lines and side of points among the obstacles, m")
-      ->check(CLI::Range(0.01, 1000.0))
+      ->check(sensible_size)
       ->capture_default_str();
   verb.add_option("--passable", options.passable_file,
                   "a vector file of strips the machine may cross with the work interrupted");
@@ -167,7 +173,7 @@ void add_field_options(CLI::App& verb, FieldOptions& options) {
 
 FieldInput load_fields(const FieldOptions& options) {
   VectorQuery query = query_of(options);
-  if (!options.all) query.limit = kListed + 1;
+  if (!options.all) query.limit = kListed;
   const RawDataset dataset = read_vector(query);
   const RawLayer& layer = dataset.layers.front();
   if (!options.all && layer.features.size() > 1) refuse_several(options, dataset);

@@ -40,6 +40,12 @@ std::string frame_row(const LocalFrame& frame) {
       frame.origin_lon_deg, frame.origin_lat_deg);
 }
 
+/// The sentence without the ring's name, which `where` begins with.
+std::string without_ring(const Repair& repair) {
+  const std::string ring = repair.where.substr(0, repair.where.find(',')) + " ";
+  return repair.what.rfind(ring, 0) == 0 ? repair.what.substr(ring.size()) : repair.what;
+}
+
 std::string count(std::size_t number, const char* one, const char* several) {
   return fmt::format("{} {}", number, number == 1 ? one : several);
 }
@@ -111,7 +117,7 @@ std::string field_rows(const Field& field) {
                    area(obstacle.shape), vertex_count({obstacle.shape}));
   fmt::format_to(add, "repairs      {}\n", field.repairs.size());
   for (const Repair& repair : field.repairs)
-    fmt::format_to(add, "  {}: {}, at {}, area {:+.3f} m²\n", repair.where, repair.what,
+    fmt::format_to(add, "  {}: {}, at {}, area {:+.3f} m²\n", repair.where, without_ring(repair),
                    place(repair.at, field.frame), repair.area_change_m2 + 0.0);
   for (const std::string& warning : field.warnings) fmt::format_to(add, "note         {}\n", warning);
   return out;

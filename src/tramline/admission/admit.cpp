@@ -32,17 +32,10 @@ void refuse_other_geometry(const Case& c) {
       c.subject, c.feature.geometry_type));
 }
 
-Box input_bounds(const RawPolygon& part) {
-  Box box;
-  for (const RawRing& ring : part.rings)
-    for (const Point p : ring.points) box.extend(p);
-  return box;
-}
-
 FieldProjection projection_for(const RawPolygon& part, const Case& c) {
-  const Box box = input_bounds(part);
+  const Box box = bounds(part.rings[0].points);
   const Crs& crs = *c.context.crs;
-  if (crs.plain() && !c.context.metres_confirmed) check_plain_metres(box, c.subject);
+  check_not_degrees(box, crs, c.subject);
   if (crs.in_degrees() && box.width() > 180)
     throw bad_input(fmt::format(
         "{}: the field crosses the 180th meridian; cut it there or give it in a projected CRS", c.subject));

@@ -14,9 +14,8 @@ namespace tramline {
 struct AdmissionContext {
   std::string file;
   std::string layer;
-  const Crs* crs = nullptr;       ///< never null; plain for metres
-  bool winding_matters = false;   ///< see RawDataset
-  bool metres_confirmed = false;  ///< the user said so: do not suspect degrees
+  const Crs* crs = nullptr;      ///< never null; plain for metres
+  bool winding_matters = false;  ///< see RawDataset
 };
 
 /// What became of a feature.

@@ -66,13 +66,23 @@ Region land_of(const LooseObstacle& obstacle, double size_m, Ledger& ledger) {
 }
 
 /// The field's box in the obstacles' coordinates, grown by `margin_m`.
-Box reach(const Field& field, const FieldProjection& projection, double margin_m) {
+Box reach(const Field& field, double margin_m) {
   const Box local = bounds(field.outer).grown(margin_m);
+  std::optional<FrameProjection> projection;
+  if (field.frame.geodetic) projection.emplace(field.frame);
   Box out;
   // The edges of the box bulge a little in longitude and latitude, so its middle points count too.
   for (const double x : {local.min_x, local.centre().x, local.max_x})
     for (const double y : {local.min_y, local.centre().y, local.max_y})
-      out.extend(projection.to_input({x, y}));
+      out.extend(projection ? projection->to_lonlat({x, y})
+                            : Point{x + field.frame.origin_x_m, y + field.frame.origin_y_m});
+  return out;
+}
+
+std::vector<std::size_t> near(const Box& reach, const std::vector<LooseObstacle>& obstacles) {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < obstacles.size(); ++i)
+    if (intersects(reach, obstacles[i].bounds)) out.push_back(i);
   return out;
 }
 
@@ -106,17 +116,16 @@ std::vector<Obstacle> less_obstacles(const std::vector<Obstacle>& passable,
 
 void place_obstacles(Field& field, const std::vector<LooseObstacle>& obstacles, double size_m,
                      std::vector<char>& met) {
+  const std::vector<std::size_t> candidates = near(reach(field, size_m), obstacles);
+  if (candidates.empty()) return;
   const Crs crs = field.frame.geodetic ? Crs("OGC:CRS84") : Crs();
   const FieldProjection projection(crs, field.frame);
-  const Box near = reach(field, projection, size_m);
   std::vector<Obstacle> real, passable;
   for (Obstacle& obstacle : field.obstacles)
     (obstacle.kind == ObstacleKind::kPassable ? passable : real).push_back(std::move(obstacle));
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
-    if (!intersects(near, obstacles[i].bounds)) continue;
+  for (const std::size_t i : candidates) {
     Ledger ledger(obstacles[i].origin, projection);
-    const Region land = land_of(obstacles[i], size_m, ledger);
-    const Region inside = intersection(land, {{field.outer, {}}});
+    const Region inside = intersection(land_of(obstacles[i], size_m, ledger), {{field.outer, {}}});
     if (area(inside) <= kNoArea_m2) continue;
     met[i] = 1;
     field.repairs.insert(field.repairs.end(), ledger.repairs().begin(), ledger.repairs().end());

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace tramline {
@@ -30,14 +31,14 @@ void check_coordinates(const RawPolygon& part, const Crs& crs, const std::string
     }
 }
 
-void check_plain_metres(const Box& bounds, const std::string& subject) {
+void check_not_degrees(const Box& bounds, const Crs& crs, const std::string& subject) {
+  if (crs.in_degrees()) return;
   const bool on_globe =
       bounds.min_x >= -180 && bounds.max_x <= 180 && bounds.min_y >= -90 && bounds.max_y <= 90;
-  if (on_globe && bounds.width() < 1 && bounds.height() < 1)
-    throw bad_input(
-        fmt::format("{}: the file names no CRS and its coordinates look like degrees; give --crs EPSG:4326, "
-                    "or --crs none if they are metres",
-                    subject));
+  const double extent = std::max(bounds.width(), bounds.height());
+  if (on_globe && extent > 0 && extent < 1)
+    throw bad_input(fmt::format("{}: the coordinates look like degrees but count as {}; give --crs EPSG:4326",
+                                subject, crs.plain() ? "plain metres, as no CRS is named" : crs.name()));
 }
 
 WorkRing project_ring(const RawRing& ring, const std::string& name, Ledger& ledger) {

@@ -17,9 +17,9 @@ std::string coordinate_fault(Point input, const Crs& crs);
 /// NaN, infinite and out-of-range coordinates. O(vertices).
 void check_coordinates(const RawPolygon& part, const Crs& crs, const std::string& subject);
 
-/// Refuses coordinates without a CRS that look like degrees: all within ±180, ±90, and less than 1 unit
-/// across. Throws bad_input suggesting --crs.
-void check_plain_metres(const Box& bounds, const std::string& subject);
+/// Refuses coordinates that look like degrees although the CRS says metres: all within ±180, ±90, and the
+/// outer ring less than 1 unit across, which no field in metres is. Throws bad_input suggesting --crs.
+void check_not_degrees(const Box& bounds, const Crs& crs, const std::string& subject);
 
 /// The ring in local metres; an unclosed ring is closed and noted (no area changes: the missing edge is the
 /// one every reader implies). Throws a refusal for a point that PROJ refuses.

@@ -10,8 +10,8 @@ namespace tramline {
 
 /// Unites obstacles whose interiors overlap by more than kNoArea_m2 (their origins are joined with " + "),
 /// until all are disjoint; obstacles that only touch stay apart. With a ledger each union is noted as a
-/// repair: the overlap had been counted twice, so the workable area grows by it. Keeps the order of first
-/// appearance. O(n²) box tests.
+/// repair: the overlap had been counted twice, so the workable area grows by it. A united one
+/// stands where its last member stood. O(n²) box tests.
 std::vector<Obstacle> unite_obstacles(std::vector<Obstacle> obstacles, Ledger* ledger);
 
 }  // namespace tramline

@@ -63,6 +63,14 @@ bool has_degree_axes(PJ_CONTEXT* context, const PJ* crs) {
   return std::abs(factor - M_PI / 180) < 1e-12;
 }
 
+/// PROJ takes any word for the beginning of a name ("foo" for Amersfoort); only whole names and codes count
+/// here.
+bool is_definition(const std::string& text, const PJ* crs) {
+  if (text.find_first_of(":[{+=") != std::string::npos) return true;
+  const char* name = proj_get_name(crs);
+  return name != nullptr && text == name;
+}
+
 std::optional<double> parameter(PJ_CONTEXT* context, const PJ* operation, const char* epsg_name,
                                 double& to_si) {
   const int index = proj_coordoperation_get_param_index(context, operation, epsg_name);
@@ -111,7 +119,7 @@ Crs::Crs(const std::string& definition) {
   PJ_CONTEXT* context = impl->context.get();
   proj::Object crs(proj_create(context, definition.c_str()));
   const std::string shown = definition.substr(0, definition.find('\n')).substr(0, 60);
-  if (crs == nullptr)
+  if (crs == nullptr || !is_definition(definition, crs.get()))
     throw bad_input(fmt::format(
         "'{}' is not a coordinate reference system that PROJ knows; give one such as --crs EPSG:25832",
         shown));
@@ -147,7 +155,13 @@ std::optional<Point> Crs::to_lonlat(Point input) const {
 
 std::optional<Point> Crs::from_lonlat(Point lonlat_deg) const {
   if (impl_->no_op) return lonlat_deg;
-  return transformed(impl_->to_wgs84.get(), PJ_INV, lonlat_deg);
+  PJ* operation = impl_->to_wgs84.get();
+  const std::optional<Point> near = transformed(operation, PJ_INV, lonlat_deg);
+  if (!near) return std::nullopt;
+  // A datum shift moves heights too, which plane coordinates cannot carry; the way back is then off by up to
+  // a millimetre. Aiming again by the miss takes that away.
+  const std::optional<Point> hit = transformed(operation, PJ_FWD, *near);
+  return hit ? transformed(operation, PJ_INV, 2 * lonlat_deg - *hit) : near;
 }
 
 }  // namespace tramline

@@ -23,8 +23,8 @@ class Crs {
  public:
   /// Plain metres: no CRS.
   Crs();
-  /// WKT, "EPSG:25832", a PROJ string. Empty or "none": plain metres. Throws bad_input when PROJ does
-  /// not know it or when it is not a geographic or projected CRS.
+  /// WKT, "EPSG:25832", a PROJ string, a full name ("ETRS89 / UTM zone 32N"). Empty or "none": plain metres.
+  /// Throws bad_input when PROJ does not know it or when it is not a geographic or projected CRS.
   explicit Crs(const std::string& definition);
   Crs(Crs&&) noexcept;
   Crs& operator=(Crs&&) noexcept;
@@ -41,7 +41,7 @@ class Crs {
   /// Longitude and latitude on WGS 84, degrees; nullopt where PROJ refuses the point (or a coordinate is
   /// not finite). Precondition: !plain().
   std::optional<Point> to_lonlat(Point input) const;
-  /// The inverse of to_lonlat. Precondition: !plain().
+  /// The inverse of to_lonlat, to 1e-6 m within the area the CRS is made for. Precondition: !plain().
   std::optional<Point> from_lonlat(Point lonlat_deg) const;
 
  private:

@@ -25,10 +25,11 @@ void GdalMessages::add(int error_class, const char* text) {
 }
 
 std::string GdalMessages::last() const {
-  std::string out = last_.empty() ? "no reason given" : last_;
-  std::replace(out.begin(), out.end(), '\n', ' ');
+  // Libraries below GDAL add hints on further lines.
+  std::string out = last_.substr(0, last_.find('\n'));
+  std::replace(out.begin(), out.end(), '\t', ' ');
   while (!out.empty() && (out.back() == '.' || out.back() == ' ')) out.pop_back();
-  return out;
+  return out.empty() ? "no reason given" : out;
 }
 
 void GdalMessages::clear() {

@@ -76,6 +76,12 @@ bool is_database_string(const std::string& file) {
   return std::regex_match(file.begin(), file.end(), prefix) && !exists(file);
 }
 
+bool is_folder(const std::string& name) {
+  VSIStatBufL status;
+  return VSIStatExL(name.c_str(), &status, VSI_STAT_EXISTS_FLAG | VSI_STAT_NATURE_FLAG) == 0 &&
+         VSI_ISDIR(status.st_mode);
+}
+
 std::string shown_name(const std::string& file) {
   static const std::regex password("(password\\s*=\\s*)('[^']*'|\\S+)", std::regex::icase);
   static const std::regex in_url("(://[^:/@]+:)[^@]+@");

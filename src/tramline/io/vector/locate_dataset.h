@@ -9,6 +9,9 @@ namespace tramline {
 /// A database string such as "PG:dbname=farm" rather than a path.
 bool is_database_string(const std::string& file);
 
+/// A folder, on disk or in a zip.
+bool is_folder(const std::string& name);
+
 /// The string with any password masked, for messages.
 std::string shown_name(const std::string& file);
 

@@ -17,9 +17,12 @@ namespace {
 GDALDatasetUniquePtr open(const std::string& name, GdalMessages& messages) {
   // Only the GeoJSON driver knows the option; it keeps whole-number ids apart from counted ones.
   const char* const options[] = {"NATIVE_DATA=YES", nullptr};
+  // Some drivers take any folder and pick a file of their kind from it.
+  const char* const folder_drivers[] = {"ESRI Shapefile", "OpenFileGDB", nullptr};
   messages.clear();
-  return GDALDatasetUniquePtr(
-      GDALDataset::Open(name.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, options, nullptr));
+  return GDALDatasetUniquePtr(GDALDataset::Open(name.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY,
+                                                is_folder(name) ? folder_drivers : nullptr, options,
+                                                nullptr));
 }
 
 /// A zip may hold several datasets: the one with the wanted layer, or the only one.
@@ -41,6 +44,8 @@ GDALDatasetUniquePtr open_one(const VectorQuery& query, GdalMessages& messages) 
   }
   GDALDatasetUniquePtr dataset = open(names.front(), messages);
   if (dataset) return dataset;
+  if (is_folder(names.front()))
+    throw bad_input(fmt::format("'{}' is a folder without Shapefiles; name a file in it", file));
   if (is_database_string(query.file))
     throw bad_input(fmt::format("'{}' cannot be opened: {}", file, messages.last()));
   throw bad_input(
@@ -75,14 +80,6 @@ bool axes_are_swapped(const OGRSpatialReference* srs) {
   return srs->GetDataAxisToSRSAxisMapping() != traditional.GetDataAxisToSRSAxisMapping();
 }
 
-void filter(OGRLayer& layer, const VectorQuery& query, const std::string& place, GdalMessages& messages) {
-  messages.clear();
-  if (query.where.empty()) return;
-  if (layer.SetAttributeFilter(query.where.c_str()) != OGRERR_NONE || messages.failed())
-    throw bad_input(
-        fmt::format("--where \"{}\" is not a filter for {}: {}", query.where, place, messages.last()));
-}
-
 RawFeature raw_feature(const OGRFeature& feature, bool swap_axes) {
   RawFeature out;
   out.fid = feature.GetFID();
@@ -91,11 +88,32 @@ RawFeature raw_feature(const OGRFeature& feature, bool swap_axes) {
   return out;
 }
 
-void check_reading(const VectorQuery& query, const std::string& place, const GdalMessages& messages) {
+std::string attribute_list(OGRLayer& layer) {
+  std::string out = layer.GetFIDColumn();
+  const OGRFeatureDefn& schema = *layer.GetLayerDefn();
+  for (int i = 0; i < schema.GetFieldCount(); ++i)
+    out += (out.empty() ? "" : ", ") + std::string(schema.GetFieldDefn(i)->GetNameRef());
+  return out.empty() ? "none" : out;
+}
+
+/// Some drivers notice only while reading that the filter makes no sense.
+Error filter_fault(OGRLayer& layer, const VectorQuery& query, const std::string& place,
+                   const GdalMessages& messages) {
+  return bad_input(fmt::format("--where \"{}\" is not a filter for {}, whose attributes are {}: {}",
+                               query.where, place, attribute_list(layer), messages.last()));
+}
+
+void filter(OGRLayer& layer, const VectorQuery& query, const std::string& place, GdalMessages& messages) {
+  messages.clear();
+  if (query.where.empty()) return;
+  if (layer.SetAttributeFilter(query.where.c_str()) != OGRERR_NONE || messages.failed())
+    throw filter_fault(layer, query, place, messages);
+}
+
+void check_reading(OGRLayer& layer, const VectorQuery& query, const std::string& place,
+                   const GdalMessages& messages) {
   if (!messages.failed()) return;
-  if (!query.where.empty())
-    throw bad_input(
-        fmt::format("{} cannot be read with --where \"{}\": {}", place, query.where, messages.last()));
+  if (!query.where.empty()) throw filter_fault(layer, query, place, messages);
   throw bad_input(fmt::format("{} is damaged ({}); fetch or export it again", place, messages.last()));
 }
 
@@ -119,9 +137,9 @@ RawLayer read_layer(OGRLayer& layer, const VectorQuery& query, GdalMessages& mes
     const OGRFeatureUniquePtr feature(layer.GetNextFeature());
     if (!feature) break;
     out.features.push_back(raw_feature(*feature, swap_axes));
-    check_reading(query, place, messages);
+    check_reading(layer, query, place, messages);
   }
-  check_reading(query, place, messages);
+  check_reading(layer, query, place, messages);
   const bool stopped = query.limit >= 0 && std::ssize(out.features) == query.limit;
   out.matching = stopped ? layer.GetFeatureCount(true) : std::ssize(out.features);
   return out;
