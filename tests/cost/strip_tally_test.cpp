@@ -13,7 +13,7 @@ constexpr double kWidth = 3;
 Polygon box(double x0, double y0, double x1, double y1) { return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}}; }
 
 SubfieldTracks tracks_in(const Subfield& subfield, EndRule rule) {
-  const StripGrid grid = strip_grid(subfield, kWidth);
+  const StripGrid grid = strip_grids(subfield, kWidth).front();
   return strip_pieces(grid, grid.frame.to_track(Region{subfield.shape}).front(), {},
                       end_criterion(rule, Objective{}, kWidth), 0);
 }

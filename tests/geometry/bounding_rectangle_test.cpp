@@ -30,6 +30,14 @@ TEST(LeastWidth, OfATriangleIsItsLeastAltitude) {
   EXPECT_TRUE(std::abs(direction.degrees() - side) < 1e-9 || std::abs(direction.degrees() - (180 - side)) < 1e-9);
 }
 
+// Legs of 10 and 4: rectangles on all three edges have 40 m². On the long leg it is 10 × 4, on the
+// hypotenuse (√116 = 10.77) 40/10.77 = 3.71 wide: the slimmest, in whichever frame.
+TEST(SmallestRectangle, OfATriangleIsTheSlimmestOfThree) {
+  const double hypotenuse = 90 + std::atan2(4, 10) * 180 / std::numbers::pi;
+  EXPECT_NEAR(long_side_of_smallest_rectangle({{0, 0}, {10, 0}, {0, 4}}).degrees(), hypotenuse, 1e-9);
+  EXPECT_NEAR(long_side_of_smallest_rectangle({{0, 0}, {0, 10}, {-4, 0}}).degrees(), hypotenuse - 90, 1e-9);
+}
+
 TEST(Hull, DropsInnerAndCollinearPoints) {
   const Ring hull = hull_of({{0, 0}, {2, 0}, {4, 0}, {4, 4}, {1, 1}, {0, 4}});
   EXPECT_EQ(hull.size(), 4u);

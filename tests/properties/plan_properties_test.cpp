@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -78,6 +79,117 @@ TEST_F(PlanProperties, TallyAgreesWithPolygonBooleans) {
     EXPECT_NEAR(plan->tally.uncovered_m2, area(plan->body) - useful, tolerance);
     EXPECT_NEAR(worked, area(plan->body) - plan->tally.uncovered_m2 + plan->tally.overlap_m2, tolerance);
     EXPECT_NEAR(area(plan->uncovered), plan->tally.uncovered_m2, tolerance);
+    return true;
+  });
+}
+
+/// Hard land is entered by no swath; what the end rule promises holds for whole swaths.
+TEST_F(PlanProperties, SwathsKeepOffHardLandAndWithinTheirRule) {
+  for_random_fields(150, [](const Field& field, const Request& request) {
+    const auto plan = try_plan(field, request);
+    if (!plan) return false;
+    const double tolerance = 1e-3 * (1 + plan->tally.track_length_m * 1e-3);
+    const Region worked = unite(swaths(*plan));
+    for (const Obstacle& obstacle : field.obstacles)
+      EXPECT_LT(area(intersection(worked, {obstacle.shape})), tolerance) << obstacle.origin;
+    EXPECT_LT(area(intersection(worked, plan->given_up)), tolerance);
+    const Region outside = difference(worked, {{field.outer, {}}});
+    if (request.settings.boundary == EdgeKind::kHard || request.settings.end_rule == EndRule::kInside) {
+      EXPECT_LT(area(outside), tolerance);
+    }
+    // Every cross-section of a swath reaches the field: nothing of it is a width away.
+    for (const Polygon& part : outside)
+      EXPECT_LT(distance_between({part}, {{field.outer, {}}}), request.machine.width_m);
+    for (const TrackPiece& piece : plan->pieces) {
+      const bool long_enough = length(piece) > min_length_m(plan->machine) - 1e-9;
+      EXPECT_TRUE(long_enough || piece.after_crossing);
+    }
+    return true;
+  });
+}
+
+TEST_F(PlanProperties, CoverLeavesOnlyHardAndShortPiecesUncovered) {
+  for_random_fields(100, [](const Field& field, Request request) {
+    request.settings.end_rule = EndRule::kCover;
+    request.settings.boundary = EdgeKind::kSoft;
+    request.machine.min_length_m = 0;
+    Field open = field;
+    open.obstacles.clear();
+    const auto plan = try_plan(open, request);
+    if (!plan) return false;
+    // What stays is what is thinner than the planner's tolerance of a micrometre.
+    EXPECT_LT(plan->tally.uncovered_m2, 1e-5 * perimeter(open.outer) + 1e-4);
+    return true;
+  });
+}
+
+TEST_F(PlanProperties, OneAndFourThreadsGiveTheSamePlan) {
+  for_random_fields(40, [](const Field& field, const Request& request) {
+    const auto one = try_plan(field, request, 1), four = try_plan(field, request, 4);
+    EXPECT_EQ(one.has_value(), four.has_value());
+    if (!one || !four) return false;
+    EXPECT_EQ(one->cost, four->cost);
+    EXPECT_EQ(one->pieces.size(), four->pieces.size());
+    for (std::size_t i = 0; i < one->pieces.size() && i < four->pieces.size(); ++i) {
+      EXPECT_EQ(one->pieces[i].start, four->pieces[i].start);
+      EXPECT_EQ(one->pieces[i].end, four->pieces[i].end);
+    }
+    return true;
+  });
+}
+
+// The candidates are the same set whatever the frame, so the least cost is the same as long as no two
+// candidates tie: random fields are in general position.
+TEST_F(PlanProperties, CostDoesNotChangeWhenTheFieldIsTurnedOrMoved) {
+  for_random_fields(60, [](const Field& field, const Request& request) {
+    const auto plan = try_plan(field, request);
+    if (!plan) return false;
+    for (const Field& other : {testing::quarter_turned(field), testing::shifted(field, {613.25, -1207.5})}) {
+      const auto moved = try_plan(other, request);
+      if (!moved) {
+        ADD_FAILURE() << "no plan in the other frame";
+        continue;
+      }
+      EXPECT_NEAR(moved->tally.overlap_m2, plan->tally.overlap_m2, 1e-6 * area_m2(field));
+      EXPECT_NEAR(moved->tally.uncovered_m2, plan->tally.uncovered_m2, 1e-6 * area_m2(field));
+      EXPECT_EQ(moved->tally.turns, plan->tally.turns);
+      EXPECT_EQ(moved->tally.stops, plan->tally.stops);
+    }
+    return true;
+  });
+}
+
+/// A waterway across the field: the pieces on both banks are one track, and the verdict of the other
+/// road on the areas is the same.
+TEST_F(PlanProperties, PassableObstaclesCostNeitherTurnsNorStops) {
+  for_random_fields(80, [](const Field& field, const Request& request) {
+    Field crossed = field;
+    const Box box = bounds(field.outer);
+    const Polygon waterway{{{box.min_x - 5, -2.5}, {box.max_x + 5, -1.5}, {box.max_x + 5, 2.5}, {box.min_x - 5, 1.5}}, {}};
+    Region solid;
+    for (const Obstacle& obstacle : field.obstacles) solid.push_back(obstacle.shape);
+    for (const Polygon& part : difference(intersection({waterway}, {{field.outer, {}}}), unite(solid)))
+      crossed.obstacles.push_back({part, ObstacleKind::kPassable, "waterway"});
+    const auto plan = try_plan(crossed, request);
+    if (!plan) return false;
+    const double tolerance = 1e-6 * area_m2(field);
+    const double useful = area(intersection(unite(swaths(*plan)), plan->body));
+    EXPECT_NEAR(plan->tally.uncovered_m2, area(plan->body) - useful, tolerance);
+    EXPECT_EQ(plan->tally.turns, std::max(0, plan->tally.pieces - 1 - plan->tally.crossings));
+    int crossings = 0;
+    for (std::size_t i = 0; i < plan->pieces.size(); ++i) {
+      if (!plan->pieces[i].after_crossing) continue;
+      ++crossings;
+      if (i == 0) {
+        ADD_FAILURE() << "the first piece follows no other";
+        continue;
+      }
+      const TrackPiece &before = plan->pieces[i - 1], &after = plan->pieces[i];
+      EXPECT_FALSE(before.stop_at_end || after.stop_at_start);
+      EXPECT_NEAR(cross(before.end - before.start, after.end - before.start) / length(before), 0, 1e-6);
+      EXPECT_LT(area(intersection({{swath({before.end, after.start}, plan->machine.width_m), {}}}, unite(solid))), 1e-3);
+    }
+    EXPECT_EQ(crossings, plan->tally.crossings);
     return true;
   });
 }

@@ -14,27 +14,36 @@ double off_line(const StripGrid& grid, double across) {
 }
 
 // S1.13: the grid lies on the longest edge parallel to the direction, here the right one.
-TEST(StripGrid, LiesOnTheLongestParallelEdge) {
+TEST(StripGrids, LieOnTheLongestParallelEdge) {
   const Subfield trapezium{{{{0, 0}, {40, 0}, {40, 80}, {0, 50}}, {}}, kNorth};
-  EXPECT_NEAR(off_line(strip_grid(trapezium, 3), 40), 0, 1e-9);
-  EXPECT_NEAR(off_line(strip_grid(trapezium, 3), 0), 1, 1e-9);  // 40 = 13·3 + 1
+  const auto grids = strip_grids(trapezium, 3);
+  ASSERT_EQ(grids.size(), 1u);
+  EXPECT_NEAR(off_line(grids[0], 40), 0, 1e-9);
+  EXPECT_NEAR(off_line(grids[0], 0), 1, 1e-9);  // 40 = 13·3 + 1
 }
 
-TEST(StripGrid, LooksAtHolesToo) {
+TEST(StripGrids, LookAtHolesToo) {
   const Subfield diamond{{{{-50, 0}, {0, -50}, {50, 0}, {0, 50}}, {{{1, -5}, {1, 5}, {3, 5}, {3, -5.5}}}}, kNorth};
-  EXPECT_NEAR(off_line(strip_grid(diamond, 4), 3), 0, 1e-9);
+  EXPECT_NEAR(off_line(strip_grids(diamond, 4).front(), 3), 0, 1e-9);
 }
 
-TEST(StripGrid, StartsAtTheLeftWithoutAParallelEdge) {
+TEST(StripGrids, OfferBothExtremesWithoutAParallelEdge) {
   const Subfield diamond{{{{-50, 0}, {0, -50}, {50, 0}, {0, 50}}, {}}, kNorth};
-  EXPECT_NEAR(off_line(strip_grid(diamond, 3), -50), 0, 1e-9);
+  const auto grids = strip_grids(diamond, 3);
+  ASSERT_EQ(grids.size(), 2u);
+  EXPECT_NEAR(off_line(grids[0], -50), 0, 1e-9);
+  EXPECT_NEAR(off_line(grids[1], 50), 0, 1e-9);
 }
 
-TEST(StripGrid, TurnsWithTheDirection) {
-  const Subfield box{{{{0, 0}, {80, 0}, {80, 40}, {0, 40}}, {}}, Direction::along({0, 0}, {1, 0})};
-  const StripGrid grid = strip_grid(box, 3);
-  const Point on_edge = grid.frame.to_track(Point{17, 0});
-  EXPECT_NEAR(off_line(grid, on_edge.x), 0, 1e-9);
+TEST(StripGrids, OfferBothSidesOfARectangleUnlessTheyAreInStep) {
+  EXPECT_EQ(strip_grids({{{{0, 0}, {40, 0}, {40, 80}, {0, 80}}, {}}, kNorth}, 3).size(), 2u);
+  EXPECT_EQ(strip_grids({{{{0, 0}, {42, 0}, {42, 80}, {0, 80}}, {}}, kNorth}, 3).size(), 1u);
+}
+
+TEST(StripGrids, TurnWithTheDirection) {
+  const Subfield box{{{{0, 0}, {80, 0}, {80, 42}, {0, 42}}, {}}, Direction::along({0, 0}, {1, 0})};
+  const StripGrid grid = strip_grids(box, 3).front();
+  EXPECT_NEAR(off_line(grid, grid.frame.to_track(Point{17, 0}).x), 0, 1e-9);
 }
 
 }  // namespace

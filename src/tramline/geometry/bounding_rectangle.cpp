@@ -28,16 +28,23 @@ std::vector<Extents> extents_by_hull_edge(const Ring& ring) {
   return out;
 }
 
-/// The least value wins; among equals (relative 1e-9) the smallest direction.
+double short_side(const Extents& edge) { return std::min(edge.along, edge.across); }
+
+/// The least value wins; among equals (relative 1e-9) the slimmest rectangle, then the smallest
+/// direction. All rectangles on a triangle's edges have the same area, so ties are common, and the
+/// slimmest does not depend on how the frame lies.
 template <class Value, class Axis>
 Direction least(const std::vector<Extents>& edges, Value value, Axis axis) {
-  constexpr double kTie = 1e-9;
+  constexpr double kTie = 1 + 1e-9;
   double least_value = std::numeric_limits<double>::infinity();
   for (const Extents& edge : edges) least_value = std::min(least_value, value(edge));
+  double least_side = std::numeric_limits<double>::infinity();
+  for (const Extents& edge : edges)
+    if (value(edge) <= least_value * kTie) least_side = std::min(least_side, short_side(edge));
   Direction best;
   bool found = false;
   for (const Extents& edge : edges) {
-    if (value(edge) > least_value * (1 + kTie)) continue;
+    if (value(edge) > least_value * kTie || short_side(edge) > least_side * kTie) continue;
     const Direction candidate = axis(edge);
     if (!found || candidate < best) best = candidate;
     found = true;

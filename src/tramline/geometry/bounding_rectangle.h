@@ -10,7 +10,8 @@ namespace tramline {
 Ring hull_of(std::vector<Point> points);
 
 /// Direction of the longer side of the bounding rectangle of least area (S1.12; Toussaint 1983: one
-/// side lies on a hull edge). Ties (relative 1e-9): the smaller direction. Precondition: area > 0.
+/// side lies on a hull edge). Ties (relative 1e-9), which every triangle has: the slimmest, then the
+/// smaller direction. Precondition: area > 0.
 Direction long_side_of_smallest_rectangle(const Ring& ring);
 
 /// Direction perpendicular to the least width (the least altitude over the hull's edges): tracks in

@@ -1,5 +1,7 @@
 #include "tramline/planner/candidate.h"
 
+#include <optional>
+
 #include "tramline/cost/strip_tally.h"
 #include "tramline/decomposition/decompose.h"
 #include "tramline/tracks/end_rule.h"
@@ -14,11 +16,28 @@ TurnedGround turned_ground(const SearchTask& task, const TrackFrame& frame) {
   return out;
 }
 
+/// What a subfield's tracks cost by themselves, borders with other subfields taken as plain edges.
+double own_cost(const SearchTask& task, const Subfield& subfield, const SubfieldTracks& tracks) {
+  return cost(task.objective, tally_of({subfield}, {tracks}, area(subfield.shape)));
+}
+
+/// The tracks on the cheapest of the grids S1.13 leaves open; among equals the first.
 SubfieldTracks tracks_in(const SearchTask& task, const Subfield& subfield) {
-  const StripGrid grid = strip_grid(subfield, task.machine.width_m);
-  const Region turned = grid.frame.to_track(Region{subfield.shape});
+  const std::vector<StripGrid> grids = strip_grids(subfield, task.machine.width_m);
+  const TrackFrame& frame = grids.front().frame;
+  const Region turned = frame.to_track(Region{subfield.shape});
+  const TurnedGround ground = turned_ground(task, frame);
   const EndCriterion criterion = end_criterion(task.settings.end_rule, task.objective, task.machine.width_m);
-  return strip_pieces(grid, turned.front(), turned_ground(task, grid.frame), criterion, min_length_m(task.machine));
+  std::optional<SubfieldTracks> best;
+  double least = 0;
+  for (const StripGrid& grid : grids) {
+    SubfieldTracks tracks = strip_pieces(grid, turned.front(), ground, criterion, min_length_m(task.machine));
+    const double own = grids.size() > 1 ? own_cost(task, subfield, tracks) : 0;
+    if (best && own >= least) continue;
+    least = own;
+    best = std::move(tracks);
+  }
+  return *best;
 }
 
 }  // namespace

@@ -1,31 +1,58 @@
 #include "tramline/tracks/strip_origin.h"
 
+#include <algorithm>
+
 namespace tramline {
 namespace {
 
 struct ParallelEdge {
-  double length = 0;
-  double across = 0;
+  double length;
+  double across;
 };
 
-void keep_longest_parallel_edge(const Ring& turned, ParallelEdge& longest) {
+void append_parallel_edges(const Ring& turned, std::vector<ParallelEdge>& out) {
   for (std::size_t i = 0; i < turned.size(); ++i) {
-    const Point a = turned[i], b = turned[(i + 1) % turned.size()];
-    const double length = distance(a, b);
-    if (length <= longest.length || std::abs(b.x - a.x) > kParallelRadians * length) continue;
-    longest = {length, 0.5 * (a.x + b.x)};
+    const Point a = turned[i], b = turned[i + 1 == turned.size() ? 0 : i + 1];
+    const double length = std::abs(b.y - a.y);
+    if (std::abs(b.x - a.x) <= kParallelRadians * length) out.push_back({length, 0.5 * (a.x + b.x)});
   }
+}
+
+/// Coordinates across of the edges as long as the longest.
+std::vector<double> across_longest(const std::vector<ParallelEdge>& edges) {
+  constexpr double kTie = 1 - 1e-6;
+  double longest = 0;
+  for (const ParallelEdge& edge : edges) longest = std::max(longest, edge.length);
+  std::vector<double> out;
+  for (const ParallelEdge& edge : edges)
+    if (edge.length > 0 && edge.length >= longest * kTie) out.push_back(edge.across);
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+/// Whether two coordinates across lie on the same grid of strips.
+bool in_step(double a, double b, double width_m) {
+  constexpr double kSameLine = 1e-6;
+  return std::abs(std::remainder(a - b, width_m)) <= kSameLine;
 }
 
 }  // namespace
 
-StripGrid strip_grid(const Subfield& subfield, double width_m) {
+std::vector<StripGrid> strip_grids(const Subfield& subfield, double width_m) {
   const TrackFrame frame(subfield.direction);
   const Ring outer = frame.to_track(subfield.shape.outer);
-  ParallelEdge edge;
-  keep_longest_parallel_edge(outer, edge);
-  for (const Ring& hole : subfield.shape.holes) keep_longest_parallel_edge(frame.to_track(hole), edge);
-  return {frame, edge.length > 0 ? edge.across : bounds(outer).min_x, width_m};
+  std::vector<ParallelEdge> edges;
+  append_parallel_edges(outer, edges);
+  for (const Ring& hole : subfield.shape.holes) append_parallel_edges(frame.to_track(hole), edges);
+  std::vector<double> origins = across_longest(edges);
+  if (origins.empty()) origins = {bounds(outer).min_x, bounds(outer).max_x};
+
+  std::vector<StripGrid> grids;
+  for (const double origin : origins)
+    if (std::none_of(grids.begin(), grids.end(),
+                     [&](const StripGrid& grid) { return in_step(grid.origin_m, origin, width_m); }))
+      grids.push_back({frame, origin, width_m});
+  return grids;
 }
 
 }  // namespace tramline

@@ -1,16 +1,22 @@
 #pragma once
 // Where the grid of tracks starts (S1.13).
 
+#include <vector>
+
 #include "tramline/geometry/strip_grid.h"
 #include "tramline/model/plan.h"
 
 namespace tramline {
 
-/// The grid of strips for a subfield: a strip line lies on the longest edge parallel to the driving
-/// direction (within kParallelRadians), so that the first centre line runs w/2 from it and the others
-/// follow every w on either side. Without a parallel edge the grid starts at the subfield's extreme
-/// left, seen along the direction. Ties: the first such edge on the outer ring. O(n).
+/// Edges within this angle of the direction are parallel to it.
 inline constexpr double kParallelRadians = 1e-6;
-StripGrid strip_grid(const Subfield& subfield, double width_m);
+
+/// The grids of strips to choose from for a subfield: a strip line lies on the longest edge parallel
+/// to the driving direction, so that the first centre line runs w/2 from it and the others follow
+/// every w on either side. Several edges of that length (relative 1e-6) give a grid each. Without a
+/// parallel edge a strip line lies on the subfield's one or other extreme. S1 tries "to fit the paths
+/// so that the uncovered area is minimised": which of the grids is best is for the planner to say.
+/// In increasing order across; never empty. O(n).
+std::vector<StripGrid> strip_grids(const Subfield& subfield, double width_m);
 
 }  // namespace tramline

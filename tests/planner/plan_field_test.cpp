@@ -1,0 +1,127 @@
+#include "tramline/planner/plan_field.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tramline/geometry/error.h"
+#include "tramline/planner/driving_order.h"
+
+namespace tramline {
+namespace {
+
+Field rectangle(double width, double height) {
+  Field field;
+  field.id = "rectangle";
+  field.outer = {{0, 0}, {width, 0}, {width, height}, {0, height}};
+  return field;
+}
+
+// 100 × 60 m, w = 3: tracks along the long side, 20 strips of 3 m, none over.
+TEST(PlanField, ARectangleIsDrivenAlongItsLongSide) {
+  const Plan plan = plan_field(rectangle(100, 60), {}, {}, {});
+  EXPECT_EQ(plan.tally.pieces, 20);
+  EXPECT_EQ(plan.tally.turns, 19);
+  EXPECT_EQ(plan.tally.stops, 0);
+  EXPECT_NEAR(plan.tally.track_length_m, 2000, 1e-6);
+  EXPECT_NEAR(plan.tally.overlap_m2, 0, 1e-3);
+  EXPECT_NEAR(plan.tally.uncovered_m2, 0, 1e-3);
+  ASSERT_EQ(plan.subfields.size(), 1u);
+  EXPECT_NEAR(plan.subfields[0].direction.degrees(), 90, 1e-9);
+  EXPECT_EQ(plan.directions_tried, 2);
+}
+
+// A pond of 9 × 8 m in strips 7 to 9 (y from 21 to 30), x from 40 to 48: three strips are cut, six
+// ends are stops, nothing else is lost because the pond fills its strips.
+TEST(PlanField, AnObstacleCutsTheStripsItMeets) {
+  Field field = rectangle(100, 60);
+  field.obstacles = {{{{{40, 21}, {48, 21}, {48, 30}, {40, 30}}, {}}, ObstacleKind::kObstacle, "hole 1"}};
+  PlanSettings settings;
+  settings.decomposition_threshold = Angle::degrees(300);  // no cuts: corners of the pond are 270
+  const Plan plan = plan_field(field, {}, {}, settings);
+  EXPECT_EQ(plan.tally.pieces, 23);
+  EXPECT_EQ(plan.tally.stops, 6);
+  EXPECT_NEAR(plan.tally.uncovered_m2, 0, 1e-3);
+  EXPECT_NEAR(plan.cost, 0.45 * 22 + 5 * 6, 1e-3);
+}
+
+TEST(PlanField, AWaterwayInterruptsTheTracksItCrosses) {
+  Field field = rectangle(100, 60);
+  field.obstacles = {{{{{40, 0}, {45, 0}, {45, 60}, {40, 60}}, {}}, ObstacleKind::kPassable, "waterway"}};
+  const Plan plan = plan_field(field, {}, {}, {});
+  EXPECT_EQ(plan.tally.pieces, 40);
+  EXPECT_EQ(plan.tally.crossings, 20);
+  EXPECT_EQ(plan.tally.turns, 19);
+  EXPECT_EQ(plan.tally.stops, 0);
+  EXPECT_NEAR(area(plan.body), 5700, 1e-6);
+  EXPECT_NEAR(plan.tally.worked_m2, 5700, 1e-3);
+}
+
+TEST(PlanField, RefusesAMachineWiderThanTheField) {
+  Machine wide;
+  wide.width_m = 200;
+  try {
+    plan_field(rectangle(100, 60), wide, {}, {});
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
+    EXPECT_NE(std::string(error.what()).find("'rectangle'"), std::string::npos);
+  }
+}
+
+TEST(PlanField, RefusesNumbersThatAreNone) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(plan_field(rectangle(100, 60), {"", nan, 6, -1}, {}, {}), Error);
+  EXPECT_THROW(plan_field(rectangle(100, 60), {"", -3, 6, -1}, {}, {}), Error);
+  EXPECT_THROW(plan_field(rectangle(100, 60), {"", 3, -6, -1}, {}, {}), Error);
+  EXPECT_THROW(plan_field(rectangle(100, 60), {}, {nan, 1, 1, 0}, {}), Error);
+  PlanSettings settings;
+  settings.decomposition_threshold = Angle::degrees(90);
+  EXPECT_THROW(plan_field(rectangle(100, 60), {}, {}, settings), Error);
+}
+
+TEST(PlanField, HardBoundariesKeepSwathsInside) {
+  Field triangle = rectangle(100, 60);
+  triangle.outer = {{0, 0}, {100, 0}, {0, 60}};
+  PlanSettings settings;
+  settings.end_rule = EndRule::kCover;
+  settings.boundary = EdgeKind::kHard;
+  const Plan plan = plan_field(triangle, {}, {}, settings);
+  EXPECT_NEAR(plan.tally.overlap_m2, 0, 1e-2);
+  for (const std::string& warning : plan.warnings) EXPECT_EQ(warning.find("pass the field boundary"), std::string::npos);
+  settings.boundary = EdgeKind::kSoft;
+  bool warned = false;
+  for (const std::string& warning : plan_field(triangle, {}, {}, settings).warnings)
+    warned = warned || warning.find("pass the field boundary") != std::string::npos;
+  EXPECT_TRUE(warned);
+}
+
+// Boustrophedon: each piece starts on the side where the one before ended.
+TEST(DrivingOrder, GoesUpAndDown) {
+  const Plan plan = plan_field(rectangle(100, 60), {}, {}, {});
+  for (std::size_t i = 1; i < plan.pieces.size(); ++i)
+    EXPECT_NEAR(distance(plan.pieces[i - 1].end, plan.pieces[i].start), 3, 1e-9) << i;
+}
+
+TEST(DrivingOrder, TakesTheNearestSubfieldNext) {
+  // Three subfields in a row, given in the order left, right, middle: after the left comes the middle.
+  Candidate candidate;
+  const StripGrid grid{TrackFrame(Direction::clockwise_from_north(Angle::degrees(0))), 0, 3};
+  for (const int strip : {0, 20, 10}) {
+    candidate.subfields.emplace_back();
+    candidate.tracks.push_back({grid, {}, {}});
+    StripPiece piece;
+    piece.strip = strip;
+    piece.to = 50;
+    candidate.tracks.back().pieces.push_back(piece);
+  }
+  const auto order = driving_order(candidate);
+  ASSERT_EQ(order.size(), 3u);
+  EXPECT_EQ(order[0].subfield, 0);
+  EXPECT_EQ(order[1].subfield, 2);
+  EXPECT_EQ(order[2].subfield, 1);
+  EXPECT_NEAR(order[1].start.y, 50, 1e-9) << "from where the machine is";
+}
+
+}  // namespace
+}  // namespace tramline
