@@ -10,13 +10,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-double workable_m2(const Field& field) {
-  double sum = signed_area(field.outer);
-  for (const Obstacle& obstacle : field.obstacles)
-    if (obstacle.kind == ObstacleKind::kObstacle) sum -= area(obstacle.shape);
-  return sum;
-}
-
 std::size_t vertices(const Field& field) {
   std::size_t sum = field.outer.size();
   for (const Obstacle& obstacle : field.obstacles) sum += vertex_count({obstacle.shape});
@@ -109,7 +102,7 @@ std::string field_rows(const Field& field) {
                  field.source.part + 1);
   out += frame_row(field.frame);
   fmt::format_to(add, "area         {:.1f} m² ({:.4f} ha), {:.1f} m² without its obstacles\n",
-                 signed_area(field.outer), signed_area(field.outer) / 1e4, workable_m2(field));
+                 signed_area(field.outer), signed_area(field.outer) / 1e4, area_m2(field));
   fmt::format_to(add, "boundary     {:.1f} m, {} vertices\n", perimeter(field.outer), field.outer.size());
   fmt::format_to(add, "obstacles    {}\n", field.obstacles.size());
   for (const Obstacle& obstacle : field.obstacles)
@@ -132,7 +125,7 @@ std::string candidate_rows(const FieldInput& input) {
   fmt::format_to(add, "{:<{}}  {:>14}  {:>8}  {:>9}  {:>7}\n", "field", width, "area, m²", "vertices",
                  "obstacles", "repairs");
   for (const Field& field : input.fields)
-    fmt::format_to(add, "{:<{}}  {:>14.1f}  {:>8}  {:>9}  {:>7}\n", field.id, width, workable_m2(field),
+    fmt::format_to(add, "{:<{}}  {:>14.1f}  {:>8}  {:>9}  {:>7}\n", field.id, width, area_m2(field),
                    vertices(field), field.obstacles.size(), field.repairs.size());
   for (const Refusal& refusal : input.refusals)
     fmt::format_to(add, "{:<{}}  refused: {}\n", refusal.field_id, width, refusal.sentence);
@@ -153,7 +146,7 @@ ordered_json field_json(const std::string& file, const FieldInput& input, const 
   out["part"] = field.source.part;
   out["frame"] = frame_json(field.frame);
   out["outline_m2"] = signed_area(field.outer);
-  out["area_m2"] = workable_m2(field);
+  out["area_m2"] = area_m2(field);
   out["perimeter_m"] = perimeter(field.outer);
   out["vertices"] = vertices(field);
   out["obstacles"] = obstacles_json(field);
@@ -174,7 +167,7 @@ ordered_json candidates_json(const std::string& file, const FieldInput& input) {
   out["candidates"] = ordered_json::array();
   for (const Field& field : input.fields)
     out["candidates"].push_back({{"field_id", field.id},
-                                 {"area_m2", workable_m2(field)},
+                                 {"area_m2", area_m2(field)},
                                  {"vertices", vertices(field)},
                                  {"obstacles", field.obstacles.size()},
                                  {"repairs", field.repairs.size()}});

@@ -1,7 +1,9 @@
 // The tramline program: parses the command line, runs one verb, turns errors into exit codes.
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <string>
 #include <vector>
 
 #include "command.h"
@@ -13,6 +15,18 @@
 
 namespace {
 
+bool is_verb(const std::vector<CLI::App*>& verbs, const std::string& word) {
+  return std::any_of(verbs.begin(), verbs.end(), [&](const CLI::App* verb) { return verb->get_name() == word; });
+}
+
+/// One sentence about what the verb did not understand.
+std::string unexpected_argument(const std::vector<CLI::App*>& verbs) {
+  for (const CLI::App* verb : verbs)
+    if (!verb->remaining().empty())
+      return "'" + verb->remaining().front() + "' was not expected: see 'tramline " + verb->get_name() + " --help'";
+  return "an argument was not expected";
+}
+
 int exit_code(const tramline::Error& error) { return error.kind() == tramline::ErrorKind::kBadInput ? 2 : 1; }
 
 }  // namespace
@@ -21,7 +35,7 @@ int main(int argc, char** argv) {
   using namespace tramline::app;
   CLI::App app{"Plans every pass a machine makes over a field, and proves what was worked."};
   app.set_version_flag("--version", TRAMLINE_VERSION);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   app.footer("Run 'tramline VERB --help' for the options and an example of each verb.");
 
   std::vector<std::unique_ptr<Command>> commands;
@@ -35,9 +49,18 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     for (std::size_t i = 0; i < commands.size(); ++i)
       if (verbs[i]->parsed()) return commands[i]->run();
-    return 0;
+    std::fputs(app.help().c_str(), stderr);
+    return 2;
   } catch (const CLI::Success& success) {
     return app.exit(success);
+  } catch (const CLI::ExtrasError&) {
+    const std::string verb = argc > 1 ? argv[1] : "";
+    if (!is_verb(verbs, verb)) {
+      std::fprintf(stderr, "tramline: there is no verb '%s': the verbs are plan, info and check\n", verb.c_str());
+      return 2;
+    }
+    std::fprintf(stderr, "tramline: %s\n", unexpected_argument(verbs).c_str());
+    return 2;
   } catch (const CLI::ParseError& error) {
     std::fprintf(stderr, "tramline: %s\n", error.what());
     return 2;

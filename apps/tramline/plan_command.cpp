@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <filesystem>
-#include <initializer_list>
 
 #include "command.h"
 #include "field_options.h"
 #include "output_names.h"
+#include "output_target.h"
 #include "plan_options.h"
 #include "plan_report.h"
 #include "progress.h"
@@ -35,7 +34,7 @@ class PlanCommand : public Command {
     add_plan_options(*verb, plan_options_);
     verb->add_option("-o,--output", output_, "write the plan to this GeoPackage (.gpkg)");
     verb->add_option("--picture", picture_, "draw the plan to this .png, .svg or .pdf");
-    verb->add_option("--threads", threads_, "threads to use (default: all cores)")->check(CLI::NonNegativeNumber);
+    verb->add_option("--threads", threads_, "threads to use (default: all cores)")->check(CLI::Range(0, 1024));
     verb->add_flag("--json", json_, "print one JSON object per field");
     verb->add_flag("--quiet", quiet_, "no progress, no table");
     return verb;
@@ -45,25 +44,15 @@ class PlanCommand : public Command {
     machine_ = machine_of(plan_options_);
     objective_ = objective_of(plan_options_);
     settings_ = settings_of(plan_options_);
-    check_extension(output_, {".gpkg"}, "--output");
-    check_extension(picture_, {".png", ".svg", ".pdf"}, "--picture");
+    const std::vector<std::string> inputs{field_options_.file, field_options_.obstacles_file,
+                                          field_options_.passable_file, plan_options_.machine_file};
+    require_writable(output_, "--output", {".gpkg"}, inputs);
+    require_writable(picture_, "--picture", {".png", ".svg", ".pdf"}, inputs);
     const FieldInput input = load_fields(field_options_);
     return field_options_.all ? plan_all(input) : plan_each(input);
   }
 
  private:
-  static void check_extension(const std::string& name, std::initializer_list<const char*> allowed,
-                              const char* option) {
-    if (name.empty()) return;
-    const std::string extension = std::filesystem::path(name).extension().string();
-    std::string list;
-    for (const char* one : allowed) {
-      if (extension == one) return;
-      list += (list.empty() ? "" : ", ") + std::string(one);
-    }
-    throw bad_input(fmt::format("{} '{}' must end in {}", option, name, list));
-  }
-
   /// The parts of the one feature asked for; the first that cannot be planned ends the run.
   int plan_each(const FieldInput& input) {
     const bool several = input.fields.size() > 1;

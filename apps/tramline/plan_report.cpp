@@ -9,9 +9,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-double field_area_m2(const Plan& plan) { return area(Polygon{plan.field.outer, {}}); }
-
-double percent_of_field(const Plan& plan, double area_m2) { return 100 * area_m2 / field_area_m2(plan); }
+double percent_of_field(const Plan& plan, double part_m2) { return 100 * part_m2 / area_m2(plan.field); }
 
 ordered_json repairs_json(const Field& field) {
   ordered_json out = ordered_json::array();
@@ -53,7 +51,7 @@ std::string directions_text(const Plan& plan) {
 std::string ground_rows(const Plan& plan) {
   std::string out;
   out += fmt::format("field        {}\n", plan.field.id);
-  out += fmt::format("area         {:.4f} ha, {:.4f} ha to work, {} obstacles\n", field_area_m2(plan) / 1e4,
+  out += fmt::format("area         {:.4f} ha without the obstacles, {:.4f} ha to work\nobstacles    {}\n", area_m2(plan.field) / 1e4,
                      area(plan.body) / 1e4, plan.field.obstacles.size());
   out += fmt::format("machine      {}{:g} m wide, turning radius {:g} m\n",
                      plan.machine.name.empty() ? "" : plan.machine.name + ", ", plan.machine.width_m,
@@ -88,7 +86,7 @@ ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, do
   for (const Subfield& subfield : plan.subfields) directions.push_back(subfield.direction.degrees());
   ordered_json out;
   out["field_id"] = plan.field.id;
-  out["area_m2"] = field_area_m2(plan);
+  out["area_m2"] = area_m2(plan.field);
   out["body_m2"] = area(plan.body);
   out["obstacles"] = obstacle_shapes(plan.field, ObstacleKind::kObstacle).size();
   out["passable"] = obstacle_shapes(plan.field, ObstacleKind::kPassable).size();
@@ -139,7 +137,7 @@ std::string plan_line(const Plan& plan, double seconds) {
   return fmt::format(
       "{}: {:.4f} ha, {} tracks in {} subfields, {} turns, {} stops, overlap {:.1f} m² ({:.3f} %), uncovered {:.1f} m² "
       "({:.3f} %), cost {:.2f}, {:.3f} s\n",
-      plan.field.id, field_area_m2(plan) / 1e4, plan.tally.pieces, plan.subfields.size(), plan.tally.turns,
+      plan.field.id, area_m2(plan.field) / 1e4, plan.tally.pieces, plan.subfields.size(), plan.tally.turns,
       plan.tally.stops, plan.tally.overlap_m2, percent_of_field(plan, plan.tally.overlap_m2), plan.tally.uncovered_m2,
       percent_of_field(plan, plan.tally.uncovered_m2), plan.cost, seconds);
 }

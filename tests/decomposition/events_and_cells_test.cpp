@@ -34,20 +34,31 @@ TEST(SplitEvents, AreTheCornersAboveTheThreshold) {
 }
 
 TEST(Cuts, RunFromTheVertexToTheNextBoundaryOnBothSides) {
-  const auto cuts = cut_lines(kFieldWithDiamond, split_events(kFieldWithDiamond, Angle::degrees(240)), kNorth);
+  const auto cuts = cuts_at(kFieldWithDiamond, split_events(kFieldWithDiamond, Angle::degrees(240)), kNorth);
   ASSERT_EQ(cuts.size(), 4u);  // two corners, up and down
-  for (const auto& cut : cuts) {
-    EXPECT_TRUE(cut[0] == (Point{30, 30}) || cut[0] == (Point{70, 30}));
-    EXPECT_NEAR(std::abs(cut[1].y - 30), 30 + kCutOvershoot, 1e-9);
-    EXPECT_NEAR(cut[1].x, cut[0].x, 1e-9);
+  for (const Cut& cut : cuts) {
+    EXPECT_TRUE(cut.from == (Point{30, 30}) || cut.from == (Point{70, 30}));
+    EXPECT_NEAR(std::abs(cut.to.y - 30), 30, 1e-9);
+    EXPECT_NEAR(cut.to.x, cut.from.x, 1e-9);
+    EXPECT_EQ(cut.ring, 0);
   }
 }
 
 TEST(Cuts, StartOnlyOnTheSideOfTheField) {
   // The top corner (50, 40) of the diamond sees the field upwards only; the hole runs clockwise.
-  const auto cuts = cut_lines(kFieldWithDiamond, {{{30, 30}, {50, 40}, {70, 30}}}, kNorth);
+  const auto cuts = cuts_at(kFieldWithDiamond, {{{30, 30}, {50, 40}, {70, 30}}}, kNorth);
   ASSERT_EQ(cuts.size(), 1u);
-  EXPECT_NEAR(cuts[0][1].y, 60 + kCutOvershoot, 1e-9);
+  EXPECT_NEAR(cuts[0].to.y, 60, 1e-9);
+}
+
+// Two reflex corners face each other across 20 m: one cut, from corner to corner.
+TEST(Cuts, EndInAVertexTheyPassWithinAMicrometre) {
+  const Polygon waist{{{0, 0}, {50, 20}, {100, 0}, {100, 60}, {50.0000005, 40}, {0, 60}}, {}};
+  const auto cuts = cuts_at(waist, split_events(waist, Angle::degrees(180)), kNorth);
+  ASSERT_EQ(cuts.size(), 2u);
+  EXPECT_EQ(cuts[0].ring, -1);
+  EXPECT_EQ(cuts[0].to, (Point{50.0000005, 40}));
+  EXPECT_EQ(divided(waist, cuts).size(), 2u);
 }
 
 TEST(SweepCells, AreSixRoundADiamondAtThreshold180) {
@@ -85,6 +96,19 @@ TEST(SweepCells, OfAnLAreTwo) {
   EXPECT_NEAR(areas[1], 400, 1e-6);
   for (const Cell& cell : cells)
     EXPECT_NEAR(cell.direction.degrees(), area(cell.shape) < 300 ? 90 : 0, 1e-6);
+}
+
+// The sweep may differ from the edge it comes from by a microradian: the ray then leaves along the
+// edge, and there is no cut.
+TEST(Cuts, DoNotFollowAnEdge) {
+  const Polygon l_shape{{{0, 0}, {30, 0}, {30, 10}, {10, 10}, {10, 10.4}, {0, 10.4}}, {}};
+  const Direction nearly_north = Direction::clockwise_from_north(Angle::radians(3e-6));
+  for (const Direction sweep : {kNorth, nearly_north}) {
+    const auto cuts = cuts_at(l_shape, split_events(l_shape, Angle::degrees(180)), sweep);
+    ASSERT_EQ(cuts.size(), 1u);
+    EXPECT_NEAR(cuts[0].to.y, 0, 1e-9);
+    EXPECT_NEAR(area(divided(l_shape, cuts)), area(l_shape), 1e-9);
+  }
 }
 
 // Seven convex cells, as in S1's figure 14: a quadrilateral obstacle and one reflex corner in the

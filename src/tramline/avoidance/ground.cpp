@@ -20,7 +20,7 @@ Ground sort_obstacles(const Field& field, double width_m) {
   for (const Cluster& group : groups) between.insert(between.end(), group.given_up.begin(), group.given_up.end());
 
   const Region solid = unite(obstacles);
-  if (!between.empty()) ground.given_up = difference(intersection(unite(between), whole), solid);
+  if (!between.empty()) ground.given_up = intersection(unite(between), ground.body);
   ground.hard = unite(solid, ground.given_up);
   ground.plannable = difference(whole, ground.hard);
   return ground;

@@ -2,7 +2,6 @@
 
 #include "tramline/decomposition/cuts.h"
 #include "tramline/decomposition/events.h"
-#include "tramline/geometry/boolean.h"
 #include "tramline/geometry/bounding_rectangle.h"
 
 namespace tramline {
@@ -14,8 +13,8 @@ Direction driving_direction(const Ring& outer, CellDirection choice) {
 std::vector<Cell> sweep_cells(const Region& plannable, Direction sweep, Angle threshold, CellDirection choice) {
   std::vector<Cell> cells;
   for (const Polygon& polygon : plannable) {
-    const auto cuts = cut_lines(polygon, split_events(polygon, threshold), sweep);
-    const Region faces = cuts.empty() ? Region{polygon} : split_by_lines(polygon, cuts);
+    const auto cuts = cuts_at(polygon, split_events(polygon, threshold), sweep);
+    const Region faces = cuts.empty() ? Region{polygon} : divided(polygon, cuts);
     for (const Polygon& face : faces) cells.push_back({face, driving_direction(face.outer, choice)});
   }
   return cells;

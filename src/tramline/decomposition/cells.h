@@ -14,7 +14,7 @@ struct Cell {
 };
 
 /// Cuts every polygon of the plannable ground at its split events, parallel to `sweep`. The cells of
-/// one polygon share identical edges; together they are the ground up to the precision grid.
+/// one polygon share identical edges and together are the polygon.
 std::vector<Cell> sweep_cells(const Region& plannable, Direction sweep, Angle threshold, CellDirection choice);
 
 /// S1.12, or the true least width.

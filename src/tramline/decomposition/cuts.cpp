@@ -2,15 +2,21 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <numbers>
 #include <optional>
+#include <tuple>
+
+#include "tramline/geometry/faces.h"
 
 namespace tramline {
 namespace {
 
 /// Whether a ray from the corner in direction `ray` starts into the field: strictly between the two
-/// edges, on the left of the ring. Rays within kAlongEdge of an edge follow that edge.
+/// edges, on the left of the ring. Rays within kAlongEdge of an edge follow that edge; it exceeds
+/// kSameDirectionRadians, by which the sweep may differ from the edge it comes from.
 bool points_inside(const SplitEvent& corner, Point ray) {
-  constexpr double kAlongEdge = 1e-9;
+  constexpr double kAlongEdge = 2e-6;
   const Point to_next = corner.next - corner.vertex, to_previous = corner.previous - corner.vertex;
   const auto turn_from_next = [&to_next](Point v) {
     const double angle = std::atan2(cross(to_next, v), dot(to_next, v));
@@ -21,42 +27,126 @@ bool points_inside(const SplitEvent& corner, Point ray) {
   return turn > kAlongEdge && turn < opening - kAlongEdge;
 }
 
-/// Distance along the vertical from `start` to the nearest boundary above (sense +1) or below (−1).
-std::optional<double> nearest_boundary(const std::vector<Ring>& turned, Point start, int sense) {
-  constexpr double kSamePoint = 1e-9;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Ring& ring : turned)
+/// The polygon in the turned plane, where cuts are vertical.
+struct TurnedRings {
+  std::vector<const Ring*> rings;  ///< in the field's plane
+  std::vector<Ring> turned;
+
+  TurnedRings(const Polygon& polygon, const TrackFrame& frame) {
+    rings.push_back(&polygon.outer);
+    for (const Ring& hole : polygon.holes) rings.push_back(&hole);
+    for (const Ring* ring : rings) turned.push_back(frame.to_track(*ring));
+  }
+};
+
+/// What a ray meets first.
+struct Hit {
+  double reach = std::numeric_limits<double>::infinity();
+  std::size_t ring = 0, index = 0;
+  bool vertex = false;
+};
+
+/// The nearest vertex or edge above (sense +1) or below (−1) of `start`.
+Hit nearest_boundary(const TurnedRings& rings, Point start, int sense) {
+  Hit hit;
+  const auto offer = [&](double y, std::size_t ring, std::size_t index, bool vertex) {
+    const double reach = sense * (y - start.y);
+    if (reach > kSameLine && reach < hit.reach) hit = {reach, ring, index, vertex};
+  };
+  for (std::size_t r = 0; r < rings.turned.size(); ++r) {
+    const Ring& ring = rings.turned[r];
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-      if (std::min(a.x, b.x) > start.x || std::max(a.x, b.x) < start.x) continue;
-      const double low = std::min(a.y, b.y), high = std::max(a.y, b.y);
-      const double y = a.x == b.x ? (sense > 0 ? low : high)
-                                  : std::clamp(a.y + (b.y - a.y) * ((start.x - a.x) / (b.x - a.x)), low, high);
-      const double distance = sense * (y - start.y);
-      if (distance > kSamePoint) nearest = std::min(nearest, distance);
+      const Point a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+      const double to_a = a.x - start.x, to_b = b.x - start.x;
+      if (std::abs(to_a) <= kSameLine)
+        offer(a.y, r, i, true);
+      else if (std::abs(to_b) > kSameLine && (to_a < 0) != (to_b < 0))
+        offer(a.y + (b.y - a.y) * (to_a / (to_a - to_b)), r, i, false);
     }
-  if (nearest == std::numeric_limits<double>::infinity()) return std::nullopt;
-  return nearest;
+  }
+  return hit;
+}
+
+Cut cut_to(const Hit& hit, const TurnedRings& rings, Point from, Point ray) {
+  if (hit.vertex) return {from, (*rings.rings[hit.ring])[hit.index], -1, 0};
+  return {from, from + hit.reach * ray, static_cast<int>(hit.ring), hit.index};
+}
+
+/// Points to be put between the ends of an edge, by ring and edge.
+using Insertions = std::map<std::pair<int, std::size_t>, std::vector<Point>>;
+
+/// Ends of cuts that all but coincide on one edge become one point.
+Insertions insertions_of(std::vector<Cut>& cuts) {
+  Insertions out;
+  for (Cut& cut : cuts) {
+    if (cut.ring < 0) continue;
+    auto& points = out[{cut.ring, cut.edge}];
+    const auto same = std::find_if(points.begin(), points.end(),
+                                   [&cut](Point p) { return distance(p, cut.to) <= kSameLine; });
+    if (same != points.end())
+      cut.to = *same;
+    else
+      points.push_back(cut.to);
+  }
+  return out;
+}
+
+Ring with_insertions(const Ring& ring, int number, const Insertions& insertions) {
+  Ring out;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    out.push_back(ring[i]);
+    const auto found = insertions.find({number, i});
+    if (found == insertions.end()) continue;
+    std::vector<Point> points = found->second;
+    std::sort(points.begin(), points.end(),
+              [&](Point a, Point b) { return distance(ring[i], a) < distance(ring[i], b); });
+    out.insert(out.end(), points.begin(), points.end());
+  }
+  return out;
+}
+
+/// Both ways of every cut, each cut once even where two events look at one another.
+std::vector<DirectedEdge> cut_edges(const std::vector<Cut>& cuts) {
+  const auto key = [](const DirectedEdge& e) { return std::tie(e.from.x, e.from.y, e.to.x, e.to.y); };
+  std::vector<DirectedEdge> out;
+  for (const Cut& cut : cuts) {
+    out.push_back({cut.from, cut.to});
+    out.push_back({cut.to, cut.from});
+  }
+  std::sort(out.begin(), out.end(), [key](const auto& a, const auto& b) { return key(a) < key(b); });
+  out.erase(std::unique(out.begin(), out.end(), [key](const auto& a, const auto& b) { return key(a) == key(b); }),
+            out.end());
+  return out;
 }
 
 }  // namespace
 
-std::vector<std::vector<Point>> cut_lines(const Polygon& polygon, const std::vector<SplitEvent>& events,
-                                          Direction direction) {
+std::vector<Cut> cuts_at(const Polygon& polygon, const std::vector<SplitEvent>& events, Direction direction) {
   const TrackFrame frame(direction);
-  std::vector<Ring> turned{frame.to_track(polygon.outer)};
-  for (const Ring& hole : polygon.holes) turned.push_back(frame.to_track(hole));
-  std::vector<std::vector<Point>> cuts;
-  for (const SplitEvent& event : events) {
-    const Point start = frame.to_track(event.vertex);
+  const TurnedRings rings(polygon, frame);
+  std::vector<Cut> cuts;
+  for (const SplitEvent& event : events)
     for (const int sense : {+1, -1}) {
       const Point ray = static_cast<double>(sense) * direction.unit();
       if (!points_inside(event, ray)) continue;
-      if (const auto reach = nearest_boundary(turned, start, sense))
-        cuts.push_back({event.vertex, event.vertex + (*reach + kCutOvershoot) * ray});
+      const Hit hit = nearest_boundary(rings, frame.to_track(event.vertex), sense);
+      if (!std::isfinite(hit.reach)) continue;
+      const Cut cut = cut_to(hit, rings, event.vertex, ray);
+      const bool follows_edge = cut.to == event.previous || cut.to == event.next;
+      if (!follows_edge) cuts.push_back(cut);
     }
-  }
   return cuts;
+}
+
+Region divided(const Polygon& polygon, const std::vector<Cut>& cuts) {
+  std::vector<Cut> placed = cuts;
+  const Insertions insertions = insertions_of(placed);
+  Polygon noded{with_insertions(polygon.outer, 0, insertions), {}};
+  for (std::size_t h = 0; h < polygon.holes.size(); ++h)
+    noded.holes.push_back(with_insertions(polygon.holes[h], static_cast<int>(h) + 1, insertions));
+  std::vector<DirectedEdge> edges = edges_of(noded);
+  for (const DirectedEdge& edge : cut_edges(placed)) edges.push_back(edge);
+  return faces_of(std::move(edges));
 }
 
 }  // namespace tramline

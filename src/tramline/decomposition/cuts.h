@@ -8,13 +8,23 @@
 
 namespace tramline {
 
-/// For every event the stretch of the line through its vertex, parallel to `direction`, that runs
-/// from the vertex through the field's inside to the next boundary on either side. A side on which
-/// the line leaves the field or follows an edge at once has no stretch.
-/// The far ends overshoot the boundary by kCutOvershoot so that the noding finds the crossing.
-/// O(events · n).
-inline constexpr double kCutOvershoot = 1e-3;  // m
-std::vector<std::vector<Point>> cut_lines(const Polygon& polygon, const std::vector<SplitEvent>& events,
-                                          Direction direction);
+/// From an event's vertex through the field's inside to the next boundary.
+struct Cut {
+  Point from;  ///< the vertex
+  Point to;    ///< a vertex, or a point on `edge`
+  int ring = -1;         ///< the ring hit between two vertices (0: outer, then the holes); −1: a vertex
+  std::size_t edge = 0;  ///< … and the edge, by its first vertex
+};
+
+/// A cut that passes a vertex nearer than this ends there: what would be a sliver is one line. m
+inline constexpr double kSameLine = 1e-6;
+
+/// For every event the stretches of the line through its vertex, parallel to `direction`, that run to
+/// either side through the field's inside. A side on which the line leaves the field or follows an
+/// edge at once has none. O(events · n).
+std::vector<Cut> cuts_at(const Polygon& polygon, const std::vector<SplitEvent>& events, Direction direction);
+
+/// The parts the cuts divide the polygon into; parts that touch share identical edges. O(n log n).
+Region divided(const Polygon& polygon, const std::vector<Cut>& cuts);
 
 }  // namespace tramline

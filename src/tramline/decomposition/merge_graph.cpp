@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/faces.h"
 
 namespace tramline {
 namespace {
@@ -101,7 +101,7 @@ std::vector<Subfield> subfields_of(const MergeGraph& graph) {
     if (!node.alive) continue;
     Region parts;
     for (const std::size_t c : node.cells) parts.push_back(graph.cells[c].shape);
-    for (Polygon& shape : parts.size() == 1 ? parts : unite_coverage(parts))
+    for (Polygon& shape : parts.size() == 1 ? parts : dissolved(parts))
       out.push_back({std::move(shape), node.direction});
   }
   return out;

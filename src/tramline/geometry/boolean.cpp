@@ -154,10 +154,6 @@ Region symmetric_difference(const Region& a, const Region& b) {
   return overlay(a, b, GEOSSymDifferencePrec_r, "symmetric difference");
 }
 
-Region unite_coverage(const Region& cells) {
-  return from_geos(checked(GEOSCoverageUnion_r(geos(), to_geos(cells).get()), "coverage union"));
-}
-
 Region buffered(const Region& region, double distance_m, JoinStyle join, int segments_per_quadrant) {
   const int style = join == JoinStyle::kRound ? GEOSBUF_JOIN_ROUND : GEOSBUF_JOIN_MITRE;
   return from_geos(checked(GEOSBufferWithStyle_r(geos(), to_geos(region).get(), distance_m, segments_per_quadrant,

@@ -24,10 +24,6 @@ Region intersection(const Region& a, const Region& b);
 Region difference(const Region& a, const Region& b);
 Region symmetric_difference(const Region& a, const Region& b);
 
-/// Union of polygons that form a valid coverage (shared edges identical, no overlaps). Exact: no
-/// coordinate changes. O(n log n).
-Region unite_coverage(const Region& cells);
-
 enum class JoinStyle { kRound, kMitre };
 /// Points within `distance_m` of the region (negative: erosion). Round joins have
 /// `segments_per_quadrant` chords; mitre joins are cut at twice the distance.

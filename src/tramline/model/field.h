@@ -40,4 +40,7 @@ struct Field {
   std::vector<std::string> warnings;
 };
 
+/// Area within the outer ring less the obstacles; passable ones count as field. m²
+double area_m2(const Field& field);
+
 }  // namespace tramline

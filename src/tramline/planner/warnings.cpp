@@ -56,7 +56,7 @@ std::vector<std::string> warnings_about(const Plan& plan) {
   warn_of_overrun(plan, out);
   warn_of_given_up_land(plan, out);
   warn_of_dropped_pieces(plan, out);
-  out.push_back("connections between tracks are not planned yet: only the order of the pieces is");
+  out.emplace_back("connections between tracks are not planned yet: only the order of the pieces is");
   return out;
 }
 

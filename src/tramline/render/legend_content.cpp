@@ -52,13 +52,13 @@ LegendBlock symbols(const Plan& plan) {
 
 LegendBlock numbers(const Plan& plan) {
   const Tally& tally = plan.tally;
-  const double body_m2 = area(plan.body);
+  const double field_m2 = area_m2(plan.field);
   LegendBlock block{"Numbers", {}};
   const auto add = [&](const char* text, std::string value) {
     block.rows.push_back({Symbol::kNone, 0, text, std::move(value)});
   };
-  add("field", area_text(std::abs(signed_area(plan.field.outer))));
-  add("body", area_text(body_m2));
+  add("field", area_text(field_m2));
+  add("body", area_text(area(plan.body)));
   add("working width", fmt::format("{:g} m", plan.machine.width_m));
   if (!plan.pieces.empty()) {
     add("tracks", std::to_string(tally.pieces));
@@ -66,8 +66,8 @@ LegendBlock numbers(const Plan& plan) {
     add("turns", std::to_string(tally.turns));
     add("stops", std::to_string(tally.stops));
     if (tally.crossings > 0) add("crossings", std::to_string(tally.crossings));
-    add("overlap", with_share(tally.overlap_m2, body_m2));
-    add("uncovered", with_share(tally.uncovered_m2, body_m2));
+    add("overlap", with_share(tally.overlap_m2, field_m2));
+    add("uncovered", with_share(tally.uncovered_m2, field_m2));
     add("cost", fmt::format("{:.2f}", plan.cost));
   }
   return block;

@@ -1,0 +1,51 @@
+// What the planner makes holds: closed forms on one road, polygon booleans on the other.
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "properties/random_field.h"
+#include "tramline/check/verify.h"
+#include "tramline/geometry/error.h"
+#include "tramline/planner/plan_field.h"
+
+namespace tramline {
+namespace {
+
+using testing::base_seed;
+using testing::case_count;
+
+PlanSettings random_settings(std::mt19937_64& random) {
+  const auto pick = [&random](int n) { return std::uniform_int_distribution<int>(0, n - 1)(random); };
+  PlanSettings out;
+  out.end_rule = static_cast<EndRule>(pick(4));
+  out.boundary = pick(3) == 0 ? EdgeKind::kHard : EdgeKind::kSoft;
+  out.merge_threshold = Angle::degrees(pick(2) * 15);
+  return out;
+}
+
+TEST(PlannedPlans, hold_on_random_fields) {
+  int planned = 0;
+  const int cases = case_count(60);
+  for (int i = 0; i < cases; ++i) {
+    const unsigned long long seed = base_seed() + static_cast<unsigned long long>(i);
+    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
+    std::mt19937_64 random(seed);
+    const Field field = testing::random_field(random, 4);
+    Machine machine;
+    machine.width_m = std::uniform_real_distribution<double>(1.5, 8)(random);
+    const PlanSettings settings = random_settings(random);
+    try {
+      const check::Verdict verdict = check::verify(plan_field(field, machine, Objective{}, settings, 1));
+      EXPECT_TRUE(verdict.complete);
+      for (const check::Violation& v : verdict.violations) ADD_FAILURE() << v.rule << ": " << v.what;
+      ++planned;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::kBadInput) << error.what();  // no track fits
+    }
+  }
+  EXPECT_GT(2 * planned, cases);
+}
+
+}  // namespace
+}  // namespace tramline
