@@ -197,7 +197,9 @@ FieldInput survey_fields(const FieldOptions& options, long long limit) {
 Field load_field(const FieldOptions& options, const FieldSource& source) {
   VectorQuery query;
   query.file = options.file;
-  query.layer = source.layer;
+  query.layer = options.layer.empty() ? source.layer : options.layer;
+  // GeoJSON and Shapefile layers are called like their file, which may have been renamed.
+  query.layer_is_hint = options.layer.empty();
   query.fid = source.fid;
   const RawDataset dataset = read_vector(query);
   Admitter admitter(options, dataset);

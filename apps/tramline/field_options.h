@@ -48,8 +48,9 @@ FieldInput load_fields(const FieldOptions& options);
 /// Like load_fields with --all, but reads at most `limit` features and never complains of several.
 FieldInput survey_fields(const FieldOptions& options, long long limit);
 
-/// The one field a plan was made from: by layer, feature number and part. --layer and --where are passed
-/// over. Throws bad_input when the file has no such feature, or the feature no such part, or is refused.
+/// The one field a plan was made from: by layer (or --layer; the only one with polygons where neither is
+/// found), feature number and part; --where is passed over. Throws bad_input when the file has no such
+/// feature, or the feature no such part, or is refused.
 Field load_field(const FieldOptions& options, const FieldSource& source);
 
 }  // namespace tramline::app

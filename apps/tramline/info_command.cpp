@@ -58,10 +58,16 @@ class InfoCommand : public Command {
     fmt::print("{}choose one with --where, or take all with --all\n", skipped_rows(input.skipped));
   }
 
+  /// With --all what was skipped stands on a line of its own rather than with every field.
   void print_json(const FieldInput& input) const {
-    for (const Field& field : input.fields)
-      fmt::print("{}\n", dumped(field_json(options_.file, input, field)));
+    for (const Field& field : input.fields) {
+      nlohmann::ordered_json line = field_json(options_.file, input, field);
+      if (!options_.all) line["skipped"] = skipped_json(input);
+      fmt::print("{}\n", dumped(line));
+    }
     for (const Refusal& refusal : input.refusals) fmt::print("{}\n", dumped(refusal_json(refusal)));
+    if (options_.all && !input.skipped.empty())
+      fmt::print("{}\n", dumped({{"skipped", skipped_json(input)}}));
   }
 
   void print_table(const FieldInput& input) const {

@@ -151,10 +151,11 @@ ordered_json field_json(const std::string& file, const FieldInput& input, const 
   out["vertices"] = vertices(field);
   out["obstacles"] = obstacles_json(field);
   out["repairs"] = repairs_json(field);
-  out["skipped"] = skipped_json(input.skipped);
   out["warnings"] = field.warnings;
   return out;
 }
+
+ordered_json skipped_json(const FieldInput& input) { return skipped_json(input.skipped); }
 
 ordered_json refusal_json(const Refusal& refusal) {
   return {{"field_id", refusal.field_id}, {"error", refusal.sentence}};

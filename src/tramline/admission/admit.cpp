@@ -78,7 +78,7 @@ Field make_field(Lobe lobe, const Case& c, const LocalFrame& frame) {
 void admit_part(const RawPolygon& part, const Case& c, std::vector<Field>& fields,
                 std::vector<std::string>& empty) {
   if (part.rings.empty() || part.rings[0].points.empty()) {
-    empty.push_back("its outer ring is empty");
+    empty.emplace_back("its outer ring is empty");
     return;
   }
   check_coordinates(part, *c.context.crs, c.subject);
@@ -98,7 +98,7 @@ void admit_part(const RawPolygon& part, const Case& c, std::vector<Field>& field
       field.repairs = ledger.repairs();
       field.warnings = ledger.warnings();
     } else {
-      field.warnings.push_back(
+      field.warnings.emplace_back(
           "a lobe that the outer ring cut off by crossing itself; its repairs are listed with the first");
     }
     fields.push_back(std::move(field));

@@ -26,6 +26,8 @@ class Crs {
   /// WKT, "EPSG:25832", a PROJ string, a full name ("ETRS89 / UTM zone 32N"). Empty or "none": plain metres.
   /// Throws bad_input when PROJ does not know it or when it is not a geographic or projected CRS.
   explicit Crs(const std::string& definition);
+  Crs(const Crs&) = delete;
+  Crs& operator=(const Crs&) = delete;
   Crs(Crs&&) noexcept;
   Crs& operator=(Crs&&) noexcept;
   ~Crs();

@@ -16,6 +16,8 @@ class FrameProjection {
  public:
   /// Precondition: frame.geodetic.
   explicit FrameProjection(const LocalFrame& frame);
+  FrameProjection(const FrameProjection&) = delete;
+  FrameProjection& operator=(const FrameProjection&) = delete;
   FrameProjection(FrameProjection&&) noexcept;
   FrameProjection& operator=(FrameProjection&&) noexcept;
   ~FrameProjection();

@@ -117,6 +117,13 @@ TEST_F(GeoPackage, TheOneLayerWithPolygonsIsTakenAndTheOthersListed) {
   EXPECT_EQ(read_vector(everything).layers.size(), 2u);
 }
 
+TEST_F(GeoPackage, ALayerThatIsOnlyAHintMayBeMissing) {
+  write_layer("GPKG", path("f.gpkg"), "fields", 25832, {{"a", "POLYGON ((0 0, 100 0, 100 50, 0 0))"}});
+  VectorQuery hinted = query(path("f.gpkg"), "renamed");
+  hinted.layer_is_hint = true;
+  EXPECT_EQ(read_vector(hinted).layers[0].name, "fields");
+}
+
 TEST_F(GeoPackage, FiltersNumbersAndLimits) {
   const std::string square = "POLYGON ((0 0, 100 0, 100 50, 0 0))";
   write_layer("GPKG", path("f.gpkg"), "fields", 25832, {{"a", square}, {"b", square}, {"c", square}});

@@ -77,6 +77,22 @@ TEST_F(Unreadable, NoFeatureOfThisNumber) {
   expect(by_number, "has no feature with number 99");
 }
 
+TEST(ShownName, MasksPasswords) {
+  EXPECT_EQ(shown_name("PG:dbname=farm password=a host=h"), "PG:dbname=farm password=*** host=h");
+  EXPECT_EQ(shown_name("PG:Password='a b' user=u"), "PG:Password=*** user=u");
+  EXPECT_EQ(shown_name("PG:password=a"), "PG:password=***");
+  EXPECT_EQ(shown_name("PG:password="), "PG:password=***");
+  EXPECT_EQ(shown_name("postgresql://me:secret@host:5432/farm"), "postgresql://me:***@host:5432/farm");
+  EXPECT_EQ(shown_name("folder/field@home.gpkg"), "folder/field@home.gpkg");
+}
+
+TEST(DatabaseString, IsAWordAndAColonButNoPath) {
+  EXPECT_TRUE(is_database_string("PG:dbname=farm"));
+  EXPECT_FALSE(is_database_string("field.gpkg"));
+  EXPECT_FALSE(is_database_string("C:field.gpkg"));
+  EXPECT_FALSE(is_database_string("a folder/b:c.gpkg"));
+}
+
 TEST_F(Unreadable, DatabaseStringsThatCannotBeOpenedDoNotShowThePassword) {
   const std::string sentence = refusal(query("PG:host=/nonexistent dbname=farm password=secret"));
   EXPECT_NE(sentence.find("password=***"), std::string::npos) << sentence;

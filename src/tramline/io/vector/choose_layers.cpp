@@ -32,10 +32,10 @@ std::vector<OGRLayer*> choose_layers(GDALDataset& dataset, const VectorQuery& qu
   const std::string file = shown_name(query.file);
   if (!query.layer.empty()) {
     OGRLayer* layer = dataset.GetLayerByName(query.layer.c_str());
-    if (layer == nullptr)
+    if (layer != nullptr) return {layer};
+    if (!query.layer_is_hint)
       throw bad_input(
           fmt::format("'{}' has no layer '{}'; found {}", file, query.layer, layer_list(dataset)));
-    return {layer};
   }
   std::vector<OGRLayer*> all, with_polygons;
   for (OGRLayer* layer : dataset.GetLayers()) {

@@ -28,7 +28,7 @@ std::string geojson_id(const OGRFeature& feature) {
 std::string feature_id(const OGRFeature& feature) {
   for (int i = 0; i < feature.GetFieldCount(); ++i)
     if (is_id(feature.GetFieldDefnRef(i)->GetNameRef()) && feature.IsFieldSetAndNotNull(i)) {
-      const std::string value = feature.GetFieldAsString(i);
+      std::string value = feature.GetFieldAsString(i);
       if (!value.empty()) return value;
     }
   return geojson_id(feature);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <regex>
 #include <set>
 
 #include "tramline/geometry/error.h"
@@ -72,8 +71,10 @@ std::set<std::string> datasets_among(const std::vector<std::string>& names) {
 }  // namespace
 
 bool is_database_string(const std::string& file) {
-  static const std::regex prefix("^[A-Za-z][A-Za-z0-9_]+:.*");
-  return std::regex_match(file.begin(), file.end(), prefix) && !exists(file);
+  const auto is_word = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  const auto end = std::find_if_not(file.begin(), file.end(), is_word);
+  // A single letter would be a drive.
+  return end != file.end() && *end == ':' && end - file.begin() >= 2 && !exists(file);
 }
 
 bool is_folder(const std::string& name) {
@@ -83,9 +84,22 @@ bool is_folder(const std::string& name) {
 }
 
 std::string shown_name(const std::string& file) {
-  static const std::regex password("(password\\s*=\\s*)('[^']*'|\\S+)", std::regex::icase);
-  static const std::regex in_url("(://[^:/@]+:)[^@]+@");
-  return std::regex_replace(std::regex_replace(file, password, "$1***"), in_url, "$1***@");
+  std::string out = file;
+  const std::string key = "password=";
+  for (std::size_t at = lower(out).find(key); at != std::string::npos;
+       at = lower(out).find(key, at + key.size())) {
+    const std::size_t start = at + key.size();
+    const char closing = start < out.size() && out[start] == '\'' ? '\'' : ' ';
+    const std::size_t end = out.find(closing, start + 1);
+    const std::size_t stop = end == std::string::npos ? out.size() : closing == ' ' ? end : end + 1;
+    out.replace(start, stop - start, "***");
+  }
+  // postgresql://user:secret@host/…
+  const std::size_t user = out.find("://"), host = out.find('@');
+  if (user == std::string::npos || host == std::string::npos) return out;
+  const std::size_t colon = out.find(':', user + 3);
+  if (colon < host) out.replace(colon + 1, host - colon - 1, "***");
+  return out;
 }
 
 std::vector<std::string> locate_datasets(const std::string& file) {
@@ -101,7 +115,8 @@ std::vector<std::string> locate_datasets(const std::string& file) {
     throw bad_input(fmt::format(
         "'{}' cannot be read as a zip file; it is empty or was cut off, so fetch it again", file));
   std::vector<std::string> out;
-  for (const std::string& name : datasets_among(names)) out.push_back(name.empty() ? zip : zip + "/" + name);
+  for (const std::string& name : datasets_among(names))
+    out.push_back(name.empty() ? zip : fmt::format("{}/{}", zip, name));
   if (out.empty())
     throw bad_input(fmt::format(
         "'{}' holds no vector file; found {}", file,

@@ -12,6 +12,7 @@ namespace tramline {
 struct VectorQuery {
   std::string file;
   std::string layer;             ///< empty: the one layer with polygons
+  bool layer_is_hint = false;    ///< without a layer of that name read as if none had been named
   std::string where;             ///< OGR attribute filter, for example "crop = 'wheat'"; empty: all
   std::optional<long long> fid;  ///< only the feature with this number
   long long limit = -1;          ///< stop after so many features of a layer; negative: read all
