@@ -8,7 +8,8 @@ namespace {
 
 Obstacle square_obstacle(Point corner, double side, double turn) {
   const Point along{side * std::cos(turn), side * std::sin(turn)}, up{-along.y, along.x};
-  return {{{corner, corner + along, corner + along + up, corner + up}, {}}, ObstacleKind::kObstacle, "obstacle"};
+  return {
+      {{corner, corner + along, corner + along + up, corner + up}, {}}, ObstacleKind::kObstacle, "obstacle"};
 }
 
 /// An outline that waves round an ellipse, so that it has reflex corners.

@@ -50,10 +50,12 @@ class CheckCommand : public Command {
   CLI::App* setup(CLI::App& app) override {
     CLI::App* verb = app.add_subcommand("check", kHelp);
     verb->add_option("PLAN", plan_file_, "the plan: a GeoPackage written by tramline plan")->required();
-    verb->add_option("--field", input_.file, "the file the plan was made from: are field and obstacles the same?");
+    verb->add_option("--field", input_.file,
+                     "the file the plan was made from: are field and obstacles the same?");
     verb->add_option("--crs", input_.crs, "CRS of that file, as given to plan");
     verb->add_option("--obstacles", input_.obstacles_file, "obstacle file, as given to plan");
-    verb->add_option("--obstacle-size", input_.obstacle_size_m, "size of point and line obstacles, m (default 7)");
+    verb->add_option("--obstacle-size", input_.obstacle_size_m,
+                     "size of point and line obstacles, m (default 7)");
     verb->add_option("--passable", input_.passable_file, "passable obstacles, as given to plan");
     verb->add_flag("--json", json_, "print one JSON object instead of the table");
     verb->footer(kExample);
@@ -86,8 +88,6 @@ class CheckCommand : public Command {
 
 }  // namespace
 
-std::unique_ptr<Command> make_check_command() {
-  return std::make_unique<CheckCommand>();
-}
+std::unique_ptr<Command> make_check_command() { return std::make_unique<CheckCommand>(); }
 
 }  // namespace tramline::app

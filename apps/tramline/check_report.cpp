@@ -10,9 +10,7 @@ namespace tramline::app {
 namespace {
 
 /// Two decimals, and never "-0.00".
-std::string rounded(double value) {
-  return fmt::format("{:.2f}", std::round(value * 100) / 100 + 0.0);
-}
+std::string rounded(double value) { return fmt::format("{:.2f}", std::round(value * 100) / 100 + 0.0); }
 
 class Table {
  public:

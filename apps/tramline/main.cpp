@@ -16,14 +16,16 @@
 namespace {
 
 bool is_verb(const std::vector<CLI::App*>& verbs, const std::string& word) {
-  return std::any_of(verbs.begin(), verbs.end(), [&](const CLI::App* verb) { return verb->get_name() == word; });
+  return std::any_of(verbs.begin(), verbs.end(),
+                     [&](const CLI::App* verb) { return verb->get_name() == word; });
 }
 
 /// One sentence about what the verb did not understand.
 std::string unexpected_argument(const std::vector<CLI::App*>& verbs) {
   for (const CLI::App* verb : verbs)
     if (!verb->remaining().empty())
-      return "'" + verb->remaining().front() + "' was not expected: see 'tramline " + verb->get_name() + " --help'";
+      return "'" + verb->remaining().front() + "' was not expected: see 'tramline " + verb->get_name() +
+             " --help'";
   return "an argument was not expected";
 }
 
@@ -56,7 +58,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::ExtrasError&) {
     const std::string verb = argc > 1 ? argv[1] : "";
     if (!is_verb(verbs, verb)) {
-      std::fprintf(stderr, "tramline: there is no verb '%s': the verbs are plan, info and check\n", verb.c_str());
+      std::fprintf(stderr, "tramline: there is no verb '%s': the verbs are plan, info and check\n",
+                   verb.c_str());
       return 2;
     }
     std::fprintf(stderr, "tramline: %s\n", unexpected_argument(verbs).c_str());

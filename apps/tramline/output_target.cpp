@@ -10,7 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void require_extension(const std::string& name, const char* option, std::initializer_list<const char*> extensions) {
+void require_extension(const std::string& name, const char* option,
+                       std::initializer_list<const char*> extensions) {
   const std::string extension = fs::path(name).extension().string();
   std::string list;
   for (const char* one : extensions) {
@@ -22,20 +23,24 @@ void require_extension(const std::string& name, const char* option, std::initial
 
 }  // namespace
 
-void require_writable(const std::string& name, const char* option, std::initializer_list<const char*> extensions,
-                      const std::vector<std::string>& inputs) {
+void require_writable(const std::string& name, const char* option,
+                      std::initializer_list<const char*> extensions, const std::vector<std::string>& inputs) {
   if (name.empty()) return;
   require_extension(name, option, extensions);
   std::error_code ignored;
-  if (fs::is_directory(name, ignored)) throw bad_input(fmt::format("{} '{}' is a folder; name a file in it", option, name));
+  if (fs::is_directory(name, ignored))
+    throw bad_input(fmt::format("{} '{}' is a folder; name a file in it", option, name));
   for (const std::string& input : inputs)
     if (!input.empty() && fs::equivalent(name, input, ignored))
-      throw bad_input(fmt::format("{} '{}' would overwrite the input file; choose another name", option, name));
+      throw bad_input(
+          fmt::format("{} '{}' would overwrite the input file; choose another name", option, name));
   const fs::path folder = fs::path(name).has_parent_path() ? fs::path(name).parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ignored))
-    throw failure(fmt::format("{} '{}' cannot be written: there is no folder '{}'", option, name, folder.string()));
+    throw failure(
+        fmt::format("{} '{}' cannot be written: there is no folder '{}'", option, name, folder.string()));
   if (access(folder.c_str(), W_OK) != 0)
-    throw failure(fmt::format("{} '{}' cannot be written: no permission in folder '{}'", option, name, folder.string()));
+    throw failure(fmt::format("{} '{}' cannot be written: no permission in folder '{}'", option, name,
+                              folder.string()));
 }
 
 }  // namespace tramline::app

@@ -10,7 +10,7 @@ namespace tramline::app {
 
 /// Does nothing for an empty name. Throws kBadInput where the name has none of the extensions, is a
 /// folder or is one of the `inputs`; kFailure where its folder is missing or cannot be written.
-void require_writable(const std::string& name, const char* option, std::initializer_list<const char*> extensions,
-                      const std::vector<std::string>& inputs);
+void require_writable(const std::string& name, const char* option,
+                      std::initializer_list<const char*> extensions, const std::vector<std::string>& inputs);
 
 }  // namespace tramline::app

@@ -34,7 +34,8 @@ class PlanCommand : public Command {
     add_plan_options(*verb, plan_options_);
     verb->add_option("-o,--output", output_, "write the plan to this GeoPackage (.gpkg)");
     verb->add_option("--picture", picture_, "draw the plan to this .png, .svg or .pdf");
-    verb->add_option("--threads", threads_, "threads to use (default: all cores)")->check(CLI::Range(0, 1024));
+    verb->add_option("--threads", threads_, "threads to use (default: all cores)")
+        ->check(CLI::Range(0, 1024));
     verb->add_flag("--json", json_, "print one JSON object per field");
     verb->add_flag("--quiet", quiet_, "no progress, no table");
     return verb;

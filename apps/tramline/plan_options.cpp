@@ -22,13 +22,15 @@ std::vector<double> numbers_in(const std::string& text, const char* option) {
     char* end = nullptr;
     const double value = std::strtod(word.c_str(), &end);
     if (word.empty() || *end != '\0' || !std::isfinite(value) || value < 0)
-      throw bad_input(fmt::format("{} takes numbers of at least 0 separated by commas, and '{}' in '{}' is none", option,
-                                  word, text));
+      throw bad_input(
+          fmt::format("{} takes numbers of at least 0 separated by commas, and '{}' in '{}' is none", option,
+                      word, text));
     out.push_back(value);
     from = comma + 1;
   }
   if (out.size() != 3 && out.size() != 4)
-    throw bad_input(fmt::format("{} takes three or four numbers, overlap,uncovered,turn[,stop], not '{}'", option, text));
+    throw bad_input(
+        fmt::format("{} takes three or four numbers, overlap,uncovered,turn[,stop], not '{}'", option, text));
   return out;
 }
 
@@ -53,24 +55,31 @@ void add_plan_options(CLI::App& verb, PlanOptions& o) {
   const char* machine = "Machine";
   verb.add_option("--width", o.width_m, "working width w, m (default 3)")->group(machine);
   verb.add_option("--radius", o.radius_m, "least turning radius, m (default 6)")->group(machine);
-  verb.add_option("--machine", o.machine_file, "machine file (TOML); --width and --radius overrule it")->group(machine);
-  verb.add_option("--min-length", o.min_length_m, "shortest piece worth driving, m (default 2 w)")->group(machine);
+  verb.add_option("--machine", o.machine_file, "machine file (TOML); --width and --radius overrule it")
+      ->group(machine);
+  verb.add_option("--min-length", o.min_length_m, "shortest piece worth driving, m (default 2 w)")
+      ->group(machine);
 
   const char* objective = "Objective";
-  auto* weights = verb.add_option("--weights", o.weights, "weights of overlap (1/m²), uncovered (1/m²), turns[, stops]");
+  auto* weights =
+      verb.add_option("--weights", o.weights, "weights of overlap (1/m²), uncovered (1/m²), turns[, stops]");
   auto* prices = verb.add_option("--prices", o.prices,
                                  "€/m² overlap, €/m² uncovered, €/turn[, €/stop] (default 0.04,0.10,0.45,5)");
-  auto* minimise = verb.add_option("--minimise", o.minimise, "overlap, uncovered or turns above all (weight 99999)");
+  auto* minimise =
+      verb.add_option("--minimise", o.minimise, "overlap, uncovered or turns above all (weight 99999)");
   weights->group(objective)->excludes(prices)->excludes(minimise);
   prices->group(objective)->excludes(minimise);
   minimise->group(objective);
 
   const char* plan = "Plan";
   verb.add_option("--strategy", o.strategy, "sweep: every edge direction is tried")->group(plan);
-  verb.add_option("--end-rule", o.end_rule, "where swaths end at a soft edge: cheapest, centre, cover or inside")
+  verb.add_option("--end-rule", o.end_rule,
+                  "where swaths end at a soft edge: cheapest, centre, cover or inside")
       ->group(plan);
-  verb.add_option("--boundary", o.boundary, "the field's own edge: soft (a headland behind it) or hard")->group(plan);
-  verb.add_option("--merge", o.merge_deg, "merge subfields whose directions differ by no more, degrees (default 0)")
+  verb.add_option("--boundary", o.boundary, "the field's own edge: soft (a headland behind it) or hard")
+      ->group(plan);
+  verb.add_option("--merge", o.merge_deg,
+                  "merge subfields whose directions differ by no more, degrees (default 0)")
       ->group(plan);
   verb.add_option("--decomposition", o.decomposition_deg,
                   "split at corners with a larger inside angle, degrees (default 180)")
@@ -110,8 +119,8 @@ PlanSettings settings_of(const PlanOptions& o) {
   settings.end_rule =
       chosen(end_rule_named(o.end_rule), "--end-rule", o.end_rule, "cheapest, centre, cover or inside");
   settings.boundary = chosen(edge_kind_named(o.boundary), "--boundary", o.boundary, "soft or hard");
-  settings.cell_direction = chosen(cell_direction_named(o.cell_direction), "--cell-direction", o.cell_direction,
-                                   "rectangle or width");
+  settings.cell_direction = chosen(cell_direction_named(o.cell_direction), "--cell-direction",
+                                   o.cell_direction, "rectangle or width");
   settings.merge_threshold = Angle::degrees(o.merge_deg);
   settings.decomposition_threshold = Angle::degrees(o.decomposition_deg);
   return settings;

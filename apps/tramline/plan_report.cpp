@@ -51,8 +51,8 @@ std::string directions_text(const Plan& plan) {
 std::string ground_rows(const Plan& plan) {
   std::string out;
   out += fmt::format("field        {}\n", plan.field.id);
-  out += fmt::format("area         {:.4f} ha without the obstacles, {:.4f} ha to work\nobstacles    {}\n", area_m2(plan.field) / 1e4,
-                     area(plan.body) / 1e4, plan.field.obstacles.size());
+  out += fmt::format("area         {:.4f} ha without the obstacles, {:.4f} ha to work\nobstacles    {}\n",
+                     area_m2(plan.field) / 1e4, area(plan.body) / 1e4, plan.field.obstacles.size());
   out += fmt::format("machine      {}{:g} m wide, turning radius {:g} m\n",
                      plan.machine.name.empty() ? "" : plan.machine.name + ", ", plan.machine.width_m,
                      plan.machine.radius_m);
@@ -70,11 +70,13 @@ std::string tally_rows(const Plan& plan) {
   out += fmt::format("turns        {}\n", tally.turns);
   out += fmt::format("stops        {}\n", tally.stops);
   if (tally.crossings > 0) out += fmt::format("crossings    {}\n", tally.crossings);
-  out += fmt::format("overlap      {:.1f} m² ({:.3f} %)\n", tally.overlap_m2, percent_of_field(plan, tally.overlap_m2));
+  out += fmt::format("overlap      {:.1f} m² ({:.3f} %)\n", tally.overlap_m2,
+                     percent_of_field(plan, tally.overlap_m2));
   out += fmt::format("uncovered    {:.1f} m² ({:.3f} %)\n", tally.uncovered_m2,
                      percent_of_field(plan, tally.uncovered_m2));
-  out += fmt::format("cost         {:.2f} = {:g}·overlap + {:g}·uncovered + {:g}·turns + {:g}·stops\n", plan.cost,
-                     plan.objective.overlap, plan.objective.uncovered, plan.objective.turn, plan.objective.stop);
+  out += fmt::format("cost         {:.2f} = {:g}·overlap + {:g}·uncovered + {:g}·turns + {:g}·stops\n",
+                     plan.cost, plan.objective.overlap, plan.objective.uncovered, plan.objective.turn,
+                     plan.objective.stop);
   return out;
 }
 
@@ -126,20 +128,22 @@ std::string plan_table(const Plan& plan, const std::vector<Skipped>& skipped, do
   std::string out = ground_rows(plan) + tally_rows(plan);
   out += fmt::format("time         {:.3f} s\n", seconds);
   for (const Repair& repair : plan.field.repairs)
-    out += fmt::format("repaired     {}, {} at ({:.9g}, {:.9g}), area {:+.2f} m²\n", repair.where, repair.what,
-                       repair.at.x, repair.at.y, repair.area_change_m2);
-  for (const Skipped& item : skipped) out += fmt::format("skipped      {} ({}): {}\n", item.what, item.where, item.why);
+    out += fmt::format("repaired     {}, {} at ({:.9g}, {:.9g}), area {:+.2f} m²\n", repair.where,
+                       repair.what, repair.at.x, repair.at.y, repair.area_change_m2);
+  for (const Skipped& item : skipped)
+    out += fmt::format("skipped      {} ({}): {}\n", item.what, item.where, item.why);
   for (const std::string& warning : plan.warnings) out += fmt::format("note         {}\n", warning);
   return out;
 }
 
 std::string plan_line(const Plan& plan, double seconds) {
   return fmt::format(
-      "{}: {:.4f} ha, {} tracks in {} subfields, {} turns, {} stops, overlap {:.1f} m² ({:.3f} %), uncovered {:.1f} m² "
+      "{}: {:.4f} ha, {} tracks in {} subfields, {} turns, {} stops, overlap {:.1f} m² ({:.3f} %), uncovered "
+      "{:.1f} m² "
       "({:.3f} %), cost {:.2f}, {:.3f} s\n",
       plan.field.id, area_m2(plan.field) / 1e4, plan.tally.pieces, plan.subfields.size(), plan.tally.turns,
-      plan.tally.stops, plan.tally.overlap_m2, percent_of_field(plan, plan.tally.overlap_m2), plan.tally.uncovered_m2,
-      percent_of_field(plan, plan.tally.uncovered_m2), plan.cost, seconds);
+      plan.tally.stops, plan.tally.overlap_m2, percent_of_field(plan, plan.tally.overlap_m2),
+      plan.tally.uncovered_m2, percent_of_field(plan, plan.tally.uncovered_m2), plan.cost, seconds);
 }
 
 }  // namespace tramline::app

@@ -12,12 +12,15 @@ namespace {
 
 constexpr double kWidth = 3;
 
-Polygon box(double x0, double y0, double x1, double y1) { return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}}; }
+Polygon box(double x0, double y0, double x1, double y1) {
+  return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}};
+}
 
 Field field_with(std::vector<Polygon> obstacles) {
   Field field;
   field.outer = box(0, 0, 100, 100).outer;
-  for (Polygon& shape : obstacles) field.obstacles.push_back({std::move(shape), ObstacleKind::kObstacle, "hole"});
+  for (Polygon& shape : obstacles)
+    field.obstacles.push_back({std::move(shape), ObstacleKind::kObstacle, "hole"});
   return field;
 }
 
@@ -37,7 +40,8 @@ TEST(Clusters, LeaveObstaclesAWidthApartAlone) {
 }
 
 TEST(Clusters, AreTransitive) {
-  const auto groups = clusters({box(0, 0, 1, 1), box(30, 0, 31, 1), box(5, 0, 6, 1), box(2.5, 0, 3.5, 1)}, kWidth);
+  const auto groups =
+      clusters({box(0, 0, 1, 1), box(30, 0, 31, 1), box(5, 0, 6, 1), box(2.5, 0, 3.5, 1)}, kWidth);
   ASSERT_EQ(groups.size(), 2u);
   EXPECT_EQ(groups[0].obstacles.size(), 3u);
 }

@@ -12,9 +12,7 @@ namespace {
 
 using namespace testing_plans;
 
-Names found(const Plan& plan) {
-  return rules(check::verify(plan));
-}
+Names found(const Plan& plan) { return rules(check::verify(plan)); }
 
 TEST(Blindness, swath_moved_into_an_obstacle) {
   Plan plan = obstacle_plan();

@@ -10,7 +10,9 @@ namespace {
 
 constexpr double kWidth = 3;
 
-Polygon box(double x0, double y0, double x1, double y1) { return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}}; }
+Polygon box(double x0, double y0, double x1, double y1) {
+  return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}};
+}
 
 SubfieldTracks tracks_in(const Subfield& subfield, EndRule rule) {
   const StripGrid grid = strip_grids(subfield, kWidth).front();
@@ -51,7 +53,8 @@ TEST(Tally, CountsOverlapAcrossABorderOnce) {
 }
 
 TEST(Tally, OfOneRectangleIsExact) {
-  const std::vector<Subfield> subfields{{box(0, 0, 31, 100), Direction::clockwise_from_north(Angle::degrees(0))}};
+  const std::vector<Subfield> subfields{
+      {box(0, 0, 31, 100), Direction::clockwise_from_north(Angle::degrees(0))}};
   const std::vector<SubfieldTracks> tracks{tracks_in(subfields[0], EndRule::kCentre)};
   // 31 = 10·3 + 1: the eleventh strip's centre lies outside, 1 × 100 m stay uncovered.
   const Tally tally = tally_of(subfields, tracks, 3100);

@@ -16,7 +16,8 @@ namespace {
 const Direction kNorth = Direction::clockwise_from_north(Angle::degrees(0));
 
 /// A rectangle with a diamond-shaped obstacle in its middle.
-const Polygon kFieldWithDiamond{{{0, 0}, {100, 0}, {100, 60}, {0, 60}}, {{{30, 30}, {50, 40}, {70, 30}, {50, 20}}}};
+const Polygon kFieldWithDiamond{{{0, 0}, {100, 0}, {100, 60}, {0, 60}},
+                                {{{30, 30}, {50, 40}, {70, 30}, {50, 20}}}};
 
 TEST(InteriorAngle, IsMeasuredOnTheFieldsSide) {
   // Corner of a counter-clockwise square: 90. The same corner walked clockwise: 270.
@@ -74,7 +75,8 @@ TEST(SweepCells, AreSixRoundADiamondAtThreshold180) {
 }
 
 TEST(SweepCells, AreFourAtThreshold240) {
-  EXPECT_EQ(sweep_cells({kFieldWithDiamond}, kNorth, Angle::degrees(240), CellDirection::kRectangle).size(), 4u);
+  EXPECT_EQ(sweep_cells({kFieldWithDiamond}, kNorth, Angle::degrees(240), CellDirection::kRectangle).size(),
+            4u);
 }
 
 TEST(SweepCells, OfAConvexFieldAreTheField) {
@@ -94,8 +96,7 @@ TEST(SweepCells, OfAnLAreTwo) {
   std::sort(areas.begin(), areas.end());
   EXPECT_NEAR(areas[0], 200, 1e-6);
   EXPECT_NEAR(areas[1], 400, 1e-6);
-  for (const Cell& cell : cells)
-    EXPECT_NEAR(cell.direction.degrees(), area(cell.shape) < 300 ? 90 : 0, 1e-6);
+  for (const Cell& cell : cells) EXPECT_NEAR(cell.direction.degrees(), area(cell.shape) < 300 ? 90 : 0, 1e-6);
 }
 
 // The sweep may differ from the edge it comes from by a microradian: the ray then leaves along the

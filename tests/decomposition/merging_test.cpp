@@ -10,7 +10,9 @@ namespace {
 
 Direction at(double degrees) { return Direction::clockwise_from_north(Angle::degrees(degrees)); }
 
-Polygon box(double x0, double y0, double x1, double y1) { return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}}; }
+Polygon box(double x0, double y0, double x1, double y1) {
+  return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}};
+}
 
 /// Cells side by side, 50 m high, of the given widths and directions: each touches only the next.
 MergeGraph row(std::vector<std::pair<double, double>> width_and_degrees) {
@@ -46,7 +48,8 @@ TEST(Phase1, TakesDirectionsModulo180) {
 
 // 3 × 50 = 150 m² < 200 m²: joins the neighbour with the longest shared edge, whatever its direction.
 TEST(Phase2, SmallCellsJoinTheNeighbourWithTheLongestEdge) {
-  std::vector<Cell> cells{{box(0, 0, 3, 50), at(0)}, {box(3, 0, 60, 30), at(80)}, {box(3, 30, 60, 50), at(10)}};
+  std::vector<Cell> cells{
+      {box(0, 0, 3, 50), at(0)}, {box(3, 0, 60, 30), at(80)}, {box(3, 30, 60, 50), at(10)}};
   // The small cell's right side must be split where its two neighbours meet, as noded cells are.
   cells[0].shape.outer = {{0, 0}, {3, 0}, {3, 30}, {3, 50}, {0, 50}};
   MergeGraph graph = merge_graph(cells);

@@ -5,7 +5,9 @@
 namespace tramline {
 namespace {
 
-Polygon box(double x0, double y0, double x1, double y1) { return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}}; }
+Polygon box(double x0, double y0, double x1, double y1) {
+  return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}};
+}
 
 TEST(Booleans, KeepAreas) {
   EXPECT_NEAR(area(unite({box(0, 0, 2, 2), box(1, 1, 3, 3)})), 7, 1e-9);
@@ -39,8 +41,8 @@ TEST(Booleans, MeasureDistances) {
 
 TEST(Booleans, SplitByLinesGivesFacesThatShareEdges) {
   const Polygon square{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {{{4, 4}, {4, 6}, {6, 6}, {6, 4}}}};
-  const Region faces = split_by_lines(square, {{{4, 4}, {4, -0.001}}, {{4, 6}, {4, 10.001}}, {{6, 4}, {6, -0.001}},
-                                               {{6, 6}, {6, 10.001}}});
+  const Region faces = split_by_lines(
+      square, {{{4, 4}, {4, -0.001}}, {{4, 6}, {4, 10.001}}, {{6, 4}, {6, -0.001}}, {{6, 6}, {6, 10.001}}});
   EXPECT_EQ(faces.size(), 4u);
   EXPECT_NEAR(area(faces), 96, 1e-9);
 }

@@ -27,7 +27,8 @@ TEST(SmallestRectangle, OfAKiteLiesOnALongEdge) {
 TEST(LeastWidth, OfATriangleIsItsLeastAltitude) {
   const Direction direction = across_least_width({{0, 0}, {10, 0}, {5, 9}});
   const double side = std::atan2(5, 9) * 180 / std::numbers::pi;
-  EXPECT_TRUE(std::abs(direction.degrees() - side) < 1e-9 || std::abs(direction.degrees() - (180 - side)) < 1e-9);
+  EXPECT_TRUE(std::abs(direction.degrees() - side) < 1e-9 ||
+              std::abs(direction.degrees() - (180 - side)) < 1e-9);
 }
 
 // Legs of 10 and 4: rectangles on all three edges have 40 m². On the long leg it is 10 × 4, on the

@@ -9,7 +9,8 @@ Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0
 
 // A comb: clipping its teeth by a box yields several parts, and the area is their sum.
 TEST(ConvexClip, KeepsTheAreaOfSeveralParts) {
-  const Ring comb{{0, 0}, {5, 0}, {5, 4}, {4, 4}, {4, 1}, {3, 1}, {3, 4}, {2, 4}, {2, 1}, {1, 1}, {1, 4}, {0, 4}};
+  const Ring comb{{0, 0}, {5, 0}, {5, 4}, {4, 4}, {4, 1}, {3, 1},
+                  {3, 4}, {2, 4}, {2, 1}, {1, 1}, {1, 4}, {0, 4}};
   EXPECT_NEAR(signed_area(clipped({comb}, box(0, 2, 5, 3))), 3, 1e-12);
 }
 

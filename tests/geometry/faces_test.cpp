@@ -7,7 +7,9 @@
 namespace tramline {
 namespace {
 
-Polygon box(double x0, double y0, double x1, double y1) { return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}}; }
+Polygon box(double x0, double y0, double x1, double y1) {
+  return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}};
+}
 
 TEST(Faces, OfAPolygonsEdgesAreThePolygon) {
   Polygon square = box(0, 0, 10, 10);

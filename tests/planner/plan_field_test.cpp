@@ -88,7 +88,8 @@ TEST(PlanField, HardBoundariesKeepSwathsInside) {
   settings.boundary = EdgeKind::kHard;
   const Plan plan = plan_field(triangle, {}, {}, settings);
   EXPECT_NEAR(plan.tally.overlap_m2, 0, 1e-2);
-  for (const std::string& warning : plan.warnings) EXPECT_EQ(warning.find("pass the field boundary"), std::string::npos);
+  for (const std::string& warning : plan.warnings)
+    EXPECT_EQ(warning.find("pass the field boundary"), std::string::npos);
   settings.boundary = EdgeKind::kSoft;
   bool warned = false;
   for (const std::string& warning : plan_field(triangle, {}, {}, settings).warnings)

@@ -54,7 +54,8 @@ class PlanProperties : public ::testing::Test {
     const int cases = case_count(standard);
     for (int i = 0; i < cases; ++i) {
       const unsigned long long seed = base_seed() + static_cast<unsigned long long>(i);
-      SCOPED_TRACE("seed " + std::to_string(seed) + " (TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1)");
+      SCOPED_TRACE("seed " + std::to_string(seed) + " (TRAMLINE_SEED=" + std::to_string(seed) +
+                   " TRAMLINE_CASES=1)");
       std::mt19937_64 random(seed);
       const Field field = random_field(random, 6);
       const Request request = random_request(random);
@@ -165,7 +166,8 @@ TEST_F(PlanProperties, PassableObstaclesCostNeitherTurnsNorStops) {
   for_random_fields(80, [](const Field& field, const Request& request) {
     Field crossed = field;
     const Box box = bounds(field.outer);
-    const Polygon waterway{{{box.min_x - 5, -2.5}, {box.max_x + 5, -1.5}, {box.max_x + 5, 2.5}, {box.min_x - 5, 1.5}}, {}};
+    const Polygon waterway{
+        {{box.min_x - 5, -2.5}, {box.max_x + 5, -1.5}, {box.max_x + 5, 2.5}, {box.min_x - 5, 1.5}}, {}};
     Region solid;
     for (const Obstacle& obstacle : field.obstacles) solid.push_back(obstacle.shape);
     for (const Polygon& part : difference(intersection({waterway}, {{field.outer, {}}}), unite(solid)))
@@ -187,7 +189,9 @@ TEST_F(PlanProperties, PassableObstaclesCostNeitherTurnsNorStops) {
       const TrackPiece &before = plan->pieces[i - 1], &after = plan->pieces[i];
       EXPECT_FALSE(before.stop_at_end || after.stop_at_start);
       EXPECT_NEAR(cross(before.end - before.start, after.end - before.start) / length(before), 0, 1e-6);
-      EXPECT_LT(area(intersection({{swath({before.end, after.start}, plan->machine.width_m), {}}}, unite(solid))), 1e-3);
+      EXPECT_LT(
+          area(intersection({{swath({before.end, after.start}, plan->machine.width_m), {}}}, unite(solid))),
+          1e-3);
     }
     EXPECT_EQ(crossings, plan->tally.crossings);
     return true;

@@ -30,12 +30,14 @@ Field transformed(Field field, const std::function<Point(Point)>& move) {
 
 }  // namespace
 
-Ring random_star(std::mt19937_64& random, Point centre, double least_radius, double most_radius, int corners) {
+Ring random_star(std::mt19937_64& random, Point centre, double least_radius, double most_radius,
+                 int corners) {
   Ring ring;
   for (int i = 0; i < corners; ++i) {
     const double angle = 2 * std::numbers::pi * (i + uniform(random, -0.35, 0.35)) / corners;
     const double radius = uniform(random, least_radius, most_radius);
-    ring.push_back({on_grid(centre.x + radius * std::cos(angle)), on_grid(centre.y + radius * std::sin(angle))});
+    ring.push_back(
+        {on_grid(centre.x + radius * std::cos(angle)), on_grid(centre.y + radius * std::sin(angle))});
   }
   return ring;
 }
@@ -50,11 +52,13 @@ Field random_field(std::mt19937_64& random, int most_obstacles) {
   for (int tries = 0; tries < 4 * wanted && static_cast<int>(field.obstacles.size()) < wanted; ++tries) {
     const double radius = std::exp(uniform(random, 0.0, 3.2));
     const Point centre{uniform(random, -size, size), uniform(random, -size, size)};
-    const Polygon shape{random_star(random, centre, 0.5 * radius, radius,
-                                    std::uniform_int_distribution<int>(3, 9)(random)), {}};
+    const Polygon shape{
+        random_star(random, centre, 0.5 * radius, radius, std::uniform_int_distribution<int>(3, 9)(random)),
+        {}};
     if (area(difference({shape}, {{field.outer, {}}})) > 0) continue;
     bool free = true;
-    for (const Obstacle& other : field.obstacles) free = free && area(intersection({shape}, {other.shape})) == 0;
+    for (const Obstacle& other : field.obstacles)
+      free = free && area(intersection({shape}, {other.shape})) == 0;
     if (free) field.obstacles.push_back({shape, ObstacleKind::kObstacle, "obstacle"});
   }
   return field;

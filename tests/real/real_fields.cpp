@@ -38,10 +38,11 @@ PlanSettings settings_with(EndRule end_rule) {
 void verify_file(const std::string& file, const Field& input, Outcome& outcome) {
   const Plan read = io::read_plan(file);
   check::Verdict verdict = check::verify(read);
-  for (const check::Violation& more : check::compare_fields(read.field, input)) verdict.violations.push_back(more);
+  for (const check::Violation& more : check::compare_fields(read.field, input))
+    verdict.violations.push_back(more);
   for (const check::Violation& violation : verdict.violations)
-    outcome.violations.push_back(
-        fmt::format("{}: {} at ({:.3f}, {:.3f})", violation.rule, violation.what, violation.at.x, violation.at.y));
+    outcome.violations.push_back(fmt::format("{}: {} at ({:.3f}, {:.3f})", violation.rule, violation.what,
+                                             violation.at.x, violation.at.y));
   if (!verdict.complete) outcome.violations.push_back("the verifier could not look at everything");
 }
 

@@ -18,8 +18,8 @@ using testing::Outcome;
 
 /// The named oddities, then every n-th field, forty in all.
 std::vector<const RawFeature*> sample(const testing::RealFields& fields) {
-  const std::set<std::string> odd{"cz/45",     "de-bb/13",  "sk/83",     "isopy-big/0", "cz/12",    "br-lem/23",
-                                  "sk/32",     "us-csb/16", "us-csb/18", "us-csb/30",   "us-csb/55"};
+  const std::set<std::string> odd{"cz/45", "de-bb/13",  "sk/83",     "isopy-big/0", "cz/12",    "br-lem/23",
+                                  "sk/32", "us-csb/16", "us-csb/18", "us-csb/30",   "us-csb/55"};
   std::vector<const RawFeature*> out;
   for (const RawFeature& feature : fields.features())
     if (odd.count(feature.id) > 0) out.push_back(&feature);
@@ -41,10 +41,12 @@ TEST(RealFields, SampleIsPlannedAndHolds) {
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const int scenario = static_cast<int>(i % 3) + 1;
     const auto rule = static_cast<EndRule>(i % 4);
-    for (const Outcome& outcome : testing::plan_and_verify(*fields, crs, *chosen[i], scenario, rule, scratch)) {
+    for (const Outcome& outcome :
+         testing::plan_and_verify(*fields, crs, *chosen[i], scenario, rule, scratch)) {
       EXPECT_TRUE(outcome.refused.empty()) << outcome.field_id << ": " << outcome.refused;
       for (const std::string& violation : outcome.violations)
-        ADD_FAILURE() << outcome.field_id << ", scenario " << scenario << ", " << name(rule) << ": " << violation;
+        ADD_FAILURE() << outcome.field_id << ", scenario " << scenario << ", " << name(rule) << ": "
+                      << violation;
       planned += outcome.pieces > 0 ? 1 : 0;
     }
   }

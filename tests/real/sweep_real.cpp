@@ -30,7 +30,8 @@ std::vector<Outcome> sweep(const RealFields& fields, int scenario_number, EndRul
     // A CRS object serves one thread at a time.
     thread_local const Crs crs(fields.dataset.layers.front().crs);
     const std::string scratch =
-        (std::filesystem::temp_directory_path() / fmt::format("tramline-sweep-{}-{}.gpkg", getpid(), i)).string();
+        (std::filesystem::temp_directory_path() / fmt::format("tramline-sweep-{}-{}.gpkg", getpid(), i))
+            .string();
     by_feature[i] = plan_and_verify(fields, crs, fields.features()[i], scenario_number, end_rule, scratch);
   });
   std::vector<Outcome> out;
@@ -40,7 +41,8 @@ std::vector<Outcome> sweep(const RealFields& fields, int scenario_number, EndRul
 
 /// S1's kind of field: with obstacles, 1 to 22 ha.
 bool like_the_papers(const Outcome& outcome) {
-  return outcome.refused.empty() && outcome.obstacles > 0 && outcome.field_m2 >= 1e4 && outcome.field_m2 <= 22e4;
+  return outcome.refused.empty() && outcome.obstacles > 0 && outcome.field_m2 >= 1e4 &&
+         outcome.field_m2 <= 22e4;
 }
 
 int report(const std::vector<Outcome>& outcomes, int scenario_number, EndRule end_rule) {
@@ -57,10 +59,13 @@ int report(const std::vector<Outcome>& outcomes, int scenario_number, EndRule en
     overlap.push_back(outcome.overlap_pct);
     uncovered.push_back(outcome.uncovered_pct);
   }
-  fmt::print("scenario {} {}: {} plans, {} fail, {} refused; median of {} fields with obstacles, 1-22 ha: overlap {:.3f} %, "
-             "uncovered {:.3f} %; planning median {:.3f} s, longest {:.2f} s\n",
-             scenario_number, name(end_rule), outcomes.size(), failed, refused, overlap.size(), median(overlap),
-             median(uncovered), median(seconds), seconds.empty() ? 0 : *std::max_element(seconds.begin(), seconds.end()));
+  fmt::print(
+      "scenario {} {}: {} plans, {} fail, {} refused; median of {} fields with obstacles, 1-22 ha: overlap "
+      "{:.3f} %, "
+      "uncovered {:.3f} %; planning median {:.3f} s, longest {:.2f} s\n",
+      scenario_number, name(end_rule), outcomes.size(), failed, refused, overlap.size(), median(overlap),
+      median(uncovered), median(seconds),
+      seconds.empty() ? 0 : *std::max_element(seconds.begin(), seconds.end()));
   return failed;
 }
 

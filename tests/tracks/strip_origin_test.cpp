@@ -23,7 +23,8 @@ TEST(StripGrids, LieOnTheLongestParallelEdge) {
 }
 
 TEST(StripGrids, LookAtHolesToo) {
-  const Subfield diamond{{{{-50, 0}, {0, -50}, {50, 0}, {0, 50}}, {{{1, -5}, {1, 5}, {3, 5}, {3, -5.5}}}}, kNorth};
+  const Subfield diamond{{{{-50, 0}, {0, -50}, {50, 0}, {0, 50}}, {{{1, -5}, {1, 5}, {3, 5}, {3, -5.5}}}},
+                         kNorth};
   EXPECT_NEAR(off_line(strip_grids(diamond, 4).front(), 3), 0, 1e-9);
 }
 

@@ -12,7 +12,9 @@ constexpr double kWidth = 3;
 
 StripGrid north_grid() { return {TrackFrame(Direction::clockwise_from_north(Angle::degrees(0))), 0, kWidth}; }
 
-Polygon box(double x0, double y0, double x1, double y1) { return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}}; }
+Polygon box(double x0, double y0, double x1, double y1) {
+  return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}};
+}
 
 struct Sums {
   double overlap = 0, uncovered = 0;
@@ -31,8 +33,8 @@ Sums sums_of(const SubfieldTracks& tracks, const Polygon& subfield) {
   return out;
 }
 
-SubfieldTracks lay(const Polygon& subfield, EndRule rule, const TurnedGround& ground = {}, double min_length = 6,
-                   const Objective& objective = {}) {
+SubfieldTracks lay(const Polygon& subfield, EndRule rule, const TurnedGround& ground = {},
+                   double min_length = 6, const Objective& objective = {}) {
   return strip_pieces(north_grid(), subfield, ground, end_criterion(rule, objective, kWidth), min_length);
 }
 

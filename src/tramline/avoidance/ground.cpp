@@ -17,7 +17,8 @@ Ground sort_obstacles(const Field& field, double width_m) {
   std::vector<Cluster> groups = clusters(obstacles, width_m);
   clip_to_edge(groups, field.outer, width_m);
   Region between;
-  for (const Cluster& group : groups) between.insert(between.end(), group.given_up.begin(), group.given_up.end());
+  for (const Cluster& group : groups)
+    between.insert(between.end(), group.given_up.begin(), group.given_up.end());
 
   const Region solid = unite(obstacles);
   if (!between.empty()) ground.given_up = intersection(unite(between), ground.body);

@@ -11,9 +11,7 @@ namespace {
 constexpr const char* kRule = "pieces";
 
 /// Written so that NaN is not.
-bool on_the_map(Point p) {
-  return std::abs(p.x) <= kFarthest_m && std::abs(p.y) <= kFarthest_m;
-}
+bool on_the_map(Point p) { return std::abs(p.x) <= kFarthest_m && std::abs(p.y) <= kFarthest_m; }
 
 void check_piece(const Plan& plan, std::size_t index, Violations& out) {
   const TrackPiece& piece = plan.pieces[index];

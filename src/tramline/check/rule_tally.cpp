@@ -19,9 +19,7 @@ struct Worked {
 };
 
 /// Sums are rounded like any other: a comparison of sums allows for it.
-double rounding_of(double value) {
-  return 1e-9 * std::max(1.0, std::abs(value));
-}
+double rounding_of(double value) { return 1e-9 * std::max(1.0, std::abs(value)); }
 
 Worked recompute(const Plan& plan, int stops) {
   Worked out;

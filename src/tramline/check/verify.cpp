@@ -18,9 +18,7 @@ Case::Case(const Plan& of)
       area_tolerance_m2(
           std::max(kAreaShare * area(Polygon{of.field.outer, {}}), kGridSize * perimeter(of.field.outer))) {}
 
-std::string piece_name(std::size_t index) {
-  return fmt::format("piece {}", index + 1);
-}
+std::string piece_name(std::size_t index) { return fmt::format("piece {}", index + 1); }
 
 Point place_on_largest(const Region& region) {
   const auto largest = std::max_element(region.begin(), region.end(),

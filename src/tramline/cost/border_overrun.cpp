@@ -14,8 +14,8 @@ struct Swath {
 Swath swath_of(const StripPiece& piece, const StripGrid& grid) {
   const double left = grid.line(piece.strip), right = grid.line(piece.strip + 1);
   Swath out;
-  for (const Point corner : {Point{left, piece.from}, Point{right, piece.from}, Point{right, piece.to},
-                             Point{left, piece.to}}) {
+  for (const Point corner :
+       {Point{left, piece.from}, Point{right, piece.from}, Point{right, piece.to}, Point{left, piece.to}}) {
     out.rectangle.push_back(grid.frame.to_field(corner));
     out.box.extend(out.rectangle.back());
   }
@@ -65,7 +65,8 @@ double covered_in(const Polygon& host, const std::vector<Swath>& own, const std:
 
 }  // namespace
 
-double covered_by_neighbours_m2(const std::vector<Subfield>& subfields, const std::vector<SubfieldTracks>& tracks) {
+double covered_by_neighbours_m2(const std::vector<Subfield>& subfields,
+                                const std::vector<SubfieldTracks>& tracks) {
   if (subfields.size() < 2) return 0;
   std::vector<std::vector<Swath>> leaving;
   for (const SubfieldTracks& subfield : tracks) leaving.push_back(overrunning(subfield));

@@ -9,6 +9,7 @@
 namespace tramline {
 
 /// Land of all subfields that swaths of other subfields cover and their own swaths do not, m².
-double covered_by_neighbours_m2(const std::vector<Subfield>& subfields, const std::vector<SubfieldTracks>& tracks);
+double covered_by_neighbours_m2(const std::vector<Subfield>& subfields,
+                                const std::vector<SubfieldTracks>& tracks);
 
 }  // namespace tramline

@@ -6,7 +6,8 @@
 
 namespace tramline {
 
-Tally tally_of(const std::vector<Subfield>& subfields, const std::vector<SubfieldTracks>& tracks, double body_m2) {
+Tally tally_of(const std::vector<Subfield>& subfields, const std::vector<SubfieldTracks>& tracks,
+               double body_m2) {
   Tally tally;
   double useful_m2 = 0;
   for (const SubfieldTracks& subfield : tracks)

@@ -14,6 +14,7 @@ namespace tramline {
 /// the second sum by inclusion and exclusion over convex pieces. No swath enters hard or passable
 /// land, so nothing outside the subfields is useful.
 /// `subfields` and `tracks` correspond. `body_m2` is the area of the body.
-Tally tally_of(const std::vector<Subfield>& subfields, const std::vector<SubfieldTracks>& tracks, double body_m2);
+Tally tally_of(const std::vector<Subfield>& subfields, const std::vector<SubfieldTracks>& tracks,
+               double body_m2);
 
 }  // namespace tramline

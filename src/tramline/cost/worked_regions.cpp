@@ -19,7 +19,8 @@ Region pairwise_overlaps(const Region& swaths) {
   };
   std::vector<Item> items;
   for (const Polygon& swath : swaths) items.push_back({&swath.outer, bounds(swath)});
-  std::sort(items.begin(), items.end(), [](const Item& a, const Item& b) { return a.box.min_x < b.box.min_x; });
+  std::sort(items.begin(), items.end(),
+            [](const Item& a, const Item& b) { return a.box.min_x < b.box.min_x; });
   Region out;
   for (std::size_t i = 0; i < items.size(); ++i)
     for (std::size_t j = i + 1; j < items.size() && items[j].box.min_x <= items[i].box.max_x; ++j) {

@@ -7,10 +7,12 @@
 namespace tramline {
 
 Direction driving_direction(const Ring& outer, CellDirection choice) {
-  return choice == CellDirection::kRectangle ? long_side_of_smallest_rectangle(outer) : across_least_width(outer);
+  return choice == CellDirection::kRectangle ? long_side_of_smallest_rectangle(outer)
+                                             : across_least_width(outer);
 }
 
-std::vector<Cell> sweep_cells(const Region& plannable, Direction sweep, Angle threshold, CellDirection choice) {
+std::vector<Cell> sweep_cells(const Region& plannable, Direction sweep, Angle threshold,
+                              CellDirection choice) {
   std::vector<Cell> cells;
   for (const Polygon& polygon : plannable) {
     const auto cuts = cuts_at(polygon, split_events(polygon, threshold), sweep);

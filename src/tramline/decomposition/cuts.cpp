@@ -114,8 +114,9 @@ std::vector<DirectedEdge> cut_edges(const std::vector<Cut>& cuts) {
     out.push_back({cut.to, cut.from});
   }
   std::sort(out.begin(), out.end(), [key](const auto& a, const auto& b) { return key(a) < key(b); });
-  out.erase(std::unique(out.begin(), out.end(), [key](const auto& a, const auto& b) { return key(a) == key(b); }),
-            out.end());
+  out.erase(
+      std::unique(out.begin(), out.end(), [key](const auto& a, const auto& b) { return key(a) == key(b); }),
+      out.end());
   return out;
 }
 

@@ -10,8 +10,8 @@ namespace tramline {
 
 /// From an event's vertex through the field's inside to the next boundary.
 struct Cut {
-  Point from;  ///< the vertex
-  Point to;    ///< a vertex, or a point on `edge`
+  Point from;            ///< the vertex
+  Point to;              ///< a vertex, or a point on `edge`
   int ring = -1;         ///< the ring hit between two vertices (0: outer, then the holes); −1: a vertex
   std::size_t edge = 0;  ///< … and the edge, by its first vertex
 };

@@ -28,7 +28,8 @@ void find_neighbours(MergeGraph& graph) {
     append_edges(graph.cells[c].shape.outer, c, edges);
     for (const Ring& hole : graph.cells[c].shape.holes) append_edges(hole, c, edges);
   }
-  std::stable_sort(edges.begin(), edges.end(), [](const CellEdge& a, const CellEdge& b) { return a.key < b.key; });
+  std::stable_sort(edges.begin(), edges.end(),
+                   [](const CellEdge& a, const CellEdge& b) { return a.key < b.key; });
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
     const CellEdge &one = edges[i], &other = edges[i + 1];
     if (one.key != other.key || one.cell == other.cell) continue;

@@ -12,7 +12,7 @@ namespace tramline {
 
 /// One subfield in the making.
 struct MergeNode {
-  std::vector<std::size_t> cells;        ///< members, by index of the original cell
+  std::vector<std::size_t> cells;  ///< members, by index of the original cell
   double area_m2 = 0;
   Direction direction;                   ///< of the largest part (S1.23)
   std::vector<Direction> history;        ///< directions that every later merge must respect (S1.24)

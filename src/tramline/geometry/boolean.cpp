@@ -20,7 +20,8 @@ class Context {
   Context() : handle_(GEOS_init_r()) {
     GEOSContext_setErrorMessageHandler_r(
         handle_, [](const char* text, void* self) { static_cast<Context*>(self)->last_error_ = text; }, this);
-    GEOSContext_setNoticeMessageHandler_r(handle_, [](const char*, void*) {}, nullptr);
+    GEOSContext_setNoticeMessageHandler_r(
+        handle_, [](const char*, void*) {}, nullptr);
   }
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
@@ -45,7 +46,8 @@ struct Destroy {
 using Geometry = std::unique_ptr<GEOSGeometry, Destroy>;
 
 Geometry checked(GEOSGeometry* raw, const char* operation) {
-  if (raw == nullptr) throw failure(std::string("polygon ") + operation + " failed: " + context().last_error());
+  if (raw == nullptr)
+    throw failure(std::string("polygon ") + operation + " failed: " + context().last_error());
   return Geometry(raw);
 }
 
@@ -68,8 +70,8 @@ Geometry to_geos(const Polygon& polygon) {
   std::vector<GEOSGeometry*> holes;
   for (const Ring& hole : polygon.holes)
     holes.push_back(GEOSGeom_createLinearRing_r(geos(), sequence_of(hole, true)));
-  return checked(
-      GEOSGeom_createPolygon_r(geos(), shell, holes.data(), static_cast<unsigned>(holes.size())), "polygon");
+  return checked(GEOSGeom_createPolygon_r(geos(), shell, holes.data(), static_cast<unsigned>(holes.size())),
+                 "polygon");
 }
 
 Geometry collect(std::vector<Geometry> parts, int type) {
@@ -123,7 +125,8 @@ Region from_geos(const Geometry& g) {
 }
 
 Region overlay(const Region& a, const Region& b,
-               GEOSGeometry* (*operation)(GEOSContextHandle_t, const GEOSGeometry*, const GEOSGeometry*, double),
+               GEOSGeometry* (*operation)(GEOSContextHandle_t, const GEOSGeometry*, const GEOSGeometry*,
+                                          double),
                const char* name) {
   return from_geos(checked(operation(geos(), to_geos(a).get(), to_geos(b).get(), kGridSize), name));
 }
@@ -149,22 +152,26 @@ Region unite(const Region& a, const Region& b) {
 Region intersection(const Region& a, const Region& b) {
   return overlay(a, b, GEOSIntersectionPrec_r, "intersection");
 }
-Region difference(const Region& a, const Region& b) { return overlay(a, b, GEOSDifferencePrec_r, "difference"); }
+Region difference(const Region& a, const Region& b) {
+  return overlay(a, b, GEOSDifferencePrec_r, "difference");
+}
 Region symmetric_difference(const Region& a, const Region& b) {
   return overlay(a, b, GEOSSymDifferencePrec_r, "symmetric difference");
 }
 
 Region buffered(const Region& region, double distance_m, JoinStyle join, int segments_per_quadrant) {
   const int style = join == JoinStyle::kRound ? GEOSBUF_JOIN_ROUND : GEOSBUF_JOIN_MITRE;
-  return from_geos(checked(GEOSBufferWithStyle_r(geos(), to_geos(region).get(), distance_m, segments_per_quadrant,
-                                                 GEOSBUF_CAP_ROUND, style, kMitreLimit),
-                           "buffer"));
+  return from_geos(
+      checked(GEOSBufferWithStyle_r(geos(), to_geos(region).get(), distance_m, segments_per_quadrant,
+                                    GEOSBUF_CAP_ROUND, style, kMitreLimit),
+              "buffer"));
 }
 
 Region buffered_line(const std::vector<Point>& line, double distance_m) {
-  return from_geos(checked(GEOSBufferWithStyle_r(geos(), to_line(line, false).get(), distance_m, kRoundSegments,
-                                                 GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, kMitreLimit),
-                           "line buffer"));
+  return from_geos(
+      checked(GEOSBufferWithStyle_r(geos(), to_line(line, false).get(), distance_m, kRoundSegments,
+                                    GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, kMitreLimit),
+              "line buffer"));
 }
 
 Region line_neighbourhood(Point a, Point b, double distance_m) {
@@ -180,7 +187,8 @@ double distance_between(const Region& a, const Region& b) {
 
 double distance_to_ring(const Region& region, const Ring& ring) {
   double out = 0;
-  if (!GEOSDistance_r(geos(), to_geos(region).get(), to_line(ring, true).get(), &out)) checked(nullptr, "distance");
+  if (!GEOSDistance_r(geos(), to_geos(region).get(), to_line(ring, true).get(), &out))
+    checked(nullptr, "distance");
   return out;
 }
 
@@ -227,7 +235,8 @@ Region split_by_lines(const Polygon& polygon, const std::vector<std::vector<Poin
 
 double length_inside(const Region& region, Point a, Point b) {
   const Geometry line = to_line({a, b}, false);
-  const Geometry inside = checked(GEOSIntersection_r(geos(), to_geos(region).get(), line.get()), "intersection");
+  const Geometry inside =
+      checked(GEOSIntersection_r(geos(), to_geos(region).get(), line.get()), "intersection");
   double out = 0;
   if (!GEOSLength_r(geos(), inside.get(), &out)) checked(nullptr, "length");
   return out;

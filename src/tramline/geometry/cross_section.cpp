@@ -51,11 +51,13 @@ class Buckets {
     for (int k = std::max(k_left, range_.first); k <= std::min(k_right, range_.last); ++k) {
       Bucket& bucket = buckets_[static_cast<std::size_t>(k - range_.first)];
       const Point from = k == k_left ? left : Point{grid_.line(k), along_at(left, right, grid_.line(k))};
-      const Point to = k == k_right ? right : Point{grid_.line(k + 1), along_at(left, right, grid_.line(k + 1))};
+      const Point to =
+          k == k_right ? right : Point{grid_.line(k + 1), along_at(left, right, grid_.line(k + 1))};
       const int change = rightward ? +1 : -1;
       if (k < k_right) bucket.right_line.push_back({to.y, change});
       const double centre = grid_.centre(k);
-      if (left.x < centre && right.x >= centre) bucket.centre_line.push_back({along_at(left, right, centre), change});
+      if (left.x < centre && right.x >= centre)
+        bucket.centre_line.push_back({along_at(left, right, centre), change});
       add_part(bucket, from, to, rightward, grid_.line(k));
     }
   }
@@ -124,7 +126,8 @@ std::vector<Slab> slabs_of(Bucket& bucket, double strip_width) {
   int right_inside = 0;
   for (std::size_t i = 0; i + 1 < events.size(); ++i) {
     const double from = events[i], to = events[i + 1];
-    for (; next_crossing < bucket.right_line.size() && bucket.right_line[next_crossing].along <= from; ++next_crossing)
+    for (; next_crossing < bucket.right_line.size() && bucket.right_line[next_crossing].along <= from;
+         ++next_crossing)
       right_inside += bucket.right_line[next_crossing].change;
     std::erase_if(active, [from](const EdgePart& part) { return part.top <= from; });
     for (; next_part < bucket.parts.size() && bucket.parts[next_part].bottom <= from; ++next_part)

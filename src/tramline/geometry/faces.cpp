@@ -44,8 +44,9 @@ class Walk {
  private:
   std::size_t next_after(std::size_t e) const {
     const Point node = edges_[e].to;
-    const auto first = std::lower_bound(edges_.begin(), edges_.end(), node,
-                                        [](const DirectedEdge& edge, Point p) { return before(edge.from, p); });
+    const auto first =
+        std::lower_bound(edges_.begin(), edges_.end(), node,
+                         [](const DirectedEdge& edge, Point p) { return before(edge.from, p); });
     const Point back = edges_[e].from - node;
     std::size_t best = edges_.size();
     double least = 0;

@@ -94,8 +94,8 @@ bool contains(const Ring& ring, Point p) {
 }
 
 bool contains(const Polygon& polygon, Point p) {
-  return contains(polygon.outer, p) &&
-         std::none_of(polygon.holes.begin(), polygon.holes.end(), [p](const Ring& h) { return contains(h, p); });
+  return contains(polygon.outer, p) && std::none_of(polygon.holes.begin(), polygon.holes.end(),
+                                                    [p](const Ring& h) { return contains(h, p); });
 }
 
 bool contains(const Region& region, Point p) {

@@ -16,10 +16,14 @@ std::optional<Choice> named(std::string_view word, std::initializer_list<Choice>
 
 const char* name(EndRule rule) {
   switch (rule) {
-    case EndRule::kCentre: return "centre";
-    case EndRule::kCover: return "cover";
-    case EndRule::kInside: return "inside";
-    case EndRule::kCheapest: return "cheapest";
+    case EndRule::kCentre:
+      return "centre";
+    case EndRule::kCover:
+      return "cover";
+    case EndRule::kInside:
+      return "inside";
+    case EndRule::kCheapest:
+      return "cheapest";
   }
   return "";
 }

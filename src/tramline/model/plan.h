@@ -31,15 +31,15 @@ struct PlanSettings {
   EndRule end_rule = EndRule::kCheapest;
   EdgeKind boundary = EdgeKind::kSoft;  ///< kind of the field's outer ring; obstacles are hard
   CellDirection cell_direction = CellDirection::kRectangle;
-  Angle merge_threshold = Angle::degrees(0);             ///< S1.22
-  Angle decomposition_threshold = Angle::degrees(180);   ///< S1.16
-  double small_cell_m2 = 200;                            ///< S1.21
+  Angle merge_threshold = Angle::degrees(0);            ///< S1.22
+  Angle decomposition_threshold = Angle::degrees(180);  ///< S1.16
+  double small_cell_m2 = 200;                           ///< S1.21
 };
 
-const char* name(EndRule rule);           ///< centre, cover, inside, cheapest
-const char* name(EdgeKind kind);          ///< soft, hard
-const char* name(Strategy strategy);      ///< sweep
-const char* name(CellDirection choice);   ///< rectangle, width
+const char* name(EndRule rule);          ///< centre, cover, inside, cheapest
+const char* name(EdgeKind kind);         ///< soft, hard
+const char* name(Strategy strategy);     ///< sweep
+const char* name(CellDirection choice);  ///< rectangle, width
 /// The inverse of name(); nullopt for any other word.
 std::optional<EndRule> end_rule_named(std::string_view word);
 std::optional<EdgeKind> edge_kind_named(std::string_view word);

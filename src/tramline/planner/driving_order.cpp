@@ -84,8 +84,8 @@ std::vector<TrackPiece> driving_order(const Candidate& candidate) {
     for (std::size_t i = 0; i < waiting.size(); ++i) {
       if (waiting[i].empty()) continue;
       double reach = 0;
-      std::vector<TrackPiece> candidate_way =
-          out.empty() ? up_and_down(waiting[i], false, false) : nearest_way(waiting[i], out.back().end, reach);
+      std::vector<TrackPiece> candidate_way = out.empty() ? up_and_down(waiting[i], false, false)
+                                                          : nearest_way(waiting[i], out.back().end, reach);
       if (chosen != waiting.size() && reach >= nearest) continue;
       nearest = reach;
       chosen = i;

@@ -25,11 +25,10 @@ std::vector<DroppedPiece> dropped_pieces(const Candidate& candidate) {
 }
 
 Error no_tracks(const SearchTask& task) {
-  return bad_input(
-      fmt::format("no track fits into field '{}' of {:.0f} m² with a working width of {} m and pieces of at least {} m: "
-                  "use a narrower machine, a smaller --min-length or another end rule",
-                  task.field.id, area_m2(task.field), task.machine.width_m,
-                  min_length_m(task.machine)));
+  return bad_input(fmt::format(
+      "no track fits into field '{}' of {:.0f} m² with a working width of {} m and pieces of at least {} m: "
+      "use a narrower machine, a smaller --min-length or another end rule",
+      task.field.id, area_m2(task.field), task.machine.width_m, min_length_m(task.machine)));
 }
 
 }  // namespace

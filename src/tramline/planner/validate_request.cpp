@@ -21,8 +21,8 @@ void require_weight(double value, const char* what) {
 
 void require_degrees(Angle angle, double least, double most, const char* what) {
   if (!(angle.degrees() >= least && angle.degrees() <= most))
-    throw bad_input(
-        fmt::format("the {} must lie between {} and {} degrees, not at {}", what, least, most, angle.degrees()));
+    throw bad_input(fmt::format("the {} must lie between {} and {} degrees, not at {}", what, least, most,
+                                angle.degrees()));
 }
 
 }  // namespace
@@ -32,7 +32,8 @@ void validate_request(const Machine& machine, const Objective& objective, const 
   if (!(std::isfinite(machine.radius_m) && machine.radius_m >= 0))
     throw bad_input(fmt::format("the turning radius must be at least 0 m, not {}", machine.radius_m));
   if (!std::isfinite(machine.min_length_m))
-    throw bad_input(fmt::format("the least track length must be a number of metres, not {}", machine.min_length_m));
+    throw bad_input(
+        fmt::format("the least track length must be a number of metres, not {}", machine.min_length_m));
   require_weight(objective.overlap, "overlap");
   require_weight(objective.uncovered, "uncovered land");
   require_weight(objective.turn, "turns");

@@ -30,23 +30,25 @@ void warn_of_overrun(const Plan& plan, std::vector<std::string>& out) {
     for (const Point p : part.outer) farthest = std::max(farthest, distance_to(plan.field.outer, p));
   if (farthest < kWorthSaying) return;
   out.push_back(
-      fmt::format("swaths pass the field boundary by up to {:.2f} m ({:.1f} m² in all); --boundary hard keeps them inside",
+      fmt::format("swaths pass the field boundary by up to {:.2f} m ({:.1f} m² in all); --boundary hard "
+                  "keeps them inside",
                   farthest, area(outside)));
 }
 
 void warn_of_given_up_land(const Plan& plan, std::vector<std::string>& out) {
   if (plan.given_up.empty()) return;
-  out.push_back(fmt::format(
-      "{:.1f} m² between obstacles, or between obstacles and the edge, are narrower than the machine and are given up",
-      area(plan.given_up)));
+  out.push_back(
+      fmt::format("{:.1f} m² between obstacles, or between obstacles and the edge, are narrower than the "
+                  "machine and are given up",
+                  area(plan.given_up)));
 }
 
 void warn_of_dropped_pieces(const Plan& plan, std::vector<std::string>& out) {
   if (plan.dropped.empty()) return;
   double total = 0;
   for (const DroppedPiece& piece : plan.dropped) total += distance(piece.start, piece.end);
-  out.push_back(fmt::format("{} pieces shorter than {:.2f} m are not driven ({:.1f} m in all)", plan.dropped.size(),
-                            min_length_m(plan.machine), total));
+  out.push_back(fmt::format("{} pieces shorter than {:.2f} m are not driven ({:.1f} m in all)",
+                            plan.dropped.size(), min_length_m(plan.machine), total));
 }
 
 }  // namespace

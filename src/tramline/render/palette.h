@@ -46,8 +46,6 @@ inline constexpr Colour kDroppedColour = rgb(0x6E6E6E);
 /// Tints of the subfields, used in turn.
 inline constexpr std::array<Colour, 8> kTints = {rgb(0xE2EDD5), rgb(0xF4EACB), rgb(0xE7DFF0), rgb(0xF3DDDB),
                                                  rgb(0xD3EAE5), rgb(0xEAE9C4), rgb(0xDCE3EC), rgb(0xEADCCB)};
-constexpr Colour tint(std::size_t subfield) {
-  return kTints[subfield % kTints.size()];
-}
+constexpr Colour tint(std::size_t subfield) { return kTints[subfield % kTints.size()]; }
 
 }  // namespace tramline::render

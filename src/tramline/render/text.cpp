@@ -8,12 +8,8 @@
 extern "C" {
 const char* __lsan_default_suppressions();
 const char* __lsan_default_options();
-const char* __lsan_default_suppressions() {
-  return "leak:libfontconfig";
-}
-const char* __lsan_default_options() {
-  return "print_suppressions=0";
-}
+const char* __lsan_default_suppressions() { return "leak:libfontconfig"; }
+const char* __lsan_default_options() { return "print_suppressions=0"; }
 }
 #endif
 

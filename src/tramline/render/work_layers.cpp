@@ -13,9 +13,7 @@ constexpr double kArrowSize = 9;
 constexpr double kLeastArrow = 6;
 constexpr double kLeastStop = 1.6;
 
-bool drivable(const TrackPiece& piece) {
-  return !(piece.start == piece.end);
-}
+bool drivable(const TrackPiece& piece) { return !(piece.start == piece.end); }
 
 double swath_px(const Canvas& canvas, const Plan& plan) {
   return plan.machine.width_m * canvas.view().px_per_m;

@@ -7,10 +7,14 @@ namespace tramline {
 EndCriterion end_criterion(EndRule rule, const Objective& objective, double width_m) {
   const double least = kWidthTolerance, most = width_m - kWidthTolerance;
   switch (rule) {
-    case EndRule::kCentre: return {true, 0};
-    case EndRule::kCover: return {false, least};
-    case EndRule::kInside: return {false, most};
-    case EndRule::kCheapest: return {false, std::clamp(cheapest_share(objective) * width_m, least, most)};
+    case EndRule::kCentre:
+      return {true, 0};
+    case EndRule::kCover:
+      return {false, least};
+    case EndRule::kInside:
+      return {false, most};
+    case EndRule::kCheapest:
+      return {false, std::clamp(cheapest_share(objective) * width_m, least, most)};
   }
   return {};
 }

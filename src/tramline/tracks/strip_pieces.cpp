@@ -6,8 +6,8 @@ namespace {
 /// Where a strip meets things it may not work, by cause.
 struct Blocked {
   StripProfile hard;
-  Intervals by_hard;      ///< obstacles and given-up land
-  Intervals by_outside;   ///< land beyond a hard field boundary
+  Intervals by_hard;     ///< obstacles and given-up land
+  Intervals by_outside;  ///< land beyond a hard field boundary
   Intervals by_passable;
 };
 
@@ -26,8 +26,13 @@ void append_stretch(const Interval& stretch, const Blocked& blocked, const Strip
   bool before_driven = false;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const Interval& part = parts[i];
-    StripPiece piece{strip, part.from, part.to, stops_at(blocked, part.from, -1), stops_at(blocked, part.to, +1),
-                     before_driven, area_between(subfield, part.from, part.to)};
+    StripPiece piece{strip,
+                     part.from,
+                     part.to,
+                     stops_at(blocked, part.from, -1),
+                     stops_at(blocked, part.to, +1),
+                     before_driven,
+                     area_between(subfield, part.from, part.to)};
     const bool between_crossings = i > 0 && i + 1 < parts.size();
     if (part.length() < min_length_m && !between_crossings) {
       out.dropped.push_back(piece);

@@ -22,9 +22,9 @@ struct StripPiece {
 
 /// The ground of a field in the turned plane of one grid.
 struct TurnedGround {
-  Region hard;      ///< obstacles and given-up land
+  Region hard;  ///< obstacles and given-up land
   Region passable;
-  Region field;     ///< the field's outer ring where it is hard, else empty
+  Region field;  ///< the field's outer ring where it is hard, else empty
 };
 
 /// One subfield with its tracks.

@@ -77,9 +77,7 @@ TEST_F(MachineFile, WrongLengthNamesFileLineAndKey) {
       expect_says(refusal("width_m = 3\n\n" + key + " = " + value), {"m.toml", "line 3", key});
 }
 
-TEST_F(MachineFile, NameIsText) {
-  expect_says(refusal("width_m = 3\nname = 7\n"), {"line 2", "name"});
-}
+TEST_F(MachineFile, NameIsText) { expect_says(refusal("width_m = 3\nname = 7\n"), {"line 2", "name"}); }
 
 TEST_F(MachineFile, WidthIsNeeded) {
   expect_says(refusal(""), {"m.toml", "width_m", "missing"});

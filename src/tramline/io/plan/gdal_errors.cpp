@@ -2,13 +2,9 @@
 
 namespace tramline::io {
 
-GdalErrors::GdalErrors() {
-  CPLPushErrorHandlerEx(&GdalErrors::keep, this);
-}
+GdalErrors::GdalErrors() { CPLPushErrorHandlerEx(&GdalErrors::keep, this); }
 
-GdalErrors::~GdalErrors() {
-  CPLPopErrorHandler();
-}
+GdalErrors::~GdalErrors() { CPLPopErrorHandler(); }
 
 void CPL_STDCALL GdalErrors::keep(CPLErr severity, CPLErrorNum, const char* text) {
   auto* self = static_cast<GdalErrors*>(CPLGetErrorHandlerUserData());

@@ -261,8 +261,6 @@ PlanFile read_plan_file(const fs::path& path) {
   return out;
 }
 
-Plan read_plan(const fs::path& path) {
-  return read_plan_file(path).plan;
-}
+Plan read_plan(const fs::path& path) { return read_plan_file(path).plan; }
 
 }  // namespace tramline::io

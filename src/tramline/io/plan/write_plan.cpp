@@ -36,18 +36,10 @@ struct Column {
 using Cell = std::variant<long long, double, bool, std::string>;
 
 constexpr Column kArea{"area_m2", OFTReal};
-constexpr Column integer(const char* name) {
-  return {name, OFTInteger};
-}
-constexpr Column real(const char* name) {
-  return {name, OFTReal};
-}
-constexpr Column text(const char* name) {
-  return {name, OFTString};
-}
-constexpr Column flag(const char* name) {
-  return {name, OFTInteger, OFSTBoolean};
-}
+constexpr Column integer(const char* name) { return {name, OFTInteger}; }
+constexpr Column real(const char* name) { return {name, OFTReal}; }
+constexpr Column text(const char* name) { return {name, OFTString}; }
+constexpr Column flag(const char* name) { return {name, OFTInteger, OFSTBoolean}; }
 
 std::string time_stamp() {
   long long seconds = 0;
