@@ -5,6 +5,7 @@
 #include "command.h"
 #include "field_options.h"
 #include "info_report.h"
+#include "report_parts.h"
 #include "tramline/geometry/error.h"
 
 namespace tramline::app {
@@ -44,13 +45,9 @@ class InfoCommand : public Command {
   }
 
  private:
-  static std::string dumped(const nlohmann::ordered_json& json) {
-    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  }
-
   void list(const FieldInput& input) const {
     if (json_) {
-      fmt::print("{}\n", dumped(candidates_json(options_.file, input)));
+      fmt::print("{}\n", json_line(candidates_json(options_.file, input)));
       return;
     }
     fmt::print("{}{}", source_rows(options_.file, input), candidate_rows(input));
@@ -62,12 +59,12 @@ class InfoCommand : public Command {
   void print_json(const FieldInput& input) const {
     for (const Field& field : input.fields) {
       nlohmann::ordered_json line = field_json(options_.file, input, field);
-      if (!options_.all) line["skipped"] = skipped_json(input);
-      fmt::print("{}\n", dumped(line));
+      if (!options_.all) line["skipped"] = skipped_json(input.skipped);
+      fmt::print("{}\n", json_line(line));
     }
-    for (const Refusal& refusal : input.refusals) fmt::print("{}\n", dumped(refusal_json(refusal)));
+    for (const Refusal& refusal : input.refusals) fmt::print("{}\n", json_line(refusal_json(refusal.field_id, refusal.sentence)));
     if (options_.all && !input.skipped.empty())
-      fmt::print("{}\n", dumped({{"skipped", skipped_json(input)}}));
+      fmt::print("{}\n", json_line({{"skipped", skipped_json(input.skipped)}}));
   }
 
   void print_table(const FieldInput& input) const {

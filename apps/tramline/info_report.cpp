@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "report_parts.h"
+
 namespace tramline::app {
 namespace {
 
@@ -58,23 +60,6 @@ ordered_json obstacles_json(const Field& field) {
                    {"kind", kind_name(obstacle.kind)},
                    {"area_m2", area(obstacle.shape)},
                    {"vertices", vertex_count({obstacle.shape})}});
-  return out;
-}
-
-ordered_json repairs_json(const Field& field) {
-  ordered_json out = ordered_json::array();
-  for (const Repair& repair : field.repairs)
-    out.push_back({{"what", repair.what},
-                   {"where", repair.where},
-                   {"at", {repair.at.x, repair.at.y}},
-                   {"area_change_m2", repair.area_change_m2}});
-  return out;
-}
-
-ordered_json skipped_json(const std::vector<Skipped>& skipped) {
-  ordered_json out = ordered_json::array();
-  for (const Skipped& item : skipped)
-    out.push_back({{"what", item.what}, {"where", item.where}, {"why", item.why}});
   return out;
 }
 
@@ -132,13 +117,6 @@ std::string candidate_rows(const FieldInput& input) {
   return out;
 }
 
-std::string skipped_rows(const std::vector<Skipped>& skipped) {
-  std::string out;
-  for (const Skipped& item : skipped)
-    fmt::format_to(std::back_inserter(out), "skipped      {} ({}): {}\n", item.what, item.where, item.why);
-  return out;
-}
-
 ordered_json field_json(const std::string& file, const FieldInput& input, const Field& field) {
   ordered_json out{{"field_id", field.id}};
   out.update(source_json(file, input));
@@ -150,15 +128,9 @@ ordered_json field_json(const std::string& file, const FieldInput& input, const 
   out["perimeter_m"] = perimeter(field.outer);
   out["vertices"] = vertices(field);
   out["obstacles"] = obstacles_json(field);
-  out["repairs"] = repairs_json(field);
+  out["repairs"] = repairs_json(field.repairs);
   out["warnings"] = field.warnings;
   return out;
-}
-
-ordered_json skipped_json(const FieldInput& input) { return skipped_json(input.skipped); }
-
-ordered_json refusal_json(const Refusal& refusal) {
-  return {{"field_id", refusal.field_id}, {"error", refusal.sentence}};
 }
 
 ordered_json candidates_json(const std::string& file, const FieldInput& input) {
@@ -171,7 +143,8 @@ ordered_json candidates_json(const std::string& file, const FieldInput& input) {
                                  {"vertices", vertices(field)},
                                  {"obstacles", field.obstacles.size()},
                                  {"repairs", field.repairs.size()}});
-  for (const Refusal& refusal : input.refusals) out["candidates"].push_back(refusal_json(refusal));
+  for (const Refusal& refusal : input.refusals)
+    out["candidates"].push_back(refusal_json(refusal.field_id, refusal.sentence));
   out["skipped"] = skipped_json(input.skipped);
   return out;
 }

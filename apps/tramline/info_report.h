@@ -14,12 +14,9 @@ std::string source_rows(const std::string& file, const FieldInput& input);
 std::string field_rows(const Field& field);
 /// One line for each field and refusal, for choosing among them.
 std::string candidate_rows(const FieldInput& input);
-std::string skipped_rows(const std::vector<Skipped>& skipped);
 
 /// One field with everything about its source; what was skipped concerns all fields and is not in it.
 nlohmann::ordered_json field_json(const std::string& file, const FieldInput& input, const Field& field);
-nlohmann::ordered_json refusal_json(const Refusal& refusal);
-nlohmann::ordered_json skipped_json(const FieldInput& input);
 /// The list of candidates.
 nlohmann::ordered_json candidates_json(const std::string& file, const FieldInput& input);
 

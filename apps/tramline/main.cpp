@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     for (std::size_t i = 0; i < commands.size(); ++i)
       if (verbs[i]->parsed()) return commands[i]->run();
-    std::fputs(app.help().c_str(), stderr);
+    std::fputs("tramline: name a verb, plan, info or check; see 'tramline --help'\n", stderr);
     return 2;
   } catch (const CLI::Success& success) {
     return app.exit(success);

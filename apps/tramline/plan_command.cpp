@@ -11,6 +11,7 @@
 #include "plan_options.h"
 #include "plan_report.h"
 #include "progress.h"
+#include "report_parts.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/plan/write_plan.h"
 #include "tramline/planner/plan_field.h"
@@ -50,28 +51,24 @@ class PlanCommand : public Command {
     require_writable(output_, "--output", {".gpkg"}, inputs);
     require_writable(picture_, "--picture", {".png", ".svg", ".pdf"}, inputs);
     const FieldInput input = load_fields(field_options_);
-    return field_options_.all ? plan_all(input) : plan_each(input);
+    const bool single = !field_options_.all && input.fields.size() == 1;
+    return single ? plan_single(input.fields.front(), input.skipped) : plan_many(input);
   }
 
  private:
-  /// The parts of the one feature asked for; the first that cannot be planned ends the run.
-  int plan_each(const FieldInput& input) {
-    const bool several = input.fields.size() > 1;
-    OutputNames outputs(output_, several), pictures(picture_, several);
-    for (const Field& field : input.fields) {
-      const Planned planned = plan_one(field);
-      write(planned.plan, outputs, pictures);
-      if (json_)
-        fmt::print("{}\n", plan_json(planned.plan, input.skipped, planned.seconds).dump());
-      else if (!quiet_)
-        fmt::print("{}{}", &field == &input.fields.front() ? "" : "\n",
-                   plan_table(planned.plan, input.skipped, planned.seconds));
-    }
+  int plan_single(const Field& field, const std::vector<Skipped>& skipped) {
+    const Planned planned = plan_one(field);
+    OutputNames outputs(output_, false), pictures(picture_, false);
+    write(planned.plan, outputs, pictures);
+    if (json_)
+      fmt::print("{}\n", json_line(plan_json(planned.plan, skipped, planned.seconds)));
+    else if (!quiet_)
+      fmt::print("{}", plan_table(planned.plan, skipped, planned.seconds));
     return 0;
   }
 
-  /// All features; what cannot be planned is listed, and the rest goes on.
-  int plan_all(const FieldInput& input) {
+  /// Several features, or the parts of one; what cannot be planned is listed, and the rest goes on.
+  int plan_many(const FieldInput& input) {
     OutputNames outputs(output_, true), pictures(picture_, true);
     std::size_t planned_count = 0;
     for (const Refusal& refusal : input.refusals) refuse(refusal.field_id, refusal.sentence);
@@ -79,15 +76,16 @@ class PlanCommand : public Command {
       try {
         const Planned planned = plan_one(field);
         write(planned.plan, outputs, pictures);
-        report_one_of_many(planned, input.skipped);
+        report_one_of_many(planned);
         ++planned_count;
       } catch (const Error& error) {
         if (error.kind() != ErrorKind::kBadInput) throw;
         refuse(field.id, error.what());
       }
     }
-    for (const Skipped& skipped : input.skipped)
-      if (!quiet_) fmt::print(stderr, "skipped {} ({}): {}\n", skipped.what, skipped.where, skipped.why);
+    if (json_ && !input.skipped.empty())
+      fmt::print("{}\n", json_line({{"skipped", skipped_json(input.skipped)}}));
+    if (!json_ && !quiet_) fmt::print(stderr, "{}", skipped_rows(input.skipped));
     if (!quiet_)
       fmt::print(stderr, "planned {} of {} fields, {} refused\n", planned_count,
                  input.fields.size() + input.refusals.size(), refused_);
@@ -113,9 +111,9 @@ class PlanCommand : public Command {
     if (!picture_.empty()) render::draw_plan(plan, pictures.next(plan.field.id));
   }
 
-  void report_one_of_many(const Planned& planned, const std::vector<Skipped>& skipped) const {
+  void report_one_of_many(const Planned& planned) const {
     if (json_)
-      fmt::print("{}\n", plan_json(planned.plan, skipped, planned.seconds).dump());
+      fmt::print("{}\n", json_line(plan_json(planned.plan, {}, planned.seconds)));
     else if (!quiet_)
       fmt::print("{}", plan_line(planned.plan, planned.seconds));
   }
@@ -123,7 +121,7 @@ class PlanCommand : public Command {
   void refuse(const std::string& field_id, const std::string& sentence) {
     ++refused_;
     if (json_)
-      fmt::print("{}\n", nlohmann::ordered_json{{"field_id", field_id}, {"refused", sentence}}.dump());
+      fmt::print("{}\n", json_line(refusal_json(field_id, sentence)));
     else
       fmt::print(stderr, "{} refused: {}\n", field_id, sentence);
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "report_parts.h"
 #include "tramline/headland/body.h"
 
 namespace tramline::app {
@@ -10,24 +11,6 @@ namespace {
 using nlohmann::ordered_json;
 
 double percent_of_field(const Plan& plan, double part_m2) { return 100 * part_m2 / area_m2(plan.field); }
-
-ordered_json repairs_json(const Field& field) {
-  ordered_json out = ordered_json::array();
-  for (const Repair& repair : field.repairs)
-    out.push_back({{"what", repair.what},
-                   {"where", repair.where},
-                   {"x", repair.at.x},
-                   {"y", repair.at.y},
-                   {"area_change_m2", repair.area_change_m2}});
-  return out;
-}
-
-ordered_json skipped_json(const std::vector<Skipped>& skipped) {
-  ordered_json out = ordered_json::array();
-  for (const Skipped& item : skipped)
-    out.push_back({{"what", item.what}, {"where", item.where}, {"why", item.why}});
-  return out;
-}
 
 ordered_json dropped_json(const Plan& plan) {
   ordered_json out = ordered_json::array();
@@ -116,7 +99,7 @@ ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, do
                     {"uncovered", plan.objective.uncovered},
                     {"turn", plan.objective.turn},
                     {"stop", plan.objective.stop}};
-  out["repairs"] = repairs_json(plan.field);
+  out["repairs"] = repairs_json(plan.field.repairs);
   out["skipped"] = skipped_json(skipped);
   out["dropped"] = dropped_json(plan);
   out["warnings"] = plan.warnings;
@@ -130,8 +113,7 @@ std::string plan_table(const Plan& plan, const std::vector<Skipped>& skipped, do
   for (const Repair& repair : plan.field.repairs)
     out += fmt::format("repaired     {}, {} at ({:.9g}, {:.9g}), area {:+.2f} m²\n", repair.where,
                        repair.what, repair.at.x, repair.at.y, repair.area_change_m2);
-  for (const Skipped& item : skipped)
-    out += fmt::format("skipped      {} ({}): {}\n", item.what, item.where, item.why);
+  out += skipped_rows(skipped);
   for (const std::string& warning : plan.warnings) out += fmt::format("note         {}\n", warning);
   return out;
 }

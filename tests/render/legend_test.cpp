@@ -28,7 +28,7 @@ bool shows(const Plan& plan, Symbol symbol) {
 
 TEST(Legend, NumbersHaveTheirUnits) {
   const auto value = values(sample_plan());
-  EXPECT_EQ(value.at("field"), "0.60 ha");
+  EXPECT_EQ(value.at("field"), "0.59 ha");  // without the obstacle
   EXPECT_EQ(value.at("body"), "0.59 ha");
   EXPECT_EQ(value.at("working width"), "10 m");
   EXPECT_EQ(value.at("tracks"), "10");

@@ -1,0 +1,44 @@
+#include "report_parts.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+namespace tramline::app {
+
+using nlohmann::ordered_json;
+
+std::string json_line(const ordered_json& json) {
+  return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+ordered_json repairs_json(const std::vector<Repair>& repairs) {
+  ordered_json out = ordered_json::array();
+  for (const Repair& repair : repairs)
+    out.push_back({{"what", repair.what},
+                   {"where", repair.where},
+                   {"x", repair.at.x},
+                   {"y", repair.at.y},
+                   {"area_change_m2", repair.area_change_m2}});
+  return out;
+}
+
+ordered_json skipped_json(const std::vector<Skipped>& skipped) {
+  ordered_json out = ordered_json::array();
+  for (const Skipped& item : skipped)
+    out.push_back({{"what", item.what}, {"where", item.where}, {"why", item.why}});
+  return out;
+}
+
+ordered_json refusal_json(const std::string& field_id, const std::string& sentence) {
+  return {{"field_id", field_id}, {"error", sentence}};
+}
+
+std::string skipped_rows(const std::vector<Skipped>& skipped) {
+  std::string out;
+  for (const Skipped& item : skipped)
+    fmt::format_to(std::back_inserter(out), "skipped      {} ({}): {}\n", item.what, item.where, item.why);
+  return out;
+}
+
+}  // namespace tramline::app

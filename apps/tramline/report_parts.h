@@ -1,0 +1,23 @@
+#pragma once
+// What the reports of all verbs have in common.
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tramline/model/field.h"
+
+namespace tramline::app {
+
+/// One line without a line break; bytes that are no UTF-8 become U+FFFD.
+std::string json_line(const nlohmann::ordered_json& json);
+
+nlohmann::ordered_json repairs_json(const std::vector<Repair>& repairs);
+nlohmann::ordered_json skipped_json(const std::vector<Skipped>& skipped);
+/// A feature that was refused, in a run with --all.
+nlohmann::ordered_json refusal_json(const std::string& field_id, const std::string& sentence);
+
+/// "skipped      what (where): why", a row each.
+std::string skipped_rows(const std::vector<Skipped>& skipped);
+
+}  // namespace tramline::app
