@@ -19,9 +19,11 @@ namespace tramline::app {
 namespace {
 
 constexpr const char* kHelp =
-    "Recomputes a plan's areas, turns and stops from its tracks alone and looks whether every track keeps "
-    "clear of "
-    "obstacles and ends where its rule says. Exit code: 0 the plan holds, 1 it does not, 2 bad input.";
+    "Verify a plan by another road: its areas, turns and stops are recomputed from the tracks alone, and "
+    "every track "
+    "has to keep clear of obstacles and end where its rule says. Exit code: 0 the plan holds, 1 it does not, "
+    "2 bad "
+    "input.";
 constexpr const char* kExample =
     "Example:\n"
     "  tramline check plan.gpkg\n"
@@ -57,6 +59,7 @@ class CheckCommand : public Command {
     verb->add_option("--obstacle-size", input_.obstacle_size_m,
                      "size of point and line obstacles, m (default 7)");
     verb->add_option("--passable", input_.passable_file, "passable obstacles, as given to plan");
+    add_unused_threads_option(*verb, threads_);
     verb->add_flag("--json", json_, "print one JSON object instead of the table");
     verb->footer(kExample);
     return verb;
@@ -83,6 +86,7 @@ class CheckCommand : public Command {
 
   FieldOptions input_;
   std::string plan_file_;
+  int threads_ = 0;
   bool json_ = false;
 };
 

@@ -15,6 +15,12 @@ class Command {
   virtual int run() = 0;
 };
 
+/// --threads, for a verb whose work is done by one thread: every verb takes the option.
+inline void add_unused_threads_option(CLI::App& verb, int& threads) {
+  verb.add_option("--threads", threads, "taken by every verb; this one uses a single thread")
+      ->check(CLI::Range(0, 1024));
+}
+
 std::unique_ptr<Command> make_plan_command();
 std::unique_ptr<Command> make_info_command();
 std::unique_ptr<Command> make_check_command();

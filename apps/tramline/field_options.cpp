@@ -25,10 +25,10 @@ struct Loose {
 void append_obstacles(const std::string& file, ObstacleKind kind, bool plain, const std::string& crs,
                       std::vector<LooseObstacle>& out) {
   if (file.empty()) return;
-  VectorQuery query;
+  io::VectorQuery query;
   query.file = file;
   query.all_layers = true;
-  for (LooseObstacle& obstacle : read_obstacles(read_vector(query), kind, plain, crs))
+  for (LooseObstacle& obstacle : read_obstacles(io::read_vector(query), kind, plain, crs))
     out.push_back(std::move(obstacle));
 }
 
@@ -107,8 +107,8 @@ class Admitter {
   FieldInput input_;
 };
 
-VectorQuery query_of(const FieldOptions& options) {
-  VectorQuery query;
+io::VectorQuery query_of(const FieldOptions& options) {
+  io::VectorQuery query;
   query.file = options.file;
   query.layer = options.layer;
   query.where = options.where;
@@ -172,9 +172,9 @@ void add_field_options(CLI::App& verb, FieldOptions& options) {
 }
 
 FieldInput load_fields(const FieldOptions& options) {
-  VectorQuery query = query_of(options);
+  io::VectorQuery query = query_of(options);
   if (!options.all) query.limit = kListed;
-  const RawDataset dataset = read_vector(query);
+  const RawDataset dataset = io::read_vector(query);
   const RawLayer& layer = dataset.layers.front();
   if (!options.all && layer.features.size() > 1) refuse_several(options, dataset);
   Admitter admitter(options, dataset);
@@ -186,22 +186,22 @@ FieldInput load_fields(const FieldOptions& options) {
 }
 
 FieldInput survey_fields(const FieldOptions& options, long long limit) {
-  VectorQuery query = query_of(options);
+  io::VectorQuery query = query_of(options);
   query.limit = limit;
-  const RawDataset dataset = read_vector(query);
+  const RawDataset dataset = io::read_vector(query);
   Admitter admitter(options, dataset);
   admitter.admit_all();
   return admitter.finish();
 }
 
 Field load_field(const FieldOptions& options, const FieldSource& source) {
-  VectorQuery query;
+  io::VectorQuery query;
   query.file = options.file;
   query.layer = options.layer.empty() ? source.layer : options.layer;
   // GeoJSON and Shapefile layers are called like their file, which may have been renamed.
   query.layer_is_hint = options.layer.empty();
   query.fid = source.fid;
-  const RawDataset dataset = read_vector(query);
+  const RawDataset dataset = io::read_vector(query);
   Admitter admitter(options, dataset);
   admitter.admit(dataset.layers.front().features.front());
   FieldInput input = admitter.finish();

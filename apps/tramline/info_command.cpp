@@ -12,9 +12,9 @@ namespace tramline::app {
 namespace {
 
 constexpr const char* kHelp =
-    "Shows the fields of a file as they are understood: CRS, areas, obstacles, what was repaired and where. "
-    "Of several "
-    "features the first 20 are listed to choose from.";
+    "Show what was understood of a file: CRS, areas, obstacles, and what was repaired where. Of several "
+    "features "
+    "the first 20 are listed to choose from.";
 constexpr const char* kExample =
     "Example:\n"
     "  tramline info parcels.gpkg\n"
@@ -27,6 +27,7 @@ class InfoCommand : public Command {
   CLI::App* setup(CLI::App& app) override {
     CLI::App* verb = app.add_subcommand("info", kHelp);
     add_field_options(*verb, options_);
+    add_unused_threads_option(*verb, threads_);
     verb->add_flag("--json", json_, "print JSON: one object, with --all one per field and line");
     verb->footer(kExample);
     return verb;
@@ -62,7 +63,8 @@ class InfoCommand : public Command {
       if (!options_.all) line["skipped"] = skipped_json(input.skipped);
       fmt::print("{}\n", json_line(line));
     }
-    for (const Refusal& refusal : input.refusals) fmt::print("{}\n", json_line(refusal_json(refusal.field_id, refusal.sentence)));
+    for (const Refusal& refusal : input.refusals)
+      fmt::print("{}\n", json_line(refusal_json(refusal.field_id, refusal.sentence)));
     if (options_.all && !input.skipped.empty())
       fmt::print("{}\n", json_line({{"skipped", skipped_json(input.skipped)}}));
   }
@@ -76,6 +78,7 @@ class InfoCommand : public Command {
   }
 
   FieldOptions options_;
+  int threads_ = 0;
   bool json_ = false;
 };
 

@@ -90,7 +90,7 @@ void add_plan_options(CLI::App& verb, PlanOptions& o) {
 }
 
 Machine machine_of(const PlanOptions& o) {
-  Machine machine = o.machine_file.empty() ? Machine{} : read_machine(o.machine_file);
+  Machine machine = o.machine_file.empty() ? Machine{} : io::read_machine(o.machine_file);
   if (o.width_m) machine.width_m = *o.width_m;
   if (o.radius_m) machine.radius_m = *o.radius_m;
   if (o.min_length_m && !(*o.min_length_m >= 0))

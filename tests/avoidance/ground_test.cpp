@@ -79,6 +79,18 @@ TEST(EdgeClips, ReachThroughAClusterToTheEdge) {
   EXPECT_EQ(ground.hard.size(), 1u);
 }
 
+// A hedge all round a garden of 10 × 10 m: no machine gets into the garden.
+TEST(EnclosedLand, IsGivenUp) {
+  Field field = field_with({});
+  Polygon hedge = box(40, 40, 54, 54);
+  hedge.holes = {reversed(box(42, 42, 52, 52).outer)};
+  field.obstacles.push_back({hedge, ObstacleKind::kObstacle, "hedge"});
+  const Ground ground = sort_obstacles(field, kWidth);
+  EXPECT_NEAR(area(ground.given_up), 100, 1e-6);
+  EXPECT_NEAR(area(ground.plannable), 10000 - 14 * 14, 1e-6);
+  EXPECT_NEAR(area(ground.body), 10000 - 14 * 14 + 100, 1e-6);
+}
+
 TEST(PassableObstacles, AreTakenOutOfTheBodyButStayPlannable) {
   Field field = field_with({});
   field.obstacles.push_back({box(0, 50, 100, 55), ObstacleKind::kPassable, "waterway"});

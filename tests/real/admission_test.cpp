@@ -41,9 +41,9 @@ struct Outcome {
 
 /// What became of each feature, in file order.
 std::vector<Outcome> admit_file(const std::string& name) {
-  VectorQuery query;
+  io::VectorQuery query;
   query.file = (data_folder() / name).string();
-  const RawDataset dataset = read_vector(query);
+  const RawDataset dataset = io::read_vector(query);
   const RawLayer& layer = dataset.layers.front();
   const Crs crs(layer.crs);
   std::vector<Outcome> out;

@@ -83,9 +83,9 @@ std::string real_data_folder() {
 std::optional<RealFields> read_real_fields() {
   const std::string file = real_data_folder() + "/fields/fields.geojson";
   if (!std::filesystem::exists(file)) return std::nullopt;
-  VectorQuery query;
+  io::VectorQuery query;
   query.file = file;
-  RawDataset dataset = read_vector(query);
+  RawDataset dataset = io::read_vector(query);
   return RealFields{file, std::move(dataset)};
 }
 

@@ -6,6 +6,17 @@
 #include "tramline/headland/body.h"
 
 namespace tramline {
+namespace {
+
+/// Land that hard land goes all round: no machine gets there.
+Region enclosed_by(const Region& hard) {
+  Region out;
+  for (const Polygon& polygon : hard)
+    for (const Ring& hole : polygon.holes) out.push_back({reversed(hole), {}});
+  return out;
+}
+
+}  // namespace
 
 Ground sort_obstacles(const Field& field, double width_m) {
   const Region obstacles = obstacle_shapes(field, ObstacleKind::kObstacle);
@@ -21,7 +32,9 @@ Ground sort_obstacles(const Field& field, double width_m) {
     between.insert(between.end(), group.given_up.begin(), group.given_up.end());
 
   const Region solid = unite(obstacles);
-  if (!between.empty()) ground.given_up = intersection(unite(between), ground.body);
+  ground.given_up = intersection(unite(between), ground.body);
+  const Region enclosed = intersection(enclosed_by(unite(solid, ground.given_up)), ground.body);
+  if (!enclosed.empty()) ground.given_up = unite(ground.given_up, enclosed);
   ground.hard = unite(solid, ground.given_up);
   ground.plannable = difference(whole, ground.hard);
   return ground;

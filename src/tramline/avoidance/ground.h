@@ -10,7 +10,8 @@ namespace tramline {
 struct Ground {
   Region body;       ///< what has to be covered (DESIGN: field minus obstacles)
   Region plannable;  ///< field minus obstacles and given-up land; passable obstacles still in it
-  Region given_up;   ///< land no swath may work: between clustered obstacles, and clipped to the edge
+  Region given_up;   ///< land no swath may work: between clustered obstacles, between an obstacle and
+                     ///< the edge, and inside a ring of them
   Region hard;       ///< obstacles and given-up land
   Region passable;   ///< crossed with the work interrupted
 };

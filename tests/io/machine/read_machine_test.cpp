@@ -25,11 +25,11 @@ class MachineFile : public testing::Test {
     std::ofstream(folder_ / "m.toml", std::ios::binary) << text;
     return folder_ / "m.toml";
   }
-  Machine read(const std::string& text) const { return read_machine(write(text)); }
+  Machine read(const std::string& text) const { return io::read_machine(write(text)); }
   std::string refusal(const std::string& text) const { return refusal_of(write(text)); }
   static std::string refusal_of(const std::filesystem::path& path) {
     try {
-      read_machine(path);
+      io::read_machine(path);
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
@@ -98,7 +98,7 @@ TEST_F(MachineFile, WhatCannotBeRead) {
 }
 
 TEST_F(MachineFile, TheExampleIsAMachine) {
-  const Machine machine = read_machine(std::filesystem::path(TRAMLINE_EXAMPLES) / "machine.toml");
+  const Machine machine = io::read_machine(std::filesystem::path(TRAMLINE_EXAMPLES) / "machine.toml");
   EXPECT_FALSE(machine.name.empty());
   EXPECT_GT(machine.width_m, 0);
 }

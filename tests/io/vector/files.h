@@ -11,6 +11,8 @@
 
 namespace tramline::testing_files {
 
+using namespace io;
+
 /// A folder that is gone after the test.
 class Files : public testing::Test {
  protected:

@@ -12,7 +12,7 @@
 
 #include "tramline/geometry/error.h"
 
-namespace tramline {
+namespace tramline::io {
 namespace {
 
 constexpr std::array<std::string_view, 4> kKeys = {"name", "width_m", "turning_radius_m",
@@ -92,4 +92,4 @@ Machine read_machine(const std::filesystem::path& path) {
   return machine;
 }
 
-}  // namespace tramline
+}  // namespace tramline::io

@@ -6,7 +6,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/io/vector/locate_dataset.h"
 
-namespace tramline {
+namespace tramline::io {
 namespace {
 
 bool may_hold_polygons(OGRLayer& layer) {
@@ -57,4 +57,4 @@ std::vector<OGRLayer*> choose_layers(GDALDataset& dataset, const VectorQuery& qu
   return with_polygons;
 }
 
-}  // namespace tramline
+}  // namespace tramline::io

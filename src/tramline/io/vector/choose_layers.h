@@ -9,7 +9,7 @@
 class GDALDataset;
 class OGRLayer;
 
-namespace tramline {
+namespace tramline::io {
 
 /// The layer called query.layer; without one the only layer that can hold polygons (the others are listed in
 /// `skipped`); with all_layers every layer. Throws bad_input listing the layers where none or several
@@ -20,4 +20,4 @@ std::vector<OGRLayer*> choose_layers(GDALDataset& dataset, const VectorQuery& qu
 /// "roads (Line String), fields (Polygon)".
 std::string layer_list(GDALDataset& dataset);
 
-}  // namespace tramline
+}  // namespace tramline::io

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <nlohmann/json.hpp>
 
-namespace tramline {
+namespace tramline::io {
 namespace {
 
 bool is_id(const char* name) {
@@ -34,4 +34,4 @@ std::string feature_id(const OGRFeature& feature) {
   return geojson_id(feature);
 }
 
-}  // namespace tramline
+}  // namespace tramline::io

@@ -5,9 +5,9 @@
 
 class OGRFeature;
 
-namespace tramline {
+namespace tramline::io {
 
 /// The property called id (any case), or the GeoJSON member "id"; empty when it has neither.
 std::string feature_id(const OGRFeature& feature);
 
-}  // namespace tramline
+}  // namespace tramline::io

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-namespace tramline {
+namespace tramline::io {
 namespace {
 
 // A chord of 1 degree leaves out 1 − sin(1°)/1° = 0.005 % of a circle.
@@ -86,4 +86,4 @@ void flatten_geometry(const OGRGeometry* geometry, bool swap_axes, RawFeature& f
   }
 }
 
-}  // namespace tramline
+}  // namespace tramline::io

@@ -5,10 +5,10 @@
 
 class OGRGeometry;
 
-namespace tramline {
+namespace tramline::io {
 
 /// Adds the geometry to the feature: curves linearised, Z and M noted and dropped, collections flattened.
 /// With `swap_axes` the first coordinate is taken as y. nullptr is "none".
 void flatten_geometry(const OGRGeometry* geometry, bool swap_axes, RawFeature& feature);
 
-}  // namespace tramline
+}  // namespace tramline::io

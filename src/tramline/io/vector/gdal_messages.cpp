@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <mutex>
 
-namespace tramline {
+namespace tramline::io {
 namespace {
 
 void CPL_STDCALL collect(CPLErr error_class, CPLErrorNum, const char* text) {
@@ -42,4 +42,4 @@ void register_gdal_drivers() {
   std::call_once(once, [] { GDALAllRegister(); });
 }
 
-}  // namespace tramline
+}  // namespace tramline::io

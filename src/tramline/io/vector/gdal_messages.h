@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace tramline {
+namespace tramline::io {
 
 /// While it lives, GDAL prints nothing on this thread; errors are kept. Not copyable, strictly nested.
 class GdalMessages {
@@ -28,4 +28,4 @@ class GdalMessages {
 /// Registers GDAL's drivers once per process.
 void register_gdal_drivers();
 
-}  // namespace tramline
+}  // namespace tramline::io

@@ -11,7 +11,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/io/vector/gdal_messages.h"
 
-namespace tramline {
+namespace tramline::io {
 namespace {
 
 std::string lower(std::string text) {
@@ -124,4 +124,4 @@ std::vector<std::string> locate_datasets(const std::string& file) {
   return out;
 }
 
-}  // namespace tramline
+}  // namespace tramline::io

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace tramline {
+namespace tramline::io {
 
 /// A database string such as "PG:dbname=farm" rather than a path.
 bool is_database_string(const std::string& file);
@@ -20,4 +20,4 @@ std::string shown_name(const std::string& file);
 /// when the zip cannot be read or holds no vector file.
 std::vector<std::string> locate_datasets(const std::string& file);
 
-}  // namespace tramline
+}  // namespace tramline::io

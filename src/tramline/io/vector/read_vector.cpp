@@ -11,7 +11,7 @@
 #include "tramline/io/vector/gdal_messages.h"
 #include "tramline/io/vector/locate_dataset.h"
 
-namespace tramline {
+namespace tramline::io {
 namespace {
 
 GDALDatasetUniquePtr open(const std::string& name, GdalMessages& messages) {
@@ -170,4 +170,4 @@ RawDataset read_vector(const VectorQuery& query) {
   return out;
 }
 
-}  // namespace tramline
+}  // namespace tramline::io

@@ -6,7 +6,7 @@
 
 #include "tramline/model/raw_feature.h"
 
-namespace tramline {
+namespace tramline::io {
 
 /// What to read. `file` is a path (a .zip may hold the files in folders) or a database string ("PG:…").
 struct VectorQuery {
@@ -25,4 +25,4 @@ struct VectorQuery {
 /// understand, and a result without any feature. Prints nothing. O(size of the file).
 RawDataset read_vector(const VectorQuery& query);
 
-}  // namespace tramline
+}  // namespace tramline::io
