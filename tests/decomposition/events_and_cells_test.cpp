@@ -99,6 +99,19 @@ TEST(SweepCells, OfAnLAreTwo) {
   for (const Cell& cell : cells) EXPECT_NEAR(cell.direction.degrees(), area(cell.shape) < 300 ? 90 : 0, 1e-6);
 }
 
+// A hole touches the outline in (50, 0): of its two rays the one that points out of the field is none.
+TEST(Cuts, StayInsideWhereAHoleTouchesTheOutline) {
+  const Polygon field{{{0, 0}, {50, 0}, {100, 0}, {100, 60}, {0, 60}}, {{{50, 0}, {40, 20}, {60, 20}}}};
+  const Direction oblique = Direction::clockwise_from_north(Angle::degrees(60));
+  const auto cuts = cuts_at(field, split_events(field, Angle::degrees(180)), oblique);
+  for (const Cut& cut : cuts) EXPECT_TRUE(contains(field, midpoint(cut.from, cut.to)));
+  // One at the touching corner, to the right; two at (40, 20); one at (60, 20), whose other ray enters the hole.
+  EXPECT_EQ(cuts.size(), 4u);
+  double sum = 0;
+  for (const Polygon& cell : divided(field, cuts)) sum += area(cell);
+  EXPECT_NEAR(sum, 6000 - 200, 1e-9);
+}
+
 // The sweep may differ from the edge it comes from by a microradian: the ray then leaves along the
 // edge, and there is no cut.
 TEST(Cuts, DoNotFollowAnEdge) {

@@ -5,59 +5,47 @@
 namespace tramline {
 namespace {
 
-/// A swath in field coordinates, counter-clockwise.
-struct Swath {
-  Ring rectangle;
-  Box box;
-};
-
-Swath swath_of(const StripPiece& piece, const StripGrid& grid) {
+/// A swath in field coordinates.
+ConvexSet swath_of(const StripPiece& piece, const StripGrid& grid) {
   const double left = grid.line(piece.strip), right = grid.line(piece.strip + 1);
-  Swath out;
-  for (const Point corner :
-       {Point{left, piece.from}, Point{right, piece.from}, Point{right, piece.to}, Point{left, piece.to}}) {
-    out.rectangle.push_back(grid.frame.to_field(corner));
-    out.box.extend(out.rectangle.back());
-  }
-  return out;
+  return convex_set({grid.frame.to_field({left, piece.from}), grid.frame.to_field({right, piece.from}),
+                     grid.frame.to_field({right, piece.to}), grid.frame.to_field({left, piece.to})});
 }
 
 /// The swaths that leave their own subfield.
-std::vector<Swath> overrunning(const SubfieldTracks& tracks) {
+std::vector<ConvexSet> overrunning(const SubfieldTracks& tracks) {
   constexpr double kLeastArea = 1e-9;
-  std::vector<Swath> out;
+  std::vector<ConvexSet> out;
   for (const StripPiece& piece : tracks.pieces)
     if (tracks.grid.width_m * (piece.to - piece.from) - piece.inside_m2 > kLeastArea)
       out.push_back(swath_of(piece, tracks.grid));
   return out;
 }
 
-std::vector<Swath> all_swaths(const SubfieldTracks& tracks) {
-  std::vector<Swath> out;
+std::vector<ConvexSet> all_swaths(const SubfieldTracks& tracks) {
+  std::vector<ConvexSet> out;
   for (const StripPiece& piece : tracks.pieces) out.push_back(swath_of(piece, tracks.grid));
   return out;
 }
 
 /// One visitor's share of the host: host ∩ visitor less the host's own swaths and the later visitors.
-double newly_covered(const RingSet& host_inside, const Swath& visitor, const std::vector<Swath>& own,
-                     const std::vector<Swath>& visitors, std::size_t next) {
-  std::vector<Ring> others;
-  const auto add = [&](const Swath& other) {
-    if (!intersects(other.box, visitor.box)) return;
-    Ring both = convex_intersection(other.rectangle, visitor.rectangle);
-    if (signed_area(both) > 0) others.push_back(std::move(both));
+double newly_covered(const RingSet& host_inside, const ConvexSet& visitor, const std::vector<ConvexSet>& own,
+                     const std::vector<ConvexSet>& visitors, std::size_t next) {
+  std::vector<ConvexSet> others;
+  const auto add = [&](const ConvexSet& other) {
+    if (intersects(other.box, visitor.box)) others.push_back(common(other, visitor));
   };
-  for (const Swath& swath : own) add(swath);
+  for (const ConvexSet& swath : own) add(swath);
   for (std::size_t i = next; i < visitors.size(); ++i) add(visitors[i]);
   return signed_area(host_inside) - area_in_union(host_inside, others);
 }
 
-double covered_in(const Polygon& host, const std::vector<Swath>& own, const std::vector<Swath>& visitors) {
+double covered_in(const Polygon& host, const std::vector<ConvexSet>& own, const std::vector<ConvexSet>& visitors) {
   RingSet rings{host.outer};
   rings.insert(rings.end(), host.holes.begin(), host.holes.end());
   double sum = 0;
   for (std::size_t i = 0; i < visitors.size(); ++i) {
-    const RingSet inside = clipped(rings, visitors[i].rectangle);
+    const RingSet inside = clipped(rings, visitors[i]);
     if (!inside.empty()) sum += newly_covered(inside, visitors[i], own, visitors, i + 1);
   }
   return sum;
@@ -68,15 +56,15 @@ double covered_in(const Polygon& host, const std::vector<Swath>& own, const std:
 double covered_by_neighbours_m2(const std::vector<Subfield>& subfields,
                                 const std::vector<SubfieldTracks>& tracks) {
   if (subfields.size() < 2) return 0;
-  std::vector<std::vector<Swath>> leaving;
+  std::vector<std::vector<ConvexSet>> leaving;
   for (const SubfieldTracks& subfield : tracks) leaving.push_back(overrunning(subfield));
   double sum = 0;
   for (std::size_t host = 0; host < subfields.size(); ++host) {
     const Box reach = bounds(subfields[host].shape);
-    std::vector<Swath> visitors;
+    std::vector<ConvexSet> visitors;
     for (std::size_t other = 0; other < subfields.size(); ++other) {
       if (other == host) continue;
-      for (const Swath& swath : leaving[other])
+      for (const ConvexSet& swath : leaving[other])
         if (intersects(swath.box, reach)) visitors.push_back(swath);
     }
     if (!visitors.empty()) sum += covered_in(subfields[host].shape, all_swaths(tracks[host]), visitors);

@@ -67,6 +67,30 @@ Hit nearest_boundary(const TurnedRings& rings, Point start, int sense) {
   return hit;
 }
 
+/// Whether the ray starts into the field at every corner that shares the event's point: where a hole
+/// touches another ring, the field lies between both.
+bool starts_inside(const std::vector<SplitEvent>& corners_here, Point ray) {
+  return std::all_of(corners_here.begin(), corners_here.end(),
+                     [ray](const SplitEvent& corner) { return points_inside(corner, ray); });
+}
+
+std::vector<SplitEvent> corners_at(const TurnedRings& rings, Point vertex) {
+  std::vector<SplitEvent> out;
+  for (const Ring* ring : rings.rings)
+    for (std::size_t i = 0; i < ring->size(); ++i)
+      if ((*ring)[i] == vertex)
+        out.push_back({(*ring)[i == 0 ? ring->size() - 1 : i - 1], vertex,
+                       (*ring)[i + 1 == ring->size() ? 0 : i + 1]});
+  return out;
+}
+
+/// Even-odd over all rings.
+bool inside(const TurnedRings& rings, Point p) {
+  bool odd = false;
+  for (const Ring& ring : rings.turned) odd = odd != contains(ring, p);
+  return odd;
+}
+
 Cut cut_to(const Hit& hit, const TurnedRings& rings, Point from, Point ray) {
   if (hit.vertex) return {from, (*rings.rings[hit.ring])[hit.index], -1, 0};
   return {from, from + hit.reach * ray, static_cast<int>(hit.ring), hit.index};
@@ -126,16 +150,20 @@ std::vector<Cut> cuts_at(const Polygon& polygon, const std::vector<SplitEvent>& 
   const TrackFrame frame(direction);
   const TurnedRings rings(polygon, frame);
   std::vector<Cut> cuts;
-  for (const SplitEvent& event : events)
+  for (const SplitEvent& event : events) {
+    const std::vector<SplitEvent> corners = corners_at(rings, event.vertex);
+    const Point start = frame.to_track(event.vertex);
     for (const int sense : {+1, -1}) {
       const Point ray = static_cast<double>(sense) * direction.unit();
-      if (!points_inside(event, ray)) continue;
-      const Hit hit = nearest_boundary(rings, frame.to_track(event.vertex), sense);
+      if (!starts_inside(corners, ray)) continue;
+      const Hit hit = nearest_boundary(rings, start, sense);
       if (!std::isfinite(hit.reach)) continue;
       const Cut cut = cut_to(hit, rings, event.vertex, ray);
       const bool follows_edge = cut.to == event.previous || cut.to == event.next;
-      if (!follows_edge) cuts.push_back(cut);
+      // Edges of a micrometre can hide from the ray what stands in its way: better no cut than one outside.
+      if (!follows_edge && inside(rings, {start.x, start.y + 0.5 * sense * hit.reach})) cuts.push_back(cut);
     }
+  }
   return cuts;
 }
 

@@ -1,5 +1,7 @@
 #include "tramline/geometry/convex_clip.h"
 
+#include <algorithm>
+
 namespace tramline {
 namespace {
 
@@ -24,20 +26,36 @@ Ring clipped_by_line(const Ring& ring, Point a, Point b) {
   return out;
 }
 
-Ring clipped_by_convex(Ring ring, const Ring& convex) {
-  for (std::size_t i = 0; i < convex.size() && !ring.empty(); ++i)
-    ring = clipped_by_line(ring, convex[i], convex[(i + 1) % convex.size()]);
+Ring clipped_by_set(Ring ring, const ConvexSet& set) {
+  for (const ConvexSet::Edge& edge : set.edges) {
+    if (ring.empty()) break;
+    ring = clipped_by_line(ring, edge.from, edge.to);
+  }
   return ring;
 }
 
 }  // namespace
 
-RingSet clipped(const RingSet& rings, const Ring& convex) {
+ConvexSet convex_set(const Ring& ring) {
+  ConvexSet set;
+  set.box = bounds(ring);
+  for (std::size_t i = 0; i < ring.size(); ++i) set.edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
+  return set;
+}
+
+ConvexSet common(const ConvexSet& a, const ConvexSet& b) {
+  ConvexSet set = a;
+  set.edges.insert(set.edges.end(), b.edges.begin(), b.edges.end());
+  set.box = {std::max(a.box.min_x, b.box.min_x), std::max(a.box.min_y, b.box.min_y),
+             std::min(a.box.max_x, b.box.max_x), std::min(a.box.max_y, b.box.max_y)};
+  return set;
+}
+
+RingSet clipped(const RingSet& rings, const ConvexSet& set) {
   RingSet out;
-  const Box box = bounds(convex);
   for (const Ring& ring : rings) {
-    if (!intersects(bounds(ring), box)) continue;
-    Ring part = clipped_by_convex(ring, convex);
+    if (!intersects(bounds(ring), set.box)) continue;
+    Ring part = clipped_by_set(ring, set);
     if (part.size() >= 3) out.push_back(std::move(part));
   }
   return out;
@@ -45,7 +63,7 @@ RingSet clipped(const RingSet& rings, const Ring& convex) {
 
 Ring convex_intersection(const Ring& a, const Ring& b) {
   if (!intersects(bounds(a), bounds(b))) return {};
-  Ring out = clipped_by_convex(a, b);
+  Ring out = clipped_by_set(a, convex_set(b));
   return out.size() >= 3 ? out : Ring{};
 }
 
@@ -55,17 +73,15 @@ double signed_area(const RingSet& rings) {
   return sum;
 }
 
-double area_in_union(const RingSet& rings, const std::vector<Ring>& convex) {
+double area_in_union(const RingSet& rings, const std::vector<ConvexSet>& sets) {
   double sum = 0;
-  for (std::size_t k = 0; k < convex.size(); ++k) {
-    const RingSet inside = clipped(rings, convex[k]);
+  for (std::size_t k = 0; k < sets.size(); ++k) {
+    const RingSet inside = clipped(rings, sets[k]);
     if (inside.empty()) continue;
     sum += signed_area(inside);
-    std::vector<Ring> later;
-    for (std::size_t j = k + 1; j < convex.size(); ++j) {
-      Ring both = convex_intersection(convex[j], convex[k]);
-      if (signed_area(both) > 0) later.push_back(std::move(both));
-    }
+    std::vector<ConvexSet> later;
+    for (std::size_t j = k + 1; j < sets.size(); ++j)
+      if (intersects(sets[j].box, sets[k].box)) later.push_back(common(sets[j], sets[k]));
     if (!later.empty()) sum -= area_in_union(inside, later);
   }
   return sum;
