@@ -118,8 +118,8 @@ TEST_F(PlanProperties, CoverLeavesOnlyHardAndShortPiecesUncovered) {
     open.obstacles.clear();
     const auto plan = try_plan(open, request);
     if (!plan) return false;
-    // What stays is what is thinner than the planner's tolerance of a micrometre.
-    EXPECT_LT(plan->tally.uncovered_m2, 1e-5 * perimeter(open.outer) + 1e-4);
+    // What stays is thinner than the planner's tolerance of 10 micrometres, along edges and borders.
+    EXPECT_LT(plan->tally.uncovered_m2, 1e-4 * perimeter(open.outer) + 1e-3);
     return true;
   });
 }

@@ -43,6 +43,8 @@ SubfieldTracks lay(const Polygon& subfield, EndRule rule, const TurnedGround& gr
 // wedge 4.5 m², ten rows, two ends each.
 const Polygon kParallelogram{{{0, 0}, {30, 30}, {30, 130}, {0, 100}}, {}};
 constexpr double kWedge = 4.5;
+/// Twenty row ends of 3 m, each off by the width tolerance of 10 micrometres at 45°.
+constexpr double kRowEnds = 20 * 3 * kWidthTolerance;
 
 TEST(EndRules, OnAParallelogram) {
   struct Case {
@@ -54,8 +56,8 @@ TEST(EndRules, OnAParallelogram) {
                         Case{EndRule::kCheapest, 0.10 / 0.14}}) {
     const Sums sums = sums_of(lay(kParallelogram, c.rule, {}, 6, prices), kParallelogram);
     EXPECT_EQ(sums.pieces, 10) << name(c.rule);
-    EXPECT_NEAR(sums.overlap, 20 * kWedge * c.fraction * c.fraction, 1e-4) << name(c.rule);
-    EXPECT_NEAR(sums.uncovered, 20 * kWedge * (1 - c.fraction) * (1 - c.fraction), 1e-4) << name(c.rule);
+    EXPECT_NEAR(sums.overlap, 20 * kWedge * c.fraction * c.fraction, kRowEnds) << name(c.rule);
+    EXPECT_NEAR(sums.uncovered, 20 * kWedge * (1 - c.fraction) * (1 - c.fraction), kRowEnds) << name(c.rule);
   }
 }
 
@@ -85,14 +87,14 @@ TEST(HardEdges, CutTheWholeWidthOverTheObstaclesExtent) {
   for (const EndRule rule : {EndRule::kCentre, EndRule::kCover, EndRule::kInside, EndRule::kCheapest}) {
     const SubfieldTracks tracks = lay(field, rule, {{{diamond, {}}}, {}, {}});
     ASSERT_EQ(tracks.pieces.size(), 4u) << name(rule);
-    EXPECT_NEAR(tracks.pieces[1].to, 48, 1e-5);
-    EXPECT_NEAR(tracks.pieces[2].from, 52, 1e-5);
+    EXPECT_NEAR(tracks.pieces[1].to, 48, 1e-4);
+    EXPECT_NEAR(tracks.pieces[2].from, 52, 1e-4);
     EXPECT_TRUE(tracks.pieces[1].stop_at_to);
     EXPECT_TRUE(tracks.pieces[2].stop_at_from);
     EXPECT_FALSE(tracks.pieces[1].stop_at_from);
     EXPECT_FALSE(tracks.pieces[0].stop_at_to);
     EXPECT_FALSE(tracks.pieces[2].after_crossing);
-    EXPECT_NEAR(sums_of(tracks, field).uncovered, 3 * 4 - 4, 1e-4);  // strip over 4 m less the diamond
+    EXPECT_NEAR(sums_of(tracks, field).uncovered, 3 * 4 - 4, 1e-3);  // strip over 4 m less the diamond
   }
 }
 

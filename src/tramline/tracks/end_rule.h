@@ -8,8 +8,9 @@
 namespace tramline {
 
 /// Cross-sections shorter than this count as none, and ones short of the full width by no more as
-/// full: the planner's tolerance, m.
-inline constexpr double kWidthTolerance = 1e-6;
+/// full, m: ten times what the precision grid can move an edge that should lie on a strip line, so that
+/// such an edge neither cuts a row nor makes one.
+inline constexpr double kWidthTolerance = 1e-5;
 
 /// An end rule made ready for one objective and width: a cross-section may be driven where the centre
 /// line is inside the subfield, or where at least `least_width_m` of the width is.

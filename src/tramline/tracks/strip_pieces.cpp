@@ -11,10 +11,11 @@ struct Blocked {
   Intervals by_passable;
 };
 
-/// A piece's end is a stop when the first millimetre beyond it meets something hard.
+/// A piece's end is a stop when the first millimetre beyond it meets something hard, on average over
+/// more than half the width tolerance.
 bool stops_at(const Blocked& blocked, double end, int sense) {
   constexpr double kLookAhead = 1e-3;
-  constexpr double kLeastArea = 1e-9;
+  constexpr double kLeastArea = 0.5 * kLookAhead * kWidthTolerance;
   const double beyond = end + sense * kLookAhead;
   return area_between(blocked.hard, std::min(end, beyond), std::max(end, beyond)) > kLeastArea;
 }
