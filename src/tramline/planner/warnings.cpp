@@ -47,8 +47,9 @@ void warn_of_dropped_pieces(const Plan& plan, std::vector<std::string>& out) {
   if (plan.dropped.empty()) return;
   double total = 0;
   for (const DroppedPiece& piece : plan.dropped) total += distance(piece.start, piece.end);
-  out.push_back(fmt::format("{} pieces shorter than {:.2f} m are not driven ({:.1f} m in all)",
-                            plan.dropped.size(), min_length_m(plan.machine), total));
+  const char* noun = plan.dropped.size() == 1 ? "piece" : "pieces";
+  out.push_back(fmt::format("not driven: {} {} shorter than {:.2f} m, {:.1f} m in all", plan.dropped.size(), noun,
+                            min_length_m(plan.machine), total));
 }
 
 }  // namespace
