@@ -52,13 +52,11 @@ class CheckCommand : public Command {
   CLI::App* setup(CLI::App& app) override {
     CLI::App* verb = app.add_subcommand("check", kHelp);
     verb->add_option("PLAN", plan_file_, "the plan: a GeoPackage written by tramline plan")->required();
-    verb->add_option("--field", input_.file,
-                     "the file the plan was made from: are field and obstacles the same?");
-    verb->add_option("--crs", input_.crs, "CRS of that file, as given to plan");
-    verb->add_option("--obstacles", input_.obstacles_file, "obstacle file, as given to plan");
-    verb->add_option("--obstacle-size", input_.obstacle_size_m,
-                     "size of point and line obstacles, m (default 7)");
-    verb->add_option("--passable", input_.passable_file, "passable obstacles, as given to plan");
+    CLI::Option* field = verb->add_option(
+        "--field", input_.file, "the file the plan was made from: are field and obstacles the same?");
+    add_obstacle_options(*verb, input_);
+    for (const char* option : {"--crs", "--obstacles", "--obstacle-size", "--passable"})
+      verb->get_option(option)->needs(field);
     add_unused_threads_option(*verb, threads_);
     verb->add_flag("--json", json_, "print one JSON object instead of the table");
     verb->footer(kExample);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <cstdlib>
 #include <utility>
 
@@ -22,20 +24,27 @@ struct Loose {
   std::vector<char> met;
 };
 
-void append_obstacles(const std::string& file, ObstacleKind kind, bool plain, const std::string& crs,
-                      std::vector<LooseObstacle>& out) {
+/// `plain_given`: the user said that coordinates are plain metres, whatever the file says.
+void append_obstacles(const std::string& file, ObstacleKind kind, bool plain, bool plain_given,
+                      const std::string& crs, std::vector<LooseObstacle>& out) {
   if (file.empty()) return;
   io::VectorQuery query;
   query.file = file;
   query.all_layers = true;
-  for (LooseObstacle& obstacle : read_obstacles(io::read_vector(query), kind, plain, crs))
+  RawDataset dataset = io::read_vector(query);
+  if (plain_given)
+    for (RawLayer& layer : dataset.layers) layer.crs.clear();
+  for (LooseObstacle& obstacle : read_obstacles(dataset, kind, plain, crs))
     out.push_back(std::move(obstacle));
 }
 
 Loose loose_obstacles(const FieldOptions& options, const Crs& crs, const std::string& definition) {
   Loose out;
-  append_obstacles(options.obstacles_file, ObstacleKind::kObstacle, crs.plain(), definition, out.obstacles);
-  append_obstacles(options.passable_file, ObstacleKind::kPassable, crs.plain(), definition, out.obstacles);
+  const bool plain_given = crs.plain() && !options.crs.empty();
+  append_obstacles(options.obstacles_file, ObstacleKind::kObstacle, crs.plain(), plain_given, definition,
+                   out.obstacles);
+  append_obstacles(options.passable_file, ObstacleKind::kPassable, crs.plain(), plain_given, definition,
+                   out.obstacles);
   out.met.assign(out.obstacles.size(), 0);
   return out;
 }
@@ -77,7 +86,13 @@ class Admitter {
     if (!loose_.obstacles.empty())
       for (Field& field : admission.fields)
         place_obstacles(field, loose_.obstacles, options_.obstacle_size_m, loose_.met);
-    for (Field& field : admission.fields) input_.fields.push_back(std::move(field));
+    for (Field& field : admission.fields) {
+      field.source.crs = options_.crs;
+      field.source.obstacles_file = options_.obstacles_file;
+      field.source.obstacle_size_m = options_.obstacle_size_m;
+      field.source.passable_file = options_.passable_file;
+      input_.fields.push_back(std::move(field));
+    }
     for (Skipped& skipped : admission.skipped) input_.skipped.push_back(std::move(skipped));
   }
 
@@ -115,12 +130,6 @@ io::VectorQuery query_of(const FieldOptions& options) {
   return query;
 }
 
-double workable_m2(const Field& field) {
-  double sum = signed_area(field.outer);
-  for (const Obstacle& obstacle : field.obstacles) sum -= area(obstacle.shape);
-  return sum;
-}
-
 [[noreturn]] void refuse_several(const FieldOptions& options, const RawDataset& dataset) {
   FieldOptions bare = options;
   bare.obstacles_file.clear();
@@ -130,7 +139,12 @@ double workable_m2(const Field& field) {
   const FieldInput input = admitter.finish();
   std::string list;
   const auto add = [&](const std::string& entry) { list += (list.empty() ? "" : ", ") + entry; };
-  for (const Field& field : input.fields) add(fmt::format("{} ({:.1f} m²)", field.id, workable_m2(field)));
+  for (const Field& field : input.fields) {
+    const bool unique = std::count_if(input.fields.begin(), input.fields.end(),
+                                      [&](const Field& other) { return other.id == field.id; }) == 1;
+    const std::string number = unique ? "" : fmt::format("fid {}, ", field.source.fid);
+    add(fmt::format("{} ({}{:.1f} m²)", field.id, number, area_m2(field)));
+  }
   for (const Refusal& refusal : input.refusals) add(fmt::format("{} (refused)", refusal.field_id));
   const long long more = input.features - kListed;
   if (more > 0) list += fmt::format(" and {} more", more);
@@ -157,6 +171,10 @@ void add_field_options(CLI::App& verb, FieldOptions& options) {
   verb.add_option("--layer", options.layer, "the layer to read, where there are several");
   verb.add_option("--where", options.where, "only features that match, for example \"crop='wheat'\"");
   verb.add_flag("--all", options.all, "take every feature, not just one");
+  add_obstacle_options(verb, options);
+}
+
+void add_obstacle_options(CLI::App& verb, FieldOptions& options) {
   verb.add_option("--crs", options.crs,
                   "the coordinate reference system of FIELD, such as EPSG:25832, whatever the file says; "
                   "'none' for plain "

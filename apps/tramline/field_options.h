@@ -20,6 +20,9 @@ struct FieldOptions {
 /// `options` has to outlive the parse.
 void add_field_options(CLI::App& verb, FieldOptions& options);
 
+/// Only --crs, --obstacles, --obstacle-size and --passable.
+void add_obstacle_options(CLI::App& verb, FieldOptions& options);
+
 /// A feature that cannot be planned on.
 struct Refusal {
   std::string field_id;

@@ -29,6 +29,20 @@ std::string unexpected_argument(const std::vector<CLI::App*>& verbs) {
   return "an argument was not expected";
 }
 
+/// A full disk behind stdout shows at the last moment.
+int with_output_flushed(int code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  std::fprintf(stderr, "tramline: the result could not be written to stdout: is the disk full?\n");
+  return 1;
+}
+
+/// One line, whatever a user's names contain.
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c >= 0 && c < ' '; }, ' ');
+  return text;
+}
+
 int exit_code(const tramline::Error& error) { return error.kind() == tramline::ErrorKind::kBadInput ? 2 : 1; }
 
 }  // namespace
@@ -50,7 +64,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     for (std::size_t i = 0; i < commands.size(); ++i)
-      if (verbs[i]->parsed()) return commands[i]->run();
+      if (verbs[i]->parsed()) return with_output_flushed(commands[i]->run());
     std::fputs("tramline: name a verb, plan, info or check; see 'tramline --help'\n", stderr);
     return 2;
   } catch (const CLI::Success& success) {
@@ -68,7 +82,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "tramline: %s\n", error.what());
     return 2;
   } catch (const tramline::Error& error) {
-    std::fprintf(stderr, "tramline: %s\n", error.what());
+    std::fprintf(stderr, "tramline: %s\n", one_line(error.what()).c_str());
     return exit_code(error);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "tramline: the run failed: %s\n", error.what());

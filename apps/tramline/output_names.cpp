@@ -6,10 +6,11 @@ namespace tramline::app {
 namespace {
 
 std::string as_file_name(const std::string& id) {
+  constexpr std::size_t kLongest = 80;  // file systems take 255 bytes, folders and suffixes included
   std::string out;
   for (const char c : id)
     out += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '_' || c == '-' ? c : '-';
-  return out;
+  return out.substr(0, kLongest);
 }
 
 }  // namespace

@@ -72,7 +72,9 @@ void add_plan_options(CLI::App& verb, PlanOptions& o) {
   minimise->group(objective);
 
   const char* plan = "Plan";
-  verb.add_option("--strategy", o.strategy, "sweep: every edge direction is tried")->group(plan);
+  verb.add_option("--strategy", o.strategy,
+                  "sweep: the field is cut along every edge direction, the cheapest plan is kept")
+      ->group(plan);
   verb.add_option("--end-rule", o.end_rule,
                   "where swaths end at a soft edge: cheapest, centre, cover or inside")
       ->group(plan);

@@ -34,8 +34,12 @@ std::string directions_text(const Plan& plan) {
 std::string ground_rows(const Plan& plan) {
   std::string out;
   out += fmt::format("field        {}\n", plan.field.id);
-  out += fmt::format("area         {:.4f} ha without the obstacles, {:.4f} ha to work\nobstacles    {}\n",
-                     area_m2(plan.field) / 1e4, area(plan.body) / 1e4, plan.field.obstacles.size());
+  out += fmt::format(
+      "area         {:.4f} ha without the obstacles, {:.4f} ha to work\nobstacles    {}, passable strips "
+      "{}\n",
+      area_m2(plan.field) / 1e4, area(plan.body) / 1e4,
+      obstacle_shapes(plan.field, ObstacleKind::kObstacle).size(),
+      obstacle_shapes(plan.field, ObstacleKind::kPassable).size());
   out += fmt::format("machine      {}{:g} m wide, turning radius {:g} m\n",
                      plan.machine.name.empty() ? "" : plan.machine.name + ", ", plan.machine.width_m,
                      plan.machine.radius_m);

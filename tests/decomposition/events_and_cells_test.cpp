@@ -105,7 +105,8 @@ TEST(Cuts, StayInsideWhereAHoleTouchesTheOutline) {
   const Direction oblique = Direction::clockwise_from_north(Angle::degrees(60));
   const auto cuts = cuts_at(field, split_events(field, Angle::degrees(180)), oblique);
   for (const Cut& cut : cuts) EXPECT_TRUE(contains(field, midpoint(cut.from, cut.to)));
-  // One at the touching corner, to the right; two at (40, 20); one at (60, 20), whose other ray enters the hole.
+  // One at the touching corner, to the right; two at (40, 20); one at (60, 20), whose other ray enters the
+  // hole.
   EXPECT_EQ(cuts.size(), 4u);
   double sum = 0;
   for (const Polygon& cell : divided(field, cuts)) sum += area(cell);

@@ -69,6 +69,12 @@ TEST(PlanField, RefusesAMachineWiderThanTheField) {
   }
 }
 
+TEST(PlanField, RefusesMoreTracksThanAnyFieldHas) {
+  Machine narrow;
+  narrow.width_m = 1e-4;
+  EXPECT_THROW(plan_field(rectangle(100, 60), narrow, {}, {}), Error);
+}
+
 TEST(PlanField, RefusesNumbersThatAreNone) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(plan_field(rectangle(100, 60), {"", nan, 6, -1}, {}, {}), Error);

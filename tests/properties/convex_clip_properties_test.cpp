@@ -12,13 +12,17 @@ namespace {
 
 /// Rows side by side that share their edges up to rounding.
 std::vector<Ring> rows(std::mt19937_64& random, int count) {
-  const auto uniform = [&random](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+  const auto uniform = [&random](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  };
   const TrackFrame frame(Direction::clockwise_from_north(Angle::degrees(uniform(0, 180))));
   const double left = uniform(-20, 0), width = uniform(2, 5);
   std::vector<Ring> out;
   for (int i = 0; i < count; ++i) {
-    const double x0 = left + i * width, x1 = left + (i + 1) * width, y0 = uniform(-25, -5), y1 = uniform(5, 25);
-    out.push_back({frame.to_field({x0, y0}), frame.to_field({x1, y0}), frame.to_field({x1, y1}), frame.to_field({x0, y1})});
+    const double x0 = left + i * width, x1 = left + (i + 1) * width, y0 = uniform(-25, -5),
+                 y1 = uniform(5, 25);
+    out.push_back({frame.to_field({x0, y0}), frame.to_field({x1, y0}), frame.to_field({x1, y1}),
+                   frame.to_field({x0, y1})});
   }
   return out;
 }

@@ -132,6 +132,23 @@ TEST(PassableObstacles, ExemptWhatLiesBetweenTwoCrossings) {
   EXPECT_EQ(tracks.dropped.size(), 1u);
 }
 
+// 5, 4 and 5 m with 2w = 6 m: the ends are dropped, and then nothing lies between two crossings.
+TEST(PassableObstacles, LeaveNothingBetweenPiecesThatAreNotDriven) {
+  const Polygon field = box(0, 0, 3, 20);
+  const TurnedGround ground{{}, {box(-5, 5, 20, 8), box(-5, 12, 20, 15)}, {}};
+  const SubfieldTracks tracks = lay(field, EndRule::kCentre, ground);
+  EXPECT_TRUE(tracks.pieces.empty());
+  EXPECT_EQ(tracks.dropped.size(), 3u);
+}
+
+TEST(PassableObstacles, MakeNoPiecesOfDust) {
+  const Polygon field = box(0, 0, 3, 100);
+  const TurnedGround ground{{}, {box(-5, 40, 20, 45), box(-5, 45.0000001, 20, 50)}, {}};
+  const SubfieldTracks tracks = lay(field, EndRule::kCentre, ground, 0);
+  EXPECT_EQ(tracks.pieces.size(), 2u);
+  EXPECT_TRUE(tracks.dropped.empty());
+}
+
 TEST(PassableObstacles, DoNotExcuseAnObstacleInTheGap) {
   const Polygon field = box(0, 0, 3, 100);
   const TurnedGround ground{{box(1, 44, 2, 50)}, {box(-5, 40, 20, 45)}, {}};

@@ -10,8 +10,10 @@ namespace {
 
 void check_clear(const BoxedRegion& land, const char* of_what, const PieceFrame& frame, const Box& core,
                  std::size_t index, Violations& out) {
+  // Land thinner than the precision grid, along the whole piece, is no land.
+  constexpr double kThinnest_m = 1e-7;
   const Clipped entered = clipped(land, frame, core);
-  if (entered.area_m2 > kTouch_m2)
+  if (entered.area_m2 > kTouch_m2 + kThinnest_m * core.height())
     out.push_back(
         {"swaths",
          fmt::format("the swath of {} works {:.6f} m² of {}", piece_name(index), entered.area_m2, of_what),

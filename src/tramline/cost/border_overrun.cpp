@@ -40,7 +40,8 @@ double newly_covered(const RingSet& host_inside, const ConvexSet& visitor, const
   return signed_area(host_inside) - area_in_union(host_inside, others);
 }
 
-double covered_in(const Polygon& host, const std::vector<ConvexSet>& own, const std::vector<ConvexSet>& visitors) {
+double covered_in(const Polygon& host, const std::vector<ConvexSet>& own,
+                  const std::vector<ConvexSet>& visitors) {
   RingSet rings{host.outer};
   rings.insert(rings.end(), host.holes.begin(), host.holes.end());
   double sum = 0;

@@ -5,6 +5,18 @@
 #include "tramline/geometry/bounding_rectangle.h"
 
 namespace tramline {
+namespace {
+
+/// The parts, or the polygon itself where they do not make it up: land must not be lost or won by
+/// rounding in a place nobody thought of.
+Region divided_or_whole(const Polygon& polygon, const std::vector<Cut>& cuts) {
+  Region faces = divided(polygon, cuts);
+  const double whole = area(polygon);
+  if (std::abs(area(faces) - whole) > 1e-7 * whole) return {polygon};
+  return faces;
+}
+
+}  // namespace
 
 Direction driving_direction(const Ring& outer, CellDirection choice) {
   return choice == CellDirection::kRectangle ? long_side_of_smallest_rectangle(outer)
@@ -16,7 +28,7 @@ std::vector<Cell> sweep_cells(const Region& plannable, Direction sweep, Angle th
   std::vector<Cell> cells;
   for (const Polygon& polygon : plannable) {
     const auto cuts = cuts_at(polygon, split_events(polygon, threshold), sweep);
-    const Region faces = cuts.empty() ? Region{polygon} : divided(polygon, cuts);
+    const Region faces = cuts.empty() ? Region{polygon} : divided_or_whole(polygon, cuts);
     for (const Polygon& face : faces) cells.push_back({face, driving_direction(face.outer, choice)});
   }
   return cells;

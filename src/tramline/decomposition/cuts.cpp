@@ -79,8 +79,8 @@ std::vector<SplitEvent> corners_at(const TurnedRings& rings, Point vertex) {
   for (const Ring* ring : rings.rings)
     for (std::size_t i = 0; i < ring->size(); ++i)
       if ((*ring)[i] == vertex)
-        out.push_back({(*ring)[i == 0 ? ring->size() - 1 : i - 1], vertex,
-                       (*ring)[i + 1 == ring->size() ? 0 : i + 1]});
+        out.push_back(
+            {(*ring)[i == 0 ? ring->size() - 1 : i - 1], vertex, (*ring)[i + 1 == ring->size() ? 0 : i + 1]});
   return out;
 }
 

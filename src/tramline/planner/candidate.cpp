@@ -1,9 +1,13 @@
 #include "tramline/planner/candidate.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <optional>
 
 #include "tramline/cost/strip_tally.h"
 #include "tramline/decomposition/decompose.h"
+#include "tramline/geometry/error.h"
 #include "tramline/tracks/end_rule.h"
 #include "tramline/tracks/strip_origin.h"
 
@@ -40,10 +44,24 @@ SubfieldTracks tracks_in(const SearchTask& task, const Subfield& subfield) {
   return *best;
 }
 
+/// More tracks than this no field has; the search would never end.
+void require_feasible_size(const Field& field, const Machine& machine) {
+  constexpr double kMostTracks = 1e5;
+  const Box box = bounds(field.outer);
+  const double across = std::hypot(box.width(), box.height());
+  if (across > kMostTracks * machine.width_m)
+    throw bad_input(
+        fmt::format("field '{}' is {:.0f} m across, which would take more than {:.0f} tracks of {} m: check "
+                    "the coordinates and "
+                    "--width",
+                    field.id, across, kMostTracks, machine.width_m));
+}
+
 }  // namespace
 
 SearchTask search_task(const Field& field, const Machine& machine, const Objective& objective,
                        const PlanSettings& settings) {
+  require_feasible_size(field, machine);
   SearchTask task{field, machine, objective, settings, sort_obstacles(field, machine.width_m), 0};
   task.body_m2 = area(task.ground.body);
   return task;

@@ -15,8 +15,10 @@ void require_positive(double value, const char* what) {
 }
 
 void require_weight(double value, const char* what) {
-  if (!(std::isfinite(value) && value >= 0))
-    throw bad_input(fmt::format("the weight of {} must be a number of at least 0, not {}", what, value));
+  constexpr double kMost = 1e15;  // a field's cost stays a number
+  if (!(value >= 0 && value <= kMost))
+    throw bad_input(
+        fmt::format("the weight of {} must be a number from 0 to {:g}, not {}", what, kMost, value));
 }
 
 void require_degrees(Angle angle, double least, double most, const char* what) {

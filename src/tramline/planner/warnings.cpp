@@ -48,8 +48,8 @@ void warn_of_dropped_pieces(const Plan& plan, std::vector<std::string>& out) {
   double total = 0;
   for (const DroppedPiece& piece : plan.dropped) total += distance(piece.start, piece.end);
   const char* noun = plan.dropped.size() == 1 ? "piece" : "pieces";
-  out.push_back(fmt::format("not driven: {} {} shorter than {:.2f} m, {:.1f} m in all", plan.dropped.size(), noun,
-                            min_length_m(plan.machine), total));
+  out.push_back(fmt::format("not driven: {} {} shorter than {:.2f} m, {:.1f} m in all", plan.dropped.size(),
+                            noun, min_length_m(plan.machine), total));
 }
 
 }  // namespace

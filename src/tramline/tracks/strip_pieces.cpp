@@ -1,5 +1,7 @@
 #include "tramline/tracks/strip_pieces.h"
 
+#include <algorithm>
+
 namespace tramline {
 namespace {
 
@@ -20,28 +22,32 @@ bool stops_at(const Blocked& blocked, double end, int sense) {
   return area_between(blocked.hard, std::min(end, beyond), std::max(end, beyond)) > kLeastArea;
 }
 
-/// The pieces of one undisturbed stretch, which only passable obstacles interrupt.
+/// Parts of one stretch, with what is left between two passable obstacles that all but touch left out.
+Intervals parts_between_crossings(const Interval& stretch, const Intervals& passable) {
+  constexpr double kDust = 1e-3;
+  Intervals parts = without({stretch}, passable);
+  std::erase_if(parts, [](const Interval& part) { return part.length() < kDust; });
+  return parts;
+}
+
+/// The pieces of one undisturbed stretch, which only passable obstacles interrupt. Short ones are
+/// dropped from both ends inwards: what lies between two pieces that are driven is driven.
 void append_stretch(const Interval& stretch, const Blocked& blocked, const StripProfile& subfield, int strip,
                     double min_length_m, SubfieldTracks& out) {
-  const Intervals parts = without({stretch}, blocked.by_passable);
-  bool before_driven = false;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const Interval& part = parts[i];
+  const Intervals parts = parts_between_crossings(stretch, blocked.by_passable);
+  const auto is_long = [min_length_m](const Interval& part) { return part.length() >= min_length_m; };
+  const auto first = std::find_if(parts.begin(), parts.end(), is_long);
+  const auto last = std::find_if(parts.rbegin(), parts.rend(), is_long).base();
+  for (auto part = parts.begin(); part != parts.end(); ++part) {
+    const bool driven = part >= first && part < last;
     StripPiece piece{strip,
-                     part.from,
-                     part.to,
-                     stops_at(blocked, part.from, -1),
-                     stops_at(blocked, part.to, +1),
-                     before_driven,
-                     area_between(subfield, part.from, part.to)};
-    const bool between_crossings = i > 0 && i + 1 < parts.size();
-    if (part.length() < min_length_m && !between_crossings) {
-      out.dropped.push_back(piece);
-      before_driven = false;
-    } else {
-      out.pieces.push_back(piece);
-      before_driven = true;
-    }
+                     part->from,
+                     part->to,
+                     stops_at(blocked, part->from, -1),
+                     stops_at(blocked, part->to, +1),
+                     driven && part != first,
+                     area_between(subfield, part->from, part->to)};
+    (driven ? out.pieces : out.dropped).push_back(piece);
   }
 }
 

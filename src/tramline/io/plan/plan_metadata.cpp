@@ -23,6 +23,10 @@ void each_value(PlanOrConst& plan, Visitor&& visit) {
   visit("field.source.layer", plan.field.source.layer);
   visit("field.source.fid", plan.field.source.fid);
   visit("field.source.part", plan.field.source.part);
+  visit("field.source.crs", plan.field.source.crs);
+  visit("field.source.obstacles_file", plan.field.source.obstacles_file);
+  visit("field.source.obstacle_size_m", plan.field.source.obstacle_size_m);
+  visit("field.source.passable_file", plan.field.source.passable_file);
   visit("field.repairs", plan.field.repairs);
   visit("field.warnings", plan.field.warnings);
   visit("frame.geodetic", plan.field.frame.geodetic);
@@ -185,7 +189,8 @@ Metadata metadata_of(const Plan& plan) {
   each_value(plan, Writer(out));
   out["format"] = kFormat;
   out["format_version"] = std::to_string(kFormatVersion);
-  out["field.source.file"] = std::filesystem::path(plan.field.source.file).filename().string();
+  for (const char* key : {"field.source.file", "field.source.obstacles_file", "field.source.passable_file"})
+    out[key] = std::filesystem::path(out[key]).filename().string();
   // The kinds that no setting changes are written all the same: the file explains itself.
   out["edges.exterior"] = name(plan.settings.boundary);
   out["edges.obstacles"] = name(EdgeKind::kHard);
