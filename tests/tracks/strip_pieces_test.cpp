@@ -119,16 +119,25 @@ TEST(PassableObstacles, InterruptTheWorkWithoutAStop) {
 }
 
 TEST(PassableObstacles, ExemptWhatLiesBetweenTwoCrossings) {
-  // Two waterways 2 m apart: the 2 m between them are driven although 2w = 6 m. The 4 m before the
-  // first waterway are not: they lie between the edge and one crossing.
+  // Two waterways 2 m apart: the 2 m between them are driven although 2w = 6 m.
   const Polygon field = box(0, 0, 3, 100);
-  const TurnedGround ground{{}, {box(-5, 4, 20, 6), box(-5, 8, 20, 10)}, {}};
+  const TurnedGround ground{{}, {box(-5, 10, 20, 12), box(-5, 14, 20, 16)}, {}};
   const SubfieldTracks tracks = lay(field, EndRule::kCentre, ground);
-  ASSERT_EQ(tracks.pieces.size(), 2u);
-  EXPECT_NEAR(tracks.pieces[0].from, 6, 1e-9);
-  EXPECT_NEAR(tracks.pieces[0].to, 8, 1e-9);
-  EXPECT_FALSE(tracks.pieces[0].after_crossing) << "what lies before the first waterway is dropped";
+  ASSERT_EQ(tracks.pieces.size(), 3u);
+  EXPECT_NEAR(tracks.pieces[1].from, 12, 1e-9);
+  EXPECT_NEAR(tracks.pieces[1].to, 14, 1e-9);
+  EXPECT_FALSE(tracks.pieces[0].after_crossing);
   EXPECT_TRUE(tracks.pieces[1].after_crossing);
+  EXPECT_TRUE(tracks.pieces[2].after_crossing);
+}
+
+TEST(PassableObstacles, DoNotExemptWhatLiesBetweenTheEdgeAndACrossing) {
+  const Polygon field = box(0, 0, 3, 100);
+  const TurnedGround ground{{}, {box(-5, 4, 20, 6)}, {}};
+  const SubfieldTracks tracks = lay(field, EndRule::kCentre, ground);
+  ASSERT_EQ(tracks.pieces.size(), 1u);
+  EXPECT_NEAR(tracks.pieces[0].from, 6, 1e-9);
+  EXPECT_FALSE(tracks.pieces[0].after_crossing);
   EXPECT_EQ(tracks.dropped.size(), 1u);
 }
 
