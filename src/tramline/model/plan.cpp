@@ -34,6 +34,30 @@ const char* name(Strategy) { return "sweep"; }
 
 const char* name(CellDirection choice) { return choice == CellDirection::kRectangle ? "rectangle" : "width"; }
 
+const char* name(Avoidance choice) {
+  switch (choice) {
+    case Avoidance::kCheapest:
+      return "cheapest";
+    case Avoidance::kPaper:
+      return "paper";
+    case Avoidance::kCut:
+      return "cut";
+  }
+  return "";
+}
+
+const char* name(Passing way) {
+  switch (way) {
+    case Passing::kLeft:
+      return "left";
+    case Passing::kRight:
+      return "right";
+    case Passing::kCut:
+      return "cut";
+  }
+  return "";
+}
+
 std::optional<EndRule> end_rule_named(std::string_view word) {
   return named(word, {EndRule::kCentre, EndRule::kCover, EndRule::kInside, EndRule::kCheapest});
 }
@@ -43,6 +67,12 @@ std::optional<EdgeKind> edge_kind_named(std::string_view word) {
 std::optional<Strategy> strategy_named(std::string_view word) { return named(word, {Strategy::kSweep}); }
 std::optional<CellDirection> cell_direction_named(std::string_view word) {
   return named(word, {CellDirection::kRectangle, CellDirection::kWidth});
+}
+std::optional<Avoidance> avoidance_named(std::string_view word) {
+  return named(word, {Avoidance::kCheapest, Avoidance::kPaper, Avoidance::kCut});
+}
+std::optional<Passing> passing_named(std::string_view word) {
+  return named(word, {Passing::kLeft, Passing::kRight, Passing::kCut});
 }
 
 Region swaths(const Plan& plan) {

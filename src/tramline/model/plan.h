@@ -34,17 +34,24 @@ struct PlanSettings {
   Angle merge_threshold = Angle::degrees(0);            ///< S1.22
   Angle decomposition_threshold = Angle::degrees(180);  ///< S1.16
   double small_cell_m2 = 200;                           ///< S1.21
+  Avoidance avoid = Avoidance::kCheapest;
+  double avoid_threshold_m = -1;  ///< S1.26, with Avoidance::kPaper; negative: the default, w
+  double clearance_m = 0;         ///< kept between swaths and obstacles
 };
 
 const char* name(EndRule rule);          ///< centre, cover, inside, cheapest
 const char* name(EdgeKind kind);         ///< soft, hard
 const char* name(Strategy strategy);     ///< sweep
 const char* name(CellDirection choice);  ///< rectangle, width
+const char* name(Avoidance choice);      ///< cheapest, paper, cut
+const char* name(Passing way);           ///< left, right, cut
 /// The inverse of name(); nullopt for any other word.
 std::optional<EndRule> end_rule_named(std::string_view word);
 std::optional<EdgeKind> edge_kind_named(std::string_view word);
 std::optional<Strategy> strategy_named(std::string_view word);
 std::optional<CellDirection> cell_direction_named(std::string_view word);
+std::optional<Avoidance> avoidance_named(std::string_view word);
+std::optional<Passing> passing_named(std::string_view word);
 
 struct Subfield {
   Polygon shape;  ///< may contain passable obstacles
@@ -65,10 +72,12 @@ struct Plan {
   Objective objective;
   PlanSettings settings;
   Region body;      ///< field minus obstacles, passable ones included
-  Region given_up;  ///< body between clustered obstacles (b) and between obstacle and edge (c); hard
+  Region given_up;  ///< body between clustered obstacles (b), between obstacle and edge (c), and nearer
+                    ///< to an obstacle than the clearance; hard
   std::vector<Subfield> subfields;
   std::vector<TrackPiece> pieces;  ///< in driving order
   std::vector<DroppedPiece> dropped;
+  std::vector<Encounter> encounters;  ///< by subfield, track and place along it
   Tally tally;
   double cost = 0;
   Region overlap;    ///< where land outside the body or worked already is worked

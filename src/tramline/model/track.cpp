@@ -1,12 +1,51 @@
 #include "tramline/model/track.h"
 
 namespace tramline {
+namespace {
+
+/// A detour may begin where the piece does: what is left before it is no part.
+constexpr double kDust = 1e-9;
+
+}  // namespace
+
+Path centre_line(const TrackPiece& piece) {
+  Path out;
+  Point at = piece.start;
+  const auto drive_straight_to = [&](Point to) {
+    if (distance(at, to) > kDust) out.push_back({at, to, 0});
+  };
+  for (const Detour& detour : piece.detours) {
+    drive_straight_to(detour.path.front().from);
+    out.insert(out.end(), detour.path.begin(), detour.path.end());
+    at = detour.path.back().to;
+  }
+  drive_straight_to(piece.end);
+  return out;
+}
+
+double length(const TrackPiece& piece) {
+  if (piece.detours.empty()) return distance(piece.start, piece.end);
+  return length(centre_line(piece));
+}
 
 Ring swath(const TrackPiece& piece, double width_m) {
+  if (!piece.detours.empty()) return band(centre_line(piece), width_m);
   const Point along = piece.end - piece.start;
   const double half = 0.5 * width_m / length(along);
   const Point right{half * along.y, -half * along.x};
   return {piece.start + right, piece.end + right, piece.end - right, piece.start - right};
+}
+
+std::vector<PathSegment> straight_parts(const TrackPiece& piece) {
+  std::vector<PathSegment> out;
+  Point at = piece.start;
+  for (const Detour& detour : piece.detours) {
+    out.push_back({at, detour.path.front().from, 0});
+    at = detour.path.back().to;
+  }
+  out.push_back({at, piece.end, 0});
+  std::erase_if(out, [](const PathSegment& part) { return distance(part.from, part.to) <= kDust; });
+  return out;
 }
 
 }  // namespace tramline

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "tramline/geometry/point.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/path.h"
+#include "tramline/model/detour.h"
 
 namespace tramline {
 
-/// One uninterrupted stretch driven with the work on: a straight centre line from start to end, in
-/// driving direction, and the flat-ended swath of the working width along it.
+/// One uninterrupted stretch driven with the work on: along the straight line from start to end, but
+/// for the detours, and the flat-ended swath of the working width along that.
 struct TrackPiece {
   Point start;
   Point end;
@@ -17,11 +17,17 @@ struct TrackPiece {
   /// The same track goes on beyond a passable obstacle that lies between the previous piece (in
   /// driving order) and this one: neither a turn nor a stop.
   bool after_crossing = false;
+  std::vector<Detour> detours{};  ///< in driving order; they do not overlap
 };
 
-inline double length(const TrackPiece& piece) { return distance(piece.start, piece.end); }
+/// What the machine follows, from start to end. Precondition: start != end.
+Path centre_line(const TrackPiece& piece);
+double length(const TrackPiece& piece);
 
-/// The ground a piece works: a rectangle, counter-clockwise. Precondition: start != end.
+/// The ground a piece works, counter-clockwise; arcs as chords (kChordSagitta). Precondition: start != end.
 Ring swath(const TrackPiece& piece, double width_m);
+
+/// The straight parts of a piece: before, between and after its detours.
+std::vector<PathSegment> straight_parts(const TrackPiece& piece);
 
 }  // namespace tramline
