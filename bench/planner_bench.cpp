@@ -73,7 +73,7 @@ void closed_form_tally_of_one_candidate(benchmark::State& state) {
   const SearchTask task = search_task(papers_field(), {}, kFewestTurns, papers_settings());
   const Candidate candidate = evaluate(task, candidate_directions(task.field).front());
   for (auto _ : state)
-    benchmark::DoNotOptimize(tally_of(candidate.subfields, candidate.tracks, task.body_m2));
+    benchmark::DoNotOptimize(tally_of(candidate.subfields, candidate.avoided.tracks, task.body_m2));
 }
 BENCHMARK(closed_form_tally_of_one_candidate)->Unit(benchmark::kMicrosecond);
 

@@ -16,8 +16,8 @@ Polygon box(double x0, double y0, double x1, double y1) {
 
 SubfieldTracks tracks_in(const Subfield& subfield, EndRule rule) {
   const StripGrid grid = strip_grids(subfield, kWidth).front();
-  return strip_pieces(grid, grid.frame.to_track(Region{subfield.shape}).front(), {},
-                      end_criterion(rule, Objective{}, kWidth), 0);
+  const Polygon turned = grid.frame.to_track(Region{subfield.shape}).front();
+  return cut_pieces(strips_of(grid, turned, {}, end_criterion(rule, Objective{}, kWidth)), 0);
 }
 
 // Two trapezia share a 45° border from (30, 0) to (60, 30); both are driven north. With the rule

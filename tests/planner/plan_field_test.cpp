@@ -116,11 +116,12 @@ TEST(DrivingOrder, TakesTheNearestSubfieldNext) {
   const StripGrid grid{TrackFrame(Direction::clockwise_from_north(Angle::degrees(0))), 0, 3};
   for (const int strip : {0, 20, 10}) {
     candidate.subfields.emplace_back();
-    candidate.tracks.push_back({grid, {}, {}});
+    candidate.strips.push_back({grid, {}});
+    candidate.avoided.tracks.push_back({grid, {}, {}});
     StripPiece piece;
     piece.strip = strip;
     piece.to = 50;
-    candidate.tracks.back().pieces.push_back(piece);
+    candidate.avoided.tracks.back().pieces.push_back(piece);
   }
   const auto order = driving_order(candidate);
   ASSERT_EQ(order.size(), 3u);

@@ -35,7 +35,8 @@ Sums sums_of(const SubfieldTracks& tracks, const Polygon& subfield) {
 
 SubfieldTracks lay(const Polygon& subfield, EndRule rule, const TurnedGround& ground = {},
                    double min_length = 6, const Objective& objective = {}) {
-  return strip_pieces(north_grid(), subfield, ground, end_criterion(rule, objective, kWidth), min_length);
+  return cut_pieces(strips_of(north_grid(), subfield, ground, end_criterion(rule, objective, kWidth)),
+                    min_length);
 }
 
 // ALGORITHMS §0.1: an edge at angle φ to the tracks makes a wedge of ½w²cot φ at every row end; a row

@@ -1,5 +1,8 @@
 #include "tramline/avoidance/ground.h"
 
+#include <cmath>
+#include <numbers>
+
 #include "tramline/avoidance/clusters.h"
 #include "tramline/avoidance/edge_clips.h"
 #include "tramline/geometry/boolean.h"
@@ -16,27 +19,39 @@ Region enclosed_by(const Region& hard) {
   return out;
 }
 
+/// Obstacles with everything nearer than the clearance. The chords of the round corners lie outside the
+/// circle, not inside.
+Region with_clearance(const Region& obstacles, double clearance_m) {
+  constexpr int kChordsPerQuadrant = 16;
+  if (clearance_m == 0) return obstacles;
+  const double apothem = std::cos(std::numbers::pi / (4 * kChordsPerQuadrant));
+  return buffered(obstacles, clearance_m / apothem, JoinStyle::kRound, kChordsPerQuadrant);
+}
+
 }  // namespace
 
-Ground sort_obstacles(const Field& field, double width_m) {
+Ground sort_obstacles(const Field& field, double width_m, double clearance_m) {
   const Region obstacles = obstacle_shapes(field, ObstacleKind::kObstacle);
   const Region whole{{field.outer, {}}};
   Ground ground;
   ground.passable = obstacle_shapes(field, ObstacleKind::kPassable);
   ground.body = body_of(field);
 
-  std::vector<Cluster> groups = clusters(obstacles, width_m);
-  clip_to_edge(groups, field.outer, width_m);
+  std::vector<Cluster> groups = clusters(obstacles, width_m + 2 * clearance_m);
+  clip_to_edge(groups, field.outer, width_m + clearance_m);
   Region between;
   for (const Cluster& group : groups)
     between.insert(between.end(), group.given_up.begin(), group.given_up.end());
 
   const Region solid = unite(obstacles);
+  if (clearance_m > 0)
+    for (Polygon& kept_clear : with_clearance(solid, clearance_m)) between.push_back(std::move(kept_clear));
   ground.given_up = intersection(unite(between), ground.body);
   const Region enclosed = intersection(enclosed_by(unite(solid, ground.given_up)), ground.body);
   if (!enclosed.empty()) ground.given_up = unite(ground.given_up, enclosed);
   ground.hard = unite(solid, ground.given_up);
   ground.plannable = difference(whole, ground.hard);
+  ground.hazards = hazards_of(ground.hard, field);
   return ground;
 }
 

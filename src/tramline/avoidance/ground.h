@@ -1,6 +1,7 @@
 #pragma once
 // The ground a plan is made on, once the obstacles are sorted into S1's categories.
 
+#include "tramline/avoidance/hazards.h"
 #include "tramline/model/field.h"
 
 namespace tramline {
@@ -11,12 +12,15 @@ struct Ground {
   Region body;       ///< what has to be covered (DESIGN: field minus obstacles)
   Region plannable;  ///< field minus obstacles and given-up land; passable obstacles still in it
   Region given_up;   ///< land no swath may work: between clustered obstacles, between an obstacle and
-                     ///< the edge, and inside a ring of them
+                     ///< the edge, inside a ring of them, and nearer to one than the clearance
   Region hard;       ///< obstacles and given-up land
   Region passable;   ///< crossed with the work interrupted
+  std::vector<Hazard> hazards;  ///< the parts of `hard`
 };
 
-/// S1.27-S1.29: clusters (b) and edge clips (c); every other obstacle cuts the swaths it meets (d).
-Ground sort_obstacles(const Field& field, double width_m);
+/// S1.27-S1.29: clusters (b) and edge clips (c). Every other obstacle is driven round (a) or cuts the
+/// swaths it meets (d), which is decided track by track. No swath comes nearer to an obstacle than
+/// `clearance_m`.
+Ground sort_obstacles(const Field& field, double width_m, double clearance_m = 0);
 
 }  // namespace tramline

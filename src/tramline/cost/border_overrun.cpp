@@ -5,11 +5,21 @@
 namespace tramline {
 namespace {
 
-/// A swath in field coordinates.
-ConvexSet swath_of(const StripPiece& piece, const StripGrid& grid) {
-  const double left = grid.line(piece.strip), right = grid.line(piece.strip + 1);
-  return convex_set({grid.frame.to_field({left, piece.from}), grid.frame.to_field({right, piece.from}),
-                     grid.frame.to_field({right, piece.to}), grid.frame.to_field({left, piece.to})});
+/// The swath of a straight part, in field coordinates.
+ConvexSet swath_of(const StripGrid& grid, int strip, const Interval& part) {
+  const double left = grid.line(strip), right = grid.line(strip + 1);
+  return convex_set({grid.frame.to_field({left, part.from}), grid.frame.to_field({right, part.from}),
+                     grid.frame.to_field({right, part.to}), grid.frame.to_field({left, part.to})});
+}
+
+void append_swaths(const StripPiece& piece, const StripGrid& grid, std::vector<ConvexSet>& out) {
+  for (const Interval& part : straight_parts(piece)) out.push_back(swath_of(grid, piece.strip, part));
+}
+
+double straight_length(const StripPiece& piece) {
+  double sum = 0;
+  for (const Interval& part : straight_parts(piece)) sum += part.length();
+  return sum;
 }
 
 /// The swaths that leave their own subfield.
@@ -17,14 +27,14 @@ std::vector<ConvexSet> overrunning(const SubfieldTracks& tracks) {
   constexpr double kLeastArea = 1e-9;
   std::vector<ConvexSet> out;
   for (const StripPiece& piece : tracks.pieces)
-    if (tracks.grid.width_m * (piece.to - piece.from) - piece.inside_m2 > kLeastArea)
-      out.push_back(swath_of(piece, tracks.grid));
+    if (tracks.grid.width_m * straight_length(piece) - piece.inside_m2 > kLeastArea)
+      append_swaths(piece, tracks.grid, out);
   return out;
 }
 
 std::vector<ConvexSet> all_swaths(const SubfieldTracks& tracks) {
   std::vector<ConvexSet> out;
-  for (const StripPiece& piece : tracks.pieces) out.push_back(swath_of(piece, tracks.grid));
+  for (const StripPiece& piece : tracks.pieces) append_swaths(piece, tracks.grid, out);
   return out;
 }
 

@@ -8,7 +8,7 @@
 
 namespace tramline {
 
-/// Land of all subfields that swaths of other subfields cover and their own swaths do not, m².
+/// Land of all subfields that straight swaths of other subfields cover and their own do not, m².
 double covered_by_neighbours_m2(const std::vector<Subfield>& subfields,
                                 const std::vector<SubfieldTracks>& tracks);
 

@@ -7,13 +7,13 @@
 namespace tramline {
 
 Tally tally_of(const std::vector<Subfield>& subfields, const std::vector<SubfieldTracks>& tracks,
-               double body_m2) {
+               double body_m2, double by_detours_m2) {
   Tally tally;
-  double useful_m2 = 0;
+  double useful_m2 = by_detours_m2;
   for (const SubfieldTracks& subfield : tracks)
     for (const StripPiece& piece : subfield.pieces) {
-      tally.track_length_m += piece.to - piece.from;
-      tally.worked_m2 += subfield.grid.width_m * (piece.to - piece.from);
+      tally.track_length_m += length(piece);
+      tally.worked_m2 += subfield.grid.width_m * length(piece);
       useful_m2 += piece.inside_m2;
       tally.pieces += 1;
       tally.crossings += piece.after_crossing ? 1 : 0;

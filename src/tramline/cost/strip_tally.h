@@ -9,12 +9,13 @@
 namespace tramline {
 
 /// The tally of all subfields' tracks. Exact up to rounding, also where swaths of one subfield run
-/// into another: the swaths of one subfield are disjoint rectangles, so the useful area is
+/// into another: the straight swaths of one subfield are disjoint rectangles, so the useful area is
 ///   Σ area(swath ∩ own subfield) + Σ_i area(S_i ∩ ∪ swaths of others, less the own swaths of S_i),
 /// the second sum by inclusion and exclusion over convex pieces. No swath enters hard or passable
 /// land, so nothing outside the subfields is useful.
-/// `subfields` and `tracks` correspond. `body_m2` is the area of the body.
+/// `subfields` and `tracks` correspond. `body_m2` is the area of the body, `by_detours_m2` what detours
+/// cover of it besides (covered_by_detours_m2).
 Tally tally_of(const std::vector<Subfield>& subfields, const std::vector<SubfieldTracks>& tracks,
-               double body_m2);
+               double body_m2, double by_detours_m2 = 0);
 
 }  // namespace tramline

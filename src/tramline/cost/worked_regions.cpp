@@ -11,7 +11,14 @@ namespace {
 /// Intersections of two swaths thinner than the rounding of their corners are no overlap.
 constexpr double kLeastWidth = 1e-5;
 
-/// Convex intersections of every two swaths that overlap: sorted along x, so only near ones are met.
+bool is_rectangle(const Ring& swath) { return swath.size() == 4; }
+
+Region overlap_of(const Ring& a, const Ring& b) {
+  if (!is_rectangle(a) || !is_rectangle(b)) return intersection({{a, {}}}, {{b, {}}});
+  return {{convex_intersection(a, b), {}}};
+}
+
+/// Intersections of every two swaths that overlap: sorted along x, so only near ones are met.
 Region pairwise_overlaps(const Region& swaths) {
   struct Item {
     const Ring* ring;
@@ -25,8 +32,8 @@ Region pairwise_overlaps(const Region& swaths) {
   for (std::size_t i = 0; i < items.size(); ++i)
     for (std::size_t j = i + 1; j < items.size() && items[j].box.min_x <= items[i].box.max_x; ++j) {
       if (!intersects(items[i].box, items[j].box)) continue;
-      Ring both = convex_intersection(*items[i].ring, *items[j].ring);
-      if (signed_area(both) > kLeastWidth * perimeter(both)) out.push_back({std::move(both), {}});
+      for (Polygon& both : overlap_of(*items[i].ring, *items[j].ring))
+        if (area(both) > kLeastWidth * perimeter(both.outer)) out.push_back(std::move(both));
     }
   return out;
 }

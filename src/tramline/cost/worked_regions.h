@@ -11,7 +11,8 @@ struct WorkedRegions {
 };
 
 /// By polygon booleans on the precision grid. Overlapping swaths are told apart pair by pair among
-/// those whose boxes meet.
+/// those whose boxes meet. `swaths` may be whole ones or parts that only touch: rectangles as such, bands
+/// along arcs by their chords.
 WorkedRegions worked_regions(const Region& body, const Region& swaths);
 
 }  // namespace tramline

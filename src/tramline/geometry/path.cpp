@@ -61,6 +61,16 @@ bool cross_each_other(Point a, Point b, Point c, Point d) {
   return (side_c > 0) != (side_d > 0) && (side_a > 0) != (side_b > 0);
 }
 
+/// Of a segment. An arc of at most half a circle stays within its chord's length of its ends.
+Box box_of(const PathSegment& segment) {
+  Box box;
+  box.extend(segment.from);
+  box.extend(segment.to);
+  if (segment.straight()) return box;
+  const double half = 0.5 * std::abs(turning(segment));
+  return box.grown(radius(segment) * (1 - std::cos(half)));  // the arc's height above its chord
+}
+
 /// An arc with what the distance to it asks for.
 class Arc {
  public:
@@ -176,6 +186,12 @@ Ring band(const Path& path, double width_m, double sagitta_m) {
   const std::vector<Point> left = offset_chords(path, half, half, sagitta_m);
   out.insert(out.end(), left.rbegin(), left.rend());
   return out;
+}
+
+Box reach_of(const Path& path, double width_m) {
+  Box box;
+  for (const PathSegment& segment : path) box.extend(box_of(segment));
+  return box.grown(0.5 * width_m);
 }
 
 double distance_to_edge(const PathSegment& segment, Point a, Point b) {

@@ -6,6 +6,15 @@
 namespace tramline {
 namespace {
 
+Detour detour_on_field(const StripDetour& detour, const StripGrid& grid) {
+  return {moved(detour.path, [&](Point p) { return grid.frame.to_field(p); }), detour.side, detour.obstacles};
+}
+
+Detour backwards(const Detour& detour) {
+  return {reversed(detour.path), detour.side == Passing::kLeft ? Passing::kRight : Passing::kLeft,
+          detour.obstacles};
+}
+
 TrackPiece piece_on_field(const StripPiece& piece, const StripGrid& grid, int subfield, int first_strip) {
   const double across = grid.centre(piece.strip);
   TrackPiece out;
@@ -16,6 +25,7 @@ TrackPiece piece_on_field(const StripPiece& piece, const StripGrid& grid, int su
   out.stop_at_start = piece.stop_at_from;
   out.stop_at_end = piece.stop_at_to;
   out.after_crossing = piece.after_crossing;
+  for (const StripDetour& detour : piece.detours) out.detours.push_back(detour_on_field(detour, grid));
   return out;
 }
 
@@ -29,18 +39,20 @@ Track backwards(const Track& track) {
     std::swap(piece.start, piece.end);
     std::swap(piece.stop_at_start, piece.stop_at_end);
     piece.after_crossing = i + 1 < track.size() && track[i + 1].after_crossing;
+    std::reverse(piece.detours.begin(), piece.detours.end());
+    for (Detour& detour : piece.detours) detour = backwards(detour);
     out.push_back(piece);
   }
   return out;
 }
 
-std::vector<Track> tracks_of(const SubfieldTracks& tracks, int subfield) {
+std::vector<Track> tracks_of(const SubfieldTracks& tracks, int subfield, int first_strip) {
   std::vector<Track> out;
   int last_strip = 0;
   for (const StripPiece& piece : tracks.pieces) {
     if (out.empty() || piece.strip != last_strip) out.emplace_back();
     last_strip = piece.strip;
-    out.back().push_back(piece_on_field(piece, tracks.grid, subfield, tracks.pieces.front().strip));
+    out.back().push_back(piece_on_field(piece, tracks.grid, subfield, first_strip));
   }
   return out;
 }
@@ -74,8 +86,8 @@ std::vector<TrackPiece> nearest_way(const std::vector<Track>& tracks, Point from
 
 std::vector<TrackPiece> driving_order(const Candidate& candidate) {
   std::vector<std::vector<Track>> waiting;
-  for (std::size_t i = 0; i < candidate.tracks.size(); ++i)
-    waiting.push_back(tracks_of(candidate.tracks[i], static_cast<int>(i)));
+  for (std::size_t i = 0; i < candidate.avoided.tracks.size(); ++i)
+    waiting.push_back(tracks_of(candidate.avoided.tracks[i], static_cast<int>(i), first_track(candidate, i)));
   std::vector<TrackPiece> out;
   while (true) {
     double nearest = std::numeric_limits<double>::infinity();

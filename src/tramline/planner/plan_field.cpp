@@ -5,6 +5,7 @@
 #include "tramline/cost/worked_regions.h"
 #include "tramline/geometry/error.h"
 #include "tramline/planner/driving_order.h"
+#include "tramline/planner/encounters_as_driven.h"
 #include "tramline/planner/validate_request.h"
 #include "tramline/planner/warnings.h"
 
@@ -13,14 +14,21 @@ namespace {
 
 std::vector<DroppedPiece> dropped_pieces(const Candidate& candidate) {
   std::vector<DroppedPiece> out;
-  for (std::size_t i = 0; i < candidate.tracks.size(); ++i) {
-    const StripGrid& grid = candidate.tracks[i].grid;
-    for (const StripPiece& piece : candidate.tracks[i].dropped) {
+  for (std::size_t i = 0; i < candidate.avoided.tracks.size(); ++i) {
+    const StripGrid& grid = candidate.avoided.tracks[i].grid;
+    for (const StripPiece& piece : candidate.avoided.tracks[i].dropped) {
       const double across = grid.centre(piece.strip);
       out.push_back({grid.frame.to_field({across, piece.from}), grid.frame.to_field({across, piece.to}),
                      static_cast<int>(i)});
     }
   }
+  return out;
+}
+
+Region swath_parts(const Plan& plan) {
+  Region out;
+  for (const TrackPiece& piece : plan.pieces)
+    for (Ring& part : swath_parts(piece, plan.machine.width_m)) out.push_back({std::move(part), {}});
   return out;
 }
 
@@ -38,7 +46,7 @@ Plan plan_field(const Field& field, const Machine& machine, const Objective& obj
   validate_request(machine, objective, settings);
   const SearchTask task = search_task(field, machine, objective, settings);
   SweepResult found = sweep_search(task, threads, progress);
-  if (found.best.tally.pieces == 0) throw no_tracks(task);
+  if (found.best.avoided.tally.pieces == 0) throw no_tracks(task);
 
   Plan plan;
   plan.field = field;
@@ -49,11 +57,12 @@ Plan plan_field(const Field& field, const Machine& machine, const Objective& obj
   plan.given_up = task.ground.given_up;
   plan.pieces = driving_order(found.best);
   plan.dropped = dropped_pieces(found.best);
+  plan.encounters = encounters_as_driven(task, found.best, plan.pieces);
   plan.subfields = std::move(found.best.subfields);
-  plan.tally = found.best.tally;
-  plan.cost = found.best.cost;
+  plan.tally = found.best.avoided.tally;
+  plan.cost = found.best.cost();
   plan.directions_tried = found.directions_tried;
-  WorkedRegions worked = worked_regions(plan.body, swaths(plan));
+  WorkedRegions worked = worked_regions(plan.body, swath_parts(plan));
   plan.overlap = std::move(worked.overlap);
   plan.uncovered = std::move(worked.uncovered);
   plan.warnings = warnings_about(plan);

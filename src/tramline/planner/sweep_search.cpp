@@ -15,8 +15,8 @@ class Incumbent {
 
   void offer(Candidate candidate, std::size_t index) {
     const std::lock_guard lock(mutex_);
-    const bool better = best_index_ == kNone || candidate.cost < best_.cost ||
-                        (candidate.cost == best_.cost && index < best_index_);
+    const bool better = best_index_ == kNone || candidate.cost() < best_.cost() ||
+                        (candidate.cost() == best_.cost() && index < best_index_);
     if (better) {
       best_ = std::move(candidate);
       best_index_ = index;

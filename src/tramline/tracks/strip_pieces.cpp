@@ -5,83 +5,104 @@
 namespace tramline {
 namespace {
 
-/// Where a strip meets things it may not work, by cause.
-struct Blocked {
-  StripProfile hard;
-  Intervals by_hard;     ///< obstacles and given-up land
-  Intervals by_outside;  ///< land beyond a hard field boundary
-  Intervals by_passable;
+/// Shorter than this is nothing: a detour may begin where its stretch does, and two passable obstacles
+/// may all but touch.
+constexpr double kDust = 1e-3;
+
+/// Between two crossings, with the detours that lie there.
+struct Part {
+  Interval whole;
+  std::vector<StripDetour> detours;
+  double length_m = 0;
 };
 
-/// A piece's end is a stop when the first millimetre beyond it meets something hard, on average over
-/// more than half the width tolerance.
-bool stops_at(const Blocked& blocked, double end, int sense) {
-  constexpr double kLookAhead = 1e-3;
-  constexpr double kLeastArea = 0.5 * kLookAhead * kWidthTolerance;
-  const double beyond = end + sense * kLookAhead;
-  return area_between(blocked.hard, std::min(end, beyond), std::max(end, beyond)) > kLeastArea;
+double length_of(const Interval& whole, const std::vector<StripDetour>& detours) {
+  double sum = whole.length();
+  for (const StripDetour& detour : detours) sum += detour.length_m - (detour.to - detour.from);
+  return sum;
 }
 
-/// Parts of one stretch, with what is left between two passable obstacles that all but touch left out.
-Intervals parts_between_crossings(const Interval& stretch, const Intervals& passable) {
-  constexpr double kDust = 1e-3;
-  Intervals parts = without({stretch}, passable);
-  std::erase_if(parts, [](const Interval& part) { return part.length() < kDust; });
+std::vector<Part> parts_between_crossings(const JoinedStretch& joined, const Intervals& passable) {
+  // A detour may go round a passable obstacle beside the hard one.
+  Intervals driven_round;
+  for (const StripDetour& detour : joined.detours) driven_round.push_back({detour.from, detour.to});
+  std::vector<Part> parts;
+  for (const Interval& whole : without({joined.whole}, without(passable, driven_round))) {
+    if (whole.length() < kDust) continue;
+    Part part{whole, {}, 0};
+    for (const StripDetour& detour : joined.detours)
+      if (detour.from >= whole.from - kDust && detour.to <= whole.to + kDust) part.detours.push_back(detour);
+    part.length_m = length_of(whole, part.detours);
+    parts.push_back(std::move(part));
+  }
   return parts;
 }
 
-/// The pieces of one undisturbed stretch, which only passable obstacles interrupt. Short ones are
-/// dropped from both ends inwards: what lies between two pieces that are driven is driven.
-void append_stretch(const Interval& stretch, const Blocked& blocked, const StripProfile& subfield, int strip,
-                    double min_length_m, SubfieldTracks& out) {
-  const Intervals parts = parts_between_crossings(stretch, blocked.by_passable);
-  const auto is_long = [min_length_m](const Interval& part) { return part.length() >= min_length_m; };
-  const auto first = std::find_if(parts.begin(), parts.end(), is_long);
-  const auto last = std::find_if(parts.rbegin(), parts.rend(), is_long).base();
-  for (auto part = parts.begin(); part != parts.end(); ++part) {
-    const bool driven = part >= first && part < last;
-    StripPiece piece{strip,
-                     part->from,
-                     part->to,
-                     stops_at(blocked, part->from, -1),
-                     stops_at(blocked, part->to, +1),
-                     driven && part != first,
-                     area_between(subfield, part->from, part->to)};
-    (driven ? out.pieces : out.dropped).push_back(piece);
-  }
-}
-
-std::vector<Blocked> blocked_strips(const StripGrid& grid, StripRange range, const TurnedGround& ground) {
-  std::vector<Blocked> out(static_cast<std::size_t>(range.size()));
-  std::vector<StripProfile> hard = cross_sections(ground.hard, grid, range);
-  const std::vector<StripProfile> passable = cross_sections(ground.passable, grid, range);
-  const std::vector<StripProfile> field = cross_sections(ground.field, grid, range);
-  const Box reach = bounds(ground.field);
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    out[i].by_hard = where_at_least(hard[i], kWidthTolerance);
-    out[i].by_passable = where_at_least(passable[i], kWidthTolerance);
-    if (!ground.field.empty())
-      out[i].by_outside = complement(where_at_least(field[i], grid.width_m - kWidthTolerance),
-                                     {reach.min_y - 1, reach.max_y + 1});
-    out[i].hard = std::move(hard[i]);
-  }
-  return out;
+StripPiece piece_of(Part part, const Strip& strip, bool after_crossing) {
+  StripPiece piece;
+  piece.strip = strip.index;
+  piece.from = part.whole.from;
+  piece.to = part.whole.to;
+  piece.stop_at_from = stops_at(strip, part.whole.from, -1);
+  piece.stop_at_to = stops_at(strip, part.whole.to, +1);
+  piece.after_crossing = after_crossing;
+  piece.detours = std::move(part.detours);
+  for (const Interval& straight : straight_parts(piece))
+    piece.inside_m2 += area_between(strip.subfield, straight.from, straight.to);
+  return piece;
 }
 
 }  // namespace
 
-SubfieldTracks strip_pieces(const StripGrid& grid, const Polygon& turned, const TurnedGround& ground,
-                            const EndCriterion& criterion, double min_length_m) {
-  SubfieldTracks out{grid, {}, {}};
-  const StripRange range = strips_over(grid, bounds(turned), kWidthTolerance);
-  const std::vector<StripProfile> subfield = cross_sections({turned}, grid, range);
-  const std::vector<Blocked> blocked = blocked_strips(grid, range, ground);
-  for (int k = range.first; k <= range.last; ++k) {
-    const auto i = static_cast<std::size_t>(k - range.first);
-    const Intervals allowed = allowed_by(criterion, subfield[i]);
-    for (const Interval& stretch : without(without(allowed, blocked[i].by_hard), blocked[i].by_outside))
-      append_stretch(stretch, blocked[i], subfield[i], k, min_length_m, out);
+Intervals straight_parts(const StripPiece& piece) {
+  Intervals out;
+  double at = piece.from;
+  for (const StripDetour& detour : piece.detours) {
+    if (detour.from > at) out.push_back({at, detour.from});
+    at = detour.to;
   }
+  if (piece.to > at) out.push_back({at, piece.to});
+  return out;
+}
+
+std::vector<JoinedStretch> joined_stretches(const Intervals& stretches, const std::vector<StripDetour>& detours) {
+  std::vector<JoinedStretch> out;
+  auto detour = detours.begin();
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    JoinedStretch joined{stretches[i]};
+    for (; detour != detours.end() && detour->from <= joined.whole.to; ++detour) {
+      joined.detours.push_back(*detour);
+      while (i + 1 < stretches.size() && stretches[i].to < detour->to) ++i;
+      joined.whole.to = stretches[i].to;
+    }
+    out.push_back(std::move(joined));
+  }
+  return out;
+}
+
+double length(const StripPiece& piece) { return length_of({piece.from, piece.to}, piece.detours); }
+
+void append_joined(const Strip& strip, const JoinedStretch& joined, double min_length_m,
+                   SubfieldTracks& out) {
+  std::vector<Part> parts = parts_between_crossings(joined, strip.by_passable);
+  const auto is_long = [min_length_m](const Part& part) { return part.length_m >= min_length_m; };
+  const auto first = std::find_if(parts.begin(), parts.end(), is_long);
+  const auto last = std::find_if(parts.rbegin(), parts.rend(), is_long).base();
+  for (auto part = parts.begin(); part != parts.end(); ++part) {
+    const bool driven = part >= first && part < last;
+    (driven ? out.pieces : out.dropped).push_back(piece_of(std::move(*part), strip, driven && part != first));
+  }
+}
+
+void append_pieces(const Strip& strip, const std::vector<StripDetour>& detours, double min_length_m,
+                   SubfieldTracks& out) {
+  for (const JoinedStretch& joined : joined_stretches(strip.stretches, detours))
+    append_joined(strip, joined, min_length_m, out);
+}
+
+SubfieldTracks cut_pieces(const Strips& strips, double min_length_m) {
+  SubfieldTracks out{strips.grid, {}, {}};
+  for (const Strip& strip : strips.strips) append_pieces(strip, {}, min_length_m, out);
   return out;
 }
 

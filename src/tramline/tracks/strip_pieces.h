@@ -3,11 +3,20 @@
 
 #include <vector>
 
-#include "tramline/geometry/cross_section.h"
-#include "tramline/model/machine.h"
-#include "tramline/tracks/end_rule.h"
+#include "tramline/model/detour.h"
+#include "tramline/tracks/strips.h"
 
 namespace tramline {
+
+/// A detour of a strip's track, in the grid's plane, running along the strip.
+struct StripDetour {
+  double from = 0;  ///< coordinates along, of the two ends on the centre line
+  double to = 0;
+  Path path;
+  double length_m = 0;  ///< of the path
+  Passing side = Passing::kLeft;
+  std::vector<int> obstacles;  ///< indices into Field::obstacles
+};
 
 /// A piece in its strip: coordinates along the grid's direction, from < to.
 struct StripPiece {
@@ -17,15 +26,14 @@ struct StripPiece {
   bool stop_at_from = false;
   bool stop_at_to = false;
   bool after_crossing = false;  ///< a passable obstacle, and nothing else, lies before `from`
-  double inside_m2 = 0;         ///< area of the swath inside its own subfield
+  double inside_m2 = 0;         ///< area of the straight parts' swath inside their own subfield
+  std::vector<StripDetour> detours{};  ///< along the strip, not overlapping
 };
 
-/// The ground of a field in the turned plane of one grid.
-struct TurnedGround {
-  Region hard;  ///< obstacles and given-up land
-  Region passable;
-  Region field;  ///< the field's outer ring where it is hard, else empty
-};
+/// Where the piece runs straight: before, between and after its detours.
+Intervals straight_parts(const StripPiece& piece);
+/// Length of the path driven, m.
+double length(const StripPiece& piece);
 
 /// One subfield with its tracks.
 struct SubfieldTracks {
@@ -34,11 +42,28 @@ struct SubfieldTracks {
   std::vector<StripPiece> dropped;  ///< shorter than the machine's least length (S1.14)
 };
 
-/// In every strip the stretches the end rule allows, less the along-track extent of everything hard
-/// (S1.40), interrupted over passable obstacles; what is shorter than the least length is dropped
-/// unless it lies between two crossings. `turned` is the subfield in the grid's plane.
-/// O(n + K log K) for n edges and K incidences of edges and strips.
-SubfieldTracks strip_pieces(const StripGrid& grid, const Polygon& turned, const TurnedGround& ground,
-                            const EndCriterion& criterion, double min_length_m);
+/// A stretch of a strip, or several that detours join.
+struct JoinedStretch {
+  Interval whole;
+  std::vector<StripDetour> detours{};
+};
+
+/// The stretches of a strip as the detours join them. Preconditions as for append_pieces.
+std::vector<JoinedStretch> joined_stretches(const Intervals& stretches,
+                                            const std::vector<StripDetour>& detours);
+
+/// The pieces of one joined stretch; see append_pieces.
+void append_joined(const Strip& strip, const JoinedStretch& joined, double min_length_m, SubfieldTracks& out);
+
+/// The pieces of one strip, whose stretches the detours join; passable obstacles interrupt them. What is
+/// shorter than the least length is dropped, from both ends of a joined stretch inwards: what lies
+/// between two pieces that are driven is driven. Appended to `pieces` and `dropped`.
+/// Preconditions: detours are sorted and do not overlap; each begins and ends within a stretch and lies
+/// clear of passable obstacles.
+void append_pieces(const Strip& strip, const std::vector<StripDetour>& detours, double min_length_m,
+                   SubfieldTracks& out);
+
+/// All strips without detours: every stretch ends before anything hard (S1.40).
+SubfieldTracks cut_pieces(const Strips& strips, double min_length_m);
 
 }  // namespace tramline

@@ -1,0 +1,42 @@
+#pragma once
+// Which obstacles are driven round, on which side, and which tracks are cut.
+
+#include "tramline/avoidance/surroundings.h"
+#include "tramline/avoidance/track_choice.h"
+#include "tramline/model/machine.h"
+#include "tramline/model/plan.h"
+
+namespace tramline {
+
+/// Everything the decisions of one candidate depend on. Refers to its arguments.
+struct AvoidanceTask {
+  const Field& field;
+  const Ground& ground;
+  const Machine& machine;
+  const Objective& objective;
+  const PlanSettings& settings;
+  const std::vector<Subfield>& subfields;
+  const std::vector<Strips>& strips;  ///< by subfield
+  double body_m2 = 0;
+};
+
+struct Avoided {
+  std::vector<SubfieldTracks> tracks;  ///< by subfield
+  Tally tally;
+  double cost = 0;
+};
+
+/// The tracks with the detours the settings ask for:
+/// - cut: none (S1.40);
+/// - paper: S1's (S1.26-S1.39), each track for itself;
+/// - cheapest: track by track the choice that costs least while the others stay as they are, again and
+///   again until none changes, from the cheaper of the two plans above: never costlier than either.
+/// Costs are exact: every area is cut by lines and arcs. Deterministic.
+Avoided choose_detours(const AvoidanceTask& task);
+
+/// What was decided where, for tracks that choose_detours laid: by subfield, track and place.
+/// Encounter::track is the strip's index, sides are seen along the subfield's direction, and costs are
+/// those of the best choice for the track with that way at this place, above the best one with a cut.
+std::vector<Encounter> encounters_in(const AvoidanceTask& task, const Avoided& avoided);
+
+}  // namespace tramline

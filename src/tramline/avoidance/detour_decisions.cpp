@@ -1,0 +1,274 @@
+#include "tramline/avoidance/detour_decisions.h"
+
+#include <algorithm>
+
+#include "tramline/avoidance/hopeless.h"
+#include "tramline/avoidance/paper_way.h"
+
+namespace tramline {
+namespace {
+
+StripRange range_of(const Strips& strips) {
+  if (strips.strips.empty()) return {};
+  return {strips.strips.front().index, strips.strips.back().index};
+}
+
+StripWork work_of(const Strip& strip, const std::vector<StripDetour>& detours, double least_m) {
+  SubfieldTracks out{{TrackFrame(Direction::clockwise_from_north(Angle::degrees(0))), 0, 1}, {}, {}};
+  append_pieces(strip, detours, least_m, out);
+  StripWork work;
+  for (const StripPiece& piece : out.pieces) {
+    for (const Interval& part : straight_parts(piece)) work.straight.push_back(part);
+    for (const StripDetour& detour : piece.detours) work.detours.push_back(detour);
+  }
+  return work;
+}
+
+Obstruction obstruction(const Strips& strips, const Strip& strip, std::size_t gap, const Machine& machine) {
+  return {strips.grid, strip, gap, machine.width_m, machine.radius_m};
+}
+
+TrackOption option_of(WayRound way, StripDetour detour) {
+  TrackOption option;
+  option.straight = {detour.from, detour.to};
+  option.way = std::move(way);
+  option.way.detour = std::move(detour);
+  return option;
+}
+
+bool same_drive(const WayRound& a, const WayRound& b) {
+  constexpr double kSame = 1e-9;
+  return a.detour.side == b.detour.side && a.first_gap == b.first_gap && a.last_gap == b.last_gap &&
+         std::abs(a.detour.from - b.detour.from) < kSame && std::abs(a.detour.to - b.detour.to) < kSame &&
+         std::abs(a.detour.length_m - b.detour.length_m) < kSame;
+}
+
+bool same_detours(const std::vector<StripDetour>& a, const std::vector<StripDetour>& b) {
+  return a.size() == b.size() &&
+         std::equal(a.begin(), a.end(), b.begin(),
+                    [](const StripDetour& x, const StripDetour& y) { return x.path == y.path; });
+}
+
+}  // namespace
+
+DetourDecisions::DetourDecisions(const AvoidanceTask& task)
+    : task_(task), width_m_(task.machine.width_m), least_m_(min_length_m(task.machine)) {
+  const bool hard = task.settings.boundary == EdgeKind::kHard;
+  for (std::size_t i = 0; i < task.strips.size(); ++i) {
+    const Strips& strips = task.strips[i];
+    around_.push_back(turned_surroundings(task.ground, task.field.outer, hard, strips.grid.frame));
+    body_.emplace_back();
+    for (const Ring& ring : rings_of(task.ground.body)) body_.back().push_back(strips.grid.frame.to_track(ring));
+    ground_.add_subfield(strips.grid, range_of(strips));
+    for (const Strip& strip : strips.strips) work(i, strip, {});
+  }
+  for (std::size_t i = 0; i < task.strips.size(); ++i) add_tracks(i);
+}
+
+void DetourDecisions::add_tracks(std::size_t subfield) {
+  const Strips& strips = task_.strips[subfield];
+  for (std::size_t i = 0; i < strips.strips.size(); ++i) {
+    BlockedTrack track;
+    track.subfield = subfield;
+    track.strip = i;
+    track.gaps = hard_gaps(strips.strips[i]);
+    if (track.gaps.empty()) continue;
+    track.correction_m2.assign(strips.strips[i].stretches.size(), 0);
+    add_options(track);
+    tracks_.push_back({std::move(track), {}, {}, true});
+  }
+}
+
+void DetourDecisions::add_options(BlockedTrack& track) {
+  const Strips& strips = task_.strips[track.subfield];
+  const Strip& strip = strips.strips[track.strip];
+  const auto known = [&track](const WayRound& way) {
+    return std::any_of(track.options.begin(), track.options.end(),
+                       [&](const TrackOption& option) { return same_drive(option.way, way); });
+  };
+  for (const std::size_t gap : track.gaps) {
+    if (task_.settings.avoid == Avoidance::kCheapest)
+      for (const Passing side : {Passing::kLeft, Passing::kRight}) {
+        WayRound way =
+            way_round(obstruction(strips, strip, gap, task_.machine), side, around_[track.subfield]);
+        if (!way.possible()) {
+          track.refused.push_back({gap, side, way.why_not});
+        } else if (!known(way)) {
+          TrackOption option = option_of(way, named(way));
+          if (hopeless(option, track.subfield, strip, task_.strips, ground_, task_.objective))
+            track.refused.push_back({gap, side, "it would cost far more than a cut"});
+          else
+            track.options.push_back(std::move(option));
+        }
+      }
+    add_paper_option(track, gap);
+  }
+  std::stable_sort(
+      track.options.begin(), track.options.end(),
+      [](const TrackOption& a, const TrackOption& b) { return a.way.first_gap < b.way.first_gap; });
+}
+
+void DetourDecisions::add_paper_option(BlockedTrack& track, std::size_t gap) {
+  const Strips& strips = task_.strips[track.subfield];
+  const double threshold = task_.settings.avoid_threshold_m;
+  WayRound way = paper_way(obstruction(strips, strips.strips[track.strip], gap, task_.machine),
+                           threshold < 0 ? width_m_ : threshold, around_[track.subfield]);
+  if (!way.possible()) {
+    if (task_.settings.avoid == Avoidance::kPaper)
+      for (const Passing side : {Passing::kLeft, Passing::kRight})
+        track.refused.push_back({gap, side, way.why_not});
+    return;
+  }
+  for (TrackOption& option : track.options)
+    if (same_drive(option.way, way)) {
+      option.of_paper = true;
+      return;
+    }
+  track.options.push_back(option_of(way, named(way)));
+  track.options.back().of_paper = true;
+}
+
+StripDetour DetourDecisions::named(const WayRound& way) const {
+  StripDetour detour = way.detour;
+  for (const std::size_t hazard : way.hazards)
+    for (const int obstacle : task_.ground.hazards[hazard].obstacles) detour.obstacles.push_back(obstacle);
+  std::sort(detour.obstacles.begin(), detour.obstacles.end());
+  return detour;
+}
+
+void DetourDecisions::work(std::size_t subfield, const Strip& strip,
+                           const std::vector<StripDetour>& detours) {
+  ground_.set(subfield, strip.index, work_of(strip, detours, least_m_));
+}
+
+void DetourDecisions::choose(Decision& decision, std::vector<StripDetour> detours) {
+  if (same_detours(decision.chosen, detours)) return;
+  decision.chosen = std::move(detours);
+  work(decision.track.subfield, strip_of(decision), decision.chosen);
+  for (Decision& other : tracks_)
+    if (&other != &decision &&
+        (other.track.subfield != decision.track.subfield || intersects(other.window, decision.window)))
+      other.stale = true;
+}
+
+bool DetourDecisions::take_paper_ways() {
+  bool any = false;
+  for (Decision& decision : tracks_) {
+    std::vector<StripDetour> detours;
+    for (const TrackOption& option : decision.track.options) {
+      if (!option.of_paper) continue;
+      // Two that run into each other on one track: the first is driven, S1 knows no more.
+      if (!detours.empty() && detours.back().to > option.way.detour.from) continue;
+      detours.push_back(option.way.detour);
+    }
+    any = any || !detours.empty();
+    choose(decision, std::move(detours));
+  }
+  return any;
+}
+
+void DetourDecisions::cut_all() {
+  for (Decision& decision : tracks_) choose(decision, {});
+}
+
+void DetourDecisions::take_from(const std::vector<SubfieldTracks>& tracks) {
+  for (Decision& decision : tracks_) {
+    std::vector<StripDetour> detours;
+    for (const StripPiece& piece : tracks[decision.track.subfield].pieces)
+      if (piece.strip == strip_of(decision).index)
+        detours.insert(detours.end(), piece.detours.begin(), piece.detours.end());
+    choose(decision, std::move(detours));
+  }
+}
+
+void DetourDecisions::value(Decision& decision) {
+  if (!decision.stale) return;
+  const std::size_t subfield = decision.track.subfield;
+  value_options(decision.track, strips_of(decision), body_[subfield], ground_, least_m_);
+  decision.window = window_of(decision.track, strips_of(decision));
+  decision.stale = false;
+}
+
+bool DetourDecisions::improve() {
+  constexpr int kMostRounds = 8;
+  constexpr double kWorthIt = 1e-9;
+  bool any = false;
+  for (Decision& decision : tracks_) value(decision);
+  for (int round = 0; round < kMostRounds; ++round) {
+    bool changed = false;
+    for (Decision& decision : tracks_) {
+      if (round > 0 && !decision.stale) continue;
+      value(decision);
+      const Strip& strip = strip_of(decision);
+      const auto best = cheapest_choice(decision.track, strip, width_m_, task_.objective, least_m_);
+      const double now =
+          track_cost(decision.track, strip, width_m_, decision.chosen, task_.objective, least_m_);
+      if (!best || best->cost >= now - kWorthIt || same_detours(best->detours, decision.chosen)) continue;
+      choose(decision, best->detours);
+      changed = true;
+    }
+    any = any || changed;
+    if (!changed) break;
+  }
+  return any;
+}
+
+std::vector<SubfieldTracks> DetourDecisions::tracks() const {
+  std::vector<SubfieldTracks> out;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < task_.strips.size(); ++i) {
+    const Strips& strips = task_.strips[i];
+    SubfieldTracks laid{strips.grid, {}, {}};
+    for (std::size_t k = 0; k < strips.strips.size(); ++k) {
+      const bool decided =
+          next < tracks_.size() && tracks_[next].track.subfield == i && tracks_[next].track.strip == k;
+      append_pieces(strips.strips[k], decided ? tracks_[next].chosen : std::vector<StripDetour>{}, least_m_,
+                    laid);
+      if (decided) ++next;
+    }
+    out.push_back(std::move(laid));
+  }
+  return out;
+}
+
+std::vector<Encounter> DetourDecisions::encounters() {
+  std::vector<Encounter> out;
+  for (Decision& decision : tracks_) {
+    value(decision);
+    for (const std::size_t gap : decision.track.gaps) out.push_back(encounter_at(decision, gap));
+  }
+  return out;
+}
+
+Encounter DetourDecisions::encounter_at(Decision& decision, std::size_t gap) {
+  const Strips& strips = strips_of(decision);
+  const Strip& strip = strip_of(decision);
+  const Interval between{strip.stretches[gap - 1].to, strip.stretches[gap].from};
+  const double middle = 0.5 * (between.from + between.to);
+  Encounter out;
+  out.subfield = static_cast<int>(decision.track.subfield);
+  out.track = strip.index;
+  out.at = strips.grid.frame.to_field({strips.grid.centre(strip.index), middle});
+  for (const std::size_t hazard : hazards_in(strips.grid, strip, between, around_[decision.track.subfield]))
+    for (const int obstacle : task_.ground.hazards[hazard].obstacles) out.obstacles.push_back(obstacle);
+  std::sort(out.obstacles.begin(), out.obstacles.end());
+  for (const StripDetour& detour : decision.chosen)
+    if (detour.from <= middle && detour.to >= middle) out.chosen = detour.side;
+  const auto cut = cheapest_choice(decision.track, strip, width_m_, task_.objective, least_m_,
+                                   Forced{gap, Passing::kCut});
+  out.left = way_past(decision, gap, Passing::kLeft, cut->cost);
+  out.right = way_past(decision, gap, Passing::kRight, cut->cost);
+  return out;
+}
+
+WayPast DetourDecisions::way_past(const Decision& decision, std::size_t gap, Passing side,
+                                  double cost_of_cut) const {
+  const auto choice = cheapest_choice(decision.track, strip_of(decision), width_m_, task_.objective, least_m_,
+                                      Forced{gap, side});
+  if (choice) return {true, choice->cost - cost_of_cut, ""};
+  for (const RefusedWay& refused : decision.track.refused)
+    if (refused.gap == gap && refused.side == side) return {false, 0, refused.why};
+  return {false, 0, "S1 passes on the other side"};
+}
+
+}  // namespace tramline

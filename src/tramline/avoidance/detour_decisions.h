@@ -1,0 +1,59 @@
+#pragma once
+// The state of all decisions of one candidate while they are being made.
+
+#include "tramline/avoidance/choose_detours.h"
+#include "tramline/cost/worked_ground.h"
+
+namespace tramline {
+
+/// All tracks that obstacles block, their options, and what is chosen so far. Starts with every track
+/// cut. Refers to the task.
+class DetourDecisions {
+ public:
+  explicit DetourDecisions(const AvoidanceTask& task);
+
+  bool nothing_to_decide() const { return tracks_.empty(); }
+  /// Chooses S1's way at every gap that has one. False where none has.
+  bool take_paper_ways();
+  void cut_all();
+  /// Chooses the detours that these tracks have.
+  void take_from(const std::vector<SubfieldTracks>& tracks);
+  /// Gives every track the choice that costs least while the others stay, until none changes. False
+  /// where nothing changed.
+  bool improve();
+
+  std::vector<SubfieldTracks> tracks() const;
+  std::vector<Encounter> encounters();
+
+ private:
+  struct Decision {
+    BlockedTrack track;
+    std::vector<StripDetour> chosen;
+    Box window;
+    bool stale = true;  ///< something near has changed since the options were valued
+  };
+
+  const Strips& strips_of(const Decision& decision) const { return task_.strips[decision.track.subfield]; }
+  const Strip& strip_of(const Decision& decision) const {
+    return strips_of(decision).strips[decision.track.strip];
+  }
+  void add_tracks(std::size_t subfield);
+  void add_options(BlockedTrack& track);
+  void add_paper_option(BlockedTrack& track, std::size_t gap);
+  StripDetour named(const WayRound& way) const;
+  void work(std::size_t subfield, const Strip& strip, const std::vector<StripDetour>& detours);
+  void choose(Decision& decision, std::vector<StripDetour> detours);
+  void value(Decision& decision);
+  Encounter encounter_at(Decision& decision, std::size_t gap);
+  WayPast way_past(const Decision& decision, std::size_t gap, Passing side, double cost_of_cut) const;
+
+  const AvoidanceTask& task_;
+  double width_m_;
+  double least_m_;
+  std::vector<Surroundings> around_;          ///< by subfield
+  std::vector<std::vector<Ring>> body_;       ///< its rings in the plane of each subfield's grid
+  WorkedGround ground_;
+  std::vector<Decision> tracks_;
+};
+
+}  // namespace tramline

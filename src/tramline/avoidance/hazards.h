@@ -1,0 +1,30 @@
+#pragma once
+// What tracks have to keep away from, each piece of hard land with the obstacles in it.
+
+#include <optional>
+#include <vector>
+
+#include "tramline/model/field.h"
+
+namespace tramline {
+
+struct Circle {
+  Point centre;
+  double radius = 0;
+};
+
+/// One connected piece of hard land: an obstacle, or several with the land given up between them.
+struct Hazard {
+  Polygon shape;
+  std::vector<int> obstacles;   ///< indices into Field::obstacles
+  std::optional<Circle> round;  ///< where it is one obstacle in the shape of a circle (S1.31)
+};
+
+/// The circle a ring stands for: through its farthest vertex, where at least 8 vertices lie on it to 1 %
+/// of its radius and none of the chords turns by more than 60 degrees.
+std::optional<Circle> circle_of(const Ring& ring);
+
+/// One hazard for each polygon of `hard`, in their order. O(n·m) boxes.
+std::vector<Hazard> hazards_of(const Region& hard, const Field& field);
+
+}  // namespace tramline

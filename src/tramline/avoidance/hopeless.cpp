@@ -1,0 +1,78 @@
+#include "tramline/avoidance/hopeless.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tramline {
+namespace {
+
+/// Length of the path's parts that may still be over the strip itself.
+double length_near_strip(const Path& path, double centre, double width_m) {
+  double sum = 0;
+  for (const PathSegment& segment : path) {
+    const double off = std::min(std::abs(segment.from.x - centre), std::abs(segment.to.x - centre));
+    if (off < width_m) sum += length(segment);
+  }
+  return sum;
+}
+
+double area_of(const StripProfile& profile, const Intervals& parts) {
+  double sum = 0;
+  for (const Interval& part : parts) sum += area_between(profile, part.from, part.to);
+  return sum;
+}
+
+/// Ground of a subfield's strips in the window (in the plane of its grid) that they do not work straight.
+double free_m2(const Strips& strips, std::size_t subfield, const WorkedGround& ground, const Box& window,
+               const Strip* except) {
+  double sum = 0;
+  const double width = strips.grid.width_m;
+  const int first = strips.strips.empty() ? 0 : strips.strips.front().index;
+  const auto place = [&](double across) {
+    return std::floor((across - strips.grid.origin_m) / width) - first;
+  };
+  const double count = static_cast<double>(strips.strips.size());
+  const auto from = static_cast<std::size_t>(std::clamp(place(window.min_x), 0.0, count));
+  const auto to = static_cast<std::size_t>(std::clamp(place(window.max_x) + 1, 0.0, count));
+  for (std::size_t i = from; i < to; ++i) {
+    const Strip& strip = strips.strips[i];
+    if (&strip == except) continue;
+    const Intervals worked = ground.at(subfield, strip.index).straight;
+    sum += area_of(strip.subfield, without({{window.min_y, window.max_y}}, worked));
+  }
+  return sum;
+}
+
+Box turned_box(const Box& window, const TrackFrame& from, const TrackFrame& to) {
+  Box out;
+  for (const double x : {window.min_x, window.max_x})
+    for (const double y : {window.min_y, window.max_y}) out.extend(to.to_track(from.to_field({x, y})));
+  return out;
+}
+
+}  // namespace
+
+bool hopeless(const TrackOption& option, std::size_t subfield, const Strip& strip,
+              const std::vector<Strips>& strips, const WorkedGround& ground, const Objective& objective) {
+  const StripGrid& grid = strips[subfield].grid;
+  const StripDetour& detour = option.way.detour;
+  const Box window = detour_box(detour, grid.width_m);
+  const Intervals replaced = common(strip.stretches, {option.straight});
+  double straight_length = 0;
+  for (const Interval& part : replaced) straight_length += part.length();
+  const double replaced_m2 = area_of(strip.subfield, replaced);
+  const double longer = grid.width_m * (detour.length_m - straight_length);
+
+  double useful_m2 = grid.width_m * length_near_strip(detour.path, grid.centre(strip.index), grid.width_m);
+  const double gaps = static_cast<double>(option.way.last_gap - option.way.first_gap + 1);
+  const double saved = gaps * (objective.turn + 2 * objective.stop);
+  const auto pays = [&] {
+    const double gain = std::min(useful_m2, grid.width_m * detour.length_m) - replaced_m2;
+    return objective.overlap * longer - (objective.overlap + objective.uncovered) * gain < saved;
+  };
+  for (std::size_t i = 0; i < strips.size() && !pays(); ++i)
+    useful_m2 += free_m2(strips[i], i, ground, turned_box(window, grid.frame, strips[i].grid.frame), &strip);
+  return !pays();
+}
+
+}  // namespace tramline

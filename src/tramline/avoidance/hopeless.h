@@ -1,0 +1,15 @@
+#pragma once
+// A quick look at a detour before its areas are computed.
+
+#include "tramline/avoidance/track_options.h"
+#include "tramline/model/objective.h"
+
+namespace tramline {
+
+/// Can the detour not pay, even if all ground near it that no straight swath works were gained by it? It
+/// then costs more than cutting the track at its gaps, as long as the other tracks are cut too. Looks at
+/// profiles only: O(strips near the detour). `ground` holds the straight swaths of all strips.
+bool hopeless(const TrackOption& option, std::size_t subfield, const Strip& strip,
+              const std::vector<Strips>& strips, const WorkedGround& ground, const Objective& objective);
+
+}  // namespace tramline

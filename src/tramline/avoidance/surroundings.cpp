@@ -1,0 +1,56 @@
+#include "tramline/avoidance/surroundings.h"
+
+#include <algorithm>
+
+namespace tramline {
+namespace {
+
+/// What the width tolerance, rounding and the precision grid may take off a distance, m.
+constexpr double kSlack = 2e-5;
+
+bool any_edge_nearer(const Path& path, const Ring& ring, double reach_m) {
+  const Box near = reach_of(path, 2 * reach_m);
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+    if (std::max(a.x, b.x) < near.min_x || std::min(a.x, b.x) > near.max_x ||
+        std::max(a.y, b.y) < near.min_y || std::min(a.y, b.y) > near.max_y)
+      continue;
+    for (const PathSegment& segment : path)
+      if (distance_to_edge(segment, a, b) < reach_m) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Surroundings turned_surroundings(const Ground& ground, const Ring& field, bool hard_boundary,
+                                 const TrackFrame& frame) {
+  Surroundings out;
+  for (const Hazard& hazard : ground.hazards) {
+    TurnedHazard turned{frame.to_track(hazard.shape.outer), {}, hazard.round};
+    turned.box = bounds(turned.outline);
+    if (turned.round) turned.round->centre = frame.to_track(turned.round->centre);
+    out.hazards.push_back(std::move(turned));
+  }
+  for (const Ring& ring : rings_of(ground.passable)) out.passable.push_back(frame.to_track(ring));
+  out.field = frame.to_track(field);
+  out.hard_boundary = hard_boundary;
+  return out;
+}
+
+std::string fault_of(const Path& path, double width_m, const Surroundings& around) {
+  if (any_edge_nearer(path, around.field, 1e-9) || !contains(around.field, path.front().from))
+    return "it would leave the field";
+  if (around.hard_boundary && any_edge_nearer(path, around.field, 0.5 * width_m - kSlack))
+    return "its swath would pass the hard boundary";
+  for (const Ring& ring : around.passable)
+    if (any_edge_nearer(path, ring, 0.5 * width_m - kSlack)) return "its swath would enter a passable obstacle";
+  return "";
+}
+
+bool runs_into(const Path& path, double width_m, const TurnedHazard& hazard) {
+  return intersects(hazard.box, reach_of(path, width_m)) &&
+         any_edge_nearer(path, hazard.outline, 0.5 * width_m - kSlack);
+}
+
+}  // namespace tramline

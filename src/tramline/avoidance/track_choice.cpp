@@ -1,0 +1,151 @@
+#include "tramline/avoidance/track_choice.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace tramline {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+/// What driving pieces costs; `correct` is added to the area they cover alone.
+class PieceCost {
+ public:
+  PieceCost(const BlockedTrack& track, const Strip& strip, double width_m, const Objective& objective,
+            double min_length_m)
+      : track_(track), strip_(strip), width_m_(width_m), objective_(objective), min_length_m_(min_length_m) {}
+
+  double of(const JoinedStretch& joined) const {
+    SubfieldTracks out{{TrackFrame(Direction::clockwise_from_north(Angle::degrees(0))), 0, width_m_}, {}, {}};
+    append_joined(strip_, joined, min_length_m_, out);
+    double sum = 0;
+    for (const StripPiece& piece : out.pieces) sum += of_piece(piece);
+    return sum;
+  }
+
+  /// What an option adds to the cost of a piece that is driven in any case.
+  double of_option(const TrackOption& option) const {
+    const double longer = option.way.detour.length_m - straight_length(option.straight);
+    return objective_.overlap * width_m_ * longer -
+           (objective_.overlap + objective_.uncovered) * option.gain_m2();
+  }
+
+ private:
+  double of_piece(const StripPiece& piece) const {
+    double useful = piece.inside_m2;
+    for (const StripDetour& detour : piece.detours) useful += useful_of(detour);
+    for (std::size_t i = 0; i < strip_.stretches.size(); ++i)
+      if (strip_.stretches[i].from >= piece.from && strip_.stretches[i].to <= piece.to)
+        useful += track_.correction_m2[i];
+    const int stops = (piece.stop_at_from ? 1 : 0) + (piece.stop_at_to ? 1 : 0);
+    return objective_.overlap * (width_m_ * length(piece) - useful) - objective_.uncovered * useful +
+           objective_.turn * (piece.after_crossing ? 0 : 1) + objective_.stop * stops;
+  }
+
+  double useful_of(const StripDetour& detour) const {
+    for (const TrackOption& option : track_.options)
+      if (option.way.detour.from == detour.from && option.way.detour.to == detour.to &&
+          option.way.detour.side == detour.side && option.way.detour.path == detour.path)
+        return option.gain_m2() + option.profile_m2;
+    return 0;
+  }
+
+  double straight_length(const Interval& range) const {
+    double sum = 0;
+    for (const Interval& part : common(strip_.stretches, {range})) sum += part.length();
+    return sum;
+  }
+
+  const BlockedTrack& track_;
+  const Strip& strip_;
+  double width_m_;
+  const Objective& objective_;
+  double min_length_m_;
+};
+
+/// Chains of options that join the stretches first … last without a cut.
+class Chains {
+ public:
+  Chains(const BlockedTrack& track, const PieceCost& cost, std::size_t first, std::optional<Forced> forced)
+      : track_(track), first_(first), sums_(track.options.size(), kNever), before_(track.options.size(), kNone) {
+    for (std::size_t i = 0; i < track.options.size(); ++i)
+      if (allowed(track.options[i], forced)) extend_to(i, cost.of_option(track.options[i]));
+  }
+
+  /// The cheapest chain that ends with stretch `last`; empty where there is none.
+  std::vector<StripDetour> to(std::size_t last) const {
+    std::size_t best = kNone;
+    for (std::size_t i = 0; i < sums_.size(); ++i)
+      if (sums_[i] < kNever && track_.options[i].way.last_gap == last &&
+          (best == kNone || sums_[i] < sums_[best]))
+        best = i;
+    std::vector<StripDetour> out;
+    for (std::size_t i = best; i != kNone; i = before_[i]) out.push_back(track_.options[i].way.detour);
+    std::reverse(out.begin(), out.end());
+    return out;
+  }
+
+ private:
+  static bool allowed(const TrackOption& option, std::optional<Forced> forced) {
+    if (!forced || forced->gap < option.way.first_gap || forced->gap > option.way.last_gap) return true;
+    return forced->way == option.way.detour.side;
+  }
+
+  void extend_to(std::size_t i, double cost) {
+    const WayRound& way = track_.options[i].way;
+    if (way.first_gap == first_ + 1) sums_[i] = cost;
+    for (std::size_t j = 0; j < i; ++j) {
+      const WayRound& previous = track_.options[j].way;
+      if (previous.last_gap + 1 != way.first_gap || previous.detour.to > way.detour.from) continue;
+      if (sums_[j] + cost < sums_[i]) {
+        sums_[i] = sums_[j] + cost;
+        before_[i] = j;
+      }
+    }
+  }
+
+  const BlockedTrack& track_;
+  std::size_t first_;
+  std::vector<double> sums_;
+  std::vector<std::size_t> before_;
+};
+
+}  // namespace
+
+double track_cost(const BlockedTrack& track, const Strip& strip, double width_m,
+                  const std::vector<StripDetour>& detours, const Objective& objective, double min_length_m) {
+  const PieceCost cost(track, strip, width_m, objective, min_length_m);
+  double sum = 0;
+  for (const JoinedStretch& joined : joined_stretches(strip.stretches, detours)) sum += cost.of(joined);
+  return sum;
+}
+
+std::optional<TrackChoice> cheapest_choice(const BlockedTrack& track, const Strip& strip, double width_m,
+                                           const Objective& objective, double min_length_m,
+                                           std::optional<Forced> forced) {
+  const PieceCost cost(track, strip, width_m, objective, min_length_m);
+  const std::size_t count = strip.stretches.size();
+  // best[j]: stretches before j are decided, and the track is cut before stretch j.
+  std::vector<TrackChoice> best(count + 1, {{}, kNever});
+  best[0].cost = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool may_cut = i == 0 || !forced || forced->gap != i || forced->way == Passing::kCut;
+    if (!may_cut || best[i].cost == kNever) continue;
+    const Chains chains(track, cost, i, forced);
+    for (std::size_t last = i; last < count; ++last) {
+      std::vector<StripDetour> detours = last == i ? std::vector<StripDetour>{} : chains.to(last);
+      if (last > i && detours.empty()) continue;
+      const double sum =
+          best[i].cost + cost.of({{strip.stretches[i].from, strip.stretches[last].to}, detours});
+      if (!(sum < best[last + 1].cost)) continue;
+      std::vector<StripDetour> all = best[i].detours;
+      all.insert(all.end(), detours.begin(), detours.end());
+      best[last + 1] = {std::move(all), sum};
+    }
+  }
+  if (best[count].cost == kNever) return std::nullopt;
+  return best[count];
+}
+
+}  // namespace tramline

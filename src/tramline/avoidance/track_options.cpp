@@ -1,0 +1,103 @@
+#include "tramline/avoidance/track_options.h"
+
+#include <algorithm>
+
+namespace tramline {
+namespace {
+
+/// Stretches up to this many times the least length are valued exactly: their piece may be dropped.
+constexpr double kShort = 2;
+
+/// What a shape of one strip covers alone.
+class Valuer {
+ public:
+  Valuer(const BlockedTrack& track, const Strips& strips, const std::vector<Ring>& body,
+         const WorkedGround& ground)
+      : track_(track), strips_(strips), body_(body), ground_(ground) {}
+
+  double of_detour(const StripDetour& detour) const {
+    RisingCurves curves = surroundings(detour_box(detour, strips_.grid.width_m));
+    append_band(detour.path, strips_.grid.width_m, Layer::kNew, curves);
+    return new_area(curves);
+  }
+
+  double of_straight(const Interval& part) const {
+    const Box box = straight_box(strips_.grid, strip().index, part);
+    RisingCurves curves = surroundings(box);
+    append_box(box, Layer::kNew, box, curves);
+    return new_area(curves);
+  }
+
+  /// Straight parts of the strip within a range.
+  double of_stretches(const Interval& range) const {
+    double sum = 0;
+    for (const Interval& part : common(strip().stretches, {range})) sum += of_straight(part);
+    return sum;
+  }
+
+  double profile_of(const Interval& range) const {
+    double sum = 0;
+    for (const Interval& part : common(strip().stretches, {range}))
+      sum += area_between(strip().subfield, part.from, part.to);
+    return sum;
+  }
+
+ private:
+  const Strip& strip() const { return strips_.strips[track_.strip]; }
+
+  RisingCurves surroundings(const Box& window) const {
+    RisingCurves out;
+    for (const Ring& ring : body_) append_ring(ring, Layer::kBody, window, out);
+    ground_.append_taken(track_.subfield, window, strip().index, out);
+    return out;
+  }
+
+  const BlockedTrack& track_;
+  const Strips& strips_;
+  const std::vector<Ring>& body_;
+  const WorkedGround& ground_;
+};
+
+bool is_short(const Interval& stretch, double min_length_m) {
+  return stretch.length() < kShort * min_length_m;
+}
+
+}  // namespace
+
+std::vector<std::size_t> hard_gaps(const Strip& strip) {
+  std::vector<std::size_t> out;
+  for (std::size_t gap = 1; gap < strip.stretches.size(); ++gap)
+    if (!common(strip.by_hard, {{strip.stretches[gap - 1].to, strip.stretches[gap].from}}).empty())
+      out.push_back(gap);
+  return out;
+}
+
+void value_options(BlockedTrack& track, const Strips& strips, const std::vector<Ring>& body,
+                   const WorkedGround& ground, double min_length_m) {
+  const Valuer valuer(track, strips, body, ground);
+  for (TrackOption& option : track.options) {
+    option.useful_m2 = valuer.of_detour(option.way.detour);
+    option.replaced_m2 = valuer.of_stretches(option.straight);
+    option.profile_m2 = valuer.profile_of(option.straight);
+  }
+  const Intervals& stretches = strips.strips[track.strip].stretches;
+  track.correction_m2.assign(stretches.size(), 0);
+  for (std::size_t i = 0; i < stretches.size(); ++i)
+    if (is_short(stretches[i], min_length_m))
+      track.correction_m2[i] = valuer.of_straight(stretches[i]) - valuer.profile_of(stretches[i]);
+}
+
+Box window_of(const BlockedTrack& track, const Strips& strips) {
+  const Strip& strip = strips.strips[track.strip];
+  Box out;
+  for (const TrackOption& option : track.options) {
+    out.extend(detour_box(option.way.detour, strips.grid.width_m));
+    out.extend(straight_box(strips.grid, strip.index, option.straight));
+  }
+  for (std::size_t i = 0; i < strip.stretches.size(); ++i)
+    if (!track.correction_m2.empty() && track.correction_m2[i] != 0)
+      out.extend(straight_box(strips.grid, strip.index, strip.stretches[i]));
+  return out;
+}
+
+}  // namespace tramline

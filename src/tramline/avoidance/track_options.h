@@ -1,0 +1,53 @@
+#pragma once
+// The ways past the obstacles of one track, and what each would change.
+
+#include <vector>
+
+#include "tramline/avoidance/way_round.h"
+#include "tramline/cost/worked_ground.h"
+
+namespace tramline {
+
+/// A detour that may be driven, and what it is worth while everything off this track stays as it is.
+struct TrackOption {
+  WayRound way;
+  Interval straight;          ///< what the detour replaces, gaps included
+  double useful_m2 = 0;       ///< body that its swath alone covers
+  double replaced_m2 = 0;     ///< body that the straight swath it replaces alone covers
+  double profile_m2 = 0;      ///< the same by the strip's own profile
+  bool of_paper = false;      ///< S1 would choose it
+  /// How much more body is covered when the detour takes the place of the straight parts.
+  double gain_m2() const { return useful_m2 - replaced_m2; }
+};
+
+/// A way past one gap that cannot be driven.
+struct RefusedWay {
+  std::size_t gap = 1;
+  Passing side = Passing::kLeft;
+  std::string why;
+};
+
+/// One track with gaps that hard land makes.
+struct BlockedTrack {
+  std::size_t subfield = 0;
+  std::size_t strip = 0;                ///< place in Strips::strips
+  std::vector<std::size_t> gaps;        ///< those made by hazards: between stretches gap − 1 and gap
+  std::vector<TrackOption> options;     ///< possible ones, by first gap
+  std::vector<RefusedWay> refused;
+  /// Short stretches, which may not be worth driving: how much more or less than their profile they
+  /// cover alone. 0 for long ones. By stretch.
+  std::vector<double> correction_m2;
+};
+
+/// The gaps of a strip that hard land makes.
+std::vector<std::size_t> hard_gaps(const Strip& strip);
+
+/// Values all options (and short stretches) of a track against the ground as worked by the others.
+/// `body` holds the body's rings in the plane of the strip's grid.
+void value_options(BlockedTrack& track, const Strips& strips, const std::vector<Ring>& body,
+                   const WorkedGround& ground, double min_length_m);
+
+/// A box in the plane of the grid round everything that valuing the track looks at.
+Box window_of(const BlockedTrack& track, const Strips& strips);
+
+}  // namespace tramline

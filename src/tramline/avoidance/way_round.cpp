@@ -1,0 +1,190 @@
+#include "tramline/avoidance/way_round.h"
+
+#include <algorithm>
+#include <map>
+
+#include "tramline/avoidance/detour_frame.h"
+#include "tramline/avoidance/detour_path.h"
+
+namespace tramline {
+namespace {
+
+/// Parts of hazards the detour has to go round, by hazard: positions along.
+using Parts = std::map<std::size_t, Interval>;
+
+bool extend(Parts& parts, std::size_t hazard, Interval range) {
+  const auto [found, is_new] = parts.try_emplace(hazard, range);
+  if (is_new) return true;
+  const Interval before = found->second;
+  found->second = {std::min(before.from, range.from), std::max(before.to, range.to)};
+  return !(found->second == before);
+}
+
+/// Corners of the part of a ring with from ≤ x ≤ to and y ≥ bottom, rounded by half the width. The
+/// frame is the detour's.
+void append_corners(const Ring& ring, Interval range, double bottom, double radius,
+                    std::vector<KeepOut>& out) {
+  const auto clipped = [](const Ring& in, auto height) {
+    Ring kept;
+    for (std::size_t i = 0; i < in.size(); ++i) {
+      const Point a = in[i], b = in[i + 1 == in.size() ? 0 : i + 1];
+      const double ha = height(a), hb = height(b);
+      if (ha >= 0) kept.push_back(a);
+      if ((ha >= 0) != (hb >= 0)) kept.push_back(a + (ha / (ha - hb)) * (b - a));
+    }
+    return kept;
+  };
+  Ring part = clipped(ring, [&](Point p) { return p.x - range.from; });
+  part = clipped(part, [&](Point p) { return range.to - p.x; });
+  part = clipped(part, [&](Point p) { return p.y - bottom; });
+  for (const Point corner : part) out.push_back({corner, radius});
+}
+
+std::vector<KeepOut> discs_round(const Parts& parts, const Surroundings& around, const DetourFrame& frame,
+                                 double half_width) {
+  std::vector<KeepOut> out;
+  if (parts.size() == 1) {
+    const TurnedHazard& only = around.hazards[parts.begin()->first];
+    if (only.round) return {{frame.to_detour(only.round->centre), only.round->radius + half_width}};
+  }
+  for (const auto& [hazard, range] : parts)
+    append_corners(frame.to_detour(around.hazards[hazard].outline), range, -half_width, half_width, out);
+  return out;
+}
+
+/// Adds what the swath along the path runs into. False where all of it has been taken into account
+/// before, so that another look would change nothing.
+bool add_what_is_met(const Path& path, double width_m, Interval extent, const Surroundings& around,
+                     Parts& parts, bool& met) {
+  bool grown = false;
+  for (std::size_t i = 0; i < around.hazards.size(); ++i) {
+    const TurnedHazard& hazard = around.hazards[i];
+    const auto known = parts.find(i);
+    const bool whole = known != parts.end() && ((parts.size() == 1 && hazard.round) ||
+                                                (known->second.from <= hazard.box.min_y &&
+                                                 known->second.to >= hazard.box.max_y));
+    if (whole || !runs_into(path, width_m, hazard)) continue;
+    met = true;
+    grown = extend(parts, i, extent) || grown;
+  }
+  return grown;
+}
+
+class Search {
+ public:
+  Search(const Obstruction& obstruction, Passing side, const Surroundings& around)
+      : o_(obstruction), around_(around), frame_{obstruction.grid.centre(obstruction.strip.index), side} {
+    way_.detour.side = side;
+  }
+
+  WayRound run() {
+    const Intervals& stretches = o_.strip.stretches;
+    add_gap({stretches[o_.gap - 1].to, stretches[o_.gap].from});
+    constexpr int kMostRounds = 12;
+    for (int round = 0; round < kMostRounds; ++round) {
+      const Step step = look();
+      if (step == Step::kDone) break;
+      if (step == Step::kGaveUp) return std::move(way_);
+      if (round + 1 == kMostRounds) return refuse("there is no room between the obstacles");
+    }
+    way_.why_not = fault_of(way_.detour.path, o_.width_m, around_);
+    for (const auto& part : parts_) way_.hazards.push_back(part.first);
+    return std::move(way_);
+  }
+
+ private:
+  enum class Step { kDone, kLookAgain, kGaveUp };
+
+  WayRound refuse(const char* why) {
+    way_.why_not = why;
+    return std::move(way_);
+  }
+  Step give_up(const char* why) {
+    way_.why_not = why;
+    return Step::kGaveUp;
+  }
+
+  /// Tips of hazards thinner than the width tolerance lie outside the gap.
+  bool add_gap(Interval gap) {
+    constexpr double kTip = 0.01;
+    bool grown = false;
+    for (const std::size_t hazard : hazards_in(o_.grid, o_.strip, gap, around_))
+      grown = extend(parts_, hazard, {gap.from - kTip, gap.to + kTip}) || grown;
+    return grown;
+  }
+
+  /// Makes a path round the parts known so far and sees where it gets.
+  Step look() {
+    const double half = 0.5 * o_.width_m, radius = std::max(o_.radius_m, half);
+    const std::vector<KeepOut> discs = discs_round(parts_, around_, frame_, half);
+    if (discs.empty()) return give_up("the track's end is no obstacle's doing");
+    const std::optional<Path> path = detour_path(discs, radius);
+    if (!path) return give_up("the obstacle has no side to pass on");
+    StripDetour& detour = way_.detour;
+    detour.path = frame_.to_strip(*path);
+    detour.from = detour.path.front().from.y;
+    detour.to = detour.path.back().to.y;
+    detour.length_m = length(detour.path);
+    if (const Step ends = look_at_ends(); ends != Step::kDone) return ends;
+    bool met = false;
+    const bool grown = add_what_is_met(detour.path, o_.width_m, {detour.from, detour.to}, around_, parts_, met);
+    if (!met) return Step::kDone;
+    return grown ? Step::kLookAgain : give_up("there is no room between the obstacles");
+  }
+
+  /// Both ends have to lie where the track may be driven straight.
+  Step look_at_ends() {
+    const Intervals& stretches = o_.strip.stretches;
+    const StripDetour& detour = way_.detour;
+    const std::size_t first = stretch_at(stretches, detour.from), last = stretch_at(stretches, detour.to);
+    if (first < o_.gap && last >= o_.gap && last < stretches.size()) {
+      way_.first_gap = first + 1;
+      way_.last_gap = last;
+      return Step::kDone;
+    }
+    bool grown = false;
+    for (std::size_t gap = 1; gap < stretches.size(); ++gap) {
+      const Interval between{stretches[gap - 1].to, stretches[gap].from};
+      if (between.from <= detour.to && between.to >= detour.from) grown = add_gap(between) || grown;
+    }
+    return grown ? Step::kLookAgain : give_up("the track ends before a detour could");
+  }
+
+  const Obstruction& o_;
+  const Surroundings& around_;
+  DetourFrame frame_;
+  Parts parts_;
+  WayRound way_;
+};
+
+}  // namespace
+
+std::size_t stretch_at(const Intervals& stretches, double along) {
+  constexpr double kRounding = 1e-9;
+  for (std::size_t i = 0; i < stretches.size(); ++i)
+    if (along >= stretches[i].from - kRounding && along <= stretches[i].to + kRounding) return i;
+  return stretches.size();
+}
+
+std::vector<std::size_t> hazards_in(const StripGrid& grid, const Strip& strip, Interval range,
+                                    const Surroundings& around) {
+  const Box window{grid.line(strip.index), range.from, grid.line(strip.index + 1), range.to};
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < around.hazards.size(); ++i) {
+    if (!intersects(around.hazards[i].box, window)) continue;
+    std::vector<KeepOut> corners;
+    append_corners(DetourFrame{window.max_x, Passing::kLeft}.to_detour(around.hazards[i].outline), range, 0, 0,
+                   corners);
+    const bool reaches_in = std::any_of(corners.begin(), corners.end(), [&](const KeepOut& corner) {
+      return corner.centre.y < grid.width_m;
+    });
+    if (reaches_in) out.push_back(i);
+  }
+  return out;
+}
+
+WayRound way_round(const Obstruction& obstruction, Passing side, const Surroundings& around) {
+  return Search(obstruction, side, around).run();
+}
+
+}  // namespace tramline

@@ -1,0 +1,40 @@
+#pragma once
+// One way past what stands in a track: a detour on one side, or the reason why there is none.
+
+#include <string>
+
+#include "tramline/avoidance/surroundings.h"
+#include "tramline/tracks/strip_pieces.h"
+
+namespace tramline {
+
+/// A track, and a gap in it that hard land makes.
+struct Obstruction {
+  const StripGrid& grid;
+  const Strip& strip;
+  std::size_t gap = 1;  ///< between stretches gap − 1 and gap
+  double width_m = 0;
+  double radius_m = 0;  ///< the machine's turning radius
+};
+
+struct WayRound {
+  StripDetour detour;  ///< obstacles are not filled in
+  std::vector<std::size_t> hazards;  ///< driven round, ascending
+  std::size_t first_gap = 1;         ///< the detour bridges first_gap … last_gap
+  std::size_t last_gap = 1;
+  std::string why_not;  ///< empty where the detour can be driven
+  bool possible() const { return why_not.empty(); }
+};
+
+/// The stretch that contains a position along, or as many as there are stretches.
+std::size_t stretch_at(const Intervals& stretches, double along);
+
+/// The hazards that reach into the strip between two positions along.
+std::vector<std::size_t> hazards_in(const StripGrid& grid, const Strip& strip, Interval range,
+                                    const Surroundings& around);
+
+/// The drivable detour on one side (left or right of the direction along): round what reaches into the
+/// strip in the gap and everything the detour would meet on its way. Radius max(r, w/2) at least.
+WayRound way_round(const Obstruction& obstruction, Passing side, const Surroundings& around);
+
+}  // namespace tramline

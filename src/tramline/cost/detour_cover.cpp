@@ -1,0 +1,63 @@
+#include "tramline/cost/detour_cover.h"
+
+#include <algorithm>
+
+namespace tramline {
+namespace {
+
+StripRange range_of(const SubfieldTracks& tracks) {
+  StripRange range;
+  if (tracks.pieces.empty()) return range;
+  range = {tracks.pieces.front().strip, tracks.pieces.front().strip};
+  for (const StripPiece& piece : tracks.pieces)
+    range = {std::min(range.first, piece.strip), std::max(range.last, piece.strip)};
+  return range;
+}
+
+void add_straight_swaths(const SubfieldTracks& tracks, std::size_t subfield, WorkedGround& ground) {
+  ground.add_subfield(tracks.grid, range_of(tracks));
+  for (const StripPiece& piece : tracks.pieces) {
+    StripWork work = ground.at(subfield, piece.strip);
+    for (const Interval& part : straight_parts(piece)) work.straight.push_back(part);
+    ground.set(subfield, piece.strip, std::move(work));
+  }
+}
+
+bool has_detours(const SubfieldTracks& tracks) {
+  return std::any_of(tracks.pieces.begin(), tracks.pieces.end(),
+                     [](const StripPiece& piece) { return !piece.detours.empty(); });
+}
+
+/// One detour's share; the ground counts it as taken afterwards.
+double take(const std::vector<Ring>& body, std::size_t subfield, int strip, const StripDetour& detour,
+            WorkedGround& ground) {
+  const double width_m = ground.grid(subfield).width_m;
+  const Box window = detour_box(detour, width_m);
+  RisingCurves curves;
+  for (const Ring& ring : body) append_ring(ring, Layer::kBody, window, curves);
+  ground.append_taken(subfield, window, {}, curves);
+  append_band(detour.path, width_m, Layer::kNew, curves);
+  StripWork work = ground.at(subfield, strip);
+  work.detours.push_back(detour);
+  ground.set(subfield, strip, std::move(work));
+  return new_area(curves);
+}
+
+}  // namespace
+
+double covered_by_detours_m2(const Region& body, const std::vector<SubfieldTracks>& tracks) {
+  if (std::none_of(tracks.begin(), tracks.end(), has_detours)) return 0;
+  WorkedGround ground;
+  for (std::size_t i = 0; i < tracks.size(); ++i) add_straight_swaths(tracks[i], i, ground);
+  double sum = 0;
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    if (!has_detours(tracks[i])) continue;
+    std::vector<Ring> turned;
+    for (const Ring& ring : rings_of(body)) turned.push_back(tracks[i].grid.frame.to_track(ring));
+    for (const StripPiece& piece : tracks[i].pieces)
+      for (const StripDetour& detour : piece.detours) sum += take(turned, i, piece.strip, detour, ground);
+  }
+  return sum;
+}
+
+}  // namespace tramline

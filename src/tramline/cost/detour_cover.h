@@ -1,0 +1,13 @@
+#pragma once
+// What detours cover of the body, exactly: swaths along arcs are cut by lines and arcs, not by chords.
+
+#include <vector>
+
+#include "tramline/cost/worked_ground.h"
+
+namespace tramline {
+
+/// Body that detours cover and no straight swath does, m². O(d·m) for d detours and m edges of the body.
+double covered_by_detours_m2(const Region& body, const std::vector<SubfieldTracks>& tracks);
+
+}  // namespace tramline

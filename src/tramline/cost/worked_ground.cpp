@@ -1,0 +1,102 @@
+#include "tramline/cost/worked_ground.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tramline {
+namespace {
+
+Box box_in(const Box& window, const TrackFrame& from, const TrackFrame& to) {
+  Box out;
+  for (const double x : {window.min_x, window.max_x})
+    for (const double y : {window.min_y, window.max_y}) out.extend(to.to_track(from.to_field({x, y})));
+  return out;
+}
+
+/// Strips whose swaths, or whose detours, can reach into the window.
+StripRange strips_near(const StripGrid& grid, StripRange range, const Box& window, double bulge_m) {
+  const double first = std::floor((window.min_x - bulge_m - grid.origin_m) / grid.width_m);
+  const double last = std::floor((window.max_x + bulge_m - grid.origin_m) / grid.width_m);
+  return {static_cast<int>(std::clamp<double>(first, range.first, range.last + 1.0)),
+          static_cast<int>(std::clamp<double>(last, range.first - 1.0, range.last))};
+}
+
+Ring corners(const Box& box) {
+  return {{box.min_x, box.min_y}, {box.max_x, box.min_y}, {box.max_x, box.max_y}, {box.min_x, box.max_y}};
+}
+
+}  // namespace
+
+void WorkedGround::add_subfield(const StripGrid& grid, StripRange range) {
+  subfields_.push_back({grid, range, std::vector<Worked>(static_cast<std::size_t>(range.size())), 0});
+}
+
+void WorkedGround::set(std::size_t subfield, int strip, StripWork work) {
+  Subfield& owner = subfields_[subfield];
+  Worked worked{std::move(work), {}};
+  const double left = owner.grid.line(strip), right = owner.grid.line(strip + 1);
+  for (const StripDetour& detour : worked.work.detours) {
+    worked.reach.push_back(detour_box(detour, owner.grid.width_m));
+    owner.bulge_m =
+        std::max({owner.bulge_m, left - worked.reach.back().min_x, worked.reach.back().max_x - right});
+  }
+  owner.strips[static_cast<std::size_t>(strip - owner.range.first)] = std::move(worked);
+}
+
+const StripWork& WorkedGround::at(std::size_t subfield, int strip) const {
+  const Subfield& owner = subfields_[subfield];
+  return owner.strips[static_cast<std::size_t>(strip - owner.range.first)].work;
+}
+
+void WorkedGround::append_taken(std::size_t subfield, const Box& window, std::optional<int> except,
+                                RisingCurves& out) const {
+  const Subfield& home = subfields_[subfield];
+  append_own(home, window, except, out);
+  for (std::size_t other = 0; other < subfields_.size(); ++other)
+    if (other != subfield) append_foreign(subfields_[other], home, window, out);
+}
+
+void WorkedGround::append_own(const Subfield& from, const Box& window, std::optional<int> except,
+                              RisingCurves& out) const {
+  const StripRange near = strips_near(from.grid, from.range, window, from.bulge_m);
+  for (int k = near.first; k <= near.last; ++k) {
+    if (except && *except == k) continue;
+    const Worked& strip = from.strips[static_cast<std::size_t>(k - from.range.first)];
+    for (const Interval& part : strip.work.straight) {
+      const Box box = straight_box(from.grid, k, part);
+      if (intersects(box, window)) append_box(box, Layer::kTaken, window, out);
+    }
+    for (std::size_t i = 0; i < strip.reach.size(); ++i)
+      if (intersects(strip.reach[i], window))
+        append_band(strip.work.detours[i].path, from.grid.width_m, Layer::kTaken, out);
+  }
+}
+
+void WorkedGround::append_foreign(const Subfield& from, const Subfield& to, const Box& window,
+                                  RisingCurves& out) const {
+  const TrackFrame &theirs = from.grid.frame, &ours = to.grid.frame;
+  const Box seen = box_in(window, ours, theirs);
+  const auto move = [&](Point p) { return ours.to_track(theirs.to_field(p)); };
+  const StripRange near = strips_near(from.grid, from.range, seen, from.bulge_m);
+  for (int k = near.first; k <= near.last; ++k) {
+    const Worked& strip = from.strips[static_cast<std::size_t>(k - from.range.first)];
+    for (const Interval& part : strip.work.straight) {
+      const Box box = straight_box(from.grid, k, part);
+      if (!intersects(box, seen)) continue;
+      Ring ring = corners(box);
+      for (Point& p : ring) p = move(p);
+      append_ring(ring, Layer::kTaken, window, out);
+    }
+    for (std::size_t i = 0; i < strip.reach.size(); ++i)
+      if (intersects(strip.reach[i], seen))
+        append_band(moved(strip.work.detours[i].path, move), from.grid.width_m, Layer::kTaken, out);
+  }
+}
+
+Box straight_box(const StripGrid& grid, int strip, const Interval& part) {
+  return {grid.line(strip), part.from, grid.line(strip + 1), part.to};
+}
+
+Box detour_box(const StripDetour& detour, double width_m) { return reach_of(detour.path, width_m); }
+
+}  // namespace tramline

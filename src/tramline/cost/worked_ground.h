@@ -1,0 +1,54 @@
+#pragma once
+// The swaths of a plan in the making, ready to be asked what they cover near one place.
+
+#include <optional>
+#include <vector>
+
+#include "tramline/geometry/layered_area.h"
+#include "tramline/tracks/strip_pieces.h"
+
+namespace tramline {
+
+/// What the tracks of one strip work: positions along, in its subfield's grid.
+struct StripWork {
+  Intervals straight;
+  std::vector<StripDetour> detours;
+};
+
+/// Straight swaths and detours by subfield and strip. Subfields may have different grids.
+class WorkedGround {
+ public:
+  void add_subfield(const StripGrid& grid, StripRange range);
+  /// Replaces what is worked of one strip. Precondition: the strip is in the subfield's range.
+  void set(std::size_t subfield, int strip, StripWork work);
+  const StripWork& at(std::size_t subfield, int strip) const;
+  const StripGrid& grid(std::size_t subfield) const { return subfields_[subfield].grid; }
+
+  /// Adds, as taken, every swath that reaches into the window, which lies in the plane of a subfield's
+  /// grid; without those of the strip `except` of that subfield. O(strips near the window).
+  void append_taken(std::size_t subfield, const Box& window, std::optional<int> except,
+                    RisingCurves& out) const;
+
+ private:
+  struct Worked {
+    StripWork work;
+    std::vector<Box> reach;  ///< of the detours
+  };
+  struct Subfield {
+    StripGrid grid;
+    StripRange range;
+    std::vector<Worked> strips;
+    double bulge_m = 0;  ///< how far any detour has ever left its strip
+  };
+  void append_own(const Subfield& from, const Box& window, std::optional<int> except, RisingCurves& out) const;
+  void append_foreign(const Subfield& from, const Subfield& to, const Box& window, RisingCurves& out) const;
+
+  std::vector<Subfield> subfields_;
+};
+
+/// The rectangle a straight part works, in the grid's plane.
+Box straight_box(const StripGrid& grid, int strip, const Interval& part);
+/// A box that the swath of a detour does not leave, in the grid's plane.
+Box detour_box(const StripDetour& detour, double width_m);
+
+}  // namespace tramline

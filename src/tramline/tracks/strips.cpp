@@ -1,0 +1,51 @@
+#include "tramline/tracks/strips.h"
+
+#include <algorithm>
+
+namespace tramline {
+namespace {
+
+/// Where a strip leaves a hard boundary.
+std::vector<Intervals> beyond_boundary(const StripGrid& grid, StripRange range, const Region& field) {
+  std::vector<Intervals> out(static_cast<std::size_t>(range.size()));
+  if (field.empty()) return out;
+  const Box reach = bounds(field);
+  const std::vector<StripProfile> inside = cross_sections(field, grid, range);
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = complement(where_at_least(inside[i], grid.width_m - kWidthTolerance),
+                        {reach.min_y - 1, reach.max_y + 1});
+  return out;
+}
+
+}  // namespace
+
+Strips strips_of(const StripGrid& grid, const Polygon& turned, const TurnedGround& ground,
+                   const EndCriterion& criterion) {
+  const StripRange range = strips_over(grid, bounds(turned), kWidthTolerance);
+  std::vector<StripProfile> subfield = cross_sections({turned}, grid, range);
+  std::vector<StripProfile> hard = cross_sections(ground.hard, grid, range);
+  const std::vector<StripProfile> passable = cross_sections(ground.passable, grid, range);
+  const std::vector<Intervals> by_outside = beyond_boundary(grid, range, ground.field);
+  Strips out{grid, {}};
+  for (int k = range.first; k <= range.last; ++k) {
+    const auto i = static_cast<std::size_t>(k - range.first);
+    Strip strip;
+    strip.index = k;
+    strip.subfield = std::move(subfield[i]);
+    strip.hard = std::move(hard[i]);
+    strip.by_hard = where_at_least(strip.hard, kWidthTolerance);
+    strip.by_passable = where_at_least(passable[i], kWidthTolerance);
+    strip.stretches = without(without(allowed_by(criterion, strip.subfield), strip.by_hard), by_outside[i]);
+    out.strips.push_back(std::move(strip));
+  }
+  return out;
+}
+
+bool stops_at(const Strip& strip, double end, int sense) {
+  constexpr double kLookAhead = 1e-3;
+  constexpr double kLeastArea = 0.5 * kLookAhead * kWidthTolerance;
+  const double beyond = end + sense * kLookAhead;
+  return area_between(strip.hard, std::min(end, beyond), std::max(end, beyond)) > kLeastArea;
+}
+
+}  // namespace tramline
