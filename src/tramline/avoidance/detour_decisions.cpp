@@ -8,6 +8,8 @@
 namespace tramline {
 namespace {
 
+constexpr const char* kFarTooDear = "it would cost far more than a cut";
+
 StripRange range_of(const Strips& strips) {
   if (strips.strips.empty()) return {};
   return {strips.strips.front().index, strips.strips.back().index};
@@ -76,7 +78,20 @@ void DetourDecisions::add_tracks(std::size_t subfield) {
     track.correction_m2.assign(strips.strips[i].stretches.size(), 0);
     add_options(track);
     tracks_.push_back({std::move(track), {}, {}, true});
+    if (task_.settings.avoid == Avoidance::kCheapest) drop_dear_options(tracks_.back());
   }
+}
+
+/// While all tracks are cut. S1's ways stay: its plan is to be compared with.
+void DetourDecisions::drop_dear_options(Decision& decision) {
+  value(decision);
+  BlockedTrack& track = decision.track;
+  std::erase_if(track.options, [&](const TrackOption& option) {
+    if (option.of_paper || !far_too_dear(option, strip_of(decision), width_m_, task_.objective)) return false;
+    for (std::size_t gap = option.way.first_gap; gap <= option.way.last_gap; ++gap)
+      track.refused.push_back({gap, option.way.detour.side, kFarTooDear});
+    return true;
+  });
 }
 
 void DetourDecisions::add_options(BlockedTrack& track) {
@@ -96,7 +111,7 @@ void DetourDecisions::add_options(BlockedTrack& track) {
         } else if (!known(way)) {
           TrackOption option = option_of(way, named(way));
           if (hopeless(option, track.subfield, strip, task_.strips, ground_, task_.objective))
-            track.refused.push_back({gap, side, "it would cost far more than a cut"});
+            track.refused.push_back({gap, side, kFarTooDear});
           else
             track.options.push_back(std::move(option));
         }

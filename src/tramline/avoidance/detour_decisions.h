@@ -44,6 +44,7 @@ class DetourDecisions {
   void work(std::size_t subfield, const Strip& strip, const std::vector<StripDetour>& detours);
   void choose(Decision& decision, std::vector<StripDetour> detours);
   void value(Decision& decision);
+  void drop_dear_options(Decision& decision);
   Encounter encounter_at(Decision& decision, std::size_t gap);
   WayPast way_past(const Decision& decision, std::size_t gap, Passing side, double cost_of_cut) const;
 

@@ -43,6 +43,18 @@ double free_m2(const Strips& strips, std::size_t subfield, const WorkedGround& g
   return sum;
 }
 
+double length_of(const Intervals& parts) {
+  double sum = 0;
+  for (const Interval& part : parts) sum += part.length();
+  return sum;
+}
+
+/// What joining the pieces at the option's gaps can save at most.
+double saved_at_most(const TrackOption& option, const Objective& objective) {
+  const double gaps = static_cast<double>(option.way.last_gap - option.way.first_gap + 1);
+  return gaps * (objective.turn + 2 * objective.stop);
+}
+
 Box turned_box(const Box& window, const TrackFrame& from, const TrackFrame& to) {
   Box out;
   for (const double x : {window.min_x, window.max_x})
@@ -58,14 +70,11 @@ bool hopeless(const TrackOption& option, std::size_t subfield, const Strip& stri
   const StripDetour& detour = option.way.detour;
   const Box window = detour_box(detour, grid.width_m);
   const Intervals replaced = common(strip.stretches, {option.straight});
-  double straight_length = 0;
-  for (const Interval& part : replaced) straight_length += part.length();
   const double replaced_m2 = area_of(strip.subfield, replaced);
-  const double longer = grid.width_m * (detour.length_m - straight_length);
+  const double longer = grid.width_m * (detour.length_m - length_of(replaced));
 
   double useful_m2 = grid.width_m * length_near_strip(detour.path, grid.centre(strip.index), grid.width_m);
-  const double gaps = static_cast<double>(option.way.last_gap - option.way.first_gap + 1);
-  const double saved = gaps * (objective.turn + 2 * objective.stop);
+  const double saved = saved_at_most(option, objective);
   const auto pays = [&] {
     const double gain = std::min(useful_m2, grid.width_m * detour.length_m) - replaced_m2;
     return objective.overlap * longer - (objective.overlap + objective.uncovered) * gain < saved;
@@ -73,6 +82,14 @@ bool hopeless(const TrackOption& option, std::size_t subfield, const Strip& stri
   for (std::size_t i = 0; i < strips.size() && !pays(); ++i)
     useful_m2 += free_m2(strips[i], i, ground, turned_box(window, grid.frame, strips[i].grid.frame), &strip);
   return !pays();
+}
+
+bool far_too_dear(const TrackOption& option, const Strip& strip, double width_m, const Objective& objective) {
+  const double longer =
+      width_m * (option.way.detour.length_m - length_of(common(strip.stretches, {option.straight})));
+  const double areas =
+      objective.overlap * longer - (objective.overlap + objective.uncovered) * option.gain_m2();
+  return areas > 2 * saved_at_most(option, objective);
 }
 
 }  // namespace tramline

@@ -12,4 +12,8 @@ namespace tramline {
 bool hopeless(const TrackOption& option, std::size_t subfield, const Strip& strip,
               const std::vector<Strips>& strips, const WorkedGround& ground, const Objective& objective);
 
+/// The same of an option that has been valued with all other tracks cut: does it cost so much more than
+/// the cuts it saves that what other tracks do will not change that?
+bool far_too_dear(const TrackOption& option, const Strip& strip, double width_m, const Objective& objective);
+
 }  // namespace tramline

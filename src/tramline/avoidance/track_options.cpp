@@ -16,14 +16,15 @@ class Valuer {
       : track_(track), strips_(strips), body_(body), ground_(ground) {}
 
   double of_detour(const StripDetour& detour) const {
-    RisingCurves curves = surroundings(detour_box(detour, strips_.grid.width_m));
-    append_band(detour.path, strips_.grid.width_m, Layer::kNew, curves);
+    const double width_m = strips_.grid.width_m;
+    RisingCurves curves = surroundings(detour_box(detour, width_m), reaches_of(detour.path, width_m));
+    append_band(detour.path, width_m, Layer::kNew, curves);
     return new_area(curves);
   }
 
   double of_straight(const Interval& part) const {
     const Box box = straight_box(strips_.grid, strip().index, part);
-    RisingCurves curves = surroundings(box);
+    RisingCurves curves = surroundings(box, {box});
     append_box(box, Layer::kNew, box, curves);
     return new_area(curves);
   }
@@ -45,10 +46,10 @@ class Valuer {
  private:
   const Strip& strip() const { return strips_.strips[track_.strip]; }
 
-  RisingCurves surroundings(const Box& window) const {
+  RisingCurves surroundings(const Box& window, const std::vector<Box>& boxes) const {
     RisingCurves out;
     for (const Ring& ring : body_) append_ring(ring, Layer::kBody, window, out);
-    ground_.append_taken(track_.subfield, window, strip().index, out);
+    ground_.append_taken(track_.subfield, window, boxes, strip().index, out);
     return out;
   }
 

@@ -35,7 +35,7 @@ double take(const std::vector<Ring>& body, std::size_t subfield, int strip, cons
   const Box window = detour_box(detour, width_m);
   RisingCurves curves;
   for (const Ring& ring : body) append_ring(ring, Layer::kBody, window, curves);
-  ground.append_taken(subfield, window, {}, curves);
+  ground.append_taken(subfield, window, reaches_of(detour.path, width_m), {}, curves);
   append_band(detour.path, width_m, Layer::kNew, curves);
   StripWork work = ground.at(subfield, strip);
   work.detours.push_back(detour);

@@ -25,6 +25,10 @@ Ring corners(const Box& box) {
   return {{box.min_x, box.min_y}, {box.max_x, box.min_y}, {box.max_x, box.max_y}, {box.min_x, box.max_y}};
 }
 
+bool meets_any(const Box& box, const std::vector<Box>& others) {
+  return std::any_of(others.begin(), others.end(), [&](const Box& other) { return intersects(box, other); });
+}
+
 }  // namespace
 
 void WorkedGround::add_subfield(const StripGrid& grid, StripRange range) {
@@ -48,32 +52,32 @@ const StripWork& WorkedGround::at(std::size_t subfield, int strip) const {
   return owner.strips[static_cast<std::size_t>(strip - owner.range.first)].work;
 }
 
-void WorkedGround::append_taken(std::size_t subfield, const Box& window, std::optional<int> except,
-                                RisingCurves& out) const {
+void WorkedGround::append_taken(std::size_t subfield, const Box& window, const std::vector<Box>& boxes,
+                                std::optional<int> except, RisingCurves& out) const {
   const Subfield& home = subfields_[subfield];
-  append_own(home, window, except, out);
+  append_own(home, window, boxes, except, out);
   for (std::size_t other = 0; other < subfields_.size(); ++other)
     if (other != subfield) append_foreign(subfields_[other], home, window, out);
 }
 
-void WorkedGround::append_own(const Subfield& from, const Box& window, std::optional<int> except,
-                              RisingCurves& out) const {
+void WorkedGround::append_own(const Subfield& from, const Box& window, const std::vector<Box>& boxes,
+                              std::optional<int> except, RisingCurves& out) {
   const StripRange near = strips_near(from.grid, from.range, window, from.bulge_m);
   for (int k = near.first; k <= near.last; ++k) {
     if (except && *except == k) continue;
     const Worked& strip = from.strips[static_cast<std::size_t>(k - from.range.first)];
     for (const Interval& part : strip.work.straight) {
       const Box box = straight_box(from.grid, k, part);
-      if (intersects(box, window)) append_box(box, Layer::kTaken, window, out);
+      if (meets_any(box, boxes)) append_box(box, Layer::kTaken, window, out);
     }
     for (std::size_t i = 0; i < strip.reach.size(); ++i)
-      if (intersects(strip.reach[i], window))
+      if (meets_any(strip.reach[i], boxes))
         append_band(strip.work.detours[i].path, from.grid.width_m, Layer::kTaken, out);
   }
 }
 
 void WorkedGround::append_foreign(const Subfield& from, const Subfield& to, const Box& window,
-                                  RisingCurves& out) const {
+                                  RisingCurves& out) {
   const TrackFrame &theirs = from.grid.frame, &ours = to.grid.frame;
   const Box seen = box_in(window, ours, theirs);
   const auto move = [&](Point p) { return ours.to_track(theirs.to_field(p)); };

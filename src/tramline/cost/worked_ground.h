@@ -24,10 +24,11 @@ class WorkedGround {
   const StripWork& at(std::size_t subfield, int strip) const;
   const StripGrid& grid(std::size_t subfield) const { return subfields_[subfield].grid; }
 
-  /// Adds, as taken, every swath that reaches into the window, which lies in the plane of a subfield's
-  /// grid; without those of the strip `except` of that subfield. O(strips near the window).
-  void append_taken(std::size_t subfield, const Box& window, std::optional<int> except,
-                    RisingCurves& out) const;
+  /// Adds, as taken, every swath that reaches into one of the boxes, which lie in the window, in the
+  /// plane of a subfield's grid; without those of the strip `except` of that subfield.
+  /// O(strips near the window).
+  void append_taken(std::size_t subfield, const Box& window, const std::vector<Box>& boxes,
+                    std::optional<int> except, RisingCurves& out) const;
 
  private:
   struct Worked {
@@ -40,8 +41,9 @@ class WorkedGround {
     std::vector<Worked> strips;
     double bulge_m = 0;  ///< how far any detour has ever left its strip
   };
-  void append_own(const Subfield& from, const Box& window, std::optional<int> except, RisingCurves& out) const;
-  void append_foreign(const Subfield& from, const Subfield& to, const Box& window, RisingCurves& out) const;
+  static void append_own(const Subfield& from, const Box& window, const std::vector<Box>& boxes,
+                         std::optional<int> except, RisingCurves& out);
+  static void append_foreign(const Subfield& from, const Subfield& to, const Box& window, RisingCurves& out);
 
   std::vector<Subfield> subfields_;
 };

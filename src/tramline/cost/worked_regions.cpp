@@ -13,9 +13,18 @@ constexpr double kLeastWidth = 1e-5;
 
 bool is_rectangle(const Ring& swath) { return swath.size() == 4; }
 
+bool worth_keeping(double area_m2, const Ring& around) { return area_m2 > kLeastWidth * perimeter(around); }
+
+/// Where one of two is a rectangle, the area of their intersection comes without building it.
 Region overlap_of(const Ring& a, const Ring& b) {
-  if (!is_rectangle(a) || !is_rectangle(b)) return intersection({{a, {}}}, {{b, {}}});
-  return {{convex_intersection(a, b), {}}};
+  if (is_rectangle(b)) {
+    Ring both = convex_intersection(a, b);
+    if (!worth_keeping(std::abs(signed_area(both)), both)) return {};
+    if (is_rectangle(a)) return {{std::move(both), {}}};
+  } else if (is_rectangle(a)) {
+    return overlap_of(b, a);
+  }
+  return intersection({{a, {}}}, {{b, {}}});
 }
 
 /// Intersections of every two swaths that overlap: sorted along x, so only near ones are met.
@@ -33,7 +42,7 @@ Region pairwise_overlaps(const Region& swaths) {
     for (std::size_t j = i + 1; j < items.size() && items[j].box.min_x <= items[i].box.max_x; ++j) {
       if (!intersects(items[i].box, items[j].box)) continue;
       for (Polygon& both : overlap_of(*items[i].ring, *items[j].ring))
-        if (area(both) > kLeastWidth * perimeter(both.outer)) out.push_back(std::move(both));
+        if (worth_keeping(area(both), both.outer)) out.push_back(std::move(both));
     }
   return out;
 }

@@ -194,6 +194,13 @@ Box reach_of(const Path& path, double width_m) {
   return box.grown(0.5 * width_m);
 }
 
+std::vector<Box> reaches_of(const Path& path, double width_m) {
+  std::vector<Box> out;
+  out.reserve(path.size());
+  for (const PathSegment& segment : path) out.push_back(box_of(segment).grown(0.5 * width_m));
+  return out;
+}
+
 double distance_to_edge(const PathSegment& segment, Point a, Point b) {
   if (segment.straight()) {
     if (cross_each_other(segment.from, segment.to, a, b)) return 0;

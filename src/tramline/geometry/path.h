@@ -64,6 +64,8 @@ Ring band(const Path& path, double width_m, double sagitta_m = kChordSagitta);
 
 /// A box that the band of the given width along the path does not leave.
 Box reach_of(const Path& path, double width_m);
+/// The same, one for each segment's part of the band.
+std::vector<Box> reaches_of(const Path& path, double width_m);
 
 /// Shortest distance between a segment of a path and the straight edge ab; 0 where they meet, m.
 double distance_to_edge(const PathSegment& segment, Point a, Point b);
