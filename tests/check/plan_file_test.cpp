@@ -24,6 +24,9 @@ Names judged_from_file(const Plan& plan) {
   check::Verdict verdict = check::verify(file.plan);
   for (const auto& v : check::compare_swaths(file.plan, file.track_order, file.swaths, file.swath_order))
     verdict.violations.push_back(v);
+  for (const auto& v : check::compare_lines(file.plan, file.track_lines)) verdict.violations.push_back(v);
+  for (const io::DerivedText& t : file.derived_texts)
+    check::compare_text(t.where, t.stored, t.from_shape, t.at, verdict.violations);
   for (const io::DerivedNumber& n : file.derived)
     check::compare_number(n.where, n.stored, n.from_shape, n.at, verdict.violations);
   return rules(verdict);
@@ -33,7 +36,8 @@ TEST(PlanFiles, plans_that_hold_hold_from_a_file_in_either_frame) {
   const LocalFrame geodetic{true, 13.3, 52.1, 0, 0}, plain{false, 0, 0, 500123.4, 5800456.7};
   for (Plan plan :
        {rectangle_plan(), triangle_plan(EndRule::kCheapest, cheapest_share(Objective{})),
-        triangle_plan(EndRule::kInside, 1), obstacle_plan(), two_subfields_plan(), crossing_plan()})
+        triangle_plan(EndRule::kInside, 1), obstacle_plan(), two_subfields_plan(), crossing_plan(),
+        poles_plan(), turned(poles_plan(0.4), Angle::degrees(33.3), {71.7, -45.1})})
     for (const LocalFrame& frame : {geodetic, plain}) {
       plan.field.frame = frame;
       EXPECT_EQ(judged_from_file(plan), Names{});

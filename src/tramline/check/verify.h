@@ -10,7 +10,8 @@ namespace tramline::check {
 /// definitions of the glossary. Areas may differ by 1e-6 of the field's area, lengths by 1 mm.
 ///
 /// Violations come in the order of the rules, then of the pieces. Throws Error(kFailure) only where
-/// GEOS fails. O(p·v + p log p) for p pieces and v vertices.
+/// GEOS fails. O(p·v + p log p) for p pieces and v vertices, where
+/// detours have few segments.
 Verdict verify(const Plan& plan);
 
 }  // namespace tramline::check
