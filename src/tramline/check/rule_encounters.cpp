@@ -52,6 +52,11 @@ bool includes_all(const std::vector<int>& all, const std::vector<int>& some) {
 
 /// In which way an encounter is not what the tracks do, or "".
 std::string contradiction(const Plan& plan, const Tracks& tracks, const Encounter& encounter) {
+  const auto subfields = static_cast<int>(plan.subfields.size());
+  if (encounter.subfield < 0 || encounter.subfield >= subfields) return "is in a subfield that there is not";
+  // Written so that NaN lies nowhere.
+  if (!(std::abs(encounter.at.x) <= kFarthest_m && std::abs(encounter.at.y) <= kFarthest_m))
+    return "lies off the map";
   if (!exist(plan, encounter.obstacles)) return "names an obstacle that there is not";
   const Detour* detour = detour_over(plan, tracks, encounter);
   if (encounter.chosen == Passing::kCut)

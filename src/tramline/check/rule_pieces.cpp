@@ -14,13 +14,14 @@ constexpr const char* kRule = "pieces";
 /// Written so that NaN is not.
 bool on_the_map(Point p) { return std::abs(p.x) <= kFarthest_m && std::abs(p.y) <= kFarthest_m; }
 
+/// What is shorter has no direction.
+constexpr double kShortest_m = 1e-9;
+
 /// What is wrong with a segment in itself, or "".
 std::string fault_of(const PathSegment& segment) {
-  // Shorter ones have no direction.
-  constexpr double kShortest_m = 1e-9;
   if (!on_the_map(segment.from) || !on_the_map(segment.to)) return "lies off the map";
   const double chord = distance(segment.from, segment.to);
-  if (chord < kShortest_m) return "has no length";
+  if (chord <= kShortest_m) return "has no length";
   if (segment.straight()) return "";
   // Rounding may make the chord of an exact half circle longer by the last digits of its ends.
   constexpr double kShare = 1e-9, kDigits_m = 4e-9;
@@ -77,7 +78,7 @@ void check_piece(const Plan& plan, std::size_t index, Violations& out) {
     out.push_back({kRule, name + " has an end off the map", {}, 0});
     return;
   }
-  if (piece.start == piece.end) {
+  if (distance(piece.start, piece.end) <= kShortest_m) {
     out.push_back({kRule, name + " has no length", piece.start, 0});
     return;
   }
