@@ -1,6 +1,10 @@
 #include "check/plans.h"
 
+#include <cmath>
+#include <utility>
+
 #include "tramline/geometry/boolean.h"
+#include "tramline/geometry/track_frame.h"
 
 namespace tramline::testing_plans {
 namespace {
@@ -32,7 +36,12 @@ Ring rectangle(double min_x, double min_y, double max_x, double max_y) {
 
 Plan settled(Plan plan) {
   plan.overlap.clear();
-  plan.uncovered = difference(plan.body, unite(swaths(plan)));
+  // Faulty swaths may fold over themselves.
+  Region worked;
+  for (const Polygon& swath : swaths(plan))
+    for (const Polygon& part : find_invalidity(swath) ? made_valid(swath) : Region{swath})
+      worked.push_back(part);
+  plan.uncovered = difference(plan.body, unite(worked));
   plan.tally = check::verify(plan).recomputed;
   plan.cost = cost(plan.objective, plan.tally);
   return plan;
@@ -103,6 +112,69 @@ Plan crossing_plan() {
     plan.pieces.back().after_crossing = true;
   }
   return settled(plan);
+}
+
+Detour bulge(const TrackPiece& piece, double along_m, double away_m, double radius_m, Passing side,
+             std::vector<int> obstacles) {
+  const double half = std::sqrt(4 * radius_m * away_m - away_m * away_m);
+  const double left = side == Passing::kLeft ? 1 : -1, curvature = left / radius_m;
+  const Point along = (1 / distance(piece.start, piece.end)) * (piece.end - piece.start);
+  const Point out{-left * along.y, left * along.x};
+  const auto at = [&](double s, double x) { return piece.start + (along_m + s) * along + x * out; };
+  const Point a = at(-half, 0), b = at(-0.5 * half, 0.5 * away_m), c = at(0.5 * half, 0.5 * away_m);
+  return {{{a, b, curvature}, {b, c, -curvature}, {c, at(half, 0), curvature}}, side, std::move(obstacles)};
+}
+
+double away_from_pole(double radius_m, double half_m, double clearance_m) {
+  const double to_corner = radius_m - half_m - clearance_m;
+  return radius_m + kPoleHalf_m - std::sqrt(to_corner * to_corner - kPoleHalf_m * kPoleHalf_m);
+}
+
+Plan poles_plan(double clearance_m) {
+  Plan plan = bare_rectangle();
+  plan.settings.clearance_m = clearance_m;
+  for (const Point pole : {Point{50, 13.5}, Point{30, 22.5}}) {
+    const Ring ring =
+        rectangle(pole.x - kPoleHalf_m, pole.y - kPoleHalf_m, pole.x + kPoleHalf_m, pole.y + kPoleHalf_m);
+    plan.field.obstacles.push_back({{ring, {}}, ObstacleKind::kObstacle, "pole"});
+    plan.body[0].holes.push_back(reversed(ring));
+  }
+  plan.subfields[0].shape = plan.body[0];
+  for (int i = 0; i < 10; ++i) add_piece(plan, i, 3 * i + 1.5, 0, 100);
+  const double away = away_from_pole(6, 1.5, clearance_m);
+  plan.pieces[4].detours = {bulge(plan.pieces[4], 50, away, 6, Passing::kLeft, {0})};
+  plan.pieces[7].detours = {bulge(plan.pieces[7], 70, away, 6, Passing::kRight, {1})};
+  plan.encounters = {{0, 4, {50, 13.5}, {0}, Passing::kLeft, {true, -1, ""}, {true, 1, ""}},
+                     {0, 7, {30, 22.5}, {1}, Passing::kRight, {true, 1, ""}, {true, -1, ""}}};
+  return settled(plan);
+}
+
+Plan turned(Plan plan, Angle by, Point move) {
+  const TrackFrame frame(Direction::clockwise_from_north(by));
+  const auto point = [&](Point p) { return frame.to_field(p) + move; };
+  const auto ring = [&](Ring& r) {
+    for (Point& p : r) p = point(p);
+  };
+  const auto polygon = [&](Polygon& shape) {
+    ring(shape.outer);
+    for (Ring& hole : shape.holes) ring(hole);
+  };
+  ring(plan.field.outer);
+  for (Obstacle& obstacle : plan.field.obstacles) polygon(obstacle.shape);
+  for (Region* region : {&plan.body, &plan.given_up, &plan.overlap, &plan.uncovered})
+    for (Polygon& shape : *region) polygon(shape);
+  for (Subfield& subfield : plan.subfields) {
+    polygon(subfield.shape);
+    subfield.direction =
+        Direction::clockwise_from_north(Angle::radians(subfield.direction.angle().radians() + by.radians()));
+  }
+  for (TrackPiece& piece : plan.pieces) {
+    piece.start = point(piece.start);
+    piece.end = point(piece.end);
+    for (Detour& detour : piece.detours) detour.path = moved(detour.path, point);
+  }
+  for (Encounter& encounter : plan.encounters) encounter.at = point(encounter.at);
+  return plan;
 }
 
 std::set<std::string> rules(const check::Verdict& verdict) {

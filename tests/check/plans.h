@@ -3,6 +3,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 #include "tramline/check/verify.h"
 #include "tramline/model/plan.h"
@@ -30,6 +31,24 @@ Plan two_subfields_plan();
 
 /// The rectangle with a ditch of 3 m across all swaths: ten crossings.
 Plan crossing_plan();
+
+/// A square pole, half a metre wide and across the axes, as a hole of a field.
+inline constexpr double kPoleHalf_m = 0.25;
+
+/// Three arcs of one radius that leave the piece's line by `away_m` at `along_m` from its start and
+/// come back: √(4·r·h − h²) before and behind.
+Detour bulge(const TrackPiece& piece, double along_m, double away_m, double radius_m, Passing side,
+             std::vector<int> obstacles);
+/// By how much such a bulge has to leave the line for a swath of `half_m` to keep `clearance_m` from a
+/// pole on it. Precondition: radius_m > half_m + clearance_m + kPoleHalf_m.
+double away_from_pole(double radius_m, double half_m, double clearance_m);
+
+/// The rectangle with a pole on track 5 at x = 50 and one on track 8 at x = 30. Their pieces go round
+/// them by bulges of the machine's radius, 6 m, that touch the poles: east, on the left; west, on the right.
+Plan poles_plan(double clearance_m = 0);
+
+/// The same plan turned by an angle clockwise and then moved.
+Plan turned(Plan plan, Angle by, Point move);
 
 /// The names of the rules violated.
 std::set<std::string> rules(const check::Verdict& verdict);

@@ -26,12 +26,25 @@ void check_order(const std::vector<int>& order, const char* layer, Violations& o
   }
 }
 
-/// Largest distance between corresponding corners; infinite where the rings have not as many.
-double apart(const Ring& a, const Ring& b) {
-  if (a.size() != b.size()) return std::numeric_limits<double>::infinity();
-  double out = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) out = std::max(out, distance(a[i], b[i]));
+double distance_to_outline(Point p, const Ring& ring) {
+  double out = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    out = std::min(out, distance_to_edge({ring[i], ring[i + 1 < ring.size() ? i + 1 : 0], 0}, p, p));
   return out;
+}
+
+/// Largest distance between corresponding corners. Of rings that have not as many: between a corner of
+/// one and the outline of the other, less what arcs cut into other chords may differ by.
+double apart(const Ring& a, const Ring& b) {
+  if (b.empty()) return std::numeric_limits<double>::infinity();
+  double out = 0;
+  if (a.size() == b.size()) {
+    for (std::size_t i = 0; i < a.size(); ++i) out = std::max(out, distance(a[i], b[i]));
+    return out;
+  }
+  for (const Point p : a) out = std::max(out, distance_to_outline(p, b));
+  for (const Point p : b) out = std::max(out, distance_to_outline(p, a));
+  return std::max(0.0, out - kChordSagitta);
 }
 
 }  // namespace
@@ -59,6 +72,13 @@ std::vector<Violation> compare_swaths(const Plan& plan, const std::vector<int>& 
                      midpoint(piece.start, piece.end), off});
   }
   return out;
+}
+
+void compare_text(const std::string& where, const std::string& stored, const std::string& from_shape,
+                  Point at, std::vector<Violation>& out) {
+  if (stored == from_shape) return;
+  out.push_back(
+      {kRule, fmt::format("{} is stored as '{}', its shape gives '{}'", where, stored, from_shape), at, 1});
 }
 
 void compare_number(const std::string& where, double stored, double from_shape, Point at,

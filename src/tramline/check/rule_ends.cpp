@@ -53,12 +53,14 @@ void check_ends(const Case& c, Violations& out) {
   const Demand asked = demand(c.plan);
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
     const TrackPiece& piece = c.plan.pieces[i];
-    const PieceFrame frame(piece);
     const Polygon& land = c.plan.subfields[static_cast<std::size_t>(piece.subfield)].shape;
-    const Stretch below = longest_below(land, frame, asked.half_m, asked.required_m);
-    if (below.length() <= kLengthTolerance_m) continue;
-    out.push_back({"ends", describe(c.plan, i, below), frame.to_field({0, 0.5 * (below.from_m + below.to_m)}),
-                   below.length()});
+    for (const PathSegment& part : straight_parts(piece)) {
+      const PieceFrame frame(part.from, part.to);
+      const Stretch below = longest_below(land, frame, asked.half_m, asked.required_m);
+      if (below.length() <= kLengthTolerance_m) continue;
+      out.push_back({"ends", describe(c.plan, i, below),
+                     frame.to_field({0, 0.5 * (below.from_m + below.to_m)}), below.length()});
+    }
   }
 }
 

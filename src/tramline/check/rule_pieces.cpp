@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
@@ -13,6 +14,63 @@ constexpr const char* kRule = "pieces";
 /// Written so that NaN is not.
 bool on_the_map(Point p) { return std::abs(p.x) <= kFarthest_m && std::abs(p.y) <= kFarthest_m; }
 
+/// What is shorter has no direction.
+constexpr double kShortest_m = 1e-9;
+
+/// What is wrong with a segment in itself, or "".
+std::string fault_of(const PathSegment& segment) {
+  if (!on_the_map(segment.from) || !on_the_map(segment.to)) return "lies off the map";
+  const double chord = distance(segment.from, segment.to);
+  if (chord <= kShortest_m) return "has no length";
+  if (segment.straight()) return "";
+  // Rounding may make the chord of an exact half circle longer by the last digits of its ends.
+  constexpr double kShare = 1e-9, kDigits_m = 4e-9;
+  if (!(radius(segment) <= kFarthest_m)) return "is an arc of a circle larger than the map";
+  if (!(chord <= 2 * radius(segment) * (1 + kShare) + kDigits_m)) return "is longer than half a circle";
+  return "";
+}
+
+/// What is wrong with the path of a detour, or "".
+std::string fault_of(const Path& path) {
+  if (path.empty()) return "has no path";
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const std::string segment = fmt::format("segment {} ", i + 1);
+    if (const std::string fault = fault_of(path[i]); !fault.empty()) return segment + fault;
+    if (i > 0 && distance(path[i - 1].to, path[i].from) > kJoint_m)
+      return segment + "does not begin where the one before ends";
+  }
+  return "";
+}
+
+/// What is wrong with how a detour lies on its piece, or "". `free_from_m`: where the one before ended.
+std::string fault_of(const Detour& detour, const PieceFrame& frame, double free_from_m) {
+  const Point begin = frame.to_local(detour.path.front().from), end = frame.to_local(detour.path.back().to);
+  if (std::abs(begin.x) > kLengthTolerance_m || std::abs(end.x) > kLengthTolerance_m)
+    return "does not begin and end on the line of its piece";
+  if (begin.y < free_from_m - kJoint_m) return "begins before its piece or the detour before";
+  if (end.y <= begin.y || end.y > frame.length() + kJoint_m) return "does not end ahead on its piece";
+  return "";
+}
+
+/// Precondition: the piece is sound but for its detours.
+void check_detours(const Plan& plan, std::size_t index, Violations& out) {
+  const TrackPiece& piece = plan.pieces[index];
+  const PieceFrame frame(piece);
+  double free_from_m = 0;
+  for (std::size_t k = 0; k < piece.detours.size(); ++k) {
+    const Detour& detour = piece.detours[k];
+    std::string fault = fault_of(detour.path);
+    if (fault.empty()) fault = fault_of(detour, frame, free_from_m);
+    if (fault.empty() && detour.side == Passing::kCut) fault = "passes its obstacles on no side";
+    if (fault.empty() && !exist(plan, detour.obstacles)) fault = "names an obstacle that there is not";
+    if (!fault.empty()) {
+      out.push_back({kRule, detour_name(index, k) + " " + fault, piece.start, 0});
+      return;
+    }
+    free_from_m = frame.to_local(detour.path.back().to).y;
+  }
+}
+
 void check_piece(const Plan& plan, std::size_t index, Violations& out) {
   const TrackPiece& piece = plan.pieces[index];
   const std::string name = piece_name(index);
@@ -20,7 +78,7 @@ void check_piece(const Plan& plan, std::size_t index, Violations& out) {
     out.push_back({kRule, name + " has an end off the map", {}, 0});
     return;
   }
-  if (piece.start == piece.end) {
+  if (distance(piece.start, piece.end) <= kShortest_m) {
     out.push_back({kRule, name + " has no length", piece.start, 0});
     return;
   }
@@ -37,14 +95,21 @@ void check_piece(const Plan& plan, std::size_t index, Violations& out) {
   if (!(off_m <= kLengthTolerance_m))
     out.push_back({kRule, fmt::format("{} ends {:.3f} m off the direction of its subfield", name, off_m),
                    piece.end, off_m});
+  check_detours(plan, index, out);
+}
+
+void check_size(double metres, double least_m, const char* what, Violations& out) {
+  // Written so that NaN is no size.
+  if (metres >= least_m && metres <= kFarthest_m) return;
+  out.push_back({kRule, fmt::format("{} is {} m", what, metres), {}, metres});
 }
 
 }  // namespace
 
 void check_pieces(const Plan& plan, Violations& out) {
-  if (!(plan.machine.width_m > 0) || plan.machine.width_m > kFarthest_m)
-    out.push_back(
-        {kRule, fmt::format("the working width is {} m", plan.machine.width_m), {}, plan.machine.width_m});
+  check_size(plan.machine.width_m, std::numeric_limits<double>::min(), "the working width", out);
+  check_size(plan.machine.radius_m, 0, "the turning radius", out);
+  check_size(plan.settings.clearance_m, 0, "the clearance", out);
   for (std::size_t i = 0; i < plan.pieces.size(); ++i) check_piece(plan, i, out);
 }
 

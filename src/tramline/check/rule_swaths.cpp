@@ -40,18 +40,52 @@ void check_inside(const Ring& outer, const PieceFrame& frame, const Box& core, s
          place_outside(outer, frame, core), outside});
 }
 
+void check_straight_part(const Case& c, const PathSegment& part, std::size_t index, Violations& out) {
+  const double half = 0.5 * c.plan.machine.width_m;
+  const PieceFrame frame(part.from, part.to);
+  const Box core = Box{-half, 0, half, frame.length()}.grown(-kLengthTolerance_m);
+  if (core.width() <= 0 || core.height() <= 0) return;
+  check_clear(c.obstacles, "an obstacle", frame, core, index, out);
+  check_clear(c.passables, "a passable obstacle", frame, core, index, out);
+  check_clear(c.given_up, "land given up", frame, core, index, out);
+  if (c.plan.settings.boundary == EdgeKind::kHard) check_inside(c.plan.field.outer, frame, core, index, out);
+}
+
+void check_within_boundary(const Case& c, const Lane& lane, const std::string& name, Violations& out) {
+  if (c.plan.settings.boundary == EdgeKind::kSoft) return;
+  const Approach found = lane.to_ring(c.plan.field.outer, 0);
+  if (found.gap_m < -kLengthTolerance_m)
+    out.push_back(
+        {"swaths",
+         fmt::format("the swath of {} reaches {:.4f} m beyond the hard boundary", name, -found.gap_m),
+         found.at, -found.gap_m});
+}
+
+void check_detour(const Case& c, const Lane& lane, const std::string& name, Violations& out) {
+  if (const auto place = lane.place_outside(c.plan.field.outer))
+    out.push_back({"swaths", name + " leaves the field", *place, 0});
+  else
+    check_within_boundary(c, lane, name, out);
+}
+
 }  // namespace
+
+void check_line_within_field(const Case& c, const Lane& line, const std::string& name, Violations& out) {
+  if (const auto place = line.place_pushed_outside(c.plan.field.outer))
+    out.push_back({"swaths", name + " leaves the field", *place, 0});
+  else
+    check_within_boundary(c, line, name, out);
+}
 
 void check_swaths(const Case& c, Violations& out) {
   const double half = 0.5 * c.plan.machine.width_m;
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
-    const PieceFrame frame(c.plan.pieces[i]);
-    const Box core = Box{-half, 0, half, frame.length()}.grown(-kLengthTolerance_m);
-    if (core.width() <= 0 || core.height() <= 0) continue;
-    check_clear(c.obstacles, "an obstacle", frame, core, i, out);
-    check_clear(c.passables, "a passable obstacle", frame, core, i, out);
-    check_clear(c.given_up, "land given up", frame, core, i, out);
-    if (c.plan.settings.boundary == EdgeKind::kHard) check_inside(c.plan.field.outer, frame, core, i, out);
+    const TrackPiece& piece = c.plan.pieces[i];
+    for (const PathSegment& part : straight_parts(piece)) check_straight_part(c, part, i, out);
+    if (piece.detours.empty()) continue;
+    const PieceFrame frame(piece);
+    for (std::size_t k = 0; k < piece.detours.size(); ++k)
+      check_detour(c, Lane(frame, piece.detours[k].path, half), detour_name(i, k), out);
   }
 }
 

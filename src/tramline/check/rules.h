@@ -1,9 +1,11 @@
 #pragma once
 // The rules a plan is judged by, one file each: rule_<name>.cpp. Every function appends what it finds.
 
+#include <string>
 #include <vector>
 
 #include "tramline/check/boxed.h"
+#include "tramline/check/lane.h"
 #include "tramline/check/verdict.h"
 #include "tramline/model/plan.h"
 
@@ -17,21 +19,29 @@ struct Case {
   BoxedRegion obstacles;  ///< those the machine may not enter
   BoxedRegion passables;
   BoxedRegion given_up;
-  double area_tolerance_m2;  ///< 1e-6 of the field's area, not below what the precision grid can do
+  std::vector<Box> obstacle_boxes;  ///< of all obstacles of the field, in their order
+  double area_tolerance_m2;         ///< 1e-6 of the field's area, not below what the precision grid can do
 };
 using Violations = std::vector<Violation>;
 
 /// Every polygon is one: at least three vertices, on the map, not crossing itself.
 void check_shapes(const Plan& plan, Violations& out);
-/// Pieces have distinct ends on the map, belong to a subfield and run along its direction.
+/// Pieces have distinct ends on the map, belong to a subfield and run along its direction. Their
+/// detours are paths on the map that leave and rejoin the line one after the other.
 void check_pieces(const Plan& plan, Violations& out);
 /// The body is the field less obstacles, passable ones too; land given up lies within it.
 void check_body(const Case& c, Violations& out);
 /// Subfields part the body less land given up, plus passables, without overlapping.
 void check_subfields(const Case& c, Violations& out);
-/// No swath enters an obstacle, a passable, land given up, nor crosses a hard boundary.
+/// No straight swath enters an obstacle, a passable or land given up; none at all crosses a hard
+/// boundary, and no detour leaves the field.
 void check_swaths(const Case& c, Violations& out);
-/// Each piece obeys the end rule over its whole length.
+/// No detour's swath comes nearer to an obstacle than the clearance, nor enters a passable or land
+/// given up. Where there is a clearance, straight swaths keep it too.
+void check_clearance(const Case& c, Violations& out);
+/// The machine can drive every detour: no arc is too tight and no heading jumps.
+void check_drivable(const Case& c, Violations& out);
+/// Each piece obeys the end rule over all its straight parts.
 void check_ends(const Case& c, Violations& out);
 /// No piece is too short to drive, but for those between crossings.
 void check_length(const Case& c, Violations& out);
@@ -40,12 +50,28 @@ void check_length(const Case& c, Violations& out);
 int check_stops(const Case& c, Violations& out);
 /// A piece after a crossing goes on in line beyond a passable, with nothing else in the gap.
 void check_crossings(const Case& c, Violations& out);
+/// What was decided where tracks meet obstacles is what they do, and detours name the obstacles they
+/// pass and the side.
+void check_encounters(const Case& c, Violations& out);
 /// The stored tally, cost and layers agree with the tracks. `stops` is what check_stops found.
 /// Returns the recomputed tally.
 Tally check_tally(const Case& c, int stops, Violations& out);
 
+/// The same for one line and the swath along it, whether it is a plan's or only drawn: it is within
+/// the field but for its ends, and keeps clear of land. Violations call it `name`.
+void check_line_within_field(const Case& c, const Lane& line, const std::string& name, Violations& out);
+void check_clearance_of(const Case& c, const Lane& lane, const std::string& name, Violations& out);
+
+/// The tightest circle that the machine can drive and its swath can follow, m.
+double least_radius_m(const Machine& machine);
+
+/// Are these indices of obstacles of the field?
+bool exist(const Plan& plan, const std::vector<int>& obstacles);
+
 /// "piece 12": pieces are numbered for people from 1, in driving order.
 std::string piece_name(std::size_t index);
+/// "detour 2 of piece 12"
+std::string detour_name(std::size_t piece, std::size_t detour);
 
 /// A vertex of the polygon of largest area; the origin for an empty region.
 Point place_on_largest(const Region& region);

@@ -5,6 +5,11 @@ namespace tramline::check {
 
 /// Along and across a piece, m: what no machine can tell.
 inline constexpr double kLengthTolerance_m = 1e-3;
+/// Between the end of a segment of a path and the beginning of the next, m: the precision grid's.
+inline constexpr double kJoint_m = 1e-6;
+/// Of a radius, and of a heading: what a path computed in another way than it is checked may lose.
+inline constexpr double kRadiusShare = 0.01;
+inline constexpr double kHeadingTolerance_deg = 1;
 /// Area of the smallest overlap that counts as one, m²: five micrometres over a millimetre, above what the
 /// precision grid can move an edge.
 inline constexpr double kTouch_m2 = 5e-9;

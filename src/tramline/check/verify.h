@@ -7,10 +7,11 @@ namespace tramline::check {
 
 /// Judges a plan from its tracks: rebuilds the swaths, recomputes every area by polygon booleans (the
 /// planner adds up closed forms: this is another road) and looks whether each piece obeys the
-/// definitions of the glossary. Areas may differ by 1e-6 of the field's area, lengths by 1 mm.
+/// definitions of the glossary. Areas may differ by 1e-6 of the field's area, and by what chords take from
+/// arcs; lengths by 1 mm, radii by 1 %, headings where segments meet by 1°.
 ///
 /// Violations come in the order of the rules, then of the pieces. Throws Error(kFailure) only where
-/// GEOS fails. O(p·v + p log p) for p pieces and v vertices.
+/// GEOS fails. O(p·v + p log p) for p pieces and v vertices, while detours have few segments.
 Verdict verify(const Plan& plan);
 
 }  // namespace tramline::check

@@ -80,7 +80,7 @@ TEST_F(DamagedPlan, missing_parts_are_named) {
   EXPECT_TRUE(
       mentions(after_sql("UPDATE metadata SET value = 'round' WHERE key = 'settings.end_rule'"), "'round'"));
   EXPECT_TRUE(
-      mentions(after_sql("UPDATE metadata SET value = '2' WHERE key = 'format_version'"), "format_version"));
+      mentions(after_sql("UPDATE metadata SET value = '1' WHERE key = 'format_version'"), "format_version"));
   EXPECT_TRUE(mentions(after_sql("UPDATE metadata SET value = '[1]' WHERE key = 'warnings'"), "JSON list"));
   EXPECT_TRUE(mentions(after_sql("UPDATE tracks SET geom = NULL WHERE fid = 2"), "layer tracks, feature 2"));
   EXPECT_TRUE(mentions(after_sql("UPDATE tracks SET subfield = NULL WHERE fid = 1"), "subfield"));

@@ -1,7 +1,7 @@
 #pragma once
 // Names shared by the writer and the reader of plan files.
 //
-// Numbers for people (order, subfield, track) count from 1; the model counts from 0.
+// Numbers for people (order, subfield, track, obstacles) count from 1; the model counts from 0.
 
 namespace tramline::io::plan_layers {
 
@@ -15,9 +15,13 @@ inline constexpr const char* kSwaths = "swaths";
 inline constexpr const char* kOverlap = "overlap";
 inline constexpr const char* kUncovered = "uncovered";
 inline constexpr const char* kDropped = "dropped";
+inline constexpr const char* kEncounters = "encounters";
 inline constexpr const char* kMetadata = "metadata";
 
 inline constexpr const char* kObstacle = "obstacle";
 inline constexpr const char* kPassable = "passable";
+
+inline constexpr const char* kStraight = "straight";
+inline constexpr const char* kDetour = "detour";
 
 }  // namespace tramline::io::plan_layers

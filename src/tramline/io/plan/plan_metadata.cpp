@@ -13,7 +13,7 @@ namespace tramline::io {
 namespace {
 
 constexpr const char* kFormat = "tramline plan";
-constexpr int kFormatVersion = 1;
+constexpr int kFormatVersion = 2;
 
 /// The one list of keys, walked by the writer (const plan) and by the reader.
 template <class PlanOrConst, class Visitor>
@@ -49,6 +49,9 @@ void each_value(PlanOrConst& plan, Visitor&& visit) {
   visit("settings.merge_threshold", plan.settings.merge_threshold);
   visit("settings.decomposition_threshold", plan.settings.decomposition_threshold);
   visit("settings.small_cell_m2", plan.settings.small_cell_m2);
+  visit("settings.avoid", plan.settings.avoid);
+  visit("settings.avoid_threshold_m", plan.settings.avoid_threshold_m);
+  visit("settings.clearance_m", plan.settings.clearance_m);
   visit("tally.worked_m2", plan.tally.worked_m2);
   visit("tally.overlap_m2", plan.tally.overlap_m2);
   visit("tally.uncovered_m2", plan.tally.uncovered_m2);
@@ -82,6 +85,7 @@ class Writer {
   void operator()(const std::string& key, EdgeKind value) { out_[key] = name(value); }
   void operator()(const std::string& key, Strategy value) { out_[key] = name(value); }
   void operator()(const std::string& key, CellDirection value) { out_[key] = name(value); }
+  void operator()(const std::string& key, Avoidance value) { out_[key] = name(value); }
   /// Degrees are for people; radians are what is read back, to the bit.
   void operator()(const std::string& key, Angle value) {
     (*this)(key + "_deg", value.degrees());
@@ -125,6 +129,7 @@ class Reader {
   void operator()(const std::string& key, CellDirection& value) {
     value = word(key, cell_direction_named(text(key)));
   }
+  void operator()(const std::string& key, Avoidance& value) { value = word(key, avoidance_named(text(key))); }
   void operator()(const std::string& key, Angle& value) {
     double radians = 0;
     (*this)(key + "_rad", radians);
@@ -204,7 +209,7 @@ void apply_metadata(const Metadata& metadata, const std::filesystem::path& file,
   int version = 0;
   reader("format_version", version);
   if (version != kFormatVersion)
-    throw reader.wrong("format_version", "1: read it with the tramline that wrote it");
+    throw reader.wrong("format_version", "2: read it with the tramline that wrote it");
   each_value(plan, reader);
 }
 

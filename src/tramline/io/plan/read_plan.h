@@ -8,12 +8,20 @@
 
 namespace tramline::io {
 
-/// A number of a plan file that repeats what a shape in it says already.
+/// A number of a plan file that repeats what a shape in it says already. A radius that there is not is 0.
 struct DerivedNumber {
   std::string where;      ///< "layer tracks, feature 12, length_m"
   double stored = 0;      ///< as the file has it
   double from_shape = 0;  ///< as it follows from the shape in the file
   Point at;               ///< on the shape, local metres
+};
+
+/// A text of a plan file that repeats what a shape in it says already.
+struct DerivedText {
+  std::string where;
+  std::string stored;
+  std::string from_shape;
+  Point at;
 };
 
 /// A plan file with what a Plan does not hold because it follows from the rest; kept apart so that it
@@ -23,13 +31,17 @@ struct PlanFile {
   std::vector<int> track_order;  ///< the column order of the pieces, ascending; 1, 2, 3 … when whole
   std::vector<int> swath_order;  ///< the same of the swaths
   Region swaths;                 ///< the layer swaths, sorted by order
+  /// What the layer tracks shows of each piece: chords, sorted like the pieces.
+  std::vector<std::vector<Point>> track_lines;
   std::vector<DerivedNumber> derived;
+  std::vector<DerivedText> derived_texts;
 };
 
 /// Reads a plan file written by write_plan. Coordinates and numbers come back to the bit (in a plain
-/// frame, which is shifted: to 1e-9 m); of the source file only the base name comes back.
-/// Throws Error(kBadInput) naming the file, and the layer and feature at fault, where the file is
-/// missing, cut off, no plan, or holds a number that is not finite. O(n log n).
+/// frame, which is shifted: to 1e-9 m), pieces from the texts of their paths; of the source file only the
+/// base name comes back. Throws Error(kBadInput) naming the file, and the layer and feature at fault, where
+/// the file is missing, cut off, no plan, or holds a number that is not finite or a text of another form, and
+/// then the column too. O(n log n).
 PlanFile read_plan_file(const std::filesystem::path& path);
 
 /// The plan alone.

@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <memory>
@@ -17,8 +18,10 @@
 #include <variant>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/plan/detour_text.h"
 #include "tramline/io/plan/gdal_errors.h"
 #include "tramline/io/plan/local_crs.h"
+#include "tramline/io/plan/path_text.h"
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/io/plan/plan_metadata.h"
 #include "tramline/io/plan/whole_file.h"
@@ -33,7 +36,7 @@ struct Column {
   OGRFieldType type;
   OGRFieldSubType subtype = OFSTNone;
 };
-using Cell = std::variant<long long, double, bool, std::string>;
+using Cell = std::variant<std::monostate, long long, double, bool, std::string>;  // monostate: NULL
 
 constexpr Column kArea{"area_m2", OFTReal};
 constexpr Column integer(const char* name) { return {name, OFTInteger}; }
@@ -59,10 +62,12 @@ class Shapes {
  public:
   explicit Shapes(Point offset) : offset_(offset) {}
 
-  std::unique_ptr<OGRGeometry> line(Point start, Point end) const {
+  std::unique_ptr<OGRGeometry> point(Point p) const {
+    return std::make_unique<OGRPoint>(p.x + offset_.x, p.y + offset_.y);
+  }
+  std::unique_ptr<OGRGeometry> line(const std::vector<Point>& points) const {
     auto out = std::make_unique<OGRLineString>();
-    append(*out, start);
-    append(*out, end);
+    for (const Point p : points) append(*out, p);
     return out;
   }
   std::unique_ptr<OGRGeometry> polygon(const Polygon& polygon) const {
@@ -82,6 +87,9 @@ class Shapes {
   }
   Point offset_;
 };
+
+/// A number, or NULL.
+Cell number_if(bool any, double number) { return any ? Cell(number) : Cell(); }
 
 /// A layer under construction. Failures are left to the GdalErrors of the caller.
 class Table {
@@ -122,6 +130,7 @@ class Table {
 struct Target {
   GDALDataset& file;
   OGRSpatialReference* crs;
+  Point offset;
   Shapes shapes;
 };
 
@@ -155,16 +164,29 @@ void write_subfields(const Target& target, const Plan& plan) {
         {++number, subfield.direction.degrees(), subfield.direction.angle().radians(), area(subfield.shape)});
 }
 
+/// What a GIS draws: two points for a straight piece, chords for one with detours.
+std::vector<Point> drawn(const TrackPiece& piece) {
+  return piece.detours.empty() ? std::vector<Point>{piece.start, piece.end} : chords(centre_line(piece));
+}
+
 void write_tracks(const Target& target, const Plan& plan) {
-  Table table(target.file, layers::kTracks, wkbLineString, target.crs,
-              {integer("order"), integer("subfield"), integer("track"), real("heading_deg"), real("length_m"),
-               flag("stop_at_start"), flag("stop_at_end"), flag("after_crossing")});
+  Table table(
+      target.file, layers::kTracks, wkbLineString, target.crs,
+      {integer("order"), integer("subfield"), integer("track"), text("kind"), real("heading_deg"),
+       real("length_m"), real("smallest_radius_m"), text("obstacles"), text("sides"), flag("stop_at_start"),
+       flag("stop_at_end"), flag("after_crossing"), text("path"), text("detours")});
   long long order = 0;
-  for (const TrackPiece& piece : plan.pieces)
-    table.add(
-        target.shapes.line(piece.start, piece.end),
-        {++order, piece.subfield + 1LL, piece.track + 1LL, Heading::from_to(piece.start, piece.end).degrees(),
-         length(piece), piece.stop_at_start, piece.stop_at_end, piece.after_crossing});
+  for (const TrackPiece& piece : plan.pieces) {
+    const Path path = written_path(piece);
+    const double smallest_m = smallest_radius(path);
+    table.add(target.shapes.line(drawn(piece)),
+              {++order, piece.subfield + 1LL, piece.track + 1LL,
+               std::string(piece.detours.empty() ? layers::kStraight : layers::kDetour),
+               Heading::from_to(piece.start, piece.end).degrees(), length(piece),
+               number_if(std::isfinite(smallest_m), smallest_m), obstacles_avoided(piece), sides_text(piece),
+               piece.stop_at_start, piece.stop_at_end, piece.after_crossing, path_text(path, target.offset),
+               detours_text(piece)});
+  }
 }
 
 void write_swaths(const Target& target, const Plan& plan) {
@@ -181,8 +203,21 @@ void write_dropped(const Target& target, const Plan& plan) {
   Table table(target.file, layers::kDropped, wkbLineString, target.crs,
               {integer("subfield"), real("length_m")});
   for (const DroppedPiece& piece : plan.dropped)
-    table.add(target.shapes.line(piece.start, piece.end),
+    table.add(target.shapes.line({piece.start, piece.end}),
               {piece.subfield + 1LL, distance(piece.start, piece.end)});
+}
+
+void write_encounters(const Target& target, const Plan& plan) {
+  Table table(target.file, layers::kEncounters, wkbPoint, target.crs,
+              {integer("number"), integer("subfield"), integer("track"), text("obstacles"), text("chosen"),
+               real("cost_left"), real("cost_right"), text("why_not_left"), text("why_not_right")});
+  long long number = 0;
+  for (const Encounter& encounter : plan.encounters)
+    table.add(target.shapes.point(encounter.at),
+              {++number, encounter.subfield + 1LL, encounter.track + 1LL, obstacles_text(encounter.obstacles),
+               std::string(name(encounter.chosen)), number_if(encounter.left.possible, encounter.left.cost),
+               number_if(encounter.right.possible, encounter.right.cost), encounter.left.why_not,
+               encounter.right.why_not});
 }
 
 void write_metadata(GDALDataset& file, const Plan& plan) {
@@ -192,7 +227,8 @@ void write_metadata(GDALDataset& file, const Plan& plan) {
 
 void write_layers(GDALDataset& file, const Plan& plan) {
   OGRSpatialReference crs = crs_of(plan.field.frame);
-  const Target target{file, &crs, Shapes(offset_of(plan.field.frame))};
+  const Point offset = offset_of(plan.field.frame);
+  const Target target{file, &crs, offset, Shapes(offset)};
   file.StartTransaction();
   write_field(target, plan.field);
   write_region(target, layers::kBody, plan.body);
@@ -203,6 +239,7 @@ void write_layers(GDALDataset& file, const Plan& plan) {
   write_region(target, layers::kOverlap, plan.overlap);
   write_region(target, layers::kUncovered, plan.uncovered);
   write_dropped(target, plan);
+  write_encounters(target, plan);
   write_metadata(file, plan);
   file.CommitTransaction();
 }

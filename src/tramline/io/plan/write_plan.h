@@ -7,11 +7,12 @@
 namespace tramline::io {
 
 /// Writes a plan as a GeoPackage with the layers field, obstacles, body, given_up, subfields, tracks,
-/// swaths, overlap, uncovered and dropped, and the attribute table metadata; empty layers exist too.
+/// swaths, overlap, uncovered, dropped and encounters, and the attribute table metadata; empty layers
+/// exist too. Tracks with detours are drawn as chords (kChordSagitta) and have their exact path as text.
 ///
 /// Coordinates: for a geodetic frame the field's local metres in a transverse Mercator on WGS 84
 /// defined in the file; for a plain frame the input plane (local metres plus the frame's origin), in
-/// an engineering CRS. Numbers for people (order, subfield, track) count from 1.
+/// an engineering CRS. Numbers for people (order, subfield, track, obstacles) count from 1.
 ///
 /// The same plan gives the same bytes: time stamps are SOURCE_DATE_EPOCH where that is set, else
 /// 1970-01-01. The file is written whole or not at all.

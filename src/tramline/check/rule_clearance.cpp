@@ -1,0 +1,47 @@
+#include <fmt/format.h>
+
+#include "tramline/check/rules.h"
+#include "tramline/check/tolerances.h"
+
+namespace tramline::check {
+namespace {
+
+void check_land(const BoxedRegion& land, const char* of_what, double clearance_m, const Lane& lane,
+                const std::string& name, Violations& out) {
+  const double least_m = clearance_m - kLengthTolerance_m;
+  const Box near = lane.field_box(least_m);
+  for (const Boxed& polygon : land) {
+    if (!intersects(polygon.box, near)) continue;
+    const Approach found = lane.to_land(*polygon.shape, least_m);
+    if (found.gap_m >= least_m) continue;
+    out.push_back(
+        {"clearance",
+         fmt::format("{} comes {:.4f} m nearer to {} than it may", name, clearance_m - found.gap_m, of_what),
+         found.at, clearance_m - found.gap_m});
+  }
+}
+
+}  // namespace
+
+void check_clearance_of(const Case& c, const Lane& lane, const std::string& name, Violations& out) {
+  check_land(c.obstacles, "an obstacle", c.plan.settings.clearance_m, lane, name, out);
+  check_land(c.passables, "a passable obstacle", 0, lane, name, out);
+  check_land(c.given_up, "land given up", 0, lane, name, out);
+}
+
+void check_clearance(const Case& c, Violations& out) {
+  const double half = 0.5 * c.plan.machine.width_m, clearance_m = c.plan.settings.clearance_m;
+  for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
+    const TrackPiece& piece = c.plan.pieces[i];
+    const PieceFrame frame(piece);
+    for (std::size_t k = 0; k < piece.detours.size(); ++k)
+      check_clearance_of(c, Lane(frame, piece.detours[k].path, half), detour_name(i, k), out);
+    // Where nothing has to be kept clear the rule about swaths says all.
+    if (clearance_m <= 0) continue;
+    for (const PathSegment& part : straight_parts(piece))
+      check_land(c.obstacles, "an obstacle", clearance_m, Lane(frame, {part}, half),
+                 "the swath of " + piece_name(i), out);
+  }
+}
+
+}  // namespace tramline::check

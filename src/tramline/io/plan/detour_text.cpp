@@ -1,0 +1,148 @@
+#include "tramline/io/plan/detour_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string_view>
+
+#include "tramline/geometry/error.h"
+#include "tramline/model/plan.h"
+
+namespace tramline::io {
+namespace {
+
+using nlohmann::json;
+
+std::vector<int> numbers_for_people(const std::vector<int>& indices) {
+  std::vector<int> out;
+  for (const int index : indices) out.push_back(index + 1);
+  return out;
+}
+
+/// A whole number from 0 (or `least`) on, as an index into something.
+int whole(const json& value, int least) {
+  if (!value.is_number_integer()) throw json::other_error::create(0, "not a whole number", nullptr);
+  const auto number = value.get<long long>();
+  if (number < least || number > std::numeric_limits<int>::max())
+    throw json::other_error::create(0, "out of range", nullptr);
+  return static_cast<int>(number);
+}
+
+struct Stretch {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  Passing side = Passing::kLeft;
+  std::vector<int> obstacles;
+};
+
+std::vector<Stretch> stretches_from(const std::string& text, const std::string& place) {
+  std::vector<Stretch> out;
+  try {
+    const json list = json::parse(text);
+    if (!list.is_array()) throw json::other_error::create(0, "no list", nullptr);
+    for (const json& item : list) {
+      Stretch stretch;
+      stretch.first = static_cast<std::size_t>(whole(item.at("first"), 0));
+      stretch.last = static_cast<std::size_t>(whole(item.at("last"), 0));
+      const auto side = passing_named(item.at("side").get<std::string>());
+      if (!side || *side == Passing::kCut) throw json::other_error::create(0, "no side", nullptr);
+      stretch.side = *side;
+      for (const json& number : item.at("obstacles")) stretch.obstacles.push_back(whole(number, 1) - 1);
+      out.push_back(std::move(stretch));
+    }
+  } catch (const json::exception&) {
+    throw bad_input(place + " is no JSON list of detours; write the plan again");
+  }
+  return out;
+}
+
+/// Between two detours, or before the first, there is one straight segment or none.
+void require_straight(const Path& path, std::size_t begin, std::size_t end, const std::string& place) {
+  if (end - begin > 1 || (end - begin == 1 && !path[begin].straight()))
+    throw bad_input(
+        fmt::format("{} leaves out segments from {} on that are not one straight line; write the plan again",
+                    place, begin));
+}
+
+}  // namespace
+
+std::string obstacles_text(const std::vector<int>& indices) {
+  return fmt::format("{}", fmt::join(numbers_for_people(indices), ", "));
+}
+
+std::vector<int> obstacles_from_text(const std::string& text, const std::string& place) {
+  std::vector<int> out;
+  std::string_view rest = text;
+  while (!rest.empty()) {
+    int number = 0;
+    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+    if (error == std::errc{} && number >= 1 &&
+        (rest.empty() || (rest.starts_with(", ") && rest.size() > 2))) {
+      out.push_back(number - 1);
+      rest.remove_prefix(rest.empty() ? 0 : 2);
+      continue;
+    }
+    throw bad_input(fmt::format("{} is '{}', expected obstacle numbers such as 3, 7", place, text));
+  }
+  return out;
+}
+
+std::string obstacles_avoided(const TrackPiece& piece) {
+  std::set<int> all;
+  for (const Detour& detour : piece.detours) all.insert(detour.obstacles.begin(), detour.obstacles.end());
+  return obstacles_text({all.begin(), all.end()});
+}
+
+std::string sides_text(const TrackPiece& piece) {
+  std::vector<const char*> sides;
+  for (const Detour& detour : piece.detours) sides.push_back(name(detour.side));
+  return fmt::format("{}", fmt::join(sides, ", "));
+}
+
+Path written_path(const TrackPiece& piece) {
+  return piece.detours.empty() ? straight_path(piece.start, piece.end) : centre_line(piece);
+}
+
+std::string detours_text(const TrackPiece& piece) {
+  const Path path = written_path(piece);
+  json list = json::array();
+  std::size_t at = 0;
+  for (const Detour& detour : piece.detours) {
+    // A straight part may come first.
+    const std::size_t first = path[at] == detour.path.front() ? at : at + 1;
+    at = first + detour.path.size();
+    list.push_back({{"first", first},
+                    {"last", at - 1},
+                    {"side", name(detour.side)},
+                    {"obstacles", numbers_for_people(detour.obstacles)}});
+  }
+  return list.dump();
+}
+
+TrackPiece piece_from_text(const Path& path, const std::string& detours, const std::string& place) {
+  TrackPiece out;
+  out.start = path.front().from;
+  out.end = path.back().to;
+  std::size_t at = 0;
+  for (Stretch& stretch : stretches_from(detours, place)) {
+    if (stretch.first < at || stretch.last < stretch.first || stretch.last >= path.size())
+      throw bad_input(fmt::format("{} names segments {} to {} after {} of {}; write the plan again", place,
+                                  stretch.first, stretch.last, at, path.size()));
+    require_straight(path, at, stretch.first, place);
+    at = stretch.last + 1;
+    const auto begin = path.begin();
+    out.detours.push_back(
+        {{begin + static_cast<std::ptrdiff_t>(stretch.first), begin + static_cast<std::ptrdiff_t>(at)},
+         stretch.side,
+         std::move(stretch.obstacles)});
+  }
+  require_straight(path, at, path.size(), place);
+  return out;
+}
+
+}  // namespace tramline::io

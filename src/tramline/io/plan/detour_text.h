@@ -1,0 +1,34 @@
+#pragma once
+// What a plan file says about detours and obstacles in words.
+
+#include <string>
+#include <vector>
+
+#include "tramline/model/track.h"
+
+namespace tramline::io {
+
+/// Obstacles for people, counted from 1: "3, 7".
+std::string obstacles_text(const std::vector<int>& indices);
+/// The inverse. Throws Error(kBadInput) that begins with `place` where the text is of another form.
+std::vector<int> obstacles_from_text(const std::string& text, const std::string& place);
+
+/// Every obstacle that the piece goes round, ascending, each once: "3, 7".
+std::string obstacles_avoided(const TrackPiece& piece);
+/// One word for each detour: "left, right".
+std::string sides_text(const TrackPiece& piece);
+
+/// What the file holds of a piece's path: centre_line(piece), and for a piece without length, which
+/// has none, that.
+Path written_path(const TrackPiece& piece);
+
+/// JSON: for each detour the first and the last of its segments in written_path(piece), from 0, its
+/// side and its obstacles, from 1.
+std::string detours_text(const TrackPiece& piece);
+
+/// The inverse: start, end and detours of a piece with that path. Throws Error(kBadInput) that begins
+/// with `place` where the text is of another form, names segments that the path has not, or leaves
+/// out segments that are not straight lines between the detours. O(n).
+TrackPiece piece_from_text(const Path& path, const std::string& detours, const std::string& place);
+
+}  // namespace tramline::io

@@ -1,0 +1,90 @@
+#include "tramline/io/plan/path_text.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <iterator>
+
+#include "tramline/geometry/error.h"
+
+namespace tramline::io {
+namespace {
+
+/// What rounding may make of the chord of an exact half circle: a share, and the last digits of
+/// coordinates in national grids, m.
+constexpr double kShare = 1e-9, kDigits_m = 4e-9;
+
+bool longer_than_half_a_circle(const PathSegment& segment) {
+  const double chord = distance(segment.from, segment.to), curvature = std::abs(segment.curvature);
+  // Written so that what is not finite is too long.
+  return !(chord * curvature <= 2 * (1 + kShare) + kDigits_m * curvature);
+}
+
+class Cursor {
+ public:
+  Cursor(const std::string& text, const std::string& place) : text_(text), place_(place) {}
+
+  bool at_end() const { return at_ == text_.size(); }
+
+  /// Numbers are parted by one space, points by "; ".
+  void skip(char expected) {
+    if (at_end() || text_[at_] != expected) throw other_form();
+    ++at_;
+  }
+
+  double number() {
+    double value = 0;
+    const char* const begin = text_.data() + at_;
+    const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), value);
+    if (error != std::errc{} || !std::isfinite(value)) throw other_form();
+    at_ += static_cast<std::size_t>(end - begin);
+    return value;
+  }
+
+  Point point() {
+    const double x = number();
+    skip(' ');
+    return {x, number()};
+  }
+
+ private:
+  Error other_form() const {
+    return bad_input(
+        fmt::format("{} is no list of points and curvatures from character {} on; write the plan again",
+                    place_, at_ + 1));
+  }
+  const std::string& text_;
+  const std::string& place_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+std::string path_text(const Path& path, Point offset) {
+  const auto written = [&](Point p) { return fmt::format("{} {}", p.x + offset.x, p.y + offset.y); };
+  std::string out = written(path.front().from);
+  for (const PathSegment& segment : path)
+    fmt::format_to(std::back_inserter(out), "; {} {}", written(segment.to), segment.curvature);
+  return out;
+}
+
+Path path_from_text(const std::string& text, Point offset, const std::string& place) {
+  Cursor cursor(text, place);
+  Path out;
+  Point at = cursor.point() - offset;
+  do {
+    cursor.skip(';');
+    cursor.skip(' ');
+    const Point to = cursor.point() - offset;
+    cursor.skip(' ');
+    out.push_back({at, to, cursor.number()});
+    if (longer_than_half_a_circle(out.back()))
+      throw bad_input(fmt::format("{} has an arc longer than half a circle, segment {}; write the plan again",
+                                  place, out.size() - 1));
+    at = to;
+  } while (!cursor.at_end());
+  return out;
+}
+
+}  // namespace tramline::io

@@ -1,0 +1,20 @@
+#pragma once
+// Paths as text, exact where a line of chords is not.
+
+#include <string>
+
+#include "tramline/geometry/path.h"
+
+namespace tramline::io {
+
+/// "x y; x y k; x y k": where the path starts, then for each segment the point it leads to and its
+/// curvature, 1/m, positive turning left and 0 straight. Numbers have as many digits as it takes to
+/// read them back to the bit. `offset` is added to every point.
+/// Precondition: the path is not empty; only the first segment's beginning is written.
+std::string path_text(const Path& path, Point offset);
+
+/// The inverse: `offset` is taken off again. Throws Error(kBadInput) that begins with `place` where
+/// the text is of another form, a number is not finite or an arc is longer than half a circle. O(n).
+Path path_from_text(const std::string& text, Point offset, const std::string& place);
+
+}  // namespace tramline::io

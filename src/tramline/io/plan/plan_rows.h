@@ -1,0 +1,73 @@
+#pragma once
+// Plan files as rows: features with their place for messages, shapes in local metres.
+
+#include <ogrsf_frmts.h>
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tramline/geometry/region.h"
+#include "tramline/io/plan/gdal_errors.h"
+
+namespace tramline::io {
+
+/// One feature of a layer. Every function throws Error(kBadInput) naming file, layer, feature and
+/// column where a value is missing, not finite or of another kind.
+class Row {
+ public:
+  Row(const OGRFeature& feature, std::string place, Point offset)
+      : feature_(feature), place_(std::move(place)), offset_(offset) {}
+
+  /// "plan.gpkg: layer tracks, feature 2"
+  const std::string& place() const { return place_; }
+  /// The same and the column, for messages: "plan.gpkg: layer tracks, feature 2: path"
+  std::string place_of(const char* column) const { return place_ + ": " + column; }
+
+  double number(const char* column) const;
+  std::optional<double> number_if_any(const char* column) const;
+  int whole(const char* column) const { return feature_.GetFieldAsInteger(index(column)); }
+  bool flag(const char* column) const { return whole(column) != 0; }
+  std::string text(const char* column) const { return feature_.GetFieldAsString(index(column)); }
+
+  Polygon polygon() const;
+  /// At least two points.
+  std::vector<Point> line() const;
+  std::pair<Point, Point> straight_line() const;
+  Point point() const;
+  /// From coordinates of the file to local metres: taken off.
+  Point offset() const { return offset_; }
+
+ private:
+  int index(const char* column) const;
+  Point vertex(const OGRSimpleCurve& line, int i) const;
+  Ring ring(const OGRLinearRing& closed) const;
+
+  const OGRFeature& feature_;
+  std::string place_;
+  Point offset_;
+};
+
+/// A GeoPackage open for reading. Throws Error(kBadInput) where the file is missing, cut off or none.
+class PlanRows {
+ public:
+  /// `errors` has to be alive as long.
+  PlanRows(const std::filesystem::path& path, GdalErrors& errors);
+
+  /// What is taken off all coordinates from now on.
+  void shift_by(Point offset) { offset_ = offset; }
+
+  /// Hands every feature of a layer to `take`, in the order of the file.
+  void each(const char* name, const std::function<void(const Row&)>& take);
+
+ private:
+  std::filesystem::path path_;
+  GdalErrors& errors_;
+  GDALDatasetUniquePtr file_;
+  Point offset_;
+};
+
+}  // namespace tramline::io
