@@ -163,6 +163,17 @@ void line(Canvas& canvas, Point from, Point to, const Stroke& stroke) {
   stroke_line(canvas, {canvas.view().to_page(from), canvas.view().to_page(to)}, stroke);
 }
 
+void curve(Canvas& canvas, const Path& path, const Stroke& stroke) {
+  std::vector<Point> points = chords(path, sagitta_m(canvas.view()));
+  for (Point& p : points) p = canvas.view().to_page(p);
+  stroke_line(canvas, points, stroke);
+}
+
+double sagitta_m(const MapView& view) {
+  constexpr double kInvisible = 0.05;  // px
+  return kInvisible / view.px_per_m;
+}
+
 void hatch(Canvas& canvas, const Region& region, const Hatch& style) {
   if (region.empty()) return;
   const Box world = bounds(region);

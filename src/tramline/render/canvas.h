@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tramline/geometry/path.h"
 #include "tramline/render/page_layout.h"
 #include "tramline/render/palette.h"
 #include "tramline/render/picture_file.h"
@@ -62,6 +63,9 @@ struct Hatch {
 void fill(Canvas& canvas, const Region& region, Colour colour);
 void outline(Canvas& canvas, const Region& region, const Stroke& stroke);
 void line(Canvas& canvas, Point from, Point to, const Stroke& stroke);
+void curve(Canvas& canvas, const Path& path, const Stroke& stroke);
+/// How far chords may be off their arcs without being seen, m.
+double sagitta_m(const MapView& view);
 /// Lines at 45° inside the region. Their phase is that of the page, so neighbours match.
 void hatch(Canvas& canvas, const Region& region, const Hatch& style);
 

@@ -22,12 +22,15 @@ void draw_map(Canvas& canvas, const Plan& plan) {
   draw_ground(canvas, plan);
   draw_swaths(canvas, plan);
   draw_obstacles(canvas, plan);
-  draw_tracks(canvas, plan);
+  draw_track_lines(canvas, plan);
+  draw_arrow_heads(canvas, plan, drawn_box(plan));
   draw_outlines(canvas, plan);
   // Marks that stand close together would hide the faults between them.
   const bool apart = stops_stand_apart(canvas, plan);
   if (!apart) draw_stops(canvas, plan);
   draw_faults(canvas, plan);
+  // A detour leaves its strip, so it mostly runs through overlap: under it, it would not be seen.
+  draw_detours(canvas, plan);
   if (apart) draw_stops(canvas, plan);
   const auto badges = place_badges(plan, canvas.view(), canvas.scale());
   const auto labels =
@@ -38,9 +41,13 @@ void draw_map(Canvas& canvas, const Plan& plan) {
 
 }  // namespace
 
-PageLayout layout_of(const Plan& plan, const PictureOptions& options) {
+void require_picture_width(const PictureOptions& options) {
   if (options.width_px < 600 || options.width_px > 16000)
     throw bad_input(fmt::format("picture width {} px: it must be from 600 to 16000", options.width_px));
+}
+
+PageLayout layout_of(const Plan& plan, const PictureOptions& options) {
+  require_picture_width(options);
   const Box drawn = drawn_box(plan);
   if (!std::isfinite(drawn.width()) || !std::isfinite(drawn.height()) || drawn.empty())
     throw bad_input(fmt::format("field {}: there is no outline to draw", plan.field.id));

@@ -12,6 +12,9 @@ struct PictureOptions {
   int width_px = 1600;  ///< from 600 to 16000; the height follows from the field's shape
 };
 
+/// Throws bad_input for a width that no picture has.
+void require_picture_width(const PictureOptions& options);
+
 /// Draws the plan to a PNG, SVG or PDF by the file's extension, north up: field, obstacles,
 /// subfields, tracks numbered in driving order, overlap and uncovered land on top, with title, scale
 /// bar, north arrow, legend and numbers. The same plan gives the same bytes. The file is written

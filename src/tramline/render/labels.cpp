@@ -34,23 +34,6 @@ double distance_to_edge(Point p, const Polygon& polygon) {
   return least;
 }
 
-// The roomiest of a grid of places; the middle of the box where the polygon slips through the grid.
-SubfieldBadge roomiest_place(const Polygon& polygon, const MapView& view) {
-  const Box box = bounds(polygon);
-  SubfieldBadge best{0, view.to_page(box.centre()), 0};
-  for (int row = 0; row < kBadgeGrid; ++row) {
-    for (int column = 0; column < kBadgeGrid; ++column) {
-      const Point p{box.min_x + (column + 0.5) / kBadgeGrid * box.width(),
-                    box.min_y + (row + 0.5) / kBadgeGrid * box.height()};
-      if (!contains(polygon, p)) continue;
-      const double room = distance_to_edge(p, polygon) * view.px_per_m;
-      // A clear gain only: of nearly equal places the first is taken, whatever the rounding.
-      if (room > best.room_px * (1 + 1e-9)) best = {0, view.to_page(p), room};
-    }
-  }
-  return best;
-}
-
 // Just behind the start of the piece, so that the label does not hide the track's own end.
 std::optional<TrackLabel> label_at_start(const TrackPiece& piece, std::size_t number, const MapView& view,
                                          double scale) {
@@ -58,7 +41,7 @@ std::optional<TrackLabel> label_at_start(const TrackPiece& piece, std::size_t nu
   const std::string text = std::to_string(number);
   const double half_width = 0.5 * kDigitWidth * kSmallTextSize * scale * static_cast<double>(text.size());
   const double half_height = 0.42 * kSmallTextSize * scale;
-  const Point along = (1 / length(piece)) * (piece.end - piece.start);
+  const Point along = (1 / distance(piece.start, piece.end)) * (piece.end - piece.start);
   const Point heading{along.x, -along.y};
   const double reach =
       std::abs(heading.x) * half_width + std::abs(heading.y) * half_height + kLabelGap * scale;
@@ -103,12 +86,29 @@ Attempt label_every(std::size_t stride, const Plan& plan, const MapView& view, d
 
 }  // namespace
 
+// The roomiest of a grid of places; the middle of the box where the polygon slips through the grid.
+RoomyPlace roomiest_place(const Polygon& polygon, const MapView& view) {
+  const Box box = bounds(polygon);
+  RoomyPlace best{view.to_page(box.centre()), 0};
+  for (int row = 0; row < kBadgeGrid; ++row) {
+    for (int column = 0; column < kBadgeGrid; ++column) {
+      const Point p{box.min_x + (column + 0.5) / kBadgeGrid * box.width(),
+                    box.min_y + (row + 0.5) / kBadgeGrid * box.height()};
+      if (!contains(polygon, p)) continue;
+      const double room = distance_to_edge(p, polygon) * view.px_per_m;
+      // A clear gain only: of nearly equal places the first is taken, whatever the rounding.
+      if (room > best.room_px * (1 + 1e-9)) best = {view.to_page(p), room};
+    }
+  }
+  return best;
+}
+
 std::vector<SubfieldBadge> place_badges(const Plan& plan, const MapView& view, double scale) {
   std::vector<SubfieldBadge> out;
   for (std::size_t i = 0; i < plan.subfields.size(); ++i) {
-    SubfieldBadge badge = roomiest_place(plan.subfields[i].shape, view);
-    badge.subfield = static_cast<int>(i);
-    if (badge.room_px >= 0.6 * kBadgeRadius * scale) out.push_back(badge);
+    const RoomyPlace place = roomiest_place(plan.subfields[i].shape, view);
+    if (place.room_px >= 0.6 * kBadgeRadius * scale)
+      out.push_back({static_cast<int>(i), place.centre, place.room_px});
   }
   return out;
 }

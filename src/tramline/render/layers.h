@@ -14,8 +14,12 @@ void draw_swaths(Canvas& canvas, const Plan& plan);
 void draw_obstacles(Canvas& canvas, const Plan& plan);
 /// Borders of subfields, then the field's outline.
 void draw_outlines(Canvas& canvas, const Plan& plan);
-/// Centre lines with arrow heads, and dropped pieces dashed.
-void draw_tracks(Canvas& canvas, const Plan& plan);
+/// Centre lines, and dropped pieces dashed.
+void draw_track_lines(Canvas& canvas, const Plan& plan);
+/// An arrow head on each track, of very close ones on some, where a straight part of it is inside `seen`, m.
+void draw_arrow_heads(Canvas& canvas, const Plan& plan, const Box& seen);
+/// The parts of tracks that go round obstacles, on a white rim.
+void draw_detours(Canvas& canvas, const Plan& plan);
 /// Uncovered land and overlap, at least kSliverWidth wide so that no sliver escapes the eye. Land given
 /// up on purpose is uncovered too, and hatched.
 void draw_faults(Canvas& canvas, const Plan& plan);
@@ -37,6 +41,8 @@ const Hatch& passable_hatch();
 const Hatch& given_up_hatch();
 /// The line of a track, px at text scale 1.
 inline constexpr double kTrackLine = 1.1;
+inline constexpr double kDetourLine = 2.2;
+inline constexpr double kDetourRimWidth = 1.1;  ///< on each side
 inline constexpr double kDroppedLine = 1.8;
 inline constexpr double kOutlineWidth = 2.2;
 inline constexpr double kStopRadius = 4.2;

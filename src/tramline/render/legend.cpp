@@ -1,5 +1,8 @@
 #include "tramline/render/legend.h"
 
+#include <numbers>
+
+#include "tramline/render/close_up_layers.h"
 #include "tramline/render/layers.h"
 #include "tramline/render/text.h"
 
@@ -26,6 +29,32 @@ void draw_swatch_box(Canvas& canvas, const Box& box, Colour ground, const Hatch*
               {edge, 1.3 * k});
 }
 
+// A sidestep, so that the row is known by its shape too.
+void draw_detour_swatch(Canvas& canvas, const Box& box) {
+  const double k = canvas.scale();
+  const double low = box.centre().y + 4 * k, high = box.centre().y - 4 * k;
+  const double x = box.min_x, step = 0.2 * box.width();
+  const std::vector<Point> bump{{x, low},
+                                {x + step, low},
+                                {x + 1.8 * step, high},
+                                {x + 3.2 * step, high},
+                                {x + 4 * step, low},
+                                {x + 5 * step, low}};
+  stroke_line(canvas, bump, {kDetourColour, kDetourLine * k});
+}
+
+void draw_arc_swatch(Canvas& canvas, const Box& box) {
+  const double k = canvas.scale();
+  const double r = 0.5 * box.height();
+  const Point hub = box.centre();
+  cairo_new_path(canvas.cr());
+  cairo_arc(canvas.cr(), hub.x, hub.y, r, 0, 2 * std::numbers::pi);
+  set_stroke(canvas, {kRadiusColour, kRadiusLine * k, {3 * k, 3 * k}});
+  cairo_stroke(canvas.cr());
+  stroke_line(canvas, {hub, hub + Point{0, -r}}, {kRadiusColour, kRadiusLine * k});
+  disc(canvas, hub, 2.5 * k, kDetourColour);
+}
+
 void draw_swatch_line(Canvas& canvas, const Box& box, const LegendRow& row) {
   const double k = canvas.scale();
   const Point left{box.min_x, box.centre().y};
@@ -33,6 +62,13 @@ void draw_swatch_line(Canvas& canvas, const Box& box, const LegendRow& row) {
   if (row.symbol == Symbol::kTrack) {
     stroke_line(canvas, {left, right}, {kTrackColour, kTrackLine * k});
     draw_arrow_head(canvas, box.centre() + Point{5 * k, 0}, {1, 0}, 10 * k, kFieldEdge);
+  } else if (row.symbol == Symbol::kDetour) {
+    draw_detour_swatch(canvas, box);
+  } else if (row.symbol == Symbol::kTightestArc) {
+    draw_arc_swatch(canvas, box);
+  } else if (row.symbol == Symbol::kKeepOff) {
+    stroke_line(canvas, {left, right},
+                {kKeepOffColour, kKeepOffLine * k, {kKeepOffDash * k, 0.6 * kKeepOffDash * k}});
   } else if (row.symbol == Symbol::kDropped) {
     stroke_line(canvas, {left, right}, {kDroppedColour, kDroppedLine * k, {5 * k, 3 * k}});
   } else if (row.symbol == Symbol::kStop) {
@@ -53,6 +89,8 @@ void draw_symbol(Canvas& canvas, const Box& box, const LegendRow& row) {
       return draw_swatch_box(canvas, box, kPassableColour, &passable_hatch(), kPassableHatch);
     case Symbol::kGivenUp:
       return draw_swatch_box(canvas, box, kUncoveredColour, &given_up_hatch(), kUncoveredColour);
+    case Symbol::kSwathEdge:
+      return draw_swatch_box(canvas, box, kWorkedLandColour, nullptr, kSwathEdgeColour);
     case Symbol::kOverlap:
       return draw_swatch_box(canvas, box, kOverlapColour, nullptr, kOverlapColour);
     case Symbol::kUncovered:
@@ -63,6 +101,9 @@ void draw_symbol(Canvas& canvas, const Box& box, const LegendRow& row) {
       return draw_text(canvas, box.centre(), number, {kSmallTextSize, true, Align::kCentre});
     }
     case Symbol::kTrack:
+    case Symbol::kDetour:
+    case Symbol::kTightestArc:
+    case Symbol::kKeepOff:
     case Symbol::kDropped:
     case Symbol::kStop:
       return draw_swatch_line(canvas, box, row);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tramline/model/detour_summary.h"
 #include "tramline/render/visible_faults.h"
 
 namespace tramline::render {
@@ -43,6 +44,7 @@ LegendBlock symbols(const Plan& plan) {
   add(has(plan.field, ObstacleKind::kPassable), Symbol::kPassable, "passable obstacle, not worked");
   add(!plan.given_up.empty(), Symbol::kGivenUp, "given up on purpose (uncovered)");
   add(!plan.pieces.empty(), Symbol::kTrack, "track, number at its start");
+  add(summary_of_detours(plan).count() > 0, Symbol::kDetour, "detour round an obstacle");
   add(!plan.dropped.empty(), Symbol::kDropped, "dropped: too short to drive");
   add(has_stops(plan), Symbol::kStop, "stop: the machine backs out");
   add(!visible_faults(plan.overlap).empty(), Symbol::kOverlap, "overlap");
@@ -65,6 +67,8 @@ LegendBlock numbers(const Plan& plan) {
     add("track length", length_text(tally.track_length_m));
     add("turns", std::to_string(tally.turns));
     add("stops", std::to_string(tally.stops));
+    if (const int detours = summary_of_detours(plan).count(); detours > 0)
+      add("detours", std::to_string(detours));
     if (tally.crossings > 0) add("crossings", std::to_string(tally.crossings));
     add("overlap", with_share(tally.overlap_m2, field_m2));
     add("uncovered", with_share(tally.uncovered_m2, field_m2));

@@ -85,10 +85,12 @@ PageLayout lay_out_page(const Box& drawn_m, int width_px, const std::vector<doub
 }
 
 Box drawn_box(const Plan& plan) {
+  constexpr double kSagitta = 0.01;  // no page shows a centimetre less of a field
+  const double width_m = plan.machine.width_m;
   Box box = bounds(plan.field.outer);
   box.extend(bounds(plan.body));
   for (const TrackPiece& piece : plan.pieces)
-    if (!(piece.start == piece.end)) box.extend(bounds(swath(piece, plan.machine.width_m)));
+    if (!(piece.start == piece.end)) box.extend(bounds(band(centre_line(piece), width_m, kSagitta)));
   for (const DroppedPiece& piece : plan.dropped) {
     box.extend(piece.start);
     box.extend(piece.end);

@@ -40,8 +40,17 @@ inline constexpr Colour kPassableColour = rgb(0xCFE8C4);
 inline constexpr Colour kPassableHatch = rgb(0x2E8B3D);
 inline constexpr Colour kGivenUpHatch = rgb(0xFFFFFF, 0.85);
 inline constexpr Colour kStripe = rgb(0x2F3B2F, 0.09);
+inline constexpr Colour kWorkedLandColour = rgb(0x2F3B2F, 0.06);
+inline constexpr Colour kSwathEdgeColour = rgb(0x2F3B2F, 0.4);
+inline constexpr Colour kKeepOffColour = kObstacleColour;
 inline constexpr Colour kTrackColour = rgb(0x3A463B, 0.85);
 inline constexpr Colour kDroppedColour = rgb(0x6E6E6E);
+// Darker than overlap and uncovered land, and drawn on a white rim: its shape tells it apart from them
+// even where its hue does not.
+inline constexpr std::uint32_t kDetourHex = 0x9A0F72;
+inline constexpr Colour kDetourColour = rgb(kDetourHex);
+inline constexpr Colour kRadiusColour = rgb(kDetourHex, 0.85);
+inline constexpr Colour kDetourRim = rgb(kBackgroundHex, 0.9);
 
 /// Tints of the subfields, used in turn.
 inline constexpr std::array<Colour, 8> kTints = {rgb(0xE2EDD5), rgb(0xF4EACB), rgb(0xE7DFF0), rgb(0xF3DDDB),

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tramline/render/arrow_places.h"
 #include "tramline/render/layers.h"
 #include "tramline/render/visible_faults.h"
 
@@ -35,9 +36,15 @@ void draw_fault(Canvas& canvas, const Region& faults, Colour colour) {
   outline(canvas, faults, {colour, kSliverWidth * canvas.scale()});
 }
 
+// swath() with no more vertices than the page can show.
+Ring drawn_swath(const Canvas& canvas, const TrackPiece& piece, double width_m) {
+  if (piece.detours.empty()) return swath(piece, width_m);
+  return band(centre_line(piece), width_m, sagitta_m(canvas.view()));
+}
+
 // Unit vector on the page (y down) from start to end.
 Point heading_on_page(const TrackPiece& piece) {
-  const Point along = (1 / length(piece)) * (piece.end - piece.start);
+  const Point along = (1 / distance(piece.start, piece.end)) * (piece.end - piece.start);
   return {along.x, -along.y};
 }
 
@@ -54,28 +61,44 @@ void draw_swaths(Canvas& canvas, const Plan& plan) {
   if (swath_px(canvas, plan) < kLeastStripe * canvas.scale()) return;
   for (const TrackPiece& piece : plan.pieces)
     if (piece.track % 2 == 0 && drivable(piece))
-      fill(canvas, {{swath(piece, plan.machine.width_m), {}}}, kStripe);
+      fill(canvas, {{drawn_swath(canvas, piece, plan.machine.width_m), {}}}, kStripe);
 }
 
-void draw_tracks(Canvas& canvas, const Plan& plan) {
+void draw_track_lines(Canvas& canvas, const Plan& plan) {
   const double k = canvas.scale();
-  const double swath = std::max(0.05, swath_px(canvas, plan));
-  const double thickness = std::clamp(0.2 * swath, 0.4 * k, kTrackLine * k);
-  const double arrow = std::clamp(0.7 * swath, kLeastArrow * k, kArrowSize * k);
-  const int stride = arrow_stride(swath, arrow);
+  const double thickness = std::clamp(0.2 * swath_px(canvas, plan), 0.4 * k, kTrackLine * k);
   for (const DroppedPiece& piece : plan.dropped)
     line(canvas, piece.start, piece.end, {kDroppedColour, kDroppedLine * k, {5 * k, 3 * k}});
+  for (const TrackPiece& piece : plan.pieces)
+    if (drivable(piece)) curve(canvas, centre_line(piece), {kTrackColour, thickness});
+}
+
+void draw_arrow_heads(Canvas& canvas, const Plan& plan, const Box& seen) {
+  const double k = canvas.scale();
+  const double swath = std::max(0.05, swath_px(canvas, plan));
+  const double arrow = std::clamp(0.7 * swath, kLeastArrow * k, kArrowSize * k);
+  const int stride = arrow_stride(swath, arrow);
   int index = 0;
   for (const TrackPiece& piece : plan.pieces) {
-    if (!drivable(piece)) continue;
-    line(canvas, piece.start, piece.end, {kTrackColour, thickness});
-    const bool long_enough = length(piece) * canvas.view().px_per_m > 2.5 * arrow;
-    if (index++ % stride == 0 && long_enough) {
-      const Point heading = heading_on_page(piece);
-      const Point middle = canvas.view().to_page(midpoint(piece.start, piece.end));
-      draw_arrow_head(canvas, middle + (0.5 * arrow) * heading, heading, arrow, kFieldEdge);
-    }
+    if (!drivable(piece) || index++ % stride != 0) continue;
+    const auto place = arrow_place(piece, 2.5 * arrow / canvas.view().px_per_m, seen);
+    if (!place) continue;
+    const Point heading = heading_on_page(piece);
+    const Point tip = canvas.view().to_page(*place) + (0.5 * arrow) * heading;
+    draw_arrow_head(canvas, tip, heading, arrow, kFieldEdge);
   }
+}
+
+void draw_detours(Canvas& canvas, const Plan& plan) {
+  const double k = canvas.scale();
+  const double swath = swath_px(canvas, plan);
+  const double thickness = std::clamp(0.4 * swath, 1.0 * k, kDetourLine * k);
+  // Where swaths are fine, rims would hide more than they show.
+  const double rim = std::clamp(0.15 * swath, 0.3 * k, kDetourRimWidth * k);
+  for (const TrackPiece& piece : plan.pieces)
+    for (const Detour& detour : piece.detours) curve(canvas, detour.path, {kDetourRim, thickness + 2 * rim});
+  for (const TrackPiece& piece : plan.pieces)
+    for (const Detour& detour : piece.detours) curve(canvas, detour.path, {kDetourColour, thickness});
 }
 
 void draw_faults(Canvas& canvas, const Plan& plan) {

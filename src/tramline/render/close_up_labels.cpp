@@ -1,0 +1,143 @@
+#include "tramline/render/close_up_labels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "tramline/render/arrow_places.h"
+#include "tramline/render/close_up_content.h"
+#include "tramline/render/close_up_layers.h"
+#include "tramline/render/labels.h"
+#include "tramline/render/layers.h"
+#include "tramline/render/text.h"
+
+namespace tramline::render {
+namespace {
+
+constexpr double kGap = 6;
+
+struct Half {
+  double width = 0;
+  double height = 0;
+};
+
+Half half_size(Canvas& canvas, const std::string& text, const TextStyle& style) {
+  return {0.5 * text_width(canvas, text, style) + 2 * canvas.scale(), 0.55 * style.size * canvas.scale()};
+}
+
+Box box_round(Point centre, const Half& half) {
+  return {centre.x - half.width, centre.y - half.height, centre.x + half.width, centre.y + half.height};
+}
+
+bool within(const Box& inner, const Box& outer) {
+  return inner.min_x >= outer.min_x && inner.max_x <= outer.max_x && inner.min_y >= outer.min_y &&
+         inner.max_y <= outer.max_y;
+}
+
+// Writes the text at the first of the places where it has room.
+bool write_at_first(Canvas& canvas, const std::vector<Point>& places, const std::string& text,
+                    const TextStyle& style, const Box& map, std::vector<Box>& taken) {
+  const Half half = half_size(canvas, text, style);
+  for (const Point place : places) {
+    const Box box = box_round(place, half);
+    if (!within(box, map)) continue;
+    if (std::any_of(taken.begin(), taken.end(), [&](const Box& other) { return intersects(box, other); }))
+      continue;
+    taken.push_back(box);
+    draw_text(canvas, place, text, style);
+    return true;
+  }
+  return false;
+}
+
+// Along the radius from the arc inwards, then beside it, then outside the arc.
+std::vector<Point> places_along(Point hub, Point rim, double step) {
+  const double reach = distance(hub, rim);
+  if (reach == 0) return {rim};
+  const Point inwards = (1 / reach) * (hub - rim);
+  const Point aside{-inwards.y, inwards.x};
+  std::vector<Point> out;
+  for (const double sideways : {0.0, 1.0, -1.0, 2.0, -2.0, 4.0, -4.0})
+    for (const double share : {0.5, 0.35, 0.65, 0.8, 1.15})
+      out.push_back(rim + (share * std::min(reach, 12 * step)) * inwards + (sideways * step) * aside);
+  return out;
+}
+
+bool left_or_above(Point a, Point b) { return std::abs(a.x - b.x) > 1 ? a.x < b.x : a.y < b.y; }
+
+// On the track, just after the end that is nearer to the left or upper edge of the map; `on_frame` tells
+// whether the track goes on beyond the map there.
+struct NumberPlace {
+  Point centre;
+  bool on_frame = false;
+};
+
+std::optional<NumberPlace> place_of_number(Canvas& canvas, const TrackPiece& piece, const Half& half,
+                                           const Box& map) {
+  Point a = canvas.view().to_page(piece.start), b = canvas.view().to_page(piece.end);
+  if (!left_or_above(a, b)) std::swap(a, b);
+  const auto seen = clipped(a, b, map);
+  if (!seen) return std::nullopt;
+  const Point along = (1 / distance(a, b)) * (b - a);
+  const double reach = std::min(half.width / std::max(std::abs(along.x), 1e-9),
+                                half.height / std::max(std::abs(along.y), 1e-9)) +
+                       kGap * canvas.scale();
+  if (!(seen->first == a)) return NumberPlace{seen->first + reach * along, true};
+  if (!(seen->second == b)) return NumberPlace{seen->second - reach * along, true};
+  return NumberPlace{a + (reach + kStopRadius * canvas.scale()) * along, false};
+}
+
+}  // namespace
+
+void draw_obstacle_numbers(Canvas& canvas, const Plan& near, const Box& map, std::vector<Box>& taken) {
+  const double k = canvas.scale();
+  const TextStyle style{kTextSize, true, Align::kCentre, kInk, true};
+  for (std::size_t i = 0; i < near.field.obstacles.size(); ++i) {
+    const Polygon& shape = near.field.obstacles[i].shape;
+    const std::string text = std::to_string(i + 1);
+    const Half half = half_size(canvas, text, style);
+    const RoomyPlace inside = roomiest_place(shape, canvas.view());
+    const Box box = bounds(shape);
+    const Point corner = canvas.view().to_page({box.max_x, box.max_y});
+    const Point far_corner = canvas.view().to_page({box.min_x, box.min_y});
+    std::vector<Point> places;
+    if (inside.room_px > std::max(half.width, half.height) + 2 * k) places.push_back(inside.centre);
+    places.push_back(corner + Point{half.width + 3 * k, -half.height - 3 * k});
+    places.push_back({far_corner.x - half.width - 3 * k, corner.y - half.height - 3 * k});
+    places.push_back(far_corner + Point{-half.width - 3 * k, half.height + 3 * k});
+    write_at_first(canvas, places, text, style, map, taken);
+  }
+}
+
+void draw_radii(Canvas& canvas, const Plan& near, int obstacle, const Box& map, std::vector<Box>& taken) {
+  const TextStyle style{kSmallTextSize, true, Align::kCentre, kDetourColour, true};
+  for (const PathSegment& arc : tightest_arcs(near, obstacle)) {
+    const std::string text = fmt::format("r {:.2f} m", radius(arc));
+    const Point hub = canvas.view().to_page(centre(arc));
+    const Point rim = canvas.view().to_page(middle_of_arc(arc));
+    const double step = half_size(canvas, text, style).height * 2;
+    write_at_first(canvas, places_along(hub, rim, step), text, style, map, taken);
+  }
+}
+
+void draw_strip_numbers(Canvas& canvas, const Plan& near, const Box& map, std::vector<Box>& taken) {
+  const TextStyle style{kSmallTextSize, false, Align::kCentre, kInk, true};
+  std::set<std::pair<int, int>> numbered;
+  for (const bool on_frame : {true, false}) {
+    for (const TrackPiece& piece : near.pieces) {
+      const std::pair strip{piece.subfield, piece.track};
+      if (numbered.count(strip) > 0) continue;
+      const std::string text = strip_name(near, piece.subfield, piece.track);
+      const auto place = place_of_number(canvas, piece, half_size(canvas, text, style), map);
+      if (!place || place->on_frame != on_frame) continue;
+      if (write_at_first(canvas, {place->centre}, text, style, map, taken)) numbered.insert(strip);
+    }
+  }
+}
+
+}  // namespace tramline::render

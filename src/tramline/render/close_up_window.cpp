@@ -1,0 +1,75 @@
+#include "tramline/render/close_up_window.h"
+
+#include <algorithm>
+
+namespace tramline::render {
+namespace {
+
+constexpr double kMarginWidths = 3;
+constexpr double kSagitta = 0.01;
+
+Box overlap_of(const Box& a, const Box& b) {
+  return {std::max(a.min_x, b.min_x), std::max(a.min_y, b.min_y), std::min(a.max_x, b.max_x),
+          std::min(a.max_y, b.max_y)};
+}
+
+Region parts_in(const Region& region, const Box& box) {
+  Region out;
+  for (const Polygon& polygon : region)
+    if (intersects(bounds(polygon), box)) out.push_back(polygon);
+  return out;
+}
+
+}  // namespace
+
+bool avoids(const Detour& detour, int obstacle) {
+  return std::binary_search(detour.obstacles.begin(), detour.obstacles.end(), obstacle);
+}
+
+Box box_of(const Path& path) {
+  Box box;
+  for (const Point p : chords(path, kSagitta)) box.extend(p);
+  return box;
+}
+
+Box close_up_window(const Plan& plan, int obstacle) {
+  const double width_m = plan.machine.width_m;
+  const Polygon& shape = plan.field.obstacles[static_cast<std::size_t>(obstacle)].shape;
+  Box box = bounds(shape).grown(kMarginWidths * width_m);
+  for (const TrackPiece& piece : plan.pieces)
+    for (const Detour& detour : piece.detours)
+      if (avoids(detour, obstacle)) box.extend(box_of(detour.path).grown(width_m));
+  return overlap_of(box, drawn_box(plan));
+}
+
+Box shown_box(const PageLayout& page) {
+  const double half_width = 0.5 * page.map.width() / page.view.px_per_m;
+  const double half_height = 0.5 * page.map.height() / page.view.px_per_m;
+  const Point middle = page.view.centre_m;
+  return {middle.x - half_width, middle.y - half_height, middle.x + half_width, middle.y + half_height};
+}
+
+Plan part_in(const Plan& plan, const Box& box) {
+  Plan out;
+  out.field = plan.field;
+  out.machine = plan.machine;
+  out.objective = plan.objective;
+  out.settings = plan.settings;
+  out.subfields = plan.subfields;
+  const Box reach = box.grown(0.5 * plan.machine.width_m);
+  for (const TrackPiece& piece : plan.pieces)
+    if (!(piece.start == piece.end) && intersects(box_of(centre_line(piece)), reach))
+      out.pieces.push_back(piece);
+  for (const DroppedPiece& piece : plan.dropped) {
+    Box around;
+    around.extend(piece.start);
+    around.extend(piece.end);
+    if (intersects(around, reach)) out.dropped.push_back(piece);
+  }
+  out.given_up = parts_in(plan.given_up, box);
+  out.overlap = parts_in(plan.overlap, box);
+  out.uncovered = parts_in(plan.uncovered, box);
+  return out;
+}
+
+}  // namespace tramline::render

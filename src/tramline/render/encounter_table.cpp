@@ -1,0 +1,62 @@
+#include "tramline/render/encounter_table.h"
+
+#include <array>
+
+#include "tramline/render/text.h"
+
+namespace tramline::render {
+namespace {
+
+constexpr double kHeadingHeight = 34;
+constexpr double kRowHeight = 25;
+constexpr double kTrackColumn = 80;
+constexpr double kChosenColumn = 140;
+
+struct Column {
+  double left = 0;
+  double width = 0;
+};
+
+std::array<Column, 4> columns_in(const Box& box, double k) {
+  const double first = kTrackColumn * k, second = kChosenColumn * k;
+  const double rest = 0.5 * (box.width() - first - second);
+  return {{{box.min_x, first},
+           {box.min_x + first, second},
+           {box.min_x + first + second, rest},
+           {box.min_x + first + second + rest, rest}}};
+}
+
+void draw_cells(Canvas& canvas, const Box& box, double middle, const EncounterRow& row,
+                const TextStyle& style) {
+  const double k = canvas.scale();
+  const auto columns = columns_in(box, k);
+  const std::array<const std::string*, 4> cells{&row.track, &row.chosen, &row.left, &row.right};
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    draw_text(canvas, {columns[i].left, middle},
+              fitted(canvas, printable(*cells[i]), style, columns[i].width - 10 * k), style);
+}
+
+}  // namespace
+
+double height_of_table(const std::vector<EncounterRow>& rows) {
+  const std::size_t lines = rows.empty() ? 1 : rows.size();
+  return kHeadingHeight + kRowHeight * static_cast<double>(lines);
+}
+
+void draw_encounter_table(Canvas& canvas, const Box& box, const std::vector<EncounterRow>& rows) {
+  const double k = canvas.scale();
+  const EncounterRow heading{"Track", "Way past", "Left, cost above a cut", "Right, cost above a cut"};
+  draw_cells(canvas, box, box.min_y + 10 * k, heading, {kTextSize, true});
+  const double rule = box.min_y + 26 * k;
+  stroke_line(canvas, {{box.min_x, rule}, {box.max_x, rule}}, {kRule, 1.2 * k});
+  double middle = box.min_y + (kHeadingHeight + 0.5 * kRowHeight) * k;
+  if (rows.empty())
+    draw_text(canvas, {box.min_x, middle}, "no track meets this obstacle",
+              {kTextSize, false, Align::kLeft, kFaintInk});
+  for (const EncounterRow& row : rows) {
+    draw_cells(canvas, box, middle, row, {});
+    middle += kRowHeight * k;
+  }
+}
+
+}  // namespace tramline::render
