@@ -31,7 +31,8 @@ Avoided choose_detours(const AvoidanceTask& task) {
   DetourDecisions decisions(task);
   if (decisions.nothing_to_decide()) return cut;
   const bool paper_differs = decisions.take_paper_ways();
-  if (task.settings.avoid == Avoidance::kPaper) return paper_differs ? tallied(task, decisions.tracks()) : cut;
+  if (task.settings.avoid == Avoidance::kPaper)
+    return paper_differs ? tallied(task, decisions.tracks()) : cut;
 
   Avoided start = std::move(cut);
   if (paper_differs) {

@@ -60,7 +60,8 @@ DetourDecisions::DetourDecisions(const AvoidanceTask& task)
     const Strips& strips = task.strips[i];
     around_.push_back(turned_surroundings(task.ground, task.field.outer, hard, strips.grid.frame));
     body_.emplace_back();
-    for (const Ring& ring : rings_of(task.ground.body)) body_.back().push_back(strips.grid.frame.to_track(ring));
+    for (const Ring& ring : rings_of(task.ground.body))
+      body_.back().push_back(strips.grid.frame.to_track(ring));
     ground_.add_subfield(strips.grid, range_of(strips));
     for (const Strip& strip : strips.strips) work(i, strip, {});
   }
@@ -269,8 +270,8 @@ Encounter DetourDecisions::encounter_at(Decision& decision, std::size_t gap) {
   std::sort(out.obstacles.begin(), out.obstacles.end());
   for (const StripDetour& detour : decision.chosen)
     if (detour.from <= middle && detour.to >= middle) out.chosen = detour.side;
-  const auto cut = cheapest_choice(decision.track, strip, width_m_, task_.objective, least_m_,
-                                   Forced{gap, Passing::kCut});
+  const auto cut =
+      cheapest_choice(decision.track, strip, width_m_, task_.objective, least_m_, Forced{gap, Passing::kCut});
   out.left = way_past(decision, gap, Passing::kLeft, cut->cost);
   out.right = way_past(decision, gap, Passing::kRight, cut->cost);
   return out;

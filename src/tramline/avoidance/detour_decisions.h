@@ -51,8 +51,8 @@ class DetourDecisions {
   const AvoidanceTask& task_;
   double width_m_;
   double least_m_;
-  std::vector<Surroundings> around_;          ///< by subfield
-  std::vector<std::vector<Ring>> body_;       ///< its rings in the plane of each subfield's grid
+  std::vector<Surroundings> around_;     ///< by subfield
+  std::vector<std::vector<Ring>> body_;  ///< its rings in the plane of each subfield's grid
   WorkedGround ground_;
   std::vector<Decision> tracks_;
 };

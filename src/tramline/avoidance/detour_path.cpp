@@ -63,8 +63,7 @@ Approach first_touch(const Hull& hull, double arc) {
     const double rise = arc - v.y;
     if (std::abs(rise) <= reach) {
       const double along = v.x + std::sqrt((reach - rise) * (reach + rise));
-      if (along > out.arc_centre)
-        out = {i, (1 / reach) * (Point{along, arc} - v), along};
+      if (along > out.arc_centre) out = {i, (1 / reach) * (Point{along, arc} - v), along};
     }
     if (i + 1 == hull.centres.size()) break;
     // On the edge to the next vertex, whose normal points up.
@@ -95,11 +94,12 @@ Approach down_a_line(const Hull& hull, double arc) {
 /// nullopt where the hull does not reach over the track.
 std::optional<Approach> approach_to(const Hull& hull, double arc) {
   Approach out = first_touch(hull, arc);
-  const bool below = std::all_of(hull.centres.begin(), hull.centres.end(),
-                                 [&](Point v) { return v.y + hull.radius <= 0; });
+  const bool below =
+      std::all_of(hull.centres.begin(), hull.centres.end(), [&](Point v) { return v.y + hull.radius <= 0; });
   if (below) return std::nullopt;
   const double drop = out.normal.y;  // cosine of the heading against the track
-  if (!std::isfinite(out.arc_centre) || drop < 0 || hull.centres.back().y > arc) return down_a_line(hull, arc);
+  if (!std::isfinite(out.arc_centre) || drop < 0 || hull.centres.back().y > arc)
+    return down_a_line(hull, arc);
   return out;
 }
 

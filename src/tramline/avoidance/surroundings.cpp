@@ -44,7 +44,8 @@ std::string fault_of(const Path& path, double width_m, const Surroundings& aroun
   if (around.hard_boundary && any_edge_nearer(path, around.field, 0.5 * width_m - kSlack))
     return "its swath would pass the hard boundary";
   for (const Ring& ring : around.passable)
-    if (any_edge_nearer(path, ring, 0.5 * width_m - kSlack)) return "its swath would enter a passable obstacle";
+    if (any_edge_nearer(path, ring, 0.5 * width_m - kSlack))
+      return "its swath would enter a passable obstacle";
   return "";
 }
 

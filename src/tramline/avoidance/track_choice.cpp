@@ -68,7 +68,10 @@ class PieceCost {
 class Chains {
  public:
   Chains(const BlockedTrack& track, const PieceCost& cost, std::size_t first, std::optional<Forced> forced)
-      : track_(track), first_(first), sums_(track.options.size(), kNever), before_(track.options.size(), kNone) {
+      : track_(track),
+        first_(first),
+        sums_(track.options.size(), kNever),
+        before_(track.options.size(), kNone) {
     for (std::size_t i = 0; i < track.options.size(); ++i)
       if (allowed(track.options[i], forced)) extend_to(i, cost.of_option(track.options[i]));
   }

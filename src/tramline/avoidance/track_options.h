@@ -11,11 +11,11 @@ namespace tramline {
 /// A detour that may be driven, and what it is worth while everything off this track stays as it is.
 struct TrackOption {
   WayRound way;
-  Interval straight;          ///< what the detour replaces, gaps included
-  double useful_m2 = 0;       ///< body that its swath alone covers
-  double replaced_m2 = 0;     ///< body that the straight swath it replaces alone covers
-  double profile_m2 = 0;      ///< the same by the strip's own profile
-  bool of_paper = false;      ///< S1 would choose it
+  Interval straight;       ///< what the detour replaces, gaps included
+  double useful_m2 = 0;    ///< body that its swath alone covers
+  double replaced_m2 = 0;  ///< body that the straight swath it replaces alone covers
+  double profile_m2 = 0;   ///< the same by the strip's own profile
+  bool of_paper = false;   ///< S1 would choose it
   /// How much more body is covered when the detour takes the place of the straight parts.
   double gain_m2() const { return useful_m2 - replaced_m2; }
 };
@@ -30,9 +30,9 @@ struct RefusedWay {
 /// One track with gaps that hard land makes.
 struct BlockedTrack {
   std::size_t subfield = 0;
-  std::size_t strip = 0;                ///< place in Strips::strips
-  std::vector<std::size_t> gaps;        ///< those made by hazards: between stretches gap − 1 and gap
-  std::vector<TrackOption> options;     ///< possible ones, by first gap
+  std::size_t strip = 0;             ///< place in Strips::strips
+  std::vector<std::size_t> gaps;     ///< those made by hazards: between stretches gap − 1 and gap
+  std::vector<TrackOption> options;  ///< possible ones, by first gap
   std::vector<RefusedWay> refused;
   /// Short stretches, which may not be worth driving: how much more or less than their profile they
   /// cover alone. 0 for long ones. By stretch.

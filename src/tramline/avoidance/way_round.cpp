@@ -60,9 +60,9 @@ bool add_what_is_met(const Path& path, double width_m, Interval extent, const Su
   for (std::size_t i = 0; i < around.hazards.size(); ++i) {
     const TurnedHazard& hazard = around.hazards[i];
     const auto known = parts.find(i);
-    const bool whole = known != parts.end() && ((parts.size() == 1 && hazard.round) ||
-                                                (known->second.from <= hazard.box.min_y &&
-                                                 known->second.to >= hazard.box.max_y));
+    const bool whole = known != parts.end() &&
+                       ((parts.size() == 1 && hazard.round) ||
+                        (known->second.from <= hazard.box.min_y && known->second.to >= hazard.box.max_y));
     if (whole || !runs_into(path, width_m, hazard)) continue;
     met = true;
     grown = extend(parts, i, extent) || grown;
@@ -127,7 +127,8 @@ class Search {
     detour.length_m = length(detour.path);
     if (const Step ends = look_at_ends(); ends != Step::kDone) return ends;
     bool met = false;
-    const bool grown = add_what_is_met(detour.path, o_.width_m, {detour.from, detour.to}, around_, parts_, met);
+    const bool grown =
+        add_what_is_met(detour.path, o_.width_m, {detour.from, detour.to}, around_, parts_, met);
     if (!met) return Step::kDone;
     return grown ? Step::kLookAgain : give_up("there is no room between the obstacles");
   }
@@ -173,8 +174,8 @@ std::vector<std::size_t> hazards_in(const StripGrid& grid, const Strip& strip, I
   for (std::size_t i = 0; i < around.hazards.size(); ++i) {
     if (!intersects(around.hazards[i].box, window)) continue;
     std::vector<KeepOut> corners;
-    append_corners(DetourFrame{window.max_x, Passing::kLeft}.to_detour(around.hazards[i].outline), range, 0, 0,
-                   corners);
+    append_corners(DetourFrame{window.max_x, Passing::kLeft}.to_detour(around.hazards[i].outline), range, 0,
+                   0, corners);
     const bool reaches_in = std::any_of(corners.begin(), corners.end(), [&](const KeepOut& corner) {
       return corner.centre.y < grid.width_m;
     });

@@ -18,7 +18,7 @@ struct Obstruction {
 };
 
 struct WayRound {
-  StripDetour detour;  ///< obstacles are not filled in
+  StripDetour detour;                ///< obstacles are not filled in
   std::vector<std::size_t> hazards;  ///< driven round, ascending
   std::size_t first_gap = 1;         ///< the detour bridges first_gap … last_gap
   std::size_t last_gap = 1;

@@ -26,10 +26,10 @@ struct FieldSource {
   std::string file;
   std::string layer;
   long long fid = -1;
-  int part = 0;                ///< 0-based part of a multipolygon
+  int part = 0;                  ///< 0-based part of a multipolygon
   std::string crs{};             ///< as the user gave it; empty: the file's own
   std::string obstacles_file{};  ///< further obstacles; empty: none
-  double obstacle_size_m = 0;  ///< of points and lines in it
+  double obstacle_size_m = 0;    ///< of points and lines in it
   std::string passable_file{};
 };
 

@@ -48,8 +48,8 @@ Strips strips_in(const SearchTask& task, const Subfield& subfield) {
 }
 
 AvoidanceTask avoidance_task(const SearchTask& task, const Candidate& candidate) {
-  return {task.field,         task.ground,         task.machine,     task.objective,
-          task.settings,      candidate.subfields, candidate.strips, task.body_m2};
+  return {task.field,    task.ground,         task.machine,     task.objective,
+          task.settings, candidate.subfields, candidate.strips, task.body_m2};
 }
 
 /// More tracks than this no field has; the search would never end.
@@ -70,7 +70,8 @@ void require_feasible_size(const Field& field, const Machine& machine) {
 SearchTask search_task(const Field& field, const Machine& machine, const Objective& objective,
                        const PlanSettings& settings) {
   require_feasible_size(field, machine);
-  SearchTask task{field, machine, objective, settings, sort_obstacles(field, machine.width_m, settings.clearance_m), 0};
+  SearchTask task{
+      field, machine, objective, settings, sort_obstacles(field, machine.width_m, settings.clearance_m), 0};
   task.body_m2 = area(task.ground.body);
   return task;
 }

@@ -65,7 +65,8 @@ Intervals straight_parts(const StripPiece& piece) {
   return out;
 }
 
-std::vector<JoinedStretch> joined_stretches(const Intervals& stretches, const std::vector<StripDetour>& detours) {
+std::vector<JoinedStretch> joined_stretches(const Intervals& stretches,
+                                            const std::vector<StripDetour>& detours) {
   std::vector<JoinedStretch> out;
   auto detour = detours.begin();
   for (std::size_t i = 0; i < stretches.size(); ++i) {

@@ -25,8 +25,8 @@ struct StripPiece {
   double to = 0;
   bool stop_at_from = false;
   bool stop_at_to = false;
-  bool after_crossing = false;  ///< a passable obstacle, and nothing else, lies before `from`
-  double inside_m2 = 0;         ///< area of the straight parts' swath inside their own subfield
+  bool after_crossing = false;         ///< a passable obstacle, and nothing else, lies before `from`
+  double inside_m2 = 0;                ///< area of the straight parts' swath inside their own subfield
   std::vector<StripDetour> detours{};  ///< along the strip, not overlapping
 };
 

@@ -20,7 +20,7 @@ std::vector<Intervals> beyond_boundary(const StripGrid& grid, StripRange range, 
 }  // namespace
 
 Strips strips_of(const StripGrid& grid, const Polygon& turned, const TurnedGround& ground,
-                   const EndCriterion& criterion) {
+                 const EndCriterion& criterion) {
   const StripRange range = strips_over(grid, bounds(turned), kWidthTolerance);
   std::vector<StripProfile> subfield = cross_sections({turned}, grid, range);
   std::vector<StripProfile> hard = cross_sections(ground.hard, grid, range);

@@ -33,7 +33,7 @@ struct Strips {
 /// `turned` is the subfield in the grid's plane. O(n + K log K) for n edges and K incidences of edges
 /// and strips.
 Strips strips_of(const StripGrid& grid, const Polygon& turned, const TurnedGround& ground,
-                   const EndCriterion& criterion);
+                 const EndCriterion& criterion);
 
 /// Whether a piece that ends at `end` and runs towards it in the sense (+1: along, −1: against) ends in
 /// a stop: the first millimetre beyond meets something hard, on average over more than half the width
