@@ -58,7 +58,7 @@ std::string without_surface_numbers(const std::string& svg) {
   constexpr std::string_view kNumbered = "id=\"surface";
   std::string out;
   std::size_t at = 0;
-  for (std::size_t hit; (hit = svg.find(kNumbered, at)) != std::string::npos;) {
+  for (std::size_t hit = 0; (hit = svg.find(kNumbered, at)) != std::string::npos;) {
     hit += kNumbered.size();
     out.append(svg, at, hit - at);
     at = svg.find_first_not_of("0123456789", hit);
