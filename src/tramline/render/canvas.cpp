@@ -66,13 +66,22 @@ std::string without_surface_numbers(const std::string& svg) {
   return out.append(svg, at);
 }
 
+// The chords of arcs are as short as areas ask for: hundreds of them may lie within a pixel, and made the
+// greater part of a vector picture. Rings of few vertices are drawn as they are, however small.
+constexpr std::size_t kManyVertices = 250;
+constexpr double kNearby = 0.2;  // px
+
 void add_ring(Canvas& canvas, const Ring& ring) {
   cairo_t* cr = canvas.cr();
+  const double least_step = ring.size() > kManyVertices ? kNearby : 0;
   bool first = true;
+  Point last;
   for (const Point p : ring) {
     const Point q = canvas.view().to_page(p);
+    if (!first && distance(last, q) < least_step) continue;
     first ? cairo_move_to(cr, q.x, q.y) : cairo_line_to(cr, q.x, q.y);
     first = false;
+    last = q;
   }
   if (!ring.empty()) cairo_close_path(cr);
 }
