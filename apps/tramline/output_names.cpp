@@ -3,8 +3,6 @@
 #include <cctype>
 
 namespace tramline::app {
-namespace {
-
 std::string as_file_name(const std::string& id) {
   constexpr std::size_t kLongest = 80;  // file systems take 255 bytes, folders and suffixes included
   std::string out;
@@ -13,13 +11,15 @@ std::string as_file_name(const std::string& id) {
   return out.substr(0, kLongest);
 }
 
-}  // namespace
+std::string UniqueNames::next(const std::string& wanted) {
+  std::string name = wanted;
+  for (int copy = 2; !taken_.insert(name).second; ++copy) name = wanted + "-" + std::to_string(copy);
+  return name;
+}
 
 std::filesystem::path OutputNames::next(const std::string& field_id) {
   if (!several_) return given_;
-  const std::string stem = given_.stem().string() + "-" + as_file_name(field_id);
-  std::string name = stem;
-  for (int copy = 2; !taken_.insert(name).second; ++copy) name = stem + "-" + std::to_string(copy);
+  const std::string name = names_.next(given_.stem().string() + "-" + as_file_name(field_id));
   return given_.parent_path() / (name + given_.extension().string());
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// File names when one run plans several fields.
+// File names when one run plans several fields, or draws several obstacles.
 
 #include <filesystem>
 #include <set>
@@ -7,9 +7,20 @@
 
 namespace tramline::app {
 
-/// One field: the name as given. Several: "plan.gpkg" becomes "plan-<field id>.gpkg", with everything
-/// but letters, digits, '.', '_' and '-' of the id replaced by '-' and cut at 80 bytes, and "-2", "-3" …
-/// added where two fields would share a name.
+/// The id with everything but letters, digits, '.', '_' and '-' replaced by '-', cut at 80 bytes.
+std::string as_file_name(const std::string& id);
+
+/// Hands out each name once: "-2", "-3" … is added to one that is taken.
+class UniqueNames {
+ public:
+  std::string next(const std::string& wanted);
+
+ private:
+  std::set<std::string> taken_;
+};
+
+/// One field: the name as given. Several: "plan.gpkg" becomes "plan-<field id>.gpkg", the id as a file
+/// name, each name once.
 class OutputNames {
  public:
   OutputNames(std::filesystem::path given, bool several) : given_(std::move(given)), several_(several) {}
@@ -18,7 +29,7 @@ class OutputNames {
  private:
   std::filesystem::path given_;
   bool several_;
-  std::set<std::string> taken_;
+  UniqueNames names_;
 };
 
 }  // namespace tramline::app

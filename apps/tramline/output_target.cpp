@@ -43,4 +43,24 @@ void require_writable(const std::string& name, const char* option,
                               folder.string()));
 }
 
+void require_folder(const std::string& name, const char* option) {
+  if (name.empty()) return;
+  // The nearest folder that is there: what is missing below it can be made in it, if anything can.
+  fs::path above = fs::absolute(name);
+  std::error_code error;
+  fs::file_type type = fs::symlink_status(above, error).type();
+  while (type == fs::file_type::not_found && above.has_relative_path()) {
+    above = above.parent_path();
+    type = fs::symlink_status(above, error).type();
+  }
+  if (type == fs::file_type::none)
+    throw bad_input(fmt::format("{} '{}' cannot be a folder: {}", option, name, error.message()));
+  std::error_code ignored;
+  if (!fs::is_directory(above, ignored))
+    throw bad_input(fmt::format("{} '{}' cannot be a folder: '{}' is a file", option, name, above.string()));
+  if (access(above.c_str(), W_OK | X_OK) != 0)
+    throw bad_input(
+        fmt::format("{} '{}' cannot be written: no permission in folder '{}'", option, name, above.string()));
+}
+
 }  // namespace tramline::app

@@ -13,4 +13,8 @@ namespace tramline::app {
 void require_writable(const std::string& name, const char* option,
                       std::initializer_list<const char*> extensions, const std::vector<std::string>& inputs);
 
+/// Does nothing for an empty name. Throws kBadInput where the name is that of a file, and where there is
+/// no such folder and none can be made. Makes nothing itself.
+void require_folder(const std::string& name, const char* option);
+
 }  // namespace tramline::app

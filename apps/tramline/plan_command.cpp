@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "close_ups.h"
 #include "command.h"
 #include "field_options.h"
 #include "output_names.h"
@@ -24,7 +25,9 @@ constexpr const char* kExample =
     "Example:\n"
     "  tramline plan field.geojson --width 3 --radius 6 -o plan.gpkg --picture plan.png\n"
     "  tramline plan parcels.gpkg --layer parcels --where \"crop='wheat'\" --all --json\n"
-    "Without -o and --picture nothing is written.";
+    "  tramline plan field.geojson --width 3 --clearance 0.5 --zoom-obstacles closeups\n"
+    "  tramline plan field.geojson --width 3 --avoid paper --avoid-threshold 4 -o paper.gpkg\n"
+    "Without -o, --picture and --zoom-obstacles nothing is written.";
 
 class PlanCommand : public Command {
  public:
@@ -35,6 +38,8 @@ class PlanCommand : public Command {
     add_plan_options(*verb, plan_options_);
     verb->add_option("-o,--output", output_, "write the plan to this GeoPackage (.gpkg)");
     verb->add_option("--picture", picture_, "draw the plan to this .png, .svg or .pdf");
+    verb->add_option("--zoom-obstacles", zoom_,
+                     "draw a close-up of every obstacle into this folder, which is made if missing");
     verb->add_option("--threads", threads_, "threads to use (default: all cores)")
         ->check(CLI::Range(0, 1024));
     verb->add_flag("--json", json_, "print one JSON object per field");
@@ -50,6 +55,7 @@ class PlanCommand : public Command {
                                           field_options_.passable_file, plan_options_.machine_file};
     require_writable(output_, "--output", {".gpkg"}, inputs);
     require_writable(picture_, "--picture", {".png", ".svg", ".pdf"}, inputs);
+    require_folder(zoom_, "--zoom-obstacles");
     const FieldInput input = load_fields(field_options_);
     const bool single = !field_options_.all && input.fields.size() == 1;
     return single ? plan_single(input.fields.front(), input.skipped) : plan_many(input);
@@ -58,8 +64,8 @@ class PlanCommand : public Command {
  private:
   int plan_single(const Field& field, const std::vector<Skipped>& skipped) {
     const Planned planned = plan_one(field);
-    OutputNames outputs(output_, false), pictures(picture_, false);
-    write(planned.plan, outputs, pictures);
+    Outputs outputs{{output_, false}, {picture_, false}, CloseUps(zoom_)};
+    write(planned.plan, outputs);
     if (json_)
       fmt::print("{}\n", json_line(plan_json(planned.plan, skipped, planned.seconds)));
     else if (!quiet_)
@@ -69,13 +75,13 @@ class PlanCommand : public Command {
 
   /// Several features, or the parts of one; what cannot be planned is listed, and the rest goes on.
   int plan_many(const FieldInput& input) {
-    OutputNames outputs(output_, true), pictures(picture_, true);
+    Outputs outputs{{output_, true}, {picture_, true}, CloseUps(zoom_)};
     std::size_t planned_count = 0;
     for (const Refusal& refusal : input.refusals) refuse(refusal.field_id, refusal.sentence);
     for (const Field& field : input.fields) {
       try {
         const Planned planned = plan_one(field);
-        write(planned.plan, outputs, pictures);
+        write(planned.plan, outputs);
         report_one_of_many(planned);
         ++planned_count;
       } catch (const Error& error) {
@@ -106,9 +112,16 @@ class PlanCommand : public Command {
     return {std::move(plan), elapsed.count()};
   }
 
-  void write(const Plan& plan, OutputNames& outputs, OutputNames& pictures) const {
-    if (!output_.empty()) io::write_plan(plan, outputs.next(plan.field.id));
-    if (!picture_.empty()) render::draw_plan(plan, pictures.next(plan.field.id));
+  struct Outputs {
+    OutputNames plans;
+    OutputNames pictures;
+    CloseUps close_ups;
+  };
+
+  void write(const Plan& plan, Outputs& outputs) const {
+    if (!output_.empty()) io::write_plan(plan, outputs.plans.next(plan.field.id));
+    if (!picture_.empty()) render::draw_plan(plan, outputs.pictures.next(plan.field.id));
+    outputs.close_ups.write(plan);
   }
 
   void report_one_of_many(const Planned& planned) const {
@@ -128,7 +141,7 @@ class PlanCommand : public Command {
 
   FieldOptions field_options_;
   PlanOptions plan_options_;
-  std::string output_, picture_;
+  std::string output_, picture_, zoom_;
   int threads_ = 0;
   bool json_ = false, quiet_ = false;
   Machine machine_;

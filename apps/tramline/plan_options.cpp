@@ -49,6 +49,25 @@ Choice chosen(std::optional<Choice> choice, const char* option, const std::strin
   return *choice;
 }
 
+void add_obstacle_options(CLI::App& verb, PlanOptions& o) {
+  const char* obstacles = "Obstacles";
+  verb.add_option("--avoid", o.avoid,
+                  "what a track does at an obstacle: cheapest of going round it and cutting, paper (S1's "
+                  "rule) or cut (default cheapest)")
+      ->group(obstacles);
+  verb.add_option("--avoid-threshold", o.avoid_threshold_m,
+                  "with --avoid paper: tracks go round what is narrower across them, m (default w)")
+      ->group(obstacles);
+  verb.add_option("--clearance", o.clearance_m, "land kept free between swaths and obstacles, m (default 0)")
+      ->group(obstacles);
+}
+
+double at_least_0(double value, const char* option) {
+  if (!(std::isfinite(value) && value >= 0))
+    throw bad_input(fmt::format("{} must be a number of metres of at least 0, not {}", option, value));
+  return value;
+}
+
 }  // namespace
 
 void add_plan_options(CLI::App& verb, PlanOptions& o) {
@@ -89,6 +108,7 @@ void add_plan_options(CLI::App& verb, PlanOptions& o) {
   verb.add_option("--cell-direction", o.cell_direction,
                   "a cell's tracks: along its smallest bounding rectangle, or across its least width")
       ->group(plan);
+  add_obstacle_options(verb, o);
 }
 
 Machine machine_of(const PlanOptions& o) {
@@ -123,6 +143,9 @@ PlanSettings settings_of(const PlanOptions& o) {
   settings.boundary = chosen(edge_kind_named(o.boundary), "--boundary", o.boundary, "soft or hard");
   settings.cell_direction = chosen(cell_direction_named(o.cell_direction), "--cell-direction",
                                    o.cell_direction, "rectangle or width");
+  settings.avoid = chosen(avoidance_named(o.avoid), "--avoid", o.avoid, "cheapest, paper or cut");
+  if (o.avoid_threshold_m) settings.avoid_threshold_m = at_least_0(*o.avoid_threshold_m, "--avoid-threshold");
+  settings.clearance_m = at_least_0(o.clearance_m, "--clearance");
   settings.merge_threshold = Angle::degrees(o.merge_deg);
   settings.decomposition_threshold = Angle::degrees(o.decomposition_deg);
   return settings;

@@ -18,6 +18,9 @@ struct PlanOptions {
   std::string end_rule = "cheapest";
   std::string boundary = "soft";
   std::string cell_direction = "rectangle";
+  std::string avoid = "cheapest";
+  std::optional<double> avoid_threshold_m;
+  double clearance_m = 0;
   double merge_deg = 0;
   double decomposition_deg = 180;
 };
@@ -28,7 +31,7 @@ void add_plan_options(CLI::App& verb, PlanOptions& options);
 Machine machine_of(const PlanOptions& options);
 /// --weights o,u,t[,s], --prices o,u,t[,s] or --minimise. Throws kBadInput.
 Objective objective_of(const PlanOptions& options);
-/// Throws kBadInput for an unknown word.
+/// Throws kBadInput for an unknown word, and for a length that is none.
 PlanSettings settings_of(const PlanOptions& options);
 
 }  // namespace tramline::app

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "obstacle_report.h"
 #include "report_parts.h"
 #include "tramline/headland/body.h"
 
@@ -56,6 +57,7 @@ std::string tally_rows(const Plan& plan) {
   out += fmt::format("tracks       {}, {:.1f} m in all\n", tally.pieces, tally.track_length_m);
   out += fmt::format("turns        {}\n", tally.turns);
   out += fmt::format("stops        {}\n", tally.stops);
+  out += obstacle_rows(plan);
   if (tally.crossings > 0) out += fmt::format("crossings    {}\n", tally.crossings);
   out += fmt::format("overlap      {:.1f} m² ({:.3f} %)\n", tally.overlap_m2,
                      percent_of_field(plan, tally.overlap_m2));
@@ -103,6 +105,7 @@ ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, do
                     {"uncovered", plan.objective.uncovered},
                     {"turn", plan.objective.turn},
                     {"stop", plan.objective.stop}};
+  add_obstacle_keys(out, plan);
   out["repairs"] = repairs_json(plan.field.repairs);
   out["skipped"] = skipped_json(skipped);
   out["dropped"] = dropped_json(plan);

@@ -86,6 +86,20 @@ TEST(PlanField, RefusesNumbersThatAreNone) {
   EXPECT_THROW(plan_field(rectangle(100, 60), {}, {}, settings), Error);
 }
 
+TEST(PlanField, RefusesLengthsAtObstaclesThatAreNone) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  for (const double clearance : {nan, inf, -0.1, 1000.1}) {
+    PlanSettings settings;
+    settings.clearance_m = clearance;
+    EXPECT_THROW(plan_field(rectangle(100, 60), {}, {}, settings), Error) << clearance;
+  }
+  for (const double threshold : {nan, inf, -inf}) {
+    PlanSettings settings;
+    settings.avoid_threshold_m = threshold;
+    EXPECT_THROW(plan_field(rectangle(100, 60), {}, {}, settings), Error) << threshold;
+  }
+}
+
 TEST(PlanField, HardBoundariesKeepSwathsInside) {
   Field triangle = rectangle(100, 60);
   triangle.outer = {{0, 0}, {100, 0}, {0, 60}};

@@ -27,6 +27,12 @@ void require_degrees(Angle angle, double least, double most, const char* what) {
                                 angle.degrees()));
 }
 
+void require_metres(double value, double least, double most, const char* what) {
+  if (!(value >= least && value <= most))
+    throw bad_input(
+        fmt::format("the {} must lie between {:g} and {:g} m, not at {}", what, least, most, value));
+}
+
 }  // namespace
 
 void validate_request(const Machine& machine, const Objective& objective, const PlanSettings& settings) {
@@ -40,6 +46,11 @@ void validate_request(const Machine& machine, const Objective& objective, const 
   require_weight(objective.uncovered, "uncovered land");
   require_weight(objective.turn, "turns");
   require_weight(objective.stop, "stops");
+  constexpr double kMostClearance = 1000;
+  require_metres(settings.clearance_m, 0, kMostClearance, "clearance");
+  if (!std::isfinite(settings.avoid_threshold_m))
+    throw bad_input(
+        fmt::format("the avoid threshold must be a number of metres, not {}", settings.avoid_threshold_m));
   require_degrees(settings.merge_threshold, 0, 90, "merge threshold");
   require_degrees(settings.decomposition_threshold, 180, 360, "decomposition threshold");
 }

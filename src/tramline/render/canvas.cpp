@@ -58,7 +58,7 @@ std::string without_surface_numbers(const std::string& svg) {
   constexpr std::string_view kNumbered = "id=\"surface";
   std::string out;
   std::size_t at = 0;
-  for (std::size_t hit; (hit = svg.find(kNumbered, at)) != std::string::npos;) {
+  for (std::size_t hit = 0; (hit = svg.find(kNumbered, at)) != std::string::npos;) {
     hit += kNumbered.size();
     out.append(svg, at, hit - at);
     at = svg.find_first_not_of("0123456789", hit);
@@ -66,13 +66,22 @@ std::string without_surface_numbers(const std::string& svg) {
   return out.append(svg, at);
 }
 
+// The chords of arcs are as short as areas ask for: hundreds of them may lie within a pixel, and made the
+// greater part of a vector picture. Rings of few vertices are drawn as they are, however small.
+constexpr std::size_t kManyVertices = 250;
+constexpr double kNearby = 0.2;  // px
+
 void add_ring(Canvas& canvas, const Ring& ring) {
   cairo_t* cr = canvas.cr();
+  const double least_step = ring.size() > kManyVertices ? kNearby : 0;
   bool first = true;
+  Point last;
   for (const Point p : ring) {
     const Point q = canvas.view().to_page(p);
+    if (!first && distance(last, q) < least_step) continue;
     first ? cairo_move_to(cr, q.x, q.y) : cairo_line_to(cr, q.x, q.y);
     first = false;
+    last = q;
   }
   if (!ring.empty()) cairo_close_path(cr);
 }

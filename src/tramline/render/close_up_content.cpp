@@ -21,7 +21,7 @@ bool concerns(const Encounter& encounter, int obstacle) {
 
 // "−14.30", with the sign that print has for it.
 std::string signed_text(double cost) {
-  const std::string digits = fmt::format("{:.2f}", std::abs(cost));
+  std::string digits = fmt::format("{:.2f}", std::abs(cost));
   if (digits == "0.00") return digits;
   return (cost < 0 ? "−" : "+") + digits;
 }

@@ -13,7 +13,6 @@
 #include "tramline/render/close_up_content.h"
 #include "tramline/render/close_up_layers.h"
 #include "tramline/render/labels.h"
-#include "tramline/render/layers.h"
 #include "tramline/render/text.h"
 
 namespace tramline::render {
@@ -70,26 +69,35 @@ std::vector<Point> places_along(Point hub, Point rim, double step) {
 
 bool left_or_above(Point a, Point b) { return std::abs(a.x - b.x) > 1 ? a.x < b.x : a.y < b.y; }
 
-// On the track, just after the end that is nearer to the left or upper edge of the map; `on_frame` tells
-// whether the track goes on beyond the map there.
-struct NumberPlace {
-  Point centre;
-  bool on_frame = false;
+// Where the number of a track may stand, from best to worst: at the left or upper edge of the map, at
+// the other one, at an end that lies within the map.
+enum class Entry { kFirstEdge, kSecondEdge, kInside };
+
+struct NumberPlaces {
+  Entry entry = Entry::kInside;
+  std::vector<Point> centres;
 };
 
-std::optional<NumberPlace> place_of_number(Canvas& canvas, const TrackPiece& piece, const Half& half,
-                                           const Box& map) {
+std::optional<NumberPlaces> places_of_number(Canvas& canvas, const TrackPiece& piece, const Half& half,
+                                             const Box& map) {
   Point a = canvas.view().to_page(piece.start), b = canvas.view().to_page(piece.end);
   if (!left_or_above(a, b)) std::swap(a, b);
   const auto seen = clipped(a, b, map);
   if (!seen) return std::nullopt;
   const Point along = (1 / distance(a, b)) * (b - a);
-  const double reach = std::min(half.width / std::max(std::abs(along.x), 1e-9),
-                                half.height / std::max(std::abs(along.y), 1e-9)) +
-                       kGap * canvas.scale();
-  if (!(seen->first == a)) return NumberPlace{seen->first + reach * along, true};
-  if (!(seen->second == b)) return NumberPlace{seen->second - reach * along, true};
-  return NumberPlace{a + (reach + kStopRadius * canvas.scale()) * along, false};
+  const Entry entry = !(seen->first == a)    ? Entry::kFirstEdge
+                      : !(seen->second == b) ? Entry::kSecondEdge
+                                             : Entry::kInside;
+  const Point from = entry == Entry::kSecondEdge ? seen->second : seen->first;
+  const Point inwards = (entry == Entry::kSecondEdge ? -1 : 1) * along;
+  // As far in as the text needs beside a vertical edge of the map, or below a horizontal one.
+  NumberPlaces out{entry, {}};
+  for (const double reach :
+       {half.width / std::max(std::abs(along.x), 1e-9), half.height / std::max(std::abs(along.y), 1e-9)}) {
+    const double run = reach + kGap * canvas.scale();
+    if (run < distance(seen->first, seen->second)) out.centres.push_back(from + run * inwards);
+  }
+  return out;
 }
 
 }  // namespace
@@ -128,14 +136,14 @@ void draw_radii(Canvas& canvas, const Plan& near, int obstacle, const Box& map, 
 void draw_strip_numbers(Canvas& canvas, const Plan& near, const Box& map, std::vector<Box>& taken) {
   const TextStyle style{kSmallTextSize, false, Align::kCentre, kInk, true};
   std::set<std::pair<int, int>> numbered;
-  for (const bool on_frame : {true, false}) {
+  for (const Entry entry : {Entry::kFirstEdge, Entry::kSecondEdge, Entry::kInside}) {
     for (const TrackPiece& piece : near.pieces) {
       const std::pair strip{piece.subfield, piece.track};
       if (numbered.count(strip) > 0) continue;
       const std::string text = strip_name(near, piece.subfield, piece.track);
-      const auto place = place_of_number(canvas, piece, half_size(canvas, text, style), map);
-      if (!place || place->on_frame != on_frame) continue;
-      if (write_at_first(canvas, {place->centre}, text, style, map, taken)) numbered.insert(strip);
+      const auto places = places_of_number(canvas, piece, half_size(canvas, text, style), map);
+      if (!places || places->entry != entry) continue;
+      if (write_at_first(canvas, places->centres, text, style, map, taken)) numbered.insert(strip);
     }
   }
 }

@@ -49,7 +49,7 @@ void draw_keep_off_lines(Canvas& canvas, const Plan& near) {
   const double k = canvas.scale();
   for (const Obstacle& obstacle : near.field.obstacles) {
     if (obstacle.kind != ObstacleKind::kObstacle) continue;
-    const Region near_to_it = buffered({obstacle.shape}, keep_off_m(near));
+    const Region near_to_it = buffered({obstacle.shape}, keep_off_m(near), JoinStyle::kRound, 32);
     outline(canvas, near_to_it, {kDetourRim, kKeepOffLine * k});
     outline(canvas, near_to_it,
             {kKeepOffColour, kKeepOffLine * k, {kKeepOffDash * k, 0.6 * kKeepOffDash * k}});

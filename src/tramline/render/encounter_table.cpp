@@ -51,7 +51,7 @@ void draw_encounter_table(Canvas& canvas, const Box& box, const std::vector<Enco
   stroke_line(canvas, {{box.min_x, rule}, {box.max_x, rule}}, {kRule, 1.2 * k});
   double middle = box.min_y + (kHeadingHeight + 0.5 * kRowHeight) * k;
   if (rows.empty())
-    draw_text(canvas, {box.min_x, middle}, "no track meets this obstacle",
+    draw_text(canvas, {box.min_x, middle}, "no meeting of a track with this obstacle is recorded",
               {kTextSize, false, Align::kLeft, kFaintInk});
   for (const EncounterRow& row : rows) {
     draw_cells(canvas, box, middle, row, {});
