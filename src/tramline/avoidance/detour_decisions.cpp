@@ -78,7 +78,7 @@ void DetourDecisions::add_tracks(std::size_t subfield) {
     if (track.gaps.empty()) continue;
     track.correction_m2.assign(strips.strips[i].stretches.size(), 0);
     add_options(track);
-    tracks_.push_back({std::move(track), {}, {}, true});
+    tracks_.push_back({std::move(track), {}});
     if (task_.settings.avoid == Avoidance::kCheapest) drop_dear_options(tracks_.back());
   }
 }
@@ -159,12 +159,27 @@ void DetourDecisions::work(std::size_t subfield, const Strip& strip,
 
 void DetourDecisions::choose(Decision& decision, std::vector<StripDetour> detours) {
   if (same_detours(decision.chosen, detours)) return;
+  mark_stale_near(decision, decision.chosen);
+  mark_stale_near(decision, detours);
   decision.chosen = std::move(detours);
   work(decision.track.subfield, strip_of(decision), decision.chosen);
-  for (Decision& other : tracks_)
-    if (&other != &decision &&
-        (other.track.subfield != decision.track.subfield || intersects(other.window, decision.window)))
-      other.stale = true;
+}
+
+/// What others are worth depends on where this track's detours are, and on what they leave of its
+/// straight parts.
+void DetourDecisions::mark_stale_near(const Decision& decision, const std::vector<StripDetour>& detours) {
+  const StripGrid& grid = strips_of(decision).grid;
+  for (const StripDetour& detour : detours) {
+    Box changed = detour_box(detour, grid.width_m);
+    changed.extend(straight_box(grid, strip_of(decision).index, {detour.from, detour.to}));
+    for (Decision& other : tracks_) {
+      if (&other == &decision) continue;
+      if (other.track.subfield == decision.track.subfield)
+        mark_stale(other.track, strips_of(other), changed);
+      else
+        mark_all_stale(other.track);
+    }
+  }
 }
 
 bool DetourDecisions::take_paper_ways() {
@@ -198,11 +213,7 @@ void DetourDecisions::take_from(const std::vector<SubfieldTracks>& tracks) {
 }
 
 void DetourDecisions::value(Decision& decision) {
-  if (!decision.stale) return;
-  const std::size_t subfield = decision.track.subfield;
-  value_options(decision.track, strips_of(decision), body_[subfield], ground_, least_m_);
-  decision.window = window_of(decision.track, strips_of(decision));
-  decision.stale = false;
+  value_options(decision.track, strips_of(decision), body_[decision.track.subfield], ground_, least_m_);
 }
 
 bool DetourDecisions::improve() {
@@ -213,7 +224,7 @@ bool DetourDecisions::improve() {
   for (int round = 0; round < kMostRounds; ++round) {
     bool changed = false;
     for (Decision& decision : tracks_) {
-      if (round > 0 && !decision.stale) continue;
+      if (round > 0 && !decision.track.stale) continue;
       value(decision);
       const Strip& strip = strip_of(decision);
       const auto best = cheapest_choice(decision.track, strip, width_m_, task_.objective, least_m_);

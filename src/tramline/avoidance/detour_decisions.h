@@ -29,8 +29,6 @@ class DetourDecisions {
   struct Decision {
     BlockedTrack track;
     std::vector<StripDetour> chosen;
-    Box window;
-    bool stale = true;  ///< something near has changed since the options were valued
   };
 
   const Strips& strips_of(const Decision& decision) const { return task_.strips[decision.track.subfield]; }
@@ -43,6 +41,7 @@ class DetourDecisions {
   StripDetour named(const WayRound& way) const;
   void work(std::size_t subfield, const Strip& strip, const std::vector<StripDetour>& detours);
   void choose(Decision& decision, std::vector<StripDetour> detours);
+  void mark_stale_near(const Decision& decision, const std::vector<StripDetour>& detours);
   void value(Decision& decision);
   void drop_dear_options(Decision& decision);
   Encounter encounter_at(Decision& decision, std::size_t gap);

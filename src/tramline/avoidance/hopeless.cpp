@@ -55,6 +55,21 @@ double saved_at_most(const TrackOption& option, const Objective& objective) {
   return gaps * (objective.turn + 2 * objective.stop);
 }
 
+/// Boxes round all ground the detour works, none much longer than a swath is wide.
+std::vector<Box> boxes_along(const Path& path, double width_m) {
+  Path steps;
+  for (const PathSegment& segment : path) {
+    const int count = segment.straight() ? 1 + static_cast<int>(length(segment) / (2 * width_m)) : 1;
+    if (count == 1) {
+      steps.push_back(segment);
+      continue;
+    }
+    const Point step = (1.0 / count) * (segment.to - segment.from);
+    for (int i = 0; i < count; ++i) steps.push_back({segment.from + i * step, segment.from + (i + 1) * step, 0});
+  }
+  return reaches_of(steps, width_m);
+}
+
 Box turned_box(const Box& window, const TrackFrame& from, const TrackFrame& to) {
   Box out;
   for (const double x : {window.min_x, window.max_x})
@@ -68,7 +83,6 @@ bool hopeless(const TrackOption& option, std::size_t subfield, const Strip& stri
               const std::vector<Strips>& strips, const WorkedGround& ground, const Objective& objective) {
   const StripGrid& grid = strips[subfield].grid;
   const StripDetour& detour = option.way.detour;
-  const Box window = detour_box(detour, grid.width_m);
   const Intervals replaced = common(strip.stretches, {option.straight});
   const double replaced_m2 = area_of(strip.subfield, replaced);
   const double longer = grid.width_m * (detour.length_m - length_of(replaced));
@@ -79,9 +93,13 @@ bool hopeless(const TrackOption& option, std::size_t subfield, const Strip& stri
     const double gain = std::min(useful_m2, grid.width_m * detour.length_m) - replaced_m2;
     return objective.overlap * longer - (objective.overlap + objective.uncovered) * gain < saved;
   };
-  for (std::size_t i = 0; i < strips.size() && !pays(); ++i)
-    useful_m2 += free_m2(strips[i], i, ground, turned_box(window, grid.frame, strips[i].grid.frame), &strip);
-  return !pays();
+  if (pays()) return false;
+  for (const Box& box : boxes_along(detour.path, grid.width_m)) {
+    for (std::size_t i = 0; i < strips.size(); ++i)
+      useful_m2 += free_m2(strips[i], i, ground, turned_box(box, grid.frame, strips[i].grid.frame), &strip);
+    if (pays()) return false;
+  }
+  return true;
 }
 
 bool far_too_dear(const TrackOption& option, const Strip& strip, double width_m, const Objective& objective) {

@@ -24,6 +24,8 @@ class Valuer {
 
   double of_straight(const Interval& part) const {
     const Box box = straight_box(strips_.grid, strip().index, part);
+    if (ground_.straight_alone(track_.subfield, box, strip().index))
+      return area_between(strip().subfield, part.from, part.to);
     RisingCurves curves = surroundings(box, {box});
     append_box(box, Layer::kNew, box, curves);
     return new_area(curves);
@@ -75,29 +77,39 @@ std::vector<std::size_t> hard_gaps(const Strip& strip) {
 
 void value_options(BlockedTrack& track, const Strips& strips, const std::vector<Ring>& body,
                    const WorkedGround& ground, double min_length_m) {
+  if (!track.stale) return;
   const Valuer valuer(track, strips, body, ground);
   for (TrackOption& option : track.options) {
+    if (!option.stale) continue;
     option.useful_m2 = valuer.of_detour(option.way.detour);
     option.replaced_m2 = valuer.of_stretches(option.straight);
     option.profile_m2 = valuer.profile_of(option.straight);
+    option.stale = false;
   }
   const Intervals& stretches = strips.strips[track.strip].stretches;
   track.correction_m2.assign(stretches.size(), 0);
   for (std::size_t i = 0; i < stretches.size(); ++i)
     if (is_short(stretches[i], min_length_m))
       track.correction_m2[i] = valuer.of_straight(stretches[i]) - valuer.profile_of(stretches[i]);
+  track.stale = false;
 }
 
-Box window_of(const BlockedTrack& track, const Strips& strips) {
-  const Strip& strip = strips.strips[track.strip];
-  Box out;
-  for (const TrackOption& option : track.options) {
-    out.extend(detour_box(option.way.detour, strips.grid.width_m));
-    out.extend(straight_box(strips.grid, strip.index, option.straight));
-  }
-  for (std::size_t i = 0; i < strip.stretches.size(); ++i)
-    if (!track.correction_m2.empty() && track.correction_m2[i] != 0)
-      out.extend(straight_box(strips.grid, strip.index, strip.stretches[i]));
+void mark_stale(BlockedTrack& track, const Strips& strips, const Box& changed) {
+  const int strip = strips.strips[track.strip].index;
+  for (TrackOption& option : track.options)
+    if (intersects(reach_of(option, strips.grid, strip), changed)) option.stale = track.stale = true;
+  for (const Interval& stretch : strips.strips[track.strip].stretches)
+    if (intersects(straight_box(strips.grid, strip, stretch), changed)) track.stale = true;
+}
+
+void mark_all_stale(BlockedTrack& track) {
+  track.stale = true;
+  for (TrackOption& option : track.options) option.stale = true;
+}
+
+Box reach_of(const TrackOption& option, const StripGrid& grid, int strip) {
+  Box out = detour_box(option.way.detour, grid.width_m);
+  out.extend(straight_box(grid, strip, option.straight));
   return out;
 }
 

@@ -15,7 +15,8 @@ struct TrackOption {
   double useful_m2 = 0;    ///< body that its swath alone covers
   double replaced_m2 = 0;  ///< body that the straight swath it replaces alone covers
   double profile_m2 = 0;   ///< the same by the strip's own profile
-  bool of_paper = false;   ///< S1 would choose it
+  bool of_paper = false;       ///< S1 would choose it
+  bool stale = true;           ///< something near has changed since it was valued
   /// How much more body is covered when the detour takes the place of the straight parts.
   double gain_m2() const { return useful_m2 - replaced_m2; }
 };
@@ -37,17 +38,22 @@ struct BlockedTrack {
   /// Short stretches, which may not be worth driving: how much more or less than their profile they
   /// cover alone. 0 for long ones. By stretch.
   std::vector<double> correction_m2;
+  bool stale = true;  ///< any of the above
 };
 
 /// The gaps of a strip that hard land makes.
 std::vector<std::size_t> hard_gaps(const Strip& strip);
 
-/// Values all options (and short stretches) of a track against the ground as worked by the others.
+/// Values the stale options (and short stretches) of a track against the ground as worked by the others.
 /// `body` holds the body's rings in the plane of the strip's grid.
 void value_options(BlockedTrack& track, const Strips& strips, const std::vector<Ring>& body,
                    const WorkedGround& ground, double min_length_m);
 
-/// A box in the plane of the grid round everything that valuing the track looks at.
-Box window_of(const BlockedTrack& track, const Strips& strips);
+/// Marks as stale what depends on the ground within a box of the grid's plane.
+void mark_stale(BlockedTrack& track, const Strips& strips, const Box& changed);
+void mark_all_stale(BlockedTrack& track);
+
+/// A box that neither the detour nor the straight part it replaces leaves, in the grid's plane.
+Box reach_of(const TrackOption& option, const StripGrid& grid, int strip);
 
 }  // namespace tramline

@@ -25,6 +25,36 @@ Ring corners(const Box& box) {
   return {{box.min_x, box.min_y}, {box.max_x, box.min_y}, {box.max_x, box.max_y}, {box.min_x, box.max_y}};
 }
 
+/// Swaths side by side that all run through the window are one box there: fewer curves to look at.
+class BoxRuns {
+ public:
+  BoxRuns(const Box& window, RisingCurves& out) : window_(window), out_(out) {}
+  ~BoxRuns() { flush(); }
+  BoxRuns(const BoxRuns&) = delete;
+  BoxRuns& operator=(const BoxRuns&) = delete;
+
+  void add(const Box& box) {
+    if (!through(box)) return append_box(box, Layer::kTaken, window_, out_);
+    if (run_.max_x == box.min_x) {
+      run_.max_x = box.max_x;
+      return;
+    }
+    flush();
+    run_ = box;
+  }
+
+ private:
+  bool through(const Box& box) const { return box.min_y <= window_.min_y && box.max_y >= window_.max_y; }
+  void flush() {
+    if (!run_.empty()) append_box(run_, Layer::kTaken, window_, out_);
+    run_ = {};
+  }
+
+  const Box& window_;
+  RisingCurves& out_;
+  Box run_;
+};
+
 bool meets_any(const Box& box, const std::vector<Box>& others) {
   return std::any_of(others.begin(), others.end(), [&](const Box& other) { return intersects(box, other); });
 }
@@ -60,15 +90,26 @@ void WorkedGround::append_taken(std::size_t subfield, const Box& window, const s
     if (other != subfield) append_foreign(subfields_[other], home, window, out);
 }
 
+bool WorkedGround::straight_alone(std::size_t subfield, const Box& box, int strip) const {
+  if (subfields_.size() > 1) return false;
+  const Subfield& own = subfields_[subfield];
+  const StripRange near = strips_near(own.grid, own.range, box, own.bulge_m);
+  for (int k = near.first; k <= near.last; ++k)
+    if (k != strip && meets_any(box, own.strips[static_cast<std::size_t>(k - own.range.first)].reach))
+      return false;
+  return true;
+}
+
 void WorkedGround::append_own(const Subfield& from, const Box& window, const std::vector<Box>& boxes,
                               std::optional<int> except, RisingCurves& out) {
   const StripRange near = strips_near(from.grid, from.range, window, from.bulge_m);
+  BoxRuns straight(window, out);
   for (int k = near.first; k <= near.last; ++k) {
     if (except && *except == k) continue;
     const Worked& strip = from.strips[static_cast<std::size_t>(k - from.range.first)];
     for (const Interval& part : strip.work.straight) {
       const Box box = straight_box(from.grid, k, part);
-      if (meets_any(box, boxes)) append_box(box, Layer::kTaken, window, out);
+      if (meets_any(box, boxes)) straight.add(box);
     }
     for (std::size_t i = 0; i < strip.reach.size(); ++i)
       if (meets_any(strip.reach[i], boxes))

@@ -29,6 +29,9 @@ class WorkedGround {
   /// O(strips near the window).
   void append_taken(std::size_t subfield, const Box& window, const std::vector<Box>& boxes,
                     std::optional<int> except, RisingCurves& out) const;
+  /// Is a straight swath of the strip in this box of its plane met by no other swath for certain? Then
+  /// what it covers is what of its subfield lies in it. Only where there are no other subfields.
+  bool straight_alone(std::size_t subfield, const Box& box, int strip) const;
 
  private:
   struct Worked {
