@@ -38,13 +38,13 @@ Region worked_ground(const Plan& plan) {
 
 /// What chords may take from the ground of arcs, or add to it: the sagitta along both its edges, which
 /// together are twice as long as the path. The tally is that of the arcs.
-double chord_tolerance_m2(const Plan& plan) {
+double chord_tolerance_m2(const Plan& plan, double sagitta_m) {
   double arcs_m = 0;
   for (const TrackPiece& piece : plan.pieces)
     for (const Detour& detour : piece.detours)
       for (const PathSegment& segment : detour.path)
         if (!segment.straight()) arcs_m += length(segment);
-  return kChordSagitta * 2 * arcs_m;
+  return sagitta_m * 2 * arcs_m;
 }
 
 Worked recompute(const Plan& plan, int stops) {
@@ -129,9 +129,8 @@ void compare_layers_of_land(const Case& c, const Worked& found, double tolerance
 
 Tally check_tally(const Case& c, int stops, Violations& out) {
   const Worked found = recompute(c.plan, stops);
-  const double tolerance = c.area_tolerance_m2 + chord_tolerance_m2(c.plan);
-  compare_tallies(c, found.tally, tolerance, out);
-  compare_layers_of_land(c, found, tolerance, out);
+  compare_tallies(c, found.tally, c.area_tolerance_m2 + chord_tolerance_m2(c.plan, kChordSagitta), out);
+  compare_layers_of_land(c, found, c.area_tolerance_m2 + chord_tolerance_m2(c.plan, kLayerSagitta), out);
   return found.tally;
 }
 

@@ -48,10 +48,10 @@ std::vector<PathSegment> straight_parts(const TrackPiece& piece) {
   return out;
 }
 
-std::vector<Ring> swath_parts(const TrackPiece& piece, double width_m) {
+std::vector<Ring> swath_parts(const TrackPiece& piece, double width_m, double sagitta_m) {
   std::vector<Ring> out;
   for (const PathSegment& part : straight_parts(piece)) out.push_back(band({part}, width_m));
-  for (const Detour& detour : piece.detours) out.push_back(band(detour.path, width_m));
+  for (const Detour& detour : piece.detours) out.push_back(band(detour.path, width_m, sagitta_m));
   return out;
 }
 

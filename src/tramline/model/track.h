@@ -30,6 +30,6 @@ Ring swath(const TrackPiece& piece, double width_m);
 /// The straight parts of a piece: before, between and after its detours.
 std::vector<PathSegment> straight_parts(const TrackPiece& piece);
 /// The swath in parts that only touch: a rectangle for each straight part, a band for each detour.
-std::vector<Ring> swath_parts(const TrackPiece& piece, double width_m);
+std::vector<Ring> swath_parts(const TrackPiece& piece, double width_m, double sagitta_m = kChordSagitta);
 
 }  // namespace tramline
