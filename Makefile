@@ -64,7 +64,7 @@ clean: ## remove what was built and the results of the demo
 
 .PHONY: help
 help: ## show this list
-	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "  make %-16s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "  make %-18s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 # --- set-up -------------------------------------------------------------------------------------
 
@@ -85,7 +85,8 @@ program: packages $(RELEASE)/build.ninja
 
 # --- the long tests: each part stands alone and takes an hour at most on two cores -----------------
 
-LONG := long-properties long-real-1 long-real-2 long-real-3 long-registers long-asan long-tsan long-clang
+LONG := long-properties long-real-1 long-real-2 long-real-3 long-obstacles-3 long-obstacles-6 long-obstacles-12 \
+  long-obstacles-24 long-registers long-asan long-tsan long-clang
 
 .PHONY: long $(LONG)
 long: $(LONG) ## all the long tests, one after another; each part below can be run alone
@@ -101,6 +102,18 @@ long-real-2: build ## S1's scenario 2 (least uncovered) over the real fields
 	TRAMLINE_SCENARIO=2 $(SWEEP)
 long-real-3: build ## S1's scenario 3 (fewest turns) over the real fields
 	TRAMLINE_SCENARIO=3 $(SWEEP)
+
+# One working width over all real fields with obstacles: all tracks cut, as in S1, and cheapest.
+OBSTACLES = $(LIMIT) $(RELEASE)/tests/real/obstacle_sweep
+long-obstacles-3: build ## ways past the obstacles of the real fields, 3 m wide, and what a stop's price does
+	$(OBSTACLES) --width 3
+	$(OBSTACLES) --stop-prices
+long-obstacles-6: build ## the same, 6 m wide
+	$(OBSTACLES) --width 6
+long-obstacles-12: build ## the same, 12 m wide
+	$(OBSTACLES) --width 12
+long-obstacles-24: build ## the same, 24 m wide
+	$(OBSTACLES) --width 24
 
 # Refused fields are part of the register: they are listed in the output and are no failure.
 long-registers: program ## plan every field of the registers, slivers and oddities included

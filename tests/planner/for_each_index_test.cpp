@@ -1,6 +1,7 @@
 #include "tramline/planner/for_each_index.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <mutex>
 #include <numeric>
@@ -17,6 +18,16 @@ TEST(ForEachIndex, CallsEveryIndexOnceOnAnyNumberOfThreads) {
     EXPECT_EQ(calls, std::vector<int>(calls.size(), 1)) << threads << " threads";
   }
 }
+
+#ifndef __SANITIZE_THREAD__
+TEST(ForEachIndex, OnOneThreadLeavesTheOthersToTheirCallers) {
+  const auto threads_of_the_process = [] {
+    return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  };
+  const std::size_t before = threads_of_the_process();
+  for_each_index(3, 1, [&](std::size_t) { EXPECT_EQ(threads_of_the_process(), before); });
+}
+#endif
 
 TEST(ForEachIndex, HandsDataToTheBodiesAndBack) {
   for (int round = 0; round < 50; ++round) {

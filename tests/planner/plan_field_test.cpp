@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "tramline/geometry/error.h"
@@ -43,6 +44,32 @@ TEST(PlanField, AnObstacleCutsTheStripsItMeets) {
   EXPECT_EQ(plan.tally.stops, 6);
   EXPECT_NEAR(plan.tally.uncovered_m2, 0, 1e-3);
   EXPECT_NEAR(plan.cost, 0.45 * 22 + 5 * 6, 1e-3);
+}
+
+// A hedge rises obliquely through strips 7 and 8 (y from 21 to 27), x from 60 to 120; 2 m behind its upper
+// end stands a pole, so that both are one obstacle to the planner. The track of strip 7 goes round the
+// hedge's lower end and never comes near the pole.
+TEST(PlanField, DetoursNameTheObstaclesBesideThem) {
+  Field field = rectangle(200, 60);
+  field.obstacles = {
+      {{{{60, 21.2}, {120, 26.2}, {120, 26.7}, {60, 21.7}}, {}}, ObstacleKind::kObstacle, "hedge"},
+      {{{{122, 26.2}, {122.5, 26.2}, {122.5, 26.7}, {122, 26.7}}, {}}, ObstacleKind::kObstacle, "pole"}};
+  PlanSettings settings;
+  settings.decomposition_threshold = Angle::degrees(300);
+  const Plan plan = plan_field(field, {}, {0.04, 0.10, 0.45, 50}, settings);
+  ASSERT_EQ(plan.encounters.size(), 2U);
+  for (const Encounter& encounter : plan.encounters)
+    EXPECT_EQ(encounter.obstacles, encounter.at.y < 24 ? std::vector<int>{0} : (std::vector<int>{0, 1}));
+  bool before_the_pole = false;
+  for (const TrackPiece& piece : plan.pieces)
+    for (const Detour& detour : piece.detours) {
+      const double from = std::min(detour.path.front().from.x, detour.path.back().to.x);
+      const double to = std::max(detour.path.front().from.x, detour.path.back().to.x);
+      if (from > 60 || to > 122) continue;
+      before_the_pole = true;
+      EXPECT_EQ(detour.obstacles, std::vector<int>{0});
+    }
+  EXPECT_TRUE(before_the_pole);
 }
 
 TEST(PlanField, AWaterwayInterruptsTheTracksItCrosses) {

@@ -8,6 +8,7 @@
 
 #include "tramline/admission/admit.h"
 #include "tramline/check/compare_fields.h"
+#include "tramline/check/compare_layers.h"
 #include "tramline/check/verify.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/plan/read_plan.h"
@@ -18,15 +19,6 @@
 namespace tramline::testing {
 namespace {
 
-std::vector<Field> admitted(const RealFields& fields, const Crs& crs, const RawFeature& feature) {
-  AdmissionContext context;
-  context.file = fields.file;
-  context.layer = fields.dataset.layers.front().name;
-  context.crs = &crs;
-  context.winding_matters = fields.dataset.winding_matters;
-  return admit(feature, context).fields;
-}
-
 PlanSettings settings_with(EndRule end_rule) {
   PlanSettings settings;
   settings.end_rule = end_rule;
@@ -35,15 +27,27 @@ PlanSettings settings_with(EndRule end_rule) {
   return settings;
 }
 
-void verify_file(const std::string& file, const Field& input, Outcome& outcome) {
-  const Plan read = io::read_plan(file);
-  check::Verdict verdict = check::verify(read);
-  for (const check::Violation& more : check::compare_fields(read.field, input))
-    verdict.violations.push_back(more);
+void append(std::vector<check::Violation>& to, const std::vector<check::Violation>& more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+
+/// Where a plan file says something twice and not the same.
+void compare_layers(const io::PlanFile& file, std::vector<check::Violation>& out) {
+  append(out, check::compare_swaths(file.plan, file.track_order, file.swaths, file.swath_order));
+  append(out, check::compare_lines(file.plan, file.track_lines));
+  for (const io::DerivedNumber& number : file.derived)
+    check::compare_number(number.where, number.stored, number.from_shape, number.at, out);
+  for (const io::DerivedText& text : file.derived_texts)
+    check::compare_text(text.where, text.stored, text.from_shape, text.at, out);
+}
+
+std::vector<std::string> in_words(const check::Verdict& verdict) {
+  std::vector<std::string> out;
   for (const check::Violation& violation : verdict.violations)
-    outcome.violations.push_back(fmt::format("{}: {} at ({:.3f}, {:.3f})", violation.rule, violation.what,
-                                             violation.at.x, violation.at.y));
-  if (!verdict.complete) outcome.violations.push_back("the verifier could not look at everything");
+    out.push_back(fmt::format("{}: {} at ({:.3f}, {:.3f})", violation.rule, violation.what, violation.at.x,
+                              violation.at.y));
+  if (!verdict.complete) out.emplace_back("the verifier could not look at everything");
+  return out;
 }
 
 Outcome outcome_of(const Field& field, const Field& input, int scenario_number, EndRule end_rule,
@@ -62,7 +66,7 @@ Outcome outcome_of(const Field& field, const Field& input, int scenario_number, 
     outcome.directions_tried = plan.directions_tried;
     outcome.obstacles = field.obstacles.size();
     io::write_plan(plan, scratch);
-    verify_file(scratch, input, outcome);
+    outcome.violations = faults_of_file(scratch, input);
     std::filesystem::remove(scratch);
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::kBadInput)
@@ -87,6 +91,27 @@ std::optional<RealFields> read_real_fields() {
   query.file = file;
   RawDataset dataset = io::read_vector(query);
   return RealFields{file, std::move(dataset)};
+}
+
+std::vector<Field> admitted(const RealFields& fields, const Crs& crs, const RawFeature& feature) {
+  AdmissionContext context;
+  context.file = fields.file;
+  context.layer = fields.dataset.layers.front().name;
+  context.crs = &crs;
+  context.winding_matters = fields.dataset.winding_matters;
+  return admit(feature, context).fields;
+}
+
+std::vector<std::string> faults_of(const Plan& plan) { return in_words(check::verify(plan)); }
+
+std::vector<std::string> faults_of_file(const std::string& path, const Field& input) {
+  const io::PlanFile file = io::read_plan_file(path);
+  check::Verdict verdict = check::verify(file.plan);
+  if (verdict.complete) {
+    compare_layers(file, verdict.violations);
+    append(verdict.violations, check::compare_fields(file.plan.field, input));
+  }
+  return in_words(verdict);
 }
 
 Objective scenario(int number) {

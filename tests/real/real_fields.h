@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tramline/geodesy/crs.h"
+#include "tramline/model/field.h"
 #include "tramline/model/plan.h"
 #include "tramline/model/raw_feature.h"
 
@@ -22,6 +23,15 @@ struct RealFields {
 };
 std::optional<RealFields> read_real_fields();
 
+/// The fields that a feature of the dataset makes. Throws Error(kBadInput) where it makes none. `crs` is the
+/// dataset's; it serves one thread at a time.
+std::vector<Field> admitted(const RealFields& fields, const Crs& crs, const RawFeature& feature);
+
+/// What the verifier finds, a sentence each; empty where all is well.
+std::vector<std::string> faults_of(const Plan& plan);
+/// The same of a plan file: also where it contradicts itself, and whether its field is that of the input.
+std::vector<std::string> faults_of_file(const std::string& file, const Field& input);
+
 /// S1.8: 1 least overlap, 2 least uncovered, 3 fewest turns.
 Objective scenario(int number);
 
@@ -37,8 +47,7 @@ struct Outcome {
 
 /// Admits, plans (w = 3, r = 6, merge 15, decomposition 205, one thread), writes the plan file, reads
 /// it back and verifies that, also against a fresh admission of the input. One outcome per part.
-/// `scratch` is a file name of its own for the plan.
-/// `crs` is the dataset's; it serves one thread at a time.
+/// `scratch` is a file name of its own for the plan; `crs` as above.
 std::vector<Outcome> plan_and_verify(const RealFields& fields, const Crs& crs, const RawFeature& feature,
                                      int scenario_number, EndRule end_rule, const std::string& scratch);
 

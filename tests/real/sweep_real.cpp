@@ -13,16 +13,10 @@
 #include <filesystem>
 
 #include "real/real_fields.h"
+#include "real/spread.h"
 
 namespace tramline::testing {
 namespace {
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
 
 std::vector<Outcome> sweep(const RealFields& fields, int scenario_number, EndRule end_rule) {
   std::vector<std::vector<Outcome>> by_feature(fields.features().size());

@@ -38,6 +38,16 @@ TrackOption option_of(WayRound way, StripDetour detour) {
   return option;
 }
 
+/// Where the field's obstacles lie along a grid.
+std::vector<Interval> extents_along(const Field& field, const TrackFrame& frame) {
+  std::vector<Interval> out;
+  for (const Obstacle& obstacle : field.obstacles) {
+    const Box box = bounds(frame.to_track(obstacle.shape.outer));
+    out.push_back({box.min_y, box.max_y});
+  }
+  return out;
+}
+
 bool same_drive(const WayRound& a, const WayRound& b) {
   constexpr double kSame = 1e-9;
   return a.detour.side == b.detour.side && a.first_gap == b.first_gap && a.last_gap == b.last_gap &&
@@ -59,6 +69,7 @@ DetourDecisions::DetourDecisions(const AvoidanceTask& task)
   for (std::size_t i = 0; i < task.strips.size(); ++i) {
     const Strips& strips = task.strips[i];
     around_.push_back(turned_surroundings(task.ground, task.field.outer, hard, strips.grid.frame));
+    obstacles_.push_back(extents_along(task.field, strips.grid.frame));
     body_.emplace_back();
     for (const Ring& ring : rings_of(task.ground.body))
       body_.back().push_back(strips.grid.frame.to_track(ring));
@@ -110,7 +121,7 @@ void DetourDecisions::add_options(BlockedTrack& track) {
         if (!way.possible()) {
           track.refused.push_back({gap, side, way.why_not});
         } else if (!known(way)) {
-          TrackOption option = option_of(way, named(way));
+          TrackOption option = option_of(way, named(track.subfield, way));
           if (hopeless(option, track.subfield, strip, task_.strips, ground_, task_.objective))
             track.refused.push_back({gap, side, kFarTooDear});
           else
@@ -140,16 +151,29 @@ void DetourDecisions::add_paper_option(BlockedTrack& track, std::size_t gap) {
       option.of_paper = true;
       return;
     }
-  track.options.push_back(option_of(way, named(way)));
+  track.options.push_back(option_of(way, named(track.subfield, way)));
   track.options.back().of_paper = true;
 }
 
-StripDetour DetourDecisions::named(const WayRound& way) const {
+StripDetour DetourDecisions::named(std::size_t subfield, const WayRound& way) const {
   StripDetour detour = way.detour;
-  for (const std::size_t hazard : way.hazards)
-    for (const int obstacle : task_.ground.hazards[hazard].obstacles) detour.obstacles.push_back(obstacle);
-  std::sort(detour.obstacles.begin(), detour.obstacles.end());
+  detour.obstacles = obstacles_along(subfield, way.hazards, {detour.from, detour.to});
   return detour;
+}
+
+/// Land given up may join a hazard's obstacles to others far away: those are neither met nor passed here.
+std::vector<int> DetourDecisions::obstacles_along(std::size_t subfield,
+                                                  const std::vector<std::size_t>& hazards,
+                                                  Interval range) const {
+  constexpr double kRounding = 1e-6;
+  std::vector<int> out;
+  for (const std::size_t hazard : hazards)
+    for (const int obstacle : task_.ground.hazards[hazard].obstacles) {
+      const Interval extent = obstacles_[subfield][static_cast<std::size_t>(obstacle)];
+      if (extent.from < range.to - kRounding && extent.to > range.from + kRounding) out.push_back(obstacle);
+    }
+  std::sort(out.begin(), out.end());
+  return out;
 }
 
 void DetourDecisions::work(std::size_t subfield, const Strip& strip,
@@ -276,9 +300,9 @@ Encounter DetourDecisions::encounter_at(Decision& decision, std::size_t gap) {
   out.subfield = static_cast<int>(decision.track.subfield);
   out.track = strip.index;
   out.at = strips.grid.frame.to_field({strips.grid.centre(strip.index), middle});
-  for (const std::size_t hazard : hazards_in(strips.grid, strip, between, around_[decision.track.subfield]))
-    for (const int obstacle : task_.ground.hazards[hazard].obstacles) out.obstacles.push_back(obstacle);
-  std::sort(out.obstacles.begin(), out.obstacles.end());
+  const std::size_t subfield = decision.track.subfield;
+  out.obstacles =
+      obstacles_along(subfield, hazards_in(strips.grid, strip, between, around_[subfield]), between);
   for (const StripDetour& detour : decision.chosen)
     if (detour.from <= middle && detour.to >= middle) out.chosen = detour.side;
   const auto cut =

@@ -38,7 +38,9 @@ class DetourDecisions {
   void add_tracks(std::size_t subfield);
   void add_options(BlockedTrack& track);
   void add_paper_option(BlockedTrack& track, std::size_t gap);
-  StripDetour named(const WayRound& way) const;
+  StripDetour named(std::size_t subfield, const WayRound& way) const;
+  std::vector<int> obstacles_along(std::size_t subfield, const std::vector<std::size_t>& hazards,
+                                   Interval range) const;
   void work(std::size_t subfield, const Strip& strip, const std::vector<StripDetour>& detours);
   void choose(Decision& decision, std::vector<StripDetour> detours);
   void mark_stale_near(const Decision& decision, const std::vector<StripDetour>& detours);
@@ -50,8 +52,9 @@ class DetourDecisions {
   const AvoidanceTask& task_;
   double width_m_;
   double least_m_;
-  std::vector<Surroundings> around_;     ///< by subfield
-  std::vector<std::vector<Ring>> body_;  ///< its rings in the plane of each subfield's grid
+  std::vector<Surroundings> around_;              ///< by subfield
+  std::vector<std::vector<Interval>> obstacles_;  ///< by subfield and obstacle: where it lies along
+  std::vector<std::vector<Ring>> body_;           ///< its rings in the plane of each subfield's grid
   WorkedGround ground_;
   std::vector<Decision> tracks_;
 };

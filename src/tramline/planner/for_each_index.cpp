@@ -38,6 +38,7 @@ void for_each_index(std::size_t count, int threads, const std::function<void(std
 #else
 
 #include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -46,9 +47,11 @@ void for_each_index(std::size_t count, int threads, const std::function<void(std
 namespace tramline {
 
 void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& body) {
-  // More threads than cores are the caller's wish; without this TBB warns on stderr.
+  // More threads than cores are the caller's wish; without this TBB warns on stderr. Fewer are the arena's
+  // business alone: the limit holds for the whole process, and would slow callers that plan several fields
+  // at a time.
   std::optional<tbb::global_control> limit;
-  if (threads > 0)
+  if (threads > tbb::info::default_concurrency())
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, body); });
