@@ -110,7 +110,7 @@ void DetourDecisions::add_options(BlockedTrack& track) {
         if (!way.possible()) {
           track.refused.push_back({gap, side, way.why_not});
         } else if (!known(way)) {
-          TrackOption option = option_of(way, named(way));
+          TrackOption option = option_of(way, named(way, strips.grid.frame));
           if (hopeless(option, track.subfield, strip, task_.strips, ground_, task_.objective))
             track.refused.push_back({gap, side, kFarTooDear});
           else
@@ -140,16 +140,28 @@ void DetourDecisions::add_paper_option(BlockedTrack& track, std::size_t gap) {
       option.of_paper = true;
       return;
     }
-  track.options.push_back(option_of(way, named(way)));
+  track.options.push_back(option_of(way, named(way, strips.grid.frame)));
   track.options.back().of_paper = true;
 }
 
-StripDetour DetourDecisions::named(const WayRound& way) const {
+StripDetour DetourDecisions::named(const WayRound& way, const TrackFrame& frame) const {
   StripDetour detour = way.detour;
-  for (const std::size_t hazard : way.hazards)
-    for (const int obstacle : task_.ground.hazards[hazard].obstacles) detour.obstacles.push_back(obstacle);
-  std::sort(detour.obstacles.begin(), detour.obstacles.end());
+  detour.obstacles = obstacles_beside(way.hazards, {detour.from, detour.to}, frame);
   return detour;
+}
+
+/// Land given up may join an obstacle in the way to others far ahead or behind, which are not passed here.
+std::vector<int> DetourDecisions::obstacles_beside(const std::vector<std::size_t>& hazards,
+                                                   const Interval& along, const TrackFrame& frame) const {
+  std::vector<int> out;
+  for (const std::size_t hazard : hazards)
+    for (const int obstacle : task_.ground.hazards[hazard].obstacles) {
+      const Polygon& shape = task_.field.obstacles[static_cast<std::size_t>(obstacle)].shape;
+      const Box box = bounds(frame.to_track(shape.outer));
+      if (box.min_y < along.to && box.max_y > along.from) out.push_back(obstacle);
+    }
+  std::sort(out.begin(), out.end());
+  return out;
 }
 
 void DetourDecisions::work(std::size_t subfield, const Strip& strip,
@@ -276,9 +288,8 @@ Encounter DetourDecisions::encounter_at(Decision& decision, std::size_t gap) {
   out.subfield = static_cast<int>(decision.track.subfield);
   out.track = strip.index;
   out.at = strips.grid.frame.to_field({strips.grid.centre(strip.index), middle});
-  for (const std::size_t hazard : hazards_in(strips.grid, strip, between, around_[decision.track.subfield]))
-    for (const int obstacle : task_.ground.hazards[hazard].obstacles) out.obstacles.push_back(obstacle);
-  std::sort(out.obstacles.begin(), out.obstacles.end());
+  out.obstacles = obstacles_beside(hazards_in(strips.grid, strip, between, around_[decision.track.subfield]),
+                                   between, strips.grid.frame);
   for (const StripDetour& detour : decision.chosen)
     if (detour.from <= middle && detour.to >= middle) out.chosen = detour.side;
   const auto cut =

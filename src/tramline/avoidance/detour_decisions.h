@@ -38,7 +38,9 @@ class DetourDecisions {
   void add_tracks(std::size_t subfield);
   void add_options(BlockedTrack& track);
   void add_paper_option(BlockedTrack& track, std::size_t gap);
-  StripDetour named(const WayRound& way) const;
+  StripDetour named(const WayRound& way, const TrackFrame& frame) const;
+  std::vector<int> obstacles_beside(const std::vector<std::size_t>& hazards, const Interval& along,
+                                    const TrackFrame& frame) const;
   void work(std::size_t subfield, const Strip& strip, const std::vector<StripDetour>& detours);
   void choose(Decision& decision, std::vector<StripDetour> detours);
   void mark_stale_near(const Decision& decision, const std::vector<StripDetour>& detours);
