@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "tramline/avoidance/clusters.h"
 #include "tramline/geometry/boolean.h"
 
@@ -77,6 +79,23 @@ TEST(EdgeClips, ReachThroughAClusterToTheEdge) {
   const Ground ground = sort_obstacles(field_with({box(40, 2, 44, 6), box(40, 8, 44, 12)}), kWidth);
   EXPECT_NEAR(area(ground.given_up), 16, 1e-6);
   EXPECT_EQ(ground.hard.size(), 1u);
+}
+
+// A metre kept clear round a square of 4 m at the edge: outside 4 m² and two quarter discs, whose chords lie
+// outside the circle by up to 1/cos²(π/64) of its area; inside 3 sides and two quarter discs more.
+TEST(Clearance, IsKeptOutsideTheFieldToo) {
+  const Ground ground = sort_obstacles(field_with({box(40, 0, 44, 4)}), kWidth, 1);
+  const double quarters = std::numbers::pi / 2;
+  const auto expect_area = [quarters](const Region& land, double straight) {
+    EXPECT_GE(area(land), straight + quarters - 1e-6);
+    EXPECT_LE(area(land), (straight + quarters) * 1.003);
+  };
+  expect_area(ground.beyond, 4);
+  expect_area(ground.given_up, 12);
+  ASSERT_EQ(ground.hazards.size(), 1u);
+  EXPECT_NEAR(bounds(ground.hazards[0].shape).min_y, -1, 0.003);
+  EXPECT_NEAR(bounds(ground.plannable).min_y, 0, 1e-6);
+  EXPECT_TRUE(sort_obstacles(field_with({box(40, 10, 44, 14)}), kWidth, 1).beyond.empty());
 }
 
 // A hedge all round a garden of 10 × 10 m: no machine gets into the garden.

@@ -39,6 +39,7 @@ TEST(PlanField, AnObstacleCutsTheStripsItMeets) {
   field.obstacles = {{{{{40, 21}, {48, 21}, {48, 30}, {40, 30}}, {}}, ObstacleKind::kObstacle, "hole 1"}};
   PlanSettings settings;
   settings.decomposition_threshold = Angle::degrees(300);  // no cuts: corners of the pond are 270
+  settings.avoid = Avoidance::kCut;
   const Plan plan = plan_field(field, {}, {}, settings);
   EXPECT_EQ(plan.tally.pieces, 23);
   EXPECT_EQ(plan.tally.stops, 6);

@@ -106,6 +106,18 @@ TEST(HardEdges, KeepEverySwathInsideAHardBoundary) {
   EXPECT_NEAR(sums.uncovered, 20 * kWedge, 1e-3);
 }
 
+// The third strip sticks out of the field by a metre, into what has to be kept clear for 5 m.
+TEST(HardEdges, CutSwathsThatStickOutIntoLandKeptClear) {
+  TurnedGround ground;
+  ground.beyond = {box(8, 40, 12, 45)};
+  const SubfieldTracks tracks = lay(box(0, 0, 8, 100), EndRule::kCentre, ground);
+  ASSERT_EQ(tracks.pieces.size(), 4u);
+  EXPECT_NEAR(tracks.pieces[2].to, 40, 1e-9);
+  EXPECT_NEAR(tracks.pieces[3].from, 45, 1e-9);
+  EXPECT_FALSE(tracks.pieces[2].stop_at_to) << "nothing of the field blocks it";
+  EXPECT_FALSE(tracks.pieces[3].after_crossing);
+}
+
 TEST(PassableObstacles, InterruptTheWorkWithoutAStop) {
   const Polygon field = box(0, 0, 6, 100);
   const TurnedGround ground{{}, {box(-5, 40, 20, 45)}, {}};

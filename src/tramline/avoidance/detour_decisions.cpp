@@ -240,22 +240,39 @@ void DetourDecisions::value(Decision& decision) {
   value_options(decision.track, strips_of(decision), body_[decision.track.subfield], ground_, least_m_);
 }
 
+/// What the track's best choice saves against what it does now.
+double DetourDecisions::saving_of(Decision& decision, std::vector<StripDetour>* best_detours) {
+  value(decision);
+  const Strip& strip = strip_of(decision);
+  const auto best = cheapest_choice(decision.track, strip, width_m_, task_.objective, least_m_);
+  if (!best || same_detours(best->detours, decision.chosen)) return 0;
+  if (best_detours != nullptr) *best_detours = best->detours;
+  return track_cost(decision.track, strip, width_m_, decision.chosen, task_.objective, least_m_) - best->cost;
+}
+
+/// Those that save most come first: an order that does not depend on how the field lies in its frame.
+std::vector<DetourDecisions::Decision*> DetourDecisions::by_saving() {
+  std::vector<std::pair<double, Decision*>> savings;
+  for (Decision& decision : tracks_) savings.emplace_back(saving_of(decision, nullptr), &decision);
+  std::stable_sort(savings.begin(), savings.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<Decision*> out;
+  for (const auto& [saving, decision] : savings) out.push_back(decision);
+  return out;
+}
+
 bool DetourDecisions::improve() {
   constexpr int kMostRounds = 8;
   constexpr double kWorthIt = 1e-9;
   bool any = false;
-  for (Decision& decision : tracks_) value(decision);
+  const std::vector<Decision*> order = by_saving();
   for (int round = 0; round < kMostRounds; ++round) {
     bool changed = false;
-    for (Decision& decision : tracks_) {
-      if (round > 0 && !decision.track.stale) continue;
-      value(decision);
-      const Strip& strip = strip_of(decision);
-      const auto best = cheapest_choice(decision.track, strip, width_m_, task_.objective, least_m_);
-      const double now =
-          track_cost(decision.track, strip, width_m_, decision.chosen, task_.objective, least_m_);
-      if (!best || best->cost >= now - kWorthIt || same_detours(best->detours, decision.chosen)) continue;
-      choose(decision, best->detours);
+    for (Decision* decision : order) {
+      if (round > 0 && !decision->track.stale) continue;
+      std::vector<StripDetour> detours;
+      if (saving_of(*decision, &detours) <= kWorthIt) continue;
+      choose(*decision, std::move(detours));
       changed = true;
     }
     any = any || changed;

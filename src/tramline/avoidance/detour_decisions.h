@@ -46,6 +46,8 @@ class DetourDecisions {
   void mark_stale_near(const Decision& decision, const std::vector<StripDetour>& detours);
   void value(Decision& decision);
   void drop_dear_options(Decision& decision);
+  double saving_of(Decision& decision, std::vector<StripDetour>* best_detours);
+  std::vector<Decision*> by_saving();
   Encounter encounter_at(Decision& decision, std::size_t gap);
   WayPast way_past(const Decision& decision, std::size_t gap, Passing side, double cost_of_cut) const;
 

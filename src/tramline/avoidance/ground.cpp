@@ -44,14 +44,17 @@ Ground sort_obstacles(const Field& field, double width_m, double clearance_m) {
     between.insert(between.end(), group.given_up.begin(), group.given_up.end());
 
   const Region solid = unite(obstacles);
-  if (clearance_m > 0)
-    for (Polygon& kept_clear : with_clearance(solid, clearance_m)) between.push_back(std::move(kept_clear));
+  if (clearance_m > 0) {
+    const Region kept_clear = with_clearance(solid, clearance_m);
+    between.insert(between.end(), kept_clear.begin(), kept_clear.end());
+    ground.beyond = difference(kept_clear, whole);
+  }
   ground.given_up = intersection(unite(between), ground.body);
   const Region enclosed = intersection(enclosed_by(unite(solid, ground.given_up)), ground.body);
   if (!enclosed.empty()) ground.given_up = unite(ground.given_up, enclosed);
   ground.hard = unite(solid, ground.given_up);
   ground.plannable = difference(whole, ground.hard);
-  ground.hazards = hazards_of(ground.hard, field);
+  ground.hazards = hazards_of(ground.beyond.empty() ? ground.hard : unite(ground.hard, ground.beyond), field);
   return ground;
 }
 

@@ -15,7 +15,8 @@ struct Ground {
                      ///< the edge, inside a ring of them, and nearer to one than the clearance
   Region hard;       ///< obstacles and given-up land
   Region passable;   ///< crossed with the work interrupted
-  std::vector<Hazard> hazards;  ///< the parts of `hard`
+  Region beyond;     ///< land outside the field nearer to an obstacle than the clearance: no swath enters it
+  std::vector<Hazard> hazards;  ///< the parts of `hard` with what lies beyond
 };
 
 /// S1.27-S1.29: clusters (b) and edge clips (c). Every other obstacle is driven round (a) or cuts the

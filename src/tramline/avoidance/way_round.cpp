@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "tramline/avoidance/detour_frame.h"
 #include "tramline/avoidance/detour_path.h"
@@ -88,7 +89,7 @@ class Search {
       if (round + 1 == kMostRounds) return refuse("there is no room between the obstacles");
     }
     way_.why_not = fault_of(way_.detour.path, o_.width_m, around_);
-    for (const auto& part : parts_) way_.hazards.push_back(part.first);
+    name_hazards();
     return std::move(way_);
   }
 
@@ -111,6 +112,19 @@ class Search {
     for (const std::size_t hazard : hazards_in(o_.grid, o_.strip, gap, around_))
       grown = extend(parts_, hazard, {gap.from - kTip, gap.to + kTip}) || grown;
     return grown;
+  }
+
+  /// Those that shaped the path, and those in the gaps it bridges that it cleared without a further look.
+  void name_hazards() {
+    std::set<std::size_t> all;
+    for (const auto& part : parts_) all.insert(part.first);
+    const Intervals& stretches = o_.strip.stretches;
+    for (std::size_t gap = way_.first_gap; gap <= way_.last_gap; ++gap) {
+      const Interval between{stretches[gap - 1].to, stretches[gap].from};
+      const std::vector<std::size_t> there = hazards_in(o_.grid, o_.strip, between, around_);
+      all.insert(there.begin(), there.end());
+    }
+    way_.hazards.assign(all.begin(), all.end());
   }
 
   /// Makes a path round the parts known so far and sees where it gets.

@@ -17,7 +17,10 @@ namespace tramline {
 namespace {
 
 TurnedGround turned_ground(const SearchTask& task, const TrackFrame& frame) {
-  TurnedGround out{frame.to_track(task.ground.hard), frame.to_track(task.ground.passable), {}};
+  TurnedGround out{frame.to_track(task.ground.hard),
+                   frame.to_track(task.ground.passable),
+                   {},
+                   frame.to_track(task.ground.beyond)};
   if (task.settings.boundary == EdgeKind::kHard) out.field = {{frame.to_track(task.field.outer), {}}};
   return out;
 }

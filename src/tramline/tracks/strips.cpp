@@ -25,6 +25,7 @@ Strips strips_of(const StripGrid& grid, const Polygon& turned, const TurnedGroun
   std::vector<StripProfile> subfield = cross_sections({turned}, grid, range);
   std::vector<StripProfile> hard = cross_sections(ground.hard, grid, range);
   const std::vector<StripProfile> passable = cross_sections(ground.passable, grid, range);
+  const std::vector<StripProfile> beyond = cross_sections(ground.beyond, grid, range);
   const std::vector<Intervals> by_outside = beyond_boundary(grid, range, ground.field);
   Strips out{grid, {}};
   for (int k = range.first; k <= range.last; ++k) {
@@ -36,6 +37,7 @@ Strips strips_of(const StripGrid& grid, const Polygon& turned, const TurnedGroun
     strip.by_hard = where_at_least(strip.hard, kWidthTolerance);
     strip.by_passable = where_at_least(passable[i], kWidthTolerance);
     strip.stretches = without(without(allowed_by(criterion, strip.subfield), strip.by_hard), by_outside[i]);
+    strip.stretches = without(strip.stretches, where_at_least(beyond[i], kWidthTolerance));
     out.strips.push_back(std::move(strip));
   }
   return out;

@@ -12,7 +12,8 @@ namespace tramline {
 struct TurnedGround {
   Region hard;  ///< obstacles and given-up land
   Region passable;
-  Region field;  ///< the field's outer ring where it is hard, else empty
+  Region field;     ///< the field's outer ring where it is hard, else empty
+  Region beyond{};  ///< entered by no swath, and no stop either: it is not of the field
 };
 
 /// One strip of a grid. Positions are coordinates along the grid's direction.
