@@ -125,12 +125,13 @@ TEST(DetourPath, RoundOneDiscIsThreeArcsAsLongAsAnglesTimesRadii) {
     SCOPED_TRACE(::testing::Message() << "rho " << rho << " c " << c << " r " << r);
     const auto path = detour_path({{{0, c}, rho}}, r);
     ASSERT_TRUE(path);
-    ASSERT_EQ(path->size(), 3u);
     const double middle = std::max(rho, r), theta = std::acos((r - (rho + c - middle)) / (r + middle));
+    // A middle arc near half a circle comes in two halves.
+    ASSERT_EQ(path->size(), 2 * theta > 2 * std::numbers::pi / 3 ? 4u : 3u);
     EXPECT_NEAR(length(*path), 2 * theta * (r + middle), 1e-6);
-    EXPECT_NEAR(radius((*path)[0]), r, 1e-9);
-    EXPECT_NEAR(radius((*path)[1]), middle, 1e-9);
-    EXPECT_NEAR(radius((*path)[2]), r, 1e-9);
+    EXPECT_NEAR(radius(path->front()), r, 1e-9);
+    for (std::size_t i = 1; i + 1 < path->size(); ++i) EXPECT_NEAR(radius((*path)[i]), middle, 1e-9);
+    EXPECT_NEAR(radius(path->back()), r, 1e-9);
   }
 }
 

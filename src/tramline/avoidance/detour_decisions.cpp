@@ -30,14 +30,6 @@ Obstruction obstruction(const Strips& strips, const Strip& strip, std::size_t ga
   return {strips.grid, strip, gap, machine.width_m, machine.radius_m};
 }
 
-TrackOption option_of(WayRound way, StripDetour detour) {
-  TrackOption option;
-  option.straight = {detour.from, detour.to};
-  option.way = std::move(way);
-  option.way.detour = std::move(detour);
-  return option;
-}
-
 /// Where the field's obstacles lie along a grid.
 std::vector<Interval> extents_along(const Field& field, const TrackFrame& frame) {
   std::vector<Interval> out;
@@ -121,7 +113,7 @@ void DetourDecisions::add_options(BlockedTrack& track) {
         if (!way.possible()) {
           track.refused.push_back({gap, side, way.why_not});
         } else if (!known(way)) {
-          TrackOption option = option_of(way, named(track.subfield, way));
+          TrackOption option = option_of(named(track.subfield, way), strips.grid, strip.index);
           if (hopeless(option, track.subfield, strip, task_.strips, ground_, task_.objective))
             track.refused.push_back({gap, side, kFarTooDear});
           else
@@ -151,14 +143,14 @@ void DetourDecisions::add_paper_option(BlockedTrack& track, std::size_t gap) {
       option.of_paper = true;
       return;
     }
-  track.options.push_back(option_of(way, named(track.subfield, way)));
+  track.options.push_back(
+      option_of(named(track.subfield, way), strips.grid, strips.strips[track.strip].index));
   track.options.back().of_paper = true;
 }
 
-StripDetour DetourDecisions::named(std::size_t subfield, const WayRound& way) const {
-  StripDetour detour = way.detour;
-  detour.obstacles = obstacles_along(subfield, way.hazards, {detour.from, detour.to});
-  return detour;
+WayRound DetourDecisions::named(std::size_t subfield, WayRound way) const {
+  way.detour.obstacles = obstacles_along(subfield, way.hazards, {way.detour.from, way.detour.to});
+  return way;
 }
 
 /// Land given up may join a hazard's obstacles to others far away: those are neither met nor passed here.

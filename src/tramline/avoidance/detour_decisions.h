@@ -38,7 +38,7 @@ class DetourDecisions {
   void add_tracks(std::size_t subfield);
   void add_options(BlockedTrack& track);
   void add_paper_option(BlockedTrack& track, std::size_t gap);
-  StripDetour named(std::size_t subfield, const WayRound& way) const;
+  WayRound named(std::size_t subfield, WayRound way) const;
   std::vector<int> obstacles_along(std::size_t subfield, const std::vector<std::size_t>& hazards,
                                    Interval range) const;
   void work(std::size_t subfield, const Strip& strip, const std::vector<StripDetour>& detours);

@@ -132,26 +132,31 @@ class Pen {
   Path path_;
 };
 
+/// Unit normal of the hull's edge that ends at a vertex.
+Point normal_before(const Hull& hull, std::size_t vertex) {
+  const Point edge = hull.centres[vertex] - hull.centres[vertex - 1];
+  return (1 / length(edge)) * Point{-edge.y, edge.x};
+}
+
+/// Round a vertex of the hull, from one normal to another. Near half a circle chord and curvature say little
+/// about where an arc runs, so that one is drawn in two.
+void draw_round(Pen& pen, Point centre, double radius, Point from, Point to) {
+  constexpr double kWide = -0.5;  // cosine of 120 degrees
+  if (dot(from, to) < kWide) {
+    const Point along = to - from;
+    pen.draw_to(centre + (radius / length(along)) * Point{-along.y, along.x}, -1 / radius);
+  }
+  pen.draw_to(centre + radius * to, -1 / radius);
+}
+
 Path drawn(const Hull& hull, const Approach& in, const Approach& out, double arc) {
-  const auto on_hull = [&](std::size_t vertex, Point normal) {
-    return hull.centres[vertex] + hull.radius * normal;
-  };
   Pen pen({in.arc_centre, 0});
   pen.draw_to(Point{in.arc_centre, arc} - arc * in.normal, 1 / arc);
   for (std::size_t i = in.vertex; i <= out.vertex; ++i) {
-    // Up to the hull, or along its edge.
-    if (i == in.vertex)
-      pen.draw_to(on_hull(i, in.normal), 0);
-    else {
-      const Point edge = hull.centres[i] - hull.centres[i - 1];
-      pen.draw_to(on_hull(i, (1 / length(edge)) * Point{-edge.y, edge.x}), 0);
-    }
-    Point leaving = out.normal;
-    if (i < out.vertex) {
-      const Point edge = hull.centres[i + 1] - hull.centres[i];
-      leaving = (1 / length(edge)) * Point{-edge.y, edge.x};
-    }
-    pen.draw_to(on_hull(i, leaving), -1 / hull.radius);
+    const Point arriving = i == in.vertex ? in.normal : normal_before(hull, i);
+    const Point leaving = i == out.vertex ? out.normal : normal_before(hull, i + 1);
+    pen.draw_to(hull.centres[i] + hull.radius * arriving, 0);
+    draw_round(pen, hull.centres[i], hull.radius, arriving, leaving);
   }
   pen.draw_to(Point{out.arc_centre, arc} - arc * out.normal, 0);
   pen.draw_to({out.arc_centre, 0}, 1 / arc);

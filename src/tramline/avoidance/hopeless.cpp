@@ -65,7 +65,8 @@ std::vector<Box> boxes_along(const Path& path, double width_m) {
       continue;
     }
     const Point step = (1.0 / count) * (segment.to - segment.from);
-    for (int i = 0; i < count; ++i) steps.push_back({segment.from + i * step, segment.from + (i + 1) * step, 0});
+    for (int i = 0; i < count; ++i)
+      steps.push_back({segment.from + i * step, segment.from + (i + 1) * step, 0});
   }
   return reaches_of(steps, width_m);
 }

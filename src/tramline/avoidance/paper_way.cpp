@@ -44,9 +44,10 @@ std::string fault_in_track(const Obstruction& o, const StripDetour& detour, cons
     return "the track ends before the detour could";
   const double least = std::max(o.radius_m, 0.5 * o.width_m);
   if (smallest_radius(detour.path) < least * (1 - 1e-9)) return "it is too tight in the middle";
+  const SwathLine line(detour.path, o.width_m);
   for (const TurnedHazard& hazard : around.hazards)
-    if (runs_into(detour.path, o.width_m, hazard)) return "it would meet an obstacle";
-  return fault_of(detour.path, o.width_m, around);
+    if (runs_into(line, hazard)) return "it would meet an obstacle";
+  return fault_of(line, around);
 }
 
 }  // namespace

@@ -8,14 +8,14 @@ namespace {
 /// What the width tolerance, rounding and the precision grid may take off a distance, m.
 constexpr double kSlack = 2e-5;
 
-bool any_edge_nearer(const Path& path, const Ring& ring, double reach_m) {
-  const Box near = reach_of(path, 2 * reach_m);
+bool any_edge_nearer(const SwathLine& line, const Ring& ring, double reach_m) {
+  const Box& near = line.reach;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
     if (std::max(a.x, b.x) < near.min_x || std::min(a.x, b.x) > near.max_x ||
         std::max(a.y, b.y) < near.min_y || std::min(a.y, b.y) > near.max_y)
       continue;
-    for (const PathSegment& segment : path)
+    for (const PathSegment& segment : line.path)
       if (distance_to_edge(segment, a, b) < reach_m) return true;
   }
   return false;
@@ -38,20 +38,20 @@ Surroundings turned_surroundings(const Ground& ground, const Ring& field, bool h
   return out;
 }
 
-std::string fault_of(const Path& path, double width_m, const Surroundings& around) {
-  if (any_edge_nearer(path, around.field, 1e-9) || !contains(around.field, path.front().from))
+std::string fault_of(const SwathLine& line, const Surroundings& around) {
+  const double half = 0.5 * line.width_m - kSlack;
+  if (any_edge_nearer(line, around.field, 1e-9) || !contains(around.field, line.path.front().from))
     return "it would leave the field";
-  if (around.hard_boundary && any_edge_nearer(path, around.field, 0.5 * width_m - kSlack))
+  if (around.hard_boundary && any_edge_nearer(line, around.field, half))
     return "its swath would pass the hard boundary";
   for (const Ring& ring : around.passable)
-    if (any_edge_nearer(path, ring, 0.5 * width_m - kSlack))
-      return "its swath would enter a passable obstacle";
+    if (any_edge_nearer(line, ring, half)) return "its swath would enter a passable obstacle";
   return "";
 }
 
-bool runs_into(const Path& path, double width_m, const TurnedHazard& hazard) {
-  return intersects(hazard.box, reach_of(path, width_m)) &&
-         any_edge_nearer(path, hazard.outline, 0.5 * width_m - kSlack);
+bool runs_into(const SwathLine& line, const TurnedHazard& hazard) {
+  return intersects(hazard.box, line.reach) &&
+         any_edge_nearer(line, hazard.outline, 0.5 * line.width_m - kSlack);
 }
 
 }  // namespace tramline

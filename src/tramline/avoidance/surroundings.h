@@ -27,12 +27,20 @@ struct Surroundings {
 Surroundings turned_surroundings(const Ground& ground, const Ring& field, bool hard_boundary,
                                  const TrackFrame& frame);
 
-/// What is wrong with a path as the centre line of a swath of the given width, in a few words; empty
-/// where nothing is: it must not leave the field, nor its swath a hard boundary, nor may the swath enter
-/// passable obstacles. Hazards are not looked at. O(edges) boxes.
-std::string fault_of(const Path& path, double width_m, const Surroundings& around);
+/// A path as the centre line of a swath. Refers to the path.
+struct SwathLine {
+  SwathLine(const Path& of, double width) : path(of), width_m(width), reach(reach_of(of, width)) {}
+  const Path& path;
+  double width_m;
+  Box reach;  ///< the swath does not leave it
+};
 
-/// Does the swath along the path enter the hazard? Never for one that its outline only touches.
-bool runs_into(const Path& path, double width_m, const TurnedHazard& hazard);
+/// What is wrong with a swath, in a few words; empty where nothing is: its centre line must not leave the
+/// field, nor the swath a hard boundary, nor may it enter passable obstacles. Hazards are not looked at.
+/// O(edges) boxes.
+std::string fault_of(const SwathLine& line, const Surroundings& around);
+
+/// Does the swath enter the hazard? Never one that its edge only touches.
+bool runs_into(const SwathLine& line, const TurnedHazard& hazard);
 
 }  // namespace tramline

@@ -8,6 +8,12 @@ namespace {
 /// Stretches up to this many times the least length are valued exactly: their piece may be dropped.
 constexpr double kShort = 2;
 
+Box box_round(const std::vector<Box>& boxes) {
+  Box out;
+  for (const Box& box : boxes) out.extend(box);
+  return out;
+}
+
 /// What a shape of one strip covers alone.
 class Valuer {
  public:
@@ -15,10 +21,9 @@ class Valuer {
          const WorkedGround& ground)
       : track_(track), strips_(strips), body_(body), ground_(ground) {}
 
-  double of_detour(const StripDetour& detour) const {
-    const double width_m = strips_.grid.width_m;
-    RisingCurves curves = surroundings(detour_box(detour, width_m), reaches_of(detour.path, width_m));
-    append_band(detour.path, width_m, Layer::kNew, curves);
+  double of_detour(const TrackOption& option) const {
+    RisingCurves curves = surroundings(box_round(option.reaches), option.reaches);
+    append_band(option.way.detour.path, strips_.grid.width_m, Layer::kNew, curves);
     return new_area(curves);
   }
 
@@ -75,13 +80,23 @@ std::vector<std::size_t> hard_gaps(const Strip& strip) {
   return out;
 }
 
+TrackOption option_of(WayRound way, const StripGrid& grid, int strip) {
+  TrackOption out;
+  out.reaches = reaches_of(way.detour.path, grid.width_m);
+  out.straight = {way.detour.from, way.detour.to};
+  out.reach = box_round(out.reaches);
+  out.reach.extend(straight_box(grid, strip, out.straight));
+  out.way = std::move(way);
+  return out;
+}
+
 void value_options(BlockedTrack& track, const Strips& strips, const std::vector<Ring>& body,
                    const WorkedGround& ground, double min_length_m) {
   if (!track.stale) return;
   const Valuer valuer(track, strips, body, ground);
   for (TrackOption& option : track.options) {
     if (!option.stale) continue;
-    option.useful_m2 = valuer.of_detour(option.way.detour);
+    option.useful_m2 = valuer.of_detour(option);
     option.replaced_m2 = valuer.of_stretches(option.straight);
     option.profile_m2 = valuer.profile_of(option.straight);
     option.stale = false;
@@ -97,7 +112,7 @@ void value_options(BlockedTrack& track, const Strips& strips, const std::vector<
 void mark_stale(BlockedTrack& track, const Strips& strips, const Box& changed) {
   const int strip = strips.strips[track.strip].index;
   for (TrackOption& option : track.options)
-    if (intersects(reach_of(option, strips.grid, strip), changed)) option.stale = track.stale = true;
+    if (intersects(option.reach, changed)) option.stale = track.stale = true;
   for (const Interval& stretch : strips.strips[track.strip].stretches)
     if (intersects(straight_box(strips.grid, strip, stretch), changed)) track.stale = true;
 }
@@ -105,12 +120,6 @@ void mark_stale(BlockedTrack& track, const Strips& strips, const Box& changed) {
 void mark_all_stale(BlockedTrack& track) {
   track.stale = true;
   for (TrackOption& option : track.options) option.stale = true;
-}
-
-Box reach_of(const TrackOption& option, const StripGrid& grid, int strip) {
-  Box out = detour_box(option.way.detour, grid.width_m);
-  out.extend(straight_box(grid, strip, option.straight));
-  return out;
 }
 
 }  // namespace tramline

@@ -11,12 +11,14 @@ namespace tramline {
 /// A detour that may be driven, and what it is worth while everything off this track stays as it is.
 struct TrackOption {
   WayRound way;
-  Interval straight;       ///< what the detour replaces, gaps included
-  double useful_m2 = 0;    ///< body that its swath alone covers
-  double replaced_m2 = 0;  ///< body that the straight swath it replaces alone covers
-  double profile_m2 = 0;   ///< the same by the strip's own profile
-  bool of_paper = false;       ///< S1 would choose it
-  bool stale = true;           ///< something near has changed since it was valued
+  std::vector<Box> reaches;  ///< of the detour's parts
+  Box reach;                 ///< of the detour and the straight part it replaces
+  Interval straight;         ///< what the detour replaces, gaps included
+  double useful_m2 = 0;      ///< body that its swath alone covers
+  double replaced_m2 = 0;    ///< body that the straight swath it replaces alone covers
+  double profile_m2 = 0;     ///< the same by the strip's own profile
+  bool of_paper = false;     ///< S1 would choose it
+  bool stale = true;         ///< something near has changed since it was valued
   /// How much more body is covered when the detour takes the place of the straight parts.
   double gain_m2() const { return useful_m2 - replaced_m2; }
 };
@@ -49,11 +51,11 @@ std::vector<std::size_t> hard_gaps(const Strip& strip);
 void value_options(BlockedTrack& track, const Strips& strips, const std::vector<Ring>& body,
                    const WorkedGround& ground, double min_length_m);
 
+/// An option that has not been valued. `way` with its obstacles filled in.
+TrackOption option_of(WayRound way, const StripGrid& grid, int strip);
+
 /// Marks as stale what depends on the ground within a box of the grid's plane.
 void mark_stale(BlockedTrack& track, const Strips& strips, const Box& changed);
 void mark_all_stale(BlockedTrack& track);
-
-/// A box that neither the detour nor the straight part it replaces leaves, in the grid's plane.
-Box reach_of(const TrackOption& option, const StripGrid& grid, int strip);
 
 }  // namespace tramline

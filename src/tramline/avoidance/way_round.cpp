@@ -55,8 +55,8 @@ std::vector<KeepOut> discs_round(const Parts& parts, const Surroundings& around,
 
 /// Adds what the swath along the path runs into. False where all of it has been taken into account
 /// before, so that another look would change nothing.
-bool add_what_is_met(const Path& path, double width_m, Interval extent, const Surroundings& around,
-                     Parts& parts, bool& met) {
+bool add_what_is_met(const SwathLine& line, Interval extent, const Surroundings& around, Parts& parts,
+                     bool& met) {
   bool grown = false;
   for (std::size_t i = 0; i < around.hazards.size(); ++i) {
     const TurnedHazard& hazard = around.hazards[i];
@@ -64,7 +64,7 @@ bool add_what_is_met(const Path& path, double width_m, Interval extent, const Su
     const bool whole = known != parts.end() &&
                        ((parts.size() == 1 && hazard.round) ||
                         (known->second.from <= hazard.box.min_y && known->second.to >= hazard.box.max_y));
-    if (whole || !runs_into(path, width_m, hazard)) continue;
+    if (whole || !runs_into(line, hazard)) continue;
     met = true;
     grown = extend(parts, i, extent) || grown;
   }
@@ -88,7 +88,7 @@ class Search {
       if (step == Step::kGaveUp) return std::move(way_);
       if (round + 1 == kMostRounds) return refuse("there is no room between the obstacles");
     }
-    way_.why_not = fault_of(way_.detour.path, o_.width_m, around_);
+    way_.why_not = fault_of({way_.detour.path, o_.width_m}, around_);
     name_hazards();
     return std::move(way_);
   }
@@ -142,7 +142,7 @@ class Search {
     if (const Step ends = look_at_ends(); ends != Step::kDone) return ends;
     bool met = false;
     const bool grown =
-        add_what_is_met(detour.path, o_.width_m, {detour.from, detour.to}, around_, parts_, met);
+        add_what_is_met({detour.path, o_.width_m}, {detour.from, detour.to}, around_, parts_, met);
     if (!met) return Step::kDone;
     return grown ? Step::kLookAgain : give_up("there is no room between the obstacles");
   }

@@ -61,14 +61,15 @@ bool cross_each_other(Point a, Point b, Point c, Point d) {
   return (side_c > 0) != (side_d > 0) && (side_a > 0) != (side_b > 0);
 }
 
-/// Of a segment. An arc of at most half a circle stays within its chord's length of its ends.
+/// Of a segment: the chord's box, for an arc grown by its height above the chord.
 Box box_of(const PathSegment& segment) {
   Box box;
   box.extend(segment.from);
   box.extend(segment.to);
   if (segment.straight()) return box;
-  const double half = 0.5 * std::abs(turning(segment));
-  return box.grown(radius(segment) * (1 - std::cos(half)));  // the arc's height above its chord
+  const Point chord = segment.to - segment.from;
+  const double half_square = 0.25 * dot(chord, chord), reach = radius(segment);
+  return box.grown(half_square / (reach + std::sqrt(std::max(0.0, reach * reach - half_square))));
 }
 
 /// An arc with what the distance to it asks for.

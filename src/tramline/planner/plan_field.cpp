@@ -28,7 +28,8 @@ std::vector<DroppedPiece> dropped_pieces(const Candidate& candidate) {
 Region swath_parts(const Plan& plan) {
   Region out;
   for (const TrackPiece& piece : plan.pieces)
-    for (Ring& part : swath_parts(piece, plan.machine.width_m, kLayerSagitta)) out.push_back({std::move(part), {}});
+    for (Ring& part : swath_parts(piece, plan.machine.width_m, kLayerSagitta))
+      out.push_back({std::move(part), {}});
   return out;
 }
 
