@@ -70,6 +70,17 @@ TEST(EdgeClips, ApplyToObstaclesThatTouchTheEdge) {
   EXPECT_TRUE(ground.plannable[0].holes.empty());
 }
 
+// The tip of a diamond lies 1 cm inside a square: a common square centimetre, which admission leaves alone.
+TEST(EdgeClips, TakeObstaclesThatAllButTouch) {
+  const Polygon diamond{{{43.99, 4}, {46, 2}, {48, 4}, {46, 6}}, {}};
+  const Ground ground = sort_obstacles(field_with({box(40, 2, 44, 6), diamond}), kWidth);
+  // Below the square 4 × 2 m; below the diamond what lies within 3 m of the edge, below y = 3.
+  const Region below{box(40, 0, 44, 2)};
+  EXPECT_NEAR(area(intersection(ground.given_up, below)), 8, 1e-3);
+  EXPECT_GT(area(intersection(ground.given_up, {box(45, 0, 47, 2)})), 4 - 1e-3);
+  EXPECT_EQ(ground.hard.size(), 1u);
+}
+
 TEST(EdgeClips, LeaveObstaclesAWidthFromTheEdgeAlone) {
   EXPECT_TRUE(sort_obstacles(field_with({box(40, 3, 44, 6)}), kWidth).given_up.empty());
 }

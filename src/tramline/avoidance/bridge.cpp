@@ -37,9 +37,11 @@ Region bridge(const Ring& ring, const Region& region, double gap_m) {
     edge_box.extend(a);
     edge_box.extend(b);
     if (a == b || !intersects(edge_box, near_box)) continue;
-    const Region near_part = intersection(region, line_neighbourhood(a, b, reach));
-    for (const Polygon& part : near_part)
-      for (Polygon& hull : convex_hull(near_points_and_feet({part}, a, b))) out.push_back(std::move(hull));
+    const Region near_edge = line_neighbourhood(a, b, reach);
+    // One by one: polygons that touch along an edge are no valid input together.
+    for (const Polygon& polygon : region)
+      for (const Polygon& part : intersection({polygon}, near_edge))
+        for (Polygon& hull : convex_hull(near_points_and_feet({part}, a, b))) out.push_back(std::move(hull));
   }
   return unite(out);
 }
