@@ -141,7 +141,7 @@ Point normal_before(const Hull& hull, std::size_t vertex) {
 /// Round a vertex of the hull, from one normal to another. Near half a circle chord and curvature say little
 /// about where an arc runs, so that one is drawn in two.
 void draw_round(Pen& pen, Point centre, double radius, Point from, Point to) {
-  constexpr double kWide = -0.5;  // cosine of 120 degrees
+  constexpr double kWide = -0.6;  // cosine of 127 degrees
   if (dot(from, to) < kWide) {
     const Point along = to - from;
     pen.draw_to(centre + (radius / length(along)) * Point{-along.y, along.x}, -1 / radius);
