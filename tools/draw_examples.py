@@ -217,6 +217,23 @@ def plain_metres(folder):
                        "-a_srs", NO_CRS])
 
 
+# ---- ways round -----------------------------------------------------------------------------------
+
+def ways_round(folder):
+    """Two fields to look at detours on: one with a mast, one with a copse."""
+    place = (9.2017, 52.6881)
+    outline = [(0, 0), (132.4, -4.1), (134.8, 73.4), (2.4, 77.5)]
+    # 7 m across, as wide as more than two rows of 3 m.
+    angles = [-2 * math.pi * i / 24 for i in range(24)]
+    mast = [(68.3 + 3.5 * math.cos(angle), 36.4 + 3.5 * math.sin(angle)) for angle in angles]
+    east = (160.0, 0.0)
+    copse_outline = shifted([(0, 0), (168.2, -5.3), (177.5, 117.0), (8.8, 126.1)], east)
+    copse = shifted(blob((84.0, 58.0), 17.0, 11.0, 18, 0.14, 5), east)
+    features = [feature("Polygon", [closed(on_the_globe(ring, *place)) for ring in rings], id=name)
+                for name, rings in (("mast", [outline, mast]), ("copse", [copse_outline, copse]))]
+    write_geojson(folder / "ways-round.geojson", features)
+
+
 def to_geopackage(source, target, layer, options):
     target.unlink(missing_ok=True)
     # A fixed date, so that redrawing gives the same file.
@@ -227,7 +244,7 @@ def to_geopackage(source, target, layer, options):
 def main():
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parent.parent / "examples"
     folder.mkdir(parents=True, exist_ok=True)
-    for draw in (riverside, two_farms, terrace, plain_metres):
+    for draw in (riverside, two_farms, terrace, plain_metres, ways_round):
         draw(folder)
 
 
