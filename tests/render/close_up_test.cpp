@@ -100,7 +100,7 @@ TEST(CloseUp, ListsWhatWasDecided) {
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0].track, "5");
   EXPECT_EQ(rows[0].chosen, "right");
-  EXPECT_EQ(rows[0].left, "not possible: detour would leave the body");
+  EXPECT_EQ(rows[0].left, "no: detour would leave the body");
   EXPECT_EQ(rows[0].right, "−14.30");
   EXPECT_EQ(rows[1].chosen, "right (with 2)");
   EXPECT_EQ(rows[1].left, "+2.50");

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "tramline/avoidance/hopeless.h"
 #include "tramline/avoidance/paper_way.h"
 
 namespace tramline {
@@ -86,12 +85,17 @@ void DetourDecisions::add_tracks(std::size_t subfield) {
   }
 }
 
+TrackTerms DetourDecisions::terms_of(const BlockedTrack& track) const {
+  return {track.subfield, task_.strips[track.subfield].strips[track.strip], task_.objective, width_m_,
+          least_m_};
+}
+
 /// While all tracks are cut. S1's ways stay: its plan is to be compared with.
 void DetourDecisions::drop_dear_options(Decision& decision) {
   value(decision);
   BlockedTrack& track = decision.track;
   std::erase_if(track.options, [&](const TrackOption& option) {
-    if (option.of_paper || !far_too_dear(option, strip_of(decision), width_m_, task_.objective)) return false;
+    if (option.of_paper || !far_too_dear(option, terms_of(track))) return false;
     for (std::size_t gap = option.way.first_gap; gap <= option.way.last_gap; ++gap)
       track.refused.push_back({gap, option.way.detour.side, kFarTooDear});
     return true;
@@ -114,7 +118,7 @@ void DetourDecisions::add_options(BlockedTrack& track) {
           track.refused.push_back({gap, side, way.why_not});
         } else if (!known(way)) {
           TrackOption option = option_of(named(track.subfield, way), strips.grid, strip.index);
-          if (hopeless(option, track.subfield, strip, task_.strips, ground_, task_.objective))
+          if (hopeless(option, terms_of(track), task_.strips, ground_))
             track.refused.push_back({gap, side, kFarTooDear});
           else
             track.options.push_back(std::move(option));
@@ -188,6 +192,10 @@ void DetourDecisions::mark_stale_near(const Decision& decision, const std::vecto
   for (const StripDetour& detour : detours) {
     Box changed = detour_box(detour, grid.width_m);
     changed.extend(straight_box(grid, strip_of(decision).index, {detour.from, detour.to}));
+    // A short stretch may be driven only because the detour joins it to another.
+    for (const Interval& stretch : strip_of(decision).stretches)
+      if (stretch.length() < least_m_ && stretch.to >= detour.from && stretch.from <= detour.to)
+        changed.extend(straight_box(grid, strip_of(decision).index, stretch));
     for (Decision& other : tracks_) {
       if (&other == &decision) continue;
       if (other.track.subfield == decision.track.subfield)

@@ -2,6 +2,7 @@
 // The state of all decisions of one candidate while they are being made.
 
 #include "tramline/avoidance/choose_detours.h"
+#include "tramline/avoidance/hopeless.h"
 #include "tramline/cost/worked_ground.h"
 
 namespace tramline {
@@ -35,6 +36,7 @@ class DetourDecisions {
   const Strip& strip_of(const Decision& decision) const {
     return strips_of(decision).strips[decision.track.strip];
   }
+  TrackTerms terms_of(const BlockedTrack& track) const;
   void add_tracks(std::size_t subfield);
   void add_options(BlockedTrack& track);
   void add_paper_option(BlockedTrack& track, std::size_t gap);

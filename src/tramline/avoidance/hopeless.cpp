@@ -49,10 +49,17 @@ double length_of(const Intervals& parts) {
   return sum;
 }
 
-/// What joining the pieces at the option's gaps can save at most.
-double saved_at_most(const TrackOption& option, const Objective& objective) {
+/// What joining the pieces at the option's gaps can save at most: turns, stops, and short stretches
+/// that would be dropped between cuts.
+double saved_at_most(const TrackOption& option, const TrackTerms& terms) {
+  const Objective& prices = terms.objective;
   const double gaps = static_cast<double>(option.way.last_gap - option.way.first_gap + 1);
-  return gaps * (objective.turn + 2 * objective.stop);
+  double sum = gaps * (prices.turn + 2 * prices.stop);
+  for (std::size_t i = option.way.first_gap - 1; i <= option.way.last_gap; ++i) {
+    const double length_m = terms.strip.stretches[i].length();
+    if (length_m < terms.min_length_m) sum += (prices.overlap + prices.uncovered) * terms.width_m * length_m;
+  }
+  return sum;
 }
 
 /// Boxes round all ground the detour works, none much longer than a swath is wide.
@@ -80,22 +87,24 @@ Box turned_box(const Box& window, const TrackFrame& from, const TrackFrame& to) 
 
 }  // namespace
 
-bool hopeless(const TrackOption& option, std::size_t subfield, const Strip& strip,
-              const std::vector<Strips>& strips, const WorkedGround& ground, const Objective& objective) {
-  const StripGrid& grid = strips[subfield].grid;
+bool hopeless(const TrackOption& option, const TrackTerms& terms, const std::vector<Strips>& strips,
+              const WorkedGround& ground) {
+  const Strip& strip = terms.strip;
+  const Objective& prices = terms.objective;
+  const StripGrid& grid = strips[terms.subfield].grid;
   const StripDetour& detour = option.way.detour;
   const Intervals replaced = common(strip.stretches, {option.straight});
   const double replaced_m2 = area_of(strip.subfield, replaced);
-  const double longer = grid.width_m * (detour.length_m - length_of(replaced));
+  const double longer = terms.width_m * (detour.length_m - length_of(replaced));
 
-  double useful_m2 = grid.width_m * length_near_strip(detour.path, grid.centre(strip.index), grid.width_m);
-  const double saved = saved_at_most(option, objective);
+  double useful_m2 = terms.width_m * length_near_strip(detour.path, grid.centre(strip.index), terms.width_m);
+  const double saved = saved_at_most(option, terms);
   const auto pays = [&] {
-    const double gain = std::min(useful_m2, grid.width_m * detour.length_m) - replaced_m2;
-    return objective.overlap * longer - (objective.overlap + objective.uncovered) * gain < saved;
+    const double gain = std::min(useful_m2, terms.width_m * detour.length_m) - replaced_m2;
+    return prices.overlap * longer - (prices.overlap + prices.uncovered) * gain < saved;
   };
   if (pays()) return false;
-  for (const Box& box : boxes_along(detour.path, grid.width_m)) {
+  for (const Box& box : boxes_along(detour.path, terms.width_m)) {
     for (std::size_t i = 0; i < strips.size(); ++i)
       useful_m2 += free_m2(strips[i], i, ground, turned_box(box, grid.frame, strips[i].grid.frame), &strip);
     if (pays()) return false;
@@ -103,12 +112,12 @@ bool hopeless(const TrackOption& option, std::size_t subfield, const Strip& stri
   return true;
 }
 
-bool far_too_dear(const TrackOption& option, const Strip& strip, double width_m, const Objective& objective) {
-  const double longer =
-      width_m * (option.way.detour.length_m - length_of(common(strip.stretches, {option.straight})));
-  const double areas =
-      objective.overlap * longer - (objective.overlap + objective.uncovered) * option.gain_m2();
-  return areas > 2 * saved_at_most(option, objective);
+bool far_too_dear(const TrackOption& option, const TrackTerms& terms) {
+  const Objective& prices = terms.objective;
+  const double replaced_m = length_of(common(terms.strip.stretches, {option.straight}));
+  const double areas = prices.overlap * terms.width_m * (option.way.detour.length_m - replaced_m) -
+                       (prices.overlap + prices.uncovered) * option.gain_m2();
+  return areas > 2 * saved_at_most(option, terms);
 }
 
 }  // namespace tramline

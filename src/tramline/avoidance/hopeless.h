@@ -6,14 +6,23 @@
 
 namespace tramline {
 
+/// The track an option belongs to, and what decisions on it are made by.
+struct TrackTerms {
+  std::size_t subfield = 0;
+  const Strip& strip;
+  const Objective& objective;
+  double width_m = 0;
+  double min_length_m = 0;
+};
+
 /// Can the detour not pay, even if all ground near it that no straight swath works were gained by it? It
 /// then costs more than cutting the track at its gaps, as long as the other tracks are cut too. Looks at
 /// profiles only: O(strips near the detour). `ground` holds the straight swaths of all strips.
-bool hopeless(const TrackOption& option, std::size_t subfield, const Strip& strip,
-              const std::vector<Strips>& strips, const WorkedGround& ground, const Objective& objective);
+bool hopeless(const TrackOption& option, const TrackTerms& terms, const std::vector<Strips>& strips,
+              const WorkedGround& ground);
 
 /// The same of an option that has been valued with all other tracks cut: does it cost so much more than
 /// the cuts it saves that what other tracks do will not change that?
-bool far_too_dear(const TrackOption& option, const Strip& strip, double width_m, const Objective& objective);
+bool far_too_dear(const TrackOption& option, const TrackTerms& terms);
 
 }  // namespace tramline

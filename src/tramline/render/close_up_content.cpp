@@ -28,7 +28,7 @@ std::string signed_text(double cost) {
 
 std::string way_text(const WayPast& way) {
   if (way.possible) return signed_text(way.cost);
-  return way.why_not.empty() ? "not possible" : "not possible: " + way.why_not;
+  return way.why_not.empty() ? "no" : "no: " + way.why_not;
 }
 
 std::string chosen_text(const Encounter& encounter, int obstacle) {
