@@ -85,14 +85,17 @@ program: packages $(RELEASE)/build.ninja
 
 # --- the long tests: each part stands alone and takes an hour at most on two cores -----------------
 
-LONG := long-properties long-real-1 long-real-2 long-real-3 long-obstacles-3 long-obstacles-6 long-obstacles-12 \
-  long-obstacles-24 long-registers long-asan long-tsan long-clang
+LONG := long-properties long-scenes long-real-1 long-real-2 long-real-3 long-obstacles-3 long-obstacles-6 \
+  long-obstacles-12 long-obstacles-24 long-registers long-asan long-tsan long-clang
 
 .PHONY: long $(LONG)
 long: $(LONG) ## all the long tests, one after another; each part below can be run alone
 
 long-properties: build ## every property with 20,000 random cases
 	TRAMLINE_CASES=20000 RC_PARAMS="max_success=20000" $(LIMIT) $(CTEST) --test-dir $(RELEASE) -L properties
+
+long-scenes: build ## 10,000 random scenes full of obstacles, planned in every way and verified
+	TRAMLINE_CASES=10000 $(LIMIT) $(RELEASE)/tests/properties/test_obstacle_scenes
 
 # One scenario of S1 over all real fields: least overlap, least uncovered, fewest turns.
 SWEEP = $(LIMIT) $(RELEASE)/tests/real/sweep_real

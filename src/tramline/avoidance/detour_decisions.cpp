@@ -1,6 +1,7 @@
 #include "tramline/avoidance/detour_decisions.h"
 
 #include <algorithm>
+#include <set>
 
 #include "tramline/avoidance/paper_way.h"
 
@@ -103,32 +104,60 @@ void DetourDecisions::drop_dear_options(Decision& decision) {
 }
 
 void DetourDecisions::add_options(BlockedTrack& track) {
-  const Strips& strips = task_.strips[track.subfield];
-  const Strip& strip = strips.strips[track.strip];
-  const auto known = [&track](const WayRound& way) {
-    return std::any_of(track.options.begin(), track.options.end(),
-                       [&](const TrackOption& option) { return same_drive(option.way, way); });
-  };
-  for (const std::size_t gap : track.gaps) {
-    if (task_.settings.avoid == Avoidance::kCheapest)
-      for (const Passing side : {Passing::kLeft, Passing::kRight}) {
-        WayRound way =
-            way_round(obstruction(strips, strip, gap, task_.machine), side, around_[track.subfield]);
-        if (!way.possible()) {
+  if (task_.settings.avoid == Avoidance::kCheapest)
+    for (const Passing side : {Passing::kLeft, Passing::kRight}) {
+      std::vector<WayRound> alone;
+      for (const std::size_t gap : track.gaps) {
+        WayRound way = way_past_gaps(track, gap, gap, side);
+        if (way.possible())
+          alone.push_back(way);
+        else
           track.refused.push_back({gap, side, way.why_not});
-        } else if (!known(way)) {
-          TrackOption option = option_of(named(track.subfield, way), strips.grid, strip.index);
-          if (hopeless(option, terms_of(track), task_.strips, ground_))
-            track.refused.push_back({gap, side, kFarTooDear});
-          else
-            track.options.push_back(std::move(option));
-        }
+        add_option(track, std::move(way));
       }
-    add_paper_option(track, gap);
-  }
+      add_joint_options(track, alone);
+    }
+  for (const std::size_t gap : track.gaps) add_paper_option(track, gap);
   std::stable_sort(
       track.options.begin(), track.options.end(),
       [](const TrackOption& a, const TrackOption& b) { return a.way.first_gap < b.way.first_gap; });
+}
+
+/// Detours on one side that would run into each other cannot both be driven, but one round all of them can:
+/// two of them, three, and the whole row.
+void DetourDecisions::add_joint_options(BlockedTrack& track, const std::vector<WayRound>& alone) {
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    std::size_t end = i;
+    while (end + 1 < alone.size() && alone[end + 1].detour.from < alone[end].detour.to) ++end;
+    for (const std::size_t last : std::set{std::min(i + 1, end), std::min(i + 2, end), end})
+      if (last > i)
+        add_option(track,
+                   way_past_gaps(track, alone[i].first_gap, alone[last].last_gap, alone[i].detour.side));
+  }
+}
+
+WayRound DetourDecisions::way_past_gaps(const BlockedTrack& track, std::size_t first, std::size_t last,
+                                        Passing side) const {
+  const Strips& strips = task_.strips[track.subfield];
+  Obstruction gaps = obstruction(strips, strips.strips[track.strip], first, task_.machine);
+  gaps.last_gap = last;
+  return way_round(gaps, side, around_[track.subfield]);
+}
+
+/// Unless it is known, cannot be driven, or cannot pay.
+void DetourDecisions::add_option(BlockedTrack& track, WayRound way) {
+  if (!way.possible()) return;
+  const bool known = std::any_of(track.options.begin(), track.options.end(),
+                                 [&way](const TrackOption& option) { return same_drive(option.way, way); });
+  if (known) return;
+  const Strips& strips = task_.strips[track.subfield];
+  TrackOption option = option_of(named(track.subfield, way), strips.grid, strips.strips[track.strip].index);
+  if (!hopeless(option, terms_of(track), task_.strips, ground_)) {
+    track.options.push_back(std::move(option));
+    return;
+  }
+  for (std::size_t gap = way.first_gap; gap <= way.last_gap; ++gap)
+    track.refused.push_back({gap, way.detour.side, kFarTooDear});
 }
 
 void DetourDecisions::add_paper_option(BlockedTrack& track, std::size_t gap) {

@@ -39,6 +39,9 @@ class DetourDecisions {
   TrackTerms terms_of(const BlockedTrack& track) const;
   void add_tracks(std::size_t subfield);
   void add_options(BlockedTrack& track);
+  void add_joint_options(BlockedTrack& track, const std::vector<WayRound>& alone);
+  void add_option(BlockedTrack& track, WayRound way);
+  WayRound way_past_gaps(const BlockedTrack& track, std::size_t first, std::size_t last, Passing side) const;
   void add_paper_option(BlockedTrack& track, std::size_t gap);
   WayRound named(std::size_t subfield, WayRound way) const;
   std::vector<int> obstacles_along(std::size_t subfield, const std::vector<std::size_t>& hazards,

@@ -80,7 +80,8 @@ class Search {
 
   WayRound run() {
     const Intervals& stretches = o_.strip.stretches;
-    add_gap({stretches[o_.gap - 1].to, stretches[o_.gap].from});
+    for (std::size_t gap = o_.gap; gap <= last_gap(); ++gap)
+      add_gap({stretches[gap - 1].to, stretches[gap].from});
     constexpr int kMostRounds = 12;
     for (int round = 0; round < kMostRounds; ++round) {
       const Step step = look();
@@ -95,6 +96,8 @@ class Search {
 
  private:
   enum class Step { kDone, kLookAgain, kGaveUp };
+
+  std::size_t last_gap() const { return std::max(o_.gap, o_.last_gap); }
 
   WayRound refuse(const char* why) {
     way_.why_not = why;
@@ -152,7 +155,7 @@ class Search {
     const Intervals& stretches = o_.strip.stretches;
     const StripDetour& detour = way_.detour;
     const std::size_t first = stretch_at(stretches, detour.from), last = stretch_at(stretches, detour.to);
-    if (first < o_.gap && last >= o_.gap && last < stretches.size()) {
+    if (first < o_.gap && last >= last_gap() && last < stretches.size()) {
       way_.first_gap = first + 1;
       way_.last_gap = last;
       return Step::kDone;

@@ -14,7 +14,8 @@ struct Obstruction {
   const Strip& strip;
   std::size_t gap = 1;  ///< between stretches gap − 1 and gap
   double width_m = 0;
-  double radius_m = 0;  ///< the machine's turning radius
+  double radius_m = 0;       ///< the machine's turning radius
+  std::size_t last_gap = 0;  ///< where one detour is to bridge several gaps, the last; 0: just `gap`
 };
 
 struct WayRound {
@@ -34,7 +35,7 @@ std::vector<std::size_t> hazards_in(const StripGrid& grid, const Strip& strip, I
                                     const Surroundings& around);
 
 /// The drivable detour on one side (left or right of the direction along): round what reaches into the
-/// strip in the gap and everything the detour would meet on its way. Radius max(r, w/2) at least.
+/// strip in the gaps and everything the detour would meet on its way. Radius max(r, w/2) at least.
 WayRound way_round(const Obstruction& obstruction, Passing side, const Surroundings& around);
 
 }  // namespace tramline
