@@ -1,0 +1,271 @@
+// What is decided about poles. Areas come from polygon booleans, pieces and stops from counting.
+
+#include "tramline/avoidance/choose_detours.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "avoidance/pole_field.h"
+#include "tramline/geometry/boolean.h"
+
+namespace tramline {
+namespace {
+
+using namespace testing_poles;
+
+TEST(ChooseDetours, ASymmetricPoleCostsTheSameOnBothSides) {
+  for (const double width : {1.5, 3.0, 6.0, 12.0})
+    for (const double radius : {0.0, 6.0})
+      for (const int corners : {4, 8, 16}) {
+        const Pole pole{width, radius, 0.6, 0, corners};
+        SCOPED_TRACE(description(pole));
+        const PoleField field(field_ring(width), {ring_of(pole)}, machine(width, radius), {});
+        const std::vector<Encounter> found = encounters_in(field.task(), field.plan());
+        ASSERT_EQ(found.size(), 1u);
+        ASSERT_TRUE(found[0].left.possible && found[0].right.possible);
+        EXPECT_NEAR(found[0].left.cost, found[0].right.cost, 1e-6);
+        EXPECT_EQ(found[0].obstacles, std::vector<int>{0});
+        EXPECT_EQ(found[0].track, 3);
+        EXPECT_NEAR(distance(found[0].at, {3.5 * width, 80}), 0, 1e-6);
+      }
+}
+
+TEST(ChooseDetours, MirroredPolesCostTheSame) {
+  for (const double width : {1.5, 3.0, 6.0})
+    for (const double off : {0.1, 0.3, 0.45}) {
+      const Pole right{width, 6, 0.6, off * width, 16}, left{width, 6, 0.6, -off * width, 16};
+      SCOPED_TRACE(description(right));
+      const PoleField a(field_ring(width), {ring_of(right)}, machine(width, 6), {});
+      const PoleField b(field_ring(width), {ring_of(left)}, machine(width, 6), {});
+      EXPECT_NEAR(a.plan().cost, b.plan().cost, 1e-6);
+      std::vector<Encounter> there = encounters_in(a.task(), a.plan()),
+                             back = encounters_in(b.task(), b.plan());
+      ASSERT_EQ(there.size(), back.size());
+      std::reverse(back.begin(), back.end());
+      for (std::size_t i = 0; i < there.size(); ++i) {
+        EXPECT_EQ(there[i].track, 6 - back[i].track);
+        EXPECT_EQ(there[i].left.possible, back[i].right.possible);
+        EXPECT_EQ(there[i].right.possible, back[i].left.possible);
+        EXPECT_NEAR(there[i].left.cost, back[i].right.cost, 1e-6);
+        EXPECT_NEAR(there[i].right.cost, back[i].left.cost, 1e-6);
+      }
+    }
+}
+
+// If fewer stops came with a lower price, changing the plans round would make one of them cheaper.
+TEST(ChooseDetours, DearerStopsNeverMakeMoreOfThem) {
+  int changed = 0;
+  for (const Pole& pole : poles()) {
+    SCOPED_TRACE(description(pole));
+    int before = 1000, first = -1;
+    for (const double stop : {0.0, 5.0, 1000.0}) {
+      Objective prices;
+      prices.stop = stop;
+      const PoleField field(field_ring(pole.width_m), {ring_of(pole)}, machine(pole.width_m, pole.radius_m),
+                            prices);
+      const int stops = field.plan().tally.stops;
+      EXPECT_LE(stops, before) << "at " << stop;
+      if (first < 0) first = stops;
+      before = stops;
+    }
+    changed += before < first ? 1 : 0;
+  }
+  EXPECT_GT(changed, 50) << "the price has to matter";
+}
+
+TEST(ChooseDetours, NothingIsCutWhereTurnsAreWorthMoreThanTheField) {
+  for (const Pole& pole : poles()) {
+    SCOPED_TRACE(description(pole));
+    const PoleField field(field_ring(pole.width_m), {ring_of(pole)}, machine(pole.width_m, pole.radius_m),
+                          {0.04, 0.10, 99999, 5});
+    const Avoided found = field.plan();
+    int never_passed = 0;
+    for (const Strip& strip : field.strips().strips) {
+      const StripWays ways = ways_along(field, strip);
+      never_passed += ways.ways.size() == 1 && ways.ways[0].size() == 2 ? 1 : 0;
+    }
+    EXPECT_EQ(found.tally.pieces, 7 + never_passed);
+    EXPECT_EQ(found.tally.stops, 2 * never_passed);
+    expect_own_tally(field, found);
+  }
+}
+
+TEST(ChooseDetours, CheapestIsNeverDearerThanPaperOrCut) {
+  int paper_drives_round = 0;
+  for (const Pole& pole : poles())
+    for (const Objective& prices : {Objective{}, Objective{0, 0, 0, 0}, Objective{1, 0, 0, 0},
+                                    Objective{0, 1, 0, 0}, Objective{99999, 1, 1, 1}}) {
+      SCOPED_TRACE(description(pole));
+      const PoleField field(field_ring(pole.width_m), {ring_of(pole)}, machine(pole.width_m, pole.radius_m),
+                            prices);
+      const Avoided paper = field.plan(Avoidance::kPaper), cut = field.plan(Avoidance::kCut);
+      const double least = std::min(paper.cost, cut.cost);
+      EXPECT_LE(field.plan().cost, least + 1e-9 * (1 + least));
+      EXPECT_EQ(detours_in(cut), 0);
+      expect_own_tally(field, paper);
+      expect_own_tally(field, cut);
+      paper_drives_round += detours_in(paper) > 0 ? 1 : 0;
+    }
+  EXPECT_GT(paper_drives_round, 100);
+}
+
+const Objective kDearStops{0.04, 0.10, 0.45, 1000};
+
+// Half a metre of pole on a track of 3 m asks for h = 1.75 and √(4·12·1.75 − 1.75²) = 9.0 m behind it. There
+// are 5 m to the northern edge.
+TEST(ChooseDetours, ATrackThatEndsBeforeTheDetourWouldIsCut) {
+  const auto pole_at = [](double y) { return rectangle(10.25, y - 0.25, 10.75, y + 0.25); };
+  const PoleField near(rectangle(0, 0, 21, 100), {pole_at(95)}, machine(3, 12), kDearStops);
+  EXPECT_EQ(detours_in(near.plan()), 0);
+  EXPECT_EQ(near.plan().tally.stops, 2);
+  const std::vector<Encounter> found = encounters_in(near.task(), near.plan());
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].chosen, Passing::kCut);
+  EXPECT_FALSE(found[0].left.possible || found[0].right.possible);
+  EXPECT_EQ(found[0].left.why_not, "the track ends before a detour could");
+  const PoleField far(rectangle(0, 0, 21, 100), {pole_at(90)}, machine(3, 12), kDearStops);
+  EXPECT_EQ(detours_in(far.plan()), 1);
+}
+
+// Each alone would take 9 m to both sides of its pole.
+TEST(ChooseDetours, DetoursThatWouldRunIntoEachOtherBecomeOne) {
+  const auto pole_at = [](double y) { return rectangle(10.25, y - 0.25, 10.75, y + 0.25); };
+  for (const double apart : {4.0, 8.0, 12.0, 17.0}) {
+    SCOPED_TRACE(apart);
+    const PoleField field(rectangle(0, 0, 21, 100), {pole_at(40), pole_at(40 + apart)}, machine(3, 12),
+                          kDearStops);
+    const Avoided found = field.plan();
+    EXPECT_EQ(found.tally.stops, 0);
+    ASSERT_EQ(found.tracks.front().pieces.size(), 7u);
+    ASSERT_EQ(detours_in(found), 1);
+    EXPECT_EQ(found.tracks.front().pieces[3].detours.front().obstacles, (std::vector<int>{0, 1}));
+    expect_own_tally(field, found);
+    expect_off_poles(field, found);
+  }
+  const PoleField field(rectangle(0, 0, 21, 100), {pole_at(30), pole_at(60)}, machine(3, 12), kDearStops);
+  EXPECT_EQ(detours_in(field.plan()), 2);
+  expect_own_tally(field, field.plan());
+}
+
+// Poles on either side of the centre line, too far apart for one straight way between: whatever is done,
+// detours on one track never overlap.
+TEST(ChooseDetours, PolesOnAlternateSidesArePassedWithoutOverlap) {
+  for (const double apart : {4.0, 7.0, 11.0, 16.0, 25.0})
+    for (const double off : {0.6, 1.0, 1.3})
+      for (const double radius : {0.0, 3.0, 6.0, 12.0}) {
+        SCOPED_TRACE(::testing::Message() << apart << " apart, off " << off << ", r " << radius);
+        const auto pole = [](double x, double y) { return rectangle(x - 0.2, y - 0.2, x + 0.2, y + 0.2); };
+        const PoleField field(rectangle(0, 0, 21, 120), {pole(10.5 + off, 60), pole(10.5 - off, 60 + apart)},
+                              machine(3, radius), kDearStops);
+        const Avoided found = field.plan();
+        expect_own_tally(field, found);
+        expect_off_poles(field, found);
+        EXPECT_LE(found.cost, field.plan(Avoidance::kCut).cost);
+      }
+}
+
+/// A rectangle with a thin spike of foreign land from the west. Its tip lies 4 m north of a pole on the
+/// track at x = 10.5, so 3.75 m from the pole's corners. There the path west of the pole has moved by
+/// 1.75 − (12 − √(12² − 3.75²)) = 1.15 m, its centre line to x = 9.35; its swath's edge, on an arc of 13.5 m,
+/// by 3.25 − (13.5 − √(13.5² − 3.75²)) = 2.72 m, to x = 7.78. Half a metre nearer the edge is at x = 7.65.
+std::vector<Encounter> encounters_by_a_spike(double tip_x, EdgeKind boundary,
+                                             const std::vector<Ring>& passable = {}) {
+  PlanSettings settings;
+  settings.end_rule = EndRule::kCentre;
+  settings.boundary = boundary;
+  Ring outer{{0, 0}, {21, 0}, {21, 100}, {0, 100}};
+  if (tip_x > 0) outer.insert(outer.end(), {{0, 54.05}, {tip_x, 54}, {0, 53.95}});
+  const PoleField field(outer, {rectangle(10.25, 49.75, 10.75, 50.25)}, machine(3, 12), kDearStops, settings,
+                        passable);
+  std::vector<Encounter> out;
+  for (Encounter& encounter : encounters_in(field.task(), field.plan()))
+    if (encounter.track == 3) out.push_back(std::move(encounter));
+  return out;
+}
+
+void expect_only_right(const std::vector<Encounter>& found, const char* why_not_left) {
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_FALSE(found[0].left.possible);
+  EXPECT_EQ(found[0].left.why_not, why_not_left);
+  EXPECT_TRUE(found[0].right.possible);
+  EXPECT_EQ(found[0].chosen, Passing::kRight);
+}
+
+void expect_both(const std::vector<Encounter>& found) {
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(found[0].left.possible && found[0].right.possible);
+}
+
+TEST(ChooseDetours, NoCentreLineLeavesASoftEdge) {
+  expect_only_right(encounters_by_a_spike(9.45, EdgeKind::kSoft), "it would leave the field");
+  expect_both(encounters_by_a_spike(9.25, EdgeKind::kSoft));
+}
+
+TEST(ChooseDetours, NoSwathPassesAHardEdge) {
+  expect_only_right(encounters_by_a_spike(7.9, EdgeKind::kHard), "its swath would pass the hard boundary");
+  expect_both(encounters_by_a_spike(7.7, EdgeKind::kHard));
+  expect_both(encounters_by_a_spike(7.9, EdgeKind::kSoft));
+}
+
+TEST(ChooseDetours, NoSwathEntersAPassableObstacle) {
+  const auto beside = [](double max_x) { return std::vector<Ring>{rectangle(6.5, 53.5, max_x, 54)}; };
+  expect_only_right(encounters_by_a_spike(0, EdgeKind::kSoft, beside(7.75)),
+                    "its swath would enter a passable obstacle");
+  expect_both(encounters_by_a_spike(0, EdgeKind::kSoft, beside(7.55)));
+}
+
+// Twenty poles of 40 cm on one track, some near enough to share a detour.
+TEST(ChooseDetours, ARowOfPolesIsPassedFromEndToEnd) {
+  for (const double apart : {5.0, 11.0, 19.0, 30.0})
+    for (const double slant : {0.0, 0.05}) {
+      SCOPED_TRACE(::testing::Message() << apart << " apart, slant " << slant);
+      std::vector<Ring> row;
+      for (int i = 0; i < 20; ++i) {
+        const Point at{10.5 + slant * i, 40 + apart * i};
+        row.push_back(rectangle(at.x - 0.2, at.y - 0.2, at.x + 0.2, at.y + 0.2));
+      }
+      const Ring outer = rectangle(0, 0, 21, 80 + 20 * apart);
+      const PoleField dear(outer, row, machine(3, 6), kDearStops);
+      const Avoided passed = dear.plan();
+      expect_own_tally(dear, passed);
+      expect_off_poles(dear, passed);
+      EXPECT_EQ(passed.tally.stops, 0);
+      EXPECT_EQ(encounters_in(dear.task(), passed).size(), 20u);
+      const PoleField usual(outer, row, machine(3, 6), {});
+      const Avoided found = usual.plan();
+      expect_own_tally(usual, found);
+      expect_off_poles(usual, found);
+      EXPECT_LE(found.cost,
+                std::min(usual.plan(Avoidance::kCut).cost, usual.plan(Avoidance::kPaper).cost) + 1e-9);
+    }
+}
+
+// Poles 2.5 m apart in a line across the tracks' direction and one far ahead are one hazard: land given up
+// joins them. A detour names those it passes.
+TEST(ChooseDetours, OnlyTheObstaclesOfAClusterBesideADetourAreNamed) {
+  std::vector<Ring> chain;
+  // From a pole on the track at y = 50 away to the east, and then far north.
+  for (int i = 0; i <= 3; ++i) chain.push_back(rectangle(10.4 + 2.5 * i, 49.8, 10.8 + 2.5 * i, 50.2));
+  for (int i = 1; i <= 12; ++i) chain.push_back(rectangle(17.9, 49.8 + 2.5 * i, 18.3, 50.2 + 2.5 * i));
+  const PoleField field(rectangle(0, 0, 30, 120), chain, machine(3, 6), kDearStops);
+  ASSERT_EQ(field.ground().hard.size(), 1u);
+  const Avoided found = field.plan();
+  int looked_at = 0;
+  for (const StripPiece& piece : found.tracks.front().pieces)
+    for (const StripDetour& detour : piece.detours) {
+      ++looked_at;
+      for (std::size_t i = 0; i < chain.size(); ++i) {
+        const bool named =
+            std::count(detour.obstacles.begin(), detour.obstacles.end(), static_cast<int>(i)) > 0;
+        const Box box = bounds(chain[i]);
+        EXPECT_EQ(named, box.max_y > detour.from && box.min_y < detour.to) << i;
+      }
+    }
+  EXPECT_GT(looked_at, 0);
+}
+
+}  // namespace
+}  // namespace tramline
