@@ -109,6 +109,15 @@ TEST(Clearance, IsKeptOutsideTheFieldToo) {
   EXPECT_TRUE(sort_obstacles(field_with({box(40, 10, 44, 14)}), kWidth, 1).beyond.empty());
 }
 
+// The 3 m kept clear reach over a ditch of 1 m: beyond it lies one metre more.
+TEST(Clearance, BelongsToItsObstacleBeyondPassableLand) {
+  Field field = field_with({box(40, 40, 44, 44)});
+  field.obstacles.push_back({box(45, 0, 46, 100), ObstacleKind::kPassable, "ditch"});
+  const Ground ground = sort_obstacles(field, kWidth, 3);
+  ASSERT_EQ(ground.hazards.size(), 2u);
+  for (const Hazard& hazard : ground.hazards) EXPECT_EQ(hazard.obstacles, std::vector<int>{0});
+}
+
 // A hedge all round a garden of 10 × 10 m: no machine gets into the garden.
 TEST(EnclosedLand, IsGivenUp) {
   Field field = field_with({});

@@ -198,6 +198,7 @@ std::vector<int> DetourDecisions::obstacles_along(std::size_t subfield,
       if (extent.from < range.to - kRounding && extent.to > range.from + kRounding) out.push_back(obstacle);
     }
   std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
 }
 

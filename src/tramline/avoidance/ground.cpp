@@ -54,7 +54,8 @@ Ground sort_obstacles(const Field& field, double width_m, double clearance_m) {
   if (!enclosed.empty()) ground.given_up = unite(ground.given_up, enclosed);
   ground.hard = unite(solid, ground.given_up);
   ground.plannable = difference(whole, ground.hard);
-  ground.hazards = hazards_of(ground.beyond.empty() ? ground.hard : unite(ground.hard, ground.beyond), field);
+  const Region kept_off = ground.beyond.empty() ? ground.hard : unite(ground.hard, ground.beyond);
+  ground.hazards = hazards_of(kept_off, field, clearance_m);
   return ground;
 }
 

@@ -23,6 +23,12 @@ Point centroid(const Ring& ring) {
   return base + (1 / (3 * twice_area)) * sum;
 }
 
+/// Most of it in the polygon, or the polygon nearer to it than the clearance.
+bool belongs(const Polygon& obstacle, const Polygon& polygon, double clearance_m) {
+  if (area(intersection({obstacle}, {polygon})) > 0.5 * area(obstacle)) return true;
+  return clearance_m > 0 && distance_between({obstacle}, {polygon}) < clearance_m;
+}
+
 }  // namespace
 
 std::optional<Circle> circle_of(const Ring& ring) {
@@ -41,16 +47,15 @@ std::optional<Circle> circle_of(const Ring& ring) {
   return circle;
 }
 
-std::vector<Hazard> hazards_of(const Region& hard, const Field& field) {
+std::vector<Hazard> hazards_of(const Region& hard, const Field& field, double clearance_m) {
   std::vector<Hazard> out;
   for (const Polygon& polygon : hard) {
     Hazard hazard{polygon, {}, {}};
-    const Box reach = bounds(polygon);
+    const Box reach = bounds(polygon).grown(clearance_m);
     for (std::size_t i = 0; i < field.obstacles.size(); ++i) {
       const Obstacle& obstacle = field.obstacles[i];
       if (obstacle.kind != ObstacleKind::kObstacle || !intersects(bounds(obstacle.shape), reach)) continue;
-      if (area(intersection({obstacle.shape}, {polygon})) > 0.5 * area(obstacle.shape))
-        hazard.obstacles.push_back(static_cast<int>(i));
+      if (belongs(obstacle.shape, polygon, clearance_m)) hazard.obstacles.push_back(static_cast<int>(i));
     }
     if (hazard.obstacles.size() == 1) hazard.round = circle_of(polygon.outer);
     out.push_back(std::move(hazard));

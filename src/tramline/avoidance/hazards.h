@@ -24,7 +24,8 @@ struct Hazard {
 /// of its radius and none of the chords turns by more than 60 degrees.
 std::optional<Circle> circle_of(const Ring& ring);
 
-/// One hazard for each polygon of `hard`, in their order. O(n·m) boxes.
-std::vector<Hazard> hazards_of(const Region& hard, const Field& field);
+/// One hazard for each polygon of `hard`, in their order. Land kept clear that passable land parts from its
+/// obstacle is that obstacle's hazard, too. O(n·m) boxes.
+std::vector<Hazard> hazards_of(const Region& hard, const Field& field, double clearance_m = 0);
 
 }  // namespace tramline
