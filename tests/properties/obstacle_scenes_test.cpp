@@ -103,12 +103,15 @@ Outcome outcome_of(const Scene& scene) {
   const auto paper = try_plan(scene, Avoidance::kPaper, 1);
   const auto cut = try_plan(scene, Avoidance::kCut, 1);
   out.planned = cheapest.has_value();
-  for (const auto* plan : {&again, &paper, &cut})
-    if (plan->has_value() != out.planned) out.problems.push_back("tracks fit for one way of avoiding only");
+  // Pieces too short to drive may be long enough once a detour joins them, so cheapest fits where others do
+  // and S1's way may fit where cutting does not.
+  if (again.has_value() != out.planned || paper.has_value() > out.planned || cut.has_value() > out.planned)
+    out.problems.push_back("tracks fit, and cheapest has none");
   if (!out.problems.empty() || !out.planned) return out;
-  for (const auto* plan : {&cheapest, &paper, &cut}) look_at(**plan, out.problems);
-  compare(*cheapest, *paper, out.problems);
-  compare(*cheapest, *cut, out.problems);
+  for (const auto* plan : {&cheapest, &paper, &cut})
+    if (*plan) look_at(**plan, out.problems);
+  for (const auto* plan : {&paper, &cut})
+    if (*plan) compare(*cheapest, **plan, out.problems);
   if (!same(*cheapest, *again)) out.problems.push_back("one and two threads give different plans");
   out.with_detours = std::any_of(cheapest->pieces.begin(), cheapest->pieces.end(),
                                  [](const TrackPiece& piece) { return !piece.detours.empty(); });
