@@ -20,11 +20,12 @@ Region enclosed_by(const Region& hard) {
 }
 
 /// Obstacles with everything nearer than the clearance. The chords of the round corners lie outside the
-/// circle, not inside.
+/// circle, not inside: GEOS gives a corner the nearest whole number of chords, which then turn by up to one
+/// and a half times the quadrant's share.
 Region with_clearance(const Region& obstacles, double clearance_m) {
   constexpr int kChordsPerQuadrant = 16;
   if (clearance_m == 0) return obstacles;
-  const double apothem = std::cos(std::numbers::pi / (4 * kChordsPerQuadrant));
+  const double apothem = std::cos(1.5 * std::numbers::pi / (4 * kChordsPerQuadrant));
   return buffered(obstacles, clearance_m / apothem, JoinStyle::kRound, kChordsPerQuadrant);
 }
 
