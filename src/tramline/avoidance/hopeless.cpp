@@ -6,6 +6,10 @@
 namespace tramline {
 namespace {
 
+/// Other tracks that bend away leave ground to a detour that it does not find while they are cut. So much
+/// more than its cuts may a detour cost before it is given up.
+constexpr double kDoubt = 3;
+
 /// Length of the path's parts that may still be over the strip itself.
 double length_near_strip(const Path& path, double centre, double width_m) {
   double sum = 0;
@@ -101,7 +105,7 @@ bool hopeless(const TrackOption& option, const TrackTerms& terms, const std::vec
   const double saved = saved_at_most(option, terms);
   const auto pays = [&] {
     const double gain = std::min(useful_m2, terms.width_m * detour.length_m) - replaced_m2;
-    return prices.overlap * longer - (prices.overlap + prices.uncovered) * gain < saved;
+    return prices.overlap * longer - (prices.overlap + prices.uncovered) * gain < kDoubt * saved;
   };
   if (pays()) return false;
   for (const Box& box : boxes_along(detour.path, terms.width_m)) {
@@ -117,7 +121,7 @@ bool far_too_dear(const TrackOption& option, const TrackTerms& terms) {
   const double replaced_m = length_of(common(terms.strip.stretches, {option.straight}));
   const double areas = prices.overlap * terms.width_m * (option.way.detour.length_m - replaced_m) -
                        (prices.overlap + prices.uncovered) * option.gain_m2();
-  return areas > 2 * saved_at_most(option, terms);
+  return areas > kDoubt * saved_at_most(option, terms);
 }
 
 }  // namespace tramline

@@ -15,9 +15,8 @@ struct TrackTerms {
   double min_length_m = 0;
 };
 
-/// Can the detour not pay, even if all ground near it that no straight swath works were gained by it? It
-/// then costs more than cutting the track at its gaps, as long as the other tracks are cut too. Looks at
-/// profiles only: O(strips near the detour). `ground` holds the straight swaths of all strips.
+/// Would the detour cost several times what the cuts at its gaps do, even if all ground near it that no
+/// straight swath works were gained by it? Other tracks taken as cut. Looks at profiles only: O(strips near the detour). `ground` holds the straight swaths of all strips.
 bool hopeless(const TrackOption& option, const TrackTerms& terms, const std::vector<Strips>& strips,
               const WorkedGround& ground);
 
