@@ -53,6 +53,9 @@ class DetourDecisions {
   void drop_dear_options(Decision& decision);
   double saving_of(Decision& decision, std::vector<StripDetour>* best_detours);
   std::vector<Decision*> by_saving();
+  bool improve_one_by_one(const std::vector<Decision*>& order);
+  bool improve_pairs();
+  bool improve_pair(Decision& first, Decision& second);
   Encounter encounter_at(Decision& decision, std::size_t gap);
   WayPast way_past(const Decision& decision, std::size_t gap, Passing side, double cost_of_cut) const;
 
