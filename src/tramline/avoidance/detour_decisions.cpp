@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "tramline/avoidance/goes_round.h"
 #include "tramline/avoidance/paper_way.h"
 
 namespace tramline {
@@ -41,6 +42,11 @@ std::vector<Interval> extents_along(const Field& field, const TrackFrame& frame)
     out.push_back({box.min_y, box.max_y});
   }
   return out;
+}
+
+/// Of two ascending lists.
+void keep_common(std::vector<int>& some, const std::vector<int>& others) {
+  std::erase_if(some, [&](int x) { return !std::binary_search(others.begin(), others.end(), x); });
 }
 
 bool same_drive(const WayRound& a, const WayRound& b) {
@@ -195,7 +201,12 @@ void DetourDecisions::add_paper_option(BlockedTrack& track, std::size_t gap) {
 }
 
 WayRound DetourDecisions::named(std::size_t subfield, WayRound way) const {
+  const TrackFrame& frame = task_.strips[subfield].grid.frame;
   way.detour.obstacles = obstacles_along(subfield, way.hazards, {way.detour.from, way.detour.to});
+  std::erase_if(way.detour.obstacles, [&](int obstacle) {
+    const Polygon& shape = task_.field.obstacles[static_cast<std::size_t>(obstacle)].shape;
+    return !goes_round(way.detour, frame.to_track(shape.outer));
+  });
   return way;
 }
 
@@ -417,7 +428,10 @@ Encounter DetourDecisions::encounter_at(Decision& decision, std::size_t gap) {
   out.obstacles =
       obstacles_along(subfield, hazards_in(strips.grid, strip, between, around_[subfield]), between);
   for (const StripDetour& detour : decision.chosen)
-    if (detour.from <= middle && detour.to >= middle) out.chosen = detour.side;
+    if (detour.from <= middle && detour.to >= middle) {
+      out.chosen = detour.side;
+      keep_common(out.obstacles, detour.obstacles);
+    }
   const auto cut =
       cheapest_choice(decision.track, strip, width_m_, task_.objective, least_m_, Forced{gap, Passing::kCut});
   out.left = way_past(decision, gap, Passing::kLeft, cut->cost);
