@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <optional>
 
 #include "properties/random_field.h"
 #include "tramline/check/verify.h"
 #include "tramline/geometry/error.h"
+#include "tramline/model/limits.h"
 #include "tramline/planner/plan_field.h"
 
 namespace tramline {
@@ -45,6 +48,32 @@ TEST(PlannedPlans, hold_on_random_fields) {
     }
   }
   EXPECT_GT(2 * planned, cases);
+}
+
+/// 100 × 60 m with a pole on a track's line.
+Field field_with_a_pole() {
+  Field field;
+  field.id = "pole";
+  field.outer = {{0, 0}, {100, 0}, {100, 60}, {0, 60}};
+  field.obstacles = {{{{{50, 31}, {50.4, 31}, {50.4, 31.4}, {50, 31.4}}, {}}, ObstacleKind::kObstacle, ""}};
+  return field;
+}
+
+/// Whether check takes the plan for that request; nullopt where the request is refused.
+std::optional<bool> holds(const Machine& machine, const PlanSettings& settings) {
+  try {
+    return check::verify(plan_field(field_with_a_pole(), machine, {}, settings, 1)).holds();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kBadInput) << error.what();
+    return std::nullopt;
+  }
+}
+
+// A length is refused before planning, or the plan made with it holds: never planned and then refused.
+TEST(PlannedPlans, hold_up_to_the_largest_radius) {
+  EXPECT_EQ(holds({"", 3, kFarthest_m, -1}, {}), true);
+  EXPECT_EQ(holds({"", 3, std::nextafter(kFarthest_m, 1e8), -1}, {}), std::nullopt);
+  EXPECT_EQ(holds({"", 3, 1e308, -1}, {}), std::nullopt);
 }
 
 }  // namespace

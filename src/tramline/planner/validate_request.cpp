@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tramline/geometry/error.h"
+#include "tramline/model/limits.h"
 
 namespace tramline {
 namespace {
@@ -30,15 +31,14 @@ void require_degrees(Angle angle, double least, double most, const char* what) {
 void require_metres(double value, double least, double most, const char* what) {
   if (!(value >= least && value <= most))
     throw bad_input(
-        fmt::format("the {} must lie between {:g} and {:g} m, not at {}", what, least, most, value));
+        fmt::format("the {} must lie between {} and {} m, not at {}", what, least, most, value));
 }
 
 }  // namespace
 
 void validate_request(const Machine& machine, const Objective& objective, const PlanSettings& settings) {
   require_positive(machine.width_m, "working width");
-  if (!(std::isfinite(machine.radius_m) && machine.radius_m >= 0))
-    throw bad_input(fmt::format("the turning radius must be at least 0 m, not {}", machine.radius_m));
+  require_metres(machine.radius_m, 0, kFarthest_m, "turning radius");
   if (!std::isfinite(machine.min_length_m))
     throw bad_input(
         fmt::format("the least track length must be a number of metres, not {}", machine.min_length_m));
