@@ -76,5 +76,20 @@ TEST(PlannedPlans, hold_up_to_the_largest_radius) {
   EXPECT_EQ(holds({"", 3, 1e308, -1}, {}), std::nullopt);
 }
 
+TEST(PlannedPlans, hold_or_are_refused_whatever_the_lengths) {
+  for (const double length_m : {1e3, 1e6, kFarthest_m, 1e8, 1e154, 1e308}) {
+    SCOPED_TRACE(length_m);
+    PlanSettings threshold, clearance;
+    threshold.avoid = Avoidance::kPaper;
+    threshold.avoid_threshold_m = length_m;
+    clearance.clearance_m = length_m;
+    const bool sensible = length_m <= kFarthest_m;
+    EXPECT_NE(holds({"", length_m, 6, 0}, {}), false);
+    EXPECT_EQ(holds({"", 3, 6, length_m}, {}), std::nullopt) << "no piece is that long";
+    EXPECT_EQ(holds({"", 3, 6, -1}, threshold), sensible ? std::optional(true) : std::nullopt);
+    EXPECT_EQ(holds({"", 3, 6, -1}, clearance), std::nullopt) << "no ground is that far from the pole";
+  }
+}
+
 }  // namespace
 }  // namespace tramline
