@@ -64,12 +64,6 @@ void add_obstacle_options(CLI::App& verb, PlanOptions& o) {
       ->group(obstacles);
 }
 
-double at_least_0(double value, const char* option) {
-  if (!(std::isfinite(value) && value >= 0))
-    throw bad_input(fmt::format("{} must be a number of metres of at least 0, not {}", option, value));
-  return value;
-}
-
 /// A negative number would be taken for the default, which is not what was typed.
 double length_typed(double value, const char* what) {
   require_metres(value, 0, kFarthest_m, what);
@@ -151,7 +145,7 @@ PlanSettings settings_of(const PlanOptions& o) {
                                    o.cell_direction, "rectangle or width");
   settings.avoid = chosen(avoidance_named(o.avoid), "--avoid", o.avoid, "cheapest, paper or cut");
   if (o.avoid_threshold_m) settings.avoid_threshold_m = length_typed(*o.avoid_threshold_m, kAvoidThreshold);
-  settings.clearance_m = at_least_0(o.clearance_m, "--clearance");
+  settings.clearance_m = o.clearance_m;
   settings.merge_threshold = Angle::degrees(o.merge_deg);
   settings.decomposition_threshold = Angle::degrees(o.decomposition_deg);
   return settings;
