@@ -25,8 +25,8 @@ void require_degrees(Angle angle, double least, double most, const char* what) {
 
 void require_width(double value) {
   if (!(value > 0 && value <= kFarthest_m))
-    throw bad_input(fmt::format("the working width must be more than 0 and at most {} m, not {}", kFarthest_m,
-                                value));
+    throw bad_input(
+        fmt::format("the working width must be more than 0 and at most {} m, not {}", kFarthest_m, value));
 }
 
 /// Negative: the default.
@@ -39,8 +39,7 @@ void require_metres_or_default(double value, const char* what) {
 void require_metres(double value, double least, double most, const char* what) {
   // Written so that NaN lies nowhere.
   if (!(value >= least && value <= most))
-    throw bad_input(
-        fmt::format("the {} must lie between {} and {} m, not at {}", what, least, most, value));
+    throw bad_input(fmt::format("the {} must lie between {} and {} m, not at {}", what, least, most, value));
 }
 
 void validate_request(const Machine& machine, const Objective& objective, const PlanSettings& settings) {
