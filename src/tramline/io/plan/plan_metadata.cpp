@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "tramline/geometry/error.h"
+#include "tramline/model/plain_zero.h"
 
 namespace tramline::io {
 namespace {
@@ -68,16 +69,18 @@ void each_value(PlanOrConst& plan, Visitor&& visit) {
 nlohmann::json to_json(const Repair& repair) {
   return {{"what", repair.what},
           {"where", repair.where},
-          {"x", repair.at.x},
-          {"y", repair.at.y},
-          {"area_change_m2", repair.area_change_m2}};
+          {"x", plain_zero(repair.at.x)},
+          {"y", plain_zero(repair.at.y)},
+          {"area_change_m2", plain_zero(repair.area_change_m2)}};
 }
 
 class Writer {
  public:
   explicit Writer(Metadata& out) : out_(out) {}
   void operator()(const std::string& key, const std::string& value) { out_[key] = value; }
-  void operator()(const std::string& key, double value) { out_[key] = fmt::format("{:.17g}", value); }
+  void operator()(const std::string& key, double value) {
+    out_[key] = fmt::format("{:.17g}", plain_zero(value));
+  }
   void operator()(const std::string& key, int value) { out_[key] = std::to_string(value); }
   void operator()(const std::string& key, long long value) { out_[key] = std::to_string(value); }
   void operator()(const std::string& key, bool value) { out_[key] = value ? "true" : "false"; }
