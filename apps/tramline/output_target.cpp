@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 
@@ -16,7 +17,9 @@ namespace fs = std::filesystem;
 
 void require_extension(const std::string& name, const char* option,
                        std::initializer_list<const char*> extensions) {
-  const std::string extension = fs::path(name).extension().string();
+  std::string extension = fs::path(name).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   std::string list;
   for (const char* one : extensions) {
     if (extension == one) return;

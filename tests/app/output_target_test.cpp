@@ -73,6 +73,12 @@ TEST_F(OutputTarget, takes_files_that_can_be_written) {
   EXPECT_TRUE(untouched());
 }
 
+TEST_F(OutputTarget, takes_extensions_in_any_case) {
+  EXPECT_EQ(against_file(folder_ / "PLAN.GPKG"), "");
+  EXPECT_EQ(against_file(folder_ / "Plan.Gpkg"), "");
+  EXPECT_NE(against_file(folder_ / "plan.GPK"), "");
+}
+
 TEST_F(OutputTarget, refuses_files_that_cannot) {
   for (const fs::path& name : {folder_ / "missing/plan.gpkg", folder_ / "notes/plan.gpkg",
                                folder_ / (kTooLong + ".gpkg"), fs::path("/proc/plan.gpkg")}) {

@@ -1,6 +1,7 @@
 #include "tramline/io/plan/write_plan.h"
 
 #include <cpl_conv.h>
+#include <cpl_port.h>
 #include <cpl_vsi.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -279,7 +280,7 @@ GDALDriver& driver() {
 }  // namespace
 
 void write_plan(const Plan& plan, const std::filesystem::path& path) {
-  if (path.extension() != ".gpkg")
+  if (!EQUAL(path.extension().c_str(), ".gpkg"))
     throw bad_input(
         fmt::format("'{}' cannot hold a plan: plans are GeoPackages; end the name in .gpkg", path.string()));
   const CPLConfigOptionSetter date("OGR_CURRENT_DATE", time_stamp().c_str(), false);
