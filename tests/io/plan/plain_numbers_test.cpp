@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <regex>
 
 #include "tramline/io/plan/plan_metadata.h"
@@ -81,6 +82,39 @@ TEST(PlainNumbers, ZeroHasNoSign) {
     EXPECT_GT(expect_no_negative_zero(file), 10);
     fs::remove(file);
   }
+}
+
+TEST(PlainNumbers, DegreesAreThoseThatWereAskedFor) {
+  Plan plan;
+  for (int tenths = 0; tenths <= 3600; ++tenths) {
+    plan.settings.merge_threshold = Angle::degrees(tenths / 10.0);
+    const std::string written = io::metadata_of(plan)["settings.merge_threshold_deg"];
+    std::string asked = std::to_string(tenths / 10);
+    if (tenths % 10 != 0) asked.append(1, '.').append(std::to_string(tenths % 10));
+    EXPECT_EQ(written, asked);
+  }
+}
+
+// Degrees nobody typed: not shortened beyond what the radians say.
+TEST(PlainNumbers, DegreesAreTrue) {
+  Plan plan;
+  for (int i = 1; i <= 1000; ++i) {
+    const double radians = std::fmod(i * std::numbers::phi, std::numbers::pi);
+    plan.settings.merge_threshold = Angle::radians(radians);
+    io::Metadata metadata = io::metadata_of(plan);
+    EXPECT_EQ(std::stod(metadata["settings.merge_threshold_rad"]), radians);
+    const double degrees = std::stod(metadata["settings.merge_threshold_deg"]);
+    EXPECT_LE(std::abs(degrees - radians * 180 / std::numbers::pi), 1e-15 * 180);
+  }
+}
+
+TEST(PlainNumbers, AreAsShortAsReadingBackAllows) {
+  Plan plan;
+  plan.settings.clearance_m = 0.1;
+  plan.machine.width_m = 1.0 / 3;
+  io::Metadata metadata = io::metadata_of(plan);
+  EXPECT_EQ(metadata["settings.clearance_m"], "0.1");
+  EXPECT_EQ(std::stod(metadata["machine.width_m"]), 1.0 / 3);
 }
 
 }  // namespace
