@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "check_report.h"
 #include "command.h"
 #include "field_options.h"
+#include "report_parts.h"
 #include "tramline/check/compare_fields.h"
 #include "tramline/check/compare_layers.h"
 #include "tramline/check/verify.h"
@@ -70,8 +70,7 @@ class CheckCommand : public Command {
     const io::PlanFile file = io::read_plan_file(plan_file_);
     const check::Verdict verdict = judge(file, input_field(file.plan));
     if (json_) {
-      const auto replace = nlohmann::ordered_json::error_handler_t::replace;
-      fmt::print("{}\n", check_json(plan_file_, file.plan, verdict).dump(2, ' ', false, replace));
+      fmt::print("{}\n", json_text(check_json(plan_file_, file.plan, verdict), 2));
     } else {
       fmt::print("{}", check_table(plan_file_, file.plan, verdict));
     }

@@ -29,6 +29,36 @@ std::string unexpected_argument(const std::vector<CLI::App*>& verbs) {
   return "an argument was not expected";
 }
 
+/// "--width" in "--width=", where that is an option of the verb; "" elsewhere. CLI11 would take the next
+/// argument for the value.
+std::string option_cut_short(const CLI::App& verb, const std::string& argument) {
+  if (!argument.starts_with('-') || !argument.ends_with('=')) return "";
+  const std::string name = argument.substr(0, argument.size() - 1);
+  return verb.get_option_no_throw(name) == nullptr ? "" : name;
+}
+
+constexpr const char* kEmpty = "the value is empty; is a shell variable not set?";
+
+void refuse_values_cut_short(const std::vector<CLI::App*>& verbs, const std::vector<std::string>& arguments) {
+  for (const CLI::App* verb : verbs) {
+    if (arguments.empty() || arguments.front() != verb->get_name()) continue;
+    for (const std::string& argument : arguments) {
+      if (argument == "--") break;
+      const std::string name = option_cut_short(*verb, argument);
+      if (!name.empty()) throw tramline::bad_input(name + ": " + kEmpty);
+    }
+  }
+}
+
+/// An empty text is no value of any option: CLI11 takes it for a zero or for nothing said.
+void refuse_empty_values(const std::vector<CLI::App*>& verbs) {
+  for (CLI::App* verb : verbs)
+    for (CLI::Option* option : verb->get_options({}))
+      if (option->get_items_expected_max() > 0)
+        // As a transformation it comes before what the option itself asks of its value.
+        option->transform(CLI::Validator([](std::string& value) { return value.empty() ? kEmpty : ""; }, ""));
+}
+
 /// A full disk behind stdout shows at the last moment.
 int with_output_flushed(int code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
@@ -60,8 +90,10 @@ int main(int argc, char** argv) {
   commands.push_back(make_check_command());
   std::vector<CLI::App*> verbs;
   for (auto& command : commands) verbs.push_back(command->setup(app));
+  refuse_empty_values(verbs);
 
   try {
+    refuse_values_cut_short(verbs, {argv + std::min(argc, 1), argv + argc});
     app.parse(argc, argv);
     for (std::size_t i = 0; i < commands.size(); ++i)
       if (verbs[i]->parsed()) return with_output_flushed(commands[i]->run());

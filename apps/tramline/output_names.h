@@ -7,7 +7,8 @@
 
 namespace tramline::app {
 
-/// The id with everything but letters, digits, '.', '_' and '-' replaced by '-', cut at 80 bytes.
+/// The id with everything but letters of ASCII, digits, '.', '_' and '-' replaced by '-', without '.' and
+/// '-' at either end, cut at 80 bytes; "field" where nothing is left.
 std::string as_file_name(const std::string& id);
 
 /// Hands out each name once: "-2", "-3" … is added to one that is taken.

@@ -16,6 +16,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/io/plan/write_plan.h"
 #include "tramline/planner/plan_field.h"
+#include "tramline/planner/validate_request.h"
 #include "tramline/render/draw_plan.h"
 
 namespace tramline::app {
@@ -51,6 +52,7 @@ class PlanCommand : public Command {
     machine_ = machine_of(plan_options_);
     objective_ = objective_of(plan_options_);
     settings_ = settings_of(plan_options_);
+    validate_request(machine_, objective_, settings_);
     const std::vector<std::string> inputs{field_options_.file, field_options_.obstacles_file,
                                           field_options_.passable_file, plan_options_.machine_file};
     require_writable(output_, "--output", {".gpkg"}, inputs);

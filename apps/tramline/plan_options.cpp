@@ -8,6 +8,8 @@
 
 #include "tramline/geometry/error.h"
 #include "tramline/io/machine/read_machine.h"
+#include "tramline/model/limits.h"
+#include "tramline/planner/validate_request.h"
 
 namespace tramline::app {
 namespace {
@@ -62,9 +64,9 @@ void add_obstacle_options(CLI::App& verb, PlanOptions& o) {
       ->group(obstacles);
 }
 
-double at_least_0(double value, const char* option) {
-  if (!(std::isfinite(value) && value >= 0))
-    throw bad_input(fmt::format("{} must be a number of metres of at least 0, not {}", option, value));
+/// A negative number would be taken for the default, which is not what was typed.
+double length_typed(double value, const char* what) {
+  require_metres(value, 0, kFarthest_m, what);
   return value;
 }
 
@@ -115,9 +117,7 @@ Machine machine_of(const PlanOptions& o) {
   Machine machine = o.machine_file.empty() ? Machine{} : io::read_machine(o.machine_file);
   if (o.width_m) machine.width_m = *o.width_m;
   if (o.radius_m) machine.radius_m = *o.radius_m;
-  if (o.min_length_m && !(*o.min_length_m >= 0))
-    throw bad_input(fmt::format("--min-length must be at least 0 m, not {}", *o.min_length_m));
-  if (o.min_length_m) machine.min_length_m = *o.min_length_m;
+  if (o.min_length_m) machine.min_length_m = length_typed(*o.min_length_m, kLeastTrackLength);
   return machine;
 }
 
@@ -144,8 +144,8 @@ PlanSettings settings_of(const PlanOptions& o) {
   settings.cell_direction = chosen(cell_direction_named(o.cell_direction), "--cell-direction",
                                    o.cell_direction, "rectangle or width");
   settings.avoid = chosen(avoidance_named(o.avoid), "--avoid", o.avoid, "cheapest, paper or cut");
-  if (o.avoid_threshold_m) settings.avoid_threshold_m = at_least_0(*o.avoid_threshold_m, "--avoid-threshold");
-  settings.clearance_m = at_least_0(o.clearance_m, "--clearance");
+  if (o.avoid_threshold_m) settings.avoid_threshold_m = length_typed(*o.avoid_threshold_m, kAvoidThreshold);
+  settings.clearance_m = o.clearance_m;
   settings.merge_threshold = Angle::degrees(o.merge_deg);
   settings.decomposition_threshold = Angle::degrees(o.decomposition_deg);
   return settings;

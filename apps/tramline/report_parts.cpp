@@ -3,14 +3,30 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <utility>
+
+#include "tramline/model/plain_zero.h"
 
 namespace tramline::app {
 
 using nlohmann::ordered_json;
 
-std::string json_line(const ordered_json& json) {
-  return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+namespace {
+
+ordered_json with_plain_zeros(ordered_json json) {
+  if (json.is_number_float()) return plain_zero(json.get<double>());
+  if (json.is_structured())
+    for (ordered_json& item : json) item = with_plain_zeros(std::move(item));
+  return json;
 }
+
+}  // namespace
+
+std::string json_text(const ordered_json& json, int indent) {
+  return with_plain_zeros(json).dump(indent, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+std::string json_line(const ordered_json& json) { return json_text(json, -1); }
 
 ordered_json repairs_json(const std::vector<Repair>& repairs) {
   ordered_json out = ordered_json::array();

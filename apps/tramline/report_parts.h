@@ -9,7 +9,10 @@
 
 namespace tramline::app {
 
-/// One line without a line break; bytes that are no UTF-8 become U+FFFD.
+/// JSON as printed: `indent` spaces a level, -1 for a single line; no number is "-0", and bytes that are no
+/// UTF-8 become U+FFFD.
+std::string json_text(const nlohmann::ordered_json& json, int indent);
+/// json_text() without a line break.
 std::string json_line(const nlohmann::ordered_json& json);
 
 nlohmann::ordered_json repairs_json(const std::vector<Repair>& repairs);

@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <optional>
 
 #include "properties/random_field.h"
 #include "tramline/check/verify.h"
 #include "tramline/geometry/error.h"
+#include "tramline/model/limits.h"
 #include "tramline/planner/plan_field.h"
 
 namespace tramline {
@@ -45,6 +48,47 @@ TEST(PlannedPlans, hold_on_random_fields) {
     }
   }
   EXPECT_GT(2 * planned, cases);
+}
+
+/// 100 × 60 m with a pole on a track's line.
+Field field_with_a_pole() {
+  Field field;
+  field.id = "pole";
+  field.outer = {{0, 0}, {100, 0}, {100, 60}, {0, 60}};
+  field.obstacles = {{{{{50, 31}, {50.4, 31}, {50.4, 31.4}, {50, 31.4}}, {}}, ObstacleKind::kObstacle, ""}};
+  return field;
+}
+
+/// Whether check takes the plan for that request; nullopt where the request is refused.
+std::optional<bool> holds(const Machine& machine, const PlanSettings& settings) {
+  try {
+    return check::verify(plan_field(field_with_a_pole(), machine, {}, settings, 1)).holds();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kBadInput) << error.what();
+    return std::nullopt;
+  }
+}
+
+// A length is refused before planning, or the plan made with it holds: never planned and then refused.
+TEST(PlannedPlans, hold_up_to_the_largest_radius) {
+  EXPECT_EQ(holds({"", 3, kFarthest_m, -1}, {}), true);
+  EXPECT_EQ(holds({"", 3, std::nextafter(kFarthest_m, 1e8), -1}, {}), std::nullopt);
+  EXPECT_EQ(holds({"", 3, 1e308, -1}, {}), std::nullopt);
+}
+
+TEST(PlannedPlans, hold_or_are_refused_whatever_the_lengths) {
+  for (const double length_m : {1e3, 1e6, kFarthest_m, 1e8, 1e154, 1e308}) {
+    SCOPED_TRACE(length_m);
+    PlanSettings threshold, clearance;
+    threshold.avoid = Avoidance::kPaper;
+    threshold.avoid_threshold_m = length_m;
+    clearance.clearance_m = length_m;
+    const bool sensible = length_m <= kFarthest_m;
+    EXPECT_NE(holds({"", length_m, 6, 0}, {}), false);
+    EXPECT_EQ(holds({"", 3, 6, length_m}, {}), std::nullopt) << "no piece is that long";
+    EXPECT_EQ(holds({"", 3, 6, -1}, threshold), sensible ? std::optional(true) : std::nullopt);
+    EXPECT_EQ(holds({"", 3, 6, -1}, clearance), std::nullopt) << "no ground is that far from the pole";
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "tramline/render/close_up_content.h"
 #include "tramline/render/close_up_layers.h"
 #include "tramline/render/close_up_window.h"
+#include "tramline/render/encounter_table.h"
 #include "tramline/render/palette.h"
 
 namespace tramline::render {
@@ -114,6 +115,64 @@ TEST(CloseUp, CountsTheMeetingsItDoesNotList) {
   const auto rows = encounter_rows(plan, 0);
   ASSERT_EQ(rows.size(), 24u);
   EXPECT_EQ(rows.back().track, "and 77 more");
+}
+
+TEST(CloseUp, CountsThemInFull) {
+  const Box narrow{20, 0, 580, 800};
+  Canvas canvas(PictureFormat::kPng, 600, 800);
+  Plan plan = detour_plan();
+  for (const std::size_t meetings : {30u, 1000u, 1000000u}) {
+    plan.encounters.assign(meetings, plan.encounters[0]);
+    plan.pieces.clear();
+    const EncounterRow last = encounter_rows(plan, 0).back();
+    EXPECT_EQ(cells_of(canvas, narrow, last, {})[0], "and " + std::to_string(meetings - 23) + " more");
+  }
+}
+
+// One detour of track 5 passes two meetings, and another track has a detour of its own.
+TEST(CloseUp, TellsTheCostOfAJointDetourOnce) {
+  Plan plan = detour_plan();
+  Encounter second = plan.encounters[0];
+  second.at.x += 1;
+  plan.encounters.insert(plan.encounters.begin() + 1, second);
+  const auto rows = encounter_rows(plan, 0);
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0].right, "−14.30, joint for 2 meetings");
+  EXPECT_EQ(rows[1].right, "joint, counted above");
+  EXPECT_EQ(rows[2].right, "−8.05");
+  EXPECT_EQ(rows[2].left, "+2.50");
+}
+
+TEST(CloseUp, TellsDifferentCostsOfAJointDetour) {
+  Plan plan = detour_plan();
+  Encounter second = plan.encounters[0];
+  second.at.x += 1;
+  second.right.cost = -9;
+  plan.encounters.insert(plan.encounters.begin() + 1, second);
+  const auto rows = encounter_rows(plan, 0);
+  EXPECT_EQ(rows[0].right, "−14.30, joint for 2 meetings");
+  EXPECT_EQ(rows[1].right, "−9.00, joint for 2 meetings");
+}
+
+TEST(CloseUp, NamesTheObstaclesOfAJointDetour) {
+  Plan plan = detour_plan();
+  Encounter second = plan.encounters[0];
+  second.at.x += 1;
+  second.obstacles = {1};
+  plan.pieces[4].detours[0].obstacles = {0, 1};
+  plan.encounters.insert(plan.encounters.begin() + 1, second);
+  EXPECT_EQ(encounter_rows(plan, 0)[0].chosen, "right (with 2)");
+  EXPECT_EQ(encounter_rows(plan, 0)[0].right, "−14.30, joint for 2 meetings");
+  EXPECT_EQ(encounter_rows(plan, 1)[0].chosen, "right (with 1)");
+  EXPECT_EQ(encounter_rows(plan, 1)[0].right, "−14.30, joint for 2 meetings");
+}
+
+TEST(CloseUp, CountsCutsOneByOne) {
+  Plan plan = detour_plan();
+  for (Encounter& encounter : plan.encounters) encounter.chosen = Passing::kCut;
+  const auto rows = encounter_rows(plan, 0);
+  EXPECT_EQ(rows[0].right, "−14.30");
+  EXPECT_EQ(rows[1].right, "−8.05");
 }
 
 TEST(CloseUp, LegendNamesWhatIsInView) {

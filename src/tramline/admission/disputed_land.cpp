@@ -1,7 +1,7 @@
 #include "tramline/admission/disputed_land.h"
 
-#include "tramline/admission/interior_point.h"
 #include "tramline/geometry/boolean.h"
+#include "tramline/geometry/interior_point.h"
 
 namespace tramline {
 

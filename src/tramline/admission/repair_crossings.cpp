@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "tramline/admission/disputed_land.h"
-#include "tramline/admission/interior_point.h"
 #include "tramline/admission/tolerances.h"
 #include "tramline/geometry/boolean.h"
+#include "tramline/geometry/interior_point.h"
 
 namespace tramline {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "tramline/admission/interior_point.h"
 #include "tramline/admission/tolerances.h"
 #include "tramline/geometry/boolean.h"
+#include "tramline/geometry/interior_point.h"
 
 namespace tramline {
 namespace {

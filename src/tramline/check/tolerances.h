@@ -1,5 +1,7 @@
 #pragma once
-// How far a plan may be from the exact definitions.
+// How far a plan may be from the exact definitions. How large it may be stands in model/limits.h.
+
+#include "tramline/model/limits.h"
 
 namespace tramline::check {
 
@@ -15,9 +17,5 @@ inline constexpr double kHeadingTolerance_deg = 1;
 inline constexpr double kTouch_m2 = 5e-9;
 /// Of the field's area, for sums of areas.
 inline constexpr double kAreaShare = 1e-6;
-
-/// Nothing in a field's local frame lies farther than this from its origin, nor is wider, m. Beyond it
-/// arithmetic overflows sooner or later.
-inline constexpr double kFarthest_m = 1e7;
 
 }  // namespace tramline::check

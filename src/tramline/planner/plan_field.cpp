@@ -4,6 +4,7 @@
 
 #include "tramline/cost/worked_regions.h"
 #include "tramline/geometry/error.h"
+#include "tramline/headland/body.h"
 #include "tramline/planner/driving_order.h"
 #include "tramline/planner/encounters_as_driven.h"
 #include "tramline/planner/validate_request.h"
@@ -33,11 +34,26 @@ Region swath_parts(const Plan& plan) {
   return out;
 }
 
+/// Is there ground to work without the clearance, and none with it?
+bool clearance_takes_all(const SearchTask& task) {
+  return task.settings.clearance_m > 0 && area(task.ground.plannable) == 0 &&
+         area(sort_obstacles(task.field, task.machine.width_m).plannable) > 0;
+}
+
 Error no_tracks(const SearchTask& task) {
+  const double clearance_m = task.settings.clearance_m;
+  if (clearance_takes_all(task))
+    return bad_input(
+        fmt::format("no track fits into field '{}' of {:.0f} m²: the clearance of {} m from obstacles leaves "
+                    "no ground to work; use a smaller --clearance",
+                    task.field.id, area_m2(task.field), clearance_m));
+  const bool kept_clear = clearance_m > 0 && !obstacle_shapes(task.field, ObstacleKind::kObstacle).empty();
   return bad_input(fmt::format(
-      "no track fits into field '{}' of {:.0f} m² with a working width of {} m and pieces of at least {} m: "
-      "use a narrower machine, a smaller --min-length or another end rule",
-      task.field.id, area_m2(task.field), task.machine.width_m, min_length_m(task.machine)));
+      "no track fits into field '{}' of {:.0f} m² with a working width of {} m{} and pieces of at least {} "
+      "m: use a narrower machine, a smaller --min-length{} or another end rule",
+      task.field.id, area_m2(task.field), task.machine.width_m,
+      kept_clear ? fmt::format(", a clearance of {} m from obstacles", clearance_m) : "",
+      min_length_m(task.machine), kept_clear ? ", a smaller --clearance" : ""));
 }
 
 }  // namespace

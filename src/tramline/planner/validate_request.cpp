@@ -5,14 +5,10 @@
 #include <cmath>
 
 #include "tramline/geometry/error.h"
+#include "tramline/model/limits.h"
 
 namespace tramline {
 namespace {
-
-void require_positive(double value, const char* what) {
-  if (!(std::isfinite(value) && value > 0))
-    throw bad_input(fmt::format("the {} must be a positive number of metres, not {}", what, value));
-}
 
 void require_weight(double value, const char* what) {
   constexpr double kMost = 1e15;  // a field's cost stays a number
@@ -27,30 +23,36 @@ void require_degrees(Angle angle, double least, double most, const char* what) {
                                 angle.degrees()));
 }
 
-void require_metres(double value, double least, double most, const char* what) {
-  if (!(value >= least && value <= most))
+void require_width(double value) {
+  if (!(value > 0 && value <= kFarthest_m))
     throw bad_input(
-        fmt::format("the {} must lie between {:g} and {:g} m, not at {}", what, least, most, value));
+        fmt::format("the working width must be more than 0 and at most {} m, not {}", kFarthest_m, value));
+}
+
+/// Negative: the default.
+void require_metres_or_default(double value, const char* what) {
+  if (!(std::isfinite(value) && value < 0)) require_metres(value, 0, kFarthest_m, what);
 }
 
 }  // namespace
 
+void require_metres(double value, double least, double most, const char* what) {
+  // Written so that NaN lies nowhere.
+  if (!(value >= least && value <= most))
+    throw bad_input(fmt::format("the {} must lie between {} and {} m, not at {}", what, least, most, value));
+}
+
 void validate_request(const Machine& machine, const Objective& objective, const PlanSettings& settings) {
-  require_positive(machine.width_m, "working width");
-  if (!(std::isfinite(machine.radius_m) && machine.radius_m >= 0))
-    throw bad_input(fmt::format("the turning radius must be at least 0 m, not {}", machine.radius_m));
-  if (!std::isfinite(machine.min_length_m))
-    throw bad_input(
-        fmt::format("the least track length must be a number of metres, not {}", machine.min_length_m));
+  require_width(machine.width_m);
+  require_metres(machine.radius_m, 0, kFarthest_m, "turning radius");
+  require_metres_or_default(machine.min_length_m, kLeastTrackLength);
   require_weight(objective.overlap, "overlap");
   require_weight(objective.uncovered, "uncovered land");
   require_weight(objective.turn, "turns");
   require_weight(objective.stop, "stops");
   constexpr double kMostClearance = 1000;
   require_metres(settings.clearance_m, 0, kMostClearance, "clearance");
-  if (!std::isfinite(settings.avoid_threshold_m))
-    throw bad_input(
-        fmt::format("the avoid threshold must be a number of metres, not {}", settings.avoid_threshold_m));
+  require_metres_or_default(settings.avoid_threshold_m, kAvoidThreshold);
   require_degrees(settings.merge_threshold, 0, 90, "merge threshold");
   require_degrees(settings.decomposition_threshold, 180, 360, "decomposition threshold");
 }

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include "tramline/render/close_up_window.h"
 #include "tramline/render/visible_faults.h"
@@ -26,18 +29,72 @@ std::string signed_text(double cost) {
   return (cost < 0 ? "−" : "+") + digits;
 }
 
+/// The detour that passes the place of an encounter; nullptr where the track is cut.
+const Detour* detour_at(const Plan& plan, const Encounter& encounter) {
+  if (encounter.chosen == Passing::kCut) return nullptr;
+  for (const TrackPiece& piece : plan.pieces) {
+    if (piece.subfield != encounter.subfield || piece.track != encounter.track) continue;
+    for (const Detour& detour : piece.detours) {
+      // Both ends and the place lie on the line of the piece.
+      const Point from = detour.path.front().from, along = detour.path.back().to - from;
+      const double run = dot(encounter.at - from, along);
+      if (run >= 0 && run <= dot(along, along)) return &detour;
+    }
+  }
+  return nullptr;
+}
+
+/// How many meetings of its track a detour passes; 0 for none.
+std::ptrdiff_t meetings_passed(const Plan& plan, const Encounter& one, const Detour* detour) {
+  if (detour == nullptr) return 0;
+  return std::count_if(plan.encounters.begin(), plan.encounters.end(), [&](const Encounter& other) {
+    return other.subfield == one.subfield && other.track == one.track && detour_at(plan, other) == detour;
+  });
+}
+
 std::string way_text(const WayPast& way) {
   if (way.possible) return signed_text(way.cost);
   return way.why_not.empty() ? "no" : "no: " + way.why_not;
 }
 
-std::string chosen_text(const Encounter& encounter, int obstacle) {
+std::string chosen_text(const Encounter& encounter, int obstacle, const Detour* detour) {
+  std::set<int> together(encounter.obstacles.begin(), encounter.obstacles.end());
+  if (detour != nullptr) together.insert(detour->obstacles.begin(), detour->obstacles.end());
   std::string others;
-  for (const int other : encounter.obstacles)
+  for (const int other : together)
     if (other != obstacle) others += fmt::format("{}{}", others.empty() ? "" : ", ", other + 1);
   return others.empty() ? name(encounter.chosen)
                         : fmt::format("{} (with {})", name(encounter.chosen), others);
 }
+
+/// The rows of one obstacle, one after the other.
+class EncounterRows {
+ public:
+  EncounterRows(const Plan& plan, int obstacle) : plan_(plan), obstacle_(obstacle) {}
+
+  EncounterRow next(const Encounter& encounter) {
+    const Detour* detour = detour_at(plan_, encounter);
+    EncounterRow out{strip_name(plan_, encounter.subfield, encounter.track),
+                     chosen_text(encounter, obstacle_, detour), way_text(encounter.left),
+                     way_text(encounter.right)};
+    const auto meetings = meetings_passed(plan_, encounter, detour);
+    if (meetings > 1) tell_joint(encounter.chosen == Passing::kLeft ? out.left : out.right, detour, meetings);
+    return out;
+  }
+
+ private:
+  /// A detour that passes several meetings costs what it costs once, not at each of them.
+  void tell_joint(std::string& cost, const Detour* detour, std::ptrdiff_t meetings) {
+    if (!told_.insert({detour, cost}).second)
+      cost = "joint, counted above";
+    else
+      cost += fmt::format(", joint for {} meetings", meetings);
+  }
+
+  const Plan& plan_;
+  int obstacle_;
+  std::set<std::pair<const Detour*, std::string>> told_;
+};
 
 bool inside(Point p, const Box& box) {
   return p.x >= box.min_x && p.x <= box.max_x && p.y >= box.min_y && p.y <= box.max_y;
@@ -151,14 +208,13 @@ std::vector<LegendBlock> legend_of_close_up(const Plan& plan, int obstacle, cons
 
 std::vector<EncounterRow> encounter_rows(const Plan& plan, int obstacle) {
   std::vector<EncounterRow> out;
+  EncounterRows rows(plan, obstacle);
   for (const Encounter& encounter : plan.encounters)
-    if (concerns(encounter, obstacle))
-      out.push_back({strip_name(plan, encounter.subfield, encounter.track), chosen_text(encounter, obstacle),
-                     way_text(encounter.left), way_text(encounter.right)});
+    if (concerns(encounter, obstacle)) out.push_back(rows.next(encounter));
   if (out.size() > kMostRows) {
     const std::size_t left_out = out.size() - (kMostRows - 1);
     out.resize(kMostRows - 1);
-    out.push_back({fmt::format("and {} more", left_out), "", "", ""});
+    out.push_back({fmt::format("and {} more", left_out), "", "", "", true});
   }
   return out;
 }

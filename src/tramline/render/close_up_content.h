@@ -26,8 +26,10 @@ std::string strip_name(const Plan& plan, int subfield, int track);
 struct EncounterRow {
   std::string track;
   std::string chosen;  ///< with the obstacles that are passed together with this one
-  std::string left;    ///< cost above that of a cut, or why it is not possible
+  std::string left;    ///< cost above that of a cut, or why it is not possible; that of a detour which
+                       ///< passes several meetings once, and then a reference to it
   std::string right;
+  bool whole_line = false;  ///< `track` holds a remark that takes all columns
 };
 
 /// In the order of Plan::encounters; of very many the first, and a last row that counts the others.

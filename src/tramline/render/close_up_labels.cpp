@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <set>
 #include <string>
@@ -19,6 +20,7 @@ namespace tramline::render {
 namespace {
 
 constexpr double kGap = 6;
+constexpr int kPlacesOfNumber = 12;
 
 struct Half {
   double width = 0;
@@ -38,32 +40,92 @@ bool within(const Box& inner, const Box& outer) {
          inner.max_y <= outer.max_y;
 }
 
-// Writes the text at the first of the places where it has room.
+bool meets(const Box& box, const Polygon& shape) {
+  if (contains(shape, box.centre())) return true;
+  for (const Ring& ring : rings_of({shape}))
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      if (clipped(ring[i], ring[(i + 1) % ring.size()], box)) return true;
+  return false;
+}
+
+// The obstacles in view, on the page: no label may hide one.
+class Obstacles {
+ public:
+  Obstacles(const Canvas& canvas, const Plan& near, const Box& map) : margin_(3 * canvas.scale()) {
+    for (const Obstacle& obstacle : near.field.obstacles) {
+      if (obstacle.kind != ObstacleKind::kObstacle) continue;
+      Polygon shape = on_page(obstacle.shape, canvas.view());
+      const Box box = bounds(shape);
+      if (intersects(box, map)) shapes_.emplace_back(box, std::move(shape));
+    }
+  }
+  bool meet(const Box& label) const {
+    const Box kept_free = label.grown(margin_);
+    return std::any_of(shapes_.begin(), shapes_.end(), [&](const auto& shape) {
+      return intersects(kept_free, shape.first) && meets(kept_free, shape.second);
+    });
+  }
+
+ private:
+  static Polygon on_page(Polygon shape, const MapView& view) {
+    for (Point& p : shape.outer) p = view.to_page(p);
+    for (Ring& hole : shape.holes)
+      for (Point& p : hole) p = view.to_page(p);
+    return shape;
+  }
+  double margin_;
+  std::vector<std::pair<Box, Polygon>> shapes_;
+};
+
+bool is_free(const Box& box, const Box& map, const std::vector<Box>& taken) {
+  return within(box, map) &&
+         std::none_of(taken.begin(), taken.end(), [&](const Box& other) { return intersects(box, other); });
+}
+
+void write_at(Canvas& canvas, Point place, const Half& half, const std::string& text, const TextStyle& style,
+              std::vector<Box>& taken) {
+  taken.push_back(box_round(place, half));
+  draw_text(canvas, place, text, style);
+}
+
+// Writes the text at the first of the places where it has room and hides no obstacle.
 bool write_at_first(Canvas& canvas, const std::vector<Point>& places, const std::string& text,
-                    const TextStyle& style, const Box& map, std::vector<Box>& taken) {
+                    const TextStyle& style, const Box& map, const Obstacles& obstacles,
+                    std::vector<Box>& taken) {
   const Half half = half_size(canvas, text, style);
   for (const Point place : places) {
     const Box box = box_round(place, half);
-    if (!within(box, map)) continue;
-    if (std::any_of(taken.begin(), taken.end(), [&](const Box& other) { return intersects(box, other); }))
-      continue;
-    taken.push_back(box);
-    draw_text(canvas, place, text, style);
+    if (!is_free(box, map, taken) || obstacles.meet(box)) continue;
+    write_at(canvas, place, half, text, style, taken);
     return true;
   }
   return false;
 }
 
-// Along the radius from the arc inwards, then beside it, then outside the arc.
+// Round a point, nearest first, and at the same distance first above and to the right of it.
+std::vector<Point> places_round(Point centre, const Half& half, double scale) {
+  constexpr double kStep = 3, kFarthest = 150;
+  std::vector<Point> out;
+  for (double away = kStep * scale; away <= kFarthest * scale; away += kStep * scale)
+    for (const auto& [x, y] : {std::pair{1, -1}, {-1, -1}, {-1, 1}, {1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}})
+      out.push_back(centre + Point{x * (half.width + away), y * (half.height + away)});
+  return out;
+}
+
+// Along the radius from the arc inwards, then beside it, and the same outside the arc.
 std::vector<Point> places_along(Point hub, Point rim, double step) {
   const double reach = distance(hub, rim);
   if (reach == 0) return {rim};
   const Point inwards = (1 / reach) * (hub - rim);
   const Point aside{-inwards.y, inwards.x};
   std::vector<Point> out;
-  for (const double sideways : {0.0, 1.0, -1.0, 2.0, -2.0, 4.0, -4.0})
-    for (const double share : {0.5, 0.35, 0.65, 0.8, 1.15})
-      out.push_back(rim + (share * std::min(reach, 12 * step)) * inwards + (sideways * step) * aside);
+  const auto add = [&](std::initializer_list<double> shares) {
+    for (const double sideways : {0.0, 1.0, -1.0, 2.0, -2.0, 4.0, -4.0})
+      for (const double share : shares)
+        out.push_back(rim + (share * std::min(reach, 12 * step)) * inwards + (sideways * step) * aside);
+  };
+  add({0.5, 0.35, 0.65, 0.8, 1.15});
+  add({-0.2, -0.35, -0.5, -0.8, -1.15});
   return out;
 }
 
@@ -90,12 +152,15 @@ std::optional<NumberPlaces> places_of_number(Canvas& canvas, const TrackPiece& p
                                              : Entry::kInside;
   const Point from = entry == Entry::kSecondEdge ? seen->second : seen->first;
   const Point inwards = (entry == Entry::kSecondEdge ? -1 : 1) * along;
-  // As far in as the text needs beside a vertical edge of the map, or below a horizontal one.
+  // As far in as the text needs beside a vertical edge of the map, or below a horizontal one; then farther
+  // in, where something is in the way there.
   NumberPlaces out{entry, {}};
   for (const double reach :
        {half.width / std::max(std::abs(along.x), 1e-9), half.height / std::max(std::abs(along.y), 1e-9)}) {
-    const double run = reach + kGap * canvas.scale();
-    if (run < distance(seen->first, seen->second)) out.centres.push_back(from + run * inwards);
+    const double step = 2 * half.height, most = distance(seen->first, seen->second);
+    double run = reach + kGap * canvas.scale();
+    for (int i = 0; i < kPlacesOfNumber && run < most; ++i, run += step)
+      out.centres.push_back(from + run * inwards);
   }
   return out;
 }
@@ -105,36 +170,35 @@ std::optional<NumberPlaces> places_of_number(Canvas& canvas, const TrackPiece& p
 void draw_obstacle_numbers(Canvas& canvas, const Plan& near, const Box& map, std::vector<Box>& taken) {
   const double k = canvas.scale();
   const TextStyle style{kTextSize, true, Align::kCentre, kInk, true};
+  const Obstacles obstacles(canvas, near, map);
   for (std::size_t i = 0; i < near.field.obstacles.size(); ++i) {
     const Polygon& shape = near.field.obstacles[i].shape;
     const std::string text = std::to_string(i + 1);
     const Half half = half_size(canvas, text, style);
     const RoomyPlace inside = roomiest_place(shape, canvas.view());
-    const Box box = bounds(shape);
-    const Point corner = canvas.view().to_page({box.max_x, box.max_y});
-    const Point far_corner = canvas.view().to_page({box.min_x, box.min_y});
-    std::vector<Point> places;
-    if (inside.room_px > std::max(half.width, half.height) + 2 * k) places.push_back(inside.centre);
-    places.push_back(corner + Point{half.width + 3 * k, -half.height - 3 * k});
-    places.push_back({far_corner.x - half.width - 3 * k, corner.y - half.height - 3 * k});
-    places.push_back(far_corner + Point{-half.width - 3 * k, half.height + 3 * k});
-    write_at_first(canvas, places, text, style, map, taken);
+    const bool roomy = inside.room_px > std::max(half.width, half.height) + 2 * k;
+    if (roomy && is_free(box_round(inside.centre, half), map, taken))
+      write_at(canvas, inside.centre, half, text, style, taken);
+    else
+      write_at_first(canvas, places_round(inside.centre, half, k), text, style, map, obstacles, taken);
   }
 }
 
 void draw_radii(Canvas& canvas, const Plan& near, int obstacle, const Box& map, std::vector<Box>& taken) {
   const TextStyle style{kSmallTextSize, true, Align::kCentre, kDetourColour, true};
+  const Obstacles obstacles(canvas, near, map);
   for (const PathSegment& arc : tightest_arcs(near, obstacle)) {
     const std::string text = fmt::format("r {:.2f} m", radius(arc));
     const Point hub = canvas.view().to_page(centre(arc));
     const Point rim = canvas.view().to_page(middle_of_arc(arc));
     const double step = half_size(canvas, text, style).height * 2;
-    write_at_first(canvas, places_along(hub, rim, step), text, style, map, taken);
+    write_at_first(canvas, places_along(hub, rim, step), text, style, map, obstacles, taken);
   }
 }
 
 void draw_strip_numbers(Canvas& canvas, const Plan& near, const Box& map, std::vector<Box>& taken) {
   const TextStyle style{kSmallTextSize, false, Align::kCentre, kInk, true};
+  const Obstacles obstacles(canvas, near, map);
   std::set<std::pair<int, int>> numbered;
   for (const Entry entry : {Entry::kFirstEdge, Entry::kSecondEdge, Entry::kInside}) {
     for (const TrackPiece& piece : near.pieces) {
@@ -143,7 +207,7 @@ void draw_strip_numbers(Canvas& canvas, const Plan& near, const Box& map, std::v
       const std::string text = strip_name(near, piece.subfield, piece.track);
       const auto places = places_of_number(canvas, piece, half_size(canvas, text, style), map);
       if (!places || places->entry != entry) continue;
-      if (write_at_first(canvas, places->centres, text, style, map, taken)) numbered.insert(strip);
+      if (write_at_first(canvas, places->centres, text, style, map, obstacles, taken)) numbered.insert(strip);
     }
   }
 }

@@ -1,6 +1,6 @@
 #pragma once
 // The numbers in the map of a close-up. Each function keeps off the boxes in `taken`, stays within the
-// map, and adds the boxes of what it wrote. All in pixels of the page.
+// map, hides no obstacle, and adds the boxes of what it wrote. All in pixels of the page.
 
 #include <vector>
 
@@ -9,7 +9,8 @@
 
 namespace tramline::render {
 
-/// From 1, in the order of Field::obstacles; beside the obstacles that are too small to write on.
+/// From 1, in the order of Field::obstacles: in the obstacle where it has room, else as near as may be to a
+/// point in it.
 void draw_obstacle_numbers(Canvas& canvas, const Plan& near, const Box& map, std::vector<Box>& taken);
 /// The smallest radius of each detour round the obstacle, on its tightest arc's radius.
 void draw_radii(Canvas& canvas, const Plan& near, int obstacle, const Box& map, std::vector<Box>& taken);

@@ -1,9 +1,5 @@
 #include "tramline/render/encounter_table.h"
 
-#include <array>
-
-#include "tramline/render/text.h"
-
 namespace tramline::render {
 namespace {
 
@@ -28,15 +24,23 @@ std::array<Column, 4> columns_in(const Box& box, double k) {
 
 void draw_cells(Canvas& canvas, const Box& box, double middle, const EncounterRow& row,
                 const TextStyle& style) {
-  const double k = canvas.scale();
-  const auto columns = columns_in(box, k);
-  const std::array<const std::string*, 4> cells{&row.track, &row.chosen, &row.left, &row.right};
+  const auto columns = columns_in(box, canvas.scale());
+  const std::array<std::string, 4> cells = cells_of(canvas, box, row, style);
   for (std::size_t i = 0; i < cells.size(); ++i)
-    draw_text(canvas, {columns[i].left, middle},
-              fitted(canvas, printable(*cells[i]), style, columns[i].width - 10 * k), style);
+    draw_text(canvas, {columns[i].left, middle}, cells[i], style);
 }
 
 }  // namespace
+
+std::array<std::string, 4> cells_of(Canvas& canvas, const Box& box, const EncounterRow& row,
+                                    const TextStyle& style) {
+  if (row.whole_line) return {fitted(canvas, printable(row.track), style, box.width()), "", "", ""};
+  const auto columns = columns_in(box, canvas.scale());
+  const auto cell = [&](const std::string& text, std::size_t column) {
+    return fitted(canvas, printable(text), style, columns[column].width - 10 * canvas.scale());
+  };
+  return {cell(row.track, 0), cell(row.chosen, 1), cell(row.left, 2), cell(row.right, 3)};
+}
 
 double height_of_table(const std::vector<EncounterRow>& rows) {
   const std::size_t lines = rows.empty() ? 1 : rows.size();

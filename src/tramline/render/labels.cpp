@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "tramline/geometry/interior_point.h"
 #include "tramline/render/layers.h"
 #include "tramline/render/text.h"
 
@@ -86,10 +87,10 @@ Attempt label_every(std::size_t stride, const Plan& plan, const MapView& view, d
 
 }  // namespace
 
-// The roomiest of a grid of places; the middle of the box where the polygon slips through the grid.
+// The roomiest of a grid of places; any inside where the polygon slips through the grid.
 RoomyPlace roomiest_place(const Polygon& polygon, const MapView& view) {
   const Box box = bounds(polygon);
-  RoomyPlace best{view.to_page(box.centre()), 0};
+  RoomyPlace best{view.to_page(interior_point(polygon)), 0};
   for (int row = 0; row < kBadgeGrid; ++row) {
     for (int column = 0; column < kBadgeGrid; ++column) {
       const Point p{box.min_x + (column + 0.5) / kBadgeGrid * box.width(),

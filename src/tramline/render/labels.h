@@ -24,7 +24,7 @@ struct RoomyPlace {
   Point centre;        ///< page
   double room_px = 0;  ///< radius of the free circle round it; 0 where the polygon is too thin to tell
 };
-/// Where a text has the most room inside the polygon.
+/// Where a text has the most room inside the polygon. Precondition: a valid polygon with area.
 RoomyPlace roomiest_place(const Polygon& polygon, const MapView& view);
 
 /// One badge per subfield, where it has the most room; none where there is room for no text at all.

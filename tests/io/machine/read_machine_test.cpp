@@ -68,12 +68,12 @@ TEST_F(MachineFile, UnknownKeyListsTheKnownOnes) {
 }
 
 TEST_F(MachineFile, WrongLengthNamesFileLineAndKey) {
-  for (const char* value :
-       {"-3", "-0.1", "nan", "-nan", "inf", "0", "0.0", "\"3\"", "true", "[3]", "1979-05-27"})
+  for (const char* value : {"-3", "-0.1", "nan", "-nan", "inf", "1e308", "1.1e7", "0", "0.0", "\"3\"", "true",
+                            "[3]", "1979-05-27"})
     expect_says(refusal(std::string("name = \"x\"\nwidth_m = ") + value + "\n"),
                 {"m.toml", "line 2", "width_m"});
   for (const std::string key : {"turning_radius_m", "min_track_length_m"})
-    for (const char* value : {"-1", "nan", "inf", "\"3\""})
+    for (const char* value : {"-1", "nan", "inf", "1e308", "1.1e7", "\"3\""})
       expect_says(refusal("width_m = 3\n\n" + key + " = " + value), {"m.toml", "line 3", key});
 }
 

@@ -195,6 +195,11 @@ TEST_F(PlanFileTest, only_geopackages) {
   EXPECT_EQ(files_in_folder(), 0u);
 }
 
+TEST_F(PlanFileTest, the_extension_may_be_in_capitals) {
+  io::write_plan(odd_plan(), folder_ / "PLAN.GPKG");
+  EXPECT_EQ(io::read_plan(folder_ / "PLAN.GPKG").field.outer, odd_plan().field.outer);
+}
+
 TEST_F(PlanFileTest, nothing_is_left_of_a_failed_write) {
   const Error missing = error_of([&] { io::write_plan(odd_plan(), folder_ / "no" / "plan.gpkg"); });
   EXPECT_EQ(missing.kind(), ErrorKind::kFailure);

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "tramline/geometry/error.h"
+#include "tramline/model/limits.h"
 
 namespace tramline::io {
 namespace {
@@ -66,10 +67,10 @@ std::optional<double> length_m(const Source& source, std::string_view key, bool 
   if (node == nullptr) return std::nullopt;
   if (!node->is_number()) refuse(source, node->source(), fmt::format("{} must be a number of metres", key));
   const double value = node->value<double>().value_or(std::nan(""));
-  if (!std::isfinite(value) || value < 0 || (value == 0 && !zero_allowed))
+  if (!(value >= 0 && value <= kFarthest_m) || (value == 0 && !zero_allowed))
     refuse(source, node->source(),
-           fmt::format("{} is {:g}, but must be a length {} 0 m", key, value,
-                       zero_allowed ? "of at least" : "above"));
+           fmt::format("{} is {:g}, but must be a length {} 0 m and at most {} m", key, value,
+                       zero_allowed ? "of at least" : "above", kFarthest_m));
   return value;
 }
 

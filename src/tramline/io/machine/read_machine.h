@@ -8,7 +8,7 @@ namespace tramline::io {
 
 /// Reads a machine from a TOML file (docs/machine.md). Throws bad_input, naming file, line and key, for
 /// a file that cannot be read or is no TOML, an unknown key, a value of the wrong type, a length that
-/// is negative or not finite, and a width that is missing or zero.
+/// is negative, not finite or above kFarthest_m, and a width that is missing or zero.
 Machine read_machine(const std::filesystem::path& path);
 
 }  // namespace tramline::io

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "tramline/geometry/error.h"
+#include "tramline/model/plain_zero.h"
 
 namespace tramline::io {
 
@@ -10,9 +11,10 @@ OGRSpatialReference crs_of(const LocalFrame& frame) {
   OGRSpatialReference crs;
   bool made = false;
   if (frame.geodetic) {
-    made = crs.SetProjCS("Local transverse Mercator of the field") == OGRERR_NONE &&
-           crs.SetWellKnownGeogCS("WGS84") == OGRERR_NONE &&
-           crs.SetTM(frame.origin_lat_deg, frame.origin_lon_deg, 1, 0, 0) == OGRERR_NONE;
+    made =
+        crs.SetProjCS("Local transverse Mercator of the field") == OGRERR_NONE &&
+        crs.SetWellKnownGeogCS("WGS84") == OGRERR_NONE &&
+        crs.SetTM(plain_zero(frame.origin_lat_deg), plain_zero(frame.origin_lon_deg), 1, 0, 0) == OGRERR_NONE;
   } else {
     made = crs.SetLocalCS("Undefined Cartesian SRS") == OGRERR_NONE &&
            crs.SetLinearUnits(SRS_UL_METER, 1) == OGRERR_NONE;

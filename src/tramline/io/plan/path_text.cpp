@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "tramline/geometry/error.h"
+#include "tramline/model/plain_zero.h"
 
 namespace tramline::io {
 namespace {
@@ -62,10 +63,12 @@ class Cursor {
 }  // namespace
 
 std::string path_text(const Path& path, Point offset) {
-  const auto written = [&](Point p) { return fmt::format("{} {}", p.x + offset.x, p.y + offset.y); };
+  const auto written = [&](Point p) {
+    return fmt::format("{} {}", plain_zero(p.x + offset.x), plain_zero(p.y + offset.y));
+  };
   std::string out = written(path.front().from);
   for (const PathSegment& segment : path)
-    fmt::format_to(std::back_inserter(out), "; {} {}", written(segment.to), segment.curvature);
+    fmt::format_to(std::back_inserter(out), "; {} {}", written(segment.to), plain_zero(segment.curvature));
   return out;
 }
 

@@ -9,7 +9,7 @@ namespace tramline::io {
 
 /// "x y; x y k; x y k": where the path starts, then for each segment the point it leads to and its
 /// curvature, 1/m, positive turning left and 0 straight. Numbers have as many digits as it takes to
-/// read them back to the bit. `offset` is added to every point.
+/// read them back to the bit; 0 has no sign. `offset` is added to every point.
 /// Precondition: the path is not empty; only the first segment's beginning is written.
 std::string path_text(const Path& path, Point offset);
 

@@ -4,10 +4,12 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "tramline/geometry/error.h"
+#include "tramline/model/plain_zero.h"
 
 namespace tramline::io {
 namespace {
@@ -68,16 +70,26 @@ void each_value(PlanOrConst& plan, Visitor&& visit) {
 nlohmann::json to_json(const Repair& repair) {
   return {{"what", repair.what},
           {"where", repair.where},
-          {"x", repair.at.x},
-          {"y", repair.at.y},
-          {"area_change_m2", repair.area_change_m2}};
+          {"x", plain_zero(repair.at.x)},
+          {"y", plain_zero(repair.at.y)},
+          {"area_change_m2", plain_zero(repair.area_change_m2)}};
+}
+
+/// The shortest number of degrees that makes the same angle, to the bit of its radians; where none does,
+/// the nearest. 15 degrees in radians and back are 14.999999999999998.
+double short_degrees(Angle angle) {
+  for (int digits = 1; digits < 17; ++digits) {
+    const double degrees = std::strtod(fmt::format("{:.{}g}", angle.degrees(), digits).c_str(), nullptr);
+    if (Angle::degrees(degrees) == angle) return degrees;
+  }
+  return angle.degrees();
 }
 
 class Writer {
  public:
   explicit Writer(Metadata& out) : out_(out) {}
   void operator()(const std::string& key, const std::string& value) { out_[key] = value; }
-  void operator()(const std::string& key, double value) { out_[key] = fmt::format("{:.17g}", value); }
+  void operator()(const std::string& key, double value) { out_[key] = fmt::format("{}", plain_zero(value)); }
   void operator()(const std::string& key, int value) { out_[key] = std::to_string(value); }
   void operator()(const std::string& key, long long value) { out_[key] = std::to_string(value); }
   void operator()(const std::string& key, bool value) { out_[key] = value ? "true" : "false"; }
@@ -88,7 +100,7 @@ class Writer {
   void operator()(const std::string& key, Avoidance value) { out_[key] = name(value); }
   /// Degrees are for people; radians are what is read back, to the bit.
   void operator()(const std::string& key, Angle value) {
-    (*this)(key + "_deg", value.degrees());
+    (*this)(key + "_deg", short_degrees(value));
     (*this)(key + "_rad", value.radians());
   }
   void operator()(const std::string& key, const std::vector<std::string>& values) {

@@ -9,7 +9,7 @@
 
 namespace tramline::io {
 
-/// Sorted by key. Numbers carry 17 significant digits, so that reading gives back the same bits.
+/// Sorted by key. Numbers carry as many digits as it takes to read the same bits back.
 using Metadata = std::map<std::string, std::string>;
 
 /// Machine, objective, settings, tally, local frame, source and remarks of a plan. The source file is

@@ -1,6 +1,7 @@
 #include "tramline/io/plan/write_plan.h"
 
 #include <cpl_conv.h>
+#include <cpl_port.h>
 #include <cpl_vsi.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -25,6 +26,7 @@
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/io/plan/plan_metadata.h"
 #include "tramline/io/plan/whole_file.h"
+#include "tramline/model/plain_zero.h"
 
 namespace tramline::io {
 namespace {
@@ -63,7 +65,7 @@ class Shapes {
   explicit Shapes(Point offset) : offset_(offset) {}
 
   std::unique_ptr<OGRGeometry> point(Point p) const {
-    return std::make_unique<OGRPoint>(p.x + offset_.x, p.y + offset_.y);
+    return std::make_unique<OGRPoint>(plain_zero(p.x + offset_.x), plain_zero(p.y + offset_.y));
   }
   std::unique_ptr<OGRGeometry> line(const std::vector<Point>& points) const {
     auto out = std::make_unique<OGRLineString>();
@@ -78,7 +80,9 @@ class Shapes {
   }
 
  private:
-  void append(OGRLineString& out, Point p) const { out.addPoint(p.x + offset_.x, p.y + offset_.y); }
+  void append(OGRLineString& out, Point p) const {
+    out.addPoint(plain_zero(p.x + offset_.x), plain_zero(p.y + offset_.y));
+  }
   void append(OGRPolygon& out, const Ring& ring) const {
     auto closed = std::make_unique<OGRLinearRing>();
     for (const Point p : ring) append(*closed, p);
@@ -120,7 +124,7 @@ class Table {
  private:
   static void set(OGRFeature& feature, int column, const Cell& cell) {
     if (const auto* whole = std::get_if<long long>(&cell)) feature.SetField(column, GIntBig{*whole});
-    if (const auto* number = std::get_if<double>(&cell)) feature.SetField(column, *number);
+    if (const auto* number = std::get_if<double>(&cell)) feature.SetField(column, plain_zero(*number));
     if (const auto* yes = std::get_if<bool>(&cell)) feature.SetField(column, *yes ? 1 : 0);
     if (const auto* word = std::get_if<std::string>(&cell)) feature.SetField(column, word->c_str());
   }
@@ -276,7 +280,7 @@ GDALDriver& driver() {
 }  // namespace
 
 void write_plan(const Plan& plan, const std::filesystem::path& path) {
-  if (path.extension() != ".gpkg")
+  if (!EQUAL(path.extension().c_str(), ".gpkg"))
     throw bad_input(
         fmt::format("'{}' cannot hold a plan: plans are GeoPackages; end the name in .gpkg", path.string()));
   const CPLConfigOptionSetter date("OGR_CURRENT_DATE", time_stamp().c_str(), false);

@@ -17,8 +17,8 @@ namespace tramline::io {
 /// The same plan gives the same bytes: time stamps are SOURCE_DATE_EPOCH where that is set, else
 /// 1970-01-01. The file is written whole or not at all.
 ///
-/// Throws Error(kBadInput) for a name that does not end in .gpkg, Error(kFailure) where the file
-/// cannot be written. O(n) in vertices and pieces.
+/// Throws Error(kBadInput) for a name that does not end in .gpkg (in any case), Error(kFailure) where the
+/// file cannot be written. O(n) in vertices and pieces.
 void write_plan(const Plan& plan, const std::filesystem::path& path);
 
 }  // namespace tramline::io

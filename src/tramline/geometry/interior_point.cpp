@@ -1,4 +1,4 @@
-#include "tramline/admission/interior_point.h"
+#include "tramline/geometry/interior_point.h"
 
 #include <algorithm>
 #include <cmath>
