@@ -243,6 +243,27 @@ TEST(ChooseDetours, ARowOfPolesIsPassedFromEndToEnd) {
     }
 }
 
+// What counts as narrow is S1's own matter: the search takes its plan only where that is cheaper.
+TEST(ChooseDetours, NoThresholdMakesTheCheapestDearer) {
+  std::vector<Ring> poles;
+  for (int i = 0; i < 12; ++i) {
+    const Point at{3.0 + 2.3 * i, 20.0 + 13 * (i % 5)};
+    poles.push_back(rectangle(at.x, at.y, at.x + 0.3 + 0.4 * i, at.y + 0.4 + 0.3 * (i % 4)));
+  }
+  const auto planned = [&](double threshold_m, Avoidance avoid) {
+    PlanSettings settings;
+    settings.avoid_threshold_m = threshold_m;
+    return PoleField(rectangle(0, 0, 36, 110), poles, machine(3, 6), {}, settings).plan(avoid).cost;
+  };
+  const double without_paper = planned(0, Avoidance::kCheapest);
+  EXPECT_DOUBLE_EQ(planned(0, Avoidance::kPaper), planned(0, Avoidance::kCut));
+  for (const double threshold_m : {0.5, 1.0, 2.0, 3.0, 5.0, 20.0}) {
+    const double found = planned(threshold_m, Avoidance::kCheapest);
+    EXPECT_LE(found, without_paper + 1e-9) << threshold_m;
+    EXPECT_LE(found, planned(threshold_m, Avoidance::kPaper) + 1e-9) << threshold_m;
+  }
+}
+
 // Poles 2.5 m apart in a line across the tracks' direction and one far ahead are one hazard: land given up
 // joins them. A detour names those it passes.
 TEST(ChooseDetours, OnlyTheObstaclesOfAClusterBesideADetourAreNamed) {

@@ -9,8 +9,8 @@
 namespace tramline {
 namespace {
 
-Avoided tallied(const AvoidanceTask& task, std::vector<SubfieldTracks> tracks) {
-  Avoided out{std::move(tracks), {}, 0};
+Avoided tallied(const AvoidanceTask& task, std::vector<SubfieldTracks> tracks, WaysPast ways) {
+  Avoided out{std::move(tracks), {}, 0, ways};
   const double by_detours_m2 = covered_by_detours_m2(task.ground.body, out.tracks);
   out.tally = tally_of(task.subfields, out.tracks, task.body_m2, by_detours_m2);
   out.cost = cost(task.objective, out.tally);
@@ -20,7 +20,27 @@ Avoided tallied(const AvoidanceTask& task, std::vector<SubfieldTracks> tracks) {
 Avoided all_cut(const AvoidanceTask& task) {
   std::vector<SubfieldTracks> tracks;
   for (const Strips& strips : task.strips) tracks.push_back(cut_pieces(strips, min_length_m(task.machine)));
-  return tallied(task, std::move(tracks));
+  return tallied(task, std::move(tracks), WaysPast::kOwn);
+}
+
+Avoided the_papers(const AvoidanceTask& task, const Avoided& cut) {
+  DetourDecisions decisions(task, WaysPast::kPaper);
+  if (!decisions.take_paper_ways()) return cut;
+  return tallied(task, decisions.tracks(), WaysPast::kPaper);
+}
+
+/// The better of a plan and what comes of it track by track.
+Avoided improved(const AvoidanceTask& task, Avoided start, WaysPast ways) {
+  DetourDecisions decisions(task, ways);
+  decisions.take_from(start.tracks);
+  if (!decisions.improve()) return start;
+  Avoided out = tallied(task, decisions.tracks(), ways);
+  return out.cost < start.cost ? out : start;
+}
+
+bool blocked(const Strips& strips) {
+  return std::any_of(strips.strips.begin(), strips.strips.end(),
+                     [](const Strip& strip) { return !hard_gaps(strip).empty(); });
 }
 
 }  // namespace
@@ -28,27 +48,15 @@ Avoided all_cut(const AvoidanceTask& task) {
 Avoided choose_detours(const AvoidanceTask& task) {
   Avoided cut = all_cut(task);
   if (task.settings.avoid == Avoidance::kCut) return cut;
-  DetourDecisions decisions(task);
-  if (decisions.nothing_to_decide()) return cut;
-  const bool paper_differs = decisions.take_paper_ways();
-  if (task.settings.avoid == Avoidance::kPaper)
-    return paper_differs ? tallied(task, decisions.tracks()) : cut;
-
-  Avoided start = std::move(cut);
-  if (paper_differs) {
-    Avoided paper = tallied(task, decisions.tracks());
-    if (paper.cost < start.cost)
-      start = std::move(paper);
-    else
-      decisions.cut_all();
-  }
-  if (!decisions.improve()) return start;
-  Avoided improved = tallied(task, decisions.tracks());
-  return improved.cost < start.cost ? improved : start;
+  if (std::none_of(task.strips.begin(), task.strips.end(), blocked)) return cut;
+  Avoided paper = the_papers(task, cut);
+  if (task.settings.avoid == Avoidance::kPaper) return paper;
+  Avoided own = improved(task, std::move(cut), WaysPast::kOwn);
+  return paper.cost < own.cost ? improved(task, std::move(paper), WaysPast::kBoth) : own;
 }
 
 std::vector<Encounter> encounters_in(const AvoidanceTask& task, const Avoided& avoided) {
-  DetourDecisions decisions(task);
+  DetourDecisions decisions(task, avoided.ways);
   decisions.take_from(avoided.tracks);
   return decisions.encounters();
 }

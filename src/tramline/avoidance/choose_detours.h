@@ -1,6 +1,8 @@
 #pragma once
 // Which obstacles are driven round, on which side, and which tracks are cut.
 
+#include <cstdint>
+
 #include "tramline/avoidance/surroundings.h"
 #include "tramline/avoidance/track_choice.h"
 #include "tramline/model/machine.h"
@@ -20,17 +22,22 @@ struct AvoidanceTask {
   double body_m2 = 0;
 };
 
+/// Which ways past obstacles a track may choose from.
+enum class WaysPast : std::uint8_t { kOwn, kPaper, kBoth };
+
 struct Avoided {
   std::vector<SubfieldTracks> tracks;  ///< by subfield
   Tally tally;
   double cost = 0;
+  WaysPast ways = WaysPast::kOwn;  ///< those the tracks were chosen from
 };
 
 /// The tracks with the detours the settings ask for:
 /// - cut: none (S1.40);
 /// - paper: S1's (S1.26-S1.39), each track for itself;
 /// - cheapest: track by track the choice that costs least while the others stay as they are, again and
-///   again until none changes, from the cheaper of the two plans above: never costlier than either.
+///   again until none changes, from the first plan above. Where S1's plan is cheaper still, the search goes
+///   on from there, S1's ways among the choices: never costlier than either.
 /// Costs are exact: every area is cut by lines and arcs. Deterministic.
 Avoided choose_detours(const AvoidanceTask& task);
 

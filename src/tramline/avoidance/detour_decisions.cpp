@@ -74,8 +74,8 @@ bool share_a_hazard(const BlockedTrack& a, const BlockedTrack& b) {
 
 }  // namespace
 
-DetourDecisions::DetourDecisions(const AvoidanceTask& task)
-    : task_(task), width_m_(task.machine.width_m), least_m_(min_length_m(task.machine)) {
+DetourDecisions::DetourDecisions(const AvoidanceTask& task, WaysPast ways)
+    : task_(task), ways_(ways), width_m_(task.machine.width_m), least_m_(min_length_m(task.machine)) {
   const bool hard = task.settings.boundary == EdgeKind::kHard;
   for (std::size_t i = 0; i < task.strips.size(); ++i) {
     const Strips& strips = task.strips[i];
@@ -101,7 +101,7 @@ void DetourDecisions::add_tracks(std::size_t subfield) {
     track.correction_m2.assign(strips.strips[i].stretches.size(), 0);
     add_options(track);
     tracks_.push_back({std::move(track), {}});
-    if (task_.settings.avoid == Avoidance::kCheapest) drop_dear_options(tracks_.back());
+    if (ways_ != WaysPast::kPaper) drop_dear_options(tracks_.back());
   }
 }
 
@@ -123,7 +123,7 @@ void DetourDecisions::drop_dear_options(Decision& decision) {
 }
 
 void DetourDecisions::add_options(BlockedTrack& track) {
-  if (task_.settings.avoid == Avoidance::kCheapest)
+  if (ways_ != WaysPast::kPaper)
     for (const Passing side : {Passing::kLeft, Passing::kRight}) {
       std::vector<WayRound> alone;
       for (const std::size_t gap : track.gaps) {
@@ -136,7 +136,8 @@ void DetourDecisions::add_options(BlockedTrack& track) {
       }
       add_joint_options(track, alone);
     }
-  for (const std::size_t gap : track.gaps) add_paper_option(track, gap);
+  if (ways_ != WaysPast::kOwn)
+    for (const std::size_t gap : track.gaps) add_paper_option(track, gap);
   std::stable_sort(
       track.options.begin(), track.options.end(),
       [](const TrackOption& a, const TrackOption& b) { return a.way.first_gap < b.way.first_gap; });
@@ -185,7 +186,7 @@ void DetourDecisions::add_paper_option(BlockedTrack& track, std::size_t gap) {
   WayRound way = paper_way(obstruction(strips, strips.strips[track.strip], gap, task_.machine),
                            threshold < 0 ? width_m_ : threshold, around_[track.subfield]);
   if (!way.possible()) {
-    if (task_.settings.avoid == Avoidance::kPaper)
+    if (ways_ == WaysPast::kPaper)
       for (const Passing side : {Passing::kLeft, Passing::kRight})
         track.refused.push_back({gap, side, way.why_not});
     return;
@@ -274,10 +275,6 @@ bool DetourDecisions::take_paper_ways() {
     choose(decision, std::move(detours));
   }
   return any;
-}
-
-void DetourDecisions::cut_all() {
-  for (Decision& decision : tracks_) choose(decision, {});
 }
 
 void DetourDecisions::take_from(const std::vector<SubfieldTracks>& tracks) {

@@ -11,12 +11,10 @@ namespace tramline {
 /// cut. Refers to the task.
 class DetourDecisions {
  public:
-  explicit DetourDecisions(const AvoidanceTask& task);
+  DetourDecisions(const AvoidanceTask& task, WaysPast ways);
 
-  bool nothing_to_decide() const { return tracks_.empty(); }
   /// Chooses S1's way at every gap that has one. False where none has.
   bool take_paper_ways();
-  void cut_all();
   /// Chooses the detours that these tracks have.
   void take_from(const std::vector<SubfieldTracks>& tracks);
   /// Gives every track the choice that costs least while the others stay, until none changes. False
@@ -60,6 +58,7 @@ class DetourDecisions {
   WayPast way_past(const Decision& decision, std::size_t gap, Passing side, double cost_of_cut) const;
 
   const AvoidanceTask& task_;
+  WaysPast ways_;
   double width_m_;
   double least_m_;
   std::vector<Surroundings> around_;              ///< by subfield

@@ -16,7 +16,8 @@ struct TrackTerms {
 };
 
 /// Would the detour cost several times what the cuts at its gaps do, even if all ground near it that no
-/// straight swath works were gained by it? Other tracks taken as cut. Looks at profiles only: O(strips near the detour). `ground` holds the straight swaths of all strips.
+/// straight swath works were gained by it? Other tracks taken as cut. Looks at profiles only: O(strips near
+/// the detour). `ground` holds the straight swaths of all strips.
 bool hopeless(const TrackOption& option, const TrackTerms& terms, const std::vector<Strips>& strips,
               const WorkedGround& ground);
 

@@ -25,35 +25,24 @@ Ring corners(const Box& box) {
   return {{box.min_x, box.min_y}, {box.max_x, box.min_y}, {box.max_x, box.max_y}, {box.min_x, box.max_y}};
 }
 
-/// Swaths side by side that all run through the window are one box there: fewer curves to look at.
-class BoxRuns {
- public:
-  BoxRuns(const Box& window, RisingCurves& out) : window_(window), out_(out) {}
-  ~BoxRuns() { flush(); }
-  BoxRuns(const BoxRuns&) = delete;
-  BoxRuns& operator=(const BoxRuns&) = delete;
-
-  void add(const Box& box) {
-    if (!through(box)) return append_box(box, Layer::kTaken, window_, out_);
-    if (run_.max_x == box.min_x) {
-      run_.max_x = box.max_x;
-      return;
-    }
-    flush();
-    run_ = box;
+/// What begins (+1) and ends (−1) at a line between two strips, within the window. Where swaths of both
+/// touch there the line is no border: most lines that run through the window are left out.
+void append_border(const Intervals& left, const Intervals& right, double x, const Box& window,
+                   RisingCurves& out) {
+  auto before = left.begin(), after = right.begin();
+  double y = window.min_y;
+  while (y < window.max_y) {
+    while (before != left.end() && before->to <= y) ++before;
+    while (after != right.end() && after->to <= y) ++after;
+    const bool ends = before != left.end() && before->from <= y;
+    const bool begins = after != right.end() && after->from <= y;
+    double next = window.max_y;
+    if (before != left.end()) next = std::min(next, ends ? before->to : before->from);
+    if (after != right.end()) next = std::min(next, begins ? after->to : after->from);
+    if (ends != begins) out.push_back({{x, y}, {x, next}, 0, Layer::kTaken, begins ? 1 : -1});
+    y = next;
   }
-
- private:
-  bool through(const Box& box) const { return box.min_y <= window_.min_y && box.max_y >= window_.max_y; }
-  void flush() {
-    if (!run_.empty()) append_box(run_, Layer::kTaken, window_, out_);
-    run_ = {};
-  }
-
-  const Box& window_;
-  RisingCurves& out_;
-  Box run_;
-};
+}
 
 bool meets_any(const Box& box, const std::vector<Box>& others) {
   return std::any_of(others.begin(), others.end(), [&](const Box& other) { return intersects(box, other); });
@@ -103,17 +92,23 @@ bool WorkedGround::straight_alone(std::size_t subfield, const Box& box, int stri
 void WorkedGround::append_own(const Subfield& from, const Box& window, const std::vector<Box>& boxes,
                               std::optional<int> except, RisingCurves& out) {
   const StripRange near = strips_near(from.grid, from.range, window, from.bulge_m);
-  BoxRuns straight(window, out);
+  static const Intervals kNothing;
+  const Intervals* left = &kNothing;
   for (int k = near.first; k <= near.last; ++k) {
     if (except && *except == k) continue;
     const Worked& strip = from.strips[static_cast<std::size_t>(k - from.range.first)];
-    for (const Interval& part : strip.work.straight) {
-      const Box box = straight_box(from.grid, k, part);
-      if (meets_any(box, boxes)) straight.add(box);
-    }
     for (std::size_t i = 0; i < strip.reach.size(); ++i)
       if (meets_any(strip.reach[i], boxes))
         append_band(strip.work.detours[i].path, from.grid.width_m, Layer::kTaken, out);
+  }
+  for (int k = near.first; k <= near.last + 1; ++k) {
+    const bool worked = k <= near.last && !(except && *except == k) && from.grid.line(k + 1) > window.min_x;
+    const Intervals* right =
+        worked ? &from.strips[static_cast<std::size_t>(k - from.range.first)].work.straight : &kNothing;
+    const double x = from.grid.line(k);
+    if (x > window.max_x) break;
+    append_border(*left, *right, x < window.min_x ? window.min_x - 1 : x, window, out);
+    left = right;
   }
 }
 

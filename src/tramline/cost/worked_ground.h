@@ -11,7 +11,7 @@ namespace tramline {
 
 /// What the tracks of one strip work: positions along, in its subfield's grid.
 struct StripWork {
-  Intervals straight;
+  Intervals straight;  ///< ascending, apart
   std::vector<StripDetour> detours;
 };
 
