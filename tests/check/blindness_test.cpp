@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "check/plans.h"
@@ -40,10 +41,7 @@ TEST(Blindness, swath_over_a_passable_and_over_land_given_up) {
   plan.pieces[0].end.x = 40.1;
   EXPECT_EQ(found(settled(plan)), Names{"swaths"});
 
-  plan = obstacle_plan();
-  plan.field.obstacles.clear();
-  plan.body = {{plan.field.outer, {}}};
-  plan.given_up = {{rectangle(40, 11, 60, 13), {}}};
+  plan = given_up_plan();
   for (TrackPiece& piece : plan.pieces)
     if (piece.end.x == 40) piece.end.x = 40.1;
   EXPECT_EQ(found(settled(plan)), Names{"swaths"});
@@ -137,6 +135,45 @@ TEST(Blindness, wrong_stop_flags) {
   plan = obstacle_plan();
   plan.pieces[0].stop_at_end = true;
   EXPECT_EQ(found(plan), Names{"stops"});
+}
+
+TEST(Blindness, cuts_whose_encounters_are_missing) {
+  const auto with = [](auto change) {
+    Plan plan = obstacle_plan();
+    change(plan);
+    return found(plan);
+  };
+  EXPECT_EQ(with([](Plan&) {}), Names{});
+  EXPECT_EQ(with([](Plan& p) { p.encounters.pop_back(); }), Names{"encounters"});
+  EXPECT_EQ(with([](Plan& p) { p.encounters.clear(); }), Names{"encounters"});
+  EXPECT_EQ(with([](Plan& p) { p.encounters[0].obstacles.clear(); }), Names{"encounters"});
+  EXPECT_EQ(with([](Plan& p) { p.encounters[0].track = 7; }), Names{"encounters"});
+  EXPECT_EQ(with([](Plan& p) { p.encounters[0].at.x = 20; }), Names{"encounters"});
+  // Nor does it help to call the two halves different tracks.
+  EXPECT_EQ(with([](Plan& p) {
+              for (TrackPiece& piece : p.pieces)
+                if (piece.track == 3 && piece.start.x == 100) piece.track = 12;
+            }),
+            Names{"encounters"});
+}
+
+/// Land given up has nobody's name, but the cut is an encounter. So is one before a dropped piece.
+TEST(Blindness, missing_encounters_beside_dropped_pieces_and_land_given_up) {
+  Plan plan = given_up_plan();
+  EXPECT_EQ(found(plan), Names{});
+  plan.encounters.erase(plan.encounters.begin());
+  EXPECT_EQ(found(settled(plan)), Names{"encounters"});
+
+  plan = obstacle_plan();
+  // West of the obstacle nothing of tracks 4 and 5 was long enough.
+  std::erase_if(plan.pieces, [&plan](const TrackPiece& piece) {
+    if (std::max(piece.start.x, piece.end.x) != 40) return false;
+    plan.dropped.push_back({piece.start, piece.end, piece.subfield});
+    return true;
+  });
+  EXPECT_EQ(found(settled(plan)), Names{});
+  plan.encounters.pop_back();
+  EXPECT_EQ(found(settled(plan)), Names{"encounters"});
 }
 
 TEST(Blindness, crossing_without_a_passable) {

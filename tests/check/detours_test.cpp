@@ -79,7 +79,8 @@ TEST(Detours, hold_on_either_side_in_either_heading) {
     const double away = away_from_pole(6, 1.5, 0);
     plan.pieces[4].detours = {bulge(plan.pieces[4], 50, away, 6, side, {0})};
     plan.pieces[7].detours = {bulge(plan.pieces[7], 70, away, 6, side, {1})};
-    plan.encounters[0].chosen = plan.encounters[1].chosen = side;
+    plan.encounters = {encounter_on(plan.pieces[4], {50, 13.5}, {0}, side),
+                       encounter_on(plan.pieces[7], {30, 22.5}, {1}, side)};
     expect_holds(settled(plan));
   }
 }
@@ -116,6 +117,7 @@ TEST(Detours, two_in_one_piece) {
     out.subfields[0].shape = out.body[0];
     const double away = away_from_pole(6, 1.5, 0);
     out.pieces[4].detours.push_back(bulge(out.pieces[4], 80, away, 6, Passing::kRight, {2}));
+    out.encounters.push_back(encounter_on(out.pieces[4], {80, 13.5}, {2}, Passing::kRight));
     return settled(out);
   }();
   expect_holds(plan);
@@ -188,7 +190,7 @@ TEST(Detours, over_tiny_and_needle_thin_obstacles) {
     plan.field.obstacles.push_back({{obstacle, {}}, ObstacleKind::kObstacle, "peg"});
     plan.body[0].holes.push_back(reversed(obstacle));
     plan.subfields[0].shape = plan.body[0];
-    plan.pieces[4].detours[0].obstacles = {0, 2};
+    plan.pieces[4].detours[0].obstacles = plan.encounters[0].obstacles = {0, 2};
     return found(settled(plan));
   };
   EXPECT_EQ(with(rectangle(50, 14.5, 50.05, 14.55)), Names{"clearance"});
@@ -257,6 +259,7 @@ TEST(Detours, a_track_outside_the_field) {
 TEST(Detours, that_leave_the_field) {
   Plan plan = poles_plan();
   // Round nothing, over the northern edge.
+  plan.encounters.push_back(encounter_on(plan.pieces[9], {50, 28.5}, {}, Passing::kRight));
   plan.pieces[9].detours = {bulge(plan.pieces[9], 50, 1.7, 6, Passing::kRight, {})};
   EXPECT_EQ(found(settled(plan)), Names{"swaths"});
   plan.pieces[9].detours = {bulge(plan.pieces[9], 50, 1.4995, 6, Passing::kRight, {})};
@@ -274,6 +277,7 @@ TEST(Detours, that_cross_a_notch) {
   plan.body[0].outer = plan.field.outer;
   plan.subfields[0].shape = plan.body[0];
   plan.pieces[9].detours = {bulge(plan.pieces[9], 50, 1.4, 6, Passing::kRight, {})};
+  plan.encounters.push_back(encounter_on(plan.pieces[9], {50, 28.5}, {}, Passing::kRight));
   EXPECT_EQ(found(settled(plan)), Names{"swaths"});
 }
 
@@ -312,16 +316,59 @@ TEST(Detours, that_tell_another_story) {
   EXPECT_EQ(with([](Detour&, Encounter& e) { e.at.x = 60; }), Names{"encounters"});
   EXPECT_EQ(with([](Detour&, Encounter& e) { e.at.y += 0.1; }), Names{"encounters"});
   EXPECT_EQ(with([](Detour&, Encounter& e) { e.at.x = kNaN; }), Names{"encounters"});
-  EXPECT_EQ(with([](Detour&, Encounter& e) { e.obstacles = {}; }), Names{});
+  EXPECT_EQ(with([](Detour&, Encounter& e) { e.obstacles = {}; }), Names{"encounters"});
+}
 
-  // A cut elsewhere is nobody's detour; but it has to be somewhere.
+/// Cuts said to be where there are none.
+TEST(Detours, cuts_that_are_none) {
+  const auto with = [](auto change) {
+    Plan plan = poles_plan();
+    plan.encounters.push_back(encounter_on(plan.pieces[2], {150, 7.5}, {}, Passing::kCut));
+    change(plan.encounters.back());
+    return found(plan);
+  };
+  // Beyond its track's end a cut takes nothing away; but it has to be somewhere.
+  EXPECT_EQ(with([](Encounter&) {}), Names{});
+  EXPECT_EQ(with([](Encounter& e) { e.at.x = 50; }), Names{"encounters"});
+  EXPECT_EQ(with([](Encounter& e) { e.at.y = 7.6; }), Names{"encounters"});
+  EXPECT_EQ(with([](Encounter& e) { e.at.x = kNaN; }), Names{"encounters"});
+  EXPECT_EQ(with([](Encounter& e) { e.subfield = 7; }), Names{"encounters"});
+}
+
+/// A plan has to own up to every place where an obstacle changes what is driven.
+TEST(Detours, whose_encounters_are_deleted) {
+  const auto without = [](std::size_t index) {
+    Plan plan = poles_plan();
+    plan.encounters.erase(plan.encounters.begin() + static_cast<long>(index));
+    return check::verify(plan);
+  };
+  for (const std::size_t index : {0u, 1u}) {
+    const check::Verdict verdict = without(index);
+    EXPECT_EQ(rules(verdict), Names{"encounters"});
+    EXPECT_EQ(verdict.violations.size(), 1u);
+  }
   Plan plan = poles_plan();
-  plan.encounters.push_back({0, 2, {50, 7.5}, {}, Passing::kCut, {}, {}});
-  EXPECT_EQ(found(plan), Names{});
-  plan.encounters.back().at.x = kNaN;
-  EXPECT_EQ(found(plan), Names{"encounters"});
-  plan.encounters.back() = {7, 2, {50, 7.5}, {}, Passing::kCut, {}, {}};
-  EXPECT_EQ(found(plan), Names{"encounters"});
+  plan.encounters.clear();
+  EXPECT_EQ(check::verify(plan).violations.size(), 2u);
+}
+
+/// One detour past two poles that lie in its way: both are named where they are met.
+TEST(Detours, whose_encounters_leave_out_an_obstacle) {
+  Plan plan = poles_plan();
+  const Ring second = rectangle(50.75, 13.25, 51, 13.75);
+  plan.field.obstacles.push_back({{second, {}}, ObstacleKind::kObstacle, "second pole"});
+  plan.body[0].holes.push_back(reversed(second));
+  plan.subfields[0].shape = plan.body[0];
+  plan.pieces[4].detours = {bulge(plan.pieces[4], 50.5, 2.1, 6, Passing::kLeft, {0, 2})};
+  plan.encounters[0].obstacles = {0, 2};
+  expect_holds(settled(plan));
+  plan.encounters[0].obstacles = {0};
+  EXPECT_EQ(found(settled(plan)), Names{"encounters"});
+  // Or at one encounter each.
+  plan.encounters.push_back(encounter_on(plan.pieces[4], {50.9, 13.5}, {2}, Passing::kLeft));
+  expect_holds(settled(plan));
+  plan.encounters.erase(plan.encounters.begin());
+  EXPECT_EQ(found(settled(plan)), Names{"encounters"});
 }
 
 TEST(Detours, unsound) {
@@ -379,6 +426,7 @@ TEST(Detours, by_the_hundred_are_judged) {
       plan.body[0].holes.push_back(reversed(pole));
       piece.detours.push_back(
           bulge(piece, x, away, 6, i < 39 ? Passing::kLeft : Passing::kRight, {3 * i + k}));
+      plan.encounters.push_back(encounter_on(piece, {x, y}, {3 * i + k}, piece.detours.back().side));
     }
     plan.pieces.push_back(piece);
   }

@@ -82,12 +82,22 @@ Plan obstacle_plan() {
     }
     add_piece(plan, i, y, i == 3 ? 60 : 0, i == 3 ? 100 : 40);
     add_piece(plan, i, y, i == 3 ? 0 : 60, i == 3 ? 40 : 100);
+    plan.encounters.push_back(encounter_on(plan.pieces.back(), {50, y}, {0}, Passing::kCut));
   }
   for (TrackPiece& piece : plan.pieces) {
     const auto blocked = [](Point p) { return p.x == 40 || p.x == 60; };
     piece.stop_at_start = blocked(piece.start);
     piece.stop_at_end = blocked(piece.end);
   }
+  return settled(plan);
+}
+
+Plan given_up_plan() {
+  Plan plan = obstacle_plan();
+  plan.given_up = {plan.field.obstacles[0].shape};
+  plan.field.obstacles.clear();
+  plan.body = {{plan.field.outer, {}}};
+  for (Encounter& encounter : plan.encounters) encounter.obstacles.clear();
   return settled(plan);
 }
 
@@ -112,6 +122,15 @@ Plan crossing_plan() {
     plan.pieces.back().after_crossing = true;
   }
   return settled(plan);
+}
+
+Encounter encounter_on(const TrackPiece& piece, Point at, std::vector<int> obstacles, Passing chosen) {
+  const auto way = [chosen](Passing side) {
+    if (chosen == Passing::kCut) return WayPast{false, 0, "there is no room between the obstacles"};
+    return WayPast{true, side == chosen ? -1.0 : 1.0, ""};
+  };
+  return {piece.subfield,      piece.track,         at, std::move(obstacles), chosen,
+          way(Passing::kLeft), way(Passing::kRight)};
 }
 
 Detour bulge(const TrackPiece& piece, double along_m, double away_m, double radius_m, Passing side,
@@ -144,8 +163,8 @@ Plan poles_plan(double clearance_m) {
   const double away = away_from_pole(6, 1.5, clearance_m);
   plan.pieces[4].detours = {bulge(plan.pieces[4], 50, away, 6, Passing::kLeft, {0})};
   plan.pieces[7].detours = {bulge(plan.pieces[7], 70, away, 6, Passing::kRight, {1})};
-  plan.encounters = {{0, 4, {50, 13.5}, {0}, Passing::kLeft, {true, -1, ""}, {true, 1, ""}},
-                     {0, 7, {30, 22.5}, {1}, Passing::kRight, {true, 1, ""}, {true, -1, ""}}};
+  plan.encounters = {encounter_on(plan.pieces[4], {50, 13.5}, {0}, Passing::kLeft),
+                     encounter_on(plan.pieces[7], {30, 22.5}, {1}, Passing::kRight)};
   return settled(plan);
 }
 
