@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include "check/plans.h"
 #include "tramline/geometry/boolean.h"
@@ -369,6 +370,44 @@ TEST(Detours, whose_encounters_leave_out_an_obstacle) {
   expect_holds(settled(plan));
   plan.encounters.erase(plan.encounters.begin());
   EXPECT_EQ(found(settled(plan)), Names{"encounters"});
+}
+
+/// What each way would cost, and why one is not possible, are what the decision rests on.
+TEST(Detours, decided_against_their_own_figures) {
+  const auto with = [](auto change, Avoidance avoid = Avoidance::kCheapest) {
+    Plan plan = poles_plan();
+    plan.settings.avoid = avoid;
+    change(plan.encounters[0]);
+    return found(plan);
+  };
+  const std::string why = "there is no room between the obstacles";
+  EXPECT_EQ(with([](Encounter&) {}), Names{});
+  EXPECT_EQ(with([&](Encounter& e) { e.right = {false, 0, why}; }), Names{});
+  EXPECT_EQ(with([&](Encounter& e) { e.left = {false, 0, why}; }), Names{"encounters"});
+  EXPECT_EQ(with([](Encounter& e) { e.right = {false, 0, ""}; }), Names{"encounters"});
+  EXPECT_EQ(with([&](Encounter& e) { e.right.why_not = why; }), Names{"encounters"});
+  EXPECT_EQ(with([&](Encounter& e) { e.left.why_not = why; }), Names{"encounters"});
+  EXPECT_EQ(with([](Encounter& e) { e.right.cost = kNaN; }), Names{"encounters"});
+  // On the left at −1: a cut costs 0.
+  EXPECT_EQ(with([](Encounter& e) { e.right.cost = -1.001; }), Names{"encounters"});
+  EXPECT_EQ(with([](Encounter& e) { e.right.cost = -1 - 1e-9; }), Names{});
+  EXPECT_EQ(with([](Encounter& e) { e.left.cost = 0.001; }), Names{"encounters"});
+  EXPECT_EQ(with([](Encounter& e) { e.left.cost = kNaN; }), Names{"encounters"});
+  // S1's rule does not ask what a way costs.
+  EXPECT_EQ(with(
+                [&](Encounter& e) {
+                  e.left.cost = 5, e.right = {false, 0, why};
+                },
+                Avoidance::kPaper),
+            Names{});
+}
+
+TEST(Detours, forgone_against_their_own_figures) {
+  Plan plan = obstacle_plan();
+  plan.encounters[0].left = {true, 0.001, ""};
+  EXPECT_EQ(found(plan), Names{});
+  plan.encounters[0].left.cost = -0.001;
+  EXPECT_EQ(found(plan), Names{"encounters"});
 }
 
 TEST(Detours, unsound) {

@@ -57,6 +57,10 @@ void check_encounters(const Case& c, Violations& out);
 /// included, there is an encounter that names it. Where a track ends for good the file does not say what
 /// would have followed: nothing is asked there. O(g·e) for g such gaps and e encounters.
 void check_meetings(const Case& c, Violations& out);
+/// Each way past an encounter has either a cost or a reason why not, and the chosen one a cost. Where the
+/// cheapest ways were asked for, the chosen one costs least: no other, nor a cut, is cheaper by more
+/// than rounding.
+void check_ways(const Case& c, Violations& out);
 /// The stored tally, cost and layers agree with the tracks. `stops` is what check_stops found.
 /// Returns the recomputed tally.
 Tally check_tally(const Case& c, int stops, Violations& out);
