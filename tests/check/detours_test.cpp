@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "check/plans.h"
 #include "tramline/geometry/boolean.h"
@@ -374,9 +375,8 @@ TEST(Detours, whose_encounters_leave_out_an_obstacle) {
 
 /// What each way would cost, and why one is not possible, are what the decision rests on.
 TEST(Detours, decided_against_their_own_figures) {
-  const auto with = [](auto change, Avoidance avoid = Avoidance::kCheapest) {
+  const auto with = [](auto change) {
     Plan plan = poles_plan();
-    plan.settings.avoid = avoid;
     change(plan.encounters[0]);
     return found(plan);
   };
@@ -393,13 +393,6 @@ TEST(Detours, decided_against_their_own_figures) {
   EXPECT_EQ(with([](Encounter& e) { e.right.cost = -1 - 1e-9; }), Names{});
   EXPECT_EQ(with([](Encounter& e) { e.left.cost = 0.001; }), Names{"encounters"});
   EXPECT_EQ(with([](Encounter& e) { e.left.cost = kNaN; }), Names{"encounters"});
-  // S1's rule does not ask what a way costs.
-  EXPECT_EQ(with(
-                [&](Encounter& e) {
-                  e.left.cost = 5, e.right = {false, 0, why};
-                },
-                Avoidance::kPaper),
-            Names{});
 }
 
 TEST(Detours, forgone_against_their_own_figures) {
@@ -408,6 +401,55 @@ TEST(Detours, forgone_against_their_own_figures) {
   EXPECT_EQ(found(plan), Names{});
   plan.encounters[0].left.cost = -0.001;
   EXPECT_EQ(found(plan), Names{"encounters"});
+}
+
+TEST(Detours, in_a_plan_that_cuts_all_tracks) {
+  Plan plan = poles_plan();
+  plan.settings.avoid = Avoidance::kCut;
+  EXPECT_EQ(found(plan), Names{"encounters"});
+  plan.encounters.clear();
+  EXPECT_EQ(found(plan), Names{"encounters"});
+  // What a way would cost does not matter there.
+  plan = obstacle_plan();
+  plan.settings.avoid = Avoidance::kCut;
+  plan.encounters[0].left = {true, -3, ""};
+  EXPECT_EQ(found(plan), Names{});
+}
+
+/// Tracks 4 and 5 of the obstacle, 2 m wide across them, and the poles, 0.5 m wide.
+TEST(Detours, against_the_rule_of_the_paper) {
+  const auto with = [](Plan plan, auto change) {
+    plan.settings.avoid = Avoidance::kPaper;
+    for (Encounter& encounter : plan.encounters)
+      for (WayPast* way : {&encounter.left, &encounter.right})
+        if (way->cost > 0) *way = {false, 0, "S1 passes on the other side"};
+    change(plan);
+    return found(plan);
+  };
+  const WayPast possible{true, 1, ""};
+  EXPECT_EQ(with(poles_plan(), [](Plan&) {}), Names{});
+  // It does not ask what a way costs.
+  EXPECT_EQ(with(poles_plan(), [](Plan& p) { p.encounters[0].left.cost = 5; }), Names{});
+  EXPECT_EQ(with(poles_plan(), [](Plan& p) { p.settings.avoid_threshold_m = 0.52; }), Names{});
+  EXPECT_EQ(with(poles_plan(), [](Plan& p) { p.settings.avoid_threshold_m = 0.48; }), Names{"encounters"});
+  EXPECT_EQ(with(poles_plan(), [&](Plan& p) { p.encounters[0].right = possible; }), Names{"encounters"});
+  EXPECT_EQ(with(poles_plan(), [](Plan& p) { std::swap(p.encounters[0].left, p.encounters[0].right); }),
+            Names{"encounters"});
+  EXPECT_EQ(with(poles_plan(),
+                 [](Plan& p) {
+                   p.encounters.push_back(p.encounters[0]);
+                   p.encounters.back().at.x += 1;
+                 }),
+            Names{"encounters"});
+  EXPECT_EQ(with(obstacle_plan(), [](Plan&) {}), Names{});
+  EXPECT_EQ(with(obstacle_plan(), [&](Plan& p) { p.encounters[0].left = possible; }), Names{"encounters"});
+  // Another detour of the track may have been in its way.
+  EXPECT_EQ(with(poles_plan(),
+                 [&](Plan& p) {
+                   p.encounters.push_back(encounter_on(p.pieces[4], {150, 13.5}, {}, Passing::kCut));
+                   p.encounters.back().right = possible;
+                 }),
+            Names{});
 }
 
 TEST(Detours, unsound) {

@@ -43,16 +43,6 @@ const Detour* detour_over(const Plan& plan, const Tracks& tracks, const Encounte
   return nullptr;
 }
 
-/// The encounters on the stretch of its track that a detour takes the place of.
-std::vector<const Encounter*> encounters_at(const Plan& plan, const TrackPiece& piece, const Detour& detour) {
-  std::vector<const Encounter*> out;
-  for (const Encounter& encounter : plan.encounters)
-    if (encounter.subfield == piece.subfield && encounter.track == piece.track &&
-        extends_over(piece, detour, encounter.at))
-      out.push_back(&encounter);
-  return out;
-}
-
 /// Does one of the pieces lead straight over a place?
 bool driven_over(const Plan& plan, const std::vector<std::size_t>& pieces, Point at) {
   return std::any_of(pieces.begin(), pieces.end(), [&](std::size_t i) {
@@ -212,6 +202,22 @@ class DetourCheck {
 };
 
 }  // namespace
+
+std::vector<const Encounter*> encounters_at(const Plan& plan, const TrackPiece& piece, const Detour& detour) {
+  std::vector<const Encounter*> out;
+  for (const Encounter& encounter : plan.encounters)
+    if (encounter.subfield == piece.subfield && encounter.track == piece.track &&
+        extends_over(piece, detour, encounter.at))
+      out.push_back(&encounter);
+  return out;
+}
+
+bool names(const std::vector<const Encounter*>& encounters, int obstacle) {
+  return std::any_of(encounters.begin(), encounters.end(), [obstacle](const Encounter* encounter) {
+    return std::find(encounter->obstacles.begin(), encounter->obstacles.end(), obstacle) !=
+           encounter->obstacles.end();
+  });
+}
 
 void check_encounters(const Case& c, Violations& out) {
   const Tracks tracks = tracks_of(c.plan);

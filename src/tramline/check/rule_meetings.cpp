@@ -139,13 +139,6 @@ class Meetings {
 
 }  // namespace
 
-bool names(const std::vector<const Encounter*>& encounters, int obstacle) {
-  return std::any_of(encounters.begin(), encounters.end(), [obstacle](const Encounter* encounter) {
-    return std::find(encounter->obstacles.begin(), encounter->obstacles.end(), obstacle) !=
-           encounter->obstacles.end();
-  });
-}
-
 void check_meetings(const Case& c, Violations& out) {
   for (std::size_t i = 0; i < c.plan.subfields.size(); ++i) Meetings(c, static_cast<int>(i), out);
 }

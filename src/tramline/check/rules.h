@@ -61,6 +61,11 @@ void check_meetings(const Case& c, Violations& out);
 /// cheapest ways were asked for, the chosen one costs least: no other, nor a cut, is cheaper by more
 /// than rounding.
 void check_ways(const Case& c, Violations& out);
+/// The detours are such as the settings allow: with Avoidance::kCut there are none. With kPaper each passes
+/// one encounter, and nothing that lies on its track and is as wide across it as the threshold; encounters
+/// name one side at most, and are cut only where that is not possible or another detour of the track may
+/// be in its way.
+void check_avoidance(const Case& c, Violations& out);
 /// The stored tally, cost and layers agree with the tracks. `stops` is what check_stops found.
 /// Returns the recomputed tally.
 Tally check_tally(const Case& c, int stops, Violations& out);
@@ -76,6 +81,8 @@ double least_radius_m(const Machine& machine);
 /// Are these indices of obstacles of the field?
 bool exist(const Plan& plan, const std::vector<int>& obstacles);
 
+/// The encounters on the stretch of its track that a detour takes the place of. O(e).
+std::vector<const Encounter*> encounters_at(const Plan& plan, const TrackPiece& piece, const Detour& detour);
 /// Does any of the encounters name the obstacle?
 bool names(const std::vector<const Encounter*>& encounters, int obstacle);
 

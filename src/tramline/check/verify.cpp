@@ -56,6 +56,7 @@ Verdict verify(const Plan& plan) {
   check_encounters(c, verdict.violations);
   check_meetings(c, verdict.violations);
   check_ways(c, verdict.violations);
+  check_avoidance(c, verdict.violations);
   verdict.recomputed = check_tally(c, stops, verdict.violations);
   verdict.complete = true;
   return verdict;
