@@ -100,6 +100,34 @@ TEST(Blindness, false_figures) {
   EXPECT_EQ(with([](Plan& p) { p.overlap = {{rectangle(1, 1, 11, 11), {}}}; }), Names{"tally"});
 }
 
+/// Land worked twice within the field, and worked beyond it; by three swaths, too.
+TEST(Blindness, layers_of_land_that_are_not_so) {
+  const auto with = [](Plan plan, auto change) {
+    plan = settled(plan);
+    EXPECT_EQ(found(plan), Names{});
+    change(plan);
+    return found(plan);
+  };
+  // 20 triangles of 3 m² along the border, worked from both sides; 20 ends of 5 m² beyond the hypotenuse.
+  const Plan twice = two_subfields_plan(), beyond = triangle_plan(EndRule::kCover, 0);
+  Plan thrice = rectangle_plan();
+  thrice.pieces.push_back(thrice.pieces[4]);
+  thrice.pieces.push_back(thrice.pieces[4]);
+  ASSERT_NEAR(area(thrice.overlap), 0, 1e-6);
+  ASSERT_NEAR(area(settled(thrice).overlap), 300, 1e-6);
+  for (const Plan& plan : {twice, beyond, thrice}) {
+    EXPECT_EQ(with(plan, [](Plan& p) { p.overlap.clear(); }), Names{"tally"});
+    EXPECT_EQ(with(plan, [](Plan& p) { p.overlap.pop_back(); }), Names{"tally"});
+    EXPECT_EQ(with(plan, [](Plan& p) { p.overlap.push_back(p.overlap.front()); }), Names{"tally"});
+    EXPECT_EQ(with(plan, [](Plan& p) { p.overlap.push_back({rectangle(1, 1, 2, 2), {}}); }), Names{"tally"});
+  }
+  // As much elsewhere does not do.
+  EXPECT_EQ(with(thrice, [](Plan& p) { p.overlap = {{rectangle(0, 3, 100, 6), {}}}; }), Names{"tally"});
+  const Plan missed = triangle_plan(EndRule::kInside, 1);
+  EXPECT_EQ(with(missed, [](Plan& p) { p.uncovered.pop_back(); }), Names{"tally"});
+  EXPECT_EQ(with(missed, [](Plan& p) { p.uncovered.push_back(p.uncovered.front()); }), Names{"tally"});
+}
+
 TEST(Blindness, piece_prolonged_past_its_end_rule) {
   const auto prolonged = [](EndRule rule, double f, double by) {
     Plan plan = triangle_plan(rule, f);

@@ -293,6 +293,7 @@ TEST(Detours, false_figures) {
   EXPECT_EQ(with([](Plan& p) { p.tally.uncovered_m2 -= 0.01; }), Names{"tally"});
   EXPECT_EQ(with([](Plan& p) { p.tally.track_length_m = 1000; }), Names{"tally"});
   EXPECT_EQ(with([](Plan& p) { p.uncovered.pop_back(); }), Names{"tally"});
+  EXPECT_EQ(with([](Plan& p) { p.overlap.pop_back(); }), Names{"tally"});
   // The bulge forgotten: straight through the pole, with the figures of the detour.
   EXPECT_EQ(with([](Plan& p) { p.pieces[4].detours.clear(); }), (Names{"swaths", "encounters", "tally"}));
 }

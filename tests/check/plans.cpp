@@ -35,13 +35,24 @@ Ring rectangle(double min_x, double min_y, double max_x, double max_y) {
 }
 
 Plan settled(Plan plan) {
-  plan.overlap.clear();
   // Faulty swaths may fold over themselves.
-  Region worked;
-  for (const Polygon& swath : swaths(plan))
-    for (const Polygon& part : find_invalidity(swath) ? made_valid(swath) : Region{swath})
-      worked.push_back(part);
-  plan.uncovered = difference(plan.body, unite(worked));
+  const auto sound = [](const Polygon& ground) {
+    return find_invalidity(ground) ? made_valid(ground) : Region{ground};
+  };
+  Region worked, parts;
+  for (const TrackPiece& piece : plan.pieces) {
+    for (Polygon& part : sound({swath(piece, plan.machine.width_m), {}})) worked.push_back(std::move(part));
+    for (const Ring& ring : swath_parts(piece, plan.machine.width_m, kLayerSagitta))
+      for (Polygon& part : sound({ring, {}})) parts.push_back(std::move(part));
+  }
+  const Region land = unite(worked);
+  plan.overlap = difference(land, plan.body);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (intersects(bounds(parts[i]), bounds(parts[j])))
+        for (Polygon& both : intersection({parts[i]}, {parts[j]})) plan.overlap.push_back(std::move(both));
+  plan.overlap = unite(plan.overlap);
+  plan.uncovered = difference(plan.body, land);
   plan.tally = check::verify(plan).recomputed;
   plan.cost = cost(plan.objective, plan.tally);
   return plan;
