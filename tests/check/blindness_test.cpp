@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "check/plans.h"
@@ -40,10 +41,7 @@ TEST(Blindness, swath_over_a_passable_and_over_land_given_up) {
   plan.pieces[0].end.x = 40.1;
   EXPECT_EQ(found(settled(plan)), Names{"swaths"});
 
-  plan = obstacle_plan();
-  plan.field.obstacles.clear();
-  plan.body = {{plan.field.outer, {}}};
-  plan.given_up = {{rectangle(40, 11, 60, 13), {}}};
+  plan = given_up_plan();
   for (TrackPiece& piece : plan.pieces)
     if (piece.end.x == 40) piece.end.x = 40.1;
   EXPECT_EQ(found(settled(plan)), Names{"swaths"});
@@ -102,6 +100,34 @@ TEST(Blindness, false_figures) {
   EXPECT_EQ(with([](Plan& p) { p.overlap = {{rectangle(1, 1, 11, 11), {}}}; }), Names{"tally"});
 }
 
+/// Land worked twice within the field, and worked beyond it; by three swaths, too.
+TEST(Blindness, layers_of_land_that_are_not_so) {
+  const auto with = [](Plan plan, auto change) {
+    plan = settled(plan);
+    EXPECT_EQ(found(plan), Names{});
+    change(plan);
+    return found(plan);
+  };
+  // 20 triangles of 3 m² along the border, worked from both sides; 20 ends of 5 m² beyond the hypotenuse.
+  const Plan twice = two_subfields_plan(), beyond = triangle_plan(EndRule::kCover, 0);
+  Plan thrice = rectangle_plan();
+  thrice.pieces.push_back(thrice.pieces[4]);
+  thrice.pieces.push_back(thrice.pieces[4]);
+  ASSERT_NEAR(area(thrice.overlap), 0, 1e-6);
+  ASSERT_NEAR(area(settled(thrice).overlap), 300, 1e-6);
+  for (const Plan& plan : {twice, beyond, thrice}) {
+    EXPECT_EQ(with(plan, [](Plan& p) { p.overlap.clear(); }), Names{"tally"});
+    EXPECT_EQ(with(plan, [](Plan& p) { p.overlap.pop_back(); }), Names{"tally"});
+    EXPECT_EQ(with(plan, [](Plan& p) { p.overlap.push_back(p.overlap.front()); }), Names{"tally"});
+    EXPECT_EQ(with(plan, [](Plan& p) { p.overlap.push_back({rectangle(1, 1, 2, 2), {}}); }), Names{"tally"});
+  }
+  // As much elsewhere does not do.
+  EXPECT_EQ(with(thrice, [](Plan& p) { p.overlap = {{rectangle(0, 3, 100, 6), {}}}; }), Names{"tally"});
+  const Plan missed = triangle_plan(EndRule::kInside, 1);
+  EXPECT_EQ(with(missed, [](Plan& p) { p.uncovered.pop_back(); }), Names{"tally"});
+  EXPECT_EQ(with(missed, [](Plan& p) { p.uncovered.push_back(p.uncovered.front()); }), Names{"tally"});
+}
+
 TEST(Blindness, piece_prolonged_past_its_end_rule) {
   const auto prolonged = [](EndRule rule, double f, double by) {
     Plan plan = triangle_plan(rule, f);
@@ -137,6 +163,45 @@ TEST(Blindness, wrong_stop_flags) {
   plan = obstacle_plan();
   plan.pieces[0].stop_at_end = true;
   EXPECT_EQ(found(plan), Names{"stops"});
+}
+
+TEST(Blindness, cuts_whose_encounters_are_missing) {
+  const auto with = [](auto change) {
+    Plan plan = obstacle_plan();
+    change(plan);
+    return found(plan);
+  };
+  EXPECT_EQ(with([](Plan&) {}), Names{});
+  EXPECT_EQ(with([](Plan& p) { p.encounters.pop_back(); }), Names{"encounters"});
+  EXPECT_EQ(with([](Plan& p) { p.encounters.clear(); }), Names{"encounters"});
+  EXPECT_EQ(with([](Plan& p) { p.encounters[0].obstacles.clear(); }), Names{"encounters"});
+  EXPECT_EQ(with([](Plan& p) { p.encounters[0].track = 7; }), Names{"encounters"});
+  EXPECT_EQ(with([](Plan& p) { p.encounters[0].at.x = 20; }), Names{"encounters"});
+  // Nor does it help to call the two halves different tracks.
+  EXPECT_EQ(with([](Plan& p) {
+              for (TrackPiece& piece : p.pieces)
+                if (piece.track == 3 && piece.start.x == 100) piece.track = 12;
+            }),
+            Names{"encounters"});
+}
+
+/// Land given up has nobody's name, but the cut is an encounter. So is one before a dropped piece.
+TEST(Blindness, missing_encounters_beside_dropped_pieces_and_land_given_up) {
+  Plan plan = given_up_plan();
+  EXPECT_EQ(found(plan), Names{});
+  plan.encounters.erase(plan.encounters.begin());
+  EXPECT_EQ(found(settled(plan)), Names{"encounters"});
+
+  plan = obstacle_plan();
+  // West of the obstacle nothing of tracks 4 and 5 was long enough.
+  std::erase_if(plan.pieces, [&plan](const TrackPiece& piece) {
+    if (std::max(piece.start.x, piece.end.x) != 40) return false;
+    plan.dropped.push_back({piece.start, piece.end, piece.subfield});
+    return true;
+  });
+  EXPECT_EQ(found(settled(plan)), Names{});
+  plan.encounters.pop_back();
+  EXPECT_EQ(found(settled(plan)), Names{"encounters"});
 }
 
 TEST(Blindness, crossing_without_a_passable) {

@@ -6,6 +6,8 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <string>
+#include <utility>
 
 #include "check/plans.h"
 #include "tramline/geometry/boolean.h"
@@ -79,7 +81,8 @@ TEST(Detours, hold_on_either_side_in_either_heading) {
     const double away = away_from_pole(6, 1.5, 0);
     plan.pieces[4].detours = {bulge(plan.pieces[4], 50, away, 6, side, {0})};
     plan.pieces[7].detours = {bulge(plan.pieces[7], 70, away, 6, side, {1})};
-    plan.encounters[0].chosen = plan.encounters[1].chosen = side;
+    plan.encounters = {encounter_on(plan.pieces[4], {50, 13.5}, {0}, side),
+                       encounter_on(plan.pieces[7], {30, 22.5}, {1}, side)};
     expect_holds(settled(plan));
   }
 }
@@ -116,6 +119,7 @@ TEST(Detours, two_in_one_piece) {
     out.subfields[0].shape = out.body[0];
     const double away = away_from_pole(6, 1.5, 0);
     out.pieces[4].detours.push_back(bulge(out.pieces[4], 80, away, 6, Passing::kRight, {2}));
+    out.encounters.push_back(encounter_on(out.pieces[4], {80, 13.5}, {2}, Passing::kRight));
     return settled(out);
   }();
   expect_holds(plan);
@@ -188,7 +192,7 @@ TEST(Detours, over_tiny_and_needle_thin_obstacles) {
     plan.field.obstacles.push_back({{obstacle, {}}, ObstacleKind::kObstacle, "peg"});
     plan.body[0].holes.push_back(reversed(obstacle));
     plan.subfields[0].shape = plan.body[0];
-    plan.pieces[4].detours[0].obstacles = {0, 2};
+    plan.pieces[4].detours[0].obstacles = plan.encounters[0].obstacles = {0, 2};
     return found(settled(plan));
   };
   EXPECT_EQ(with(rectangle(50, 14.5, 50.05, 14.55)), Names{"clearance"});
@@ -257,6 +261,7 @@ TEST(Detours, a_track_outside_the_field) {
 TEST(Detours, that_leave_the_field) {
   Plan plan = poles_plan();
   // Round nothing, over the northern edge.
+  plan.encounters.push_back(encounter_on(plan.pieces[9], {50, 28.5}, {}, Passing::kRight));
   plan.pieces[9].detours = {bulge(plan.pieces[9], 50, 1.7, 6, Passing::kRight, {})};
   EXPECT_EQ(found(settled(plan)), Names{"swaths"});
   plan.pieces[9].detours = {bulge(plan.pieces[9], 50, 1.4995, 6, Passing::kRight, {})};
@@ -274,6 +279,7 @@ TEST(Detours, that_cross_a_notch) {
   plan.body[0].outer = plan.field.outer;
   plan.subfields[0].shape = plan.body[0];
   plan.pieces[9].detours = {bulge(plan.pieces[9], 50, 1.4, 6, Passing::kRight, {})};
+  plan.encounters.push_back(encounter_on(plan.pieces[9], {50, 28.5}, {}, Passing::kRight));
   EXPECT_EQ(found(settled(plan)), Names{"swaths"});
 }
 
@@ -287,6 +293,7 @@ TEST(Detours, false_figures) {
   EXPECT_EQ(with([](Plan& p) { p.tally.uncovered_m2 -= 0.01; }), Names{"tally"});
   EXPECT_EQ(with([](Plan& p) { p.tally.track_length_m = 1000; }), Names{"tally"});
   EXPECT_EQ(with([](Plan& p) { p.uncovered.pop_back(); }), Names{"tally"});
+  EXPECT_EQ(with([](Plan& p) { p.overlap.pop_back(); }), Names{"tally"});
   // The bulge forgotten: straight through the pole, with the figures of the detour.
   EXPECT_EQ(with([](Plan& p) { p.pieces[4].detours.clear(); }), (Names{"swaths", "encounters", "tally"}));
 }
@@ -312,16 +319,138 @@ TEST(Detours, that_tell_another_story) {
   EXPECT_EQ(with([](Detour&, Encounter& e) { e.at.x = 60; }), Names{"encounters"});
   EXPECT_EQ(with([](Detour&, Encounter& e) { e.at.y += 0.1; }), Names{"encounters"});
   EXPECT_EQ(with([](Detour&, Encounter& e) { e.at.x = kNaN; }), Names{"encounters"});
-  EXPECT_EQ(with([](Detour&, Encounter& e) { e.obstacles = {}; }), Names{});
+  EXPECT_EQ(with([](Detour&, Encounter& e) { e.obstacles = {}; }), Names{"encounters"});
+}
 
-  // A cut elsewhere is nobody's detour; but it has to be somewhere.
+/// Cuts said to be where there are none.
+TEST(Detours, cuts_that_are_none) {
+  const auto with = [](auto change) {
+    Plan plan = poles_plan();
+    plan.encounters.push_back(encounter_on(plan.pieces[2], {150, 7.5}, {}, Passing::kCut));
+    change(plan.encounters.back());
+    return found(plan);
+  };
+  // Beyond its track's end a cut takes nothing away; but it has to be somewhere.
+  EXPECT_EQ(with([](Encounter&) {}), Names{});
+  EXPECT_EQ(with([](Encounter& e) { e.at.x = 50; }), Names{"encounters"});
+  EXPECT_EQ(with([](Encounter& e) { e.at.y = 7.6; }), Names{"encounters"});
+  EXPECT_EQ(with([](Encounter& e) { e.at.x = kNaN; }), Names{"encounters"});
+  EXPECT_EQ(with([](Encounter& e) { e.subfield = 7; }), Names{"encounters"});
+}
+
+/// A plan has to own up to every place where an obstacle changes what is driven.
+TEST(Detours, whose_encounters_are_deleted) {
+  const auto without = [](std::size_t index) {
+    Plan plan = poles_plan();
+    plan.encounters.erase(plan.encounters.begin() + static_cast<long>(index));
+    return check::verify(plan);
+  };
+  for (const std::size_t index : {0u, 1u}) {
+    const check::Verdict verdict = without(index);
+    EXPECT_EQ(rules(verdict), Names{"encounters"});
+    EXPECT_EQ(verdict.violations.size(), 1u);
+  }
   Plan plan = poles_plan();
-  plan.encounters.push_back({0, 2, {50, 7.5}, {}, Passing::kCut, {}, {}});
+  plan.encounters.clear();
+  EXPECT_EQ(check::verify(plan).violations.size(), 2u);
+}
+
+/// One detour past two poles that lie in its way: both are named where they are met.
+TEST(Detours, whose_encounters_leave_out_an_obstacle) {
+  Plan plan = poles_plan();
+  const Ring second = rectangle(50.75, 13.25, 51, 13.75);
+  plan.field.obstacles.push_back({{second, {}}, ObstacleKind::kObstacle, "second pole"});
+  plan.body[0].holes.push_back(reversed(second));
+  plan.subfields[0].shape = plan.body[0];
+  plan.pieces[4].detours = {bulge(plan.pieces[4], 50.5, 2.1, 6, Passing::kLeft, {0, 2})};
+  plan.encounters[0].obstacles = {0, 2};
+  expect_holds(settled(plan));
+  plan.encounters[0].obstacles = {0};
+  EXPECT_EQ(found(settled(plan)), Names{"encounters"});
+  // Or at one encounter each.
+  plan.encounters.push_back(encounter_on(plan.pieces[4], {50.9, 13.5}, {2}, Passing::kLeft));
+  expect_holds(settled(plan));
+  plan.encounters.erase(plan.encounters.begin());
+  EXPECT_EQ(found(settled(plan)), Names{"encounters"});
+}
+
+/// What each way would cost, and why one is not possible, are what the decision rests on.
+TEST(Detours, decided_against_their_own_figures) {
+  const auto with = [](auto change) {
+    Plan plan = poles_plan();
+    change(plan.encounters[0]);
+    return found(plan);
+  };
+  const std::string why = "there is no room between the obstacles";
+  EXPECT_EQ(with([](Encounter&) {}), Names{});
+  EXPECT_EQ(with([&](Encounter& e) { e.right = {false, 0, why}; }), Names{});
+  EXPECT_EQ(with([&](Encounter& e) { e.left = {false, 0, why}; }), Names{"encounters"});
+  EXPECT_EQ(with([](Encounter& e) { e.right = {false, 0, ""}; }), Names{"encounters"});
+  EXPECT_EQ(with([&](Encounter& e) { e.right.why_not = why; }), Names{"encounters"});
+  EXPECT_EQ(with([&](Encounter& e) { e.left.why_not = why; }), Names{"encounters"});
+  EXPECT_EQ(with([](Encounter& e) { e.right.cost = kNaN; }), Names{"encounters"});
+  // On the left at −1: a cut costs 0.
+  EXPECT_EQ(with([](Encounter& e) { e.right.cost = -1.001; }), Names{"encounters"});
+  EXPECT_EQ(with([](Encounter& e) { e.right.cost = -1 - 1e-9; }), Names{});
+  EXPECT_EQ(with([](Encounter& e) { e.left.cost = 0.001; }), Names{"encounters"});
+  EXPECT_EQ(with([](Encounter& e) { e.left.cost = kNaN; }), Names{"encounters"});
+}
+
+TEST(Detours, forgone_against_their_own_figures) {
+  Plan plan = obstacle_plan();
+  plan.encounters[0].left = {true, 0.001, ""};
   EXPECT_EQ(found(plan), Names{});
-  plan.encounters.back().at.x = kNaN;
+  plan.encounters[0].left.cost = -0.001;
   EXPECT_EQ(found(plan), Names{"encounters"});
-  plan.encounters.back() = {7, 2, {50, 7.5}, {}, Passing::kCut, {}, {}};
+}
+
+TEST(Detours, in_a_plan_that_cuts_all_tracks) {
+  Plan plan = poles_plan();
+  plan.settings.avoid = Avoidance::kCut;
   EXPECT_EQ(found(plan), Names{"encounters"});
+  plan.encounters.clear();
+  EXPECT_EQ(found(plan), Names{"encounters"});
+  // What a way would cost does not matter there.
+  plan = obstacle_plan();
+  plan.settings.avoid = Avoidance::kCut;
+  plan.encounters[0].left = {true, -3, ""};
+  EXPECT_EQ(found(plan), Names{});
+}
+
+/// Tracks 4 and 5 of the obstacle, 2 m wide across them, and the poles, 0.5 m wide.
+TEST(Detours, against_the_rule_of_the_paper) {
+  const auto with = [](Plan plan, auto change) {
+    plan.settings.avoid = Avoidance::kPaper;
+    for (Encounter& encounter : plan.encounters)
+      for (WayPast* way : {&encounter.left, &encounter.right})
+        if (way->cost > 0) *way = {false, 0, "S1 passes on the other side"};
+    change(plan);
+    return found(plan);
+  };
+  const WayPast possible{true, 1, ""};
+  EXPECT_EQ(with(poles_plan(), [](Plan&) {}), Names{});
+  // It does not ask what a way costs.
+  EXPECT_EQ(with(poles_plan(), [](Plan& p) { p.encounters[0].left.cost = 5; }), Names{});
+  EXPECT_EQ(with(poles_plan(), [](Plan& p) { p.settings.avoid_threshold_m = 0.52; }), Names{});
+  EXPECT_EQ(with(poles_plan(), [](Plan& p) { p.settings.avoid_threshold_m = 0.48; }), Names{"encounters"});
+  EXPECT_EQ(with(poles_plan(), [&](Plan& p) { p.encounters[0].right = possible; }), Names{"encounters"});
+  EXPECT_EQ(with(poles_plan(), [](Plan& p) { std::swap(p.encounters[0].left, p.encounters[0].right); }),
+            Names{"encounters"});
+  EXPECT_EQ(with(poles_plan(),
+                 [](Plan& p) {
+                   p.encounters.push_back(p.encounters[0]);
+                   p.encounters.back().at.x += 1;
+                 }),
+            Names{"encounters"});
+  EXPECT_EQ(with(obstacle_plan(), [](Plan&) {}), Names{});
+  EXPECT_EQ(with(obstacle_plan(), [&](Plan& p) { p.encounters[0].left = possible; }), Names{"encounters"});
+  // Another detour of the track may have been in its way.
+  EXPECT_EQ(with(poles_plan(),
+                 [&](Plan& p) {
+                   p.encounters.push_back(encounter_on(p.pieces[4], {150, 13.5}, {}, Passing::kCut));
+                   p.encounters.back().right = possible;
+                 }),
+            Names{});
 }
 
 TEST(Detours, unsound) {
@@ -379,6 +508,7 @@ TEST(Detours, by_the_hundred_are_judged) {
       plan.body[0].holes.push_back(reversed(pole));
       piece.detours.push_back(
           bulge(piece, x, away, 6, i < 39 ? Passing::kLeft : Passing::kRight, {3 * i + k}));
+      plan.encounters.push_back(encounter_on(piece, {x, y}, {3 * i + k}, piece.detours.back().side));
     }
     plan.pieces.push_back(piece);
   }

@@ -97,11 +97,7 @@ TEST(HoldingPlans, short_pieces_beside_a_crossing_are_exempt) {
 }
 
 TEST(HoldingPlans, land_given_up_counts_as_uncovered_and_stops_the_machine) {
-  Plan plan = obstacle_plan();
-  plan.field.obstacles.clear();
-  plan.body = {{plan.field.outer, {}}};
-  plan.given_up = {{rectangle(40, 11, 60, 13), {}}};
-  plan = settled(plan);
+  const Plan plan = given_up_plan();
   expect_holds(plan);
   EXPECT_EQ(plan.tally.stops, 4);
   EXPECT_NEAR(plan.tally.uncovered_m2, 2 * 60, 1e-4);

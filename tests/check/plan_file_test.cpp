@@ -75,7 +75,15 @@ TEST(PlanFiles, edited_detours_are_found) {
             (Names{"layers", "encounters"}));
   EXPECT_EQ(set("detours = replace(detours, '\"obstacles\":[1]', '\"obstacles\":[9]')"), Names{"pieces"});
   EXPECT_EQ(after("UPDATE encounters SET chosen = 'cut' WHERE fid = 1"), Names{"encounters"});
+  EXPECT_EQ(after("DELETE FROM encounters"), Names{"encounters"});
+  EXPECT_EQ(after("UPDATE encounters SET cost_left = NULL WHERE fid = 1"), Names{"encounters"});
+  EXPECT_EQ(after("UPDATE encounters SET cost_left = 3 WHERE fid = 1"), Names{"encounters"});
+  EXPECT_EQ(after("UPDATE encounters SET why_not_right = 'no' WHERE fid = 1"), Names{"encounters"});
   EXPECT_EQ(after("UPDATE encounters SET number = 3 WHERE fid = 1"), Names{"layers"});
+  EXPECT_EQ(after("DELETE FROM overlap"), Names{"tally"});
+  EXPECT_EQ(after("DELETE FROM overlap WHERE area_m2 > 1 AND fid > 1"), Names{"tally"});
+  EXPECT_EQ(after("DELETE FROM uncovered"), Names{"tally"});
+  EXPECT_EQ(after("DELETE FROM uncovered WHERE area_m2 > 1 AND fid > 1"), Names{"tally"});
   EXPECT_EQ(after("DELETE FROM swaths WHERE fid = 5"), Names{"layers"});
   EXPECT_EQ(after("UPDATE swaths SET area_m2 = 300 WHERE fid = 5"), Names{"layers"});
   EXPECT_EQ(after("UPDATE metadata SET value = '0.1' WHERE key = 'settings.clearance_m'"),

@@ -35,13 +35,24 @@ Ring rectangle(double min_x, double min_y, double max_x, double max_y) {
 }
 
 Plan settled(Plan plan) {
-  plan.overlap.clear();
   // Faulty swaths may fold over themselves.
-  Region worked;
-  for (const Polygon& swath : swaths(plan))
-    for (const Polygon& part : find_invalidity(swath) ? made_valid(swath) : Region{swath})
-      worked.push_back(part);
-  plan.uncovered = difference(plan.body, unite(worked));
+  const auto sound = [](const Polygon& ground) {
+    return find_invalidity(ground) ? made_valid(ground) : Region{ground};
+  };
+  Region worked, parts;
+  for (const TrackPiece& piece : plan.pieces) {
+    for (Polygon& part : sound({swath(piece, plan.machine.width_m), {}})) worked.push_back(std::move(part));
+    for (const Ring& ring : swath_parts(piece, plan.machine.width_m, kLayerSagitta))
+      for (Polygon& part : sound({ring, {}})) parts.push_back(std::move(part));
+  }
+  const Region land = unite(worked);
+  plan.overlap = difference(land, plan.body);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (intersects(bounds(parts[i]), bounds(parts[j])))
+        for (Polygon& both : intersection({parts[i]}, {parts[j]})) plan.overlap.push_back(std::move(both));
+  plan.overlap = unite(plan.overlap);
+  plan.uncovered = difference(plan.body, land);
   plan.tally = check::verify(plan).recomputed;
   plan.cost = cost(plan.objective, plan.tally);
   return plan;
@@ -82,12 +93,22 @@ Plan obstacle_plan() {
     }
     add_piece(plan, i, y, i == 3 ? 60 : 0, i == 3 ? 100 : 40);
     add_piece(plan, i, y, i == 3 ? 0 : 60, i == 3 ? 40 : 100);
+    plan.encounters.push_back(encounter_on(plan.pieces.back(), {50, y}, {0}, Passing::kCut));
   }
   for (TrackPiece& piece : plan.pieces) {
     const auto blocked = [](Point p) { return p.x == 40 || p.x == 60; };
     piece.stop_at_start = blocked(piece.start);
     piece.stop_at_end = blocked(piece.end);
   }
+  return settled(plan);
+}
+
+Plan given_up_plan() {
+  Plan plan = obstacle_plan();
+  plan.given_up = {plan.field.obstacles[0].shape};
+  plan.field.obstacles.clear();
+  plan.body = {{plan.field.outer, {}}};
+  for (Encounter& encounter : plan.encounters) encounter.obstacles.clear();
   return settled(plan);
 }
 
@@ -112,6 +133,15 @@ Plan crossing_plan() {
     plan.pieces.back().after_crossing = true;
   }
   return settled(plan);
+}
+
+Encounter encounter_on(const TrackPiece& piece, Point at, std::vector<int> obstacles, Passing chosen) {
+  const auto way = [chosen](Passing side) {
+    if (chosen == Passing::kCut) return WayPast{false, 0, "there is no room between the obstacles"};
+    return WayPast{true, side == chosen ? -1.0 : 1.0, ""};
+  };
+  return {piece.subfield,      piece.track,         at, std::move(obstacles), chosen,
+          way(Passing::kLeft), way(Passing::kRight)};
 }
 
 Detour bulge(const TrackPiece& piece, double along_m, double away_m, double radius_m, Passing side,
@@ -144,8 +174,8 @@ Plan poles_plan(double clearance_m) {
   const double away = away_from_pole(6, 1.5, clearance_m);
   plan.pieces[4].detours = {bulge(plan.pieces[4], 50, away, 6, Passing::kLeft, {0})};
   plan.pieces[7].detours = {bulge(plan.pieces[7], 70, away, 6, Passing::kRight, {1})};
-  plan.encounters = {{0, 4, {50, 13.5}, {0}, Passing::kLeft, {true, -1, ""}, {true, 1, ""}},
-                     {0, 7, {30, 22.5}, {1}, Passing::kRight, {true, 1, ""}, {true, -1, ""}}};
+  plan.encounters = {encounter_on(plan.pieces[4], {50, 13.5}, {0}, Passing::kLeft),
+                     encounter_on(plan.pieces[7], {30, 22.5}, {1}, Passing::kRight)};
   return settled(plan);
 }
 

@@ -23,8 +23,11 @@ Plan rectangle_plan();
 /// ends lie where the share `f` of the width is inside.
 Plan triangle_plan(EndRule rule, double f);
 
-/// The rectangle with an obstacle of 20 m × 2 m across two swaths: four stops.
+/// The rectangle with an obstacle of 20 m × 2 m across two swaths: four stops, two encounters.
 Plan obstacle_plan();
+
+/// The same with land given up in place of the obstacle.
+Plan given_up_plan();
 
 /// The rectangle parted by an oblique border (cot φ = 2/3); both sides run on until nothing is missed.
 Plan two_subfields_plan();
@@ -34,6 +37,9 @@ Plan crossing_plan();
 
 /// A square pole, half a metre wide and across the axes, as a hole of a field.
 inline constexpr double kPoleHalf_m = 0.25;
+
+/// What a plan says where a track meets obstacles: the chosen way is possible, and costs least.
+Encounter encounter_on(const TrackPiece& piece, Point at, std::vector<int> obstacles, Passing chosen);
 
 /// Three arcs of one radius that leave the piece's line by `away_m` at `along_m` from its start and
 /// come back: √(4·r·h − h²) before and behind.

@@ -27,6 +27,7 @@ Tracks tracks_of(const Plan& plan) {
 bool extends_over(const TrackPiece& piece, const Detour& detour, Point at) {
   const PieceFrame frame(piece);
   const Point p = frame.to_local(at);
+  // Written so that NaN lies nowhere.
   return std::abs(p.x) <= kLengthTolerance_m &&
          p.y >= frame.to_local(detour.path.front().from).y - kLengthTolerance_m &&
          p.y <= frame.to_local(detour.path.back().to).y + kLengthTolerance_m;
@@ -42,12 +43,31 @@ const Detour* detour_over(const Plan& plan, const Tracks& tracks, const Encounte
   return nullptr;
 }
 
+/// Does one of the pieces lead straight over a place?
+bool driven_over(const Plan& plan, const std::vector<std::size_t>& pieces, Point at) {
+  return std::any_of(pieces.begin(), pieces.end(), [&](std::size_t i) {
+    const PieceFrame frame(plan.pieces[i]);
+    const double along_m = frame.to_local(at).y;
+    return along_m > kLengthTolerance_m && along_m < frame.length() - kLengthTolerance_m;
+  });
+}
+
 bool includes(const std::vector<int>& all, int index) {
   return std::find(all.begin(), all.end(), index) != all.end();
 }
 
 bool includes_all(const std::vector<int>& all, const std::vector<int>& some) {
   return std::all_of(some.begin(), some.end(), [&all](int index) { return includes(all, index); });
+}
+
+/// In which way the track is not cut at an encounter that no detour passes, or "".
+std::string cut_fault(const Plan& plan, const Tracks& tracks, const Encounter& encounter) {
+  const auto pieces = tracks.find({encounter.subfield, encounter.track});
+  if (pieces == tracks.end()) return "";
+  const PieceFrame frame(plan.pieces[pieces->second.front()]);
+  if (std::abs(frame.to_local(encounter.at).x) > kLengthTolerance_m) return "does not lie on its track";
+  if (driven_over(plan, pieces->second, encounter.at)) return "was to be cut, and its track goes on there";
+  return "";
 }
 
 /// In which way an encounter is not what the tracks do, or "".
@@ -59,8 +79,9 @@ std::string contradiction(const Plan& plan, const Tracks& tracks, const Encounte
     return "lies off the map";
   if (!exist(plan, encounter.obstacles)) return "names an obstacle that there is not";
   const Detour* detour = detour_over(plan, tracks, encounter);
-  if (encounter.chosen == Passing::kCut)
-    return detour == nullptr ? "" : "was to be cut, and a detour passes there";
+  if (encounter.chosen == Passing::kCut && detour != nullptr)
+    return "was to be cut, and a detour passes there";
+  if (encounter.chosen == Passing::kCut) return cut_fault(plan, tracks, encounter);
   if (detour == nullptr)
     return fmt::format("was to be passed {}, and no detour is there", name(encounter.chosen));
   if (detour->side != encounter.chosen)
@@ -132,28 +153,71 @@ std::string misnamed(bool named, bool in_the_way, const Course::Sides& sides, co
   return wrong ? fmt::format("is not passed {}", name(detour.side)) : "";
 }
 
-void check_detour(const Case& c, std::size_t index, std::size_t number, Violations& out) {
-  const TrackPiece& piece = c.plan.pieces[index];
-  const Detour& detour = piece.detours[number];
-  const PieceFrame frame(piece);
-  const Course course(frame, detour);
-  const double reach_m = 0.5 * c.plan.machine.width_m + c.plan.settings.clearance_m;
-  const Box near = course.line_box(reach_m);
-  const auto& obstacles = c.plan.field.obstacles;
-  for (std::size_t k = 0; k < obstacles.size(); ++k) {
-    const bool named = includes(detour.obstacles, static_cast<int>(k));
-    const bool may_be_entered = obstacles[k].kind == ObstacleKind::kPassable;
-    if (!named && (may_be_entered || !intersects(c.obstacle_boxes[k], near))) continue;
-    const Course::Sides sides = course.sides_of(obstacles[k].shape);
-    const bool in_the_way = sides.from_line_m < reach_m - kLengthTolerance_m;
-    const std::string fault = misnamed(named, in_the_way, sides, detour);
-    if (fault.empty()) continue;
-    out.push_back({kRule, fmt::format("{}: obstacle {} {}", detour_name(index, number), k + 1, fault),
-                   obstacles[k].shape.outer.front(), static_cast<double>(k + 1)});
+/// One detour against the obstacles and the encounters.
+class DetourCheck {
+ public:
+  DetourCheck(const Case& c, std::size_t index, std::size_t number)
+      : c_(c),
+        detour_(c.plan.pieces[index].detours[number]),
+        name_(detour_name(index, number)),
+        encounters_(encounters_at(c.plan, c.plan.pieces[index], detour_)),
+        frame_(c.plan.pieces[index]),
+        course_(frame_, detour_),
+        reach_m_(0.5 * c.plan.machine.width_m + c.plan.settings.clearance_m) {}
+
+  void run(Violations& out) const {
+    if (encounters_.empty())
+      out.push_back({kRule, name_ + " is where the plan has no encounter", detour_.path.front().from, 1});
+    const Box near = course_.line_box(reach_m_);
+    const auto& obstacles = c_.plan.field.obstacles;
+    for (std::size_t k = 0; k < obstacles.size(); ++k) {
+      const bool named = includes(detour_.obstacles, static_cast<int>(k));
+      const bool may_be_entered = obstacles[k].kind == ObstacleKind::kPassable;
+      if (!named && (may_be_entered || !intersects(c_.obstacle_boxes[k], near))) continue;
+      const std::string fault = fault_about(static_cast<int>(k), obstacles[k].shape, named);
+      if (fault.empty()) continue;
+      out.push_back({kRule, fmt::format("{}: obstacle {} {}", name_, k + 1, fault),
+                     obstacles[k].shape.outer.front(), static_cast<double>(k + 1)});
+    }
   }
-}
+
+ private:
+  std::string fault_about(int obstacle, const Polygon& shape, bool named) const {
+    const Course::Sides sides = course_.sides_of(shape);
+    const bool in_the_way = sides.from_line_m < reach_m_ - kLengthTolerance_m;
+    std::string fault = misnamed(named, in_the_way, sides, detour_);
+    // One missing encounter is told once.
+    if (fault.empty() && in_the_way && !encounters_.empty() && !names(encounters_, obstacle))
+      return "is in its way, and no encounter there names it";
+    return fault;
+  }
+
+  const Case& c_;
+  const Detour& detour_;
+  std::string name_;
+  std::vector<const Encounter*> encounters_;
+  PieceFrame frame_;
+  Course course_;
+  double reach_m_;
+};
 
 }  // namespace
+
+std::vector<const Encounter*> encounters_at(const Plan& plan, const TrackPiece& piece, const Detour& detour) {
+  std::vector<const Encounter*> out;
+  for (const Encounter& encounter : plan.encounters)
+    if (encounter.subfield == piece.subfield && encounter.track == piece.track &&
+        extends_over(piece, detour, encounter.at))
+      out.push_back(&encounter);
+  return out;
+}
+
+bool names(const std::vector<const Encounter*>& encounters, int obstacle) {
+  return std::any_of(encounters.begin(), encounters.end(), [obstacle](const Encounter* encounter) {
+    return std::find(encounter->obstacles.begin(), encounter->obstacles.end(), obstacle) !=
+           encounter->obstacles.end();
+  });
+}
 
 void check_encounters(const Case& c, Violations& out) {
   const Tracks tracks = tracks_of(c.plan);
@@ -163,7 +227,7 @@ void check_encounters(const Case& c, Violations& out) {
       out.push_back({kRule, fmt::format("encounter {} {}", i + 1, fault), c.plan.encounters[i].at, 1});
   }
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i)
-    for (std::size_t k = 0; k < c.plan.pieces[i].detours.size(); ++k) check_detour(c, i, k, out);
+    for (std::size_t k = 0; k < c.plan.pieces[i].detours.size(); ++k) DetourCheck(c, i, k).run(out);
 }
 
 }  // namespace tramline::check

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "tramline/check/doubled_ground.h"
 #include "tramline/check/rules.h"
 #include "tramline/geometry/boolean.h"
 
@@ -22,17 +23,30 @@ struct Worked {
 /// Sums are rounded like any other: a comparison of sums allows for it.
 double rounding_of(double value) { return 1e-9 * std::max(1.0, std::abs(value)); }
 
-/// The swaths. One whose path is too tight or has kinks folds over itself; what it encloses counts.
+/// The ground of one piece or of a part of it. One whose path is too tight or has kinks folds over itself;
+/// what it encloses counts.
+void append_ground(Ring ring, bool may_fold, Region& out) {
+  const Polygon ground{std::move(ring), {}};
+  if (!may_fold || !find_invalidity(ground)) {
+    out.push_back(ground);
+    return;
+  }
+  for (Polygon& part : made_valid(ground)) out.push_back(std::move(part));
+}
+
 Region worked_ground(const Plan& plan) {
   Region out;
-  for (const TrackPiece& piece : plan.pieces) {
-    const Polygon ground{swath(piece, plan.machine.width_m), {}};
-    if (piece.detours.empty() || !find_invalidity(ground)) {
-      out.push_back(ground);
-      continue;
-    }
-    for (Polygon& part : made_valid(ground)) out.push_back(std::move(part));
-  }
+  for (const TrackPiece& piece : plan.pieces)
+    append_ground(swath(piece, plan.machine.width_m), !piece.detours.empty(), out);
+  return out;
+}
+
+/// The same in parts that only touch, as finely as layers of land are drawn.
+Region worked_parts(const Plan& plan) {
+  Region out;
+  for (const TrackPiece& piece : plan.pieces)
+    for (Ring& part : swath_parts(piece, plan.machine.width_m, kLayerSagitta))
+      append_ground(std::move(part), !piece.detours.empty(), out);
   return out;
 }
 
@@ -108,29 +122,65 @@ void compare_tallies(const Case& c, const Tally& found, double tolerance, Violat
                  area(c.plan.body) - stored.uncovered_m2 + stored.overlap_m2, found.worked_m2, tolerance);
 }
 
-void compare_layers_of_land(const Case& c, const Worked& found, double tolerance, Violations& out) {
-  const Region off = symmetric_difference(c.plan.uncovered, found.uncovered);
-  if (const double amount = area(off); amount > tolerance)
-    out.push_back(
-        {kRule, fmt::format("the layer uncovered differs from the body less the swaths by {:.3f} m²", amount),
-         place_on_largest(off), amount});
-  const Region idle = difference(c.plan.overlap, found.land);
-  if (const double amount = area(idle); amount > tolerance)
-    out.push_back({kRule, fmt::format("{:.3f} m² of the layer overlap are not worked at all", amount),
-                   place_on_largest(idle), amount});
-  // Land worked three times lies once in the layer and twice in the sum.
-  if (const double excess = area(c.plan.overlap) - found.tally.overlap_m2; excess > tolerance)
-    out.push_back(
-        {kRule, fmt::format("the layer overlap is {:.3f} m² larger than the overlap of the tracks", excess),
-         place_on_largest(c.plan.overlap), excess});
-}
+/// The stored layers against the land that the swaths leave out, work twice or work beyond the body.
+class LayersOfLand {
+ public:
+  LayersOfLand(const Case& c, const Worked& found, Violations& out)
+      : c_(c),
+        found_(found),
+        tolerance_m2_(c.area_tolerance_m2 + chord_tolerance_m2(c.plan, kLayerSagitta)),
+        out_(out) {}
+
+  void compare() {
+    const Region uncovered = once(c_.plan.uncovered, "uncovered"), overlap = once(c_.plan.overlap, "overlap");
+    report(symmetric_difference(uncovered, found_.uncovered), tolerance_m2_,
+           "the layer uncovered differs from the body less the swaths");
+    Region parts = doubled_ground(worked_parts(c_.plan));
+    for (Polygon& beyond : difference(found_.land, c_.plan.body)) parts.push_back(std::move(beyond));
+    const Region twice = unite(parts);
+    // What is too thin to be shown may be left out of the layer along all edges.
+    const double thin_m2 = kThinnestShown_m * perimeter_m(twice);
+    report(difference(twice, overlap), tolerance_m2_ + thin_m2,
+           "the layer overlap falls short of what is worked twice or beyond the body");
+    report(difference(overlap, twice), tolerance_m2_ + thin_m2,
+           "the layer overlap goes beyond what is worked twice or beyond the body");
+  }
+
+ private:
+  /// A layer as land. Its polygons must not lie over one another: their areas would not add up.
+  Region once(const Region& layer, const char* name) {
+    const Region repeated = doubled_ground(layer);
+    if (repeated.empty()) return layer;
+    if (const double amount = area(repeated); amount > tolerance_m2_)
+      out_.push_back({kRule, fmt::format("the layer {} repeats itself by {:.3f} m²", name, amount),
+                      place_on_largest(repeated), amount});
+    return unite(layer);
+  }
+
+  void report(const Region& off, double tolerance_m2, const char* what) {
+    const double amount = area(off);
+    if (amount > tolerance_m2)
+      out_.push_back({kRule, fmt::format("{} by {:.3f} m²", what, amount), place_on_largest(off), amount});
+  }
+
+  static double perimeter_m(const Region& region) {
+    double sum = 0;
+    for (const Ring& ring : rings_of(region)) sum += perimeter(ring);
+    return sum;
+  }
+
+  const Case& c_;
+  const Worked& found_;
+  double tolerance_m2_;
+  Violations& out_;
+};
 
 }  // namespace
 
 Tally check_tally(const Case& c, int stops, Violations& out) {
   const Worked found = recompute(c.plan, stops);
   compare_tallies(c, found.tally, c.area_tolerance_m2 + chord_tolerance_m2(c.plan, kChordSagitta), out);
-  compare_layers_of_land(c, found, c.area_tolerance_m2 + chord_tolerance_m2(c.plan, kLayerSagitta), out);
+  LayersOfLand(c, found, out).compare();
   return found.tally;
 }
 

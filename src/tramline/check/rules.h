@@ -51,8 +51,21 @@ int check_stops(const Case& c, Violations& out);
 /// A piece after a crossing goes on in line beyond a passable, with nothing else in the gap.
 void check_crossings(const Case& c, Violations& out);
 /// What was decided where tracks meet obstacles is what they do, and detours name the obstacles they
-/// pass and the side.
+/// pass and the side. Every detour is where an encounter is, and what is in its way is named there too.
 void check_encounters(const Case& c, Violations& out);
+/// Wherever an obstacle or land given up lies across a track, between two of its pieces, dropped ones
+/// included, there is an encounter that names it. Where a track ends for good the file does not say what
+/// would have followed: nothing is asked there. O(g·e) for g such gaps and e encounters.
+void check_meetings(const Case& c, Violations& out);
+/// Each way past an encounter has either a cost or a reason why not, and the chosen one a cost. Where the
+/// cheapest ways were asked for, the chosen one costs least: no other, nor a cut, is cheaper by more
+/// than rounding.
+void check_ways(const Case& c, Violations& out);
+/// The detours are such as the settings allow: with Avoidance::kCut there are none. With kPaper each passes
+/// one encounter, and nothing that lies on its track and is as wide across it as the threshold; encounters
+/// name one side at most, and are cut only where that is not possible or another detour of the track may
+/// be in its way.
+void check_avoidance(const Case& c, Violations& out);
 /// The stored tally, cost and layers agree with the tracks. `stops` is what check_stops found.
 /// Returns the recomputed tally.
 Tally check_tally(const Case& c, int stops, Violations& out);
@@ -67,6 +80,11 @@ double least_radius_m(const Machine& machine);
 
 /// Are these indices of obstacles of the field?
 bool exist(const Plan& plan, const std::vector<int>& obstacles);
+
+/// The encounters on the stretch of its track that a detour takes the place of. O(e).
+std::vector<const Encounter*> encounters_at(const Plan& plan, const TrackPiece& piece, const Detour& detour);
+/// Does any of the encounters name the obstacle?
+bool names(const std::vector<const Encounter*>& encounters, int obstacle);
 
 /// "piece 12": pieces are numbered for people from 1, in driving order.
 std::string piece_name(std::size_t index);

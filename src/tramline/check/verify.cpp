@@ -54,6 +54,9 @@ Verdict verify(const Plan& plan) {
   const int stops = check_stops(c, verdict.violations);
   check_crossings(c, verdict.violations);
   check_encounters(c, verdict.violations);
+  check_meetings(c, verdict.violations);
+  check_ways(c, verdict.violations);
+  check_avoidance(c, verdict.violations);
   verdict.recomputed = check_tally(c, stops, verdict.violations);
   verdict.complete = true;
   return verdict;
