@@ -320,20 +320,19 @@ bool DetourDecisions::improve() {
   return true;
 }
 
+/// Every change saves, so the rounds come to an end.
 bool DetourDecisions::improve_one_by_one(const std::vector<Decision*>& order) {
-  constexpr int kMostRounds = 8;
   bool any = false;
-  for (int round = 0; round < kMostRounds; ++round) {
-    bool changed = false;
+  for (bool first_round = true, changed = true; changed; first_round = false) {
+    changed = false;
     for (Decision* decision : order) {
-      if (round > 0 && !decision->track.stale) continue;
+      if (!first_round && !decision->track.stale) continue;
       std::vector<StripDetour> detours;
       if (saving_of(*decision, &detours) <= kWorthIt) continue;
       choose(*decision, std::move(detours));
       changed = true;
     }
     any = any || changed;
-    if (!changed) break;
   }
   return any;
 }
