@@ -81,7 +81,7 @@ void decisions_at_pylons(benchmark::State& state) {
   for (const Strips& strips : candidate.strips)
     for (const Strip& strip : strips.strips) meetings += hard_gaps(strip).size();
   for (auto _ : state) {
-    DetourDecisions decisions(avoidance);
+    DetourDecisions decisions(avoidance, WaysPast::kOwn);
     benchmark::DoNotOptimize(decisions.improve());
   }
   state.counters["meetings"] = static_cast<double>(meetings);
