@@ -23,9 +23,12 @@ Avoided all_cut(const AvoidanceTask& task) {
   return tallied(task, std::move(tracks), WaysPast::kOwn);
 }
 
-Avoided the_papers(const AvoidanceTask& task, const Avoided& cut) {
+Avoided the_papers(const AvoidanceTask& task, Avoided cut) {
   DetourDecisions decisions(task, WaysPast::kPaper);
-  if (!decisions.take_paper_ways()) return cut;
+  if (!decisions.take_paper_ways()) {
+    cut.ways = WaysPast::kPaper;
+    return cut;
+  }
   return tallied(task, decisions.tracks(), WaysPast::kPaper);
 }
 
