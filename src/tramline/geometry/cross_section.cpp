@@ -33,8 +33,8 @@ double along_at(Point a, Point b, double across) {
 
 class Buckets {
  public:
-  Buckets(const StripGrid& grid, StripRange range)
-      : grid_(grid), range_(range), buckets_(static_cast<std::size_t>(range.size())) {}
+  Buckets(const StripGrid& grid, StripRange range, const StripMask& wanted)
+      : grid_(grid), range_(range), wanted_(wanted), buckets_(static_cast<std::size_t>(range.size())) {}
 
   void add(const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) add(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]);
@@ -49,7 +49,9 @@ class Buckets {
     const Point left = rightward ? a : b, right = rightward ? b : a;
     const int k_left = grid_.strip_at(left.x), k_right = grid_.strip_at(right.x);
     for (int k = std::max(k_left, range_.first); k <= std::min(k_right, range_.last); ++k) {
-      Bucket& bucket = buckets_[static_cast<std::size_t>(k - range_.first)];
+      const auto place = static_cast<std::size_t>(k - range_.first);
+      if (!wanted_.empty() && !wanted_[place]) continue;
+      Bucket& bucket = buckets_[place];
       const Point from = k == k_left ? left : Point{grid_.line(k), along_at(left, right, grid_.line(k))};
       const Point to =
           k == k_right ? right : Point{grid_.line(k + 1), along_at(left, right, grid_.line(k + 1))};
@@ -74,6 +76,7 @@ class Buckets {
 
   const StripGrid& grid_;
   StripRange range_;
+  const StripMask& wanted_;
   std::vector<Bucket> buckets_;
 };
 
@@ -146,8 +149,10 @@ std::vector<Slab> slabs_of(Bucket& bucket, double strip_width) {
 
 }  // namespace
 
-std::vector<StripProfile> cross_sections(const Region& turned, const StripGrid& grid, StripRange range) {
-  Buckets fold(grid, range);
+std::vector<StripProfile> cross_sections(const Region& turned, const StripGrid& grid, StripRange range,
+                                         const StripMask& wanted) {
+  if (turned.empty()) return std::vector<StripProfile>(static_cast<std::size_t>(range.size()));
+  Buckets fold(grid, range, wanted);
   for (const Polygon& polygon : turned) {
     fold.add(polygon.outer);
     for (const Ring& hole : polygon.holes) fold.add(hole);

@@ -34,7 +34,9 @@ struct StripProfile {
 /// Exact up to rounding (about 1e-12 of the coordinates): every boundary edge is cut at the strip
 /// lines and the cross-section is summed over the cut edges, m(y) = w·[right side inside] + Σ ±x_e(y).
 /// O(n + K log K) for n edges and K incidences of edges and strips.
-std::vector<StripProfile> cross_sections(const Region& turned, const StripGrid& grid, StripRange range);
+/// Strips that `wanted` leaves out get an empty profile.
+std::vector<StripProfile> cross_sections(const Region& turned, const StripGrid& grid, StripRange range,
+                                         const StripMask& wanted = {});
 
 /// Where the cross-section is at least `width_m` (> 0) long.
 Intervals where_at_least(const StripProfile& profile, double width_m);

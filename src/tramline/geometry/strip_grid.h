@@ -2,6 +2,7 @@
 // The grid of parallel strips that tracks of one direction lie on.
 
 #include <cmath>
+#include <vector>
 
 #include "tramline/geometry/track_frame.h"
 
@@ -30,6 +31,9 @@ struct StripRange {
   int last = -1;
   int size() const { return last < first ? 0 : last - first + 1; }
 };
+
+/// Some of the strips of a range: true for those meant, by k − first; empty: all of them.
+using StripMask = std::vector<bool>;
 
 /// The strips whose interior meets the box of turned coordinates by more than `slack_m`.
 StripRange strips_over(const StripGrid& grid, const Box& turned, double slack_m);

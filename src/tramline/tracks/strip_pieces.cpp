@@ -5,10 +5,6 @@
 namespace tramline {
 namespace {
 
-/// Shorter than this is nothing: a detour may begin where its stretch does, and two passable obstacles
-/// may all but touch.
-constexpr double kDust = 1e-3;
-
 /// Between two crossings, with the detours that lie there.
 struct Part {
   Interval whole;
@@ -28,10 +24,10 @@ std::vector<Part> parts_between_crossings(const JoinedStretch& joined, const Int
   for (const StripDetour& detour : joined.detours) driven_round.push_back({detour.from, detour.to});
   std::vector<Part> parts;
   for (const Interval& whole : without({joined.whole}, without(passable, driven_round))) {
-    if (whole.length() < kDust) continue;
+    if (whole.length() < kNoPiece_m) continue;
     Part part{whole, {}, 0};
     for (const StripDetour& detour : joined.detours)
-      if (detour.from >= whole.from - kDust && detour.to <= whole.to + kDust) part.detours.push_back(detour);
+      if (detour.from >= whole.from - kNoPiece_m && detour.to <= whole.to + kNoPiece_m) part.detours.push_back(detour);
     part.length_m = length_of(whole, part.detours);
     parts.push_back(std::move(part));
   }

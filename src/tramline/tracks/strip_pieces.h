@@ -8,6 +8,10 @@
 
 namespace tramline {
 
+/// A stretch shorter than this is nothing: a detour may begin where its stretch does, and two passable
+/// obstacles may all but touch.
+inline constexpr double kNoPiece_m = 1e-3;
+
 /// A detour of a strip's track, in the grid's plane, running along the strip.
 struct StripDetour {
   double from = 0;  ///< coordinates along, of the two ends on the centre line

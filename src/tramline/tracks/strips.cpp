@@ -6,11 +6,12 @@ namespace tramline {
 namespace {
 
 /// Where a strip leaves a hard boundary.
-std::vector<Intervals> beyond_boundary(const StripGrid& grid, StripRange range, const Region& field) {
+std::vector<Intervals> beyond_boundary(const StripGrid& grid, StripRange range, const StripMask& wanted,
+                                       const Region& field) {
   std::vector<Intervals> out(static_cast<std::size_t>(range.size()));
   if (field.empty()) return out;
   const Box reach = bounds(field);
-  const std::vector<StripProfile> inside = cross_sections(field, grid, range);
+  const std::vector<StripProfile> inside = cross_sections(field, grid, range, wanted);
   for (std::size_t i = 0; i < out.size(); ++i)
     out[i] = complement(where_at_least(inside[i], grid.width_m - kWidthTolerance),
                         {reach.min_y - 1, reach.max_y + 1});
@@ -21,15 +22,20 @@ std::vector<Intervals> beyond_boundary(const StripGrid& grid, StripRange range, 
 
 Strips strips_of(const StripGrid& grid, const Polygon& turned, const TurnedGround& ground,
                  const EndCriterion& criterion) {
-  const StripRange range = strips_over(grid, bounds(turned), kWidthTolerance);
-  std::vector<StripProfile> subfield = cross_sections({turned}, grid, range);
-  std::vector<StripProfile> hard = cross_sections(ground.hard, grid, range);
-  const std::vector<StripProfile> passable = cross_sections(ground.passable, grid, range);
-  const std::vector<StripProfile> beyond = cross_sections(ground.beyond, grid, range);
-  const std::vector<Intervals> by_outside = beyond_boundary(grid, range, ground.field);
+  return strips_of(grid, strips_over(grid, bounds(turned), kWidthTolerance), {}, turned, ground, criterion);
+}
+
+Strips strips_of(const StripGrid& grid, StripRange range, const StripMask& wanted, const Polygon& turned,
+                 const TurnedGround& ground, const EndCriterion& criterion) {
+  std::vector<StripProfile> subfield = cross_sections({turned}, grid, range, wanted);
+  std::vector<StripProfile> hard = cross_sections(ground.hard, grid, range, wanted);
+  const std::vector<StripProfile> passable = cross_sections(ground.passable, grid, range, wanted);
+  const std::vector<StripProfile> beyond = cross_sections(ground.beyond, grid, range, wanted);
+  const std::vector<Intervals> by_outside = beyond_boundary(grid, range, wanted, ground.field);
   Strips out{grid, {}};
   for (int k = range.first; k <= range.last; ++k) {
     const auto i = static_cast<std::size_t>(k - range.first);
+    if (!wanted.empty() && !wanted[i]) continue;
     Strip strip;
     strip.index = k;
     strip.subfield = std::move(subfield[i]);

@@ -36,6 +36,10 @@ struct Strips {
 Strips strips_of(const StripGrid& grid, const Polygon& turned, const TurnedGround& ground,
                  const EndCriterion& criterion);
 
+/// Only those of the range that are wanted.
+Strips strips_of(const StripGrid& grid, StripRange range, const StripMask& wanted, const Polygon& turned,
+                 const TurnedGround& ground, const EndCriterion& criterion);
+
 /// Whether a piece that ends at `end` and runs towards it in the sense (+1: along, −1: against) ends in
 /// a stop: the first millimetre beyond meets something hard, on average over more than half the width
 /// tolerance.
