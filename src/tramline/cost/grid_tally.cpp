@@ -21,26 +21,27 @@ void add_piece(Tally& tally, double length_m, double width_m, double useful_m2, 
   useful_sum += useful_m2;
 }
 
+TurnedSubfield turned_subfield(const TrackFrame& frame, const Polygon& shape, TurnedGround ground) {
+  Polygon turned = frame.to_track(Region{shape}).front();
+  TurnedSubfield out{frame, turned, rings_of({turned}), std::move(ground), bounds(turned), {}, area(turned)};
+  append_boxes(out.ground.hard, out.reach, out.obstacles);
+  append_boxes(out.ground.passable, out.reach, out.obstacles);
+  append_boxes(out.ground.beyond, out.reach, out.obstacles);
+  return out;
+}
+
 }  // namespace
 
 GridTally::GridTally(const TrackFrame& frame, const Polygon& shape, TurnedGround ground,
                      const GridTerms& terms)
-    : frame_(frame),
-      shape_(frame.to_track(Region{shape}).front()),
-      outline_(rings_of({shape_})),
-      ground_(std::move(ground)),
+    : subfield_(turned_subfield(frame, shape, std::move(ground))),
       terms_(terms),
-      plain_criterion_(terms.criterion),
-      reach_(bounds(shape_)),
-      area_m2_(area(shape_)) {
-  if (!ground_.field.empty()) plain_criterion_ = {false, terms.width_m - kWidthTolerance};
-  append_boxes(ground_.hard, reach_, obstacles_);
-  append_boxes(ground_.passable, reach_, obstacles_);
-  append_boxes(ground_.beyond, reach_, obstacles_);
+      plain_criterion_(terms.criterion) {
+  if (!subfield_.ground.field.empty()) plain_criterion_ = {false, terms.width_m - kWidthTolerance};
 }
 
 void GridTally::mark_obstructed(const StripGrid& grid, StripRange range, StripMask& out) const {
-  for (const Box& box : obstacles_) {
+  for (const Box& box : subfield_.obstacles) {
     const int first = std::max(grid.strip_at(box.min_x - kWidthTolerance), range.first);
     const int last = std::min(grid.strip_at(box.max_x + kWidthTolerance), range.last);
     for (int k = first; k <= last; ++k) out[static_cast<std::size_t>(k - range.first)] = true;
@@ -50,10 +51,10 @@ void GridTally::mark_obstructed(const StripGrid& grid, StripRange range, StripMa
 Tally GridTally::at(double origin_m) const {
   thread_local PlainEnds ends;
   const StripGrid grid = this->grid(origin_m);
-  const StripRange range = strips_over(grid, reach_, kWidthTolerance);
+  const StripRange range = strips_over(grid, subfield_.reach, kWidthTolerance);
   StripMask intricate(static_cast<std::size_t>(range.size()), false);
   mark_obstructed(grid, range, intricate);
-  ends.collect(outline_, grid, range, plain_criterion_);
+  ends.collect(subfield_.outline, grid, range, plain_criterion_);
 
   Tally tally;
   double useful_m2 = 0;
@@ -71,7 +72,8 @@ Tally GridTally::at(double origin_m) const {
   }
   if (any_intricate) {
     SubfieldTracks tracks{grid, {}, {}};
-    for (const Strip& strip : strips_of(grid, range, intricate, shape_, ground_, terms_.criterion).strips)
+    for (const Strip& strip :
+         strips_of(grid, range, intricate, subfield_.shape, subfield_.ground, terms_.criterion).strips)
       append_pieces(strip, {}, terms_.min_length_m, tracks);
     for (const StripPiece& piece : tracks.pieces) {
       add_piece(tally, length(piece), terms_.width_m, piece.inside_m2, useful_m2);
@@ -81,7 +83,7 @@ Tally GridTally::at(double origin_m) const {
   }
   tally.turns = std::max(0, tally.pieces - 1 - tally.crossings);
   tally.overlap_m2 = tally.worked_m2 - useful_m2;
-  tally.uncovered_m2 = area_m2_ - useful_m2;
+  tally.uncovered_m2 = subfield_.area_m2 - useful_m2;
   return tally;
 }
 

@@ -16,6 +16,17 @@ struct GridTerms {
   EndCriterion criterion;
 };
 
+/// A subfield and what lies around it in the turned plane of one direction.
+struct TurnedSubfield {
+  TrackFrame frame;
+  Polygon shape;
+  std::vector<Ring> outline;  ///< the rings of the shape
+  TurnedGround ground;
+  Box reach;                   ///< of the shape
+  std::vector<Box> obstacles;  ///< of all that is not plain ground
+  double area_m2 = 0;
+};
+
 /// One subfield in the turned plane of one direction. Tracks are cut at obstacles. Strips that the
 /// boundary crosses plainly and that no obstacle comes near are summed in closed form (ALGORITHMS §0.1);
 /// the others through their profiles.
@@ -27,23 +38,19 @@ class GridTally {
   /// Of the grid with line 0 at the coordinate across `origin_m`: with tally_of's meaning for a field
   /// that is this subfield alone. O(n + K).
   Tally at(double origin_m) const;
-  /// Of the subfield in its turned plane.
-  const Box& reach() const { return reach_; }
+  const TurnedSubfield& subfield() const { return subfield_; }
+  const GridTerms& terms() const { return terms_; }
+  /// The end rule where no obstacle comes near: at a hard boundary every swath ends inside.
+  const EndCriterion& plain_criterion() const { return plain_criterion_; }
+  StripGrid grid(double origin_m) const { return {subfield_.frame, origin_m, terms_.width_m}; }
 
  private:
-  StripGrid grid(double origin_m) const { return {frame_, origin_m, terms_.width_m}; }
   /// Those that obstacles come near.
   void mark_obstructed(const StripGrid& grid, StripRange range, StripMask& out) const;
 
-  TrackFrame frame_;
-  Polygon shape_;
-  std::vector<Ring> outline_;
-  TurnedGround ground_;
+  TurnedSubfield subfield_;
   GridTerms terms_;
   EndCriterion plain_criterion_;
-  Box reach_;
-  std::vector<Box> obstacles_;  ///< all that is not plain ground
-  double area_m2_ = 0;
 };
 
 }  // namespace tramline

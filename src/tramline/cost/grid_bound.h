@@ -1,0 +1,34 @@
+#pragma once
+// What no grid of tracks near a given one can cost less than.
+
+#include "tramline/cost/grid_tally.h"
+#include "tramline/model/objective.h"
+
+namespace tramline {
+
+/// Grids over one subfield around that of a GridTally: turned by up to `half_angle` either way, about the
+/// pivot, and with line 0 up to `half_origin_m` to either side of `origin_m` (a coordinate across in the
+/// turned plane, where the pivot stays as the grid turns).
+struct GridBox {
+  double origin_m = 0;
+  double half_origin_m = 0;
+  double half_angle = 0;  ///< radians, < 0.1
+};
+
+/// Everything else a bound depends on.
+struct BoundTerms {
+  Objective objective;
+  Point pivot;              ///< in the field's plane
+  double detour_reach = 0;  ///< ground as far as this from an obstacle may be worked by detours, m
+};
+
+/// The cost of one subfield, λo·o + λu·u + λt·(pieces − crossings) + λs·stops, is at least this for every
+/// grid of the box, whatever detours its tracks make: each strip is charged the least that its boundary
+/// can cost. Where nothing else comes near, the wedge formula with the least slope the boundary can have
+/// there (ALGORITHMS §0.1); elsewhere ∫ min(λo·(w − m), λu·m) dy over the cross-sections m(y) of the middle
+/// grid, less what m can change by; in both cases λt for each piece that must be driven. Strips that an
+/// obstacle or a detour may come near count as free but for one piece. Tends to the cost as the box
+/// shrinks, obstacles apart, under the end rule `cheapest`. O(n + K log K).
+double least_cost(const GridTally& tally, const BoundTerms& terms, const GridBox& box);
+
+}  // namespace tramline

@@ -1,0 +1,112 @@
+#include "tramline/cost/grid_bound.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "properties/random_field.h"
+#include "tramline/avoidance/ground.h"
+#include "tramline/cost/strip_tally.h"
+
+namespace tramline {
+namespace {
+
+constexpr EndRule kRules[] = {EndRule::kCentre, EndRule::kCover, EndRule::kInside, EndRule::kCheapest};
+
+/// One subfield with everything that its tallies and bounds depend on.
+struct Case {
+  Polygon part;
+  Ground ground;
+  GridTerms grid;
+  BoundTerms bound;
+
+  GridTally tally(double degrees) const {
+    const TrackFrame frame(Direction::clockwise_from_north(Angle::degrees(degrees)));
+    return {frame,
+            part,
+            {frame.to_track(ground.hard), frame.to_track(ground.passable), {}, frame.to_track(ground.beyond)},
+            grid};
+  }
+  double origin(const GridTally& tally, double offset_m) const {
+    return tally.subfield().frame.to_track(bound.pivot).x + offset_m;
+  }
+  double cost_at(double degrees, double offset_m) const {
+    const GridTally tally = this->tally(degrees);
+    const Tally sum = tally.at(origin(tally, offset_m));
+    const Objective& price = bound.objective;
+    return price.overlap * sum.overlap_m2 + price.uncovered * sum.uncovered_m2 +
+           price.turn * (sum.pieces - sum.crossings) + price.stop * sum.stops;
+  }
+};
+
+// Whatever the grid within the box: dearer than the bound. Obstacles cut tracks here, which is one of the
+// things that detours may be.
+TEST(GridBound, NoGridOfTheBoxCostsLess) {
+  const int cases = testing::case_count(300);
+  for (int i = 0; i < cases; ++i) {
+    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
+    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
+    std::mt19937_64 random(seed);
+    const auto between = [&random](double a, double b) {
+      return std::uniform_real_distribution<double>(a, b)(random);
+    };
+    const Field field = testing::random_field(random, i % 3 == 0 ? 4 : 0);
+    const double width_m = between(1, 12);
+    Ground ground = sort_obstacles(field, width_m);
+    if (ground.plannable.empty()) continue;
+    const Objective objective{between(0, 1), between(0, 1), between(0, 3), between(0, 3)};
+    for (const EndRule rule : kRules) {
+      const Polygon part = ground.plannable[random() % ground.plannable.size()];
+      const Case one{
+          part,
+          ground,
+          {width_m, i % 2 == 0 ? 0 : between(0, 4 * width_m), end_criterion(rule, objective, width_m)},
+          {objective, bounds(part).centre(), 2 * width_m}};
+      const double degrees = between(0, 180), offset_m = between(0, width_m);
+      const double half_degrees = std::pow(10, between(-4, 0)),
+                   half_m = width_m * std::pow(10, between(-4, -0.3));
+      const GridTally middle = one.tally(degrees);
+      const double least = least_cost(
+          middle, one.bound, {one.origin(middle, offset_m), half_m, half_degrees * std::numbers::pi / 180});
+      for (int k = 0; k < 20; ++k)
+        EXPECT_GE(
+            one.cost_at(degrees + between(-half_degrees, half_degrees), offset_m + between(-half_m, half_m)),
+            least * (1 - 1e-9) - 1e-9);
+    }
+  }
+}
+
+// With nothing in the way and the cheapest ends, a box that is a point has the cost itself as its bound, but
+// for pieces at the verge of being driven.
+TEST(GridBound, OfAPointIsTheCost) {
+  const int cases = testing::case_count(100);
+  int equal = 0, compared = 0;
+  for (int i = 0; i < cases; ++i) {
+    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
+    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
+    std::mt19937_64 random(seed);
+    const auto between = [&random](double a, double b) {
+      return std::uniform_real_distribution<double>(a, b)(random);
+    };
+    const Field field = testing::random_field(random, 0);
+    const double width_m = between(1, 8);
+    const Objective objective{between(0, 1), between(0, 1), 0, 0};
+    const Case one{{field.outer, {}},
+                   {},
+                   {width_m, 0, end_criterion(EndRule::kCheapest, objective, width_m)},
+                   {objective, bounds(field.outer).centre(), 0}};
+    const double degrees = between(0, 180), offset_m = between(0, width_m);
+    const GridTally middle = one.tally(degrees);
+    const double cost = one.cost_at(degrees, offset_m);
+    const double least = least_cost(middle, one.bound, {one.origin(middle, offset_m), 1e-9, 1e-12});
+    EXPECT_LE(least, cost * (1 + 1e-9));
+    ++compared;
+    equal += least > cost * 0.999 ? 1 : 0;
+  }
+  EXPECT_GE(equal, compared * 9 / 10);
+}
+
+}  // namespace
+}  // namespace tramline
