@@ -19,16 +19,16 @@ struct GridBox {
 struct BoundTerms {
   Objective objective;
   Point pivot;              ///< in the field's plane
-  double detour_reach = 0;  ///< ground as far as this from an obstacle may be worked by detours, m
+  double detour_reach = 0;  ///< radius of the arcs that detours are made of, m
 };
 
 /// The cost of one subfield, λo·o + λu·u + λt·(pieces − crossings) + λs·stops, is at least this for every
 /// grid of the box, whatever detours its tracks make: each strip is charged the least that its boundary
-/// can cost. Where nothing else comes near, the wedge formula with the least slope the boundary can have
-/// there (ALGORITHMS §0.1); elsewhere ∫ min(λo·(w − m), λu·m) dy over the cross-sections m(y) of the middle
-/// grid, less what m can change by; in both cases λt for each piece that must be driven. Strips that an
-/// obstacle or a detour may come near count as free but for one piece. Tends to the cost as the box
-/// shrinks, obstacles apart, under the end rule `cheapest`. O(n + K log K).
+/// can cost, window by window (boundary_windows.h). A plain passage costs its wedge with the least slope it
+/// can have (ALGORITHMS §0.1); elsewhere it is ∫ min(λo·(w − m), λu·m) dy over the cross-sections m(y)
+/// of the middle grid, less what they can change by; and λt for each piece that must be driven. What a
+/// detour may come near is free. Tends to the cost as the box shrinks, obstacles apart, under the end rule
+/// `cheapest`. O(n + K log K).
 double least_cost(const GridTally& tally, const BoundTerms& terms, const GridBox& box);
 
 }  // namespace tramline

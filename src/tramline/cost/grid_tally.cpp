@@ -63,10 +63,10 @@ Tally GridTally::at(double origin_m) const {
     const PlainEnds::InStrip strip = intricate[i] ? PlainEnds::InStrip{} : ends.in_strip(i);
     intricate[i] = !strip.plain;
     any_intricate = any_intricate || !strip.plain;
-    for (auto end = strip.begin; end != strip.end; end += 2) {
-      const double length_m = end[1]->at - end[0]->at;
+    for (const PlainEnd* end = strip.begin; end != strip.end; end += 2) {
+      const double length_m = end[1].at - end[0].at;
       if (length_m < std::max(terms_.min_length_m, kNoPiece_m)) continue;
-      const double over_m2 = end[0]->over_m2 + end[1]->over_m2;
+      const double over_m2 = end[0].over_m2 + end[1].over_m2;
       add_piece(tally, length_m, terms_.width_m, terms_.width_m * length_m - over_m2, useful_m2);
     }
   }

@@ -31,13 +31,7 @@ class Passage {
     }
     lowest_ = std::min({lowest_, y0, y1});
     highest_ = std::max({highest_, y0, y1});
-    if (!(x0 < x1)) {
-      if (y0 != y1) most_slope_ = kFar;
-      return;
-    }
-    const double slope = std::abs(y1 - y0) / (x1 - x0);
-    least_slope_ = std::min(least_slope_, slope);
-    most_slope_ = std::max(most_slope_, slope);
+    if (!(x0 < x1)) return;
     whole_ += 0.5 * (y0 + y1) * (x1 - x0);
     add_to(low_share_, low_, x0, y0, x1, y1);
     add_to(high_share_, high_, x0, y0, x1, y1);
@@ -54,20 +48,11 @@ class Passage {
     const bool narrow_side_left = begins == rises_across;
     const Share& split = narrow_side_left ? low_ : high_;
     const double x = narrow_side_left ? low_share_ : high_share_;
-    // On either side of the split: the one where the boundary lies further inside the region, first.
+    // Beyond the split, on the side where the boundary lies further inside the region.
     const double beyond = narrow_side_left ? whole_ - split.integral : split.integral;
     const double across = narrow_side_left ? width_ - x : x;
-    const double over = beyond - split.height * across;
-    const double under = split.height * (width_ - across) - (whole_ - beyond);
-    const double sense = begins ? 1 : -1;
-    return {begins,
-            lowest_,
-            highest_,
-            split.height,
-            std::max(0.0, sense * over),
-            std::max(0.0, sense * under),
-            least_slope_,
-            most_slope_};
+    const double over = begins ? beyond - split.height * across : split.height * across - beyond;
+    return {begins, lowest_, highest_, split.height, std::max(0.0, over)};
   }
 
  private:
@@ -93,7 +78,6 @@ class Passage {
   bool from_left_;
   bool rises_ = false, falls_ = false, leftward_ = false, rightward_ = false;
   double lowest_ = kFar, highest_ = -kFar;
-  double least_slope_ = kFar, most_slope_ = 0;
   double whole_ = 0;
   Share low_, high_;
 };
@@ -105,46 +89,26 @@ double along_at(Point a, Point b, double across) {
 }  // namespace
 
 void PlainEnds::collect(const std::vector<Ring>& outline, const StripGrid& grid, StripRange range,
-                        const EndCriterion& criterion, bool with_parts) {
+                        const EndCriterion& criterion) {
   grid_ = &grid;
   range_ = range;
   criterion_ = criterion;
-  with_parts_ = with_parts;
   links_.clear();
-  parts_.clear();
   first_.assign(static_cast<std::size_t>(range.size()), -1);
   intricate_.assign(static_cast<std::size_t>(range.size()), 0);
-  if (with_parts) {
-    first_part_.assign(static_cast<std::size_t>(range.size()), -1);
-    across_.assign(static_cast<std::size_t>(range.size()), 0);
-  }
   for (const Ring& ring : outline) walk(ring);
 }
 
-int PlainEnds::add(int strip, const PlainEnd& end) {
-  if (!in_range(strip)) return -1;
+void PlainEnds::add(int strip, const PlainEnd& end) {
+  if (strip < range_.first || strip > range_.last) return;
   int& first = first_[static_cast<std::size_t>(strip - range_.first)];
   links_.push_back({end, first});
   first = static_cast<int>(links_.size()) - 1;
-  return first;
-}
-
-void PlainEnds::add_part(int strip, const BoundaryPart& part) {
-  if (!with_parts_ || !in_range(strip)) return;
-  const auto place = static_cast<std::size_t>(strip - range_.first);
-  parts_.push_back({part, first_part_[place]});
-  first_part_[place] = static_cast<int>(parts_.size()) - 1;
-  across_[place] += std::abs(part.to.x - part.from.x);
-}
-
-void PlainEnds::parts_in_strip(std::size_t place, std::vector<BoundaryPart>& out) const {
-  out.clear();
-  for (int i = first_part_[place]; i >= 0; i = parts_[static_cast<std::size_t>(i)].next)
-    out.push_back(parts_[static_cast<std::size_t>(i)].part);
 }
 
 void PlainEnds::spoil(int strip) {
-  if (in_range(strip)) intricate_[static_cast<std::size_t>(strip - range_.first)] = 1;
+  if (strip >= range_.first && strip <= range_.last)
+    intricate_[static_cast<std::size_t>(strip - range_.first)] = 1;
 }
 
 void PlainEnds::walk(const Ring& ring) {
@@ -157,29 +121,11 @@ void PlainEnds::walk(const Ring& ring) {
     const int next = grid.strip_at(ring[start + 1 == n ? 0 : start + 1].x);
     if (next != strip) break;
   }
-  const double width = grid.width_m;
-  if (start == n) {  // within one strip
-    for (std::size_t i = 0; i < n; ++i) {
-      const Point a = ring[i], b = ring[i + 1 == n ? 0 : i + 1], left{grid.line(strip), 0};
-      add_part(strip, {a - left, b - left});
-    }
-    return spoil(strip);
-  }
+  if (start == n) return spoil(strip);  // within one strip
 
+  const double width = grid.width_m;
   Passage passage(width, criterion_, true);
   bool begun = false;
-  int first_link = -1, last_link = -1;
-  const auto pass = [&](Point from, Point to) {
-    const Point left{grid.line(strip), 0};
-    if (!begun) return;
-    passage.add(from.x - left.x, from.y, to.x - left.x, to.y);
-    add_part(strip, {from - left, to - left});
-  };
-  const auto link = [&](int before, int after) {
-    if (before < 0 || after < 0 || at(before).begins != at(after).begins) return;
-    links_[static_cast<std::size_t>(before)].end.next = after;
-    links_[static_cast<std::size_t>(after)].end.previous = before;
-  };
   for (std::size_t step = 0; step <= n; ++step) {
     const std::size_t i = start + step < n ? start + step : start + step - n;
     const Point a = ring[i], b = ring[i + 1 == n ? 0 : i + 1];
@@ -187,39 +133,36 @@ void PlainEnds::walk(const Ring& ring) {
     Point from = a;
     while (strip != target) {
       const bool right = target > strip;
-      const Point to{grid.line(right ? strip + 1 : strip),
-                     along_at(a, b, grid.line(right ? strip + 1 : strip))};
-      pass(from, to);
+      const double line = grid.line(right ? strip + 1 : strip), left = grid.line(strip);
+      const Point to{line, along_at(a, b, line)};
       if (begun) {
-        int current = -1;
+        passage.add(from.x - left, from.y, to.x - left, to.y);
         if (passage.turns_back() || passage.comes_from_left() != right)
           spoil(strip);
         else
-          current = add(strip, passage.end());
-        if (first_link == -1) first_link = current;
-        link(last_link, current);
-        last_link = current;
+          add(strip, passage.end());
       }
-      if (step == n) return link(last_link, first_link);  // round
+      if (step == n) return;  // round
       begun = true;
       strip += right ? 1 : -1;
       passage = Passage(width, criterion_, right);
       from = to;
     }
-    pass(from, b);
+    if (begun) passage.add(from.x - grid.line(strip), from.y, b.x - grid.line(strip), b.y);
   }
 }
 
 PlainEnds::InStrip PlainEnds::in_strip(std::size_t place) {
   if (intricate_[place] != 0) return {};
   sorted_.clear();
-  for (int i = first_[place]; i >= 0; i = links_[static_cast<std::size_t>(i)].next) sorted_.push_back(&at(i));
+  for (int i = first_[place]; i >= 0; i = links_[static_cast<std::size_t>(i)].next)
+    sorted_.push_back(links_[static_cast<std::size_t>(i)].end);
   std::sort(sorted_.begin(), sorted_.end(),
-            [](const PlainEnd* a, const PlainEnd* b) { return a->lowest < b->lowest; });
+            [](const PlainEnd& a, const PlainEnd& b) { return a.lowest < b.lowest; });
   if (sorted_.size() % 2 != 0) return {};
   for (std::size_t i = 0; i < sorted_.size(); ++i) {
-    if (sorted_[i]->begins != (i % 2 == 0)) return {};
-    if (i > 0 && sorted_[i]->lowest < sorted_[i - 1]->highest) return {};
+    if (sorted_[i].begins != (i % 2 == 0)) return {};
+    if (i > 0 && sorted_[i].lowest < sorted_[i - 1].highest) return {};
   }
   return {true, sorted_.data(), sorted_.data() + sorted_.size()};
 }

@@ -10,20 +10,12 @@
 #include "tramline/cost/strip_tally.h"
 #include "tramline/decomposition/decompose.h"
 #include "tramline/geometry/error.h"
+#include "tramline/planner/turned_ground.h"
 #include "tramline/tracks/end_rule.h"
 #include "tramline/tracks/strip_origin.h"
 
 namespace tramline {
 namespace {
-
-TurnedGround turned_ground(const SearchTask& task, const TrackFrame& frame) {
-  TurnedGround out{frame.to_track(task.ground.hard),
-                   frame.to_track(task.ground.passable),
-                   {},
-                   frame.to_track(task.ground.beyond)};
-  if (task.settings.boundary == EdgeKind::kHard) out.field = {{frame.to_track(task.field.outer), {}}};
-  return out;
-}
 
 /// What a subfield's tracks cost by themselves, borders with other subfields taken as plain edges.
 double own_cost(const SearchTask& task, const Subfield& subfield, const SubfieldTracks& tracks) {

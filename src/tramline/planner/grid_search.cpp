@@ -1,0 +1,337 @@
+#include "tramline/planner/grid_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <queue>
+
+#include "tramline/decomposition/candidate_directions.h"
+#include "tramline/planner/for_each_index.h"
+#include "tramline/planner/turned_ground.h"
+
+namespace tramline {
+namespace {
+
+constexpr double kHalfTurn = std::numbers::pi;
+constexpr std::size_t kKept = 12;       ///< grids that are told apart
+constexpr std::size_t kMostEdges = 64;  ///< edge directions that begin the search
+constexpr std::size_t kPolished = 6;    ///< of the incumbents
+constexpr std::size_t kBatch = 8;       ///< boxes divided at a time, for any number of threads
+constexpr double kFirstHalfAngle = kHalfTurn / 360;
+
+/// A grid by its angle and by its offset from the pivot, across.
+struct Place {
+  double angle = 0;
+  double offset_m = 0;
+};
+
+struct Found {
+  Place place;
+  double cost = 0;
+};
+
+/// The cheapest grids, no two of them nearly alike.
+class Shortlist {
+ public:
+  explicit Shortlist(double width_m) : width_m_(width_m) {}
+
+  void offer(const Found& found) {
+    for (std::size_t i = 0; i < list_.size(); ++i) {
+      if (!alike(list_[i].place, found.place)) continue;
+      if (found.cost >= list_[i].cost) return;
+      list_.erase(list_.begin() + static_cast<std::ptrdiff_t>(i));
+      break;
+    }
+    const auto at = std::upper_bound(list_.begin(), list_.end(), found,
+                                     [](const Found& a, const Found& b) { return a.cost < b.cost; });
+    list_.insert(at, found);
+    if (list_.size() > kKept) list_.pop_back();
+  }
+  const std::vector<Found>& list() const { return list_; }
+  double least() const { return list_.front().cost; }
+
+ private:
+  bool alike(const Place& a, const Place& b) const {
+    const double turn = std::abs(std::remainder(a.angle - b.angle, kHalfTurn));
+    const double shift = std::abs(std::remainder(a.offset_m - b.offset_m, width_m_));
+    return turn < Angle::degrees(0.5).radians() && shift < width_m_ / 8;
+  }
+
+  double width_m_;
+  std::vector<Found> list_;
+};
+
+struct SearchBox {
+  Place middle;
+  double half_angle = 0;
+  double half_offset_m = 0;
+  double bound = 0;
+};
+
+struct LaterBox {
+  bool operator()(const SearchBox& a, const SearchBox& b) const {
+    if (a.bound != b.bound) return a.bound > b.bound;
+    if (a.middle.angle != b.middle.angle) return a.middle.angle > b.middle.angle;
+    return a.middle.offset_m > b.middle.offset_m;
+  }
+};
+
+/// Everything that a grid over the part is priced with.
+class Pricing {
+ public:
+  Pricing(const SearchTask& task, const Polygon& part)
+      : task_(task),
+        part_(part),
+        grid_{task.machine.width_m, min_length_m(task.machine),
+              end_criterion(task.settings.end_rule, task.objective, task.machine.width_m)},
+        bound_{task.objective, bounds(part).centre(),
+               std::max(task.machine.radius_m, 0.5 * task.machine.width_m)} {}
+
+  GridTally tally(double angle) const {
+    const TrackFrame frame = this->frame(angle);
+    return {frame, part_, turned_ground(task_, frame), grid_};
+  }
+  /// As if the part had no holes: a stand-in for ways round whatever lies in it.
+  GridTally unhindered(double angle) const {
+    const TrackFrame frame = this->frame(angle);
+    TurnedGround ground;
+    if (task_.settings.boundary == EdgeKind::kHard) ground = turned_ground(task_, frame);
+    ground.hard.clear();
+    ground.passable.clear();
+    ground.beyond.clear();
+    return {frame, {part_.outer, {}}, std::move(ground), grid_};
+  }
+  static TrackFrame frame(double angle) {
+    return TrackFrame(Direction::clockwise_from_north(Angle::radians(angle)));
+  }
+  double origin(const GridTally& tally, double offset_m) const {
+    return tally.subfield().frame.to_track(bound_.pivot).x + offset_m;
+  }
+  double cost(const GridTally& tally, double offset_m) const {
+    return separate_cost(task_.objective, tally.at(origin(tally, offset_m)));
+  }
+  double cost(const Place& place) const { return cost(tally(place.angle), place.offset_m); }
+  double least(const GridTally& tally, const SearchBox& box) const {
+    return least_cost(tally, bound_, {origin(tally, box.middle.offset_m), box.half_offset_m, box.half_angle});
+  }
+  PricedGrid priced(const Found& found) const {
+    const TrackFrame frame = this->frame(found.place.angle);
+    return {frame.direction(), frame.to_track(bound_.pivot).x + found.place.offset_m, found.cost};
+  }
+  const BoundTerms& bound() const { return bound_; }
+  double width_m() const { return grid_.width_m; }
+  double radius_m() const {
+    const Box box = bounds(part_);
+    return 0.5 * std::hypot(box.width(), box.height());
+  }
+  const Polygon& part() const { return part_; }
+
+ private:
+  const SearchTask& task_;
+  const Polygon& part_;
+  GridTerms grid_;
+  BoundTerms bound_;
+};
+
+/// Flush with each of the longest edges, in the order of what edges of one direction sum up to.
+std::vector<Place> flush_places(const Pricing& pricing) {
+  struct Edges {
+    double angle = 0, length = 0, longest = 0;
+    Point at;
+  };
+  std::vector<Edges> all;
+  for (const Ring& ring : rings_of({pricing.part()}))
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+      if (a == b) continue;
+      const double length = std::hypot(b.x - a.x, b.y - a.y);
+      all.push_back({Direction::along(a, b).angle().radians(), length, length, a});
+    }
+  std::sort(all.begin(), all.end(), [](const Edges& a, const Edges& b) { return a.angle < b.angle; });
+  std::vector<Edges> groups;
+  for (const Edges& edge : all) {
+    if (groups.empty() || edge.angle - groups.back().angle > kSameDirectionRadians) {
+      groups.push_back(edge);
+      continue;
+    }
+    Edges& group = groups.back();
+    group.length += edge.length;
+    if (edge.longest > group.longest) {
+      group.longest = edge.longest;
+      group.at = edge.at;
+    }
+  }
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const Edges& a, const Edges& b) { return a.length > b.length; });
+  if (groups.size() > kMostEdges) groups.resize(kMostEdges);
+  std::vector<Place> out;
+  for (const Edges& group : groups) {
+    const TrackFrame frame = Pricing::frame(group.angle);
+    out.push_back({group.angle, frame.to_track(group.at).x - frame.to_track(pricing.bound().pivot).x});
+  }
+  return out;
+}
+
+class GridSearch {
+ public:
+  GridSearch(const SearchTask& task, const Polygon& part, const SearchEffort& effort, int threads)
+      : pricing_(task, part),
+        effort_(effort),
+        threads_(threads),
+        hindered_(!pricing_.tally(0).subfield().obstacles.empty()),
+        list_(pricing_.width_m()),
+        unhindered_(pricing_.width_m()) {}
+
+  GridSearchResult run() {
+    try_edges();
+    polish(list_, false);
+    if (hindered_) polish(unhindered_, true);
+    branch();
+    polish(list_, false);
+    GridSearchResult out;
+    out.bound = std::min(bound_, list_.least());
+    out.boxes = boxes_;
+    for (const Found& found : list_.list()) out.grids.push_back(pricing_.priced(found));
+    for (const Found& found : unhindered_.list()) out.unhindered.push_back(pricing_.priced(found));
+    if (effort_.exact_offset) refine(out.grids.front());
+    return out;
+  }
+
+ private:
+  void try_edges() {
+    const std::vector<Place> places = flush_places(pricing_);
+    std::vector<std::vector<Found>> found(places.size()), free(places.size());
+    for_each_index(places.size(), threads_, [&](std::size_t i) {
+      const GridTally tally = pricing_.tally(places[i].angle);
+      const Box& reach = tally.subfield().reach;
+      const double pivot = pricing_.origin(tally, 0);
+      const double offsets[] = {places[i].offset_m, reach.min_x - pivot, reach.max_x - pivot,
+                                places[i].offset_m + 0.5 * pricing_.width_m()};
+      for (const double offset : offsets)
+        found[i].push_back({{places[i].angle, offset}, pricing_.cost(tally, offset)});
+      if (!hindered_) return;
+      const GridTally unhindered = pricing_.unhindered(places[i].angle);
+      for (const double offset : offsets)
+        free[i].push_back({{places[i].angle, offset}, pricing_.cost(unhindered, offset)});
+    });
+    for (const std::vector<Found>& of_edge : found)
+      for (const Found& one : of_edge) list_.offer(one);
+    for (const std::vector<Found>& of_edge : free)
+      for (const Found& one : of_edge) unhindered_.offer(one);
+  }
+
+  /// Steps to better neighbours, halved where there is none.
+  void polish(Shortlist& shortlist, bool unhindered) {
+    std::vector<Found> found = shortlist.list();
+    if (found.size() > kPolished) found.resize(kPolished);
+    for_each_index(found.size(), threads_, [&](std::size_t i) { improve(found[i], unhindered); });
+    for (const Found& one : found) shortlist.offer(one);
+  }
+
+  void improve(Found& best, bool unhindered) const {
+    double turn = Angle::degrees(0.4).radians(), shift = pricing_.width_m() / 8;
+    const auto cost = [&](const Place& place) {
+      return unhindered ? pricing_.cost(pricing_.unhindered(place.angle), place.offset_m)
+                        : pricing_.cost(place);
+    };
+    while (turn >= 0.5 * effort_.tolerance.radians()) {
+      bool better = false;
+      for (const Place& step : {Place{turn, 0}, {-turn, 0}, {0, shift}, {0, -shift}}) {
+        const Place next{best.place.angle + step.angle, best.place.offset_m + step.offset_m};
+        const double next_cost = cost(next);
+        if (next_cost >= best.cost) continue;
+        best = {next, next_cost};
+        better = true;
+      }
+      if (better) continue;
+      turn *= 0.5;
+      shift *= 0.5;
+    }
+  }
+
+  /// Fills in the bound; returns what the grid in the middle costs.
+  Found look(SearchBox& box, Found* unhindered) const {
+    const GridTally tally = pricing_.tally(box.middle.angle);
+    box.bound = std::max(box.bound, pricing_.least(tally, box));
+    if (unhindered)
+      *unhindered = {box.middle, pricing_.cost(pricing_.unhindered(box.middle.angle), box.middle.offset_m)};
+    return {box.middle, pricing_.cost(tally, box.middle.offset_m)};
+  }
+
+  void look_at_all(std::vector<SearchBox>& boxes) {
+    std::vector<Found> found(boxes.size()), free(boxes.size());
+    for_each_index(boxes.size(), threads_,
+                   [&](std::size_t i) { found[i] = look(boxes[i], hindered_ ? &free[i] : nullptr); });
+    boxes_ += static_cast<int>(boxes.size());
+    for (const Found& one : found) list_.offer(one);
+    if (hindered_)
+      for (const Found& one : free) unhindered_.offer(one);
+    for (const SearchBox& box : boxes) open_.push(box);
+  }
+
+  double target() const { return list_.least() - effort_.gap * std::abs(list_.least()); }
+
+  void branch() {
+    const int first = static_cast<int>(std::lround(kHalfTurn / (2 * kFirstHalfAngle)));
+    std::vector<SearchBox> boxes;
+    for (int i = 0; i < first; ++i)
+      boxes.push_back({{(2 * i + 1) * kFirstHalfAngle, 0}, kFirstHalfAngle, 0.5 * pricing_.width_m(), 0});
+    look_at_all(boxes);
+    bound_ = std::numeric_limits<double>::infinity();
+    while (!open_.empty() && open_.top().bound < target() && boxes_ < effort_.most_boxes) {
+      boxes.clear();
+      while (!open_.empty() && boxes.size() < 2 * kBatch && open_.top().bound < target()) {
+        divide(open_.top(), boxes);
+        open_.pop();
+      }
+      look_at_all(boxes);
+    }
+    if (!open_.empty()) bound_ = std::min(bound_, open_.top().bound);
+  }
+
+  void divide(const SearchBox& box, std::vector<SearchBox>& out) {
+    const double by_angle = box.half_angle * pricing_.radius_m();
+    const double least_offset = pricing_.width_m() / 1024;
+    const bool can_turn = 2 * box.half_angle > effort_.tolerance.radians();
+    if (!can_turn && box.half_offset_m <= least_offset) {
+      bound_ = std::min(bound_, box.bound);
+      return;
+    }
+    const bool turn = can_turn && (by_angle > box.half_offset_m || box.half_offset_m <= least_offset);
+    SearchBox half = box;
+    (turn ? half.half_angle : half.half_offset_m) *= 0.5;
+    for (const int side : {-1, 1}) {
+      SearchBox next = half;
+      if (turn)
+        next.middle.angle += side * half.half_angle;
+      else
+        next.middle.offset_m += side * half.half_offset_m;
+      out.push_back(next);
+    }
+  }
+
+  void refine(PricedGrid& grid) const {
+    const GridTally tally = pricing_.tally(grid.direction.angle().radians());
+    const PricedOrigin best = best_offset(tally, pricing_.bound(), {grid.origin_m, grid.cost});
+    grid.origin_m = best.origin_m;
+    grid.cost = best.cost;
+  }
+
+  Pricing pricing_;
+  SearchEffort effort_;
+  int threads_;
+  bool hindered_;
+  Shortlist list_, unhindered_;
+  std::priority_queue<SearchBox, std::vector<SearchBox>, LaterBox> open_;
+  double bound_ = 0;
+  int boxes_ = 0;
+};
+
+}  // namespace
+
+GridSearchResult search_grids(const SearchTask& task, const Polygon& part, const SearchEffort& effort,
+                              int threads) {
+  return GridSearch(task, part, effort, threads).run();
+}
+
+}  // namespace tramline

@@ -1,0 +1,39 @@
+#pragma once
+// The best grids over one connected piece of ground: every direction, every offset.
+
+#include "tramline/cost/best_offset.h"
+#include "tramline/planner/candidate.h"
+
+namespace tramline {
+
+/// A grid over a piece of ground, and what separate_cost() gives for it with tracks cut at obstacles.
+struct PricedGrid {
+  Direction direction;
+  double origin_m = 0;  ///< coordinate across of line 0, in the turned plane
+  double cost = 0;
+};
+
+/// How hard to look.
+struct SearchEffort {
+  int most_boxes = 2000;  ///< that are bounded
+  double gap = 0.005;     ///< stop where the bound is this near, relative
+  Angle tolerance = Angle::degrees(0.01);
+  bool exact_offset = true;  ///< best_offset() for the best grid
+};
+
+struct GridSearchResult {
+  std::vector<PricedGrid> grids;  ///< the best found, cheapest first, no two alike; not empty
+  /// Those that would be the best if no obstacle were in the way; empty where none is.
+  std::vector<PricedGrid> unhindered;
+  double bound = 0;  ///< no grid, with whatever detours, costs less
+  int boxes = 0;
+};
+
+/// Branch and bound over boxes of direction × offset: all edge directions with the grid flush with the
+/// edge are the first incumbents, the box of least bound (least_cost) is divided next, and no box is looked
+/// into that cannot hold anything better. Directions nearer than the tolerance are one. Deterministic for
+/// any number of threads.
+GridSearchResult search_grids(const SearchTask& task, const Polygon& part, const SearchEffort& effort,
+                              int threads);
+
+}  // namespace tramline
