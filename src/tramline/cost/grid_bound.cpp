@@ -46,21 +46,11 @@ class Bound {
   double least_cost() {
     thread_local StripParts parts;
     parts.collect(subfield_.outline, grid_, range_, shift_);
-    StripMask intricate(static_cast<std::size_t>(range_.size()), false);
-    bool any_intricate = false;
-    for (std::size_t i = 0; i < intricate.size(); ++i) {
-      enter(i, parts.in(i));
-      for (const BoundaryWindow& window : windows_)
-        if (!window.passes && !in_zone(window)) intricate[i] = any_intricate = true;
-      if (!intricate[i]) add_strip({});
-    }
-    if (any_intricate) {
-      const std::vector<StripProfile> profiles = cross_sections({subfield_.shape}, grid_, range_, intricate);
-      for (std::size_t i = 0; i < intricate.size(); ++i) {
-        if (!intricate[i]) continue;
-        enter(i, parts.in(i));
-        add_strip(profiles[i]);
-      }
+    for (int i = 0; i < range_.size(); ++i) {
+      enter(range_.first + i, parts.in(static_cast<std::size_t>(i)));
+      for (std::size_t k = 0; k < windows_.size(); ++k)
+        if (!in_zone(windows_[k])) windows_[k].passes ? add_passage(k) : add_rows(windows_[k]);
+      fixed_ += objective_.turn * least_pieces();
     }
     return fixed_ + std::max(apart_, together_.least(moving_.shift, moving_.turn));
   }
@@ -74,12 +64,12 @@ class Bound {
   }
 
   /// Makes the strip the one that the functions below speak of.
-  void enter(std::size_t i, std::span<BoundaryPart> parts) {
+  void enter(int k, std::span<BoundaryPart> parts) {
     gather_windows(parts, width_, shift_, 2 * shear_, windows_);
     parts_ = parts;
     zones_.clear();
     blocked_.clear();
-    const double left = grid_.line(range_.first + static_cast<int>(i)), right = left + width_;
+    const double left = grid_.line(k), right = left + width_;
     for (const Box& obstacle : subfield_.obstacles) {
       const double touch = shift_ + kWidthTolerance, reach = touch + width_ + detour_reach_;
       if (obstacle.min_x > right + reach || obstacle.max_x < left - reach) continue;
@@ -97,12 +87,6 @@ class Bound {
   }
   bool in_zone(const BoundaryWindow& window) const { return in_zone(window.lowest, window.highest); }
 
-  void add_strip(const StripProfile& profile) {
-    for (std::size_t i = 0; i < windows_.size(); ++i)
-      if (!in_zone(windows_[i])) windows_[i].passes ? add_passage(i) : add_rows(windows_[i], profile);
-    fixed_ += objective_.turn * least_pieces();
-  }
-
   void add_passage(std::size_t i) {
     const BoundaryWindow& window = windows_[i];
     const double flattest = std::atan(window.least_slope) - half_angle_;
@@ -119,21 +103,20 @@ class Bound {
     }
     const double sheared = dearest_ * shear_ * window.across_m;
     const double shift = shift_between(window.lowest, window.highest);
-    apart_ += std::max({0.0, wedge, now - dearest_ * shift * (window.highest - window.lowest) - sheared});
-    AffineBound rows = moving_rows(window.parts, {}, moving_);
-    rows.constant -= sheared;
-    if (rows.least(moving_.shift, moving_.turn) < wedge && wedge > 0.7 * now) rows = {wedge, 0, 0};
-    together_ += rows;
+    RowBounds rows = moving_rows(window.parts, moving_);
+    apart_ += std::max({0.0, wedge, rows.apart - sheared,
+                        now - dearest_ * shift * (window.highest - window.lowest) - sheared});
+    rows.together.constant -= sheared;
+    const bool much = wedge > 0.7 * now && rows.together.least(moving_.shift, moving_.turn) < wedge;
+    together_ += much ? AffineBound{wedge, 0, 0} : rows.together;
   }
 
-  void add_rows(const BoundaryWindow& window, const StripProfile& profile) {
+  void add_rows(const BoundaryWindow& window) {
     const double sheared = dearest_ * shear_ * window.across_m;
-    const double shift = shift_between(window.lowest, window.highest);
-    apart_ +=
-        std::max(0.0, spared_rows(profile.slabs, window.lowest, window.highest, shift, moving_) - sheared);
-    AffineBound rows = moving_rows(window.parts, profile.slabs, moving_);
-    rows.constant -= sheared;
-    together_ += rows;
+    RowBounds rows = moving_rows(window.parts, moving_);
+    apart_ += std::max(0.0, rows.apart - sheared);
+    rows.together.constant -= sheared;
+    together_ += rows.together;
   }
 
   /// Is the land beside a passage driven in every grid?

@@ -60,6 +60,49 @@ AffineBound along_part(const BoundaryPart& part, double from, double to, const M
   return sum;
 }
 
+double at(const BoundaryPart& part, double along) {
+  return part.from.x + (part.to.x - part.from.x) * ((along - part.from.y) / (part.to.y - part.from.y));
+}
+
+/// Does the land to the right of all parts that pass a row lie inside?
+bool right_inside(const std::vector<const BoundaryPart*>& active, double along) {
+  const auto rightmost = std::max_element(
+      active.begin(), active.end(),
+      [&](const BoundaryPart* a, const BoundaryPart* b) { return at(*a, along) < at(*b, along); });
+  return (*rightmost)->to.y < (*rightmost)->from.y;
+}
+
+/// How much of a row lies inside, from all the parts that pass it.
+double inside_width(const std::vector<const BoundaryPart*>& active, double along, double width_m,
+                    bool right) {
+  double sum = right ? width_m : 0;
+  for (const BoundaryPart* part : active)
+    sum += (part->to.y > part->from.y ? 1 : -1) * std::clamp(at(*part, along), 0.0, width_m);
+  return sum;
+}
+
+/// ∫ max(0, min(λo·(w − s − m), λu·(m − s))) over rows in which m goes from m0 to m1.
+double spared(double length, double m0, double m1, double shift, const MovingTerms& terms) {
+  if (std::abs(m1 - m0) > 1e-9 * terms.width_m)
+    return length * (spared_up_to(m1, shift, terms) - spared_up_to(m0, shift, terms)) / (m1 - m0);
+  return length * std::max(0.0, std::min(terms.over_price * (terms.width_m - shift - m0),
+                                         terms.under_price * (m0 - shift)));
+}
+
+/// Where the set of parts in a row changes, or one of them passes a line of the strip.
+void list_rows(std::span<const BoundaryPart> parts, double width_m, std::vector<double>& out) {
+  out.clear();
+  for (const BoundaryPart& part : parts) {
+    out.push_back(part.from.y);
+    out.push_back(part.to.y);
+    for (const double line : {0.0, width_m})
+      if ((part.from.x < line) != (part.to.x < line))
+        out.push_back(part.from.y +
+                      (part.to.y - part.from.y) * ((line - part.from.x) / (part.to.x - part.from.x)));
+  }
+  std::sort(out.begin(), out.end());
+}
+
 }  // namespace
 
 AffineBound& AffineBound::operator+=(const AffineBound& other) {
@@ -73,45 +116,29 @@ double AffineBound::least(double shift, double turn) const {
   return constant - shift * std::abs(per_shift) - turn * std::abs(per_turn);
 }
 
-double spared_rows(const std::vector<Slab>& slabs, double from, double to, double shift,
-                   const MovingTerms& terms) {
-  double sum = 0;
-  for (const Slab& slab : slabs) {
-    const double low = std::max(slab.from, from), high = std::min(slab.to, to);
-    if (low >= high) continue;
-    const double m0 = slab.width_at(low), m1 = slab.width_at(high);
-    if (std::abs(m1 - m0) > 1e-9 * terms.width_m)
-      sum += (high - low) * (spared_up_to(m1, shift, terms) - spared_up_to(m0, shift, terms)) / (m1 - m0);
-    else
-      sum += (high - low) * std::max(0.0, std::min(terms.over_price * (terms.width_m - shift - m0),
-                                                   terms.under_price * (m0 - shift)));
-  }
-  return sum;
-}
-
-AffineBound moving_rows(std::span<const BoundaryPart> parts, const std::vector<Slab>& slabs,
-                        const MovingTerms& terms) {
+RowBounds moving_rows(std::span<const BoundaryPart> parts, const MovingTerms& terms) {
   thread_local std::vector<double> rows;
   thread_local std::vector<const BoundaryPart*> active;
-  rows.clear();
+  list_rows(parts, terms.width_m, rows);
   active.clear();
-  for (const BoundaryPart& part : parts) {
-    rows.push_back(part.from.y);
-    rows.push_back(part.to.y);
-  }
-  std::sort(rows.begin(), rows.end());
-  AffineBound sum;
-  auto next = parts.begin();  // from low to high
+  RowBounds sum;
+  auto next = parts.begin();
   for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
-    const double from = rows[i], to = rows[i + 1];
+    const double from = rows[i], to = rows[i + 1], middle = 0.5 * (from + to);
     if (!(from < to)) continue;
-    std::erase_if(active, [&](const BoundaryPart* part) { return part->highest() <= from; });
+    std::erase_if(active, [&](const BoundaryPart* part) { return part->highest() <= middle; });
     for (; next != parts.end() && next->lowest() <= from; ++next)
-      if (next->highest() > from) active.push_back(&*next);
+      if (next->highest() > middle) active.push_back(&*next);
+    if (active.empty()) continue;
+    const bool right = right_inside(active, middle);
+    const double least =
+        spared(to - from, inside_width(active, from, terms.width_m, right),
+               inside_width(active, to, terms.width_m, right), farthest(from, to, terms), terms);
+    sum.apart += least;
     if (active.size() == 1)
-      sum += along_part(*active.front(), from, to, terms);
+      sum.together += along_part(*active.front(), from, to, terms);
     else
-      sum.constant += spared_rows(slabs, from, to, farthest(from, to, terms), terms);
+      sum.together.constant += least;
   }
   return sum;
 }

@@ -5,8 +5,6 @@
 #include <vector>
 
 #include "tramline/cost/strip_parts.h"
-#include "tramline/geometry/cross_section.h"
-#include "tramline/model/objective.h"
 
 namespace tramline {
 
@@ -31,15 +29,16 @@ struct MovingTerms {
   double shift = 0;  ///< |e| is no more
 };
 
-/// A bound of ∫ min(λo·(w − m), λu·m) dy over the rows y of a window whose parts of the boundary are given,
-/// m being how much of the row lies inside and within the strip. Where one part is all that may come into a
-/// row, m changes just as that part moves, and min(…), which is concave, lies above its chord; other rows
-/// are charged the least that `slabs`, the strip's profile, allows. O(p log p + p·(most parts in a row)).
-AffineBound moving_rows(std::span<const BoundaryPart> parts, const std::vector<Slab>& slabs,
-                        const MovingTerms& terms);
+/// Two bounds of ∫ min(λo·(w − m), λu·m) dy over some rows y, m being how much of the row lies inside and
+/// within the strip.
+struct RowBounds {
+  double apart = 0;      ///< every row at its least: m may change by as much as the boundary moves
+  AffineBound together;  ///< all rows moved at once
+};
 
-/// ∫ max(0, min(λo·(w − s − m), λu·(m − s))) dy over the profile between two places along.
-double spared_rows(const std::vector<Slab>& slabs, double from, double to, double shift,
-                   const MovingTerms& terms);
+/// Of the rows of a window whose parts of the boundary are given, sorted by their lowest place. Where one
+/// part is all that may come into a row, m changes just as that part moves, and min(…), which is concave,
+/// lies above its chord. O(p log p + p·(most parts in a row)).
+RowBounds moving_rows(std::span<const BoundaryPart> parts, const MovingTerms& terms);
 
 }  // namespace tramline

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
 #include <queue>
 
 #include "tramline/decomposition/candidate_directions.h"
@@ -13,16 +15,21 @@ namespace tramline {
 namespace {
 
 constexpr double kHalfTurn = std::numbers::pi;
-constexpr std::size_t kKept = 12;       ///< grids that are told apart
-constexpr std::size_t kMostEdges = 64;  ///< edge directions that begin the search
-constexpr std::size_t kPolished = 6;    ///< of the incumbents
-constexpr std::size_t kBatch = 8;       ///< boxes divided at a time, for any number of threads
+constexpr std::size_t kKept = 12;  ///< grids that are told apart
+constexpr std::size_t kBatch = 8;  ///< boxes divided at a time, for any number of threads
 constexpr double kFirstHalfAngle = kHalfTurn / 360;
 
 /// A grid by its angle and by its offset from the pivot, across.
 struct Place {
   double angle = 0;
   double offset_m = 0;
+};
+
+/// What a grid costs, and what it would with stops as cheap as turns: where there are ways round the
+/// obstacles, few of the stops remain, and the one may rank grids wrongly where the other does not.
+struct Prices {
+  double cut = 0;
+  double soft = 0;
 };
 
 struct Found {
@@ -84,22 +91,15 @@ class Pricing {
         part_(part),
         grid_{task.machine.width_m, min_length_m(task.machine),
               end_criterion(task.settings.end_rule, task.objective, task.machine.width_m)},
+        soft_(task.objective),
         bound_{task.objective, bounds(part).centre(),
-               std::max(task.machine.radius_m, 0.5 * task.machine.width_m)} {}
+               std::max(task.machine.radius_m, 0.5 * task.machine.width_m)} {
+    soft_.stop = std::min(soft_.stop, soft_.turn);
+  }
 
   GridTally tally(double angle) const {
     const TrackFrame frame = this->frame(angle);
     return {frame, part_, turned_ground(task_, frame), grid_};
-  }
-  /// As if the part had no holes: a stand-in for ways round whatever lies in it.
-  GridTally unhindered(double angle) const {
-    const TrackFrame frame = this->frame(angle);
-    TurnedGround ground;
-    if (task_.settings.boundary == EdgeKind::kHard) ground = turned_ground(task_, frame);
-    ground.hard.clear();
-    ground.passable.clear();
-    ground.beyond.clear();
-    return {frame, {part_.outer, {}}, std::move(ground), grid_};
   }
   static TrackFrame frame(double angle) {
     return TrackFrame(Direction::clockwise_from_north(Angle::radians(angle)));
@@ -107,10 +107,11 @@ class Pricing {
   double origin(const GridTally& tally, double offset_m) const {
     return tally.subfield().frame.to_track(bound_.pivot).x + offset_m;
   }
-  double cost(const GridTally& tally, double offset_m) const {
-    return separate_cost(task_.objective, tally.at(origin(tally, offset_m)));
+  Prices prices(const GridTally& tally, double offset_m) const {
+    const Tally sum = tally.at(origin(tally, offset_m));
+    return {separate_cost(task_.objective, sum), separate_cost(soft_, sum)};
   }
-  double cost(const Place& place) const { return cost(tally(place.angle), place.offset_m); }
+  Prices prices(const Place& place) const { return prices(tally(place.angle), place.offset_m); }
   double least(const GridTally& tally, const SearchBox& box) const {
     return least_cost(tally, bound_, {origin(tally, box.middle.offset_m), box.half_offset_m, box.half_angle});
   }
@@ -130,11 +131,12 @@ class Pricing {
   const SearchTask& task_;
   const Polygon& part_;
   GridTerms grid_;
+  Objective soft_;
   BoundTerms bound_;
 };
 
 /// Flush with each of the longest edges, in the order of what edges of one direction sum up to.
-std::vector<Place> flush_places(const Pricing& pricing) {
+std::vector<Place> flush_places(const Pricing& pricing, std::size_t most) {
   struct Edges {
     double angle = 0, length = 0, longest = 0;
     Point at;
@@ -163,7 +165,7 @@ std::vector<Place> flush_places(const Pricing& pricing) {
   }
   std::stable_sort(groups.begin(), groups.end(),
                    [](const Edges& a, const Edges& b) { return a.length > b.length; });
-  if (groups.size() > kMostEdges) groups.resize(kMostEdges);
+  if (groups.size() > most) groups.resize(most);
   std::vector<Place> out;
   for (const Edges& group : groups) {
     const TrackFrame frame = Pricing::frame(group.angle);
@@ -180,65 +182,67 @@ class GridSearch {
         threads_(threads),
         hindered_(!pricing_.tally(0).subfield().obstacles.empty()),
         list_(pricing_.width_m()),
-        unhindered_(pricing_.width_m()) {}
+        soft_list_(pricing_.width_m()) {}
 
   GridSearchResult run() {
     try_edges();
     polish(list_, false);
-    if (hindered_) polish(unhindered_, true);
-    branch();
-    polish(list_, false);
+    if (hindered_) polish(soft_list_, true);
+    if (effort_.most_boxes > 0) {
+      branch();
+      polish(list_, false);
+    }
     GridSearchResult out;
     out.bound = std::min(bound_, list_.least());
     out.boxes = boxes_;
     for (const Found& found : list_.list()) out.grids.push_back(pricing_.priced(found));
-    for (const Found& found : unhindered_.list()) out.unhindered.push_back(pricing_.priced(found));
+    if (hindered_)
+      for (const Found& found : soft_list_.list()) out.unhindered.push_back(pricing_.priced(found));
     if (effort_.exact_offset) refine(out.grids.front());
     return out;
   }
 
  private:
+  void offer(const Place& place, const Prices& prices) {
+    list_.offer({place, prices.cut});
+    if (hindered_) soft_list_.offer({place, prices.soft});
+  }
+
   void try_edges() {
-    const std::vector<Place> places = flush_places(pricing_);
-    std::vector<std::vector<Found>> found(places.size()), free(places.size());
-    for_each_index(places.size(), threads_, [&](std::size_t i) {
-      const GridTally tally = pricing_.tally(places[i].angle);
+    const std::vector<Place> flush = flush_places(pricing_, effort_.most_edges);
+    constexpr std::size_t kOffsets = 4;
+    std::vector<Place> places(kOffsets * flush.size());
+    std::vector<Prices> prices(places.size());
+    for_each_index(flush.size(), threads_, [&](std::size_t i) {
+      const GridTally tally = pricing_.tally(flush[i].angle);
       const Box& reach = tally.subfield().reach;
       const double pivot = pricing_.origin(tally, 0);
-      const double offsets[] = {places[i].offset_m, reach.min_x - pivot, reach.max_x - pivot,
-                                places[i].offset_m + 0.5 * pricing_.width_m()};
-      for (const double offset : offsets)
-        found[i].push_back({{places[i].angle, offset}, pricing_.cost(tally, offset)});
-      if (!hindered_) return;
-      const GridTally unhindered = pricing_.unhindered(places[i].angle);
-      for (const double offset : offsets)
-        free[i].push_back({{places[i].angle, offset}, pricing_.cost(unhindered, offset)});
+      const double offsets[kOffsets] = {flush[i].offset_m, reach.min_x - pivot, reach.max_x - pivot,
+                                        flush[i].offset_m + 0.5 * pricing_.width_m()};
+      for (std::size_t k = 0; k < kOffsets; ++k) {
+        places[kOffsets * i + k] = {flush[i].angle, offsets[k]};
+        prices[kOffsets * i + k] = pricing_.prices(tally, offsets[k]);
+      }
     });
-    for (const std::vector<Found>& of_edge : found)
-      for (const Found& one : of_edge) list_.offer(one);
-    for (const std::vector<Found>& of_edge : free)
-      for (const Found& one : of_edge) unhindered_.offer(one);
+    for (std::size_t i = 0; i < places.size(); ++i) offer(places[i], prices[i]);
   }
 
   /// Steps to better neighbours, halved where there is none.
-  void polish(Shortlist& shortlist, bool unhindered) {
+  void polish(Shortlist& shortlist, bool soft) {
     std::vector<Found> found = shortlist.list();
-    if (found.size() > kPolished) found.resize(kPolished);
-    for_each_index(found.size(), threads_, [&](std::size_t i) { improve(found[i], unhindered); });
+    if (found.size() > effort_.polished) found.resize(effort_.polished);
+    for_each_index(found.size(), threads_, [&](std::size_t i) { improve(found[i], soft); });
     for (const Found& one : found) shortlist.offer(one);
   }
 
-  void improve(Found& best, bool unhindered) const {
+  void improve(Found& best, bool soft) const {
     double turn = Angle::degrees(0.4).radians(), shift = pricing_.width_m() / 8;
-    const auto cost = [&](const Place& place) {
-      return unhindered ? pricing_.cost(pricing_.unhindered(place.angle), place.offset_m)
-                        : pricing_.cost(place);
-    };
     while (turn >= 0.5 * effort_.tolerance.radians()) {
       bool better = false;
       for (const Place& step : {Place{turn, 0}, {-turn, 0}, {0, shift}, {0, -shift}}) {
         const Place next{best.place.angle + step.angle, best.place.offset_m + step.offset_m};
-        const double next_cost = cost(next);
+        const Prices prices = pricing_.prices(next);
+        const double next_cost = soft ? prices.soft : prices.cut;
         if (next_cost >= best.cost) continue;
         best = {next, next_cost};
         better = true;
@@ -249,24 +253,23 @@ class GridSearch {
     }
   }
 
-  /// Fills in the bound; returns what the grid in the middle costs.
-  Found look(SearchBox& box, Found* unhindered) const {
+  /// Bounds the box; prices the grid in its middle if the box may hold anything.
+  std::optional<Prices> look(SearchBox& box, double target) const {
     const GridTally tally = pricing_.tally(box.middle.angle);
     box.bound = std::max(box.bound, pricing_.least(tally, box));
-    if (unhindered)
-      *unhindered = {box.middle, pricing_.cost(pricing_.unhindered(box.middle.angle), box.middle.offset_m)};
-    return {box.middle, pricing_.cost(tally, box.middle.offset_m)};
+    if (box.bound >= target) return std::nullopt;
+    return pricing_.prices(tally, box.middle.offset_m);
   }
 
   void look_at_all(std::vector<SearchBox>& boxes) {
-    std::vector<Found> found(boxes.size()), free(boxes.size());
-    for_each_index(boxes.size(), threads_,
-                   [&](std::size_t i) { found[i] = look(boxes[i], hindered_ ? &free[i] : nullptr); });
+    std::vector<std::optional<Prices>> prices(boxes.size());
+    const double target = this->target();
+    for_each_index(boxes.size(), threads_, [&](std::size_t i) { prices[i] = look(boxes[i], target); });
     boxes_ += static_cast<int>(boxes.size());
-    for (const Found& one : found) list_.offer(one);
-    if (hindered_)
-      for (const Found& one : free) unhindered_.offer(one);
-    for (const SearchBox& box : boxes) open_.push(box);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      if (prices[i]) offer(boxes[i].middle, *prices[i]);
+      open_.push(boxes[i]);
+    }
   }
 
   double target() const { return list_.least() - effort_.gap * std::abs(list_.least()); }
@@ -321,7 +324,7 @@ class GridSearch {
   SearchEffort effort_;
   int threads_;
   bool hindered_;
-  Shortlist list_, unhindered_;
+  Shortlist list_, soft_list_;
   std::priority_queue<SearchBox, std::vector<SearchBox>, LaterBox> open_;
   double bound_ = 0;
   int boxes_ = 0;

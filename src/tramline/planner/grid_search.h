@@ -15,15 +15,17 @@ struct PricedGrid {
 
 /// How hard to look.
 struct SearchEffort {
-  int most_boxes = 2000;  ///< that are bounded
-  double gap = 0.005;     ///< stop where the bound is this near, relative
+  std::size_t most_edges = 64;  ///< directions of edges that are tried
+  std::size_t polished = 6;     ///< of the best of them: how many are bettered by small steps
+  int most_boxes = 2000;        ///< that are bounded; 0: no branch and bound, and no bound
+  double gap = 0.005;           ///< stop where the bound is this near, relative
   Angle tolerance = Angle::degrees(0.01);
   bool exact_offset = true;  ///< best_offset() for the best grid
 };
 
 struct GridSearchResult {
   std::vector<PricedGrid> grids;  ///< the best found, cheapest first, no two alike; not empty
-  /// Those that would be the best if no obstacle were in the way; empty where none is.
+  /// The best if a stop cost no more than a turn, priced so; empty where no obstacle is.
   std::vector<PricedGrid> unhindered;
   double bound = 0;  ///< no grid, with whatever detours, costs less
   int boxes = 0;
