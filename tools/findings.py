@@ -12,6 +12,7 @@ import argparse
 import json
 import math
 import os
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -118,7 +119,20 @@ def census(planner, fields):
           [row(name, [p for p in plans.values() if low <= p[0]["along_m"] / p[0]["across_m"] < high])
            for name, low, high in bands]
           + [row("all", list(plans.values()))])
+
+    def middle(value):
+        return f"{statistics.median(map(value, plans.values())):.2f}"
+
+    table("The same fields: medians, and medians of the ratio to scenario 3",
+          ["scenario", "overlap %", "uncovered %", "overlap", "uncovered", "turns"],
+          [[str(s + 1), middle(lambda p: p[s]["overlap_pct"]), middle(lambda p: p[s]["uncovered_pct"]),
+            *(middle(lambda p: p[s][key] / p[2][key]) for key in ("overlap_m2", "uncovered_m2", "turns"))]
+           for s in range(3)])
     return plans
+
+
+def percent(changes):
+    return f"{100 * statistics.median(changes):+.0f} %" if changes else "–"
 
 
 def thresholds(planner, fields, usual):
@@ -133,11 +147,11 @@ def thresholds(planner, fields, usual):
                     after = planner.plan(field, SCENARIOS[number], **{option: value})
                     changes.append(after[factor] / before[factor] - 1)
                     fewer += after["subfields"] < before["subfields"]
-                less, more = sum(c < -1e-6 for c in changes), sum(c > 1e-6 for c in changes)
-                rows.append([number, f"{option} {value}°", str(less), str(len(changes) - less - more), str(more),
-                             f"{100 * max(changes):+.0f} %", str(fewer)])
+                less, more = [c for c in changes if c < -1e-6], [c for c in changes if c > 1e-6]
+                rows.append([number, f"{option} {value}°", str(len(less)), percent(less),
+                             str(len(changes) - len(less) - len(more)), str(len(more)), percent(more), str(fewer)])
     table("The same fields: what is minimised (1: overlap, 3: turns), against 0° and 180°",
-          ["scenario", "setting", "less", "same", "more", "worst", "fewer subfields"], rows)
+          ["scenario", "setting", "less", "by (median)", "same", "more", "by (median)", "fewer subfields"], rows)
 
 
 def main():
