@@ -234,6 +234,26 @@ def ways_round(folder):
     write_geojson(folder / "ways-round.geojson", features)
 
 
+# ---- roadside -------------------------------------------------------------------------------------
+
+def roadside(folder):
+    """A long field with one edge far longer than the others, to compare driving along and across it."""
+    place = (9.3114, 52.7302)
+    road = [(0.0, 0.0), (371.6, 0.0)]
+    lane = [(376.1, 41.2), (381.9, 87.6), (388.2, 136.3)]
+    # The hedge steps in and out; nothing of it runs parallel to the road. Its last part is a tongue.
+    hedge = [(331.0, 147.9), (268.4, 158.2), (259.8, 139.6), (196.3, 148.8), (128.7, 163.1), (36.4, 166.4),
+             (91.7, 244.1), (56.0, 262.9)]
+    brook = [(-13.1, 158.7), (-10.6, 118.3), (-4.0, 52.5)]
+    outline = turned(road + lane + hedge + brook, -21.0)
+    copse = turned(blob((131.0, 88.0), 17.0, 12.5, 11, 0.14, 9), -21.0)
+    # 2.4 m across: narrower than the machine, so that S1 drives round it.
+    angles = [-2 * math.pi * i / 12 for i in range(12)]
+    mast = turned([(287.5 + 1.2 * math.cos(angle), 61.0 + 1.2 * math.sin(angle)) for angle in angles], -21.0)
+    coordinates = [closed(on_the_globe(ring, *place)) for ring in (outline, copse, mast)]
+    write_geojson(folder / "roadside.geojson", [feature("Polygon", coordinates, id="roadside", crop="potatoes")])
+
+
 def to_geopackage(source, target, layer, options):
     target.unlink(missing_ok=True)
     # A fixed date, so that redrawing gives the same file.
@@ -244,7 +264,7 @@ def to_geopackage(source, target, layer, options):
 def main():
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parent.parent / "examples"
     folder.mkdir(parents=True, exist_ok=True)
-    for draw in (riverside, two_farms, terrace, plain_metres, ways_round):
+    for draw in (riverside, two_farms, terrace, plain_metres, ways_round, roadside):
         draw(folder)
 
 
