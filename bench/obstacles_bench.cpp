@@ -25,8 +25,8 @@ Ring pole(Point centre, double radius, int corners) {
 Field pylon_field() {
   Field field;
   field.id = "pylons";
-  field.outer = {{0, 0},     {250, -20}, {520, 0},    {560, 180}, {540, 400},
-                 {390, 420}, {360, 300}, {240, 290},  {230, 430}, {30, 420}};
+  field.outer = {{0, 0},     {250, -20}, {520, 0},   {560, 180}, {540, 400},
+                 {390, 420}, {360, 300}, {240, 290}, {230, 430}, {30, 420}};
   for (int i = 0; i < 28; ++i) {
     const double t = i / 27.0;
     const double size = 0.8 + 1.2 * std::abs(std::sin(2.3 * i));
@@ -43,7 +43,8 @@ void one_decision_at_a_pole(benchmark::State& state) {
   field.outer = {{0, 0}, {400, 0}, {400, 300}, {0, 300}};
   field.obstacles = {{{pole({200, 154.2}, 1, 16), {}}, ObstacleKind::kObstacle, "hole"}};
   const SearchTask task = search_task(field, {}, {}, {});
-  const Candidate candidate = evaluate(task, Direction::clockwise_from_north(Angle::degrees(90)));
+  const Candidate candidate =
+      candidate_on(task, swept(task, Direction::clockwise_from_north(Angle::degrees(90))));
   const Strips& strips = candidate.strips.front();
   const Surroundings around = turned_surroundings(task.ground, field.outer, false, strips.grid.frame);
   std::vector<Ring> body;
@@ -74,7 +75,7 @@ BENCHMARK(one_decision_at_a_pole)->Unit(benchmark::kMicrosecond);
 void decisions_at_pylons(benchmark::State& state) {
   const SearchTask task = search_task(pylon_field(), {}, {}, {});
   const Direction sweep = Direction::clockwise_from_north(Angle::degrees(90));
-  const Candidate candidate = evaluate(task, sweep);
+  const Candidate candidate = candidate_on(task, swept(task, sweep));
   const AvoidanceTask avoidance{task.field,    task.ground,         task.machine,     task.objective,
                                 task.settings, candidate.subfields, candidate.strips, task.body_m2};
   std::size_t meetings = 0;
@@ -85,14 +86,15 @@ void decisions_at_pylons(benchmark::State& state) {
     benchmark::DoNotOptimize(decisions.improve());
   }
   state.counters["meetings"] = static_cast<double>(meetings);
-  state.counters["s/meeting"] = benchmark::Counter(
-      static_cast<double>(meetings),
-      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["s/meeting"] =
+      benchmark::Counter(static_cast<double>(meetings),
+                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(decisions_at_pylons)->Unit(benchmark::kMicrosecond);
 
 void sweep_of_pylon_field(benchmark::State& state) {
   PlanSettings settings;
+  settings.strategy = Strategy::kSweep;
   settings.avoid = static_cast<Avoidance>(state.range(0));
   const SearchTask task = search_task(pylon_field(), {}, {}, settings);
   int directions = 0;

@@ -10,12 +10,14 @@
 #include "tramline/decomposition/decompose.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/planner/plan_field.h"
+#include "tramline/planner/sweep_search.h"
 
 namespace tramline::bench {
 namespace {
 
 PlanSettings papers_settings() {
   PlanSettings settings;
+  settings.strategy = Strategy::kSweep;
   settings.end_rule = EndRule::kCentre;
   settings.merge_threshold = Angle::degrees(15);
   settings.decomposition_threshold = Angle::degrees(205);
@@ -88,7 +90,7 @@ BENCHMARK(tally_of_one_direction)->Arg(0)->Arg(8)->Unit(benchmark::kMicrosecond)
 
 void closed_form_tally_of_one_candidate(benchmark::State& state) {
   const SearchTask task = search_task(papers_field(), {}, kFewestTurns, papers_settings());
-  const Candidate candidate = evaluate(task, candidate_directions(task.field).front());
+  const Candidate candidate = candidate_on(task, swept(task, candidate_directions(task.field).front()));
   for (auto _ : state)
     benchmark::DoNotOptimize(tally_of(candidate.subfields, candidate.avoided.tracks, task.body_m2));
 }

@@ -93,8 +93,13 @@ void add_plan_options(CLI::App& verb, PlanOptions& o) {
   minimise->group(objective);
 
   const char* plan = "Plan";
-  verb.add_option("--strategy", o.strategy,
-                  "sweep: the field is cut along every edge direction, the cheapest plan is kept")
+  verb.add_option(
+          "--strategy", o.strategy,
+          "best of all directions, offsets and divisions of the field, or sweep: S1's search over the "
+          "directions of the edges (default best)")
+      ->group(plan);
+  verb.add_option("--direction-tolerance", o.direction_tolerance_deg,
+                  "with --strategy best: directions nearer than this are one, degrees (default 0.01)")
       ->group(plan);
   verb.add_option("--end-rule", o.end_rule,
                   "where swaths end at a soft edge: cheapest, centre, cover or inside")
@@ -137,7 +142,8 @@ Objective objective_of(const PlanOptions& o) {
 
 PlanSettings settings_of(const PlanOptions& o) {
   PlanSettings settings;
-  settings.strategy = chosen(strategy_named(o.strategy), "--strategy", o.strategy, "sweep");
+  settings.strategy = chosen(strategy_named(o.strategy), "--strategy", o.strategy, "best or sweep");
+  settings.direction_tolerance = Angle::degrees(o.direction_tolerance_deg);
   settings.end_rule =
       chosen(end_rule_named(o.end_rule), "--end-rule", o.end_rule, "cheapest, centre, cover or inside");
   settings.boundary = chosen(edge_kind_named(o.boundary), "--boundary", o.boundary, "soft or hard");

@@ -14,7 +14,8 @@ struct PlanOptions {
   std::optional<double> width_m, radius_m, min_length_m;
   std::string machine_file;
   std::string weights, prices, minimise;
-  std::string strategy = "sweep";
+  std::string strategy = "best";
+  double direction_tolerance_deg = 0.01;
   std::string end_rule = "cheapest";
   std::string boundary = "soft";
   std::string cell_direction = "rectangle";

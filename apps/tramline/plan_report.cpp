@@ -50,6 +50,16 @@ std::string ground_rows(const Plan& plan) {
   return out;
 }
 
+/// How far from the best there is the plan could be.
+std::string proof_rows(const Plan& plan) {
+  const Proof& proof = plan.proof;
+  return fmt::format(
+      "bound        no plan costs less than {:.2f} (gap {:.2f} %); undivided and of one direction, {:.2f} is "
+      "the best found and none costs less than {:.2f} (gap {:.2f} %)\n",
+      proof.bound, 100 * gap(plan.cost, proof.bound), proof.one_direction_cost, proof.one_direction_bound,
+      100 * gap(proof.one_direction_cost, proof.one_direction_bound));
+}
+
 std::string tally_rows(const Plan& plan) {
   const Tally& tally = plan.tally;
   std::string out;
@@ -66,6 +76,7 @@ std::string tally_rows(const Plan& plan) {
   out += fmt::format("cost         {:.2f} = {:g}·overlap + {:g}·uncovered + {:g}·turns + {:g}·stops\n",
                      plan.cost, plan.objective.overlap, plan.objective.uncovered, plan.objective.turn,
                      plan.objective.stop);
+  if (plan.settings.strategy == Strategy::kBest) out += proof_rows(plan);
   return out;
 }
 
@@ -101,6 +112,13 @@ ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, do
   out["uncovered_pct"] = percent_of_field(plan, tally.uncovered_m2);
   out["given_up_m2"] = area(plan.given_up);
   out["cost"] = plan.cost;
+  const bool proven = plan.settings.strategy == Strategy::kBest;
+  const Proof& proof = plan.proof;
+  out["bound"] = proven ? ordered_json(proof.bound) : ordered_json();
+  out["gap"] = proven ? ordered_json(gap(plan.cost, proof.bound)) : ordered_json();
+  out["one_direction_cost"] = proven ? ordered_json(proof.one_direction_cost) : ordered_json();
+  out["gap_one_direction"] =
+      proven ? ordered_json(gap(proof.one_direction_cost, proof.one_direction_bound)) : ordered_json();
   out["weights"] = {{"overlap", plan.objective.overlap},
                     {"uncovered", plan.objective.uncovered},
                     {"turn", plan.objective.turn},

@@ -20,7 +20,9 @@ Field rectangle(double width, double height) {
 
 // 100 × 60 m, w = 3: tracks along the long side, 20 strips of 3 m, none over.
 TEST(PlanField, ARectangleIsDrivenAlongItsLongSide) {
-  const Plan plan = plan_field(rectangle(100, 60), {}, {}, {});
+  PlanSettings settings;
+  settings.strategy = Strategy::kSweep;
+  const Plan plan = plan_field(rectangle(100, 60), {}, {}, settings);
   EXPECT_EQ(plan.tally.pieces, 20);
   EXPECT_EQ(plan.tally.turns, 19);
   EXPECT_EQ(plan.tally.stops, 0);

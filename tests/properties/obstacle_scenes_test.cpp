@@ -28,6 +28,7 @@ constexpr int kStandard = 150;
 std::optional<Plan> try_plan(const Scene& scene, Avoidance avoid, int threads) {
   PlanSettings settings = scene.settings;
   settings.avoid = avoid;
+  settings.strategy = Strategy::kSweep;
   try {
     return plan_field(scene.field, scene.machine, scene.objective, settings, threads);
   } catch (const Error& error) {

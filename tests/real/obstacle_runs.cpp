@@ -67,6 +67,7 @@ PlanFigures figures_of(const Plan& plan) {
 PlanFigures planned(const Field& field, const Machine& machine, const Objective& objective, Avoidance avoid,
                     Plan& plan) {
   PlanSettings settings;
+  settings.strategy = Strategy::kSweep;
   settings.avoid = avoid;
   const double start = processor_seconds();
   plan = plan_field(field, machine, objective, settings, 1);

@@ -21,6 +21,7 @@ namespace {
 
 PlanSettings settings_with(EndRule end_rule) {
   PlanSettings settings;
+  settings.strategy = Strategy::kSweep;
   settings.end_rule = end_rule;
   settings.merge_threshold = Angle::degrees(15);
   settings.decomposition_threshold = Angle::degrees(205);

@@ -1,8 +1,7 @@
 #include "tramline/avoidance/choose_detours.h"
 
-#include <algorithm>
-
 #include "tramline/avoidance/detour_decisions.h"
+#include "tramline/avoidance/least_with_detours.h"
 #include "tramline/cost/detour_cover.h"
 #include "tramline/cost/strip_tally.h"
 
@@ -15,12 +14,6 @@ Avoided tallied(const AvoidanceTask& task, std::vector<SubfieldTracks> tracks, W
   out.tally = tally_of(task.subfields, out.tracks, task.body_m2, by_detours_m2);
   out.cost = cost(task.objective, out.tally);
   return out;
-}
-
-Avoided all_cut(const AvoidanceTask& task) {
-  std::vector<SubfieldTracks> tracks;
-  for (const Strips& strips : task.strips) tracks.push_back(cut_pieces(strips, min_length_m(task.machine)));
-  return tallied(task, std::move(tracks), WaysPast::kOwn);
 }
 
 Avoided the_papers(const AvoidanceTask& task, Avoided cut) {
@@ -41,17 +34,12 @@ Avoided improved(const AvoidanceTask& task, Avoided start, WaysPast ways) {
   return out.cost < start.cost ? out : start;
 }
 
-bool blocked(const Strips& strips) {
-  return std::any_of(strips.strips.begin(), strips.strips.end(),
-                     [](const Strip& strip) { return !hard_gaps(strip).empty(); });
-}
-
 }  // namespace
 
 Avoided choose_detours(const AvoidanceTask& task) {
   Avoided cut = all_cut(task);
   if (task.settings.avoid == Avoidance::kCut) return cut;
-  if (std::none_of(task.strips.begin(), task.strips.end(), blocked)) return cut;
+  if (!meets_obstacles(task)) return cut;
   Avoided paper = the_papers(task, cut);
   if (task.settings.avoid == Avoidance::kPaper) return paper;
   Avoided own = improved(task, std::move(cut), WaysPast::kOwn);

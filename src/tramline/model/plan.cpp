@@ -30,7 +30,7 @@ const char* name(EndRule rule) {
 
 const char* name(EdgeKind kind) { return kind == EdgeKind::kSoft ? "soft" : "hard"; }
 
-const char* name(Strategy) { return "sweep"; }
+const char* name(Strategy strategy) { return strategy == Strategy::kBest ? "best" : "sweep"; }
 
 const char* name(CellDirection choice) { return choice == CellDirection::kRectangle ? "rectangle" : "width"; }
 
@@ -64,7 +64,9 @@ std::optional<EndRule> end_rule_named(std::string_view word) {
 std::optional<EdgeKind> edge_kind_named(std::string_view word) {
   return named(word, {EdgeKind::kSoft, EdgeKind::kHard});
 }
-std::optional<Strategy> strategy_named(std::string_view word) { return named(word, {Strategy::kSweep}); }
+std::optional<Strategy> strategy_named(std::string_view word) {
+  return named(word, {Strategy::kBest, Strategy::kSweep});
+}
 std::optional<CellDirection> cell_direction_named(std::string_view word) {
   return named(word, {CellDirection::kRectangle, CellDirection::kWidth});
 }
@@ -74,6 +76,8 @@ std::optional<Avoidance> avoidance_named(std::string_view word) {
 std::optional<Passing> passing_named(std::string_view word) {
   return named(word, {Passing::kLeft, Passing::kRight, Passing::kCut});
 }
+
+double gap(double cost, double bound) { return cost > 0 ? (cost - bound) / cost : 0; }
 
 Region swaths(const Plan& plan) {
   Region out;

@@ -20,17 +20,19 @@ namespace tramline {
 /// Where a swath ends at a soft edge that crosses it obliquely (glossary: end rule).
 enum class EndRule { kCentre, kCover, kInside, kCheapest };
 enum class EdgeKind { kSoft, kHard };
-enum class Strategy { kSweep };
+/// Every direction and offset, and the ground divided where that pays; or S1's search.
+enum class Strategy { kBest, kSweep };
 /// How a cell gets its direction: the long side of the smallest bounding rectangle (S1.12), or
 /// across its least width.
 enum class CellDirection { kRectangle, kWidth };
 
 /// Everything besides field, machine and objective that shapes a plan.
 struct PlanSettings {
-  Strategy strategy = Strategy::kSweep;
+  Strategy strategy = Strategy::kBest;
   EndRule end_rule = EndRule::kCheapest;
   EdgeKind boundary = EdgeKind::kSoft;  ///< kind of the field's outer ring; obstacles are hard
   CellDirection cell_direction = CellDirection::kRectangle;
+  Angle direction_tolerance = Angle::degrees(0.01);     ///< with Strategy::kBest: finer is not looked for
   Angle merge_threshold = Angle::degrees(0);            ///< S1.22
   Angle decomposition_threshold = Angle::degrees(180);  ///< S1.16
   double small_cell_m2 = 200;                           ///< S1.21
@@ -41,7 +43,7 @@ struct PlanSettings {
 
 const char* name(EndRule rule);          ///< centre, cover, inside, cheapest
 const char* name(EdgeKind kind);         ///< soft, hard
-const char* name(Strategy strategy);     ///< sweep
+const char* name(Strategy strategy);     ///< best, sweep
 const char* name(CellDirection choice);  ///< rectangle, width
 const char* name(Avoidance choice);      ///< cheapest, paper, cut
 const char* name(Passing way);           ///< left, right, cut
@@ -52,6 +54,17 @@ std::optional<Strategy> strategy_named(std::string_view word);
 std::optional<CellDirection> cell_direction_named(std::string_view word);
 std::optional<Avoidance> avoidance_named(std::string_view word);
 std::optional<Passing> passing_named(std::string_view word);
+
+/// What a search proved about the plans it did not make. 0 where the strategy proves nothing: no cost is
+/// less.
+struct Proof {
+  double bound = 0;                ///< no plan costs less (docs/bounds.md: the class of plans)
+  double one_direction_cost = 0;   ///< the best plan found with the ground undivided
+  double one_direction_bound = 0;  ///< no such plan costs less
+};
+
+/// (cost − bound)/cost; 0 where the cost is 0.
+double gap(double cost, double bound);
 
 struct Subfield {
   Polygon shape;  ///< may contain passable obstacles
@@ -83,6 +96,7 @@ struct Plan {
   Region overlap;    ///< where land outside the body or worked already is worked
   Region uncovered;  ///< body that no swath covers
   int directions_tried = 0;
+  Proof proof;
   std::vector<std::string> warnings;
 };
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
+#include "tramline/avoidance/least_with_detours.h"
 #include "tramline/cost/strip_tally.h"
 #include "tramline/decomposition/decompose.h"
 #include "tramline/geometry/error.h"
@@ -22,29 +22,34 @@ double own_cost(const SearchTask& task, const Subfield& subfield, const Subfield
   return cost(task.objective, tally_of({subfield}, {tracks}, area(subfield.shape)));
 }
 
-/// The strips of the cheapest of the grids S1.13 leaves open, tracks cut; among equals the first.
-Strips strips_in(const SearchTask& task, const Subfield& subfield) {
+/// The first line of the cheapest of the grids S1.13 leaves open, tracks cut; among equals the first.
+double best_origin(const SearchTask& task, const Subfield& subfield) {
   const std::vector<StripGrid> grids = strip_grids(subfield, task.machine.width_m);
-  const TrackFrame& frame = grids.front().frame;
-  const Region turned = frame.to_track(Region{subfield.shape});
-  const TurnedGround ground = turned_ground(task, frame);
-  const EndCriterion criterion = end_criterion(task.settings.end_rule, task.objective, task.machine.width_m);
-  std::optional<Strips> best;
-  double least = 0;
+  if (grids.size() == 1) return grids.front().origin_m;
+  double origin_m = 0, least = std::numeric_limits<double>::infinity();
   for (const StripGrid& grid : grids) {
-    Strips strips = strips_of(grid, turned.front(), ground, criterion);
-    const double own =
-        grids.size() > 1 ? own_cost(task, subfield, cut_pieces(strips, min_length_m(task.machine))) : 0;
-    if (best && own >= least) continue;
+    const Strips strips = strips_on(task, {subfield, grid.origin_m});
+    const double own = own_cost(task, subfield, cut_pieces(strips, min_length_m(task.machine)));
+    if (own >= least) continue;
     least = own;
-    best = std::move(strips);
+    origin_m = grid.origin_m;
   }
-  return std::move(*best);
+  return origin_m;
 }
 
 AvoidanceTask avoidance_task(const SearchTask& task, const Candidate& candidate) {
   return {task.field,    task.ground,         task.machine,     task.objective,
           task.settings, candidate.subfields, candidate.strips, task.body_m2};
+}
+
+/// The strips alone.
+Candidate laid_on(const SearchTask& task, const std::vector<GriddedSubfield>& grounds) {
+  Candidate out;
+  for (const GriddedSubfield& ground : grounds) {
+    out.subfields.push_back(ground.subfield);
+    out.strips.push_back(strips_on(task, ground));
+  }
+  return out;
 }
 
 /// More tracks than this no field has; the search would never end.
@@ -71,12 +76,34 @@ SearchTask search_task(const Field& field, const Machine& machine, const Objecti
   return task;
 }
 
-Candidate evaluate(const SearchTask& task, Direction sweep) {
-  Candidate out;
-  out.sweep = sweep;
-  out.subfields = decompose(task.ground.plannable, sweep, task.settings);
-  for (const Subfield& subfield : out.subfields) out.strips.push_back(strips_in(task, subfield));
+Strips strips_on(const SearchTask& task, const GriddedSubfield& ground) {
+  const TrackFrame frame(ground.subfield.direction);
+  const EndCriterion criterion = end_criterion(task.settings.end_rule, task.objective, task.machine.width_m);
+  return strips_of({frame, ground.origin_m, task.machine.width_m},
+                   frame.to_track(Region{ground.subfield.shape}).front(), turned_ground(task, frame),
+                   criterion);
+}
+
+Outlook outlook_on(const SearchTask& task, const std::vector<GriddedSubfield>& grounds) {
+  const Candidate laid = laid_on(task, grounds);
+  const AvoidanceTask avoidance = avoidance_task(task, laid);
+  const Avoided cut = all_cut(avoidance);
+  Objective soft = task.objective;
+  soft.stop = std::min(soft.stop, soft.turn);
+  const bool decided = task.settings.avoid == Avoidance::kCut || !meets_obstacles(avoidance);
+  return {cut.cost, cost(soft, cut.tally), decided ? cut.cost : least_with_detours(avoidance, cut)};
+}
+
+Candidate candidate_on(const SearchTask& task, const std::vector<GriddedSubfield>& grounds) {
+  Candidate out = laid_on(task, grounds);
   out.avoided = choose_detours(avoidance_task(task, out));
+  return out;
+}
+
+std::vector<GriddedSubfield> swept(const SearchTask& task, Direction sweep) {
+  std::vector<GriddedSubfield> out;
+  for (const Subfield& subfield : decompose(task.ground.plannable, sweep, task.settings))
+    out.push_back({subfield, best_origin(task, subfield)});
   return out;
 }
 

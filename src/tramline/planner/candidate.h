@@ -19,7 +19,6 @@ struct SearchTask {
 };
 
 struct Candidate {
-  Direction sweep;
   std::vector<Subfield> subfields;
   std::vector<Strips> strips;  ///< by subfield
   Avoided avoided;             ///< the tracks, their tally and cost
@@ -30,9 +29,28 @@ struct Candidate {
 SearchTask search_task(const Field& field, const Machine& machine, const Objective& objective,
                        const PlanSettings& settings);
 
-/// S1.19: decompose, merge, lay tracks, get them past the obstacles, tally. Pure; safe to call from
-/// several threads.
-Candidate evaluate(const SearchTask& task, Direction sweep);
+/// A subfield with the grid its tracks lie on.
+struct GriddedSubfield {
+  Subfield subfield;
+  double origin_m = 0;  ///< coordinate across of line 0, in the turned plane
+};
+
+/// All strips of a grid over a subfield.
+Strips strips_on(const SearchTask& task, const GriddedSubfield& ground);
+
+/// What is known of a candidate before the ways past the obstacles are looked for.
+struct Outlook {
+  double cut = 0;    ///< cost with all tracks cut at obstacles
+  double soft = 0;   ///< the same with a stop no dearer than a turn: as if most obstacles had a way round
+  double least = 0;  ///< whatever is done about obstacles, it costs no less
+};
+Outlook outlook_on(const SearchTask& task, const std::vector<GriddedSubfield>& grounds);
+
+/// Tracks on the given grids, got past the obstacles and tallied. Pure.
+Candidate candidate_on(const SearchTask& task, const std::vector<GriddedSubfield>& grounds);
+
+/// S1.19: decompose, merge, lay tracks. Pure; safe to call from several threads, as is all of this.
+std::vector<GriddedSubfield> swept(const SearchTask& task, Direction sweep);
 
 /// What was decided where its tracks meet obstacles; as encounters_in gives it.
 std::vector<Encounter> encounters_of(const SearchTask& task, const Candidate& candidate);

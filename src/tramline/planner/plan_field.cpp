@@ -5,8 +5,10 @@
 #include "tramline/cost/worked_regions.h"
 #include "tramline/geometry/error.h"
 #include "tramline/headland/body.h"
+#include "tramline/planner/best_search.h"
 #include "tramline/planner/driving_order.h"
 #include "tramline/planner/encounters_as_driven.h"
+#include "tramline/planner/sweep_search.h"
 #include "tramline/planner/validate_request.h"
 #include "tramline/planner/warnings.h"
 
@@ -62,7 +64,8 @@ Plan plan_field(const Field& field, const Machine& machine, const Objective& obj
                 const PlanSettings& settings, int threads, const Progress& progress) {
   validate_request(machine, objective, settings);
   const SearchTask task = search_task(field, machine, objective, settings);
-  SweepResult found = sweep_search(task, threads, progress);
+  const auto search = settings.strategy == Strategy::kSweep ? sweep_search : best_search;
+  SearchResult found = search(task, threads, progress);
   if (found.best.avoided.tally.pieces == 0) throw no_tracks(task);
 
   Plan plan;
@@ -79,6 +82,7 @@ Plan plan_field(const Field& field, const Machine& machine, const Objective& obj
   plan.tally = found.best.avoided.tally;
   plan.cost = found.best.cost();
   plan.directions_tried = found.directions_tried;
+  plan.proof = found.proof;
   WorkedRegions worked = worked_regions(plan.body, swath_parts(plan));
   plan.overlap = std::move(worked.overlap);
   plan.uncovered = std::move(worked.uncovered);

@@ -2,7 +2,7 @@
 // From a field, a machine and an objective to a plan.
 
 #include "tramline/model/plan.h"
-#include "tramline/planner/sweep_search.h"
+#include "tramline/planner/search_result.h"
 
 namespace tramline {
 

@@ -1,5 +1,7 @@
 #include "tramline/planner/sweep_search.h"
 
+#include <algorithm>
+#include <limits>
 #include <mutex>
 
 #include "tramline/decomposition/candidate_directions.h"
@@ -8,44 +10,62 @@
 namespace tramline {
 namespace {
 
-/// The best candidate so far, whatever the order in which candidates arrive.
-class Incumbent {
- public:
-  Incumbent(int total, const Progress& progress) : total_(total), progress_(progress) {}
-
-  void offer(Candidate candidate, std::size_t index) {
-    const std::lock_guard lock(mutex_);
-    const bool better = best_index_ == kNone || candidate.cost() < best_.cost() ||
-                        (candidate.cost() == best_.cost() && index < best_index_);
-    if (better) {
-      best_ = std::move(candidate);
-      best_index_ = index;
-    }
-    ++done_;
-    if (progress_) progress_(done_, total_);
-  }
-
-  Candidate take() { return std::move(best_); }
-
- private:
-  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-  std::mutex mutex_;
-  Candidate best_;
-  std::size_t best_index_ = kNone;
-  int done_ = 0;
-  int total_;
-  const Progress& progress_;
-};
+constexpr std::size_t kAtOnce =
+    8;  ///< candidates whose detours are looked for together, for any number of threads
 
 }  // namespace
 
-SweepResult sweep_search(const SearchTask& task, int threads, const Progress& progress) {
+std::vector<SweptGround> swept_grounds(const SearchTask& task, int threads, const Progress& progress) {
   const std::vector<Direction> directions = candidate_directions(task.field);
-  const int total = static_cast<int>(directions.size());
-  Incumbent incumbent(total, progress);
-  for_each_index(directions.size(), threads,
-                 [&](std::size_t i) { incumbent.offer(evaluate(task, directions[i]), i); });
-  return {incumbent.take(), total};
+  std::vector<SweptGround> out(directions.size());
+  std::mutex mutex;
+  int done = 0;
+  for_each_index(directions.size(), threads, [&](std::size_t i) {
+    out[i].grounds = swept(task, directions[i]);
+    out[i].outlook = outlook_on(task, out[i].grounds);
+    if (!progress) return;
+    const std::lock_guard lock(mutex);
+    progress(++done, static_cast<int>(directions.size()));
+  });
+  return out;
+}
+
+std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vector<SweptGround>& swept,
+                                        double known, int threads) {
+  std::vector<std::size_t> order(swept.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return swept[a].outlook.least < swept[b].outlook.least;
+  });
+  std::optional<Candidate> best;
+  std::size_t best_index = 0;
+  for (std::size_t first = 0; first < order.size(); first += kAtOnce) {
+    const auto hopeful = [&](std::size_t place) {
+      return place < order.size() && swept[order[place]].outlook.least <= known;
+    };
+    std::vector<std::size_t> batch;
+    for (std::size_t place = first; place < first + kAtOnce && hopeful(place); ++place)
+      batch.push_back(order[place]);
+    if (batch.empty()) break;
+    std::vector<Candidate> candidates(batch.size());
+    for_each_index(batch.size(), threads,
+                   [&](std::size_t i) { candidates[i] = candidate_on(task, swept[batch[i]].grounds); });
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      const bool as_cheap = best && candidates[i].cost() == known && batch[i] < best_index;
+      if (candidates[i].cost() >= known && !as_cheap) continue;
+      best = std::move(candidates[i]);
+      known = best->cost();
+      best_index = batch[i];
+    }
+  }
+  return best;
+}
+
+SearchResult sweep_search(const SearchTask& task, int threads, const Progress& progress) {
+  const std::vector<SweptGround> swept = swept_grounds(task, threads, progress);
+  std::optional<Candidate> best =
+      cheapest_swept(task, swept, std::numeric_limits<double>::infinity(), threads);
+  return {best ? std::move(*best) : Candidate{}, static_cast<int>(swept.size()), {}};
 }
 
 }  // namespace tramline

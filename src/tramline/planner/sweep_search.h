@@ -1,22 +1,29 @@
 #pragma once
 // S1's search: one candidate for every distinct edge direction, the cheapest is kept.
 
-#include <functional>
+#include <optional>
 
-#include "tramline/planner/candidate.h"
+#include "tramline/planner/search_result.h"
 
 namespace tramline {
 
-/// How far a search has come. Called from worker threads, one at a time.
-using Progress = std::function<void(int done, int total)>;
-
-struct SweepResult {
-  Candidate best;
-  int directions_tried = 0;
+/// One candidate of the sweep.
+struct SweptGround {
+  std::vector<GriddedSubfield> grounds;
+  Outlook outlook;
 };
 
-/// S1.19. Candidates are evaluated in parallel by `threads` threads (0: all cores); the result does
-/// not depend on their number: the cheapest wins, among equals the smallest sweep direction.
-SweepResult sweep_search(const SearchTask& task, int threads, const Progress& progress);
+/// S1.19 for every direction, in the order of candidate_directions(). Parallel by `threads` threads (0: all
+/// cores).
+std::vector<SweptGround> swept_grounds(const SearchTask& task, int threads, const Progress& progress);
+
+/// The cheapest of them with its detours; among equals that of the smallest sweep direction. Ways past
+/// obstacles are looked for where the outlook leaves hope only, the best outlook first. The result depends
+/// neither on that nor on the number of threads. nullopt where none costs less than `known`.
+std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vector<SweptGround>& swept,
+                                        double known, int threads);
+
+/// Both.
+SearchResult sweep_search(const SearchTask& task, int threads, const Progress& progress);
 
 }  // namespace tramline

@@ -27,7 +27,8 @@ std::vector<Part> parts_between_crossings(const JoinedStretch& joined, const Int
     if (whole.length() < kNoPiece_m) continue;
     Part part{whole, {}, 0};
     for (const StripDetour& detour : joined.detours)
-      if (detour.from >= whole.from - kNoPiece_m && detour.to <= whole.to + kNoPiece_m) part.detours.push_back(detour);
+      if (detour.from >= whole.from - kNoPiece_m && detour.to <= whole.to + kNoPiece_m)
+        part.detours.push_back(detour);
     part.length_m = length_of(whole, part.detours);
     parts.push_back(std::move(part));
   }

@@ -48,6 +48,7 @@ void each_value(PlanOrConst& plan, Visitor&& visit) {
   visit("settings.end_rule", plan.settings.end_rule);
   visit("settings.boundary", plan.settings.boundary);
   visit("settings.cell_direction", plan.settings.cell_direction);
+  visit("settings.direction_tolerance", plan.settings.direction_tolerance);
   visit("settings.merge_threshold", plan.settings.merge_threshold);
   visit("settings.decomposition_threshold", plan.settings.decomposition_threshold);
   visit("settings.small_cell_m2", plan.settings.small_cell_m2);
@@ -63,6 +64,9 @@ void each_value(PlanOrConst& plan, Visitor&& visit) {
   visit("tally.turns", plan.tally.turns);
   visit("tally.stops", plan.tally.stops);
   visit("cost", plan.cost);
+  visit("proof.bound", plan.proof.bound);
+  visit("proof.one_direction_cost", plan.proof.one_direction_cost);
+  visit("proof.one_direction_bound", plan.proof.one_direction_bound);
   visit("directions_tried", plan.directions_tried);
   visit("warnings", plan.warnings);
 }

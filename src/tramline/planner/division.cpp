@@ -1,0 +1,164 @@
+#include "tramline/planner/division.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "tramline/decomposition/divisions.h"
+#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/bounding_rectangle.h"
+#include "tramline/planner/for_each_index.h"
+
+namespace tramline {
+namespace {
+
+constexpr std::size_t kLookedAt = 4;        ///< divisions that are looked at closely
+constexpr std::size_t kMostSubfields = 24;  ///< made of one piece of ground
+constexpr double kLeastSaving = 1e-6;       ///< relative; less is rounding
+
+SearchEffort glance() { return {4, 0, 0, 0, Angle::degrees(0.1), false}; }
+SearchEffort closer_look() { return {16, 2, 0, 0, Angle::degrees(0.02), false}; }
+
+PricedSubfield priced_with(const SearchTask& task, const Polygon& shape, const SearchEffort& effort,
+                           int threads) {
+  const GridSearchResult found = search_grids(task, shape, effort, threads);
+  return {shape, found.unhindered.empty() ? found.grids.front() : found.unhindered.front()};
+}
+
+double least_width(const Ring& ring) {
+  const Box box = bounds(TrackFrame(across_least_width(ring)).to_track(ring));
+  return box.width();
+}
+
+bool is_workable(const SearchTask& task, const PricedSubfield& subfield) {
+  if (least_width(subfield.shape.outer) < task.machine.width_m) return false;
+  const Strips strips = strips_on(task, {{subfield.shape, subfield.grid.direction}, subfield.grid.origin_m});
+  return !cut_pieces(strips, min_length_m(task.machine)).pieces.empty();
+}
+
+std::vector<PricedSubfield> priced_parts(const SearchTask& task, const Region& parts,
+                                         const SearchEffort& effort) {
+  std::vector<PricedSubfield> out;
+  for (const Polygon& part : parts) out.push_back(priced_with(task, part, effort, 1));
+  return out;
+}
+
+/// The division that saves most, or nothing.
+std::optional<std::vector<PricedSubfield>> best_division(const SearchTask& task, const PricedSubfield& ground,
+                                                         int threads) {
+  const double width_m = task.machine.width_m;
+  std::vector<Region> ways = divisions(ground.shape, {0.5 * width_m, 8, 4, ground.grid.direction});
+  std::erase_if(ways, [&](const Region& parts) {
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](const Polygon& part) { return area(part) < width_m * width_m; });
+  });
+  std::vector<double> sums(ways.size());
+  for_each_index(ways.size(), threads,
+                 [&](std::size_t i) { sums[i] = price(priced_parts(task, ways[i], glance())); });
+  std::vector<std::size_t> order(ways.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return sums[a] < sums[b]; });
+  if (order.size() > kLookedAt) order.resize(kLookedAt);
+
+  std::vector<std::vector<PricedSubfield>> looked(order.size());
+  for_each_index(order.size(), threads,
+                 [&](std::size_t i) { looked[i] = priced_parts(task, ways[order[i]], closer_look()); });
+  std::optional<std::vector<PricedSubfield>> best;
+  double least = ground.grid.cost - kLeastSaving * std::abs(ground.grid.cost);
+  for (std::vector<PricedSubfield>& parts : looked) {
+    const bool workable = std::all_of(parts.begin(), parts.end(),
+                                      [&](const PricedSubfield& part) { return is_workable(task, part); });
+    if (!workable || price(parts) >= least) continue;
+    least = price(parts);
+    best = std::move(parts);
+  }
+  return best;
+}
+
+/// Two subfields that share a border, as one; nullopt where they only touch or lie apart.
+std::optional<Polygon> joined(const Polygon& a, const Polygon& b) {
+  if (!intersects(bounds(a), bounds(b))) return std::nullopt;
+  Region both = unite({a}, {b});
+  if (both.size() != 1) return std::nullopt;
+  return std::move(both.front());
+}
+
+struct Pair {
+  std::size_t a = 0, b = 0;
+  PricedSubfield whole;
+  double saving = 0;
+};
+
+}  // namespace
+
+PricedSubfield priced(const SearchTask& task, const Polygon& shape, int threads) {
+  return priced_with(task, shape, closer_look(), threads);
+}
+
+double price(const std::vector<PricedSubfield>& subfields) {
+  double sum = 0;
+  for (const PricedSubfield& subfield : subfields) sum += subfield.grid.cost;
+  return sum;
+}
+
+std::vector<PricedSubfield> divide_where_it_pays(const SearchTask& task, const PricedSubfield& ground,
+                                                 int threads) {
+  std::vector<PricedSubfield> open{ground}, done;
+  while (!open.empty()) {
+    const PricedSubfield next = std::move(open.back());
+    open.pop_back();
+    std::optional<std::vector<PricedSubfield>> parts;
+    if (open.size() + done.size() < kMostSubfields) parts = best_division(task, next, threads);
+    if (parts)
+      open.insert(open.end(), parts->begin(), parts->end());
+    else
+      done.push_back(next);
+  }
+  return done;
+}
+
+std::vector<PricedSubfield> join_where_it_pays(const SearchTask& task, std::vector<PricedSubfield> subfields,
+                                               int threads) {
+  std::vector<Pair> pairs;
+  const auto look = [&](std::vector<std::pair<std::size_t, std::size_t>> wanted) {
+    std::vector<std::optional<Pair>> found(wanted.size());
+    for_each_index(wanted.size(), threads, [&](std::size_t i) {
+      const auto [a, b] = wanted[i];
+      const std::optional<Polygon> whole = joined(subfields[a].shape, subfields[b].shape);
+      if (!whole) return;
+      PricedSubfield one = priced_with(task, *whole, closer_look(), 1);
+      double saving = subfields[a].grid.cost + subfields[b].grid.cost - one.grid.cost;
+      if (!is_workable(task, subfields[a]) || !is_workable(task, subfields[b]))
+        saving = std::numeric_limits<double>::infinity();
+      found[i] = Pair{a, b, std::move(one), saving};
+    });
+    for (std::optional<Pair>& pair : found)
+      if (pair) pairs.push_back(std::move(*pair));
+  };
+  std::vector<std::pair<std::size_t, std::size_t>> all;
+  for (std::size_t a = 0; a < subfields.size(); ++a)
+    for (std::size_t b = a + 1; b < subfields.size(); ++b) all.emplace_back(a, b);
+  look(std::move(all));
+  std::vector<bool> gone(subfields.size(), false);
+  while (!pairs.empty()) {
+    const auto best = std::max_element(pairs.begin(), pairs.end(),
+                                       [](const Pair& a, const Pair& b) { return a.saving < b.saving; });
+    if (best->saving < 0) break;
+    const std::size_t a = best->a, b = best->b;
+    subfields[a] = std::move(best->whole);
+    gone[b] = true;
+    std::erase_if(pairs,
+                  [&](const Pair& pair) { return pair.a == a || pair.b == a || pair.a == b || pair.b == b; });
+    std::vector<std::pair<std::size_t, std::size_t>> next;
+    for (std::size_t i = 0; i < subfields.size(); ++i)
+      if (i != a && !gone[i]) next.emplace_back(std::min(a, i), std::max(a, i));
+    look(std::move(next));
+  }
+  std::vector<PricedSubfield> out;
+  for (std::size_t i = 0; i < subfields.size(); ++i)
+    if (!gone[i]) out.push_back(std::move(subfields[i]));
+  return out;
+}
+
+}  // namespace tramline

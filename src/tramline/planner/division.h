@@ -1,0 +1,33 @@
+#pragma once
+// Ground divided where that pays.
+
+#include <vector>
+
+#include "tramline/planner/grid_search.h"
+
+namespace tramline {
+
+/// A subfield with the grid of its tracks, and what it costs by itself: its tracks cut at obstacles, a
+/// stop no dearer than a turn (GridSearchResult::unhindered), borders taken as plain edges.
+struct PricedSubfield {
+  Polygon shape;
+  PricedGrid grid;
+};
+
+/// The best grid for a shape, by edges and small steps alone.
+PricedSubfield priced(const SearchTask& task, const Polygon& shape, int threads);
+
+/// The sum over the subfields.
+double price(const std::vector<PricedSubfield>& subfields);
+
+/// Divides the ground in two, the way that saves most, and the parts again, as long as anything is saved.
+/// Every subfield has a track, and is no narrower than w. One subfield where nothing pays.
+std::vector<PricedSubfield> divide_where_it_pays(const SearchTask& task, const PricedSubfield& ground,
+                                                 int threads);
+
+/// Joins neighbours whose union costs no more than the two, the pair that saves most first; also those
+/// that have no track or are narrower than w, whatever it costs.
+std::vector<PricedSubfield> join_where_it_pays(const SearchTask& task, std::vector<PricedSubfield> subfields,
+                                               int threads);
+
+}  // namespace tramline
