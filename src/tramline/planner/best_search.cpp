@@ -23,69 +23,167 @@ std::vector<GriddedSubfield> gridded(const std::vector<PricedSubfield>& subfield
   return out;
 }
 
-/// Some ways of laying tracks over the same ground, and what each comes to.
-struct Tried {
-  std::vector<GriddedSubfield> grounds;
-  Candidate candidate;
-};
-
-Tried cheapest_of(const SearchTask& task, std::vector<std::vector<GriddedSubfield>> ways, int threads) {
-  std::vector<Candidate> candidates(ways.size());
-  for_each_index(ways.size(), threads, [&](std::size_t i) { candidates[i] = candidate_on(task, ways[i]); });
-  const auto best =
-      std::min_element(candidates.begin(), candidates.end(),
-                       [](const Candidate& a, const Candidate& b) { return a.cost() < b.cost(); });
-  return {std::move(ways[static_cast<std::size_t>(best - candidates.begin())]), std::move(*best)};
-}
-
-/// One connected part of the ground, by itself.
-struct PartResult {
-  std::vector<GriddedSubfield> whole;   ///< undivided
-  std::vector<GriddedSubfield> chosen;  ///< the same, or divided
-  double bound = 0;                     ///< of undivided plans
-  int boxes = 0;
-};
-
-PartResult search_part(const SearchTask& task, const Polygon& part, int threads) {
-  SearchEffort effort;
-  effort.tolerance = task.settings.direction_tolerance;
-  const GridSearchResult found = search_grids(task, part, effort, threads);
-  const bool hindered = !found.unhindered.empty();
-  std::vector<std::vector<GriddedSubfield>> ways{{gridded(part, found.grids.front())}};
-  for (std::size_t i = 0; hindered && i < kHinderedTries; ++i) {
-    if (i > 0 && i < found.grids.size()) ways.push_back({gridded(part, found.grids[i])});
-    if (i < found.unhindered.size()) ways.push_back({gridded(part, found.unhindered[i])});
-  }
-  Tried whole = cheapest_of(task, std::move(ways), threads);
-
-  const PricedSubfield ground{part, hindered ? found.unhindered.front() : found.grids.front()};
-  std::vector<PricedSubfield> divided = divide_where_it_pays(task, ground, threads);
-  PartResult out{whole.grounds, whole.grounds, found.bound, found.boxes};
-  if (divided.size() < 2) return out;
-  if (divided.size() > 2) divided = join_where_it_pays(task, std::move(divided), threads);
-  const Candidate apart = candidate_on(task, gridded(divided));
-  if (apart.cost() < whole.candidate.cost()) out.chosen = gridded(divided);
-  return out;
-}
-
-/// The sweep's subfields, each with the best grid, and joined where that pays.
-std::vector<GriddedSubfield> regridded(const SearchTask& task, const std::vector<GriddedSubfield>& swept,
-                                       int threads) {
-  std::vector<PricedSubfield> subfields(swept.size());
-  for_each_index(subfields.size(), threads,
-                 [&](std::size_t i) { subfields[i] = priced(task, swept[i].subfield.shape, 1); });
-  return gridded(join_where_it_pays(task, std::move(subfields), threads));
-}
-
-void keep_cheaper(Candidate& best, Candidate other) {
-  if (other.cost() < best.cost()) best = std::move(other);
-}
-
 /// What a plan costs besides what its parts cost each by itself: the first track needs no turn.
 double beside_the_parts(const SearchTask& task) {
   const double given_up_m2 = std::max(0.0, task.body_m2 - area(task.ground.plannable));
   return task.objective.uncovered * given_up_m2 - task.objective.turn;
 }
+
+using Grounds = std::vector<GriddedSubfield>;
+
+struct Tried {
+  Grounds grounds;
+  Candidate candidate;
+};
+
+/// One connected part of the ground, by itself.
+struct PartResult {
+  Tried whole;       ///< undivided
+  Grounds divided;   ///< empty where that does not pay
+  double bound = 0;  ///< of undivided plans
+  int boxes = 0;
+};
+
+class BestSearch {
+ public:
+  BestSearch(const SearchTask& task, int threads, const Progress& progress)
+      : task_(task), threads_(threads), swept_(swept_grounds(task, threads, progress)) {}
+
+  SearchResult run() {
+    search_parts();
+    if (hopeful_sweep().grounds.size() > task_.ground.plannable.size())
+      try_plan(regridded(hopeful_sweep().grounds));
+    if (std::optional<Candidate> sweep = cheapest_swept(task_, swept_, best_.cost(), threads_)) {
+      if (sweep->subfields.size() == task_.ground.plannable.size())
+        out_.proof.one_direction_cost = std::min(out_.proof.one_direction_cost, sweep->cost());
+      keep(std::move(*sweep));
+    }
+    out_.proof.one_direction_bound = std::min(out_.proof.one_direction_bound, out_.proof.one_direction_cost);
+    out_.proof.bound = std::min(out_.proof.one_direction_bound, least_cost_of_any_plan(task_));
+    out_.directions_tried = static_cast<int>(swept_.size()) + boxes_;
+    out_.best = std::move(best_);
+    return std::move(out_);
+  }
+
+ private:
+  void search_parts() {
+    Grounds whole, chosen;
+    double bound = beside_the_parts(task_);
+    bool divided = false;
+    const std::size_t parts = task_.ground.plannable.size();
+    for (std::size_t i = 0; i < parts; ++i) {
+      PartResult found = search_part(i);
+      const Grounds& better = found.divided.empty() ? found.whole.grounds : found.divided;
+      whole.insert(whole.end(), found.whole.grounds.begin(), found.whole.grounds.end());
+      chosen.insert(chosen.end(), better.begin(), better.end());
+      divided = divided || !found.divided.empty();
+      bound += found.bound;
+      boxes_ += found.boxes;
+      if (parts == 1) best_ = std::move(found.whole.candidate);
+    }
+    if (parts != 1) best_ = candidate_on(task_, whole);
+    see(best_);
+    out_.proof.one_direction_cost = best_.cost();
+    out_.proof.one_direction_bound = std::clamp(bound, 0.0, best_.cost());
+    if (divided) try_plan(chosen);
+  }
+
+  PartResult search_part(std::size_t index) {
+    const Polygon& part = task_.ground.plannable[index];
+    SearchEffort effort;
+    effort.tolerance = task_.settings.direction_tolerance;
+    const GridSearchResult found = search_grids(task_, part, effort, threads_);
+    const bool hindered = !found.unhindered.empty();
+    std::vector<Grounds> ways{{gridded(part, found.grids.front())}};
+    if (hindered) append_hindered_ways(index, found, ways);
+    PartResult out{cheapest_of(std::move(ways)), {}, found.bound, found.boxes};
+    if (hindered) slide(out.whole);
+
+    const PricedSubfield ground{part, hindered ? found.unhindered.front() : found.grids.front()};
+    std::vector<PricedSubfield> divided = divide_where_it_pays(task_, ground, threads_);
+    if (divided.size() < 2) return out;
+    if (divided.size() > 2) divided = join_where_it_pays(task_, std::move(divided), threads_);
+    Grounds apart = gridded(divided);
+    if (candidate_on(task_, apart).cost() < out.whole.candidate.cost()) out.divided = std::move(apart);
+    return out;
+  }
+
+  /// What is best with detours is neither best with all tracks cut nor best with stops for nothing: the
+  /// best few of either, and the sweep's.
+  void append_hindered_ways(std::size_t part, const GridSearchResult& found,
+                            std::vector<Grounds>& ways) const {
+    const Polygon& shape = task_.ground.plannable[part];
+    for (std::size_t i = 0; i < kHinderedTries; ++i) {
+      if (i > 0 && i < found.grids.size()) ways.push_back({gridded(shape, found.grids[i])});
+      if (i < found.unhindered.size()) ways.push_back({gridded(shape, found.unhindered[i])});
+    }
+    std::vector<const SweptGround*> undivided;
+    for (const SweptGround& swept : swept_)
+      if (task_.ground.plannable.size() == 1 && swept.grounds.size() == 1) undivided.push_back(&swept);
+    std::stable_sort(undivided.begin(), undivided.end(), [](const SweptGround* a, const SweptGround* b) {
+      return a->outlook.soft < b->outlook.soft;
+    });
+    if (!undivided.empty()) ways.push_back(undivided.front()->grounds);
+  }
+
+  Tried cheapest_of(std::vector<Grounds> ways) const {
+    std::vector<Candidate> candidates(ways.size());
+    for_each_index(ways.size(), threads_,
+                   [&](std::size_t i) { candidates[i] = candidate_on(task_, ways[i]); });
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < ways.size(); ++i)
+      if (candidates[i].cost() < candidates[best].cost()) best = i;
+    return {std::move(ways[best]), std::move(candidates[best])};
+  }
+
+  /// The same direction with the grid elsewhere: how tracks lie to an obstacle decides what detours cost.
+  void slide(Tried& tried) const {
+    constexpr int kSteps = 8;
+    std::vector<Grounds> ways;
+    for (int i = 1; i < kSteps; ++i) {
+      ways.push_back(tried.grounds);
+      ways.back().front().origin_m += task_.machine.width_m * i / kSteps;
+    }
+    Tried other = cheapest_of(std::move(ways));
+    if (other.candidate.cost() < tried.candidate.cost()) tried = std::move(other);
+  }
+
+  /// The sweep's candidate that looks best before the ways past obstacles are known.
+  const SweptGround& hopeful_sweep() const {
+    return *std::min_element(swept_.begin(), swept_.end(), [](const SweptGround& a, const SweptGround& b) {
+      return a.outlook.soft < b.outlook.soft;
+    });
+  }
+
+  /// Its subfields, each with the best grid, and joined where that pays.
+  Grounds regridded(const Grounds& grounds) const {
+    std::vector<PricedSubfield> subfields(grounds.size());
+    for_each_index(subfields.size(), threads_,
+                   [&](std::size_t i) { subfields[i] = priced(task_, grounds[i].subfield.shape, 1); });
+    return gridded(join_where_it_pays(task_, std::move(subfields), threads_));
+  }
+
+  void try_plan(const Grounds& grounds) { keep(candidate_on(task_, grounds)); }
+
+  void keep(Candidate candidate) {
+    see(candidate);
+    if (candidate.cost() < best_.cost()) best_ = std::move(candidate);
+  }
+
+  void see(const Candidate& candidate) {
+    Grounds grounds;
+    for (std::size_t i = 0; i < candidate.subfields.size(); ++i)
+      grounds.push_back({candidate.subfields[i], candidate.strips[i].grid.origin_m});
+    out_.seen.push_back({std::move(grounds), candidate.avoided.tally, candidate.cost()});
+  }
+
+  const SearchTask& task_;
+  int threads_;
+  std::vector<SweptGround> swept_;
+  SearchResult out_;
+  Candidate best_;
+  int boxes_ = 0;
+};
 
 }  // namespace
 
@@ -106,35 +204,7 @@ double least_cost_of_any_plan(const SearchTask& task) {
 }
 
 SearchResult best_search(const SearchTask& task, int threads, const Progress& progress) {
-  const std::vector<SweptGround> swept = swept_grounds(task, threads, progress);
-  std::vector<GriddedSubfield> whole, chosen;
-  double bound = beside_the_parts(task);
-  int boxes = 0;
-  bool divided = false;
-  for (const Polygon& part : task.ground.plannable) {
-    const PartResult found = search_part(task, part, threads);
-    whole.insert(whole.end(), found.whole.begin(), found.whole.end());
-    chosen.insert(chosen.end(), found.chosen.begin(), found.chosen.end());
-    divided = divided || found.chosen.size() > 1;
-    bound += found.bound;
-    boxes += found.boxes;
-  }
-  Candidate best = candidate_on(task, whole);
-  SearchResult out;
-  out.proof.one_direction_cost = best.cost();
-  out.proof.one_direction_bound = std::clamp(bound, 0.0, best.cost());
-  if (divided) keep_cheaper(best, candidate_on(task, chosen));
-  const auto promising = std::min_element(
-      swept.begin(), swept.end(),
-      [](const SweptGround& a, const SweptGround& b) { return a.outlook.soft < b.outlook.soft; });
-  if (promising->grounds.size() > task.ground.plannable.size())
-    keep_cheaper(best, candidate_on(task, regridded(task, promising->grounds, threads)));
-  if (std::optional<Candidate> sweep = cheapest_swept(task, swept, best.cost(), threads))
-    best = std::move(*sweep);
-  out.proof.bound = std::min(out.proof.one_direction_bound, least_cost_of_any_plan(task));
-  out.directions_tried = static_cast<int>(swept.size()) + boxes;
-  out.best = std::move(best);
-  return out;
+  return BestSearch(task, threads, progress).run();
 }
 
 }  // namespace tramline

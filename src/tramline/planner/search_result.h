@@ -10,10 +10,18 @@ namespace tramline {
 /// How far a search has come. Called from worker threads, one at a time.
 using Progress = std::function<void(int done, int total)>;
 
+/// A plan the search has laid out and tallied on its way.
+struct SeenPlan {
+  std::vector<GriddedSubfield> grounds;  ///< candidate_on() makes the plan of it again
+  Tally tally;
+  double cost = 0;
+};
+
 struct SearchResult {
   Candidate best;
   int directions_tried = 0;
   Proof proof;
+  std::vector<SeenPlan> seen;  ///< of the whole field, in the order in which they were looked at
 };
 
 }  // namespace tramline
