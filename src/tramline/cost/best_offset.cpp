@@ -11,7 +11,6 @@ class OffsetSearch {
   OffsetSearch(const GridTally& tally, const BoundTerms& terms, const PricedOrigin& known)
       : tally_(tally), terms_(terms), best_(known) {
     list_breaks();
-    for (const double at : breaks_) offer(at);
     look_between(0, breaks_.size() - 1);
   }
 
@@ -51,6 +50,8 @@ class OffsetSearch {
       look_between(middle, last);
       return;
     }
+    offer(from);
+    offer(to);
     const double quarter = 0.25 * (to - from), centre = 0.5 * (from + to);
     const double a = offer(centre - quarter), b = offer(centre), c = offer(centre + quarter);
     const double curvature = a - 2 * b + c;

@@ -40,7 +40,8 @@ class Bound {
     const double run_on = 1 - least_width_ / width_;
     per_wedge_ = objective_.overlap * run_on * run_on + objective_.uncovered * (1 - run_on) * (1 - run_on);
     moving_ = {width_, objective_.overlap, objective_.uncovered, pivot_.y, tangent_, fixed_shift_};
-    least_length_ = std::max(tally_.terms().min_length_m, kNoPiece_m) + 2 * shear_;
+    shortest_ = std::max(tally_.terms().min_length_m, kNoPiece_m);
+    least_length_ = shortest_ + 2 * shear_;
   }
 
   double least_cost() {
@@ -48,8 +49,7 @@ class Bound {
     parts.collect(subfield_.outline, grid_, range_, shift_);
     for (int i = 0; i < range_.size(); ++i) {
       enter(range_.first + i, parts.in(static_cast<std::size_t>(i)));
-      for (std::size_t k = 0; k < windows_.size(); ++k)
-        if (!in_zone(windows_[k])) windows_[k].passes ? add_passage(k) : add_rows(windows_[k]);
+      add_strip();
       fixed_ += objective_.turn * least_pieces();
     }
     return fixed_ + std::max(apart_, together_.least(moving_.shift, moving_.turn));
@@ -86,6 +86,30 @@ class Bound {
                        [&](const Interval& zone) { return zone.from < high && low < zone.to; });
   }
   bool in_zone(const BoundaryWindow& window) const { return in_zone(window.lowest, window.highest); }
+
+  /// Run by run: windows with land between them, and none before or beyond.
+  void add_strip() {
+    for (std::size_t first = 0, last = 0; first < windows_.size(); first = last + 1) {
+      for (last = first; windows_[last].inside_after && last + 1 < windows_.size();) ++last;
+      if (windows_[last].highest - windows_[first].lowest + 2 * shear_ < shortest_ &&
+          !in_zone(windows_[first].lowest, windows_[last].highest)) {
+        add_undriven(first, last);
+        continue;
+      }
+      for (std::size_t k = first; k <= last; ++k)
+        if (!in_zone(windows_[k])) windows_[k].passes ? add_passage(k) : add_rows(windows_[k]);
+    }
+  }
+
+  /// A run in which no piece is long enough.
+  void add_undriven(std::size_t first, std::size_t last) {
+    double inside_m2 = 0;
+    for (std::size_t k = first; k <= last; ++k) {
+      inside_m2 += inside_rows(windows_[k].parts, moving_) - shear_ * windows_[k].across_m;
+      if (k < last) inside_m2 += width_ * (windows_[k + 1].lowest - windows_[k].highest);
+    }
+    fixed_ += objective_.uncovered * std::max(0.0, inside_m2);
+  }
 
   void add_passage(std::size_t i) {
     const BoundaryWindow& window = windows_[i];
@@ -219,7 +243,8 @@ class Bound {
   double fixed_shift_ = 0, tangent_ = 0;
   double shift_ = 0;  ///< the most that the boundary moves across
   double shear_ = 0;
-  double least_width_ = 0, per_wedge_ = 0, least_length_ = 0;
+  double least_width_ = 0, per_wedge_ = 0, shortest_ = 0;  ///< piece that is driven
+  double least_length_ = 0;                                ///< … for certain
   MovingTerms moving_;
   double fixed_ = 0;      ///< what is free of the place of the grid within the box
   double apart_ = 0;      ///< the other windows, each at its least

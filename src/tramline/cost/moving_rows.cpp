@@ -50,7 +50,7 @@ AffineBound along_part(const BoundaryPart& part, double from, double to, const M
     return sense > 0 ? x : terms.width_m - x;
   };
   const double change = std::abs(inside(to) - inside(from));
-  const double step = std::max(0.5 * farthest(from, to, terms), terms.width_m / 32);
+  const double step = std::max(0.5 * farthest(from, to, terms), terms.width_m / 8);
   const int steps = std::max(1, static_cast<int>(std::ceil(change / step)));
   AffineBound sum;
   for (int i = 0; i < steps; ++i) {
@@ -116,12 +116,16 @@ double AffineBound::least(double shift, double turn) const {
   return constant - shift * std::abs(per_shift) - turn * std::abs(per_turn);
 }
 
-RowBounds moving_rows(std::span<const BoundaryPart> parts, const MovingTerms& terms) {
+namespace {
+
+/// Calls row(from, to, m0, m1, active) for all stretches of rows through which the same parts pass, m0 and
+/// m1 being how much lies inside at either end.
+template <class Row>
+void for_each_row(std::span<const BoundaryPart> parts, const MovingTerms& terms, const Row& row) {
   thread_local std::vector<double> rows;
   thread_local std::vector<const BoundaryPart*> active;
   list_rows(parts, terms.width_m, rows);
   active.clear();
-  RowBounds sum;
   auto next = parts.begin();
   for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
     const double from = rows[i], to = rows[i + 1], middle = 0.5 * (from + to);
@@ -131,15 +135,32 @@ RowBounds moving_rows(std::span<const BoundaryPart> parts, const MovingTerms& te
       if (next->highest() > middle) active.push_back(&*next);
     if (active.empty()) continue;
     const bool right = right_inside(active, middle);
-    const double least =
-        spared(to - from, inside_width(active, from, terms.width_m, right),
-               inside_width(active, to, terms.width_m, right), farthest(from, to, terms), terms);
+    row(from, to, inside_width(active, from, terms.width_m, right),
+        inside_width(active, to, terms.width_m, right), active);
+  }
+}
+
+}  // namespace
+
+double inside_rows(std::span<const BoundaryPart> parts, const MovingTerms& terms) {
+  double sum = 0;
+  for_each_row(parts, terms, [&](double from, double to, double m0, double m1, const auto&) {
+    const double shift = farthest(from, to, terms);
+    sum += (to - from) * std::max({0.0, 0.5 * (m0 + m1) - shift});
+  });
+  return sum;
+}
+
+RowBounds moving_rows(std::span<const BoundaryPart> parts, const MovingTerms& terms) {
+  RowBounds sum;
+  for_each_row(parts, terms, [&](double from, double to, double m0, double m1, const auto& active) {
+    const double least = spared(to - from, m0, m1, farthest(from, to, terms), terms);
     sum.apart += least;
     if (active.size() == 1)
       sum.together += along_part(*active.front(), from, to, terms);
     else
       sum.together.constant += least;
-  }
+  });
   return sum;
 }
 

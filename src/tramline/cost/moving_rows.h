@@ -36,6 +36,9 @@ struct RowBounds {
   AffineBound together;  ///< all rows moved at once
 };
 
+/// How much land lies in the strip in those rows, at least, m².
+double inside_rows(std::span<const BoundaryPart> parts, const MovingTerms& terms);
+
 /// Of the rows of a window whose parts of the boundary are given, sorted by their lowest place. Where one
 /// part is all that may come into a row, m changes just as that part moves, and min(…), which is concave,
 /// lies above its chord. O(p log p + p·(most parts in a row)).

@@ -15,8 +15,10 @@ namespace tramline {
 namespace {
 
 constexpr double kHalfTurn = std::numbers::pi;
-constexpr std::size_t kKept = 12;  ///< grids that are told apart
-constexpr std::size_t kBatch = 8;  ///< boxes divided at a time, for any number of threads
+constexpr std::size_t kKept = 12;        ///< grids that are told apart
+constexpr std::size_t kBatch = 8;        ///< boxes divided at a time, for any number of threads
+constexpr int kLookEvery = 200;          ///< boxes, after which the search gives up if …
+constexpr double kLeastProgress = 0.04;  ///< … no more than this share of the gap has been closed
 constexpr double kFirstHalfAngle = kHalfTurn / 360;
 
 /// A grid by its angle and by its offset from the pivot, across.
@@ -198,7 +200,7 @@ class GridSearch {
     for (const Found& found : list_.list()) out.grids.push_back(pricing_.priced(found));
     if (hindered_)
       for (const Found& found : soft_list_.list()) out.unhindered.push_back(pricing_.priced(found));
-    if (effort_.exact_offset) refine(out.grids.front());
+    if (effort_.exact_offset && !hindered_) refine(out.grids.front());
     return out;
   }
 
@@ -253,11 +255,13 @@ class GridSearch {
     }
   }
 
-  /// Bounds the box; prices the grid in its middle if the box may hold anything.
+  /// Bounds the box; prices the grid in its middle if the box may hold anything and is either one of the
+  /// first or so small that its middle stands for it.
   std::optional<Prices> look(SearchBox& box, double target) const {
     const GridTally tally = pricing_.tally(box.middle.angle);
     box.bound = std::max(box.bound, pricing_.least(tally, box));
-    if (box.bound >= target) return std::nullopt;
+    const bool between = box.half_offset_m > pricing_.width_m() / 40 && box.half_angle < kFirstHalfAngle;
+    if (box.bound >= target || between) return std::nullopt;
     return pricing_.prices(tally, box.middle.offset_m);
   }
 
@@ -281,7 +285,15 @@ class GridSearch {
       boxes.push_back({{(2 * i + 1) * kFirstHalfAngle, 0}, kFirstHalfAngle, 0.5 * pricing_.width_m(), 0});
     look_at_all(boxes);
     bound_ = std::numeric_limits<double>::infinity();
+    double at_last_look = open_.top().bound;
+    int next_look = boxes_ + kLookEvery;
     while (!open_.empty() && open_.top().bound < target() && boxes_ < effort_.most_boxes) {
+      if (boxes_ >= next_look) {
+        const double open_gap = target() - open_.top().bound;
+        if (open_.top().bound - at_last_look < kLeastProgress * open_gap) break;
+        at_last_look = open_.top().bound;
+        next_look += kLookEvery;
+      }
       boxes.clear();
       while (!open_.empty() && boxes.size() < 2 * kBatch && open_.top().bound < target()) {
         divide(open_.top(), boxes);
