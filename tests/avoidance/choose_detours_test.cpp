@@ -355,6 +355,22 @@ TEST(ChooseDetours, TheSecondPieceOfAPlanTakesATurn) {
   }
 }
 
+// S1 keeps the whole turning radius away from the pole's centre, on the left. A longer detour is the better
+// one here: nothing else works the ground beside a long strip.
+TEST(ChooseDetours, APlanOfS1IsComparedWithAllOtherWays) {
+  Machine with_least = machine(3, 6);
+  with_least.min_length_m = 60;
+  const PoleField field(with_long_strips(7, {5}), {pole_in(5)}, with_least, {});
+  const Avoided found = field.plan();
+  EXPECT_EQ(found.cost, field.plan(Avoidance::kPaper).cost);
+  const std::vector<Encounter> encounters = encounters_in(field.task(), found);
+  ASSERT_EQ(encounters.size(), 1u);
+  EXPECT_EQ(encounters[0].chosen, Passing::kLeft);
+  EXPECT_LT(encounters[0].left.cost, -saved_by_driving() - 0.01);
+  EXPECT_TRUE(encounters[0].right.possible) << encounters[0].right.why_not;
+  EXPECT_NEAR(encounters[0].right.cost, -saved_by_driving(), 1e-6);
+}
+
 // Poles 2.5 m apart in a line across the tracks' direction and one far ahead are one hazard: land given up
 // joins them. A detour names those it passes.
 TEST(ChooseDetours, OnlyTheObstaclesOfAClusterBesideADetourAreNamed) {
