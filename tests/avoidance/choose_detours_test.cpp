@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "avoidance/pole_field.h"
 #include "tramline/geometry/boolean.h"
@@ -262,6 +263,112 @@ TEST(ChooseDetours, NoThresholdMakesTheCheapestDearer) {
     EXPECT_LE(found, without_paper + 1e-9) << threshold_m;
     EXPECT_LE(found, planned(threshold_m, Avoidance::kPaper) + 1e-9) << threshold_m;
   }
+}
+
+/// Strips of 3 m, 50 m long; those in `long_strips` are 100 m long, and a pole of 16 corners and 0.25 m
+/// radius stands in the middle of each: cut in two, they are no longer than the others.
+Ring with_long_strips(int strips, const std::vector<int>& long_strips) {
+  Ring out;
+  for (int i = 0; i < strips; ++i) {
+    const bool is_long = std::count(long_strips.begin(), long_strips.end(), i) > 0;
+    out.push_back({3.0 * i, is_long ? 0.0 : 25.0});
+    out.push_back({3.0 * (i + 1), is_long ? 0.0 : 25.0});
+  }
+  for (std::size_t i = out.size(); i-- > 0;) out.push_back({out[i].x, 100 - out[i].y});
+  return out;
+}
+
+Ring pole_in(int strip) { return regular(16, 0.25, {3 * strip + 1.5, 50}); }
+
+/// A track of 100 m with the detour round its pole: h = 0.25 + 1.5, L = √(4·6·h − h²), and four arcs of
+/// asin(L / 12).
+double length_past_pole() {
+  const double h = 1.75, half = std::sqrt(24 * h - h * h);
+  return 100 - 2 * half + 24 * std::asin(half / 12);
+}
+
+/// Such a field, planned without S1's ways.
+struct LongStrips {
+  LongStrips(int strips, const std::vector<int>& long_strips, double least_m, double turn) {
+    Machine with_least = machine(3, 6);
+    with_least.min_length_m = least_m;
+    PlanSettings own_ways;
+    own_ways.avoid_threshold_m = 0;
+    std::vector<Ring> poles;
+    for (const int strip : long_strips) poles.push_back(pole_in(strip));
+    field.emplace(with_long_strips(strips, long_strips), poles, with_least, Objective{0.04, 0.10, turn, 5},
+                  own_ways);
+    found = field->plan();
+    encounters = encounters_in(field->task(), found);
+  }
+  std::optional<PoleField> field;
+  Avoided found;
+  std::vector<Encounter> encounters;
+};
+
+/// What driving a long strip past its pole saves, turns left aside: it works only ground that nothing else
+/// does.
+double saved_by_driving() { return 0.10 * 3 * length_past_pole(); }
+
+void expect_costs(const Encounter& encounter, double cost) {
+  EXPECT_TRUE(encounter.left.possible && encounter.right.possible);
+  EXPECT_NEAR(encounter.left.cost, cost, 1e-6);
+  EXPECT_NEAR(encounter.right.cost, cost, 1e-6);
+}
+
+// The first piece of a plan comes without a turn. All others being too short, whether the middle track is
+// driven must not depend on what a turn costs.
+TEST(ChooseDetours, TheOnlyPieceOfAPlanTakesNoTurn) {
+  for (const double turn : {0.0, 0.45, 99999.0}) {
+    SCOPED_TRACE(turn);
+    const LongStrips planned(3, {1}, 60, turn);
+    ASSERT_EQ(planned.found.tally.pieces, 1);
+    EXPECT_EQ(planned.found.tally.turns, 0);
+    const double body_m2 = 3 * (50 + 100 + 50) - signed_area(pole_in(1));
+    EXPECT_NEAR(planned.found.cost, 0.10 * body_m2 - saved_by_driving(), 1e-6);
+    ASSERT_EQ(planned.encounters.size(), 1u);
+    expect_costs(planned.encounters[0], -saved_by_driving());
+  }
+}
+
+// With the pieces of 50 m driven, the same detour takes a turn more than a cut, which leaves two pieces
+// of 49.75 m undriven.
+TEST(ChooseDetours, APieceMoreThanOthersTakesATurn) {
+  const LongStrips cheap(3, {1}, 49.9, 0), dear(3, {1}, 49.9, 1000);
+  ASSERT_EQ(cheap.encounters.size(), 1u);
+  ASSERT_EQ(dear.encounters.size(), 1u);
+  EXPECT_NE(cheap.encounters[0].chosen, Passing::kCut);
+  EXPECT_EQ(dear.encounters[0].chosen, Passing::kCut);
+  EXPECT_NEAR(dear.encounters[0].left.cost - cheap.encounters[0].left.cost, 1000, 1e-6);
+  EXPECT_NEAR(dear.encounters[0].right.cost - cheap.encounters[0].right.cost, 1000, 1e-6);
+}
+
+// Only one of two such tracks is without a turn; which of them is, changes while they are decided.
+TEST(ChooseDetours, TheSecondPieceOfAPlanTakesATurn) {
+  for (const double turn : {0.0, 1000.0}) {
+    SCOPED_TRACE(turn);
+    const LongStrips planned(7, {1, 5}, 60, turn);
+    EXPECT_EQ(planned.found.tally.pieces, turn == 0 ? 2 : 1);
+    ASSERT_EQ(planned.encounters.size(), 2u);
+    for (const Encounter& encounter : planned.encounters)
+      expect_costs(encounter, (encounter.chosen == Passing::kCut ? turn : 0) - saved_by_driving());
+  }
+}
+
+// S1 keeps the whole turning radius away from the pole's centre, on the left. A longer detour is the better
+// one here: nothing else works the ground beside a long strip.
+TEST(ChooseDetours, APlanOfS1IsComparedWithAllOtherWays) {
+  Machine with_least = machine(3, 6);
+  with_least.min_length_m = 60;
+  const PoleField field(with_long_strips(7, {5}), {pole_in(5)}, with_least, {});
+  const Avoided found = field.plan();
+  EXPECT_EQ(found.cost, field.plan(Avoidance::kPaper).cost);
+  const std::vector<Encounter> encounters = encounters_in(field.task(), found);
+  ASSERT_EQ(encounters.size(), 1u);
+  EXPECT_EQ(encounters[0].chosen, Passing::kLeft);
+  EXPECT_LT(encounters[0].left.cost, -saved_by_driving() - 0.01);
+  EXPECT_TRUE(encounters[0].right.possible) << encounters[0].right.why_not;
+  EXPECT_NEAR(encounters[0].right.cost, -saved_by_driving(), 1e-6);
 }
 
 // Poles 2.5 m apart in a line across the tracks' direction and one far ahead are one hazard: land given up

@@ -322,6 +322,36 @@ TEST(Detours, that_tell_another_story) {
   EXPECT_EQ(with([](Detour&, Encounter& e) { e.obstacles = {}; }), Names{"encounters"});
 }
 
+/// The other arm lies on the side of passing, 10 m from the line and out of the way.
+TEST(Detours, into_a_bay_between_the_arms_of_an_obstacle) {
+  const Plan plan = bay_plan();
+  expect_holds(plan);
+  expect_holds(settled(turned(plan, Angle::degrees(213.4), {-71, 1200})));
+
+  Plan swapped = plan;
+  swapped.pieces[5].detours[0].side = swapped.encounters.back().chosen = Passing::kRight;
+  EXPECT_EQ(found(swapped), Names{"encounters"});
+  // Mirrored in the line the bulge runs through the arm in the way, which is then on its left.
+  Plan mirrored = plan;
+  mirrored.pieces[5].detours = {bulge(plan.pieces[5], 45.25, 1.1, 6, Passing::kRight, {0})};
+  mirrored.pieces[5].detours[0].side = Passing::kLeft;
+  EXPECT_TRUE(found(settled(mirrored)).contains("encounters"));
+}
+
+/// Out of the way and on the side of passing only.
+TEST(Detours, that_name_an_obstacle_they_turn_towards) {
+  Plan plan = poles_plan();
+  const Ring pole = rectangle(49.75, 22.25, 50.25, 22.75);
+  plan.field.obstacles[1].shape.outer = pole;
+  plan.body[0].holes[1] = plan.subfields[0].shape.holes[1] = reversed(pole);
+  plan.pieces[7].detours = {bulge(plan.pieces[7], 50, away_from_pole(6, 1.5, 0), 6, Passing::kRight, {1})};
+  plan.encounters[1].at = {50, 22.5};
+  plan = settled(plan);
+  expect_holds(plan);
+  plan.pieces[4].detours[0].obstacles = {0, 1};
+  EXPECT_EQ(found(plan), Names{"encounters"});
+}
+
 /// Cuts said to be where there are none.
 TEST(Detours, cuts_that_are_none) {
   const auto with = [](auto change) {

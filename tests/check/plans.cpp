@@ -179,6 +179,36 @@ Plan poles_plan(double clearance_m) {
   return settled(plan);
 }
 
+Plan bay_plan() {
+  Plan plan = bare_rectangle();
+  const Ring bay{{45, 11.5}, {61, 11.5}, {61, 24},   {45, 24},   {45, 23.5},
+                 {60, 23.5}, {60, 12},   {45.5, 12}, {45.5, 13}, {45, 13}};
+  plan.field.obstacles = {{{bay, {}}, ObstacleKind::kObstacle, "bay"}};
+  plan.body[0].holes = {reversed(bay)};
+  plan.subfields[0].shape = plan.body[0];
+  for (int i = 0; i < 10; ++i) {
+    const double y = 3 * i + 1.5, blocked_from = i == 3 || i == 7 ? 45 : 60;
+    if (i < 3 || i > 7) {
+      add_piece(plan, i, y, 0, 100);
+      continue;
+    }
+    add_piece(plan, i, y, i % 2 == 0 ? 0 : 61, i % 2 == 0 ? blocked_from : 100);
+    add_piece(plan, i, y, i % 2 == 0 ? 61 : 0, i % 2 == 0 ? 100 : blocked_from);
+    const Point middle{0.5 * (blocked_from + 61), y};
+    plan.encounters.push_back(encounter_on(plan.pieces.back(), middle, {0}, Passing::kCut));
+  }
+  for (TrackPiece& piece : plan.pieces) {
+    const auto blocked = [](Point p) { return p.x == 45 || p.x == 60 || p.x == 61; };
+    piece.stop_at_start = blocked(piece.start);
+    piece.stop_at_end = blocked(piece.end);
+  }
+  // Over the hook's corners an arc of 6 m has to leave the line by 5.5 − √(4.5² − 0.25²) = 1.007 m.
+  TrackPiece& past_hook = plan.pieces[5];
+  past_hook.detours = {bulge(past_hook, 45.25, 1.1, 6, Passing::kLeft, {0})};
+  plan.encounters.push_back(encounter_on(past_hook, {45.25, 13.5}, {0}, Passing::kLeft));
+  return settled(plan);
+}
+
 Plan turned(Plan plan, Angle by, Point move) {
   const TrackFrame frame(Direction::clockwise_from_north(by));
   const auto point = [&](Point p) { return frame.to_field(p) + move; };

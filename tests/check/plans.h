@@ -53,6 +53,11 @@ double away_from_pole(double radius_m, double half_m, double clearance_m);
 /// them by bulges of the machine's radius, 6 m, that touch the poles: east, on the left; west, on the right.
 Plan poles_plan(double clearance_m = 0);
 
+/// The rectangle with an obstacle that is open to the west: a bay 11.5 m wide between its arms at y = 12 and
+/// y = 23.5, closed at x = 60. The southern arm ends in a hook at x = 45 that reaches 1 m into track 5's
+/// strip: that track goes round it on the left, into the bay, and ends there. Tracks 4 to 8 are cut.
+Plan bay_plan();
+
 /// The same plan turned by an angle clockwise and then moved.
 Plan turned(Plan plan, Angle by, Point move);
 

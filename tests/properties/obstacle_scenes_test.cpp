@@ -162,5 +162,15 @@ TEST(ObstacleScenes, AreDrivenWithoutViolationWhateverIsDoneAboutObstacles) {
   EXPECT_GT(5 * with_detours, static_cast<int>(all.size())) << "scenes have to make detours worth while";
 }
 
+// Scenes that were planned or judged wrongly once: detours into the bay of an obstacle, whose arms lie on
+// both sides of them; and a plan of one piece, which takes no turn.
+TEST(ObstacleScenes, ThatOnceFailedHold) {
+  for (const unsigned long long seed : {20265688, 20267583, 20269324, 20269717, 20262026}) {
+    const Outcome outcome = outcome_of(seed);
+    EXPECT_TRUE(outcome.with_detours) << seed;
+    for (const std::string& problem : outcome.problems) ADD_FAILURE() << seed << ": " << problem;
+  }
+}
+
 }  // namespace
 }  // namespace tramline

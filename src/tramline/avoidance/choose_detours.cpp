@@ -27,6 +27,8 @@ Avoided the_papers(const AvoidanceTask& task, Avoided cut) {
 
 /// The better of a plan and what comes of it track by track.
 Avoided improved(const AvoidanceTask& task, Avoided start, WaysPast ways) {
+  // What stays as it was has been chosen from them, too.
+  start.ways = ways;
   DetourDecisions decisions(task, ways);
   decisions.take_from(start.tracks);
   if (!decisions.improve()) return start;

@@ -30,6 +30,8 @@ StripWork work_of(const Strip& strip, const std::vector<StripDetour>& detours, d
   return work;
 }
 
+bool is_driven(const StripWork& work) { return !work.straight.empty() || !work.detours.empty(); }
+
 Obstruction obstruction(const Strips& strips, const Strip& strip, std::size_t gap, const Machine& machine) {
   return {strips.grid, strip, gap, machine.width_m, machine.radius_m};
 }
@@ -229,7 +231,13 @@ std::vector<int> DetourDecisions::obstacles_along(std::size_t subfield,
 
 void DetourDecisions::work(std::size_t subfield, const Strip& strip,
                            const std::vector<StripDetour>& detours) {
+  const bool was_driven = is_driven(ground_.at(subfield, strip.index));
   ground_.set(subfield, strip.index, work_of(strip, detours, least_m_));
+  const int change = (is_driven(ground_.at(subfield, strip.index)) ? 1 : 0) - (was_driven ? 1 : 0);
+  driven_ += change;
+  // From none to one or from one to two, or back: another track may now be the only one.
+  if (change == 0 || std::max(driven_, driven_ - change) > 2) return;
+  for (Decision& decision : tracks_) decision.track.stale = true;
 }
 
 void DetourDecisions::choose(Decision& decision, std::vector<StripDetour> detours) {
@@ -288,6 +296,8 @@ void DetourDecisions::take_from(const std::vector<SubfieldTracks>& tracks) {
 }
 
 void DetourDecisions::value(Decision& decision) {
+  const StripWork& own = ground_.at(decision.track.subfield, strip_of(decision).index);
+  decision.track.only_one_driven = driven_ == (is_driven(own) ? 1 : 0);
   value_options(decision.track, strips_of(decision), body_[decision.track.subfield], ground_, least_m_);
 }
 

@@ -65,6 +65,7 @@ class DetourDecisions {
   std::vector<std::vector<Interval>> obstacles_;  ///< by subfield and obstacle: where it lies along
   std::vector<std::vector<Ring>> body_;           ///< its rings in the plane of each subfield's grid
   WorkedGround ground_;
+  int driven_ = 0;  ///< strips with a piece
   std::vector<Decision> tracks_;
 };
 

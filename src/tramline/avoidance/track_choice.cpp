@@ -1,6 +1,7 @@
 #include "tramline/avoidance/track_choice.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace tramline {
@@ -9,6 +10,12 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
+/// What one stretch, or several joined, costs.
+struct StretchCost {
+  double sum = 0;
+  bool driven = false;  ///< too short a stretch is not
+};
+
 /// What driving pieces costs; `correct` is added to the area they cover alone.
 class PieceCost {
  public:
@@ -16,13 +23,18 @@ class PieceCost {
             double min_length_m)
       : track_(track), strip_(strip), width_m_(width_m), objective_(objective), min_length_m_(min_length_m) {}
 
-  double of(const JoinedStretch& joined) const {
-    SubfieldTracks out{{TrackFrame(Direction::clockwise_from_north(Angle::degrees(0))), 0, width_m_}, {}, {}};
-    append_joined(strip_, joined, min_length_m_, out);
-    double sum = 0;
-    for (const StripPiece& piece : out.pieces) sum += of_piece(piece);
-    return sum;
+  StretchCost of(const JoinedStretch& joined) const {
+    SubfieldTracks laid{
+        {TrackFrame(Direction::clockwise_from_north(Angle::degrees(0))), 0, width_m_}, {}, {}};
+    append_joined(strip_, joined, min_length_m_, laid);
+    StretchCost out;
+    for (const StripPiece& piece : laid.pieces) out.sum += of_piece(piece);
+    out.driven = !laid.pieces.empty();
+    return out;
   }
+
+  /// A turn is counted for every piece, and there is one fewer in a plan that has any.
+  double counted_too_often() const { return track_.only_one_driven ? objective_.turn : 0; }
 
   /// What an option adds to the cost of a piece that is driven in any case.
   double of_option(const TrackOption& option) const {
@@ -114,14 +126,32 @@ class Chains {
   std::vector<std::size_t> before_;
 };
 
+/// The best choices for the first stretches of a track: those that drive none of them, and those that do.
+using Choices = std::array<TrackChoice, 2>;
+
+void add(Choices& choices, const Choices& before, const std::vector<StripDetour>& detours,
+         const StretchCost& cost) {
+  for (const bool driven_before : {false, true}) {
+    const TrackChoice& start = before[driven_before ? 1 : 0];
+    TrackChoice& best = choices[driven_before || cost.driven ? 1 : 0];
+    if (!(start.cost + cost.sum < best.cost)) continue;
+    best = {start.detours, start.cost + cost.sum};
+    best.detours.insert(best.detours.end(), detours.begin(), detours.end());
+  }
+}
+
 }  // namespace
 
 double track_cost(const BlockedTrack& track, const Strip& strip, double width_m,
                   const std::vector<StripDetour>& detours, const Objective& objective, double min_length_m) {
   const PieceCost cost(track, strip, width_m, objective, min_length_m);
-  double sum = 0;
-  for (const JoinedStretch& joined : joined_stretches(strip.stretches, detours)) sum += cost.of(joined);
-  return sum;
+  StretchCost all;
+  for (const JoinedStretch& joined : joined_stretches(strip.stretches, detours)) {
+    const StretchCost one = cost.of(joined);
+    all.sum += one.sum;
+    all.driven = all.driven || one.driven;
+  }
+  return all.driven ? all.sum - cost.counted_too_often() : all.sum;
 }
 
 std::optional<TrackChoice> cheapest_choice(const BlockedTrack& track, const Strip& strip, double width_m,
@@ -130,25 +160,24 @@ std::optional<TrackChoice> cheapest_choice(const BlockedTrack& track, const Stri
   const PieceCost cost(track, strip, width_m, objective, min_length_m);
   const std::size_t count = strip.stretches.size();
   // best[j]: stretches before j are decided, and the track is cut before stretch j.
-  std::vector<TrackChoice> best(count + 1, {{}, kNever});
-  best[0].cost = 0;
+  std::vector<Choices> best(count + 1, {TrackChoice{{}, kNever}, TrackChoice{{}, kNever}});
+  best[0][0].cost = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const bool may_cut = i == 0 || !forced || forced->gap != i || forced->way == Passing::kCut;
-    if (!may_cut || best[i].cost == kNever) continue;
+    if (!may_cut || std::min(best[i][0].cost, best[i][1].cost) == kNever) continue;
     const Chains chains(track, cost, i, forced);
     for (std::size_t last = i; last < count; ++last) {
-      std::vector<StripDetour> detours = last == i ? std::vector<StripDetour>{} : chains.to(last);
+      const std::vector<StripDetour> detours = last == i ? std::vector<StripDetour>{} : chains.to(last);
       if (last > i && detours.empty()) continue;
-      const double sum =
-          best[i].cost + cost.of({{strip.stretches[i].from, strip.stretches[last].to}, detours});
-      if (!(sum < best[last + 1].cost)) continue;
-      std::vector<StripDetour> all = best[i].detours;
-      all.insert(all.end(), detours.begin(), detours.end());
-      best[last + 1] = {std::move(all), sum};
+      add(best[last + 1], best[i], detours,
+          cost.of({{strip.stretches[i].from, strip.stretches[last].to}, detours}));
     }
   }
-  if (best[count].cost == kNever) return std::nullopt;
-  return best[count];
+  auto& [not_driven, driven] = best[count];
+  driven.cost -= cost.counted_too_often();
+  TrackChoice& least = not_driven.cost < driven.cost ? not_driven : driven;
+  if (least.cost == kNever) return std::nullopt;
+  return std::move(least);
 }
 
 }  // namespace tramline

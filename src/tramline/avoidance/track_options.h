@@ -40,7 +40,8 @@ struct BlockedTrack {
   /// Short stretches, which may not be worth driving: how much more or less than their profile they
   /// cover alone. 0 for long ones. By stretch.
   std::vector<double> correction_m2;
-  bool stale = true;  ///< any of the above
+  bool stale = true;             ///< any of the above
+  bool only_one_driven = false;  ///< no other track has a piece: the first one here adds no turn to the plan
 };
 
 /// The gaps of a strip that hard land makes.

@@ -102,12 +102,13 @@ class Course {
     to_m_ = right_.back().y;
   }
 
+  /// How near to the line that was left something lies, on either side of the detour; infinite where
+  /// nothing does.
   struct Sides {
-    bool left = false;
-    bool right = false;
-    double from_line_m = std::numeric_limits<double>::infinity();
+    double left_m = std::numeric_limits<double>::infinity();
+    double right_m = std::numeric_limits<double>::infinity();
   };
-  /// On which sides a polygon lies along the detour, and how near to the line that was left.
+  /// Of the parts of a polygon along the detour.
   Sides sides_of(const Polygon& land) const {
     Sides out;
     for (const Ring& ring : rings_of({land}))
@@ -124,9 +125,8 @@ class Course {
     if (b.y <= from_m_ || a.y >= to_m_) return;
     const auto at = [a, b](double y) { return a + ((y - a.y) / (b.y - a.y)) * (b - a); };
     const Point first = a.y < from_m_ ? at(from_m_) : a, last = b.y > to_m_ ? at(to_m_) : b;
-    const bool is_right = right_of_path(midpoint(first, last));
-    (is_right ? out.right : out.left) = true;
-    out.from_line_m = std::min(out.from_line_m, distance_to_edge({{0, from_m_}, {0, to_m_}, 0}, first, last));
+    double& nearest_m = right_of_path(midpoint(first, last)) ? out.right_m : out.left_m;
+    nearest_m = std::min(nearest_m, distance_to_edge({{0, from_m_}, {0, to_m_}, 0}, first, last));
   }
   /// The land right of the path, as far as p, is a ring.
   bool right_of_path(Point p) const {
@@ -145,11 +145,16 @@ class Course {
 };
 
 /// What is wrong with what a detour says of an obstacle, or "". Obstacles may be named that are not in
-/// the way themselves: land given up may join them to one that is.
-std::string misnamed(bool named, bool in_the_way, const Course::Sides& sides, const Detour& detour) {
-  if (!named) return in_the_way ? "is in its way and not named" : "";
-  if (!sides.left && !sides.right) return "is named, and does not lie beside it";
-  const bool wrong = detour.side == Passing::kLeft ? sides.left : sides.right;
+/// the way themselves: land given up may join them to one that is. An obstacle with a bay may lie on both
+/// sides of a detour within the bay: passed is the part in the way.
+std::string misnamed(bool named, double in_the_way_m, const Course::Sides& sides, const Detour& detour) {
+  if (!named)
+    return std::min(sides.left_m, sides.right_m) < in_the_way_m ? "is in its way and not named" : "";
+  const bool goes_left = detour.side == Passing::kLeft;
+  const double passed_m = goes_left ? sides.right_m : sides.left_m;
+  const double other_m = goes_left ? sides.left_m : sides.right_m;
+  if (!std::isfinite(std::min(passed_m, other_m))) return "is named, and does not lie beside it";
+  const bool wrong = !std::isfinite(passed_m) || other_m < in_the_way_m;
   return wrong ? fmt::format("is not passed {}", name(detour.side)) : "";
 }
 
@@ -184,8 +189,9 @@ class DetourCheck {
  private:
   std::string fault_about(int obstacle, const Polygon& shape, bool named) const {
     const Course::Sides sides = course_.sides_of(shape);
-    const bool in_the_way = sides.from_line_m < reach_m_ - kLengthTolerance_m;
-    std::string fault = misnamed(named, in_the_way, sides, detour_);
+    const double in_the_way_m = reach_m_ - kLengthTolerance_m;
+    const bool in_the_way = std::min(sides.left_m, sides.right_m) < in_the_way_m;
+    std::string fault = misnamed(named, in_the_way_m, sides, detour_);
     // One missing encounter is told once.
     if (fault.empty() && in_the_way && !encounters_.empty() && !names(encounters_, obstacle))
       return "is in its way, and no encounter there names it";
