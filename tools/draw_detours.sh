@@ -10,7 +10,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 draw() {  # FIELD RADIUS NAME
-  "$build/apps/tramline/tramline" plan examples/ways-round.geojson --where "id = '$1'" --width 3 --radius "$2" \
+  "$build/apps/tramline/tramline" plan examples/ways-round.geojson --where "id = '$1'" --strategy sweep --width 3 --radius "$2" \
     --quiet --zoom-obstacles "$scratch/$3"
   mv "$scratch/$3/$1-obstacle-1.png" "docs/images/$3.png"
 }

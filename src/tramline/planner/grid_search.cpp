@@ -15,10 +15,11 @@ namespace tramline {
 namespace {
 
 constexpr double kHalfTurn = std::numbers::pi;
-constexpr std::size_t kKept = 12;        ///< grids that are told apart
-constexpr std::size_t kBatch = 8;        ///< boxes divided at a time, for any number of threads
-constexpr int kLookEvery = 200;          ///< boxes, after which the search gives up if …
-constexpr double kLeastProgress = 0.04;  ///< … no more than this share of the gap has been closed
+constexpr std::size_t kKept = 12;       ///< grids that are told apart
+constexpr std::size_t kBatch = 8;       ///< boxes divided at a time, for any number of threads
+constexpr double kNearBest = 0.15;      ///< small steps hardly better a grid by more
+constexpr int kLookEvery = 200;         ///< boxes, after which the search gives up if …
+constexpr double kLeastProgress = 0.1;  ///< … no more than this share of the gap has been closed
 constexpr double kFirstHalfAngle = kHalfTurn / 360;
 
 /// A grid by its angle and by its offset from the pivot, across.
@@ -37,6 +38,7 @@ struct Prices {
 struct Found {
   Place place;
   double cost = 0;
+  bool polished = false;  ///< no small step betters it
 };
 
 /// The cheapest grids, no two of them nearly alike.
@@ -47,7 +49,7 @@ class Shortlist {
   void offer(const Found& found) {
     for (std::size_t i = 0; i < list_.size(); ++i) {
       if (!alike(list_[i].place, found.place)) continue;
-      if (found.cost >= list_[i].cost) return;
+      if (found.cost > list_[i].cost || (found.cost == list_[i].cost && !found.polished)) return;
       list_.erase(list_.begin() + static_cast<std::ptrdiff_t>(i));
       break;
     }
@@ -188,11 +190,12 @@ class GridSearch {
 
   GridSearchResult run() {
     try_edges();
-    polish(list_, false);
-    if (hindered_) polish(soft_list_, true);
+    polish(list_, false, effort_.polished);
+    if (hindered_) polish(soft_list_, true, effort_.polished);
     if (effort_.most_boxes > 0) {
       branch();
-      polish(list_, false);
+      polish(list_, false, hindered_ ? effort_.polished : kKept);
+      if (hindered_) polish(soft_list_, true, effort_.polished);
     }
     GridSearchResult out;
     out.bound = std::min(bound_, list_.least());
@@ -206,8 +209,8 @@ class GridSearch {
 
  private:
   void offer(const Place& place, const Prices& prices) {
-    list_.offer({place, prices.cut});
-    if (hindered_) soft_list_.offer({place, prices.soft});
+    list_.offer({place, prices.cut, false});
+    if (hindered_) soft_list_.offer({place, prices.soft, false});
   }
 
   void try_edges() {
@@ -230,9 +233,11 @@ class GridSearch {
   }
 
   /// Steps to better neighbours, halved where there is none.
-  void polish(Shortlist& shortlist, bool soft) {
+  void polish(Shortlist& shortlist, bool soft, std::size_t most) {
     std::vector<Found> found = shortlist.list();
-    if (found.size() > effort_.polished) found.resize(effort_.polished);
+    if (found.size() > most) found.resize(most);
+    const double worth_it = found.front().cost + kNearBest * std::abs(found.front().cost);
+    std::erase_if(found, [&](const Found& one) { return one.polished || one.cost > worth_it; });
     for_each_index(found.size(), threads_, [&](std::size_t i) { improve(found[i], soft); });
     for (const Found& one : found) shortlist.offer(one);
   }
@@ -246,13 +251,14 @@ class GridSearch {
         const Prices prices = pricing_.prices(next);
         const double next_cost = soft ? prices.soft : prices.cut;
         if (next_cost >= best.cost) continue;
-        best = {next, next_cost};
+        best = {next, next_cost, false};
         better = true;
       }
       if (better) continue;
       turn *= 0.5;
       shift *= 0.5;
     }
+    best.polished = true;
   }
 
   /// Bounds the box; prices the grid in its middle if the box may hold anything and is either one of the
@@ -260,7 +266,7 @@ class GridSearch {
   std::optional<Prices> look(SearchBox& box, double target) const {
     const GridTally tally = pricing_.tally(box.middle.angle);
     box.bound = std::max(box.bound, pricing_.least(tally, box));
-    const bool between = box.half_offset_m > pricing_.width_m() / 40 && box.half_angle < kFirstHalfAngle;
+    const bool between = box.half_offset_m > pricing_.width_m() / 15 && box.half_angle < kFirstHalfAngle;
     if (box.bound >= target || between) return std::nullopt;
     return pricing_.prices(tally, box.middle.offset_m);
   }

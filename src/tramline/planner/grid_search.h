@@ -16,7 +16,7 @@ struct PricedGrid {
 /// How hard to look.
 struct SearchEffort {
   std::size_t most_edges = 64;  ///< directions of edges that are tried
-  std::size_t polished = 6;     ///< of the best of them: how many are bettered by small steps
+  std::size_t polished = 4;     ///< of the best of them: how many are bettered by small steps
   int most_boxes = 3000;        ///< that are bounded; 0: no branch and bound, and no bound
   double gap = 0.005;           ///< stop where the bound is this near, relative
   Angle tolerance = Angle::degrees(0.01);

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "tramline/decomposition/candidate_directions.h"
+#include "tramline/decomposition/events.h"
 #include "tramline/planner/for_each_index.h"
 
 namespace tramline {
@@ -13,16 +14,34 @@ namespace {
 constexpr std::size_t kAtOnce =
     8;  ///< candidates whose detours are looked for together, for any number of threads
 
+/// Where no corner splits the ground, every direction leaves it whole.
+bool is_cut_anywhere(const SearchTask& task) {
+  const Region& ground = task.ground.plannable;
+  return std::any_of(ground.begin(), ground.end(), [&](const Polygon& part) {
+    return !split_events(part, task.settings.decomposition_threshold).empty();
+  });
+}
+
+SweptGround swept_ground(const SearchTask& task, Direction sweep) {
+  SweptGround out{swept(task, sweep), {}};
+  out.outlook = outlook_on(task, out.grounds);
+  return out;
+}
+
 }  // namespace
 
 std::vector<SweptGround> swept_grounds(const SearchTask& task, int threads, const Progress& progress) {
   const std::vector<Direction> directions = candidate_directions(task.field);
   std::vector<SweptGround> out(directions.size());
+  if (!directions.empty() && !is_cut_anywhere(task)) {
+    std::fill(out.begin(), out.end(), swept_ground(task, directions.front()));
+    if (progress) progress(static_cast<int>(out.size()), static_cast<int>(out.size()));
+    return out;
+  }
   std::mutex mutex;
   int done = 0;
   for_each_index(directions.size(), threads, [&](std::size_t i) {
-    out[i].grounds = swept(task, directions[i]);
-    out[i].outlook = outlook_on(task, out[i].grounds);
+    out[i] = swept_ground(task, directions[i]);
     if (!progress) return;
     const std::lock_guard lock(mutex);
     progress(++done, static_cast<int>(directions.size()));
