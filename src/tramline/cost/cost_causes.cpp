@@ -151,6 +151,12 @@ double worked_by_detours_m2(const std::vector<SubfieldTracks>& tracks) {
   return sum;
 }
 
+/// Differences of areas that ought to be equal are nothing, be they above or below.
+double without_rounding(double area_m2) {
+  constexpr double kLeast_m2 = 1e-6;
+  return area_m2 < kLeast_m2 ? 0 : area_m2;
+}
+
 Parts measured(const LaidPlan& plan) {
   Parts parts{};
   const WorkedGround worked = worked_by(plan.tracks);
@@ -161,9 +167,9 @@ Parts measured(const LaidPlan& plan) {
   part(parts, Cause::kGivenUp).uncovered_m2 = area(plan.given_up);
   part(parts, Cause::kTurns).count = plan.tally.turns;
   part(parts, Cause::kStops).count = plan.tally.stops;
-  for (CausePart& each : parts) {  // differences of equal areas may round to less than nothing
-    each.overlap_m2 = std::max(0.0, each.overlap_m2);
-    each.uncovered_m2 = std::max(0.0, each.uncovered_m2);
+  for (CausePart& each : parts) {
+    each.overlap_m2 = without_rounding(each.overlap_m2);
+    each.uncovered_m2 = without_rounding(each.uncovered_m2);
   }
   return parts;
 }
