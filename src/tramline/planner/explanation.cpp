@@ -10,6 +10,7 @@ namespace tramline {
 namespace {
 
 constexpr std::size_t kRunnerUps = 5;
+constexpr double kAlike_deg = 1;       ///< directions no farther apart are one
 constexpr std::size_t kAtOnce = 8;     ///< plans that are laid out together, for any number of threads
 constexpr std::size_t kMostLaid = 64;  ///< of the sweep's
 
@@ -19,7 +20,7 @@ using Directions = std::vector<Direction>;
 bool each_has_like(const Directions& directions, const Directions& others) {
   return std::all_of(directions.begin(), directions.end(), [&others](Direction direction) {
     return std::any_of(others.begin(), others.end(), [direction](Direction other) {
-      return angle_between(direction, other) <= Angle::degrees(1);
+      return angle_between(direction, other).degrees() <= kAlike_deg;
     });
   });
 }
