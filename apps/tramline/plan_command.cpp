@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <optional>
 
 #include "close_ups.h"
 #include "command.h"
+#include "explain_report.h"
 #include "field_options.h"
 #include "output_names.h"
 #include "output_target.h"
@@ -26,6 +28,7 @@ constexpr const char* kExample =
     "Example:\n"
     "  tramline plan field.geojson --width 3 --radius 6 -o plan.gpkg --picture plan.png\n"
     "  tramline plan parcels.gpkg --layer parcels --where \"crop='wheat'\" --all --json\n"
+    "  tramline plan field.geojson --width 3 --explain\n"
     "  tramline plan field.geojson --width 3 --clearance 0.5 --zoom-obstacles closeups\n"
     "  tramline plan field.geojson --width 3 --avoid paper --avoid-threshold 4 -o paper.gpkg\n"
     "Without -o, --picture and --zoom-obstacles nothing is written.";
@@ -41,6 +44,9 @@ class PlanCommand : public Command {
     verb->add_option("--picture", picture_, "draw the plan to this .png, .svg or .pdf");
     verb->add_option("--zoom-obstacles", zoom_,
                      "draw a close-up of every obstacle into this folder, which is made if missing");
+    verb->add_flag(
+        "--explain", explain_,
+        "also say why this plan: what causes its cost, and how much more the next best would cost");
     verb->add_option("--threads", threads_, "threads to use (default: all cores)")
         ->check(CLI::Range(0, 1024));
     verb->add_flag("--json", json_, "print one JSON object per field");
@@ -69,9 +75,9 @@ class PlanCommand : public Command {
     Outputs outputs{{output_, false}, {picture_, false}, CloseUps(zoom_)};
     write(planned.plan, outputs);
     if (json_)
-      fmt::print("{}\n", json_line(plan_json(planned.plan, skipped, planned.seconds)));
+      fmt::print("{}\n", json_line(json_of(planned, skipped)));
     else if (!quiet_)
-      fmt::print("{}", plan_table(planned.plan, skipped, planned.seconds));
+      fmt::print("{}{}", plan_table(planned.plan, skipped, planned.seconds), explanation_of(planned));
     return 0;
   }
 
@@ -102,16 +108,34 @@ class PlanCommand : public Command {
 
   struct Planned {
     Plan plan;
-    double seconds;
+    std::optional<Explanation> why;
+    double seconds = 0;
   };
 
   Planned plan_one(const Field& field) const {
     ProgressLine progress(quiet_);
     const auto start = std::chrono::steady_clock::now();
-    Plan plan = plan_field(field, machine_, objective_, settings_, threads_,
-                           [&](int done, int total) { progress.show("planning " + field.id, done, total); });
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    return {std::move(plan), elapsed.count()};
+    const Progress show = [&](int done, int total) { progress.show("planning " + field.id, done, total); };
+    Planned out;
+    if (explain_) {
+      ExplainedPlan explained = plan_and_explain(field, machine_, objective_, settings_, threads_, show);
+      out.plan = std::move(explained.plan);
+      out.why = std::move(explained.why);
+    } else {
+      out.plan = plan_field(field, machine_, objective_, settings_, threads_, show);
+    }
+    out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return out;
+  }
+
+  static nlohmann::ordered_json json_of(const Planned& planned, const std::vector<Skipped>& skipped) {
+    nlohmann::ordered_json out = plan_json(planned.plan, skipped, planned.seconds);
+    if (planned.why) out["explain"] = explain_json(*planned.why);
+    return out;
+  }
+
+  static std::string explanation_of(const Planned& planned) {
+    return planned.why ? explain_rows(*planned.why, planned.plan.cost) : "";
   }
 
   struct Outputs {
@@ -128,9 +152,9 @@ class PlanCommand : public Command {
 
   void report_one_of_many(const Planned& planned) const {
     if (json_)
-      fmt::print("{}\n", json_line(plan_json(planned.plan, {}, planned.seconds)));
+      fmt::print("{}\n", json_line(json_of(planned, {})));
     else if (!quiet_)
-      fmt::print("{}", plan_line(planned.plan, planned.seconds));
+      fmt::print("{}{}", plan_line(planned.plan, planned.seconds), explanation_of(planned));
   }
 
   void refuse(const std::string& field_id, const std::string& sentence) {
@@ -145,7 +169,7 @@ class PlanCommand : public Command {
   PlanOptions plan_options_;
   std::string output_, picture_, zoom_;
   int threads_ = 0;
-  bool json_ = false, quiet_ = false;
+  bool explain_ = false, json_ = false, quiet_ = false;
   Machine machine_;
   Objective objective_;
   PlanSettings settings_;

@@ -5,24 +5,6 @@
 namespace tramline {
 namespace {
 
-StripRange range_of(const SubfieldTracks& tracks) {
-  StripRange range;
-  if (tracks.pieces.empty()) return range;
-  range = {tracks.pieces.front().strip, tracks.pieces.front().strip};
-  for (const StripPiece& piece : tracks.pieces)
-    range = {std::min(range.first, piece.strip), std::max(range.last, piece.strip)};
-  return range;
-}
-
-void add_straight_swaths(const SubfieldTracks& tracks, std::size_t subfield, WorkedGround& ground) {
-  ground.add_subfield(tracks.grid, range_of(tracks));
-  for (const StripPiece& piece : tracks.pieces) {
-    StripWork work = ground.at(subfield, piece.strip);
-    for (const Interval& part : straight_parts(piece)) work.straight.push_back(part);
-    ground.set(subfield, piece.strip, std::move(work));
-  }
-}
-
 bool has_detours(const SubfieldTracks& tracks) {
   return std::any_of(tracks.pieces.begin(), tracks.pieces.end(),
                      [](const StripPiece& piece) { return !piece.detours.empty(); });
@@ -47,8 +29,7 @@ double take(const std::vector<Ring>& body, std::size_t subfield, int strip, cons
 
 double covered_by_detours_m2(const Region& body, const std::vector<SubfieldTracks>& tracks) {
   if (std::none_of(tracks.begin(), tracks.end(), has_detours)) return 0;
-  WorkedGround ground;
-  for (std::size_t i = 0; i < tracks.size(); ++i) add_straight_swaths(tracks[i], i, ground);
+  WorkedGround ground = worked_straight(tracks);
   double sum = 0;
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     if (!has_detours(tracks[i])) continue;

@@ -48,6 +48,15 @@ bool meets_any(const Box& box, const std::vector<Box>& others) {
   return std::any_of(others.begin(), others.end(), [&](const Box& other) { return intersects(box, other); });
 }
 
+StripRange range_of(const SubfieldTracks& tracks) {
+  StripRange range;
+  if (tracks.pieces.empty()) return range;
+  range = {tracks.pieces.front().strip, tracks.pieces.front().strip};
+  for (const StripPiece& piece : tracks.pieces)
+    range = {std::min(range.first, piece.strip), std::max(range.last, piece.strip)};
+  return range;
+}
+
 }  // namespace
 
 void WorkedGround::add_subfield(const StripGrid& grid, StripRange range) {
@@ -131,6 +140,31 @@ void WorkedGround::append_foreign(const Subfield& from, const Subfield& to, cons
       if (intersects(strip.reach[i], seen))
         append_band(moved(strip.work.detours[i].path, move), from.grid.width_m, Layer::kTaken, out);
   }
+}
+
+WorkedGround worked_straight(const std::vector<SubfieldTracks>& tracks) {
+  WorkedGround ground;
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    ground.add_subfield(tracks[i].grid, range_of(tracks[i]));
+    for (const StripPiece& piece : tracks[i].pieces) {
+      StripWork work = ground.at(i, piece.strip);
+      for (const Interval& part : straight_parts(piece)) work.straight.push_back(part);
+      ground.set(i, piece.strip, std::move(work));
+    }
+  }
+  return ground;
+}
+
+WorkedGround worked_by(const std::vector<SubfieldTracks>& tracks) {
+  WorkedGround ground = worked_straight(tracks);
+  for (std::size_t i = 0; i < tracks.size(); ++i)
+    for (const StripPiece& piece : tracks[i].pieces) {
+      if (piece.detours.empty()) continue;
+      StripWork work = ground.at(i, piece.strip);
+      work.detours.insert(work.detours.end(), piece.detours.begin(), piece.detours.end());
+      ground.set(i, piece.strip, std::move(work));
+    }
+  return ground;
 }
 
 Box straight_box(const StripGrid& grid, int strip, const Interval& part) {

@@ -51,6 +51,10 @@ class WorkedGround {
   std::vector<Subfield> subfields_;
 };
 
+/// What the straight parts of tracks work, and what whole tracks do.
+WorkedGround worked_straight(const std::vector<SubfieldTracks>& tracks);
+WorkedGround worked_by(const std::vector<SubfieldTracks>& tracks);
+
 /// The rectangle a straight part works, in the grid's plane.
 Box straight_box(const StripGrid& grid, int strip, const Interval& part);
 /// A box that the swath of a detour does not leave, in the grid's plane.

@@ -38,9 +38,10 @@ struct Tried {
 
 /// One connected part of the ground, by itself.
 struct PartResult {
-  Tried whole;       ///< undivided
-  Grounds divided;   ///< empty where that does not pay
-  double bound = 0;  ///< of undivided plans
+  Tried whole;        ///< undivided
+  Grounds divided;    ///< empty where that does not pay
+  Grounds shortlist;  ///< the part on each of the grids that looked good, best first; not empty
+  double bound = 0;   ///< of undivided plans
   int boxes = 0;
 };
 
@@ -62,6 +63,7 @@ class BestSearch {
     out_.proof.bound = std::min(out_.proof.one_direction_bound, least_cost_of_any_plan(task_));
     out_.directions_tried = static_cast<int>(swept_.size()) + boxes_;
     out_.best = std::move(best_);
+    out_.swept = std::move(swept_);
     return std::move(out_);
   }
 
@@ -70,6 +72,7 @@ class BestSearch {
     Grounds whole, chosen;
     double bound = beside_the_parts(task_);
     bool divided = false;
+    std::vector<Grounds> shortlists;
     const std::size_t parts = task_.ground.plannable.size();
     for (std::size_t i = 0; i < parts; ++i) {
       PartResult found = search_part(i);
@@ -79,6 +82,7 @@ class BestSearch {
       divided = divided || !found.divided.empty();
       bound += found.bound;
       boxes_ += found.boxes;
+      shortlists.push_back(std::move(found.shortlist));
       if (parts == 1) best_ = std::move(found.whole.candidate);
     }
     if (parts != 1) best_ = candidate_on(task_, whole);
@@ -86,6 +90,18 @@ class BestSearch {
     out_.proof.one_direction_cost = best_.cost();
     out_.proof.one_direction_bound = std::clamp(bound, 0.0, best_.cost());
     if (divided) try_plan(chosen);
+    out_.shortlist = across_parts(shortlists);
+  }
+
+  /// The best of each part's list together, the second best, and so on; a part whose list ends stays with its
+  /// best.
+  static std::vector<Grounds> across_parts(const std::vector<Grounds>& shortlists) {
+    std::size_t longest = 0;
+    for (const Grounds& list : shortlists) longest = std::max(longest, list.size());
+    std::vector<Grounds> out(longest);
+    for (std::size_t i = 0; i < longest; ++i)
+      for (const Grounds& list : shortlists) out[i].push_back(list[i < list.size() ? i : 0]);
+    return out;
   }
 
   PartResult search_part(std::size_t index) {
@@ -96,7 +112,13 @@ class BestSearch {
     const bool hindered = !found.unhindered.empty();
     std::vector<Grounds> ways{{gridded(part, found.grids.front())}};
     if (hindered) append_hindered_ways(index, found, ways);
-    PartResult out{cheapest_of(std::move(ways)), {}, found.bound, found.boxes};
+    // With detours in sight, what was not tried may be cheaper than it looks: it is no runner-up.
+    Grounds shortlist;
+    if (hindered)
+      for (const Grounds& way : ways) shortlist.push_back(way.front());
+    else
+      for (const PricedGrid& grid : found.grids) shortlist.push_back(gridded(part, grid));
+    PartResult out{cheapest_of(std::move(ways)), {}, std::move(shortlist), found.bound, found.boxes};
     if (hindered) slide(out.whole);
 
     const PricedSubfield ground{part, hindered ? found.unhindered.front() : found.grids.front()};
@@ -170,12 +192,7 @@ class BestSearch {
     if (candidate.cost() < best_.cost()) best_ = std::move(candidate);
   }
 
-  void see(const Candidate& candidate) {
-    Grounds grounds;
-    for (std::size_t i = 0; i < candidate.subfields.size(); ++i)
-      grounds.push_back({candidate.subfields[i], candidate.strips[i].grid.origin_m});
-    out_.seen.push_back({std::move(grounds), candidate.avoided.tally, candidate.cost()});
-  }
+  void see(const Candidate& candidate) { out_.seen.push_back(seen_plan(candidate)); }
 
   const SearchTask& task_;
   int threads_;

@@ -58,21 +58,19 @@ Error no_tracks(const SearchTask& task) {
       min_length_m(task.machine), kept_clear ? ", a smaller --clearance" : ""));
 }
 
-}  // namespace
-
-Plan plan_field(const Field& field, const Machine& machine, const Objective& objective,
-                const PlanSettings& settings, int threads, const Progress& progress) {
-  validate_request(machine, objective, settings);
-  const SearchTask task = search_task(field, machine, objective, settings);
-  const auto search = settings.strategy == Strategy::kSweep ? sweep_search : best_search;
-  SearchResult found = search(task, threads, progress);
+SearchResult search(const SearchTask& task, int threads, const Progress& progress) {
+  const auto by_strategy = task.settings.strategy == Strategy::kSweep ? sweep_search : best_search;
+  SearchResult found = by_strategy(task, threads, progress);
   if (found.best.avoided.tally.pieces == 0) throw no_tracks(task);
+  return found;
+}
 
+Plan plan_of(const SearchTask& task, SearchResult found) {
   Plan plan;
-  plan.field = field;
-  plan.machine = machine;
-  plan.objective = objective;
-  plan.settings = settings;
+  plan.field = task.field;
+  plan.machine = task.machine;
+  plan.objective = task.objective;
+  plan.settings = task.settings;
   plan.body = task.ground.body;
   plan.given_up = task.ground.given_up;
   plan.pieces = driving_order(found.best);
@@ -88,6 +86,24 @@ Plan plan_field(const Field& field, const Machine& machine, const Objective& obj
   plan.uncovered = std::move(worked.uncovered);
   plan.warnings = warnings_about(plan);
   return plan;
+}
+
+}  // namespace
+
+Plan plan_field(const Field& field, const Machine& machine, const Objective& objective,
+                const PlanSettings& settings, int threads, const Progress& progress) {
+  validate_request(machine, objective, settings);
+  const SearchTask task = search_task(field, machine, objective, settings);
+  return plan_of(task, search(task, threads, progress));
+}
+
+ExplainedPlan plan_and_explain(const Field& field, const Machine& machine, const Objective& objective,
+                               const PlanSettings& settings, int threads, const Progress& progress) {
+  validate_request(machine, objective, settings);
+  const SearchTask task = search_task(field, machine, objective, settings);
+  SearchResult found = search(task, threads, progress);
+  Explanation why = explanation_of(task, found, threads);
+  return {plan_of(task, std::move(found)), std::move(why)};
 }
 
 }  // namespace tramline

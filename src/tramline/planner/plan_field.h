@@ -2,7 +2,7 @@
 // From a field, a machine and an objective to a plan.
 
 #include "tramline/model/plan.h"
-#include "tramline/planner/search_result.h"
+#include "tramline/planner/explanation.h"
 
 namespace tramline {
 
@@ -12,5 +12,14 @@ namespace tramline {
 /// Deterministic: the same plan for any number of threads.
 Plan plan_field(const Field& field, const Machine& machine, const Objective& objective,
                 const PlanSettings& settings, int threads = 0, const Progress& progress = {});
+
+struct ExplainedPlan {
+  Plan plan;
+  Explanation why;
+};
+
+/// The same plan, and why it is the one. Takes longer: runner-ups have to be laid out.
+ExplainedPlan plan_and_explain(const Field& field, const Machine& machine, const Objective& objective,
+                               const PlanSettings& settings, int threads = 0, const Progress& progress = {});
 
 }  // namespace tramline

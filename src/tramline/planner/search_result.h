@@ -13,8 +13,17 @@ using Progress = std::function<void(int done, int total)>;
 /// A plan the search has laid out and tallied on its way.
 struct SeenPlan {
   std::vector<GriddedSubfield> grounds;  ///< candidate_on() makes the plan of it again
+  std::vector<Direction> directions;     ///< of the subfields that have tracks
   Tally tally;
   double cost = 0;
+};
+
+SeenPlan seen_plan(const Candidate& candidate);
+
+/// One candidate of the sweep.
+struct SweptGround {
+  std::vector<GriddedSubfield> grounds;
+  Outlook outlook;
 };
 
 struct SearchResult {
@@ -22,6 +31,9 @@ struct SearchResult {
   int directions_tried = 0;
   Proof proof;
   std::vector<SeenPlan> seen;  ///< of the whole field, in the order in which they were looked at
+  /// Plans of the whole field, undivided, that were priced and looked good; seen or not.
+  std::vector<std::vector<GriddedSubfield>> shortlist;
+  std::vector<SweptGround> swept;  ///< every candidate of the sweep
 };
 
 }  // namespace tramline

@@ -81,10 +81,10 @@ std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vecto
 }
 
 SearchResult sweep_search(const SearchTask& task, int threads, const Progress& progress) {
-  const std::vector<SweptGround> swept = swept_grounds(task, threads, progress);
   SearchResult out;
-  out.directions_tried = static_cast<int>(swept.size());
-  if (auto best = cheapest_swept(task, swept, std::numeric_limits<double>::infinity(), threads))
+  out.swept = swept_grounds(task, threads, progress);
+  out.directions_tried = static_cast<int>(out.swept.size());
+  if (auto best = cheapest_swept(task, out.swept, std::numeric_limits<double>::infinity(), threads))
     out.best = std::move(*best);
   return out;
 }

@@ -7,12 +7,6 @@
 
 namespace tramline {
 
-/// One candidate of the sweep.
-struct SweptGround {
-  std::vector<GriddedSubfield> grounds;
-  Outlook outlook;
-};
-
 /// S1.19 for every direction, in the order of candidate_directions(). Parallel by `threads` threads (0: all
 /// cores).
 std::vector<SweptGround> swept_grounds(const SearchTask& task, int threads, const Progress& progress);

@@ -1,0 +1,17 @@
+#pragma once
+// What `plan --explain` says: what the cost is made of, and the runner-ups.
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tramline/planner/explanation.h"
+
+namespace tramline::app {
+
+/// The key `explain` of docs/json.md.
+nlohmann::ordered_json explain_json(const Explanation& why);
+
+/// Two tables for people: the causes that cost anything, with their share of `cost`, and the runner-ups.
+std::string explain_rows(const Explanation& why, double cost);
+
+}  // namespace tramline::app

@@ -1,0 +1,224 @@
+#include "tramline/cost/cost_causes.h"
+
+#include <algorithm>
+
+#include "tramline/cost/border_overrun.h"
+#include "tramline/cost/detour_cover.h"
+#include "tramline/cost/worked_ground.h"
+
+namespace tramline {
+namespace {
+
+using Parts = std::array<CausePart, kCauseCount>;
+
+CausePart& part(Parts& parts, Cause cause) { return parts[static_cast<std::size_t>(cause)]; }
+
+double area_over(const StripProfile& profile, const Intervals& rows) {
+  double sum = 0;
+  for (const Interval& stretch : rows) sum += area_between(profile, stretch.from, stretch.to);
+  return sum;
+}
+
+double length_of(const Intervals& rows) {
+  double sum = 0;
+  for (const Interval& stretch : rows) sum += stretch.length();
+  return sum;
+}
+
+/// Where a boundary passes through a strip from full rows to empty ones.
+Intervals passages(const StripProfile& subfield, double width_m) {
+  const Intervals full = where_at_least(subfield, width_m - kWidthTolerance);
+  const auto begins_full = [&](double at) {
+    return std::any_of(full.begin(), full.end(), [at](const Interval& part) { return part.from == at; });
+  };
+  const auto ends_full = [&](double at) {
+    return std::any_of(full.begin(), full.end(), [at](const Interval& part) { return part.to == at; });
+  };
+  Intervals out;
+  for (const Interval& partly : without(where_at_least(subfield, kWidthTolerance), full))
+    if (ends_full(partly.from) != begins_full(partly.to) && partly.length() <= kLongestRowEnd * width_m)
+      out.push_back(partly);
+  return out;
+}
+
+/// The rows of one strip by what happens in them.
+struct StripRows {
+  Intervals driven;  ///< straight
+  Intervals in_detours;
+  Intervals in_short_pieces;
+};
+
+std::vector<StripRows> rows_by_strip(const Strips& strips, const SubfieldTracks& tracks) {
+  std::vector<StripRows> out(strips.strips.size());
+  const auto rows_of = [&](const StripPiece& piece) -> StripRows& {
+    return out[static_cast<std::size_t>(piece.strip - strips.strips.front().index)];
+  };
+  for (const StripPiece& piece : tracks.pieces) {
+    StripRows& rows = rows_of(piece);
+    for (const Interval& straight : straight_parts(piece)) rows.driven.push_back(straight);
+    for (const StripDetour& detour : piece.detours) rows.in_detours.push_back({detour.from, detour.to});
+  }
+  for (const StripPiece& piece : tracks.dropped)
+    rows_of(piece).in_short_pieces.push_back({piece.from, piece.to});
+  return out;
+}
+
+/// One subfield in the plane of its grid.
+class SubfieldAccount {
+ public:
+  SubfieldAccount(const LaidPlan& plan, std::size_t subfield, const WorkedGround& worked)
+      : subfield_(subfield), strips_(plan.strips[subfield]), worked_(worked) {
+    const TrackFrame& frame = strips_.grid.frame;
+    shape_ = rings_of(frame.to_track(Region{plan.subfields[subfield].shape}));
+    passable_ = rings_of(frame.to_track(plan.passable));
+    if (strips_.strips.empty()) return;
+    Region others;
+    for (std::size_t i = 0; i < plan.subfields.size(); ++i)
+      if (i != subfield) others.push_back(plan.subfields[i].shape);
+    others_ = cross_sections(frame.to_track(others), strips_.grid,
+                             {strips_.strips.front().index, strips_.strips.back().index});
+    rows_ = rows_by_strip(strips_, plan.tracks[subfield]);
+  }
+
+  void add_to(Parts& parts) const {
+    for (std::size_t i = 0; i < strips_.strips.size(); ++i) {
+      add_overlap(i, parts);
+      add_uncovered(i, parts);
+    }
+  }
+
+ private:
+  /// What straight swaths work outside the subfield; within others, all of it.
+  void add_overlap(std::size_t i, Parts& parts) const {
+    const StripProfile &own = strips_.strips[i].subfield, &others = others_[i];
+    const Intervals& driven = rows_[i].driven;
+    const auto beyond = [&](const Intervals& rows) {
+      return strips_.grid.width_m * length_of(rows) - area_over(own, rows) - area_over(others, rows);
+    };
+    const Intervals ends = passages(own, strips_.grid.width_m);
+    part(parts, Cause::kRowEnds).overlap_m2 += beyond(common(driven, ends));
+    part(parts, Cause::kSides).overlap_m2 += beyond(without(driven, ends));
+    part(parts, Cause::kSeams).overlap_m2 += area_over(others, driven);
+  }
+
+  void add_uncovered(std::size_t i, Parts& parts) const {
+    const Strip& strip = strips_.strips[i];
+    if (strip.subfield.empty()) return;
+    Intervals left =
+        without({{strip.subfield.slabs.front().from, strip.subfield.slabs.back().to}}, rows_[i].driven);
+    const auto take = [&](Cause cause, const Intervals& rows) {
+      part(parts, cause).uncovered_m2 += bare_m2(strip, common(left, rows));
+      left = without(left, rows);
+    };
+    take(Cause::kDetours, rows_[i].in_detours);
+    take(Cause::kStops, strip.by_hard);
+    take(Cause::kShortPieces, rows_[i].in_short_pieces);
+    take(Cause::kRowEnds, strip.by_passable);
+    take(Cause::kSeams, where_at_least(others_[i], kWidthTolerance));
+    take(Cause::kRowEnds, passages(strip.subfield, strips_.grid.width_m));
+    part(parts, Cause::kSides).uncovered_m2 += bare_m2(strip, left);
+  }
+
+  /// What of the subfield in these rows of a strip no swath covers, passable obstacles apart.
+  double bare_m2(const Strip& strip, const Intervals& rows) const {
+    double sum = 0;
+    for (const Interval& stretch : rows) {
+      if (area_between(strip.subfield, stretch.from, stretch.to) == 0) continue;
+      const Box box = straight_box(strips_.grid, strip.index, stretch);
+      RisingCurves curves;
+      for (const Ring& ring : shape_) append_ring(ring, Layer::kBody, box, curves);
+      for (const Ring& ring : passable_) append_ring(ring, Layer::kTaken, box, curves);
+      worked_.append_taken(subfield_, box, {box}, {}, curves);
+      append_box(box, Layer::kNew, box, curves);
+      sum += new_area(curves);
+    }
+    return sum;
+  }
+
+  std::size_t subfield_;
+  const Strips& strips_;
+  const WorkedGround& worked_;
+  std::vector<Ring> shape_, passable_;
+  std::vector<StripProfile> others_;  ///< the other subfields, by strip
+  std::vector<StripRows> rows_;       ///< by strip
+};
+
+double worked_by_detours_m2(const std::vector<SubfieldTracks>& tracks) {
+  double sum = 0;
+  for (const SubfieldTracks& subfield : tracks)
+    for (const StripPiece& piece : subfield.pieces)
+      for (const StripDetour& detour : piece.detours) sum += subfield.grid.width_m * detour.length_m;
+  return sum;
+}
+
+/// Differences of areas that ought to be equal are nothing, be they above or below.
+double without_rounding(double area_m2) {
+  constexpr double kLeast_m2 = 1e-6;
+  return area_m2 < kLeast_m2 ? 0 : area_m2;
+}
+
+Parts measured(const LaidPlan& plan) {
+  Parts parts{};
+  const WorkedGround worked = worked_by(plan.tracks);
+  for (std::size_t i = 0; i < plan.subfields.size(); ++i) SubfieldAccount(plan, i, worked).add_to(parts);
+  part(parts, Cause::kSeams).overlap_m2 -= covered_by_neighbours_m2(plan.subfields, plan.tracks);
+  part(parts, Cause::kDetours).overlap_m2 =
+      worked_by_detours_m2(plan.tracks) - covered_by_detours_m2(plan.body, plan.tracks);
+  part(parts, Cause::kGivenUp).uncovered_m2 = area(plan.given_up);
+  part(parts, Cause::kTurns).count = plan.tally.turns;
+  part(parts, Cause::kStops).count = plan.tally.stops;
+  for (CausePart& each : parts) {
+    each.overlap_m2 = without_rounding(each.overlap_m2);
+    each.uncovered_m2 = without_rounding(each.uncovered_m2);
+  }
+  return parts;
+}
+
+/// Makes the parts sum to the tally's area, by the largest of them. Gives what was missing.
+double settle(Parts& parts, double CausePart::*area_m2, double tally_m2) {
+  double missing_m2 = tally_m2;
+  CausePart* largest = &parts.front();
+  for (CausePart& each : parts) {
+    missing_m2 -= each.*area_m2;
+    if (each.*area_m2 > largest->*area_m2) largest = &each;
+  }
+  largest->*area_m2 += missing_m2;
+  return missing_m2;
+}
+
+}  // namespace
+
+const char* name(Cause cause) {
+  switch (cause) {
+    case Cause::kRowEnds:
+      return "row ends";
+    case Cause::kSides:
+      return "sides";
+    case Cause::kSeams:
+      return "seams";
+    case Cause::kDetours:
+      return "detours";
+    case Cause::kStops:
+      return "stops";
+    case Cause::kShortPieces:
+      return "short pieces";
+    case Cause::kGivenUp:
+      return "given up";
+    case Cause::kTurns:
+      return "turns";
+  }
+  return "";
+}
+
+CostCauses causes_of(const LaidPlan& plan, const Objective& objective) {
+  CostCauses out{measured(plan), 0, 0};
+  out.overlap_rounding_m2 = settle(out.parts, &CausePart::overlap_m2, plan.tally.overlap_m2);
+  out.uncovered_rounding_m2 = settle(out.parts, &CausePart::uncovered_m2, plan.tally.uncovered_m2);
+  for (CausePart& each : out.parts)
+    each.cost = objective.overlap * each.overlap_m2 + objective.uncovered * each.uncovered_m2;
+  part(out.parts, Cause::kTurns).cost += objective.turn * plan.tally.turns;
+  part(out.parts, Cause::kStops).cost += objective.stop * plan.tally.stops;
+  return out;
+}
+
+}  // namespace tramline
