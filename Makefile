@@ -85,7 +85,8 @@ program: packages $(RELEASE)/build.ninja
 
 # --- the long tests: each part stands alone and takes an hour at most on two cores -----------------
 
-LONG := long-properties long-scenes long-real-1 long-real-2 long-real-3 long-obstacles-3 long-obstacles-6 \
+LONG := long-properties long-scenes long-best-bound long-best-brute long-best-real long-best-real-1 \
+  long-best-real-2 long-best-real-3 long-tally-real long-real-1 long-real-2 long-real-3 long-obstacles-3 long-obstacles-6 \
   long-obstacles-12 long-obstacles-24 long-registers long-asan long-tsan long-clang
 
 .PHONY: long $(LONG)
@@ -96,6 +97,23 @@ long-properties: build ## every property with 20,000 random cases
 
 long-scenes: build ## 10,000 random scenes full of obstacles, planned in every way and verified
 	TRAMLINE_CASES=10000 $(LIMIT) $(RELEASE)/tests/properties/test_obstacle_scenes
+
+# What the best search promises; by themselves, because brute force is slow.
+BEST = $(LIMIT) $(RELEASE)/tests/properties/test_best_search
+long-best-bound: build ## on 10,000 random fields, no grid of 1,000 costs less than the bound
+	TRAMLINE_CASES=10000 $(BEST) --gtest_filter='*NoGridCostsLess*'
+long-best-brute: build ## 200 random fields against brute force, and against the sweep
+	TRAMLINE_CASES=200 $(BEST) --gtest_filter='-*NoGridCostsLess*'
+long-best-real: build ## the best search against the sweep over the real fields, default prices
+	$(LIMIT) $(RELEASE)/tests/real/best_real
+long-best-real-1: build ## the same, S1's scenario 1
+	$(LIMIT) $(RELEASE)/tests/real/best_real --scenario 1
+long-best-real-2: build ## the same, S1's scenario 2
+	$(LIMIT) $(RELEASE)/tests/real/best_real --scenario 2
+long-best-real-3: build ## the same, S1's scenario 3
+	$(LIMIT) $(RELEASE)/tests/real/best_real --scenario 3
+long-tally-real: build ## the closed-form tally against polygon clipping over the real fields
+	$(LIMIT) $(RELEASE)/tests/real/tally_real
 
 # One scenario of S1 over all real fields: least overlap, least uncovered, fewest turns.
 SWEEP = $(LIMIT) $(RELEASE)/tests/real/sweep_real
