@@ -106,8 +106,7 @@ class BestSearch {
 
   PartResult search_part(std::size_t index) {
     const Polygon& part = task_.ground.plannable[index];
-    SearchEffort effort;
-    effort.tolerance = task_.settings.direction_tolerance;
+    const SearchEffort effort = effort_for(part);
     const GridSearchResult found = search_grids(task_, part, effort, threads_);
     const bool hindered = !found.unhindered.empty();
     std::vector<Grounds> ways{{gridded(part, found.grids.front())}};
@@ -128,6 +127,19 @@ class BestSearch {
     Grounds apart = gridded(divided);
     if (candidate_on(task_, apart).cost() < out.whole.candidate.cost()) out.divided = std::move(apart);
     return out;
+  }
+
+  /// A grid takes time in proportion to corners and tracks: the more there are, the fewer are looked at.
+  SearchEffort effort_for(const Polygon& part) const {
+    constexpr double kCornersAndTracks = 2e6;  // of all grids that are bounded
+    const Box box = bounds(part);
+    const double one = static_cast<double>(vertex_count({part})) +
+                       std::hypot(box.width(), box.height()) / task_.machine.width_m;
+    SearchEffort effort;
+    effort.tolerance = task_.settings.direction_tolerance;
+    effort.most_boxes = std::min(effort.most_boxes, 200 + static_cast<int>(kCornersAndTracks / one));
+    effort.scanned = std::min(effort.scanned, 20 + static_cast<int>(0.1 * kCornersAndTracks / one));
+    return effort;
   }
 
   /// What is best with detours is neither best with all tracks cut nor best with stops for nothing: the
