@@ -13,4 +13,7 @@ namespace tramline {
 Plan plan_field(const Field& field, const Machine& machine, const Objective& objective,
                 const PlanSettings& settings, int threads = 0, const Progress& progress = {});
 
+/// The search of the task's strategy.
+SearchResult search_for(const SearchTask& task, int threads, const Progress& progress);
+
 }  // namespace tramline
