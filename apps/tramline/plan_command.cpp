@@ -3,19 +3,21 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <utility>
 
 #include "close_ups.h"
 #include "command.h"
 #include "field_options.h"
+#include "many_fields.h"
 #include "output_names.h"
 #include "output_target.h"
 #include "plan_options.h"
 #include "plan_report.h"
 #include "progress.h"
 #include "report_parts.h"
-#include "tramline/geometry/error.h"
 #include "tramline/io/plan/write_plan.h"
 #include "tramline/planner/plan_field.h"
+#include "tramline/planner/trade_off.h"
 #include "tramline/planner/validate_request.h"
 #include "tramline/render/draw_plan.h"
 
@@ -41,6 +43,10 @@ class PlanCommand : public Command {
     verb->add_option("--picture", picture_, "draw the plan to this .png, .svg or .pdf");
     verb->add_option("--zoom-obstacles", zoom_,
                      "draw a close-up of every obstacle into this folder, which is made if missing");
+    verb->add_flag(
+        "--front", front_,
+        "look for other plans worth a choice too (see 'tramline compare'), and keep their numbers in "
+        "the plan file and in --json");
     verb->add_option("--threads", threads_, "threads to use (default: all cores)")
         ->check(CLI::Range(0, 1024));
     verb->add_flag("--json", json_, "print one JSON object per field");
@@ -75,29 +81,14 @@ class PlanCommand : public Command {
     return 0;
   }
 
-  /// Several features, or the parts of one; what cannot be planned is listed, and the rest goes on.
-  int plan_many(const FieldInput& input) {
+  /// Several features, or the parts of one.
+  int plan_many(const FieldInput& input) const {
     Outputs outputs{{output_, true}, {picture_, true}, CloseUps(zoom_)};
-    std::size_t planned_count = 0;
-    for (const Refusal& refusal : input.refusals) refuse(refusal.field_id, refusal.sentence);
-    for (const Field& field : input.fields) {
-      try {
-        const Planned planned = plan_one(field);
-        write(planned.plan, outputs);
-        report_one_of_many(planned);
-        ++planned_count;
-      } catch (const Error& error) {
-        if (error.kind() != ErrorKind::kBadInput) throw;
-        refuse(field.id, error.what());
-      }
-    }
-    if (json_ && !input.skipped.empty())
-      fmt::print("{}\n", json_line({{"skipped", skipped_json(input.skipped)}}));
-    if (!json_ && !quiet_) fmt::print(stderr, "{}", skipped_rows(input.skipped));
-    if (!quiet_)
-      fmt::print(stderr, "planned {} of {} fields, {} refused\n", planned_count,
-                 input.fields.size() + input.refusals.size(), refused_);
-    return planned_count > 0 ? 0 : 2;
+    return work_on_many_fields(input, {json_, quiet_, "planned"}, [&](const Field& field) {
+      const Planned planned = plan_one(field);
+      write(planned.plan, outputs);
+      report_one_of_many(planned);
+    });
   }
 
   struct Planned {
@@ -108,10 +99,23 @@ class PlanCommand : public Command {
   Planned plan_one(const Field& field) const {
     ProgressLine progress(quiet_);
     const auto start = std::chrono::steady_clock::now();
-    Plan plan = plan_field(field, machine_, objective_, settings_, threads_,
-                           [&](int done, int total) { progress.show("planning " + field.id, done, total); });
+    Plan plan = front_ ? plan_with_front(field, progress) : plan_alone(field, progress);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     return {std::move(plan), elapsed.count()};
+  }
+
+  Plan plan_alone(const Field& field, ProgressLine& progress) const {
+    return plan_field(field, machine_, objective_, settings_, threads_,
+                      [&](int done, int total) { progress.show("planning " + field.id, done, total); });
+  }
+
+  Plan plan_with_front(const Field& field, ProgressLine& progress) const {
+    TradeOff found = trade_off(field, machine_, objective_, settings_, threads_, [&](int done, int total) {
+      progress.show("comparing " + field.id, done, total, "searches");
+    });
+    Plan plan = given_plan(found);
+    plan.front = std::move(found.front);
+    return plan;
   }
 
   struct Outputs {
@@ -133,23 +137,14 @@ class PlanCommand : public Command {
       fmt::print("{}", plan_line(planned.plan, planned.seconds));
   }
 
-  void refuse(const std::string& field_id, const std::string& sentence) {
-    ++refused_;
-    if (json_)
-      fmt::print("{}\n", json_line(refusal_json(field_id, sentence)));
-    else
-      fmt::print(stderr, "{} refused: {}\n", field_id, sentence);
-  }
-
   FieldOptions field_options_;
   PlanOptions plan_options_;
   std::string output_, picture_, zoom_;
   int threads_ = 0;
-  bool json_ = false, quiet_ = false;
+  bool front_ = false, json_ = false, quiet_ = false;
   Machine machine_;
   Objective objective_;
   PlanSettings settings_;
-  std::size_t refused_ = 0;
 };
 
 }  // namespace
