@@ -8,14 +8,14 @@ namespace tramline {
 namespace {
 
 bool no_worse(const Criteria& a, const Criteria& b) {
-  return a.overlap_e6 <= b.overlap_e6 && a.uncovered_e6 <= b.uncovered_e6 && a.turns <= b.turns &&
-         a.stops <= b.stops;
+  return a.overlap_milli_m2 <= b.overlap_milli_m2 && a.uncovered_milli_m2 <= b.uncovered_milli_m2 &&
+         a.turns <= b.turns && a.stops <= b.stops;
 }
 
 }  // namespace
 
 Criteria criteria_of(const Tally& tally) {
-  return {std::llround(1e6 * tally.overlap_m2), std::llround(1e6 * tally.uncovered_m2), tally.turns,
+  return {std::llround(1e3 * tally.overlap_m2), std::llround(1e3 * tally.uncovered_m2), tally.turns,
           tally.stops};
 }
 

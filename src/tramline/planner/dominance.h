@@ -9,10 +9,11 @@
 
 namespace tramline {
 
-/// What plans are compared by. Areas in millionths of a square metre, for what is less is rounding.
+/// What plans are compared by. Areas in thousandths of a square metre: what is less is the rounding of large
+/// sums, and nobody's choice.
 struct Criteria {
-  long long overlap_e6 = 0;
-  long long uncovered_e6 = 0;
+  long long overlap_milli_m2 = 0;
+  long long uncovered_milli_m2 = 0;
   int turns = 0;
   int stops = 0;
   auto operator<=>(const Criteria&) const = default;

@@ -100,8 +100,10 @@ std::vector<std::size_t> points_to_show(const Front& front, double step) {
 FrontMarks marks_for(const Front& front) {
   Front marked = front;
   FrontMarks& marks = marked.marks;
-  marks.least_overlap = least_by(front, [](const Tally& tally) { return criteria_of(tally).overlap_e6; });
-  marks.least_uncovered = least_by(front, [](const Tally& tally) { return criteria_of(tally).uncovered_e6; });
+  marks.least_overlap =
+      least_by(front, [](const Tally& tally) { return criteria_of(tally).overlap_milli_m2; });
+  marks.least_uncovered =
+      least_by(front, [](const Tally& tally) { return criteria_of(tally).uncovered_milli_m2; });
   marks.fewest_turns = least_by(front, [](const Tally& tally) { return turns_and_stops(tally); });
   marks.given_prices = cheapest_for(front, front.prices);
   marks.knee = knee_of(marked);

@@ -20,7 +20,10 @@ constexpr double kMargin = 28;
 constexpr double kTitleHeight = 62;
 constexpr double kPanelWidth = 340;
 constexpr double kChartHeight = 560;
-constexpr double kCaptionHeight = 84;
+constexpr double kCaptionHeight = 62;  ///< without its heading
+constexpr double kHeadingHeight = 22;  ///< of one line
+constexpr double kHeadingIndent = 36;
+constexpr double kHeadingLetter = 10.6;  ///< room for one, on average
 constexpr double kGap = 28;
 constexpr double kTallestMap = 1.2;  ///< of its width
 constexpr double kMapPadding = 8;
@@ -50,6 +53,29 @@ Box drawn_box(const std::vector<Plan>& plans) {
   return out;
 }
 
+/// The marks of a point, in as few lines as they go into.
+std::vector<std::string> heading_lines(const Front& front, std::size_t point, double width, double k) {
+  const auto most = static_cast<std::size_t>((width - kHeadingIndent * k) / (kHeadingLetter * k));
+  std::vector<std::string> out;
+  for (const char* mark : marks_of(front, point)) {
+    const std::string word = mark;
+    if (!out.empty() && out.back().size() + 2 + word.size() <= most)
+      out.back() += ", " + word;
+    else {
+      if (!out.empty()) out.back() += ",";
+      out.push_back(word);
+    }
+  }
+  return out;
+}
+
+std::size_t most_heading_lines(const Front& front, double width, double k) {
+  std::size_t out = 1;
+  for (const std::size_t point : marked_points(front))
+    out = std::max(out, heading_lines(front, point, width, k).size());
+  return out;
+}
+
 /// The page from top to bottom: title, chart with the panel beside it, rows of small maps.
 struct Layout {
   int width_px = 0, height_px = 0;
@@ -57,18 +83,23 @@ struct Layout {
   Box title, chart, key;
   PageLayout panel;  ///< for draw_legend()
   int columns = 1;
-  double cell_width = 0, map_height = 0, maps_top = 0;
+  double cell_width = 0, caption_height = 0, map_height = 0, maps_top = 0;
 
   Box map(std::size_t index) const {
     const auto column = static_cast<double>(index % static_cast<std::size_t>(columns));
     const auto row = static_cast<double>(index / static_cast<std::size_t>(columns));
     const double left = kMargin * k + column * (cell_width + kGap * k);
-    const double top = maps_top + row * (map_height + (kCaptionHeight + kGap) * k) + kCaptionHeight * k;
+    const double top = maps_top + row * (map_height + caption_height + kGap * k) + caption_height;
     return {left, top, left + cell_width, top + map_height};
+  }
+  Box caption(std::size_t index) const {
+    const Box below = map(index);
+    return {below.min_x, below.min_y - caption_height, below.max_x, below.min_y};
   }
 };
 
-Layout lay_out(const Box& drawn_m, std::size_t maps, int width_px, double legend_height) {
+Layout lay_out(const Box& drawn_m, const Front& front, int width_px, double legend_height) {
+  const std::size_t maps = marked_points(front).size();
   Layout out;
   out.width_px = width_px;
   out.k = std::max(1.0, width_px / 1600.0);
@@ -83,11 +114,12 @@ Layout lay_out(const Box& drawn_m, std::size_t maps, int width_px, double legend
 
   out.columns = maps > 4 ? 3 : std::max(3, static_cast<int>(maps));
   out.cell_width = (right - left - (out.columns - 1) * kGap * k) / out.columns;
+  const auto headings = static_cast<double>(most_heading_lines(front, out.cell_width, k));
+  out.caption_height = (kCaptionHeight + headings * kHeadingHeight) * k;
   const double shape = std::max(drawn_m.height(), 0.01) / std::max(drawn_m.width(), 0.01);
   out.map_height = std::clamp(shape, 0.2, kTallestMap) * out.cell_width;
   out.maps_top = out.chart.max_y + kGap * k;
-  const std::size_t last = maps == 0 ? 0 : maps - 1;
-  out.height_px = static_cast<int>(std::ceil(out.map(last).max_y + kMargin * k));
+  out.height_px = static_cast<int>(std::ceil(out.map(maps - 1).max_y + kMargin * k));
   return out;
 }
 
@@ -113,26 +145,27 @@ std::string count_of(int count, const char* one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
-void draw_caption(Canvas& canvas, const Box& map, const Front& front, std::size_t marked, std::size_t index) {
+void draw_caption(Canvas& canvas, const Box& box, const Front& front, std::size_t marked, std::size_t index) {
   const double k = canvas.scale();
   const FrontPoint& point = front.points[index];
-  const double top = map.min_y - kCaptionHeight * k;
-  const Point badge{map.min_x + 13 * k, top + 14 * k};
+  const Point badge{box.min_x + 13 * k, box.min_y + 14 * k};
   disc(canvas, badge, 13 * k, kInk);
   draw_text(canvas, badge, letter_of(marked), {kTextSize, true, Align::kCentre, kBackgroundColour});
   const TextStyle bold{kTextSize, true}, plain{kSmallTextSize, false, Align::kLeft, kFaintInk};
-  const auto row = [&](double x, double y, const std::string& text, const TextStyle& style) {
-    draw_text(canvas, {x, y}, fitted(canvas, text, style, map.max_x - x), style);
+  double y = badge.y;
+  for (const std::string& line : heading_lines(front, index, box.width(), k)) {
+    const double room = box.width() - kHeadingIndent * k;
+    draw_text(canvas, {box.min_x + kHeadingIndent * k, y}, fitted(canvas, line, bold, room), bold);
+    y += kHeadingHeight * k;
+  }
+  const auto row = [&](const std::string& text) {
+    draw_text(canvas, {box.min_x, y + 6 * k}, fitted(canvas, text, plain, box.width()), plain);
+    y += 22 * k;
   };
-  row(map.min_x + 36 * k, badge.y, fmt::format("{}", fmt::join(marks_of(front, index), ", ")), bold);
-  row(map.min_x, top + 42 * k,
-      fmt::format("overlap {:.0f} m², uncovered {:.0f} m²", std::abs(point.tally.overlap_m2),
-                  std::abs(point.tally.uncovered_m2)),
-      plain);
-  row(map.min_x, top + 64 * k,
-      fmt::format("{}, {}, cost {:.2f}", count_of(point.tally.turns, "turn"),
-                  count_of(point.tally.stops, "stop"), point.cost),
-      plain);
+  row(fmt::format("overlap {:.0f} m², uncovered {:.0f} m²", std::abs(point.tally.overlap_m2),
+                  std::abs(point.tally.uncovered_m2)));
+  row(fmt::format("{}, {}, cost {:.2f}", count_of(point.tally.turns, "turn"),
+                  count_of(point.tally.stops, "stop"), point.cost));
 }
 
 std::string subtitle_of(const Front& front, const Plan& plan) {
@@ -152,7 +185,7 @@ void draw_trade_off(const Front& front, const std::vector<Plan>& plans, const st
   if (front.points.empty() || plans.empty()) throw bad_input("the trade-off has no plan to draw");
   const std::vector<LegendBlock> legend{legend_of_all(plans)};
   const Box drawn = drawn_box(plans);
-  const Layout page = lay_out(drawn, plans.size(), options.width_px, heights_of(legend).front());
+  const Layout page = lay_out(drawn, front, options.width_px, heights_of(legend).front());
 
   Canvas canvas(format, page.width_px, page.height_px);
   canvas.use({}, page.k);
@@ -163,7 +196,7 @@ void draw_trade_off(const Front& front, const std::vector<Plan>& plans, const st
   draw_legend(canvas, page.panel, legend);
   const std::vector<std::size_t> marked = marked_points(front);
   for (std::size_t i = 0; i < plans.size(); ++i) {
-    draw_caption(canvas, page.map(i), front, i, marked[i]);
+    draw_caption(canvas, page.caption(i), front, i, marked[i]);
     canvas.use(view_of(drawn, page.map(i), kMapPadding * page.k), kMapScale * page.k);
     draw_small_map(canvas, plans[i]);
     canvas.use({}, page.k);

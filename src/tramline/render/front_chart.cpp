@@ -91,12 +91,13 @@ void draw_point(Canvas& canvas, Point at, Colour colour) {
 
 void draw_letters(Canvas& canvas, const Front& front, const Axes& axes, const Box& plot) {
   const double k = canvas.scale();
-  std::vector<Point> marked;
-  for (const std::size_t point : marked_points(front)) marked.push_back(axes.at(front.points[point].tally));
-  const std::vector<Point> badges = place_badges_at(marked, kBadgeRadius * k, plot);
+  std::vector<Point> marked, all;
+  for (const FrontPoint& point : front.points) all.push_back(axes.at(point.tally));
+  const std::vector<std::size_t> points = marked_points(front);
+  for (const std::size_t point : points) marked.push_back(all[point]);
+  const std::vector<Point> badges = place_badges_at(marked, all, kBadgeRadius * k, plot);
   for (std::size_t i = 0; i < marked.size(); ++i)
     stroke_line(canvas, {marked[i], badges[i]}, {kInk, 1.6 * k});
-  const std::vector<std::size_t> points = marked_points(front);
   for (std::size_t i = 0; i < marked.size(); ++i) {
     disc(canvas, marked[i], (kPointRadius + 3) * k, kInk);
     draw_point(canvas, marked[i], colour_of(front, turns_and_stops(front.points[points[i]].tally)));
@@ -115,6 +116,11 @@ double hindrance(Point centre, double radius, const std::vector<Point>& points,
   for (const Point badge : badges) out += distance(badge, centre) < 2.2 * radius ? 50 : 0;
   for (const Point point : points) out += distance(point, centre) < 1.8 * radius ? 10 : 0;
   return out;
+}
+
+std::ptrdiff_t hidden(Point centre, double radius, const std::vector<Point>& points) {
+  return std::count_if(points.begin(), points.end(),
+                       [&](Point point) { return distance(point, centre) < 1.4 * radius; });
 }
 
 }  // namespace
@@ -143,10 +149,11 @@ std::string letter_of(std::size_t marked) { return {static_cast<char>('A' + mark
 
 Colour colour_of(const Front& front, int count) {
   const auto [least, most] = range_of_turns(front);
-  return ramp(most > least ? static_cast<double>(count - least) / (most - least) : 0);
+  return ramp(most > least ? std::sqrt(static_cast<double>(count - least) / (most - least)) : 0);
 }
 
-std::vector<Point> place_badges_at(const std::vector<Point>& points, double radius, const Box& room) {
+std::vector<Point> place_badges_at(const std::vector<Point>& points, const std::vector<Point>& others,
+                                   double radius, const Box& room) {
   constexpr int kAngles = 16;
   std::vector<Point> out;
   for (const Point point : points) {
@@ -158,7 +165,8 @@ std::vector<Point> place_badges_at(const std::vector<Point>& points, double radi
         const double turn = (i % 2 == 0 ? 1 : -1) * ((i + 1) / 2) * 2 * std::numbers::pi / kAngles;
         const double angle = -0.25 * std::numbers::pi + turn;
         const Point at = point + reach * radius * Point{std::cos(angle), std::sin(angle)};
-        const double in_the_way = hindrance(at, radius, points, out, room) + 0.1 * reach + 0.01 * i;
+        const double in_the_way = hindrance(at, radius, points, out, room) +
+                                  static_cast<double>(hidden(at, radius, others)) + 0.1 * reach + 0.01 * i;
         if (in_the_way >= least) continue;
         least = in_the_way;
         best = at;
@@ -191,8 +199,12 @@ void draw_colour_key(Canvas& canvas, const Front& front, const Box& box) {
              most > least ? ramp((i + 0.5) / kSteps) : ramp(0));
   const double below = top + 30 * k;
   draw_text(canvas, {box.min_x, below}, std::to_string(least), {kSmallTextSize});
-  if (most > least)
-    draw_text(canvas, {box.max_x, below}, std::to_string(most), {kSmallTextSize, false, Align::kRight});
+  if (most == least) return;
+  draw_text(canvas, {box.max_x, below}, std::to_string(most), {kSmallTextSize, false, Align::kRight});
+  // The colours follow the square root, as the axes do: half way along lies a quarter of the range.
+  if (most - least >= 4)
+    draw_text(canvas, {box.centre().x, below}, std::to_string(least + (most - least + 2) / 4),
+              {kSmallTextSize, false, Align::kCentre});
 }
 
 }  // namespace tramline::render

@@ -23,7 +23,8 @@ std::vector<double> ticks_of(const FrontAxis& axis, double apart_px);
 /// "A", "B" … for marked_points().
 std::string letter_of(std::size_t marked);
 
-/// The colour of so many turns and stops on this front, from few to many.
+/// The colour of so many turns and stops on this front, from few to many on a square-root
+/// scale: few plans need many.
 Colour colour_of(const Front& front, int turns_and_stops);
 
 /// Chart with axes, points and letters, within `box`, pixels of the page.
@@ -33,8 +34,9 @@ void draw_front_chart(Canvas& canvas, const Front& front, const Box& box);
 inline constexpr double kColourKeyHeight = 96;
 void draw_colour_key(Canvas& canvas, const Front& front, const Box& box);
 
-/// Where a badge for each of `points` goes, so that no badge hides a point of them or another badge, within
-/// `room`; pixels of the page.
-std::vector<Point> place_badges_at(const std::vector<Point>& points, double radius, const Box& room);
+/// Where a badge for each of `points` goes, so that no badge hides a point of them or another badge, and as
+/// few of `others` as may be, within `room`; pixels of the page.
+std::vector<Point> place_badges_at(const std::vector<Point>& points, const std::vector<Point>& others,
+                                   double radius, const Box& room);
 
 }  // namespace tramline::render
