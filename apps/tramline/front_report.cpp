@@ -61,6 +61,15 @@ std::string point_row(const Front& front, std::size_t index) {
                      fmt::join(marks_of(front, index), ", "));
 }
 
+/// The winners for the prices asked for, and what stands apart.
+std::vector<std::size_t> points_shown(const Comparison& c) {
+  std::vector<std::size_t> out = points_to_show(c.front, kShownApart);
+  for (const Objective& prices : c.asked) out.push_back(winner_for(c.front, prices).point);
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
 /// Ends with a line feed, not with blanks.
 std::string line_of(std::string row) {
   row.erase(row.find_last_not_of(' ') + 1);
@@ -121,7 +130,7 @@ std::string compare_table(const Comparison& c, const std::vector<Skipped>& skipp
   out += fmt::format("front        {} plans; of each two, either is better in something\n\n",
                      c.front.points.size());
   out += line_of(head_row());
-  const std::vector<std::size_t> shown = points_to_show(c.front, kShownApart);
+  const std::vector<std::size_t> shown = points_shown(c);
   for (const std::size_t point : shown) out += line_of(point_row(c.front, point));
   if (const std::size_t more = c.front.points.size() - shown.size(); more > 0)
     out += fmt::format("\n{} more are much like one of these; --json and --csv give all\n", more);
