@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 namespace tramline {
 namespace {
@@ -10,6 +11,11 @@ namespace {
 bool no_worse(const Criteria& a, const Criteria& b) {
   return a.overlap_milli_m2 <= b.overlap_milli_m2 && a.uncovered_milli_m2 <= b.uncovered_milli_m2 &&
          a.turns <= b.turns && a.stops <= b.stops;
+}
+
+bool comes_first(const Criteria& a, const Criteria& b) {
+  return std::tie(a.overlap_milli_m2, a.uncovered_milli_m2, a.turns, a.stops) <
+         std::tie(b.overlap_milli_m2, b.uncovered_milli_m2, b.turns, b.stops);
 }
 
 }  // namespace
@@ -29,7 +35,7 @@ std::vector<std::size_t> undominated(const std::vector<Tally>& tallies) {
   std::vector<std::size_t> order(tallies.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return criteria[a] < criteria[b]; });
+                   [&](std::size_t a, std::size_t b) { return comes_first(criteria[a], criteria[b]); });
   // In this order nothing is dominated by what comes later.
   std::vector<std::size_t> kept;
   for (const std::size_t i : order)

@@ -1,7 +1,6 @@
 #pragma once
 // Which of many tallies are worth a look.
 
-#include <compare>
 #include <cstddef>
 #include <vector>
 
@@ -16,7 +15,7 @@ struct Criteria {
   long long uncovered_milli_m2 = 0;
   int turns = 0;
   int stops = 0;
-  auto operator<=>(const Criteria&) const = default;
+  bool operator==(const Criteria&) const = default;
 };
 Criteria criteria_of(const Tally& tally);
 

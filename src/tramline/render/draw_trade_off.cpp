@@ -86,8 +86,9 @@ struct Layout {
   double cell_width = 0, caption_height = 0, map_height = 0, maps_top = 0;
 
   Box map(std::size_t index) const {
-    const auto column = static_cast<double>(index % static_cast<std::size_t>(columns));
-    const auto row = static_cast<double>(index / static_cast<std::size_t>(columns));
+    const auto across = static_cast<std::size_t>(columns);
+    const std::size_t row_number = index / across;
+    const auto column = static_cast<double>(index % across), row = static_cast<double>(row_number);
     const double left = kMargin * k + column * (cell_width + kGap * k);
     const double top = maps_top + row * (map_height + caption_height + kGap * k) + caption_height;
     return {left, top, left + cell_width, top + map_height};

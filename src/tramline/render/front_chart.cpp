@@ -162,8 +162,8 @@ std::vector<Point> place_badges_at(const std::vector<Point>& points, const std::
     for (const double reach : {2.4, 3.4, 4.6, 6.0})
       for (int i = 0; i < kAngles; ++i) {
         // To the upper right first: a front leaves that side free.
-        const double turn = (i % 2 == 0 ? 1 : -1) * ((i + 1) / 2) * 2 * std::numbers::pi / kAngles;
-        const double angle = -0.25 * std::numbers::pi + turn;
+        const int steps = (i % 2 == 0 ? 1 : -1) * ((i + 1) / 2);
+        const double angle = (2.0 * steps / kAngles - 0.25) * std::numbers::pi;
         const Point at = point + reach * radius * Point{std::cos(angle), std::sin(angle)};
         const double in_the_way = hindrance(at, radius, points, out, room) +
                                   static_cast<double>(hidden(at, radius, others)) + 0.1 * reach + 0.01 * i;
