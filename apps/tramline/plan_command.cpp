@@ -4,20 +4,22 @@
 
 #include <chrono>
 #include <optional>
+#include <utility>
 
 #include "close_ups.h"
 #include "command.h"
 #include "explain_report.h"
 #include "field_options.h"
+#include "many_fields.h"
 #include "output_names.h"
 #include "output_target.h"
 #include "plan_options.h"
 #include "plan_report.h"
 #include "progress.h"
 #include "report_parts.h"
-#include "tramline/geometry/error.h"
 #include "tramline/io/plan/write_plan.h"
 #include "tramline/planner/plan_field.h"
+#include "tramline/planner/trade_off.h"
 #include "tramline/planner/validate_request.h"
 #include "tramline/render/draw_plan.h"
 
@@ -47,6 +49,10 @@ class PlanCommand : public Command {
     verb->add_flag(
         "--explain", explain_,
         "also say why this plan: what causes its cost, and how much more the next best would cost");
+    verb->add_flag(
+        "--front", front_,
+        "look for other plans worth a choice too (see 'tramline compare'), and keep their numbers in "
+        "the plan file and in --json");
     verb->add_option("--threads", threads_, "threads to use (default: all cores)")
         ->check(CLI::Range(0, 1024));
     verb->add_flag("--json", json_, "print one JSON object per field");
@@ -81,29 +87,14 @@ class PlanCommand : public Command {
     return 0;
   }
 
-  /// Several features, or the parts of one; what cannot be planned is listed, and the rest goes on.
-  int plan_many(const FieldInput& input) {
+  /// Several features, or the parts of one.
+  int plan_many(const FieldInput& input) const {
     Outputs outputs{{output_, true}, {picture_, true}, CloseUps(zoom_)};
-    std::size_t planned_count = 0;
-    for (const Refusal& refusal : input.refusals) refuse(refusal.field_id, refusal.sentence);
-    for (const Field& field : input.fields) {
-      try {
-        const Planned planned = plan_one(field);
-        write(planned.plan, outputs);
-        report_one_of_many(planned);
-        ++planned_count;
-      } catch (const Error& error) {
-        if (error.kind() != ErrorKind::kBadInput) throw;
-        refuse(field.id, error.what());
-      }
-    }
-    if (json_ && !input.skipped.empty())
-      fmt::print("{}\n", json_line({{"skipped", skipped_json(input.skipped)}}));
-    if (!json_ && !quiet_) fmt::print(stderr, "{}", skipped_rows(input.skipped));
-    if (!quiet_)
-      fmt::print(stderr, "planned {} of {} fields, {} refused\n", planned_count,
-                 input.fields.size() + input.refusals.size(), refused_);
-    return planned_count > 0 ? 0 : 2;
+    return work_on_many_fields(input, {json_, quiet_, "planned"}, [&](const Field& field) {
+      const Planned planned = plan_one(field);
+      write(planned.plan, outputs);
+      report_one_of_many(planned);
+    });
   }
 
   struct Planned {
@@ -115,15 +106,17 @@ class PlanCommand : public Command {
   Planned plan_one(const Field& field) const {
     ProgressLine progress(quiet_);
     const auto start = std::chrono::steady_clock::now();
-    const Progress show = [&](int done, int total) { progress.show("planning " + field.id, done, total); };
     Planned out;
     if (explain_) {
-      ExplainedPlan explained = plan_and_explain(field, machine_, objective_, settings_, threads_, show);
+      ExplainedPlan explained =
+          plan_and_explain(field, machine_, objective_, settings_, threads_, shown(field, progress));
       out.plan = std::move(explained.plan);
       out.why = std::move(explained.why);
-    } else {
-      out.plan = plan_field(field, machine_, objective_, settings_, threads_, show);
     }
+    if (front_)
+      out.plan = plan_with_front(field, progress);
+    else if (!explain_)
+      out.plan = plan_field(field, machine_, objective_, settings_, threads_, shown(field, progress));
     out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return out;
   }
@@ -136,6 +129,19 @@ class PlanCommand : public Command {
 
   static std::string explanation_of(const Planned& planned) {
     return planned.why ? explain_rows(*planned.why, planned.plan.cost) : "";
+  }
+
+  static Progress shown(const Field& field, ProgressLine& progress) {
+    return [&](int done, int total) { progress.show("planning " + field.id, done, total); };
+  }
+
+  Plan plan_with_front(const Field& field, ProgressLine& progress) const {
+    TradeOff found = trade_off(field, machine_, objective_, settings_, threads_, [&](int done, int total) {
+      progress.show("comparing " + field.id, done, total, "searches");
+    });
+    Plan plan = given_plan(found);
+    plan.front = std::move(found.front);
+    return plan;
   }
 
   struct Outputs {
@@ -157,23 +163,14 @@ class PlanCommand : public Command {
       fmt::print("{}{}", plan_line(planned.plan, planned.seconds), explanation_of(planned));
   }
 
-  void refuse(const std::string& field_id, const std::string& sentence) {
-    ++refused_;
-    if (json_)
-      fmt::print("{}\n", json_line(refusal_json(field_id, sentence)));
-    else
-      fmt::print(stderr, "{} refused: {}\n", field_id, sentence);
-  }
-
   FieldOptions field_options_;
   PlanOptions plan_options_;
   std::string output_, picture_, zoom_;
   int threads_ = 0;
-  bool explain_ = false, json_ = false, quiet_ = false;
+  bool explain_ = false, front_ = false, json_ = false, quiet_ = false;
   Machine machine_;
   Objective objective_;
   PlanSettings settings_;
-  std::size_t refused_ = 0;
 };
 
 }  // namespace

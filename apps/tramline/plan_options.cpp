@@ -36,12 +36,10 @@ std::vector<double> numbers_in(const std::string& text, const char* option) {
   return out;
 }
 
-/// S1.8: scenario weights; S1 has no price for stops.
-Objective scenario(const std::string& word) {
-  constexpr double kAbove = 99999;
-  if (word == "overlap") return {kAbove, 1, 1, 0};
-  if (word == "uncovered") return {1, kAbove, 1, 0};
-  if (word == "turns") return {1, 1, kAbove, 0};
+Scenario scenario_named(const std::string& word) {
+  if (word == "overlap") return Scenario::kOverlap;
+  if (word == "uncovered") return Scenario::kUncovered;
+  if (word == "turns") return Scenario::kTurns;
   throw bad_input(fmt::format("--minimise takes overlap, uncovered or turns, not '{}'", word));
 }
 
@@ -127,17 +125,15 @@ Machine machine_of(const PlanOptions& o) {
 }
 
 Objective objective_of(const PlanOptions& o) {
-  if (!o.minimise.empty()) return scenario(o.minimise);
-  if (!o.weights.empty()) {
-    const auto n = numbers_in(o.weights, "--weights");
-    return {n[0], n[1], n[2], n.size() > 3 ? n[3] : 0};
-  }
-  Objective prices;
-  if (!o.prices.empty()) {
-    const auto n = numbers_in(o.prices, "--prices");
-    prices = {n[0], n[1], n[2], n.size() > 3 ? n[3] : prices.stop};
-  }
-  return prices;
+  if (!o.minimise.empty()) return weights_of(scenario_named(o.minimise));
+  if (!o.weights.empty()) return prices_typed(o.weights, "--weights", 0);
+  const Objective prices;
+  return o.prices.empty() ? prices : prices_typed(o.prices, "--prices", prices.stop);
+}
+
+Objective prices_typed(const std::string& text, const char* option, double stop) {
+  const auto n = numbers_in(text, option);
+  return {n[0], n[1], n[2], n.size() > 3 ? n[3] : stop};
 }
 
 PlanSettings settings_of(const PlanOptions& o) {

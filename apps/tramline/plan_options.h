@@ -32,6 +32,8 @@ void add_plan_options(CLI::App& verb, PlanOptions& options);
 Machine machine_of(const PlanOptions& options);
 /// --weights o,u,t[,s], --prices o,u,t[,s] or --minimise. Throws kBadInput.
 Objective objective_of(const PlanOptions& options);
+/// o,u,t[,s] as typed after `option`; a stop that is not given costs `stop`. Throws kBadInput.
+Objective prices_typed(const std::string& text, const char* option, double stop);
 /// Throws kBadInput for an unknown word, and for a threshold that is none. What else is out of range is
 /// left to validate_request().
 PlanSettings settings_of(const PlanOptions& options);

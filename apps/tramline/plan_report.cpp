@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "front_report.h"
 #include "obstacle_report.h"
 #include "report_parts.h"
 #include "tramline/headland/body.h"
@@ -23,12 +24,9 @@ ordered_json dropped_json(const Plan& plan) {
   return out;
 }
 
-std::string directions_text(const Plan& plan) {
-  constexpr std::size_t kShown = 8;
-  std::string out;
-  for (std::size_t i = 0; i < plan.subfields.size() && i < kShown; ++i)
-    out += fmt::format("{}{:.2f}°", i > 0 ? ", " : "", plan.subfields[i].direction.degrees());
-  if (plan.subfields.size() > kShown) out += ", …";
+std::vector<Direction> directions_of(const Plan& plan) {
+  std::vector<Direction> out;
+  for (const Subfield& subfield : plan.subfields) out.push_back(subfield.direction);
   return out;
 }
 
@@ -62,8 +60,10 @@ std::string proof_rows(const Plan& plan) {
 
 std::string tally_rows(const Plan& plan) {
   const Tally& tally = plan.tally;
+  constexpr std::size_t kDirectionsShown = 8;
   std::string out;
-  out += fmt::format("subfields    {} (direction {})\n", plan.subfields.size(), directions_text(plan));
+  out += fmt::format("subfields    {} (direction {})\n", plan.subfields.size(),
+                     directions_text(directions_of(plan), kDirectionsShown));
   out += fmt::format("tracks       {}, {:.1f} m in all\n", tally.pieces, tally.track_length_m);
   out += fmt::format("turns        {}\n", tally.turns);
   out += fmt::format("stops        {}\n", tally.stops);
@@ -73,9 +73,7 @@ std::string tally_rows(const Plan& plan) {
                      percent_of_field(plan, tally.overlap_m2));
   out += fmt::format("uncovered    {:.1f} m² ({:.3f} %)\n", tally.uncovered_m2,
                      percent_of_field(plan, tally.uncovered_m2));
-  out += fmt::format("cost         {:.2f} = {:g}·overlap + {:g}·uncovered + {:g}·turns + {:g}·stops\n",
-                     plan.cost, plan.objective.overlap, plan.objective.uncovered, plan.objective.turn,
-                     plan.objective.stop);
+  out += fmt::format("cost         {:.2f} = {}\n", plan.cost, prices_text(plan.objective));
   if (plan.settings.strategy == Strategy::kBest) out += proof_rows(plan);
   return out;
 }
@@ -119,21 +117,22 @@ ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, do
   out["one_direction_cost"] = proven ? ordered_json(proof.one_direction_cost) : ordered_json();
   out["gap_one_direction"] =
       proven ? ordered_json(gap(proof.one_direction_cost, proof.one_direction_bound)) : ordered_json();
-  out["weights"] = {{"overlap", plan.objective.overlap},
-                    {"uncovered", plan.objective.uncovered},
-                    {"turn", plan.objective.turn},
-                    {"stop", plan.objective.stop}};
+  out["weights"] = weights_json(plan.objective);
   add_obstacle_keys(out, plan);
   out["repairs"] = repairs_json(plan.field.repairs);
   out["skipped"] = skipped_json(skipped);
   out["dropped"] = dropped_json(plan);
   out["warnings"] = plan.warnings;
+  if (!plan.front.points.empty()) out["front"] = front_json(plan.front);
   out["seconds"] = seconds;
   return out;
 }
 
 std::string plan_table(const Plan& plan, const std::vector<Skipped>& skipped, double seconds) {
   std::string out = ground_rows(plan) + tally_rows(plan);
+  if (!plan.front.points.empty())
+    out += fmt::format("front        {} plans to choose from: see 'tramline compare'\n",
+                       plan.front.points.size());
   out += fmt::format("time         {:.3f} s\n", seconds);
   for (const Repair& repair : plan.field.repairs)
     out += fmt::format("repaired     {}, {} at ({:.9g}, {:.9g}), area {:+.2f} m²\n", repair.where,

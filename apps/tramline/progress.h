@@ -14,7 +14,8 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  void show(const std::string& what, int done, int total);
+  /// `unit`: what is counted.
+  void show(const std::string& what, int done, int total, const char* unit = "directions");
   void clear();
 
  private:

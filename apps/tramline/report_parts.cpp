@@ -57,4 +57,24 @@ std::string skipped_rows(const std::vector<Skipped>& skipped) {
   return out;
 }
 
+std::string directions_text(const std::vector<Direction>& directions, std::size_t most) {
+  std::string out;
+  for (std::size_t i = 0; i < directions.size() && i < most; ++i)
+    out += fmt::format("{}{:.2f}°", i > 0 ? ", " : "", directions[i].degrees());
+  if (directions.size() > most) out += ", …";
+  return out;
+}
+
+std::string prices_text(const Objective& prices) {
+  return fmt::format("{:g}·overlap + {:g}·uncovered + {:g}·turns + {:g}·stops", prices.overlap,
+                     prices.uncovered, prices.turn, prices.stop);
+}
+
+ordered_json weights_json(const Objective& prices) {
+  return {{"overlap", prices.overlap},
+          {"uncovered", prices.uncovered},
+          {"turn", prices.turn},
+          {"stop", prices.stop}};
+}
+
 }  // namespace tramline::app

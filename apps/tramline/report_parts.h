@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "tramline/geometry/angle.h"
 #include "tramline/model/field.h"
+#include "tramline/model/objective.h"
 
 namespace tramline::app {
 
@@ -22,5 +24,13 @@ nlohmann::ordered_json refusal_json(const std::string& field_id, const std::stri
 
 /// "skipped      what (where): why", a row each.
 std::string skipped_rows(const std::vector<Skipped>& skipped);
+
+/// "95.98°, 12.30°", and "…" for those beyond `most`.
+std::string directions_text(const std::vector<Direction>& directions, std::size_t most);
+
+/// "0.04·overlap + 0.1·uncovered + 0.45·turns + 5·stops"
+std::string prices_text(const Objective& prices);
+/// The object `weights` of docs/json.md.
+nlohmann::ordered_json weights_json(const Objective& prices);
 
 }  // namespace tramline::app

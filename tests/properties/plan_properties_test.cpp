@@ -144,8 +144,8 @@ TEST_F(PlanProperties, OneAndFourThreadsGiveTheSamePlan) {
   });
 }
 
-// The candidates of the sweep are the same set whatever the frame, so the least cost is the same as long as no two
-// candidates tie: random fields are in general position.
+// The candidates of the sweep are the same set whatever the frame, so the least cost is the same as long as
+// no two candidates tie: random fields are in general position.
 TEST_F(PlanProperties, CostDoesNotChangeWhenTheFieldIsTurnedOrMoved) {
   for_random_fields(60, [](const Field& field, Request request) {
     request.settings.strategy = Strategy::kSweep;

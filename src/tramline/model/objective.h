@@ -13,6 +13,10 @@ struct Objective {
   double stop = 5;
 };
 
+/// S1.8: one of the three weighs 99999, the others 1, stops nothing: S1 has no price for them.
+enum class Scenario { kOverlap, kUncovered, kTurns };
+Objective weights_of(Scenario scenario);
+
 /// Cost of a tally under an objective, in the objective's unit.
 double cost(const Objective& objective, const Tally& tally);
 

@@ -9,6 +9,7 @@
 #include "tramline/geometry/angle.h"
 #include "tramline/geometry/region.h"
 #include "tramline/model/field.h"
+#include "tramline/model/front.h"
 #include "tramline/model/machine.h"
 #include "tramline/model/objective.h"
 #include "tramline/model/report.h"
@@ -98,6 +99,7 @@ struct Plan {
   int directions_tried = 0;
   Proof proof;
   std::vector<std::string> warnings;
+  Front front;  ///< other plans of the field to choose from, where they were asked for
 };
 
 /// All swaths, in driving order.

@@ -100,6 +100,13 @@ Candidate candidate_on(const SearchTask& task, const std::vector<GriddedSubfield
   return out;
 }
 
+std::vector<GriddedSubfield> grounds_of(const Candidate& candidate) {
+  std::vector<GriddedSubfield> out;
+  for (std::size_t i = 0; i < candidate.subfields.size(); ++i)
+    out.push_back({candidate.subfields[i], candidate.strips[i].grid.origin_m});
+  return out;
+}
+
 std::vector<GriddedSubfield> swept(const SearchTask& task, Direction sweep) {
   std::vector<GriddedSubfield> out;
   for (const Subfield& subfield : decompose(task.ground.plannable, sweep, task.settings))

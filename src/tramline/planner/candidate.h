@@ -38,6 +38,9 @@ struct GriddedSubfield {
 /// All strips of a grid over a subfield.
 Strips strips_on(const SearchTask& task, const GriddedSubfield& ground);
 
+/// What candidate_on() makes the candidate of again.
+std::vector<GriddedSubfield> grounds_of(const Candidate& candidate);
+
 /// What is known of a candidate before the ways past the obstacles are looked for.
 struct Outlook {
   double cut = 0;    ///< cost with all tracks cut at obstacles

@@ -16,6 +16,7 @@ inline constexpr const char* kOverlap = "overlap";
 inline constexpr const char* kUncovered = "uncovered";
 inline constexpr const char* kDropped = "dropped";
 inline constexpr const char* kEncounters = "encounters";
+inline constexpr const char* kFront = "front";  ///< only where a front was asked for
 inline constexpr const char* kMetadata = "metadata";
 
 inline constexpr const char* kObstacle = "obstacle";

@@ -60,6 +60,8 @@ class PlanRows {
   /// What is taken off all coordinates from now on.
   void shift_by(Point offset) { offset_ = offset; }
 
+  bool has(const char* name) { return file_->GetLayerByName(name) != nullptr; }
+
   /// Hands every feature of a layer to `take`, in the order of the file.
   void each(const char* name, const std::function<void(const Row&)>& take);
 

@@ -9,6 +9,7 @@
 
 #include "tramline/geometry/error.h"
 #include "tramline/io/plan/detour_text.h"
+#include "tramline/io/plan/front_text.h"
 #include "tramline/io/plan/gdal_errors.h"
 #include "tramline/io/plan/local_crs.h"
 #include "tramline/io/plan/path_text.h"
@@ -181,6 +182,38 @@ void read_encounters(PlanRows& file, PlanFile& out) {
   });
 }
 
+/// Only plans that were asked for a front have the table.
+void read_front(PlanRows& file, PlanFile& out) {
+  if (!file.has(layers::kFront)) return;
+  Front& front = out.plan.front;
+  front.prices = out.plan.objective;
+  file.each(layers::kFront, [&](const Row& row) {
+    FrontPoint point;
+    Tally& tally = point.tally;
+    tally.overlap_m2 = row.number("overlap_m2");
+    tally.uncovered_m2 = row.number("uncovered_m2");
+    tally.turns = row.whole("turns");
+    tally.stops = row.whole("stops");
+    tally.crossings = row.whole("crossings");
+    tally.pieces = row.whole("tracks");
+    tally.track_length_m = row.number("track_length_m");
+    tally.worked_m2 = row.number("worked_m2");
+    point.directions = directions_from_text(row.text("direction_rad"), row.place_of("direction_rad"));
+    point.cost = row.number("cost");
+    point.laid_for = {row.number("laid_for_overlap"), row.number("laid_for_uncovered"),
+                      row.number("laid_for_turn"), row.number("laid_for_stop")};
+    apply_marks(row.text("marks"), front.points.size(), row.place_of("marks"), front.marks);
+    front.points.push_back(std::move(point));
+    const FrontPoint& read = front.points.back();
+    const Point at = out.plan.field.outer.front();
+    derive(out, row, "number", static_cast<double>(front.points.size()), at);
+    derive(out, row, "subfields", static_cast<double>(read.directions.size()), at);
+    derive(out, row, "cost", cost(front.prices, read.tally), at);
+    derive(out, row, "worked_m2", out.plan.machine.width_m * read.tally.track_length_m, at);
+    derive_text(out, row, "direction_deg", degrees_text(read.directions), at);
+  });
+}
+
 }  // namespace
 
 PlanFile read_plan_file(const fs::path& path) {
@@ -202,6 +235,7 @@ PlanFile read_plan_file(const fs::path& path) {
   read_region(file, layers::kUncovered, out.plan.uncovered, out);
   read_dropped(file, out);
   read_encounters(file, out);
+  read_front(file, out);
   return out;
 }
 

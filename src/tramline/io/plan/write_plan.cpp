@@ -20,6 +20,7 @@
 
 #include "tramline/geometry/error.h"
 #include "tramline/io/plan/detour_text.h"
+#include "tramline/io/plan/front_text.h"
 #include "tramline/io/plan/gdal_errors.h"
 #include "tramline/io/plan/local_crs.h"
 #include "tramline/io/plan/path_text.h"
@@ -224,6 +225,27 @@ void write_encounters(const Target& target, const Plan& plan) {
                encounter.right.why_not});
 }
 
+void write_front(GDALDataset& file, const Front& front) {
+  if (front.points.empty()) return;
+  Table table(
+      file, layers::kFront, wkbNone, nullptr,
+      {integer("number"), real("overlap_m2"), real("uncovered_m2"), integer("turns"), integer("stops"),
+       integer("crossings"), integer("tracks"), real("track_length_m"), real("worked_m2"),
+       integer("subfields"), text("direction_deg"), text("direction_rad"), real("cost"), text("marks"),
+       real("laid_for_overlap"), real("laid_for_uncovered"), real("laid_for_turn"), real("laid_for_stop")});
+  for (std::size_t i = 0; i < front.points.size(); ++i) {
+    const FrontPoint& point = front.points[i];
+    const Tally& tally = point.tally;
+    const Objective& prices = point.laid_for;
+    table.add(nullptr,
+              {static_cast<long long>(i + 1), tally.overlap_m2, tally.uncovered_m2, tally.turns + 0LL,
+               tally.stops + 0LL, tally.crossings + 0LL, tally.pieces + 0LL, tally.track_length_m,
+               tally.worked_m2, static_cast<long long>(point.directions.size()),
+               degrees_text(point.directions), radians_text(point.directions), point.cost,
+               marks_text(front, i), prices.overlap, prices.uncovered, prices.turn, prices.stop});
+  }
+}
+
 void write_metadata(GDALDataset& file, const Plan& plan) {
   Table table(file, layers::kMetadata, wkbNone, nullptr, {text("key"), text("value")});
   for (const auto& [key, value] : metadata_of(plan)) table.add(nullptr, {key, value});
@@ -244,6 +266,7 @@ void write_layers(GDALDataset& file, const Plan& plan) {
   write_region(target, layers::kUncovered, plan.uncovered);
   write_dropped(target, plan);
   write_encounters(target, plan);
+  write_front(file, plan.front);
   write_metadata(file, plan);
   file.CommitTransaction();
 }

@@ -1,0 +1,90 @@
+#include "tramline/planner/finished_plan.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "tramline/cost/worked_regions.h"
+#include "tramline/geometry/error.h"
+#include "tramline/headland/body.h"
+#include "tramline/planner/driving_order.h"
+#include "tramline/planner/encounters_as_driven.h"
+#include "tramline/planner/warnings.h"
+
+namespace tramline {
+namespace {
+
+std::vector<DroppedPiece> dropped_pieces(const Candidate& candidate) {
+  std::vector<DroppedPiece> out;
+  for (std::size_t i = 0; i < candidate.avoided.tracks.size(); ++i) {
+    const StripGrid& grid = candidate.avoided.tracks[i].grid;
+    for (const StripPiece& piece : candidate.avoided.tracks[i].dropped) {
+      const double across = grid.centre(piece.strip);
+      out.push_back({grid.frame.to_field({across, piece.from}), grid.frame.to_field({across, piece.to}),
+                     static_cast<int>(i)});
+    }
+  }
+  return out;
+}
+
+Region swath_parts(const Plan& plan) {
+  Region out;
+  for (const TrackPiece& piece : plan.pieces)
+    for (Ring& part : swath_parts(piece, plan.machine.width_m, kLayerSagitta))
+      out.push_back({std::move(part), {}});
+  return out;
+}
+
+/// Is there ground to work without the clearance, and none with it?
+bool clearance_takes_all(const SearchTask& task) {
+  return task.settings.clearance_m > 0 && area(task.ground.plannable) == 0 &&
+         area(sort_obstacles(task.field, task.machine.width_m).plannable) > 0;
+}
+
+Error no_tracks(const SearchTask& task) {
+  const double clearance_m = task.settings.clearance_m;
+  if (clearance_takes_all(task))
+    return bad_input(
+        fmt::format("no track fits into field '{}' of {:.0f} m²: the clearance of {} m from obstacles leaves "
+                    "no ground to work; use a smaller --clearance",
+                    task.field.id, area_m2(task.field), clearance_m));
+  const bool kept_clear = clearance_m > 0 && !obstacle_shapes(task.field, ObstacleKind::kObstacle).empty();
+  return bad_input(fmt::format(
+      "no track fits into field '{}' of {:.0f} m² with a working width of {} m{} and pieces of at least {} "
+      "m: use a narrower machine, a smaller --min-length{} or another end rule",
+      task.field.id, area_m2(task.field), task.machine.width_m,
+      kept_clear ? fmt::format(", a clearance of {} m from obstacles", clearance_m) : "",
+      min_length_m(task.machine), kept_clear ? ", a smaller --clearance" : ""));
+}
+
+}  // namespace
+
+void require_tracks(const SearchTask& task, const Candidate& candidate) {
+  if (candidate.avoided.tally.pieces == 0) throw no_tracks(task);
+}
+
+Plan finished_plan(const SearchTask& task, SearchResult found) {
+  require_tracks(task, found.best);
+  Plan plan;
+  plan.field = task.field;
+  plan.machine = task.machine;
+  plan.objective = task.objective;
+  plan.settings = task.settings;
+  plan.body = task.ground.body;
+  plan.given_up = task.ground.given_up;
+  plan.pieces = driving_order(found.best);
+  plan.dropped = dropped_pieces(found.best);
+  plan.encounters = encounters_as_driven(task, found.best, plan.pieces);
+  plan.subfields = std::move(found.best.subfields);
+  plan.tally = found.best.avoided.tally;
+  plan.cost = found.best.cost();
+  plan.directions_tried = found.directions_tried;
+  plan.proof = found.proof;
+  WorkedRegions worked = worked_regions(plan.body, swath_parts(plan));
+  plan.overlap = std::move(worked.overlap);
+  plan.uncovered = std::move(worked.uncovered);
+  plan.warnings = warnings_about(plan);
+  return plan;
+}
+
+}  // namespace tramline

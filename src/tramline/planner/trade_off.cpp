@@ -1,0 +1,144 @@
+#include "tramline/planner/trade_off.h"
+
+#include <algorithm>
+#include <array>
+#include <mutex>
+#include <utility>
+
+#include "tramline/planner/dominance.h"
+#include "tramline/planner/finished_plan.h"
+#include "tramline/planner/for_each_index.h"
+#include "tramline/planner/front_marks.h"
+#include "tramline/planner/plan_field.h"
+#include "tramline/planner/validate_request.h"
+
+namespace tramline {
+namespace {
+
+using Grounds = std::vector<GriddedSubfield>;
+
+/// A plan that may be of the front.
+struct Laid {
+  TradeOff::Origin origin;
+  Tally tally;
+};
+
+bool alike(const Objective& a, const Objective& b) {
+  return a.overlap == b.overlap && a.uncovered == b.uncovered && a.turn == b.turn && a.stop == b.stop;
+}
+
+/// The plans the search has met, the one it has chosen first.
+std::vector<Laid> laid_by(std::size_t search, SearchResult& found) {
+  std::vector<Laid> out;
+  out.push_back({{search, grounds_of(found.best)}, found.best.avoided.tally});
+  for (SeenPlan& seen : found.seen) out.push_back({{search, std::move(seen.grounds)}, seen.tally});
+  found.seen.clear();
+  return out;
+}
+
+/// Without what is dominated, and without plans that have no piece.
+std::vector<Laid> best_of(std::vector<Laid> laid) {
+  std::erase_if(laid, [](const Laid& plan) { return plan.tally.pieces == 0; });
+  std::vector<Tally> tallies;
+  for (const Laid& plan : laid) tallies.push_back(plan.tally);
+  std::vector<Laid> out;
+  for (const std::size_t i : undominated(tallies)) out.push_back(std::move(laid[i]));
+  return out;
+}
+
+std::vector<TradeOff::Search> searches_for(const SearchTask& task, int threads, const Progress& progress) {
+  const std::vector<Objective> prices = prices_to_search(task.objective);
+  std::vector<TradeOff::Search> out(prices.size(), {task, {}});
+  std::mutex mutex;
+  int done = 0;
+  for_each_index(prices.size(), threads, [&](std::size_t i) {
+    out[i].task.objective = prices[i];
+    out[i].found = search_for(out[i].task, threads, {});
+    if (!progress) return;
+    const std::lock_guard lock(mutex);
+    progress(++done, static_cast<int>(prices.size()));
+  });
+  return out;
+}
+
+/// Each plan after the prices of every search but its own: the same tracks may end elsewhere, and pass
+/// obstacles in another way.
+std::vector<Laid> laid_anew(const std::vector<TradeOff::Search>& searches, const std::vector<Laid>& laid,
+                            int threads) {
+  const std::size_t count = searches.size();
+  std::vector<Laid> out(laid.size() * count);
+  for_each_index(out.size(), threads, [&](std::size_t i) {
+    const TradeOff::Origin& origin = laid[i / count].origin;
+    const std::size_t search = i % count;
+    if (search == origin.search) return;
+    out[i] = {{search, origin.grounds}, candidate_on(searches[search].task, origin.grounds).avoided.tally};
+  });
+  return out;
+}
+
+Front front_of(const Objective& prices, const std::vector<TradeOff::Search>& searches,
+               const std::vector<Laid>& laid) {
+  Front front;
+  front.prices = prices;
+  for (const Laid& plan : laid) {
+    FrontPoint point{plan.tally, {}, searches[plan.origin.search].task.objective, cost(prices, plan.tally)};
+    for (const GriddedSubfield& ground : plan.origin.grounds)
+      point.directions.push_back(ground.subfield.direction);
+    front.points.push_back(std::move(point));
+  }
+  front.marks = marks_for(front);
+  return front;
+}
+
+}  // namespace
+
+std::vector<Objective> prices_to_search(const Objective& given) {
+  std::vector<Objective> out;
+  const auto add = [&out](const Objective& prices) {
+    if (std::none_of(out.begin(), out.end(), [&](const Objective& other) { return alike(prices, other); }))
+      out.push_back(prices);
+  };
+  add(given);
+  for (const Scenario scenario : {Scenario::kOverlap, Scenario::kUncovered, Scenario::kTurns})
+    add(weights_of(scenario));
+  for (const double factor : {0.125, 0.5, 2.0, 8.0}) {
+    add({given.overlap * factor, given.uncovered, given.turn, given.stop});
+    add({given.overlap, given.uncovered * factor, given.turn, given.stop});
+    add({given.overlap, given.uncovered, given.turn * factor, given.stop * factor});
+  }
+  return out;
+}
+
+TradeOff trade_off(const Field& field, const Machine& machine, const Objective& prices,
+                   const PlanSettings& settings, int threads, const Progress& progress) {
+  validate_request(machine, prices, settings);
+  TradeOff out;
+  out.searches = searches_for(search_task(field, machine, prices, settings), threads, progress);
+  require_tracks(out.searches.front().task, out.searches.front().found.best);
+
+  std::vector<Laid> laid;
+  for (std::size_t i = 0; i < out.searches.size(); ++i)
+    for (Laid& plan : laid_by(i, out.searches[i].found)) laid.push_back(std::move(plan));
+  laid = best_of(std::move(laid));
+  for (Laid& plan : laid_anew(out.searches, laid, threads)) laid.push_back(std::move(plan));
+  laid = best_of(std::move(laid));
+
+  out.front = front_of(prices, out.searches, laid);
+  for (Laid& plan : laid) out.origins.push_back(std::move(plan.origin));
+  return out;
+}
+
+Plan plan_of(const TradeOff& trade_off, std::size_t point) {
+  const TradeOff::Origin& origin = trade_off.origins[point];
+  const TradeOff::Search& search = trade_off.searches[origin.search];
+  SearchResult laid = search.found;
+  laid.best = candidate_on(search.task, origin.grounds);
+  return finished_plan(search.task, std::move(laid));
+}
+
+Plan given_plan(const TradeOff& trade_off) {
+  const TradeOff::Search& given = trade_off.searches.front();
+  return finished_plan(given.task, given.found);
+}
+
+}  // namespace tramline

@@ -1,0 +1,82 @@
+#include "tramline/planner/trade_off.h"
+
+#include <gtest/gtest.h>
+
+#include "tramline/geometry/error.h"
+#include "tramline/planner/dominance.h"
+#include "tramline/planner/front_marks.h"
+#include "tramline/planner/plan_field.h"
+
+namespace tramline {
+namespace {
+
+/// A slanting side, so that ends cost something, and a pond.
+Field field() {
+  Field out;
+  out.id = "slant";
+  out.outer = {{0, 0}, {160, 0}, {120, 70}, {0, 60}};
+  out.obstacles = {{{{{60, 25}, {70, 25}, {70, 34}, {60, 34}}, {}}, ObstacleKind::kObstacle, "pond"}};
+  return out;
+}
+
+TEST(PricesToSearch, AreSixteenAtMostAndNoTwoAlike) {
+  EXPECT_EQ(prices_to_search({}).size(), 16u);
+  // A price of 0 stays 0 times anything.
+  EXPECT_EQ(prices_to_search({0, 1, 1, 0}).size(), 12u);
+  EXPECT_EQ(prices_to_search({1, 1, 99999, 0}).size(), 15u);
+}
+
+TEST(TradeOff, PlansAreLaidAgainAsTheyWereTallied) {
+  const TradeOff found = trade_off(field(), {}, {}, {}, 1);
+  ASSERT_GT(found.front.points.size(), 3u);
+  for (std::size_t i = 0; i < found.front.points.size(); ++i) {
+    SCOPED_TRACE(i);
+    const Tally& listed = found.front.points[i].tally;
+    const Plan plan = plan_of(found, i);
+    EXPECT_EQ(plan.tally.overlap_m2, listed.overlap_m2);
+    EXPECT_EQ(plan.tally.uncovered_m2, listed.uncovered_m2);
+    EXPECT_EQ(plan.tally.turns, listed.turns);
+    EXPECT_EQ(plan.tally.stops, listed.stops);
+    EXPECT_EQ(plan.subfields.size(), found.front.points[i].directions.size());
+    EXPECT_EQ(plan.objective.overlap, found.front.points[i].laid_for.overlap);
+  }
+}
+
+TEST(TradeOff, KnowsThePlanOfTheGivenPrices) {
+  const TradeOff found = trade_off(field(), {}, {}, {}, 1);
+  const Plan planned = plan_field(field(), {}, {}, {}, 1);
+  const Plan given = given_plan(found);
+  EXPECT_EQ(given.cost, planned.cost);
+  EXPECT_EQ(given.pieces.size(), planned.pieces.size());
+  const FrontPoint& winner = found.front.points[found.front.marks.given_prices];
+  EXPECT_LE(winner.cost, planned.cost + 1e-3);
+  for (const FrontPoint& point : found.front.points) EXPECT_FALSE(dominates(planned.tally, point.tally));
+}
+
+TEST(TradeOff, IsTheSameForAnyNumberOfThreads) {
+  const TradeOff one = trade_off(field(), {}, {}, {}, 1), three = trade_off(field(), {}, {}, {}, 3);
+  ASSERT_EQ(one.front.points.size(), three.front.points.size());
+  for (std::size_t i = 0; i < one.front.points.size(); ++i) {
+    EXPECT_EQ(one.front.points[i].tally.overlap_m2, three.front.points[i].tally.overlap_m2);
+    EXPECT_EQ(one.front.points[i].tally.uncovered_m2, three.front.points[i].tally.uncovered_m2);
+    EXPECT_EQ(one.front.points[i].directions, three.front.points[i].directions);
+  }
+  EXPECT_EQ(one.front.marks.knee, three.front.marks.knee);
+}
+
+TEST(TradeOff, TellsOfSearchesAsTheyEnd) {
+  int last = 0;
+  trade_off(field(), {}, {}, {}, 2, [&](int done, int total) {
+    EXPECT_EQ(done, ++last);
+    EXPECT_EQ(total, 16);
+  });
+  EXPECT_EQ(last, 16);
+}
+
+TEST(TradeOff, RefusesWhatPlanFieldRefuses) {
+  EXPECT_THROW(trade_off(field(), {"", 200, 6, -1}, {}, {}), Error);
+  EXPECT_THROW(trade_off(field(), {"", -1, 6, -1}, {}, {}), Error);
+}
+
+}  // namespace
+}  // namespace tramline
