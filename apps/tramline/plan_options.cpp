@@ -110,6 +110,9 @@ void add_plan_options(CLI::App& verb, PlanOptions& o) {
   verb.add_option("--decomposition", o.decomposition_deg,
                   "split at corners with a larger inside angle, degrees (default 180)")
       ->group(plan);
+  verb.add_option("--short-edge", o.short_edge_m,
+                  "do not split at corners between two edges that are both shorter, m (default 0)")
+      ->group(plan);
   verb.add_option("--cell-direction", o.cell_direction,
                   "a cell's tracks: along its smallest bounding rectangle, or across its least width")
       ->group(plan);
@@ -150,6 +153,7 @@ PlanSettings settings_of(const PlanOptions& o) {
   settings.clearance_m = o.clearance_m;
   settings.merge_threshold = Angle::degrees(o.merge_deg);
   settings.decomposition_threshold = Angle::degrees(o.decomposition_deg);
+  settings.short_edge_m = o.short_edge_m;
   return settings;
 }
 

@@ -24,6 +24,7 @@ struct PlanOptions {
   double clearance_m = 0;
   double merge_deg = 0;
   double decomposition_deg = 180;
+  double short_edge_m = 0;
 };
 
 void add_plan_options(CLI::App& verb, PlanOptions& options);

@@ -34,6 +34,12 @@ TEST(SplitEvents, AreTheCornersAboveTheThreshold) {
   EXPECT_EQ(split_events(kFieldWithDiamond, Angle::degrees(310)).size(), 0u);
 }
 
+// All edges of the diamond are √500 = 22.4 m long.
+TEST(SplitEvents, AreNoCornersBetweenShortEdges) {
+  EXPECT_EQ(split_events(kFieldWithDiamond, Angle::degrees(180), 22).size(), 4u);
+  EXPECT_EQ(split_events(kFieldWithDiamond, Angle::degrees(180), 23).size(), 0u);
+}
+
 TEST(Cuts, RunFromTheVertexToTheNextBoundaryOnBothSides) {
   const auto cuts = cuts_at(kFieldWithDiamond, split_events(kFieldWithDiamond, Angle::degrees(240)), kNorth);
   ASSERT_EQ(cuts.size(), 4u);  // two corners, up and down

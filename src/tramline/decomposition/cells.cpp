@@ -23,11 +23,11 @@ Direction driving_direction(const Ring& outer, CellDirection choice) {
                                              : across_least_width(outer);
 }
 
-std::vector<Cell> sweep_cells(const Region& plannable, Direction sweep, Angle threshold,
-                              CellDirection choice) {
+std::vector<Cell> sweep_cells(const Region& plannable, Direction sweep, Angle threshold, CellDirection choice,
+                              double short_edge_m) {
   std::vector<Cell> cells;
   for (const Polygon& polygon : plannable) {
-    const auto cuts = cuts_at(polygon, split_events(polygon, threshold), sweep);
+    const auto cuts = cuts_at(polygon, split_events(polygon, threshold, short_edge_m), sweep);
     const Region faces = cuts.empty() ? Region{polygon} : divided_or_whole(polygon, cuts);
     for (const Polygon& face : faces) cells.push_back({face, driving_direction(face.outer, choice)});
   }

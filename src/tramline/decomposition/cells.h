@@ -15,8 +15,8 @@ struct Cell {
 
 /// Cuts every polygon of the plannable ground at its split events, parallel to `sweep`. The cells of
 /// one polygon share identical edges and together are the polygon.
-std::vector<Cell> sweep_cells(const Region& plannable, Direction sweep, Angle threshold,
-                              CellDirection choice);
+std::vector<Cell> sweep_cells(const Region& plannable, Direction sweep, Angle threshold, CellDirection choice,
+                              double short_edge_m = 0);
 
 /// S1.12, or the true least width.
 Direction driving_direction(const Ring& outer, CellDirection choice);

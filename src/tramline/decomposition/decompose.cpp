@@ -7,8 +7,8 @@
 namespace tramline {
 
 std::vector<Subfield> decompose(const Region& plannable, Direction sweep, const PlanSettings& settings) {
-  MergeGraph graph =
-      merge_graph(sweep_cells(plannable, sweep, settings.decomposition_threshold, settings.cell_direction));
+  MergeGraph graph = merge_graph(sweep_cells(plannable, sweep, settings.decomposition_threshold,
+                                             settings.cell_direction, settings.short_edge_m));
   merge_equal_directions(graph);
   merge_small_cells(graph, settings.small_cell_m2);
   merge_similar_directions(graph, settings.merge_threshold);

@@ -17,7 +17,9 @@ struct SplitEvent {
 /// (0, 360) degrees; 180 on a straight line.
 Angle interior_angle(Point previous, Point vertex, Point next);
 
-/// All split events of an oriented polygon, outer ring first. O(n).
-std::vector<SplitEvent> split_events(const Polygon& polygon, Angle threshold);
+/// All split events of an oriented polygon, outer ring first. Corners between two edges that are both shorter
+/// than `short_edge_m` split nothing (S1.59): they come from how the boundary was measured, not from the
+/// field. O(n).
+std::vector<SplitEvent> split_events(const Polygon& polygon, Angle threshold, double short_edge_m = 0);
 
 }  // namespace tramline

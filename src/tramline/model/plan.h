@@ -36,7 +36,8 @@ struct PlanSettings {
   Angle direction_tolerance = Angle::degrees(0.01);     ///< with Strategy::kBest: finer is not looked for
   Angle merge_threshold = Angle::degrees(0);            ///< S1.22
   Angle decomposition_threshold = Angle::degrees(180);  ///< S1.16
-  double small_cell_m2 = 200;                           ///< S1.21
+  double short_edge_m = 0;     ///< S1.59: corners between edges that are both shorter split nothing
+  double small_cell_m2 = 200;  ///< S1.21
   Avoidance avoid = Avoidance::kCheapest;
   double avoid_threshold_m = -1;  ///< S1.26, with Avoidance::kPaper; negative: the default, w
   double clearance_m = 0;         ///< kept between swaths and obstacles

@@ -51,6 +51,7 @@ void each_value(PlanOrConst& plan, Visitor&& visit) {
   visit("settings.direction_tolerance", plan.settings.direction_tolerance);
   visit("settings.merge_threshold", plan.settings.merge_threshold);
   visit("settings.decomposition_threshold", plan.settings.decomposition_threshold);
+  visit("settings.short_edge_m", plan.settings.short_edge_m);
   visit("settings.small_cell_m2", plan.settings.small_cell_m2);
   visit("settings.avoid", plan.settings.avoid);
   visit("settings.avoid_threshold_m", plan.settings.avoid_threshold_m);
