@@ -33,10 +33,15 @@ Avoided improved(const AvoidanceTask& task, Avoided start, WaysPast ways) {
   decisions.take_from(start.tracks);
   if (!decisions.improve()) return start;
   Avoided out = tallied(task, decisions.tracks(), ways);
-  return out.cost < start.cost ? out : start;
+  return is_better(out, start) ? out : start;
 }
 
 }  // namespace
+
+bool is_better(const Avoided& a, const Avoided& b) {
+  const bool a_works = a.tally.pieces > 0, b_works = b.tally.pieces > 0;
+  return a_works != b_works ? a_works : a.cost < b.cost;
+}
 
 Avoided choose_detours(const AvoidanceTask& task) {
   Avoided cut = all_cut(task);
@@ -45,7 +50,7 @@ Avoided choose_detours(const AvoidanceTask& task) {
   Avoided paper = the_papers(task, cut);
   if (task.settings.avoid == Avoidance::kPaper) return paper;
   Avoided own = improved(task, std::move(cut), WaysPast::kOwn);
-  return paper.cost < own.cost ? improved(task, std::move(paper), WaysPast::kBoth) : own;
+  return is_better(paper, own) ? improved(task, std::move(paper), WaysPast::kBoth) : own;
 }
 
 std::vector<Encounter> encounters_in(const AvoidanceTask& task, const Avoided& avoided) {

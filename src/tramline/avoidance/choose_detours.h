@@ -32,6 +32,9 @@ struct Avoided {
   WaysPast ways = WaysPast::kOwn;  ///< those the tracks were chosen from
 };
 
+/// Cheaper, and not by working nothing: where turns are dear nothing costs less than to stay at home.
+bool is_better(const Avoided& a, const Avoided& b);
+
 /// The tracks with the detours the settings ask for:
 /// - cut: none (S1.40);
 /// - paper: S1's (S1.26-S1.39), each track for itself;

@@ -36,8 +36,9 @@ class OffsetSearch {
   }
 
   double offer(double origin_m) {
-    const double cost = separate_cost(terms_.objective, tally_.at(origin_m));
-    if (cost < best_.cost) best_ = {origin_m, cost};
+    const Tally sum = tally_.at(origin_m);
+    const double cost = separate_cost(terms_.objective, sum);
+    if (sum.pieces > 0 && cost < best_.cost) best_ = {origin_m, cost};
     return cost;
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "tramline/planner/division.h"
@@ -54,12 +55,14 @@ class BestSearch {
     search_parts();
     if (hopeful_sweep().grounds.size() > task_.ground.plannable.size())
       try_plan(regridded(hopeful_sweep().grounds));
-    if (std::optional<Candidate> sweep = cheapest_swept(task_, swept_, best_.cost(), threads_)) {
-      if (sweep->subfields.size() == task_.ground.plannable.size())
-        out_.proof.one_direction_cost = std::min(out_.proof.one_direction_cost, sweep->cost());
+    const double known = best_.works() ? best_.cost() : std::numeric_limits<double>::infinity();
+    if (std::optional<Candidate> sweep = cheapest_swept(task_, swept_, known, threads_)) {
+      if (sweep->subfields.size() == task_.ground.plannable.size()) see_undivided(*sweep);
       keep(std::move(*sweep));
     }
-    out_.proof.one_direction_bound = std::min(out_.proof.one_direction_bound, out_.proof.one_direction_cost);
+    if (!undivided_) out_.proof.one_direction_cost = best_.cost();
+    out_.proof.one_direction_bound =
+        std::clamp(out_.proof.one_direction_bound, 0.0, out_.proof.one_direction_cost);
     out_.proof.bound = std::min(out_.proof.one_direction_bound, least_cost_of_any_plan(task_));
     out_.directions_tried = static_cast<int>(swept_.size()) + boxes_;
     out_.best = std::move(best_);
@@ -87,8 +90,8 @@ class BestSearch {
     }
     if (parts != 1) best_ = candidate_on(task_, whole);
     see(best_);
-    out_.proof.one_direction_cost = best_.cost();
-    out_.proof.one_direction_bound = std::clamp(bound, 0.0, best_.cost());
+    see_undivided(best_);
+    out_.proof.one_direction_bound = bound;
     if (divided) try_plan(chosen);
     out_.shortlist = across_parts(shortlists);
   }
@@ -125,7 +128,8 @@ class BestSearch {
     if (divided.size() < 2) return out;
     if (divided.size() > 2) divided = join_where_it_pays(task_, std::move(divided), threads_);
     Grounds apart = gridded(divided);
-    if (candidate_on(task_, apart).cost() < out.whole.candidate.cost()) out.divided = std::move(apart);
+    if (is_better(candidate_on(task_, apart).avoided, out.whole.candidate.avoided))
+      out.divided = std::move(apart);
     return out;
   }
 
@@ -166,7 +170,7 @@ class BestSearch {
                    [&](std::size_t i) { candidates[i] = candidate_on(task_, ways[i]); });
     std::size_t best = 0;
     for (std::size_t i = 1; i < ways.size(); ++i)
-      if (candidates[i].cost() < candidates[best].cost()) best = i;
+      if (is_better(candidates[i].avoided, candidates[best].avoided)) best = i;
     return {std::move(ways[best]), std::move(candidates[best])};
   }
 
@@ -179,7 +183,7 @@ class BestSearch {
       ways.back().front().origin_m += task_.machine.width_m * i / kSteps;
     }
     Tried other = cheapest_of(std::move(ways));
-    if (other.candidate.cost() < tried.candidate.cost()) tried = std::move(other);
+    if (is_better(other.candidate.avoided, tried.candidate.avoided)) tried = std::move(other);
   }
 
   /// The sweep's candidate that looks best before the ways past obstacles are known.
@@ -201,7 +205,14 @@ class BestSearch {
 
   void keep(Candidate candidate) {
     see(candidate);
-    if (candidate.cost() < best_.cost()) best_ = std::move(candidate);
+    if (is_better(candidate.avoided, best_.avoided)) best_ = std::move(candidate);
+  }
+
+  void see_undivided(const Candidate& candidate) {
+    if (!candidate.works()) return;
+    double& least = out_.proof.one_direction_cost;
+    least = undivided_ ? std::min(least, candidate.cost()) : candidate.cost();
+    undivided_ = true;
   }
 
   void see(const Candidate& candidate) { out_.seen.push_back(seen_plan(candidate)); }
@@ -211,6 +222,7 @@ class BestSearch {
   std::vector<SweptGround> swept_;
   SearchResult out_;
   Candidate best_;
+  bool undivided_ = false;  ///< has a plan with undivided parts been seen?
   int boxes_ = 0;
 };
 

@@ -24,6 +24,7 @@ struct Candidate {
   Avoided avoided;             ///< the tracks, their tally and cost
 
   double cost() const { return avoided.cost; }
+  bool works() const { return avoided.tally.pieces > 0; }
 };
 
 SearchTask search_task(const Field& field, const Machine& machine, const Objective& objective,

@@ -34,13 +34,18 @@ struct Place {
 struct Prices {
   double cut = 0;
   double soft = 0;
+  bool works = false;  ///< has a piece
 };
 
 struct Found {
   Place place;
   double cost = 0;
+  bool works = false;
   bool polished = false;  ///< no small step betters it
 };
+
+/// Where turns are dear nothing is cheaper than to stay at home, which is no plan.
+bool is_better(const Found& a, const Found& b) { return a.works != b.works ? a.works : a.cost < b.cost; }
 
 /// The cheapest grids, no two of them nearly alike.
 class Shortlist {
@@ -50,17 +55,16 @@ class Shortlist {
   void offer(const Found& found) {
     for (std::size_t i = 0; i < list_.size(); ++i) {
       if (!alike(list_[i].place, found.place)) continue;
-      if (found.cost > list_[i].cost || (found.cost == list_[i].cost && !found.polished)) return;
+      if (is_better(list_[i], found) || (!is_better(found, list_[i]) && !found.polished)) return;
       list_.erase(list_.begin() + static_cast<std::ptrdiff_t>(i));
       break;
     }
-    const auto at = std::upper_bound(list_.begin(), list_.end(), found,
-                                     [](const Found& a, const Found& b) { return a.cost < b.cost; });
+    const auto at = std::upper_bound(list_.begin(), list_.end(), found, is_better);
     list_.insert(at, found);
     if (list_.size() > kKept) list_.pop_back();
   }
   const std::vector<Found>& list() const { return list_; }
-  double least() const { return list_.front().cost; }
+  const Found& best() const { return list_.front(); }
 
  private:
   bool alike(const Place& a, const Place& b) const {
@@ -114,7 +118,7 @@ class Pricing {
   }
   Prices prices(const GridTally& tally, double offset_m) const {
     const Tally sum = tally.at(origin(tally, offset_m));
-    return {separate_cost(task_.objective, sum), separate_cost(soft_, sum)};
+    return {separate_cost(task_.objective, sum), separate_cost(soft_, sum), sum.pieces > 0};
   }
   Prices prices(const Place& place) const { return prices(tally(place.angle), place.offset_m); }
   double least(const GridTally& tally, const SearchBox& box) const {
@@ -200,7 +204,7 @@ class GridSearch {
       if (hindered_) polish(soft_list_, true, effort_.polished);
     }
     GridSearchResult out;
-    out.bound = std::min(bound_, list_.least());
+    out.bound = std::min(bound_, list_.best().cost);
     out.boxes = boxes_;
     for (const Found& found : list_.list()) out.grids.push_back(pricing_.priced(found));
     if (hindered_)
@@ -211,8 +215,8 @@ class GridSearch {
 
  private:
   void offer(const Place& place, const Prices& prices) {
-    list_.offer({place, prices.cut, false});
-    if (hindered_) soft_list_.offer({place, prices.soft, false});
+    list_.offer({place, prices.cut, prices.works});
+    if (hindered_) soft_list_.offer({place, prices.soft, prices.works});
   }
 
   void try_edges() {
@@ -262,9 +266,9 @@ class GridSearch {
       for (const Place& step : steps(turn, shift)) {
         const Place next{best.place.angle + step.angle, best.place.offset_m + step.offset_m};
         const Prices prices = pricing_.prices(next);
-        const double next_cost = soft ? prices.soft : prices.cut;
-        if (next_cost >= best.cost) continue;
-        best = {next, next_cost, false};
+        const Found found{next, soft ? prices.soft : prices.cut, prices.works};
+        if (!is_better(found, best)) continue;
+        best = found;
         better = true;
       }
       if (better) continue;
@@ -295,7 +299,12 @@ class GridSearch {
     }
   }
 
-  double target() const { return list_.least() - effort_.gap * std::abs(list_.least()); }
+  /// A box that cannot cost less holds nothing worth finding.
+  double target() const {
+    const Found& best = list_.best();
+    return best.works ? best.cost - effort_.gap * std::abs(best.cost)
+                      : std::numeric_limits<double>::infinity();
+  }
 
   /// A net over all directions and offsets, so that polishing finds the way into most hollows.
   void scan() {

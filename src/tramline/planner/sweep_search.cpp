@@ -71,7 +71,7 @@ std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vecto
                    [&](std::size_t i) { candidates[i] = candidate_on(task, swept[batch[i]].grounds); });
     for (std::size_t i = 0; i < batch.size(); ++i) {
       const bool as_cheap = best && candidates[i].cost() == known && batch[i] < best_index;
-      if (candidates[i].cost() >= known && !as_cheap) continue;
+      if (!candidates[i].works() || (candidates[i].cost() >= known && !as_cheap)) continue;
       best = std::move(candidates[i]);
       known = best->cost();
       best_index = batch[i];

@@ -13,7 +13,8 @@ std::vector<SweptGround> swept_grounds(const SearchTask& task, int threads, cons
 
 /// The cheapest of them with its detours; among equals that of the smallest sweep direction. Ways past
 /// obstacles are looked for where the outlook leaves hope only, the best outlook first. The result depends
-/// neither on that nor on the number of threads. nullopt where none costs less than `known`.
+/// neither on that nor on the number of threads. nullopt where none that works anything costs less than
+/// `known`.
 std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vector<SweptGround>& swept,
                                         double known, int threads);
 
