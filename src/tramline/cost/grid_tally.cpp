@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tramline/geometry/region.h"
+#include "tramline/geometry/strip_fold.h"
 
 namespace tramline {
 namespace {
@@ -12,13 +13,6 @@ void append_boxes(const Region& region, const Box& reach, std::vector<Box>& out)
     const Box box = bounds(part);
     if (intersects(box, reach)) out.push_back(box);
   }
-}
-
-void add_piece(Tally& tally, double length_m, double width_m, double useful_m2, double& useful_sum) {
-  tally.track_length_m += length_m;
-  tally.worked_m2 += width_m * length_m;
-  tally.pieces += 1;
-  useful_sum += useful_m2;
 }
 
 TurnedSubfield turned_subfield(const TrackFrame& frame, const Polygon& shape, TurnedGround ground) {
@@ -40,11 +34,47 @@ GridTally::GridTally(const TrackFrame& frame, const Polygon& shape, TurnedGround
   if (!subfield_.ground.field.empty()) plain_criterion_ = {false, terms.width_m - kWidthTolerance};
 }
 
-void GridTally::mark_obstructed(const StripGrid& grid, StripRange range, StripMask& out) const {
+bool GridTally::mark_obstructed(const StripGrid& grid, StripRange range, StripMask& out) const {
+  bool any = false;
   for (const Box& box : subfield_.obstacles) {
     const int first = std::max(grid.strip_at(box.min_x - kWidthTolerance), range.first);
     const int last = std::min(grid.strip_at(box.max_x + kWidthTolerance), range.last);
     for (int k = first; k <= last; ++k) out[static_cast<std::size_t>(k - range.first)] = true;
+    any = any || first <= last;
+  }
+  return any;
+}
+
+void GridTally::Sums::add(double length_m, double inside_m2, double width_m) {
+  tally.track_length_m += length_m;
+  tally.worked_m2 += width_m * length_m;
+  tally.pieces += 1;
+  useful_m2 += inside_m2;
+}
+
+void GridTally::add_open_strips(const StripGrid& grid, StripRange range, const StripMask& open,
+                                Sums& sums) const {
+  thread_local StripFold fold;
+  fold.fold(subfield_.outline, grid, range, open);
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    if (!open[i]) continue;
+    const StripProfile& profile = fold.profile(i);
+    for (const Interval& piece : allowed_by(plain_criterion_, profile))
+      if (piece.length() >= least_length_m())
+        sums.add(piece.length(), area_between(profile, piece.from, piece.to), terms_.width_m);
+  }
+}
+
+void GridTally::add_obstructed_strips(const StripGrid& grid, StripRange range, const StripMask& obstructed,
+                                      Sums& sums) const {
+  SubfieldTracks tracks{grid, {}, {}};
+  for (const Strip& strip :
+       strips_of(grid, range, obstructed, subfield_.shape, subfield_.ground, terms_.criterion).strips)
+    append_pieces(strip, {}, terms_.min_length_m, tracks);
+  for (const StripPiece& piece : tracks.pieces) {
+    sums.add(length(piece), piece.inside_m2, terms_.width_m);
+    sums.tally.crossings += piece.after_crossing ? 1 : 0;
+    sums.tally.stops += (piece.stop_at_from ? 1 : 0) + (piece.stop_at_to ? 1 : 0);
   }
 }
 
@@ -52,38 +82,31 @@ Tally GridTally::at(double origin_m) const {
   thread_local PlainEnds ends;
   const StripGrid grid = this->grid(origin_m);
   const StripRange range = strips_over(grid, subfield_.reach, kWidthTolerance);
-  StripMask intricate(static_cast<std::size_t>(range.size()), false);
-  mark_obstructed(grid, range, intricate);
+  StripMask obstructed(static_cast<std::size_t>(range.size()), false), open = obstructed;
+  const bool any_obstructed = mark_obstructed(grid, range, obstructed);
+  bool any_open = false;
   ends.collect(subfield_.outline, grid, range, plain_criterion_);
 
-  Tally tally;
-  double useful_m2 = 0;
-  bool any_intricate = false;
-  for (std::size_t i = 0; i < intricate.size(); ++i) {
-    const PlainEnds::InStrip strip = intricate[i] ? PlainEnds::InStrip{} : ends.in_strip(i);
-    intricate[i] = !strip.plain;
-    any_intricate = any_intricate || !strip.plain;
+  Sums sums;
+  for (std::size_t i = 0; i < obstructed.size(); ++i) {
+    if (obstructed[i]) continue;
+    const PlainEnds::InStrip strip = ends.in_strip(i);
+    open[i] = !strip.plain;
+    any_open = any_open || !strip.plain;
     for (const PlainEnd* end = strip.begin; end != strip.end; end += 2) {
       const double length_m = end[1].at - end[0].at;
-      if (length_m < std::max(terms_.min_length_m, kNoPiece_m)) continue;
+      if (length_m < least_length_m()) continue;
       const double over_m2 = end[0].over_m2 + end[1].over_m2;
-      add_piece(tally, length_m, terms_.width_m, terms_.width_m * length_m - over_m2, useful_m2);
+      sums.add(length_m, terms_.width_m * length_m - over_m2, terms_.width_m);
     }
   }
-  if (any_intricate) {
-    SubfieldTracks tracks{grid, {}, {}};
-    for (const Strip& strip :
-         strips_of(grid, range, intricate, subfield_.shape, subfield_.ground, terms_.criterion).strips)
-      append_pieces(strip, {}, terms_.min_length_m, tracks);
-    for (const StripPiece& piece : tracks.pieces) {
-      add_piece(tally, length(piece), terms_.width_m, piece.inside_m2, useful_m2);
-      tally.crossings += piece.after_crossing ? 1 : 0;
-      tally.stops += (piece.stop_at_from ? 1 : 0) + (piece.stop_at_to ? 1 : 0);
-    }
-  }
+  if (any_open) add_open_strips(grid, range, open, sums);
+  if (any_obstructed) add_obstructed_strips(grid, range, obstructed, sums);
+
+  Tally& tally = sums.tally;
   tally.turns = std::max(0, tally.pieces - 1 - tally.crossings);
-  tally.overlap_m2 = tally.worked_m2 - useful_m2;
-  tally.uncovered_m2 = subfield_.area_m2 - useful_m2;
+  tally.overlap_m2 = tally.worked_m2 - sums.useful_m2;
+  tally.uncovered_m2 = subfield_.area_m2 - sums.useful_m2;
   return tally;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // What the tracks of one subfield amount to for any offset of their grid, without building them.
 
+#include <algorithm>
 #include <vector>
 
 #include "tramline/cost/plain_ends.h"
@@ -29,7 +30,7 @@ struct TurnedSubfield {
 
 /// One subfield in the turned plane of one direction. Tracks are cut at obstacles. Strips that the
 /// boundary crosses plainly and that no obstacle comes near are summed in closed form (ALGORITHMS §0.1);
-/// the others through their profiles.
+/// the others through their profiles, and only those that obstacles come near piece by piece.
 class GridTally {
  public:
   /// Precondition: the field's outer ring, where it is hard (ground.field), is that of the shape.
@@ -45,8 +46,19 @@ class GridTally {
   StripGrid grid(double origin_m) const { return {subfield_.frame, origin_m, terms_.width_m}; }
 
  private:
-  /// Those that obstacles come near.
-  void mark_obstructed(const StripGrid& grid, StripRange range, StripMask& out) const;
+  struct Sums {
+    Tally tally;
+    double useful_m2 = 0;
+    void add(double length_m, double inside_m2, double width_m);
+  };
+
+  /// Those that obstacles come near. Are there any?
+  bool mark_obstructed(const StripGrid& grid, StripRange range, StripMask& out) const;
+  /// Strips that no obstacle comes near, and that the boundary does not cross plainly.
+  void add_open_strips(const StripGrid& grid, StripRange range, const StripMask& open, Sums& sums) const;
+  void add_obstructed_strips(const StripGrid& grid, StripRange range, const StripMask& obstructed,
+                             Sums& sums) const;
+  double least_length_m() const { return std::max(terms_.min_length_m, kNoPiece_m); }
 
   TurnedSubfield subfield_;
   GridTerms terms_;

@@ -50,10 +50,16 @@ Region pairwise_overlaps(const Region& swaths) {
 }  // namespace
 
 WorkedRegions worked_regions(const Region& body, const Region& swaths) {
-  const Region worked = unite(swaths);
-  Region doubled = pairwise_overlaps(swaths);
-  for (Polygon& outside : difference(worked, body)) doubled.push_back(std::move(outside));
-  return {unite(doubled), difference(body, worked)};
+  return worked_regions(body, swaths, std::vector<Region>{unite(swaths)});
+}
+
+WorkedRegions worked_regions(const Region& body, const Region& swaths, const std::vector<Region>& grounds) {
+  Region worked;
+  for (const Region& ground : grounds) worked = worked.empty() ? ground : unite(worked, ground);
+  Region overlap = difference(worked, body);
+  if (const Region doubled = pairwise_overlaps(swaths); !doubled.empty())
+    overlap = unite(overlap, unite(doubled));
+  return {std::move(overlap), difference(body, worked)};
 }
 
 }  // namespace tramline

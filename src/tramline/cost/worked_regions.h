@@ -12,7 +12,9 @@ struct WorkedRegions {
 
 /// By polygon booleans on the precision grid. Overlapping swaths are told apart pair by pair among
 /// those whose boxes meet. `swaths` may be whole ones or parts that only touch: rectangles as such, bands
-/// along arcs by their chords.
+/// along arcs by their chords. `grounds`, where they are known, are regions that cover together what the
+/// swaths do; they may overlap, the parts of one may not.
 WorkedRegions worked_regions(const Region& body, const Region& swaths);
+WorkedRegions worked_regions(const Region& body, const Region& swaths, const std::vector<Region>& grounds);
 
 }  // namespace tramline

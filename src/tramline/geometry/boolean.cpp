@@ -145,9 +145,7 @@ Region unite(const Region& polygons) {
   return from_geos(checked(GEOSUnaryUnionPrec_r(geos(), to_geos(polygons).get(), kGridSize), "union"));
 }
 Region unite(const Region& a, const Region& b) {
-  Region both = a;
-  both.insert(both.end(), b.begin(), b.end());
-  return unite(both);
+  return overlay(a, b, GEOSUnionPrec_r, "union");
 }
 Region intersection(const Region& a, const Region& b) {
   return overlay(a, b, GEOSIntersectionPrec_r, "intersection");

@@ -18,8 +18,8 @@ namespace tramline {
 /// most about kGridSize · perimeter.
 inline constexpr double kGridSize = 1e-6;
 
-Region unite(const Region& polygons);  ///< input polygons may overlap
-Region unite(const Region& a, const Region& b);
+Region unite(const Region& polygons);            ///< input polygons may overlap
+Region unite(const Region& a, const Region& b);  ///< parts of the same one must not overlap; one overlay
 Region intersection(const Region& a, const Region& b);
 Region difference(const Region& a, const Region& b);
 Region symmetric_difference(const Region& a, const Region& b);

@@ -1,23 +1,40 @@
 #include "tramline/geometry/track_frame.h"
 
 namespace tramline {
+namespace {
 
-Ring TrackFrame::to_track(const Ring& ring) const {
+template <class Motion>
+Ring moved(const Ring& ring, Motion move) {
   Ring out;
   out.reserve(ring.size());
-  for (const Point p : ring) out.push_back(to_track(p));
+  for (const Point p : ring) out.push_back(move(p));
   return out;
 }
 
-Region TrackFrame::to_track(const Region& region) const {
+template <class Motion>
+Region moved(const Region& region, Motion move) {
   Region out;
   out.reserve(region.size());
   for (const Polygon& polygon : region) {
-    Polygon turned{to_track(polygon.outer), {}};
-    for (const Ring& hole : polygon.holes) turned.holes.push_back(to_track(hole));
-    out.push_back(std::move(turned));
+    Polygon part{moved(polygon.outer, move), {}};
+    for (const Ring& hole : polygon.holes) part.holes.push_back(moved(hole, move));
+    out.push_back(std::move(part));
   }
   return out;
+}
+
+}  // namespace
+
+Ring TrackFrame::to_track(const Ring& ring) const {
+  return moved(ring, [this](Point p) { return to_track(p); });
+}
+
+Region TrackFrame::to_track(const Region& region) const {
+  return moved(region, [this](Point p) { return to_track(p); });
+}
+
+Region TrackFrame::to_field(const Region& region) const {
+  return moved(region, [this](Point p) { return to_field(p); });
 }
 
 }  // namespace tramline

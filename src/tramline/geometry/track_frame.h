@@ -16,6 +16,7 @@ class TrackFrame {
   Point to_field(Point p) const { return {p.x * up_.y + p.y * up_.x, p.y * up_.y - p.x * up_.x}; }
   Ring to_track(const Ring& ring) const;
   Region to_track(const Region& region) const;
+  Region to_field(const Region& region) const;
 
  private:
   Direction direction_;

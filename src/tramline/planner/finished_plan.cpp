@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "tramline/cost/worked_regions.h"
+#include "tramline/cost/worked_rows.h"
+#include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
 #include "tramline/headland/body.h"
 #include "tramline/planner/driving_order.h"
@@ -24,6 +26,19 @@ std::vector<DroppedPiece> dropped_pieces(const Candidate& candidate) {
                      static_cast<int>(i)});
     }
   }
+  return out;
+}
+
+/// The ground of all swaths in few regions.
+std::vector<Region> worked_grounds(const Candidate& candidate, const std::vector<TrackPiece>& pieces,
+                                   double width_m) {
+  std::vector<Region> out;
+  for (const SubfieldTracks& tracks : candidate.avoided.tracks) out.push_back(worked_rows(tracks));
+  Region detours;
+  for (const TrackPiece& piece : pieces)
+    for (const Detour& detour : piece.detours)
+      detours.push_back({band(detour.path, width_m, kLayerSagitta), {}});
+  out.push_back(unite(detours));
   return out;
 }
 
@@ -75,12 +90,13 @@ Plan finished_plan(const SearchTask& task, SearchResult found) {
   plan.pieces = driving_order(found.best);
   plan.dropped = dropped_pieces(found.best);
   plan.encounters = encounters_as_driven(task, found.best, plan.pieces);
+  const std::vector<Region> grounds = worked_grounds(found.best, plan.pieces, plan.machine.width_m);
   plan.subfields = std::move(found.best.subfields);
   plan.tally = found.best.avoided.tally;
   plan.cost = found.best.cost();
   plan.directions_tried = found.directions_tried;
   plan.proof = found.proof;
-  WorkedRegions worked = worked_regions(plan.body, swath_parts(plan));
+  WorkedRegions worked = worked_regions(plan.body, swath_parts(plan), grounds);
   plan.overlap = std::move(worked.overlap);
   plan.uncovered = std::move(worked.uncovered);
   plan.warnings = warnings_about(plan);
