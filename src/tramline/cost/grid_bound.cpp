@@ -50,12 +50,17 @@ class Bound {
     for (int i = 0; i < range_.size(); ++i) {
       enter(range_.first + i, parts.in(static_cast<std::size_t>(i)));
       add_strip();
-      fixed_ += objective_.turn * least_pieces();
     }
-    return fixed_ + std::max(apart_, together_.least(moving_.shift, moving_.turn));
+    return sums_.fixed + std::max(sums_.apart, sums_.together.least(moving_.shift, moving_.turn));
   }
 
  private:
+  struct Sums {
+    double fixed = 0;      ///< what is free of the place of the grid within the box
+    double apart = 0;      ///< the other windows, each at its least
+    AffineBound together;  ///< the same windows, all moved at once
+  };
+
   double shift_at(double along_from_pivot) const {
     return tangent_ * std::abs(along_from_pivot) + fixed_shift_;
   }
@@ -66,7 +71,6 @@ class Bound {
   /// Makes the strip the one that the functions below speak of.
   void enter(int k, std::span<BoundaryPart> parts) {
     gather_windows(parts, width_, shift_, 2 * shear_, windows_);
-    parts_ = parts;
     zones_.clear();
     blocked_.clear();
     const double left = grid_.line(k), right = left + width_;
@@ -87,28 +91,73 @@ class Bound {
   }
   bool in_zone(const BoundaryWindow& window) const { return in_zone(window.lowest, window.highest); }
 
-  /// Run by run: windows with land between them, and none before or beyond.
+  /// Windows first … last of the strip.
+  struct Windows {
+    std::size_t first = 0, last = 0;
+  };
+
+  /// Windows with land between them, and none before or beyond.
+  Windows run_from(std::size_t first) const {
+    std::size_t last = first;
+    while (windows_[last].inside_after && last + 1 < windows_.size()) ++last;
+    return {first, last};
+  }
+
+  /// Runs that no piece has in common with any other, whatever the grid: outside lies before and beyond.
+  Windows group_from(std::size_t first) const {
+    Windows group = run_from(first);
+    while (group.last + 1 < windows_.size()) {
+      const double from = windows_[group.last].highest, to = windows_[group.last + 1].lowest;
+      if (to - from > 2 * shear_ && !in_zone(from, to)) break;
+      group.last = run_from(group.last + 1).last;
+    }
+    return group;
+  }
+
   void add_strip() {
-    for (std::size_t first = 0, last = 0; first < windows_.size(); first = last + 1) {
-      for (last = first; windows_[last].inside_after && last + 1 < windows_.size();) ++last;
-      if (windows_[last].highest - windows_[first].lowest + 2 * shear_ < shortest_ &&
-          !in_zone(windows_[first].lowest, windows_[last].highest)) {
-        add_undriven(first, last);
-        continue;
-      }
-      for (std::size_t k = first; k <= last; ++k)
-        if (!in_zone(windows_[k])) windows_[k].passes ? add_passage(k) : add_rows(windows_[k]);
+    for (std::size_t next = 0; next < windows_.size();) {
+      const Windows group = group_from(next);
+      const Sums before = sums_;
+      for (std::size_t k = group.first; k <= group.last; k = run_from(k).last + 1) add_run(run_from(k));
+      if (has_piece(group))
+        sums_.fixed += objective_.turn;
+      else if (zones_.empty())
+        sums_.fixed += undecided(group, before);
+      next = group.last + 1;
     }
   }
 
-  /// A run in which no piece is long enough.
-  void add_undriven(std::size_t first, std::size_t last) {
-    double inside_m2 = 0;
-    for (std::size_t k = first; k <= last; ++k) {
-      inside_m2 += inside_rows(windows_[k].parts, moving_) - shear_ * windows_[k].across_m;
-      if (k < last) inside_m2 += width_ * (windows_[k + 1].lowest - windows_[k].highest);
+  void add_run(const Windows& run) {
+    const double lowest = windows_[run.first].lowest, highest = windows_[run.last].highest;
+    if (highest - lowest + 2 * shear_ < shortest_ && !in_zone(lowest, highest)) {
+      sums_.fixed += undriven(run);
+      return;
     }
-    fixed_ += objective_.uncovered * std::max(0.0, inside_m2);
+    for (std::size_t k = run.first; k <= run.last; ++k)
+      if (!in_zone(windows_[k])) windows_[k].passes ? add_passage(k) : add_rows(windows_[k]);
+  }
+
+  /// What the run costs where no piece is driven in it.
+  double undriven(const Windows& run) const {
+    double inside_m2 = 0;
+    for (std::size_t k = run.first; k <= run.last; ++k) {
+      inside_m2 += inside_rows(windows_[k].parts, moving_) - shear_ * windows_[k].across_m;
+      if (k < run.last) inside_m2 += width_ * (windows_[k + 1].lowest - windows_[k].highest);
+    }
+    return objective_.uncovered * std::max(0.0, inside_m2);
+  }
+
+  /// A group in which a piece may be or not: either it costs a turn besides what its rows have been charged,
+  /// or all its land is left.
+  double undecided(const Windows& group, const Sums& before) const {
+    double left = 0;
+    for (std::size_t k = group.first; k <= group.last; k = run_from(k).last + 1)
+      left += undriven(run_from(k));
+    AffineBound together = sums_.together;
+    together -= before.together;
+    const double charged = sums_.fixed - before.fixed +
+                           std::max(sums_.apart - before.apart, together.most(moving_.shift, moving_.turn));
+    return std::clamp(left - charged, 0.0, objective_.turn);
   }
 
   void add_passage(std::size_t i) {
@@ -122,25 +171,25 @@ class Bound {
     }
     const double now = passage_cost(window, width_, objective_.overlap, objective_.uncovered);
     if (wedge > 0.95 * now) {
-      fixed_ += wedge;
+      sums_.fixed += wedge;
       return;
     }
     const double sheared = dearest_ * shear_ * window.across_m;
     const double shift = shift_between(window.lowest, window.highest);
     RowBounds rows = moving_rows(window.parts, moving_);
-    apart_ += std::max({0.0, wedge, rows.apart - sheared,
-                        now - dearest_ * shift * (window.highest - window.lowest) - sheared});
+    sums_.apart += std::max({0.0, wedge, rows.apart - sheared,
+                             now - dearest_ * shift * (window.highest - window.lowest) - sheared});
     rows.together.constant -= sheared;
     const bool much = wedge > 0.7 * now && rows.together.least(moving_.shift, moving_.turn) < wedge;
-    together_ += much ? AffineBound{wedge, 0, 0} : rows.together;
+    sums_.together += much ? AffineBound{wedge, 0, 0} : rows.together;
   }
 
   void add_rows(const BoundaryWindow& window) {
     const double sheared = dearest_ * shear_ * window.across_m;
     RowBounds rows = moving_rows(window.parts, moving_);
-    apart_ += std::max(0.0, rows.apart - sheared);
+    sums_.apart += std::max(0.0, rows.apart - sheared);
     rows.together.constant -= sheared;
-    together_ += rows.together;
+    sums_.together += rows.together;
   }
 
   /// Is the land beside a passage driven in every grid?
@@ -150,40 +199,23 @@ class Bound {
     return windows_[before + 1].lowest - windows_[before].highest >= least_length_;
   }
 
-  int least_pieces() {
-    separators_.clear();
-    double from = -std::numeric_limits<double>::infinity();
-    bool inside = false;
-    for (const BoundaryWindow& window : windows_) {
-      if (!inside && !in_zone(from, window.lowest)) separators_.push_back({from, window.lowest});
-      inside = window.inside_after;
-      from = window.highest;
-    }
-    if (windows_.empty()) return 0;
-    int most = pieces_along(-shift_, width_ + shift_);
-    if (tally_.plain_criterion().by_centre_line) {
-      if (2 * shift_ < width_)
-        most = std::max(most, pieces_along(0.5 * width_ - shift_, 0.5 * width_ + shift_));
-    } else if (const double least = least_width_ + shift_; least <= width_) {
-      most = std::max({most, pieces_along(0, least), pieces_along(width_ - least, width_)});
-    }
-    return most;
+  /// Is a piece driven in the group, whatever the grid?
+  bool has_piece(const Windows& group) {
+    const auto lies_in = [&](double left, double right) { return holds_piece(group, left, right); };
+    if (lies_in(-shift_, width_ + shift_)) return true;
+    if (tally_.plain_criterion().by_centre_line)
+      return 2 * shift_ < width_ && lies_in(0.5 * width_ - shift_, 0.5 * width_ + shift_);
+    const double least = least_width_ + shift_;
+    return least <= width_ && (lies_in(0, least) || lies_in(width_ - least, width_));
   }
 
-  /// Stretches as long as a piece in which the sub-strip from `left` to `right` lies inside, between which
-  /// somewhere the whole strip lies outside.
-  int pieces_along(double left, double right) {
+  /// Is there a stretch as long as a piece in which the sub-strip from `left` to `right` lies inside?
+  bool holds_piece(const Windows& group, double left, double right) {
     const double middle = 0.5 * (left + right);
-    int count = 0;
-    bool inside = false;
-    double free_from = -std::numeric_limits<double>::infinity(), last_end = 0;
-    const auto consider = [&](double to) {
-      if (!inside || to - free_from < least_length_) return;
-      if (blocked_.empty()) return count_piece(free_from, to, count, last_end);
-      for (const Interval& free : without({{free_from, to}}, blocks()))
-        if (free.length() >= least_length_) count_piece(free.from, free.to, count, last_end);
-    };
-    for (const BoundaryPart& part : parts_) {  // from low to high
+    const std::span parts(windows_[group.first].parts.data(),
+                          windows_[group.last].parts.data() + windows_[group.last].parts.size());
+    crossings_.clear();
+    for (const BoundaryPart& part : parts) {  // from low to high
       double low = part.from.y, high = part.to.y;
       if (std::max(part.from.x, part.to.x) < left || std::min(part.from.x, part.to.x) > right) continue;
       if (part.from.x != part.to.x) {
@@ -196,25 +228,23 @@ class Bound {
     }
     std::sort(crossings_.begin(), crossings_.end(),
               [](const Crossing& a, const Crossing& b) { return a.lowest < b.lowest; });
+    bool inside = false;
+    double free_from = -std::numeric_limits<double>::infinity();
     for (const Crossing& crossing : crossings_) {
-      if (crossing.lowest > free_from) consider(crossing.lowest);
+      if (inside && has_free_stretch(free_from, crossing.lowest)) return true;
       inside ^= crossing.passes_middle;
       free_from = std::max(free_from, crossing.highest);
     }
-    crossings_.clear();
-    return count;
+    return false;
   }
 
-  void count_piece(double from, double to, int& count, double& last_end) const {
-    if (count > 0 && !parted(last_end, from)) return;
-    ++count;
-    last_end = to;
-  }
-
-  bool parted(double from, double to) const {
-    return std::any_of(separators_.begin(), separators_.end(), [&](const Interval& outside) {
-      return std::min(outside.to, to) - std::max(outside.from, from) > 2 * shear_;
-    });
+  /// As long as a piece, and clear of obstacles.
+  bool has_free_stretch(double from, double to) const {
+    if (to - from < least_length_) return false;
+    if (blocked_.empty()) return true;
+    const Intervals free = without({{from, to}}, blocks());
+    return std::any_of(free.begin(), free.end(),
+                       [this](const Interval& stretch) { return stretch.length() >= least_length_; });
   }
 
   Intervals blocks() const {
@@ -246,14 +276,10 @@ class Bound {
   double least_width_ = 0, per_wedge_ = 0, shortest_ = 0;  ///< piece that is driven
   double least_length_ = 0;                                ///< … for certain
   MovingTerms moving_;
-  double fixed_ = 0;      ///< what is free of the place of the grid within the box
-  double apart_ = 0;      ///< the other windows, each at its least
-  AffineBound together_;  ///< the same windows, all moved at once
-  std::span<BoundaryPart> parts_;
+  Sums sums_;
   std::vector<BoundaryWindow> windows_;
   Intervals zones_;    ///< along the strip, where detours may be
   Intervals blocked_;  ///< where an obstacle may reach into it
-  Intervals separators_;
   std::vector<Crossing> crossings_;
 };
 

@@ -112,6 +112,14 @@ AffineBound& AffineBound::operator+=(const AffineBound& other) {
   return *this;
 }
 
+AffineBound& AffineBound::operator-=(const AffineBound& other) {
+  return *this += {-other.constant, -other.per_shift, -other.per_turn};
+}
+
+double AffineBound::most(double shift, double turn) const {
+  return constant + shift * std::abs(per_shift) + turn * std::abs(per_turn);
+}
+
 double AffineBound::least(double shift, double turn) const {
   return constant - shift * std::abs(per_shift) - turn * std::abs(per_turn);
 }

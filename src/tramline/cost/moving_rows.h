@@ -15,8 +15,10 @@ struct AffineBound {
   double per_turn = 0;
 
   AffineBound& operator+=(const AffineBound& other);
+  AffineBound& operator-=(const AffineBound& other);
   /// For all |e| ≤ shift, |a| ≤ turn.
   double least(double shift, double turn) const;
+  double most(double shift, double turn) const;
 };
 
 /// The terms of moving_rows().

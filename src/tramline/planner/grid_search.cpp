@@ -20,7 +20,10 @@ constexpr std::size_t kKept = 12;       ///< grids that are told apart
 constexpr std::size_t kBatch = 8;       ///< boxes divided at a time, for any number of threads
 constexpr double kNearBest = 0.15;      ///< small steps hardly better a grid by more
 constexpr int kLookEvery = 200;         ///< boxes, after which the search gives up if …
-constexpr double kLeastProgress = 0.1;  ///< … no more than this share of the gap has been closed
+constexpr double kLeastProgress = 0.025;  ///< … no more than this share of the gap has been closed
+const Angle kFirstTurn = Angle::degrees(0.4);  ///< of the steps that better a grid …
+const Angle kCoarse = Angle::degrees(0.1);     ///< … and where most of them stop
+constexpr std::size_t kFollowed = 1;           ///< grids that are bettered by finer steps
 constexpr double kFirstHalfAngle = kHalfTurn / 360;
 
 /// A grid by its angle and by its offset from the pivot, across.
@@ -244,7 +247,15 @@ class GridSearch {
     if (found.size() > most) found.resize(most);
     const double worth_it = found.front().cost + kNearBest * std::abs(found.front().cost);
     std::erase_if(found, [&](const Found& one) { return one.polished || one.cost > worth_it; });
-    for_each_index(found.size(), threads_, [&](std::size_t i) { improve(found[i], soft); });
+    for_each_index(found.size(), threads_,
+                   [&](std::size_t i) { improve(found[i], soft, kFirstTurn, kCoarse); });
+    // Coarse steps tell which hollows are deep.
+    std::stable_sort(found.begin(), found.end(), is_better);
+    const std::size_t deep = std::min(found.size(), kFollowed);
+    for_each_index(deep, threads_, [&](std::size_t i) {
+      improve(found[i], soft, kCoarse, effort_.tolerance);
+      found[i].polished = true;
+    });
     for (const Found& one : found) shortlist.offer(one);
   }
 
@@ -259,9 +270,10 @@ class GridSearch {
     return out;
   }
 
-  void improve(Found& best, bool soft) const {
-    double turn = Angle::degrees(0.4).radians(), shift = pricing_.width_m() / 8;
-    while (turn >= 0.5 * effort_.tolerance.radians()) {
+  /// By steps that turn by less and less, from one angle to half the other.
+  void improve(Found& best, bool soft, Angle from, Angle to) const {
+    double turn = from.radians(), shift = pricing_.width_m() / 8 * (from.radians() / kFirstTurn.radians());
+    while (turn > 0.5 * to.radians()) {
       bool better = false;
       for (const Place& step : steps(turn, shift)) {
         const Place next{best.place.angle + step.angle, best.place.offset_m + step.offset_m};
@@ -275,7 +287,6 @@ class GridSearch {
       turn *= 0.5;
       shift *= 0.5;
     }
-    best.polished = true;
   }
 
   /// Bounds the box; prices the grid in its middle if the box may hold anything and is either one of the
@@ -355,7 +366,7 @@ class GridSearch {
   void divide(const SearchBox& box, std::vector<SearchBox>& out) {
     const double by_angle = box.half_angle * pricing_.radius_m();
     const double least_offset = pricing_.width_m() / 1024;
-    const bool can_turn = 2 * box.half_angle > effort_.tolerance.radians();
+    const bool can_turn = by_angle > least_offset;
     if (!can_turn && box.half_offset_m <= least_offset) {
       bound_ = std::min(bound_, box.bound);
       return;

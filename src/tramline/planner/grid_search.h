@@ -18,7 +18,7 @@ struct SearchEffort {
   std::size_t most_edges = 64;  ///< directions of edges that are tried
   std::size_t polished = 4;     ///< of the best of them: how many are bettered by small steps
   int scanned = 120;            ///< directions, evenly spread, that are looked at besides
-  int most_boxes = 3000;        ///< that are bounded; 0: no branch and bound, and no bound
+  int most_boxes = 6000;        ///< that are bounded; 0: no branch and bound, and no bound
   double gap = 0.005;           ///< stop where the bound is this near, relative
   Angle tolerance = Angle::degrees(0.01);
   bool exact_offset = true;  ///< best_offset() for the best grid, where no obstacle hinders
