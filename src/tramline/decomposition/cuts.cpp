@@ -1,12 +1,11 @@
 #include "tramline/decomposition/cuts.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <numbers>
-#include <optional>
 #include <tuple>
 
+#include "tramline/decomposition/turned_boundary.h"
 #include "tramline/geometry/faces.h"
 
 namespace tramline {
@@ -27,46 +26,6 @@ bool points_inside(const SplitEvent& corner, Point ray) {
   return turn > kAlongEdge && turn < opening - kAlongEdge;
 }
 
-/// The polygon in the turned plane, where cuts are vertical.
-struct TurnedRings {
-  std::vector<const Ring*> rings;  ///< in the field's plane
-  std::vector<Ring> turned;
-
-  TurnedRings(const Polygon& polygon, const TrackFrame& frame) {
-    rings.push_back(&polygon.outer);
-    for (const Ring& hole : polygon.holes) rings.push_back(&hole);
-    for (const Ring* ring : rings) turned.push_back(frame.to_track(*ring));
-  }
-};
-
-/// What a ray meets first.
-struct Hit {
-  double reach = std::numeric_limits<double>::infinity();
-  std::size_t ring = 0, index = 0;
-  bool vertex = false;
-};
-
-/// The nearest vertex or edge above (sense +1) or below (−1) of `start`.
-Hit nearest_boundary(const TurnedRings& rings, Point start, int sense) {
-  Hit hit;
-  const auto offer = [&](double y, std::size_t ring, std::size_t index, bool vertex) {
-    const double reach = sense * (y - start.y);
-    if (reach > kSameLine && reach < hit.reach) hit = {reach, ring, index, vertex};
-  };
-  for (std::size_t r = 0; r < rings.turned.size(); ++r) {
-    const Ring& ring = rings.turned[r];
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
-      const double to_a = a.x - start.x, to_b = b.x - start.x;
-      if (std::abs(to_a) <= kSameLine)
-        offer(a.y, r, i, true);
-      else if (std::abs(to_b) > kSameLine && (to_a < 0) != (to_b < 0))
-        offer(a.y + (b.y - a.y) * (to_a / (to_a - to_b)), r, i, false);
-    }
-  }
-  return hit;
-}
-
 /// Whether the ray starts into the field at every corner that shares the event's point: where a hole
 /// touches another ring, the field lies between both.
 bool starts_inside(const std::vector<SplitEvent>& corners_here, Point ray) {
@@ -74,25 +33,9 @@ bool starts_inside(const std::vector<SplitEvent>& corners_here, Point ray) {
                      [ray](const SplitEvent& corner) { return points_inside(corner, ray); });
 }
 
-std::vector<SplitEvent> corners_at(const TurnedRings& rings, Point vertex) {
-  std::vector<SplitEvent> out;
-  for (const Ring* ring : rings.rings)
-    for (std::size_t i = 0; i < ring->size(); ++i)
-      if ((*ring)[i] == vertex)
-        out.push_back(
-            {(*ring)[i == 0 ? ring->size() - 1 : i - 1], vertex, (*ring)[i + 1 == ring->size() ? 0 : i + 1]});
-  return out;
-}
-
-/// Even-odd over all rings.
-bool inside(const TurnedRings& rings, Point p) {
-  bool odd = false;
-  for (const Ring& ring : rings.turned) odd = odd != contains(ring, p);
-  return odd;
-}
-
-Cut cut_to(const Hit& hit, const TurnedRings& rings, Point from, Point ray) {
-  if (hit.vertex) return {from, (*rings.rings[hit.ring])[hit.index], -1, 0};
+Cut cut_to(const Hit& hit, const Polygon& polygon, Point from, Point ray) {
+  const Ring& ring = hit.ring == 0 ? polygon.outer : polygon.holes[hit.ring - 1];
+  if (hit.vertex) return {from, ring[hit.index], -1, 0};
   return {from, from + hit.reach * ray, static_cast<int>(hit.ring), hit.index};
 }
 
@@ -148,20 +91,20 @@ std::vector<DirectedEdge> cut_edges(const std::vector<Cut>& cuts) {
 
 std::vector<Cut> cuts_at(const Polygon& polygon, const std::vector<SplitEvent>& events, Direction direction) {
   const TrackFrame frame(direction);
-  const TurnedRings rings(polygon, frame);
+  const TurnedBoundary boundary(polygon, frame);
   std::vector<Cut> cuts;
   for (const SplitEvent& event : events) {
-    const std::vector<SplitEvent> corners = corners_at(rings, event.vertex);
+    const std::vector<SplitEvent> corners = boundary.corners_at(event.vertex);
     const Point start = frame.to_track(event.vertex);
     for (const int sense : {+1, -1}) {
       const Point ray = static_cast<double>(sense) * direction.unit();
       if (!starts_inside(corners, ray)) continue;
-      const Hit hit = nearest_boundary(rings, start, sense);
+      const Hit hit = boundary.nearest(start, sense);
       if (!std::isfinite(hit.reach)) continue;
-      const Cut cut = cut_to(hit, rings, event.vertex, ray);
+      const Cut cut = cut_to(hit, polygon, event.vertex, ray);
       const bool follows_edge = cut.to == event.previous || cut.to == event.next;
       // Edges of a micrometre can hide from the ray what stands in its way: better no cut than one outside.
-      if (!follows_edge && inside(rings, {start.x, start.y + 0.5 * sense * hit.reach})) cuts.push_back(cut);
+      if (!follows_edge && boundary.inside({start.x, start.y + 0.5 * sense * hit.reach})) cuts.push_back(cut);
     }
   }
   return cuts;

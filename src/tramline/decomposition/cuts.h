@@ -21,7 +21,7 @@ inline constexpr double kSameLine = 1e-6;
 
 /// For every event the stretches of the line through its vertex, parallel to `direction`, that run to
 /// either side through the field's inside. A side on which the line leaves the field or follows an
-/// edge at once has none. O(events · n).
+/// edge at once has none. O(n + k) for k edges that the lines meet.
 std::vector<Cut> cuts_at(const Polygon& polygon, const std::vector<SplitEvent>& events, Direction direction);
 
 /// The parts the cuts divide the polygon into; parts that touch share identical edges. O(n log n).

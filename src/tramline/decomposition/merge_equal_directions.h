@@ -1,9 +1,12 @@
 #pragma once
 // Merging, phase 1.
 
-#include "tramline/decomposition/merge_graph.h"
+#include "tramline/decomposition/merge_longest_edge_first.h"
 
 namespace tramline {
+
+/// Neighbours with the same driving direction.
+MergeRule equal_directions();
 
 /// S1.20: adjacent cells with the same driving direction become one.
 void merge_equal_directions(MergeGraph& graph);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "tramline/geometry/faces.h"
 
@@ -40,9 +41,10 @@ void find_neighbours(MergeGraph& graph) {
 }
 
 void join_histories(MergeNode& into, const MergeNode& other) {
-  into.history.insert(into.history.end(), other.history.begin(), other.history.end());
-  std::sort(into.history.begin(), into.history.end());
-  into.history.erase(std::unique(into.history.begin(), into.history.end()), into.history.end());
+  std::vector<Direction> both;
+  std::set_union(into.history.begin(), into.history.end(), other.history.begin(), other.history.end(),
+                 std::back_inserter(both));
+  into.history = std::move(both);
 }
 
 }  // namespace
@@ -77,23 +79,6 @@ void merge(MergeGraph& graph, std::size_t a, std::size_t b, Remember remember) {
   }
   gone.shared.clear();
   gone.alive = false;
-}
-
-void merge_longest_edge_first(MergeGraph& graph, Remember remember,
-                              const std::function<bool(const MergeNode&, const MergeNode&)>& eligible) {
-  while (true) {
-    double longest = 0;
-    std::size_t best_a = 0, best_b = 0;
-    for (std::size_t a = 0; a < graph.nodes.size(); ++a)
-      for (const auto& [b, length] : graph.nodes[a].shared) {
-        if (b <= a || length <= longest || !eligible(graph.nodes[a], graph.nodes[b])) continue;
-        longest = length;
-        best_a = a;
-        best_b = b;
-      }
-    if (longest <= 0) return;
-    merge(graph, best_a, best_b, remember);
-  }
 }
 
 std::vector<Subfield> subfields_of(const MergeGraph& graph) {

@@ -1,7 +1,6 @@
 #pragma once
 // Cells and the edges they share, merged pair by pair.
 
-#include <functional>
 #include <map>
 #include <vector>
 
@@ -14,8 +13,8 @@ namespace tramline {
 struct MergeNode {
   std::vector<std::size_t> cells;  ///< members, by index of the original cell
   double area_m2 = 0;
-  Direction direction;                   ///< of the largest part (S1.23)
-  std::vector<Direction> history;        ///< directions that every later merge must respect (S1.24)
+  Direction direction;             ///< of the largest part (S1.23)
+  std::vector<Direction> history;  ///< directions that every later merge must respect (S1.24), ascending
   std::map<std::size_t, double> shared;  ///< length of the common edge by neighbour, m
   bool alive = true;
 };
@@ -33,11 +32,6 @@ enum class Remember { kBoth, kLargerOnly };
 /// Joins b into a: the larger of the two keeps its direction (S1.23; a tie: the lower index).
 /// Precondition: a < b, both alive and neighbours.
 void merge(MergeGraph& graph, std::size_t a, std::size_t b, Remember remember);
-
-/// Merges, again and again, the eligible pair of neighbours with the longest shared edge (ties: the
-/// lower indices) until no pair is eligible. S1 leaves the order open (S1.25).
-void merge_longest_edge_first(MergeGraph& graph, Remember remember,
-                              const std::function<bool(const MergeNode&, const MergeNode&)>& eligible);
 
 /// The subfields: the union of each node's cells, by node index.
 std::vector<Subfield> subfields_of(const MergeGraph& graph);

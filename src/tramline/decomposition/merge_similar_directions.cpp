@@ -4,16 +4,23 @@
 
 namespace tramline {
 
-void merge_similar_directions(MergeGraph& graph, Angle threshold) {
+MergeRule similar_directions(Angle threshold) {
   // "Equal to or between" (S1 §2.2.3) must not hang on the last bit of a rotation.
   constexpr double kInclusive = 1e-9;
   const double limit = threshold.radians() + kInclusive;
-  merge_longest_edge_first(graph, Remember::kBoth, [limit](const MergeNode& a, const MergeNode& b) {
-    return std::all_of(a.history.begin(), a.history.end(), [&](Direction one) {
-      return std::all_of(b.history.begin(), b.history.end(),
-                         [&](Direction other) { return angle_between(one, other).radians() <= limit; });
-    });
-  });
+  // A history only grows: what it keeps apart stays apart.
+  return {[limit](const MergeNode& a, const MergeNode& b) {
+            return std::all_of(a.history.begin(), a.history.end(), [&](Direction one) {
+              return std::all_of(b.history.begin(), b.history.end(), [&](Direction other) {
+                return angle_between(one, other).radians() <= limit;
+              });
+            });
+          },
+          MergeRule::Opens::kNever};
+}
+
+void merge_similar_directions(MergeGraph& graph, Angle threshold) {
+  merge_longest_edge_first(graph, Remember::kBoth, similar_directions(threshold));
 }
 
 }  // namespace tramline

@@ -1,9 +1,12 @@
 #pragma once
 // Merging, phase 3.
 
-#include "tramline/decomposition/merge_graph.h"
+#include "tramline/decomposition/merge_longest_edge_first.h"
 
 namespace tramline {
+
+/// Neighbours with histories whose directions differ by at most `threshold`.
+MergeRule similar_directions(Angle threshold);
 
 /// S1.22: adjacent subfields whose directions differ by at most `threshold` merge. History rule
 /// (S1.24): every direction merged into one must lie within the threshold of every direction merged

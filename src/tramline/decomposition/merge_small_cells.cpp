@@ -17,13 +17,17 @@ double shared_length(const MergeNode& a, const MergeNode& b) {
 
 }  // namespace
 
+MergeRule small_cells(double small_cell_m2) {
+  return {[small_cell_m2](const MergeNode& a, const MergeNode& b) {
+            const double length = shared_length(a, b);
+            return (a.area_m2 < small_cell_m2 && longest_edge_of(a, length)) ||
+                   (b.area_m2 < small_cell_m2 && longest_edge_of(b, length));
+          },
+          MergeRule::Opens::kWithAnyChange};
+}
+
 void merge_small_cells(MergeGraph& graph, double small_cell_m2) {
-  merge_longest_edge_first(graph, Remember::kLargerOnly,
-                           [small_cell_m2](const MergeNode& a, const MergeNode& b) {
-                             const double length = shared_length(a, b);
-                             return (a.area_m2 < small_cell_m2 && longest_edge_of(a, length)) ||
-                                    (b.area_m2 < small_cell_m2 && longest_edge_of(b, length));
-                           });
+  merge_longest_edge_first(graph, Remember::kLargerOnly, small_cells(small_cell_m2));
 }
 
 }  // namespace tramline

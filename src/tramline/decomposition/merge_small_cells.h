@@ -1,9 +1,12 @@
 #pragma once
 // Merging, phase 2.
 
-#include "tramline/decomposition/merge_graph.h"
+#include "tramline/decomposition/merge_longest_edge_first.h"
 
 namespace tramline {
+
+/// A cell of less than `small_cell_m2` and the neighbour it shares its longest edge with.
+MergeRule small_cells(double small_cell_m2);
 
 /// S1.21: a cell of less than `small_cell_m2` joins the neighbour it shares its longest edge with,
 /// whatever the directions. Its direction does not enter the history: it was overruled, not merged.

@@ -7,11 +7,16 @@
 namespace tramline {
 namespace {
 
-bool before(Point a, Point b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); }
+struct PointBefore {
+  bool operator()(Point a, Point b) const { return a.x < b.x || (a.x == b.x && a.y < b.y); }
+};
 
-bool edge_before(const DirectedEdge& a, const DirectedEdge& b) {
-  return std::tie(a.from.x, a.from.y, a.to.x, a.to.y) < std::tie(b.from.x, b.from.y, b.to.x, b.to.y);
-}
+struct EdgeBefore {
+  bool operator()(const DirectedEdge& a, const DirectedEdge& b) const {
+    if (a.from.x != b.from.x) return a.from.x < b.from.x;
+    return std::tie(a.from.y, a.to.x, a.to.y) < std::tie(b.from.y, b.to.x, b.to.y);
+  }
+};
 
 /// Angle from `back` clockwise to `out`, in (0, 2π]: going straight back comes last.
 double clockwise_turn(Point back, Point out) {
@@ -19,22 +24,29 @@ double clockwise_turn(Point back, Point out) {
   return angle > 0 ? angle : angle + 2 * std::numbers::pi;
 }
 
+/// A closed walk along edges.
+struct Cycle {
+  Ring points;
+  Ring forks;  ///< the points from which more than one edge sets out
+};
+
 /// Walks along sorted edges.
 class Walk {
  public:
   explicit Walk(std::vector<DirectedEdge> edges) : edges_(std::move(edges)), used_(edges_.size(), false) {
-    std::sort(edges_.begin(), edges_.end(), edge_before);
+    if (!std::is_sorted(edges_.begin(), edges_.end(), EdgeBefore{}))
+      std::sort(edges_.begin(), edges_.end(), EdgeBefore{});
   }
 
-  /// All closed walks, each as its points.
-  std::vector<Ring> cycles() {
-    std::vector<Ring> out;
+  std::vector<Cycle> cycles() {
+    std::vector<Cycle> out;
     for (std::size_t first = 0; first < edges_.size(); ++first) {
       if (used_[first]) continue;
-      Ring cycle;
+      Cycle cycle;
       for (std::size_t e = first; e < edges_.size() && !used_[e]; e = next_after(e)) {
         used_[e] = true;
-        cycle.push_back(edges_[e].from);
+        cycle.points.push_back(edges_[e].from);
+        if (is_fork(e)) cycle.forks.push_back(edges_[e].from);
       }
       out.push_back(std::move(cycle));
     }
@@ -42,11 +54,16 @@ class Walk {
   }
 
  private:
+  bool is_fork(std::size_t e) const {
+    const auto sets_out_beside = [&](std::size_t other) { return edges_[other].from == edges_[e].from; };
+    return (e > 0 && sets_out_beside(e - 1)) || (e + 1 < edges_.size() && sets_out_beside(e + 1));
+  }
+
   std::size_t next_after(std::size_t e) const {
     const Point node = edges_[e].to;
     const auto first =
         std::lower_bound(edges_.begin(), edges_.end(), node,
-                         [](const DirectedEdge& edge, Point p) { return before(edge.from, p); });
+                         [](const DirectedEdge& edge, Point p) { return PointBefore{}(edge.from, p); });
     const Point back = edges_[e].from - node;
     std::size_t best = edges_.size();
     double least = 0;
@@ -67,16 +84,15 @@ class Walk {
   std::vector<bool> used_;
 };
 
-/// Takes a closed walk apart where it passes a point twice.
-void append_simple_rings(const Ring& cycle, std::vector<Ring>& out) {
-  std::vector<Point> sorted = cycle;
-  std::sort(sorted.begin(), sorted.end(), before);
-  if (std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end()) {
-    out.push_back(cycle);
+/// Takes a closed walk apart where it passes a point twice. No edge is walked twice, so only at a fork.
+void append_simple_rings(Cycle cycle, std::vector<Ring>& out) {
+  std::sort(cycle.forks.begin(), cycle.forks.end(), PointBefore{});
+  if (std::adjacent_find(cycle.forks.begin(), cycle.forks.end()) == cycle.forks.end()) {
+    out.push_back(std::move(cycle.points));
     return;
   }
   Ring path;
-  for (const Point p : cycle) {
+  for (const Point p : cycle.points) {
     const auto again = std::find(path.begin(), path.end(), p);
     if (again != path.end()) {
       out.emplace_back(again, path.end());
@@ -94,19 +110,30 @@ bool encloses(const Ring& outer, const Ring& hole) {
   return false;
 }
 
-void place_hole(Ring hole, Region& region) {
-  Polygon* smallest = nullptr;
-  double smallest_area = 0;
-  const Box box = bounds(hole);
-  for (Polygon& polygon : region) {
-    if (!intersects(bounds(polygon.outer), box)) continue;
-    const double size = signed_area(polygon.outer);
-    if ((smallest != nullptr && size >= smallest_area) || !encloses(polygon.outer, hole)) continue;
-    smallest = &polygon;
-    smallest_area = size;
+void place_holes(std::vector<Ring> holes, Region& region) {
+  if (holes.empty()) return;
+  std::vector<Box> boxes;
+  for (const Polygon& polygon : region) boxes.push_back(bounds(polygon.outer));
+  for (Ring& hole : holes) {
+    Polygon* smallest = nullptr;
+    double smallest_area = 0;
+    const Box box = bounds(hole);
+    for (std::size_t i = 0; i < region.size(); ++i) {
+      if (!intersects(boxes[i], box)) continue;
+      const double size = signed_area(region[i].outer);
+      if ((smallest != nullptr && size >= smallest_area) || !encloses(region[i].outer, hole)) continue;
+      smallest = &region[i];
+      smallest_area = size;
+    }
+    if (smallest != nullptr) smallest->holes.push_back(std::move(hole));
   }
-  if (smallest != nullptr) smallest->holes.push_back(std::move(hole));
 }
+
+/// An edge whichever way it is walked.
+struct Undirected {
+  DirectedEdge ends;    ///< from the lesser end
+  bool turned = false;  ///< the polygon walks it the other way
+};
 
 }  // namespace
 
@@ -122,7 +149,7 @@ std::vector<DirectedEdge> edges_of(const Polygon& polygon) {
 
 Region faces_of(std::vector<DirectedEdge> edges) {
   std::vector<Ring> rings;
-  for (const Ring& cycle : Walk(std::move(edges)).cycles()) append_simple_rings(cycle, rings);
+  for (Cycle& cycle : Walk(std::move(edges)).cycles()) append_simple_rings(std::move(cycle), rings);
   Region region;
   std::vector<Ring> holes;
   for (Ring& ring : rings) {
@@ -130,21 +157,29 @@ Region faces_of(std::vector<DirectedEdge> edges) {
     if (size > 0) region.push_back({std::move(ring), {}});
     if (size < 0) holes.push_back(std::move(ring));
   }
-  for (Ring& hole : holes) place_hole(std::move(hole), region);
+  place_holes(std::move(holes), region);
   return region;
 }
 
 Region dissolved(const Region& cells) {
-  std::vector<DirectedEdge> edges;
-  for (const Polygon& cell : cells) {
-    const auto more = edges_of(cell);
-    edges.insert(edges.end(), more.begin(), more.end());
-  }
-  std::sort(edges.begin(), edges.end(), edge_before);
+  std::vector<Undirected> edges;
+  for (const Polygon& cell : cells)
+    for (const DirectedEdge& edge : edges_of(cell)) {
+      if (edge.from == edge.to) continue;
+      const bool turned = PointBefore{}(edge.to, edge.from);
+      edges.push_back({turned ? DirectedEdge{edge.to, edge.from} : edge, turned});
+    }
+  std::sort(edges.begin(), edges.end(),
+            [](const Undirected& a, const Undirected& b) { return EdgeBefore{}(a.ends, b.ends); });
   std::vector<DirectedEdge> left;
-  for (const DirectedEdge& edge : edges)
-    if (!std::binary_search(edges.begin(), edges.end(), DirectedEdge{edge.to, edge.from}, edge_before))
-      left.push_back(edge);
+  for (auto edge = edges.begin(); edge != edges.end();) {
+    const auto next = std::find_if(
+        edge, edges.end(), [&](const Undirected& other) { return EdgeBefore{}(edge->ends, other.ends); });
+    const bool cancels =
+        std::any_of(edge, next, [&](const Undirected& other) { return other.turned != edge->turned; });
+    for (; edge != next; ++edge)
+      if (!cancels) left.push_back(edge->turned ? DirectedEdge{edge->ends.to, edge->ends.from} : edge->ends);
+  }
   return faces_of(std::move(left));
 }
 

@@ -11,8 +11,8 @@
 namespace tramline {
 namespace {
 
-constexpr std::size_t kAtOnce =
-    8;  ///< candidates whose detours are looked for together, for any number of threads
+/// Candidates whose detours are looked for together, for any number of threads.
+constexpr std::size_t kAtOnce = 8;
 
 /// Where no corner splits the ground, every direction leaves it whole.
 bool is_cut_anywhere(const SearchTask& task) {
