@@ -8,7 +8,7 @@
 #include "tramline/render/close_up_layers.h"
 #include "tramline/render/close_up_window.h"
 #include "tramline/render/encounter_table.h"
-#include "tramline/render/palette.h"
+#include "tramline/model/palette.h"
 
 namespace tramline::render {
 namespace {

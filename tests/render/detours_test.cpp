@@ -6,7 +6,7 @@
 #include "tramline/model/detour_summary.h"
 #include "tramline/render/draw_plan.h"
 #include "tramline/render/legend_content.h"
-#include "tramline/render/palette.h"
+#include "tramline/model/palette.h"
 
 namespace tramline::render {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "tramline/geometry/path.h"
 #include "tramline/render/page_layout.h"
-#include "tramline/render/palette.h"
+#include "tramline/model/palette.h"
 #include "tramline/render/picture_file.h"
 
 namespace tramline::render {
