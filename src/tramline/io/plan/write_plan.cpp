@@ -3,19 +3,14 @@
 #include <cpl_conv.h>
 #include <cpl_port.h>
 #include <cpl_vsi.h>
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <ogrsf_frmts.h>
 #include <unistd.h>
 
 #include <atomic>
-#include <charconv>
 #include <cmath>
-#include <cstdlib>
-#include <ctime>
 #include <memory>
 #include <span>
-#include <string_view>
 #include <variant>
 
 #include "tramline/geometry/error.h"
@@ -26,6 +21,7 @@
 #include "tramline/io/plan/path_text.h"
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/io/plan/plan_metadata.h"
+#include "tramline/io/plan/time_stamp.h"
 #include "tramline/io/plan/whole_file.h"
 #include "tramline/model/plain_zero.h"
 
@@ -46,19 +42,6 @@ constexpr Column integer(const char* name) { return {name, OFTInteger}; }
 constexpr Column real(const char* name) { return {name, OFTReal}; }
 constexpr Column text(const char* name) { return {name, OFTString}; }
 constexpr Column flag(const char* name) { return {name, OFTInteger, OFSTBoolean}; }
-
-std::string time_stamp() {
-  long long seconds = 0;
-  if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH"); epoch != nullptr && *epoch != '\0') {
-    const std::string_view digits(epoch);
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), seconds);
-    constexpr long long kYear9999 = 253402300799;
-    if (error != std::errc{} || end != digits.data() + digits.size() || seconds < 0 || seconds > kYear9999)
-      throw bad_input(
-          fmt::format("SOURCE_DATE_EPOCH is '{}'; give whole seconds since 1970 or unset it", epoch));
-  }
-  return fmt::format("{:%Y-%m-%dT%H:%M:%S}.000Z", fmt::gmtime(static_cast<std::time_t>(seconds)));
-}
 
 /// Local metres to the file's coordinates.
 class Shapes {
