@@ -2,6 +2,7 @@
 
 #include <cpl_conv.h>
 #include <cpl_port.h>
+#include <cpl_string.h>
 #include <cpl_vsi.h>
 #include <fmt/format.h>
 #include <ogrsf_frmts.h>
@@ -21,6 +22,7 @@
 #include "tramline/io/plan/path_text.h"
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/io/plan/plan_metadata.h"
+#include "tramline/io/plan/plan_styles.h"
 #include "tramline/io/plan/time_stamp.h"
 #include "tramline/io/plan/whole_file.h"
 #include "tramline/model/plain_zero.h"
@@ -83,8 +85,8 @@ Cell number_if(bool any, double number) { return any ? Cell(number) : Cell(); }
 class Table {
  public:
   Table(GDALDataset& file, const char* name, OGRwkbGeometryType type, OGRSpatialReference* crs,
-        std::initializer_list<Column> columns)
-      : layer_(file.CreateLayer(name, crs, type, nullptr)) {
+        std::initializer_list<Column> columns, const char* key = "fid")
+      : layer_(file.CreateLayer(name, crs, type, CPLStringList().SetNameValue("FID", key).List())) {
     if (layer_ == nullptr) return;
     for (const Column& column : columns) {
       OGRFieldDefn definition(column.name, column.type);
@@ -234,6 +236,30 @@ void write_metadata(GDALDataset& file, const Plan& plan) {
   for (const auto& [key, value] : metadata_of(plan)) table.add(nullptr, {key, value});
 }
 
+/// The table in which QGIS looks for styles, with the columns it makes itself. It takes a default only where
+/// the schema is an empty text, not NULL.
+void write_styles(GDALDataset& file, const Plan& plan) {
+  Table table(file, layers::kStyles, wkbNone, nullptr,
+              {text("f_table_catalog"),
+               text("f_table_schema"),
+               text("f_table_name"),
+               text("f_geometry_column"),
+               text("styleName"),
+               text("styleQML"),
+               text("styleSLD"),
+               flag("useAsDefault"),
+               text("description"),
+               text("owner"),
+               text("ui"),
+               {"update_time", OFTDateTime}},
+              "id");
+  const std::string nothing, now = time_stamp();
+  for (const LayerStyle& style : styles_of(plan))
+    table.add(nullptr,
+              {nothing, nothing, std::string(style.layer), std::string("geom"), std::string("tramline"),
+               style.qml, nothing, true, style.about, std::string("tramline"), Cell(), now});
+}
+
 void write_layers(GDALDataset& file, const Plan& plan) {
   OGRSpatialReference crs = crs_of(plan.field.frame);
   const Point offset = offset_of(plan.field.frame);
@@ -251,6 +277,7 @@ void write_layers(GDALDataset& file, const Plan& plan) {
   write_encounters(target, plan);
   write_front(file, plan.front);
   write_metadata(file, plan);
+  write_styles(file, plan);
   file.CommitTransaction();
 }
 
