@@ -24,7 +24,7 @@ CPLStringList layer_options(ExportFormat format, std::time_t time) {
   switch (format) {
     case ExportFormat::kGeoJson:
       out.SetNameValue("RFC7946", "YES");
-      out.SetNameValue("COORDINATE_PRECISION", "9");  // 0.1 mm; the driver's own 7 are a centimetre
+      out.SetNameValue("COORDINATE_PRECISION", "10");  // 0.01 mm; the driver's own 7 are a centimetre
       break;
     case ExportFormat::kFlatGeobuf:
       out.SetNameValue("SPATIAL_INDEX", "NO");  // it would sort the tracks out of their driving order
