@@ -14,8 +14,10 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/export/column_names.h"
 #include "tramline/io/plan/write_plan.h"
 
 namespace tramline::io {
@@ -186,6 +188,26 @@ TEST_F(ExportTest, ShapefilesSayTheirCrsAndEncoding) {
   const auto file = open(zip + "field.shp");
   const OGRFeatureUniquePtr feature(file->GetLayer(0)->GetNextFeature());
   EXPECT_STREQ(feature->GetFieldAsString("field_id"), "Große Breite");
+}
+
+TEST_F(ExportTest, ShapefileNamesAreShortAndNoneIsTakenTwice) {
+  const auto plan = open(plan_file());
+  int columns = 0;
+  for (OGRLayer* layer : plan->GetLayers()) {
+    std::set<std::string> taken;
+    for (const OGRFieldDefn* column : layer->GetLayerDefn()->GetFields()) {
+      if (layer->GetGeomType() == wkbNone || stays_in_plan_file(column->GetNameRef())) continue;
+      ++columns;
+      const std::string name = shapefile_name(column->GetNameRef());
+      EXPECT_LE(name.size(), 10u);
+      EXPECT_TRUE(taken.insert(name).second) << layer->GetName() << ": " << name;
+      // Cut is not shortened: a column that is new has to be given a name.
+      EXPECT_TRUE(name.size() < 10 || name == column->GetNameRef() || name == "min_radius" ||
+                  name == "stop_start")
+          << column->GetNameRef() << " has no short name";
+    }
+  }
+  EXPECT_GT(columns, 30);
 }
 
 TEST_F(ExportTest, AttributesAreKept) {
