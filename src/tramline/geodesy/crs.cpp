@@ -32,7 +32,7 @@ std::string definition_of(PJ_CONTEXT* context, const PJ* crs) {
   const char* authority = proj_get_id_auth_name(crs, 0);
   const char* code = proj_get_id_code(crs, 0);
   if (authority != nullptr && code != nullptr) {
-    const std::string short_form = fmt::format("{}:{}", authority, code);
+    std::string short_form = fmt::format("{}:{}", authority, code);
     const proj::Object named(proj_create(context, short_form.c_str()));
     // A file may carry a code and mean something else by it.
     if (named != nullptr &&

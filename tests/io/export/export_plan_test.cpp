@@ -195,7 +195,8 @@ TEST_F(ExportTest, ShapefileNamesAreShortAndNoneIsTakenTwice) {
   int columns = 0;
   for (OGRLayer* layer : plan->GetLayers()) {
     std::set<std::string> taken;
-    for (const OGRFieldDefn* column : layer->GetLayerDefn()->GetFields()) {
+    for (int i = 0; i < layer->GetLayerDefn()->GetFieldCount(); ++i) {
+      const OGRFieldDefn* column = layer->GetLayerDefn()->GetFieldDefn(i);
       if (layer->GetGeomType() == wkbNone || stays_in_plan_file(column->GetNameRef())) continue;
       ++columns;
       const std::string name = shapefile_name(column->GetNameRef());

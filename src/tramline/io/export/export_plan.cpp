@@ -28,9 +28,8 @@ std::string listed(const std::vector<std::string>& names) {
 /// The layers of the plan file that have shapes, in its order.
 std::vector<std::string> layers_with_shapes(GDALDataset& plan) {
   std::vector<std::string> out;
-  for (const OGRLayer* layer : plan.GetLayers())
-    if (const_cast<OGRLayer*>(layer)->GetGeomType() != wkbNone)
-      out.emplace_back(const_cast<OGRLayer*>(layer)->GetName());
+  for (OGRLayer* layer : plan.GetLayers())
+    if (layer->GetGeomType() != wkbNone) out.emplace_back(layer->GetName());
   return out;
 }
 

@@ -14,9 +14,8 @@ struct LayerStyle {
   std::string qml;
 };
 
-/// A style for each layer with shapes. No style hides what lies below it, in whatever order the layers are
-/// added: only land that the picture fills as well is filled. Depends on the number of subfields and their
-/// directions alone.
+/// A style for each layer with shapes. Field, body and swaths hide nothing in whatever order the layers are
+/// added: only land that the picture fills is filled. Depends on the subfields and their directions alone.
 std::vector<LayerStyle> styles_of(const Plan& plan);
 
 }  // namespace tramline::io
