@@ -25,5 +25,6 @@ std::unique_ptr<Command> make_plan_command();
 std::unique_ptr<Command> make_compare_command();
 std::unique_ptr<Command> make_info_command();
 std::unique_ptr<Command> make_check_command();
+std::unique_ptr<Command> make_export_command();
 
 }  // namespace tramline::app

@@ -88,6 +88,7 @@ class Admitter {
         place_obstacles(field, loose_.obstacles, options_.obstacle_size_m, loose_.met);
     for (Field& field : admission.fields) {
       field.source.crs = options_.crs;
+      field.source.input_crs = crs_.definition();
       field.source.obstacles_file = options_.obstacles_file;
       field.source.obstacle_size_m = options_.obstacle_size_m;
       field.source.passable_file = options_.passable_file;

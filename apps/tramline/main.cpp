@@ -89,6 +89,7 @@ int main(int argc, char** argv) {
   commands.push_back(make_compare_command());
   commands.push_back(make_info_command());
   commands.push_back(make_check_command());
+  commands.push_back(make_export_command());
   std::vector<CLI::App*> verbs;
   for (auto& command : commands) verbs.push_back(command->setup(app));
   refuse_empty_values(verbs);
@@ -98,14 +99,16 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     for (std::size_t i = 0; i < commands.size(); ++i)
       if (verbs[i]->parsed()) return with_output_flushed(commands[i]->run());
-    std::fputs("tramline: name a verb, plan, compare, info or check; see 'tramline --help'\n", stderr);
+    std::fputs("tramline: name a verb, plan, compare, info, check or export; see 'tramline --help'\n",
+               stderr);
     return 2;
   } catch (const CLI::Success& success) {
     return app.exit(success);
   } catch (const CLI::ExtrasError&) {
     const std::string verb = argc > 1 ? argv[1] : "";
     if (!is_verb(verbs, verb)) {
-      std::fprintf(stderr, "tramline: there is no verb '%s': the verbs are plan, compare, info and check\n",
+      std::fprintf(stderr,
+                   "tramline: there is no verb '%s': the verbs are plan, compare, info, check and export\n",
                    verb.c_str());
       return 2;
     }

@@ -60,6 +60,24 @@ TEST(Crs, NationalGridsAreEastingFirstAndNorthUp) {
   EXPECT_NEAR(bern.y, 46.9511, 1e-3);
 }
 
+TEST(Crs, DefinitionsMakeTheSameCrsAgain) {
+  EXPECT_EQ(Crs("none").definition(), "none");
+  EXPECT_EQ(Crs("ETRS89 / UTM zone 32N").definition(), "EPSG:25832");
+  const Crs own("+proj=tmerc +lat_0=50 +lon_0=8 +k=0.9999 +x_0=1000 +ellps=GRS80 +type=crs");
+  EXPECT_EQ(own.definition().substr(0, 7), "PROJCRS");
+  const Crs again(own.definition());
+  EXPECT_EQ(again.to_lonlat({2000, 3000}), own.to_lonlat({2000, 3000}));
+}
+
+TEST(Crs, KnowsWhatLiesFarFromItsArea) {
+  EXPECT_TRUE(Crs("EPSG:25832").is_near({9, 50}));
+  EXPECT_TRUE(Crs("EPSG:25832").is_near({14.5, 50})) << "a neighbouring zone may be asked for";
+  EXPECT_FALSE(Crs("EPSG:2193").is_near({9, 50})) << "New Zealand";
+  EXPECT_TRUE(Crs("EPSG:2193").is_near({-178, -40})) << "its area goes over 180 degrees";
+  EXPECT_FALSE(Crs("EPSG:28992").is_near({5, -30}));
+  EXPECT_TRUE(Crs("EPSG:3857").is_near({-170, -60}));
+}
+
 TEST(Crs, NotFiniteAndUnreachablePointsAreRefused) {
   const Crs utm("EPSG:25832");
   EXPECT_FALSE(utm.to_lonlat({std::numeric_limits<double>::quiet_NaN(), 0}).has_value());

@@ -4,11 +4,11 @@
 
 #include "detour_plan.h"
 #include "tramline/geometry/error.h"
+#include "tramline/model/palette.h"
 #include "tramline/render/close_up_content.h"
 #include "tramline/render/close_up_layers.h"
 #include "tramline/render/close_up_window.h"
 #include "tramline/render/encounter_table.h"
-#include "tramline/render/palette.h"
 
 namespace tramline::render {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "detour_plan.h"
 #include "tramline/model/detour_summary.h"
+#include "tramline/model/palette.h"
 #include "tramline/render/draw_plan.h"
 #include "tramline/render/legend_content.h"
-#include "tramline/render/palette.h"
 
 namespace tramline::render {
 namespace {

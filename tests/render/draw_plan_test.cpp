@@ -7,7 +7,7 @@
 
 #include "sample_plan.h"
 #include "tramline/geometry/error.h"
-#include "tramline/render/palette.h"
+#include "tramline/model/palette.h"
 
 namespace tramline::render {
 namespace {

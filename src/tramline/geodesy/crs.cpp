@@ -12,6 +12,7 @@ namespace tramline {
 struct Crs::Impl {
   proj::Context context;
   proj::Object to_wgs84;
+  proj::Object crs;
   bool no_op = false;  ///< the input is WGS 84 longitude and latitude already: keep every digit
 };
 
@@ -24,6 +25,23 @@ std::string name_of(PJ_CONTEXT*, const PJ* crs) {
   const char* code = proj_get_id_code(crs, 0);
   if (authority != nullptr && code != nullptr) out += fmt::format(" ({}:{})", authority, code);
   return out;
+}
+
+/// A code as one word, else the whole CRS.
+std::string definition_of(PJ_CONTEXT* context, const PJ* crs) {
+  const char* authority = proj_get_id_auth_name(crs, 0);
+  const char* code = proj_get_id_code(crs, 0);
+  if (authority != nullptr && code != nullptr) {
+    std::string short_form = fmt::format("{}:{}", authority, code);
+    const proj::Object named(proj_create(context, short_form.c_str()));
+    // A file may carry a code and mean something else by it.
+    if (named != nullptr &&
+        proj_is_equivalent_to(crs, named.get(), PJ_COMP_EQUIVALENT_EXCEPT_AXIS_ORDER_GEOGCRS) != 0)
+      return short_form;
+  }
+  const char* const options[] = {"MULTILINE=NO", nullptr};
+  const char* text = proj_as_wkt(context, crs, PJ_WKT2_2019, options);
+  return text != nullptr ? text : "";
 }
 
 bool usable(PJ_TYPE type) {
@@ -130,6 +148,7 @@ Crs::Crs(const std::string& definition) {
                     shown));
   name_ = name_of(context, crs.get());
   crs = horizontal(context, std::move(crs));
+  definition_ = definition_of(context, crs.get());
   in_degrees_ = has_degree_axes(context, crs.get());
   grid_ = grid_of(context, crs.get());
 
@@ -144,7 +163,23 @@ Crs::Crs(const std::string& definition) {
   if (impl->to_wgs84 == nullptr)
     throw bad_input(fmt::format("PROJ knows no way from '{}' to WGS 84 ({}); give another CRS with --crs",
                                 name_, proj::last_error(context)));
+  impl->crs = std::move(crs);
   impl_ = std::move(impl);
+}
+
+bool Crs::is_near(Point lonlat_deg) const {
+  double west = 0, south = 0, east = 0, north = 0;
+  constexpr double kUnknown = -1000, kMargin_deg = 12;
+  if (plain() ||
+      proj_get_area_of_use(impl_->context.get(), impl_->crs.get(), &west, &south, &east, &north, nullptr) ==
+          0 ||
+      west == kUnknown)
+    return true;
+  // Around the earth from west to east, which may lie on both sides of 180 degrees.
+  const double width = east < west ? east - west + 360 : east - west;
+  const double from_middle = std::remainder(lonlat_deg.x - (west + 0.5 * width), 360);
+  return std::abs(from_middle) <= 0.5 * width + kMargin_deg && lonlat_deg.y >= south - kMargin_deg &&
+         lonlat_deg.y <= north + kMargin_deg;
 }
 
 std::optional<Point> Crs::to_lonlat(Point input) const {

@@ -35,10 +35,17 @@ class Crs {
   bool plain() const { return impl_ == nullptr; }
   /// "ETRS89 / UTM zone 32N (EPSG:25832)"; "plain metres" without a CRS.
   const std::string& name() const { return name_; }
+  /// From which an equal Crs can be made, elsewhere too: "EPSG:25832" where the CRS has a code, else WKT2 on
+  /// one line; "none" for plain metres. Heights and datum shifts that came with the definition are left out.
+  const std::string& definition() const { return definition_; }
   /// Coordinates are longitude and latitude in degrees.
   bool in_degrees() const { return in_degrees_; }
   /// Set for transverse Mercator grids in metres.
   const std::optional<TransverseMercatorGrid>& grid() const { return grid_; }
+
+  /// Whether the place is near the area that the CRS is made for, no more than two UTM zones away; true where
+  /// PROJ knows of none. Far outside, a projection still gives numbers.
+  bool is_near(Point lonlat_deg) const;
 
   /// Longitude and latitude on WGS 84, degrees; nullopt where PROJ refuses the point (or a coordinate is
   /// not finite). Precondition: !plain().
@@ -50,6 +57,7 @@ class Crs {
   struct Impl;
   std::unique_ptr<Impl> impl_;
   std::string name_ = "plain metres";
+  std::string definition_ = "none";
   bool in_degrees_ = false;
   std::optional<TransverseMercatorGrid> grid_;
 };

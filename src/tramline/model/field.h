@@ -28,6 +28,7 @@ struct FieldSource {
   long long fid = -1;
   int part = 0;                  ///< 0-based part of a multipolygon
   std::string crs{};             ///< as the user gave it; empty: the file's own
+  std::string input_crs{};       ///< what the coordinates were read in, as Crs::definition(); empty: unknown
   std::string obstacles_file{};  ///< further obstacles; empty: none
   double obstacle_size_m = 0;    ///< of points and lines in it
   std::string passable_file{};

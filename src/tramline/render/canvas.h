@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "tramline/geometry/path.h"
+#include "tramline/model/palette.h"
 #include "tramline/render/page_layout.h"
-#include "tramline/render/palette.h"
 #include "tramline/render/picture_file.h"
 
 namespace tramline::render {

@@ -18,6 +18,7 @@ inline constexpr const char* kDropped = "dropped";
 inline constexpr const char* kEncounters = "encounters";
 inline constexpr const char* kFront = "front";  ///< only where a front was asked for
 inline constexpr const char* kMetadata = "metadata";
+inline constexpr const char* kStyles = "layer_styles";  ///< the name QGIS knows
 
 inline constexpr const char* kObstacle = "obstacle";
 inline constexpr const char* kPassable = "passable";

@@ -16,6 +16,7 @@ namespace {
 
 constexpr const char* kFormat = "tramline plan";
 constexpr int kFormatVersion = 2;
+constexpr const char* kInputCrs = "field.source.input_crs";
 
 /// The one list of keys, walked by the writer (const plan) and by the reader.
 template <class PlanOrConst, class Visitor>
@@ -209,6 +210,7 @@ class Reader {
 Metadata metadata_of(const Plan& plan) {
   Metadata out;
   each_value(plan, Writer(out));
+  out[kInputCrs] = plan.field.source.input_crs;
   out["format"] = kFormat;
   out["format_version"] = std::to_string(kFormatVersion);
   for (const char* key : {"field.source.file", "field.source.obstacles_file", "field.source.passable_file"})
@@ -228,6 +230,8 @@ void apply_metadata(const Metadata& metadata, const std::filesystem::path& file,
   if (version != kFormatVersion)
     throw reader.wrong("format_version", "2: read it with the tramline that wrote it");
   each_value(plan, reader);
+  // Files from before there was this key are as good plans.
+  if (metadata.contains(kInputCrs)) plan.field.source.input_crs = reader.text(kInputCrs);
 }
 
 }  // namespace tramline::io

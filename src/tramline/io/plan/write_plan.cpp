@@ -2,20 +2,16 @@
 
 #include <cpl_conv.h>
 #include <cpl_port.h>
+#include <cpl_string.h>
 #include <cpl_vsi.h>
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <ogrsf_frmts.h>
 #include <unistd.h>
 
 #include <atomic>
-#include <charconv>
 #include <cmath>
-#include <cstdlib>
-#include <ctime>
 #include <memory>
 #include <span>
-#include <string_view>
 #include <variant>
 
 #include "tramline/geometry/error.h"
@@ -26,6 +22,8 @@
 #include "tramline/io/plan/path_text.h"
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/io/plan/plan_metadata.h"
+#include "tramline/io/plan/plan_styles.h"
+#include "tramline/io/plan/time_stamp.h"
 #include "tramline/io/plan/whole_file.h"
 #include "tramline/model/plain_zero.h"
 
@@ -46,19 +44,6 @@ constexpr Column integer(const char* name) { return {name, OFTInteger}; }
 constexpr Column real(const char* name) { return {name, OFTReal}; }
 constexpr Column text(const char* name) { return {name, OFTString}; }
 constexpr Column flag(const char* name) { return {name, OFTInteger, OFSTBoolean}; }
-
-std::string time_stamp() {
-  long long seconds = 0;
-  if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH"); epoch != nullptr && *epoch != '\0') {
-    const std::string_view digits(epoch);
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), seconds);
-    constexpr long long kYear9999 = 253402300799;
-    if (error != std::errc{} || end != digits.data() + digits.size() || seconds < 0 || seconds > kYear9999)
-      throw bad_input(
-          fmt::format("SOURCE_DATE_EPOCH is '{}'; give whole seconds since 1970 or unset it", epoch));
-  }
-  return fmt::format("{:%Y-%m-%dT%H:%M:%S}.000Z", fmt::gmtime(static_cast<std::time_t>(seconds)));
-}
 
 /// Local metres to the file's coordinates.
 class Shapes {
@@ -100,8 +85,8 @@ Cell number_if(bool any, double number) { return any ? Cell(number) : Cell(); }
 class Table {
  public:
   Table(GDALDataset& file, const char* name, OGRwkbGeometryType type, OGRSpatialReference* crs,
-        std::initializer_list<Column> columns)
-      : layer_(file.CreateLayer(name, crs, type, nullptr)) {
+        std::initializer_list<Column> columns, const char* key = "fid")
+      : layer_(file.CreateLayer(name, crs, type, CPLStringList().SetNameValue("FID", key).List())) {
     if (layer_ == nullptr) return;
     for (const Column& column : columns) {
       OGRFieldDefn definition(column.name, column.type);
@@ -251,6 +236,30 @@ void write_metadata(GDALDataset& file, const Plan& plan) {
   for (const auto& [key, value] : metadata_of(plan)) table.add(nullptr, {key, value});
 }
 
+/// The table in which QGIS looks for styles, with the columns it makes itself. It takes a default only where
+/// the schema is an empty text, not NULL.
+void write_styles(GDALDataset& file, const Plan& plan) {
+  Table table(file, layers::kStyles, wkbNone, nullptr,
+              {text("f_table_catalog"),
+               text("f_table_schema"),
+               text("f_table_name"),
+               text("f_geometry_column"),
+               text("styleName"),
+               text("styleQML"),
+               text("styleSLD"),
+               flag("useAsDefault"),
+               text("description"),
+               text("owner"),
+               text("ui"),
+               {"update_time", OFTDateTime}},
+              "id");
+  const std::string nothing, now = time_stamp();
+  for (const LayerStyle& style : styles_of(plan))
+    table.add(nullptr,
+              {nothing, nothing, std::string(style.layer), std::string("geom"), std::string("tramline"),
+               style.qml, nothing, true, style.about, std::string("tramline"), Cell(), now});
+}
+
 void write_layers(GDALDataset& file, const Plan& plan) {
   OGRSpatialReference crs = crs_of(plan.field.frame);
   const Point offset = offset_of(plan.field.frame);
@@ -268,6 +277,7 @@ void write_layers(GDALDataset& file, const Plan& plan) {
   write_encounters(target, plan);
   write_front(file, plan.front);
   write_metadata(file, plan);
+  write_styles(file, plan);
   file.CommitTransaction();
 }
 

@@ -7,9 +7,10 @@
 namespace tramline::io {
 
 /// Writes a plan as a GeoPackage with the layers field, obstacles, body, given_up, subfields, tracks,
-/// swaths, overlap, uncovered, dropped and encounters, and the attribute table metadata; empty layers
-/// exist too. A plan with a front has the attribute table front as well. Tracks with detours are drawn as
-/// chords (kChordSagitta) and have their exact path as text.
+/// swaths, overlap, uncovered, dropped and encounters, and the attribute tables metadata and layer_styles
+/// (how QGIS is to draw them, as our pictures do); empty layers exist too. A plan with a front has the
+/// attribute table front as well. Tracks with detours are drawn as chords (kChordSagitta) and have their
+/// exact path as text.
 ///
 /// Coordinates: for a geodetic frame the field's local metres in a transverse Mercator on WGS 84
 /// defined in the file; for a plain frame the input plane (local metres plus the frame's origin), in

@@ -1,11 +1,12 @@
 #pragma once
-// The colours of a drawing. Overlap and uncovered land are an orange and a blue that people with any
-// of the common colour deficiencies tell apart; everything else is pale or grey, so that they stand out.
+// The colours of a plan, in pictures and in the styles of plan files. Overlap and uncovered land are an
+// orange and a blue that people with any of the common colour deficiencies tell apart; everything else is
+// pale or grey, so that they stand out.
 
 #include <array>
 #include <cstdint>
 
-namespace tramline::render {
+namespace tramline {
 
 /// Red, green, blue and opacity, each in [0, 1].
 struct Colour {
@@ -43,7 +44,8 @@ inline constexpr Colour kStripe = rgb(0x2F3B2F, 0.09);
 inline constexpr Colour kWorkedLandColour = rgb(0x2F3B2F, 0.06);
 inline constexpr Colour kSwathEdgeColour = rgb(0x2F3B2F, 0.4);
 inline constexpr Colour kKeepOffColour = kObstacleColour;
-inline constexpr Colour kTrackColour = rgb(0x3A463B, 0.85);
+inline constexpr std::uint32_t kTrackHex = 0x3A463B;
+inline constexpr Colour kTrackColour = rgb(kTrackHex, 0.85);
 inline constexpr Colour kDroppedColour = rgb(0x6E6E6E);
 // Darker than overlap and uncovered land, and drawn on a white rim: its shape tells it apart from them
 // even where its hue does not.
@@ -57,4 +59,4 @@ inline constexpr std::array<Colour, 8> kTints = {rgb(0xE2EDD5), rgb(0xF4EACB), r
                                                  rgb(0xD3EAE5), rgb(0xEAE9C4), rgb(0xDCE3EC), rgb(0xEADCCB)};
 constexpr Colour tint(std::size_t subfield) { return kTints[subfield % kTints.size()]; }
 
-}  // namespace tramline::render
+}  // namespace tramline

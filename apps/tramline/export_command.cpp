@@ -1,0 +1,95 @@
+// tramline export: the layers of a plan for other programs.
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "command.h"
+#include "output_target.h"
+#include "report_parts.h"
+#include "tramline/io/export/export_plan.h"
+
+namespace tramline::app {
+namespace {
+
+constexpr const char* kAbout =
+    "Export a plan to GeoJSON, FlatGeobuf, KML or zipped Shapefiles, for guidance terminals and other "
+    "programs that do not read GeoPackages";
+
+constexpr const char* kExample =
+    "Example:\n"
+    "  tramline export plan.gpkg -o tracks.geojson\n"
+    "  tramline export plan.gpkg -o plan.zip --crs EPSG:25832\n"
+    "  tramline export plan.gpkg -o uncovered.fgb --layer uncovered --crs wgs84\n"
+    "GeoJSON and KML are always in WGS 84; the others are in the coordinate reference system of the file "
+    "the\n"
+    "field was read from. Shapefiles hold every layer that has shapes, the others the tracks alone.";
+
+class ExportCommand : public Command {
+ public:
+  CLI::App* setup(CLI::App& app) override {
+    CLI::App* verb = app.add_subcommand("export", kAbout);
+    verb->add_option("PLAN", plan_file_, "the plan: a GeoPackage written by tramline plan")->required();
+    verb->add_option("-o,--output", output_,
+                     "write to this file: .geojson, .fgb (FlatGeobuf), .kml or .zip (Shapefiles)")
+        ->required();
+    verb->add_option("--crs", crs_,
+                     "coordinates of the output: 'source' (those of the field's file), 'wgs84', or a "
+                     "coordinate reference system such as EPSG:25832");
+    verb->add_option("--layer", layers_,
+                     "export this layer of the plan; may be given again and again for .zip and .kml")
+        ->allow_extra_args(false);
+    add_unused_threads_option(*verb, threads_);
+    verb->add_flag("--json", json_, "print one JSON object instead of the table");
+    verb->add_flag("--quiet", quiet_, "no table");
+    verb->footer(kExample);
+    return verb;
+  }
+
+  int run() override {
+    require_writable(output_, "--output", {".geojson", ".fgb", ".kml", ".zip"}, {plan_file_});
+    const io::ExportReport report = io::export_plan({plan_file_, output_, crs_, layers_});
+    if (json_)
+      fmt::print("{}\n", json_text(json_of(report), 2));
+    else if (!quiet_)
+      fmt::print("{}", table_of(report));
+    return 0;
+  }
+
+ private:
+  std::string table_of(const io::ExportReport& report) const {
+    std::string out =
+        fmt::format("{}: field {}, {}, {}\n", output_, report.field_id, name(report.format), report.crs);
+    for (const io::ExportedLayer& layer : report.layers)
+      fmt::format_to(std::back_inserter(out), "  {:<14}{:>8}\n", layer.name, layer.features);
+    for (const Skipped& text : report.shortened)
+      fmt::format_to(std::back_inserter(out), "shortened: {} ({}): {}\n", text.what, text.where, text.why);
+    return out;
+  }
+
+  nlohmann::ordered_json json_of(const io::ExportReport& report) const {
+    nlohmann::ordered_json layers = nlohmann::ordered_json::array();
+    for (const io::ExportedLayer& layer : report.layers)
+      layers.push_back({{"name", layer.name}, {"features", layer.features}});
+    return {{"plan", plan_file_},
+            {"field_id", report.field_id},
+            {"file", output_},
+            {"format", name(report.format)},
+            {"crs", report.crs},
+            {"layers", layers},
+            {"shortened", skipped_json(report.shortened)}};
+  }
+
+  std::string plan_file_, output_, crs_;
+  std::vector<std::string> layers_;
+  int threads_ = 0;
+  bool json_ = false, quiet_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_export_command() { return std::make_unique<ExportCommand>(); }
+
+}  // namespace tramline::app

@@ -1,0 +1,124 @@
+#include "tramline/io/export/export_plan.h"
+
+#include <fmt/format.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "tramline/geometry/error.h"
+#include "tramline/io/export/layer_copy.h"
+#include "tramline/io/export/memory_folder.h"
+#include "tramline/io/export/target_crs.h"
+#include "tramline/io/export/zip_folder.h"
+#include "tramline/io/plan/gdal_errors.h"
+#include "tramline/io/plan/local_crs.h"
+#include "tramline/io/plan/plan_layers.h"
+#include "tramline/io/plan/read_plan.h"
+#include "tramline/io/plan/time_stamp.h"
+#include "tramline/io/plan/whole_file.h"
+
+namespace tramline::io {
+namespace {
+
+std::string listed(const std::vector<std::string>& names) {
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// The layers of the plan file that have shapes, in its order.
+std::vector<std::string> layers_with_shapes(GDALDataset& plan) {
+  std::vector<std::string> out;
+  for (OGRLayer* layer : plan.GetLayers())
+    if (layer->GetGeomType() != wkbNone) out.emplace_back(layer->GetName());
+  return out;
+}
+
+std::vector<std::string> chosen_layers(GDALDataset& plan, const ExportRequest& request, ExportFormat format) {
+  const std::vector<std::string> all = layers_with_shapes(plan);
+  if (request.layers.empty())
+    return format == ExportFormat::kShapefiles ? all : std::vector<std::string>{plan_layers::kTracks};
+  std::vector<std::string> out;
+  for (const std::string& name : request.layers) {
+    if (std::find(all.begin(), all.end(), name) == all.end())
+      throw bad_input(fmt::format("{}: there is no layer '{}' to export; there are {}", request.plan.string(),
+                                  name, listed(all)));
+    if (std::find(out.begin(), out.end(), name) == out.end()) out.push_back(name);
+  }
+  if (single_layer(format) && out.size() > 1)
+    throw bad_input(fmt::format("a {} file holds one layer, not {}; export to .zip or .kml, or one by one",
+                                name(format), listed(out)));
+  return out;
+}
+
+void require_something(GDALDataset& plan, const ExportRequest& request,
+                       const std::vector<std::string>& layers) {
+  for (const std::string& name : layers)
+    if (plan.GetLayerByName(name.c_str())->GetFeatureCount() > 0) return;
+  throw bad_input(fmt::format("{}: there is nothing in {} {}, so there is nothing to export",
+                              request.plan.string(), layers.size() == 1 ? "layer" : "the layers",
+                              listed(layers)));
+}
+
+void register_drivers() {
+  RegisterOGRGeoPackage();
+  RegisterOGRGeoJSON();
+  RegisterOGRFlatGeobuf();
+  RegisterOGRKML();
+  RegisterOGRShape();
+}
+
+GDALDriver& driver_for(ExportFormat format) {
+  GDALDriver* found = GetGDALDriverManager()->GetDriverByName(driver_of(format));
+  if (found == nullptr) throw failure(fmt::format("this GDAL cannot write {}", name(format)));
+  return *found;
+}
+
+GDALDatasetUniquePtr opened(const std::filesystem::path& plan) {
+  const char* const drivers[] = {"GPKG", nullptr};
+  GDALDatasetUniquePtr out(
+      GDALDataset::Open(plan.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers, nullptr, nullptr));
+  if (out == nullptr) throw bad_input(fmt::format("{}: the plan cannot be opened", plan.string()));
+  return out;
+}
+
+/// The file, or all that belongs into the zip, in the folder. Its name is always the same: some formats
+/// write it down.
+void write_layers(GDALDataset& plan, const Field& field, const std::vector<std::string>& layers,
+                  const TargetCrs& target, const std::string& name, ExportReport& report) {
+  const GDALDatasetUniquePtr file(
+      driver_for(report.format).Create(name.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+  if (file == nullptr) return;
+  const LayerWay way{report.format, target, offset_of(field.frame), time_of_files()};
+  for (const std::string& layer : layers)
+    report.layers.push_back(
+        {layer, copy_layer(*plan.GetLayerByName(layer.c_str()), *file, way, report.shortened)});
+}
+
+}  // namespace
+
+ExportReport export_plan(const ExportRequest& request) {
+  ExportReport report;
+  report.format = export_format_of(request.file);
+  const Plan plan = read_plan(request.plan);
+  register_drivers();
+  GdalErrors errors;
+  const GDALDatasetUniquePtr from = opened(request.plan);
+  const std::vector<std::string> layers = chosen_layers(*from, request, report.format);
+  require_something(*from, request, layers);
+  const TargetCrs target(plan.field, request.crs, report.format);
+  report.field_id = plan.field.id;
+  report.crs = target.name();
+
+  const bool zipped = report.format == ExportFormat::kShapefiles;
+  const MemoryFolder folder;
+  const std::string result = zipped ? "plan.zip" : "plan" + request.file.extension().string();
+  write_layers(*from, plan.field, layers, target, zipped ? folder.path() : folder.file(result), report);
+  if (zipped) zip_files(folder, folder.files(), result, time_of_files());
+  const std::span<const std::byte> bytes = folder.bytes(result);
+  if (errors.any() || bytes.empty())
+    throw failure(fmt::format("cannot write {}: GDAL reports: {}", request.file.string(), errors.first()));
+  write_whole(request.file, bytes);
+  return report;
+}
+
+}  // namespace tramline::io

@@ -1,0 +1,170 @@
+#include "tramline/io/export/layer_copy.h"
+
+#include <cpl_string.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "tramline/io/export/column_names.h"
+#include "tramline/io/export/projected_shapes.h"
+#include "tramline/io/export/utf8_prefix.h"
+#include "tramline/model/palette.h"
+
+namespace tramline::io {
+namespace {
+
+/// DBF's longest text, bytes.
+constexpr std::size_t kLongestText = 254;
+
+CPLStringList layer_options(ExportFormat format, std::time_t time) {
+  CPLStringList out;
+  switch (format) {
+    case ExportFormat::kGeoJson:
+      out.SetNameValue("RFC7946", "YES");
+      out.SetNameValue("COORDINATE_PRECISION", "10");  // 0.01 mm; the driver's own 7 are a centimetre
+      break;
+    case ExportFormat::kFlatGeobuf:
+      out.SetNameValue("SPATIAL_INDEX", "NO");  // it would sort the tracks out of their driving order
+      break;
+    case ExportFormat::kKml:
+      break;
+    case ExportFormat::kShapefiles: {
+      std::tm utc{};
+      gmtime_r(&time, &utc);
+      // One byte holds the year.
+      const int year = std::clamp(utc.tm_year + 1900, 1900, 2155);
+      out.SetNameValue("ENCODING", "UTF-8");
+      out.SetNameValue("DBF_DATE_LAST_UPDATE",
+                       fmt::format("{:04}-{:02}-{:02}", year, utc.tm_mon + 1, utc.tm_mday).c_str());
+      break;
+    }
+  }
+  return out;
+}
+
+/// How the track is drawn where the format says such things (KML).
+std::string pen_of(bool detour) {
+  return fmt::format("PEN(c:#{:06X},w:2px)", detour ? kDetourHex : kTrackHex);
+}
+
+/// One layer on its way from the plan file to the export.
+class LayerCopy {
+ public:
+  LayerCopy(OGRLayer& from, const LayerWay& way, std::vector<Skipped>& shortened)
+      : from_(from), way_(way), shortened_(shortened) {}
+
+  /// Failures of GDAL are left to the GdalErrors of the caller.
+  int run(GDALDataset& file) {
+    OGRSpatialReference reference(way_.target.reference());
+    CPLStringList options = layer_options(way_.format, way_.time);
+    to_ = file.CreateLayer(from_.GetName(), &reference, from_.GetGeomType(), options.List());
+    if (to_ == nullptr) return 0;
+    make_columns();
+    int count = 0;
+    from_.ResetReading();
+    while (const OGRFeatureUniquePtr feature{from_.GetNextFeature()}) copy(*feature, ++count);
+    return count;
+  }
+
+ private:
+  struct Pair {
+    int from;
+    int to;
+  };
+
+  void make_columns() {
+    if (way_.format == ExportFormat::kKml) title_ = add(OGRFieldDefn("Name", OFTString));
+    const OGRFeatureDefn& columns = *from_.GetLayerDefn();
+    for (int i = 0; i < columns.GetFieldCount(); ++i)
+      if (!stays_in_plan_file(columns.GetFieldDefn(i)->GetNameRef())) kept_.push_back({i, add_like(i)});
+    detours_ = columns.GetFieldIndex("detours");
+    if (detours_ >= 0) detour_count_ = add(OGRFieldDefn(shown(kDetourCount).c_str(), OFTInteger));
+  }
+
+  /// The number of the new column.
+  int add(const OGRFieldDefn& column) {
+    if (to_->CreateField(const_cast<OGRFieldDefn*>(&column)) != OGRERR_NONE)
+      CPLError(CE_Failure, CPLE_AppDefined, "column %s was refused", column.GetNameRef());
+    return to_->GetLayerDefn()->GetFieldCount() - 1;
+  }
+
+  std::string shown(const char* column) const {
+    return way_.format == ExportFormat::kShapefiles ? shapefile_name(column) : column;
+  }
+
+  /// The column of this number of the plan file. DBF keeps as many bytes for every text as the longest needs,
+  /// and decimals as many as it is told.
+  int add_like(int index) {
+    const OGRFieldDefn& column = *from_.GetLayerDefn()->GetFieldDefn(index);
+    OGRFieldDefn like(shown(column.GetNameRef()).c_str(), column.GetType());
+    like.SetSubType(column.GetSubType());
+    if (way_.format != ExportFormat::kShapefiles) return add(like);
+    if (column.GetType() == OFTString) like.SetWidth(longest_text(index));
+    if (column.GetSubType() == OFSTBoolean) like.SetWidth(1);
+    if (column.GetType() == OFTReal) {
+      const bool radians = std::string_view(column.GetNameRef()).ends_with("_rad");
+      like.SetWidth(24);
+      like.SetPrecision(radians ? 15 : 6);
+    }
+    return add(like);
+  }
+
+  int longest_text(int index) {
+    std::size_t longest = 1;
+    from_.ResetReading();
+    while (const OGRFeatureUniquePtr feature{from_.GetNextFeature()})
+      longest = std::max(longest, std::string_view(feature->GetFieldAsString(index)).size());
+    return static_cast<int>(std::min(longest, kLongestText));
+  }
+
+  void copy(const OGRFeature& source, int number) {
+    OGRFeature out(to_->GetLayerDefn());
+    for (const auto [from, to] : kept_) copy_value(source, from, out, to);
+    if (detours_ >= 0) out.SetField(detour_count_, count_of(source.GetFieldAsString(detours_)));
+    if (title_ >= 0) {
+      out.SetField(title_, title_of(from_.GetName(), number).c_str());
+      const int detour = detour_count_ >= 0 ? out.GetFieldAsInteger(detour_count_) : 0;
+      out.SetStyleString(pen_of(detour > 0).c_str());
+    }
+    if (const OGRGeometry* shape = source.GetGeometryRef())
+      out.SetGeometryDirectly(projected(*shape, way_.offset, way_.target).release());
+    if (to_->CreateFeature(&out) != OGRERR_NONE)
+      CPLError(CE_Failure, CPLE_AppDefined, "a feature of layer %s was refused", from_.GetName());
+  }
+
+  static int count_of(const char* detours) {
+    const nlohmann::json list = nlohmann::json::parse(detours, nullptr, false);
+    return list.is_array() ? static_cast<int>(list.size()) : 0;
+  }
+
+  void copy_value(const OGRFeature& source, int from, OGRFeature& out, int to) const {
+    if (!source.IsFieldSetAndNotNull(from)) return out.SetFieldNull(to);
+    const OGRFieldDefn& column = *from_.GetLayerDefn()->GetFieldDefn(from);
+    const std::string_view text = source.GetFieldAsString(from);
+    const bool too_long = way_.format == ExportFormat::kShapefiles && column.GetType() == OFTString &&
+                          text.size() > kLongestText;
+    if (!too_long) return out.SetField(to, source.GetRawFieldRef(from));
+    out.SetField(to, std::string(utf8_prefix(text, kLongestText)).c_str());
+    shortened_.push_back(
+        {column.GetNameRef(), fmt::format("layer {}, feature {}", from_.GetName(), source.GetFID()),
+         fmt::format("the text has {} bytes, and a Shapefile takes {}", text.size(), kLongestText)});
+  }
+
+  OGRLayer& from_;
+  const LayerWay& way_;
+  std::vector<Skipped>& shortened_;
+  OGRLayer* to_ = nullptr;
+  std::vector<Pair> kept_;
+  int title_ = -1, detours_ = -1, detour_count_ = -1;
+};
+
+}  // namespace
+
+int copy_layer(OGRLayer& from, GDALDataset& to, const LayerWay& way, std::vector<Skipped>& shortened) {
+  return LayerCopy(from, way, shortened).run(to);
+}
+
+}  // namespace tramline::io

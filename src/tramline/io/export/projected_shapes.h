@@ -1,0 +1,21 @@
+#pragma once
+// Shapes of a plan file put into another coordinate reference system.
+
+#include <ogr_geometry.h>
+
+#include <memory>
+
+#include "tramline/io/export/target_crs.h"
+
+namespace tramline::io {
+
+/// How far a line may run beside the plan's. What is straight in the field's plane is not in degrees: 1 km
+/// east to west at 50° north is off by 2.5 cm in its middle.
+inline constexpr double kMostAside_m = 0.01;
+
+/// The shape in the target's coordinates, vertex for vertex; where an edge would run more than kMostAside_m
+/// beside the plan's, points are added to it at equal distances. `offset` is taken off first (offset_of()).
+/// Points, lines and polygons. Throws Error(kBadInput) where the target has no such place. O(n).
+std::unique_ptr<OGRGeometry> projected(const OGRGeometry& shape, Point offset, const TargetCrs& target);
+
+}  // namespace tramline::io

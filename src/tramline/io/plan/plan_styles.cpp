@@ -1,0 +1,140 @@
+#include "tramline/io/plan/plan_styles.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "tramline/io/plan/plan_layers.h"
+#include "tramline/io/plan/qml.h"
+#include "tramline/model/palette.h"
+#include "tramline/model/plain_zero.h"
+
+namespace tramline::io {
+namespace {
+
+using qml::Rule;
+using qml::Shape;
+using qml::Symbol;
+
+/// The pictures' pixels, at 96 to the inch.
+constexpr double mm(double px) { return px * 25.4 / 96; }
+
+constexpr double kTrackLine_mm = mm(1.1), kDetourLine_mm = mm(2.2), kRim_mm = mm(4.4), kArrow_mm = mm(9);
+constexpr double kSliver_mm = mm(1.5);
+
+Symbol symbol(Shape shape, std::vector<qml::SymbolLayer> layers) { return {shape, std::move(layers)}; }
+
+std::string fill_style(qml::SymbolLayer layer) {
+  return qml::document(Shape::kPolygon, {{"", "", symbol(Shape::kPolygon, {std::move(layer)})}});
+}
+
+std::string obstacles_style() {
+  return qml::document(Shape::kPolygon,
+                       {{"\"kind\" = 'obstacle'", "obstacle",
+                         symbol(Shape::kPolygon, {qml::simple_fill(kObstacleColour, kObstacleColour, mm(1.8)),
+                                                  qml::hatch(kObstacleHatch, mm(6), mm(1.4), 45)})},
+                        {"\"kind\" = 'passable'", "passable obstacle, not worked",
+                         symbol(Shape::kPolygon, {qml::simple_fill(kPassableColour, kPassableHatch, mm(1.4)),
+                                                  qml::hatch(kPassableHatch, mm(7), mm(1.3), 135)})}});
+}
+
+std::string given_up_style() {
+  return qml::document(
+      Shape::kPolygon,
+      {{"", "",
+        symbol(Shape::kPolygon, {qml::simple_fill(kUncoveredColour, kUncoveredColour, kSliver_mm),
+                                 qml::hatch(kGivenUpHatch, mm(6), mm(1.6), 135)})}});
+}
+
+/// A tint for each, and its direction in the legend.
+std::string subfields_style(const Plan& plan) {
+  std::vector<Rule> rules;
+  for (std::size_t i = 0; i < plan.subfields.size(); ++i) {
+    const double degrees = plain_zero(plan.subfields[i].direction.degrees());
+    const std::string direction =
+        std::isfinite(degrees) ? fmt::format("{:.1f}° from north", degrees) : std::string("no direction");
+    rules.push_back({fmt::format("\"number\" = {}", i + 1), fmt::format("{}: {}", i + 1, direction),
+                     symbol(Shape::kPolygon, {qml::simple_fill(tint(i), kSubfieldEdge, mm(1.4))})});
+  }
+  if (rules.empty())
+    rules.push_back({"", "", symbol(Shape::kPolygon, {qml::simple_fill(tint(0), kSubfieldEdge, mm(1.4))})});
+  return qml::document(Shape::kPolygon, rules);
+}
+
+qml::SymbolLayer stop_at(const char* place) {
+  return qml::marker_on_line(place, qml::simple_marker("circle", kInk, kBackgroundColour, mm(8.4)));
+}
+
+/// The parts of a track that its column detours names by the segments of its path: from the point with the
+/// number of the first segment to the one behind the last.
+constexpr const char* kDetourParts =
+    "with_variable('points', string_to_array(\"path\", '; '), collect_geometries(array_foreach("
+    "from_json(\"detours\"), line_substring($geometry, "
+    "line_locate_point($geometry, geom_from_wkt('POINT(' || regexp_substr(array_get(@points, "
+    "map_get(@element, 'first')), '^(\\\\S+ \\\\S+)') || ')')), "
+    "line_locate_point($geometry, geom_from_wkt('POINT(' || regexp_substr(array_get(@points, "
+    "map_get(@element, 'last') + 1), '^(\\\\S+ \\\\S+)') || ')'))))))";
+
+std::string tracks_style() {
+  const qml::SymbolLayer track = qml::simple_line(kTrackColour, kTrackLine_mm);
+  const qml::SymbolLayer arrow = qml::marker_on_line(
+      "centralpoint", qml::simple_marker("filled_arrowhead", kFieldEdge, kFieldEdge, kArrow_mm));
+  const qml::SymbolLayer detours =
+      qml::generated(kDetourParts, symbol(Shape::kLine, {qml::simple_line(kDetourRim, kRim_mm),
+                                                         qml::simple_line(kDetourColour, kDetourLine_mm)}));
+  return qml::document(
+      Shape::kLine,
+      {{"\"kind\" = 'straight'", "track", symbol(Shape::kLine, {track, arrow})},
+       {"\"kind\" = 'detour'", "track with detours round obstacles",
+        symbol(Shape::kLine, {track, arrow, detours})},
+       {"\"stop_at_start\"", "stop at the start", symbol(Shape::kLine, {stop_at("firstvertex")})},
+       {"\"stop_at_end\"", "stop: the machine backs out", symbol(Shape::kLine, {stop_at("lastvertex")})}});
+}
+
+/// As in pictures: gaps of micrometres between two swaths are no faults that anybody wants to see, and may
+/// hang on to a real one as a tail.
+std::string fault_style(Colour colour) {
+  constexpr const char* kWithoutTails = "buffer(buffer($geometry, -0.0005), 0.0005)";
+  return fill_style(
+      qml::generated(kWithoutTails, symbol(Shape::kPolygon, {qml::simple_fill(colour, colour, kSliver_mm)})));
+}
+
+/// Every second one a shade darker.
+std::string swaths_style() {
+  constexpr Colour kNothing = rgb(kBackgroundHex, 0);
+  return qml::document(
+      Shape::kPolygon,
+      {{"\"order\" % 2 = 1", "swath", symbol(Shape::kPolygon, {qml::simple_fill(kStripe, kNothing, 0)})},
+       {"\"order\" % 2 = 0", "swath", symbol(Shape::kPolygon, {qml::simple_fill(kNothing, kNothing, 0)})}});
+}
+
+std::string encounters_style() {
+  const auto dot = [](Colour colour) {
+    return symbol(Shape::kPoint, {qml::simple_marker("circle", colour, kBackgroundColour, mm(5))});
+  };
+  return qml::document(Shape::kPoint,
+                       {{"\"chosen\" = 'cut'", "cut", dot(kFaintInk)},
+                        {"\"chosen\" <> 'cut'", "passed on the left or right", dot(kDetourColour)}});
+}
+
+}  // namespace
+
+std::vector<LayerStyle> styles_of(const Plan& plan) {
+  namespace layers = plan_layers;
+  return {
+      {layers::kField, "the outer boundary", fill_style(qml::simple_edge(kFieldEdge, mm(2.2)))},
+      {layers::kObstacles, "obstacles and passable strips", obstacles_style()},
+      {layers::kBody, "what the tracks have to cover", fill_style(qml::simple_edge(kFaintInk, mm(1), "dot"))},
+      {layers::kGivenUp, "given up on purpose, uncovered", given_up_style()},
+      {layers::kSubfields, "a tint for each driving direction", subfields_style(plan)},
+      {layers::kTracks, "tracks with arrows, detours and stops", tracks_style()},
+      {layers::kSwaths, "the ground each track works", swaths_style()},
+      {layers::kOverlap, "land worked again", fault_style(kOverlapColour)},
+      {layers::kUncovered, "land left out", fault_style(kUncoveredColour)},
+      {layers::kDropped, "too short to drive",
+       qml::document(Shape::kLine,
+                     {{"", "", symbol(Shape::kLine, {qml::simple_line(kDroppedColour, mm(1.8), "dash")})}})},
+      {layers::kEncounters, "where tracks meet obstacles", encounters_style()}};
+}
+
+}  // namespace tramline::io
