@@ -22,14 +22,17 @@ double own_cost(const SearchTask& task, const Subfield& subfield, const Subfield
   return cost(task.objective, tally_of({subfield}, {tracks}, area(subfield.shape)));
 }
 
-/// The first line of the cheapest of the grids S1.13 leaves open, tracks cut; among equals the first.
+/// The first line of the cheapest of the grids S1.13 leaves open, tracks cut; among equals the first. One
+/// without any track is chosen only where all are.
 double best_origin(const SearchTask& task, const Subfield& subfield) {
   const std::vector<StripGrid> grids = strip_grids(subfield, task.machine.width_m);
   if (grids.size() == 1) return grids.front().origin_m;
-  double origin_m = 0, least = std::numeric_limits<double>::infinity();
+  double origin_m = grids.front().origin_m, least = std::numeric_limits<double>::infinity();
   for (const StripGrid& grid : grids) {
     const Strips strips = strips_on(task, {subfield, grid.origin_m});
-    const double own = own_cost(task, subfield, cut_pieces(strips, min_length_m(task.machine)));
+    const SubfieldTracks tracks = cut_pieces(strips, min_length_m(task.machine));
+    if (tracks.pieces.empty()) continue;
+    const double own = own_cost(task, subfield, tracks);
     if (own >= least) continue;
     least = own;
     origin_m = grid.origin_m;
