@@ -42,31 +42,21 @@ bool within(const Intervals& outer, const Interval& inner) {
   });
 }
 
-/// Where a level's stretches begin and end once arcs join them.
-Intervals trimmed(const TrackLevel& level) {
-  Intervals out = level.stretches;
-  for (const TrackJoin& join : level.joins) {
-    out[join.before].to = join.corner.before;
-    out[join.after].from = join.corner.after;
-  }
-  return out;
-}
-
-/// The ground that tracks nearer to the reference work with arcs of theirs. Beyond what is wide for
+/// What arcs work of this track's own, and of the tracks nearer to the reference. Beyond what is wide for
 /// them all, so only tracks so near that this one's far side is nearer than their discs' centres count.
-Intervals worked_before(Levels& levels, double distance) {
+Intervals worked_by_arcs(Levels& levels, double distance) {
   const TrackLimits& limits = levels.limits();
-  Intervals out;
+  Intervals all = levels.at(distance).lost;
   for (double lower = distance - limits.width_m;
        lower > 0.49 * limits.width_m &&
        lower + limits.least_radius_m() > distance + 0.5 * limits.width_m - 1e-9;
        lower -= limits.width_m) {
     const Intervals lost = levels.at(lower).lost;
-    out.insert(out.end(), lost.begin(), lost.end());
+    all.insert(all.end(), lost.begin(), lost.end());
   }
-  std::sort(out.begin(), out.end(), [](const Interval& a, const Interval& b) { return a.from < b.from; });
+  std::sort(all.begin(), all.end(), [](const Interval& a, const Interval& b) { return a.from < b.from; });
   Intervals joined;
-  for (const Interval& lost : out) append_joining(joined, lost);
+  for (const Interval& lost : all) append_joining(joined, lost);
   return joined;
 }
 
@@ -77,11 +67,10 @@ class TrackMaker {
         distance_(distance),
         radius_(levels.limits().least_radius_m()),
         level_(levels.at(distance)) {
-    const Intervals whole = trimmed(level_);
     bool narrow = false;
-    for (const Interval& stretch : whole) narrow = narrow || !within(level_.wide, stretch);
-    const Intervals worked = narrow ? worked_before(levels, distance) : Intervals{};
-    for (const Interval& stretch : whole)
+    for (const Interval& stretch : level_.stretches) narrow = narrow || !within(level_.wide, stretch);
+    const Intervals worked = narrow ? worked_by_arcs(levels, distance) : Intervals{};
+    for (const Interval& stretch : level_.stretches)
       parts_.push_back(stretch.to > stretch.from ? without({stretch}, worked) : Intervals{});
   }
 
@@ -93,35 +82,46 @@ class TrackMaker {
       next[join.before] = &join;
       entered[join.after] = true;
     }
-    std::vector<ParallelTrack> out;
+    std::vector<Placed> found;
     for (const bool loops : {false, true})
       for (std::size_t i = 0; i < parts_.size(); ++i)
-        if (!done[i] && (loops || !entered[i])) follow(i, next, done, left, loops, out);
+        if (!done[i] && (loops || !entered[i])) follow(i, next, done, left, loops, found);
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Placed& a, const Placed& b) { return a.from < b.from; });
+    std::vector<ParallelTrack> out;
+    for (Placed& each : found) out.push_back(std::move(each.track));
     return out;
   }
 
  private:
+  struct Placed {
+    double from;  ///< on the contour
+    ParallelTrack track;
+  };
+
   void follow(std::size_t first, const std::vector<const TrackJoin*>& next, std::vector<bool>& done,
-              bool left, bool loop, std::vector<ParallelTrack>& out) {
+              bool left, bool loop, std::vector<Placed>& out) {
     const bool wanted = contour_.on_left(level_.stretches[first].from) == left;
     Path path;
     bool whole = true;
+    double from = level_.stretches[first].from;
     for (std::size_t i = first;;) {
       done[i] = true;
       for (std::size_t p = 0; p < parts_[i].size(); ++p) {
         // Only a stretch's free end is ever worked by other tracks, but what is left may lie apart.
-        if (p > 0) whole = !flush(path, left, wanted, out) && whole;
+        if (p > 0) whole = !flush(path, left, wanted, from, out) && whole;
+        if (path.empty()) from = parts_[i][p].from;
         append_parallel(contour_, parts_[i][p].from, parts_[i][p].to, distance_, path);
       }
       if (next[i] == nullptr) break;
       append_arc(*next[i], path);
       i = next[i]->after;
       if (i == first) {
-        close(path, loop && whole, left, wanted, out);
+        close(path, loop && whole, left, wanted, from, out);
         return;
       }
     }
-    flush(path, left, wanted, out);
+    flush(path, left, wanted, from, out);
   }
 
   void append_arc(const TrackJoin& join, Path& path) const {
@@ -133,15 +133,15 @@ class TrackMaker {
     if (distance(from, to) > 1e-9) path.push_back({from, to, -1 / radius_});
   }
 
-  void close(Path& path, bool closed, bool left, bool wanted, std::vector<ParallelTrack>& out) const {
+  void close(Path& path, bool closed, bool left, bool wanted, double from, std::vector<Placed>& out) const {
     if (path.empty()) return;
     if (closed) path.back().to = path.front().from;
-    if (wanted) out.push_back({left ? reversed(path) : path, closed});
+    if (wanted) out.push_back({from, {left ? reversed(path) : path, closed}});
   }
 
-  bool flush(Path& path, bool left, bool wanted, std::vector<ParallelTrack>& out) const {
+  bool flush(Path& path, bool left, bool wanted, double from, std::vector<Placed>& out) const {
     const bool any = !path.empty() && length(path) > kNoLength;
-    if (any && wanted) out.push_back({left ? reversed(path) : path, false});
+    if (any && wanted) out.push_back({from, {left ? reversed(path) : path, false}});
     path.clear();
     return any;
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tramline/geometry/simplified_line.h"
+
 namespace tramline {
 namespace {
 
@@ -45,13 +47,6 @@ class Joiner {
       if (std::any_of(level_.joins.begin(), level_.joins.end(), taken)) continue;
       level_.joins.push_back({before, after, corner});
     }
-    for (const TrackJoin& join : level_.joins) {
-      const Interval &before = level_.stretches[join.before], &after = level_.stretches[join.after];
-      if (before.to > join.corner.before) level_.lost.push_back({join.corner.before, before.to});
-      if (join.corner.after > after.from) level_.lost.push_back({after.from, join.corner.after});
-    }
-    std::sort(level_.lost.begin(), level_.lost.end(),
-              [](const Interval& a, const Interval& b) { return a.from < b.from; });
   }
 
  private:
@@ -71,6 +66,65 @@ class Joiner {
   double sharpest_;
 };
 
+/// What the stretches have in the corners that arcs cut off: ends beyond joins, and stretches without room
+/// for a disc that lie between the two branches that are joined.
+class CutOff {
+ public:
+  CutOff(const Contour& contour, const TrackLimits& limits, TrackLevel& level)
+      : contour_(contour), limits_(limits), level_(level) {}
+
+  void run() {
+    const std::size_t whole = level_.stretches.size();
+    std::vector<bool> joined(whole, false);
+    for (const TrackJoin& join : level_.joins) {
+      joined[join.before] = joined[join.after] = true;
+      trim(level_.stretches[join.before].to, join.corner.before);
+      trim(join.corner.after, level_.stretches[join.after].from);
+      level_.stretches[join.before].to = join.corner.before;
+      level_.stretches[join.after].from = join.corner.after;
+    }
+    for (std::size_t i = 0; i < level_.stretches.size(); ++i)
+      if (i >= whole || (!joined[i] && !any_wide(level_.stretches[i])))
+        for (const TrackJoin& join : level_.joins) lose(level_.stretches[i], join.corner);
+    std::sort(level_.lost.begin(), level_.lost.end(),
+              [](const Interval& a, const Interval& b) { return a.from < b.from; });
+  }
+
+ private:
+  void trim(double to, double from) {
+    if (to - from > kSamePlace) level_.stretches.push_back({from, to});
+  }
+  bool any_wide(const Interval& stretch) const { return !common({stretch}, level_.wide).empty(); }
+
+  /// Only what lies between the branches, on the way from one to the other, is in the corner.
+  void lose(const Interval& stretch, const FrontCorner& corner) {
+    const double slack = kSamePlace;
+    const bool after = stretch.from >= corner.before - slack, before = stretch.to <= corner.after + slack;
+    if (corner.before < corner.after ? !(after && before) : !(after || before)) return;
+    const double half = 0.5 * limits_.width_m, least = limits_.least_radius_m();
+    // The arc's swath, or the tip of the corner where that is farther off, and then not for a metre or two.
+    const double tip = (least - half) / std::max(0.05, std::cos(0.5 * corner.turn_rad));
+    const double reach = std::max(least + half, tip) + limits_.width_m;
+    const int count = static_cast<int>(4 * stretch.length() / limits_.width_m) + 2;
+    const double step = stretch.length() / count;
+    Interval near{stretch.to, stretch.from};
+    for (int i = 0; i <= count; ++i) {
+      const double place = stretch.from + i * step;
+      const ContourElement& e = contour_.elements[element_at(contour_, place)];
+      const Point a = beside(e, place, level_.distance_m - half);
+      const Point b = beside(e, place, level_.distance_m + least);
+      if (distance_to_segment(corner.place, a, b) > reach) continue;
+      near.from = std::min(near.from, std::max(stretch.from, place - step));
+      near.to = std::max(near.to, std::min(stretch.to, place + step));
+    }
+    if (near.from < near.to) level_.lost.push_back(near);
+  }
+
+  const Contour& contour_;
+  const TrackLimits& limits_;
+  TrackLevel& level_;
+};
+
 }  // namespace
 
 TrackLevel track_level(const Contour& contour, double distance_m, const TrackLimits& limits, Sides sides) {
@@ -84,6 +138,7 @@ TrackLevel track_level(const Contour& contour, double distance_m, const TrackLim
   out.stretches = without(swath, tight_bends(contour, distance_m, least_radius));
   std::erase_if(out.stretches, [](const Interval& stretch) { return stretch.length() < kSamePlace; });
   Joiner(out, far.corners, limits.sharpest_corner.radians()).run();
+  CutOff(contour, limits, out).run();
   return out;
 }
 

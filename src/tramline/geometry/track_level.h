@@ -17,10 +17,12 @@ struct TrackJoin {
 
 struct TrackLevel {
   double distance_m = 0;
-  Intervals stretches;  ///< places whose swath is nearest to them and that are not too tight to drive
-  Intervals wide;       ///< places with room for a disc of radius ρ on the far side
+  /// Places whose swath is nearest to them and that are not too tight to drive, trimmed where they are
+  /// joined; what was trimmed comes last. Not sorted.
+  Intervals stretches;
+  Intervals wide;  ///< places with room for a disc of radius ρ on the far side
   std::vector<TrackJoin> joins;
-  Intervals lost;  ///< what of the stretches lies beyond a join: cut off by its arc
+  Intervals lost;  ///< what of the stretches the arcs' swaths reach, or the corner that an arc cuts off
 };
 
 TrackLevel track_level(const Contour& contour, double distance_m, const TrackLimits& limits, Sides sides);
