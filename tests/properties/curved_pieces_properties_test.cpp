@@ -157,7 +157,7 @@ TEST(CurvedPiecesProperties, AgreeWithAScanOfCrossSections) {
 }
 
 TEST(CurvedPiecesProperties, InsideAreasAreThoseOfPolygonBooleans) {
-  for_random_scenes(25, [&](const Scene& scene, std::mt19937_64& random) {
+  for_random_scenes(8, [&](const Scene& scene, std::mt19937_64& random) {
     const double width = scene.limits.width_m;
     const std::vector<FamilyTrack> family = family_of(scene);
     const CurvedTracks tracks = curved_pieces(

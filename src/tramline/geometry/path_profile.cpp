@@ -7,7 +7,9 @@
 namespace tramline {
 namespace {
 
-/// Positions as near to a segment's end may belong to the next one, m.
+/// What is shorter is no part of a path, m.
+constexpr double kNoLength = 1e-9;
+/// A crossing as near to a segment's end may be the next one's, m.
 constexpr double kJoint = 1e-9;
 /// How exactly positions are found on arcs, m.
 constexpr double kPosition = 1e-9;
@@ -117,21 +119,25 @@ class SegmentMaker {
     add_monotonic(nearest, b);
   }
 
-  /// `right_inside` is the state where the last segment ended, negative where that is not known; it becomes
-  /// the state at this one's end.
-  SegmentProfile finish(const EdgeIndex& region, int& right_inside) {
+  /// What is inside where the last segment ended; what is inside goes on from there.
+  struct Before {
+    int right_inside = -1;  ///< negative: not known
+    double inside_m = 0;
+  };
+
+  SegmentProfile finish(const EdgeIndex& region, Before& before) {
     std::sort(right_.begin(), right_.end(),
               [](const RightCrossing& a, const RightCrossing& b) { return a.along < b.along; });
     make_slabs();
-    if (right_inside < 0) right_inside = state_at_start(region);
-    int state = right_inside;
-    auto crossing = right_.begin();
-    for (SectionSlab& slab : out_.slabs) {
-      for (; crossing != right_.end() && crossing->along <= slab.from; ++crossing) state += crossing->change;
-      slab.right_inside = state;
-    }
-    for (; crossing != right_.end(); ++crossing) state += crossing->change;
-    right_inside = near_joint_ ? -1 : state;
+    set_states(before.right_inside);
+    // An edge beside the right ends may cross them here as one segment sees it and there as the next one
+    // does: then the length inside jumps, and so it may where an edge lies along a cross-section.
+    constexpr double kJump = 1e-6;
+    if (near_start_ || before.right_inside < 0 ||
+        std::abs(inside_at(out_.slabs.front(), 0) - before.inside_m) > kJump)
+      set_states(state_at_start(region));
+    before.right_inside = near_end_ ? -1 : out_.slabs.back().right_inside;
+    before.inside_m = inside_at(out_.slabs.back(), out_.length);
     return std::move(out_);
   }
 
@@ -147,8 +153,8 @@ class SegmentMaker {
     const double left_along = low < 0 ? along_where(left, right, 0) : frame_.along(left);
     const double right_along = high >= width_ ? along_where(left, right, width_) : frame_.along(right);
     if (high >= width_) {
-      near_joint_ =
-          near_joint_ || std::abs(right_along) < kJoint || std::abs(right_along - out_.length) < kJoint;
+      near_start_ = near_start_ || std::abs(right_along) < kJoint;
+      near_end_ = near_end_ || std::abs(right_along - out_.length) < kJoint;
       if (right_along >= 0 && right_along < out_.length) right_.push_back({right_along, rightward ? 1 : -1});
     }
     const double clipped_low = std::max(low, 0.0), clipped_high = std::min(high, width_);
@@ -213,6 +219,22 @@ class SegmentMaker {
     }
   }
 
+  void set_states(int at_start) {
+    int state = at_start;
+    auto crossing = right_.begin();
+    for (SectionSlab& slab : out_.slabs) {
+      for (; crossing != right_.end() && crossing->along <= slab.from; ++crossing) state += crossing->change;
+      slab.right_inside = state;
+    }
+  }
+
+  double inside_at(const SectionSlab& slab, double along) const {
+    double sum = slab.right_inside * width_;
+    for (const std::size_t p : slab.parts)
+      sum += out_.parts[p].sign * across_at(out_, 0.5 * width_, out_.parts[p], along);
+    return sum;
+  }
+
   /// Asks for the middle of the widest gap between edges in the longest slab, and goes back from there.
   int state_at_start(const EdgeIndex& region) const {
     const auto longest = std::max_element(
@@ -238,7 +260,8 @@ class SegmentMaker {
   double width_;
   SegmentProfile out_;
   std::vector<RightCrossing> right_;
-  bool near_joint_ = false;
+  bool near_start_ = false;  ///< the right ends cross an edge there, if not in the segment next to this one
+  bool near_end_ = false;
 };
 
 /// Edges near a segment, each once, in order.
@@ -369,13 +392,13 @@ PathProfile path_profile(const EdgeIndex& region, const Path& path, double width
   PathProfile out{width_m, {}};
   out.segments.reserve(path.size());
   std::vector<std::size_t> near;
-  int right_inside = -1;
+  SegmentMaker::Before before;
   double start = 0;
   for (const PathSegment& segment : path) {
     SegmentMaker maker(segment, start, width_m);
     find_edges(region, segment, width_m, near);
     for (const std::size_t e : near) maker.add(region.edges()[e].from, region.edges()[e].to);
-    out.segments.push_back(maker.finish(region, right_inside));
+    out.segments.push_back(maker.finish(region, before));
     start += out.segments.back().length;
   }
   return out;
@@ -439,7 +462,7 @@ Path path_between(const Path& path, double from, double to) {
     const double whole = length(segment), low = std::max(0.0, from - start),
                  high = std::min(whole, to - start);
     start += whole;
-    if (high - low <= kJoint) continue;
+    if (high - low <= kNoLength) continue;
     PathSegment part = part_of(segment, low, high);
     if (!out.empty()) part.from = out.back().to;
     out.push_back(part);
