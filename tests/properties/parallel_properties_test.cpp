@@ -1,4 +1,4 @@
-// Tracks parallel to random references: what they keep at every point, and polygon buffers as a second
+// Tracks parallel to random references: what they keep at every point, and polygon booleans as a second
 // opinion on where they run.
 
 #include <gtest/gtest.h>
@@ -85,7 +85,7 @@ void for_random_scenes(int standard, bool as_wide_as_it_turns, double margin, Ch
     check(*scene, random);
     if (::testing::Test::HasFailure()) return;
   }
-  EXPECT_GE(3 * drivable, cases < 20 ? 0 : cases);
+  EXPECT_GE(3 * drivable, cases < 100 ? 0 : cases);
 }
 
 /// Points along the segment, with both ends.
@@ -144,19 +144,58 @@ TEST(ParallelProperties, WorkNothingTwice) {
   });
 }
 
+/// Points within the distance of a line, as rectangles and fans on both sides: chords of fans are off by no
+/// more than the distance times 4e-6. GEOS's own buffers simplify their input by more than what is compared
+/// here.
+Region near(const std::vector<Point>& line, double distance_m) {
+  Region out;
+  const auto add = [&out](Ring ring) {
+    if (std::abs(signed_area(ring)) > 1e-9) out.push_back(oriented(Polygon{std::move(ring), {}}));
+  };
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const Point along = (1 / distance(line[i], line[i + 1])) * (line[i + 1] - line[i]);
+    const Point left = distance_m * Point{-along.y, along.x};
+    // A little longer, so that the precision grid leaves no slit between it and the next one.
+    const Point a = line[i] - 1e-4 * along, b = line[i + 1] + 1e-4 * along;
+    add({a - left, b - left, b + left, a + left});
+    if (i + 2 == line.size()) break;
+    const Point next = line[i + 2] - line[i + 1];
+    const double turn = std::atan2(cross(along, next), dot(along, next));
+    const int count = static_cast<int>(std::abs(turn) / 0.005) + 1;
+    Ring fan{line[i + 1]};
+    for (int step = 0; step <= count; ++step) {
+      const double angle = turn * step / count, c = std::cos(angle), s = std::sin(angle);
+      const Point arm = turn > 0 ? -1 * left : left;
+      fan.push_back(line[i + 1] + Point{c * arm.x - s * arm.y, s * arm.x + c * arm.y});
+    }
+    add(std::move(fan));
+  }
+  return unite(out);
+}
+
+/// Points within the distance of a region.
+Region near(const Region& region, double distance_m) {
+  Region out = region;
+  for (Ring ring : rings_of(region)) {
+    ring.push_back(ring[0]);
+    ring.push_back(ring[1]);
+    out = unite(out, near(ring, distance_m));
+  }
+  return out;
+}
+
 // E, the points at least t + ρ away, and then all within ρ of E: with w = 2ρ and no corner too sharp, that
-// is the rule, and polygon buffers of fine chords follow it on a road of their own.
-TEST(ParallelProperties, RunWhereBuffersOfBuffersEnd) {
+// is the rule, and polygon booleans with fine chords follow it on a road of their own.
+TEST(ParallelProperties, RunWherePolygonBooleansPutThem) {
   int compared = 0;
-  for_random_scenes(30, true, 60, [&](const Scene& scene, std::mt19937_64& random) {
+  for_random_scenes(8, true, 60, [&](const Scene& scene, std::mt19937_64& random) {
     const double rho = scene.limits.least_radius_m(), t = (any_of(random, 0, 5) + 0.5) * 2 * rho;
     const Box box = kWindow.grown(50);
     const Region plane{
         {{{box.min_x, box.min_y}, {box.max_x, box.min_y}, {box.max_x, box.max_y}, {box.min_x, box.max_y}},
          {}}};
-    const Region line{{band(scene.reference, 1e-4, 1e-6), {}}};
-    const Region far = difference(plane, buffered(line, t + rho - 5e-5, JoinStyle::kRound, 300));
-    const Region near_far = buffered(far, rho, JoinStyle::kRound, 300);
+    const Region far = difference(plane, near(chords(scene.reference, 1e-5), t + rho));
+    const Region near_far = near(far, rho);
 
     Path all;
     for (const double offset : {t, -t})
