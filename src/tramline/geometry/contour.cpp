@@ -60,6 +60,42 @@ bool nearer_than(const ContourElement& e, Point p, double distance_m) {
   return dot(from_centre, outward) >= e.half_cosine * away * norm;
 }
 
+Box box_of(const ContourElement& e) {
+  Box box;
+  box.extend(e.from);
+  if (e.straight) {
+    box.extend(e.from + e.length * e.heading);
+    return box;
+  }
+  box.extend(e.centre - e.reach * left_of(e.heading_to));
+  return box.grown(std::abs(e.reach) * (1 - e.half_cosine));
+}
+
+/// Boxes of the segments first … last − 1 and of all that they are put together from.
+Box add_boxes(const Contour& contour, std::size_t first, std::size_t last, std::vector<ContourBox>& out) {
+  const std::size_t own = out.size();
+  out.emplace_back();
+  Box box;
+  if (last - first == 1) {
+    box = box_of(contour.elements[first]);
+    out[own].single = true;
+    out[own].element = first;
+  } else {
+    const std::size_t middle = (first + last) / 2;
+    box = add_boxes(contour, first, middle, out);
+    box.extend(add_boxes(contour, middle, last, out));
+  }
+  out[own].box = box;
+  out[own].skip = out.size();
+  return box;
+}
+
+bool reaches_into(Point p, double distance_m, const Box& box) {
+  const double dx = std::max({box.min_x - p.x, 0.0, p.x - box.max_x});
+  const double dy = std::max({box.min_y - p.y, 0.0, p.y - box.max_y});
+  return dx * dx + dy * dy < distance_m * distance_m;
+}
+
 }  // namespace
 
 Contour contour_of(const Path& path) {
@@ -78,6 +114,8 @@ Contour contour_of(const Path& path) {
   add_half_turn(path.back().to);
   for (const PathSegment& segment : reversed(path)) add(element_of(segment));
   add_half_turn(path.front().from);
+  out.boxes.reserve(2 * out.segments);
+  add_boxes(out, 0, out.segments, out.boxes);
   return out;
 }
 
@@ -120,11 +158,18 @@ void append_parallel(const Contour& contour, double from, double to, double dist
 
 bool keeps_away(const Contour& contour, Point p, double distance_m, std::size_t& hint) {
   if (nearer_than(contour.elements[hint], p, distance_m)) return false;
-  for (std::size_t i = 0; i < contour.segments; ++i)
-    if (nearer_than(contour.elements[i], p, distance_m)) {
-      hint = i;
+  for (std::size_t i = 0; i < contour.boxes.size();) {
+    const ContourBox& part = contour.boxes[i];
+    if (!reaches_into(p, distance_m, part.box)) {
+      i = part.skip;
+      continue;
+    }
+    if (part.single && nearer_than(contour.elements[part.element], p, distance_m)) {
+      hint = part.element;
       return false;
     }
+    ++i;
+  }
   const Point off = p - contour.elements[contour.segments].centre;
   return dot(off, off) >= distance_m * distance_m;
 }

@@ -25,11 +25,20 @@ struct ContourElement {
   bool cap = false;
 };
 
+/// A box round some of the path's segments in a row; those after it up to `skip` lie within it.
+struct ContourBox {
+  Box box;
+  std::size_t skip = 0;     ///< the next one that does not
+  std::size_t element = 0;  ///< of a single segment
+  bool single = false;
+};
+
 /// A place on it is told by how far one has walked: m, and 1 for each quarter turn.
 struct Contour {
   std::vector<ContourElement> elements;  ///< n on the right, 2 quarter turns, n on the left, 2 quarter turns
   std::size_t segments = 0;              ///< n
   double path_length = 0;                ///< m
+  std::vector<ContourBox> boxes;         ///< halves, quarters … of the path, each before its parts
 
   double right_end() const { return path_length; }  ///< the right side is [0, right_end()]
   double left_start() const { return path_length + 2; }
@@ -64,7 +73,7 @@ inline double curvature_beside(const ContourElement& element, double distance_m)
 void append_parallel(const Contour& contour, double from, double to, double distance_m, Path& out);
 
 /// No point of the path lies nearer to p than the distance. `hint` is an element to look at first; it
-/// becomes the one that is nearer. O(n).
+/// becomes the one that is nearer. Mostly O(log n): boxes that are far enough away answer for all in them.
 bool keeps_away(const Contour& contour, Point p, double distance_m, std::size_t& hint);
 
 }  // namespace tramline

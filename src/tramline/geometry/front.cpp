@@ -163,8 +163,9 @@ class FrontMaker {
     const Branch& branch = branches_[i];
     const Point from_centre = p - e.centre;
     const double radius = std::abs(branch.reach);
-    if (dot(from_centre, branch.middle) < (e.half_cosine - 2 * kTouch / radius) * radius - kTouch &&
-        distance(p, branch.from) > kTouch && distance(p, branch.to) > kTouch)
+    const Point from_start = p - branch.from, from_end = p - branch.to;
+    if (dot(from_centre, branch.middle) < e.half_cosine * radius - kTouch &&
+        std::min(dot(from_start, from_start), dot(from_end, from_end)) > kTouch * kTouch)
       return -1;
     const Point at_start = branch.from - e.centre;
     const double angle = std::atan2(cross(at_start, from_centre), dot(at_start, from_centre));

@@ -28,8 +28,8 @@ enum class Sides { kRight, kLeft, kBoth };
 /// The front at a distance (> 0, m) from the path. Every branch is cut where it meets another one or a
 /// circle about an end of the path, and of each part one point is asked how far it is from the path: no
 /// front is made from another one, and no tolerance but of what counts as nearer (1e-7 m).
-/// Quarter turns about the ends are no feet. About O(n log n + n·b) for n segments and b branches that
-/// are cut; n² where all boxes of parallels overlap.
+/// Quarter turns about the ends are no feet. About O(n log n) for n segments; n² where the boxes of
+/// all parallels overlap.
 Front front_at(const Contour& contour, double distance_m, Sides sides);
 
 }  // namespace tramline

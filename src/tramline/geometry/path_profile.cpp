@@ -23,22 +23,27 @@ Point left_of(Point direction) { return {-direction.y, direction.x}; }
 class SegmentFrame {
  public:
   SegmentFrame(const PathSegment& segment, double half_width) : half_(half_width) {
+    // In roots where path.h takes hypotenuses and angles: this is done for every segment of every track.
+    const Point chord = segment.to - segment.from;
+    const double across = std::sqrt(dot(chord, chord));
     origin_ = segment.from;
-    ahead_ = direction_at_start(segment);
+    ahead_ = (1 / across) * chord;
+    length_ = across;
     if (segment.straight()) return;
-    origin_ = centre(segment);
-    radius_ = tramline::radius(segment);
+    radius_ = 1 / std::abs(segment.curvature);
     sense_ = segment.curvature > 0 ? 1 : -1;
-    half_turn_ = 0.5 * std::abs(turning(segment));
-    const Point out = (1 / radius_) * (segment.from - origin_);
-    const double c = std::cos(half_turn_), s = sense_ * std::sin(half_turn_);
-    ahead_ = {c * out.x - s * out.y, s * out.x + c * out.y};
+    const double sine = std::min(1.0, 0.5 * across / radius_);
+    half_turn_ = std::asin(sine);
+    length_ = 2 * half_turn_ * radius_;
+    ahead_ = -sense_ * left_of(ahead_);
+    origin_ = midpoint(segment.from, segment.to) - (radius_ * std::sqrt((1 - sine) * (1 + sine))) * ahead_;
   }
 
   bool straight() const { return radius_ == 0; }
   double radius() const { return radius_; }
   int sense() const { return sense_; }
   double half_turn() const { return half_turn_; }
+  double length() const { return length_; }
 
   Point local(Point p) const {
     const Point d = p - origin_;
@@ -65,6 +70,7 @@ class SegmentFrame {
   double half_;
   Point origin_;
   Point ahead_;
+  double length_ = 0;
   double radius_ = 0;
   int sense_ = 0;
   double half_turn_ = 0;
@@ -96,10 +102,30 @@ class SegmentMaker {
   SegmentMaker(const PathSegment& segment, double start, double width)
       : frame_(segment, 0.5 * width), width_(width) {
     out_.start = start;
-    out_.length = length(segment);
+    out_.length = frame_.length();
     out_.radius = frame_.radius();
     out_.sense = frame_.sense();
     out_.half_turn = frame_.half_turn();
+  }
+
+  /// All edges near the segment, in order.
+  void add_edges(const EdgeIndex& region, std::vector<std::size_t>& near) {
+    near.clear();
+    const int count = std::clamp(static_cast<int>(0.5 * out_.length / region.grid().cell_m()), 1, 1000);
+    const double part = out_.length / count;
+    const double bulge = frame_.straight() ? 0 : part * part / (4 * frame_.radius());
+    Point end = frame_.place(0, 0.5 * width_);
+    for (int i = 1; i <= count; ++i) {
+      Box box;
+      box.extend(end);
+      end = frame_.place(i * part, 0.5 * width_);
+      box.extend(end);
+      region.grid().each_meeting(box.grown(0.5 * width_ + bulge + 1e-6),
+                                 [&](std::size_t e) { near.push_back(e); });
+    }
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    for (const std::size_t e : near) add(region.edges()[e].from, region.edges()[e].to);
   }
 
   void add(Point from, Point to) {
@@ -264,26 +290,6 @@ class SegmentMaker {
   bool near_end_ = false;
 };
 
-/// Edges near a segment, each once, in order.
-void find_edges(const EdgeIndex& region, const PathSegment& segment, double width,
-                std::vector<std::size_t>& out) {
-  out.clear();
-  const double step = 2 * region.grid().cell_m();
-  const int count = std::max(1, std::min(1000, static_cast<int>(length(segment) / step)));
-  const SegmentFrame frame(segment, 0.5 * width);
-  const double part = length(segment) / count;
-  const double bulge = segment.straight() ? 0 : part * part * std::abs(segment.curvature) / 4;
-  for (int i = 0; i < count; ++i) {
-    Box box;
-    box.extend(frame.place(i * part, 0.5 * width));
-    box.extend(frame.place((i + 1) * part, 0.5 * width));
-    region.grid().each_meeting(box.grown(0.5 * width + bulge + 1e-6),
-                               [&](std::size_t e) { out.push_back(e); });
-  }
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
-}
-
 // --- What is inside ----------------------------------------------------------------------------
 
 class Insides {
@@ -396,8 +402,7 @@ PathProfile path_profile(const EdgeIndex& region, const Path& path, double width
   double start = 0;
   for (const PathSegment& segment : path) {
     SegmentMaker maker(segment, start, width_m);
-    find_edges(region, segment, width_m, near);
-    for (const std::size_t e : near) maker.add(region.edges()[e].from, region.edges()[e].to);
+    maker.add_edges(region, near);
     out.segments.push_back(maker.finish(region, before));
     start += out.segments.back().length;
   }
