@@ -16,7 +16,7 @@ namespace {
 
 /// Kinks that turn less are none, rad; straight parts that are shorter are none, m.
 constexpr double kStraight = 1e-9;
-constexpr double kNoLength = 1e-9;
+constexpr double kNoLength = 1e-8;
 
 /// How long the tangents of the arc at a kink have to be, and how long they had better be.
 struct Tangents {
@@ -58,14 +58,18 @@ Path rounded(const std::vector<Point>& line, double radius, double tolerance) {
     const Point back = line[i - 1] - line[i], on = line[i + 1] - line[i];
     Point from = line[i] + (tangents[i] / length(back)) * back;
     const Point to = line[i] + (tangents[i] / length(on)) * on;
-    if (distance(at, from) < kNoLength)
+    // Tangents may overlap by rounding: then the straight part between them would run backwards.
+    if (dot(at - from, back) < kNoLength * length(back))
       from = at;
     else
       path.push_back({at, from, 0});
     path.push_back({from, to, std::tan(0.5 * turn) / tangents[i]});
     at = to;
   }
-  if (distance(at, line.back()) >= kNoLength || path.empty()) path.push_back({at, line.back(), 0});
+  if (distance(at, line.back()) >= kNoLength || path.empty())
+    path.push_back({at, line.back(), 0});
+  else
+    path.back().to = line.back();
   return path;
 }
 
