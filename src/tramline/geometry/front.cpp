@@ -10,8 +10,11 @@
 namespace tramline {
 namespace {
 
-/// A point nearer to the path by no more than this is not nearer, m.
-constexpr double kSameDistance = 1e-7;
+/// A point nearer to the path by no more than this is not nearer, m. Much more, and where branches all but
+/// touch there would be slivers of front that no corner leads to.
+constexpr double kSameDistance = 1e-9;
+/// Of an arc's radius: what rounding may do to the distance from it.
+constexpr double kRoundingOfRadius = 4e-16;
 /// Places that differ by no more are one.
 constexpr double kSamePlace = 1e-7;
 /// Branches that come as close, m, meet.
@@ -66,7 +69,10 @@ class FrontMaker {
   FrontMaker(const Contour& contour, double distance, Sides sides)
       : contour_(contour), distance_(distance), sides_(sides) {
     branches_.reserve(contour.elements.size());
-    for (const ContourElement& e : contour.elements) branches_.push_back(branch_of(e, distance));
+    for (const ContourElement& e : contour.elements) {
+      branches_.push_back(branch_of(e, distance));
+      same_distance_ = std::max(same_distance_, kSameDistance + kRoundingOfRadius * std::abs(e.reach));
+    }
   }
 
   Front make() {
@@ -221,7 +227,7 @@ class FrontMaker {
       }
       if (e.start + e.length >= to) break;
     }
-    if (keeps_away(contour_, beside(contour_.elements[at], place, distance_), distance_ - kSameDistance,
+    if (keeps_away(contour_, beside(contour_.elements[at], place, distance_), distance_ - same_distance_,
                    nearer_)) {
       if (!out_.feet.empty() && from - out_.feet.back().to < kSamePlace)
         out_.feet.back().to = to;
@@ -267,6 +273,7 @@ class FrontMaker {
   const Contour& contour_;
   double distance_;
   Sides sides_;
+  double same_distance_ = kSameDistance;
   std::vector<Branch> branches_;
   std::vector<Cut> cuts_;
   std::size_t nearer_ = 0;

@@ -27,7 +27,7 @@ double distance_to_segment(Point p, Point a, Point b) {
 }
 
 std::vector<std::size_t> simplified_line(const std::vector<Point>& line, double tolerance_m) {
-  const std::vector<std::size_t> distinct = distinct_points(line);
+  std::vector<std::size_t> distinct = distinct_points(line);
   if (tolerance_m <= 0 || distinct.size() < 3) return distinct;
   std::vector<bool> kept(distinct.size(), false);
   kept.front() = kept.back() = true;

@@ -18,6 +18,9 @@ namespace {
 constexpr double kStraight = 1e-9;
 constexpr double kNoLength = 1e-8;
 
+/// Wider arcs have centres so far away that distances from them lose digits, m.
+constexpr double kWidest = 1e5;
+
 /// How long the tangents of the arc at a kink have to be, and how long they had better be.
 struct Tangents {
   double least = 0;
@@ -26,9 +29,10 @@ struct Tangents {
 
 Tangents tangents_at(double turn, double radius, double tolerance) {
   if (std::abs(turn) < kStraight) return {};
-  const double least = radius * std::tan(0.5 * std::abs(turn));
+  const double tangent = std::tan(0.5 * std::abs(turn)), least = radius * tangent;
   // An arc with tangents this long leaves the vertex by length·tan(turn/4).
-  return {least, std::max(least, tolerance / std::tan(0.25 * std::abs(turn)))};
+  const double widest = std::min(tolerance / std::tan(0.25 * std::abs(turn)), kWidest * tangent);
+  return {least, std::max(least, widest)};
 }
 
 std::vector<double> tangent_lengths(const std::vector<Point>& line, double radius, double tolerance) {
