@@ -250,13 +250,17 @@ class FrontMaker {
       const ContourElement& e = contour_.elements[i];
       starts.push_back({beside(e, feet.from, distance_), heading_at(e, feet.from), feet.from});
     }
+    const auto by_x = [](const End& a, const End& b) { return a.point.x < b.point.x; };
+    std::sort(starts.begin(), starts.end(), by_x);
     for (const Interval& feet : out_.feet) {
       const ContourElement& e = contour_.elements[element_at(contour_, feet.to)];
       const Point end = beside(e, feet.to, distance_), heading = heading_at(e, feet.to);
       double least = kMeeting;
       const End* best = nullptr;
       double turn = 0;
-      for (const End& start : starts) {
+      auto next = std::lower_bound(starts.begin(), starts.end(), End{{end.x - kMeeting, 0}, {}, 0}, by_x);
+      for (; next != starts.end() && next->point.x <= end.x + kMeeting; ++next) {
+        const End& start = *next;
         const double apart = distance(start.point, end);
         if (apart >= least) continue;
         double right = -std::atan2(cross(heading, start.heading), dot(heading, start.heading));

@@ -22,10 +22,15 @@ Intervals tight_bends(const Contour& contour, double distance, double least_radi
   return out;
 }
 
-/// The stretch in which a place lies; the wide places lie in stretches but for rounding.
+bool begins_before(const Interval& a, double place) { return a.from < place; }
+
+/// The stretch in which a place lies; the wide places lie in stretches but for rounding. O(log n).
 std::size_t stretch_at(const Intervals& stretches, double place) {
-  for (std::size_t i = 0; i < stretches.size(); ++i)
-    if (place >= stretches[i].from - kSamePlace && place <= stretches[i].to + kSamePlace) return i;
+  const auto next = std::lower_bound(stretches.begin(), stretches.end(), place - kSamePlace, begins_before);
+  if (next != stretches.end() && next->from <= place + kSamePlace && next->to >= place)
+    return static_cast<std::size_t>(next - stretches.begin());
+  if (next != stretches.begin() && (next - 1)->to >= place - kSamePlace)
+    return static_cast<std::size_t>(next - stretches.begin()) - 1;
   return stretches.size();
 }
 
@@ -36,6 +41,7 @@ class Joiner {
 
   void run() {
     const std::size_t n = level_.stretches.size();
+    std::vector<bool> left(n, false), entered(n, false);
     for (const FrontCorner& corner : corners_) {
       const std::size_t before = stretch_at(level_.stretches, corner.before);
       const std::size_t after = stretch_at(level_.stretches, corner.after);
@@ -43,22 +49,20 @@ class Joiner {
       // A stretch that is wide again further on passes a narrow place: it is not left before that.
       if (!last_wide(before, corner.before) || !first_wide(after, corner.after)) continue;
       if (before == after && corner.after > corner.before) continue;
-      const auto taken = [&](const TrackJoin& join) { return join.before == before || join.after == after; };
-      if (std::any_of(level_.joins.begin(), level_.joins.end(), taken)) continue;
+      if (left[before] || entered[after]) continue;
+      left[before] = entered[after] = true;
       level_.joins.push_back({before, after, corner});
     }
   }
 
  private:
   bool last_wide(std::size_t stretch, double place) const {
-    return std::none_of(level_.wide.begin(), level_.wide.end(), [&](const Interval& wide) {
-      return wide.from > place && wide.from < level_.stretches[stretch].to - kSamePlace;
-    });
+    const auto next = std::lower_bound(level_.wide.begin(), level_.wide.end(), place, begins_before);
+    return next == level_.wide.end() || next->from >= level_.stretches[stretch].to - kSamePlace;
   }
   bool first_wide(std::size_t stretch, double place) const {
-    return std::none_of(level_.wide.begin(), level_.wide.end(), [&](const Interval& wide) {
-      return wide.to < place && wide.to > level_.stretches[stretch].from + kSamePlace;
-    });
+    const auto own = std::lower_bound(level_.wide.begin(), level_.wide.end(), place, begins_before);
+    return own == level_.wide.begin() || (own - 1)->to <= level_.stretches[stretch].from + kSamePlace;
   }
 
   TrackLevel& level_;
