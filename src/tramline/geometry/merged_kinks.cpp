@@ -16,6 +16,8 @@ namespace {
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 /// Rounding that an edge may be short of.
 constexpr double kRoom = 1e-9;
+/// Left straight between arcs that are drawn apart, m: a part of a few nanometres has no direction.
+constexpr double kStraightPart = 1e-3;
 
 /// Edges by length, then by place; `version` tells those that have changed since.
 using Entry = std::tuple<double, std::size_t, unsigned>;
@@ -125,10 +127,10 @@ class Merger {
       const Point p = at_[i] + by * back, q = at_[j] + by * on;
       const double tangent_p = tangent_for(turn_at(at_[a], p, q));
       const double tangent_q = tangent_for(turn_at(p, q, at_[b]));
+      const double between = distance(p, q) - tangent_p - tangent_q - kStraightPart;
       const double room =
-          std::min({distance(p, q) - tangent_p - tangent_q, before - by - tangent(a) - tangent_p,
-                    after - by - tangent(b) - tangent_q});
-      return std::pair{distance(p, q) - tangent_p - tangent_q, room};
+          std::min({between, before - by - tangent(a) - tangent_p, after - by - tangent(b) - tangent_q});
+      return std::pair{between, room};
     };
     double low = 0, high = 0.999 * std::min(before, after);
     if (room_at(high).first < 0) return false;

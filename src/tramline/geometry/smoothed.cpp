@@ -16,7 +16,7 @@ namespace {
 
 /// Kinks that turn less are none, rad; straight parts that are shorter are none, m.
 constexpr double kStraight = 1e-9;
-constexpr double kNoLength = 1e-8;
+constexpr double kNoLength = 1e-7;
 
 /// Wider arcs have centres so far away that distances from them lose digits, m.
 constexpr double kWidest = 1e5;
