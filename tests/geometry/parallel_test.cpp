@@ -30,7 +30,7 @@ Path u_shape(double half, double depth) {
 
 Region bands(const std::vector<ParallelTrack>& tracks, double width) {
   Region out;
-  for (const ParallelTrack& track : tracks) out.push_back({band(track.path, width, 1e-5), {}});
+  for (const ParallelTrack& track : tracks) out.push_back({band(track.path, width, 1e-4), {}});
   return out;
 }
 
@@ -89,8 +89,8 @@ TEST(Parallel, LeavesTheKnownGapsInACorner) {
     Region swaths = bands(parallel(reference, -t, {radius, w}), w);
     for (Polygon& next : bands(parallel(reference, -(t + w), {radius, w}), w)) swaths.push_back(next);
     ASSERT_EQ(swaths.size(), 2u);
-    EXPECT_NEAR(area_of_holes(unite(swaths)), 2 * radius * w * (std::tan(turn / 2) - turn / 2), 2e-3);
-    EXPECT_NEAR(area(swaths), area(unite(swaths)), 2e-3);
+    EXPECT_NEAR(area_of_holes(unite(swaths)), 2 * radius * w * (std::tan(turn / 2) - turn / 2), 5e-3);
+    EXPECT_NEAR(area(swaths), area(unite(swaths)), 1e-2);
   }
 }
 
@@ -122,10 +122,10 @@ TEST(Parallel, FillsAUFromBothLegs) {
     }
     for (const ParallelTrack& track : tracks) {
       expect_drivable(track.path, 6);
-      all.push_back({band(track.path, kWidth, 1e-5), {}});
+      all.push_back({band(track.path, kWidth, 1e-4), {}});
     }
   }
-  EXPECT_NEAR(area(unite(all)), area(all), 1e-6 * area(all));
+  EXPECT_NEAR(area(unite(all)), area(all), 1e-5 * area(all));
 }
 
 // Two rooms with a narrow passage between them: fronts fill it first, and then each room has closed tracks
@@ -154,11 +154,11 @@ TEST(Parallel, ReachesEveryLobe) {
       const Box reach = reach_of(track.path, 0);
       upper = upper || (reach.min_y > 80 && track.closed);  // the lower room has the reference's two ends
       lower = lower || reach.max_y < 80;
-      if (!track.closed) all.push_back({band(track.path, kWidth, 1e-5), {}});
+      if (!track.closed) all.push_back({band(track.path, kWidth, 1e-4), {}});
     }
     EXPECT_EQ(upper && lower, k >= 5) << k;  // rounded, the passage is 40 m wide
   }
-  EXPECT_NEAR(area(unite(all)), area(all), 1e-6 * area(all));
+  EXPECT_NEAR(area(unite(all)), area(all), 1e-5 * area(all));
 }
 
 TEST(Parallel, FamilyIsWhatTheTracksAreOneByOne) {
