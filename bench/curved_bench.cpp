@@ -1,0 +1,105 @@
+// What curved tracks cost (S2: 24.51 s for 30 ha at w = 2 m): one track, and a whole family from the
+// reference line to the tally.
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+#include "tramline/cost/curved_tally.h"
+#include "tramline/geometry/extended.h"
+#include "tramline/geometry/smoothed.h"
+#include "tramline/model/objective.h"
+#include "tramline/tracks/curved_pieces.h"
+
+namespace tramline::bench {
+namespace {
+
+/// A winding line of about `elements` lines and arcs, a kilometre long whatever their number.
+Path winding(int elements) {
+  const int vertices = elements / 2 + 1;
+  std::vector<Point> line;
+  for (int i = 0; i <= vertices; ++i) {
+    const double x = 1000.0 * i / vertices;
+    line.push_back({x, 60 * std::sin(x / 150) + (i % 2 == 0 ? 0.4 : -0.4)});
+  }
+  return smoothed(line, 6, 0).path;
+}
+
+void one_parallel(benchmark::State& state) {
+  const Path reference = winding(static_cast<int>(state.range(0)));
+  const double offset = static_cast<double>(state.range(1));
+  std::size_t tracks = 0;
+  for (auto _ : state) tracks = parallel(reference, offset, {6, 2}).size();
+  state.counters["elements"] = static_cast<double>(reference.size());
+  state.counters["tracks"] = static_cast<double>(tracks);
+}
+BENCHMARK(one_parallel)->ArgsProduct({{60, 200, 1000}, {21, 101, 401}})->Unit(benchmark::kMicrosecond);
+
+/// About 30 ha: 500 by 600 m with a winding western border of `vertices` points and two ponds.
+Region field(int vertices) {
+  Polygon out;
+  for (int i = 0; i <= vertices; ++i) {
+    const double y = 600.0 * i / vertices;
+    out.outer.push_back({25 * std::sin(y / 90) + 8 * std::sin(y / 31), 600 - y});
+  }
+  out.outer.insert(out.outer.end(), {{180, -15}, {420, 10}, {510, 40}, {500, 380}, {460, 590}, {230, 615}});
+  for (const Point at : {Point{170, 200}, Point{330, 420}}) {
+    Ring pond;
+    for (int i = 0; i < 12; ++i)
+      pond.push_back(at + Point{14 * std::cos(0.5236 * i), 9 * std::sin(0.5236 * i)});
+    out.holes.push_back(pond);
+  }
+  return {oriented(out)};
+}
+
+void whole_family(benchmark::State& state) {
+  const Region body = field(static_cast<int>(state.range(0)));
+  const double width = static_cast<double>(state.range(1));
+  std::vector<Point> line;
+  for (int i = static_cast<int>(state.range(0)); i >= 0; --i) {
+    const double y = 600.0 * i / static_cast<double>(state.range(0));
+    line.push_back({25 * std::sin(y / 90) + 8 * std::sin(y / 31), 600 - y});
+  }
+  Tally tally;
+  for (auto _ : state) {
+    const Path reference = extended(smoothed(line, 6, 0.1).path, bounds(body)).path;
+    const TrackRange range = tracks_over(reference, bounds(body), width);
+    const CurvedTracks tracks =
+        curved_pieces(parallel_family(reference, range.first, range.last, {6, width}), width,
+                      {EdgeIndex(body)}, end_criterion(EndRule::kCheapest, Objective{}, width), 2 * width);
+    tally = curved_tally(tracks, width, area(body));
+    benchmark::DoNotOptimize(tally);
+  }
+  state.counters["ha"] = 1e-4 * area(body);
+  state.counters["pieces"] = tally.pieces;
+  state.counters["uncovered_m2"] = tally.uncovered_m2;
+  state.counters["overlap_m2"] = tally.overlap_m2;
+}
+BENCHMARK(whole_family)->ArgsProduct({{30, 120}, {2, 4, 6}})->Unit(benchmark::kMillisecond);
+
+void families_tracks_alone(benchmark::State& state) {
+  const Region body = field(60);
+  std::vector<Point> line;
+  for (int i = 60; i >= 0; --i)
+    line.push_back({25 * std::sin(10. * i / 90) + 8 * std::sin(10. * i / 31), 600 - 10. * i});
+  const Path reference = extended(smoothed(line, 6, 0.1).path, bounds(body)).path;
+  const TrackRange range = tracks_over(reference, bounds(body), 2);
+  for (auto _ : state) benchmark::DoNotOptimize(parallel_family(reference, range.first, range.last, {6, 2}));
+  state.counters["elements"] = static_cast<double>(reference.size());
+  state.counters["tracks"] = range.last - range.first + 1;
+}
+BENCHMARK(families_tracks_alone)->Unit(benchmark::kMillisecond);
+
+void smoothing_a_recorded_drive(benchmark::State& state) {
+  std::vector<Point> line;
+  unsigned noise = 1;
+  for (int i = 0; i < 5000; ++i) {
+    noise = noise * 1664525u + 1013904223u;
+    line.push_back({0.4 * i, 60 * std::sin(0.4 * i / 120) + 0.05 * (noise / 4294967296.0 - 0.5)});
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(smoothed(line, 6, 0.1));
+}
+BENCHMARK(smoothing_a_recorded_drive)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace tramline::bench

@@ -1,0 +1,45 @@
+#include "tramline/cost/curved_tally.h"
+
+#include <algorithm>
+
+#include "tramline/geometry/boolean.h"
+
+namespace tramline {
+namespace {
+
+Tally counts(const CurvedTracks& tracks, double width_m) {
+  Tally out;
+  for (const CurvedPiece& piece : tracks.pieces) {
+    out.worked_m2 += width_m * piece.length_m;
+    out.track_length_m += piece.length_m;
+    out.stops += (piece.stop_at_from ? 1 : 0) + (piece.stop_at_to ? 1 : 0);
+    ++out.pieces;
+  }
+  out.turns = std::max(0, out.pieces - 1);
+  return out;
+}
+
+}  // namespace
+
+Tally curved_tally(const CurvedTracks& tracks, double width_m, double body_m2) {
+  Tally out = counts(tracks, width_m);
+  double inside = 0;
+  for (const CurvedPiece& piece : tracks.pieces) inside += piece.inside_m2;
+  out.overlap_m2 = out.worked_m2 - inside;
+  out.uncovered_m2 = body_m2 - inside;
+  return out;
+}
+
+Tally curved_tally_by_booleans(const CurvedTracks& tracks, double width_m, const Region& body,
+                               double sagitta_m) {
+  Tally out = counts(tracks, width_m);
+  Region swaths;
+  for (const CurvedPiece& piece : tracks.pieces)
+    for (const PathSegment& segment : piece.path) swaths.push_back({band({segment}, width_m, sagitta_m), {}});
+  const double useful = area(intersection(unite(swaths), body));
+  out.overlap_m2 = out.worked_m2 - useful;
+  out.uncovered_m2 = area(body) - useful;
+  return out;
+}
+
+}  // namespace tramline

@@ -1,0 +1,19 @@
+#pragma once
+// What the pieces of one family of curved tracks amount to, in closed form.
+
+#include "tramline/model/tally.h"
+#include "tramline/tracks/curved_pieces.h"
+
+namespace tramline {
+
+/// Swaths of one family have no ground in common (parallel.h), so what they cover of the body is the sum of
+/// what each does: worked = Σ w·L, overlap = Σ (w·L − inside), uncovered = body − Σ inside. Exact up to
+/// rounding. The identity worked = body − uncovered + overlap holds by construction: what there is to check
+/// is that no ground is worked twice, see curved_tally_by_booleans(). O(pieces).
+Tally curved_tally(const CurvedTracks& tracks, double width_m, double body_m2);
+
+/// The same through polygon booleans, with chords for arcs: for tests. Slow.
+Tally curved_tally_by_booleans(const CurvedTracks& tracks, double width_m, const Region& body,
+                               double sagitta_m = kChordSagitta);
+
+}  // namespace tramline

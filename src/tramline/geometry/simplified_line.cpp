@@ -1,0 +1,58 @@
+#include "tramline/geometry/simplified_line.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace tramline {
+namespace {
+
+constexpr double kSamePlace = 1e-6;
+
+std::vector<std::size_t> distinct_points(const std::vector<Point>& line) {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < line.size(); ++i)
+    if (out.empty() || distance(line[i], line[out.back()]) > kSamePlace) out.push_back(i);
+  // The line ends where it ends: what all but coincides with the end gives way to it.
+  if (out.size() > 1) out.back() = line.size() - 1;
+  return out;
+}
+
+}  // namespace
+
+double distance_to_segment(Point p, Point a, Point b) {
+  const Point along = b - a;
+  const double square = dot(along, along);
+  const double share = square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0;
+  return distance(p, a + share * along);
+}
+
+std::vector<std::size_t> simplified_line(const std::vector<Point>& line, double tolerance_m) {
+  std::vector<std::size_t> distinct = distinct_points(line);
+  if (tolerance_m <= 0 || distinct.size() < 3) return distinct;
+  std::vector<bool> kept(distinct.size(), false);
+  kept.front() = kept.back() = true;
+  std::vector<std::pair<std::size_t, std::size_t>> open{{0, distinct.size() - 1}};
+  while (!open.empty()) {
+    const auto [first, last] = open.back();
+    open.pop_back();
+    double farthest = tolerance_m;
+    std::size_t at = last;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const double off = distance_to_segment(line[distinct[i]], line[distinct[first]], line[distinct[last]]);
+      if (off > farthest) {
+        farthest = off;
+        at = i;
+      }
+    }
+    if (at == last) continue;
+    kept[at] = true;
+    open.emplace_back(first, at);
+    open.emplace_back(at, last);
+  }
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    if (kept[i]) out.push_back(distinct[i]);
+  return out;
+}
+
+}  // namespace tramline

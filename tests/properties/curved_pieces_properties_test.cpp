@@ -1,0 +1,179 @@
+// Pieces of curved tracks on random fields: every end rule against a scan of cross-sections, the closed
+// tally against polygon booleans.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+
+#include "properties/random_field.h"
+#include "tramline/cost/curved_tally.h"
+#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/error.h"
+#include "tramline/geometry/extended.h"
+#include "tramline/geometry/smoothed.h"
+#include "tramline/tracks/curved_pieces.h"
+
+namespace tramline {
+namespace {
+
+double uniform(std::mt19937_64& random, double from, double to) {
+  return std::uniform_real_distribution<double>(from, to)(random);
+}
+int any_of(std::mt19937_64& random, int from, int to) {
+  return std::uniform_int_distribution<int>(from, to)(random);
+}
+
+struct Scene {
+  Region body;  ///< with holes
+  Region hard;
+  Path reference;
+  TrackLimits limits;
+};
+
+/// A chain of the outer ring's edges as reference; nullopt where the machine cannot drive it.
+std::optional<Scene> random_scene(std::mt19937_64& random) {
+  const Field field = testing::random_field(random, 3);
+  Scene out;
+  out.limits = {uniform(random, 2, 8), uniform(random, 2, 8)};
+  Polygon body{field.outer, {}};
+  for (const Obstacle& obstacle : field.obstacles) {
+    body.holes.push_back(obstacle.shape.outer);
+    if (any_of(random, 0, 1) == 0) out.hard.push_back(oriented(Polygon{obstacle.shape.outer, {}}));
+  }
+  out.body = {oriented(body)};
+  std::vector<Point> line;
+  const auto n = static_cast<int>(body.outer.size());
+  const int first = any_of(random, 0, n - 1), count = any_of(random, 1, std::max(1, n / 2));
+  for (int i = 0; i <= count; ++i) line.push_back(body.outer[static_cast<std::size_t>((first + i) % n)]);
+  try {
+    const Path path = smoothed(line, out.limits.least_radius_m(), 0.1).path;
+    const Extended whole = extended(path, bounds(out.body).grown(1));
+    if (whole.blocked_at_start || whole.blocked_at_end) return std::nullopt;
+    out.reference = whole.path;
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+  return out;
+}
+
+struct Pose {
+  Point at;
+  Point right;
+};
+
+Pose pose_at(const Path& path, double along) {
+  for (const PathSegment& segment : path) {
+    const double whole = length(segment);
+    if (along > whole && &segment != &path.back()) {
+      along -= whole;
+      continue;
+    }
+    const double angle = turning(segment) * along / whole;
+    const Point start = direction_at_start(segment);
+    const Point heading{std::cos(angle) * start.x - std::sin(angle) * start.y,
+                        std::sin(angle) * start.x + std::cos(angle) * start.y};
+    const Point right{heading.y, -heading.x};
+    if (segment.straight()) return {segment.from + along * heading, right};
+    const double sense = segment.curvature > 0 ? 1 : -1;
+    return {centre(segment) + (sense * radius(segment)) * right, right};
+  }
+  return {};
+}
+
+/// By GEOS, and so on a road of its own.
+double inside_length(const Region& region, const Path& path, double along, double width) {
+  const Pose pose = pose_at(path, along);
+  return length_inside(region, pose.at - (0.5 * width) * pose.right, pose.at + (0.5 * width) * pose.right);
+}
+
+template <class Check>
+void for_random_scenes(int standard, Check check) {
+  int drivable = 0;
+  const int cases = testing::case_count(standard);
+  for (int i = 0; i < cases; ++i) {
+    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
+    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
+    std::mt19937_64 random(seed);
+    const std::optional<Scene> scene = random_scene(random);
+    if (!scene) continue;
+    ++drivable;
+    check(*scene, random);
+    if (::testing::Test::HasFailure()) return;
+  }
+  EXPECT_GE(4 * drivable, cases < 20 ? 0 : cases);
+}
+
+std::vector<FamilyTrack> family_of(const Scene& scene) {
+  const TrackRange range = tracks_over(scene.reference, bounds(scene.body), scene.limits.width_m);
+  return parallel_family(scene.reference, range.first, range.last, scene.limits);
+}
+
+// Driven where the rule allows it and nothing hard is in the way, and nowhere else. Near where the answer
+// changes (within the slack in metres of cross-section) either will do.
+TEST(CurvedPiecesProperties, AgreeWithAScanOfCrossSections) {
+  int asked = 0, driven_at = 0;
+  for_random_scenes(60, [&](const Scene& scene, std::mt19937_64& random) {
+    const double width = scene.limits.width_m;
+    const std::vector<FamilyTrack> family = family_of(scene);
+    const CurvedGround ground{EdgeIndex(scene.body), EdgeIndex(scene.hard)};
+    for (const EndRule rule : {EndRule::kCentre, EndRule::kCover, EndRule::kInside, EndRule::kCheapest}) {
+      const EndCriterion criterion = end_criterion(rule, Objective{}, width);
+      const CurvedTracks tracks = curved_pieces(family, width, ground, criterion, 0);
+      for (int times = 0; times < 40; ++times) {
+        const auto pick = static_cast<std::size_t>(any_of(random, 0, static_cast<int>(family.size()) - 1));
+        const Path& path = family[pick].track.path;
+        const double along = uniform(random, 0, length(path));
+        const double inside = inside_length(scene.body, path, along, width);
+        const double hard = scene.hard.empty() ? 0 : inside_length(scene.hard, path, along, width);
+        const Point at = pose_at(path, along).at;
+        const bool allowed =
+            criterion.by_centre_line ? contains(scene.body, at) : inside >= criterion.least_width_m;
+        constexpr double kSlack = 3e-5;
+        const bool in_doubt =
+            (criterion.by_centre_line && distance_to_ring({{band({{at, at + Point{1e-6, 0}, 0}}, 1e-6), {}}},
+                                                          scene.body[0].outer) < 1e-4) ||
+            std::abs(inside - criterion.least_width_m) < kSlack || (hard > 0 && hard < kSlack);
+        bool near_end = false, driven = false;
+        for (const CurvedPiece& piece : tracks.pieces) {
+          if (piece.track != family[pick].index) continue;
+          double least = 1e9;
+          for (const PathSegment& segment : piece.path)
+            least = std::min(least, distance_to_edge(segment, at, at));
+          driven = driven || least < 1e-6;
+          near_end = near_end || distance(piece.path.front().from, at) < 1e-3 ||
+                     distance(piece.path.back().to, at) < 1e-3;
+        }
+        if (in_doubt || near_end) continue;
+        ++asked;
+        driven_at += driven ? 1 : 0;
+        EXPECT_EQ(driven, allowed && hard <= 1e-5)
+            << name(rule) << " track " << family[pick].index << " at " << at.x << " " << at.y << " inside "
+            << inside << " of " << width << " hard " << hard;
+      }
+    }
+  });
+  EXPECT_GT(driven_at, asked / 10);
+}
+
+TEST(CurvedPiecesProperties, InsideAreasAreThoseOfPolygonBooleans) {
+  for_random_scenes(8, [&](const Scene& scene, std::mt19937_64& random) {
+    const double width = scene.limits.width_m;
+    const std::vector<FamilyTrack> family = family_of(scene);
+    const CurvedTracks tracks = curved_pieces(
+        family, width, {EdgeIndex(scene.body), EdgeIndex(scene.hard)},
+        end_criterion(any_of(random, 0, 1) == 0 ? EndRule::kCover : EndRule::kCheapest, Objective{}, width),
+        2 * width);
+    const double whole = area(scene.body);
+    const Tally closed = curved_tally(tracks, width, whole);
+    const Tally booleans = curved_tally_by_booleans(tracks, width, scene.body, 1e-4);
+    EXPECT_NEAR(closed.overlap_m2, booleans.overlap_m2, 2e-6 * closed.worked_m2 + 0.05);
+    EXPECT_NEAR(closed.uncovered_m2, booleans.uncovered_m2, 2e-6 * closed.worked_m2 + 0.05);
+    EXPECT_NEAR(closed.worked_m2, whole - closed.uncovered_m2 + closed.overlap_m2, 1e-9 * whole);
+    EXPECT_GE(closed.uncovered_m2, -1e-6 * whole);
+    EXPECT_GE(closed.overlap_m2, -1e-6 * whole);
+  });
+}
+
+}  // namespace
+}  // namespace tramline
