@@ -1,5 +1,6 @@
 #include "tramline/model/plan.h"
 
+#include <algorithm>
 #include <initializer_list>
 
 namespace tramline {
@@ -46,6 +47,18 @@ const char* name(Avoidance choice) {
   return "";
 }
 
+const char* name(TrackShape shape) {
+  switch (shape) {
+    case TrackShape::kStraight:
+      return "straight";
+    case TrackShape::kCurved:
+      return "curved";
+    case TrackShape::kAuto:
+      return "auto";
+  }
+  return "";
+}
+
 const char* name(Passing way) {
   switch (way) {
     case Passing::kLeft:
@@ -73,11 +86,19 @@ std::optional<CellDirection> cell_direction_named(std::string_view word) {
 std::optional<Avoidance> avoidance_named(std::string_view word) {
   return named(word, {Avoidance::kCheapest, Avoidance::kPaper, Avoidance::kCut});
 }
+std::optional<TrackShape> track_shape_named(std::string_view word) {
+  return named(word, {TrackShape::kStraight, TrackShape::kCurved, TrackShape::kAuto});
+}
 std::optional<Passing> passing_named(std::string_view word) {
   return named(word, {Passing::kLeft, Passing::kRight, Passing::kCut});
 }
 
 double gap(double cost, double bound) { return cost > 0 ? (cost - bound) / cost : 0; }
+
+bool is_curved(const Plan& plan) {
+  return std::any_of(plan.pieces.begin(), plan.pieces.end(),
+                     [](const TrackPiece& piece) { return !piece.curve.empty(); });
+}
 
 Region swaths(const Plan& plan) {
   Region out;

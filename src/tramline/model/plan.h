@@ -10,6 +10,7 @@
 #include "tramline/geometry/region.h"
 #include "tramline/model/field.h"
 #include "tramline/model/front.h"
+#include "tramline/model/headland.h"
 #include "tramline/model/machine.h"
 #include "tramline/model/objective.h"
 #include "tramline/model/report.h"
@@ -23,6 +24,8 @@ enum class EndRule { kCentre, kCover, kInside, kCheapest };
 enum class EdgeKind { kSoft, kHard };
 /// Every direction and offset, and the ground divided where that pays; or S1's search.
 enum class Strategy { kBest, kSweep };
+/// How tracks lie: along straight lines, along a curve, or whichever of them costs less.
+enum class TrackShape { kStraight, kCurved, kAuto };
 /// How a cell gets its direction: the long side of the smallest bounding rectangle (S1.12), or
 /// across its least width.
 enum class CellDirection { kRectangle, kWidth };
@@ -41,6 +44,12 @@ struct PlanSettings {
   Avoidance avoid = Avoidance::kCheapest;
   double avoid_threshold_m = -1;  ///< S1.26, with Avoidance::kPaper; negative: the default, w
   double clearance_m = 0;         ///< kept between swaths and obstacles
+  int headlands = 0;              ///< passes round the field (S2.4); with any, nothing leaves the field
+  int obstacle_headlands = 0;     ///< passes round each obstacle that tracks do not go round
+  TrackShape shape = TrackShape::kStraight;
+  /// Tracks run parallel to this line, local metres, and are numbered from it: it is the border of the
+  /// swaths 0 and −1 (S2.6, S2.11, S2.13). Empty: the planner's choice.
+  std::vector<Point> guide;
 };
 
 const char* name(EndRule rule);          ///< centre, cover, inside, cheapest
@@ -48,6 +57,7 @@ const char* name(EdgeKind kind);         ///< soft, hard
 const char* name(Strategy strategy);     ///< best, sweep
 const char* name(CellDirection choice);  ///< rectangle, width
 const char* name(Avoidance choice);      ///< cheapest, paper, cut
+const char* name(TrackShape shape);      ///< straight, curved, auto
 const char* name(Passing way);           ///< left, right, cut
 /// The inverse of name(); nullopt for any other word.
 std::optional<EndRule> end_rule_named(std::string_view word);
@@ -55,6 +65,7 @@ std::optional<EdgeKind> edge_kind_named(std::string_view word);
 std::optional<Strategy> strategy_named(std::string_view word);
 std::optional<CellDirection> cell_direction_named(std::string_view word);
 std::optional<Avoidance> avoidance_named(std::string_view word);
+std::optional<TrackShape> track_shape_named(std::string_view word);
 std::optional<Passing> passing_named(std::string_view word);
 
 /// What a search proved about the plans it did not make. 0 where the strategy proves nothing: no cost is
@@ -86,11 +97,13 @@ struct Plan {
   Machine machine;
   Objective objective;
   PlanSettings settings;
-  Region body;      ///< field minus obstacles, passable ones included
+  Region body;  ///< field minus obstacles, passable ones included, minus headlands
+  Headland headland;
   Region given_up;  ///< body between clustered obstacles (b), between obstacle and edge (c), and nearer
                     ///< to an obstacle than the clearance; hard
-  std::vector<Subfield> subfields;
-  std::vector<TrackPiece> pieces;  ///< in driving order
+  std::vector<Subfield> subfields;  ///< with curved tracks: each with the reference's direction as a whole
+  Path reference;                   ///< what all tracks run parallel to, where they follow a line; else empty
+  std::vector<TrackPiece> pieces;   ///< in driving order
   std::vector<DroppedPiece> dropped;
   std::vector<Encounter> encounters;  ///< by subfield, track and place along it
   Tally tally;
@@ -102,6 +115,9 @@ struct Plan {
   std::vector<std::string> warnings;
   Front front;  ///< other plans of the field to choose from, where they were asked for
 };
+
+/// Does any track?
+bool is_curved(const Plan& plan);
 
 /// All swaths, in driving order.
 Region swaths(const Plan& plan);

@@ -9,6 +9,7 @@ constexpr double kDust = 1e-9;
 }  // namespace
 
 Path centre_line(const TrackPiece& piece) {
+  if (!piece.curve.empty()) return piece.curve;
   Path out;
   Point at = piece.start;
   const auto drive_straight_to = [&](Point to) {
@@ -24,12 +25,12 @@ Path centre_line(const TrackPiece& piece) {
 }
 
 double length(const TrackPiece& piece) {
-  if (piece.detours.empty()) return distance(piece.start, piece.end);
+  if (piece.detours.empty() && piece.curve.empty()) return distance(piece.start, piece.end);
   return length(centre_line(piece));
 }
 
 Ring swath(const TrackPiece& piece, double width_m) {
-  if (!piece.detours.empty()) return band(centre_line(piece), width_m);
+  if (!piece.detours.empty() || !piece.curve.empty()) return band(centre_line(piece), width_m);
   const Point along = piece.end - piece.start;
   const double half = 0.5 * width_m / length(along);
   const Point right{half * along.y, -half * along.x};
@@ -49,6 +50,7 @@ std::vector<PathSegment> straight_parts(const TrackPiece& piece) {
 }
 
 std::vector<Ring> swath_parts(const TrackPiece& piece, double width_m, double sagitta_m) {
+  if (!piece.curve.empty()) return {band(piece.curve, width_m, sagitta_m)};
   std::vector<Ring> out;
   for (const PathSegment& part : straight_parts(piece)) out.push_back(band({part}, width_m));
   for (const Detour& detour : piece.detours) out.push_back(band(detour.path, width_m, sagitta_m));

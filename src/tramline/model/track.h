@@ -5,8 +5,8 @@
 
 namespace tramline {
 
-/// One uninterrupted stretch driven with the work on: along the straight line from start to end, but
-/// for the detours, and the flat-ended swath of the working width along that.
+/// One uninterrupted stretch driven with the work on: along the track from start to end, but for the detours,
+/// and the flat-ended swath of the working width along that.
 struct TrackPiece {
   Point start;
   Point end;
@@ -18,6 +18,9 @@ struct TrackPiece {
   /// driving order) and this one: neither a turn nor a stop.
   bool after_crossing = false;
   std::vector<Detour> detours{};  ///< in driving order; they do not overlap
+  /// The track itself where it is curved, from start to end: lines and arcs, tangents continuous; such a
+  /// piece has no detours. Empty: the straight line.
+  Path curve{};
 };
 
 /// What the machine follows, from start to end. Precondition: start != end.
@@ -27,9 +30,10 @@ double length(const TrackPiece& piece);
 /// The ground a piece works, counter-clockwise; arcs as chords (kChordSagitta). Precondition: start != end.
 Ring swath(const TrackPiece& piece, double width_m);
 
-/// The straight parts of a piece: before, between and after its detours.
+/// The straight parts of a piece that is not curved: before, between and after its detours.
 std::vector<PathSegment> straight_parts(const TrackPiece& piece);
-/// The swath in parts that only touch: a rectangle for each straight part, a band for each detour.
+/// The swath in parts that only touch: a rectangle for each straight part, a band for each detour; one band
+/// where the piece is curved.
 std::vector<Ring> swath_parts(const TrackPiece& piece, double width_m, double sagitta_m = kChordSagitta);
 
 }  // namespace tramline
