@@ -1,0 +1,66 @@
+#pragma once
+// Headlands: the passes round the field and its obstacles, the ground they work, and the body they leave
+// (S2.4, S2.5; headlands that meet or overlap, which S2 leaves open, are one).
+
+#include <vector>
+
+#include "tramline/geometry/path.h"
+#include "tramline/model/field.h"
+
+namespace tramline {
+
+/// What headlands are made by. One machine works all of them.
+struct HeadlandTerms {
+  double width_m = 3;                ///< working width, > 0
+  double radius_m = 6;               ///< turning radius, ≥ 0
+  int field_passes = 0;              ///< round the boundary; 0: the field has no headland
+  std::vector<int> obstacle_passes;  ///< by Field::obstacles; 0, also where the list ends early: the obstacle
+                                     ///< has no headland. Of no consequence for passable ones
+};
+
+/// A closed path: it ends where it begins, in the direction it began in. The land that it goes round, or that
+/// is left for further passes, lies on its left: round the field it runs counter-clockwise, round an obstacle
+/// clockwise. Arcs have radii of max(radius_m, width_m/2) at least; none turns by more than 2 rad.
+struct HeadlandPass {
+  Path path;
+  int number = 1;              ///< 1 is the outermost, next to the boundary
+  bool around_field = false;   ///< follows the field's boundary somewhere
+  std::vector<int> obstacles;  ///< indices into Field::obstacles: those it goes round or follows, increasing
+};
+
+/// Frame: the field's local metres. field = ground ∪ body ∪ obstacles, which do not overlap.
+struct Headland {
+  std::vector<HeadlandPass> passes;  ///< by number
+  Region
+      ground;   ///< what the passes are there to work: nearer to a boundary than its passes are wide together
+  Region body;  ///< what the tracks have to cover; empty where headlands take the whole field
+  double worked_m2 = 0;  ///< Σ width · length of the passes, without what lies on passable obstacles, where
+                         ///< the work is interrupted
+  double overlap_m2 = 0;    ///< worked outside `ground`, or worked there again
+  double uncovered_m2 = 0;  ///< of `ground`: worked_m2 = area(ground) − uncovered_m2 + overlap_m2
+};
+
+/// The largest distance between the edge of the body about a corner, an arc, and the chords that stand for
+/// it, m.
+inline constexpr double kBodySagitta = 1e-3;
+
+/// Pass i runs (i − ½)·w from the boundaries that have so many passes; the headland is so many widths deep.
+/// From the others it keeps half a width off their own last pass, or off the obstacle where it has none.
+/// Round a corner that stands out into the land it runs along an arc at that distance, and swings wide where
+/// that would be tighter than the machine turns; into all others it goes as far as the machine turns. A lobe
+/// where it cannot turn is left out, and so is a ring that would for the most part follow boundaries whose
+/// passes are all driven already; their ground counts as uncovered. Passes never leave the field nor enter an
+/// obstacle with their swath (up to 1e-6 m). Where a neck is too narrow to turn in, two turns may face one
+/// another and work some of it twice. Passable obstacles bend no pass. Ground inside a hole of an obstacle is
+/// body without headland. O(n²) for n corners, less where they are far apart compared to the distances.
+Headland headland_of(const Field& field, const HeadlandTerms& terms);
+
+/// `uncovered_m2` as a picture: the ground that no pass works, off by about kBodySagitta at arcs. The area of
+/// what passes leave on passable obstacles is not in it, nor is it in uncovered_m2: they are not ground. A
+/// polygon difference for each pass: mostly slower than headland_of.
+Region unworked_ground(const Headland& headland, double width_m);
+
+/// The most passes round the field (obstacles without headland) that leave any body at all. O(log) bodies.
+int most_passes(const Field& field, double width_m);
+
+}  // namespace tramline
