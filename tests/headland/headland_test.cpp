@@ -184,6 +184,32 @@ TEST(Headland, KeepsOffObstaclesWithoutHeadland) {
   EXPECT_NEAR(area(headland.body), 88 * 88 - 30 - 100, kChords);
 }
 
+// 18 m of room suffice for the field's two swaths and the obstacle's one; 12 m for those and an obstacle
+// without.
+TEST(Headland, PassesObstaclesStraight) {
+  const Field field = field_of(box(0, 0, 100, 100), {box(45, 18, 55, 28), box(45, 72, 55, 88)});
+  const Headland headland = made(field, {6, 8, 2, {1, 0}});
+  ASSERT_EQ(headland.passes.size(), 3u);
+  const auto once_round = [](double d) { return 4 * (100 - 2 * d) - 8 * 8 + 16 * kPi; };
+  EXPECT_NEAR(length(headland.passes[0].path), once_round(3), kLength);
+  EXPECT_EQ(headland.passes[1].obstacles, std::vector<int>{0});
+  EXPECT_NEAR(length(headland.passes[2].path), once_round(9), kLength);
+  EXPECT_TRUE(headland.passes[2].obstacles.empty());
+}
+
+// Two swaths of 6 m fit into 12 m, not into less.
+TEST(Headland, SharesWhatIsTooNarrowForTwo) {
+  EXPECT_EQ(made(field_of(box(0, 0, 100, 100), {box(45, 11.9, 55, 20)}), {6, 0, 1, {1}}).passes.size(), 1u);
+  EXPECT_EQ(made(field_of(box(0, 0, 100, 100), {box(45, 12, 55, 20)}), {6, 0, 1, {1}}).passes.size(), 2u);
+}
+
+// 2 m between obstacle and edge all around: the second to fifth pass would lie outside.
+TEST(Headland, StaysInTheField) {
+  const Headland headland = made(field_of(box(0, 0, 30, 30), {box(2, 2, 28, 28)}), {1.5, 0, 0, {5}});
+  EXPECT_EQ(headland.passes.size(), 1u);
+  EXPECT_TRUE(headland.body.empty());
+}
+
 // Two squares 4 m apart: the circles of 6 m about the corners that face one another meet half-way.
 TEST(Headland, GoesRoundTwoObstaclesAtOnce) {
   const Headland headland =

@@ -31,9 +31,8 @@ struct HeadlandPass {
 /// Frame: the field's local metres. field = ground ∪ body ∪ obstacles, which do not overlap.
 struct Headland {
   std::vector<HeadlandPass> passes;  ///< by number
-  Region
-      ground;   ///< what the passes are there to work: nearer to a boundary than its passes are wide together
-  Region body;  ///< what the tracks have to cover; empty where headlands take the whole field
+  Region ground;         ///< what the passes are to work: nearer to a boundary than its headland is deep
+  Region body;           ///< what the tracks have to cover; empty where headlands take the whole field
   double worked_m2 = 0;  ///< Σ width · length of the passes, without what lies on passable obstacles, where
                          ///< the work is interrupted
   double overlap_m2 = 0;    ///< worked outside `ground`, or worked there again
@@ -47,12 +46,17 @@ inline constexpr double kBodySagitta = 1e-3;
 /// Pass i runs (i − ½)·w from the boundaries that have so many passes; the headland is so many widths deep.
 /// From the others it keeps half a width off their own last pass, or off the obstacle where it has none.
 /// Round a corner that stands out into the land it runs along an arc at that distance, and swings wide where
-/// that would be tighter than the machine turns; into all others it goes as far as the machine turns. A lobe
-/// where it cannot turn is left out, and so is a ring that would for the most part follow boundaries whose
-/// passes are all driven already; their ground counts as uncovered. Passes never leave the field nor enter an
-/// obstacle with their swath (up to 1e-6 m). Where a neck is too narrow to turn in, two turns may face one
-/// another and work some of it twice. Passable obstacles bend no pass. Ground inside a hole of an obstacle is
-/// body without headland. O(n²) for n corners, less where they are far apart compared to the distances.
+/// that would be tighter than the machine turns; into all others it goes as far as the machine turns.
+///
+/// Boundaries whose swaths with one number would meet are driven round together. A lobe where the machine
+/// cannot turn is left out, and so is a ring that would for the most part follow boundaries whose passes are
+/// all driven already; their ground counts as uncovered. Where a neck is too narrow to turn in, two turns may
+/// face one another and work some of it twice.
+///
+/// No pass leaves the field or enters an obstacle with its swath (up to 1e-6 m). Passable obstacles bend no
+/// pass. Ground inside a hole of an obstacle is body without headland.
+///
+/// O(n²) for n corners, less where they are far apart compared to the distances.
 Headland headland_of(const Field& field, const HeadlandTerms& terms);
 
 /// `uncovered_m2` as a picture: the ground that no pass works, off by about kBodySagitta at arcs. The area of

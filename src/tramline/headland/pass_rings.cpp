@@ -1,9 +1,8 @@
 #include "tramline/headland/pass_rings.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
+#include "tramline/headland/closed_path.h"
 #include "tramline/headland/wide_corners.h"
 
 namespace tramline {
@@ -11,57 +10,14 @@ namespace {
 
 /// Land just wide enough to turn on is wide enough: passes come nearer to their boundaries by this, m.
 constexpr double kJustFits = 1e-7;
-constexpr double kStraightOn = 1e-7;  // rad: less is no turn
-constexpr double kNothing = 1e-7;     // m: shorter segments are left out
-
-Point right_of(Point direction) { return {direction.y, -direction.x}; }
-
-Point turned_left(Point p, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * p.x - s * p.y, s * p.x + c * p.y};
-}
-
-/// An arc about `centre` from the unit vector `out` on, in parts that know their centre well.
-void append_arc(Point centre, double radius_m, Point out, double angle, Path& path) {
-  constexpr double kMost = 2;
-  const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(angle) / kMost)));
-  const auto at = [&](int i) { return centre + radius_m * turned_left(out, angle * i / parts); };
-  for (int i = 0; i < parts; ++i) path.push_back({at(i), at(i + 1), std::copysign(1 / radius_m, angle)});
-}
-
-void append_piece(const LevelPiece& piece, double radius_m, Path& path) {
-  const Point out = right_of(piece.from_heading);
-  if (piece.segment.straight()) {
-    path.push_back(
-        {piece.segment.from + radius_m * out, piece.segment.to + radius_m * right_of(piece.to_heading), 0});
-    return;
-  }
-  const double angle =
-      std::atan2(cross(piece.from_heading, piece.to_heading), dot(piece.from_heading, piece.to_heading));
-  append_arc(piece.centre, radius(piece.segment) - radius_m, -1.0 * out, angle, path);
-}
-
-void append_corner(const LevelPiece& before, const LevelPiece& after, double radius_m, Path& path) {
-  const Point a = before.to_heading, b = after.from_heading;
-  double angle = std::atan2(cross(a, b), dot(a, b));
-  if (angle < -0.5 * std::numbers::pi) angle += 2 * std::numbers::pi;  // straight back
-  if (angle > kStraightOn) append_arc(before.segment.to, radius_m, right_of(a), angle, path);
-}
-
-/// Leaves out what has no length and lets each segment begin where the last one ended.
-Path linked(Path path) {
-  std::erase_if(path, [](const PathSegment& s) { return distance(s.from, s.to) < kNothing; });
-  for (std::size_t i = 0; i < path.size(); ++i) path[i].from = path[i == 0 ? path.size() - 1 : i - 1].to;
-  return path;
-}
 
 /// Where the centre of the turning circle may be: the circle's far side draws the pass.
-std::vector<LevelRing> turning_centres(const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
-                                       int number, double radius_m) {
+std::vector<LevelRing> turning_centres(const std::vector<Boundary>& boundaries, double width_m, int number,
+                                       double radius_m) {
   std::vector<Shore> shores;
   bool any_tight = false;
   for (const Boundary& boundary : boundaries) {
-    const double distance_m = pass_distance_m(boundary, number, terms.width_m) - kJustFits;
+    const double distance_m = pass_distance_m(boundary, number, width_m) - kJustFits;
     shores.push_back({boundary.ring, distance_m});
     any_tight = any_tight || distance_m < radius_m;
   }
@@ -108,24 +64,90 @@ HeadlandPass pass_along(const LevelRing& ring, const std::vector<Boundary>& boun
   return pass;
 }
 
-}  // namespace
-
-Path closed_path(const LevelRing& ring, double radius_m) {
-  Path path;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    append_piece(ring[i], radius_m, path);
-    append_corner(ring[i], ring[(i + 1) % ring.size()], radius_m, path);
-  }
-  return linked(std::move(path));
+/// How far the centre line of another boundary's pass keeps from this one, m: its swath may touch the swath
+/// here, or the last one, or the obstacle.
+double room_m(const Boundary& boundary, int number, double width_m) {
+  return pass_distance_m(boundary, number, width_m) + (boundary.passes >= number ? width_m : 0);
 }
+
+bool comes_near(const Path& path, const std::vector<Box>& reaches, const Ring& ring, double distance_m) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+    Box edge;
+    edge.extend(a);
+    edge.extend(b);
+    for (std::size_t k = 0; k < path.size(); ++k)
+      if (intersects(edge, reaches[k]) && distance_to_edge(path[k], a, b) < distance_m) return true;
+  }
+  return false;
+}
+
+/// Boundaries that are driven round together, and the passes that makes.
+struct Group {
+  std::vector<std::size_t> members;  ///< increasing
+  std::vector<HeadlandPass> passes;
+};
+
+void drive_round(Group& group, const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
+                 int number) {
+  const double radius_m = std::max(terms.radius_m, 0.5 * terms.width_m);
+  std::vector<Boundary> members;
+  for (const std::size_t i : group.members) members.push_back(boundaries[i]);
+  group.passes.clear();
+  if (std::none_of(members.begin(), members.end(), [&](const Boundary& b) { return b.passes >= number; }))
+    return;
+  for (const LevelRing& ring : turning_centres(members, terms.width_m, number, radius_m))
+    if (worth_driving(ring, members, number))
+      group.passes.push_back(pass_along(ring, members, number, radius_m));
+}
+
+/// Does a pass of the group come too near to the boundary, or is it on its wrong side?
+bool disturbs(const Group& group, const Boundary& boundary, int number, double width_m) {
+  constexpr double kTouch = 1e-6;  // m
+  const double room = room_m(boundary, number, width_m);
+  const Box box = bounds(boundary.ring);
+  const bool land_inside = signed_area(boundary.ring) > 0;
+  return std::any_of(group.passes.begin(), group.passes.end(), [&](const HeadlandPass& pass) {
+    if (contains(boundary.ring, pass.path.front().from) != land_inside) return true;
+    return intersects(reach_of(pass.path, 2 * room), box) &&
+           comes_near(pass.path, reaches_of(pass.path, 2 * room), boundary.ring, room - kTouch);
+  });
+}
+
+/// Puts together the first two groups one of which disturbs the other; false: there are none.
+bool merge_first(std::vector<Group>& groups, const std::vector<Boundary>& boundaries,
+                 const HeadlandTerms& terms, int number) {
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    for (std::size_t j = 0; j < groups.size(); ++j) {
+      const auto& others = groups[j].members;
+      if (i == j || std::none_of(others.begin(), others.end(), [&](std::size_t k) {
+            return disturbs(groups[i], boundaries[k], number, terms.width_m);
+          }))
+        continue;
+      Group& kept = groups[std::min(i, j)];
+      const Group& gone = groups[std::max(i, j)];
+      kept.members.insert(kept.members.end(), gone.members.begin(), gone.members.end());
+      std::sort(kept.members.begin(), kept.members.end());
+      drive_round(kept, boundaries, terms, number);
+      groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(std::max(i, j)));
+      return true;
+    }
+  return false;
+}
+
+}  // namespace
 
 std::vector<HeadlandPass> pass_rings(const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
                                      int number) {
-  const double radius_m = std::max(terms.radius_m, 0.5 * terms.width_m);
+  std::vector<Group> groups(boundaries.size());
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    groups[i].members = {i};
+    drive_round(groups[i], boundaries, terms, number);
+  }
+  while (merge_first(groups, boundaries, terms, number)) {
+  }
   std::vector<HeadlandPass> out;
-  for (const LevelRing& ring : turning_centres(boundaries, terms, number, radius_m))
-    if (worth_driving(ring, boundaries, number))
-      out.push_back(pass_along(ring, boundaries, number, radius_m));
+  for (const Group& group : groups) out.insert(out.end(), group.passes.begin(), group.passes.end());
   return out;
 }
 

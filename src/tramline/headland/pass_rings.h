@@ -8,12 +8,9 @@
 
 namespace tramline {
 
-/// The closed path that a disc of radius `radius_m` draws whose centre goes along the ring: on the disc's far
-/// side. Where the ring turns to the left, the path does so along the disc; an arc of the ring makes an arc
-/// smaller by the radius. Precondition: the ring's arcs are larger than the radius.
-Path closed_path(const LevelRing& ring, double radius_m);
-
-/// Pass `number` round all boundaries that have so many.
+/// Pass `number` round all boundaries that have so many. Boundaries are driven round one by one; where the
+/// swaths would meet those of another boundary, or what they have to keep off, the two are driven round
+/// together.
 std::vector<HeadlandPass> pass_rings(const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
                                      int number);
 
