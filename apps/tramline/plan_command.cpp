@@ -17,6 +17,7 @@
 #include "plan_report.h"
 #include "progress.h"
 #include "report_parts.h"
+#include "tramline/geometry/error.h"
 #include "tramline/io/plan/write_plan.h"
 #include "tramline/planner/plan_field.h"
 #include "tramline/planner/trade_off.h"
@@ -35,11 +36,25 @@ constexpr const char* kExample =
     "  tramline plan field.geojson --width 3 --avoid paper --avoid-threshold 4 -o paper.gpkg\n"
     "Without -o, --picture and --zoom-obstacles nothing is written.";
 
+constexpr const char* kMapExample =
+    "Example:\n"
+    "  tramline map field.geojson --width 4 --headlands 2 --ab \"9.1871,48.7120 9.1893,48.7131\" -o "
+    "map.gpkg\n"
+    "  tramline map field.geojson --width 4 --headlands 2 --obstacle-headlands 1 --curved auto --end-rule "
+    "cover "
+    "--picture map.png\n"
+    "  tramline map field.geojson --width 6 --guide lines.gpkg --guide-where \"name='AB 1'\" --json\n"
+    "Takes the options of 'tramline plan', which makes the same of them.";
+
+/// The verbs `plan` and `map`: the second is the first in the words of those who ask for the map of a field.
 class PlanCommand : public Command {
  public:
+  PlanCommand(const char* word, const char* about, const char* example)
+      : word_(word), about_(about), example_(example) {}
+
   CLI::App* setup(CLI::App& app) override {
-    CLI::App* verb = app.add_subcommand("plan", "Plan every pass over a field");
-    verb->footer(kExample);
+    CLI::App* verb = app.add_subcommand(word_, about_);
+    verb->footer(example_);
     add_field_options(*verb, field_options_);
     add_plan_options(*verb, plan_options_);
     verb->add_option("-o,--output", output_, "write the plan to this GeoPackage (.gpkg)");
@@ -66,11 +81,15 @@ class PlanCommand : public Command {
     settings_ = settings_of(plan_options_);
     validate_request(machine_, objective_, settings_);
     const std::vector<std::string> inputs{field_options_.file, field_options_.obstacles_file,
-                                          field_options_.passable_file, plan_options_.machine_file};
+                                          field_options_.passable_file, plan_options_.machine_file,
+                                          plan_options_.guide_file};
     require_writable(output_, "--output", {".gpkg"}, inputs);
     require_writable(picture_, "--picture", {".png", ".svg", ".pdf"}, inputs);
     require_folder(zoom_, "--zoom-obstacles");
+    if ((explain_ || front_) && settings_.shape != TrackShape::kStraight)
+      throw bad_input("--explain and --front are about straight tracks; leave --curved out");
     const FieldInput input = load_fields(field_options_);
+    if (!input.fields.empty()) guide_ = guide_of(plan_options_, input.fields.front().source.input_crs);
     const bool single = !field_options_.all && input.fields.size() == 1;
     return single ? plan_single(input.fields.front(), input.skipped) : plan_many(input);
   }
@@ -105,18 +124,19 @@ class PlanCommand : public Command {
 
   Planned plan_one(const Field& field) const {
     ProgressLine progress(quiet_);
+    const PlanSettings settings = settings_for(settings_, guide_, field, machine_);
     const auto start = std::chrono::steady_clock::now();
     Planned out;
     if (explain_) {
       ExplainedPlan explained =
-          plan_and_explain(field, machine_, objective_, settings_, threads_, shown(field, progress));
+          plan_and_explain(field, machine_, objective_, settings, threads_, shown(field, progress));
       out.plan = std::move(explained.plan);
       out.why = std::move(explained.why);
     }
     if (front_)
-      out.plan = plan_with_front(field, progress);
+      out.plan = plan_with_front(field, settings, progress);
     else if (!explain_)
-      out.plan = plan_field(field, machine_, objective_, settings_, threads_, shown(field, progress));
+      out.plan = plan_field(field, machine_, objective_, settings, threads_, shown(field, progress));
     out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return out;
   }
@@ -135,8 +155,8 @@ class PlanCommand : public Command {
     return [&](int done, int total) { progress.show("planning " + field.id, done, total); };
   }
 
-  Plan plan_with_front(const Field& field, ProgressLine& progress) const {
-    TradeOff found = trade_off(field, machine_, objective_, settings_, threads_, [&](int done, int total) {
+  Plan plan_with_front(const Field& field, const PlanSettings& settings, ProgressLine& progress) const {
+    TradeOff found = trade_off(field, machine_, objective_, settings, threads_, [&](int done, int total) {
       progress.show("comparing " + field.id, done, total, "searches");
     });
     Plan plan = given_plan(found);
@@ -163,8 +183,12 @@ class PlanCommand : public Command {
       fmt::print("{}{}", plan_line(planned.plan, planned.seconds), explanation_of(planned));
   }
 
+  const char* word_;
+  const char* about_;
+  const char* example_;
   FieldOptions field_options_;
   PlanOptions plan_options_;
+  std::optional<GuideLine> guide_;
   std::string output_, picture_, zoom_;
   int threads_ = 0;
   bool explain_ = false, front_ = false, json_ = false, quiet_ = false;
@@ -175,6 +199,13 @@ class PlanCommand : public Command {
 
 }  // namespace
 
-std::unique_ptr<Command> make_plan_command() { return std::make_unique<PlanCommand>(); }
+std::unique_ptr<Command> make_plan_command() {
+  return std::make_unique<PlanCommand>("plan", "Plan every pass over a field", kExample);
+}
+std::unique_ptr<Command> make_map_command() {
+  return std::make_unique<PlanCommand>(
+      "map", "Map a field: headlands, body, tracks along a line or a curve, swaths and their overlap",
+      kMapExample);
+}
 
 }  // namespace tramline::app

@@ -8,6 +8,7 @@
 
 #include "tramline/geometry/error.h"
 #include "tramline/io/machine/read_machine.h"
+#include "tramline/io/vector/read_vector.h"
 #include "tramline/model/limits.h"
 #include "tramline/planner/validate_request.h"
 
@@ -60,6 +61,60 @@ void add_obstacle_options(CLI::App& verb, PlanOptions& o) {
       ->group(obstacles);
   verb.add_option("--clearance", o.clearance_m, "land kept free between swaths and obstacles, m (default 0)")
       ->group(obstacles);
+}
+
+void add_map_options(CLI::App& verb, PlanOptions& o) {
+  const char* headlands = "Headlands";
+  verb.add_option("--headlands", o.headlands,
+                  "passes round the field before the tracks; nothing leaves the field then (default 0)")
+      ->check(CLI::Range(0, 100))
+      ->group(headlands);
+  verb.add_option("--obstacle-headlands", o.obstacle_headlands,
+                  "passes round each obstacle that tracks do not go round (default 0)")
+      ->check(CLI::Range(0, 100))
+      ->group(headlands);
+  const char* lines = "Tracks along a line";
+  auto* ab =
+      verb.add_option("--ab", o.ab,
+                      "straight tracks along the line through two points, \"x1,y1 x2,y2\", in the field's "
+                      "coordinates or in longitude and latitude; it is the border of the first swath");
+  auto* guide =
+      verb.add_option("--guide", o.guide_file,
+                      "tracks along the line in this vector file: parallel curves where it has bends");
+  auto* where =
+      verb.add_option("--guide-where", o.guide_where, "which line of --guide, such as \"name='AB 1'\"");
+  auto* curved =
+      verb.add_option("--curved", o.curved,
+                      "curved tracks along an edge of the field: auto where they cost less than straight "
+                      "ones, or always");
+  ab->group(lines)->excludes(guide)->excludes(curved);
+  guide->group(lines)->excludes(curved);
+  where->group(lines)->needs(guide);
+  curved->group(lines);
+}
+
+TrackShape shape_of(const std::string& curved) {
+  if (curved.empty()) return TrackShape::kStraight;
+  if (curved == "auto") return TrackShape::kAuto;
+  if (curved == "always") return TrackShape::kCurved;
+  throw bad_input(fmt::format("--curved takes auto or always, not '{}'", curved));
+}
+
+/// "x1,y1 x2,y2"
+std::vector<double> four_numbers(const std::string& text) {
+  std::vector<double> out;
+  const char* at = text.c_str();
+  while (*at != '\0') {
+    char* end = nullptr;
+    const double value = std::strtod(at, &end);
+    if (end == at || !std::isfinite(value)) break;
+    out.push_back(value);
+    at = end;
+    while (*at == ',' || *at == ' ') ++at;
+  }
+  if (out.size() != 4 || *at != '\0')
+    throw bad_input(fmt::format("--ab takes two points, \"x1,y1 x2,y2\", not '{}'", text));
+  return out;
 }
 
 /// A negative number would be taken for the default, which is not what was typed.
@@ -117,6 +172,29 @@ void add_plan_options(CLI::App& verb, PlanOptions& o) {
                   "a cell's tracks: along its smallest bounding rectangle, or across its least width")
       ->group(plan);
   add_obstacle_options(verb, o);
+  add_map_options(verb, o);
+}
+
+std::optional<GuideLine> guide_of(const PlanOptions& o, const std::string& crs_definition) {
+  if (!o.ab.empty()) {
+    const std::vector<double> n = four_numbers(o.ab);
+    return guide_of_points({n[0], n[1]}, {n[2], n[3]}, "--ab", crs_definition);
+  }
+  if (o.guide_file.empty()) return std::nullopt;
+  io::VectorQuery query;
+  query.file = o.guide_file;
+  query.where = o.guide_where;
+  query.all_layers = true;
+  return read_guide(io::read_vector(query), Crs(crs_definition).plain(), crs_definition);
+}
+
+PlanSettings settings_for(const PlanSettings& settings, const std::optional<GuideLine>& guide,
+                          const Field& field, const Machine& machine) {
+  PlanSettings out = settings;
+  if (!guide) return out;
+  out.guide = placed_guide(*guide, field, machine.width_m);
+  out.shape = out.guide.size() > 2 ? TrackShape::kCurved : TrackShape::kStraight;
+  return out;
 }
 
 Machine machine_of(const PlanOptions& o) {
@@ -143,6 +221,9 @@ PlanSettings settings_of(const PlanOptions& o) {
   PlanSettings settings;
   settings.strategy = chosen(strategy_named(o.strategy), "--strategy", o.strategy, "best or sweep");
   settings.direction_tolerance = Angle::degrees(o.direction_tolerance_deg);
+  settings.headlands = o.headlands;
+  settings.obstacle_headlands = o.obstacle_headlands;
+  settings.shape = shape_of(o.curved);
   settings.end_rule =
       chosen(end_rule_named(o.end_rule), "--end-rule", o.end_rule, "cheapest, centre, cover or inside");
   settings.boundary = chosen(edge_kind_named(o.boundary), "--boundary", o.boundary, "soft or hard");

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "tramline/admission/read_guide.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::app {
@@ -25,6 +26,8 @@ struct PlanOptions {
   double merge_deg = 0;
   double decomposition_deg = 180;
   double short_edge_m = 0;
+  int headlands = 0, obstacle_headlands = 0;
+  std::string ab, guide_file, guide_where, curved;
 };
 
 void add_plan_options(CLI::App& verb, PlanOptions& options);
@@ -35,6 +38,11 @@ Machine machine_of(const PlanOptions& options);
 Objective objective_of(const PlanOptions& options);
 /// o,u,t[,s] as typed after `option`; a stop that is not given costs `stop`. Throws kBadInput.
 Objective prices_typed(const std::string& text, const char* option, double stop);
+/// The line of --ab or --guide, if any; `crs` as --crs was typed or as the fields have it. Throws kBadInput.
+std::optional<GuideLine> guide_of(const PlanOptions& options, const std::string& crs_definition);
+/// The settings for one field: with the guide in its metres. A line with bends makes the tracks curved.
+PlanSettings settings_for(const PlanSettings& settings, const std::optional<GuideLine>& guide,
+                          const Field& field, const Machine& machine);
 /// Throws kBadInput for an unknown word, and for a threshold that is none. What else is out of range is
 /// left to validate_request().
 PlanSettings settings_of(const PlanOptions& options);

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "front_report.h"
 #include "obstacle_report.h"
 #include "report_parts.h"
@@ -58,12 +62,76 @@ std::string proof_rows(const Plan& plan) {
       100 * gap(proof.one_direction_cost, proof.one_direction_bound));
 }
 
+/// Was there a search that tells what no plan undercuts?
+bool is_proven(const Plan& plan) {
+  return plan.settings.strategy == Strategy::kBest && plan.reference.empty();
+}
+
+/// Of tracks and headland passes; infinite where all is straight, m.
+double least_radius_m(const Plan& plan) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const TrackPiece& piece : plan.pieces) least = std::min(least, smallest_radius(centre_line(piece)));
+  for (const HeadlandPass& pass : plan.headland.passes) least = std::min(least, smallest_radius(pass.path));
+  return least;
+}
+
+/// By how far Σ w·L misses body − uncovered + overlap, m².
+double identity_error_m2(const Plan& plan) {
+  double length_m = 0;
+  for (const TrackPiece& piece : plan.pieces) length_m += length(piece);
+  return std::abs(plan.machine.width_m * length_m -
+                  (area(plan.body) - plan.tally.uncovered_m2 + plan.tally.overlap_m2));
+}
+
+ordered_json reference_json(const Plan& plan) {
+  if (plan.reference.empty()) return {};
+  const std::vector<Point> line = chords(plan.reference, 0.1);
+  ordered_json points = ordered_json::array();
+  for (const Point p : line) points.push_back({p.x, p.y});
+  return {{"source", plan.settings.guide.empty() ? "edge" : "line"},
+          {"direction_deg", Direction::along(line.front(), line.back()).degrees()},
+          {"points_m", std::move(points)}};
+}
+
+void add_map_keys(ordered_json& out, const Plan& plan) {
+  const Headland& headland = plan.headland;
+  const double radius_m = least_radius_m(plan);
+  out["kind"] = is_curved(plan) ? "curved" : "straight";
+  out["reference"] = reference_json(plan);
+  out["min_radius_m"] = std::isfinite(radius_m) ? ordered_json(radius_m) : ordered_json();
+  out["identity_error_m2"] = identity_error_m2(plan);
+  out["headland_passes"] = headland.passes.size();
+  out["headland_m2"] = area(headland.ground);
+  out["headland_length_m"] = length(headland);
+  out["headland_overlap_m2"] = headland.overlap_m2;
+  out["headland_uncovered_m2"] = headland.uncovered_m2;
+}
+
+std::string headland_rows(const Plan& plan) {
+  const Headland& headland = plan.headland;
+  if (headland.passes.empty()) return "";
+  return fmt::format(
+      "headlands    {} passes, {:.1f} m in all, on {:.4f} ha; overlap {:.1f} m², uncovered {:.1f} m²\n",
+      headland.passes.size(), length(headland), area(headland.ground) / 1e4, headland.overlap_m2,
+      headland.uncovered_m2);
+}
+
+std::string line_rows(const Plan& plan) {
+  if (plan.reference.empty()) return "";
+  const double radius_m = least_radius_m(plan);
+  return fmt::format("reference    {}, tracks {}{}\n",
+                     plan.settings.guide.empty() ? "an edge of the field" : "the line given",
+                     is_curved(plan) ? "curved" : "straight",
+                     std::isfinite(radius_m) ? fmt::format(", least radius {:.2f} m", radius_m) : "");
+}
+
 std::string tally_rows(const Plan& plan) {
   const Tally& tally = plan.tally;
   constexpr std::size_t kDirectionsShown = 8;
   std::string out;
   out += fmt::format("subfields    {} (direction {})\n", plan.subfields.size(),
                      directions_text(directions_of(plan), kDirectionsShown));
+  out += headland_rows(plan) + line_rows(plan);
   out += fmt::format("tracks       {}, {:.1f} m in all\n", tally.pieces, tally.track_length_m);
   out += fmt::format("turns        {}\n", tally.turns);
   out += fmt::format("stops        {}\n", tally.stops);
@@ -74,7 +142,7 @@ std::string tally_rows(const Plan& plan) {
   out += fmt::format("uncovered    {:.1f} m² ({:.3f} %)\n", tally.uncovered_m2,
                      percent_of_field(plan, tally.uncovered_m2));
   out += fmt::format("cost         {:.2f} = {}\n", plan.cost, prices_text(plan.objective));
-  if (plan.settings.strategy == Strategy::kBest) out += proof_rows(plan);
+  if (is_proven(plan)) out += proof_rows(plan);
   return out;
 }
 
@@ -110,7 +178,8 @@ ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, do
   out["uncovered_pct"] = percent_of_field(plan, tally.uncovered_m2);
   out["given_up_m2"] = area(plan.given_up);
   out["cost"] = plan.cost;
-  const bool proven = plan.settings.strategy == Strategy::kBest;
+  add_map_keys(out, plan);
+  const bool proven = is_proven(plan);
   const Proof& proof = plan.proof;
   out["bound"] = proven ? ordered_json(proof.bound) : ordered_json();
   out["gap"] = proven ? ordered_json(gap(plan.cost, proof.bound)) : ordered_json();

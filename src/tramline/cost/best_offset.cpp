@@ -6,6 +6,9 @@
 namespace tramline {
 namespace {
 
+/// Intervals; boundaries of thousands of corners, such as rounded ones, would take too long.
+constexpr int kMostLooks = 1000;
+
 class OffsetSearch {
  public:
   OffsetSearch(const GridTally& tally, const BoundTerms& terms, const PricedOrigin& known)
@@ -43,6 +46,7 @@ class OffsetSearch {
   }
 
   void look_between(std::size_t first, std::size_t last) {
+    if (looks_++ >= kMostLooks) return;
     const double from = breaks_[first], to = breaks_[last];
     if (least_cost(tally_, terms_, {0.5 * (from + to), 0.5 * (to - from), 0}) >= best_.cost) return;
     if (last - first > 1) {
@@ -63,6 +67,7 @@ class OffsetSearch {
   const BoundTerms& terms_;
   PricedOrigin best_;
   std::vector<double> breaks_;
+  int looks_ = 0;
 };
 
 }  // namespace

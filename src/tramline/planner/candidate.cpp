@@ -74,8 +74,10 @@ SearchTask search_task(const Field& field, const Machine& machine, const Objecti
                        const PlanSettings& settings) {
   require_feasible_size(field, machine);
   SearchTask task{
-      field, machine, objective, settings, sort_obstacles(field, machine.width_m, settings.clearance_m), 0};
+      field, machine, objective, settings, sort_obstacles(field, machine.width_m, settings.clearance_m),
+      0,     0,       {}};
   task.body_m2 = area(task.ground.body);
+  task.short_edge_m = settings.short_edge_m;
   return task;
 }
 
@@ -112,7 +114,9 @@ std::vector<GriddedSubfield> grounds_of(const Candidate& candidate) {
 
 std::vector<GriddedSubfield> swept(const SearchTask& task, Direction sweep) {
   std::vector<GriddedSubfield> out;
-  for (const Subfield& subfield : decompose(task.ground.plannable, sweep, task.settings))
+  PlanSettings settings = task.settings;
+  settings.short_edge_m = task.short_edge_m;
+  for (const Subfield& subfield : decompose(task.ground.plannable, sweep, settings))
     out.push_back({subfield, best_origin(task, subfield)});
   return out;
 }
@@ -122,6 +126,7 @@ std::vector<Encounter> encounters_of(const SearchTask& task, const Candidate& ca
 }
 
 int first_track(const Candidate& candidate, std::size_t subfield) {
+  if (candidate.numbered_from_line_0) return 0;
   const std::vector<StripPiece>& pieces = candidate.avoided.tracks[subfield].pieces;
   int first = pieces.empty() ? std::numeric_limits<int>::max() : pieces.front().strip;
   for (const Strip& strip : candidate.strips[subfield].strips)

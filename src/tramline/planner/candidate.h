@@ -16,12 +16,15 @@ struct SearchTask {
   PlanSettings settings;
   Ground ground;
   double body_m2 = 0;
+  double short_edge_m = 0;  ///< corners between edges that are both shorter split nothing
+  Headland headland;
 };
 
 struct Candidate {
   std::vector<Subfield> subfields;
-  std::vector<Strips> strips;  ///< by subfield
-  Avoided avoided;             ///< the tracks, their tally and cost
+  std::vector<Strips> strips;         ///< by subfield
+  Avoided avoided;                    ///< the tracks, their tally and cost
+  bool numbered_from_line_0 = false;  ///< tracks carry the numbers of their strips
 
   double cost() const { return avoided.cost; }
   bool works() const { return avoided.tally.pieces > 0; }

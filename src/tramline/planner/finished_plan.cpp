@@ -9,6 +9,7 @@
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
 #include "tramline/headland/body.h"
+#include "tramline/headland/headland.h"
 #include "tramline/planner/driving_order.h"
 #include "tramline/planner/encounters_as_driven.h"
 #include "tramline/planner/warnings.h"
@@ -74,12 +75,11 @@ Error no_tracks(const SearchTask& task) {
 
 }  // namespace
 
-void require_tracks(const SearchTask& task, const Candidate& candidate) {
-  if (candidate.avoided.tally.pieces == 0) throw no_tracks(task);
+void require_tracks(const SearchTask& task, const Tally& tally) {
+  if (tally.pieces == 0) throw no_tracks(task);
 }
 
-Plan finished_plan(const SearchTask& task, SearchResult found) {
-  require_tracks(task, found.best);
+Plan bare_plan(const SearchTask& task) {
   Plan plan;
   plan.field = task.field;
   plan.machine = task.machine;
@@ -87,11 +87,22 @@ Plan finished_plan(const SearchTask& task, SearchResult found) {
   plan.settings = task.settings;
   plan.body = task.ground.body;
   plan.given_up = task.ground.given_up;
+  plan.headland = task.headland;
+  if (!plan.headland.passes.empty())
+    plan.headland.unworked = unworked_ground(plan.headland, task.machine.width_m);
+  return plan;
+}
+
+Plan finished_plan(const SearchTask& task, SearchResult found) {
+  require_tracks(task, found.best.avoided.tally);
+  Plan plan = bare_plan(task);
   plan.pieces = driving_order(found.best);
   plan.dropped = dropped_pieces(found.best);
   plan.encounters = encounters_as_driven(task, found.best, plan.pieces);
   const std::vector<Region> grounds = worked_grounds(found.best, plan.pieces, plan.machine.width_m);
   plan.subfields = std::move(found.best.subfields);
+  if (!task.settings.guide.empty())
+    plan.reference = straight_path(task.settings.guide.front(), task.settings.guide.back());
   plan.tally = found.best.avoided.tally;
   plan.cost = found.best.cost();
   plan.directions_tried = found.directions_tried;

@@ -5,8 +5,11 @@
 
 namespace tramline {
 
-/// Throws kBadInput where the candidate has no piece, saying why that may be.
-void require_tracks(const SearchTask& task, const Candidate& candidate);
+/// Throws kBadInput where a candidate with this tally has no piece, saying why that may be.
+void require_tracks(const SearchTask& task, const Tally& tally);
+
+/// All that a plan has from its task.
+Plan bare_plan(const SearchTask& task);
 
 /// The best candidate as a plan: its pieces in driving order, what was decided at obstacles, the land worked
 /// twice or left, warnings. Throws as require_tracks().

@@ -16,11 +16,11 @@ namespace tramline {
 namespace {
 
 constexpr double kHalfTurn = std::numbers::pi;
-constexpr std::size_t kKept = 12;       ///< grids that are told apart
-constexpr std::size_t kBatch = 8;       ///< boxes divided at a time, for any number of threads
-constexpr double kNearBest = 0.15;      ///< small steps hardly better a grid by more
-constexpr int kLookEvery = 200;         ///< boxes, after which the search gives up if …
-constexpr double kLeastProgress = 0.025;  ///< … no more than this share of the gap has been closed
+constexpr std::size_t kKept = 12;              ///< grids that are told apart
+constexpr std::size_t kBatch = 8;              ///< boxes divided at a time, for any number of threads
+constexpr double kNearBest = 0.15;             ///< small steps hardly better a grid by more
+constexpr int kLookEvery = 200;                ///< boxes, after which the search gives up if …
+constexpr double kLeastProgress = 0.025;       ///< … no more than this share of the gap has been closed
 const Angle kFirstTurn = Angle::degrees(0.4);  ///< of the steps that better a grid …
 const Angle kCoarse = Angle::degrees(0.1);     ///< … and where most of them stop
 constexpr std::size_t kFollowed = 1;           ///< grids that are bettered by finer steps

@@ -21,7 +21,5 @@ struct ExplainedPlan {
 /// The same plan, and why it is the one. Takes longer: runner-ups have to be laid out.
 ExplainedPlan plan_and_explain(const Field& field, const Machine& machine, const Objective& objective,
                                const PlanSettings& settings, int threads = 0, const Progress& progress = {});
-/// The search of the task's strategy.
-SearchResult search_for(const SearchTask& task, int threads, const Progress& progress);
 
 }  // namespace tramline

@@ -18,7 +18,7 @@ constexpr std::size_t kAtOnce = 8;
 bool is_cut_anywhere(const SearchTask& task) {
   const Region& ground = task.ground.plannable;
   return std::any_of(ground.begin(), ground.end(), [&](const Polygon& part) {
-    return !split_events(part, task.settings.decomposition_threshold, task.settings.short_edge_m).empty();
+    return !split_events(part, task.settings.decomposition_threshold, task.short_edge_m).empty();
   });
 }
 

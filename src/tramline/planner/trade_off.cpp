@@ -9,7 +9,8 @@
 #include "tramline/planner/finished_plan.h"
 #include "tramline/planner/for_each_index.h"
 #include "tramline/planner/front_marks.h"
-#include "tramline/planner/plan_field.h"
+#include "tramline/planner/headlanded_task.h"
+#include "tramline/planner/straight_search.h"
 #include "tramline/planner/validate_request.h"
 
 namespace tramline {
@@ -53,7 +54,7 @@ std::vector<TradeOff::Search> searches_for(const SearchTask& task, int threads, 
   int done = 0;
   for_each_index(prices.size(), threads, [&](std::size_t i) {
     out[i].task.objective = prices[i];
-    out[i].found = search_for(out[i].task, threads, {});
+    out[i].found = straight_search(out[i].task, threads, {});
     if (!progress) return;
     const std::lock_guard lock(mutex);
     progress(++done, static_cast<int>(prices.size()));
@@ -113,8 +114,8 @@ TradeOff trade_off(const Field& field, const Machine& machine, const Objective& 
                    const PlanSettings& settings, int threads, const Progress& progress) {
   validate_request(machine, prices, settings);
   TradeOff out;
-  out.searches = searches_for(search_task(field, machine, prices, settings), threads, progress);
-  require_tracks(out.searches.front().task, out.searches.front().found.best);
+  out.searches = searches_for(headlanded_task(field, machine, prices, settings, threads), threads, progress);
+  require_tracks(out.searches.front().task, out.searches.front().found.best.avoided.tally);
 
   std::vector<Laid> laid;
   for (std::size_t i = 0; i < out.searches.size(); ++i)

@@ -7,7 +7,10 @@ TurnedGround turned_ground(const SearchTask& task, const TrackFrame& frame) {
                    frame.to_track(task.ground.passable),
                    {},
                    frame.to_track(task.ground.beyond)};
-  if (task.settings.boundary == EdgeKind::kHard) out.field = {{frame.to_track(task.field.outer), {}}};
+  // With a headland behind it the body's edge is soft: no straight swath that works any of the body, however
+  // far its end rule lets it run on, leaves a headland of a width.
+  const bool hard = task.settings.boundary == EdgeKind::kHard && task.settings.headlands == 0;
+  if (hard) out.field = {{frame.to_track(task.field.outer), {}}};
   return out;
 }
 

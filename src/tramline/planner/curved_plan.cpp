@@ -1,0 +1,142 @@
+#include "tramline/planner/curved_plan.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "tramline/cost/curved_tally.h"
+#include "tramline/cost/worked_regions.h"
+#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/extended.h"
+#include "tramline/geometry/smoothed.h"
+#include "tramline/headland/headland.h"
+#include "tramline/planner/finished_plan.h"
+#include "tramline/planner/warnings.h"
+
+namespace tramline {
+namespace {
+
+TrackLimits limits_of(const Machine& machine) {
+  TrackLimits limits;
+  limits.radius_m = machine.radius_m;
+  limits.width_m = machine.width_m;
+  return limits;
+}
+
+/// What no swath enters: passable obstacles, too, since the work is interrupted there.
+Region kept_off(const SearchTask& task) {
+  Region out = task.ground.hard;
+  for (const Region* more : {&task.ground.passable, &task.ground.beyond})
+    if (!more->empty()) out = unite(out, *more);
+  return out;
+}
+
+/// Without a headland before it a hard boundary is where swaths end.
+Region fence(const SearchTask& task) {
+  const bool hard = task.settings.boundary == EdgeKind::kHard;
+  return hard ? Region{{task.field.outer, {}}} : Region{};
+}
+
+Region workable(const SearchTask& task) {
+  return task.ground.passable.empty() ? task.ground.plannable
+                                      : difference(task.ground.plannable, task.ground.passable);
+}
+
+/// The part of the ground a piece lies in.
+int subfield_of(const Region& parts, const CurvedPiece& piece) {
+  const Path half = path_between(piece.path, 0, 0.5 * piece.length_m);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (contains(parts[i], half.back().to)) return static_cast<int>(i);
+  return 0;
+}
+
+TrackPiece forwards(const CurvedPiece& piece, int subfield) {
+  TrackPiece out;
+  out.start = piece.path.front().from;
+  out.end = piece.path.back().to;
+  out.subfield = subfield;
+  out.track = piece.track;
+  out.stop_at_start = piece.stop_at_from;
+  out.stop_at_end = piece.stop_at_to;
+  out.curve = piece.path;
+  return out;
+}
+
+TrackPiece backwards(TrackPiece piece) {
+  std::swap(piece.start, piece.end);
+  std::swap(piece.stop_at_start, piece.stop_at_end);
+  piece.curve = reversed(piece.curve);
+  return piece;
+}
+
+/// Track by track, each the other way; each part of the ground by itself.
+std::vector<TrackPiece> up_and_down(const CurvedTracks& tracks, const Region& parts) {
+  std::vector<TrackPiece> out;
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    std::vector<TrackPiece> track;
+    bool back = false;
+    const auto drive = [&] {
+      if (back) std::reverse(track.begin(), track.end());
+      for (TrackPiece& piece : track) out.push_back(back ? backwards(std::move(piece)) : std::move(piece));
+      if (!track.empty()) back = !back;
+      track.clear();
+    };
+    for (const CurvedPiece& piece : tracks.pieces) {
+      if (subfield_of(parts, piece) != static_cast<int>(part)) continue;
+      if (!track.empty() && track.back().track != piece.track) drive();
+      track.push_back(forwards(piece, static_cast<int>(part)));
+    }
+    drive();
+  }
+  return out;
+}
+
+/// The swaths of every other track, and the rest: swaths of one family only touch, and not even that where a
+/// track lies between them.
+std::vector<Region> worked_grounds(const Plan& plan) {
+  std::vector<Region> out(2);
+  for (const TrackPiece& piece : plan.pieces)
+    out[piece.track % 2 == 0 ? 0 : 1].push_back({band(piece.curve, plan.machine.width_m, kLayerSagitta), {}});
+  return out;
+}
+
+}  // namespace
+
+CurvedCandidate curved_along(const SearchTask& task, const std::vector<Point>& line, double tolerance_m) {
+  const TrackLimits limits = limits_of(task.machine);
+  CurvedCandidate out;
+  const Smoothed smooth = smoothed(line, limits.least_radius_m(), tolerance_m);
+  out.deviation_m = smooth.deviation_m;
+  const Box reach = bounds(task.ground.plannable);
+  out.reference = extended(smooth.path, reach.grown(task.machine.width_m)).path;
+  const TrackRange range = tracks_over(out.reference, reach, task.machine.width_m);
+  const CurvedGround ground{EdgeIndex(workable(task)), EdgeIndex(kept_off(task)), EdgeIndex(fence(task))};
+  out.tracks =
+      curved_pieces(parallel_family(out.reference, range.first, range.last, limits), task.machine.width_m,
+                    ground, end_criterion(task.settings.end_rule, task.objective, task.machine.width_m),
+                    min_length_m(task.machine));
+  out.tally = curved_tally(out.tracks, task.machine.width_m, task.body_m2);
+  out.cost = cost(task.objective, out.tally);
+  return out;
+}
+
+Plan finished_plan(const SearchTask& task, const CurvedCandidate& candidate) {
+  require_tracks(task, candidate.tally);
+  Plan plan = bare_plan(task);
+  const Direction whole = Direction::along(candidate.reference.front().from, candidate.reference.back().to);
+  for (const Polygon& part : task.ground.plannable) plan.subfields.push_back({part, whole});
+  plan.reference = candidate.reference;
+  plan.pieces = up_and_down(candidate.tracks, task.ground.plannable);
+  for (const CurvedPiece& piece : candidate.tracks.dropped)
+    plan.dropped.push_back(
+        {piece.path.front().from, piece.path.back().to, subfield_of(task.ground.plannable, piece)});
+  plan.tally = candidate.tally;
+  plan.cost = candidate.cost;
+  plan.directions_tried = 1;
+  WorkedRegions worked = worked_regions(plan.body, {}, worked_grounds(plan));
+  plan.overlap = std::move(worked.overlap);
+  plan.uncovered = std::move(worked.uncovered);
+  plan.warnings = warnings_about(plan);
+  return plan;
+}
+
+}  // namespace tramline

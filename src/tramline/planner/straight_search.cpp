@@ -1,0 +1,27 @@
+#include "tramline/planner/straight_search.h"
+
+#include "tramline/planner/best_search.h"
+#include "tramline/planner/sweep_search.h"
+
+namespace tramline {
+
+SearchResult straight_search(const SearchTask& task, int threads, const Progress& progress) {
+  if (!task.settings.guide.empty()) return guided_search(task);
+  const auto search = task.settings.strategy == Strategy::kSweep ? sweep_search : best_search;
+  return search(task, threads, progress);
+}
+
+SearchResult guided_search(const SearchTask& task) {
+  const std::vector<Point>& guide = task.settings.guide;
+  const Direction along = Direction::along(guide.front(), guide.back());
+  const double origin_m = TrackFrame(along).to_track(guide.front()).x;
+  std::vector<GriddedSubfield> grounds;
+  for (const Polygon& part : task.ground.plannable) grounds.push_back({{part, along}, origin_m});
+  SearchResult out;
+  out.best = candidate_on(task, grounds);
+  out.best.numbered_from_line_0 = true;
+  out.directions_tried = 1;
+  return out;
+}
+
+}  // namespace tramline
