@@ -1,6 +1,7 @@
 #include "tramline/planner/curved_plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "tramline/cost/curved_tally.h"
@@ -10,6 +11,7 @@
 #include "tramline/geometry/smoothed.h"
 #include "tramline/headland/headland.h"
 #include "tramline/planner/finished_plan.h"
+#include "tramline/planner/reference_chains.h"
 #include "tramline/planner/warnings.h"
 
 namespace tramline {
@@ -39,6 +41,12 @@ Region fence(const SearchTask& task) {
 Region workable(const SearchTask& task) {
   return task.ground.passable.empty() ? task.ground.plannable
                                       : difference(task.ground.plannable, task.ground.passable);
+}
+
+/// Of a reference that goes round the ground, anticlockwise as outer rings do.
+TrackRange tracks_inside(const Box& reach, double width_m) {
+  const double across = std::hypot(reach.width(), reach.height());
+  return {-static_cast<int>(std::ceil(0.5 * across / width_m)) - 1, 0};
 }
 
 /// The part of the ground a piece lies in.
@@ -107,8 +115,10 @@ CurvedCandidate curved_along(const SearchTask& task, const std::vector<Point>& l
   const Smoothed smooth = smoothed(line, limits.least_radius_m(), tolerance_m);
   out.deviation_m = smooth.deviation_m;
   const Box reach = bounds(task.ground.plannable);
-  out.reference = extended(smooth.path, reach.grown(task.machine.width_m)).path;
-  const TrackRange range = tracks_over(out.reference, reach, task.machine.width_m);
+  const bool round = distance(line.front(), line.back()) <= 2 * kSeam_m;
+  out.reference = round ? smooth.path : extended(smooth.path, reach.grown(task.machine.width_m)).path;
+  const TrackRange range = round ? tracks_inside(reach, task.machine.width_m)
+                                 : tracks_over(out.reference, reach, task.machine.width_m);
   const CurvedGround ground{EdgeIndex(workable(task)), EdgeIndex(kept_off(task)), EdgeIndex(fence(task))};
   out.tracks =
       curved_pieces(parallel_family(out.reference, range.first, range.last, limits), task.machine.width_m,
@@ -122,7 +132,9 @@ CurvedCandidate curved_along(const SearchTask& task, const std::vector<Point>& l
 Plan finished_plan(const SearchTask& task, const CurvedCandidate& candidate) {
   require_tracks(task, candidate.tally);
   Plan plan = bare_plan(task);
-  const Direction whole = Direction::along(candidate.reference.front().from, candidate.reference.back().to);
+  const Path& line = candidate.reference;
+  const Point half_way = path_between(line, 0, 0.5 * length(line)).back().to;
+  const Direction whole = Direction::along(line.front().from, half_way);
   for (const Polygon& part : task.ground.plannable) plan.subfields.push_back({part, whole});
   plan.reference = candidate.reference;
   plan.pieces = up_and_down(candidate.tracks, task.ground.plannable);

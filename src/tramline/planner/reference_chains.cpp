@@ -83,6 +83,21 @@ Chain part_of(const Ring& ring, std::size_t from, std::size_t to) {
   return out;
 }
 
+/// Once round, from the middle of the longest edge and back to where it began but for kSeam_m: straight
+/// there, so that the way round has no kink.
+Chain round_trip(const Ring& ring) {
+  std::size_t longest = 0;
+  const auto edge = [&ring](std::size_t i) { return distance(ring[i], ring[(i + 1) % ring.size()]); };
+  for (std::size_t i = 1; i < ring.size(); ++i)
+    if (edge(i) > edge(longest)) longest = i;
+  const Point a = ring[longest], b = ring[(longest + 1) % ring.size()];
+  const Point middle = midpoint(a, b), back = (0.5 * kSeam_m / edge(longest)) * (b - a);
+  Chain out{middle + back};
+  for (std::size_t i = 1; i <= ring.size(); ++i) out.push_back(ring[(longest + i) % ring.size()]);
+  out.push_back(middle - back);
+  return out;
+}
+
 }  // namespace
 
 std::vector<Chain> reference_chains(const Region& ground, double corner_m, double least_bend_m,
@@ -91,7 +106,10 @@ std::vector<Chain> reference_chains(const Region& ground, double corner_m, doubl
   for (const Polygon& part : ground) {
     const Ring& ring = part.outer;
     std::vector<std::size_t> corners = corners_of(ring, corner_m);
-    if (corners.size() < 2) corners = {0, ring.size() / 2};
+    if (corners.size() < 2) {
+      out.push_back(round_trip(ring));
+      continue;
+    }
     for (std::size_t i = 0; i < corners.size(); ++i) {
       Chain chain = part_of(ring, corners[i], corners[(i + 1) % corners.size()]);
       if (bend_of(chain) > least_bend_m) out.push_back(std::move(chain));

@@ -7,10 +7,13 @@
 
 namespace tramline {
 
+/// What is left open of a chain that goes all the way round, m: a line must not touch itself.
+inline constexpr double kSeam_m = 1e-3;
+
 /// Chains of edges of the outer rings between two corners, open polylines that bend somewhere by more than
 /// `least_bend_m` from a straight line; the longest first, `most` at most. A corner is where the boundary
-/// turns by more than 30° within `corner_m` of its length. A ring without two corners comes in two halves.
-/// O(n log n).
+/// turns by more than 30° within `corner_m` of its length. A ring without two corners comes whole, from the
+/// middle of its longest edge and back but for kSeam_m. O(n²).
 std::vector<std::vector<Point>> reference_chains(const Region& ground, double corner_m, double least_bend_m,
                                                  std::size_t most);
 
