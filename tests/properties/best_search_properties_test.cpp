@@ -50,9 +50,11 @@ std::optional<Plan> planned(const Field& field, double width_m, const Objective&
 }
 
 /// What an undivided plan costs with the grid of this direction and offset, by the road that builds it.
+Candidate candidate_at(const SearchTask& task, Direction direction, double origin_m) {
+  return candidate_on(task, {{{task.ground.plannable.front(), direction}, origin_m}});
+}
 double cost_at(const SearchTask& task, double degrees, double origin_m) {
-  const Direction direction = Direction::clockwise_from_north(Angle::degrees(degrees));
-  return candidate_on(task, {{{task.ground.plannable.front(), direction}, origin_m}}).cost();
+  return candidate_at(task, Direction::clockwise_from_north(Angle::degrees(degrees)), origin_m).cost();
 }
 
 // The bound of a search lies below what any grid costs, also with detours.
@@ -66,13 +68,13 @@ TEST(BestSearchProperties, NoGridCostsLessThanTheBound) {
     SearchEffort effort;
     effort.most_boxes = 1000;
     const GridSearchResult found = search_grids(task, task.ground.plannable.front(), effort, 1);
-    const double beside =
-        cost_at(task, found.grids.front().direction.degrees(), found.grids.front().origin_m) -
-        found.grids.front().cost;
+    const PricedGrid& best = found.grids.front();
+    const Candidate laid = candidate_at(task, best.direction, best.origin_m);
     const bool hindered = !found.unhindered.empty();
-    // The first track needs no turn, and land given up costs what it costs.
+    // The first track needs no turn.
     if (!hindered) {
-      EXPECT_NEAR(beside, -task.objective.turn, 1e-6 * std::abs(found.grids.front().cost));
+      EXPECT_NEAR(laid.cost(), best.cost - (laid.works() ? task.objective.turn : 0),
+                  1e-6 * std::abs(best.cost));
     }
     for (int i = 0; i < 10; ++i) {
       const double cost = cost_at(task, between(random, 0, 180), between(random, 0, width_m));
