@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <optional>
 
 #include "tramline/geometry/error.h"
@@ -6,28 +7,69 @@
 #include "tramline/planner/reference_chains.h"
 
 namespace tramline {
+namespace {
 
-std::optional<CurvedCandidate> best_curved(const SearchTask& task, int threads) {
-  constexpr std::size_t kMostChains = 8;
+constexpr std::size_t kMostChains = 8;
+constexpr std::size_t kMoved = 3;  ///< references that are tried in other places
+constexpr int kPlaces = 8;
+
+/// A reference in one place, and what its tracks cost.
+struct Tried {
+  const Reference* reference = nullptr;
+  double right_m = 0;
+  CurvedCandidate candidate;
+};
+
+bool is_better(const Tried& a, const Tried& b) {
+  const bool a_works = a.candidate.tally.pieces > 0, b_works = b.candidate.tally.pieces > 0;
+  return a_works != b_works ? a_works : a.candidate.cost < b.candidate.cost;
+}
+
+std::vector<Reference> references_of(const SearchTask& task, int threads) {
   const double width_m = task.machine.width_m;
   const double corner_m = 2 * std::max(task.machine.radius_m, 0.5 * width_m);
-  const double smoothing[] = {0.02 * width_m, 0.1 * width_m, 0.5 * width_m};
+  const double smoothing[] = {0.002 * width_m, 0.02 * width_m, 0.1 * width_m, 0.5 * width_m};
   const auto chains = reference_chains(task.ground.plannable, corner_m, 0.1 * width_m, kMostChains);
-  const std::size_t levels = std::size(smoothing);
-  std::vector<std::optional<CurvedCandidate>> found(chains.size() * levels);
+  std::vector<std::optional<Reference>> found(chains.size() * std::size(smoothing));
   for_each_index(found.size(), threads, [&](std::size_t i) {
     try {
-      found[i] = curved_along(task, chains[i / levels], smoothing[i % levels]);
+      found[i] = reference_along(task, chains[i / std::size(smoothing)], smoothing[i % std::size(smoothing)]);
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::kBadInput) throw;  // no line to drive along
     }
   });
-  std::optional<CurvedCandidate> best;
-  for (std::optional<CurvedCandidate>& one : found) {
-    if (!one || one->tally.pieces == 0 || (best && one->cost >= best->cost)) continue;
-    best = std::move(one);
+  std::vector<Reference> out;
+  for (std::optional<Reference>& one : found)
+    if (one) out.push_back(std::move(*one));
+  return out;
+}
+
+void try_all(const SearchTask& task, std::vector<Tried>& places, int threads) {
+  for_each_index(places.size(), threads, [&](std::size_t i) {
+    places[i].candidate = curved_along(task, *places[i].reference, places[i].right_m);
+  });
+  std::stable_sort(places.begin(), places.end(), is_better);
+}
+
+}  // namespace
+
+std::optional<CurvedCandidate> best_curved(const SearchTask& task, int threads) {
+  const std::vector<Reference> references = references_of(task, threads);
+  std::vector<Tried> first;
+  for (const Reference& reference : references) {
+    first.push_back({&reference, 0, {}});
+    // The land lies to the left of a boundary: so far out the first swath takes all of its bends.
+    first.push_back({&reference, reference.deviation_m, {}});
   }
-  return best;
+  try_all(task, first, threads);
+  std::vector<Tried> moved;
+  for (std::size_t i = 0; i < std::min(first.size(), kMoved); ++i)
+    for (int k = 1; k < kPlaces; ++k)
+      moved.push_back({first[i].reference, first[i].right_m + task.machine.width_m * k / kPlaces, {}});
+  try_all(task, moved, threads);
+  if (!moved.empty() && is_better(moved.front(), first.front())) first.front() = std::move(moved.front());
+  if (first.empty() || first.front().candidate.tally.pieces == 0) return std::nullopt;
+  return std::move(first.front().candidate);
 }
 
 }  // namespace tramline

@@ -8,6 +8,7 @@
 #include "tramline/cost/worked_regions.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/extended.h"
+#include "tramline/geometry/shifted.h"
 #include "tramline/geometry/smoothed.h"
 #include "tramline/headland/headland.h"
 #include "tramline/planner/finished_plan.h"
@@ -109,16 +110,21 @@ std::vector<Region> worked_grounds(const Plan& plan) {
 
 }  // namespace
 
-CurvedCandidate curved_along(const SearchTask& task, const std::vector<Point>& line, double tolerance_m) {
+Reference reference_along(const SearchTask& task, const std::vector<Point>& line, double tolerance_m) {
+  Smoothed smooth = smoothed(line, limits_of(task.machine).least_radius_m(), tolerance_m);
+  return {std::move(smooth.path), smooth.deviation_m, distance(line.front(), line.back()) <= 2 * kSeam_m};
+}
+
+CurvedCandidate curved_along(const SearchTask& task, const Reference& reference, double right_m) {
   const TrackLimits limits = limits_of(task.machine);
+  const double width_m = task.machine.width_m;
   CurvedCandidate out;
-  const Smoothed smooth = smoothed(line, limits.least_radius_m(), tolerance_m);
-  out.deviation_m = smooth.deviation_m;
+  const std::optional<Path> line = shifted(reference.path, right_m, limits.least_radius_m());
+  if (!line) return out;
   const Box reach = bounds(task.ground.plannable);
-  const bool round = distance(line.front(), line.back()) <= 2 * kSeam_m;
-  out.reference = round ? smooth.path : extended(smooth.path, reach.grown(task.machine.width_m)).path;
-  const TrackRange range = round ? tracks_inside(reach, task.machine.width_m)
-                                 : tracks_over(out.reference, reach, task.machine.width_m);
+  out.reference = reference.round ? *line : extended(*line, reach.grown(width_m)).path;
+  const TrackRange range =
+      reference.round ? tracks_inside(reach, width_m) : tracks_over(out.reference, reach, width_m);
   const CurvedGround ground{EdgeIndex(workable(task)), EdgeIndex(kept_off(task)), EdgeIndex(fence(task))};
   out.tracks =
       curved_pieces(parallel_family(out.reference, range.first, range.last, limits), task.machine.width_m,

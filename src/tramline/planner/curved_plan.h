@@ -10,21 +10,31 @@ namespace tramline {
 
 /// A family of curved tracks over the whole ground.
 struct CurvedCandidate {
-  Path reference;          ///< smoothed for the machine, extended across the ground
-  double deviation_m = 0;  ///< of the smoothed line from the one that was given
+  Path reference;  ///< smoothed for the machine, extended across the ground
   CurvedTracks tracks;
   Tally tally;
   double cost = 0;
 };
 
-/// Tracks along a line: smoothed to what the machine drives and to `tolerance_m`, extended along its end
-/// tangents across the ground, offset by (k + ½)·w to either side. Cut at obstacles, and at passable ones
-/// too. Throws kBadInput for a line that smoothed() refuses.
-CurvedCandidate curved_along(const SearchTask& task, const std::vector<Point>& line, double tolerance_m);
+/// What tracks run parallel to.
+struct Reference {
+  Path path;               ///< no tighter than the machine turns, not yet extended
+  double deviation_m = 0;  ///< from the line that was given
+  bool round = false;      ///< all the way round the ground, and back to where it began
+};
+
+/// The line smoothed to what the machine drives and to `tolerance_m`. Throws kBadInput for a line that
+/// smoothed() refuses.
+Reference reference_along(const SearchTask& task, const std::vector<Point>& line, double tolerance_m);
+
+/// Tracks parallel to the reference, which is moved `right_m` to the right and extended along its end
+/// tangents across the ground: offset by (k + ½)·w to either side. Cut at obstacles, and at passable ones
+/// too. Without a track where the reference cannot be moved so far.
+CurvedCandidate curved_along(const SearchTask& task, const Reference& reference, double right_m = 0);
 
 /// The cheapest family along a chain of boundary edges between two corners of the ground, at several levels
-/// of smoothing; nullopt where no chain is curved, or none has a track. Deterministic for any number of
-/// threads. O(chains) families.
+/// of smoothing, the best of them moved sideways as well; nullopt where no chain is curved, or none has a
+/// track. Deterministic for any number of threads. O(chains) families.
 std::optional<CurvedCandidate> best_curved(const SearchTask& task, int threads);
 
 /// As a plan: tracks numbered from the reference, driven up and down one after another. Throws kBadInput

@@ -28,7 +28,7 @@ Plan plan_field(const Field& field, const Machine& machine, const Objective& obj
   validate_request(machine, objective, settings);
   const SearchTask task = headlanded_task(field, machine, objective, settings, threads);
   if (settings.shape == TrackShape::kCurved && !settings.guide.empty())
-    return finished_plan(task, curved_along(task, settings.guide, 0));
+    return finished_plan(task, curved_along(task, reference_along(task, settings.guide, 0)));
   if (settings.shape == TrackShape::kStraight)
     return finished_plan(task, straight_search(task, threads, progress));
   const std::optional<CurvedCandidate> curved = best_curved(task, threads);

@@ -1,0 +1,210 @@
+// S2's metric map by hand: headlands, tracks along a line, the three cases of S2.8.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/error.h"
+#include "tramline/planner/plan_field.h"
+
+namespace tramline {
+namespace {
+
+Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+
+Field field_of(Ring outer, const std::vector<Ring>& obstacles = {}) {
+  Field field;
+  field.id = "by hand";
+  field.outer = std::move(outer);
+  for (const Ring& ring : obstacles)
+    field.obstacles.push_back({{ring, {}}, ObstacleKind::kObstacle, "by hand"});
+  return field;
+}
+
+/// S2's rules: ends cover everything, no piece is too short.
+Plan mapped(const Field& field, double width_m, PlanSettings settings) {
+  settings.end_rule = EndRule::kCover;
+  return plan_field(field, {"", width_m, 6, 0}, {}, settings, 1);
+}
+
+PlanSettings along_x(double y, int headlands = 0, int obstacle_headlands = 0) {
+  PlanSettings settings;
+  settings.guide = {{0, y}, {100, y}};
+  settings.headlands = headlands;
+  settings.obstacle_headlands = obstacle_headlands;
+  return settings;
+}
+
+/// Area of the overlap layer between two heights.
+double overlap_between(const Plan& plan, double low, double high) {
+  return area(intersection(plan.overlap, {{box(-1000, low, 1000, high), {}}}));
+}
+
+/// S2.15
+void expect_identity(const Plan& plan) {
+  double length_m = 0;
+  for (const TrackPiece& piece : plan.pieces) length_m += length(piece);
+  EXPECT_NEAR(plan.machine.width_m * length_m - plan.tally.overlap_m2, area(plan.body), 1e-6);
+  EXPECT_NEAR(plan.tally.uncovered_m2, 0, 1e-6);
+}
+
+// 200 × 100 m, w = 4, two passes: the body begins 8 m in (S2.4, S2.5), 184 × 84 m; 21 tracks of 184 m (S2.6)
+// that neither overlap nor leave anything.
+TEST(MetricMap, OfARectangle) {
+  PlanSettings settings;
+  settings.headlands = 2;
+  const Plan plan = mapped(field_of(box(0, 0, 200, 100)), 4, settings);
+  EXPECT_NEAR(area(plan.body), 184.0 * 84.0, 1e-6);
+  EXPECT_NEAR(area(plan.headland.ground), 200.0 * 100.0 - 184.0 * 84.0, 1e-6);
+  EXPECT_EQ(plan.headland.passes.size(), 2u);
+  EXPECT_EQ(plan.tally.pieces, 21);
+  EXPECT_NEAR(plan.tally.track_length_m, 21 * 184, 1e-6);
+  EXPECT_NEAR(plan.tally.overlap_m2, 0, 1e-6);
+  EXPECT_EQ(plan.settings.boundary, EdgeKind::kHard);
+  expect_identity(plan);
+}
+
+// S2.6: 50 m across at w = 4 are ceil(50 / 4) = 13 tracks from the line; the last overhangs by 2 m.
+TEST(MetricMap, CountsTracksFromTheLine) {
+  const Plan plan = mapped(field_of(box(0, 0, 100, 50)), 4, along_x(0));
+  EXPECT_EQ(plan.tally.pieces, 13);
+  EXPECT_NEAR(plan.tally.overlap_m2, 2 * 100, 1e-6);
+  std::set<int> numbers;
+  for (const TrackPiece& piece : plan.pieces)
+    numbers.insert(std::abs(piece.track + (piece.track < 0 ? 1 : 0)));
+  EXPECT_EQ(*numbers.begin(), 0);
+  EXPECT_EQ(*numbers.rbegin(), 12);
+  expect_identity(plan);
+}
+
+// S2.13: a line in the middle has tracks on both sides, numbered 0, 1 … and −1, −2 …
+TEST(MetricMap, NumbersTracksOnBothSidesOfTheLine) {
+  const Plan plan = mapped(field_of(box(0, 0, 100, 40)), 4, along_x(20));
+  std::set<int> numbers;
+  for (const TrackPiece& piece : plan.pieces) numbers.insert(piece.track);
+  EXPECT_EQ(numbers.size(), 10u);
+  EXPECT_EQ(*numbers.begin(), -5);
+  EXPECT_EQ(*numbers.rbegin(), 4);
+}
+
+// An L of two arms 40 m wide, 100 m long, tracks along x: 10 of 100 m below, 15 of 40 m above.
+TEST(MetricMap, OfAnL) {
+  const Field field = field_of({{0, 0}, {100, 0}, {100, 40}, {40, 40}, {40, 100}, {0, 100}});
+  const Plan plan = mapped(field, 4, along_x(0));
+  EXPECT_EQ(plan.tally.pieces, 25);
+  EXPECT_NEAR(plan.tally.track_length_m, 10 * 100 + 15 * 40, 1e-6);
+  expect_identity(plan);
+}
+
+// A block of 20 × 20 m in the middle with a headland of 4 m, so that tracks keep off a square of 28 m with
+// round corners of radius 4, y from 16 to 44. Strips from y = 0 in fours:
+// - 0 to 3 and 11 to 14 do not meet it (S2.8, case 1): 8 tracks of 120 m;
+// - 5 to 9 lie within y = 20 … 40, where it is 28 m long: split (case 3) in two pieces of 46 m;
+// - 4 and 10 lie in the rounded bands: as much as 50 m of either end holds some of the body (S2.9), and from
+// there on
+//   nothing: two pieces of 50 m, each over a quarter disc's corner, 16 − 4π m².
+TEST(MetricMap, GoesPastAnObstacleAndStopsAtIt) {
+  const Field field = field_of(box(0, 0, 120, 60), {box(50, 20, 70, 40)});
+  const Plan plan = mapped(field, 4, along_x(0, 0, 1));
+  EXPECT_EQ(plan.headland.obstacle_passes, std::vector<int>{1});
+  EXPECT_EQ(plan.tally.pieces, 8 + 2 * 5 + 2 * 2);
+  EXPECT_NEAR(plan.tally.track_length_m, 8 * 120 + 10 * 46 + 4 * 50, 0.05);  // chords for the arcs
+  const double over = 4 * 0.25 * std::numbers::pi * 16;                      // the quarter discs are headland
+  EXPECT_NEAR(plan.tally.overlap_m2, over, 0.1);
+  expect_identity(plan);
+}
+
+// The same with strips from y = 2: that from 14 to 18 m meets the headland in its upper half (S2.8, case 2)
+// and goes on. Over it: 20 · 2 m² along the block, and at either corner of the arc what lies below y = 18,
+// the segment of the disc between u = 0 and √12: ∫ √(16 − u²) − 2 du = √12 + 8 π/3 − 2 √12.
+TEST(MetricMap, GoesOnWhereAnObstacleTakesPartOfTheStrip) {
+  const Field field = field_of(box(0, 0, 120, 60), {box(50, 20, 70, 40)});
+  const Plan plan = mapped(field, 4, along_x(2, 0, 1));
+  double whole = 0;
+  for (const TrackPiece& piece : plan.pieces)
+    if (std::abs(midpoint(piece.start, piece.end).y - 16) < 1e-6) whole += length(piece);
+  EXPECT_NEAR(whole, 120, 1e-6);
+  const double corner = std::sqrt(12.0) + 8 * std::numbers::pi / 3 - 2 * std::sqrt(12.0);
+  EXPECT_NEAR(overlap_between(plan, 14, 18), 2 * 20 + 2 * corner, 0.02);
+  expect_identity(plan);
+}
+
+// Two blocks: what each takes adds up.
+TEST(MetricMap, OfTwoObstacles) {
+  const Field field = field_of(box(0, 0, 220, 60), {box(50, 20, 70, 40), box(150, 20, 170, 40)});
+  const Plan plan = mapped(field, 4, along_x(0, 0, 1));
+  EXPECT_EQ(plan.tally.pieces, 8 + 3 * 5 + 3 * 2);
+  EXPECT_NEAR(plan.tally.track_length_m, 8 * 220 + 5 * (220 - 2 * 28) + 2 * (220 - 2 * 20), 0.1);
+  expect_identity(plan);
+}
+
+// An obstacle that tracks go round keeps no headland: a pole in the middle of a wide field.
+TEST(MetricMap, ObstaclesDrivenRoundHaveNoHeadland) {
+  PlanSettings settings;
+  settings.obstacle_headlands = 1;
+  const Plan plan = plan_field(field_of(box(0, 0, 200, 100), {box(99.5, 49.5, 100.5, 50.5)}), {"", 4, 6, 0},
+                               {}, settings, 1);
+  EXPECT_EQ(plan.headland.obstacle_passes, std::vector<int>{0});
+  EXPECT_TRUE(plan.headland.passes.empty());
+}
+
+TEST(MetricMap, SaysHowManyHeadlandsWouldFit) {
+  PlanSettings settings;
+  settings.headlands = 9;
+  try {
+    mapped(field_of(box(0, 0, 100, 40)), 4, settings);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
+    EXPECT_NE(std::string(error.what()).find("at most 4 "), std::string::npos) << error.what();
+  }
+}
+
+// A sector of a ring, radii 60.5 and 100 m, 90°: tracks along the outer arc lie at 98, 94 … 62 m from the
+// centre, ten of them, their lengths add up to π/2 · 800 m; the innermost overhangs by half a metre, π/2
+// · 60.25 · 0.5 m².
+TEST(MetricMap, CurvedTracksFollowAnArc) {
+  Ring ring;
+  const int n = 200;
+  for (int i = 0; i <= n; ++i) {
+    const double a = 0.5 * std::numbers::pi * i / n;
+    ring.push_back({100 * std::cos(a), 100 * std::sin(a)});
+  }
+  for (int i = n; i >= 0; --i) {
+    const double a = 0.5 * std::numbers::pi * i / n;
+    ring.push_back({60.5 * std::cos(a), 60.5 * std::sin(a)});
+  }
+  PlanSettings settings;
+  settings.shape = TrackShape::kCurved;
+  const Plan plan = mapped(field_of(ring), 4, settings);
+  EXPECT_TRUE(is_curved(plan));
+  EXPECT_EQ(plan.tally.pieces, 10);
+  EXPECT_NEAR(plan.tally.track_length_m, 0.5 * std::numbers::pi * 800, 3);
+  EXPECT_NEAR(plan.tally.overlap_m2, 0.5 * std::numbers::pi * 60.25 * 0.5, 10);
+  settings.shape = TrackShape::kStraight;
+  EXPECT_GT(mapped(field_of(ring), 4, settings).cost, plan.cost);
+  settings.shape = TrackShape::kAuto;
+  EXPECT_EQ(mapped(field_of(ring), 4, settings).cost, plan.cost);
+}
+
+// A round field of radius 100 m, w = 6: closed tracks at 97, 91 … m; the machine cannot turn tighter than 6
+// m.
+TEST(MetricMap, RoundFieldsAreDrivenRoundAndRound) {
+  Ring ring;
+  for (int i = 0; i < 400; ++i) {
+    const double a = 2 * std::numbers::pi * i / 400;
+    ring.push_back({100 * std::cos(a), 100 * std::sin(a)});
+  }
+  PlanSettings settings;
+  settings.shape = TrackShape::kAuto;
+  const Plan plan = mapped(field_of(ring), 6, settings);
+  EXPECT_TRUE(is_curved(plan));
+  EXPECT_EQ(plan.tally.pieces, 16);  // 97 … 7 m
+  EXPECT_NEAR(plan.tally.track_length_m, 2 * std::numbers::pi * 16 * 52, 2);
+}
+
+}  // namespace
+}  // namespace tramline
