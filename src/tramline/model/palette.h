@@ -38,6 +38,7 @@ inline constexpr Colour kHeadlandColour = rgb(0xDEDACF);
 inline constexpr std::uint32_t kHeadlandPassHex = 0x7A4E1D;
 inline constexpr Colour kHeadlandPassColour = rgb(kHeadlandPassHex, 0.9);
 inline constexpr Colour kReferenceColour = rgb(0x00695C);
+inline constexpr Colour kReferenceRim = rgb(kBackgroundHex, 0.8);
 inline constexpr Colour kFieldEdge = rgb(0x2F3B2F);
 inline constexpr Colour kSubfieldEdge = rgb(0x6B7266);
 inline constexpr Colour kObstacleColour = rgb(0x4C4A48);

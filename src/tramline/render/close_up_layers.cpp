@@ -43,6 +43,8 @@ std::optional<PathSegment> tightest_arc(const Path& path) {
 void draw_worked_land(Canvas& canvas, const Plan& near) {
   for (const TrackPiece& piece : near.pieces)
     fill(canvas, {{swath_in_view(canvas, near, piece), {}}}, kWorkedLandColour);
+  for (const HeadlandPass& pass : near.headland.passes)
+    fill(canvas, {{band(pass.path, near.machine.width_m, sagitta_m(canvas.view())), {}}}, kWorkedLandColour);
 }
 
 void draw_keep_off_lines(Canvas& canvas, const Plan& near) {
@@ -73,12 +75,6 @@ void draw_tightest_arcs(Canvas& canvas, const Plan& near, int obstacle) {
                 {kRadiusColour, kRadiusLine * k});
     disc(canvas, middle, 2.5 * k, kDetourColour);
   }
-}
-
-void clip_to(Canvas& canvas, const Box& box_px) {
-  cairo_new_path(canvas.cr());
-  cairo_rectangle(canvas.cr(), box_px.min_x, box_px.min_y, box_px.width(), box_px.height());
-  cairo_clip(canvas.cr());
 }
 
 void draw_frame(Canvas& canvas, const Box& b) {
