@@ -58,8 +58,8 @@ std::vector<PlaceOnLine> arrow_places_round(const Path& path, double room_m, dou
   for (const std::vector<Point>& stretch : stretches_in(chords(path, kSagitta_m), seen)) {
     const double run = length_of(stretch);
     if (run <= room_m) continue;
-    const double count = std::max(1.0, std::floor(run / apart_m));
-    for (double i = 0; i < count; ++i) out.push_back(place_along(stretch, (i + 0.5) / count * run));
+    const int count = std::max(1, static_cast<int>(run / apart_m));
+    for (int i = 0; i < count; ++i) out.push_back(place_along(stretch, (i + 0.5) / count * run));
   }
   return out;
 }
