@@ -189,6 +189,18 @@ Ring band(const Path& path, double width_m, double sagitta_m) {
   return out;
 }
 
+Polygon closed_band(const Path& path, double width_m, double sagitta_m) {
+  constexpr double kNoHole = 1e-3;  // m²
+  const double half = 0.5 * width_m;
+  Ring outer = offset_chords(path, -half, half, sagitta_m),
+       inner = offset_chords(path, half, half, sagitta_m);
+  for (Ring* ring : {&outer, &inner}) ring->pop_back();
+  if (std::abs(signed_area(inner)) > std::abs(signed_area(outer))) std::swap(outer, inner);
+  Polygon out{std::move(outer), {}};
+  if (std::abs(signed_area(inner)) > kNoHole) out.holes.push_back(std::move(inner));
+  return oriented(std::move(out));
+}
+
 Box reach_of(const Path& path, double width_m) {
   Box box;
   for (const PathSegment& segment : path) box.extend(box_of(segment));

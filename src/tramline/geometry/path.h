@@ -65,6 +65,11 @@ std::vector<Point> chords(const Path& path, double sagitta_m = kChordSagitta);
 /// then its area is width · length.
 Ring band(const Path& path, double width_m, double sagitta_m = kChordSagitta);
 
+/// The same for a path that ends where it begins, in the direction it began in: a ring of ground, without a
+/// seam. No hole where the inner edge has shrunk to nothing.
+/// Precondition: the band does not meet itself.
+Polygon closed_band(const Path& path, double width_m, double sagitta_m = kChordSagitta);
+
 /// A box that the band of the given width along the path does not leave.
 Box reach_of(const Path& path, double width_m);
 /// The same, one for each segment's part of the band.

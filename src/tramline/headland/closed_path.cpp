@@ -1,0 +1,65 @@
+#include "tramline/headland/closed_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tramline {
+namespace {
+
+constexpr double kStraightOn = 1e-7;  // rad: less is no turn
+constexpr double kNothing = 1e-7;     // m: shorter segments are left out
+
+Point right_of(Point direction) { return {direction.y, -direction.x}; }
+
+Point turned_left(Point p, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * p.x - s * p.y, s * p.x + c * p.y};
+}
+
+/// An arc about `centre` from the unit vector `out` on, in parts that know their centre well.
+void append_arc(Point centre, double radius_m, Point out, double angle, Path& path) {
+  constexpr double kMost = 2;
+  const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(angle) / kMost)));
+  const auto at = [&](int i) { return centre + radius_m * turned_left(out, angle * i / parts); };
+  for (int i = 0; i < parts; ++i) path.push_back({at(i), at(i + 1), std::copysign(1 / radius_m, angle)});
+}
+
+void append_piece(const LevelPiece& piece, double radius_m, Path& path) {
+  const Point out = right_of(piece.from_heading);
+  if (piece.segment.straight()) {
+    path.push_back(
+        {piece.segment.from + radius_m * out, piece.segment.to + radius_m * right_of(piece.to_heading), 0});
+    return;
+  }
+  const double angle =
+      std::atan2(cross(piece.from_heading, piece.to_heading), dot(piece.from_heading, piece.to_heading));
+  append_arc(piece.centre, radius(piece.segment) - radius_m, -1.0 * out, angle, path);
+}
+
+void append_corner(const LevelPiece& before, const LevelPiece& after, double radius_m, Path& path) {
+  const Point a = before.to_heading, b = after.from_heading;
+  double angle = std::atan2(cross(a, b), dot(a, b));
+  if (angle < -0.5 * std::numbers::pi) angle += 2 * std::numbers::pi;  // straight back
+  if (angle > kStraightOn) append_arc(before.segment.to, radius_m, right_of(a), angle, path);
+}
+
+/// Leaves out what has no length and lets each segment begin where the last one ended.
+Path linked(Path path) {
+  std::erase_if(path, [](const PathSegment& s) { return distance(s.from, s.to) < kNothing; });
+  for (std::size_t i = 0; i < path.size(); ++i) path[i].from = path[i == 0 ? path.size() - 1 : i - 1].to;
+  return path;
+}
+
+}  // namespace
+
+Path closed_path(const LevelRing& ring, double radius_m) {
+  Path path;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    append_piece(ring[i], radius_m, path);
+    append_corner(ring[i], ring[(i + 1) % ring.size()], radius_m, path);
+  }
+  return linked(std::move(path));
+}
+
+}  // namespace tramline

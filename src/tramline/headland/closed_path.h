@@ -1,0 +1,13 @@
+#pragma once
+// From where the centre of the turning circle may be to what the machine drives.
+
+#include "tramline/geometry/level_rings.h"
+
+namespace tramline {
+
+/// The closed path that a disc of radius `radius_m` draws whose centre goes along the ring: on the disc's far
+/// side. Where the ring turns to the left, the path does so along the disc; an arc of the ring makes an arc
+/// smaller by the radius. Precondition: the ring's arcs are larger than the radius.
+Path closed_path(const LevelRing& ring, double radius_m);
+
+}  // namespace tramline

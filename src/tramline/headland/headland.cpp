@@ -1,0 +1,78 @@
+#include "tramline/headland/headland.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tramline/geometry/boolean.h"
+#include "tramline/headland/body.h"
+#include "tramline/headland/pass_rings.h"
+#include "tramline/headland/pass_tally.h"
+#include "tramline/headland/shores.h"
+
+namespace tramline {
+namespace {
+
+/// Land inside obstacles that have a headland: the headland lies outside.
+Region inside_obstacles(const Field& field, const std::vector<Boundary>& boundaries) {
+  Region out;
+  for (const Boundary& boundary : boundaries)
+    if (boundary.obstacle >= 0 && boundary.passes > 0)
+      for (const Ring& hole : field.obstacles[static_cast<std::size_t>(boundary.obstacle)].shape.holes)
+        out.push_back({reversed(hole), {}});
+  return out;
+}
+
+Region body_behind(const Field& field, const Region& land, const std::vector<Boundary>& boundaries,
+                   double width_m) {
+  Region behind = land_behind_headlands(boundaries, width_m);
+  const Region inside = inside_obstacles(field, boundaries);
+  if (!inside.empty()) behind = unite(behind, inside);
+  if (boundaries.front().passes > 0 && field.obstacles.empty()) return behind;
+  return intersection(land, behind);
+}
+
+int deepest(const std::vector<Boundary>& boundaries) {
+  int out = 0;
+  for (const Boundary& boundary : boundaries) out = std::max(out, boundary.passes);
+  return out;
+}
+
+bool leaves_body(const Field& field, double width_m, int passes) {
+  const auto boundaries = boundaries_of(field, {width_m, 0, passes, {}});
+  return !body_behind(field, body_of(field), boundaries, width_m).empty();
+}
+
+}  // namespace
+
+HeadlandAndBody headland_of(const Field& field, const HeadlandTerms& terms) {
+  const std::vector<Boundary> boundaries = boundaries_of(field, terms);
+  const Region land = body_of(field);
+  HeadlandAndBody out;
+  out.obstacle_passes = terms.obstacle_passes;
+  const int most = deepest(boundaries);
+  if (most == 0) {
+    out.body = land;
+    return out;
+  }
+  out.body = body_behind(field, land, boundaries, terms.width_m);
+  out.ground = difference(land, out.body);
+  for (int number = 1; number <= most; ++number) {
+    std::vector<HeadlandPass> rings = pass_rings(boundaries, terms, number);
+    out.passes.insert(out.passes.end(), std::make_move_iterator(rings.begin()),
+                      std::make_move_iterator(rings.end()));
+  }
+  tally_passes(obstacle_shapes(field, ObstacleKind::kPassable), terms.width_m, out);
+  return out;
+}
+
+int most_passes(const Field& field, double width_m) {
+  const Box reach = bounds(field.outer);
+  int fits = 0, too_many = 1 + static_cast<int>(0.5 * std::min(reach.width(), reach.height()) / width_m);
+  while (too_many - fits > 1) {
+    const int middle = fits + (too_many - fits) / 2;
+    (leaves_body(field, width_m, middle) ? fits : too_many) = middle;
+  }
+  return fits;
+}
+
+}  // namespace tramline

@@ -1,0 +1,54 @@
+#pragma once
+// Headlands: the passes round the field and its obstacles, the ground they work, and the body they leave
+// (S2.4, S2.5; headlands that meet or overlap, which S2 leaves open, are one).
+
+#include <vector>
+
+#include "tramline/model/field.h"
+#include "tramline/model/headland.h"
+
+namespace tramline {
+
+/// What headlands are made by. One machine works all of them.
+struct HeadlandTerms {
+  double width_m = 3;                ///< working width, > 0
+  double radius_m = 6;               ///< turning radius, ≥ 0
+  int field_passes = 0;              ///< round the boundary; 0: the field has no headland
+  std::vector<int> obstacle_passes;  ///< by Field::obstacles; 0, also where the list ends early: the obstacle
+                                     ///< has no headland. Of no consequence for passable ones
+};
+
+/// Headlands, all but Headland::unworked, and what they leave.
+struct HeadlandAndBody : Headland {
+  Region body;  ///< what the tracks have to cover; empty where headlands take the whole field
+};
+
+/// The largest distance between the edge of the body about a corner, an arc, and the chords that stand for
+/// it, m.
+inline constexpr double kBodySagitta = 1e-3;
+
+/// Pass i runs (i − ½)·w from the boundaries that have so many passes; the headland is so many widths deep.
+/// From the others it keeps half a width off their own last pass, or off the obstacle where it has none.
+/// Round a corner that stands out into the land it runs along an arc at that distance, and swings wide where
+/// that would be tighter than the machine turns; into all others it goes as far as the machine turns.
+///
+/// Boundaries whose swaths with one number would meet are driven round together. A lobe where the machine
+/// cannot turn is left out, and so is a ring that would for the most part follow boundaries whose passes are
+/// all driven already; their ground counts as uncovered. Where a neck is too narrow to turn in, two turns may
+/// face one another and work some of it twice.
+///
+/// No pass leaves the field or enters an obstacle with its swath (up to 1e-6 m). Passable obstacles bend no
+/// pass. Ground inside a hole of an obstacle is body without headland.
+///
+/// O(n²) for n corners, less where they are far apart compared to the distances.
+HeadlandAndBody headland_of(const Field& field, const HeadlandTerms& terms);
+
+/// `uncovered_m2` as a picture: the ground that no pass works, off by about kBodySagitta at arcs. The area of
+/// what passes leave on passable obstacles is not in it, nor is it in uncovered_m2: they are not ground. A
+/// polygon difference for each pass: mostly slower than headland_of.
+Region unworked_ground(const Headland& headland, double width_m);
+
+/// The most passes round the field (obstacles without headland) that leave any body at all. O(log) bodies.
+int most_passes(const Field& field, double width_m);
+
+}  // namespace tramline

@@ -1,0 +1,17 @@
+#pragma once
+// The rings of one pass, drivable.
+
+#include <vector>
+
+#include "tramline/headland/headland.h"
+#include "tramline/headland/shores.h"
+
+namespace tramline {
+
+/// Pass `number` round all boundaries that have so many. Boundaries are driven round one by one; where the
+/// swaths would meet those of another boundary, or what they have to keep off, the two are driven round
+/// together.
+std::vector<HeadlandPass> pass_rings(const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
+                                     int number);
+
+}  // namespace tramline

@@ -1,0 +1,153 @@
+#include "tramline/headland/wide_corners.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "tramline/geometry/smallest_disc.h"
+
+namespace tramline {
+namespace {
+
+constexpr double kTouch = 1e-9;
+
+/// What is seen of the level's arc about a corner.
+struct TightArc {
+  Point corner;
+  double slack_m = 0;  ///< a disc covers the arc if its centre is no farther than this from the corner
+  Point first{};       ///< unit vectors from the corner to the arc's ends
+  Point last{};
+  double turned_rad = 0;  ///< from the first one to the last one
+  int shore = 0;
+
+  double level_m(double radius_m) const { return radius_m - slack_m; }
+};
+
+/// Consecutive arcs with one disc.
+struct Group {
+  std::vector<TightArc> arcs;
+  Point centre;
+};
+
+Point turned_right(Point direction, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * direction.x + s * direction.y, c * direction.y - s * direction.x};
+}
+
+double angle_right(Point from, Point to) { return std::atan2(-cross(from, to), dot(from, to)); }
+
+bool covers(Point centre, const std::vector<TightArc>& arcs, std::size_t count) {
+  return std::all_of(
+      arcs.begin(), arcs.begin() + static_cast<std::ptrdiff_t>(count),
+      [&](const TightArc& arc) { return distance(centre, arc.corner) <= arc.slack_m + kTouch; });
+}
+
+/// The centre that covers the arcs and lies farthest back, away from the land; false: there is none. Takes
+/// the arcs one by one: if one is not covered, the new centre is as far from it as may be.
+bool farthest_back(const std::vector<TightArc>& arcs, Point back, Point& centre) {
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    const TightArc& arc = arcs[i];
+    if (i > 0 && covers(centre, {arc}, 1)) continue;
+    std::vector<Point> candidates{arc.corner + arc.slack_m * back};
+    for (std::size_t j = 0; j < i; ++j) {
+      const Point apart = arcs[j].corner - arc.corner;
+      const double d = length(apart);
+      if (d < kTouch) continue;
+      const double r = arc.slack_m, s = arcs[j].slack_m;
+      const double ahead = 0.5 * (d + (r - s) * (r + s) / d), aside = r * r - ahead * ahead;
+      if (aside < 0) continue;
+      const Point unit = (1 / d) * apart;
+      for (const double sign : {-1.0, 1.0})
+        candidates.push_back(arc.corner + ahead * unit + sign * std::sqrt(aside) * Point{-unit.y, unit.x});
+    }
+    std::erase_if(candidates, [&](Point p) { return !covers(p, arcs, i + 1); });
+    if (candidates.empty()) return false;
+    centre = *std::max_element(candidates.begin(), candidates.end(),
+                               [&](Point p, Point q) { return dot(p, back) < dot(q, back); });
+  }
+  return true;
+}
+
+/// Finds the disc for all arcs of a group.
+bool place(Group& group) {
+  const auto& arcs = group.arcs;
+  double turned = arcs.front().turned_rad;
+  for (std::size_t i = 1; i < arcs.size(); ++i)
+    turned += angle_right(arcs[i - 1].last, arcs[i].first) + arcs[i].turned_rad;
+  // All but once round a small obstacle there is no side to lean to.
+  if (turned > 1.25 * std::numbers::pi) {
+    std::vector<Point> corners;
+    for (const TightArc& arc : arcs) corners.push_back(arc.corner);
+    group.centre = smallest_disc(corners).centre;
+    return covers(group.centre, arcs, arcs.size());
+  }
+  const Point ahead = turned_right(arcs.front().first, 0.5 * turned);
+  return farthest_back(arcs, -1.0 * ahead, group.centre);
+}
+
+/// How deep the arcs' ends and middles lie in any of the discs, at most.
+double depth(const std::vector<const Group*>& arcs_of, const std::vector<Point>& centres, double radius_m) {
+  double out = 0;
+  for (const Group* group : arcs_of)
+    for (const TightArc& arc : group->arcs)
+      for (const Point out_of_corner : {arc.first, turned_right(arc.first, 0.5 * arc.turned_rad), arc.last})
+        for (const Point centre : centres)
+          out =
+              std::max(out, radius_m - distance(centre, arc.corner + arc.level_m(radius_m) * out_of_corner));
+  return out;
+}
+
+/// Both in one, where that is possible and takes no more of the land.
+bool join(Group& a, const Group& b, double radius_m) {
+  Group both = a;
+  both.arcs.insert(both.arcs.end(), b.arcs.begin(), b.arcs.end());
+  if (!place(both)) return false;
+  if (depth({&both}, {both.centre}, radius_m) > depth({&a, &b}, {a.centre, b.centre}, radius_m) + kTouch)
+    return false;
+  a = std::move(both);
+  return true;
+}
+
+std::vector<Group> tight_arcs(const LevelRing& ring, double radius_m) {
+  std::vector<Group> out;
+  for (const LevelPiece& piece : ring) {
+    const double level = radius(piece.segment);
+    if (piece.segment.straight() || level >= radius_m) continue;
+    const Point first{-piece.from_heading.y, piece.from_heading.x};
+    const Point last{-piece.to_heading.y, piece.to_heading.x};
+    Group group{
+        {{piece.centre, radius_m - level, first, last, std::abs(turning(piece.segment)), piece.shore}}, {}};
+    place(group);
+    out.push_back(std::move(group));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<ShoreDisc> wide_corners(const std::vector<LevelRing>& rings, double radius_m) {
+  // A hair more than the radius: what the disc just touches is then nearer to it for sure.
+  constexpr double kHair = 1e-8;
+  std::vector<ShoreDisc> out;
+  for (const LevelRing& ring : rings) {
+    std::vector<Group> groups = tight_arcs(ring, radius_m);
+    for (bool joined = groups.size() > 1; joined && groups.size() > 1;) {
+      joined = false;
+      for (std::size_t i = 0; i < groups.size() && groups.size() > 1;) {
+        const std::size_t next = (i + 1) % groups.size();
+        if (!join(groups[i], groups[next], radius_m)) {
+          ++i;
+          continue;
+        }
+        groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(next));
+        joined = true;
+        if (next == 0) break;
+      }
+    }
+    for (const Group& group : groups)
+      out.push_back({group.centre, radius_m + kHair, group.arcs.front().shore});
+  }
+  return out;
+}
+
+}  // namespace tramline

@@ -1,0 +1,288 @@
+// Headlands with lengths and areas known by hand (S2.4, S2.5). Where a path turns by τ at a corner, an arc of
+// radius R that touches both edges leaves R²·(tan(τ/2) − τ/2) of the corner, a quarter turn R²·(1 − π/4).
+
+#include "tramline/headland/headland.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "headland/headland_faults.h"
+
+namespace tramline::testing {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kLength = 1e-5;  // m: passes come 1e-7 m nearer to boundaries than they should
+constexpr double kArea = 2e-3;    // m²
+constexpr double kChords = 0.03;  // m²: chords of the body
+
+Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+
+Field field_of(Ring outer, const std::vector<Ring>& obstacles = {}) {
+  Field field;
+  field.outer = std::move(outer);
+  for (const Ring& ring : obstacles) field.obstacles.push_back({{ring, {}}, ObstacleKind::kObstacle, "hole"});
+  return field;
+}
+
+Ring polygon(int corners, double radius, Point centre) {
+  Ring ring;
+  for (int i = 0; i < corners; ++i)
+    ring.push_back(centre + radius * Point{std::cos(2 * kPi * i / corners), std::sin(2 * kPi * i / corners)});
+  return ring;
+}
+
+/// With everything that has to hold for any headland.
+HeadlandAndBody made(const Field& field, const HeadlandTerms& terms) {
+  HeadlandAndBody headland = headland_of(field, terms);
+  for (const std::string& fault : faults_of(field, terms, headland)) ADD_FAILURE() << fault;
+  return headland;
+}
+
+double distance_to_path(Point p, const Path& path) {
+  double out = std::numeric_limits<double>::infinity();
+  for (const PathSegment& segment : path) out = std::min(out, distance_to_edge(segment, p, p));
+  return out;
+}
+
+TEST(Headland, OfNoPassesIsNothing) {
+  const HeadlandAndBody headland = made(field_of(box(0, 0, 100, 60)), {6, 6, 0, {}});
+  EXPECT_TRUE(headland.passes.empty());
+  EXPECT_TRUE(headland.ground.empty());
+  EXPECT_NEAR(area(headland.body), 6000, 1e-6);
+  EXPECT_EQ(headland.worked_m2, 0);
+}
+
+// The tightest arcs a swath of 6 m allows: its inner edge has a corner.
+TEST(Headland, OfARectangle) {
+  const HeadlandAndBody headland = made(field_of(box(0, 0, 100, 60)), {6, 0, 1, {}});
+  ASSERT_EQ(headland.passes.size(), 1u);
+  const HeadlandPass& pass = headland.passes.front();
+  EXPECT_TRUE(pass.around_field);
+  EXPECT_TRUE(pass.obstacles.empty());
+  EXPECT_EQ(pass.number, 1);
+  EXPECT_NEAR(length(pass.path), 2 * (94 + 54) - 8 * 3 + 2 * kPi * 3, kLength);
+  EXPECT_GT(signed_area(chords(pass.path)), 0) << "the body is on the left";
+  EXPECT_NEAR(area(headland.body), 88 * 48, kArea);
+  EXPECT_NEAR(area(headland.ground), 6000 - 88 * 48, kArea);
+  EXPECT_NEAR(headland.uncovered_m2, (4 - kPi) * 36, kArea);
+  EXPECT_NEAR(headland.overlap_m2, 0, kArea);
+}
+
+// Each pass leaves (ρ + w/2)² of the corner outside, and works (ρ − w/2)² inside that belong to the next.
+TEST(Headland, LeavesWhatACornerAndAWideTurnAsk) {
+  for (const int passes : {1, 2, 3}) {
+    const double w = 4, r = 7;
+    const HeadlandAndBody headland = made(field_of(box(0, 0, 100, 60)), {w, r, passes, {}});
+    ASSERT_EQ(headland.passes.size(), static_cast<std::size_t>(passes));
+    EXPECT_EQ(headland.passes.back().number, passes);
+    EXPECT_EQ(smallest_radius(headland.passes.back().path), r);
+    const double outside = (r + 0.5 * w) * (r + 0.5 * w) + (passes - 1) * 2 * r * w;
+    EXPECT_NEAR(headland.uncovered_m2, (4 - kPi) * outside, kArea);
+    EXPECT_NEAR(headland.overlap_m2, (4 - kPi) * (r - 0.5 * w) * (r - 0.5 * w), kArea);
+  }
+}
+
+TEST(Headland, OfATriangle) {
+  const HeadlandAndBody headland =
+      made(field_of({{0, 0}, {100, 0}, {50, 50 * std::sqrt(3.0)}}), {6, 6, 1, {}});
+  const double lost = 3 * (std::sqrt(3.0) - kPi / 3);
+  EXPECT_NEAR(headland.uncovered_m2, lost * 81, kArea);
+  EXPECT_NEAR(headland.overlap_m2, lost * 9, kArea);
+}
+
+const Ring kL{{0, 0}, {100, 0}, {100, 50}, {50, 50}, {50, 100}, {0, 100}};
+
+// The machine turns tighter than the pass: an arc about the corner, without loss.
+TEST(Headland, GoesRoundAReflexCornerAtItsDistance) {
+  const HeadlandAndBody headland = made(field_of(kL), {6, 0, 2, {}});
+  ASSERT_EQ(headland.passes.size(), 2u);
+  for (const double d : {3.0, 9.0})
+    EXPECT_NEAR(length(headland.passes[d < 5 ? 0 : 1].path),
+                400 - 5 * 2 * d + 0.5 * kPi * d - 5 * (2 - 0.5 * kPi) * 3, kLength);
+  EXPECT_NEAR(area(headland.ground), 400 * 12 - 5 * 144 + kPi * 36, kChords);
+  EXPECT_NEAR(headland.uncovered_m2, 5 * (1 - kPi / 4) * (36 + 36), kChords);
+  EXPECT_NEAR(headland.overlap_m2, 0, kChords);
+}
+
+// It does not: a circle of 6 m that comes to 3 m of the corner in the middle, its centre 3 m behind the
+// corner.
+TEST(Headland, SwingsWideRoundAReflexCorner) {
+  const HeadlandAndBody headland = made(field_of(kL), {6, 6, 1, {}});
+  ASSERT_EQ(headland.passes.size(), 1u);
+  const Path& path = headland.passes.front().path;
+  EXPECT_NEAR(smallest_radius(path), 6, 1e-6);
+  EXPECT_NEAR(distance_to_path({50, 50}, path), 3, 1e-6);
+  // The centres of the turns on both sides are 12 m from that of the circle and 9 m from the edges.
+  const double behind = 3 / std::sqrt(2.0);
+  const double aside = std::sqrt(144 - (9 + behind) * (9 + behind)), turn = std::asin(aside / 12);
+  const double straight = 2 * (100 - 9 - 9) + 2 * (50 - 9 - 9) + 2 * (100 - 9 - (50 + behind + aside));
+  EXPECT_NEAR(length(path), straight + 5 * 0.5 * kPi * 6 + 2 * 6 * turn + 6 * (0.5 * kPi + 2 * turn),
+              kLength);
+}
+
+TEST(Headland, GoesRoundASquare) {
+  const HeadlandAndBody headland = made(field_of(box(0, 0, 100, 100), {box(45, 45, 55, 55)}), {6, 0, 1, {1}});
+  ASSERT_EQ(headland.passes.size(), 2u);
+  const HeadlandPass& round = headland.passes[headland.passes[0].around_field ? 1 : 0];
+  EXPECT_FALSE(round.around_field);
+  EXPECT_EQ(round.obstacles, std::vector<int>{0});
+  EXPECT_NEAR(length(round.path), 40 + 6 * kPi, kLength);
+  EXPECT_LT(signed_area(chords(round.path)), 0) << "the body is on the left";
+  EXPECT_NEAR(area(headland.ground), 100 * 100 - 88 * 88 + 240 + 36 * kPi, kChords);
+  EXPECT_NEAR(headland.uncovered_m2, (4 - kPi) * 36, kChords);
+  ASSERT_EQ(headland.body.size(), 1u);
+  EXPECT_EQ(headland.body.front().holes.size(), 1u);
+}
+
+// A pole: the smallest circle the machine can drive, about its centre.
+TEST(Headland, CirclesAPole) {
+  const HeadlandAndBody headland =
+      made(field_of(box(0, 0, 100, 100), {box(49.5, 49.5, 50.5, 50.5)}), {4, 6, 0, {1}});
+  ASSERT_EQ(headland.passes.size(), 1u);
+  EXPECT_NEAR(length(headland.passes.front().path), 12 * kPi, kLength);
+  EXPECT_NEAR(distance_to_path({50, 50}, headland.passes.front().path), 6, 1e-6);
+  EXPECT_NEAR(area(headland.ground), 4 * 4 + 16 * kPi, kChords);
+}
+
+// A wall 10 cm thick: both corners of an end share a circle that touches 2 m beyond it.
+TEST(Headland, SwingsRoundTheEndOfAWall) {
+  const HeadlandAndBody headland =
+      made(field_of(box(0, 0, 100, 100), {box(40, 50, 60, 50.1)}), {4, 6, 0, {1}});
+  ASSERT_EQ(headland.passes.size(), 1u);
+  const Box reach = reach_of(headland.passes.front().path, 0);
+  EXPECT_NEAR(reach.min_y, 50.05 - 6, 0.02);
+  EXPECT_NEAR(distance_to_path({40, 50.05}, headland.passes.front().path), 2, 2e-3);
+}
+
+TEST(Headland, GoesRoundAPond) {
+  const HeadlandAndBody headland =
+      made(field_of(box(0, 0, 100, 100), {polygon(48, 10, {50, 50})}), {6, 6, 1, {2}});
+  ASSERT_EQ(headland.passes.size(), 3u);
+  // Not the exact circles of 13 and 19 m: the first is wider at each corner by at most (6 − 3)·(1 −
+  // cos 3.75°).
+  EXPECT_NEAR(length(headland.passes[2].path), 2 * kPi * 19, 0.2);
+  const HeadlandPass& first = headland.passes[headland.passes[0].around_field ? 1 : 0];
+  EXPECT_NEAR(length(first.path), 2 * kPi * 13, 0.2);
+}
+
+// 4 m between obstacle and edge: one headland.
+TEST(Headland, ReachesRoundAnObstacleNearTheEdge) {
+  const HeadlandAndBody headland = made(field_of(box(0, 0, 100, 100), {box(45, 4, 55, 14)}), {6, 0, 1, {1}});
+  ASSERT_EQ(headland.passes.size(), 1u);
+  EXPECT_TRUE(headland.passes.front().around_field);
+  EXPECT_EQ(headland.passes.front().obstacles, std::vector<int>{0});
+  EXPECT_NEAR(area(headland.body), 88 * 88 - 22 * 8 - 60 - 18 * kPi, kChords);
+  EXPECT_GT(headland.uncovered_m2, 40 + (4 - kPi) * 36) << "the land between is left";
+}
+
+// An obstacle without headland in the strip is gone round all the same; in the body it is left to the tracks.
+TEST(Headland, KeepsOffObstaclesWithoutHeadland) {
+  const HeadlandAndBody headland =
+      made(field_of(box(0, 0, 100, 100), {box(45, 1, 55, 9), box(45, 45, 55, 55)}), {6, 6, 1, {}});
+  ASSERT_EQ(headland.passes.size(), 1u);
+  EXPECT_EQ(headland.passes.front().obstacles, std::vector<int>{0});
+  EXPECT_NEAR(area(headland.body), 88 * 88 - 30 - 100, kChords);
+}
+
+// 18 m of room suffice for the field's two swaths and the obstacle's one; 12 m for those and an obstacle
+// without.
+TEST(Headland, PassesObstaclesStraight) {
+  const Field field = field_of(box(0, 0, 100, 100), {box(45, 18, 55, 28), box(45, 72, 55, 88)});
+  const HeadlandAndBody headland = made(field, {6, 8, 2, {1, 0}});
+  ASSERT_EQ(headland.passes.size(), 3u);
+  const auto once_round = [](double d) { return 4 * (100 - 2 * d) - 8 * 8 + 16 * kPi; };
+  EXPECT_NEAR(length(headland.passes[0].path), once_round(3), kLength);
+  EXPECT_EQ(headland.passes[1].obstacles, std::vector<int>{0});
+  EXPECT_NEAR(length(headland.passes[2].path), once_round(9), kLength);
+  EXPECT_TRUE(headland.passes[2].obstacles.empty());
+}
+
+// Two swaths of 6 m fit into 12 m, not into less.
+TEST(Headland, SharesWhatIsTooNarrowForTwo) {
+  EXPECT_EQ(made(field_of(box(0, 0, 100, 100), {box(45, 11.9, 55, 20)}), {6, 0, 1, {1}}).passes.size(), 1u);
+  EXPECT_EQ(made(field_of(box(0, 0, 100, 100), {box(45, 12, 55, 20)}), {6, 0, 1, {1}}).passes.size(), 2u);
+}
+
+// 2 m between obstacle and edge all around: the second to fifth pass would lie outside.
+TEST(Headland, StaysInTheField) {
+  const HeadlandAndBody headland = made(field_of(box(0, 0, 30, 30), {box(2, 2, 28, 28)}), {1.5, 0, 0, {5}});
+  EXPECT_EQ(headland.passes.size(), 1u);
+  EXPECT_TRUE(headland.body.empty());
+}
+
+// Two squares 4 m apart: the circles of 6 m about the corners that face one another meet half-way.
+TEST(Headland, GoesRoundTwoObstaclesAtOnce) {
+  const HeadlandAndBody headland =
+      made(field_of(box(0, 0, 100, 100), {box(38, 45, 48, 55), box(52, 45, 62, 55)}), {6, 0, 0, {1, 1}});
+  ASSERT_EQ(headland.passes.size(), 1u);
+  EXPECT_EQ(headland.passes.front().obstacles, (std::vector<int>{0, 1}));
+  EXPECT_NEAR(length(headland.passes.front().path), 60 + 6 * kPi + 24 * std::asin(2.0 / 6), kLength);
+}
+
+// Rooms of 40 m, 8 m of corridor between them.
+TEST(Headland, ComesApartAtANeck) {
+  const Ring rooms{{0, 0},    {40, 0},  {40, 16}, {60, 16}, {60, 0},  {100, 0},
+                   {100, 40}, {60, 40}, {60, 24}, {40, 24}, {40, 40}, {0, 40}};
+  const HeadlandAndBody headland = made(field_of(rooms), {6, 0, 1, {}});
+  EXPECT_EQ(headland.body.size(), 2u);
+  EXPECT_EQ(headland.passes.size(), 2u);
+  EXPECT_GT(headland.uncovered_m2, 12 * 8) << "the middle of the corridor, at least";
+}
+
+TEST(Headland, MayTakeTheWholeField) {
+  const Field field = field_of(box(0, 0, 20, 20));
+  const HeadlandAndBody headland = made(field, {6, 0, 2, {}});
+  EXPECT_TRUE(headland.body.empty());
+  EXPECT_NEAR(area(headland.ground), 400, 1e-6);
+  ASSERT_EQ(headland.passes.size(), 1u) << "the second does not fit";
+  EXPECT_NEAR(headland.uncovered_m2, (4 - kPi) * 36 + 8 * 8, kArea);
+}
+
+TEST(Headland, FitsWhereItJustFits) {
+  const HeadlandAndBody square = made(field_of(box(0, 0, 24, 24)), {6, 0, 2, {}});
+  ASSERT_EQ(square.passes.size(), 2u);
+  EXPECT_NEAR(length(square.passes.back().path), 6 * kPi, kLength);
+  const HeadlandAndBody strip = made(field_of(box(0, 0, 60, 12)), {6, 0, 1, {}});
+  ASSERT_EQ(strip.passes.size(), 1u);
+  EXPECT_NEAR(length(strip.passes.front().path), 2 * 48 + 6 * kPi, kLength);
+}
+
+TEST(Headland, IsNotWorkedOnPassableLand) {
+  Field field = field_of(box(0, 0, 100, 60), {box(48, 0, 52, 60)});
+  field.obstacles.front().kind = ObstacleKind::kPassable;
+  const HeadlandAndBody headland = made(field, {6, 0, 1, {1}});
+  ASSERT_EQ(headland.passes.size(), 1u);
+  EXPECT_TRUE(headland.passes.front().obstacles.empty());
+  EXPECT_NEAR(headland.worked_m2, 6 * length(headland.passes.front().path) - 2 * 4 * 6, kArea);
+  EXPECT_NEAR(area(headland.body), 88 * 48 - 4 * 48, kArea);
+  EXPECT_NEAR(headland.uncovered_m2, (4 - kPi) * 36, kArea);
+}
+
+// The obstacle has a second pass; the field has not, and most of the ring would follow the field.
+TEST(Headland, DoesNotFollowPassesDrivenAlready) {
+  const HeadlandAndBody headland = made(field_of(box(0, 0, 100, 100), {box(45, 10, 55, 20)}), {6, 0, 1, {2}});
+  for (const HeadlandPass& pass : headland.passes) EXPECT_EQ(pass.number, 1);
+  EXPECT_GT(headland.uncovered_m2, (4 - kPi) * 36);
+}
+
+TEST(Headland, LeavesLandInsideAnObstacleAlone) {
+  Field field = field_of(box(0, 0, 100, 100), {box(40, 40, 60, 60)});
+  field.obstacles.front().shape.holes.push_back(reversed(box(45, 45, 55, 55)));
+  const HeadlandAndBody headland = made(field, {6, 0, 1, {1}});
+  EXPECT_EQ(headland.passes.size(), 2u);
+  EXPECT_EQ(headland.body.size(), 2u);
+  EXPECT_NEAR(area(headland.body), 88 * 88 - 400 - 480 - 36 * kPi + 100, kChords);
+}
+
+TEST(MostPasses, LeaveABody) {
+  EXPECT_EQ(most_passes(field_of(box(0, 0, 100, 60)), 6), 4) << "the fifth takes the last 0 m";
+  EXPECT_EQ(most_passes(field_of(box(0, 0, 20, 20)), 6), 1);
+  EXPECT_EQ(most_passes(field_of(box(0, 0, 10, 10)), 6), 0);
+  EXPECT_EQ(most_passes(field_of(box(0, 0, 100, 60), {box(40, 20, 60, 40)}), 6), 4);
+}
+
+}  // namespace
+}  // namespace tramline::testing

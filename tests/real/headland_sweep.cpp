@@ -1,0 +1,98 @@
+// Headlands of every curated real field: drivable, in place and with areas that add up?
+//
+//   headland_sweep
+//
+// Prints a line for everything that is not well and a summary for each working width and number of passes;
+// exit code 1 where something is not well.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "headland/headland_faults.h"
+#include "real/real_fields.h"
+#include "real/spread.h"
+#include "tramline/geometry/error.h"
+
+namespace tramline::testing {
+namespace {
+
+constexpr double kRadius = 6;
+
+struct Spreads {
+  std::vector<double> uncovered_pct, overlap_pct, milliseconds;
+  double slowest_per_corner_us = 0;
+  int failed = 0, without_body = 0, rings = 0;
+};
+
+std::size_t corners(const Field& field) {
+  std::size_t out = field.outer.size();
+  for (const Obstacle& obstacle : field.obstacles) out += obstacle.shape.outer.size();
+  return out;
+}
+
+void look_at(const Field& field, double width_m, int passes, Spreads& out) {
+  const HeadlandTerms terms = terms_of(field, width_m, kRadius, passes);
+  try {
+    const auto start = std::chrono::steady_clock::now();
+    const HeadlandAndBody headland = headland_of(field, terms);
+    const double ms = 1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const auto faults = faults_of(field, terms, headland);
+    for (const std::string& fault : faults)
+      fmt::print("  {} (w {}, {} passes): {}\n", field.id, width_m, passes, fault);
+    out.failed += faults.empty() ? 0 : 1;
+    out.without_body += headland.body.empty() ? 1 : 0;
+    out.rings += static_cast<int>(headland.passes.size());
+    const double ground = std::max(1.0, area(headland.ground));
+    out.uncovered_pct.push_back(100 * headland.uncovered_m2 / ground);
+    out.overlap_pct.push_back(100 * headland.overlap_m2 / ground);
+    out.milliseconds.push_back(ms);
+    out.slowest_per_corner_us =
+        std::max(out.slowest_per_corner_us, 1e3 * ms / static_cast<double>(corners(field)));
+  } catch (const Error& error) {
+    fmt::print("  {} (w {}, {} passes) failed: {}\n", field.id, width_m, passes, error.what());
+    ++out.failed;
+  }
+}
+
+int run() {
+  const auto fields = read_real_fields();
+  if (!fields) {
+    fmt::print("no real fields here\n");
+    return 0;
+  }
+  const Crs crs(fields->dataset.layers.front().crs);
+  int failed = 0;
+  for (const double width_m : {4.0, 6.0, 12.0})
+    for (const int passes : {1, 2}) {
+      Spreads spreads;
+      for (const RawFeature& feature : fields->features()) {
+        try {
+          for (const Field& field : admitted(*fields, crs, feature)) look_at(field, width_m, passes, spreads);
+        } catch (const Error&) {  // refused: the sweep of plans says so
+        }
+      }
+      fmt::print(
+          "w {} m, r {} m, {} passes: {} fields, {} fail, {} rings, {} without body; of the headland "
+          "uncovered "
+          "median {:.2f} %, most {:.1f} %; overlap median {:.3f} %, most {:.1f} %; median {:.2f} ms, longest "
+          "{:.0f} "
+          "ms, most per corner {:.0f} µs\n",
+          width_m, kRadius, passes, spreads.milliseconds.size(), spreads.failed, spreads.rings,
+          spreads.without_body, median(spreads.uncovered_pct),
+          *std::max_element(spreads.uncovered_pct.begin(), spreads.uncovered_pct.end()),
+          median(spreads.overlap_pct),
+          *std::max_element(spreads.overlap_pct.begin(), spreads.overlap_pct.end()),
+          median(spreads.milliseconds),
+          *std::max_element(spreads.milliseconds.begin(), spreads.milliseconds.end()),
+          spreads.slowest_per_corner_us);
+      failed += spreads.failed;
+    }
+  return failed == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace tramline::testing
+
+int main() { return tramline::testing::run(); }
