@@ -59,7 +59,7 @@ inline Plan curved_plan() {
   headland.ground = {{plan.field.outer, {reversed(inner)}}, {round_pond, {reversed(pond)}}};
   Region worked;
   for (const HeadlandPass& pass : headland.passes) {
-    worked = unite(worked, {{band(pass.path, 6, kLayerSagitta), {}}});
+    worked = unite(worked, {closed_band(pass.path, 6, kLayerSagitta)});
     headland.worked_m2 += 6 * length(pass.path);
   }
   headland.unworked = difference(headland.ground, worked);

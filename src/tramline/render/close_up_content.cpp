@@ -148,7 +148,7 @@ LegendBlock symbols(const Plan& near, const Box& seen, const DetoursRound& detou
   add(true, Symbol::kKeepOff, fmt::format("nearest a detour may pass: {:.2f} m", keep_off_m(near)));
   add(!near.headland.ground.empty(), Symbol::kHeadland, "headland");
   add(!near.headland.passes.empty(), Symbol::kHeadlandPass, "headland pass");
-  add(!near.pieces.empty(), Symbol::kSwathEdge, "swath");
+  add(!near.pieces.empty() || !near.headland.passes.empty(), Symbol::kSwathEdge, "swath");
   const bool several = near.subfields.size() > 1;
   add(!near.pieces.empty(), Symbol::kTrack, several ? "track: subfield/number" : "track and its number");
   add(shows_detour(near, seen), Symbol::kDetour, "detour round an obstacle");
