@@ -33,6 +33,12 @@ inline constexpr Colour kInk = rgb(0x1E2420);
 inline constexpr Colour kFaintInk = rgb(0x5A635C);
 inline constexpr Colour kRule = rgb(0xC9CDC6);
 inline constexpr Colour kFieldColour = rgb(0xF1EFE8);
+/// Under the passes round the field and its obstacles: told from the body by being greyer, not by its hue.
+inline constexpr Colour kHeadlandColour = rgb(0xDEDACF);
+inline constexpr std::uint32_t kHeadlandPassHex = 0x7A4E1D;
+inline constexpr Colour kHeadlandPassColour = rgb(kHeadlandPassHex, 0.9);
+inline constexpr Colour kReferenceColour = rgb(0x00695C);
+inline constexpr Colour kReferenceRim = rgb(kBackgroundHex, 0.8);
 inline constexpr Colour kFieldEdge = rgb(0x2F3B2F);
 inline constexpr Colour kSubfieldEdge = rgb(0x6B7266);
 inline constexpr Colour kObstacleColour = rgb(0x4C4A48);

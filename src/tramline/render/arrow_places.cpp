@@ -1,27 +1,17 @@
 #include "tramline/render/arrow_places.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tramline::render {
+namespace {
 
-// After Liang and Barsky.
-std::optional<std::pair<Point, Point>> clipped(Point a, Point b, const Box& box) {
-  double from = 0, to = 1;
-  const Point d = b - a;
-  const auto keep_where = [&](double step, double room) {  // step · t <= room
-    if (step == 0) return room >= 0;
-    const double t = room / step;
-    if (step < 0) from = std::max(from, t);
-    if (step > 0) to = std::min(to, t);
-    return from < to;
-  };
-  const bool some = keep_where(-d.x, a.x - box.min_x) && keep_where(d.x, box.max_x - a.x) &&
-                    keep_where(-d.y, a.y - box.min_y) && keep_where(d.y, box.max_y - a.y);
-  if (!some) return std::nullopt;
-  return std::pair{from == 0 ? a : a + from * d, to == 1 ? b : a + to * d};
-}
+constexpr double kArrowSize = 9;
+constexpr double kLeastArrow = 6;
+// Chords this near to their arcs have the directions of the arcs as far as arrow heads can tell.
+constexpr double kSagitta_m = 1e-3;
 
-std::optional<Point> arrow_place(const TrackPiece& piece, double room_m, const Box& seen) {
+std::optional<Point> on_straight_part(const TrackPiece& piece, double room_m, const Box& seen) {
   const auto whole = clipped(piece.start, piece.end, seen);
   if (!whole) return std::nullopt;
   const Point middle = midpoint(whole->first, whole->second);
@@ -39,6 +29,49 @@ std::optional<Point> arrow_place(const TrackPiece& piece, double room_m, const B
     if (!best || distance(place, middle) < distance(*best, middle)) best = place;
   }
   return best;
+}
+
+std::optional<PlaceOnLine> on_curve(const Path& curve, double room_m, const Box& seen) {
+  std::optional<PlaceOnLine> best;
+  double longest = room_m;
+  for (const std::vector<Point>& stretch : stretches_in(chords(curve, kSagitta_m), seen)) {
+    const double run = length_of(stretch);
+    if (run <= longest) continue;
+    longest = run;
+    best = place_along(stretch, 0.5 * run);
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<PlaceOnLine> arrow_place(const TrackPiece& piece, double room_m, const Box& seen) {
+  if (!piece.curve.empty()) return on_curve(piece.curve, room_m, seen);
+  const std::optional<Point> place = on_straight_part(piece, room_m, seen);
+  if (!place) return std::nullopt;
+  return PlaceOnLine{*place, (1 / distance(piece.start, piece.end)) * (piece.end - piece.start)};
+}
+
+std::vector<PlaceOnLine> arrow_places_round(const Path& path, double room_m, double apart_m,
+                                            const Box& seen) {
+  std::vector<PlaceOnLine> out;
+  for (const std::vector<Point>& stretch : stretches_in(chords(path, kSagitta_m), seen)) {
+    const double run = length_of(stretch);
+    if (run <= room_m) continue;
+    const int count = std::max(1, static_cast<int>(run / apart_m));
+    for (int i = 0; i < count; ++i) out.push_back(place_along(stretch, (i + 0.5) / count * run));
+  }
+  return out;
+}
+
+double arrow_size(double swath_px, double text_scale) {
+  return std::clamp(0.7 * swath_px, kLeastArrow * text_scale, kArrowSize * text_scale);
+}
+
+// Odd, so that both headings of a boustrophedon get their share.
+int arrow_stride(double swath_px, double arrow_px) {
+  const int needed = static_cast<int>(std::ceil(1.2 * arrow_px / swath_px));
+  return std::max(1, needed | 1);
 }
 
 }  // namespace tramline::render

@@ -224,6 +224,12 @@ void fill_shape(Canvas& canvas, const std::vector<Point>& points, Colour colour)
   cairo_fill(canvas.cr());
 }
 
+void clip_to(Canvas& canvas, const Box& box) {
+  cairo_new_path(canvas.cr());
+  cairo_rectangle(canvas.cr(), box.min_x, box.min_y, box.width(), box.height());
+  cairo_clip(canvas.cr());
+}
+
 void disc(Canvas& canvas, Point centre, double radius, Colour colour) {
   cairo_new_path(canvas.cr());
   cairo_arc(canvas.cr(), centre.x, centre.y, radius, 0, 2 * std::numbers::pi);

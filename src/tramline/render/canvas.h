@@ -76,6 +76,8 @@ void fill_box(Canvas& canvas, const Box& box, Colour colour);
 void hatch_box(Canvas& canvas, const Box& box, const Hatch& style);
 void stroke_line(Canvas& canvas, const std::vector<Point>& points, const Stroke& stroke);
 void fill_shape(Canvas& canvas, const std::vector<Point>& points, Colour colour);
+/// Nothing is drawn outside the box until cairo's state is restored.
+void clip_to(Canvas& canvas, const Box& box);
 void disc(Canvas& canvas, Point centre, double radius, Colour colour);
 
 }  // namespace tramline::render

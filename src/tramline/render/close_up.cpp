@@ -28,7 +28,9 @@ void draw_lines(Canvas& canvas, const Plan& near, int obstacle, const Box& seen)
   draw_keep_off_lines(canvas, near);
   draw_swath_edges(canvas, near);
   draw_outlines(canvas, near);
+  draw_headland_passes(canvas, near, seen);
   draw_track_lines(canvas, near);
+  draw_reference(canvas, near, seen);
   draw_tightest_arcs(canvas, near, obstacle);
   draw_detours(canvas, near);
   draw_arrow_heads(canvas, near, seen);
@@ -42,6 +44,7 @@ void draw_map(Canvas& canvas, const Plan& near, int obstacle, const CloseUpLayou
   clip_to(canvas, map);
   draw_ground(canvas, near);
   draw_worked_land(canvas, near);
+  draw_headland_swaths(canvas, near);
   draw_swaths(canvas, near);
   draw_faults(canvas, near);
   draw_obstacles(canvas, near);

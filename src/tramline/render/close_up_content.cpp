@@ -146,16 +146,20 @@ LegendBlock symbols(const Plan& near, const Box& seen, const DetoursRound& detou
   add(true, Symbol::kObstacle, "obstacle and its number");
   add(shows_passable(near, seen), Symbol::kPassable, "passable obstacle");
   add(true, Symbol::kKeepOff, fmt::format("nearest a detour may pass: {:.2f} m", keep_off_m(near)));
-  add(!near.pieces.empty(), Symbol::kSwathEdge, "swath");
+  add(!near.headland.ground.empty(), Symbol::kHeadland, "headland");
+  add(!near.headland.passes.empty(), Symbol::kHeadlandPass, "headland pass");
+  add(!near.pieces.empty() || !near.headland.passes.empty(), Symbol::kSwathEdge, "swath");
   const bool several = near.subfields.size() > 1;
   add(!near.pieces.empty(), Symbol::kTrack, several ? "track: subfield/number" : "track and its number");
   add(shows_detour(near, seen), Symbol::kDetour, "detour round an obstacle");
+  add(!near.reference.empty(), Symbol::kReference, "line that tracks follow");
   add(detours.left + detours.right > 0, Symbol::kTightestArc, "tightest arc of a detour");
   add(!near.dropped.empty(), Symbol::kDropped, "dropped: too short to drive");
   add(shows_stop(near, seen), Symbol::kStop, "stop: the machine backs out");
   add(!near.given_up.empty(), Symbol::kGivenUp, "given up on purpose");
   add(!visible_faults(near.overlap).empty(), Symbol::kOverlap, "overlap");
-  add(!visible_faults(near.uncovered).empty(), Symbol::kUncovered, "uncovered");
+  const bool unworked = !visible_faults(near.headland.unworked).empty();
+  add(unworked || !visible_faults(near.uncovered).empty(), Symbol::kUncovered, "uncovered");
   return block;
 }
 

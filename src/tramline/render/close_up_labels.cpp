@@ -10,10 +10,10 @@
 #include <string>
 #include <utility>
 
-#include "tramline/render/arrow_places.h"
 #include "tramline/render/close_up_content.h"
 #include "tramline/render/close_up_layers.h"
 #include "tramline/render/labels.h"
+#include "tramline/render/seen_stretches.h"
 #include "tramline/render/text.h"
 
 namespace tramline::render {
@@ -140,27 +140,35 @@ struct NumberPlaces {
   std::vector<Point> centres;
 };
 
+// What the number goes by: the line from end to end, past all detours, or the curve; from the left or above.
+std::vector<Point> line_on_page(const Canvas& canvas, const TrackPiece& piece) {
+  std::vector<Point> out{piece.start, piece.end};
+  if (!piece.curve.empty()) out = chords(piece.curve, sagitta_m(canvas.view()));
+  for (Point& p : out) p = canvas.view().to_page(p);
+  if (!left_or_above(out.front(), out.back())) std::reverse(out.begin(), out.end());
+  return out;
+}
+
 std::optional<NumberPlaces> places_of_number(Canvas& canvas, const TrackPiece& piece, const Half& half,
                                              const Box& map) {
-  Point a = canvas.view().to_page(piece.start), b = canvas.view().to_page(piece.end);
-  if (!left_or_above(a, b)) std::swap(a, b);
-  const auto seen = clipped(a, b, map);
-  if (!seen) return std::nullopt;
-  const Point along = (1 / distance(a, b)) * (b - a);
-  const Entry entry = !(seen->first == a)    ? Entry::kFirstEdge
-                      : !(seen->second == b) ? Entry::kSecondEdge
-                                             : Entry::kInside;
-  const Point from = entry == Entry::kSecondEdge ? seen->second : seen->first;
-  const Point inwards = (entry == Entry::kSecondEdge ? -1 : 1) * along;
+  const std::vector<Point> line = line_on_page(canvas, piece);
+  const auto stretches = stretches_in(line, map);
+  if (stretches.empty()) return std::nullopt;
+  const Entry entry = !(stretches.front().front() == line.front()) ? Entry::kFirstEdge
+                      : !(stretches.back().back() == line.back())  ? Entry::kSecondEdge
+                                                                   : Entry::kInside;
+  std::vector<Point> inwards = entry == Entry::kSecondEdge ? stretches.back() : stretches.front();
+  if (entry == Entry::kSecondEdge) std::reverse(inwards.begin(), inwards.end());
+  const Point along = place_along(inwards, 0).along;
   // As far in as the text needs beside a vertical edge of the map, or below a horizontal one; then farther
   // in, where something is in the way there.
   NumberPlaces out{entry, {}};
   for (const double reach :
        {half.width / std::max(std::abs(along.x), 1e-9), half.height / std::max(std::abs(along.y), 1e-9)}) {
-    const double step = 2 * half.height, most = distance(seen->first, seen->second);
+    const double step = 2 * half.height, most = length_of(inwards);
     double run = reach + kGap * canvas.scale();
     for (int i = 0; i < kPlacesOfNumber && run < most; ++i, run += step)
-      out.centres.push_back(from + run * inwards);
+      out.centres.push_back(place_along(inwards, run).at);
   }
   return out;
 }

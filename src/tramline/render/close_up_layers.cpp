@@ -15,6 +15,10 @@ Ring swath_in_view(const Canvas& canvas, const Plan& near, const TrackPiece& pie
   return band(centre_line(piece), near.machine.width_m, sagitta_m(canvas.view()));
 }
 
+Polygon swath_in_view(const Canvas& canvas, const Plan& near, const HeadlandPass& pass) {
+  return closed_band(pass.path, near.machine.width_m, sagitta_m(canvas.view()));
+}
+
 // cairo's coordinates end at some 8 million px; a circle that large is a straight line anyway.
 constexpr double kLargestCircle = 1e5;
 
@@ -43,6 +47,8 @@ std::optional<PathSegment> tightest_arc(const Path& path) {
 void draw_worked_land(Canvas& canvas, const Plan& near) {
   for (const TrackPiece& piece : near.pieces)
     fill(canvas, {{swath_in_view(canvas, near, piece), {}}}, kWorkedLandColour);
+  for (const HeadlandPass& pass : near.headland.passes)
+    fill(canvas, {swath_in_view(canvas, near, pass)}, kWorkedLandColour);
 }
 
 void draw_keep_off_lines(Canvas& canvas, const Plan& near) {
@@ -57,9 +63,11 @@ void draw_keep_off_lines(Canvas& canvas, const Plan& near) {
 }
 
 void draw_swath_edges(Canvas& canvas, const Plan& near) {
+  const Stroke edge{kSwathEdgeColour, kSwathEdgeLine * canvas.scale()};
+  for (const HeadlandPass& pass : near.headland.passes)
+    outline(canvas, {swath_in_view(canvas, near, pass)}, edge);
   for (const TrackPiece& piece : near.pieces)
-    outline(canvas, {{swath_in_view(canvas, near, piece), {}}},
-            {kSwathEdgeColour, kSwathEdgeLine * canvas.scale()});
+    outline(canvas, {{swath_in_view(canvas, near, piece), {}}}, edge);
 }
 
 void draw_tightest_arcs(Canvas& canvas, const Plan& near, int obstacle) {
@@ -73,12 +81,6 @@ void draw_tightest_arcs(Canvas& canvas, const Plan& near, int obstacle) {
                 {kRadiusColour, kRadiusLine * k});
     disc(canvas, middle, 2.5 * k, kDetourColour);
   }
-}
-
-void clip_to(Canvas& canvas, const Box& box_px) {
-  cairo_new_path(canvas.cr());
-  cairo_rectangle(canvas.cr(), box_px.min_x, box_px.min_y, box_px.width(), box_px.height());
-  cairo_clip(canvas.cr());
 }
 
 void draw_frame(Canvas& canvas, const Box& b) {

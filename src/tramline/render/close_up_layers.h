@@ -16,7 +16,6 @@ void draw_swath_edges(Canvas& canvas, const Plan& near);
 /// The whole circle of the tightest arc of each detour round the obstacle, and a radius to the arc.
 void draw_tightest_arcs(Canvas& canvas, const Plan& near, int obstacle);
 
-void clip_to(Canvas& canvas, const Box& box_px);
 void draw_frame(Canvas& canvas, const Box& box_px);
 
 /// The tightest arc of each detour round the obstacle; the longest of equals. Detours without arcs

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tramline/render/seen_stretches.h"
+
 namespace tramline::render {
 namespace {
 
@@ -18,6 +20,18 @@ Region parts_in(const Region& region, const Box& box) {
   for (const Polygon& polygon : region)
     if (intersects(bounds(polygon), box)) out.push_back(polygon);
   return out;
+}
+
+// Headlands run round the field: their own boxes say nothing about what is seen of them.
+bool shows(const Box& box, const Path& path) { return !stretches_in(chords(path, kSagitta), box).empty(); }
+
+bool shows(const Box& box, const Polygon& polygon) {
+  if (contains(polygon, box.centre())) return true;
+  for (Ring ring : rings_of({polygon})) {
+    ring.push_back(ring.front());
+    if (!stretches_in(ring, box).empty()) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -66,6 +80,12 @@ Plan part_in(const Plan& plan, const Box& box) {
     around.extend(piece.end);
     if (intersects(around, reach)) out.dropped.push_back(piece);
   }
+  for (const HeadlandPass& pass : plan.headland.passes)
+    if (shows(reach, pass.path)) out.headland.passes.push_back(pass);
+  for (const Polygon& polygon : plan.headland.ground)
+    if (shows(box, polygon)) out.headland.ground.push_back(polygon);
+  out.headland.unworked = parts_in(plan.headland.unworked, box);
+  if (!plan.reference.empty() && shows(box, plan.reference)) out.reference = plan.reference;
   out.given_up = parts_in(plan.given_up, box);
   out.overlap = parts_in(plan.overlap, box);
   out.uncovered = parts_in(plan.uncovered, box);

@@ -20,11 +20,15 @@ std::string subtitle_of(const Plan& plan) {
 
 void draw_map(Canvas& canvas, const Plan& plan) {
   draw_ground(canvas, plan);
+  draw_headland_swaths(canvas, plan);
   draw_swaths(canvas, plan);
   draw_obstacles(canvas, plan);
+  const Box drawn = drawn_box(plan);
+  draw_headland_passes(canvas, plan, drawn);
   draw_track_lines(canvas, plan);
-  draw_arrow_heads(canvas, plan, drawn_box(plan));
+  draw_arrow_heads(canvas, plan, drawn);
   draw_outlines(canvas, plan);
+  draw_reference(canvas, plan, drawn);
   // Marks that stand close together would hide the faults between them.
   const bool apart = stops_stand_apart(canvas, plan);
   if (!apart) draw_stops(canvas, plan);

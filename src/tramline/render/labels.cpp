@@ -7,6 +7,7 @@
 
 #include "tramline/geometry/interior_point.h"
 #include "tramline/render/layers.h"
+#include "tramline/render/page_headings.h"
 #include "tramline/render/text.h"
 
 namespace tramline::render {
@@ -42,8 +43,7 @@ std::optional<TrackLabel> label_at_start(const TrackPiece& piece, std::size_t nu
   const std::string text = std::to_string(number);
   const double half_width = 0.5 * kDigitWidth * kSmallTextSize * scale * static_cast<double>(text.size());
   const double half_height = 0.42 * kSmallTextSize * scale;
-  const Point along = (1 / distance(piece.start, piece.end)) * (piece.end - piece.start);
-  const Point heading{along.x, -along.y};
+  const Point heading = heading_at_start(piece);
   const double reach =
       std::abs(heading.x) * half_width + std::abs(heading.y) * half_height + kLabelGap * scale;
   const Point centre = view.to_page(piece.start) - reach * heading;
@@ -136,11 +136,13 @@ std::vector<TrackLabel> place_track_labels(const Plan& plan, const MapView& view
 void draw_badges(Canvas& canvas, const Plan& plan, const std::vector<SubfieldBadge>& badges) {
   const double k = canvas.scale();
   const double r = kBadgeRadius * k;
+  const bool curved = is_curved(plan);
   for (const SubfieldBadge& badge : badges) {
     const Point axis = plan.subfields[static_cast<std::size_t>(badge.subfield)].direction.unit();
     const Point along{axis.x, -axis.y};
     const double reach = std::min(0.5 * kLongestArrow * k, badge.room_px);
-    const bool arrow = std::isfinite(along.x) && reach > 2 * r;
+    // A straight arrow would cross tracks that bend.
+    const bool arrow = std::isfinite(along.x) && reach > 2 * r && !curved;
     if (arrow) {
       const Point a = badge.centre - reach * along;
       const Point b = badge.centre + reach * along;

@@ -64,6 +64,12 @@ void draw_swatch_line(Canvas& canvas, const Box& box, const LegendRow& row) {
     draw_arrow_head(canvas, box.centre() + Point{5 * k, 0}, {1, 0}, 10 * k, kFieldEdge);
   } else if (row.symbol == Symbol::kDetour) {
     draw_detour_swatch(canvas, box);
+  } else if (row.symbol == Symbol::kHeadlandPass) {
+    stroke_line(canvas, {left, right},
+                {kHeadlandPassColour, kHeadlandLine * k, {kHeadlandDash * k, 0.5 * kHeadlandDash * k}});
+    draw_arrow_head(canvas, box.centre() + Point{5 * k, 0}, {1, 0}, 10 * k, kHeadlandPassColour);
+  } else if (row.symbol == Symbol::kReference) {
+    stroke_line(canvas, {left, right}, {kReferenceColour, kReferenceLine * k, reference_dashes(k)});
   } else if (row.symbol == Symbol::kTightestArc) {
     draw_arc_swatch(canvas, box);
   } else if (row.symbol == Symbol::kKeepOff) {
@@ -89,6 +95,8 @@ void draw_symbol(Canvas& canvas, const Box& box, const LegendRow& row) {
       return draw_swatch_box(canvas, box, kPassableColour, &passable_hatch(), kPassableHatch);
     case Symbol::kGivenUp:
       return draw_swatch_box(canvas, box, kUncoveredColour, &given_up_hatch(), kUncoveredColour);
+    case Symbol::kHeadland:
+      return draw_swatch_box(canvas, box, kHeadlandColour, nullptr, kSubfieldEdge);
     case Symbol::kSwathEdge:
       return draw_swatch_box(canvas, box, kWorkedLandColour, nullptr, kSwathEdgeColour);
     case Symbol::kOverlap:
@@ -102,6 +110,8 @@ void draw_symbol(Canvas& canvas, const Box& box, const LegendRow& row) {
     }
     case Symbol::kTrack:
     case Symbol::kDetour:
+    case Symbol::kHeadlandPass:
+    case Symbol::kReference:
     case Symbol::kTightestArc:
     case Symbol::kKeepOff:
     case Symbol::kDropped:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tramline/model/detour_summary.h"
 #include "tramline/render/visible_faults.h"
@@ -42,13 +43,45 @@ LegendBlock symbols(const Plan& plan) {
   add(true, Symbol::kField, "field");
   add(has(plan.field, ObstacleKind::kObstacle), Symbol::kObstacle, "obstacle");
   add(has(plan.field, ObstacleKind::kPassable), Symbol::kPassable, "passable obstacle, not worked");
+  add(!plan.headland.ground.empty(), Symbol::kHeadland, "headland");
+  add(!plan.headland.passes.empty(), Symbol::kHeadlandPass, "headland pass");
   add(!plan.given_up.empty(), Symbol::kGivenUp, "given up on purpose (uncovered)");
   add(!plan.pieces.empty(), Symbol::kTrack, "track, number at its start");
   add(summary_of_detours(plan).count() > 0, Symbol::kDetour, "detour round an obstacle");
+  add(!plan.reference.empty(), Symbol::kReference, "line that tracks follow");
   add(!plan.dropped.empty(), Symbol::kDropped, "dropped: too short to drive");
   add(has_stops(plan), Symbol::kStop, "stop: the machine backs out");
   add(!visible_faults(plan.overlap).empty(), Symbol::kOverlap, "overlap");
-  add(!visible_faults(plan.uncovered).empty(), Symbol::kUncovered, "uncovered");
+  const bool unworked = !visible_faults(plan.headland.unworked).empty();
+  add(unworked || !visible_faults(plan.uncovered).empty(), Symbol::kUncovered, "uncovered");
+  return block;
+}
+
+// Of all curved tracks; infinite without arcs.
+double smallest_radius_m(const Plan& plan) {
+  double out = std::numeric_limits<double>::infinity();
+  for (const TrackPiece& piece : plan.pieces) out = std::min(out, smallest_radius(piece.curve));
+  return out;
+}
+
+std::string radius_text(const Plan& plan) {
+  const double radius_m = smallest_radius_m(plan);
+  return std::isfinite(radius_m) ? fmt::format("{:.1f} m", radius_m) : std::string("none");
+}
+
+// Apart from the tracks' numbers, which are about the body.
+LegendBlock headland_numbers(const Plan& plan) {
+  const Headland& headland = plan.headland;
+  const double field_m2 = area_m2(plan.field);
+  LegendBlock block{"Headland", {}};
+  const auto add = [&](const char* text, std::string value) {
+    block.rows.push_back({Symbol::kNone, 0, text, std::move(value)});
+  };
+  add("headland", with_share(area(headland.ground), field_m2));
+  add("passes", std::to_string(headland.passes.size()));
+  add("length of passes", length_text(length(headland)));
+  add("worked twice or beyond", with_share(headland.overlap_m2, field_m2));
+  add("left unworked", with_share(headland.uncovered_m2, field_m2));
   return block;
 }
 
@@ -64,6 +97,10 @@ LegendBlock numbers(const Plan& plan) {
   add("working width", fmt::format("{:g} m", plan.machine.width_m));
   if (!plan.pieces.empty()) {
     add("tracks", std::to_string(tally.pieces));
+    if (is_curved(plan)) {
+      add("kind of tracks", "curved");
+      add("smallest radius", radius_text(plan));
+    }
     add("track length", length_text(tally.track_length_m));
     add("turns", std::to_string(tally.turns));
     add("stops", std::to_string(tally.stops));
@@ -79,15 +116,17 @@ LegendBlock numbers(const Plan& plan) {
 
 LegendBlock directions(const Plan& plan) {
   LegendBlock block{plan.subfields.size() == 1 ? "Direction" : "Subfields", {}};
+  // Curved tracks have a direction as a whole only.
+  const char* const about = is_curved(plan) ? "about " : "";
   const std::size_t n = plan.subfields.size();
   const std::size_t shown = n > kMostSubfieldRows ? kMostSubfieldRows - 1 : n;
   for (std::size_t i = 0; i < shown; ++i) {
     const Subfield& subfield = plan.subfields[i];
     const double degrees = subfield.direction.degrees();
-    block.rows.push_back(
-        {Symbol::kSubfield, static_cast<int>(i),
-         std::isfinite(degrees) ? fmt::format("{:.1f}° from north", degrees) : std::string("no direction"),
-         area_text(area(subfield.shape))});
+    block.rows.push_back({Symbol::kSubfield, static_cast<int>(i),
+                          std::isfinite(degrees) ? fmt::format("{}{:.1f}° from north", about, degrees)
+                                                 : std::string("no direction"),
+                          area_text(area(subfield.shape))});
   }
   if (shown < n) block.rows.push_back({Symbol::kNone, 0, fmt::format("and {} more", n - shown), ""});
   return block;
@@ -105,6 +144,7 @@ std::string length_text(double length_m) {
 
 std::vector<LegendBlock> legend_of(const Plan& plan) {
   std::vector<LegendBlock> blocks{symbols(plan), numbers(plan)};
+  if (!plan.headland.passes.empty()) blocks.push_back(headland_numbers(plan));
   if (!plan.subfields.empty()) blocks.push_back(directions(plan));
   return blocks;
 }

@@ -1,24 +1,16 @@
 #include <algorithm>
-#include <cmath>
 
 #include "tramline/render/arrow_places.h"
 #include "tramline/render/layers.h"
+#include "tramline/render/page_headings.h"
 #include "tramline/render/visible_faults.h"
 
 namespace tramline::render {
 namespace {
 
-// Narrower swaths than this are too fine to be told apart, px.
-constexpr double kLeastStripe = 2.5;
-constexpr double kArrowSize = 9;
-constexpr double kLeastArrow = 6;
 constexpr double kLeastStop = 1.6;
 
 bool drivable(const TrackPiece& piece) { return !(piece.start == piece.end); }
-
-double swath_px(const Canvas& canvas, const Plan& plan) {
-  return plan.machine.width_m * canvas.view().px_per_m;
-}
 
 struct ByWidth {
   Region wide;
@@ -38,24 +30,15 @@ void draw_fault(Canvas& canvas, const Region& faults, Colour colour) {
 
 // swath() with no more vertices than the page can show.
 Ring drawn_swath(const Canvas& canvas, const TrackPiece& piece, double width_m) {
-  if (piece.detours.empty()) return swath(piece, width_m);
+  if (piece.detours.empty() && piece.curve.empty()) return swath(piece, width_m);
   return band(centre_line(piece), width_m, sagitta_m(canvas.view()));
 }
 
-// Unit vector on the page (y down) from start to end.
-Point heading_on_page(const TrackPiece& piece) {
-  const Point along = (1 / distance(piece.start, piece.end)) * (piece.end - piece.start);
-  return {along.x, -along.y};
-}
-
-// Arrow heads stand side by side in the middle of the tracks: on every n-th one where tracks are
-// close. n is odd, so that both headings of a boustrophedon get their share.
-int arrow_stride(double swath, double arrow) {
-  const int needed = static_cast<int>(std::ceil(1.2 * arrow / swath));
-  return std::max(1, needed | 1);
-}
-
 }  // namespace
+
+double swath_px(const Canvas& canvas, const Plan& plan) {
+  return plan.machine.width_m * canvas.view().px_per_m;
+}
 
 void draw_swaths(Canvas& canvas, const Plan& plan) {
   if (swath_px(canvas, plan) < kLeastStripe * canvas.scale()) return;
@@ -76,15 +59,15 @@ void draw_track_lines(Canvas& canvas, const Plan& plan) {
 void draw_arrow_heads(Canvas& canvas, const Plan& plan, const Box& seen) {
   const double k = canvas.scale();
   const double swath = std::max(0.05, swath_px(canvas, plan));
-  const double arrow = std::clamp(0.7 * swath, kLeastArrow * k, kArrowSize * k);
+  const double arrow = arrow_size(swath, k);
   const int stride = arrow_stride(swath, arrow);
   int index = 0;
   for (const TrackPiece& piece : plan.pieces) {
     if (!drivable(piece) || index++ % stride != 0) continue;
     const auto place = arrow_place(piece, 2.5 * arrow / canvas.view().px_per_m, seen);
     if (!place) continue;
-    const Point heading = heading_on_page(piece);
-    const Point tip = canvas.view().to_page(*place) + (0.5 * arrow) * heading;
+    const Point heading = on_page(place->along);
+    const Point tip = canvas.view().to_page(place->at) + (0.5 * arrow) * heading;
     draw_arrow_head(canvas, tip, heading, arrow, kFieldEdge);
   }
 }
@@ -103,7 +86,9 @@ void draw_detours(Canvas& canvas, const Plan& plan) {
 
 void draw_faults(Canvas& canvas, const Plan& plan) {
   const double thin_m = 2 * kSliverWidth * canvas.scale() / canvas.view().px_per_m;
-  const ByWidth uncovered = by_width(visible_faults(plan.uncovered), thin_m);
+  Region left_out = plan.uncovered;
+  left_out.insert(left_out.end(), plan.headland.unworked.begin(), plan.headland.unworked.end());
+  const ByWidth uncovered = by_width(visible_faults(left_out), thin_m);
   const ByWidth overlap = by_width(visible_faults(plan.overlap), thin_m);
   // Slivers last: they would vanish under the rims of the wide ones.
   draw_fault(canvas, uncovered.wide, kUncoveredColour);
@@ -119,9 +104,9 @@ void draw_stops(Canvas& canvas, const Plan& plan) {
   for (const TrackPiece& piece : plan.pieces) {
     if (!drivable(piece)) continue;
     // On the track's side of its end: a pylon is smaller than two marks.
-    const Point back = radius * heading_on_page(piece);
-    if (piece.stop_at_start) draw_stop_mark(canvas, canvas.view().to_page(piece.start) + back, radius);
-    if (piece.stop_at_end) draw_stop_mark(canvas, canvas.view().to_page(piece.end) - back, radius);
+    const Point start = canvas.view().to_page(piece.start), end = canvas.view().to_page(piece.end);
+    if (piece.stop_at_start) draw_stop_mark(canvas, start + radius * heading_at_start(piece), radius);
+    if (piece.stop_at_end) draw_stop_mark(canvas, end - radius * heading_at_end(piece), radius);
   }
 }
 

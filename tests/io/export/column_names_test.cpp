@@ -14,6 +14,7 @@ TEST(ColumnNames, LongOnesAreShortenedAndShortOnesStay) {
   EXPECT_EQ(shapefile_name("smallest_radius_m"), "min_radius");
   EXPECT_EQ(shapefile_name("stop_at_start"), "stop_start");
   EXPECT_EQ(shapefile_name("stop_at_end"), "stop_end");
+  EXPECT_EQ(shapefile_name("around_field"), "round_fld");
   EXPECT_EQ(shapefile_name("length_m"), "length_m");
   EXPECT_EQ(shapefile_name("cost_right"), "cost_right");
   EXPECT_EQ(shapefile_name("something_nobody_thought_of"), "something_");
@@ -21,6 +22,7 @@ TEST(ColumnNames, LongOnesAreShortenedAndShortOnesStay) {
 
 TEST(ColumnNames, LayersHaveTitles) {
   EXPECT_EQ(title_of("tracks", 12), "Track 12");
+  EXPECT_EQ(title_of("headland_passes", 2), "Headland pass 2");
   EXPECT_EQ(title_of("uncovered", 3), "Uncovered 3");
 }
 

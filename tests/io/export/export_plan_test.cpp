@@ -44,9 +44,19 @@ Plan sample_plan() {
   round.detours = {{{{{-30, 5}, {-24, 4}, -2 / 37.0}, {{-24, 4}, {-12, 4}, 0}, {{-12, 4}, {0, 5}, 2 / 145.0}},
                     Passing::kLeft,
                     {0}}};
-  plan.pieces = {straight, round};
+  TrackPiece bend{{-100, 40}, {-60, 50}, 0, 2};
+  bend.curve = {{{-100, 40}, {-80, 40}, 0}, {{-80, 40}, {-60, 50}, 1 / 25.0}};
+  plan.pieces = {straight, round, bend};
+  plan.headland.ground = {{{{-1600, -300}, {1600, -280}, {1590, -270}, {-1590, -290}}, {}}};
+  plan.headland.passes = {{{{{10, 100}, {50, 100}, 0},
+                            {{50, 100}, {50, 120}, 0.1},
+                            {{50, 120}, {10, 120}, 0},
+                            {{10, 120}, {10, 100}, 0.1}},
+                           1,
+                           true,
+                           {}}};
   plan.uncovered = {{{{7, 5}, {8, 5}, {8, 6}}, {}}, {{{7, 15}, {8, 15}, {8, 16}}, {}}};
-  plan.tally.pieces = 2;
+  plan.tally.pieces = 3;
   return plan;
 }
 
@@ -132,7 +142,7 @@ TEST_F(ExportTest, GeoJsonHasTheTracksInDegrees) {
   const ExportReport report = exported("tracks.geojson");
   ASSERT_EQ(report.layers.size(), 1u);
   EXPECT_EQ(report.layers[0].name, "tracks");
-  EXPECT_EQ(report.layers[0].features, 2);
+  EXPECT_EQ(report.layers[0].features, 3);
   EXPECT_EQ(report.field_id, "Große Breite");
   const auto plan = open(plan_file()), file = open(folder_ / "tracks.geojson");
   ASSERT_EQ(file->GetLayerCount(), 1);
@@ -157,6 +167,14 @@ TEST_F(ExportTest, KmlHasTheTracksInDegrees) {
   EXPECT_NE(bytes_of(folder_ / "tracks.kml").find("<name>Track 2</name>"), std::string::npos);
 }
 
+TEST_F(ExportTest, KmlTellsHeadlandPassesFromTracks) {
+  exported("lines.kml", "", {"headland_passes", "tracks"});
+  const std::string kml = bytes_of(folder_ / "lines.kml");
+  EXPECT_NE(kml.find("<name>Headland pass 1</name>"), std::string::npos);
+  EXPECT_NE(kml.find("ff1d4e7a"), std::string::npos) << "the colour of headland passes, as KML has it";
+  EXPECT_NE(kml.find("ff3b463a"), std::string::npos) << "that of tracks";
+}
+
 TEST_F(ExportTest, FlatGeobufIsInTheCrsOfTheFieldsFile) {
   EXPECT_EQ(exported("tracks.fgb").crs, "ETRS89 / UTM zone 33N (EPSG:25833)");
   const auto plan = open(plan_file()), file = open(folder_ / "tracks.fgb");
@@ -168,12 +186,12 @@ TEST_F(ExportTest, ShapefilesHaveEveryLayerWithShapes) {
   for (const char* crs : {"source", "wgs84", "EPSG:3035", "EPSG:3857"}) {
     SCOPED_TRACE(crs);
     const ExportReport report = exported("plan.zip", crs);
-    EXPECT_EQ(report.layers.size(), 11u);
+    EXPECT_EQ(report.layers.size(), 14u);
     const auto plan = open(plan_file()), file = open("/vsizip/" + (folder_ / "plan.zip").string());
-    EXPECT_EQ(file->GetLayerCount(), 11);
+    EXPECT_EQ(file->GetLayerCount(), 14);
     const double most = std::string(crs) == "wgs84" ? 1e-9 : 1e-3;
-    for (const char* layer :
-         {"field", "obstacles", "body", "subfields", "tracks", "swaths", "uncovered", "dropped"})
+    for (const char* layer : {"field", "obstacles", "body", "headland", "subfields", "headland_passes",
+                              "tracks", "swaths", "uncovered", "dropped"})
       expect_same_places(*plan->GetLayerByName(layer), *file->GetLayerByName(layer), most);
   }
 }

@@ -103,7 +103,7 @@ std::multimap<std::string, std::string> properties(const pugi::xml_document& qml
 
 TEST(PlanStyles, AreWellFormedAndEveryRuleHasItsSymbol) {
   const auto styles = styles_of(two_subfields());
-  ASSERT_EQ(styles.size(), 11u);
+  ASSERT_EQ(styles.size(), 14u);
   for (const LayerStyle& style : styles) {
     SCOPED_TRACE(style.layer);
     pugi::xml_document qml;
@@ -137,6 +137,10 @@ TEST(PlanStyles, ShowTheColoursOfPictures) {
   EXPECT_TRUE(has("tracks", "line_color", "58,70,59,217"));
   EXPECT_TRUE(has("tracks", "name", "filled_arrowhead"));
   EXPECT_TRUE(has("tracks", "line_color", "154,15,114,255"));
+  EXPECT_TRUE(has("headland", "color", "222,218,207,255"));
+  EXPECT_TRUE(has("headland_passes", "line_color", "122,78,29,230"));
+  EXPECT_TRUE(has("headland_passes", "name", "filled_arrowhead"));
+  EXPECT_TRUE(has("headland_unworked", "color", "10,79,214,255"));
   EXPECT_TRUE(has("subfields", "color", "226,237,213,255"));
   EXPECT_TRUE(has("subfields", "color", "244,234,203,255"));
 }

@@ -12,18 +12,21 @@ namespace {
 
 using Words = std::pair<std::string_view, std::string_view>;
 
-constexpr std::array<Words, 10> kShortNames{{{"direction_deg", "dir_deg"},
+constexpr std::array<Words, 11> kShortNames{{{"direction_deg", "dir_deg"},
                                              {"direction_rad", "dir_rad"},
                                              {"heading_deg", "heading"},
                                              {"smallest_radius_m", "min_radius"},
                                              {"stop_at_start", "stop_start"},
                                              {"stop_at_end", "stop_end"},
                                              {"after_crossing", "after_x"},
+                                             {"around_field", "round_fld"},
                                              {"detour_count", "detours"},
                                              {"why_not_left", "not_left"},
                                              {"why_not_right", "not_right"}}};
 
-constexpr std::array<Words, 7> kTitles{{{plan_layers::kTracks, "Track"},
+constexpr std::array<Words, 9> kTitles{{{plan_layers::kTracks, "Track"},
+                                        {plan_layers::kHeadlandPasses, "Headland pass"},
+                                        {plan_layers::kHeadlandUnworked, "Unworked headland"},
                                         {plan_layers::kSubfields, "Subfield"},
                                         {plan_layers::kSwaths, "Swath"},
                                         {plan_layers::kObstacles, "Obstacle"},

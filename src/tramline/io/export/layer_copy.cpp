@@ -11,6 +11,7 @@
 #include "tramline/io/export/column_names.h"
 #include "tramline/io/export/projected_shapes.h"
 #include "tramline/io/export/utf8_prefix.h"
+#include "tramline/io/plan/plan_layers.h"
 #include "tramline/model/palette.h"
 
 namespace tramline::io {
@@ -45,9 +46,10 @@ CPLStringList layer_options(ExportFormat format, std::time_t time) {
   return out;
 }
 
-/// How the track is drawn where the format says such things (KML).
-std::string pen_of(bool detour) {
-  return fmt::format("PEN(c:#{:06X},w:2px)", detour ? kDetourHex : kTrackHex);
+/// How a line is drawn where the format says such things (KML).
+std::string pen_of(std::string_view layer, bool detour) {
+  const bool headland = layer == plan_layers::kHeadlandPasses;
+  return fmt::format("PEN(c:#{:06X},w:2px)", headland ? kHeadlandPassHex : detour ? kDetourHex : kTrackHex);
 }
 
 /// One layer on its way from the plan file to the export.
@@ -127,7 +129,7 @@ class LayerCopy {
     if (title_ >= 0) {
       out.SetField(title_, title_of(from_.GetName(), number).c_str());
       const int detour = detour_count_ >= 0 ? out.GetFieldAsInteger(detour_count_) : 0;
-      out.SetStyleString(pen_of(detour > 0).c_str());
+      out.SetStyleString(pen_of(from_.GetName(), detour > 0).c_str());
     }
     if (const OGRGeometry* shape = source.GetGeometryRef())
       out.SetGeometryDirectly(projected(*shape, way_.offset, way_.target).release());

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/plan/plan_layers.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::io {
@@ -104,7 +105,13 @@ std::string sides_text(const TrackPiece& piece) {
   return fmt::format("{}", fmt::join(sides, ", "));
 }
 
+const char* kind_of(const TrackPiece& piece) {
+  if (!piece.curve.empty()) return plan_layers::kCurved;
+  return piece.detours.empty() ? plan_layers::kStraight : plan_layers::kDetour;
+}
+
 Path written_path(const TrackPiece& piece) {
+  if (!piece.curve.empty()) return piece.curve;
   return piece.detours.empty() ? straight_path(piece.start, piece.end) : centre_line(piece);
 }
 
@@ -142,6 +149,16 @@ TrackPiece piece_from_text(const Path& path, const std::string& detours, const s
          std::move(stretch.obstacles)});
   }
   require_straight(path, at, path.size(), place);
+  return out;
+}
+
+TrackPiece curved_piece(const Path& path, const std::string& detours, const std::string& place) {
+  if (!stretches_from(detours, place).empty())
+    throw bad_input(place + " names detours of a curved track, which has none; write the plan again");
+  TrackPiece out;
+  out.start = path.front().from;
+  out.end = path.back().to;
+  out.curve = path;
   return out;
 }
 

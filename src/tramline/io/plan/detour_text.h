@@ -1,5 +1,5 @@
 #pragma once
-// What a plan file says about detours and obstacles in words.
+// What a plan file says about pieces, detours and obstacles in words.
 
 #include <string>
 #include <vector>
@@ -18,6 +18,9 @@ std::string obstacles_avoided(const TrackPiece& piece);
 /// One word for each detour: "left, right".
 std::string sides_text(const TrackPiece& piece);
 
+/// What a piece is: straight, detour or curved, by the names of plan_layers.h.
+const char* kind_of(const TrackPiece& piece);
+
 /// What the file holds of a piece's path: centre_line(piece), and for a piece without length, which
 /// has none, that.
 Path written_path(const TrackPiece& piece);
@@ -26,9 +29,13 @@ Path written_path(const TrackPiece& piece);
 /// side and its obstacles, from 1.
 std::string detours_text(const TrackPiece& piece);
 
-/// The inverse: start, end and detours of a piece with that path. Throws Error(kBadInput) that begins
-/// with `place` where the text is of another form, names segments that the path has not, or leaves
-/// out segments that are not straight lines between the detours. O(n).
+/// The inverse: start, end and detours of a piece with that path that is not curved. Throws
+/// Error(kBadInput) that begins with `place` where the text is of another form, names segments that the path
+/// has not, or leaves out segments that are not straight lines between the detours. O(n).
 TrackPiece piece_from_text(const Path& path, const std::string& detours, const std::string& place);
+
+/// A curved piece along that path. Throws Error(kBadInput) that begins with `place` where there are detours:
+/// a curved piece has none.
+TrackPiece curved_piece(const Path& path, const std::string& detours, const std::string& place);
 
 }  // namespace tramline::io

@@ -24,7 +24,9 @@ bool longer_than_half_a_circle(const PathSegment& segment) {
 
 class Cursor {
  public:
-  Cursor(const std::string& text, const std::string& place) : text_(text), place_(place) {}
+  /// `parts` for messages: what the text should be a list of.
+  Cursor(const std::string& text, const std::string& place, const char* parts)
+      : text_(text), place_(place), parts_(parts) {}
 
   bool at_end() const { return at_ == text_.size(); }
 
@@ -51,29 +53,31 @@ class Cursor {
 
  private:
   Error other_form() const {
-    return bad_input(
-        fmt::format("{} is no list of points and curvatures from character {} on; write the plan again",
-                    place_, at_ + 1));
+    return bad_input(fmt::format("{} is no list of {} from character {} on; write the plan again", place_,
+                                 parts_, at_ + 1));
   }
   const std::string& text_;
   const std::string& place_;
+  const char* parts_;
   std::size_t at_ = 0;
 };
+
+std::string written(Point p, Point offset) {
+  return fmt::format("{} {}", plain_zero(p.x + offset.x), plain_zero(p.y + offset.y));
+}
 
 }  // namespace
 
 std::string path_text(const Path& path, Point offset) {
-  const auto written = [&](Point p) {
-    return fmt::format("{} {}", plain_zero(p.x + offset.x), plain_zero(p.y + offset.y));
-  };
-  std::string out = written(path.front().from);
+  std::string out = written(path.front().from, offset);
   for (const PathSegment& segment : path)
-    fmt::format_to(std::back_inserter(out), "; {} {}", written(segment.to), plain_zero(segment.curvature));
+    fmt::format_to(std::back_inserter(out), "; {} {}", written(segment.to, offset),
+                   plain_zero(segment.curvature));
   return out;
 }
 
 Path path_from_text(const std::string& text, Point offset, const std::string& place) {
-  Cursor cursor(text, place);
+  Cursor cursor(text, place, "points and curvatures");
   Path out;
   Point at = cursor.point() - offset;
   do {
@@ -87,6 +91,33 @@ Path path_from_text(const std::string& text, Point offset, const std::string& pl
                                   place, out.size() - 1));
     at = to;
   } while (!cursor.at_end());
+  return out;
+}
+
+std::string path_text_if_any(const Path& path, Point offset) {
+  return path.empty() ? std::string() : path_text(path, offset);
+}
+
+Path path_from_text_if_any(const std::string& text, Point offset, const std::string& place) {
+  return text.empty() ? Path() : path_from_text(text, offset, place);
+}
+
+std::string points_text(const std::vector<Point>& points, Point offset) {
+  std::string out;
+  for (const Point p : points) out += (out.empty() ? "" : "; ") + written(p, offset);
+  return out;
+}
+
+std::vector<Point> points_from_text(const std::string& text, Point offset, const std::string& place) {
+  std::vector<Point> out;
+  if (text.empty()) return out;
+  Cursor cursor(text, place, "points");
+  out.push_back(cursor.point() - offset);
+  while (!cursor.at_end()) {
+    cursor.skip(';');
+    cursor.skip(' ');
+    out.push_back(cursor.point() - offset);
+  }
   return out;
 }
 

@@ -2,6 +2,7 @@
 // Paths as text, exact where a line of chords is not.
 
 #include <string>
+#include <vector>
 
 #include "tramline/geometry/path.h"
 
@@ -16,5 +17,14 @@ std::string path_text(const Path& path, Point offset);
 /// The inverse: `offset` is taken off again. Throws Error(kBadInput) that begins with `place` where
 /// the text is of another form, a number is not finite or an arc is longer than half a circle. O(n).
 Path path_from_text(const std::string& text, Point offset, const std::string& place);
+
+/// The text of a path that may be empty: "" then.
+std::string path_text_if_any(const Path& path, Point offset);
+Path path_from_text_if_any(const std::string& text, Point offset, const std::string& place);
+
+/// "x y; x y": points of a line, "" for none; digits and `offset` as in paths. O(n).
+std::string points_text(const std::vector<Point>& points, Point offset);
+/// The inverse. Throws Error(kBadInput) that begins with `place` where the text is of another form.
+std::vector<Point> points_from_text(const std::string& text, Point offset, const std::string& place);
 
 }  // namespace tramline::io

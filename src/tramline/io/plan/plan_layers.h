@@ -8,12 +8,15 @@ namespace tramline::io::plan_layers {
 inline constexpr const char* kField = "field";
 inline constexpr const char* kObstacles = "obstacles";
 inline constexpr const char* kBody = "body";
+inline constexpr const char* kHeadland = "headland";
 inline constexpr const char* kGivenUp = "given_up";
 inline constexpr const char* kSubfields = "subfields";
+inline constexpr const char* kHeadlandPasses = "headland_passes";
 inline constexpr const char* kTracks = "tracks";
 inline constexpr const char* kSwaths = "swaths";
 inline constexpr const char* kOverlap = "overlap";
 inline constexpr const char* kUncovered = "uncovered";
+inline constexpr const char* kHeadlandUnworked = "headland_unworked";
 inline constexpr const char* kDropped = "dropped";
 inline constexpr const char* kEncounters = "encounters";
 inline constexpr const char* kFront = "front";  ///< only where a front was asked for
@@ -25,5 +28,6 @@ inline constexpr const char* kPassable = "passable";
 
 inline constexpr const char* kStraight = "straight";
 inline constexpr const char* kDetour = "detour";
+inline constexpr const char* kCurved = "curved";
 
 }  // namespace tramline::io::plan_layers

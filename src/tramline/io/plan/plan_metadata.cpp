@@ -5,17 +5,20 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/plan/local_crs.h"
+#include "tramline/io/plan/path_text.h"
 #include "tramline/model/plain_zero.h"
 
 namespace tramline::io {
 namespace {
 
 constexpr const char* kFormat = "tramline plan";
-constexpr int kFormatVersion = 2;
+constexpr int kFormatVersion = kVersionWithHeadlands, kOldestVersion = 2;
 constexpr const char* kInputCrs = "field.source.input_crs";
 
 /// The one list of keys, walked by the writer (const plan) and by the reader.
@@ -73,6 +76,20 @@ void each_value(PlanOrConst& plan, Visitor&& visit) {
   visit("warnings", plan.warnings);
 }
 
+/// The keys that came with headlands and curved tracks.
+template <class PlanOrConst, class Visitor>
+void each_value_since_headlands(PlanOrConst& plan, Visitor&& visit) {
+  visit("settings.headlands", plan.settings.headlands);
+  visit("settings.obstacle_headlands", plan.settings.obstacle_headlands);
+  visit("settings.shape", plan.settings.shape);
+  visit("settings.guide", plan.settings.guide);
+  visit("reference", plan.reference);
+  visit("headland.obstacle_passes", plan.headland.obstacle_passes);
+  visit("headland.worked_m2", plan.headland.worked_m2);
+  visit("headland.overlap_m2", plan.headland.overlap_m2);
+  visit("headland.uncovered_m2", plan.headland.uncovered_m2);
+}
+
 nlohmann::json to_json(const Repair& repair) {
   return {{"what", repair.what},
           {"where", repair.where},
@@ -93,26 +110,39 @@ double short_degrees(Angle angle) {
 
 class Writer {
  public:
-  explicit Writer(Metadata& out) : out_(out) {}
-  void operator()(const std::string& key, const std::string& value) { out_[key] = value; }
-  void operator()(const std::string& key, double value) { out_[key] = fmt::format("{}", plain_zero(value)); }
-  void operator()(const std::string& key, int value) { out_[key] = std::to_string(value); }
-  void operator()(const std::string& key, long long value) { out_[key] = std::to_string(value); }
-  void operator()(const std::string& key, bool value) { out_[key] = value ? "true" : "false"; }
-  void operator()(const std::string& key, EndRule value) { out_[key] = name(value); }
-  void operator()(const std::string& key, EdgeKind value) { out_[key] = name(value); }
-  void operator()(const std::string& key, Strategy value) { out_[key] = name(value); }
-  void operator()(const std::string& key, CellDirection value) { out_[key] = name(value); }
-  void operator()(const std::string& key, Avoidance value) { out_[key] = name(value); }
+  /// `offset` leads from local metres to the coordinates of the file.
+  Writer(Metadata& out, Point offset) : out_(out), offset_(offset) {}
+  void operator()(const std::string& key, const std::string& value) const { out_[key] = value; }
+  void operator()(const std::string& key, double value) const {
+    out_[key] = fmt::format("{}", plain_zero(value));
+  }
+  void operator()(const std::string& key, int value) const { out_[key] = std::to_string(value); }
+  void operator()(const std::string& key, long long value) const { out_[key] = std::to_string(value); }
+  void operator()(const std::string& key, bool value) const { out_[key] = value ? "true" : "false"; }
+  void operator()(const std::string& key, EndRule value) const { out_[key] = name(value); }
+  void operator()(const std::string& key, EdgeKind value) const { out_[key] = name(value); }
+  void operator()(const std::string& key, Strategy value) const { out_[key] = name(value); }
+  void operator()(const std::string& key, CellDirection value) const { out_[key] = name(value); }
+  void operator()(const std::string& key, Avoidance value) const { out_[key] = name(value); }
+  void operator()(const std::string& key, TrackShape value) const { out_[key] = name(value); }
   /// Degrees are for people; radians are what is read back, to the bit.
-  void operator()(const std::string& key, Angle value) {
+  void operator()(const std::string& key, Angle value) const {
     (*this)(key + "_deg", short_degrees(value));
     (*this)(key + "_rad", value.radians());
   }
-  void operator()(const std::string& key, const std::vector<std::string>& values) {
+  void operator()(const std::string& key, const std::vector<std::string>& values) const {
     out_[key] = dumped(nlohmann::json(values));
   }
-  void operator()(const std::string& key, const std::vector<Repair>& repairs) {
+  void operator()(const std::string& key, const std::vector<int>& values) const {
+    out_[key] = dumped(nlohmann::json(values));
+  }
+  void operator()(const std::string& key, const std::vector<Point>& line) const {
+    out_[key] = points_text(line, offset_);
+  }
+  void operator()(const std::string& key, const Path& path) const {
+    out_[key] = path_text_if_any(path, offset_);
+  }
+  void operator()(const std::string& key, const std::vector<Repair>& repairs) const {
     nlohmann::json list = nlohmann::json::array();
     for (const Repair& repair : repairs) list.push_back(to_json(repair));
     out_[key] = dumped(list);
@@ -124,6 +154,7 @@ class Writer {
     return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   }
   Metadata& out_;
+  Point offset_;
 };
 
 class Reader {
@@ -148,6 +179,9 @@ class Reader {
     value = word(key, cell_direction_named(text(key)));
   }
   void operator()(const std::string& key, Avoidance& value) { value = word(key, avoidance_named(text(key))); }
+  void operator()(const std::string& key, TrackShape& value) {
+    value = word(key, track_shape_named(text(key)));
+  }
   void operator()(const std::string& key, Angle& value) {
     double radians = 0;
     (*this)(key + "_rad", radians);
@@ -155,6 +189,19 @@ class Reader {
   }
   void operator()(const std::string& key, std::vector<std::string>& values) {
     parse(key, [&](const nlohmann::json& json) { values = json.get<std::vector<std::string>>(); });
+  }
+  void operator()(const std::string& key, std::vector<int>& values) {
+    parse(key, [&](const nlohmann::json& json) {
+      // A loop over a number runs once.
+      if (!json.is_array()) throw nlohmann::json::other_error::create(0, "no list", nullptr);
+      for (const nlohmann::json& item : json) values.push_back(count(item));
+    });
+  }
+  void operator()(const std::string& key, std::vector<Point>& line) {
+    line = points_from_text(text(key), offset_, place_of(key));
+  }
+  void operator()(const std::string& key, Path& path) {
+    path = path_from_text_if_any(text(key), offset_, place_of(key));
   }
   void operator()(const std::string& key, std::vector<Repair>& repairs) {
     parse(key, [&](const nlohmann::json& json) {
@@ -165,6 +212,9 @@ class Reader {
                            item.at("area_change_m2").get<double>()});
     });
   }
+
+  /// What is taken off all coordinates from now on.
+  void shift_by(Point offset) { offset_ = offset; }
 
   const std::string& text(const std::string& key) const {
     const auto found = metadata_.find(key);
@@ -192,6 +242,16 @@ class Reader {
     if (!choice) throw wrong(key, "a word this version of tramline knows");
     return *choice;
   }
+  static int count(const nlohmann::json& item) {
+    if (!item.is_number_integer() || item.get<long long>() < 0 ||
+        item.get<long long>() > std::numeric_limits<int>::max())
+      throw nlohmann::json::other_error::create(0, "no count", nullptr);
+    return item.get<int>();
+  }
+  /// "plan.gpkg: table metadata, reference"
+  std::string place_of(const std::string& key) const {
+    return fmt::format("{}: table metadata, {}", file_.string(), key);
+  }
   template <class Take>
   void parse(const std::string& key, Take take) const {
     try {
@@ -203,13 +263,16 @@ class Reader {
 
   const Metadata& metadata_;
   const std::filesystem::path& file_;
+  Point offset_{};
 };
 
 }  // namespace
 
 Metadata metadata_of(const Plan& plan) {
   Metadata out;
-  each_value(plan, Writer(out));
+  const Writer writer(out, offset_of(plan.field.frame));
+  each_value(plan, writer);
+  each_value_since_headlands(plan, writer);
   out[kInputCrs] = plan.field.source.input_crs;
   out["format"] = kFormat;
   out["format_version"] = std::to_string(kFormatVersion);
@@ -222,16 +285,19 @@ Metadata metadata_of(const Plan& plan) {
   return out;
 }
 
-void apply_metadata(const Metadata& metadata, const std::filesystem::path& file, Plan& plan) {
+int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, Plan& plan) {
   Reader reader(metadata, file);
   if (reader.text("format") != kFormat) throw reader.wrong("format", "'tramline plan'");
   int version = 0;
   reader("format_version", version);
-  if (version != kFormatVersion)
-    throw reader.wrong("format_version", "2: read it with the tramline that wrote it");
+  if (version < kOldestVersion || version > kFormatVersion)
+    throw reader.wrong("format_version", "2 or 3: read it with the tramline that wrote it");
   each_value(plan, reader);
+  reader.shift_by(offset_of(plan.field.frame));
+  if (version >= kVersionWithHeadlands) each_value_since_headlands(plan, reader);
   // Files from before there was this key are as good plans.
   if (metadata.contains(kInputCrs)) plan.field.source.input_crs = reader.text(kInputCrs);
+  return version;
 }
 
 }  // namespace tramline::io

@@ -9,15 +9,21 @@
 
 namespace tramline::io {
 
+/// The first version with headlands and curved tracks, and so with their layers and keys. Files of the one
+/// before hold none and are read all the same.
+inline constexpr int kVersionWithHeadlands = 3;
+
 /// Sorted by key. Numbers carry as many digits as it takes to read the same bits back.
 using Metadata = std::map<std::string, std::string>;
 
 /// Machine, objective, settings, tally, local frame, source and remarks of a plan. The source file is
-/// named without its folder: a plan does not carry the paths of the machine it was made on.
+/// named without its folder: a plan does not carry the paths of the machine it was made on. Guide line and
+/// reference are in the coordinates of the file, as paths of tracks are.
 Metadata metadata_of(const Plan& plan);
 
-/// The inverse: fills those parts of `plan`. Throws Error(kBadInput) naming `file` and the key where
-/// a key is missing, a word unknown or a number not finite.
-void apply_metadata(const Metadata& metadata, const std::filesystem::path& file, Plan& plan);
+/// The inverse: fills those parts of `plan`, and gives the version of the format. Throws Error(kBadInput)
+/// naming `file` and the key where a key is missing, a word unknown, a number not finite or the version one
+/// that cannot be read.
+int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, Plan& plan);
 
 }  // namespace tramline::io

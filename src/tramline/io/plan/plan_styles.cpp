@@ -20,6 +20,7 @@ using qml::Symbol;
 constexpr double mm(double px) { return px * 25.4 / 96; }
 
 constexpr double kTrackLine_mm = mm(1.1), kDetourLine_mm = mm(2.2), kRim_mm = mm(4.4), kArrow_mm = mm(9);
+constexpr double kHeadlandLine_mm = mm(1.4);
 constexpr double kSliver_mm = mm(1.5);
 
 Symbol symbol(Shape shape, std::vector<qml::SymbolLayer> layers) { return {shape, std::move(layers)}; }
@@ -85,10 +86,27 @@ std::string tracks_style() {
   return qml::document(
       Shape::kLine,
       {{"\"kind\" = 'straight'", "track", symbol(Shape::kLine, {track, arrow})},
+       {"\"kind\" = 'curved'", "curved track", symbol(Shape::kLine, {track, arrow})},
        {"\"kind\" = 'detour'", "track with detours round obstacles",
         symbol(Shape::kLine, {track, arrow, detours})},
        {"\"stop_at_start\"", "stop at the start", symbol(Shape::kLine, {stop_at("firstvertex")})},
        {"\"stop_at_end\"", "stop: the machine backs out", symbol(Shape::kLine, {stop_at("lastvertex")})}});
+}
+
+/// Closed lines: an arrow in the middle of every stretch of some length.
+std::string headland_passes_style() {
+  qml::SymbolLayer arrows = qml::marker_on_line(
+      "interval",
+      qml::simple_marker("filled_arrowhead", kHeadlandPassColour, kHeadlandPassColour, kArrow_mm));
+  const std::string apart = fmt::format("{:g}", mm(220)), first = fmt::format("{:g}", mm(110));
+  arrows.properties.insert(arrows.properties.end(), {{"interval", apart},
+                                                     {"interval_unit", "MM"},
+                                                     {"offset_along_line", first},
+                                                     {"offset_along_line_unit", "MM"}});
+  return qml::document(
+      Shape::kLine,
+      {{"", "",
+        symbol(Shape::kLine, {qml::simple_line(kHeadlandPassColour, kHeadlandLine_mm, "dash"), arrows})}});
 }
 
 /// As in pictures: gaps of micrometres between two swaths are no faults that anybody wants to see, and may
@@ -125,12 +143,16 @@ std::vector<LayerStyle> styles_of(const Plan& plan) {
       {layers::kField, "the outer boundary", fill_style(qml::simple_edge(kFieldEdge, mm(2.2)))},
       {layers::kObstacles, "obstacles and passable strips", obstacles_style()},
       {layers::kBody, "what the tracks have to cover", fill_style(qml::simple_edge(kFaintInk, mm(1), "dot"))},
+      {layers::kHeadland, "what the headland passes are there to work",
+       fill_style(qml::simple_fill(kHeadlandColour, kSubfieldEdge, mm(1.4)))},
       {layers::kGivenUp, "given up on purpose, uncovered", given_up_style()},
       {layers::kSubfields, "a tint for each driving direction", subfields_style(plan)},
+      {layers::kHeadlandPasses, "passes round the field and its obstacles", headland_passes_style()},
       {layers::kTracks, "tracks with arrows, detours and stops", tracks_style()},
       {layers::kSwaths, "the ground each track works", swaths_style()},
       {layers::kOverlap, "land worked again", fault_style(kOverlapColour)},
       {layers::kUncovered, "land left out", fault_style(kUncoveredColour)},
+      {layers::kHeadlandUnworked, "headland left out", fault_style(kUncoveredColour)},
       {layers::kDropped, "too short to drive",
        qml::document(Shape::kLine,
                      {{"", "", symbol(Shape::kLine, {qml::simple_line(kDroppedColour, mm(1.8), "dash")})}})},

@@ -90,18 +90,49 @@ void derive_text(PlanFile& out, const Row& row, const char* column, std::string 
   out.derived_texts.push_back({place_in_file(row, column), row.text(column), std::move(from_shape), at});
 }
 
-/// All that a row says about a piece beside its path: numbers and words for people.
-void derive_of_piece(PlanFile& out, const Row& row, const TrackPiece& piece) {
-  const bool straight = piece.detours.empty();
-  const double smallest_m = smallest_radius(written_path(piece));
-  derive(out, row, "length_m", length(piece), piece.start);
-  derive(out, row, "heading_deg", Heading::from_to(piece.start, piece.end).degrees(), piece.start);
+/// A path without arcs has no smallest radius: NULL in the file, 0 here.
+void derive_smallest_radius(PlanFile& out, const Row& row, const Path& path) {
+  const double smallest_m = smallest_radius(path);
   out.derived.push_back({place_in_file(row, "smallest_radius_m"),
                          row.number_if_any("smallest_radius_m").value_or(0),
-                         std::isfinite(smallest_m) ? smallest_m : 0, piece.start});
-  derive_text(out, row, "kind", straight ? layers::kStraight : layers::kDetour, piece.start);
+                         std::isfinite(smallest_m) ? smallest_m : 0, path.front().from});
+}
+
+/// All that a row says about a piece beside its path: numbers and words for people.
+void derive_of_piece(PlanFile& out, const Row& row, const TrackPiece& piece) {
+  derive(out, row, "length_m", length(piece), piece.start);
+  derive(out, row, "heading_deg", Heading::from_to(piece.start, piece.end).degrees(), piece.start);
+  derive_smallest_radius(out, row, written_path(piece));
+  derive_text(out, row, "kind", kind_of(piece), piece.start);
   derive_text(out, row, "obstacles", obstacles_avoided(piece), piece.start);
   derive_text(out, row, "sides", sides_text(piece), piece.start);
+}
+
+/// A straight line may be a piece of a curved family, so the word `curved` decides; the other two follow from
+/// the detours.
+TrackPiece piece_of(const Row& row, const Path& path) {
+  const bool curved = row.text("kind") == layers::kCurved;
+  return (curved ? curved_piece : piece_from_text)(path, row.text("detours"), row.place_of("detours"));
+}
+
+void read_headland_passes(PlanRows& file, PlanFile& out) {
+  file.each(layers::kHeadlandPasses, [&](const Row& row) {
+    out.headland_lines.push_back(row.line());
+    HeadlandPass pass;
+    pass.path = path_from_text(row.text("path"), row.offset(), row.place_of("path"));
+    pass.number = row.whole("number");
+    pass.around_field = row.flag("around_field");
+    pass.obstacles = obstacles_from_text(row.text("obstacles"), row.place_of("obstacles"));
+    derive(out, row, "length_m", length(pass.path), pass.path.front().from);
+    derive_smallest_radius(out, row, pass.path);
+    out.plan.headland.passes.push_back(std::move(pass));
+  });
+}
+
+void read_headland(PlanRows& file, PlanFile& out) {
+  read_region(file, layers::kHeadland, out.plan.headland.ground, out);
+  read_headland_passes(file, out);
+  read_region(file, layers::kHeadlandUnworked, out.plan.headland.unworked, out);
 }
 
 void read_tracks(PlanRows& file, PlanFile& out) {
@@ -110,7 +141,7 @@ void read_tracks(PlanRows& file, PlanFile& out) {
   file.each(layers::kTracks, [&](const Row& row) {
     std::vector<Point> line = row.line();
     const Path path = path_from_text(row.text("path"), row.offset(), row.place_of("path"));
-    TrackPiece piece = piece_from_text(path, row.text("detours"), row.place_of("detours"));
+    TrackPiece piece = piece_of(row, path);
     piece.subfield = row.whole("subfield") - 1;
     piece.track = row.whole("track") - 1;
     piece.stop_at_start = row.flag("stop_at_start");
@@ -222,11 +253,12 @@ PlanFile read_plan_file(const fs::path& path) {
   PlanFile out;
   Metadata metadata;
   file.each(layers::kMetadata, [&](const Row& row) { metadata[row.text("key")] = row.text("value"); });
-  apply_metadata(metadata, path, out.plan);
+  const int version = apply_metadata(metadata, path, out.plan);
   file.shift_by(offset_of(out.plan.field.frame));
 
   read_field(file, path, out);
   read_region(file, layers::kBody, out.plan.body, out);
+  if (version >= kVersionWithHeadlands) read_headland(file, out);
   read_region(file, layers::kGivenUp, out.plan.given_up, out);
   read_subfields(file, out);
   read_tracks(file, out);

@@ -33,15 +33,18 @@ struct PlanFile {
   Region swaths;                 ///< the layer swaths, sorted by order
   /// What the layer tracks shows of each piece: chords, sorted like the pieces.
   std::vector<std::vector<Point>> track_lines;
+  /// The same of the layer headland_passes.
+  std::vector<std::vector<Point>> headland_lines;
   std::vector<DerivedNumber> derived;
   std::vector<DerivedText> derived_texts;
 };
 
-/// Reads a plan file written by write_plan. Coordinates and numbers come back to the bit (in a plain
-/// frame, which is shifted: to 1e-9 m), pieces from the texts of their paths; of the source file only the
-/// base name comes back. Throws Error(kBadInput) naming the file, and the layer and feature at fault, where
-/// the file is missing, cut off, no plan, or holds a number that is not finite or a text of another form, and
-/// then the column too. O(n log n).
+/// Reads a plan file written by write_plan, or by that of format version 2, which knew neither headlands nor
+/// curved tracks. Coordinates and numbers come back to the bit (in a plain
+/// frame, which is shifted: to 1e-9 m), pieces and headland passes from the texts of their paths; of the
+/// source file only the base name comes back. Throws Error(kBadInput) naming the file, and the layer and
+/// feature at fault, where the file is missing, cut off, no plan, or holds a number that is not finite or a
+/// text of another form, and then the column too. O(n log n).
 PlanFile read_plan_file(const std::filesystem::path& path);
 
 /// The plan alone.

@@ -154,9 +154,22 @@ void write_subfields(const Target& target, const Plan& plan) {
         {++number, subfield.direction.degrees(), subfield.direction.angle().radians(), area(subfield.shape)});
 }
 
-/// What a GIS draws: two points for a straight piece, chords for one with detours.
+/// What a GIS draws: two points for a straight piece, chords for one with detours or a curve.
 std::vector<Point> drawn(const TrackPiece& piece) {
-  return piece.detours.empty() ? std::vector<Point>{piece.start, piece.end} : chords(centre_line(piece));
+  if (piece.detours.empty() && piece.curve.empty()) return {piece.start, piece.end};
+  return chords(centre_line(piece));
+}
+
+void write_headland_passes(const Target& target, const Headland& headland) {
+  Table table(target.file, layers::kHeadlandPasses, wkbLineString, target.crs,
+              {integer("number"), flag("around_field"), text("obstacles"), real("length_m"),
+               real("smallest_radius_m"), text("path")});
+  for (const HeadlandPass& pass : headland.passes) {
+    const double smallest_m = smallest_radius(pass.path);
+    table.add(target.shapes.line(chords(pass.path)),
+              {pass.number + 0LL, pass.around_field, obstacles_text(pass.obstacles), length(pass.path),
+               number_if(std::isfinite(smallest_m), smallest_m), path_text(pass.path, target.offset)});
+  }
 }
 
 void write_tracks(const Target& target, const Plan& plan) {
@@ -170,8 +183,7 @@ void write_tracks(const Target& target, const Plan& plan) {
     const Path path = written_path(piece);
     const double smallest_m = smallest_radius(path);
     table.add(target.shapes.line(drawn(piece)),
-              {++order, piece.subfield + 1LL, piece.track + 1LL,
-               std::string(piece.detours.empty() ? layers::kStraight : layers::kDetour),
+              {++order, piece.subfield + 1LL, piece.track + 1LL, std::string(kind_of(piece)),
                Heading::from_to(piece.start, piece.end).degrees(), length(piece),
                number_if(std::isfinite(smallest_m), smallest_m), obstacles_avoided(piece), sides_text(piece),
                piece.stop_at_start, piece.stop_at_end, piece.after_crossing, path_text(path, target.offset),
@@ -267,12 +279,15 @@ void write_layers(GDALDataset& file, const Plan& plan) {
   file.StartTransaction();
   write_field(target, plan.field);
   write_region(target, layers::kBody, plan.body);
+  write_region(target, layers::kHeadland, plan.headland.ground);
   write_region(target, layers::kGivenUp, plan.given_up);
   write_subfields(target, plan);
+  write_headland_passes(target, plan.headland);
   write_tracks(target, plan);
   write_swaths(target, plan);
   write_region(target, layers::kOverlap, plan.overlap);
   write_region(target, layers::kUncovered, plan.uncovered);
+  write_region(target, layers::kHeadlandUnworked, plan.headland.unworked);
   write_dropped(target, plan);
   write_encounters(target, plan);
   write_front(file, plan.front);

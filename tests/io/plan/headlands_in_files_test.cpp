@@ -1,0 +1,294 @@
+// Headlands and curved tracks in plan files: paths come back to the bit, older files are read, and texts
+// changed by others are named.
+
+#include <gtest/gtest.h>
+#include <ogrsf_frmts.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <initializer_list>
+#include <iterator>
+
+#include "tramline/geometry/error.h"
+#include "tramline/io/plan/read_plan.h"
+#include "tramline/io/plan/write_plan.h"
+
+namespace tramline {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Round a box with arcs at the corners, counter-clockwise.
+Path round_box(double min_x, double min_y, double max_x, double max_y, double radius_m) {
+  const double r = radius_m, k = 1 / radius_m;
+  return {{{min_x + r, min_y}, {max_x - r, min_y}, 0}, {{max_x - r, min_y}, {max_x, min_y + r}, k},
+          {{max_x, min_y + r}, {max_x, max_y - r}, 0}, {{max_x, max_y - r}, {max_x - r, max_y}, k},
+          {{max_x - r, max_y}, {min_x + r, max_y}, 0}, {{min_x + r, max_y}, {min_x, max_y - r}, k},
+          {{min_x, max_y - r}, {min_x, min_y + r}, 0}, {{min_x, min_y + r}, {min_x + r, min_y}, k}};
+}
+
+/// Two passes round the field, one round its obstacle, and three pieces of a curved family: an arc between
+/// lines, an arc alone and a straight line.
+Plan headland_plan() {
+  const double third = 1.0 / 3;
+  Plan plan;
+  plan.field.id = "bend";
+  plan.field.outer = {{0, 0}, {200 + third, 0}, {200, 100}, {0, 99.9}};
+  plan.field.obstacles = {
+      {{{{150, 40}, {158 + third, 40}, {158, 48}, {150, 48}}, {}}, ObstacleKind::kObstacle, "hole 1"}};
+  plan.field.frame = {true, 13.1, 52.3, 0, 0};
+  plan.machine = {"drill", 4 + third, 5.1, 2.5};
+  plan.settings.headlands = 2;
+  plan.settings.obstacle_headlands = 1;
+  plan.settings.shape = TrackShape::kAuto;
+  plan.settings.guide = {{-0.1, third}, {70.7, 20}, {180 + third, 1e-7}};
+  plan.body = {{{{9, 9}, {191, 9}, {191, 91}, {9, 91}}, {}}};
+  plan.headland.passes = {{round_box(2 + third, 2.1, 198, 97.9, 5.1), 1, true, {}},
+                          {reversed(round_box(146, 36 - third, 162, 52, 5.3)), 1, false, {0}},
+                          {round_box(6.5, 6.4, 193.7, 93.5, 5.1), 2, true, {0}}};
+  plan.headland.obstacle_passes = {1};
+  plan.headland.ground = {{plan.field.outer, {{{9, 9}, {9, 91}, {191, 91}, {191, 9}}}}};
+  plan.headland.unworked = {{{{0, 0}, {1, 0}, {0, 1 + third}}, {}}};
+  plan.headland.worked_m2 = 5000 + third;
+  plan.headland.overlap_m2 = 0.1;
+  plan.headland.uncovered_m2 = 0.7;
+  plan.subfields = {{plan.body[0], Direction::clockwise_from_north(Angle::degrees(80.3))}};
+  plan.reference = {{{-300, 20}, {60, 20 + third}, 0}, {{60, 20 + third}, {120, 50}, 1 / 77.7}};
+  plan.pieces = {
+      {{10, 20}, {120.1, 70}, 0, 0}, {{20, 30}, {80, 60 + third}, 0, -1}, {{9, 85}, {99, 86}, 0, 2}};
+  plan.pieces[0].curve = {
+      {{10, 20}, {60, 20 + third}, 0}, {{60, 20 + third}, {100, 40}, 1 / 77.7}, {{100, 40}, {120.1, 70}, 0}};
+  plan.pieces[1].curve = {{{20, 30}, {80, 60 + third}, -1 / 88.8}};
+  plan.pieces[2].curve = straight_path({9, 85}, {99, 86});
+  return plan;
+}
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+class HeadlandsInFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    file_ = fs::temp_directory_path() / ("tramline-headlands-" + std::to_string(getpid()) + ".gpkg");
+    io::write_plan(headland_plan(), file_);
+  }
+  void TearDown() override { fs::remove(file_); }
+
+  void change(const std::string& statement) const {
+    CPLPushErrorHandler(CPLQuietErrorHandler);
+    const GDALDatasetUniquePtr data(GDALDataset::Open(file_.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
+    data->ExecuteSQL(statement.c_str(), nullptr, nullptr);
+    CPLPopErrorHandler();
+  }
+  /// What reading says after a change; "" when it says nothing.
+  std::string after(const std::string& statement) const {
+    io::write_plan(headland_plan(), file_);
+    change(statement);
+    try {
+      io::read_plan_file(file_);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::kBadInput) << error.what();
+      EXPECT_NE(std::string(error.what()).find(file_.filename().string()), std::string::npos) << error.what();
+      return error.what();
+    }
+    return "";
+  }
+  /// Does reading name all these words after the change?
+  testing::AssertionResult says(const std::string& statement,
+                                std::initializer_list<const char*> words) const {
+    const std::string sentence = after(statement);
+    for (const char* word : words)
+      if (sentence.find(word) == std::string::npos)
+        return testing::AssertionFailure() << statement << ": '" << sentence << "' does not name " << word;
+    return testing::AssertionSuccess();
+  }
+  static std::string metadata(const std::string& key, const std::string& value) {
+    return "UPDATE metadata SET value = '" + value + "' WHERE key = '" + key + "'";
+  }
+  fs::path file_;
+};
+
+TEST_F(HeadlandsInFiles, come_back_to_the_bit) {
+  const Plan plan = headland_plan();
+  const io::PlanFile read = io::read_plan_file(file_);
+  const Headland& found = read.plan.headland;
+  EXPECT_EQ(found.passes, plan.headland.passes);
+  EXPECT_EQ(found.obstacle_passes, plan.headland.obstacle_passes);
+  EXPECT_EQ(found.ground, plan.headland.ground);
+  EXPECT_EQ(found.unworked, plan.headland.unworked);
+  EXPECT_EQ(found.worked_m2, plan.headland.worked_m2);
+  EXPECT_EQ(found.overlap_m2, plan.headland.overlap_m2);
+  EXPECT_EQ(found.uncovered_m2, plan.headland.uncovered_m2);
+  EXPECT_EQ(read.plan.settings.headlands, 2);
+  EXPECT_EQ(read.plan.settings.obstacle_headlands, 1);
+  EXPECT_EQ(read.plan.settings.shape, TrackShape::kAuto);
+  EXPECT_EQ(read.plan.settings.guide, plan.settings.guide);
+  EXPECT_EQ(read.plan.reference, plan.reference);
+  ASSERT_EQ(read.headland_lines.size(), 3u);
+  EXPECT_EQ(read.headland_lines[2], chords(plan.headland.passes[2].path));
+}
+
+TEST_F(HeadlandsInFiles, curved_tracks_come_back_as_curves) {
+  const Plan plan = headland_plan();
+  const io::PlanFile read = io::read_plan_file(file_);
+  ASSERT_EQ(read.plan.pieces.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const TrackPiece& piece = read.plan.pieces[i];
+    EXPECT_EQ(piece.curve, plan.pieces[i].curve) << "a straight line of a curved family is a curve too";
+    EXPECT_EQ(piece.start, plan.pieces[i].start);
+    EXPECT_EQ(piece.end, plan.pieces[i].end);
+    EXPECT_EQ(piece.track, plan.pieces[i].track);
+    EXPECT_TRUE(piece.detours.empty());
+    EXPECT_EQ(read.track_lines[i], chords(plan.pieces[i].curve));
+  }
+  EXPECT_EQ(read.swaths, swaths(plan));
+  for (const io::DerivedNumber& n : read.derived) EXPECT_NEAR(n.stored, n.from_shape, 1e-9) << n.where;
+  for (const io::DerivedText& t : read.derived_texts) EXPECT_EQ(t.stored, t.from_shape) << t.where;
+}
+
+TEST_F(HeadlandsInFiles, equal_plans_are_equal_bytes) {
+  const std::string bytes = bytes_of(file_);
+  io::write_plan(io::read_plan(file_), file_);
+  EXPECT_EQ(bytes_of(file_), bytes);
+}
+
+TEST_F(HeadlandsInFiles, a_plain_frame_moves_all_of_it) {
+  Plan plan = headland_plan();
+  plan.field.frame = {false, 0, 0, 500123.4, 5800456.7};
+  io::write_plan(plan, file_);
+  const Plan read = io::read_plan(file_);
+  const auto expect_near = [](const Path& a, const Path& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      EXPECT_LT(distance(a[i].from, b[i].from), 1.5e-9);
+      EXPECT_LT(distance(a[i].to, b[i].to), 1.5e-9);
+      EXPECT_EQ(a[i].curvature, b[i].curvature);
+    }
+  };
+  expect_near(read.reference, plan.reference);
+  expect_near(read.pieces[0].curve, plan.pieces[0].curve);
+  expect_near(read.headland.passes[1].path, plan.headland.passes[1].path);
+  EXPECT_EQ(read.headland.passes[1].path.front().from, read.headland.passes[1].path.back().to) << "closed";
+  ASSERT_EQ(read.settings.guide.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_LT(distance(read.settings.guide[i], plan.settings.guide[i]), 1.5e-9);
+  // What is in the file are coordinates of its plane.
+  const GDALDatasetUniquePtr data(GDALDataset::Open(file_.c_str(), GDAL_OF_VECTOR));
+  for (const auto& row : *data->GetLayerByName("metadata"))
+    if (std::string(row->GetFieldAsString("key")) == "reference") {
+      EXPECT_EQ(std::string(row->GetFieldAsString("value")).substr(0, 9), "499823.4 ");
+    }
+}
+
+TEST_F(HeadlandsInFiles, columns_are_for_people_too) {
+  const GDALDatasetUniquePtr data(GDALDataset::Open(file_.c_str(), GDAL_OF_VECTOR));
+  const OGRFeatureUniquePtr pass(data->GetLayerByName("headland_passes")->GetFeature(3));
+  EXPECT_EQ(pass->GetFieldAsInteger("number"), 2);
+  EXPECT_EQ(pass->GetFieldAsInteger("around_field"), 1);
+  EXPECT_STREQ(pass->GetFieldAsString("obstacles"), "1");
+  EXPECT_NEAR(pass->GetFieldAsDouble("length_m"), length(headland_plan().headland.passes[2].path), 1e-12);
+  EXPECT_NEAR(pass->GetFieldAsDouble("smallest_radius_m"), 5.1, 1e-12);
+  const OGRFeatureUniquePtr arc(data->GetLayerByName("tracks")->GetFeature(2));
+  EXPECT_STREQ(arc->GetFieldAsString("kind"), "curved");
+  EXPECT_STREQ(arc->GetFieldAsString("detours"), "[]");
+  EXPECT_NEAR(arc->GetFieldAsDouble("smallest_radius_m"), 88.8, 1e-12);
+  const OGRFeatureUniquePtr line(data->GetLayerByName("tracks")->GetFeature(3));
+  EXPECT_STREQ(line->GetFieldAsString("kind"), "curved");
+  EXPECT_TRUE(line->IsFieldNull(line->GetFieldIndex("smallest_radius_m")));
+}
+
+TEST_F(HeadlandsInFiles, plans_without_have_the_layers_and_nothing_in_them) {
+  Plan plan;
+  plan.field.outer = {{0, 0}, {10, 0}, {10, 10}};
+  io::write_plan(plan, file_);
+  const Plan read = io::read_plan(file_);
+  EXPECT_TRUE(read.headland.passes.empty());
+  EXPECT_TRUE(read.headland.ground.empty());
+  EXPECT_TRUE(read.reference.empty());
+  EXPECT_TRUE(read.settings.guide.empty());
+  const GDALDatasetUniquePtr data(GDALDataset::Open(file_.c_str(), GDAL_OF_VECTOR));
+  for (const char* layer : {"headland", "headland_passes", "headland_unworked"})
+    EXPECT_NE(data->GetLayerByName(layer), nullptr) << layer;
+}
+
+/// What format version 2 had.
+TEST_F(HeadlandsInFiles, files_of_the_version_before_are_read) {
+  Plan plan = headland_plan();
+  plan.pieces = {{{10, 20}, {60, 20}, 0, 0}};
+  io::write_plan(plan, file_);
+  for (const char* layer : {"headland", "headland_passes", "headland_unworked"})
+    change(std::string("DROP TABLE ") + layer);
+  change(
+      "DELETE FROM metadata WHERE key LIKE 'headland.%' OR key IN ('reference', 'settings.headlands', "
+      "'settings.obstacle_headlands', 'settings.shape', 'settings.guide')");
+  change(metadata("format_version", "2"));
+  const Plan read = io::read_plan(file_);
+  EXPECT_EQ(read.pieces.size(), 1u);
+  EXPECT_EQ(read.settings.headlands, 0);
+  EXPECT_EQ(read.settings.shape, TrackShape::kStraight);
+  EXPECT_TRUE(read.headland.passes.empty());
+  EXPECT_TRUE(read.reference.empty());
+}
+
+TEST_F(HeadlandsInFiles, other_versions_are_refused) {
+  for (const char* version : {"1", "4", "-3", "3.0", ""})
+    EXPECT_TRUE(says(metadata("format_version", version), {"format_version", "metadata"}));
+}
+
+TEST_F(HeadlandsInFiles, missing_parts_are_named) {
+  for (const char* layer : {"headland", "headland_passes", "headland_unworked"})
+    EXPECT_TRUE(says(std::string("DROP TABLE ") + layer, {"there is no layer", layer}));
+  for (const char* key :
+       {"settings.headlands", "settings.shape", "settings.guide", "reference", "headland.obstacle_passes",
+        "headland.worked_m2", "headland.overlap_m2", "headland.uncovered_m2"})
+    EXPECT_TRUE(says("DELETE FROM metadata WHERE key = '" + std::string(key) + "'", {key}));
+  for (const char* column : {"number", "around_field", "obstacles", "length_m", "path"})
+    EXPECT_TRUE(says(std::string("UPDATE headland_passes SET ") + column + " = NULL WHERE fid = 2",
+                     {"layer headland_passes, feature 2", column}));
+  EXPECT_TRUE(says("UPDATE headland_passes SET geom = NULL WHERE fid = 2",
+                   {"layer headland_passes, feature 2", "no line"}));
+  EXPECT_TRUE(says("UPDATE headland SET geom = NULL", {"layer headland, feature 1", "no polygon"}));
+}
+
+TEST_F(HeadlandsInFiles, corrupt_texts_are_named) {
+  for (const char* path : {"", "1 2", "1 2; 3 4", "1 2; 3 4 x", "1 2; 3 4 nan", "0 0; 10 0 0.21"})
+    EXPECT_TRUE(says(std::string("UPDATE headland_passes SET path = '") + path + "' WHERE fid = 1",
+                     {"layer headland_passes, feature 1: path"}));
+  for (const char* obstacles : {"x", "0", "1,2", "1, "})
+    EXPECT_TRUE(says(std::string("UPDATE headland_passes SET obstacles = '") + obstacles + "' WHERE fid = 3",
+                     {"layer headland_passes, feature 3: obstacles"}));
+  for (const char* reference : {"1 2", "1 2; 3 4", "1 2; 3 4 inf", "0 0; 10 0 0.21"})
+    EXPECT_TRUE(says(metadata("reference", reference), {"table metadata, reference"}));
+  for (const char* guide : {"1", "1 2;", "1 2; 3", "1 2; 3 4 0", "1 2, 3 4", "1 nan"})
+    EXPECT_TRUE(says(metadata("settings.guide", guide), {"table metadata, settings.guide"}));
+  for (const char* list : {"", "1", "{}", "[-1]", "[1.5]", "[\"1\"]", "[99999999999]", "[1"})
+    EXPECT_TRUE(says(metadata("headland.obstacle_passes", list), {"headland.obstacle_passes", "JSON list"}));
+  EXPECT_TRUE(says(metadata("settings.shape", "round"), {"settings.shape", "'round'"}));
+  EXPECT_TRUE(says(metadata("settings.headlands", "two"), {"settings.headlands", "'two'"}));
+  EXPECT_TRUE(says(metadata("headland.worked_m2", "inf"), {"headland.worked_m2", "finite"}));
+}
+
+/// The word `curved` decides what a path is: under another one, only what such a track may be is read.
+TEST_F(HeadlandsInFiles, curves_under_another_name_are_refused) {
+  EXPECT_TRUE(says("UPDATE tracks SET kind = 'straight' WHERE fid = 1",
+                   {"layer tracks, feature 1: detours", "straight"}));
+  EXPECT_TRUE(says(
+      R"(UPDATE tracks SET detours = '[{"first":1,"last":1,"side":"left","obstacles":[1]}]' WHERE fid = 1)",
+      {"layer tracks, feature 1: detours", "curved"}));
+  EXPECT_TRUE(says("UPDATE tracks SET detours = 'none' WHERE fid = 1", {"layer tracks, feature 1: detours"}));
+}
+
+TEST_F(HeadlandsInFiles, contradictions_are_kept_for_the_verifier) {
+  EXPECT_EQ(after("UPDATE headland_passes SET length_m = 1, smallest_radius_m = NULL WHERE fid = 1"), "");
+  int apart = 0;
+  for (const io::DerivedNumber& n : io::read_plan_file(file_).derived)
+    apart += std::abs(n.stored - n.from_shape) > 1e-6 ? 1 : 0;
+  EXPECT_EQ(apart, 2);
+}
+
+}  // namespace
+}  // namespace tramline
