@@ -171,8 +171,8 @@ TEST_F(ExportTest, KmlTellsHeadlandPassesFromTracks) {
   exported("lines.kml", "", {"headland_passes", "tracks"});
   const std::string kml = bytes_of(folder_ / "lines.kml");
   EXPECT_NE(kml.find("<name>Headland pass 1</name>"), std::string::npos);
-  EXPECT_NE(kml.find("ff1d4e7a"), std::string::npos) << "the colour of headland passes, as KML has it";
-  EXPECT_NE(kml.find("ff3b463a"), std::string::npos) << "that of tracks";
+  EXPECT_NE(kml.find("FF1D4E7A"), std::string::npos) << "the colour of headland passes, as KML has it";
+  EXPECT_NE(kml.find("FF3B463A"), std::string::npos) << "that of tracks";
 }
 
 TEST_F(ExportTest, FlatGeobufIsInTheCrsOfTheFieldsFile) {
