@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "tramline/cost/curved_tally.h"
-#include "tramline/cost/worked_regions.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/extended.h"
 #include "tramline/geometry/shifted.h"
@@ -99,13 +98,36 @@ std::vector<TrackPiece> up_and_down(const CurvedTracks& tracks, const Region& pa
   return out;
 }
 
-/// The swaths of every other track, and the rest: swaths of one family only touch, and not even that where a
-/// track lies between them.
-std::vector<Region> worked_grounds(const Plan& plan) {
+/// Chords of the layers are so far off the arcs: a picture of 300 km of arcs needs not be as fine.
+double layer_sagitta(const Plan& plan) {
+  constexpr double kMuch_m = 3e4, kCoarse = 1e-3;
+  return plan.tally.track_length_m > kMuch_m ? kCoarse : kLayerSagitta;
+}
+
+/// The swaths of every other track, and the rest.
+std::vector<Region> worked_grounds(const Plan& plan, double sagitta_m) {
   std::vector<Region> out(2);
   for (const TrackPiece& piece : plan.pieces)
-    out[piece.track % 2 == 0 ? 0 : 1].push_back({band(piece.curve, plan.machine.width_m, kLayerSagitta), {}});
+    out[piece.track % 2 == 0 ? 0 : 1].push_back({band(piece.curve, plan.machine.width_m, sagitta_m), {}});
   return out;
+}
+
+/// The layers of overlap and uncovered land, without the slivers between the chords of swaths that share an
+/// arc.
+void add_layers(Plan& plan) {
+  const double sagitta_m = layer_sagitta(plan);
+  plan.uncovered = plan.body;
+  for (const Region& swaths : worked_grounds(plan, sagitta_m)) {
+    const Region ground = unite(swaths);
+    plan.uncovered = difference(plan.uncovered, ground);
+    for (Polygon& part : difference(ground, plan.body)) plan.overlap.push_back(std::move(part));
+  }
+  const auto is_sliver = [sagitta_m](const Polygon& part) {
+    return area(part) < sagitta_m * perimeter(part.outer);
+  };
+  std::erase_if(plan.uncovered, is_sliver);
+  std::erase_if(plan.overlap, is_sliver);
+  plan.overlap = unite(plan.overlap);
 }
 
 }  // namespace
@@ -150,9 +172,7 @@ Plan finished_plan(const SearchTask& task, const CurvedCandidate& candidate) {
   plan.tally = candidate.tally;
   plan.cost = candidate.cost;
   plan.directions_tried = 1;
-  WorkedRegions worked = worked_regions(plan.body, {}, worked_grounds(plan));
-  plan.overlap = std::move(worked.overlap);
-  plan.uncovered = std::move(worked.uncovered);
+  add_layers(plan);
   plan.warnings = warnings_about(plan);
   return plan;
 }
