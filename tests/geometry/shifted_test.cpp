@@ -22,5 +22,13 @@ TEST(Shifted, LinesMoveAndArcsChangeTheirRadius) {
   EXPECT_FALSE(shifted(path, -15, 6));
 }
 
+// As tight as it may be, and moved nowhere: 1/(1/r) need not be r.
+TEST(Shifted, NothingMovesNothing) {
+  for (const double radius : {6.0, 3.7, 11.3, 1e3 / 7}) {
+    const Path path{{{0, 0}, {radius, radius}, 1 / radius}};
+    ASSERT_TRUE(shifted(path, 0, radius)) << radius;
+  }
+}
+
 }  // namespace
 }  // namespace tramline

@@ -5,6 +5,9 @@
 namespace tramline {
 namespace {
 
+/// An arc just as tight as allowed has lost a little in becoming a curvature and back.
+constexpr double kRounding = 1e-9;
+
 Point right_of(Point along) { return {along.y, -along.x}; }
 
 }  // namespace
@@ -18,7 +21,7 @@ std::optional<Path> shifted(const Path& path, double right_m, double least_radiu
     if (!segment.straight()) {
       // To the right is away from the centre of an arc that turns left.
       const double radius_m = 1 / std::abs(segment.curvature) + (segment.curvature > 0 ? right_m : -right_m);
-      if (radius_m < least_radius_m) return std::nullopt;
+      if (radius_m < least_radius_m * (1 - kRounding)) return std::nullopt;
       moved.curvature = std::copysign(1 / radius_m, segment.curvature);
     }
     if (!out.empty()) moved.from = out.back().to;
