@@ -25,8 +25,9 @@ Tally curved_tally(const CurvedTracks& tracks, double width_m, double body_m2) {
   Tally out = counts(tracks, width_m);
   double inside = 0;
   for (const CurvedPiece& piece : tracks.pieces) inside += piece.inside_m2;
-  out.overlap_m2 = out.worked_m2 - inside;
-  out.uncovered_m2 = body_m2 - inside;
+  // Where nothing is worked in vain, or nothing left, rounding may say less than nothing.
+  out.overlap_m2 = std::max(0.0, out.worked_m2 - inside);
+  out.uncovered_m2 = std::max(0.0, body_m2 - inside);
   return out;
 }
 

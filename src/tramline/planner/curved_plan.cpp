@@ -107,8 +107,15 @@ double layer_sagitta(const Plan& plan) {
 /// The swaths of every other track, and the rest.
 std::vector<Region> worked_grounds(const Plan& plan, double sagitta_m) {
   std::vector<Region> out(2);
-  for (const TrackPiece& piece : plan.pieces)
-    out[piece.track % 2 == 0 ? 0 : 1].push_back({band(piece.curve, plan.machine.width_m, sagitta_m), {}});
+  for (const TrackPiece& piece : plan.pieces) {
+    Region& swaths = out[piece.track % 2 == 0 ? 0 : 1];
+    Polygon swath{band(piece.curve, plan.machine.width_m, sagitta_m), {}};
+    // Round arcs of half the width the inner edge shrinks to a point, and chords may fold there.
+    if (!find_invalidity(swath))
+      swaths.push_back(std::move(swath));
+    else
+      for (Polygon& part : made_valid(swath)) swaths.push_back(std::move(part));
+  }
   return out;
 }
 
