@@ -1,8 +1,10 @@
 #include "check/plans.h"
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
+#include "tramline/check/bands.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/track_frame.h"
 
@@ -28,6 +30,41 @@ Plan bare_rectangle() {
   return plan;
 }
 
+/// Faulty swaths may fold over themselves.
+Region sound(const Polygon& ground) { return find_invalidity(ground) ? made_valid(ground) : Region{ground}; }
+
+void settle_headland(Plan& plan) {
+  Headland& headland = plan.headland;
+  Region bands, passables;
+  for (const Obstacle& obstacle : plan.field.obstacles)
+    if (obstacle.kind == ObstacleKind::kPassable) passables.push_back(obstacle.shape);
+  headland.worked_m2 = plan.machine.width_m * length(headland);
+  for (const HeadlandPass& pass : headland.passes)
+    for (const PathSegment& segment : pass.path)
+      for (Polygon& part : sound({band({segment}, plan.machine.width_m), {}})) {
+        headland.worked_m2 -= area(intersection({part}, passables));
+        bands.push_back(std::move(part));
+      }
+  headland.unworked = difference(headland.ground, unite(bands));
+  headland.uncovered_m2 = area(headland.unworked);
+  headland.overlap_m2 = headland.worked_m2 - area(headland.ground) + headland.uncovered_m2;
+}
+
+Point on_circle(double radius_m, double degrees) {
+  const double radians = degrees * std::numbers::pi / 180;
+  return {radius_m * std::cos(radians), radius_m * std::sin(radians)};
+}
+
+Path arc_about_origin(double radius_m, double from_deg, double to_deg) {
+  return {{on_circle(radius_m, from_deg), on_circle(radius_m, to_deg), 1 / radius_m}};
+}
+
+/// Between two circles about the origin and two angles.
+Ring ring_sector(double inner_m, double outer_m, double from_deg, double to_deg) {
+  const Path middle = arc_about_origin(0.5 * (inner_m + outer_m), from_deg, to_deg);
+  return check::bands_along(middle, outer_m - inner_m, kLayerSagitta)[0].outer;
+}
+
 }  // namespace
 
 Ring rectangle(double min_x, double min_y, double max_x, double max_y) {
@@ -35,15 +72,17 @@ Ring rectangle(double min_x, double min_y, double max_x, double max_y) {
 }
 
 Plan settled(Plan plan) {
-  // Faulty swaths may fold over themselves.
-  const auto sound = [](const Polygon& ground) {
-    return find_invalidity(ground) ? made_valid(ground) : Region{ground};
-  };
   Region worked, parts;
   for (const TrackPiece& piece : plan.pieces) {
-    for (Polygon& part : sound({swath(piece, plan.machine.width_m), {}})) worked.push_back(std::move(part));
-    for (const Ring& ring : swath_parts(piece, plan.machine.width_m, kLayerSagitta))
-      for (Polygon& part : sound({ring, {}})) parts.push_back(std::move(part));
+    Region ground = check::bands_along(piece.curve, plan.machine.width_m, kLayerSagitta);
+    if (piece.curve.empty()) {
+      for (const Ring& ring : swath_parts(piece, plan.machine.width_m, kLayerSagitta))
+        for (Polygon& part : sound({ring, {}})) parts.push_back(std::move(part));
+      ground = sound({swath(piece, plan.machine.width_m), {}});
+    } else {
+      parts.insert(parts.end(), ground.begin(), ground.end());
+    }
+    worked.insert(worked.end(), ground.begin(), ground.end());
   }
   const Region land = unite(worked);
   plan.overlap = difference(land, plan.body);
@@ -53,6 +92,7 @@ Plan settled(Plan plan) {
         for (Polygon& both : intersection({parts[i]}, {parts[j]})) plan.overlap.push_back(std::move(both));
   plan.overlap = unite(plan.overlap);
   plan.uncovered = difference(plan.body, land);
+  settle_headland(plan);
   plan.tally = check::verify(plan).recomputed;
   plan.cost = cost(plan.objective, plan.tally);
   return plan;
@@ -209,6 +249,123 @@ Plan bay_plan() {
   return settled(plan);
 }
 
+Path rounded_rectangle(double min_x, double min_y, double max_x, double max_y, double radius_m) {
+  const double r = radius_m, bend = r > 0 ? 1 / r : 0;
+  const Path all{{{min_x + r, min_y}, {max_x - r, min_y}, 0}, {{max_x - r, min_y}, {max_x, min_y + r}, bend},
+                 {{max_x, min_y + r}, {max_x, max_y - r}, 0}, {{max_x, max_y - r}, {max_x - r, max_y}, bend},
+                 {{max_x - r, max_y}, {min_x + r, max_y}, 0}, {{min_x + r, max_y}, {min_x, max_y - r}, bend},
+                 {{min_x, max_y - r}, {min_x, min_y + r}, 0}, {{min_x, min_y + r}, {min_x + r, min_y}, bend}};
+  Path out;
+  for (const PathSegment& segment : all)
+    if (distance(segment.from, segment.to) > 0) out.push_back(segment);
+  return out;
+}
+
+Plan headland_plan(int passes) {
+  Plan plan;
+  plan.field.id = "headland";
+  plan.field.outer = rectangle(0, 0, 100, 60);
+  plan.machine.width_m = 3;
+  plan.machine.radius_m = kCorner_m;
+  plan.settings.headlands = passes;
+  const double deep = 3.0 * passes;
+  const Ring inner = rectangle(deep, deep, 100 - deep, 60 - deep);
+  plan.body = {{inner, {}}};
+  plan.headland.ground = {{plan.field.outer, {reversed(inner)}}};
+  plan.subfields = {{plan.body[0], kEast}};
+  for (int i = 0; i < passes; ++i) {
+    const double off = 3.0 * i + 1.5;
+    plan.headland.passes.push_back(
+        {rounded_rectangle(off, off, 100 - off, 60 - off, kCorner_m), i + 1, true, {}});
+  }
+  for (int i = 0; i < 20 - 2 * passes; ++i) add_piece(plan, i, deep + 3 * i + 1.5, deep, 100 - deep);
+  return settled(plan);
+}
+
+Plan headland_and_ditch_plan() {
+  Plan plan = headland_plan(2);
+  plan.field.obstacles = {{{rectangle(40, 0, 43, 60), {}}, ObstacleKind::kPassable, "ditch"}};
+  plan.body = {{rectangle(6, 6, 40, 54), {}}, {rectangle(43, 6, 94, 54), {}}};
+  plan.headland.ground = difference(plan.headland.ground, {plan.field.obstacles[0].shape});
+  plan.pieces.clear();
+  for (int i = 0; i < 16; ++i) {
+    const double y = 6 + 3 * i + 1.5;
+    add_piece(plan, i, y, i % 2 == 0 ? 6 : 43, i % 2 == 0 ? 40 : 94);
+    add_piece(plan, i, y, i % 2 == 0 ? 43 : 6, i % 2 == 0 ? 94 : 40);
+    plan.pieces.back().after_crossing = true;
+  }
+  return settled(plan);
+}
+
+double wide_corner_m() { return kCorner_m - (kCorner_m - 1.5) / std::numbers::sqrt2; }
+
+Plan island_plan() {
+  Plan plan;
+  plan.field.id = "island";
+  plan.field.outer = rectangle(0, 0, 100, 60);
+  plan.field.obstacles = {{{rectangle(40, 27, 60, 33), {}}, ObstacleKind::kObstacle, "copse"}};
+  plan.machine.width_m = 3;
+  plan.machine.radius_m = kCorner_m;
+  plan.settings.obstacle_headlands = 1;
+  plan.settings.end_rule = EndRule::kCover;
+  Ring edge = chords(rounded_rectangle(37, 24, 63, 36, 3), 1e-4);
+  edge.pop_back();
+  plan.headland.ground = {{edge, {reversed(plan.field.obstacles[0].shape.outer)}}};
+  plan.headland.obstacle_passes = {1};
+  const double off = wide_corner_m();
+  const Path round = rounded_rectangle(40 - off, 27 - off, 60 + off, 33 + off, kCorner_m);
+  plan.headland.passes = {{reversed(round), 1, false, {0}}};
+  plan.body = {{plan.field.outer, {reversed(edge)}}};
+  plan.subfields = {{plan.body[0], kEast}};
+  for (int i = 0; i < 20; ++i) {
+    const double y = 3 * i + 1.5, cut = i == 8 || i == 11 ? 40 : 37;
+    if (i < 8 || i > 11) {
+      add_piece(plan, i, y, 0, 100);
+      continue;
+    }
+    add_piece(plan, i, y, i % 2 == 0 ? 0 : 100 - cut, i % 2 == 0 ? cut : 100);
+    add_piece(plan, i, y, i % 2 == 0 ? 100 - cut : 0, i % 2 == 0 ? 100 : cut);
+  }
+  return settled(plan);
+}
+
+TrackPiece arc_piece(int track, double from_deg, double to_deg) {
+  TrackPiece piece;
+  piece.track = track;
+  piece.curve = arc_about_origin(31.5 + 3 * track, from_deg, to_deg);
+  if (track % 2 == 1) piece.curve = reversed(piece.curve);
+  piece.start = piece.curve.front().from;
+  piece.end = piece.curve.back().to;
+  return piece;
+}
+
+Plan arcs_plan() {
+  Plan plan;
+  plan.field.id = "arcs";
+  plan.field.outer = ring_sector(30, 45, 0, 90);
+  plan.machine.width_m = 3;
+  plan.body = {{plan.field.outer, {}}};
+  plan.subfields = {{plan.body[0], kEast}};
+  plan.reference = arc_about_origin(30, 0, 90);
+  for (int i = 0; i < 5; ++i) plan.pieces.push_back(arc_piece(i, 0, 90));
+  return settled(plan);
+}
+
+Plan blocked_arc_plan() {
+  Plan plan = arcs_plan();
+  const Ring block = ring_sector(36, 39, 40, 50);
+  plan.field.obstacles = {{{block, {}}, ObstacleKind::kObstacle, "block"}};
+  plan.body[0].holes = {reversed(block)};
+  plan.subfields[0].shape = plan.body[0];
+  const TrackPiece before = arc_piece(2, 0, 40), behind = arc_piece(2, 50, 90);
+  plan.pieces[2] = before;
+  plan.pieces.insert(plan.pieces.begin() + 3, behind);
+  plan.pieces[2].stop_at_end = true;
+  plan.pieces[3].stop_at_start = true;
+  plan.encounters = {encounter_on(before, on_circle(37.5, 45), {0}, Passing::kCut)};
+  return settled(plan);
+}
+
 Plan turned(Plan plan, Angle by, Point move) {
   const TrackFrame frame(Direction::clockwise_from_north(by));
   const auto point = [&](Point p) { return frame.to_field(p) + move; };
@@ -221,7 +378,8 @@ Plan turned(Plan plan, Angle by, Point move) {
   };
   ring(plan.field.outer);
   for (Obstacle& obstacle : plan.field.obstacles) polygon(obstacle.shape);
-  for (Region* region : {&plan.body, &plan.given_up, &plan.overlap, &plan.uncovered})
+  for (Region* region : {&plan.body, &plan.given_up, &plan.overlap, &plan.uncovered, &plan.headland.ground,
+                         &plan.headland.unworked})
     for (Polygon& shape : *region) polygon(shape);
   for (Subfield& subfield : plan.subfields) {
     polygon(subfield.shape);
@@ -232,7 +390,10 @@ Plan turned(Plan plan, Angle by, Point move) {
     piece.start = point(piece.start);
     piece.end = point(piece.end);
     for (Detour& detour : piece.detours) detour.path = moved(detour.path, point);
+    piece.curve = moved(piece.curve, point);
   }
+  for (HeadlandPass& pass : plan.headland.passes) pass.path = moved(pass.path, point);
+  plan.reference = moved(plan.reference, point);
   for (Encounter& encounter : plan.encounters) encounter.at = point(encounter.at);
   return plan;
 }

@@ -12,8 +12,8 @@ namespace tramline::testing_plans {
 
 Ring rectangle(double min_x, double min_y, double max_x, double max_y);
 
-/// Tally, cost and layers made to agree with the tracks, so that a fault made on purpose is the only one.
-/// Precondition: shapes and pieces are sound.
+/// Tallies, cost and layers made to agree with the tracks and passes, so that a fault made on purpose is the
+/// only one. Precondition: shapes and pieces are sound.
 Plan settled(Plan plan);
 
 /// 100 m × 30 m, ten swaths of 3 m driven east and west in turn: nothing over, nothing missed.
@@ -57,6 +57,34 @@ Plan poles_plan(double clearance_m = 0);
 /// y = 23.5, closed at x = 60. The southern arm ends in a hook at x = 45 that reaches 1 m into track 5's
 /// strip: that track goes round it on the left, into the bay, and ends there. Tracks 4 to 8 are cut.
 Plan bay_plan();
+
+/// A rectangle with rounded corners driven round counter-clockwise, from the west end of its south side.
+/// With a radius of 0 the corners are kinks.
+Path rounded_rectangle(double min_x, double min_y, double max_x, double max_y, double radius_m);
+
+/// 100 m × 60 m with passes of 3 m round it, at most two, and swaths of 3 m over the body; corners of
+/// 3 m, the machine's radius.
+inline constexpr double kCorner_m = 3;
+Plan headland_plan(int passes);
+
+/// The same with a ditch of 3 m across the field from south to north: the passes cross it, and the tracks.
+Plan headland_and_ditch_plan();
+
+/// The same rectangle without a headland of its own, but one round an obstacle of 20 m × 6 m: one pass that
+/// swings wide at the corners. Four tracks are cut there, two of which run on where it is round until nothing
+/// is missed.
+Plan island_plan();
+/// By how much the pass of 3 m keeps off the sides of that obstacle, if it is to keep 1.5 m off its corners.
+double wide_corner_m();
+
+/// A quarter of a ring between circles of 30 m and 45 m about the origin, from east to north, with five
+/// tracks of 3 m along arcs about the same point, driven to and fro.
+Plan arcs_plan();
+/// A track of that between two angles from the east, anticlockwise, degrees; driven backwards on odd ones.
+TrackPiece arc_piece(int track, double from_deg, double to_deg);
+
+/// The same with an obstacle from circle to circle across the third track, between 40° and 50°: two stops.
+Plan blocked_arc_plan();
 
 /// The same plan turned by an angle clockwise and then moved.
 Plan turned(Plan plan, Angle by, Point move);

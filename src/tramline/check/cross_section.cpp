@@ -59,33 +59,24 @@ double inside_at(const std::vector<Edge>& edges, double s, double half_m, std::v
   return sum;
 }
 
-/// Joins stretches that touch and keeps the longest.
-class Longest {
- public:
-  void add(double from, double to, double least) {
-    constexpr double kJoin_m = 1e-9;
-    if (current_.length() > 0 && from <= current_.to_m + kJoin_m) {
-      current_.to_m = to;
-      current_.least_m = std::min(current_.least_m, least);
-    } else {
-      current_ = {from, to, least};
-    }
-    if (current_.length() > best_.length()) best_ = current_;
-  }
-  Stretch best() const { return best_; }
-
- private:
-  Stretch current_;
-  Stretch best_;
-};
-
 }  // namespace
 
-Stretch longest_below(const Polygon& land, const PieceFrame& frame, double half_m, double required_m) {
+void LongestStretch::add(const Stretch& stretch) {
+  constexpr double kJoin_m = 1e-9;
+  if (current_.length() > 0 && stretch.from_m <= current_.to_m + kJoin_m) {
+    current_.to_m = stretch.to_m;
+    current_.least_m = std::min(current_.least_m, stretch.least_m);
+  } else {
+    current_ = stretch;
+  }
+  if (current_.length() > best_.length()) best_ = current_;
+}
+
+void add_below(const Polygon& land, const PieceFrame& frame, double half_m, double required_m, double begin_m,
+               LongestStretch& out) {
   const std::vector<Edge> edges = edges_beside(land, frame);
   const std::vector<double> places = breakpoints(edges, frame.length(), half_m);
   std::vector<double> scratch;
-  Longest longest;
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     const double from = places[i], gap = places[i + 1] - from;
     if (gap <= 1e-12) continue;
@@ -97,8 +88,13 @@ Stretch longest_below(const Polygon& land, const PieceFrame& frame, double half_
     if (first >= required_m && last >= required_m) continue;
     const double crossing = slope != 0 ? (required_m - first) / slope : 0;
     const double begin = first < required_m ? 0 : crossing, end = last < required_m ? 1 : crossing;
-    longest.add(from + begin * gap, from + end * gap, std::min(first, last));
+    out.add({begin_m + from + begin * gap, begin_m + from + end * gap, std::min(first, last)});
   }
+}
+
+Stretch longest_below(const Polygon& land, const PieceFrame& frame, double half_m, double required_m) {
+  LongestStretch longest;
+  add_below(land, frame, half_m, required_m, 0, longest);
   return longest.best();
 }
 

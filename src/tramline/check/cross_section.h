@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tramline/check/piece_frame.h"
+#include "tramline/geometry/path.h"
 
 namespace tramline::check {
 
@@ -21,5 +22,26 @@ struct Stretch {
 /// the land's edges meet the swath, and is looked at between all of them. Zero length where there is
 /// none. O(v·k) for v vertices of the land, k of them within the swath.
 Stretch longest_below(const Polygon& land, const PieceFrame& frame, double half_m, double required_m);
+
+/// The same along a path of lines and arcs, about which cross-sections stand like the spokes of a wheel;
+/// stretches may go on from one segment to the next. On arcs the length inside is looked at in eight places
+/// between those where an edge of the land meets the swath, its sides, or its foot from the arc's centre, and
+/// where that falls below what is required, by bisection.
+Stretch longest_below(const Polygon& land, const Path& path, double half_m, double required_m);
+
+/// Joins stretches that touch and keeps the longest. They come in their order along the piece.
+class LongestStretch {
+ public:
+  void add(const Stretch& stretch);
+  Stretch best() const { return best_; }
+
+ private:
+  Stretch current_;
+  Stretch best_;
+};
+
+/// One straight segment of a path: what begins `begin_m` along that.
+void add_below(const Polygon& land, const PieceFrame& frame, double half_m, double required_m, double begin_m,
+               LongestStretch& out);
 
 }  // namespace tramline::check

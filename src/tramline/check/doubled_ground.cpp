@@ -1,10 +1,12 @@
 #include "tramline/check/doubled_ground.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "tramline/check/boxed.h"
+#include "tramline/check/path_distance.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/convex_clip.h"
 
@@ -28,14 +30,20 @@ Region common_ground(const Polygon& a, const Polygon& b) {
 
 }  // namespace
 
-Region doubled_ground(const Region& swaths) {
-  BoxedRegion all = boxed(swaths);
-  std::sort(all.begin(), all.end(), [](const Boxed& a, const Boxed& b) { return a.box.min_x < b.box.min_x; });
+Region doubled_ground(const Region& swaths) { return doubled_ground(swaths, {}, 0); }
+
+Region doubled_ground(const Region& swaths, const std::vector<Path>& lines, double width_m) {
+  const BoxedRegion all = boxed(swaths);
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&all](std::size_t a, std::size_t b) { return all[a].box.min_x < all[b].box.min_x; });
   Region out;
-  for (auto a = all.begin(); a != all.end(); ++a)
-    for (auto b = a + 1; b != all.end() && b->box.min_x <= a->box.max_x; ++b) {
-      if (!intersects(a->box, b->box)) continue;
-      for (Polygon& both : common_ground(*a->shape, *b->shape))
+  for (auto a = order.begin(); a != order.end(); ++a)
+    for (auto b = a + 1; b != order.end() && all[*b].box.min_x <= all[*a].box.max_x; ++b) {
+      if (!intersects(all[*a].box, all[*b].box)) continue;
+      if (!lines.empty() && distance_between(lines[*a], lines[*b]) > width_m - kThinnestShown_m) continue;
+      for (Polygon& both : common_ground(*all[*a].shape, *all[*b].shape))
         if (shows(area(both), perimeter(both.outer))) out.push_back(std::move(both));
     }
   return out;

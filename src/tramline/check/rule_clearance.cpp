@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include "tramline/check/bands.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
+#include "tramline/geometry/boolean.h"
 
 namespace tramline::check {
 namespace {
@@ -18,6 +20,24 @@ void check_land(const BoxedRegion& land, const char* of_what, double clearance_m
         {"clearance",
          fmt::format("{} comes {:.4f} m nearer to {} than it may", name, clearance_m - found.gap_m, of_what),
          found.at, clearance_m - found.gap_m});
+  }
+}
+
+/// All round a curved swath, its flat ends included.
+void check_curve(const Case& c, const TrackPiece& piece, const std::string& name, Violations& out) {
+  const double least_m = c.plan.settings.clearance_m - kLengthTolerance_m;
+  if (least_m <= 0) return;
+  for (const Polygon& part : bands_along(piece.curve, c.plan.machine.width_m)) {
+    const Box near = bounds(part).grown(least_m);
+    for (const Boxed& obstacle : c.obstacles) {
+      if (!intersects(obstacle.box, near)) continue;
+      const double missing_m = c.plan.settings.clearance_m - distance_between({part}, {*obstacle.shape});
+      if (missing_m <= kLengthTolerance_m) continue;
+      out.push_back({"clearance",
+                     fmt::format("{} comes {:.4f} m nearer to an obstacle than it may", name, missing_m),
+                     bounds(part).centre(), missing_m});
+      return;
+    }
   }
 }
 
@@ -38,6 +58,10 @@ void check_clearance(const Case& c, Violations& out) {
       check_clearance_of(c, Lane(frame, piece.detours[k].path, half), detour_name(i, k), out);
     // Where nothing has to be kept clear the rule about swaths says all.
     if (clearance_m <= 0) continue;
+    if (!piece.curve.empty()) {
+      check_curve(c, piece, "the swath of " + piece_name(i), out);
+      continue;
+    }
     for (const PathSegment& part : straight_parts(piece))
       check_land(c.obstacles, "an obstacle", clearance_m, Lane(frame, {part}, half),
                  "the swath of " + piece_name(i), out);

@@ -31,6 +31,22 @@ std::string wrong_gap(const Case& c, const TrackPiece& first, const TrackPiece& 
   return "";
 }
 
+/// The same along a curve: what lies between the two is known near the line from one to the other only.
+std::string not_going_on(const Case& c, const TrackPiece& first, const TrackPiece& second) {
+  if (second.subfield != first.subfield || second.track != first.track)
+    return "'s continuation belongs to another track";
+  const Path before = centre_line(first), behind = centre_line(second);
+  const Point gap = second.start - first.end;
+  if (length(gap) <= kShortest_m || dot(gap, direction_at_end(before.back())) <= 0 ||
+      dot(gap, direction_at_start(behind.front())) <= 0)
+    return "'s continuation does not lie ahead";
+  const PieceFrame frame(first.end, second.start);
+  const double half = 0.5 * c.plan.machine.width_m;
+  return clipped(c.passables, frame, {-half, 0, half, frame.length()}).area_m2 > kTouch_m2
+             ? ""
+             : " is not followed by a passable obstacle";
+}
+
 }  // namespace
 
 void check_crossings(const Case& c, Violations& out) {
@@ -44,6 +60,9 @@ void check_crossings(const Case& c, Violations& out) {
     if (!pieces[i].after_crossing) continue;
     if (i == 0) {
       report(i, "no piece comes before it");
+    } else if (follows_curve(c.plan, pieces[i].subfield)) {
+      if (const std::string why = not_going_on(c, pieces[i - 1], pieces[i]); !why.empty())
+        report(i, piece_name(i - 1) + why);
     } else if (const std::string why = not_in_line(pieces[i - 1], pieces[i]); !why.empty()) {
       report(i, fmt::format("{} {}", piece_name(i - 1) + "'s continuation", why));
     } else if (const std::string gap = wrong_gap(c, pieces[i - 1], pieces[i]); !gap.empty()) {

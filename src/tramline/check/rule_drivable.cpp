@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
@@ -14,47 +17,71 @@ constexpr const char* kRule = "drivable";
 
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
-void check_radii(const Path& path, double least_m, std::size_t index, Violations& out) {
+void check_radii(const Path& path, double least_m, const std::string& name, Violations& out) {
   for (const PathSegment& segment : path) {
     if (radius(segment) >= least_m * (1 - kRadiusShare)) continue;
     out.push_back({kRule,
-                   fmt::format("{} has an arc of radius {:.3f} m, and {:.3f} m is the least",
-                               piece_name(index), radius(segment), least_m),
+                   fmt::format("{} has an arc of radius {:.3f} m, and {:.3f} m is the least", name,
+                               radius(segment), least_m),
                    midpoint(segment.from, segment.to), least_m - radius(segment)});
   }
 }
 
-/// Where the heading jumps from one segment to the next. The piece comes from its line and goes on to it.
+/// Where the heading jumps from one segment to the next.
 class Joints {
  public:
-  Joints(const PieceFrame& frame, std::size_t index, Violations& out)
-      : frame_(frame), index_(index), out_(out) {}
+  Joints(std::string name, Violations& out) : name_(std::move(name)), out_(out) {}
 
   void arrive(Point heading, Point at) {
     const double jump_deg = degrees(std::abs(std::atan2(cross(heading_, heading), dot(heading_, heading))));
     if (jump_deg > kHeadingTolerance_deg)
-      out_.push_back({kRule, fmt::format("the heading of {} jumps by {:.2f}°", piece_name(index_), jump_deg),
-                      frame_.to_field(at), jump_deg});
+      out_.push_back(
+          {kRule, fmt::format("the heading of {} jumps by {:.2f}°", name_, jump_deg), at, jump_deg});
   }
   void leave(Point heading) { heading_ = heading; }
+  /// The segments of a path but those so short that rounding alone could turn them.
+  void drive(const Path& path) {
+    for (const PathSegment& segment : path) {
+      if (distance(segment.from, segment.to) < kShortestTurned_m) continue;
+      if (length(heading_) > 0) arrive(direction_at_start(segment), segment.from);
+      if (!first_) first_ = segment;
+      leave(direction_at_end(segment));
+    }
+  }
+  /// From the last segment driven on to the first.
+  void close() {
+    if (first_) arrive(direction_at_start(*first_), first_->from);
+  }
 
  private:
-  const PieceFrame& frame_;
-  std::size_t index_;
+  static constexpr double kShortestTurned_m = 1e-4;
+
+  std::string name_;
   Violations& out_;
-  Point heading_{0, 1};
+  Point heading_{0, 0};  ///< not known yet
+  std::optional<PathSegment> first_;
 };
 
-void check_joints(const PieceFrame& frame, const Path& path, std::size_t index, Violations& out) {
-  // Rounding alone could turn anything shorter.
-  constexpr double kShortest_m = 1e-4;
-  Joints joints(frame, index, out);
-  for (const PathSegment& segment : moved(path, [&frame](Point p) { return frame.to_local(p); })) {
-    if (distance(segment.from, segment.to) < kShortest_m) continue;
-    joints.arrive(direction_at_start(segment), segment.from);
-    joints.leave(direction_at_end(segment));
+void check_piece(const TrackPiece& piece, double least_m, const std::string& name, Violations& out) {
+  const Path path = centre_line(piece);
+  check_radii(path, least_m, name, out);
+  Joints joints(name, out);
+  if (!piece.curve.empty()) {
+    joints.drive(path);
+    return;
   }
-  joints.arrive({0, 1}, {0, frame.length()});
+  // It comes from its line and goes on to it.
+  const Point along = (1 / distance(piece.start, piece.end)) * (piece.end - piece.start);
+  joints.leave(along);
+  joints.drive(path);
+  joints.arrive(along, piece.end);
+}
+
+void check_pass(const HeadlandPass& pass, double least_m, const std::string& name, Violations& out) {
+  check_radii(pass.path, least_m, name, out);
+  Joints joints(name, out);
+  joints.drive(pass.path);
+  joints.close();
 }
 
 }  // namespace
@@ -65,11 +92,10 @@ void check_drivable(const Case& c, Violations& out) {
   const double least_m = least_radius_m(c.plan.machine);
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
     const TrackPiece& piece = c.plan.pieces[i];
-    if (piece.detours.empty()) continue;
-    const Path path = centre_line(piece);
-    check_radii(path, least_m, i, out);
-    check_joints(PieceFrame(piece), path, i, out);
+    if (!piece.detours.empty() || !piece.curve.empty()) check_piece(piece, least_m, piece_name(i), out);
   }
+  const auto& passes = c.plan.headland.passes;
+  for (std::size_t i = 0; i < passes.size(); ++i) check_pass(passes[i], least_m, pass_name(i), out);
 }
 
 }  // namespace tramline::check

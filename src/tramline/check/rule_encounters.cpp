@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "tramline/check/bands.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 
@@ -52,6 +53,16 @@ bool driven_over(const Plan& plan, const std::vector<std::size_t>& pieces, Point
   });
 }
 
+/// Does one of the pieces lead over a place, away from its ends? For tracks that follow a curve.
+bool curved_over(const Plan& plan, const std::vector<std::size_t>& pieces, Point at) {
+  return std::any_of(pieces.begin(), pieces.end(), [&](std::size_t i) {
+    const Path inner = shortened(centre_line(plan.pieces[i]), kLengthTolerance_m);
+    return std::any_of(inner.begin(), inner.end(), [at](const PathSegment& segment) {
+      return distance_to_edge(segment, at, at) <= kLengthTolerance_m;
+    });
+  });
+}
+
 bool includes(const std::vector<int>& all, int index) {
   return std::find(all.begin(), all.end(), index) != all.end();
 }
@@ -64,9 +75,12 @@ bool includes_all(const std::vector<int>& all, const std::vector<int>& some) {
 std::string cut_fault(const Plan& plan, const Tracks& tracks, const Encounter& encounter) {
   const auto pieces = tracks.find({encounter.subfield, encounter.track});
   if (pieces == tracks.end()) return "";
+  constexpr const char* kGoesOn = "was to be cut, and its track goes on there";
+  if (follows_curve(plan, encounter.subfield))
+    return curved_over(plan, pieces->second, encounter.at) ? kGoesOn : "";
   const PieceFrame frame(plan.pieces[pieces->second.front()]);
   if (std::abs(frame.to_local(encounter.at).x) > kLengthTolerance_m) return "does not lie on its track";
-  if (driven_over(plan, pieces->second, encounter.at)) return "was to be cut, and its track goes on there";
+  if (driven_over(plan, pieces->second, encounter.at)) return kGoesOn;
   return "";
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tramline/check/bands.h"
 #include "tramline/check/cross_section.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
@@ -51,15 +52,22 @@ std::string describe(const Plan& plan, std::size_t index, const Stretch& stretch
 
 void check_ends(const Case& c, Violations& out) {
   const Demand asked = demand(c.plan);
+  const auto report = [&](std::size_t i, const Stretch& below, Point at) {
+    if (below.length() > kLengthTolerance_m)
+      out.push_back({"ends", describe(c.plan, i, below), at, below.length()});
+  };
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
     const TrackPiece& piece = c.plan.pieces[i];
     const Polygon& land = c.plan.subfields[static_cast<std::size_t>(piece.subfield)].shape;
+    if (!piece.curve.empty()) {
+      const Stretch below = longest_below(land, piece.curve, asked.half_m, asked.required_m);
+      report(i, below, place_on(piece.curve, 0.5 * (below.from_m + below.to_m)));
+      continue;
+    }
     for (const PathSegment& part : straight_parts(piece)) {
       const PieceFrame frame(part.from, part.to);
       const Stretch below = longest_below(land, frame, asked.half_m, asked.required_m);
-      if (below.length() <= kLengthTolerance_m) continue;
-      out.push_back({"ends", describe(c.plan, i, below),
-                     frame.to_field({0, 0.5 * (below.from_m + below.to_m)}), below.length()});
+      report(i, below, frame.to_field({0, 0.5 * (below.from_m + below.to_m)}));
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tramline/check/rules.h"
+#include "tramline/check/sound_path.h"
 #include "tramline/check/tolerances.h"
 
 namespace tramline::check {
@@ -33,8 +34,6 @@ Laid laid(const PieceFrame& frame, Point start, Point end, std::optional<std::si
   const Point a = frame.to_local(start), b = frame.to_local(end);
   return {0.5 * (a.x + b.x), std::min(a.y, b.y), std::max(a.y, b.y), piece};
 }
-
-bool on_the_map(Point p) { return std::max(std::abs(p.x), std::abs(p.y)) <= kFarthest_m; }
 
 /// All that was laid in a subfield, line by line. By their places: what the tracks are called is not asked.
 std::vector<Laid> laid_in(const Plan& plan, int subfield, const PieceFrame& frame) {
@@ -79,7 +78,7 @@ class Meetings {
     const Box core =
         Box{across - half, gap.before.to_m, across + half, gap.behind.from_m}.grown(-kLengthTolerance_m);
     if (core.width() <= 0 || core.height() <= 0) return;
-    const Clipped blocked = clipped(c_.obstacles, frame_, core);
+    const Clipped blocked = clipped(c_.blocking, frame_, core);
     const Clipped left_out = clipped(c_.given_up, frame_, core);
     if (blocked.area_m2 + left_out.area_m2 <= kTouch_m2) return;
     const std::vector<const Encounter*> there = encounters_in(gap);
@@ -112,7 +111,8 @@ class Meetings {
     const Box near = frame_.field_box(core);
     const auto& obstacles = c_.plan.field.obstacles;
     for (std::size_t k = 0; k < obstacles.size(); ++k) {
-      if (obstacles[k].kind != ObstacleKind::kObstacle || !intersects(c_.obstacle_boxes[k], near)) continue;
+      if (obstacles[k].kind != ObstacleKind::kObstacle || passes_round(c_.plan, k) > 0) continue;
+      if (!intersects(c_.obstacle_boxes[k], near)) continue;
       const Clipped part = clipped(obstacles[k].shape, frame_, core);
       if (part.area_m2 <= kTouch_m2 || names(there, static_cast<int>(k))) continue;
       out_.push_back(
@@ -140,7 +140,8 @@ class Meetings {
 }  // namespace
 
 void check_meetings(const Case& c, Violations& out) {
-  for (std::size_t i = 0; i < c.plan.subfields.size(); ++i) Meetings(c, static_cast<int>(i), out);
+  for (int i = 0; i < static_cast<int>(c.plan.subfields.size()); ++i)
+    if (!follows_curve(c.plan, i)) Meetings(c, i, out);
 }
 
 }  // namespace tramline::check

@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "tramline/check/rules.h"
+#include "tramline/check/sound_path.h"
 #include "tramline/check/tolerances.h"
 
 namespace tramline::check {
@@ -11,39 +13,8 @@ namespace {
 
 constexpr const char* kRule = "pieces";
 
-/// Written so that NaN is not.
-bool on_the_map(Point p) { return std::abs(p.x) <= kFarthest_m && std::abs(p.y) <= kFarthest_m; }
-
-/// What is shorter has no direction.
-constexpr double kShortest_m = 1e-9;
-
-/// What is wrong with a segment in itself, or "".
-std::string fault_of(const PathSegment& segment) {
-  if (!on_the_map(segment.from) || !on_the_map(segment.to)) return "lies off the map";
-  const double chord = distance(segment.from, segment.to);
-  if (chord <= kShortest_m) return "has no length";
-  if (segment.straight()) return "";
-  // Rounding may make the chord of an exact half circle longer by the last digits of its ends.
-  constexpr double kShare = 1e-9, kDigits_m = 4e-9;
-  if (!(radius(segment) <= kFarthest_m)) return "is an arc of a circle larger than the map";
-  if (!(chord <= 2 * radius(segment) * (1 + kShare) + kDigits_m)) return "is longer than half a circle";
-  return "";
-}
-
-/// What is wrong with the path of a detour, or "".
-std::string fault_of(const Path& path) {
-  if (path.empty()) return "has no path";
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const std::string segment = fmt::format("segment {} ", i + 1);
-    if (const std::string fault = fault_of(path[i]); !fault.empty()) return segment + fault;
-    if (i > 0 && distance(path[i - 1].to, path[i].from) > kJoint_m)
-      return segment + "does not begin where the one before ends";
-  }
-  return "";
-}
-
 /// What is wrong with how a detour lies on its piece, or "". `free_from_m`: where the one before ended.
-std::string fault_of(const Detour& detour, const PieceFrame& frame, double free_from_m) {
+std::string fault_on_line(const Detour& detour, const PieceFrame& frame, double free_from_m) {
   const Point begin = frame.to_local(detour.path.front().from), end = frame.to_local(detour.path.back().to);
   if (std::abs(begin.x) > kLengthTolerance_m || std::abs(end.x) > kLengthTolerance_m)
     return "does not begin and end on the line of its piece";
@@ -60,7 +31,7 @@ void check_detours(const Plan& plan, std::size_t index, Violations& out) {
   for (std::size_t k = 0; k < piece.detours.size(); ++k) {
     const Detour& detour = piece.detours[k];
     std::string fault = fault_of(detour.path);
-    if (fault.empty()) fault = fault_of(detour, frame, free_from_m);
+    if (fault.empty()) fault = fault_on_line(detour, frame, free_from_m);
     if (fault.empty() && detour.side == Passing::kCut) fault = "passes its obstacles on no side";
     if (fault.empty() && !exist(plan, detour.obstacles)) fault = "names an obstacle that there is not";
     if (!fault.empty()) {
@@ -69,6 +40,15 @@ void check_detours(const Plan& plan, std::size_t index, Violations& out) {
     }
     free_from_m = frame.to_local(detour.path.back().to).y;
   }
+}
+
+/// What is wrong with how a curve lies between the ends of its piece, or "". Precondition: a path.
+std::string fault_of_curve(const TrackPiece& piece) {
+  if (const std::string fault = fault_of(piece.curve); !fault.empty()) return "'s curve: " + fault;
+  if (distance(piece.curve.front().from, piece.start) > kJoint_m ||
+      distance(piece.curve.back().to, piece.end) > kJoint_m)
+    return " is not as long as its curve";
+  return piece.detours.empty() ? "" : " has a curve and detours";
 }
 
 void check_piece(const Plan& plan, std::size_t index, Violations& out) {
@@ -89,13 +69,19 @@ void check_piece(const Plan& plan, std::size_t index, Violations& out) {
                    piece.start, static_cast<double>(piece.subfield + 1)});
     return;
   }
+  if (!piece.curve.empty()) {
+    if (const std::string fault = fault_of_curve(piece); !fault.empty())
+      out.push_back({kRule, name + fault, piece.start, 0});
+    return;
+  }
+  check_detours(plan, index, out);
+  if (follows_curve(plan, piece.subfield)) return;
   const Direction direction = plan.subfields[static_cast<std::size_t>(piece.subfield)].direction;
   const double off_m = std::abs(cross(piece.end - piece.start, direction.unit()));
   // Written so that an undefined direction (NaN) is a violation too.
   if (!(off_m <= kLengthTolerance_m))
     out.push_back({kRule, fmt::format("{} ends {:.3f} m off the direction of its subfield", name, off_m),
                    piece.end, off_m});
-  check_detours(plan, index, out);
 }
 
 void check_size(double metres, double least_m, const char* what, Violations& out) {

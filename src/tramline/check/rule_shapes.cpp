@@ -46,6 +46,8 @@ void check_shapes(const Plan& plan, Violations& out) {
   check_region(plan.given_up, "the land given up", out);
   check_region(plan.overlap, "the layer overlap", out);
   check_region(plan.uncovered, "the layer uncovered", out);
+  check_region(plan.headland.ground, "the headland", out);
+  check_region(plan.headland.unworked, "what the headland's passes leave", out);
 }
 
 }  // namespace tramline::check

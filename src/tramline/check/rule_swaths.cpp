@@ -1,12 +1,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "tramline/check/bands.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
+#include "tramline/geometry/boolean.h"
 
 namespace tramline::check {
 namespace {
+
+/// The ground behind a body's edge is driven on, and there is none behind that.
+bool boundary_is_hard(const Plan& plan) {
+  return plan.settings.boundary == EdgeKind::kHard || plan.settings.headlands > 0;
+}
 
 void check_clear(const BoxedRegion& land, const char* of_what, const PieceFrame& frame, const Box& core,
                  std::size_t index, Violations& out) {
@@ -48,11 +58,11 @@ void check_straight_part(const Case& c, const PathSegment& part, std::size_t ind
   check_clear(c.obstacles, "an obstacle", frame, core, index, out);
   check_clear(c.passables, "a passable obstacle", frame, core, index, out);
   check_clear(c.given_up, "land given up", frame, core, index, out);
-  if (c.plan.settings.boundary == EdgeKind::kHard) check_inside(c.plan.field.outer, frame, core, index, out);
+  if (boundary_is_hard(c.plan)) check_inside(c.plan.field.outer, frame, core, index, out);
 }
 
 void check_within_boundary(const Case& c, const Lane& lane, const std::string& name, Violations& out) {
-  if (c.plan.settings.boundary == EdgeKind::kSoft) return;
+  if (!boundary_is_hard(c.plan)) return;
   const Approach found = lane.to_ring(c.plan.field.outer, 0);
   if (found.gap_m < -kLengthTolerance_m)
     out.push_back(
@@ -68,6 +78,62 @@ void check_detour(const Case& c, const Lane& lane, const std::string& name, Viol
     check_within_boundary(c, lane, name, out);
 }
 
+/// A curved swath but for a millimetre all round, against land and boundary. By polygons: chords are within
+/// the millimetre.
+class CurvedSwath {
+ public:
+  CurvedSwath(const Case& c, const TrackPiece& piece, std::string name) : name_(std::move(name)) {
+    const double width_m = c.plan.machine.width_m - 2 * kLengthTolerance_m;
+    if (width_m > 0) core_ = bands_along(shortened(piece.curve, kLengthTolerance_m), width_m);
+    for (const Polygon& part : core_) boxes_.push_back(bounds(part));
+  }
+
+  void check_clear(const BoxedRegion& land, const char* of_what, Violations& out) const {
+    Region entered;
+    for (const Boxed& polygon : land)
+      for (std::size_t i = 0; i < core_.size(); ++i)
+        if (intersects(boxes_[i], polygon.box))
+          for (Polygon& part : intersection({core_[i]}, {*polygon.shape})) entered.push_back(std::move(part));
+    if (const double amount = area(entered); amount > kTouch_m2)
+      out.push_back({"swaths", fmt::format("the swath of {} works {:.6f} m² of {}", name_, amount, of_what),
+                     place_on_largest(entered), amount});
+  }
+
+  void check_inside(const Ring& outer, Violations& out) const {
+    Region beyond;
+    for (std::size_t i = 0; i < core_.size(); ++i)
+      if (!contains(outer, core_[i].outer.front()) || is_met(outer, boxes_[i]))
+        for (Polygon& part : difference({core_[i]}, {{outer, {}}})) beyond.push_back(std::move(part));
+    if (const double amount = area(beyond); amount > kTouch_m2)
+      out.push_back({"swaths",
+                     fmt::format("the swath of {} works {:.6f} m² beyond the hard boundary", name_, amount),
+                     place_on_largest(beyond), amount});
+  }
+
+ private:
+  static bool is_met(const Ring& ring, const Box& box) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      Box edge;
+      edge.extend(ring[i]);
+      edge.extend(ring[i + 1 < ring.size() ? i + 1 : 0]);
+      if (intersects(edge, box)) return true;
+    }
+    return false;
+  }
+
+  std::string name_;
+  Region core_;
+  std::vector<Box> boxes_;
+};
+
+void check_curved(const Case& c, std::size_t index, Violations& out) {
+  const CurvedSwath swath(c, c.plan.pieces[index], piece_name(index));
+  swath.check_clear(c.obstacles, "an obstacle", out);
+  swath.check_clear(c.passables, "a passable obstacle", out);
+  swath.check_clear(c.given_up, "land given up", out);
+  if (boundary_is_hard(c.plan)) swath.check_inside(c.plan.field.outer, out);
+}
+
 }  // namespace
 
 void check_line_within_field(const Case& c, const Lane& line, const std::string& name, Violations& out) {
@@ -81,6 +147,10 @@ void check_swaths(const Case& c, Violations& out) {
   const double half = 0.5 * c.plan.machine.width_m;
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
     const TrackPiece& piece = c.plan.pieces[i];
+    if (!piece.curve.empty()) {
+      check_curved(c, i, out);
+      continue;
+    }
     for (const PathSegment& part : straight_parts(piece)) check_straight_part(c, part, i, out);
     if (piece.detours.empty()) continue;
     const PieceFrame frame(piece);

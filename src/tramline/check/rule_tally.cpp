@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
+#include "tramline/check/bands.h"
+#include "tramline/check/comparison.h"
 #include "tramline/check/doubled_ground.h"
 #include "tramline/check/rules.h"
 #include "tramline/geometry/boolean.h"
@@ -20,45 +23,60 @@ struct Worked {
   Tally tally;
 };
 
-/// Sums are rounded like any other: a comparison of sums allows for it.
-double rounding_of(double value) { return 1e-9 * std::max(1.0, std::abs(value)); }
-
-/// The ground of one piece or of a part of it. One whose path is too tight or has kinks folds over itself;
-/// what it encloses counts.
-void append_ground(Ring ring, bool may_fold, Region& out) {
-  const Polygon ground{std::move(ring), {}};
-  if (!may_fold || !find_invalidity(ground)) {
-    out.push_back(ground);
-    return;
-  }
-  for (Polygon& part : made_valid(ground)) out.push_back(std::move(part));
-}
+/// How finely curved pieces are looked at: whole fields of arcs, which overlays of more chords would take
+/// minutes for.
+constexpr double kCurveSagitta_m = kLayerSagitta;
 
 Region worked_ground(const Plan& plan) {
   Region out;
-  for (const TrackPiece& piece : plan.pieces)
-    append_ground(swath(piece, plan.machine.width_m), !piece.detours.empty(), out);
+  for (const TrackPiece& piece : plan.pieces) {
+    if (piece.curve.empty())
+      append_ground(swath(piece, plan.machine.width_m), !piece.detours.empty(), out);
+    else
+      for (Polygon& part : bands_along(piece.curve, plan.machine.width_m, kCurveSagitta_m))
+        out.push_back(std::move(part));
+  }
   return out;
 }
 
 /// The same in parts that only touch, as finely as layers of land are drawn.
-Region worked_parts(const Plan& plan) {
-  Region out;
-  for (const TrackPiece& piece : plan.pieces)
-    for (Ring& part : swath_parts(piece, plan.machine.width_m, kLayerSagitta))
-      append_ground(std::move(part), !piece.detours.empty(), out);
-  return out;
-}
+class WorkedParts {
+ public:
+  explicit WorkedParts(const Plan& plan) : width_m_(plan.machine.width_m) {
+    for (const TrackPiece& piece : plan.pieces) {
+      for (const PathSegment& segment : piece.curve)
+        for (Polygon& part : bands_along({segment}, width_m_, kLayerSagitta)) add(std::move(part), {segment});
+      if (!piece.curve.empty()) continue;
+      for (const PathSegment& part : straight_parts(piece)) add({part});
+      for (const Detour& detour : piece.detours) add(detour.path);
+    }
+  }
+  Region doubled() const { return doubled_ground(ground_, lines_, width_m_); }
 
-/// What chords may take from the ground of arcs, or add to it: the sagitta along both its edges, which
-/// together are twice as long as the path. The tally is that of the arcs.
+ private:
+  void add(Polygon part, const Path& path) {
+    ground_.push_back(std::move(part));
+    lines_.push_back(path);
+  }
+  void add(const Path& path) {
+    append_ground(band(path, width_m_, kLayerSagitta), std::isfinite(smallest_radius(path)), ground_);
+    lines_.resize(ground_.size(), path);
+  }
+
+  double width_m_;
+  Region ground_;
+  std::vector<Path> lines_;  ///< of each part of the ground
+};
+
+/// What chords may take from the ground of arcs, or add to it. Of detours: the sagitta along both edges,
+/// which together are twice as long as the path. Curved pieces lie side by side and share their edges; and
+/// what a chord takes along the outer edge of a piece that lies alone the one along its inner edge adds. The
+/// tally is that of the arcs.
 double chord_tolerance_m2(const Plan& plan, double sagitta_m) {
-  double arcs_m = 0;
+  double detours_m = 0, curves_m = 0;
   for (const TrackPiece& piece : plan.pieces)
-    for (const Detour& detour : piece.detours)
-      for (const PathSegment& segment : detour.path)
-        if (!segment.straight()) arcs_m += length(segment);
-  return sagitta_m * 2 * arcs_m;
+    (piece.curve.empty() ? detours_m : curves_m) += arcs_m(centre_line(piece));
+  return sagitta_m * 2 * detours_m + kCurveSagitta_m * curves_m;
 }
 
 Worked recompute(const Plan& plan, int stops) {
@@ -71,7 +89,7 @@ Worked recompute(const Plan& plan, int stops) {
     if (piece.after_crossing) ++tally.crossings;
   }
   tally.worked_m2 = plan.machine.width_m * tally.track_length_m;
-  const double covered = area(intersection(out.land, plan.body));
+  const double covered = area(plan.body) - area(out.uncovered);
   tally.overlap_m2 = tally.worked_m2 - covered;
   tally.uncovered_m2 = area(plan.body) - covered;
   tally.pieces = static_cast<int>(plan.pieces.size());
@@ -80,31 +98,9 @@ Worked recompute(const Plan& plan, int stops) {
   return out;
 }
 
-class Comparison {
- public:
-  Comparison(Point at, Violations& out) : at_(at), out_(out) {}
-  void number(const char* what, const char* unit, double stored, double found, double tolerance) {
-    // Written so that a stored NaN is a violation too.
-    if (std::abs(stored - found) <= tolerance) return;
-    out_.push_back({kRule,
-                    fmt::format("the plan says {} {:.6f}{}, the tracks amount to {:.6f}{}", what, stored,
-                                unit, found, unit),
-                    at_, stored - found});
-  }
-  void count(const char* what, int stored, int found) {
-    if (stored == found) return;
-    out_.push_back({kRule, fmt::format("the plan counts {} {}, the tracks have {}", stored, what, found), at_,
-                    static_cast<double>(stored - found)});
-  }
-
- private:
-  Point at_;
-  Violations& out_;
-};
-
 void compare_tallies(const Case& c, const Tally& found, double tolerance, Violations& out) {
   const Tally& stored = c.plan.tally;
-  Comparison compare(c.plan.field.outer.front(), out);
+  Comparison compare("the tracks", c.plan.field.outer.front(), out);
   compare.number("worked area", " m²", stored.worked_m2, found.worked_m2, tolerance);
   compare.number("overlap", " m²", stored.overlap_m2, found.overlap_m2, tolerance);
   compare.number("uncovered area", " m²", stored.uncovered_m2, found.uncovered_m2, tolerance);
@@ -135,7 +131,7 @@ class LayersOfLand {
     const Region uncovered = once(c_.plan.uncovered, "uncovered"), overlap = once(c_.plan.overlap, "overlap");
     report(symmetric_difference(uncovered, found_.uncovered), tolerance_m2_,
            "the layer uncovered differs from the body less the swaths");
-    Region parts = doubled_ground(worked_parts(c_.plan));
+    Region parts = WorkedParts(c_.plan).doubled();
     for (Polygon& beyond : difference(found_.land, c_.plan.body)) parts.push_back(std::move(beyond));
     const Region twice = unite(parts);
     // What is too thin to be shown may be left out of the layer along all edges.

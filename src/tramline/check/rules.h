@@ -17,8 +17,13 @@ struct Case {
 
   const Plan& plan;
   BoxedRegion obstacles;  ///< those the machine may not enter
+  BoxedRegion blocking;   ///< those of them that have no headland: a track that ends there has to back out
   BoxedRegion passables;
   BoxedRegion given_up;
+  /// All that is nearer to the field's outer ring or to an obstacle than its headland is deep, whether it is
+  /// land or not. Holes of obstacles with a headland are out of it.
+  Region near_boundaries;
+  double round_edges_m2 = 0;        ///< what chords may take from that, or add to it
   std::vector<Box> obstacle_boxes;  ///< of all obstacles of the field, in their order
   double area_tolerance_m2;         ///< 1e-6 of the field's area, not below what the precision grid can do
 };
@@ -29,33 +34,45 @@ void check_shapes(const Plan& plan, Violations& out);
 /// Pieces have distinct ends on the map, belong to a subfield and run along its direction. Their
 /// detours are paths on the map that leave and rejoin the line one after the other.
 void check_pieces(const Plan& plan, Violations& out);
-/// The body is the field less obstacles, passable ones too; land given up lies within it.
+/// No boundary has more passes of headland than were asked for, and passables have none. Every pass is a
+/// closed path on the map, and one of those that a boundary it names has.
+void check_headland(const Plan& plan, Violations& out);
+/// The body is the field less obstacles, passable ones too, and less the ground of headlands; that ground is
+/// what is nearer to a boundary than its passes are wide. Both are apart, and with the obstacles they are
+/// the field. Land given up lies within the body.
 void check_body(const Case& c, Violations& out);
 /// Subfields part the body less land given up, plus passables, without overlapping.
 void check_subfields(const Case& c, Violations& out);
-/// No straight swath enters an obstacle, a passable or land given up; none at all crosses a hard
-/// boundary, and no detour leaves the field.
+/// No straight or curved swath enters an obstacle, a passable or land given up; none at all crosses a hard
+/// boundary, and no detour leaves the field. Where there is a headland round it, the boundary is hard.
 void check_swaths(const Case& c, Violations& out);
+/// Swaths of headland passes stay in the field and enter no obstacle. Pass i keeps (i − ½)·w off every
+/// boundary that has so many passes, and has the land it goes round on its left.
+void check_passes(const Case& c, Violations& out);
 /// No detour's swath comes nearer to an obstacle than the clearance, nor enters a passable or land
-/// given up. Where there is a clearance, straight swaths keep it too.
+/// given up. Where there is a clearance, straight and curved swaths keep it too.
 void check_clearance(const Case& c, Violations& out);
-/// The machine can drive every detour: no arc is too tight and no heading jumps.
+/// The machine can drive every detour, curve and headland pass: no arc is too tight and no heading jumps.
 void check_drivable(const Case& c, Violations& out);
-/// Each piece obeys the end rule over all its straight parts.
+/// Each piece obeys the end rule over all its straight parts, or all along its curve.
 void check_ends(const Case& c, Violations& out);
+/// Where tracks follow a curve, no two pieces of a subfield lie less than the working width apart, across
+/// either of them.
+void check_parallel(const Case& c, Violations& out);
 /// No piece is too short to drive, but for those between crossings.
 void check_length(const Case& c, Violations& out);
-/// A piece is flagged as ending in a stop where the first millimetre beyond it meets an obstacle or
-/// land given up, and nowhere else. Returns the number of stops found.
+/// A piece is flagged as ending in a stop where the first millimetre beyond it meets an obstacle without
+/// headland or land given up, and nowhere else. Returns the number of stops found.
 int check_stops(const Case& c, Violations& out);
-/// A piece after a crossing goes on in line beyond a passable, with nothing else in the gap.
+/// A piece after a crossing goes on in line beyond a passable, with nothing else in the gap. Where tracks
+/// follow a curve the line between two pieces is not known: the second begins ahead.
 void check_crossings(const Case& c, Violations& out);
 /// What was decided where tracks meet obstacles is what they do, and detours name the obstacles they
 /// pass and the side. Every detour is where an encounter is, and what is in its way is named there too.
 void check_encounters(const Case& c, Violations& out);
-/// Wherever an obstacle or land given up lies across a track, between two of its pieces, dropped ones
-/// included, there is an encounter that names it. Where a track ends for good the file does not say what
-/// would have followed: nothing is asked there. O(g·e) for g such gaps and e encounters.
+/// Wherever an obstacle without headland or land given up lies across a straight track, between two of its
+/// pieces, dropped ones included, there is an encounter that names it. Where a track ends for good the file
+/// does not say what would have followed: nothing is asked there. O(g·e) for g such gaps and e encounters.
 void check_meetings(const Case& c, Violations& out);
 /// Each way past an encounter has either a cost or a reason why not, and the chosen one a cost. Where the
 /// cheapest ways were asked for, the chosen one costs least: no other, nor a cut, is cheaper by more
@@ -69,6 +86,8 @@ void check_avoidance(const Case& c, Violations& out);
 /// The stored tally, cost and layers agree with the tracks. `stops` is what check_stops found.
 /// Returns the recomputed tally.
 Tally check_tally(const Case& c, int stops, Violations& out);
+/// The stored tally of the headland and the layer of what it leaves agree with its passes.
+void check_headland_tally(const Case& c, Violations& out);
 
 /// The same for one line and the swath along it, whether it is a plan's or only drawn: it is within
 /// the field but for its ends, and keeps clear of land. Violations call it `name`.
@@ -80,6 +99,11 @@ double least_radius_m(const Machine& machine);
 
 /// Are these indices of obstacles of the field?
 bool exist(const Plan& plan, const std::vector<int>& obstacles);
+/// How many passes of headland an obstacle has.
+int passes_round(const Plan& plan, std::size_t obstacle);
+/// Are the tracks of a subfield parallel to a curve, so that they need not lie in its direction? They are
+/// where one of them is curved, or where the plan's reference is.
+bool follows_curve(const Plan& plan, int subfield);
 
 /// The encounters on the stretch of its track that a detour takes the place of. O(e).
 std::vector<const Encounter*> encounters_at(const Plan& plan, const TrackPiece& piece, const Detour& detour);
@@ -88,6 +112,8 @@ bool names(const std::vector<const Encounter*>& encounters, int obstacle);
 
 /// "piece 12": pieces are numbered for people from 1, in driving order.
 std::string piece_name(std::size_t index);
+/// "headland pass 2"
+std::string pass_name(std::size_t index);
 /// "detour 2 of piece 12"
 std::string detour_name(std::size_t piece, std::size_t detour);
 

@@ -9,9 +9,13 @@ namespace tramline::check {
 inline constexpr double kLengthTolerance_m = 1e-3;
 /// Between the end of a segment of a path and the beginning of the next, m: the precision grid's.
 inline constexpr double kJoint_m = 1e-6;
+/// What is shorter has no direction, m.
+inline constexpr double kShortest_m = 1e-9;
 /// Of a radius, and of a heading: what a path computed in another way than it is checked may lose.
 inline constexpr double kRadiusShare = 0.01;
 inline constexpr double kHeadingTolerance_deg = 1;
+/// How far the chords that stand for round edges of headlands may be off them, m.
+inline constexpr double kRoundEdge_m = 1e-3;
 /// Area of the smallest overlap that counts as one, m²: five micrometres over a millimetre, above what the
 /// precision grid can move an edge.
 inline constexpr double kTouch_m2 = 5e-9;

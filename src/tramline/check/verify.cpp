@@ -3,24 +3,80 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "tramline/check/near_land.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 #include "tramline/geometry/boolean.h"
 
 namespace tramline::check {
 
+namespace {
+
+/// Obstacles the machine may not enter that have no headland.
+BoxedRegion without_headland(const Plan& plan) {
+  BoxedRegion out;
+  for (std::size_t i = 0; i < plan.field.obstacles.size(); ++i) {
+    const Obstacle& obstacle = plan.field.obstacles[i];
+    if (obstacle.kind == ObstacleKind::kObstacle && passes_round(plan, i) == 0)
+      out.push_back({&obstacle.shape, bounds(obstacle.shape)});
+  }
+  return out;
+}
+
+/// Land beside the boundaries that have headlands.
+class Surroundings {
+ public:
+  explicit Surroundings(const Plan& plan) : width_m_(plan.machine.width_m) {
+    add(plan.field.outer, plan.settings.headlands);
+    Region holes;
+    for (std::size_t i = 0; i < plan.field.obstacles.size(); ++i) {
+      const int passes = passes_round(plan, i);
+      if (passes <= 0) continue;
+      const Polygon shape = oriented(plan.field.obstacles[i].shape);
+      add(reversed(shape.outer), passes);
+      for (const Ring& hole : shape.holes) holes.push_back({reversed(hole), {}});
+    }
+    land_ = unite(land_);
+    if (!holes.empty()) land_ = difference(land_, unite(holes));
+  }
+
+  Region land() const { return land_; }
+  /// Chords on both sides of the comparison.
+  double round_edges_m2() const { return (kRoundEdge_m + kFanSagitta_m) * arcs_m_; }
+
+ private:
+  void add(const Ring& ring, int passes) {
+    if (passes <= 0) return;
+    for (Polygon& part : land_near(ring, passes * width_m_)) land_.push_back(std::move(part));
+    arcs_m_ += arcs_about_corners_m(ring, passes * width_m_);
+  }
+
+  double width_m_;
+  Region land_;
+  double arcs_m_ = 0;
+};
+
+}  // namespace
+
 Case::Case(const Plan& of)
     : plan(of),
       obstacles(boxed_obstacles(of.field, ObstacleKind::kObstacle)),
+      blocking(without_headland(of)),
       passables(boxed_obstacles(of.field, ObstacleKind::kPassable)),
       given_up(boxed(of.given_up)),
       area_tolerance_m2(
           std::max(kAreaShare * area(Polygon{of.field.outer, {}}), kGridSize * perimeter(of.field.outer))) {
   for (const Obstacle& obstacle : of.field.obstacles) obstacle_boxes.push_back(bounds(obstacle.shape));
+  const Surroundings surroundings(of);
+  near_boundaries = surroundings.land();
+  round_edges_m2 = surroundings.round_edges_m2();
 }
 
 std::string piece_name(std::size_t index) { return fmt::format("piece {}", index + 1); }
+
+std::string pass_name(std::size_t index) { return fmt::format("headland pass {}", index + 1); }
 
 std::string detour_name(std::size_t piece, std::size_t detour) {
   return fmt::format("detour {} of {}", detour + 1, piece_name(piece));
@@ -29,6 +85,20 @@ std::string detour_name(std::size_t piece, std::size_t detour) {
 bool exist(const Plan& plan, const std::vector<int>& obstacles) {
   const auto count = static_cast<int>(plan.field.obstacles.size());
   return std::all_of(obstacles.begin(), obstacles.end(), [count](int i) { return i >= 0 && i < count; });
+}
+
+int passes_round(const Plan& plan, std::size_t obstacle) {
+  const std::vector<int>& passes = plan.headland.obstacle_passes;
+  return obstacle < passes.size() ? passes[obstacle] : 0;
+}
+
+bool follows_curve(const Plan& plan, int subfield) {
+  if (std::any_of(plan.reference.begin(), plan.reference.end(),
+                  [](const PathSegment& segment) { return !segment.straight(); }))
+    return true;
+  return std::any_of(plan.pieces.begin(), plan.pieces.end(), [subfield](const TrackPiece& piece) {
+    return piece.subfield == subfield && !piece.curve.empty();
+  });
 }
 
 Point place_on_largest(const Region& region) {
@@ -41,15 +111,18 @@ Verdict verify(const Plan& plan) {
   Verdict verdict;
   check_shapes(plan, verdict.violations);
   check_pieces(plan, verdict.violations);
+  check_headland(plan, verdict.violations);
   if (!verdict.violations.empty()) return verdict;
 
   const Case c(plan);
   check_body(c, verdict.violations);
   check_subfields(c, verdict.violations);
   check_swaths(c, verdict.violations);
+  check_passes(c, verdict.violations);
   check_clearance(c, verdict.violations);
   check_drivable(c, verdict.violations);
   check_ends(c, verdict.violations);
+  check_parallel(c, verdict.violations);
   check_length(c, verdict.violations);
   const int stops = check_stops(c, verdict.violations);
   check_crossings(c, verdict.violations);
@@ -58,6 +131,7 @@ Verdict verify(const Plan& plan) {
   check_ways(c, verdict.violations);
   check_avoidance(c, verdict.violations);
   verdict.recomputed = check_tally(c, stops, verdict.violations);
+  check_headland_tally(c, verdict.violations);
   verdict.complete = true;
   return verdict;
 }

@@ -1,0 +1,25 @@
+#pragma once
+// The ground along paths, segment by segment: a path that comes back to itself has one, too.
+
+#include "tramline/geometry/path.h"
+#include "tramline/geometry/region.h"
+
+namespace tramline::check {
+
+/// A polygon of worked ground. One whose path is too tight or has kinks folds over itself; what it encloses
+/// counts.
+void append_ground(Ring ring, bool may_fold, Region& out);
+
+/// The band of every segment, one after the other; they touch, and overlap where the path comes back.
+Region bands_along(const Path& path, double width_m, double sagitta_m = kChordSagitta);
+
+/// The path without the first and the last `by_m`; empty where nothing is left.
+Path shortened(const Path& path, double by_m);
+
+/// The place `along_m` from the beginning of a path, or its end where that is nearer.
+Point place_on(const Path& path, double along_m);
+
+/// Length of all arcs, m.
+double arcs_m(const Path& path);
+
+}  // namespace tramline::check

@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "tramline/check/bands.h"
+#include "tramline/check/rules.h"
+#include "tramline/check/tolerances.h"
+#include "tramline/geometry/box_grid.h"
+
+namespace tramline::check {
+namespace {
+
+/// A segment of the centre line of a piece.
+struct Part {
+  std::size_t piece;
+  PathSegment segment;
+};
+
+/// Where two pieces are too near to one another.
+struct Nearest {
+  double apart_m;
+  Point at;
+};
+
+/// The pieces of one subfield that follow a curve.
+class Family {
+ public:
+  Family(const Case& c, int subfield) : width_m_(c.plan.machine.width_m) {
+    std::vector<Box> boxes;
+    for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
+      if (c.plan.pieces[i].subfield != subfield) continue;
+      // Ends may touch what lies beside them.
+      const Path path = shortened(centre_line(c.plan.pieces[i]), kLengthTolerance_m);
+      if (path.empty()) continue;
+      const std::vector<Box> reaches = reaches_of(path, 0);
+      boxes.insert(boxes.end(), reaches.begin(), reaches.end());
+      for (const PathSegment& segment : path) stretches_.push_back({i, segment});
+    }
+    grid_ = BoxGrid(boxes);
+  }
+
+  void check(Violations& out) {
+    for (const Part& stretch : stretches_) look_beside(stretch);
+    for (const auto& [pieces, nearest] : too_near_)
+      out.push_back(
+          {"parallel",
+           fmt::format("{} and {} run {:.4f} m apart, less than the working width of {:.3f} m",
+                       piece_name(pieces.first), piece_name(pieces.second), nearest.apart_m, width_m_),
+           nearest.at, width_m_ - nearest.apart_m});
+  }
+
+ private:
+  /// Across the track in so many places that no swath fits between them.
+  void look_beside(const Part& stretch) {
+    const double length_m = length(stretch.segment), step_m = std::min(1.0, 0.5 * width_m_);
+    const int looks = static_cast<int>(std::ceil(length_m / step_m));
+    for (int i = 0; i <= looks; ++i) {
+      const double along_m = length_m * i / std::max(1, looks);
+      const Point at = place_on(Path{stretch.segment}, along_m);
+      const Point heading = heading_at(stretch.segment, along_m / length_m);
+      const Point across = (width_m_ - kLengthTolerance_m) * Point{-heading.y, heading.x};
+      look_along(stretch.piece, at, at + across);
+      look_along(stretch.piece, at, at - across);
+    }
+  }
+
+  static Point heading_at(const PathSegment& segment, double share) {
+    const Point first = direction_at_start(segment);
+    const double angle = share * turning(segment), c = std::cos(angle), s = std::sin(angle);
+    return {first.x * c - first.y * s, first.x * s + first.y * c};
+  }
+
+  void look_along(std::size_t piece, Point from, Point to) {
+    Box window;
+    window.extend(from);
+    window.extend(to);
+    grid_.each_meeting(window, [&](std::size_t i) {
+      const Part& other = stretches_[i];
+      if (other.piece == piece || distance_to_edge(other.segment, from, to) > 0) return;
+      const double apart_m = distance_to_edge(other.segment, from, from);
+      const auto pieces = std::minmax(piece, other.piece);
+      const auto known = too_near_.try_emplace(pieces, Nearest{apart_m, from}).first;
+      if (apart_m < known->second.apart_m) known->second = {apart_m, from};
+    });
+  }
+
+  double width_m_;
+  std::vector<Part> stretches_;
+  BoxGrid grid_;
+  std::map<std::pair<std::size_t, std::size_t>, Nearest> too_near_;
+};
+
+}  // namespace
+
+void check_parallel(const Case& c, Violations& out) {
+  for (int i = 0; i < static_cast<int>(c.plan.subfields.size()); ++i)
+    if (follows_curve(c.plan, i)) Family(c, i).check(out);
+}
+
+}  // namespace tramline::check

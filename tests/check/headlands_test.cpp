@@ -1,0 +1,288 @@
+// Plans with headlands: known by hand where they hold, and found out where they do not.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "check/plans.h"
+#include "tramline/check/near_land.h"
+#include "tramline/geometry/boolean.h"
+
+namespace tramline {
+namespace {
+
+using namespace testing_plans;
+
+/// Between a right angle and a rounding of 1 m.
+const double kCornerShare = 1 - std::numbers::pi / 4;
+
+void expect_holds(const Plan& plan) {
+  const check::Verdict verdict = check::verify(plan);
+  EXPECT_TRUE(verdict.holds());
+  for (const check::Violation& v : verdict.violations) ADD_FAILURE() << v.rule << ": " << v.what;
+}
+
+Names found(const Plan& plan) { return rules(check::verify(plan)); }
+
+Ring shifted(Ring ring, Point by) {
+  for (Point& p : ring) p = p + by;
+  return ring;
+}
+
+Path shifted(const Path& path, Point by) {
+  return moved(path, [by](Point p) { return p + by; });
+}
+
+/// The outermost pass leaves the field's corners, the next one those between the two; the last one's inner
+/// edge takes something of the body's corners.
+TEST(Headlands, passes_with_rounded_corners) {
+  const Plan one = headland_plan(1), two = headland_plan(2);
+  expect_holds(one);
+  expect_holds(two);
+  EXPECT_NEAR(one.headland.uncovered_m2, 4 * kCornerShare * 4.5 * 4.5, 1e-3);
+  EXPECT_NEAR(one.headland.overlap_m2, 4 * kCornerShare * 1.5 * 1.5, 1e-3);
+  EXPECT_NEAR(two.headland.uncovered_m2, 4 * kCornerShare * (2 * 4.5 * 4.5 - 1.5 * 1.5), 1e-3);
+  EXPECT_NEAR(two.headland.overlap_m2, 4 * kCornerShare * 1.5 * 1.5, 1e-3);
+  EXPECT_NEAR(two.tally.overlap_m2, 0, 1e-6);
+  EXPECT_NEAR(two.tally.uncovered_m2, 0, 1e-6);
+}
+
+TEST(Headlands, work_is_interrupted_on_passables) {
+  Plan plan = headland_and_ditch_plan();
+  expect_holds(plan);
+  EXPECT_NEAR(plan.headland.worked_m2, headland_plan(2).headland.worked_m2 - 4 * 3 * 3, 1e-6);
+  // Whether the subfield goes on along the ditch through the headland or not.
+  plan.subfields[0].shape.outer = {{6, 6},   {40, 6},  {40, 0},  {43, 0},  {43, 6},  {94, 6},
+                                   {94, 54}, {43, 54}, {43, 60}, {40, 60}, {40, 54}, {6, 54}};
+  expect_holds(settled(plan));
+}
+
+/// The pass swings wide: round the corners it leaves more of the ground, at its outer edge it works the body.
+TEST(Headlands, round_an_obstacle) {
+  const Plan plan = island_plan();
+  expect_holds(plan);
+  EXPECT_EQ(plan.tally.stops, 0);
+  EXPECT_GT(plan.headland.overlap_m2, 1);
+  EXPECT_GT(plan.headland.uncovered_m2, 1);
+  // Two tracks that run on beside a quarter of a circle, at both ends.
+  EXPECT_NEAR(plan.tally.overlap_m2, 4 * (std::numbers::pi / 4) * 9, 1e-2);
+}
+
+TEST(Headlands, turning_and_moving_changes_nothing) {
+  for (const double degrees : {1.0, 33.3, 122.4})
+    for (const Plan& plan : {headland_plan(2), island_plan(), headland_and_ditch_plan()}) {
+      const Plan other = turned(plan, Angle::degrees(degrees), {-712.3, 455.1});
+      expect_holds(settled(other));
+    }
+}
+
+TEST(Headlands, pass_out_of_the_field_or_into_an_obstacle) {
+  Plan plan = headland_plan(2);
+  plan.headland.passes[0].path = shifted(plan.headland.passes[0].path, {0, -0.05});
+  EXPECT_EQ(found(settled(plan)), Names{"swaths"});
+
+  plan = headland_plan(2);
+  plan.headland.passes[0].path = shifted(plan.headland.passes[0].path, {0, -200});
+  EXPECT_EQ(found(settled(plan)), Names{"swaths"});
+
+  plan = island_plan();
+  plan.headland.passes[0].path = shifted(plan.headland.passes[0].path, {0.05, 0.05});
+  EXPECT_EQ(found(settled(plan)), Names{"swaths"});
+}
+
+TEST(Headlands, pass_nearer_to_its_boundary_than_its_number_says) {
+  Plan plan = headland_plan(2);
+  plan.headland.passes[1].path = shifted(plan.headland.passes[1].path, {0, -0.05});
+  EXPECT_EQ(found(settled(plan)), Names{"headland"});
+  // Half a millimetre nobody sees.
+  plan = headland_plan(2);
+  plan.headland.passes[1].path = shifted(plan.headland.passes[1].path, {0, -0.0005});
+  EXPECT_EQ(found(settled(plan)), Names{});
+  // Nor is it driven as the second one what is driven as the first.
+  plan = headland_plan(2);
+  plan.headland.passes[0].number = 2;
+  EXPECT_EQ(found(settled(plan)), Names{"headland"});
+}
+
+TEST(Headlands, second_pass_round_an_obstacle_nearer_than_it_may) {
+  Plan plan = island_plan();
+  plan.settings.obstacle_headlands = 2;
+  plan.headland.obstacle_passes = {2};
+  plan.headland.passes.push_back(plan.headland.passes[0]);
+  plan.headland.passes[1].number = 2;
+  Names names = found(settled(plan));
+  EXPECT_TRUE(names.contains("headland"));
+  plan.headland.passes[1].path = reversed(rounded_rectangle(35.5, 22.5, 64.5, 37.5, 4.5));
+  names = found(settled(plan));
+  EXPECT_FALSE(names.contains("headland"));
+}
+
+TEST(Headlands, pass_that_cannot_be_driven) {
+  const auto with = [](const Path& path) {
+    Plan plan = headland_plan(1);
+    plan.headland.passes[0].path = path;
+    return found(settled(plan));
+  };
+  EXPECT_EQ(with(rounded_rectangle(1.5, 1.5, 98.5, 58.5, 3.5)), Names{});
+  EXPECT_EQ(with(rounded_rectangle(1.5, 1.5, 98.5, 58.5, 2.9)), Names{"drivable"});
+  EXPECT_EQ(with(rounded_rectangle(1.5, 1.5, 98.5, 58.5, 0)), Names{"drivable"});
+  // One kink, where the path closes.
+  Path kinked = rounded_rectangle(1.5, 1.5, 98.5, 58.5, kCorner_m);
+  kinked.pop_back();
+  kinked.back().to = {1.5, 1.5};
+  kinked.front().from = {1.5, 1.5};
+  EXPECT_EQ(with(kinked), Names{"drivable"});
+}
+
+TEST(Headlands, passes_that_are_none) {
+  const auto with = [](auto change) {
+    Plan plan = headland_plan(2);
+    change(plan);
+    return found(plan);
+  };
+  EXPECT_EQ(with([](Plan&) {}), Names{});
+  EXPECT_EQ(with([](Plan& p) { p.headland.passes[1].path.pop_back(); }), Names{"headland"});
+  EXPECT_EQ(with([](Plan& p) { p.headland.passes[1].path.erase(p.headland.passes[1].path.begin() + 2); }),
+            Names{"headland"});
+  EXPECT_EQ(with([](Plan& p) { p.headland.passes[1].path.clear(); }), Names{"headland"});
+  EXPECT_EQ(with([](Plan& p) { p.headland.passes[1].path[0].to.x = std::nan(""); }), Names{"headland"});
+  EXPECT_EQ(with([](Plan& p) { p.headland.passes[1].number = 3; }), Names{"headland"});
+  EXPECT_EQ(with([](Plan& p) { p.headland.passes[1].number = 0; }), Names{"headland"});
+  EXPECT_EQ(with([](Plan& p) { p.headland.passes[1].around_field = false; }), Names{"headland"});
+  EXPECT_EQ(with([](Plan& p) { p.headland.passes[1].obstacles = {0}; }), Names{"headland"});
+  EXPECT_EQ(with([](Plan& p) { p.headland.obstacle_passes = {0}; }), Names{"headland"});
+  EXPECT_EQ(with([](Plan& p) { p.headland.passes[0].path = reversed(p.headland.passes[0].path); }),
+            Names{"headland"});
+  EXPECT_EQ(with([](Plan& p) { p.settings.headlands = 1; }), Names{"headland"});
+  EXPECT_EQ(with([](Plan& p) { p.settings.headlands = -1; }), Names{"headland"});
+}
+
+TEST(Headlands, passes_of_obstacles_that_are_none) {
+  Plan plan = island_plan();
+  plan.headland.passes[0].path = reversed(plan.headland.passes[0].path);
+  EXPECT_EQ(found(plan), Names{"headland"});
+  plan = island_plan();
+  plan.settings.obstacle_headlands = 0;
+  EXPECT_EQ(found(plan), Names{"headland"});
+  plan = headland_and_ditch_plan();
+  plan.settings.obstacle_headlands = 1;
+  plan.headland.obstacle_passes = {1};
+  EXPECT_EQ(found(plan), Names{"headland"});
+}
+
+TEST(Headlands, false_figures) {
+  for (const Plan& honest : {headland_plan(2), island_plan(), headland_and_ditch_plan()}) {
+    ASSERT_EQ(found(honest), Names{});
+    const auto with = [&](auto change) {
+      Plan plan = honest;
+      change(plan.headland);
+      return found(plan);
+    };
+    EXPECT_EQ(with([](Headland& h) { h.worked_m2 += 0.05; }), Names{"tally"});
+    EXPECT_EQ(with([](Headland& h) { h.overlap_m2 -= 0.05; }), Names{"tally"});
+    EXPECT_EQ(with([](Headland& h) { h.uncovered_m2 += 0.05; }), Names{"tally"});
+    EXPECT_EQ(with([](Headland& h) { h.worked_m2 = std::numeric_limits<double>::quiet_NaN(); }),
+              Names{"tally"});
+    EXPECT_EQ(with([](Headland& h) { h.unworked.clear(); }), Names{"tally"});
+    EXPECT_EQ(with([](Headland& h) { h.unworked.push_back({rectangle(90, 1, 91, 2), {}}); }), Names{"tally"});
+    EXPECT_EQ(with([](Headland& h) { h.passes.pop_back(); }), Names{"tally"});
+  }
+  // What lies on the ditch is not worked.
+  Plan plan = headland_and_ditch_plan();
+  plan.headland.worked_m2 += 9;
+  plan.headland.overlap_m2 += 9;
+  EXPECT_EQ(found(plan), Names{"tally"});
+}
+
+TEST(Headlands, body_or_headland_in_the_wrong_place) {
+  const auto with_body = [](const Ring& body, const Ring& ground_from) {
+    Plan plan = headland_plan(2);
+    plan.body = {{body, {}}};
+    plan.subfields[0].shape = plan.body[0];
+    plan.headland.ground = {{plan.field.outer, {reversed(ground_from)}}};
+    return found(settled(plan));
+  };
+  const Ring right = rectangle(6, 6, 94, 54), larger = rectangle(6, 6, 94, 54.05);
+  EXPECT_EQ(with_body(right, right), Names{});
+  EXPECT_EQ(with_body(larger, right), Names{"body"});
+  EXPECT_EQ(with_body(right, larger), Names{"body"});
+  EXPECT_EQ(with_body(larger, larger), Names{"body"});
+
+  Plan plan = headland_plan(2);
+  plan.headland.ground[0].holes[0] = shifted(plan.headland.ground[0].holes[0], {0.05, 0});
+  EXPECT_EQ(found(settled(plan)), Names{"body"});
+  plan = headland_plan(2);
+  plan.headland.ground = {{rectangle(0, 0, 100, 6), {}}};
+  EXPECT_EQ(found(settled(plan)), Names{"body"});
+  // With the corners of a buffer that is not round.
+  plan = island_plan();
+  const Ring square = rectangle(37, 24, 63, 36);
+  plan.body[0].holes = {reversed(square)};
+  plan.subfields[0].shape = plan.body[0];
+  plan.headland.ground[0].outer = square;
+  EXPECT_TRUE(found(settled(plan)).contains("body"));
+}
+
+TEST(Headlands, headland_where_none_was_asked_for) {
+  Plan plan = rectangle_plan();
+  plan.headland.ground = {{rectangle(0, 0, 100, 3), {}}};
+  EXPECT_EQ(found(settled(plan)), Names{"body"});
+}
+
+/// Behind the headland there is nothing to drive on, whatever is said of the boundary.
+TEST(Headlands, no_track_leaves_the_field) {
+  Plan plan = headland_plan(1);
+  plan.settings.boundary = EdgeKind::kSoft;
+  plan.pieces[4].end.x = 99.9;
+  EXPECT_EQ(found(settled(plan)), Names{"ends"});
+  plan.pieces[4].end.x = 100.1;
+  EXPECT_EQ(found(settled(plan)), (Names{"ends", "swaths"}));
+}
+
+/// Where a headland goes round the obstacle, its ground may be run into; the obstacle may not.
+TEST(Headlands, tracks_before_an_obstacle_with_a_headland) {
+  const auto with_end_at = [](double x) {
+    Plan plan = island_plan();
+    for (TrackPiece& piece : plan.pieces)
+      if (piece.track == 10 && piece.end.x == 37) piece.end.x = x;
+    return found(settled(plan));
+  };
+  EXPECT_EQ(with_end_at(37), Names{});
+  EXPECT_EQ(with_end_at(37.1), Names{"ends"});
+  // It can turn on the headland: no stop.
+  EXPECT_EQ(with_end_at(40), Names{"ends"});
+  EXPECT_EQ(with_end_at(40.1), (Names{"ends", "swaths"}));
+  Plan plan = island_plan();
+  plan.pieces[8].stop_at_end = true;
+  EXPECT_EQ(found(plan), Names{"stops"});
+}
+
+/// Of random places each is near if it is nearer than the distance: about corners of all kinds, across narrow
+/// necks, and where edges are far shorter than the distance.
+TEST(Headlands, near_land_is_what_is_near) {
+  Ring ring{{0, 0}, {60, 0}, {60, 50}, {34, 50}, {33, 12}, {31, 11}, {29, 12}, {28, 50}, {8, 50}};
+  for (int i = 1; i < 40; ++i)  // a round bay in the west side
+    ring.push_back({8 - 8.0 * i / 40 + 6 * std::sin(std::numbers::pi * i / 40), 50 - 50.0 * i / 40});
+  for (const double distance_m : {1.0, 4.0, 9.0}) {
+    const Region near = check::land_near(ring, distance_m);
+    int in = 0, out = 0;
+    for (double x = 0.13; x < 60; x += 0.7)
+      for (double y = 0.17; y < 50; y += 0.7) {
+        if (!contains(ring, {x, y})) continue;
+        double least = 1e9;
+        for (std::size_t i = 0; i < ring.size(); ++i)
+          least =
+              std::min(least, distance_to_edge({ring[i], ring[(i + 1) % ring.size()], 0}, {x, y}, {x, y}));
+        if (std::abs(least - distance_m) < check::kFanSagitta_m) continue;
+        EXPECT_EQ(contains(near, {x, y}), least < distance_m) << x << ' ' << y << ' ' << least;
+        (least < distance_m ? in : out) += 1;
+      }
+    EXPECT_GT(in, 100);
+    EXPECT_GT(out, 100);
+  }
+}
+
+}  // namespace
+}  // namespace tramline

@@ -1,0 +1,85 @@
+// How far apart lines and arcs are, against many points on them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "tramline/check/bands.h"
+#include "tramline/check/path_distance.h"
+
+namespace tramline {
+namespace {
+
+TEST(PathDistance, of_random_segments) {
+  std::mt19937_64 random(7);
+  const auto between = [&random](double from, double to) {
+    return std::uniform_real_distribution<double>(from, to)(random);
+  };
+  const auto segment = [&] {
+    const Point from{between(-5, 5), between(-5, 5)}, to{between(-5, 5), between(-5, 5)};
+    const double most = 2 / distance(from, to);
+    return PathSegment{from, to, between(0, 1) < 0.2 ? 0 : between(-most, most)};
+  };
+  int met = 0, apart = 0;
+  for (int i = 0; i < 400; ++i) {
+    const PathSegment a = segment(), b = segment();
+    double least = 1e9;
+    constexpr int kLooks = 300;
+    for (int k = 0; k <= kLooks; ++k) {
+      const Point p = check::place_on(Path{a}, length(a) * k / kLooks);
+      least = std::min(least, distance_to_edge(b, p, p));
+    }
+    const double found = check::distance_between(a, b);
+    EXPECT_DOUBLE_EQ(found, check::distance_between(b, a));
+    EXPECT_LE(found, least + 1e-9);
+    EXPECT_GE(found, least - length(a) / kLooks);
+    (found == 0 ? met : apart) += 1;
+  }
+  EXPECT_GT(met, 50);
+  EXPECT_GT(apart, 50);
+}
+
+TEST(PathDistance, of_arcs_about_one_centre) {
+  const PathSegment a{{10, 0}, {0, 10}, 0.1}, b{{0, 13}, {13, 0}, -1 / 13.0}, c{{0, -13}, {13, 0}, 1 / 13.0};
+  EXPECT_NEAR(check::distance_between(a, b), 3, 1e-12);
+  EXPECT_NEAR(check::distance_between(a, c), 3, 1e-12);
+}
+
+/// Bands of neighbours share the vertices between them, and are as large as width times length but for
+/// chords.
+TEST(Bands, side_by_side_share_their_edges) {
+  for (const double sense : {1.0, -1.0}) {
+    const auto arc = [sense](double radius_m) {
+      const Path path{{{radius_m, 1e-9}, {0, radius_m}, 1 / radius_m}};
+      return sense > 0 ? path : reversed(path);
+    };
+    const Region inner = check::bands_along(arc(20), 4, 1e-4), outer = check::bands_along(arc(24), 4, 1e-4);
+    ASSERT_EQ(inner.size(), 1u);
+    EXPECT_GT(signed_area(inner[0].outer), 0);
+    EXPECT_NEAR(area(inner), 4 * 10 * std::numbers::pi, 4 * 10 * std::numbers::pi * 1e-4);
+    int shared = 0, on_edge = 0;
+    for (const Point p : inner[0].outer) {
+      if (std::abs(length(p) - 22) > 1e-6) continue;
+      ++on_edge;
+      shared += static_cast<int>(std::any_of(outer[0].outer.begin(), outer[0].outer.end(),
+                                             [p](Point q) { return distance(p, q) < 1e-7; }));
+    }
+    EXPECT_GT(on_edge, 100);
+    EXPECT_EQ(shared, on_edge);
+  }
+}
+
+TEST(Bands, shortened_paths) {
+  const Path path{{{0, 0}, {10, 0}, 0}, {{10, 0}, {20, 10}, 0.1}};
+  const Path inner = check::shortened(path, 2);
+  EXPECT_NEAR(length(inner), length(path) - 4, 1e-9);
+  EXPECT_NEAR(distance(inner.front().from, {2, 0}), 0, 1e-9);
+  EXPECT_NEAR(distance(inner.back().to, Point{10 + 10 * std::cos(0.2), 10 - 10 * std::sin(0.2)}), 0, 1e-9);
+  EXPECT_TRUE(check::shortened(path, 13).empty());
+}
+
+}  // namespace
+}  // namespace tramline
