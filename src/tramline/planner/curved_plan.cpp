@@ -43,6 +43,23 @@ Region workable(const SearchTask& task) {
                                       : difference(task.ground.plannable, task.ground.passable);
 }
 
+/// Does anything of the region lie within the first millimetres beyond the end of a swath?
+bool lies_ahead(const Region& region, Point end, Point heading, double width_m) {
+  constexpr double kAhead = 2e-3;
+  const Ring ahead = band(straight_path(end, end + kAhead * heading), width_m);
+  return area(intersection(region, {{ahead, {}}})) > 0.5 * kAhead * kWidthTolerance;
+}
+
+/// Before passable land work is interrupted, which is no stop.
+void keep_stops_at(const Region& hard, double width_m, CurvedTracks& tracks) {
+  for (CurvedPiece& piece : tracks.pieces) {
+    const PathSegment &first = piece.path.front(), &last = piece.path.back();
+    if (piece.stop_at_from)
+      piece.stop_at_from = lies_ahead(hard, first.from, -1 * direction_at_start(first), width_m);
+    if (piece.stop_at_to) piece.stop_at_to = lies_ahead(hard, last.to, direction_at_end(last), width_m);
+  }
+}
+
 /// Of a reference that goes round the ground, anticlockwise as outer rings do.
 TrackRange tracks_inside(const Box& reach, double width_m) {
   const double across = std::hypot(reach.width(), reach.height());
@@ -159,6 +176,7 @@ CurvedCandidate curved_along(const SearchTask& task, const Reference& reference,
       curved_pieces(parallel_family(out.reference, range.first, range.last, limits), task.machine.width_m,
                     ground, end_criterion(task.settings.end_rule, task.objective, task.machine.width_m),
                     min_length_m(task.machine));
+  if (!task.ground.passable.empty()) keep_stops_at(task.ground.hard, width_m, out.tracks);
   out.tally = curved_tally(out.tracks, task.machine.width_m, task.body_m2);
   out.cost = cost(task.objective, out.tally);
   return out;

@@ -88,7 +88,7 @@ Plan bare_plan(const SearchTask& task) {
   plan.body = task.ground.body;
   plan.given_up = task.ground.given_up;
   plan.headland = task.headland;
-  if (!plan.headland.passes.empty())
+  if (!plan.headland.ground.empty())
     plan.headland.unworked = unworked_ground(plan.headland, task.machine.width_m);
   return plan;
 }

@@ -21,23 +21,37 @@ Error no_curve(const Field& field) {
                   field.id));
 }
 
+/// The straight plan, or the curved one where that costs less. Which obstacles have headlands is settled for
+/// either by itself.
+Plan cheaper_shape(const Field& field, const Machine& machine, const Objective& objective,
+                   PlanSettings settings, int threads, const Progress& progress) {
+  settings.shape = TrackShape::kStraight;
+  const SearchTask straight_task = headlanded_task(field, machine, objective, settings, threads);
+  SearchResult straight = straight_search(straight_task, threads, progress);
+  settings.shape = TrackShape::kCurved;
+  const SearchTask curved_task = headlanded_task(field, machine, objective, settings, threads);
+  const std::optional<CurvedCandidate> curved = best_curved(curved_task, threads);
+  const bool bends = curved && (!straight.best.works() || curved->cost < straight.best.cost());
+  Plan plan = bends ? finished_plan(curved_task, *curved) : finished_plan(straight_task, std::move(straight));
+  plan.settings.shape = TrackShape::kAuto;
+  return plan;
+}
+
 }  // namespace
 
 Plan plan_field(const Field& field, const Machine& machine, const Objective& objective,
                 const PlanSettings& settings, int threads, const Progress& progress) {
   validate_request(machine, objective, settings);
+  if (settings.shape == TrackShape::kAuto)
+    return cheaper_shape(field, machine, objective, settings, threads, progress);
   const SearchTask task = headlanded_task(field, machine, objective, settings, threads);
-  if (settings.shape == TrackShape::kCurved && !settings.guide.empty())
-    return finished_plan(task, curved_along(task, reference_along(task, settings.guide, 0)));
   if (settings.shape == TrackShape::kStraight)
     return finished_plan(task, straight_search(task, threads, progress));
+  if (!settings.guide.empty())
+    return finished_plan(task, curved_along(task, reference_along(task, settings.guide, 0)));
   const std::optional<CurvedCandidate> curved = best_curved(task, threads);
-  if (settings.shape == TrackShape::kCurved) {
-    if (!curved) throw no_curve(field);
-    return finished_plan(task, *curved);
-  }
-  Plan straight = finished_plan(task, straight_search(task, threads, progress));
-  return curved && curved->cost < straight.cost ? finished_plan(task, *curved) : straight;
+  if (!curved) throw no_curve(field);
+  return finished_plan(task, *curved);
 }
 
 ExplainedPlan plan_and_explain(const Field& field, const Machine& machine, const Objective& objective,

@@ -1,0 +1,109 @@
+// Maps every curated real field with headlands, straight and curved, and verifies the plans.
+//
+//   map_real [--width W] [--headlands N]
+//
+// Prints a line for everything that is not well and a summary; exit code 1 when a plan fails, when the areas
+// do not add up, when curved tracks were chosen though they cost more, or when a straight map that is to
+// cover everything leaves anything.
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "real/real_fields.h"
+#include "tramline/geometry/error.h"
+#include "tramline/planner/plan_field.h"
+
+namespace tramline::testing {
+namespace {
+
+struct Request {
+  double width_m = 6;
+  int headlands = 1;
+};
+
+struct Outcome {
+  std::vector<std::string> faults;
+  bool planned = false;
+  bool curved = false;
+};
+
+double identity_error_m2(const Plan& plan) {
+  double length_m = 0;
+  for (const TrackPiece& piece : plan.pieces) length_m += length(piece);
+  return plan.machine.width_m * length_m -
+         (area(plan.body) - plan.tally.uncovered_m2 + plan.tally.overlap_m2);
+}
+
+void verify(const Plan& plan, const char* what, std::vector<std::string>& faults) {
+  for (const std::string& fault : faults_of(plan)) faults.push_back(fmt::format("{}: {}", what, fault));
+  if (std::abs(identity_error_m2(plan)) > 1e-6 * area(plan.body))
+    faults.push_back(fmt::format("{}: areas miss by {} m²", what, identity_error_m2(plan)));
+}
+
+Outcome map(const Field& field, const Request& request) {
+  Outcome out;
+  PlanSettings settings;
+  settings.strategy = Strategy::kSweep;
+  settings.headlands = request.headlands;
+  settings.obstacle_headlands = request.headlands;
+  try {
+    settings.end_rule = EndRule::kCover;
+    const Plan covering = plan_field(field, {"", request.width_m, 6, 0}, {}, settings, 1);
+    verify(covering, "straight, cover", out.faults);
+    if (covering.given_up.empty() && covering.tally.uncovered_m2 > 1e-6 * area(covering.body))
+      out.faults.push_back(fmt::format("cover leaves {} m²", covering.tally.uncovered_m2));
+    settings.end_rule = EndRule::kCheapest;
+    const Plan straight = plan_field(field, {"", request.width_m, 6, -1}, {}, settings, 1);
+    settings.shape = TrackShape::kAuto;
+    const Plan best = plan_field(field, {"", request.width_m, 6, -1}, {}, settings, 1);
+    verify(best, "auto", out.faults);
+    out.curved = is_curved(best);
+    if (best.cost > straight.cost)
+      out.faults.push_back(fmt::format("auto costs {:.6f}, straight {:.6f}", best.cost, straight.cost));
+    out.planned = true;
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kBadInput)
+      out.faults.push_back(std::string("the run failed: ") + error.what());
+  }
+  return out;
+}
+
+int run(int argc, char** argv) {
+  const auto fields = read_real_fields();
+  if (!fields) {
+    fmt::print("skipped: no real fields in {}; set TRAMLINE_DATA\n", real_data_folder());
+    return 0;
+  }
+  Request request;
+  for (int i = 1; i + 1 < argc; i += 2) {
+    const std::string word = argv[i];
+    if (word == "--width") request.width_m = std::atof(argv[i + 1]);
+    if (word == "--headlands") request.headlands = std::atoi(argv[i + 1]);
+  }
+  std::vector<std::vector<Outcome>> by_feature(fields->features().size());
+  tbb::parallel_for(std::size_t{0}, by_feature.size(), [&](std::size_t i) {
+    thread_local const Crs crs(fields->dataset.layers.front().crs);  // one serves one thread at a time
+    for (const Field& field : admitted(*fields, crs, fields->features()[i])) {
+      by_feature[i].push_back(map(field, request));
+      for (const std::string& fault : by_feature[i].back().faults) fmt::print("  {}: {}\n", field.id, fault);
+    }
+  });
+  int planned = 0, curved = 0, failed = 0;
+  for (const auto& parts : by_feature)
+    for (const Outcome& one : parts) {
+      planned += one.planned ? 1 : 0;
+      curved += one.curved ? 1 : 0;
+      failed += one.faults.empty() ? 0 : 1;
+    }
+  fmt::print("w {:g} m, {} headland passes: {} fields mapped, {} with curved tracks, {} fail\n",
+             request.width_m, request.headlands, planned, curved, failed);
+  return failed > 0 ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace tramline::testing
+
+int main(int argc, char** argv) { return tramline::testing::run(argc, argv); }
