@@ -144,9 +144,7 @@ Point point_inside(const Polygon& polygon) {
 Region unite(const Region& polygons) {
   return from_geos(checked(GEOSUnaryUnionPrec_r(geos(), to_geos(polygons).get(), kGridSize), "union"));
 }
-Region unite(const Region& a, const Region& b) {
-  return overlay(a, b, GEOSUnionPrec_r, "union");
-}
+Region unite(const Region& a, const Region& b) { return overlay(a, b, GEOSUnionPrec_r, "union"); }
 Region intersection(const Region& a, const Region& b) {
   return overlay(a, b, GEOSIntersectionPrec_r, "intersection");
 }
