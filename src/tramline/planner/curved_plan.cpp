@@ -115,18 +115,12 @@ std::vector<TrackPiece> up_and_down(const CurvedTracks& tracks, const Region& pa
   return out;
 }
 
-/// Chords of the layers are so far off the arcs: a picture of 300 km of arcs needs not be as fine.
-double layer_sagitta(const Plan& plan) {
-  constexpr double kMuch_m = 3e4, kCoarse = 1e-3;
-  return plan.tally.track_length_m > kMuch_m ? kCoarse : kLayerSagitta;
-}
-
 /// The swaths of every other track, and the rest.
-std::vector<Region> worked_grounds(const Plan& plan, double sagitta_m) {
+std::vector<Region> worked_grounds(const Plan& plan) {
   std::vector<Region> out(2);
   for (const TrackPiece& piece : plan.pieces) {
     Region& swaths = out[piece.track % 2 == 0 ? 0 : 1];
-    Polygon swath{band(piece.curve, plan.machine.width_m, sagitta_m), {}};
+    Polygon swath{band(piece.curve, plan.machine.width_m, kLayerSagitta), {}};
     // Round arcs of half the width the inner edge shrinks to a point, and chords may fold there.
     if (!find_invalidity(swath))
       swaths.push_back(std::move(swath));
@@ -139,18 +133,14 @@ std::vector<Region> worked_grounds(const Plan& plan, double sagitta_m) {
 /// The layers of overlap and uncovered land, without the slivers between the chords of swaths that share an
 /// arc.
 void add_layers(Plan& plan) {
-  const double sagitta_m = layer_sagitta(plan);
   plan.uncovered = plan.body;
-  for (const Region& swaths : worked_grounds(plan, sagitta_m)) {
+  for (const Region& swaths : worked_grounds(plan)) {
     const Region ground = unite(swaths);
     plan.uncovered = difference(plan.uncovered, ground);
     for (Polygon& part : difference(ground, plan.body)) plan.overlap.push_back(std::move(part));
   }
-  const auto is_sliver = [sagitta_m](const Polygon& part) {
-    return area(part) < sagitta_m * perimeter(part.outer);
-  };
-  std::erase_if(plan.uncovered, is_sliver);
-  std::erase_if(plan.overlap, is_sliver);
+  std::erase_if(plan.uncovered,
+                [](const Polygon& part) { return area(part) < 0.5 * kLayerSagitta * perimeter(part.outer); });
   plan.overlap = unite(plan.overlap);
 }
 
