@@ -67,11 +67,21 @@ TrackRange tracks_inside(const Box& reach, double width_m) {
 }
 
 /// The part of the ground a piece lies in.
-int subfield_of(const Region& parts, const CurvedPiece& piece) {
+int subfield_of(const Region& parts, const CurvedPiece& piece, double width_m) {
   const Path half = path_between(piece.path, 0, 0.5 * piece.length_m);
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (contains(parts[i], half.back().to)) return static_cast<int>(i);
-  return 0;
+  // Along an edge most of the swath may lie outside, its middle with it.
+  const Region swath = made_valid({band(piece.path, width_m, kLayerSagitta), {}});
+  int best = 0;
+  double most_m2 = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const double inside_m2 = area(intersection(swath, {parts[i]}));
+    if (inside_m2 <= most_m2) continue;
+    most_m2 = inside_m2;
+    best = static_cast<int>(i);
+  }
+  return best;
 }
 
 TrackPiece forwards(const CurvedPiece& piece, int subfield) {
@@ -94,7 +104,7 @@ TrackPiece backwards(TrackPiece piece) {
 }
 
 /// Track by track, each the other way; each part of the ground by itself.
-std::vector<TrackPiece> up_and_down(const CurvedTracks& tracks, const Region& parts) {
+std::vector<TrackPiece> up_and_down(const CurvedTracks& tracks, const Region& parts, double width_m) {
   std::vector<TrackPiece> out;
   for (std::size_t part = 0; part < parts.size(); ++part) {
     std::vector<TrackPiece> track;
@@ -106,7 +116,7 @@ std::vector<TrackPiece> up_and_down(const CurvedTracks& tracks, const Region& pa
       track.clear();
     };
     for (const CurvedPiece& piece : tracks.pieces) {
-      if (subfield_of(parts, piece) != static_cast<int>(part)) continue;
+      if (subfield_of(parts, piece, width_m) != static_cast<int>(part)) continue;
       if (!track.empty() && track.back().track != piece.track) drive();
       track.push_back(forwards(piece, static_cast<int>(part)));
     }
@@ -180,10 +190,10 @@ Plan finished_plan(const SearchTask& task, const CurvedCandidate& candidate) {
   const Direction whole = Direction::along(line.front().from, half_way);
   for (const Polygon& part : task.ground.plannable) plan.subfields.push_back({part, whole});
   plan.reference = candidate.reference;
-  plan.pieces = up_and_down(candidate.tracks, task.ground.plannable);
+  plan.pieces = up_and_down(candidate.tracks, task.ground.plannable, task.machine.width_m);
   for (const CurvedPiece& piece : candidate.tracks.dropped)
-    plan.dropped.push_back(
-        {piece.path.front().from, piece.path.back().to, subfield_of(task.ground.plannable, piece)});
+    plan.dropped.push_back({piece.path.front().from, piece.path.back().to,
+                            subfield_of(task.ground.plannable, piece, task.machine.width_m)});
   plan.tally = candidate.tally;
   plan.cost = candidate.cost;
   plan.directions_tried = 1;
