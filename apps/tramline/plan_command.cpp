@@ -40,9 +40,7 @@ constexpr const char* kMapExample =
     "Example:\n"
     "  tramline map field.geojson --width 4 --headlands 2 --ab \"9.1871,48.7120 9.1893,48.7131\" -o "
     "map.gpkg\n"
-    "  tramline map field.geojson --width 4 --headlands 2 --obstacle-headlands 1 --curved auto --end-rule "
-    "cover "
-    "--picture map.png\n"
+    "  tramline map field.geojson --width 4 --headlands 2 --curved auto --end-rule cover --picture map.png\n"
     "  tramline map field.geojson --width 6 --guide lines.gpkg --guide-where \"name='AB 1'\" --json\n"
     "Takes the options of 'tramline plan', which makes the same of them.";
 
@@ -86,8 +84,6 @@ class PlanCommand : public Command {
     require_writable(output_, "--output", {".gpkg"}, inputs);
     require_writable(picture_, "--picture", {".png", ".svg", ".pdf"}, inputs);
     require_folder(zoom_, "--zoom-obstacles");
-    if ((explain_ || front_) && settings_.shape != TrackShape::kStraight)
-      throw bad_input("--explain and --front are about straight tracks; leave --curved out");
     const FieldInput input = load_fields(field_options_);
     if (!input.fields.empty()) guide_ = guide_of(plan_options_, input.fields.front().source.input_crs);
     const bool single = !field_options_.all && input.fields.size() == 1;
@@ -125,6 +121,10 @@ class PlanCommand : public Command {
   Planned plan_one(const Field& field) const {
     ProgressLine progress(quiet_);
     const PlanSettings settings = settings_for(settings_, guide_, field, machine_);
+    if ((explain_ || front_) && settings.shape != TrackShape::kStraight)
+      throw bad_input(
+          "--explain and --front are about straight tracks; leave --curved out, or give a line without "
+          "bends");
     const auto start = std::chrono::steady_clock::now();
     Planned out;
     if (explain_) {

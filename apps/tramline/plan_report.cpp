@@ -75,14 +75,6 @@ double least_radius_m(const Plan& plan) {
   return least;
 }
 
-/// By how far Σ w·L misses body − uncovered + overlap, m².
-double identity_error_m2(const Plan& plan) {
-  double length_m = 0;
-  for (const TrackPiece& piece : plan.pieces) length_m += length(piece);
-  return std::abs(plan.machine.width_m * length_m -
-                  (area(plan.body) - plan.tally.uncovered_m2 + plan.tally.overlap_m2));
-}
-
 ordered_json reference_json(const Plan& plan) {
   if (plan.reference.empty()) return {};
   const std::vector<Point> line = chords(plan.reference, 0.1);
@@ -99,7 +91,7 @@ void add_map_keys(ordered_json& out, const Plan& plan) {
   out["kind"] = is_curved(plan) ? "curved" : "straight";
   out["reference"] = reference_json(plan);
   out["min_radius_m"] = std::isfinite(radius_m) ? ordered_json(radius_m) : ordered_json();
-  out["identity_error_m2"] = identity_error_m2(plan);
+  out["identity_error_m2"] = std::abs(identity_error_m2(plan));
   out["headland_passes"] = headland.passes.size();
   out["headland_m2"] = area(headland.ground);
   out["headland_length_m"] = length(headland);

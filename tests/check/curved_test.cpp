@@ -17,12 +17,6 @@ namespace {
 
 using namespace testing_plans;
 
-void expect_holds(const Plan& plan) {
-  const check::Verdict verdict = check::verify(plan);
-  EXPECT_TRUE(verdict.holds());
-  for (const check::Violation& v : verdict.violations) ADD_FAILURE() << v.rule << ": " << v.what;
-}
-
 Names found(const Plan& plan) { return rules(check::verify(plan)); }
 
 void replace_curve(TrackPiece& piece, const Path& curve) {

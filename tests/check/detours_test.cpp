@@ -21,12 +21,6 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 Names found(const Plan& plan) { return rules(check::verify(plan)); }
 
-void expect_holds(const Plan& plan) {
-  const check::Verdict verdict = check::verify(plan);
-  EXPECT_TRUE(verdict.holds());
-  for (const check::Violation& v : verdict.violations) ADD_FAILURE() << v.rule << ": " << v.what;
-}
-
 /// The east-going piece with the detour on its left, after a change; with the figures that follow.
 Plan changed(const std::function<void(TrackPiece&)>& change) {
   Plan plan = poles_plan();

@@ -18,12 +18,6 @@ using namespace testing_plans;
 /// Between a right angle and a rounding of 1 m.
 const double kCornerShare = 1 - std::numbers::pi / 4;
 
-void expect_holds(const Plan& plan) {
-  const check::Verdict verdict = check::verify(plan);
-  EXPECT_TRUE(verdict.holds());
-  for (const check::Violation& v : verdict.violations) ADD_FAILURE() << v.rule << ": " << v.what;
-}
-
 Names found(const Plan& plan) { return rules(check::verify(plan)); }
 
 Ring shifted(Ring ring, Point by) {

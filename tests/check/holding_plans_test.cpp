@@ -15,12 +15,6 @@ namespace {
 
 using namespace testing_plans;
 
-void expect_holds(const Plan& plan) {
-  const check::Verdict verdict = check::verify(plan);
-  EXPECT_TRUE(verdict.holds());
-  for (const check::Violation& v : verdict.violations) ADD_FAILURE() << v.rule << ": " << v.what;
-}
-
 TEST(HoldingPlans, rectangle_is_covered_exactly_under_every_end_rule) {
   Plan plan = rectangle_plan();
   for (const EndRule rule : {EndRule::kCentre, EndRule::kCover, EndRule::kInside, EndRule::kCheapest})

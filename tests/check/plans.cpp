@@ -1,5 +1,7 @@
 #include "check/plans.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -402,6 +404,12 @@ std::set<std::string> rules(const check::Verdict& verdict) {
   std::set<std::string> out;
   for (const check::Violation& violation : verdict.violations) out.insert(violation.rule);
   return out;
+}
+
+void expect_holds(const Plan& plan) {
+  const check::Verdict verdict = check::verify(plan);
+  EXPECT_TRUE(verdict.holds());
+  for (const check::Violation& v : verdict.violations) ADD_FAILURE() << v.rule << ": " << v.what;
 }
 
 }  // namespace tramline::testing_plans

@@ -93,4 +93,7 @@ Plan turned(Plan plan, Angle by, Point move);
 std::set<std::string> rules(const check::Verdict& verdict);
 using Names = std::set<std::string>;
 
+/// Fails the running test with every violation.
+void expect_holds(const Plan& plan);
+
 }  // namespace tramline::testing_plans

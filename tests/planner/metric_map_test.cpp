@@ -45,9 +45,7 @@ double overlap_between(const Plan& plan, double low, double high) {
 
 /// S2.15
 void expect_identity(const Plan& plan) {
-  double length_m = 0;
-  for (const TrackPiece& piece : plan.pieces) length_m += length(piece);
-  EXPECT_NEAR(plan.machine.width_m * length_m - plan.tally.overlap_m2, area(plan.body), 1e-6);
+  EXPECT_NEAR(identity_error_m2(plan), 0, 1e-6);
   EXPECT_NEAR(plan.tally.uncovered_m2, 0, 1e-6);
 }
 
@@ -103,9 +101,8 @@ TEST(MetricMap, OfAnL) {
 // round corners of radius 4, y from 16 to 44. Strips from y = 0 in fours:
 // - 0 to 3 and 11 to 14 do not meet it (S2.8, case 1): 8 tracks of 120 m;
 // - 5 to 9 lie within y = 20 … 40, where it is 28 m long: split (case 3) in two pieces of 46 m;
-// - 4 and 10 lie in the rounded bands: as much as 50 m of either end holds some of the body (S2.9), and from
-// there on
-//   nothing: two pieces of 50 m, each over a quarter disc's corner, 16 − 4π m².
+// - 4 and 10 lie in the rounded bands: up to 50 m from either end some of the strip is body (S2.9), beyond
+//   that none: two pieces of 50 m each, over a quarter of the disc of 4 m.
 TEST(MetricMap, GoesPastAnObstacleAndStopsAtIt) {
   const Field field = field_of(box(0, 0, 120, 60), {box(50, 20, 70, 40)});
   const Plan plan = mapped(field, 4, along_x(0, 0, 1));

@@ -7,7 +7,6 @@
 // below its bound.
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <cstdlib>
 #include <string>
@@ -56,6 +55,7 @@ Comparison compare(const Field& field, const Request& request) {
     if (error.kind() != ErrorKind::kBadInput)
       out.faults.push_back(std::string("the run failed: ") + error.what());
   }
+  for (const std::string& fault : out.faults) fmt::print("  {}: {}\n", field.id, fault);
   return out;
 }
 
@@ -95,16 +95,8 @@ int run(int argc, char** argv) {
     if (word == "--scenario") request.scenario = std::atoi(argv[i + 1]);
     if (word == "--width") request.width_m = std::atof(argv[i + 1]);
   }
-  std::vector<std::vector<Comparison>> by_feature(fields->features().size());
-  tbb::parallel_for(std::size_t{0}, by_feature.size(), [&](std::size_t i) {
-    thread_local const Crs crs(fields->dataset.layers.front().crs);  // one serves one thread at a time
-    for (const Field& field : admitted(*fields, crs, fields->features()[i])) {
-      by_feature[i].push_back(compare(field, request));
-      for (const std::string& fault : by_feature[i].back().faults) fmt::print("  {}: {}\n", field.id, fault);
-    }
-  });
-  std::vector<Comparison> all;
-  for (const auto& parts : by_feature) all.insert(all.end(), parts.begin(), parts.end());
+  const std::vector<Comparison> all =
+      for_each_field(*fields, [&](const Field& field) { return compare(field, request); });
   return report(all, request);
 }
 

@@ -7,7 +7,6 @@
 // cover everything leaves anything.
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <cstdlib>
 #include <string>
@@ -29,13 +28,6 @@ struct Outcome {
   bool planned = false;
   bool curved = false;
 };
-
-double identity_error_m2(const Plan& plan) {
-  double length_m = 0;
-  for (const TrackPiece& piece : plan.pieces) length_m += length(piece);
-  return plan.machine.width_m * length_m -
-         (area(plan.body) - plan.tally.uncovered_m2 + plan.tally.overlap_m2);
-}
 
 void verify(const Plan& plan, const char* what, std::vector<std::string>& faults) {
   for (const std::string& fault : faults_of(plan)) faults.push_back(fmt::format("{}: {}", what, fault));
@@ -68,6 +60,7 @@ Outcome map(const Field& field, const Request& request) {
     if (error.kind() != ErrorKind::kBadInput)
       out.faults.push_back(std::string("the run failed: ") + error.what());
   }
+  for (const std::string& fault : out.faults) fmt::print("  {}: {}\n", field.id, fault);
   return out;
 }
 
@@ -83,21 +76,13 @@ int run(int argc, char** argv) {
     if (word == "--width") request.width_m = std::atof(argv[i + 1]);
     if (word == "--headlands") request.headlands = std::atoi(argv[i + 1]);
   }
-  std::vector<std::vector<Outcome>> by_feature(fields->features().size());
-  tbb::parallel_for(std::size_t{0}, by_feature.size(), [&](std::size_t i) {
-    thread_local const Crs crs(fields->dataset.layers.front().crs);  // one serves one thread at a time
-    for (const Field& field : admitted(*fields, crs, fields->features()[i])) {
-      by_feature[i].push_back(map(field, request));
-      for (const std::string& fault : by_feature[i].back().faults) fmt::print("  {}: {}\n", field.id, fault);
-    }
-  });
   int planned = 0, curved = 0, failed = 0;
-  for (const auto& parts : by_feature)
-    for (const Outcome& one : parts) {
-      planned += one.planned ? 1 : 0;
-      curved += one.curved ? 1 : 0;
-      failed += one.faults.empty() ? 0 : 1;
-    }
+  for (const Outcome& one :
+       for_each_field(*fields, [&](const Field& field) { return map(field, request); })) {
+    planned += one.planned ? 1 : 0;
+    curved += one.curved ? 1 : 0;
+    failed += one.faults.empty() ? 0 : 1;
+  }
   fmt::print("w {:g} m, {} headland passes: {} fields mapped, {} with curved tracks, {} fail\n",
              request.width_m, request.headlands, planned, curved, failed);
   return failed > 0 ? 1 : 0;

@@ -1,8 +1,13 @@
 #pragma once
 // Real fields as test material: read, planned and verified.
 
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tramline/geodesy/crs.h"
@@ -26,6 +31,21 @@ std::optional<RealFields> read_real_fields();
 /// The fields that a feature of the dataset makes. Throws Error(kBadInput) where it makes none. `crs` is the
 /// dataset's; it serves one thread at a time.
 std::vector<Field> admitted(const RealFields& fields, const Crs& crs, const RawFeature& feature);
+
+/// What `look` makes of every field, in file order. `look` is called from several threads.
+template <class Look>
+auto for_each_field(const RealFields& fields, const Look& look) {
+  using Seen = decltype(look(std::declval<const Field&>()));
+  std::vector<std::vector<Seen>> by_feature(fields.features().size());
+  tbb::parallel_for(std::size_t{0}, by_feature.size(), [&](std::size_t i) {
+    thread_local const Crs crs(fields.dataset.layers.front().crs);  // one serves one thread at a time
+    for (const Field& field : admitted(fields, crs, fields.features()[i]))
+      by_feature[i].push_back(look(field));
+  });
+  std::vector<Seen> out;
+  for (std::vector<Seen>& parts : by_feature) std::move(parts.begin(), parts.end(), std::back_inserter(out));
+  return out;
+}
 
 /// What the verifier finds, a sentence each; empty where all is well.
 std::vector<std::string> faults_of(const Plan& plan);

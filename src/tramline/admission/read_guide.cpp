@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tramline/admission/project_rings.h"
+#include "tramline/admission/lonlat_reader.h"
 #include "tramline/geodesy/field_projection.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
@@ -12,25 +12,10 @@
 namespace tramline {
 namespace {
 
-std::string file_name(const std::string& path) {
-  const std::size_t slash = path.find_last_of('/');
-  return slash == std::string::npos ? path : path.substr(slash + 1);
-}
-
-Point on_the_globe(Point input, const Crs& crs, const std::string& origin, std::size_t vertex) {
-  const std::string fault = coordinate_fault(input, crs);
-  if (!fault.empty()) throw bad_input(fmt::format("{}: vertex {} {}", origin, vertex + 1, fault));
-  if (crs.plain()) return input;
-  const std::optional<Point> lonlat = crs.to_lonlat(input);
-  if (!lonlat)
-    throw bad_input(fmt::format("{}: vertex {} ({:.10g}, {:.10g}) lies outside {}; correct the file's CRS",
-                                origin, vertex + 1, input.x, input.y, crs.name()));
-  return *lonlat;
-}
-
 GuideLine on_the_globe(const std::vector<Point>& line, const Crs& crs, const std::string& origin) {
   GuideLine out{origin, {}, crs.plain()};
-  for (std::size_t i = 0; i < line.size(); ++i) out.points.push_back(on_the_globe(line[i], crs, origin, i));
+  LonlatReader read(crs, origin);
+  for (const Point p : line) out.points.push_back(read(p));
   return out;
 }
 

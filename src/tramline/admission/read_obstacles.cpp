@@ -2,47 +2,19 @@
 
 #include <fmt/format.h>
 
-#include "tramline/admission/project_rings.h"
+#include "tramline/admission/lonlat_reader.h"
 #include "tramline/admission/zone_prefix.h"
 #include "tramline/geometry/error.h"
 
 namespace tramline {
 namespace {
 
-std::string file_name(const std::string& path) {
-  const std::size_t slash = path.find_last_of('/');
-  return slash == std::string::npos ? path : path.substr(slash + 1);
-}
-
-/// Brings every point of a feature to longitude and latitude, or checks plain ones.
-class Reader {
- public:
-  Reader(const Crs& crs, std::string subject) : crs_(crs), subject_(std::move(subject)) {}
-
-  Point operator()(Point input) {
-    ++vertex_;
-    const std::string fault = coordinate_fault(input, crs_);
-    if (!fault.empty()) throw bad_input(fmt::format("{}: vertex {} {}", subject_, vertex_, fault));
-    if (crs_.plain()) return input;
-    const std::optional<Point> lonlat = crs_.to_lonlat(input);
-    if (!lonlat)
-      throw bad_input(fmt::format("{}: vertex {} ({:.10g}, {:.10g}) lies outside {}; correct the file's CRS",
-                                  subject_, vertex_, input.x, input.y, crs_.name()));
-    return *lonlat;
-  }
-
- private:
-  const Crs& crs_;
-  std::string subject_;
-  int vertex_ = 0;
-};
-
 LooseObstacle read_one(RawFeature feature, const Crs& crs, ObstacleKind kind, const std::string& origin) {
   const auto prefix = zone_prefix_m(feature, crs, origin);
   if (prefix) feature = without_prefix(std::move(feature), *prefix);
   LooseObstacle out{
       origin, kind, std::move(feature.polygons), std::move(feature.lines), std::move(feature.points), {}};
-  Reader read(crs, origin);
+  LonlatReader read(crs, origin);
   const auto take = [&](Point& p) {
     p = read(p);
     out.bounds.extend(p);

@@ -95,6 +95,13 @@ std::optional<Passing> passing_named(std::string_view word) {
 
 double gap(double cost, double bound) { return cost > 0 ? (cost - bound) / cost : 0; }
 
+double identity_error_m2(const Plan& plan) {
+  double length_m = 0;
+  for (const TrackPiece& piece : plan.pieces) length_m += length(piece);
+  return plan.machine.width_m * length_m -
+         (area(plan.body) - plan.tally.uncovered_m2 + plan.tally.overlap_m2);
+}
+
 bool is_curved(const Plan& plan) {
   return std::any_of(plan.pieces.begin(), plan.pieces.end(),
                      [](const TrackPiece& piece) { return !piece.curve.empty(); });

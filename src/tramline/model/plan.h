@@ -116,6 +116,9 @@ struct Plan {
   Front front;  ///< other plans of the field to choose from, where they were asked for
 };
 
+/// Σ w·L − (body − uncovered + overlap), m²: 0 but for rounding, whatever the plan (S2.15).
+double identity_error_m2(const Plan& plan);
+
 /// Does any track?
 bool is_curved(const Plan& plan);
 

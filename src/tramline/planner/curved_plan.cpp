@@ -9,7 +9,6 @@
 #include "tramline/geometry/extended.h"
 #include "tramline/geometry/shifted.h"
 #include "tramline/geometry/smoothed.h"
-#include "tramline/headland/headland.h"
 #include "tramline/planner/finished_plan.h"
 #include "tramline/planner/reference_chains.h"
 #include "tramline/planner/warnings.h"
@@ -105,8 +104,10 @@ TrackPiece backwards(TrackPiece piece) {
 
 /// Track by track, each the other way; each part of the ground by itself.
 std::vector<TrackPiece> up_and_down(const CurvedTracks& tracks, const Region& parts, double width_m) {
+  std::vector<int> subfields;
+  for (const CurvedPiece& piece : tracks.pieces) subfields.push_back(subfield_of(parts, piece, width_m));
   std::vector<TrackPiece> out;
-  for (std::size_t part = 0; part < parts.size(); ++part) {
+  for (int part = 0; part < static_cast<int>(parts.size()); ++part) {
     std::vector<TrackPiece> track;
     bool back = false;
     const auto drive = [&] {
@@ -115,10 +116,10 @@ std::vector<TrackPiece> up_and_down(const CurvedTracks& tracks, const Region& pa
       if (!track.empty()) back = !back;
       track.clear();
     };
-    for (const CurvedPiece& piece : tracks.pieces) {
-      if (subfield_of(parts, piece, width_m) != static_cast<int>(part)) continue;
-      if (!track.empty() && track.back().track != piece.track) drive();
-      track.push_back(forwards(piece, static_cast<int>(part)));
+    for (std::size_t i = 0; i < subfields.size(); ++i) {
+      if (subfields[i] != part) continue;
+      if (!track.empty() && track.back().track != tracks.pieces[i].track) drive();
+      track.push_back(forwards(tracks.pieces[i], part));
     }
     drive();
   }

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <optional>
+#include <utility>
 
 #include "tramline/geometry/error.h"
 #include "tramline/planner/curved_plan.h"
@@ -21,18 +23,30 @@ Error no_curve(const Field& field) {
                   field.id));
 }
 
+/// A curved plan; nullopt where no edge is curved, or headlands round all obstacles leave nothing.
+std::optional<Plan> curved_plan(const Field& field, const Machine& machine, const Objective& objective,
+                                const PlanSettings& settings, int threads, double cheaper_than) {
+  try {
+    const SearchTask task = headlanded_task(field, machine, objective, settings, threads);
+    const std::optional<CurvedCandidate> curved = best_curved(task, threads);
+    if (curved && curved->cost < cheaper_than) return finished_plan(task, *curved);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kBadInput) throw;
+  }
+  return std::nullopt;
+}
+
 /// The straight plan, or the curved one where that costs less. Which obstacles have headlands is settled for
 /// either by itself.
 Plan cheaper_shape(const Field& field, const Machine& machine, const Objective& objective,
                    PlanSettings settings, int threads, const Progress& progress) {
   settings.shape = TrackShape::kStraight;
-  const SearchTask straight_task = headlanded_task(field, machine, objective, settings, threads);
-  SearchResult straight = straight_search(straight_task, threads, progress);
+  const SearchTask task = headlanded_task(field, machine, objective, settings, threads);
+  SearchResult straight = straight_search(task, threads, progress);
+  const double cost = straight.best.works() ? straight.best.cost() : std::numeric_limits<double>::infinity();
   settings.shape = TrackShape::kCurved;
-  const SearchTask curved_task = headlanded_task(field, machine, objective, settings, threads);
-  const std::optional<CurvedCandidate> curved = best_curved(curved_task, threads);
-  const bool bends = curved && (!straight.best.works() || curved->cost < straight.best.cost());
-  Plan plan = bends ? finished_plan(curved_task, *curved) : finished_plan(straight_task, std::move(straight));
+  std::optional<Plan> curved = curved_plan(field, machine, objective, settings, threads, cost);
+  Plan plan = curved ? std::move(*curved) : finished_plan(task, std::move(straight));
   plan.settings.shape = TrackShape::kAuto;
   return plan;
 }

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "tramline/geometry/angle.h"
-#include "tramline/geometry/simplified_line.h"
 
 namespace tramline {
 namespace {
