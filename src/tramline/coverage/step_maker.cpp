@@ -1,0 +1,137 @@
+#include "tramline/coverage/step_maker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "tramline/coverage/working_boom.h"
+
+namespace tramline::coverage {
+namespace {
+
+Point left_of(Heading heading) {
+  const Point forward = heading.unit();
+  return {-forward.y, forward.x};
+}
+
+/// The line across the machine at one end of a step.
+struct Bar {
+  Point middle;
+  Point left;  ///< unit vector
+
+  Point at(double offset_m) const { return middle + offset_m * left; }
+};
+
+/// What a section works between two shares of the way from one bar to the other.
+Quad between(const Bar& rear, const Bar& front, const Section& section, double from, double to) {
+  const auto place = [&](double offset_m, double share) {
+    return (1 - share) * rear.at(offset_m) + share * front.at(offset_m);
+  };
+  return {place(section.left_m, from), place(section.right_m, from), place(section.right_m, to),
+          place(section.left_m, to)};
+}
+
+bool has(const Boom& boom, const Section& section) {
+  return std::find(boom.begin(), boom.end(), section) != boom.end();
+}
+
+/// Switched half way; a run of sections that works on both sides is one quad.
+std::vector<Quad> switched_half_way(const Bar& rear, const Bar& front, const Boom& before,
+                                    const Boom& after) {
+  std::vector<Quad> out;
+  for (const Section& section : before)
+    out.push_back(between(rear, front, section, 0, has(after, section) ? 1 : 0.5));
+  for (const Section& section : after)
+    if (!has(before, section)) out.push_back(between(rear, front, section, 0.5, 1));
+  return out;
+}
+
+double span_m(const Boom& boom) { return boom.empty() ? 0 : boom.front().left_m - boom.back().right_m; }
+
+}  // namespace
+
+Boom StepMaker::working_at(const Fix& fix, const std::vector<Boom>& booms) {
+  const double half_m = settings_.width_m / 2;
+  const Boom boom = fix.boom >= 0 ? booms[static_cast<std::size_t>(fix.boom)] : Boom{{half_m, -half_m}};
+  if (fix.boom < 0 && std::isnan(half_m) && fix.work != WorkState::kOff) ++breaks_.without_width;
+  return working_boom(fix, boom, settings_.unknown_works);
+}
+
+bool StepMaker::joins(const End& from, const End& to) {
+  const double time_s = to.time_s - from.time_s;  // NaN without times: nothing is known against it
+  if (time_s < 0) return ++breaks_.backwards, false;
+  if (time_s > settings_.max_gap_s) return ++breaks_.gaps, false;
+  if (distance(from.antenna, to.antenna) > settings_.max_step_m) return ++breaks_.jumps, false;
+  return true;
+}
+
+Point StepMaker::middle(const End& end, Heading heading) const {
+  const Point left = left_of(heading);
+  return end.antenna - (settings_.antenna_forward_m + settings_.implement_behind_m) * heading.unit() +
+         settings_.antenna_right_m * left;
+}
+
+std::vector<Quad> StepMaker::quads(const End& from, const End& to) const {
+  Heading rear = from.heading ? *from.heading : *to.heading;
+  Heading front = *to.heading;
+  if (settings_.quads == QuadShape::kSegment) {
+    const Heading course = Heading::from_to(from.antenna, to.antenna);
+    const bool back = reverses(front, course);
+    rear = front = back ? Heading::from_to(to.antenna, from.antenna) : course;
+  }
+  const Bar rear_bar{middle(from, rear), left_of(rear)};
+  const Bar front_bar{middle(to, front), left_of(front)};
+  const Boom& after = settings_.switching == Switching::kStep ? from.working : to.working;
+  return switched_half_way(rear_bar, front_bar, from.working, after);
+}
+
+std::optional<WorkedStep> StepMaker::step(Unit& unit, const End& to) {
+  const End& from = *unit.last;
+  std::vector<Quad> worked = quads(from, to);
+  if (worked.empty()) return std::nullopt;
+  if (unit.run < 0) {
+    unit.run = runs_++;
+    unit.travel_m = 0;
+  }
+  const double step_m = distance(from.antenna, to.antenna);
+  unit.travel_m += step_m;
+  worked_m_ += step_m;
+  if (to.time_s > from.time_s) worked_s_ += to.time_s - from.time_s;
+  return WorkedStep{std::move(worked), unit.run, unit.travel_m,
+                    std::max(span_m(from.working), span_m(to.working)), fixes_ - 1};
+}
+
+std::optional<WorkedStep> StepMaker::add(const Fix& fix, const std::vector<Boom>& booms) {
+  ++fixes_;
+  Unit& unit = units_[fix.unit];
+  End to{fix.time_s, fix.position, std::nullopt, working_at(fix, booms)};
+  if (unit.last && !joins(*unit.last, to)) {
+    unit = Unit{};
+  }
+  const bool recorded = !std::isnan(fix.heading.degrees());
+  const std::optional<Heading> course = unit.course.at(to.antenna);
+  to.heading = recorded ? std::optional(fix.heading) : course;
+  if (!unit.last) {
+    unit.last = std::move(to);
+    return std::nullopt;
+  }
+  const bool needs_way = settings_.quads == QuadShape::kSegment || !recorded;
+  const bool too_short = needs_way && distance(unit.last->antenna, to.antenna) < kLeastStep_m;
+  if (!to.heading || too_short) {
+    unit.last->time_s = to.time_s;
+    unit.last->working = std::move(to.working);
+    if (unit.last->working.empty()) unit.run = -1;
+    return std::nullopt;
+  }
+  std::optional<WorkedStep> out = step(unit, to);
+  if (to.working.empty()) unit.run = -1;
+  unit.last = std::move(to);
+  return out;
+}
+
+bool says_work(const WorkLog& log) {
+  return std::any_of(log.fixes.begin(), log.fixes.end(),
+                     [](const Fix& fix) { return fix.work != WorkState::kUnknown || fix.has_sections; });
+}
+
+}  // namespace tramline::coverage

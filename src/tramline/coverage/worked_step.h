@@ -1,0 +1,27 @@
+#pragma once
+// What a machine worked between two fixes: the input of every engine of coverage.
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "tramline/geometry/point.h"
+
+namespace tramline::coverage {
+
+/// The ground one run of adjacent working sections works between two fixes (S3.2): rear left, rear right,
+/// front right, front left. P' is always the left one, unlike in S3's equations 3 and 4, which change sides
+/// with the heading. It may cross itself where the machine turns on the spot (a bow-tie: two triangles, both
+/// worked), be run through in either sense where it reverses, and be empty where it stands.
+using Quad = std::array<Point, 4>;
+
+/// One step of the drive. Frame: local metres.
+struct WorkedStep {
+  std::vector<Quad> quads;
+  int run = 0;          ///< an unbroken stretch of work; numbered from 0 in order of time
+  double travel_m = 0;  ///< driven along the run up to the front of the step
+  double reach_m = 0;  ///< the last w of travel: quads of the run no further back than this are its own trail
+  std::size_t fix = 0;  ///< index of the fix at the step's front
+};
+
+}  // namespace tramline::coverage

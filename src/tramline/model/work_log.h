@@ -1,0 +1,88 @@
+#pragma once
+// What a machine recorded while it worked: fixes as a log has them, before anything is concluded from them.
+
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "tramline/geometry/angle.h"
+#include "tramline/geometry/point.h"
+
+namespace tramline {
+
+/// One section of a machine: what lies between two lines along its way, metres from the middle of the
+/// machine, positive to the left. left_m > right_m.
+struct Section {
+  double left_m = 0;
+  double right_m = 0;
+
+  friend bool operator==(const Section& a, const Section& b) = default;
+};
+
+/// The sections of a machine at one time, from left to right; a machine without sections is one section.
+using Boom = std::vector<Section>;
+
+/// As many as ISO 11783-11 condenses into sixteen values (DDI 161-176).
+inline constexpr std::size_t kMostSections = 256;
+using SectionStates = std::bitset<kMostSections>;
+
+enum class WorkState : std::uint8_t { kUnknown, kOff, kOn };
+
+/// One record of a log. What was not recorded is NaN, unknown or -1.
+struct Fix {
+  double time_s = std::numeric_limits<double>::quiet_NaN();  ///< see WorkLog::clock
+  Point position;                                            ///< see WorkLog::positions
+  Heading heading;                                           ///< NaN: not recorded
+  double speed_mps = std::numeric_limits<double>::quiet_NaN();
+  int boom = -1;  ///< which of WorkLog::booms; -1: the log does not say how wide the machine worked
+  WorkState work = WorkState::kUnknown;
+  bool has_sections = false;  ///< the states of sections are known
+  SectionStates sections;     ///< working ones, in the order of the boom
+  int unit = 0;               ///< fixes of different units (machines, rows of one machine) are never joined
+  std::size_t record = 0;     ///< place in the file, from 1: line of a text, record of a binary file
+};
+
+/// One record that was not used.
+struct SkippedRecord {
+  std::size_t record = 0;
+  std::string why;
+};
+
+/// Skipped records: all are counted, the first kListed are listed.
+struct SkippedRecords {
+  static constexpr std::size_t kListed = 100;
+  std::size_t count = 0;
+  std::vector<SkippedRecord> listed;
+
+  void add(std::size_t record, std::string why);
+};
+
+/// Frame of the positions.
+enum class Positions : std::uint8_t {
+  kLonLat,  ///< WGS 84 longitude and latitude, degrees
+  kLocal,   ///< metres: of the field's frame, or plain ones
+};
+
+/// What Fix::time_s counts.
+enum class Clock : std::uint8_t {
+  kNone,   ///< no times
+  kUtc,    ///< seconds since 1970-01-01T00:00 UTC (or local time where the log does not say)
+  kOfDay,  ///< seconds since midnight
+  kOther,  ///< seconds since a moment that is not known
+};
+
+/// A log: its fixes in the order of the file.
+struct WorkLog {
+  std::string name;  ///< file, and the log within it: "TASKDATA.zip/TLG00001"
+  Positions positions = Positions::kLonLat;
+  Clock clock = Clock::kNone;
+  std::vector<Boom> booms;  ///< each different one once
+  std::vector<Fix> fixes;
+  SkippedRecords skipped;
+  std::vector<std::string> notes;  ///< what the reader assumed, one sentence each
+};
+
+}  // namespace tramline
