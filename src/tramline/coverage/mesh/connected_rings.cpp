@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdlib>
 #include <unordered_map>
+#include <utility>
 
 namespace tramline::coverage {
 namespace {
@@ -31,6 +32,17 @@ std::size_t way_on(Corners inside, std::size_t heading) {
   return (heading + 3) % 4;
 }
 
+/// Only there can a way pass through a mesh twice.
+bool two_opposite(Corners inside) {
+  return inside == (kNorthEast | kSouthWest) || inside == (kNorthWest | kSouthEast);
+}
+
+/// A closed way along a boundary.
+struct Way {
+  MeshRing meshes;
+  bool may_repeat = false;
+};
+
 /// Where a walk is: a mesh of a row.
 struct Place {
   int y = 0;
@@ -47,12 +59,13 @@ class Walk {
   bool begins(Place place, std::size_t side) const {
     return leaves_by(mesh(place).inside, side) && (walked(place) >> side & 1U) == 0;
   }
-  /// All that is left of the closed way from there; meshes may repeat.
-  MeshRing from(Place place, std::size_t side) {
-    MeshRing out;
+  /// The closed way from there.
+  Way from(Place place, std::size_t side) {
+    Way out;
     while ((walked(place) >> side & 1U) == 0) {
       walked(place) = static_cast<std::uint8_t>(walked(place) | 1U << side);
-      out.push_back({mesh(place).x, place.y});
+      out.meshes.push_back({mesh(place).x, place.y});
+      out.may_repeat = out.may_repeat || two_opposite(mesh(place).inside);
       place = neighbour(place, side);
       side = way_on(mesh(place).inside, side);
     }
@@ -86,10 +99,14 @@ struct MeshHash {
 };
 
 /// Cuts a way that passes through meshes twice into rings that do not.
-void append_simple(const MeshRing& way, std::vector<MeshRing>& out) {
+void append_simple(Way way, std::vector<MeshRing>& out) {
+  if (!way.may_repeat) {
+    out.push_back(std::move(way.meshes));
+    return;
+  }
   std::unordered_map<Mesh, std::size_t, MeshHash> places;
   MeshRing rest;
-  for (const Mesh mesh : way) {
+  for (const Mesh mesh : way.meshes) {
     if (const auto found = places.find(mesh); found != places.end()) {
       const auto begin = rest.begin() + static_cast<std::ptrdiff_t>(found->second);
       out.emplace_back(begin, rest.end());
