@@ -57,5 +57,25 @@ void mesh_leakage(benchmark::State& state) {
 }
 BENCHMARK(mesh_leakage)->Apply(points_and_meshes)->Unit(benchmark::kMillisecond);
 
+/// Rows of 500 m, 12 m wide, 0.1 m of it worked twice, in steps of 2 m: does a quad cost more as the day goes
+/// on? On a slant, where boundaries have the most meshes.
+void mesh_long_drive(benchmark::State& state) {
+  constexpr int kStepsPerRow = 250;
+  const auto place = [](double x, double y) { return Point{0.96 * x - 0.28 * y, 0.28 * x + 0.96 * y}; };
+  for (auto _ : state) {
+    MeshCoverage engine({}, coverage::kMesh_m);
+    for (int i = 0; i < state.range(0); ++i) {
+      const int row = i / kStepsPerRow, along = i % kStepsPerRow;
+      const double ahead = row % 2 == 0 ? 2 : -2;
+      const double x = row % 2 == 0 ? 2.0 * along : 500 - 2.0 * along, y = 11.9 * row;
+      engine.add(
+          {{{place(x, y + 12), place(x, y), place(x + ahead, y), place(x + ahead, y + 12)}}, row, 0, 12, 0});
+    }
+    benchmark::DoNotOptimize(engine);
+  }
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+BENCHMARK(mesh_long_drive)->Arg(1000)->Arg(3000)->Arg(10000)->Arg(30000)->Unit(benchmark::kMillisecond);
+
 }  // namespace
 }  // namespace tramline::bench

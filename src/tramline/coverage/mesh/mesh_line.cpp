@@ -23,7 +23,7 @@ void append_column(std::int32_t x, std::int32_t from, std::int32_t to, std::vect
 }  // namespace
 
 FinePoint fine_point(Point p, double mesh_m) {
-  const double most = static_cast<double>(kFarthestMesh);
+  const auto most = static_cast<double>(kFarthestMesh);
   const Point q = (1 / mesh_m) * p;
   if (!(std::abs(q.x) < most && std::abs(q.y) < most))
     throw bad_input(
@@ -39,7 +39,7 @@ Mesh mesh_at(FinePoint p) {
 }
 
 void append_mesh_line(FinePoint a, FinePoint b, std::vector<Mesh>& out) {
-  const bool backwards = std::pair(b.x, b.y) < std::pair(a.x, a.y);
+  const bool backwards = b.x < a.x;
   if (backwards) std::swap(a, b);
   const Mesh first = mesh_at(a), last = mesh_at(b);
   const std::size_t known = out.size();

@@ -1,6 +1,7 @@
 #include "tramline/coverage/mesh/mesh_region.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace tramline::coverage {
 namespace {
@@ -11,9 +12,12 @@ struct Passage {
   int change = 0;
 };
 
-bool before(const Passage& a, const Passage& b) {
-  return a.mesh.y != b.mesh.y ? a.mesh.y < b.mesh.y : a.mesh.x < b.mesh.x;
-}
+/// Ordered by rows, and along them.
+struct Before {
+  bool operator()(const Passage& a, const Passage& b) const {
+    return a.mesh.y != b.mesh.y ? a.mesh.y < b.mesh.y : a.mesh.x < b.mesh.x;
+  }
+};
 
 void append_passages(const MeshRing& ring, std::vector<Passage>& out) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -25,7 +29,7 @@ void append_passages(const MeshRing& ring, std::vector<Passage>& out) {
 
 /// One for each mesh, ordered.
 std::vector<Passage> merged(std::vector<Passage> passages) {
-  std::sort(passages.begin(), passages.end(), before);
+  std::sort(passages.begin(), passages.end(), Before{});
   std::size_t kept = 0;
   for (const Passage& passage : passages) {
     if (kept > 0 && passages[kept - 1].mesh == passage.mesh)
