@@ -1,0 +1,31 @@
+#include "tramline/io/fixes/boom_list.h"
+
+#include <numeric>
+
+namespace tramline::io {
+
+int BoomList::number_of(const Boom& boom) {
+  std::vector<double> key;
+  key.reserve(2 * boom.size());
+  for (const Section& section : boom) key.insert(key.end(), {section.left_m, section.right_m});
+  const auto [at, is_new] = numbers_.try_emplace(std::move(key), static_cast<int>(booms_.size()));
+  if (is_new) booms_.push_back(boom);
+  return at->second;
+}
+
+Boom side_by_side(std::span<const double> widths_m) {
+  double left = 0.5 * std::accumulate(widths_m.begin(), widths_m.end(), 0.0);
+  Boom out;
+  for (const double width : widths_m) {
+    out.push_back({left, left - width});
+    left -= width;
+  }
+  return out;
+}
+
+Boom one_section(double width_m) {
+  if (!(width_m > 0)) return {};
+  return {{0.5 * width_m, -0.5 * width_m}};
+}
+
+}  // namespace tramline::io

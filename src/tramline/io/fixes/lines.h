@@ -1,0 +1,60 @@
+#pragma once
+// The lines of a text, one after the other, from a file that may be gzipped.
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace tramline::io {
+
+/// Refused beyond this: what a compressed file expands to, or a file that has to be read whole.
+inline constexpr std::size_t kMostExpanded = std::size_t{1} << 30;
+/// No line of a log is as long.
+inline constexpr std::size_t kLongestLine = std::size_t{1} << 20;
+
+/// Where lines come from.
+class Lines {
+ public:
+  virtual ~Lines() = default;
+  /// The next line without its end; false after the last. A last line without an end counts.
+  virtual bool next(std::string& line) = 0;
+  /// Why the text stopped before its end; empty when it did not.
+  virtual std::string cut_off() const { return {}; }
+};
+
+/// Lines of a text in memory, which has to outlive this.
+class TextLines final : public Lines {
+ public:
+  explicit TextLines(std::string_view text) : rest_(text) {}
+  bool next(std::string& line) override;
+
+ private:
+  std::string_view rest_;
+};
+
+/// Lines of a file, plain or gzipped. Throws bad_input when it cannot be opened, when a gzipped file expands
+/// to more than kMostExpanded bytes and when a line is longer than kLongestLine. Memory does not grow with
+/// the file.
+class FileLines final : public Lines {
+ public:
+  explicit FileLines(const std::string& path);
+  FileLines(const FileLines&) = delete;
+  FileLines& operator=(const FileLines&) = delete;
+  ~FileLines() override;
+  bool next(std::string& line) override;
+  std::string cut_off() const override;
+
+ private:
+  struct File;
+  std::unique_ptr<File> file_;
+};
+
+/// The first bytes of a file, expanded when it is gzipped. Throws bad_input when it cannot be opened.
+std::string first_bytes(const std::string& path, std::size_t most);
+
+/// A whole file, expanded when it is gzipped. Throws bad_input when it cannot be opened and beyond
+/// kMostExpanded.
+std::string whole_text(const std::string& path);
+
+}  // namespace tramline::io

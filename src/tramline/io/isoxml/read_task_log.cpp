@@ -1,0 +1,158 @@
+#include "tramline/io/isoxml/read_task_log.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "tramline/geometry/error.h"
+#include "tramline/io/fixes/boom_list.h"
+#include "tramline/io/fixes/number_text.h"
+#include "tramline/io/fixes/places.h"
+#include "tramline/io/isoxml/logged_machine.h"
+#include "tramline/io/isoxml/time_log_header.h"
+#include "tramline/io/isoxml/time_log_records.h"
+
+namespace tramline::io {
+namespace {
+
+// ISO 11783-10, PTN@D.
+constexpr int kNoPosition = 0, kPositionError = 14;
+
+std::string fault_of(const TimeLogRecord& record) {
+  if (record.status == kNoPosition) return "the receiver had no position";
+  if (record.status == kPositionError) return "the receiver was in error";
+  return fault_of_lonlat(record.lonlat_deg);
+}
+
+std::vector<std::string> names_of(const std::vector<LogEntry>& logs) {
+  std::vector<std::string> out;
+  for (const LogEntry& log : logs) out.push_back(log.name);
+  return out;
+}
+
+/// The logs that are meant.
+std::vector<LogEntry> chosen(const TaskFiles& files, const TaskData& tasks, const std::string& wanted) {
+  const std::string name = wanted.empty() ? files.only_log() : wanted;
+  const auto is_named = [&](const LogEntry& log) { return lower_case(log.name) == lower_case(name); };
+  if (name.empty()) {
+    if (tasks.logs.empty())
+      throw bad_input(fmt::format("'{}' holds no time log; export the tasks with their logs", files.path()));
+    return tasks.logs;
+  }
+  if (const auto at = std::find_if(tasks.logs.begin(), tasks.logs.end(), is_named); at != tasks.logs.end())
+    return {*at};
+  // A log beside a task set that does not name it was asked for by its own name.
+  if (files.read(name + ".xml") || files.read(name + ".bin")) return {{name, "", "", ""}};
+  throw bad_input(
+      fmt::format("'{}' has no log '{}'; found {}", files.path(), name,
+                  tasks.logs.empty() ? "none" : fmt::format("{}", fmt::join(names_of(tasks.logs), ", "))));
+}
+
+WorkLog read_one(const TaskFiles& files, const LogEntry& entry, const TaskData& tasks) {
+  const std::string place = fmt::format("'{}', {}", files.path(), entry.name);
+  const auto xml = files.read(entry.name + ".xml"), bin = files.read(entry.name + ".bin");
+  if (!xml)
+    throw bad_input(fmt::format("{}: the header {}.xml is missing; without it the records cannot be read",
+                                place, entry.name));
+  if (!bin) throw bad_input(fmt::format("{}: the records {}.bin are missing", place, entry.name));
+  return decode_time_log(*xml, *bin, tasks.elements, place);
+}
+
+/// Whether a log of several that are joined has its files.
+bool has_files(const TaskFiles& files, const LogEntry& entry) {
+  return files.read(entry.name + ".xml") && files.read(entry.name + ".bin");
+}
+
+void append(WorkLog& all, WorkLog&& part, const LogEntry& entry, int unit, BoomList& booms) {
+  std::vector<int> numbers;
+  for (const Boom& boom : part.booms) numbers.push_back(booms.number_of(boom));
+  for (Fix fix : part.fixes) {
+    fix.unit = unit;
+    if (fix.boom >= 0) fix.boom = numbers[static_cast<std::size_t>(fix.boom)];
+    all.fixes.push_back(fix);
+  }
+  for (const SkippedRecord& skipped : part.skipped.listed)
+    all.skipped.add(skipped.record, entry.name + ": " + skipped.why);
+  all.skipped.count += part.skipped.count - part.skipped.listed.size();
+  for (const std::string& note : part.notes) all.notes.push_back(entry.name + ": " + note);
+}
+
+}  // namespace
+
+WorkLog decode_time_log(std::string_view header_xml, std::string_view bytes,
+                        const std::vector<DeviceElement>& elements, const std::string& place) {
+  const TimeLogHeader header = read_time_log_header(header_xml, place + ", header");
+  if (!header.has_position)
+    throw bad_input(fmt::format("{} records no positions (its header has no element PTN)", place));
+  WorkLog log;
+  log.clock = Clock::kUtc;
+  LoggedMachine machine(header, elements);
+  BoomList booms;
+  TimeLogRecords records(header, bytes);
+  while (const auto record = records.next()) {
+    machine.update(*record);
+    if (std::string fault = fault_of(*record); !fault.empty()) {
+      log.skipped.add(record->number, std::move(fault));
+      continue;
+    }
+    Fix fix;
+    fix.record = record->number;
+    fix.time_s = record->time_s;
+    fix.position = record->lonlat_deg;
+    machine.describe(fix, booms);
+    log.fixes.push_back(fix);
+  }
+  log.booms = booms.booms();
+  for (const SkippedRecord& skipped : records.skipped().listed) log.skipped.add(skipped.record, skipped.why);
+  log.skipped.count += records.skipped().count - records.skipped().listed.size();
+  log.notes = machine.notes();
+  skip_strays(log);
+  return log;
+}
+
+WorkLog read_task_log(const std::string& path, const std::string& wanted) {
+  const TaskFiles files = TaskFiles::open(path);
+  const TaskData tasks = read_task_data(files);
+  const std::vector<LogEntry> logs = chosen(files, tasks, wanted);
+  WorkLog all;
+  all.clock = Clock::kUtc;
+  if (logs.size() == 1) {
+    all = read_one(files, logs.front(), tasks);
+  } else {
+    BoomList booms;
+    int unit = 0;
+    for (const LogEntry& entry : logs) {
+      if (!has_files(files, entry)) {
+        all.notes.push_back(entry.name + ": its .xml or .bin is missing; it was left out");
+        continue;
+      }
+      append(all, read_one(files, entry, tasks), entry, unit++, booms);
+    }
+    all.booms = booms.booms();
+    all.notes.push_back(
+        fmt::format("{} logs of {} were joined: each is driven for itself", unit, logs.size()));
+  }
+  if (all.fixes.empty())
+    throw bad_input(fmt::format("'{}' has no record with a possible position ({} were skipped{})", path,
+                                all.skipped.count,
+                                all.skipped.listed.empty() ? "" : ": " + all.skipped.listed.front().why));
+  return all;
+}
+
+std::vector<LogEntry> list_task_logs(const std::string& path) {
+  const TaskFiles files = TaskFiles::open(path);
+  if (!files.only_log().empty()) return {{files.only_log(), "", "", ""}};
+  return read_task_data(files).logs;
+}
+
+RawDataset read_partfields(const std::string& path) {
+  RawDataset out = read_task_data(TaskFiles::open(path)).partfields;
+  if (out.layers.empty() || out.layers.front().name != "partfields")
+    throw bad_input(fmt::format(
+        "'{}' has no partfield with a boundary{}", path,
+        out.skipped.empty() ? "" : " (" + out.skipped.front().what + ": " + out.skipped.front().why + ")"));
+  return out;
+}
+
+}  // namespace tramline::io

@@ -1,0 +1,36 @@
+#pragma once
+// Time logs of ISOXML task sets (ISO 11783-10, annex D).
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tramline/io/fixes/log_entry.h"
+#include "tramline/io/isoxml/task_data.h"
+#include "tramline/model/raw_feature.h"
+#include "tramline/model/work_log.h"
+
+namespace tramline::io {
+
+/// One time log from its two files; `elements`: of all devices, may be empty. Without a heading and a speed,
+/// which time logs do not have. Records without a possible position are skipped. Throws bad_input for a
+/// header that cannot be read or that names no positions; the fixes may be none. O(size).
+WorkLog decode_time_log(std::string_view header_xml, std::string_view records,
+                        const std::vector<DeviceElement>& elements, const std::string& place);
+
+/// The time log called `log` of a task set, or all of them in the order of its tasks, each with a unit of its
+/// own. `path`: see TaskFiles::open(). Throws bad_input for a task set without time logs, for a name that is
+/// not among them (listing those there are), for a log whose header or records are missing, and when no
+/// record has a possible position. O(size).
+WorkLog read_task_log(const std::string& path, const std::string& log);
+
+/// The time logs of a task set; of a folder without TASKDATA.XML, those that lie in it cannot be listed.
+std::vector<LogEntry> list_task_logs(const std::string& path);
+
+/// The partfields of a task set as fields: layer "partfields" with one feature for each, called by its
+/// identifier ("PFD1"), and layer "obstacles" where there are some. What cannot be read is put into
+/// `skipped`. Throws bad_input like TaskFiles::open(), and when there is no partfield with a boundary.
+/// O(size).
+RawDataset read_partfields(const std::string& path);
+
+}  // namespace tramline::io

@@ -1,0 +1,44 @@
+#pragma once
+// What TASKDATA.XML says about machines and tasks, as plain values.
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tramline/io/fixes/log_entry.h"
+#include "tramline/io/isoxml/task_files.h"
+#include "tramline/model/raw_feature.h"
+
+namespace tramline::io {
+
+/// Data dictionary identifiers of ISO 11783-11 that are read.
+namespace ddi {
+inline constexpr unsigned kActualWidth = 67, kDefaultWidth = 68, kMostWidth = 70, kOffsetY = 135,
+                          kWorkState = 141, kFirstCondensed = 161, kLastCondensed = 176;
+}
+
+/// Part of a machine (element DET).
+struct DeviceElement {
+  std::string id;        ///< "DET-1"
+  std::string device;    ///< of the device it belongs to
+  unsigned type = 0;     ///< 1 device, 2 function, 4 section, 5 unit …
+  long long number = 0;  ///< within the device; sections are numbered by it
+  long long parent = 0;  ///< object id
+  long long object = 0;
+  std::map<unsigned, long long> properties;  ///< fixed values (DPT) by identifier
+};
+
+struct TaskData {
+  std::vector<DeviceElement> elements;
+  std::vector<LogEntry> logs;  ///< in the order of the tasks
+  RawDataset partfields;       ///< layers "partfields" and "obstacles", without those that are empty
+};
+
+/// Reads TASKDATA.XML and the external files it names (XFR). Throws bad_input, naming the file, for damaged
+/// XML and for a named external file that is missing. O(size).
+TaskData read_task_data(const TaskFiles& files);
+
+}  // namespace tramline::io

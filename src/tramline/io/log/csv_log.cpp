@@ -1,0 +1,144 @@
+#include "tramline/io/log/csv_log.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "tramline/geometry/error.h"
+#include "tramline/io/fixes/number_text.h"
+#include "tramline/io/log/settle_positions.h"
+#include "tramline/io/log/width_unit.h"
+
+namespace tramline::io {
+namespace {
+
+/// Splits a row; "" within quotes is a quote. Returns whether a quoted field is left open at the end.
+bool split(std::string_view line, char separator, std::vector<std::string>& cells) {
+  cells.clear();
+  cells.emplace_back();
+  bool quoted = false, at_start = true;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (quoted) {
+      if (c != '"')
+        cells.back() += c;
+      else if (i + 1 < line.size() && line[i + 1] == '"')
+        cells.back() += line[++i];
+      else
+        quoted = false;
+    } else if (c == '"' && at_start) {
+      quoted = true;
+    } else if (c == separator) {
+      cells.emplace_back();
+      at_start = true;
+      continue;
+    } else {
+      cells.back() += c;
+    }
+    at_start = false;
+  }
+  return quoted;
+}
+
+bool is_comment(std::string_view line) {
+  return line.starts_with('#') || line.starts_with('%') || line.starts_with("//");
+}
+
+char separator_of(std::string_view header) {
+  constexpr std::array kSeparators = {',', ';', '\t'};
+  std::array<std::size_t, kSeparators.size()> counts{};
+  bool quoted = false;
+  for (const char c : header) {
+    if (c == '"') quoted = !quoted;
+    for (std::size_t i = 0; i < kSeparators.size(); ++i)
+      if (!quoted && c == kSeparators[i]) ++counts[i];
+  }
+  const auto most = std::max_element(counts.begin(), counts.end());
+  return kSeparators[static_cast<std::size_t>(most - counts.begin())];
+}
+
+}  // namespace
+
+CsvLog::CsvLog(std::string columns, std::string place)
+    : columns_(std::move(columns)), place_(std::move(place)) {}
+
+std::optional<Fix> CsvLog::add(std::string_view line) {
+  ++line_;
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  if (line_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+  if (line_ == 1 && (line.starts_with("\xFF\xFE") || line.starts_with("\xFE\xFF")))
+    throw bad_input(fmt::format("{} is text in UTF-16; save it as UTF-8", place_));
+  if (!open_row_.empty()) {
+    if (open_row_.size() + line.size() > kLongestLine)
+      throw bad_input(fmt::format("{}, line {}: a quoted field is never closed", place_, open_line_));
+    open_row_ += '\n';
+    open_row_ += line;
+    const std::string whole = std::exchange(open_row_, {});
+    return row(whole, open_line_);
+  }
+  const std::string_view text = trimmed(line);
+  if (text.empty() || is_comment(text)) return std::nullopt;
+  if (!rows_) {
+    read_header(line);
+    return std::nullopt;
+  }
+  return row(line, line_);
+}
+
+void CsvLog::read_header(std::string_view line) {
+  if (line.size() == 5 && lower_case(line).starts_with("sep=")) {
+    separator_ = line[4];
+    return;
+  }
+  if (separator_ == 0) separator_ = separator_of(line);
+  split(line, separator_, cells_);
+  const auto is_number = [](const std::string& cell) { return number_in(cell).has_value(); };
+  if (std::count_if(cells_.begin(), cells_.end(), is_number) >= 2)
+    throw bad_input(
+        fmt::format("{}, line {}: numbers stand where the names of the columns should; put a line such as "
+                    "lon,lat,time first",
+                    place_, line_));
+  rows_.emplace(cells_, TableForm{place_, columns_, true, separator_ != ','});
+}
+
+std::optional<Fix> CsvLog::row(std::string_view line, std::size_t record) {
+  if (split(line, separator_, cells_)) {
+    open_row_ = line;
+    open_line_ = record;
+    return std::nullopt;
+  }
+  const std::vector<std::string_view> cells(cells_.begin(), cells_.end());
+  return rows_->add(cells, record);
+}
+
+WorkLog read_csv_log(Lines& lines, const std::string& columns, const std::string& crs,
+                     const std::string& place) {
+  CsvLog csv(columns, place);
+  WorkLog log;
+  std::vector<RecordedDistance> distances;
+  std::string line;
+  while (lines.next(line)) {
+    const auto fix = csv.add(line);
+    if (!fix) continue;
+    log.fixes.push_back(*fix);
+    if (std::isfinite(csv.rows()->last_distance()))
+      distances.push_back({fix->record, csv.rows()->last_distance()});
+  }
+  if (csv.rows() == nullptr) throw bad_input(fmt::format("{} is empty; give a log with records", place));
+  log.booms = csv.rows()->booms();
+  log.clock = csv.rows()->clock();
+  log.skipped = csv.rows()->skipped();
+  log.notes = csv.rows()->notes();
+  if (csv.in_quotes()) log.notes.emplace_back("the last quoted field is never closed; its row was left out");
+  if (!lines.cut_off().empty()) log.notes.push_back(lines.cut_off() + "; the rows before were read");
+  if (log.fixes.empty())
+    throw bad_input(fmt::format("{} has no row with a position; check its columns and separators", place));
+  settle_positions(log, csv.rows()->position_names(), crs, place);
+  if (csv.rows()->width_unit_open()) settle_width_unit(log, distances);
+  return log;
+}
+
+}  // namespace tramline::io

@@ -1,0 +1,52 @@
+#pragma once
+// Text tables of fixes: CSV and its relatives.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tramline/io/fixes/lines.h"
+#include "tramline/io/log/fix_rows.h"
+
+namespace tramline::io {
+
+/// Makes fixes of the lines of a table as they come: the header first, then one row after the other.
+///
+/// The separator is the commonest of comma, semicolon and tab in the header, or what a line "sep=;" before it
+/// says; with semicolons and tabs a comma within a number is a decimal comma. Fields may be quoted, also over
+/// line ends. Empty lines and comments (#, % or //) are passed over; a byte order mark and carriage returns
+/// are, too.
+class CsvLog {
+ public:
+  /// `columns`: LogOptions::columns. `place`: for messages, "'log.csv'".
+  CsvLog(std::string columns, std::string place);
+
+  /// The fix of this line; nullopt for the header, comments, and rows without a usable position, which are
+  /// put into skipped(). Fix::record is the number of the line. Positions are not judged:
+  /// see settle_positions(). Throws bad_input for a header without the columns that are needed. O(line).
+  std::optional<Fix> add(std::string_view line);
+
+  /// Null before the header.
+  const FixRows* rows() const { return rows_ ? &*rows_ : nullptr; }
+  /// Whether a quoted field is still open.
+  bool in_quotes() const { return !open_row_.empty(); }
+
+ private:
+  void read_header(std::string_view line);
+  std::optional<Fix> row(std::string_view line, std::size_t record);
+
+  std::string columns_, place_;
+  char separator_ = 0;
+  std::optional<FixRows> rows_;
+  std::size_t line_ = 0, open_line_ = 0;
+  std::string open_row_;
+  std::vector<std::string> cells_;
+};
+
+/// Reads a whole table. `place`: for messages. Throws bad_input like CsvLog and settle_positions(), and for a
+/// table without a usable row. O(size).
+WorkLog read_csv_log(Lines& lines, const std::string& columns, const std::string& crs,
+                     const std::string& place);
+
+}  // namespace tramline::io

@@ -1,0 +1,199 @@
+#include "tramline/io/log/fix_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tramline/io/fixes/course_heading.h"
+#include "tramline/io/fixes/number_text.h"
+#include "tramline/io/log/section_text.h"
+
+namespace tramline::io {
+namespace {
+
+// No machine is as wide.
+constexpr double kWidest_m = 500;
+
+WorkState work_state(std::string_view text, bool& understood) {
+  understood = true;
+  const std::string word = lower_case(trimmed(text));
+  if (word.empty()) return WorkState::kUnknown;
+  for (const std::string_view on : {"true", "on", "yes", "t", "y", "working", "work", "recording"})
+    if (word == on) return WorkState::kOn;
+  for (const std::string_view off : {"false", "off", "no", "f", "n", "not working", "idle"})
+    if (word == off) return WorkState::kOff;
+  const auto value = number_in(word);
+  if (value && *value == 1) return WorkState::kOn;
+  if (value && *value == 0) return WorkState::kOff;
+  understood = false;
+  return WorkState::kUnknown;
+}
+
+double time_factor(const ColumnMap& map) {
+  const auto at = map.uses.find(Column::kTime);
+  return at != map.uses.end() && at->second.unit_named ? at->second.factor : 0;
+}
+
+}  // namespace
+
+FixRows::FixRows(std::span<const std::string> names, TableForm form)
+    : form_(std::move(form)),
+      map_(map_columns(names, form_.columns, form_.has_positions, form_.place)),
+      names_(names.begin(), names.end()),
+      time_(time_factor(map_)) {}
+
+std::string_view FixRows::cell(Column column) const {
+  const auto at = map_.uses.find(column);
+  return at == map_.uses.end() || at->second.index >= cells_.size() ? std::string_view()
+                                                                    : trimmed(cells_[at->second.index]);
+}
+
+std::optional<double> FixRows::number_of(std::string_view text) const {
+  if (!form_.decimal_comma || text.find(',') == std::string_view::npos) return number_in(text);
+  if (text.find('.') != std::string_view::npos) return std::nullopt;
+  std::string with_point(text);
+  std::replace(with_point.begin(), with_point.end(), ',', '.');
+  return number_in(with_point);
+}
+
+std::optional<double> FixRows::number(Column column) const {
+  const auto value = number_of(cell(column));
+  return value ? std::optional(*value * map_.uses.at(column).factor) : std::nullopt;
+}
+
+std::optional<Point> FixRows::position() const {
+  const auto x = number(Column::kLon), y = number(Column::kLat);
+  return x && y ? std::optional(Point{*x, *y}) : std::nullopt;
+}
+
+/// nullopt: the row does not say how wide the machine works.
+std::optional<FixRows::Widths> FixRows::widths() {
+  std::string_view text = cell(Column::kWidth);
+  if (text.empty()) return std::nullopt;
+  const double factor = map_.uses.at(Column::kWidth).factor;
+  Widths out;
+  bool any = false;
+  for (bool more = true; more;) {
+    const std::size_t bar = text.find('|');
+    const std::string_view part = trimmed(text.substr(0, bar));
+    const auto value = number_of(part);
+    any = any || value.has_value();
+    const double width_m = value ? *value * factor : 0;
+    if ((!part.empty() && !value) || width_m < 0 || width_m > kWidest_m || out.size() == kMostSections) {
+      ++bad_widths_;
+      return std::nullopt;
+    }
+    out.push_back(width_m);
+    more = bar != std::string_view::npos;
+    if (more) text = text.substr(bar + 1);
+  }
+  return any ? std::optional(out) : std::nullopt;
+}
+
+void FixRows::set_motion(Fix& fix) const {
+  fix.speed_mps = number(Column::kSpeed).value_or(fix.speed_mps);
+  if (const auto heading = number(Column::kHeading))
+    fix.heading = heading_of_degrees(*heading);
+  else if (const auto course = number(Column::kCourse))
+    fix.heading = heading_of_course(*course, fix.speed_mps);
+}
+
+void FixRows::set_work(Fix& fix) {
+  bool understood = true;
+  fix.work = work_state(cell(Column::kWork), understood);
+  if (!understood) ++bad_work_;
+}
+
+void FixRows::set_sections(Fix& fix, std::optional<Widths> widths) {
+  std::optional<SectionText> text;
+  bool written = false;
+  for (const Column column : {Column::kSections, Column::kSectionsFromRight, Column::kCondensed}) {
+    if (text || cell(column).empty()) continue;
+    written = true;
+    text = column == Column::kCondensed ? condensed_sections(cell(column))
+                                        : section_signs(cell(column), column == Column::kSectionsFromRight);
+  }
+  if (written && !text) ++bad_sections_;
+  if (text && text->known) {
+    // One width for all sections: equal shares of it.
+    if (widths && widths->size() == 1 && text->count > 1)
+      widths = Widths(text->count, widths->front() / static_cast<double>(text->count));
+    const bool placed = widths && (widths->size() > 1 || text->count == 1);
+    if (placed) {
+      fix.has_sections = true;
+      fix.sections = text->states;
+    } else {
+      ++sections_without_width_;
+    }
+    if (fix.work == WorkState::kUnknown) fix.work = text->states.any() ? WorkState::kOn : WorkState::kOff;
+  }
+  if (widths) fix.boom = booms_.number_of(side_by_side(*widths));
+}
+
+int FixRows::unit_of_row() {
+  std::string key;
+  for (const Column column : {Column::kMachine, Column::kSection, Column::kUnit, Column::kPass}) {
+    key += cell(column);
+    key += '\n';
+  }
+  const auto at = units_.find(key);
+  if (at != units_.end()) return at->second;
+  return units_.emplace(std::move(key), static_cast<int>(units_.size())).first->second;
+}
+
+std::optional<Fix> FixRows::add(std::span<const std::string_view> cells, std::size_t record,
+                                std::optional<Point> elsewhere) {
+  cells_ = cells;
+  const auto at = elsewhere ? elsewhere : position();
+  if (!at) {
+    skipped_.add(record, "no position");
+    return std::nullopt;
+  }
+  Fix fix;
+  fix.record = record;
+  fix.position = *at;
+  fix.time_s = time_.time_s(cell(Column::kTime), cell(Column::kDate));
+  if (std::isnan(fix.time_s) && !cell(Column::kTime).empty()) ++bad_times_;
+  set_motion(fix);
+  set_work(fix);
+  set_sections(fix, widths());
+  fix.unit = unit_of_row();
+  last_distance_ = number(Column::kDistance).value_or(std::numeric_limits<double>::quiet_NaN());
+  return fix;
+}
+
+bool FixRows::width_unit_open() const {
+  const auto at = map_.uses.find(Column::kWidth);
+  return at != map_.uses.end() && !at->second.unit_named;
+}
+
+std::vector<std::string> FixRows::notes() const {
+  std::vector<std::string> out;
+  const auto named = [&](Column column) {
+    const auto at = map_.uses.find(column);
+    return at == map_.uses.end() ? std::string() : std::string(trimmed(names_[at->second.index]));
+  };
+  const auto count = [&](std::size_t rows, Column column, std::string_view what) {
+    if (rows > 0) out.push_back(fmt::format("{} rows: '{}' {}", rows, named(column), what));
+  };
+  count(bad_times_, Column::kTime, "is no time as in the first row and counts as not recorded");
+  count(bad_work_, Column::kWork, "is neither on (1) nor off (0) and counts as not recorded");
+  count(bad_widths_, Column::kWidth, "is no width and counts as not recorded");
+  if (bad_sections_ > 0)
+    out.push_back(fmt::format("{} rows: the states of sections are not understood", bad_sections_));
+  if (sections_without_width_ > 0)
+    out.push_back(
+        fmt::format("{} rows say which sections work but not how wide each is: taken as one section",
+                    sections_without_width_));
+  if (units_.size() > 1) {
+    std::string columns;
+    for (const Column column : {Column::kMachine, Column::kSection, Column::kUnit, Column::kPass})
+      if (map_.has(column)) columns += (columns.empty() ? "" : ", ") + named(column);
+    out.push_back(fmt::format("{} units by {}: each is driven for itself, its positions are its own middle",
+                              units_.size(), columns));
+  }
+  return out;
+}
+
+}  // namespace tramline::io

@@ -1,0 +1,17 @@
+#pragma once
+// Tracks of GPX files.
+
+#include <string>
+#include <string_view>
+
+#include "tramline/model/work_log.h"
+
+namespace tramline::io {
+
+/// The track points of a GPX file (1.0 or 1.1) in order; each segment is a unit of its own. Speed and course
+/// are read where the point has them, also in extensions, and the course is taken as a heading above
+/// kCourseHolds_mps. Fix::record counts track points from 1. Throws bad_input for damaged XML and for a file
+/// without a possible track point. O(size).
+WorkLog read_gpx_log(std::string_view text, const std::string& place);
+
+}  // namespace tramline::io

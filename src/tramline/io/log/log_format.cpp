@@ -1,0 +1,79 @@
+#include "tramline/io/log/log_format.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string_view>
+
+#include "tramline/geometry/error.h"
+#include "tramline/io/fixes/lines.h"
+#include "tramline/io/fixes/number_text.h"
+#include "tramline/io/isoxml/task_files.h"
+#include "tramline/io/vector/locate_dataset.h"
+
+namespace tramline::io {
+namespace {
+
+constexpr std::size_t kLooked = 8192;
+
+/// "$GPGGA," or the like, also behind a time stamp of whoever wrote the line down.
+bool has_sentence(std::string_view text) {
+  for (std::size_t at = text.find('$'); at != std::string_view::npos; at = text.find('$', at + 1)) {
+    const std::string_view address = text.substr(at + 1, 6);
+    const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+    if (address.size() == 6 && address[5] == ',' &&
+        std::all_of(address.begin(), address.begin() + 5, is_capital))
+      return true;
+  }
+  return false;
+}
+
+bool is_vector_name(const std::string& name) {
+  constexpr std::array kEndings = {".geojson", ".json", ".geojsonl", ".gpkg", ".shp", ".fgb", ".kml",
+                                   ".kmz",     ".gml",  ".sqlite",   ".tab",  ".mif", ".gdb"};
+  return std::any_of(kEndings.begin(), kEndings.end(),
+                     [&](std::string_view ending) { return name.ends_with(ending); });
+}
+
+bool is_text_name(const std::string& name) {
+  constexpr std::array kEndings = {".csv",    ".txt",    ".log",    ".nmea",   ".tsv",
+                                   ".csv.gz", ".txt.gz", ".log.gz", ".nmea.gz"};
+  return std::any_of(kEndings.begin(), kEndings.end(),
+                     [&](std::string_view ending) { return name.ends_with(ending); });
+}
+
+}  // namespace
+
+LogFormat log_format(const std::string& path) {
+  if (is_database_string(path)) return LogFormat::kVector;
+  std::error_code error;
+  if (!std::filesystem::exists(path, error))
+    throw bad_input(fmt::format("there is no file '{}'; check the path", path));
+  const std::string name = lower_case(path);
+  if (std::filesystem::is_directory(path, error) || name.ends_with(".zip"))
+    return TaskFiles::looks_like_one(path) ? LogFormat::kIsoxml : LogFormat::kVector;
+  if (is_vector_name(name)) return LogFormat::kVector;
+  const std::string start = first_bytes(path, kLooked);
+  if (start.empty()) throw bad_input(fmt::format("'{}' is empty; give a log with records", path));
+  const std::string head = lower_case(start);
+  if (head.find("<iso11783_taskdata") != std::string::npos) return LogFormat::kIsoxml;
+  if (head.find("<gpx") != std::string::npos) return LogFormat::kGpx;
+  if (name.ends_with(".bin") || (name.ends_with(".xml") && head.find("<tim") != std::string::npos))
+    return LogFormat::kIsoxml;
+  if (has_sentence(start)) return LogFormat::kNmea;
+  const bool is_binary = start.find('\0') != std::string::npos;
+  const std::string_view text = trimmed(start);
+  if (!is_binary && !text.starts_with('<') && !text.starts_with('{')) return LogFormat::kCsv;
+  if (text.starts_with('{')) return LogFormat::kVector;
+  // Text with wide characters: its reader says what to do.
+  if (is_text_name(name) && (start.starts_with("\xFF\xFE") || start.starts_with("\xFE\xFF")))
+    return LogFormat::kCsv;
+  throw bad_input(
+      fmt::format("'{}' is no log that is known; give CSV, NMEA 0183, GPX, ISOXML, or points in a "
+                  "GeoJSON, GeoPackage or Shapefile",
+                  path));
+}
+
+}  // namespace tramline::io

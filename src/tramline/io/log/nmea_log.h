@@ -1,0 +1,81 @@
+#pragma once
+// NMEA 0183: sentences of a receiver, grouped to one fix for each epoch.
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "tramline/io/fixes/lines.h"
+#include "tramline/model/work_log.h"
+
+namespace tramline::io {
+
+/// Makes fixes of sentences as they come. Read are GGA and RMC (position), RMC and VTG (course, speed), HDT
+/// and THS (true heading), RMC and ZDA (date), of any talker; others are passed over. Sentences with the same
+/// time are one epoch, and those without a time belong to the epoch they follow (a second GGA or RMC without
+/// a time begins another); so a fix comes out when the next epoch begins. A course is taken as a heading
+/// above kCourseHolds_mps only.
+///
+/// Skipped and counted: lines without a sentence, wrong checksums, missing ones where others had one (a line
+/// that is cut off), epochs without a position fix, impossible positions.
+class NmeaLog {
+ public:
+  /// The fix of the epoch that this line ends, if there is one. Fix::record is the number of the line with
+  /// its position. O(line).
+  std::optional<Fix> add(std::string_view line);
+  /// The fix of the last epoch.
+  std::optional<Fix> finish();
+
+  /// Fix::time_s counts from the midnight before the first epoch; this is that midnight in seconds from 1970,
+  /// once a date was read.
+  std::optional<double> midnight_s() const { return midnight_s_; }
+  bool has_times() const { return has_times_; }
+  const SkippedRecords& skipped() const { return skipped_; }
+  /// Sentences with a right checksum, or none, of whatever kind.
+  std::size_t sentences() const { return sentences_; }
+
+ private:
+  /// What the sentences of one epoch say so far.
+  struct Epoch {
+    std::optional<double> of_day_s;
+    std::optional<Point> lonlat_deg;
+    bool no_fix = false;
+    bool has_gga = false;
+    bool has_rmc = false;
+    std::size_t record = 0;
+    double speed_mps = std::numeric_limits<double>::quiet_NaN();
+    double course_deg = std::numeric_limits<double>::quiet_NaN();
+    double heading_deg = std::numeric_limits<double>::quiet_NaN();
+    std::optional<long long> date_days;
+  };
+  class Fields;
+
+  void read_gga(const Fields& fields);
+  void read_rmc(const Fields& fields);
+  void read_vtg(const Fields& fields);
+  void read_heading(std::string_view kind, const Fields& fields);
+  void read_zda(const Fields& fields);
+  void place(const Fields& fields, std::size_t latitude);
+  /// Begins another epoch where this is another time; the fix of the one before.
+  std::optional<Fix> epoch_at(std::string_view kind, std::optional<double> of_day_s);
+  double elapsed_s(const Epoch& epoch);
+
+  Epoch epoch_;
+  bool began_ = false;
+  std::size_t line_ = 0;
+  std::size_t sentences_ = 0;
+  bool has_checksums_ = false;
+  bool has_times_ = false;
+  std::optional<double> last_of_day_s_;
+  double days_s_ = 0;
+  std::optional<double> midnight_s_;
+  SkippedRecords skipped_;
+};
+
+/// Reads a whole file. Throws bad_input for a file without any position. O(size).
+WorkLog read_nmea_log(Lines& lines, const std::string& place);
+
+}  // namespace tramline::io

@@ -1,0 +1,17 @@
+#pragma once
+// The coordinate reference system that a layer declares.
+
+#include <string>
+
+class OGRSpatialReference;
+
+namespace tramline::io {
+
+/// WKT of the layer's CRS; empty for none and for the "undefined" ones GeoPackage prescribes. Throws
+/// bad_input, naming the place, for local grids that are not in metres.
+std::string layer_crs(const OGRSpatialReference* srs, const std::string& place);
+
+/// OGR hands out longitude first whatever the authority says, unless a driver maps the axes otherwise.
+bool axes_are_swapped(const OGRSpatialReference* srs);
+
+}  // namespace tramline::io
