@@ -1,4 +1,4 @@
-#include "tramline/io/plan/qml.h"
+#include "tramline/io/geopackage/qml.h"
 
 #include <fmt/format.h>
 
@@ -169,6 +169,11 @@ std::string document(Shape shape, const std::vector<Rule>& rules) {
   std::ostringstream text;
   out.save(text, " ", pugi::format_indent | pugi::format_no_declaration);
   return text.str();
+}
+
+std::string document(Symbol symbol) {
+  const Shape shape = symbol.shape;
+  return document(shape, {{"", "", std::move(symbol)}});
 }
 
 }  // namespace tramline::io::qml
