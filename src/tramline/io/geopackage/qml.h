@@ -33,6 +33,15 @@ struct Rule {
   Symbol symbol;
 };
 
+/// Texts about the middle of features, with a rim.
+struct Labels {
+  std::string filter;  ///< which features; empty: all
+  std::string column;  ///< what the text is
+  Colour colour;
+  Colour rim;
+  double size_pt = 10;
+};
+
 /// The pictures' pixels, at 96 to the inch.
 constexpr double mm(double px) { return px * 25.4 / 96; }
 
@@ -51,6 +60,7 @@ SymbolLayer simple_marker(const char* name, Colour fill, Colour edge, double siz
 
 /// A whole style. Equal rules give equal bytes. Precondition: rules is not empty.
 std::string document(Shape shape, const std::vector<Rule>& rules);
+std::string document(Shape shape, const std::vector<Rule>& rules, const Labels& labels);
 /// The same for every feature.
 std::string document(Symbol symbol);
 
