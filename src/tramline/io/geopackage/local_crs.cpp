@@ -1,4 +1,4 @@
-#include "tramline/io/plan/local_crs.h"
+#include "tramline/io/geopackage/local_crs.h"
 
 #include <fmt/format.h>
 

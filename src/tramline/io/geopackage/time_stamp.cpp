@@ -1,4 +1,4 @@
-#include "tramline/io/plan/time_stamp.h"
+#include "tramline/io/geopackage/time_stamp.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 #pragma once
-// Plan files as rows: features with their place for messages, shapes in local metres.
+// GeoPackages as rows: features with their place for messages, shapes in local metres.
 
 #include <ogrsf_frmts.h>
 
@@ -10,8 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "tramline/geometry/error.h"
 #include "tramline/geometry/region.h"
-#include "tramline/io/plan/gdal_errors.h"
+#include "tramline/io/geopackage/file_kind.h"
+#include "tramline/io/geopackage/gdal_errors.h"
 
 namespace tramline::io {
 
@@ -19,8 +21,8 @@ namespace tramline::io {
 /// column where a value is missing, not finite or of another kind.
 class Row {
  public:
-  Row(const OGRFeature& feature, std::string place, Point offset)
-      : feature_(feature), place_(std::move(place)), offset_(offset) {}
+  Row(const OGRFeature& feature, std::string place, Point offset, const FileKind& kind)
+      : feature_(feature), place_(std::move(place)), offset_(offset), kind_(kind) {}
 
   /// "plan.gpkg: layer tracks, feature 2"
   const std::string& place() const { return place_; }
@@ -28,12 +30,20 @@ class Row {
   std::string place_of(const char* column) const { return place_ + ": " + column; }
 
   double number(const char* column) const;
+  /// nullopt for NULL.
   std::optional<double> number_if_any(const char* column) const;
   int whole(const char* column) const { return feature_.GetFieldAsInteger(index(column)); }
+  /// nullopt for NULL.
+  std::optional<int> whole_if_any(const char* column) const;
+  /// Not negative.
+  std::size_t count(const char* column) const;
   bool flag(const char* column) const { return whole(column) != 0; }
   std::string text(const char* column) const { return feature_.GetFieldAsString(index(column)); }
 
+  bool has_shape() const;
   Polygon polygon() const;
+  /// The polygons of a multipolygon.
+  Region region() const;
   /// At least two points.
   std::vector<Point> line() const;
   std::pair<Point, Point> straight_line() const;
@@ -42,20 +52,24 @@ class Row {
   Point offset() const { return offset_; }
 
  private:
+  bool is_null(const char* column) const;
   int index(const char* column) const;
   Point vertex(const OGRSimpleCurve& line, int i) const;
   Ring ring(const OGRLinearRing& closed) const;
+  Polygon polygon(const OGRPolygon& source) const;
+  Error wrong(const std::string& what) const;
 
   const OGRFeature& feature_;
   std::string place_;
   Point offset_;
+  const FileKind& kind_;
 };
 
 /// A GeoPackage open for reading. Throws Error(kBadInput) where the file is missing, cut off or none.
-class PlanRows {
+class Rows {
  public:
-  /// `errors` has to be alive as long.
-  PlanRows(const std::filesystem::path& path, GdalErrors& errors);
+  /// `errors` and `kind` have to be alive as long.
+  Rows(const std::filesystem::path& path, const FileKind& kind, GdalErrors& errors);
 
   /// What is taken off all coordinates from now on.
   void shift_by(Point offset) { offset_ = offset; }
@@ -67,6 +81,7 @@ class PlanRows {
 
  private:
   std::filesystem::path path_;
+  const FileKind& kind_;
   GdalErrors& errors_;
   GDALDatasetUniquePtr file_;
   Point offset_;

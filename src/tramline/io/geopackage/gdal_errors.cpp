@@ -1,4 +1,4 @@
-#include "tramline/io/plan/gdal_errors.h"
+#include "tramline/io/geopackage/gdal_errors.h"
 
 namespace tramline::io {
 

@@ -1,4 +1,4 @@
-#include "tramline/io/plan/whole_file.h"
+#include "tramline/io/geopackage/whole_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -33,6 +33,18 @@ struct Rule {
   Symbol symbol;
 };
 
+/// Texts about the middle of features, with a rim.
+struct Labels {
+  std::string filter;  ///< which features; empty: all
+  std::string column;  ///< what the text is
+  Colour colour;
+  Colour rim;
+  double size_pt = 10;
+};
+
+/// The pictures' pixels, at 96 to the inch.
+constexpr double mm(double px) { return px * 25.4 / 96; }
+
 SymbolLayer simple_fill(Colour fill, Colour edge, double edge_mm);
 /// An edge and nothing inside. `style`: solid, dash, dot.
 SymbolLayer simple_edge(Colour edge, double edge_mm, const char* style = "solid");
@@ -48,5 +60,8 @@ SymbolLayer simple_marker(const char* name, Colour fill, Colour edge, double siz
 
 /// A whole style. Equal rules give equal bytes. Precondition: rules is not empty.
 std::string document(Shape shape, const std::vector<Rule>& rules);
+std::string document(Shape shape, const std::vector<Rule>& rules, const Labels& labels);
+/// The same for every feature.
+std::string document(Symbol symbol);
 
 }  // namespace tramline::io::qml

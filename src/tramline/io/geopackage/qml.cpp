@@ -1,4 +1,4 @@
-#include "tramline/io/plan/qml.h"
+#include "tramline/io/geopackage/qml.h"
 
 #include <fmt/format.h>
 
@@ -79,6 +79,59 @@ void add_rules(pugi::xml_node renderer, const std::vector<Rule>& rules) {
   }
 }
 
+void add_labels(pugi::xml_node root, const Labels& labels) {
+  pugi::xml_node labeling = root.append_child("labeling");
+  labeling.append_attribute("type") = "rule-based";
+  pugi::xml_node rules = labeling.append_child("rules");
+  rules.append_attribute("key") = "{labels}";
+  pugi::xml_node rule = rules.append_child("rule");
+  rule.append_attribute("key") = "{label0}";
+  if (!labels.filter.empty()) rule.append_attribute("filter") = labels.filter.c_str();
+  pugi::xml_node settings = rule.append_child("settings");
+  pugi::xml_node style = settings.append_child("text-style");
+  style.append_attribute("fieldName") = labels.column.c_str();
+  style.append_attribute("isExpression") = "0";
+  style.append_attribute("fontSize") = labels.size_pt;
+  style.append_attribute("fontSizeUnit") = "Point";
+  style.append_attribute("fontWeight") = "75";
+  style.append_attribute("textColor") = text_of(labels.colour).c_str();
+  style.append_attribute("textOpacity") = "1";
+  pugi::xml_node buffer = style.append_child("text-buffer");
+  buffer.append_attribute("bufferDraw") = "1";
+  buffer.append_attribute("bufferSize") = "1";
+  buffer.append_attribute("bufferSizeUnits") = "MM";
+  buffer.append_attribute("bufferColor") = text_of(labels.rim).c_str();
+  buffer.append_attribute("bufferOpacity") = "1";
+  pugi::xml_node placement = settings.append_child("placement");
+  placement.append_attribute("placement") = "0";
+  placement.append_attribute("dist") = "3";
+  placement.append_attribute("distUnits") = "MM";
+}
+
+/// `labels` may be nullptr.
+std::string text_of(Shape shape, const std::vector<Rule>& rules, const Labels* labels) {
+  pugi::xml_document out;
+  out.append_child(pugi::node_doctype).set_value("qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'");
+  pugi::xml_node root = out.append_child("qgis");
+  root.append_attribute("version") = "3.22.0";
+  root.append_attribute("styleCategories") = labels == nullptr ? "Symbology" : "Symbology|Labeling";
+  if (labels != nullptr) root.append_attribute("labelsEnabled") = "1";
+  pugi::xml_node renderer = root.append_child("renderer-v2");
+  const bool single = rules.size() == 1 && rules[0].filter.empty();
+  renderer.append_attribute("type") = single ? "singleSymbol" : "RuleRenderer";
+  renderer.append_attribute("symbollevels") = "0";
+  renderer.append_attribute("forceraster") = "0";
+  renderer.append_attribute("enableorderby") = "0";
+  if (!single) add_rules(renderer, rules);
+  pugi::xml_node symbols = renderer.append_child("symbols");
+  for (std::size_t i = 0; i < rules.size(); ++i) add_symbol(symbols, rules[i].symbol, std::to_string(i));
+  if (labels != nullptr) add_labels(root, *labels);
+  root.append_child("layerGeometryType").text() = static_cast<int>(shape);
+  std::ostringstream text;
+  out.save(text, " ", pugi::format_indent | pugi::format_no_declaration);
+  return text.str();
+}
+
 }  // namespace
 
 SymbolLayer simple_fill(Colour fill, Colour edge, double edge_mm) {
@@ -150,25 +203,15 @@ SymbolLayer simple_marker(const char* name, Colour fill, Colour edge, double siz
            {"angle", "0"}}};
 }
 
-std::string document(Shape shape, const std::vector<Rule>& rules) {
-  pugi::xml_document out;
-  out.append_child(pugi::node_doctype).set_value("qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'");
-  pugi::xml_node root = out.append_child("qgis");
-  root.append_attribute("version") = "3.22.0";
-  root.append_attribute("styleCategories") = "Symbology";
-  pugi::xml_node renderer = root.append_child("renderer-v2");
-  const bool single = rules.size() == 1 && rules[0].filter.empty();
-  renderer.append_attribute("type") = single ? "singleSymbol" : "RuleRenderer";
-  renderer.append_attribute("symbollevels") = "0";
-  renderer.append_attribute("forceraster") = "0";
-  renderer.append_attribute("enableorderby") = "0";
-  if (!single) add_rules(renderer, rules);
-  pugi::xml_node symbols = renderer.append_child("symbols");
-  for (std::size_t i = 0; i < rules.size(); ++i) add_symbol(symbols, rules[i].symbol, std::to_string(i));
-  root.append_child("layerGeometryType").text() = static_cast<int>(shape);
-  std::ostringstream text;
-  out.save(text, " ", pugi::format_indent | pugi::format_no_declaration);
-  return text.str();
+std::string document(Shape shape, const std::vector<Rule>& rules) { return text_of(shape, rules, nullptr); }
+
+std::string document(Shape shape, const std::vector<Rule>& rules, const Labels& labels) {
+  return text_of(shape, rules, &labels);
+}
+
+std::string document(Symbol symbol) {
+  const Shape shape = symbol.shape;
+  return document(shape, {{"", "", std::move(symbol)}});
 }
 
 }  // namespace tramline::io::qml
