@@ -1,6 +1,7 @@
 #pragma once
 // Missed ground as a list.
 
+#include <cstddef>
 #include <vector>
 
 #include "tramline/model/coverage.h"
