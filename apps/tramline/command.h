@@ -24,6 +24,7 @@ inline void add_unused_threads_option(CLI::App& verb, int& threads) {
 std::unique_ptr<Command> make_plan_command();
 std::unique_ptr<Command> make_map_command();
 std::unique_ptr<Command> make_compare_command();
+std::unique_ptr<Command> make_evaluate_command();
 std::unique_ptr<Command> make_info_command();
 std::unique_ptr<Command> make_check_command();
 std::unique_ptr<Command> make_export_command();

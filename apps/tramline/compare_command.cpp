@@ -17,7 +17,7 @@
 #include "progress.h"
 #include "report_parts.h"
 #include "tramline/geometry/error.h"
-#include "tramline/io/plan/whole_file.h"
+#include "tramline/io/geopackage/whole_file.h"
 #include "tramline/io/plan/write_plan.h"
 #include "tramline/planner/trade_off.h"
 #include "tramline/planner/validate_request.h"

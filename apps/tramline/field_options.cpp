@@ -174,6 +174,16 @@ void add_field_options(CLI::App& verb, FieldOptions& options) {
   add_obstacle_options(verb, options);
 }
 
+void add_field_choice(CLI::App& verb, FieldOptions& options) {
+  CLI::Option* field = verb.add_option(
+      "--field", options.file, "the field that was to be worked: any vector file, or an ISOXML task set");
+  verb.add_option("--layer", options.layer, "the layer of the field's file, where there are several");
+  verb.add_option("--where", options.where, "which of its features, for example \"id='mill-field'\"");
+  add_obstacle_options(verb, options);
+  for (const char* option : {"--layer", "--where", "--crs", "--obstacles", "--obstacle-size", "--passable"})
+    verb.get_option(option)->needs(field);
+}
+
 void add_obstacle_options(CLI::App& verb, FieldOptions& options) {
   verb.add_option("--crs", options.crs,
                   "the coordinate reference system of FIELD, such as EPSG:25832, whatever the file says; "

@@ -20,6 +20,9 @@ struct FieldOptions {
 /// `options` has to outlive the parse.
 void add_field_options(CLI::App& verb, FieldOptions& options);
 
+/// The same with --field for FILE, which need not be given, and without --all.
+void add_field_choice(CLI::App& verb, FieldOptions& options);
+
 /// Only --crs, --obstacles, --obstacle-size and --passable.
 void add_obstacle_options(CLI::App& verb, FieldOptions& options);
 

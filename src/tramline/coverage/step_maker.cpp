@@ -105,12 +105,12 @@ std::optional<WorkedStep> StepMaker::add(const Fix& fix, const std::vector<Boom>
   ++fixes_;
   Unit& unit = units_[fix.unit];
   End to{fix.time_s, fix.position, std::nullopt, working_at(fix, booms)};
-  if (unit.last && !joins(*unit.last, to)) {
-    unit = Unit{};
-  }
+  joined_ = unit.last && joins(*unit.last, to);
+  if (!joined_) unit = Unit{};
   const bool recorded = !std::isnan(fix.heading.degrees());
   const std::optional<Heading> course = unit.course.at(to.antenna);
   to.heading = recorded ? std::optional(fix.heading) : course;
+  place_ = to.heading ? middle(to, *to.heading) : to.antenna;
   if (!unit.last) {
     unit.last = std::move(to);
     return std::nullopt;

@@ -60,6 +60,10 @@ class StepMaker {
   /// Precondition: position local and finite.
   std::optional<WorkedStep> add(const Fix& fix, const std::vector<Boom>& booms);
 
+  /// Whether the last fix was joined to one before it.
+  bool joined() const { return joined_; }
+  /// Where the middle of what works was at the last fix; the antenna, as long as no heading is known.
+  Point place() const { return place_; }
   const Breaks& breaks() const { return breaks_; }
   int runs() const { return runs_; }             ///< begun so far
   double worked_s() const { return worked_s_; }  ///< time of the steps that worked
@@ -90,6 +94,8 @@ class StepMaker {
   std::map<int, Unit> units_;
   Breaks breaks_;
   std::size_t fixes_ = 0;
+  bool joined_ = false;
+  Point place_;
   int runs_ = 0;
   double worked_s_ = 0;
   double worked_m_ = 0;

@@ -188,6 +188,19 @@ double distance_to_ring(const Region& region, const Ring& ring) {
   return out;
 }
 
+Disc largest_disc(const Polygon& polygon, double tolerance_m) {
+  const Geometry shape = to_geos(polygon);
+  // A line from the centre to the nearest place of the boundary.
+  const Geometry spoke = checked(GEOSMaximumInscribedCircle_r(geos(), shape.get(), tolerance_m), "disc");
+  const GEOSCoordSequence* ends = GEOSGeom_getCoordSeq_r(geos(), spoke.get());
+  Disc disc;
+  Point rim;
+  GEOSCoordSeq_getXY_r(geos(), ends, 0, &disc.centre.x, &disc.centre.y);
+  GEOSCoordSeq_getXY_r(geos(), ends, 1, &rim.x, &rim.y);
+  disc.radius_m = distance(disc.centre, rim);
+  return disc;
+}
+
 Region convex_hull(const std::vector<Point>& points) {
   if (points.size() < 3) return {};
   return from_geos(checked(GEOSConvexHull_r(geos(), to_line(points, false).get()), "convex hull"));

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tramline/geometry/region.h"
+#include "tramline/geometry/smallest_disc.h"
 
 namespace tramline {
 
@@ -38,6 +39,9 @@ Region line_neighbourhood(Point a, Point b, double distance_m);
 double distance_between(const Region& a, const Region& b);
 /// Shortest distance between a region and a ring taken as a line, m.
 double distance_to_ring(const Region& region, const Ring& ring);
+
+/// The largest disc within the polygon, its radius to within `tolerance_m`. Precondition: a valid polygon.
+Disc largest_disc(const Polygon& polygon, double tolerance_m);
 
 /// The smallest convex polygon round all points; a triangle at least. Empty for fewer than three
 /// points not on one line.

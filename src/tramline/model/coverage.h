@@ -2,11 +2,13 @@
 // What was worked of a field, as areas and regions.
 
 #include <array>
-#include <limits>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "tramline/geometry/region.h"
+#include "tramline/model/local_frame.h"
+#include "tramline/model/work_log.h"
 
 namespace tramline {
 
@@ -43,6 +45,58 @@ enum class Ground {
   kOnce,     ///< worked exactly once
   kTwice,    ///< exactly twice
   kOften,    ///< three times or more
+};
+
+/// A stretch of the drive: the places of the working implement, in order.
+struct DrivenLine {
+  int run = -1;  ///< of the work; -1: driven without working
+  std::vector<Point> line;
+  double from_s = 0;  ///< clock of the log; NaN without times
+  double to_s = 0;
+};
+
+/// One piece of missed ground.
+struct Gap {
+  int number = 0;  ///< from 1, the largest first
+  Polygon shape;
+  double area_m2 = 0;
+  Point centre;         ///< within the shape
+  double widest_m = 0;  ///< diameter of the largest disc within it, to a centimetre
+};
+
+/// How far the work was after so many fixes (S3's tables 2 and 3).
+struct CoverageSlice {
+  std::size_t fixes = 0;
+  CoverageAreas areas;
+  std::size_t covered_rings = 0;   ///< boundaries of the covered region
+  std::size_t missed_regions = 0;  ///< polygons of the missed one
+  double seconds = 0;              ///< spent on areas and regions up to here
+};
+
+/// The outcome of an evaluation. Frame: local metres.
+struct Coverage {
+  std::string log;  ///< where the drive is from
+  std::string field_id;
+  Region field;  ///< less its obstacles; empty: evaluated without a field
+  LocalFrame frame;
+  double width_m = 0;  ///< given for it, or the widest that worked
+  std::string engine;
+
+  CoverageAreas areas;
+  Region covered;
+  Region repeated;
+  Region missed;
+  std::array<Region, kMostCounted + 1> worked_times{};  ///< as CoverageAreas::worked_times_m2; [0] is empty
+  std::vector<Gap> gaps;                                ///< the missed region's parts, slivers left out
+  std::vector<DrivenLine> lines;
+  std::vector<CoverageSlice> slices;
+
+  std::size_t fixes = 0;
+  std::size_t fixes_used = 0;
+  int runs = 0;
+  double worked_s = 0;  ///< NaN without times
+  SkippedRecords skipped;
+  std::vector<std::string> warnings;
 };
 
 }  // namespace tramline

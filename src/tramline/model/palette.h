@@ -1,7 +1,7 @@
 #pragma once
-// The colours of a plan, in pictures and in the styles of plan files. Overlap and uncovered land are an
-// orange and a blue that people with any of the common colour deficiencies tell apart; everything else is
-// pale or grey, so that they stand out.
+// The colours of plans and evaluations, in pictures and in the styles of their files. Overlap and uncovered
+// land are an orange and a blue that people with any of the common colour deficiencies tell apart; everything
+// else is pale or grey, so that they stand out. What was worked again or missed has the same two.
 
 #include <array>
 #include <cstdint>
@@ -59,6 +59,19 @@ inline constexpr std::uint32_t kDetourHex = 0x9A0F72;
 inline constexpr Colour kDetourColour = rgb(kDetourHex);
 inline constexpr Colour kRadiusColour = rgb(kDetourHex, 0.85);
 inline constexpr Colour kDetourRim = rgb(kBackgroundHex, 0.9);
+
+/// What was worked, inside the field and beyond it.
+inline constexpr std::uint32_t kCoveredHex = 0xBFDDA9;
+inline constexpr std::uint32_t kCoveredOutsideHex = 0xE4F0DA;
+inline constexpr Colour kCoveredColour = rgb(kCoveredHex);
+inline constexpr Colour kCoveredOutsideColour = rgb(kCoveredOutsideHex);
+inline constexpr Colour kCoveredEdge = rgb(0x86AE6B);
+inline constexpr Colour kTwiceHatch = rgb(0x8A3B00);
+inline constexpr Colour kWorkedPathColour = rgb(0x26402A, 0.75);
+inline constexpr Colour kIdlePathColour = rgb(0x7B7B7B, 0.8);
+
+/// So many gaps bear a number, the largest.
+inline constexpr int kGapsNumbered = 12;
 
 /// Tints of the subfields, used in turn.
 inline constexpr std::array<Colour, 8> kTints = {rgb(0xE2EDD5), rgb(0xF4EACB), rgb(0xE7DFF0), rgb(0xF3DDDB),

@@ -11,12 +11,12 @@
 #include "tramline/io/export/memory_folder.h"
 #include "tramline/io/export/target_crs.h"
 #include "tramline/io/export/zip_folder.h"
-#include "tramline/io/plan/gdal_errors.h"
-#include "tramline/io/plan/local_crs.h"
+#include "tramline/io/geopackage/gdal_errors.h"
+#include "tramline/io/geopackage/local_crs.h"
+#include "tramline/io/geopackage/time_stamp.h"
+#include "tramline/io/geopackage/whole_file.h"
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/io/plan/read_plan.h"
-#include "tramline/io/plan/time_stamp.h"
-#include "tramline/io/plan/whole_file.h"
 
 namespace tramline::io {
 namespace {

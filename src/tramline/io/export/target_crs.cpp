@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "tramline/geometry/error.h"
-#include "tramline/io/plan/local_crs.h"
+#include "tramline/io/geopackage/local_crs.h"
 
 namespace tramline::io {
 namespace {

@@ -3,6 +3,14 @@
 //
 // Numbers for people (order, subfield, track, obstacles) count from 1; the model counts from 0.
 
+#include "tramline/io/geopackage/file_kind.h"
+
+namespace tramline::io {
+
+inline constexpr FileKind kPlanFile{"plan", "tramline plan"};
+
+}  // namespace tramline::io
+
 namespace tramline::io::plan_layers {
 
 inline constexpr const char* kField = "field";

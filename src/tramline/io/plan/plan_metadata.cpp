@@ -2,16 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "tramline/geometry/error.h"
-#include "tramline/io/plan/local_crs.h"
+#include "tramline/io/geopackage/key_values.h"
+#include "tramline/io/geopackage/local_crs.h"
 #include "tramline/io/plan/path_text.h"
+#include "tramline/io/plan/plan_layers.h"
 #include "tramline/model/plain_zero.h"
 
 namespace tramline::io {
@@ -108,70 +108,45 @@ double short_degrees(Angle angle) {
   return angle.degrees();
 }
 
-class Writer {
+class Writer : public KeyWriter {
  public:
+  using KeyWriter::operator();
   /// `offset` leads from local metres to the coordinates of the file.
-  Writer(Metadata& out, Point offset) : out_(out), offset_(offset) {}
-  void operator()(const std::string& key, const std::string& value) const { out_[key] = value; }
-  void operator()(const std::string& key, double value) const {
-    out_[key] = fmt::format("{}", plain_zero(value));
-  }
-  void operator()(const std::string& key, int value) const { out_[key] = std::to_string(value); }
-  void operator()(const std::string& key, long long value) const { out_[key] = std::to_string(value); }
-  void operator()(const std::string& key, bool value) const { out_[key] = value ? "true" : "false"; }
-  void operator()(const std::string& key, EndRule value) const { out_[key] = name(value); }
-  void operator()(const std::string& key, EdgeKind value) const { out_[key] = name(value); }
-  void operator()(const std::string& key, Strategy value) const { out_[key] = name(value); }
-  void operator()(const std::string& key, CellDirection value) const { out_[key] = name(value); }
-  void operator()(const std::string& key, Avoidance value) const { out_[key] = name(value); }
-  void operator()(const std::string& key, TrackShape value) const { out_[key] = name(value); }
+  Writer(Metadata& out, Point offset) : KeyWriter(out), offset_(offset) {}
+  void operator()(const std::string& key, EndRule value) const { out()[key] = name(value); }
+  void operator()(const std::string& key, EdgeKind value) const { out()[key] = name(value); }
+  void operator()(const std::string& key, Strategy value) const { out()[key] = name(value); }
+  void operator()(const std::string& key, CellDirection value) const { out()[key] = name(value); }
+  void operator()(const std::string& key, Avoidance value) const { out()[key] = name(value); }
+  void operator()(const std::string& key, TrackShape value) const { out()[key] = name(value); }
   /// Degrees are for people; radians are what is read back, to the bit.
   void operator()(const std::string& key, Angle value) const {
     (*this)(key + "_deg", short_degrees(value));
     (*this)(key + "_rad", value.radians());
   }
-  void operator()(const std::string& key, const std::vector<std::string>& values) const {
-    out_[key] = dumped(nlohmann::json(values));
-  }
   void operator()(const std::string& key, const std::vector<int>& values) const {
-    out_[key] = dumped(nlohmann::json(values));
+    out()[key] = dumped(nlohmann::json(values));
   }
   void operator()(const std::string& key, const std::vector<Point>& line) const {
-    out_[key] = points_text(line, offset_);
+    out()[key] = points_text(line, offset_);
   }
   void operator()(const std::string& key, const Path& path) const {
-    out_[key] = path_text_if_any(path, offset_);
+    out()[key] = path_text_if_any(path, offset_);
   }
   void operator()(const std::string& key, const std::vector<Repair>& repairs) const {
     nlohmann::json list = nlohmann::json::array();
     for (const Repair& repair : repairs) list.push_back(to_json(repair));
-    out_[key] = dumped(list);
+    out()[key] = dumped(list);
   }
 
  private:
-  /// A name that is not UTF-8 must not stop a plan from being written.
-  static std::string dumped(const nlohmann::json& json) {
-    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  }
-  Metadata& out_;
   Point offset_;
 };
 
-class Reader {
+class Reader : public KeyReader {
  public:
-  Reader(const Metadata& metadata, const std::filesystem::path& file) : metadata_(metadata), file_(file) {}
-
-  void operator()(const std::string& key, std::string& value) { value = text(key); }
-  void operator()(const std::string& key, double& value) {
-    value = number<double>(key);
-    if (!std::isfinite(value)) throw wrong(key, "a finite number");
-  }
-  void operator()(const std::string& key, int& value) { value = number<int>(key); }
-  void operator()(const std::string& key, long long& value) { value = number<long long>(key); }
-  void operator()(const std::string& key, bool& value) {
-    if (text(key) != "true" && text(key) != "false") throw wrong(key, "true or false");
-    value = text(key) == "true";
-  }
+  using KeyReader::KeyReader;
+  using KeyReader::operator();
   void operator()(const std::string& key, EndRule& value) { value = word(key, end_rule_named(text(key))); }
   void operator()(const std::string& key, EdgeKind& value) { value = word(key, edge_kind_named(text(key))); }
   void operator()(const std::string& key, Strategy& value) { value = word(key, strategy_named(text(key))); }
@@ -186,9 +161,6 @@ class Reader {
     double radians = 0;
     (*this)(key + "_rad", radians);
     value = Angle::radians(radians);
-  }
-  void operator()(const std::string& key, std::vector<std::string>& values) {
-    parse(key, [&](const nlohmann::json& json) { values = json.get<std::vector<std::string>>(); });
   }
   void operator()(const std::string& key, std::vector<int>& values) {
     parse(key, [&](const nlohmann::json& json) {
@@ -216,27 +188,7 @@ class Reader {
   /// What is taken off all coordinates from now on.
   void shift_by(Point offset) { offset_ = offset; }
 
-  const std::string& text(const std::string& key) const {
-    const auto found = metadata_.find(key);
-    if (found != metadata_.end()) return found->second;
-    throw bad_input(
-        fmt::format("{}: the table metadata has no key '{}'; write the plan again with tramline plan",
-                    file_.string(), key));
-  }
-  Error wrong(const std::string& key, const char* expected) const {
-    return bad_input(fmt::format("{}: '{}' in the table metadata is '{}', expected {}", file_.string(), key,
-                                 text(key), expected));
-  }
-
  private:
-  template <class Number>
-  Number number(const std::string& key) const {
-    const std::string& digits = text(key);
-    Number value{};
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc{} || end != digits.data() + digits.size()) throw wrong(key, "a number");
-    return value;
-  }
   template <class Choice>
   Choice word(const std::string& key, std::optional<Choice> choice) const {
     if (!choice) throw wrong(key, "a word this version of tramline knows");
@@ -248,21 +200,7 @@ class Reader {
       throw nlohmann::json::other_error::create(0, "no count", nullptr);
     return item.get<int>();
   }
-  /// "plan.gpkg: table metadata, reference"
-  std::string place_of(const std::string& key) const {
-    return fmt::format("{}: table metadata, {}", file_.string(), key);
-  }
-  template <class Take>
-  void parse(const std::string& key, Take take) const {
-    try {
-      take(nlohmann::json::parse(text(key)));
-    } catch (const nlohmann::json::exception&) {
-      throw wrong(key, "a JSON list");
-    }
-  }
 
-  const Metadata& metadata_;
-  const std::filesystem::path& file_;
   Point offset_{};
 };
 
@@ -286,7 +224,7 @@ Metadata metadata_of(const Plan& plan) {
 }
 
 int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, Plan& plan) {
-  Reader reader(metadata, file);
+  Reader reader(metadata, file, kPlanFile);
   if (reader.text("format") != kFormat) throw reader.wrong("format", "'tramline plan'");
   int version = 0;
   reader("format_version", version);

@@ -2,9 +2,8 @@
 // Everything of a plan that has no shape, as keys and values: the table `metadata` of a plan file.
 
 #include <filesystem>
-#include <map>
-#include <string>
 
+#include "tramline/io/geopackage/metadata.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::io {
@@ -12,9 +11,6 @@ namespace tramline::io {
 /// The first version with headlands and curved tracks, and so with their layers and keys. Files of the one
 /// before hold none and are read all the same.
 inline constexpr int kVersionWithHeadlands = 3;
-
-/// Sorted by key. Numbers carry as many digits as it takes to read the same bits back.
-using Metadata = std::map<std::string, std::string>;
 
 /// Machine, objective, settings, tally, local frame, source and remarks of a plan. The source file is
 /// named without its folder: a plan does not carry the paths of the machine it was made on. Guide line and

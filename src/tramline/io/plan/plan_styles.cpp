@@ -4,20 +4,18 @@
 
 #include <cmath>
 
+#include "tramline/io/geopackage/qml.h"
 #include "tramline/io/plan/plan_layers.h"
-#include "tramline/io/plan/qml.h"
 #include "tramline/model/palette.h"
 #include "tramline/model/plain_zero.h"
 
 namespace tramline::io {
 namespace {
 
+using qml::mm;
 using qml::Rule;
 using qml::Shape;
 using qml::Symbol;
-
-/// The pictures' pixels, at 96 to the inch.
-constexpr double mm(double px) { return px * 25.4 / 96; }
 
 constexpr double kTrackLine_mm = mm(1.1), kDetourLine_mm = mm(2.2), kRim_mm = mm(4.4), kArrow_mm = mm(9);
 constexpr double kHeadlandLine_mm = mm(1.4);
@@ -26,7 +24,7 @@ constexpr double kSliver_mm = mm(1.5);
 Symbol symbol(Shape shape, std::vector<qml::SymbolLayer> layers) { return {shape, std::move(layers)}; }
 
 std::string fill_style(qml::SymbolLayer layer) {
-  return qml::document(Shape::kPolygon, {{"", "", symbol(Shape::kPolygon, {std::move(layer)})}});
+  return qml::document({Shape::kPolygon, {std::move(layer)}});
 }
 
 std::string obstacles_style() {

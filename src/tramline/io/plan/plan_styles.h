@@ -1,18 +1,12 @@
 #pragma once
 // What the layers of a plan file look like in QGIS: the colours of our own pictures.
 
-#include <string>
 #include <vector>
 
+#include "tramline/io/geopackage/layer_styles.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::io {
-
-struct LayerStyle {
-  const char* layer;  ///< of the plan file
-  std::string about;  ///< one sentence for people
-  std::string qml;
-};
 
 /// A style for each layer with shapes. Field, body and swaths hide nothing in whatever order the layers are
 /// added: only land that the picture fills is filled. Depends on the subfields and their directions alone.

@@ -8,14 +8,14 @@
 #include <utility>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/geopackage/gdal_errors.h"
+#include "tramline/io/geopackage/local_crs.h"
+#include "tramline/io/geopackage/rows.h"
 #include "tramline/io/plan/detour_text.h"
 #include "tramline/io/plan/front_text.h"
-#include "tramline/io/plan/gdal_errors.h"
-#include "tramline/io/plan/local_crs.h"
 #include "tramline/io/plan/path_text.h"
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/io/plan/plan_metadata.h"
-#include "tramline/io/plan/plan_rows.h"
 
 namespace tramline::io {
 namespace {
@@ -36,14 +36,14 @@ void derive_area(PlanFile& out, const Row& row, const Polygon& polygon) {
   derive(out, row, "area_m2", area(polygon), polygon.outer.front());
 }
 
-void read_region(PlanRows& file, const char* name, Region& into, PlanFile& out) {
+void read_region(Rows& file, const char* name, Region& into, PlanFile& out) {
   file.each(name, [&](const Row& row) {
     into.push_back(row.polygon());
     derive_area(out, row, into.back());
   });
 }
 
-void read_field(PlanRows& file, const fs::path& path, PlanFile& out) {
+void read_field(Rows& file, const fs::path& path, PlanFile& out) {
   Field& field = out.plan.field;
   int count = 0;
   file.each(layers::kField, [&](const Row& row) {
@@ -65,7 +65,7 @@ void read_field(PlanRows& file, const fs::path& path, PlanFile& out) {
   });
 }
 
-void read_subfields(PlanRows& file, PlanFile& out) {
+void read_subfields(Rows& file, PlanFile& out) {
   file.each(layers::kSubfields, [&](const Row& row) {
     const Angle angle = Angle::radians(row.number("direction_rad"));
     out.plan.subfields.push_back({row.polygon(), Direction::clockwise_from_north(angle)});
@@ -115,7 +115,7 @@ TrackPiece piece_of(const Row& row, const Path& path) {
   return (curved ? curved_piece : piece_from_text)(path, row.text("detours"), row.place_of("detours"));
 }
 
-void read_headland_passes(PlanRows& file, PlanFile& out) {
+void read_headland_passes(Rows& file, PlanFile& out) {
   file.each(layers::kHeadlandPasses, [&](const Row& row) {
     out.headland_lines.push_back(row.line());
     HeadlandPass pass;
@@ -129,13 +129,13 @@ void read_headland_passes(PlanRows& file, PlanFile& out) {
   });
 }
 
-void read_headland(PlanRows& file, PlanFile& out) {
+void read_headland(Rows& file, PlanFile& out) {
   read_region(file, layers::kHeadland, out.plan.headland.ground, out);
   read_headland_passes(file, out);
   read_region(file, layers::kHeadlandUnworked, out.plan.headland.unworked, out);
 }
 
-void read_tracks(PlanRows& file, PlanFile& out) {
+void read_tracks(Rows& file, PlanFile& out) {
   using Track = std::pair<TrackPiece, std::vector<Point>>;
   std::vector<std::pair<int, Track>> rows;
   file.each(layers::kTracks, [&](const Row& row) {
@@ -168,7 +168,7 @@ double swath_area(const PlanFile& file, int order, const Polygon& swath) {
   return file.plan.machine.width_m * length(file.plan.pieces[index]);
 }
 
-void read_swaths(PlanRows& file, PlanFile& out) {
+void read_swaths(Rows& file, PlanFile& out) {
   std::vector<std::pair<int, Polygon>> rows;
   file.each(layers::kSwaths, [&](const Row& row) {
     rows.emplace_back(row.whole("order"), row.polygon());
@@ -179,7 +179,7 @@ void read_swaths(PlanRows& file, PlanFile& out) {
   sort_into(rows, out.swath_order, out.swaths);
 }
 
-void read_dropped(PlanRows& file, PlanFile& out) {
+void read_dropped(Rows& file, PlanFile& out) {
   file.each(layers::kDropped, [&](const Row& row) {
     const auto [start, end] = row.straight_line();
     out.plan.dropped.push_back({start, end, row.whole("subfield") - 1});
@@ -193,7 +193,7 @@ WayPast read_way(const Row& row, const char* cost, const char* why_not) {
   return {number.has_value(), number.value_or(0), row.text(why_not)};
 }
 
-void read_encounters(PlanRows& file, PlanFile& out) {
+void read_encounters(Rows& file, PlanFile& out) {
   file.each(layers::kEncounters, [&](const Row& row) {
     Encounter encounter;
     encounter.at = row.point();
@@ -214,7 +214,7 @@ void read_encounters(PlanRows& file, PlanFile& out) {
 }
 
 /// Only plans that were asked for a front have the table.
-void read_front(PlanRows& file, PlanFile& out) {
+void read_front(Rows& file, PlanFile& out) {
   if (!file.has(layers::kFront)) return;
   Front& front = out.plan.front;
   front.prices = out.plan.objective;
@@ -249,7 +249,7 @@ void read_front(PlanRows& file, PlanFile& out) {
 
 PlanFile read_plan_file(const fs::path& path) {
   GdalErrors errors;
-  PlanRows file(path, errors);
+  Rows file(path, kPlanFile, errors);
   PlanFile out;
   Metadata metadata;
   file.each(layers::kMetadata, [&](const Row& row) { metadata[row.text("key")] = row.text("value"); });

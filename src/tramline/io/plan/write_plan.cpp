@@ -1,140 +1,35 @@
 #include "tramline/io/plan/write_plan.h"
 
-#include <cpl_conv.h>
-#include <cpl_port.h>
-#include <cpl_string.h>
-#include <cpl_vsi.h>
-#include <fmt/format.h>
 #include <ogrsf_frmts.h>
-#include <unistd.h>
 
-#include <atomic>
 #include <cmath>
-#include <memory>
-#include <span>
-#include <variant>
 
-#include "tramline/geometry/error.h"
+#include "tramline/io/geopackage/layer_styles.h"
+#include "tramline/io/geopackage/table.h"
+#include "tramline/io/geopackage/write_geopackage.h"
 #include "tramline/io/plan/detour_text.h"
 #include "tramline/io/plan/front_text.h"
-#include "tramline/io/plan/gdal_errors.h"
-#include "tramline/io/plan/local_crs.h"
 #include "tramline/io/plan/path_text.h"
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/io/plan/plan_metadata.h"
 #include "tramline/io/plan/plan_styles.h"
-#include "tramline/io/plan/time_stamp.h"
-#include "tramline/io/plan/whole_file.h"
-#include "tramline/model/plain_zero.h"
 
 namespace tramline::io {
 namespace {
 
 namespace layers = plan_layers;
 
-struct Column {
-  const char* name;
-  OGRFieldType type;
-  OGRFieldSubType subtype = OFSTNone;
-};
-using Cell = std::variant<std::monostate, long long, double, bool, std::string>;  // monostate: NULL
-
-constexpr Column kArea{"area_m2", OFTReal};
-constexpr Column integer(const char* name) { return {name, OFTInteger}; }
-constexpr Column real(const char* name) { return {name, OFTReal}; }
-constexpr Column text(const char* name) { return {name, OFTString}; }
-constexpr Column flag(const char* name) { return {name, OFTInteger, OFSTBoolean}; }
-
-/// Local metres to the file's coordinates.
-class Shapes {
- public:
-  explicit Shapes(Point offset) : offset_(offset) {}
-
-  std::unique_ptr<OGRGeometry> point(Point p) const {
-    return std::make_unique<OGRPoint>(plain_zero(p.x + offset_.x), plain_zero(p.y + offset_.y));
-  }
-  std::unique_ptr<OGRGeometry> line(const std::vector<Point>& points) const {
-    auto out = std::make_unique<OGRLineString>();
-    for (const Point p : points) append(*out, p);
-    return out;
-  }
-  std::unique_ptr<OGRGeometry> polygon(const Polygon& polygon) const {
-    auto out = std::make_unique<OGRPolygon>();
-    append(*out, polygon.outer);
-    for (const Ring& hole : polygon.holes) append(*out, hole);
-    return out;
-  }
-
- private:
-  void append(OGRLineString& out, Point p) const {
-    out.addPoint(plain_zero(p.x + offset_.x), plain_zero(p.y + offset_.y));
-  }
-  void append(OGRPolygon& out, const Ring& ring) const {
-    auto closed = std::make_unique<OGRLinearRing>();
-    for (const Point p : ring) append(*closed, p);
-    if (!ring.empty()) append(*closed, ring.front());
-    out.addRingDirectly(closed.release());
-  }
-  Point offset_;
-};
-
-/// A number, or NULL.
-Cell number_if(bool any, double number) { return any ? Cell(number) : Cell(); }
-
-/// A layer under construction. Failures are left to the GdalErrors of the caller.
-class Table {
- public:
-  Table(GDALDataset& file, const char* name, OGRwkbGeometryType type, OGRSpatialReference* crs,
-        std::initializer_list<Column> columns, const char* key = "fid")
-      : layer_(file.CreateLayer(name, crs, type, CPLStringList().SetNameValue("FID", key).List())) {
-    if (layer_ == nullptr) return;
-    for (const Column& column : columns) {
-      OGRFieldDefn definition(column.name, column.type);
-      definition.SetSubType(column.subtype);
-      layer_->CreateField(&definition);
-    }
-  }
-
-  void add(std::unique_ptr<OGRGeometry> shape, std::initializer_list<Cell> cells) {
-    if (layer_ == nullptr) return;
-    OGRFeature feature(layer_->GetLayerDefn());
-    int column = 0;
-    for (const Cell& cell : cells) set(feature, column++, cell);
-    if (shape != nullptr) {
-      feature.SetGeometryDirectly(shape.release());
-    }
-    if (layer_->CreateFeature(&feature) != OGRERR_NONE)
-      CPLError(CE_Failure, CPLE_AppDefined, "a feature of layer %s was refused", layer_->GetName());
-  }
-
- private:
-  static void set(OGRFeature& feature, int column, const Cell& cell) {
-    if (const auto* whole = std::get_if<long long>(&cell)) feature.SetField(column, GIntBig{*whole});
-    if (const auto* number = std::get_if<double>(&cell)) feature.SetField(column, plain_zero(*number));
-    if (const auto* yes = std::get_if<bool>(&cell)) feature.SetField(column, *yes ? 1 : 0);
-    if (const auto* word = std::get_if<std::string>(&cell)) feature.SetField(column, word->c_str());
-  }
-  OGRLayer* layer_;
-};
-
-struct Target {
-  GDALDataset& file;
-  OGRSpatialReference* crs;
-  Point offset;
-  Shapes shapes;
-};
-
 void write_region(const Target& target, const char* name, const Region& region) {
-  Table table(target.file, name, wkbPolygon, target.crs, {kArea});
+  Table table(target.file, name, wkbPolygon, target.crs, {kAreaColumn});
   for (const Polygon& polygon : region) table.add(target.shapes.polygon(polygon), {area(polygon)});
 }
 
 void write_field(const Target& target, const Field& field) {
-  Table fields(target.file, layers::kField, wkbPolygon, target.crs, {text("field_id"), kArea});
+  Table fields(target.file, layers::kField, wkbPolygon, target.crs, {text("field_id"), kAreaColumn});
   fields.add(target.shapes.polygon({field.outer, {}}), {field.id, area(Polygon{field.outer, {}})});
 
   Table obstacles(target.file, layers::kObstacles, wkbPolygon, target.crs,
-                  {text("kind"), text("origin"), kArea});
+                  {text("kind"), text("origin"), kAreaColumn});
   for (const Obstacle& obstacle : field.obstacles) {
     const bool passable = obstacle.kind == ObstacleKind::kPassable;
     obstacles.add(target.shapes.polygon(obstacle.shape),
@@ -146,7 +41,7 @@ void write_field(const Target& target, const Field& field) {
 /// direction_rad gives the direction back to the bit, which degrees do not.
 void write_subfields(const Target& target, const Plan& plan) {
   Table table(target.file, layers::kSubfields, wkbPolygon, target.crs,
-              {integer("number"), real("direction_deg"), real("direction_rad"), kArea});
+              {integer("number"), real("direction_deg"), real("direction_rad"), kAreaColumn});
   long long number = 0;
   for (const Subfield& subfield : plan.subfields)
     table.add(
@@ -193,7 +88,7 @@ void write_tracks(const Target& target, const Plan& plan) {
 
 void write_swaths(const Target& target, const Plan& plan) {
   Table table(target.file, layers::kSwaths, wkbPolygon, target.crs,
-              {integer("order"), real("width_m"), kArea});
+              {integer("order"), real("width_m"), kAreaColumn});
   const double width_m = plan.machine.width_m;
   long long order = 0;
   for (const TrackPiece& piece : plan.pieces)
@@ -248,35 +143,7 @@ void write_metadata(GDALDataset& file, const Plan& plan) {
   for (const auto& [key, value] : metadata_of(plan)) table.add(nullptr, {key, value});
 }
 
-/// The table in which QGIS looks for styles, with the columns it makes itself. It takes a default only where
-/// the schema is an empty text, not NULL.
-void write_styles(GDALDataset& file, const Plan& plan) {
-  Table table(file, layers::kStyles, wkbNone, nullptr,
-              {text("f_table_catalog"),
-               text("f_table_schema"),
-               text("f_table_name"),
-               text("f_geometry_column"),
-               text("styleName"),
-               text("styleQML"),
-               text("styleSLD"),
-               flag("useAsDefault"),
-               text("description"),
-               text("owner"),
-               text("ui"),
-               {"update_time", OFTDateTime}},
-              "id");
-  const std::string nothing, now = time_stamp();
-  for (const LayerStyle& style : styles_of(plan))
-    table.add(nullptr,
-              {nothing, nothing, std::string(style.layer), std::string("geom"), std::string("tramline"),
-               style.qml, nothing, true, style.about, std::string("tramline"), Cell(), now});
-}
-
-void write_layers(GDALDataset& file, const Plan& plan) {
-  OGRSpatialReference crs = crs_of(plan.field.frame);
-  const Point offset = offset_of(plan.field.frame);
-  const Target target{file, &crs, offset, Shapes(offset)};
-  file.StartTransaction();
+void write_layers(const Target& target, const Plan& plan) {
   write_field(target, plan.field);
   write_region(target, layers::kBody, plan.body);
   write_region(target, layers::kHeadland, plan.headland.ground);
@@ -290,58 +157,16 @@ void write_layers(GDALDataset& file, const Plan& plan) {
   write_region(target, layers::kHeadlandUnworked, plan.headland.unworked);
   write_dropped(target, plan);
   write_encounters(target, plan);
-  write_front(file, plan.front);
-  write_metadata(file, plan);
-  write_styles(file, plan);
-  file.CommitTransaction();
-}
-
-/// A file in GDAL's memory, gone at the end of the scope. Building the GeoPackage there keeps
-/// half-written databases and journals off the disk, whatever happens.
-class MemoryFile {
- public:
-  MemoryFile() {
-    static std::atomic<unsigned> count{0};
-    name_ = fmt::format("/vsimem/tramline_plan_{}_{}.gpkg", getpid(), count++);
-  }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-  ~MemoryFile() { VSIUnlink(name_.c_str()); }
-  const char* name() const { return name_.c_str(); }
-  std::span<const std::byte> bytes() const {
-    vsi_l_offset size = 0;
-    const GByte* data = VSIGetMemFileBuffer(name_.c_str(), &size, FALSE);
-    return std::as_bytes(std::span(data, static_cast<std::size_t>(size)));
-  }
-
- private:
-  std::string name_;
-};
-
-GDALDriver& driver() {
-  RegisterOGRGeoPackage();
-  GDALDriver* found = GetGDALDriverManager()->GetDriverByName("GPKG");
-  if (found == nullptr) throw failure("this GDAL has no GeoPackage driver; install one built with SQLite");
-  return *found;
+  write_front(target.file, plan.front);
+  write_metadata(target.file, plan);
+  write_styles(target.file, styles_of(plan));
 }
 
 }  // namespace
 
 void write_plan(const Plan& plan, const std::filesystem::path& path) {
-  if (!EQUAL(path.extension().c_str(), ".gpkg"))
-    throw bad_input(
-        fmt::format("'{}' cannot hold a plan: plans are GeoPackages; end the name in .gpkg", path.string()));
-  const CPLConfigOptionSetter date("OGR_CURRENT_DATE", time_stamp().c_str(), false);
-  GdalErrors errors;
-  MemoryFile memory;
-  {
-    const GDALDatasetUniquePtr file(driver().Create(memory.name(), 0, 0, 0, GDT_Unknown, nullptr));
-    if (file != nullptr) write_layers(*file, plan);
-  }
-  const std::span<const std::byte> bytes = memory.bytes();
-  if (errors.any() || bytes.empty())
-    throw failure(fmt::format("cannot write {}: GDAL reports: {}", path.string(), errors.first()));
-  write_whole(path, bytes);
+  write_geopackage(path, kPlanFile, plan.field.frame,
+                   [&](const Target& target) { write_layers(target, plan); });
 }
 
 }  // namespace tramline::io

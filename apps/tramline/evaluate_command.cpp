@@ -1,0 +1,227 @@
+// tramline evaluate: what was worked, worked again and missed.
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command.h"
+#include "evaluate_input.h"
+#include "evaluate_report.h"
+#include "field_options.h"
+#include "output_target.h"
+#include "progress.h"
+#include "report_parts.h"
+#include "tramline/coverage/deviation.h"
+#include "tramline/coverage/evaluate.h"
+#include "tramline/coverage/plan_steps.h"
+#include "tramline/geometry/error.h"
+#include "tramline/io/coverage/write_coverage.h"
+#include "tramline/io/log/read_log.h"
+#include "tramline/io/plan/read_plan.h"
+#include "tramline/render/draw_coverage.h"
+
+namespace tramline::app {
+namespace {
+
+constexpr const char* kHelp =
+    "Evaluate a recorded drive, or the drive of a plan: which ground was covered, worked again and missed";
+constexpr const char* kExample =
+    "Example:\n"
+    "  tramline evaluate spraying.csv --field fields.gpkg --where \"id='mill-field'\" --width 24 --picture "
+    "done.png\n"
+    "  tramline evaluate TASKDATA.zip --log TLG00001 --json -o coverage.gpkg\n"
+    "  tramline evaluate --plan plan.gpkg\n"
+    "  tramline evaluate spraying.csv --plan plan.gpkg --width 24\n"
+    "Widths and work states in the log win over --width. Formats of logs: docs/logs.md.";
+
+/// Wider than anything that drives or flies over a field, m.
+constexpr double kWidest_m = 1000;
+
+std::string sensible_width(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (end == text.c_str() || *end != '\0' || !(value > 0 && value <= kWidest_m))
+    return fmt::format("has to be more than 0 and at most {:g} m, not {}", kWidest_m, text);
+  return "";
+}
+
+class EvaluateCommand : public Command {
+ public:
+  CLI::App* setup(CLI::App& app) override {
+    CLI::App* verb = app.add_subcommand("evaluate", kHelp);
+    verb->add_option(
+        "LOG", log_file_,
+        "the drive: CSV, NMEA 0183, GPX, ISOXML task data (folder, zip or one time log), or points of "
+        "a vector file; .gz too");
+    add_field_choice(*verb, field_);
+    verb->add_option("--plan", plan_file_, "a plan file: evaluate its drive, or compare LOG with it");
+    add_drive_options(*verb);
+    add_engine_options(*verb);
+    verb->add_option("-o,--output", output_, "write the coverage to this GeoPackage (.gpkg)");
+    verb->add_option("--picture", picture_, "draw it to this .png, .svg or .pdf");
+    add_unused_threads_option(*verb, threads_);
+    verb->add_flag("--json", json_, "print one JSON object instead of the table");
+    verb->add_flag("--quiet", quiet_, "no progress, no table");
+    verb->footer(kExample);
+    return verb;
+  }
+
+  int run() override {
+    if (log_file_.empty() && plan_file_.empty())
+      throw bad_input("name a log to evaluate, or a plan with --plan");
+    if (log_file_.empty() && !field_.file.empty())
+      throw bad_input("--field goes with a log; a plan is evaluated on the ground it was made for");
+    const std::vector<std::string> inputs{log_file_, field_.file, plan_file_};
+    require_writable(output_, "--output", {".gpkg"}, inputs);
+    require_writable(picture_, "--picture", {".png", ".svg", ".pdf"}, inputs);
+    const auto start = std::chrono::steady_clock::now();
+    std::optional<Plan> plan;
+    if (!plan_file_.empty()) plan = io::read_plan(plan_file_);
+    Evaluation evaluation = log_file_.empty() ? plan_alone(*plan) : drive(plan);
+    evaluation.strict = settings().strict;
+    evaluation.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    write(evaluation);
+    return 0;
+  }
+
+ private:
+  void add_drive_options(CLI::App& verb) {
+    coverage::DriveSettings& drive = settings_.drive;
+    verb.add_option("--width", drive.width_m, "working width where the log has none, m")
+        ->check(sensible_width);
+    verb.add_option("--log", log_options_.log, "which log of an ISOXML task set, such as TLG00001");
+    verb.add_option("--columns", log_options_.columns,
+                    "which column is what, where names do not say: \"lon=Xcoord,lat=Ycoord,time=T\"");
+    verb.add_option("--log-crs", log_options_.crs,
+                    "CRS of the log's x and y, such as EPSG:25832; 'none' for plain metres");
+    verb.add_option(
+            "--quads", quads_,
+            "ground of a step: 'heading', square to the heading at either end, or 'segment', a rectangle "
+            "along the step")
+        ->check(CLI::IsMember({"heading", "segment"}))
+        ->capture_default_str();
+    verb.add_option("--switch", switch_,
+                    "when work and sections switch: 'interpolate', half way between fixes, or 'step', at the "
+                    "second")
+        ->check(CLI::IsMember({"interpolate", "step"}))
+        ->capture_default_str();
+    verb.add_option("--max-gap-s", drive.max_gap_s, "nothing is worked over longer gaps in time, s")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    verb.add_option("--max-step-m", drive.max_step_m, "nor over longer steps, m")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    verb.add_option("--antenna-forward", drive.antenna_forward_m, "antenna before the machine's middle, m")
+        ->check(CLI::Range(-100.0, 100.0))
+        ->capture_default_str();
+    verb.add_option("--antenna-right", drive.antenna_right_m, "antenna right of it, m")
+        ->check(CLI::Range(-100.0, 100.0))
+        ->capture_default_str();
+    verb.add_option("--implement-behind", drive.implement_behind_m,
+                    "what works, behind the machine's middle, m")
+        ->check(CLI::Range(-100.0, 100.0))
+        ->capture_default_str();
+  }
+
+  void add_engine_options(CLI::App& verb) {
+    verb.add_option("--engine", engine_,
+                    "'exact', or 'mesh' as in the paper (S3): slow, right to some per mille")
+        ->check(CLI::IsMember({"exact", "mesh"}))
+        ->capture_default_str();
+    verb.add_option("--mesh", settings_.mesh_m, "side of a mesh with --engine mesh, m")
+        ->check(CLI::Range(0.005, 1.0))
+        ->capture_default_str();
+    verb.add_option(
+            "--repeat", repeat_,
+            "what is repeated: 'run', ground worked before the machine's own trail, or 'strict', all ground "
+            "worked twice")
+        ->check(CLI::IsMember({"run", "strict"}))
+        ->capture_default_str();
+    verb.add_option("--slice", settings_.slice, "also give the figures after every so many fixes")
+        ->check(CLI::Range(1, 1000000000));
+  }
+
+  coverage::EvaluateSettings settings() const {
+    coverage::EvaluateSettings out = settings_;
+    out.drive.quads = quads_ == "segment" ? coverage::QuadShape::kSegment : coverage::QuadShape::kHeading;
+    out.drive.switching = switch_ == "step" ? coverage::Switching::kStep : coverage::Switching::kInterpolate;
+    out.engine = engine_ == "mesh" ? coverage::EngineKind::kMesh : coverage::EngineKind::kExact;
+    out.strict = repeat_ == "strict";
+    return out;
+  }
+
+  /// The drive of a plan over the ground it has to cover.
+  Evaluation plan_alone(const Plan& plan) const {
+    Evaluation out;
+    out.coverage =
+        coverage::evaluate(coverage::plan_steps(plan), plan.machine.width_m, plan.body, settings());
+    out.coverage.field_id = plan.field.id;
+    out.coverage.field = plan.body;
+    out.coverage.frame = plan.field.frame;
+    out.tally = PlanTally{plan_file_, area(plan.body), plan.tally};
+    return out;
+  }
+
+  Evaluation drive(const std::optional<Plan>& plan) const {
+    const WorkLog read = io::read_log(log_file_, log_options_);
+    WorkGround ground;
+    if (const std::optional<WorkGround> field = work_ground(field_))
+      ground = *field;
+    else if (plan)
+      ground = work_ground(*plan);
+    const WorkLog log = placed_on(read, ground);
+    Evaluation out;
+    out.coverage = evaluated(log, ground.ground);
+    out.coverage.field_id = ground.field_id;
+    out.coverage.field = ground.ground;
+    out.coverage.frame = ground.frame;
+    if (plan) out.compared = compared(*plan, read);
+    return out;
+  }
+
+  Coverage evaluated(const WorkLog& log, const Region& field) const {
+    ProgressLine progress(quiet_);
+    return coverage::evaluate(log, field, settings(), [&](std::size_t done, std::size_t total) {
+      progress.show("evaluating " + log.name, static_cast<int>(done), static_cast<int>(total), "fixes");
+    });
+  }
+
+  /// Measured on the ground that the plan works: what is missed of it, and what lies outside it.
+  PlanAndDone compared(const Plan& plan, const WorkLog& read) const {
+    WorkGround ground = work_ground(plan);
+    std::vector<coverage::WorkedStep> steps = coverage::plan_steps(plan);
+    for (coverage::WorkedStep& step : coverage::headland_steps(plan, static_cast<int>(plan.pieces.size())))
+      steps.push_back(std::move(step));
+    const Region planned = coverage::evaluate(steps, plan.machine.width_m, {}, {}).covered;
+    const Coverage done = evaluated(placed_on(read, ground), planned);
+    return {plan_file_, coverage::deviation(plan, done.lines), area(planned), done.areas.missed_m2,
+            done.areas.outside_m2};
+  }
+
+  void write(const Evaluation& evaluation) const {
+    if (!output_.empty()) io::write_coverage(evaluation.coverage, output_);
+    if (!picture_.empty()) render::draw_coverage(evaluation.coverage, picture_);
+    if (json_)
+      fmt::print("{}\n", json_line(evaluation_json(evaluation)));
+    else if (!quiet_)
+      fmt::print("{}", evaluation_table(evaluation));
+  }
+
+  FieldOptions field_;
+  io::LogOptions log_options_;
+  coverage::EvaluateSettings settings_;
+  std::string log_file_, plan_file_, output_, picture_;
+  std::string quads_ = "heading", switch_ = "interpolate", engine_ = "exact", repeat_ = "run";
+  int threads_ = 0;
+  bool json_ = false, quiet_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_evaluate_command() { return std::make_unique<EvaluateCommand>(); }
+
+}  // namespace tramline::app

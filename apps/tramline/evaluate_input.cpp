@@ -1,0 +1,109 @@
+#include "evaluate_input.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "tramline/geodesy/field_projection.h"
+#include "tramline/geodesy/placed_log.h"
+#include "tramline/geometry/error.h"
+#include "tramline/headland/body.h"
+
+namespace tramline::app {
+namespace {
+
+/// A log none of whose fixes is nearer to the field than this was driven elsewhere, m.
+constexpr double kNear_m = 2000;
+
+Ring moved(const Ring& ring, const FrameProjection& from, const FrameProjection& to) {
+  Ring out;
+  for (const Point p : ring) {
+    const std::optional<Point> local = to.from_lonlat(from.to_lonlat(p));
+    if (!local) throw bad_input("the parts of the field lie too far apart for one plane");
+    out.push_back(*local);
+  }
+  return out;
+}
+
+/// Parts of a feature have a frame each.
+Region moved(const Region& region, const LocalFrame& from, const LocalFrame& to) {
+  if (from == to) return region;
+  Region out = region;
+  const Point shift{from.origin_x_m - to.origin_x_m, from.origin_y_m - to.origin_y_m};
+  const auto move = [&](Ring& ring) {
+    if (from.geodetic)
+      ring = moved(ring, FrameProjection(from), FrameProjection(to));
+    else
+      std::transform(ring.begin(), ring.end(), ring.begin(), [&](Point p) { return p + shift; });
+  };
+  for (Polygon& polygon : out) {
+    move(polygon.outer);
+    std::for_each(polygon.holes.begin(), polygon.holes.end(), move);
+  }
+  return out;
+}
+
+double distance_between(const Box& box, Point p) {
+  const double x = std::max({box.min_x - p.x, 0.0, p.x - box.max_x});
+  const double y = std::max({box.min_y - p.y, 0.0, p.y - box.max_y});
+  return length({x, y});
+}
+
+bool any_near(const WorkLog& local, const Box& field) {
+  return std::any_of(local.fixes.begin(), local.fixes.end(),
+                     [&](const Fix& fix) { return distance_between(field, fix.position) < kNear_m; });
+}
+
+WorkLog with_columns_swapped(WorkLog log) {
+  for (Fix& fix : log.fixes) std::swap(fix.position.x, fix.position.y);
+  return log;
+}
+
+void require_near(const WorkLog& log, const WorkLog& local, const WorkGround& ground) {
+  const Box field = bounds(ground.ground);
+  if (any_near(local, field)) return;
+  if (any_near(placed(with_columns_swapped(log), ground.frame), field))
+    throw bad_input(fmt::format(
+        "{} lies nowhere near the field {} as it is, but does with longitude and latitude swapped: name the "
+        "columns with --columns",
+        log.name, ground.field_id));
+  const Box box = bounds(log);
+  throw bad_input(fmt::format("{} lies nowhere near the field {}: the log is about ({:.5f}, {:.5f}){}",
+                              log.name, ground.field_id, box.centre().x, box.centre().y,
+                              ground.frame.geodetic
+                                  ? fmt::format(" and the field about ({:.5f}, {:.5f})",
+                                                ground.frame.origin_lon_deg, ground.frame.origin_lat_deg)
+                                  : ""));
+}
+
+}  // namespace
+
+std::optional<WorkGround> work_ground(const FieldOptions& options) {
+  if (options.file.empty()) return std::nullopt;
+  const FieldInput input = load_fields(options);
+  WorkGround out;
+  for (const Field& field : input.fields) {
+    if (out.field_id.empty()) {
+      out.field_id = field.id;
+      out.frame = field.frame;
+    }
+    for (Polygon& polygon : moved(body_of(field), field.frame, out.frame))
+      out.ground.push_back(oriented(std::move(polygon)));
+  }
+  return out;
+}
+
+WorkGround work_ground(const Plan& plan) { return {plan.field.id, body_of(plan.field), plan.field.frame}; }
+
+WorkLog placed_on(const WorkLog& log, WorkGround& ground) {
+  if (ground.ground.empty()) {
+    ground.frame = frame_centred_on(log);
+    return placed(log, ground.frame);
+  }
+  WorkLog local = placed(log, ground.frame);
+  require_near(log, local, ground);
+  return local;
+}
+
+}  // namespace tramline::app

@@ -1,0 +1,31 @@
+#pragma once
+// A log and the field it was driven on, in one frame.
+
+#include <optional>
+#include <string>
+
+#include "field_options.h"
+#include "tramline/geometry/region.h"
+#include "tramline/model/field.h"
+#include "tramline/model/plan.h"
+#include "tramline/model/work_log.h"
+
+namespace tramline::app {
+
+/// What was to be worked. Frame: local metres.
+struct WorkGround {
+  std::string field_id;  ///< empty: no field
+  Region ground;         ///< the field less its obstacles, passable ones too; empty: no field
+  LocalFrame frame;
+};
+
+/// The field of --field, all parts of the feature chosen; nullopt where none was given. Throws kBadInput.
+std::optional<WorkGround> work_ground(const FieldOptions& options);
+/// The field a plan was made for: all of it, headlands included.
+WorkGround work_ground(const Plan& plan);
+
+/// The log in the frame of the ground, or in one of its own; `ground` then gets that. Throws kBadInput where
+/// no fix lies near the field, and says so where longitude and latitude seem to have changed places.
+WorkLog placed_on(const WorkLog& log, WorkGround& ground);
+
+}  // namespace tramline::app

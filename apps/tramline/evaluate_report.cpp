@@ -1,0 +1,244 @@
+#include "evaluate_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tramline/geodesy/field_projection.h"
+
+namespace tramline::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::size_t kGapsInJson = 100;
+constexpr std::size_t kGapsInTable = 12;
+
+bool has_field(const Coverage& coverage) { return !coverage.field.empty(); }
+double field_m2(const Coverage& coverage) { return area(coverage.field); }
+
+double repeated_rate(const CoverageAreas& areas) {
+  return areas.covered_m2 > 0 ? areas.repeated_m2 / areas.covered_m2 : 0;
+}
+double worked_hours(const Coverage& coverage) { return coverage.worked_s / 3600; }
+double ha_per_hour(const Coverage& coverage) {
+  return coverage.areas.covered_m2 / 1e4 / worked_hours(coverage);
+}
+
+/// Null where there is no number.
+ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(); }
+ordered_json of_field(const Coverage& coverage, double value) {
+  return has_field(coverage) ? number(value) : ordered_json();
+}
+
+/// Coordinates as the input has them: longitude and latitude, or plain metres.
+Point in_input(const LocalFrame& frame, const std::optional<FrameProjection>& projection, Point local) {
+  return projection ? projection->to_lonlat(local)
+                    : Point{local.x + frame.origin_x_m, local.y + frame.origin_y_m};
+}
+
+std::optional<FrameProjection> projection_of(const LocalFrame& frame) {
+  return frame.geodetic ? std::optional<FrameProjection>(frame) : std::nullopt;
+}
+
+ordered_json gaps_json(const Coverage& coverage) {
+  const std::optional<FrameProjection> projection = projection_of(coverage.frame);
+  ordered_json out = ordered_json::array();
+  for (const Gap& gap : coverage.gaps) {
+    if (out.size() == kGapsInJson) break;
+    const Point at = in_input(coverage.frame, projection, gap.centre);
+    out.push_back({{"number", gap.number},
+                   {"area_m2", gap.area_m2},
+                   {"widest_m", gap.widest_m},
+                   {"centre", {at.x, at.y}}});
+  }
+  return out;
+}
+
+ordered_json skipped_list(const SkippedRecords& skipped) {
+  ordered_json out = ordered_json::array();
+  for (const SkippedRecord& record : skipped.listed)
+    out.push_back({{"record", record.record}, {"why", record.why}});
+  return out;
+}
+
+ordered_json slices_json(const Coverage& coverage) {
+  ordered_json out = ordered_json::array();
+  for (const CoverageSlice& slice : coverage.slices)
+    out.push_back({{"fixes", slice.fixes},
+                   {"covered_m2", slice.areas.covered_m2},
+                   {"repeated_m2", slice.areas.repeated_m2},
+                   {"missed_m2", of_field(coverage, slice.areas.missed_m2)},
+                   {"covered_rings", slice.covered_rings},
+                   {"missed_regions", slice.missed_regions},
+                   {"seconds", slice.seconds}});
+  return out;
+}
+
+ordered_json tally_json(const PlanTally& plan, const CoverageAreas& areas) {
+  return {{"file", plan.plan},
+          {"body_m2", plan.body_m2},
+          {"uncovered_m2", plan.tally.uncovered_m2},
+          {"overlap_m2", plan.tally.overlap_m2},
+          {"driven_uncovered_m2", areas.missed_m2},
+          {"driven_overlap_m2", areas.gross_m2 - areas.covered_inside_m2}};
+}
+
+ordered_json compared_json(const PlanAndDone& compared) {
+  const coverage::Deviation& deviation = compared.deviation;
+  return {{"file", compared.plan},
+          {"planned_m2", compared.planned_m2},
+          {"planned_missed_m2", compared.planned_missed_m2},
+          {"unplanned_m2", compared.unplanned_m2},
+          {"along_tracks_m", deviation.along_m},
+          {"beside_tracks_m", deviation.beside_m},
+          {"deviation_mean_m", deviation.mean_m},
+          {"deviation_p95_m", deviation.p95_m},
+          {"deviation_most_m", deviation.most_m}};
+}
+
+std::string share(const Coverage& coverage, double part_m2) {
+  return has_field(coverage) ? fmt::format(" ({:.2f} % of the field)", 100 * part_m2 / field_m2(coverage))
+                             : "";
+}
+
+std::string drive_rows(const Coverage& coverage) {
+  std::string out;
+  if (has_field(coverage))
+    out += fmt::format("field        {}, {:.4f} ha\n", coverage.field_id, field_m2(coverage) / 1e4);
+  if (!coverage.log.empty())
+    out += fmt::format("log          {}: {} fixes, {} used\n", coverage.log, coverage.fixes,
+                       coverage.fixes_used);
+  out +=
+      fmt::format("work         {} runs, {:g} m wide{}\n", coverage.runs, coverage.width_m,
+                  std::isfinite(coverage.worked_s)
+                      ? fmt::format(", {:.2f} h, {:.2f} ha/h", worked_hours(coverage), ha_per_hour(coverage))
+                      : "");
+  return out;
+}
+
+std::string area_rows(const Evaluation& evaluation) {
+  const Coverage& coverage = evaluation.coverage;
+  const CoverageAreas& areas = coverage.areas;
+  std::string out;
+  out +=
+      fmt::format("covered      {:.1f} m²{}\n", areas.covered_m2, share(coverage, areas.covered_inside_m2));
+  if (has_field(coverage))
+    out += fmt::format("outside      {:.1f} m² of that, beyond the field\n", areas.outside_m2);
+  out += fmt::format("repeated     {:.1f} m², {:.2f} % of what is covered{}\n", areas.repeated_m2,
+                     100 * repeated_rate(areas), evaluation.strict ? ", slivers included" : "");
+  if (areas.sliver_m2 > 0)
+    out += fmt::format("slivers      {:.1f} m² worked twice on the inside of curves\n", areas.sliver_m2);
+  if (has_field(coverage))
+    out += fmt::format("missed       {:.1f} m²{} in {} places\n", areas.missed_m2,
+                       share(coverage, areas.missed_m2), coverage.gaps.size());
+  return out;
+}
+
+std::string gap_rows(const Coverage& coverage) {
+  const std::optional<FrameProjection> projection = projection_of(coverage.frame);
+  std::string out;
+  for (std::size_t i = 0; i < std::min(coverage.gaps.size(), kGapsInTable); ++i) {
+    const Gap& gap = coverage.gaps[i];
+    const Point at = in_input(coverage.frame, projection, gap.centre);
+    out += fmt::format("  gap {:<6} {:.1f} m², up to {:.2f} m wide, at ({:.9g}, {:.9g})\n", gap.number,
+                       gap.area_m2, gap.widest_m, at.x, at.y);
+  }
+  if (coverage.gaps.size() > kGapsInTable)
+    out += fmt::format("  and {} smaller ones\n", coverage.gaps.size() - kGapsInTable);
+  return out;
+}
+
+std::string plan_rows(const Evaluation& evaluation) {
+  const CoverageAreas& areas = evaluation.coverage.areas;
+  std::string out;
+  if (evaluation.tally)
+    out += fmt::format(
+        "plan         its tally: uncovered {:.1f} m², overlap {:.1f} m²; driven: {:.1f} m², {:.1f} m²\n",
+        evaluation.tally->tally.uncovered_m2, evaluation.tally->tally.overlap_m2, areas.missed_m2,
+        areas.gross_m2 - areas.covered_inside_m2);
+  if (!evaluation.compared) return out;
+  const PlanAndDone& compared = *evaluation.compared;
+  out += fmt::format("plan         {:.1f} m² planned; {:.1f} m² of it not worked, {:.1f} m² worked besides\n",
+                     compared.planned_m2, compared.planned_missed_m2, compared.unplanned_m2);
+  out += fmt::format(
+      "deviation    {:.2f} m on average, 95 % within {:.2f} m, at most {:.2f} m, over {:.0f} m along tracks; "
+      "{:.0f} "
+      "m beside them\n",
+      compared.deviation.mean_m, compared.deviation.p95_m, compared.deviation.most_m,
+      compared.deviation.along_m, compared.deviation.beside_m);
+  return out;
+}
+
+std::string slice_rows(const Coverage& coverage) {
+  if (coverage.slices.empty()) return "";
+  std::string out = fmt::format("{:>9} {:>13} {:>13} {:>13} {:>6} {:>8} {:>9}\n", "fixes", "covered m²",
+                                "repeated m²", "missed m²", "rings", "regions", "ms");
+  for (const CoverageSlice& slice : coverage.slices)
+    out += fmt::format("{:>9} {:>12.2f} {:>12.2f} {:>12.2f} {:>6} {:>8} {:>9.2f}\n", slice.fixes,
+                       slice.areas.covered_m2, slice.areas.repeated_m2, slice.areas.missed_m2,
+                       slice.covered_rings, slice.missed_regions, 1e3 * slice.seconds);
+  return out;
+}
+
+std::string remark_rows(const Coverage& coverage) {
+  constexpr std::size_t kShown = 5;
+  std::string out;
+  for (std::size_t i = 0; i < std::min(kShown, coverage.skipped.listed.size()); ++i)
+    out += fmt::format("skipped      record {}: {}\n", coverage.skipped.listed[i].record,
+                       coverage.skipped.listed[i].why);
+  if (coverage.skipped.count > kShown)
+    out += fmt::format("             and {} more records\n", coverage.skipped.count - kShown);
+  for (const std::string& warning : coverage.warnings) out += fmt::format("note         {}\n", warning);
+  return out;
+}
+
+}  // namespace
+
+ordered_json evaluation_json(const Evaluation& evaluation) {
+  const Coverage& coverage = evaluation.coverage;
+  const CoverageAreas& areas = coverage.areas;
+  ordered_json out;
+  out["field_id"] = has_field(coverage) ? ordered_json(coverage.field_id) : ordered_json();
+  out["field_area_m2"] = of_field(coverage, field_m2(coverage));
+  out["log"] = coverage.log.empty() ? ordered_json() : ordered_json(coverage.log);
+  out["width_m"] = coverage.width_m;
+  out["fixes"] = coverage.fixes;
+  out["fixes_used"] = coverage.fixes_used;
+  out["skipped"] = skipped_list(coverage.skipped);
+  out["skipped_count"] = coverage.skipped.count;
+  out["runs"] = coverage.runs;
+  out["gross_m2"] = areas.gross_m2;
+  out["covered_m2"] = areas.covered_m2;
+  out["covered_inside_m2"] = of_field(coverage, areas.covered_inside_m2);
+  out["outside_m2"] = of_field(coverage, areas.outside_m2);
+  out["repeated_m2"] = areas.repeated_m2;
+  out["sliver_m2"] = number(areas.sliver_m2);
+  out["repeated_rate"] = repeated_rate(areas);
+  out["missed_m2"] = of_field(coverage, areas.missed_m2);
+  out["missed_regions"] = has_field(coverage) ? ordered_json(coverage.gaps.size()) : ordered_json();
+  out["worked_hours"] = number(worked_hours(coverage));
+  out["ha_per_hour"] = number(ha_per_hour(coverage));
+  out["engine"] = coverage.engine;
+  out["worked_once_m2"] = number(areas.worked_times_m2[1]);
+  out["worked_twice_m2"] = number(areas.worked_times_m2[2]);
+  out["worked_more_m2"] = number(areas.worked_times_m2[3]);
+  if (has_field(coverage)) out["gaps"] = gaps_json(coverage);
+  if (!coverage.slices.empty()) out["slices"] = slices_json(coverage);
+  if (evaluation.tally) out["plan"] = tally_json(*evaluation.tally, areas);
+  if (evaluation.compared) out["plan"] = compared_json(*evaluation.compared);
+  out["warnings"] = coverage.warnings;
+  out["seconds"] = evaluation.seconds;
+  return out;
+}
+
+std::string evaluation_table(const Evaluation& evaluation) {
+  const Coverage& coverage = evaluation.coverage;
+  return drive_rows(coverage) + area_rows(evaluation) + gap_rows(coverage) + plan_rows(evaluation) +
+         slice_rows(coverage) +
+         fmt::format("time         {:.3f} s, engine '{}'\n", evaluation.seconds, coverage.engine) +
+         remark_rows(coverage);
+}
+
+}  // namespace tramline::app

@@ -1,0 +1,43 @@
+#pragma once
+// What `evaluate` says of a drive: as a table and as JSON.
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tramline/coverage/deviation.h"
+#include "tramline/model/coverage.h"
+#include "tramline/model/tally.h"
+
+namespace tramline::app {
+
+/// A plan's own tally, for comparison with what its drive covers.
+struct PlanTally {
+  std::string plan;
+  double body_m2 = 0;
+  Tally tally;
+};
+
+/// What was done compared with a plan.
+struct PlanAndDone {
+  std::string plan;
+  coverage::Deviation deviation;
+  double planned_m2 = 0;         ///< ground that tracks and headland passes work
+  double planned_missed_m2 = 0;  ///< of that, not worked
+  double unplanned_m2 = 0;       ///< worked, and not planned
+};
+
+struct Evaluation {
+  Coverage coverage;
+  bool strict = false;
+  std::optional<PlanTally> tally;
+  std::optional<PlanAndDone> compared;
+  double seconds = 0;
+};
+
+/// Keys: docs/json.md.
+nlohmann::ordered_json evaluation_json(const Evaluation& evaluation);
+std::string evaluation_table(const Evaluation& evaluation);
+
+}  // namespace tramline::app

@@ -1,0 +1,58 @@
+#include "tramline/coverage/cell_state.h"
+
+namespace tramline::coverage {
+namespace {
+
+bool is(Ground what, CellState state) {
+  const int times = times_worked(state);
+  switch (what) {
+    case Ground::kCovered:
+      return times > 0;
+    case Ground::kRepeated:
+      return is_repeated(state);
+    case Ground::kSliver:
+      return times > 1 && !is_repeated(state);
+    case Ground::kMissed:
+      return times == 0 && in_field(state);
+    case Ground::kOutside:
+      return times > 0 && !in_field(state);
+    case Ground::kOnce:
+      return times == 1;
+    case Ground::kTwice:
+      return times == 2;
+    case Ground::kOften:
+      return times == kMostCounted;
+  }
+  return false;
+}
+
+}  // namespace
+
+Transition worked_again(int most) {
+  Transition out{};
+  for (CellState s = 0; s < kCellStates; ++s)
+    out[s] = cell_state(in_field(s), std::max(times_worked(s), std::min(times_worked(s) + 1, most)),
+                        is_repeated(s));
+  return out;
+}
+
+Transition made_repeated() {
+  Transition out{};
+  for (CellState s = 0; s < kCellStates; ++s)
+    out[s] = cell_state(in_field(s), times_worked(s), is_repeated(s) || times_worked(s) > 0);
+  return out;
+}
+
+StateSet states_of(Ground what) {
+  unsigned out = 0;
+  for (CellState s = 0; s < kCellStates; ++s) out |= (is(what, s) ? 1U : 0U) << s;
+  return static_cast<StateSet>(out);
+}
+
+StateSet changed_by(const Transition& next) {
+  unsigned out = 0;
+  for (CellState s = 0; s < kCellStates; ++s) out |= (next[s] != s ? 1U : 0U) << s;
+  return static_cast<StateSet>(out);
+}
+
+}  // namespace tramline::coverage

@@ -1,0 +1,49 @@
+#include "tramline/coverage/engine.h"
+
+#include <algorithm>
+
+#include "tramline/coverage/mesh_coverage.h"
+#include "tramline/coverage/tile_coverage.h"
+
+namespace tramline::coverage {
+namespace {
+
+/// Side of a tile for a working width: a quad meets few tiles, and a tile holds few quads.
+double tile_for(double width_m) { return std::clamp(width_m, 2.0, 32.0); }
+
+class ExactEngine : public Engine {
+ public:
+  ExactEngine(const Region& field, double width_m) : coverage_(field, {tile_for(width_m), true}) {}
+  void add(const WorkedStep& step) override { coverage_.add(step); }
+  CoverageAreas areas() const override { return coverage_.areas(); }
+  Region region(Ground what) const override { return coverage_.region(what); }
+
+ private:
+  TileCoverage coverage_;
+};
+
+class MeshEngine : public Engine {
+ public:
+  MeshEngine(const Region& field, double mesh_m) : coverage_(field, mesh_m) {}
+  void add(const WorkedStep& step) override { coverage_.add(step); }
+  CoverageAreas areas() const override { return coverage_.areas(); }
+  /// Empty for what meshes do not tell.
+  Region region(Ground what) const override {
+    const bool counted = what == Ground::kOnce || what == Ground::kTwice || what == Ground::kOften;
+    return counted ? Region{} : coverage_.region(what);
+  }
+
+ private:
+  MeshCoverage coverage_;
+};
+
+}  // namespace
+
+const char* name(EngineKind kind) { return kind == EngineKind::kMesh ? "mesh" : "exact"; }
+
+std::unique_ptr<Engine> make_engine(EngineKind kind, const Region& field, double width_m, double mesh_m) {
+  if (kind == EngineKind::kMesh) return std::make_unique<MeshEngine>(field, mesh_m);
+  return std::make_unique<ExactEngine>(field, width_m);
+}
+
+}  // namespace tramline::coverage

@@ -1,0 +1,32 @@
+#pragma once
+// The engines of coverage behind one face.
+
+#include <memory>
+#include <string_view>
+
+#include "tramline/coverage/worked_step.h"
+#include "tramline/geometry/region.h"
+#include "tramline/model/coverage.h"
+
+namespace tramline::coverage {
+
+enum class EngineKind {
+  kExact,  ///< tile_coverage.h
+  kMesh,   ///< S3's own (mesh_coverage.h)
+};
+const char* name(EngineKind kind);  ///< exact, mesh
+
+/// Areas and regions of what was worked, step by step.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  virtual void add(const WorkedStep& step) = 0;
+  virtual CoverageAreas areas() const = 0;
+  virtual Region region(Ground what) const = 0;
+};
+
+/// `field`: oriented; empty: no field. `width_m`: about the working width, for the size of tiles. `mesh_m`:
+/// S3.3, for kMesh.
+std::unique_ptr<Engine> make_engine(EngineKind kind, const Region& field, double width_m, double mesh_m);
+
+}  // namespace tramline::coverage

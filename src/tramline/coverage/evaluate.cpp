@@ -1,0 +1,178 @@
+#include "tramline/coverage/evaluate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "tramline/coverage/driven_lines.h"
+#include "tramline/coverage/gaps.h"
+#include "tramline/coverage/time_order.h"
+#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/error.h"
+
+namespace tramline::coverage {
+namespace {
+
+/// How often progress is told, in fixes.
+constexpr std::size_t kProgressEvery = 1000;
+
+double span_m(const Boom& boom) {
+  double left_m = -std::numeric_limits<double>::infinity();
+  double right_m = std::numeric_limits<double>::infinity();
+  for (const Section& section : boom) {
+    left_m = std::max(left_m, section.left_m);
+    right_m = std::min(right_m, section.right_m);
+  }
+  return std::max(0.0, left_m - right_m);
+}
+
+/// The widest the machine was at any fix, NaN where nothing is known.
+double width_of(const WorkLog& log, const DriveSettings& drive) {
+  double width_m = drive.width_m;
+  for (const Fix& fix : log.fixes)
+    if (fix.boom >= 0) width_m = std::fmax(width_m, span_m(log.booms[static_cast<std::size_t>(fix.boom)]));
+  return width_m;
+}
+
+double require_width(const WorkLog& log, const DriveSettings& drive) {
+  const double width_m = width_of(log, drive);
+  if (std::isnan(width_m) || width_m <= 0)
+    throw bad_input(log.name + " does not say how wide the machine worked: give --width");
+  return width_m;
+}
+
+std::vector<std::string> notes_on(const Breaks& breaks, const DriveSettings& drive) {
+  std::vector<std::string> out;
+  if (breaks.gaps > 0)
+    out.push_back(fmt::format("{} steps are longer than {:g} s: nothing is worked in them", breaks.gaps,
+                              drive.max_gap_s));
+  if (breaks.jumps > 0)
+    out.push_back(fmt::format("{} steps are longer than {:g} m: nothing is worked in them", breaks.jumps,
+                              drive.max_step_m));
+  if (breaks.without_width > 0)
+    out.push_back(
+        fmt::format("{} fixes do not say how wide the machine is: nothing is worked there without --width",
+                    breaks.without_width));
+  return out;
+}
+
+/// Keeps slices as they come due.
+class Slices {
+ public:
+  Slices(std::size_t every, const Engine& engine) : every_(every), engine_(engine) {}
+
+  void add(std::size_t fixes, bool last, double seconds) {
+    if (every_ == 0 || (fixes % every_ != 0 && !last)) return;
+    CoverageSlice slice;
+    const auto start = std::chrono::steady_clock::now();
+    for (const Polygon& polygon : engine_.region(Ground::kCovered))
+      slice.covered_rings += 1 + polygon.holes.size();
+    const Region missed = engine_.region(Ground::kMissed);
+    slice.missed_regions = static_cast<std::size_t>(std::count_if(
+        missed.begin(), missed.end(), [](const Polygon& p) { return area(p) >= kLeastGap_m2; }));
+    regions_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    slice.fixes = fixes;
+    slice.areas = engine_.areas();
+    slice.seconds = seconds + regions_s_;
+    slices_.push_back(slice);
+  }
+  double regions_s() const { return regions_s_; }
+  std::vector<CoverageSlice> slices() const { return slices_; }
+
+ private:
+  std::size_t every_;
+  const Engine& engine_;
+  double regions_s_ = 0;
+  std::vector<CoverageSlice> slices_;
+};
+
+Region united(Region a, const Region& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return unite(a);
+}
+
+/// Slivers as repeated ground, as S3 has it.
+void count_slivers(Coverage& coverage, const Engine& engine) {
+  coverage.areas.repeated_m2 += coverage.areas.sliver_m2;
+  for (CoverageSlice& slice : coverage.slices) slice.areas.repeated_m2 += slice.areas.sliver_m2;
+  const Region slivers = engine.region(Ground::kSliver);
+  if (!slivers.empty()) coverage.repeated = united(std::move(coverage.repeated), slivers);
+}
+
+void add_regions(Coverage& coverage, const Engine& engine, bool strict) {
+  coverage.areas = engine.areas();
+  coverage.covered = engine.region(Ground::kCovered);
+  coverage.repeated = engine.region(Ground::kRepeated);
+  coverage.missed = engine.region(Ground::kMissed);
+  coverage.worked_times = {Region{}, engine.region(Ground::kOnce), engine.region(Ground::kTwice),
+                           engine.region(Ground::kOften)};
+  coverage.gaps = gaps_of(coverage.missed);
+  if (strict) count_slivers(coverage, engine);
+}
+
+}  // namespace
+
+Coverage evaluate(const WorkLog& given, const Region& field, const EvaluateSettings& settings,
+                  const FixProgress& progress) {
+  if (given.fixes.size() < 2)
+    throw bad_input(fmt::format("{} has {} with a position: no ground is worked without two", given.name,
+                                given.fixes.empty() ? "no fix" : "one fix"));
+  Coverage out;
+  const std::size_t disorder = out_of_order(given);
+  const WorkLog sorted = disorder > 0 ? in_time_order(given) : WorkLog{};
+  const WorkLog& log = disorder > 0 ? sorted : given;
+  if (disorder > 0)
+    out.warnings.push_back(fmt::format(
+        "{} fixes are earlier than the one before them: all were put in order of time", disorder));
+
+  DriveSettings drive = settings.drive;
+  drive.unknown_works = !says_work(log);
+  out.width_m = require_width(log, drive);
+  const std::unique_ptr<Engine> engine = make_engine(settings.engine, field, out.width_m, settings.mesh_m);
+  StepMaker steps(drive);
+  DrivenLines lines;
+  Slices slices(settings.slice, *engine);
+  const auto start = std::chrono::steady_clock::now();
+  for (std::size_t i = 0; i < log.fixes.size(); ++i) {
+    const std::optional<WorkedStep> step = steps.add(log.fixes[i], log.booms);
+    if (step) engine->add(*step);
+    lines.add(log.fixes[i], steps.place(), steps.joined(), step);
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    slices.add(i + 1, i + 1 == log.fixes.size(), spent.count() - slices.regions_s());
+    if (progress && i % kProgressEvery == 0) progress(i, log.fixes.size());
+  }
+
+  out.log = log.name;
+  out.engine = name(settings.engine);
+  out.fixes_used = log.fixes.size();
+  out.fixes = out.fixes_used + log.skipped.count;
+  out.skipped = log.skipped;
+  out.runs = steps.runs();
+  out.worked_s = log.clock == Clock::kNone ? std::numeric_limits<double>::quiet_NaN() : steps.worked_s();
+  out.lines = lines.lines();
+  out.slices = slices.slices();
+  add_regions(out, *engine, settings.strict);
+  for (std::string& note : notes_on(steps.breaks(), drive)) out.warnings.push_back(std::move(note));
+  return out;
+}
+
+Coverage evaluate(const std::vector<WorkedStep>& steps, double width_m, const Region& field,
+                  const EvaluateSettings& settings) {
+  Coverage out;
+  const std::unique_ptr<Engine> engine = make_engine(settings.engine, field, width_m, settings.mesh_m);
+  for (const WorkedStep& step : steps) {
+    engine->add(step);
+    out.runs = std::max(out.runs, step.run + 1);
+  }
+  out.width_m = width_m;
+  out.engine = name(settings.engine);
+  out.worked_s = std::numeric_limits<double>::quiet_NaN();
+  add_regions(out, *engine, settings.strict);
+  return out;
+}
+
+}  // namespace tramline::coverage

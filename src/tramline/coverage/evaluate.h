@@ -1,0 +1,37 @@
+#pragma once
+// From a drive to what it covered, repeated and missed (S3.8).
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "tramline/coverage/engine.h"
+#include "tramline/coverage/step_maker.h"
+#include "tramline/model/coverage.h"
+#include "tramline/model/work_log.h"
+
+namespace tramline::coverage {
+
+struct EvaluateSettings {
+  DriveSettings drive;
+  EngineKind engine = EngineKind::kExact;
+  double mesh_m = 0.05;   ///< S3.3
+  bool strict = false;    ///< slivers count as repeated, as in S3
+  std::size_t slice = 0;  ///< figures after every so many fixes; 0: none
+};
+
+/// Fixes done so far.
+using FixProgress = std::function<void(std::size_t done, std::size_t total)>;
+
+/// What a log's drive worked of the field. Fixes are taken in order of time. `field`: what was to be worked,
+/// local metres, oriented; empty: no field, and nothing missed. Field id, frame and what readers skipped are
+/// the caller's. Throws kBadInput where no width is known, or fewer than two fixes are left. O(fixes) and the
+/// regions. Precondition: local positions.
+Coverage evaluate(const WorkLog& log, const Region& field, const EvaluateSettings& settings,
+                  const FixProgress& progress);
+
+/// The same for steps that are known, such as those of a plan (plan_steps.h). `width_m`: of most.
+Coverage evaluate(const std::vector<WorkedStep>& steps, double width_m, const Region& field,
+                  const EvaluateSettings& settings);
+
+}  // namespace tramline::coverage

@@ -1,0 +1,79 @@
+#include "tramline/coverage/plan_steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "tramline/geometry/path.h"
+
+namespace tramline::coverage {
+namespace {
+
+/// A place on a path and the way it goes there.
+struct Pose {
+  Point place;
+  Point direction;  ///< unit vector
+};
+
+Point turned(Point v, double angle) {
+  return {std::cos(angle) * v.x - std::sin(angle) * v.y, std::sin(angle) * v.x + std::cos(angle) * v.y};
+}
+
+/// Chords of an arc whose outer edge lies half a width further out.
+int chord_count(const PathSegment& segment, double width_m) {
+  if (segment.straight()) return 1;
+  const double outer_m = radius(segment) + width_m / 2;
+  const double step = 2 * std::acos(1 - std::min(1.0, kPlanSagitta_m / outer_m));
+  return std::max(1, static_cast<int>(std::ceil(std::abs(turning(segment)) / step)));
+}
+
+/// From one end of the segment to the other.
+std::vector<Pose> poses(const PathSegment& segment, double width_m) {
+  const int count = chord_count(segment, width_m);
+  const Point start = direction_at_start(segment);
+  std::vector<Pose> out{{segment.from, start}};
+  for (int i = 1; i < count; ++i) {
+    const double angle = turning(segment) * i / count;
+    const Point middle = centre(segment);
+    out.push_back({middle + turned(segment.from - middle, angle), turned(start, angle)});
+  }
+  out.push_back({segment.to, direction_at_end(segment)});
+  return out;
+}
+
+Quad quad_between(const Pose& rear, const Pose& front, double width_m) {
+  const auto left = [&](const Pose& pose) {
+    return (width_m / 2) * Point{-pose.direction.y, pose.direction.x};
+  };
+  return {rear.place + left(rear), rear.place - left(rear), front.place - left(front),
+          front.place + left(front)};
+}
+
+void append(const Path& path, double width_m, int run, std::vector<WorkedStep>& out) {
+  double travel_m = 0;
+  for (const PathSegment& segment : path) {
+    const std::vector<Pose> along = poses(segment, width_m);
+    for (std::size_t i = 1; i < along.size(); ++i) {
+      travel_m += distance(along[i - 1].place, along[i].place);
+      out.push_back({{quad_between(along[i - 1], along[i], width_m)}, run, travel_m, width_m, out.size()});
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<WorkedStep> plan_steps(const Plan& plan) {
+  std::vector<WorkedStep> out;
+  int run = 0;
+  for (const TrackPiece& piece : plan.pieces) append(centre_line(piece), plan.machine.width_m, run++, out);
+  return out;
+}
+
+std::vector<WorkedStep> headland_steps(const Plan& plan, int first_run) {
+  std::vector<WorkedStep> out;
+  int run = first_run;
+  for (const HeadlandPass& pass : plan.headland.passes) append(pass.path, plan.machine.width_m, run++, out);
+  return out;
+}
+
+}  // namespace tramline::coverage

@@ -1,0 +1,201 @@
+#include "tramline/coverage/tile_coverage.h"
+
+#include <tbb/parallel_for.h>
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "tramline/coverage/assemble_rings.h"
+#include "tramline/coverage/merge_cells.h"
+#include "tramline/coverage/own_trail.h"
+#include "tramline/coverage/quad_pieces.h"
+#include "tramline/coverage/tile_map.h"
+#include "tramline/coverage/tiles_met.h"
+#include "tramline/coverage/untouched_ground.h"
+
+namespace tramline::coverage {
+namespace {
+
+/// Tiles into which a piece reaches no further than this are left alone.
+constexpr auto kTouch = static_cast<std::int64_t>(kOnLine);
+
+template <class Visit>
+void each_tile_of(const ConvexPiece& piece, const TileFrame& frame, Visit visit) {
+  each_tile_met(
+      frame, piece.sides.size(), [&](std::size_t i) { return piece.sides[i].from; }, -kTouch, visit);
+}
+
+/// States of ground that may become repeated: worked, but not repeated yet.
+StateSet once_worked() { return changed_by(made_repeated()); }
+
+}  // namespace
+
+struct TileCoverage::Impl {
+  Impl(const Region& region, const Settings& wanted)
+      : settings(wanted), frame(tile_frame(wanted.tile_m)), field(region, frame) {
+    sum_up();
+  }
+
+  void mark_repeated(const WorkedStep& step);
+  bool meets_worked(const ConvexPiece& piece);
+  void work(const ConvexPiece& piece, const Transition& next);
+  void sum_up();
+  Region region(Ground what) const;
+
+  Settings settings;
+  TileFrame frame;
+  FieldCells field;
+  TileMap map;
+  OwnTrails trails;
+  Totals totals{};
+  Int128 gross = 0;
+  CoverageAreas areas;
+  std::uint64_t stamp = 0;
+  bool changed = false;
+  const Transition repeat = made_repeated();
+  const Transition count = worked_again(settings.multiplicity ? kMostCounted : 2);
+
+  std::vector<ConvexPiece> pieces;  ///< of the step
+  TilePiece seen;
+  CutScratch scratch;
+};
+
+bool TileCoverage::Impl::meets_worked(const ConvexPiece& piece) {
+  bool met = false;
+  each_tile_of(piece, frame, [&](TileIndex index) {
+    const Tile* tile = met ? nullptr : map.find(index);
+    if (tile == nullptr) return;
+    see(piece, frame.corner(index), frame.side, seen);
+    met = covers(seen, once_worked(), frame.side, *tile, scratch);
+  });
+  return met;
+}
+
+void TileCoverage::Impl::work(const ConvexPiece& piece, const Transition& next) {
+  const StateSet changing = changed_by(next);
+  each_tile_of(piece, frame, [&](TileIndex index) {
+    Tile& tile = map.at(index, field, scratch);
+    see(piece, frame.corner(index), frame.side, seen);
+    if (!apply(seen, next, changing, frame.side, tile, totals, scratch)) return;
+    tile.changed = stamp + 1;
+    changed = true;
+    merge_when_due(tile, totals);
+  });
+}
+
+/// Before anything of the step is counted, so that its quads do not repeat one another.
+void TileCoverage::Impl::mark_repeated(const WorkedStep& step) {
+  for (const ConvexPiece& piece : pieces) {
+    if (!meets_worked(piece)) continue;
+    for (const ConvexPiece& part : trails.outside(piece, step.run, step.travel_m - step.reach_m))
+      work(part, repeat);
+  }
+}
+
+void TileCoverage::Impl::sum_up() {
+  Int128 covered = 0, inside = 0, repeated = 0, sliver = 0;
+  std::array<Int128, kMostCounted + 1> times{};
+  for (CellState s = 0; s < kCellStates; ++s) {
+    times[static_cast<std::size_t>(times_worked(s))] += totals[s];
+    if (times_worked(s) == 0) continue;
+    covered += totals[s];
+    if (in_field(s)) inside += totals[s];
+    if (is_repeated(s)) repeated += totals[s];
+    if (!is_repeated(s) && times_worked(s) > 1) sliver += totals[s];
+  }
+  areas.gross_m2 = frame.area_m2(gross);
+  areas.covered_m2 = frame.area_m2(covered);
+  areas.covered_inside_m2 = frame.area_m2(inside);
+  areas.outside_m2 = frame.area_m2(covered - inside);
+  areas.repeated_m2 = frame.area_m2(repeated);
+  areas.sliver_m2 = frame.area_m2(sliver);
+  // Rounding along the boundary may make the field's cells a little larger than the field.
+  areas.missed_m2 = frame.area_m2(std::max<Int128>(field.twice_area() - inside, 0));
+  areas.worked_times_m2.fill(std::numeric_limits<double>::quiet_NaN());
+  if (!settings.multiplicity) return;
+  areas.worked_times_m2[0] = areas.missed_m2;
+  for (std::size_t n = 1; n < times.size(); ++n) areas.worked_times_m2[n] = frame.area_m2(times[n]);
+}
+
+Region TileCoverage::Impl::region(Ground what) const {
+  std::vector<const Tile*> tiles;
+  for (const Tile& tile : map.tiles()) tiles.push_back(&tile);
+  std::sort(tiles.begin(), tiles.end(), [](const Tile* a, const Tile* b) { return a->index < b->index; });
+  UntouchedGround untouched;
+  if (what == Ground::kMissed) {
+    std::vector<TileIndex> touched;
+    for (const Tile* tile : tiles) touched.push_back(tile->index);
+    untouched = untouched_ground(field, touched, frame);
+  }
+  const StateSet states = states_of(what);
+  std::vector<TileOutline> outlines(tiles.size() + untouched.border_tiles.size());
+  tbb::parallel_for(std::size_t{0}, outlines.size(), [&](std::size_t i) {
+    if (i < tiles.size()) {
+      outlines[i] = outline_of(tiles[i]->index, tiles[i]->cells, states, frame.side);
+      return;
+    }
+    const TileIndex index = untouched.border_tiles[i - tiles.size()];
+    CellStore cells;
+    CutScratch memory;
+    field.partition(index, cells, memory);
+    outlines[i] = outline_of(index, cells, states, frame.side);
+  });
+  return assembled(outlines, std::move(untouched.border), frame);
+}
+
+TileCoverage::TileCoverage(const Region& field, const Settings& settings)
+    : impl_(std::make_unique<Impl>(field, settings)) {}
+TileCoverage::TileCoverage(TileCoverage&&) noexcept = default;
+TileCoverage& TileCoverage::operator=(TileCoverage&&) noexcept = default;
+TileCoverage::~TileCoverage() = default;
+
+void TileCoverage::add(const WorkedStep& step) {
+  Impl& impl = *impl_;
+  impl.pieces.clear();
+  impl.changed = false;
+  for (const Quad& quad : step.quads) append_pieces(quad, impl.frame, impl.pieces);
+  impl.mark_repeated(step);
+  for (const ConvexPiece& piece : impl.pieces) {
+    impl.gross += twice_area(piece);
+    impl.work(piece, impl.count);
+    impl.trails.add(step.run, step.travel_m, piece);
+  }
+  if (impl.changed) ++impl.stamp;
+  impl.sum_up();
+}
+
+const CoverageAreas& TileCoverage::areas() const { return impl_->areas; }
+
+Region TileCoverage::region(Ground what) const {
+  if (!impl_->settings.multiplicity && (what == Ground::kTwice || what == Ground::kOften)) return {};
+  return impl_->region(what);
+}
+
+std::vector<TileCoverage::Change> TileCoverage::changes_since(std::uint64_t stamp, Ground what) const {
+  const TileFrame& frame = impl_->frame;
+  const auto metres = [&](std::int64_t units) { return static_cast<double>(units) * frame.unit_m; };
+  std::vector<Change> out;
+  for (const Tile& tile : impl_->map.tiles()) {
+    if (tile.changed <= stamp) continue;
+    const GridPoint corner = frame.corner(tile.index);
+    out.push_back(
+        {{metres(corner.x), metres(corner.y), metres(corner.x + frame.side), metres(corner.y + frame.side)},
+         assembled({outline_of(tile.index, tile.cells, states_of(what), frame.side)}, {}, frame)});
+  }
+  return out;
+}
+
+std::uint64_t TileCoverage::stamp() const { return impl_->stamp; }
+
+TileCoverage::Size TileCoverage::size() const {
+  Size out;
+  for (const Tile& tile : impl_->map.tiles()) {
+    ++out.tiles;
+    out.cells += tile.cells.size();
+    out.bytes += sizeof(Tile) + tile.cells.bytes();
+  }
+  return out;
+}
+
+}  // namespace tramline::coverage

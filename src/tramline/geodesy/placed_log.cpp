@@ -1,0 +1,93 @@
+#include "tramline/geodesy/placed_log.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tramline/geodesy/crs.h"
+#include "tramline/geodesy/field_projection.h"
+#include "tramline/geometry/error.h"
+#include "tramline/model/limits.h"
+
+namespace tramline {
+namespace {
+
+/// Further from the frame's origin no machine works that field: what is left is a fault of the log.
+constexpr double kFarFromFrame_m = 1e6;
+
+/// Why a position is none; empty where it is one.
+std::string fault(const WorkLog& log, Point p) {
+  if (!std::isfinite(p.x) || !std::isfinite(p.y)) return "the position is no number";
+  if (log.positions == Positions::kLocal)
+    return length(p) > kFarthest_m ? fmt::format("the position ({:.10g}, {:.10g}) is too far away", p.x, p.y)
+                                   : "";
+  if (p.x == 0 && p.y == 0) return "longitude and latitude are 0";
+  if (std::abs(p.y) > 90) return fmt::format("the latitude {:.10g} is past a pole", p.y);
+  if (std::abs(p.x) > 180) return fmt::format("there is no longitude {:.10g}", p.x);
+  return "";
+}
+
+/// The frame's metres of positions of a log.
+class Placing {
+ public:
+  Placing(const WorkLog& log, const LocalFrame& frame) : frame_(frame) {
+    if (log.positions == Positions::kLonLat) projection_.emplace(frame);
+  }
+
+  std::optional<Point> operator()(Point p) const {
+    const std::optional<Point> local =
+        projection_ ? projection_->from_lonlat(p)
+                    : std::optional(Point{p.x - frame_.origin_x_m, p.y - frame_.origin_y_m});
+    return local && length(*local) <= kFarFromFrame_m ? local : std::nullopt;
+  }
+
+ private:
+  LocalFrame frame_;
+  std::optional<FrameProjection> projection_;
+};
+
+}  // namespace
+
+Box bounds(const WorkLog& log) {
+  Box box;
+  for (const Fix& fix : log.fixes)
+    if (fault(log, fix.position).empty()) box.extend(fix.position);
+  return box;
+}
+
+LocalFrame frame_centred_on(const WorkLog& log) {
+  const Box box = bounds(log);
+  if (box.empty()) throw bad_input(log.name + " has no fix with a position: is it a log?");
+  return frame_centred_on(log.positions == Positions::kLonLat ? Crs("EPSG:4326") : Crs(), box);
+}
+
+WorkLog placed(WorkLog log, const LocalFrame& frame) {
+  if (frame.geodetic != (log.positions == Positions::kLonLat))
+    throw bad_input(fmt::format(
+        "{} has positions in {} and the field is in {}; give the CRS of the one without with --crs or "
+        "--log-crs",
+        log.name, frame.geodetic ? "plain metres" : "degrees", frame.geodetic ? "degrees" : "plain metres"));
+  const Placing place(log, frame);
+  std::vector<Fix> kept;
+  kept.reserve(log.fixes.size());
+  for (Fix& fix : log.fixes) {
+    std::string why = fault(log, fix.position);
+    const std::optional<Point> local = why.empty() ? place(fix.position) : std::nullopt;
+    if (why.empty() && !local) why = "the position is more than 1000 km away";
+    if (!local) {
+      log.skipped.add(fix.record, std::move(why));
+      continue;
+    }
+    fix.position = *local;
+    kept.push_back(fix);
+  }
+  log.fixes = std::move(kept);
+  log.positions = Positions::kLocal;
+  return log;
+}
+
+}  // namespace tramline

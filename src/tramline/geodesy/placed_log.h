@@ -1,0 +1,22 @@
+#pragma once
+// A log in the metres of a field's frame.
+
+#include "tramline/geometry/region.h"
+#include "tramline/model/local_frame.h"
+#include "tramline/model/work_log.h"
+
+namespace tramline {
+
+/// The box of the log's positions in its own coordinates, those that are no place on the globe left out.
+Box bounds(const WorkLog& log);
+
+/// The frame for a log without a field: centred on the middle of its positions. Throws kBadInput for a log
+/// without a usable position.
+LocalFrame frame_centred_on(const WorkLog& log);
+
+/// The log with local positions. Fixes without a place in the frame (no number, past a pole, too far away)
+/// are skipped, and listed by their record. A log in plain metres has to come with a plain frame, and one in
+/// degrees with a geodetic one: throws kBadInput otherwise. O(n).
+WorkLog placed(WorkLog log, const LocalFrame& frame);
+
+}  // namespace tramline

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+
+#include "tramline/model/coverage.h"
+
+namespace tramline::io {
+
+/// Reads a coverage file written by write_coverage. Coordinates and numbers come back to the bit (in a plain
+/// frame, which is shifted: to 1e-9 m), polygons in the order of the file. Throws Error(kBadInput) naming the
+/// file, and the layer, feature and column at fault, where the file is missing, cut off, no coverage file, or
+/// holds a number that is not finite. O(n).
+Coverage read_coverage(const std::filesystem::path& path);
+
+}  // namespace tramline::io

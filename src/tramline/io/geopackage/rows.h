@@ -1,0 +1,90 @@
+#pragma once
+// GeoPackages as rows: features with their place for messages, shapes in local metres.
+
+#include <ogrsf_frmts.h>
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tramline/geometry/error.h"
+#include "tramline/geometry/region.h"
+#include "tramline/io/geopackage/file_kind.h"
+#include "tramline/io/geopackage/gdal_errors.h"
+
+namespace tramline::io {
+
+/// One feature of a layer. Every function throws Error(kBadInput) naming file, layer, feature and
+/// column where a value is missing, not finite or of another kind.
+class Row {
+ public:
+  Row(const OGRFeature& feature, std::string place, Point offset, const FileKind& kind)
+      : feature_(feature), place_(std::move(place)), offset_(offset), kind_(kind) {}
+
+  /// "plan.gpkg: layer tracks, feature 2"
+  const std::string& place() const { return place_; }
+  /// The same and the column, for messages: "plan.gpkg: layer tracks, feature 2: path"
+  std::string place_of(const char* column) const { return place_ + ": " + column; }
+
+  double number(const char* column) const;
+  /// nullopt for NULL.
+  std::optional<double> number_if_any(const char* column) const;
+  int whole(const char* column) const { return feature_.GetFieldAsInteger(index(column)); }
+  /// nullopt for NULL.
+  std::optional<int> whole_if_any(const char* column) const;
+  /// Not negative.
+  std::size_t count(const char* column) const;
+  bool flag(const char* column) const { return whole(column) != 0; }
+  std::string text(const char* column) const { return feature_.GetFieldAsString(index(column)); }
+
+  bool has_shape() const;
+  Polygon polygon() const;
+  /// The polygons of a multipolygon.
+  Region region() const;
+  /// At least two points.
+  std::vector<Point> line() const;
+  std::pair<Point, Point> straight_line() const;
+  Point point() const;
+  /// From coordinates of the file to local metres: taken off.
+  Point offset() const { return offset_; }
+
+ private:
+  bool is_null(const char* column) const;
+  int index(const char* column) const;
+  Point vertex(const OGRSimpleCurve& line, int i) const;
+  Ring ring(const OGRLinearRing& closed) const;
+  Polygon polygon(const OGRPolygon& source) const;
+  Error wrong(const std::string& what) const;
+
+  const OGRFeature& feature_;
+  std::string place_;
+  Point offset_;
+  const FileKind& kind_;
+};
+
+/// A GeoPackage open for reading. Throws Error(kBadInput) where the file is missing, cut off or none.
+class Rows {
+ public:
+  /// `errors` and `kind` have to be alive as long.
+  Rows(const std::filesystem::path& path, const FileKind& kind, GdalErrors& errors);
+
+  /// What is taken off all coordinates from now on.
+  void shift_by(Point offset) { offset_ = offset; }
+
+  bool has(const char* name) { return file_->GetLayerByName(name) != nullptr; }
+
+  /// Hands every feature of a layer to `take`, in the order of the file.
+  void each(const char* name, const std::function<void(const Row&)>& take);
+
+ private:
+  std::filesystem::path path_;
+  const FileKind& kind_;
+  GdalErrors& errors_;
+  GDALDatasetUniquePtr file_;
+  Point offset_;
+};
+
+}  // namespace tramline::io

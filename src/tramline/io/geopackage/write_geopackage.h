@@ -1,0 +1,23 @@
+#pragma once
+
+#include <ogrsf_frmts.h>
+
+#include <filesystem>
+#include <functional>
+
+#include "tramline/io/geopackage/file_kind.h"
+#include "tramline/io/geopackage/table.h"
+#include "tramline/model/local_frame.h"
+
+namespace tramline::io {
+
+/// Makes a GeoPackage of what `fill` puts into it, in one transaction, and writes it whole or not at all. Its
+/// coordinates are those of `frame`: local metres of a geodetic one, the input plane of a plain one. Equal
+/// calls of `fill` make equal bytes: time stamps are SOURCE_DATE_EPOCH where that is set, else 1970-01-01.
+///
+/// Throws Error(kBadInput) for a name that does not end in .gpkg (in any case), Error(kFailure) where GDAL
+/// reports a failure or the file cannot be written.
+void write_geopackage(const std::filesystem::path& path, const FileKind& kind, const LocalFrame& frame,
+                      const std::function<void(const Target&)>& fill);
+
+}  // namespace tramline::io

@@ -1,0 +1,3 @@
+#include "tramline/coverage/tile_coverage.h"
+
+#include <gtest/gtest.h>

@@ -1,0 +1,143 @@
+// Coverage files changed by others or by chance, and files of another kind: a sentence, never a crash.
+
+#include <gtest/gtest.h>
+#include <ogrsf_frmts.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <random>
+
+#include "io/coverage/two_passes.h"
+#include "tramline/geometry/error.h"
+#include "tramline/io/coverage/read_coverage.h"
+#include "tramline/io/coverage/write_coverage.h"
+#include "tramline/io/plan/read_plan.h"
+#include "tramline/io/plan/write_plan.h"
+
+namespace tramline {
+namespace {
+
+namespace fs = std::filesystem;
+
+Coverage with_slices() {
+  Coverage out = two_passes();
+  out.slices = {{5, out.areas, 1, 1, 0.5}};
+  return out;
+}
+
+class DamagedCoverage : public testing::Test {
+ protected:
+  void SetUp() override {
+    file_ = fs::temp_directory_path() / ("tramline-damaged-coverage-" + std::to_string(getpid()) + ".gpkg");
+    io::write_coverage(with_slices(), file_);
+  }
+  void TearDown() override { fs::remove(file_); }
+
+  /// What reading says after a change made through GDAL; "" when it says nothing.
+  std::string after_sql(const char* statement) const {
+    io::write_coverage(with_slices(), file_);
+    {
+      CPLPushErrorHandler(CPLQuietErrorHandler);
+      const GDALDatasetUniquePtr data(GDALDataset::Open(file_.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
+      data->ExecuteSQL(statement, nullptr, nullptr);
+      CPLPopErrorHandler();
+    }
+    return read();
+  }
+  std::string read() const {
+    try {
+      io::read_coverage(file_);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::kBadInput) << error.what();
+      EXPECT_NE(std::string(error.what()).find(file_.filename().string()), std::string::npos) << error.what();
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+      return error.what();
+    }
+    return "";
+  }
+  fs::path file_;
+};
+
+bool mentions(const std::string& sentence, const std::string& words) {
+  return sentence.find(words) != std::string::npos;
+}
+
+TEST_F(DamagedCoverage, missing_parts_are_named) {
+  EXPECT_EQ(read(), "");
+  for (const std::string layer : {"field", "covered", "repeated", "missed", "multiplicity", "gaps", "track"})
+    EXPECT_TRUE(mentions(after_sql(("DROP TABLE " + layer).c_str()), "'" + layer + "'")) << layer;
+  EXPECT_EQ(after_sql("DROP TABLE layer_styles"), "");
+  EXPECT_EQ(after_sql("DROP TABLE slices"), "");
+  EXPECT_TRUE(mentions(after_sql("DELETE FROM metadata WHERE key = 'areas.missed_m2'"), "'areas.missed_m2'"));
+  EXPECT_TRUE(mentions(after_sql("UPDATE metadata SET value = '20,0' WHERE key = 'width_m'"), "'20,0'"));
+  EXPECT_TRUE(mentions(after_sql("UPDATE metadata SET value = '' WHERE key = 'width_m'"), "width_m"));
+  EXPECT_TRUE(mentions(after_sql("UPDATE metadata SET value = 'inf' WHERE key = 'worked_s'"), "finite"));
+  EXPECT_TRUE(mentions(after_sql("UPDATE metadata SET value = '-1' WHERE key = 'fixes'"), "'-1'"));
+  EXPECT_TRUE(mentions(after_sql("UPDATE metadata SET value = '{\"record\":1}' WHERE key = 'skipped.listed'"),
+                       "JSON list"));
+  EXPECT_TRUE(
+      mentions(after_sql("UPDATE metadata SET value = '2' WHERE key = 'format_version'"), "format_version"));
+  EXPECT_TRUE(mentions(after_sql("UPDATE covered SET geom = NULL"), "layer covered, feature 1"));
+  EXPECT_TRUE(mentions(after_sql("UPDATE gaps SET number = NULL"), "number"));
+  EXPECT_TRUE(mentions(after_sql("UPDATE gaps SET x = 9e999"), "layer gaps, feature 1"));
+  EXPECT_TRUE(mentions(after_sql("UPDATE track SET run = 0 WHERE fid = 2"), "layer track, feature 2: run"));
+  EXPECT_TRUE(mentions(after_sql("UPDATE multiplicity SET times = 4 WHERE fid = 1"), "times is 4"));
+  EXPECT_TRUE(mentions(after_sql("UPDATE multiplicity SET times = 2 WHERE fid = 1"), "times is 2 again"));
+  EXPECT_TRUE(mentions(after_sql("UPDATE slices SET fixes = -5"), "fixes is negative"));
+}
+
+TEST_F(DamagedCoverage, files_of_another_kind_are_told_apart) {
+  Plan plan;
+  plan.field.outer = {{0, 0}, {10, 0}, {10, 10}};
+  io::write_plan(plan, file_);
+  EXPECT_TRUE(mentions(read(), "'tramline coverage'")) << read();
+  EXPECT_TRUE(mentions(read(), "'tramline plan'")) << read();
+
+  io::write_coverage(two_passes(), file_);
+  try {
+    io::read_plan(file_);
+    ADD_FAILURE() << "a coverage file was read as a plan";
+  } catch (const Error& error) {
+    EXPECT_TRUE(mentions(error.what(), "'tramline coverage'")) << error.what();
+  }
+
+  std::ofstream(file_, std::ios::trunc) << "lon,lat\n13,52\n";
+  EXPECT_TRUE(mentions(read(), "tramline evaluate")) << read();
+  fs::remove(file_);
+  EXPECT_TRUE(mentions(read(), "no such file"));
+
+  RegisterOGRGeoPackage();
+  {
+    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
+    const GDALDatasetUniquePtr data(driver->Create(file_.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    data->CreateLayer("parcels", nullptr, wkbPolygon);
+  }
+  EXPECT_TRUE(mentions(read(), "'metadata'")) << read();
+  EXPECT_TRUE(mentions(read(), "coverage file written by tramline evaluate")) << read();
+}
+
+TEST_F(DamagedCoverage, a_file_cut_off_is_known_at_once) {
+  fs::resize_file(file_, fs::file_size(file_) - 5000);
+  EXPECT_TRUE(mentions(read(), "cut off"));
+}
+
+/// Whatever the bytes, reading ends in an evaluation or in one sentence.
+TEST_F(DamagedCoverage, random_bytes_never_crash_the_reader) {
+  std::ifstream stream(file_, std::ios::binary);
+  const std::string whole{std::istreambuf_iterator<char>(stream), {}};
+  std::mt19937 random(3);
+  std::uniform_int_distribution<std::size_t> place(0, whole.size() - 1);
+  std::uniform_int_distribution<int> byte(0, 255);
+  for (int i = 0; i < 150; ++i) {
+    std::string damaged = whole;
+    for (int k = 0; k < 1 + i; ++k) damaged[place(random)] = static_cast<char>(byte(random));
+    std::ofstream(file_, std::ios::binary) << damaged;
+    read();
+  }
+}
+
+}  // namespace
+}  // namespace tramline
