@@ -87,7 +87,7 @@ program: packages $(RELEASE)/build.ninja
 
 LONG := long-properties long-scenes long-best-bound long-best-brute long-best-real long-best-real-1 \
   long-best-real-2 long-best-real-3 long-tally-real long-real-1 long-real-2 long-real-3 long-obstacles-3 long-obstacles-6 \
-  long-obstacles-12 long-obstacles-24 long-headlands long-maps long-registers long-asan long-tsan long-clang
+  long-obstacles-12 long-obstacles-24 long-headlands long-maps long-registers long-fuzz-logs long-asan long-tsan long-clang
 
 .PHONY: long $(LONG)
 long: $(LONG) ## all the long tests, one after another; each part below can be run alone
@@ -149,6 +149,10 @@ long-registers: program ## plan every field of the registers, slivers and odditi
 	$(LIMIT) $(TRAMLINE) plan $(TRAMLINE_DATA)/fields/fields-all.geojson --all --width 6 --radius 6 --json \
 	  > out/registers.jsonl
 	@echo "$$(wc -l < out/registers.jsonl) lines in out/registers.jsonl"
+
+long-fuzz-logs: packages-lint build/fuzz/build.ninja ## the readers of logs on bytes gone wrong, ten minutes each, two at a time
+	cmake --build build/fuzz -j $(JOBS) --target fuzz
+	$(LIMIT) tools/fuzz.sh build/fuzz 600 csv_log nmea_log gpx_log time_log task_data
 
 long-asan: packages build/asan-ubsan/build.ninja ## all tests with address and undefined-behaviour sanitizers
 	cmake --build build/asan-ubsan -j $(JOBS)

@@ -14,7 +14,7 @@
 namespace tramline {
 
 /// One section of a machine: what lies between two lines along its way, metres from the middle of the
-/// machine, positive to the left. left_m > right_m.
+/// machine, positive to the left. left_m > right_m; equal where the section has no width, and works nothing.
 struct Section {
   double left_m = 0;
   double right_m = 0;
@@ -22,7 +22,8 @@ struct Section {
   friend bool operator==(const Section& a, const Section& b) = default;
 };
 
-/// The sections of a machine at one time, from left to right; a machine without sections is one section.
+/// The sections of a machine at one time, from left to right; a machine without sections is one section. None:
+/// the machine works nothing.
 using Boom = std::vector<Section>;
 
 /// As many as ISO 11783-11 condenses into sixteen values (DDI 161-176).

@@ -1,5 +1,8 @@
 #include "tramline/io/fixes/boom_list.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <numeric>
 
 namespace tramline::io {
@@ -26,6 +29,16 @@ Boom side_by_side(std::span<const double> widths_m) {
 Boom one_section(double width_m) {
   if (!(width_m > 0)) return {};
   return {{0.5 * width_m, -0.5 * width_m}};
+}
+
+std::string note_on_wide(std::span<const Boom> booms) {
+  constexpr double kWide_m = 60;
+  double widest_m = 0;
+  for (const Boom& boom : booms)
+    if (!boom.empty()) widest_m = std::max(widest_m, boom.front().left_m - boom.back().right_m);
+  if (widest_m <= kWide_m) return {};
+  return fmt::format("a boom is {:.1f} m wide; make sure that the widths are those of the sections",
+                     widest_m);
 }
 
 }  // namespace tramline::io

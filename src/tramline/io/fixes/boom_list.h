@@ -3,6 +3,7 @@
 
 #include <map>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "tramline/model/work_log.h"
@@ -27,5 +28,9 @@ Boom side_by_side(std::span<const double> widths_m);
 
 /// One section in the middle of the machine; none for no width.
 Boom one_section(double width_m);
+
+/// Tells of booms that are wider than machines are: lists of widths may give that of the whole machine for
+/// each section. Empty where there are none.
+std::string note_on_wide(std::span<const Boom> booms);
 
 }  // namespace tramline::io

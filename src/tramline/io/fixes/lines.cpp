@@ -13,10 +13,10 @@ namespace {
 
 constexpr std::size_t kBuffer = std::size_t{1} << 16;
 
-Error too_large(const std::string& path) {
+Error too_large(const std::string& path, std::size_t most) {
   return bad_input(
       fmt::format("'{}' holds more than {} MiB when it is expanded; split it, or check that it is a log",
-                  path, kMostExpanded >> 20));
+                  path, most >> 20));
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ struct FileLines::File {
   std::string path;
   gzFile handle = nullptr;
   std::vector<char> buffer = std::vector<char>(kBuffer);
-  std::size_t at = 0, filled = 0, total = 0;
+  std::size_t at = 0, filled = 0, total = 0, most = kMostExpanded;
   bool ended = false;
   std::string cut_off;
 
@@ -48,12 +48,13 @@ struct FileLines::File {
     if (got < 0 || error == Z_BUF_ERROR)
       cut_off = error == Z_BUF_ERROR ? "the compressed file is cut off" : std::string(reason);
     if (got <= 0 || error == Z_BUF_ERROR) ended = true;
-    if (gzdirect(handle) == 0 && total > kMostExpanded) throw too_large(path);
+    if (gzdirect(handle) == 0 && total > most) throw too_large(path, most);
   }
 };
 
-FileLines::FileLines(const std::string& path) : file_(std::make_unique<File>()) {
+FileLines::FileLines(const std::string& path, std::size_t most_expanded) : file_(std::make_unique<File>()) {
   file_->path = path;
+  file_->most = most_expanded;
   std::error_code error;
   if (!std::filesystem::exists(path, error))
     throw bad_input(fmt::format("there is no file '{}'; check the path", path));
@@ -115,7 +116,7 @@ std::string whole_text(const std::string& path) {
     if (out.size() > kMostExpanded) break;
   }
   gzclose(handle);
-  if (out.size() > kMostExpanded) throw too_large(path);
+  if (out.size() > kMostExpanded) throw too_large(path, kMostExpanded);
   return out;
 }
 

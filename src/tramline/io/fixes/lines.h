@@ -34,11 +34,11 @@ class TextLines final : public Lines {
 };
 
 /// Lines of a file, plain or gzipped. Throws bad_input when it cannot be opened, when a gzipped file expands
-/// to more than kMostExpanded bytes and when a line is longer than kLongestLine. Memory does not grow with
+/// to more than `most_expanded` bytes and when a line is longer than kLongestLine. Memory does not grow with
 /// the file.
 class FileLines final : public Lines {
  public:
-  explicit FileLines(const std::string& path);
+  explicit FileLines(const std::string& path, std::size_t most_expanded = kMostExpanded);
   FileLines(const FileLines&) = delete;
   FileLines& operator=(const FileLines&) = delete;
   ~FileLines() override;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "tramline/geometry/error.h"
@@ -49,19 +50,22 @@ std::vector<LogEntry> chosen(const TaskFiles& files, const TaskData& tasks, cons
                   tasks.logs.empty() ? "none" : fmt::format("{}", fmt::join(names_of(tasks.logs), ", "))));
 }
 
-WorkLog read_one(const TaskFiles& files, const LogEntry& entry, const TaskData& tasks) {
-  const std::string place = fmt::format("'{}', {}", files.path(), entry.name);
-  const auto xml = files.read(entry.name + ".xml"), bin = files.read(entry.name + ".bin");
-  if (!xml)
-    throw bad_input(fmt::format("{}: the header {}.xml is missing; without it the records cannot be read",
-                                place, entry.name));
-  if (!bin) throw bad_input(fmt::format("{}: the records {}.bin are missing", place, entry.name));
-  return decode_time_log(*xml, *bin, tasks.elements, place);
+/// The two files of a log.
+struct LogFiles {
+  std::optional<std::string> xml, bin;
+};
+
+LogFiles files_of(const TaskFiles& files, const LogEntry& entry) {
+  return {files.read(entry.name + ".xml"), files.read(entry.name + ".bin")};
 }
 
-/// Whether a log of several that are joined has its files.
-bool has_files(const TaskFiles& files, const LogEntry& entry) {
-  return files.read(entry.name + ".xml") && files.read(entry.name + ".bin");
+WorkLog decode(const TaskFiles& files, const LogFiles& log, const LogEntry& entry, const TaskData& tasks) {
+  const std::string place = fmt::format("'{}', {}", files.path(), entry.name);
+  if (!log.xml)
+    throw bad_input(fmt::format("{}: the header {}.xml is missing; without it the records cannot be read",
+                                place, entry.name));
+  if (!log.bin) throw bad_input(fmt::format("{}: the records {}.bin are missing", place, entry.name));
+  return decode_time_log(*log.xml, *log.bin, tasks.elements, place);
 }
 
 void append(WorkLog& all, WorkLog&& part, const LogEntry& entry, int unit, BoomList& booms) {
@@ -76,6 +80,27 @@ void append(WorkLog& all, WorkLog&& part, const LogEntry& entry, int unit, BoomL
     all.skipped.add(skipped.record, entry.name + ": " + skipped.why);
   all.skipped.count += part.skipped.count - part.skipped.listed.size();
   for (const std::string& note : part.notes) all.notes.push_back(entry.name + ": " + note);
+}
+
+WorkLog joined(const TaskFiles& files, const std::vector<LogEntry>& logs, const TaskData& tasks) {
+  WorkLog all;
+  all.clock = Clock::kUtc;
+  BoomList booms;
+  int unit = 0;
+  std::vector<std::string> left_out;
+  for (const LogEntry& entry : logs) {
+    const LogFiles log = files_of(files, entry);
+    if (log.xml && log.bin)
+      append(all, decode(files, log, entry, tasks), entry, unit++, booms);
+    else
+      left_out.push_back(entry.name);
+  }
+  all.booms = booms.booms();
+  all.notes.push_back(fmt::format("{} logs were joined: each is driven for itself", unit));
+  if (!left_out.empty())
+    all.notes.push_back(fmt::format("{} logs have no .xml or no .bin and were left out: {}", left_out.size(),
+                                    fmt::join(left_out, ", ")));
+  return all;
 }
 
 }  // namespace
@@ -116,23 +141,10 @@ WorkLog read_task_log(const std::string& path, const std::string& wanted) {
   const TaskData tasks = read_task_data(files);
   const std::vector<LogEntry> logs = chosen(files, tasks, wanted);
   WorkLog all;
-  all.clock = Clock::kUtc;
-  if (logs.size() == 1) {
-    all = read_one(files, logs.front(), tasks);
-  } else {
-    BoomList booms;
-    int unit = 0;
-    for (const LogEntry& entry : logs) {
-      if (!has_files(files, entry)) {
-        all.notes.push_back(entry.name + ": its .xml or .bin is missing; it was left out");
-        continue;
-      }
-      append(all, read_one(files, entry, tasks), entry, unit++, booms);
-    }
-    all.booms = booms.booms();
-    all.notes.push_back(
-        fmt::format("{} logs of {} were joined: each is driven for itself", unit, logs.size()));
-  }
+  if (logs.size() == 1)
+    all = decode(files, files_of(files, logs.front()), logs.front(), tasks);
+  else
+    all = joined(files, logs, tasks);
   if (all.fixes.empty())
     throw bad_input(fmt::format("'{}' has no record with a possible position ({} were skipped{})", path,
                                 all.skipped.count,

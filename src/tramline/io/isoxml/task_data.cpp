@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMostExternalFiles = 10000;
 
-std::unique_ptr<pugi::xml_document> parse(const std::string& xml, const std::string& place) {
+std::unique_ptr<pugi::xml_document> parse(std::string_view xml, const std::string& place) {
   auto document = std::make_unique<pugi::xml_document>();
   const pugi::xml_parse_result parsed = document->load_buffer(xml.data(), xml.size());
   if (!parsed)
@@ -81,28 +81,34 @@ void drop_empty_layers(RawDataset& dataset) {
 
 }  // namespace
 
-TaskData read_task_data(const TaskFiles& files) {
+TaskData parse_task_data(std::string_view xml, const ExternalFile& external, const std::string& path) {
   TaskData out;
-  out.partfields = empty_partfields(files.path());
-  const auto xml = files.read("TASKDATA.XML");
-  if (!xml) return out;
-  const std::string place = fmt::format("'{}'", files.path());
-  const auto document = parse(*xml, place + ": TASKDATA.XML");
+  out.partfields = empty_partfields(path);
+  const std::string place = fmt::format("'{}'", path);
+  const auto document = parse(xml, place + ": TASKDATA.XML");
   const pugi::xml_node root = document->child("ISO11783_TaskData");
   if (!root) throw bad_input(fmt::format("{} is no ISOXML: it has no element ISO11783_TaskData", place));
-  read_top_level(root, files.path(), out);
+  read_top_level(root, path, out);
   std::size_t count = 0;
   for (const pugi::xml_node reference : root.children("XFR")) {
     const std::string name = std::string(reference.attribute("A").value()) + ".XML";
     if (++count > kMostExternalFiles)
       throw bad_input(fmt::format("{} names more than {} external files", place, kMostExternalFiles));
-    const auto external = files.read(name);
-    if (!external)
+    const auto text = external(name);
+    if (!text)
       throw bad_input(fmt::format("{} names the external file {}, which is missing beside it", place, name));
-    read_top_level(parse(*external, place + ": " + name)->first_child(), files.path(), out);
+    const auto part = parse(*text, place + ": " + name);
+    read_top_level(part->first_child(), path, out);
   }
   drop_empty_layers(out.partfields);
   return out;
+}
+
+TaskData read_task_data(const TaskFiles& files) {
+  const auto xml = files.read("TASKDATA.XML");
+  if (!xml) return {};
+  return parse_task_data(
+      *xml, [&](const std::string& name) { return files.read(name); }, files.path());
 }
 
 }  // namespace tramline::io

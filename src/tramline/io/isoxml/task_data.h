@@ -1,7 +1,7 @@
 #pragma once
 // What TASKDATA.XML says about machines and tasks, as plain values.
 
-#include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -37,8 +37,15 @@ struct TaskData {
   RawDataset partfields;       ///< layers "partfields" and "obstacles", without those that are empty
 };
 
+/// Gives the text of an external file by its name; nullopt where there is none.
+using ExternalFile = std::function<std::optional<std::string>(const std::string&)>;
+
+/// Reads the text of a TASKDATA.XML. `path`: of the task set, for messages. Throws bad_input like
+/// read_task_data(). O(size).
+TaskData parse_task_data(std::string_view xml, const ExternalFile& external, const std::string& path);
+
 /// Reads TASKDATA.XML and the external files it names (XFR). Throws bad_input, naming the file, for damaged
-/// XML and for a named external file that is missing. O(size).
+/// XML and for a named external file that is missing. Without a TASKDATA.XML nothing is known. O(size).
 TaskData read_task_data(const TaskFiles& files);
 
 }  // namespace tramline::io

@@ -236,14 +236,13 @@ ColumnMap map_columns(std::span<const std::string> names, const std::string& wan
                       const std::string& place) {
   ColumnMap map;
   const std::vector<Column> spoken_of = apply_wanted(map, names, wanted, place);
+  std::vector<std::string> plain;
+  for (const std::string& name : names) plain.push_back(plain_name(name));
   for (const Name& name : known_names()) {
     if (map.has(name.column) || std::find(spoken_of.begin(), spoken_of.end(), name.column) != spoken_of.end())
       continue;
-    for (std::size_t i = 0; i < names.size(); ++i)
-      if (plain_name(names[i]) == name.name) {
-        use(map, name, i);
-        break;
-      }
+    const auto at = std::find(plain.begin(), plain.end(), name.name);
+    if (at != plain.end()) use(map, name, static_cast<std::size_t>(at - plain.begin()));
   }
   if (!needs_positions) return map;
   for (const auto& [column, word, other] : {std::tuple(Column::kLon, "lon", "longitude, x or easting"),

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "tramline/geometry/error.h"
+#include "tramline/io/fixes/boom_list.h"
 #include "tramline/io/fixes/lines.h"
 #include "tramline/io/isoxml/read_task_log.h"
 #include "tramline/io/log/csv_log.h"
@@ -54,6 +57,7 @@ WorkLog read_log(const std::string& path, const LogOptions& options) {
       log = read_vector_log(path, options.log, options.columns, options.crs);
       break;
   }
+  if (std::string note = note_on_wide(log.booms); !note.empty()) log.notes.push_back(std::move(note));
   log.name = options.log.empty() ? path : path + "/" + options.log;
   return log;
 }

@@ -1,0 +1,19 @@
+// Any text as a GPX file.
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "sound_log.h"
+#include "tramline/geometry/error.h"
+#include "tramline/io/log/gpx_log.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  try {
+    tramline::fuzz::demand_sound(tramline::io::read_gpx_log(text, "'fuzz'"));
+  } catch (const tramline::Error&) {
+    // A refusal is an answer; any other exception is a fault.
+  }
+  return 0;
+}
