@@ -30,26 +30,30 @@ bool cross_each_other(Point a, Point b, Point c, Point d) {
   return cross(b - a, c - a) * cross(b - a, d - a) < 0 && cross(d - c, a - c) * cross(d - c, b - c) < 0;
 }
 
-/// How many rules the badge would break.
+/// What breaking the rules costs: a hidden number is worse than a hidden gap, and that than a crossing.
+constexpr int kHidesNumber = 10000, kHidesGap = 100, kCrosses = 1;
+
 int faults_of(const GapLabel& candidate, const std::vector<GapLabel>& placed,
               const std::vector<Point>& centres, double scale) {
   const double radius = kGapBadgeRadius * scale, apart = kApart * scale;
   int faults = 0;
   for (const GapLabel& other : placed) {
-    faults += distance(candidate.badge, other.badge) < 2 * radius + apart;
-    faults += distance_to_segment(other.badge, candidate.gap, candidate.badge) < radius + apart;
-    faults += distance_to_segment(candidate.badge, other.gap, other.badge) < radius + apart;
-    faults += cross_each_other(candidate.gap, candidate.badge, other.gap, other.badge);
+    if (distance(candidate.badge, other.badge) < 2 * radius + apart) faults += kHidesNumber;
+    if (distance_to_segment(other.badge, candidate.gap, candidate.badge) < radius + apart) faults += kCrosses;
+    if (distance_to_segment(candidate.badge, other.gap, other.badge) < radius + apart) faults += kCrosses;
+    if (cross_each_other(candidate.gap, candidate.badge, other.gap, other.badge)) faults += kCrosses;
   }
   for (const Point centre : centres)
-    if (!(centre == candidate.gap)) faults += distance(candidate.badge, centre) < radius + 2 * apart;
+    if (!(centre == candidate.gap) && distance(candidate.badge, centre) < radius + 2 * apart)
+      faults += kHidesGap;
   return faults;
 }
 
-/// The first direction is up, then they open to both sides, the right one first.
+/// Clockwise from up. The first is askew, so that leaders do not run along passes that go north or east; then
+/// they open to both sides.
 double direction_of(int i) {
   const int step = (i + 1) / 2 * (i % 2 == 0 ? -1 : 1);
-  return 2 * std::numbers::pi * step / kDirections;
+  return std::numbers::pi / 4 + 2 * std::numbers::pi * step / kDirections;
 }
 
 GapLabel placed_beside(const GapLabel& label, const std::vector<GapLabel>& placed,

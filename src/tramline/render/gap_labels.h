@@ -16,8 +16,8 @@ struct GapLabel {
 
 /// Labels of the kGapsNumbered first gaps whose centres lie within `map`, a box of the page. No two badges
 /// meet, none hides the centre of another numbered gap, and no leader runs through a badge, as far as there
-/// is room for that; the shortest leader wins, of equals that furthest up and then right. Every badge lies in
-/// `map`.
+/// is room for that; the shortest leader wins, of equals the one nearest to pointing up and right. Every
+/// badge lies in `map`.
 std::vector<GapLabel> place_gap_labels(const std::vector<Gap>& gaps, const MapView& view, double scale,
                                        const Box& map);
 
