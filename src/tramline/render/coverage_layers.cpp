@@ -1,6 +1,7 @@
 #include "tramline/render/coverage_layers.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tramline/geometry/simplified_line.h"
 #include "tramline/render/layers.h"
@@ -10,6 +11,7 @@ namespace {
 
 constexpr double kUnseen = 0.15;  // px
 constexpr double kLeastPath = 0.25;
+constexpr double kLeastGap = 1.2;
 
 /// What the outer rings of the field enclose and the field leaves out.
 Region left_out_of(const Region& field) {
@@ -56,9 +58,11 @@ void draw_repeated(Canvas& canvas, const Coverage& coverage) {
 
 void draw_missed(Canvas& canvas, const Coverage& coverage) {
   fill(canvas, coverage.missed, kUncoveredColour);
-  Region gaps;
-  for (const Gap& gap : coverage.gaps) gaps.push_back(gap.shape);
-  outline(canvas, gaps, {kUncoveredColour, kSliverWidth * canvas.scale()});
+  for (const Gap& gap : coverage.gaps) {
+    const double shown = std::isnan(gap.widest_m) ? 0 : gap.widest_m * canvas.view().px_per_m;
+    const double lacking = kLeastGap * canvas.scale() - shown;
+    if (lacking > 0) outline(canvas, {gap.shape}, {kUncoveredColour, lacking});
+  }
 }
 
 void draw_driven(Canvas& canvas, const Coverage& coverage) {
