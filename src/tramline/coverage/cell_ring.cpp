@@ -22,12 +22,22 @@ bool on_border(TilePoint p, std::int64_t side) {
   return p.x <= kNear || p.y <= kNear || p.x >= side - kNear || p.y >= side - kNear;
 }
 
+/// Rounded.
+std::int32_t between(double value, std::int32_t least, std::int32_t most) {
+  return static_cast<std::int32_t>(std::clamp<double>(value + 0.5, least, most));
+}
+
 TilePoint crossing(TilePoint a, double a_inside, TilePoint b, double b_inside, const TileLine& line,
                    std::int64_t side) {
   if (b < a) {
     std::swap(a, b);
     std::swap(a_inside, b_inside);
   }
+  // On the border of the tile the line itself says where, to the tile on the other side just the same.
+  if (a.x == b.x && line.ny != 0 && (a.x == 0 || a.x == side))
+    return {a.x, between(-(line.nx * a.x + line.offset) / line.ny, a.y, b.y)};
+  if (a.y == b.y && line.nx != 0 && (a.y == 0 || a.y == side))
+    return {between(-(line.ny * a.y + line.offset) / line.nx, a.x, b.x), a.y};
   const double share = a_inside / (a_inside - b_inside);
   const double x = a.x + share * (static_cast<double>(b.x) - a.x);
   const double y = a.y + share * (static_cast<double>(b.y) - a.y);
