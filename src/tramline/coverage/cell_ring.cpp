@@ -100,8 +100,9 @@ void see(const ConvexPiece& piece, GridPoint corner, std::int64_t side, TilePiec
   const auto squared = [](const TileLine& l) {
     return (l.to_x - l.from_x) * (l.to_x - l.from_x) + (l.to_y - l.from_y) * (l.to_y - l.from_y);
   };
-  std::stable_sort(out.lines.begin(), out.lines.end(),
-                   [&](const TileLine& a, const TileLine& b) { return squared(a) > squared(b); });
+  for (std::size_t i = 1; i < out.lines.size(); ++i)
+    for (std::size_t k = i; k > 0 && squared(out.lines[k]) > squared(out.lines[k - 1]); --k)
+      std::swap(out.lines[k], out.lines[k - 1]);
   out.box = {boxed(least.x - corner.x, side), boxed(least.y - corner.y, side), boxed(most.x - corner.x, side),
              boxed(most.y - corner.y, side)};
 }
