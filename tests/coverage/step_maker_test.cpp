@@ -156,7 +156,7 @@ TEST(StepMaker, ARunEndsWhereTheWorkDoes) {
   EXPECT_DOUBLE_EQ(steps[1].travel_m, 4);
   EXPECT_DOUBLE_EQ(steps[3].travel_m, 5);
   EXPECT_DOUBLE_EQ(steps[4].travel_m, 1);
-  EXPECT_DOUBLE_EQ(steps[0].reach_m, 4);
+  EXPECT_DOUBLE_EQ(steps[0].reach_m, 2 + 4) << "the step, and w before it";
 }
 
 // The antenna 3 m before the machine's middle and 1 m right of it, the implement 5 m behind: driving north

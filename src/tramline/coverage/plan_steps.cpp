@@ -54,8 +54,10 @@ void append(const Path& path, double width_m, int run, std::vector<WorkedStep>& 
   for (const PathSegment& segment : path) {
     const std::vector<Pose> along = poses(segment, width_m);
     for (std::size_t i = 1; i < along.size(); ++i) {
-      travel_m += distance(along[i - 1].place, along[i].place);
-      out.push_back({{quad_between(along[i - 1], along[i], width_m)}, run, travel_m, width_m, out.size()});
+      const double step_m = distance(along[i - 1].place, along[i].place);
+      travel_m += step_m;
+      out.push_back(
+          {{quad_between(along[i - 1], along[i], width_m)}, run, travel_m, step_m + width_m, out.size()});
     }
   }
 }

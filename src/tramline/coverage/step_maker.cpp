@@ -100,7 +100,7 @@ std::optional<WorkedStep> StepMaker::step(Unit& unit, const End& to) {
   worked_s_ += std::max(0.0, to.time_s - std::max(from.time_s, worked_until_s_));
   worked_until_s_ = std::fmax(worked_until_s_, to.time_s);
   return WorkedStep{std::move(worked), unit.run, unit.travel_m,
-                    std::max(span_m(from.working), span_m(to.working)), fixes_ - 1};
+                    step_m + std::max(span_m(from.working), span_m(to.working)), fixes_ - 1};
 }
 
 std::optional<WorkedStep> StepMaker::add(const Fix& fix, const std::vector<Boom>& booms) {

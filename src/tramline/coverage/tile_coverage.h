@@ -36,7 +36,7 @@ class TileCoverage {
   ~TileCoverage();
 
   /// Amortised O(cells met). Preconditions: finite coordinates within kFarthest_m of the origin; travel_m
-  /// does not decrease within a run, and reach_m is kLongestReach_m at most.
+  /// does not decrease within a run, and what lies further back than kLongestReach_m is forgotten.
   void add(const WorkedStep& step);
 
   /// O(1).

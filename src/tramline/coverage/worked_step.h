@@ -20,7 +20,9 @@ struct WorkedStep {
   std::vector<Quad> quads;
   int run = 0;          ///< an unbroken stretch of work; numbered from 0 in order of time
   double travel_m = 0;  ///< driven along the run up to the front of the step
-  double reach_m = 0;  ///< the last w of travel: quads of the run no further back than this are its own trail
+  /// Its own trail, back from its front: the step itself, and the last w of travel before it. Quads of the
+  /// run whose travel_m is within that are not worked again by what they share with this one.
+  double reach_m = 0;
   std::size_t fix = 0;  ///< index of the fix at the step's front
 };
 
