@@ -65,8 +65,8 @@ void require_near(const WorkLog& log, const WorkLog& local, const WorkGround& gr
   if (any_near(local, field)) return;
   if (any_near(placed(with_columns_swapped(log), ground.frame), field))
     throw bad_input(fmt::format(
-        "{} lies nowhere near the field {} as it is, but does with longitude and latitude swapped: name the "
-        "columns with --columns",
+        "{} lies nowhere near the field {} as it is, but does with longitude and latitude swapped: give "
+        "--columns lon=LATITUDE,lat=LONGITUDE with the names of its columns",
         log.name, ground.field_id));
   const Box box = bounds(log);
   throw bad_input(fmt::format("{} lies nowhere near the field {}: the log is about ({:.5f}, {:.5f}){}",

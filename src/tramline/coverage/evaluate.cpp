@@ -50,11 +50,11 @@ double require_width(const WorkLog& log, const DriveSettings& drive) {
 std::vector<std::string> notes_on(const Breaks& breaks, const DriveSettings& drive) {
   std::vector<std::string> out;
   if (breaks.gaps > 0)
-    out.push_back(fmt::format("{} steps are longer than {:g} s: nothing is worked in them", breaks.gaps,
-                              drive.max_gap_s));
+    out.push_back(
+        fmt::format("nothing is worked over {} gaps of more than {:g} s", breaks.gaps, drive.max_gap_s));
   if (breaks.jumps > 0)
-    out.push_back(fmt::format("{} steps are longer than {:g} m: nothing is worked in them", breaks.jumps,
-                              drive.max_step_m));
+    out.push_back(
+        fmt::format("nothing is worked over {} jumps of more than {:g} m", breaks.jumps, drive.max_step_m));
   if (breaks.without_width > 0)
     out.push_back(
         fmt::format("{} fixes do not say how wide the machine is: nothing is worked there without --width",
@@ -129,7 +129,7 @@ Coverage evaluate(const WorkLog& given, const Region& field, const EvaluateSetti
   if (const std::size_t disorder = out_of_order(log); disorder > 0) {
     log = in_time_order(std::move(log));
     out.warnings.push_back(fmt::format(
-        "{} fixes are earlier than the one before them: all were put in order of time", disorder));
+        "{} of the fixes are earlier than the one before: all were put in order of time", disorder));
   }
 
   DriveSettings drive = settings.drive;

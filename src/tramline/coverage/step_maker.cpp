@@ -59,9 +59,14 @@ Boom StepMaker::working_at(const Fix& fix, const std::vector<Boom>& booms) {
 
 bool StepMaker::joins(const End& from, const End& to) {
   const double time_s = to.time_s - from.time_s;  // NaN without times: nothing is known against it
-  if (time_s < 0) return ++breaks_.backwards, false;
-  if (time_s > settings_.max_gap_s) return ++breaks_.gaps, false;
-  if (distance(from.antenna, to.antenna) > settings_.max_step_m) return ++breaks_.jumps, false;
+  const bool matters = !from.working.empty() || !to.working.empty();
+  const auto broken = [&](std::size_t& count) {
+    if (matters) ++count;
+    return false;
+  };
+  if (time_s < 0) return broken(breaks_.backwards);
+  if (time_s > settings_.max_gap_s) return broken(breaks_.gaps);
+  if (distance(from.antenna, to.antenna) > settings_.max_step_m) return broken(breaks_.jumps);
   return true;
 }
 

@@ -38,7 +38,7 @@ struct DriveSettings {
   bool unknown_works = true;      ///< whether a fix works whose state was not recorded
 };
 
-/// How often steps were not joined, and why; counted in fixes.
+/// How often fixes were not joined of which one at least was at work, and why.
 struct Breaks {
   std::size_t gaps = 0;           ///< longer than max_gap_s
   std::size_t jumps = 0;          ///< longer than max_step_m
