@@ -191,7 +191,7 @@ std::optional<std::size_t> index_of(std::span<const std::string> names, std::str
 }
 
 void use(ColumnMap& map, const Name& name, std::size_t index) {
-  map.uses[name.column] = {index, name.factor, name.unit_named};
+  map.uses[static_cast<std::size_t>(name.column)] = {index, name.factor, name.unit_named};
   if (name.column == Column::kLon || (name.column == Column::kLat && map.position_names == kEither))
     map.position_names = name.positions;
 }
@@ -239,7 +239,7 @@ ColumnMap map_columns(std::span<const std::string> names, const std::string& wan
   std::vector<std::string> plain;
   for (const std::string& name : names) plain.push_back(plain_name(name));
   for (const Name& name : known_names()) {
-    if (map.has(name.column) || std::find(spoken_of.begin(), spoken_of.end(), name.column) != spoken_of.end())
+    if (map[name.column] || std::find(spoken_of.begin(), spoken_of.end(), name.column) != spoken_of.end())
       continue;
     const auto at = std::find(plain.begin(), plain.end(), name.name);
     if (at != plain.end()) use(map, name, static_cast<std::size_t>(at - plain.begin()));
@@ -247,7 +247,7 @@ ColumnMap map_columns(std::span<const std::string> names, const std::string& wan
   if (!needs_positions) return map;
   for (const auto& [column, word, other] : {std::tuple(Column::kLon, "lon", "longitude, x or easting"),
                                             std::tuple(Column::kLat, "lat", "latitude, y or northing")})
-    if (!map.has(column))
+    if (!map[column])
       throw bad_input(fmt::format("{} has no column '{}' (nor {}); name it with --columns {}=NAME; found {}",
                                   place, word, other, word, listed(names)));
   return map;
