@@ -185,8 +185,7 @@ TEST(CsvLog, OneWidthIsSharedByItsSections) {
 }
 
 TEST(CsvLog, SectionsFromTheRight) {
-  const WorkLog log =
-      csv("lon,lat,width_mm,sections\n10,50,1000|2000,10\n", "sections_from_right=sections,sections=");
+  const WorkLog log = csv("lon,lat,width_mm,sections\n10,50,1000|2000,10\n", "sections_from_right=sections");
   EXPECT_EQ(log.fixes[0].sections, SectionStates("10"));  // the second from the left
 }
 

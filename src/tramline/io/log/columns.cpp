@@ -238,6 +238,9 @@ ColumnMap map_columns(std::span<const std::string> names, const std::string& wan
   const std::vector<Column> spoken_of = apply_wanted(map, names, wanted, place);
   std::vector<std::string> plain;
   for (const std::string& name : names) plain.push_back(plain_name(name));
+  // What was given a meaning has no other.
+  for (const auto& wanted_use : map.uses)
+    if (wanted_use) plain[wanted_use->index].clear();
   for (const Name& name : known_names()) {
     if (map[name.column] || std::find(spoken_of.begin(), spoken_of.end(), name.column) != spoken_of.end())
       continue;
