@@ -49,6 +49,12 @@ std::string sensible_width(const std::string& text) {
   return "";
 }
 
+/// The same result wherever the log lies.
+std::string without_folder(const std::string& name, const std::string& file) {
+  const std::string folder = file.substr(0, file.find_last_of('/') + 1);
+  return name.starts_with(folder) ? name.substr(folder.size()) : name;
+}
+
 class EvaluateCommand : public Command {
  public:
   CLI::App* setup(CLI::App& app) override {
@@ -167,7 +173,8 @@ class EvaluateCommand : public Command {
   }
 
   Evaluation drive(const std::optional<Plan>& plan) const {
-    const WorkLog read = io::read_log(log_file_, log_options_);
+    WorkLog read = io::read_log(log_file_, log_options_);
+    read.name = without_folder(read.name, log_file_);
     WorkGround ground;
     if (const std::optional<WorkGround> field = work_ground(field_))
       ground = *field;

@@ -47,7 +47,7 @@ Region moved(const Region& region, const LocalFrame& from, const LocalFrame& to)
 double distance_between(const Box& box, Point p) {
   const double x = std::max({box.min_x - p.x, 0.0, p.x - box.max_x});
   const double y = std::max({box.min_y - p.y, 0.0, p.y - box.max_y});
-  return length({x, y});
+  return length(Point{x, y});
 }
 
 bool any_near(const WorkLog& local, const Box& field) {

@@ -50,7 +50,7 @@ ordered_json gaps_json(const Coverage& coverage) {
     const Point at = in_input(coverage.frame, projection, gap.centre);
     out.push_back({{"number", gap.number},
                    {"area_m2", gap.area_m2},
-                   {"widest_m", gap.widest_m},
+                   {"widest_m", number(gap.widest_m)},
                    {"centre", {at.x, at.y}}});
   }
   return out;

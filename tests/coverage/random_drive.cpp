@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "properties/random_field.h"
+#include "tramline/geometry/boolean.h"
 
 namespace tramline::testing {
 namespace {
@@ -179,9 +180,9 @@ Region random_region(std::mt19937_64& random, Point centre) {
   if (one_in(random, 6)) return {};
   const double size = uniform(random, 5, 60);
   Polygon out{random_star(random, centre, 0.4 * size, size, any_of(random, 4, 25)), {}};
-  if (one_in(random, 2))
-    out.holes.push_back(
-        reversed(random_star(random, centre, 0.05 * size, 0.35 * size, any_of(random, 3, 12))));
+  const Ring hole = random_star(random, centre, 0.05 * size, 0.35 * size, any_of(random, 3, 12));
+  const bool fits = area(difference({{hole, {}}}, {out})) == 0;
+  if (fits && one_in(random, 2)) out.holes.push_back(reversed(hole));
   return {out};
 }
 

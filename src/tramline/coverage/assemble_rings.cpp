@@ -12,7 +12,7 @@
 namespace tramline::coverage {
 namespace {
 
-/// A stretch of boundary that forks nowhere but at its ends; coarse units of the plane.
+/// A stretch of boundary that forks nowhere but at its ends, in units.
 struct Chain {
   GridPoint from;
   GridPoint to;
@@ -202,11 +202,11 @@ bool is_thin(const GridRing& ring, Int128 twice_area) {
   return std::abs(static_cast<double>(twice_area)) < kThinnest * perimeter;
 }
 
-Ring in_metres(const GridRing& ring, double coarse_m) {
+Ring in_metres(const GridRing& ring, double unit_m) {
   Ring out;
   out.reserve(ring.size());
   for (const GridPoint p : ring)
-    out.push_back({static_cast<double>(p.x) * coarse_m, static_cast<double>(p.y) * coarse_m});
+    out.push_back({static_cast<double>(p.x) * unit_m, static_cast<double>(p.y) * unit_m});
   return out;
 }
 
@@ -214,7 +214,7 @@ Ring in_metres(const GridRing& ring, double coarse_m) {
 
 Region assembled(const std::vector<TileOutline>& outlines, std::vector<BorderEdge> border,
                  const TileFrame& frame) {
-  const std::int64_t side = frame.side >> kCoarseShift;
+  const std::int64_t side = frame.side;
   std::vector<Chain> chains;
   for (const TileOutline& outline : outlines) {
     append_chains(outline, side, chains);
@@ -231,10 +231,10 @@ Region assembled(const std::vector<TileOutline>& outlines, std::vector<BorderEdg
   }
   Region out;
   out.reserve(outer.size());
-  for (const GridRing& ring : outer) out.push_back({in_metres(ring, frame.coarse_m()), {}});
+  for (const GridRing& ring : outer) out.push_back({in_metres(ring, frame.unit_m), {}});
   const std::vector<std::size_t> parents = parents_of(holes, outer);
   for (std::size_t i = 0; i < holes.size(); ++i)
-    if (parents[i] < out.size()) out[parents[i]].holes.push_back(in_metres(holes[i], frame.coarse_m()));
+    if (parents[i] < out.size()) out[parents[i]].holes.push_back(in_metres(holes[i], frame.unit_m));
   return out;
 }
 

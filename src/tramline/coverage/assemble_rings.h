@@ -8,9 +8,9 @@
 
 namespace tramline::coverage {
 
-/// Polygons and holes that are thinner than this many coarse units on average (twice the area over the
-/// perimeter) are dropped: about 1 µm.
-inline constexpr double kThinnest = 2;
+/// Polygons and holes that are thinner than this on average (twice the area over the perimeter) are dropped,
+/// units: 1 µm for tiles of 8 m.
+inline constexpr double kThinnest = 128;
 
 /// The polygons whose boundary the outlines are, with `border` added to it. Where tiles meet, boundaries
 /// walked both ways cancel. Rings are simple: where the ground touches itself at a point it is parted there.

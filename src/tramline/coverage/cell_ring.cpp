@@ -22,12 +22,22 @@ bool on_border(TilePoint p, std::int64_t side) {
   return p.x <= kNear || p.y <= kNear || p.x >= side - kNear || p.y >= side - kNear;
 }
 
+/// Rounded.
+std::int32_t between(double value, std::int32_t least, std::int32_t most) {
+  return static_cast<std::int32_t>(std::clamp<double>(value + 0.5, least, most));
+}
+
 TilePoint crossing(TilePoint a, double a_inside, TilePoint b, double b_inside, const TileLine& line,
                    std::int64_t side) {
   if (b < a) {
     std::swap(a, b);
     std::swap(a_inside, b_inside);
   }
+  // On the border of the tile the line itself says where, to the tile on the other side just the same.
+  if (a.x == b.x && line.ny != 0 && (a.x == 0 || a.x == side))
+    return {a.x, between(-(line.nx * a.x + line.offset) / line.ny, a.y, b.y)};
+  if (a.y == b.y && line.nx != 0 && (a.y == 0 || a.y == side))
+    return {between(-(line.ny * a.y + line.offset) / line.nx, a.x, b.x), a.y};
   const double share = a_inside / (a_inside - b_inside);
   const double x = a.x + share * (static_cast<double>(b.x) - a.x);
   const double y = a.y + share * (static_cast<double>(b.y) - a.y);
@@ -90,8 +100,9 @@ void see(const ConvexPiece& piece, GridPoint corner, std::int64_t side, TilePiec
   const auto squared = [](const TileLine& l) {
     return (l.to_x - l.from_x) * (l.to_x - l.from_x) + (l.to_y - l.from_y) * (l.to_y - l.from_y);
   };
-  std::stable_sort(out.lines.begin(), out.lines.end(),
-                   [&](const TileLine& a, const TileLine& b) { return squared(a) > squared(b); });
+  for (std::size_t i = 1; i < out.lines.size(); ++i)
+    for (std::size_t k = i; k > 0 && squared(out.lines[k]) > squared(out.lines[k - 1]); --k)
+      std::swap(out.lines[k], out.lines[k - 1]);
   out.box = {boxed(least.x - corner.x, side), boxed(least.y - corner.y, side), boxed(most.x - corner.x, side),
              boxed(most.y - corner.y, side)};
 }

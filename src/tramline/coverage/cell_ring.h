@@ -1,6 +1,9 @@
 #pragma once
 // The convex rings that tiles are made of, and how a line cuts them.
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "tramline/coverage/cell_state.h"
@@ -20,6 +23,12 @@ struct CellBox {
   std::uint16_t max_x = 0;
   std::uint16_t max_y = 0;
 
+  void extend(const CellBox& other) {
+    min_x = std::min(min_x, other.min_x);
+    min_y = std::min(min_y, other.min_y);
+    max_x = std::max(max_x, other.max_x);
+    max_y = std::max(max_y, other.max_y);
+  }
   bool meets(const CellBox& other) const {
     return (min_x <= other.max_x) & (other.min_x <= max_x) & (min_y <= other.max_y) & (other.min_y <= max_y);
   }

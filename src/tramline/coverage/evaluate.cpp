@@ -7,9 +7,11 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "tramline/coverage/driven_lines.h"
 #include "tramline/coverage/gaps.h"
+#include "tramline/coverage/plausible.h"
 #include "tramline/coverage/time_order.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
@@ -122,12 +124,13 @@ Coverage evaluate(const WorkLog& given, const Region& field, const EvaluateSetti
     throw bad_input(fmt::format("{} has {} with a position: no ground is worked without two", given.name,
                                 given.fixes.empty() ? "no fix" : "one fix"));
   Coverage out;
-  const std::size_t disorder = out_of_order(given);
-  const WorkLog sorted = disorder > 0 ? in_time_order(given) : WorkLog{};
-  const WorkLog& log = disorder > 0 ? sorted : given;
-  if (disorder > 0)
+  WorkLog log = plausible(given);
+  out.warnings = log.notes;
+  if (const std::size_t disorder = out_of_order(log); disorder > 0) {
+    log = in_time_order(std::move(log));
     out.warnings.push_back(fmt::format(
         "{} fixes are earlier than the one before them: all were put in order of time", disorder));
+  }
 
   DriveSettings drive = settings.drive;
   drive.unknown_works = !says_work(log);

@@ -1,23 +1,12 @@
 #include "tramline/coverage/merge_cells.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <tuple>
+#include <span>
 
 namespace tramline::coverage {
 namespace {
-
-/// An edge of a cell, whichever way the cell walks it.
-struct SharedEdge {
-  TilePoint least;
-  TilePoint most;
-  std::uint32_t cell = 0;
-  std::uint16_t place = 0;  ///< of the edge's first point within the ring
-
-  friend bool operator<(const SharedEdge& a, const SharedEdge& b) {
-    return std::tie(a.least, a.most, a.cell, a.place) < std::tie(b.least, b.most, b.cell, b.place);
-  }
-};
 
 /// Cells with more corners than this do not come from merging: every piece that comes near looks at all.
 constexpr std::size_t kMostCorners = 24;
@@ -26,11 +15,10 @@ enum class Bend { kLeft, kStraight, kRight };
 
 Bend bend(TilePoint before, TilePoint at, TilePoint after) {
   const auto size = static_cast<double>(turn(before, at, after));
-  const double length =
-      std::hypot(static_cast<double>(after.x) - before.x, static_cast<double>(after.y) - before.y);
+  const double dx = static_cast<double>(after.x) - before.x, dy = static_cast<double>(after.y) - before.y;
   const double ahead = (static_cast<double>(at.x) - before.x) * (static_cast<double>(after.x) - at.x) +
                        (static_cast<double>(at.y) - before.y) * (static_cast<double>(after.y) - at.y);
-  if (std::abs(size) <= kStraight * length && ahead > 0) return Bend::kStraight;
+  if (size * size <= kStraight * kStraight * (dx * dx + dy * dy) && ahead > 0) return Bend::kStraight;
   return size > 0 ? Bend::kLeft : Bend::kRight;
 }
 
@@ -53,63 +41,107 @@ void unite(std::span<const TilePoint> a, std::size_t a_place, std::span<const Ti
   if (out.size() < 3 || out.size() > kMostCorners || twice_area(out) <= 0) out.clear();
 }
 
-void collect(const CellStore& cells, const std::vector<bool>& kept, std::vector<SharedEdge>& out) {
-  out.clear();
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    if (!kept[c]) continue;
-    const std::span<const TilePoint> ring = cells.ring(c);
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const TilePoint from = ring[i], to = at(ring, i + 1);
-      out.push_back({std::min(from, to), std::max(from, to), static_cast<std::uint32_t>(c),
-                     static_cast<std::uint16_t>(i)});
-    }
-  }
-  std::sort(out.begin(), out.end());
+std::uint64_t packed(TilePoint p) {
+  return static_cast<std::uint64_t>(static_cast<std::uint32_t>(p.x)) << 32 | static_cast<std::uint32_t>(p.y);
 }
 
-/// One round: every cell is merged once at most. Returns how often.
-std::size_t merge_once(CellStore& cells, std::vector<bool>& kept, std::vector<SharedEdge>& edges,
-                       Totals& totals) {
-  collect(cells, kept, edges);
-  std::vector<bool> changed(cells.size(), false);
-  TileRing ring;
-  std::size_t merged = 0;
-  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
-    const SharedEdge &one = edges[i], &other = edges[i + 1];
-    if (one.least != other.least || one.most != other.most) continue;
-    const std::size_t a = one.cell, b = other.cell;
-    if (a == b || changed[a] || changed[b] || cells.state(a) != cells.state(b)) continue;
-    const std::span<const TilePoint> a_ring = cells.ring(a), b_ring = cells.ring(b);
-    if (a_ring[one.place] == b_ring[other.place]) continue;
-    unite(a_ring, one.place, b_ring, other.place, ring);
-    if (ring.empty()) continue;
-    const CellState state = cells.state(a);
-    totals[state] += twice_area(ring) - twice_area(a_ring.data(), a_ring.size()) -
-                     twice_area(b_ring.data(), b_ring.size());
-    cells.replace(a, ring, state);
-    kept[b] = false;
-    changed[a] = changed[b] = true;
-    ++merged;
+/// One go at the cells of a tile.
+class Merging {
+ public:
+  Merging(CellStore& cells, MergeMemory& memory, Totals& totals)
+      : cells_(cells), memory_(memory), totals_(totals), table_(memory.table) {
+    std::size_t edges = 0;
+    for (std::size_t c = 0; c < cells.size(); ++c) edges += cells.ring(c).size();
+    // A merger makes two new edges at most.
+    table_.assign(std::bit_ceil(2 * (edges + 2 * cells.size())), {});
+    memory.into.resize(cells.size());
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      memory.into[c] = static_cast<std::uint32_t>(c);
+      enter_edges(c);
+    }
   }
-  return merged;
-}
+
+  /// Merges what can be; true for the cells that remain.
+  std::vector<bool> remaining() {
+    std::vector<bool> out(cells_.size(), true);
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      if (!out[c]) continue;
+      // What a cell becomes is tried against all its neighbours, also those tried before.
+      for (std::size_t other = merge_with_any(c); other != c; other = merge_with_any(c)) out[other] = false;
+    }
+    return out;
+  }
+
+ private:
+  using Entry = MergeMemory::Entry;
+
+  Entry& slot(TilePoint from, TilePoint to) {
+    std::uint64_t h = packed(from) * 0x9E3779B97F4A7C15ULL;
+    h = (h ^ h >> 29 ^ packed(to)) * 0xBF58476D1CE4E5B9ULL;
+    const std::size_t mask = table_.size() - 1;
+    std::size_t i = static_cast<std::size_t>(h ^ h >> 32) & mask;
+    while (table_[i].used && (table_[i].from != from || table_[i].to != to)) i = (i + 1) & mask;
+    return table_[i];
+  }
+
+  void enter_edges(std::size_t c) {
+    const std::span<const TilePoint> ring = cells_.ring(c);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      slot(ring[i], at(ring, i + 1)) = {ring[i], at(ring, i + 1), static_cast<std::uint32_t>(c), true};
+  }
+
+  /// Entries are never taken out: cells that were merged lead on to what became of them.
+  std::size_t standing_for(std::uint32_t c) {
+    std::vector<std::uint32_t>& into = memory_.into;
+    while (into[c] != c) c = into[c] = into[into[c]];
+    return c;
+  }
+
+  /// Merges cell c with the first neighbour that it can be merged with, and returns that; c: with none.
+  std::size_t merge_with_any(std::size_t c) {
+    const CellState state = cells_.state(c);
+    const std::span<const TilePoint> ring = cells_.ring(c);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const TilePoint from = ring[i], to = at(ring, i + 1);
+      const Entry& entry = slot(to, from);
+      if (!entry.used) continue;
+      const std::size_t other = standing_for(entry.cell);
+      if (other == c || cells_.state(other) != state) continue;
+      const std::span<const TilePoint> other_ring = cells_.ring(other);
+      const auto found = std::find(other_ring.begin(), other_ring.end(), to);
+      if (found == other_ring.end()) continue;
+      const auto place = static_cast<std::size_t>(found - other_ring.begin());
+      if (at(other_ring, place + 1) != from) continue;
+      unite(ring, i, other_ring, place, memory_.ring);
+      if (memory_.ring.empty()) continue;
+      totals_[state] += twice_area(memory_.ring) - twice_area(ring.data(), ring.size()) -
+                        twice_area(other_ring.data(), other_ring.size());
+      cells_.replace(c, memory_.ring, state);
+      memory_.into[other] = static_cast<std::uint32_t>(c);
+      enter_edges(c);
+      return other;
+    }
+    return c;
+  }
+
+  CellStore& cells_;
+  MergeMemory& memory_;
+  Totals& totals_;
+  std::vector<Entry>& table_;
+};
 
 constexpr std::size_t kFewCells = 64;
 
 }  // namespace
 
-void merge_cells(Tile& tile, Totals& totals) {
-  std::vector<bool> kept(tile.cells.size(), true);
-  std::vector<SharedEdge> edges;
-  std::size_t merged = 0;
-  while (const std::size_t now = merge_once(tile.cells, kept, edges, totals)) merged += now;
-  if (merged > 0) tile.cells.keep(kept);
+void merge_cells(Tile& tile, Totals& totals, MergeMemory& memory) {
+  const std::vector<bool> remaining = Merging(tile.cells, memory, totals).remaining();
+  if (std::find(remaining.begin(), remaining.end(), false) != remaining.end()) tile.cells.keep(remaining);
+  tile.merge_at = std::max(2 * tile.cells.size(), kFewCells);
 }
 
-void merge_when_due(Tile& tile, Totals& totals) {
-  if (tile.cells.size() < std::max(tile.merge_at, kFewCells)) return;
-  merge_cells(tile, totals);
-  tile.merge_at = std::max(2 * tile.cells.size(), kFewCells);
+void merge_when_due(Tile& tile, Totals& totals, MergeMemory& memory) {
+  if (tile.cells.size() >= std::max(tile.merge_at, kFewCells)) merge_cells(tile, totals, memory);
 }
 
 }  // namespace tramline::coverage

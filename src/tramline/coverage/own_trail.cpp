@@ -11,8 +11,9 @@ namespace {
 constexpr std::size_t kMostPieces = std::size_t{1} << 18;
 
 std::int64_t squared(GridPoint a, GridPoint b) {
-  // Lengths matter only to order them.
-  const std::int64_t dx = (b.x - a.x) >> kCoarseShift, dy = (b.y - a.y) >> kCoarseShift;
+  // Lengths matter only to order them, and are up to 2^40.
+  constexpr int kShift = 10;
+  const std::int64_t dx = (b.x - a.x) >> kShift, dy = (b.y - a.y) >> kShift;
   return dx * dx + dy * dy;
 }
 
@@ -56,6 +57,23 @@ void subtract(const ConvexPiece& piece, const GridPoint* corners, std::size_t co
 
 }  // namespace
 
+OwnTrails::Octagon::Octagon(GridPoint p) : least{p.x, p.y, p.x + p.y, p.x - p.y}, most(least) {}
+
+void OwnTrails::Octagon::extend(GridPoint p) {
+  const std::array<std::int64_t, 4> along{p.x, p.y, p.x + p.y, p.x - p.y};
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    least[i] = std::min(least[i], along[i]);
+    most[i] = std::max(most[i], along[i]);
+  }
+}
+
+bool OwnTrails::Octagon::apart(const Octagon& other) const {
+  bool out = false;
+  for (std::size_t i = 0; i < least.size(); ++i)
+    out = out | (least[i] > other.most[i]) | (other.least[i] > most[i]);
+  return out;
+}
+
 void OwnTrails::add(int run, double travel_m, const ConvexPiece& piece) {
   Trail& trail = trails_[run];
   trail.used = ++uses_;
@@ -65,6 +83,8 @@ void OwnTrails::add(int run, double travel_m, const ConvexPiece& piece) {
   for (std::size_t i = 0; i < worked.count; ++i) worked.corners[i] = piece.sides[i].from;
   pieces_ -= trail.pieces.size() - trail.first;
   forget_before(trail, travel_m - kLongestReach_m);
+  if (trail.pieces.size() % kBlock == 0) trail.blocks.emplace_back(worked.corners[0]);
+  for (std::size_t i = 0; i < worked.count; ++i) trail.blocks.back().extend(worked.corners[i]);
   trail.pieces.push_back(worked);
   pieces_ += trail.pieces.size() - trail.first;
   if (pieces_ > kMostPieces) forget_oldest(run);
@@ -73,8 +93,11 @@ void OwnTrails::add(int run, double travel_m, const ConvexPiece& piece) {
 void OwnTrails::forget_before(Trail& trail, double travel_m) {
   while (trail.first < trail.pieces.size() && trail.pieces[trail.first].travel_m < travel_m) ++trail.first;
   if (2 * trail.first <= trail.pieces.size()) return;
-  trail.pieces.erase(trail.pieces.begin(), trail.pieces.begin() + static_cast<std::ptrdiff_t>(trail.first));
-  trail.first = 0;
+  const auto blocks = static_cast<std::ptrdiff_t>(trail.first / kBlock);
+  const auto pieces = blocks * static_cast<std::ptrdiff_t>(kBlock);
+  trail.blocks.erase(trail.blocks.begin(), trail.blocks.begin() + blocks);
+  trail.pieces.erase(trail.pieces.begin(), trail.pieces.begin() + pieces);
+  trail.first -= static_cast<std::size_t>(pieces);
 }
 
 void OwnTrails::forget_oldest(int but) {
@@ -109,10 +132,18 @@ std::vector<ConvexPiece> OwnTrails::outside(const ConvexPiece& piece, int run, d
   const auto found = trails_.find(run);
   if (found == trails_.end()) return out;
   const Trail& trail = found->second;
+  Octagon round(piece.sides[0].from);
+  for (const ConvexPiece::Side& side : piece.sides) round.extend(side.from);
   std::size_t apart_by = 0;
-  for (std::size_t i = trail.pieces.size(); i-- > trail.first;) {
-    const Worked& worked = trail.pieces[i];
-    if (worked.travel_m < since_m || out.empty()) break;
+  for (std::size_t i = trail.pieces.size(); i > trail.first && !out.empty();) {
+    // The newest pieces first: most likely they cover it.
+    const Worked& worked = trail.pieces[i - 1];
+    if (worked.travel_m < since_m) break;
+    if (trail.blocks[(i - 1) / kBlock].apart(round)) {
+      i = (i - 1) / kBlock * kBlock;
+      continue;
+    }
+    --i;
     if (apart(piece, worked, apart_by)) continue;
     next.clear();
     for (const ConvexPiece& part : out) subtract(part, worked.corners.data(), worked.count, next);

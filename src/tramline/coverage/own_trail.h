@@ -31,10 +31,21 @@ class OwnTrails {
     double travel_m = 0;
     std::uint8_t count = 0;
   };
+  /// An octagon: bounds of x, y, x + y and x − y.
+  struct Octagon {
+    std::array<std::int64_t, 4> least;
+    std::array<std::int64_t, 4> most;
+
+    explicit Octagon(GridPoint p);
+    void extend(GridPoint p);
+    bool apart(const Octagon& other) const;
+  };
+  static constexpr std::size_t kBlock = 8;
   struct Trail {
-    std::vector<Worked> pieces;  ///< by travel
-    std::size_t first = 0;       ///< those before it are forgotten
-    std::uint64_t used = 0;      ///< when
+    std::vector<Worked> pieces;   ///< by travel
+    std::vector<Octagon> blocks;  ///< round kBlock pieces each
+    std::size_t first = 0;        ///< those before it are forgotten
+    std::uint64_t used = 0;       ///< when
   };
   static bool apart(const ConvexPiece& piece, const Worked& worked, std::size_t& apart_by);
   static void forget_before(Trail& trail, double travel_m);

@@ -1,5 +1,5 @@
 #pragma once
-// Edges of cells, snapped to the coarse grid.
+// Edges of cells, made to meet at common points.
 
 #include <cstdint>
 #include <vector>
@@ -13,11 +13,14 @@ struct TileEdge {
   TilePoint to;
 };
 
-/// Snap rounding: every edge becomes the chain of the coarse points whose squares it passes, of those at
-/// which any edge ends. Edges that did not cross do not cross afterwards; cells that rounding had pulled
-/// apart or pushed over one another by a few units meet again, at each other's vertices. Coordinates of the
-/// result are coarse. Edges walked both ways cancel. Expected O(n log n) for edges about as long as they lie
-/// apart.
-EdgeSum snapped(const std::vector<TileEdge>& edges, std::int64_t side);
+/// Points no further apart than this are one in an outline, and edges pass through a point so close, units.
+/// Several times what rounding can do to cells (tile_frame.h).
+inline constexpr std::int32_t kSnap = 16;
+
+/// Cells that rounding has pulled apart or pushed over one another by a few units meet again: points that all
+/// but coincide become one, those that close to the border of the tile lie on it, and edges run through the
+/// points that they all but pass. Edges walked both ways cancel. What is left meets at points only. Expected
+/// O(n log n) for edges about as long as they lie apart.
+EdgeSum snapped(std::vector<TileEdge> edges, std::int32_t side);
 
 }  // namespace tramline::coverage

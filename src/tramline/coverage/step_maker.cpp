@@ -96,7 +96,9 @@ std::optional<WorkedStep> StepMaker::step(Unit& unit, const End& to) {
   const double step_m = distance(from.antenna, to.antenna);
   unit.travel_m += step_m;
   worked_m_ += step_m;
-  if (to.time_s > from.time_s) worked_s_ += to.time_s - from.time_s;
+  // Units that work side by side work the same time.
+  worked_s_ += std::max(0.0, to.time_s - std::max(from.time_s, worked_until_s_));
+  worked_until_s_ = std::fmax(worked_until_s_, to.time_s);
   return WorkedStep{std::move(worked), unit.run, unit.travel_m,
                     std::max(span_m(from.working), span_m(to.working)), fixes_ - 1};
 }

@@ -66,7 +66,7 @@ class StepMaker {
   Point place() const { return place_; }
   const Breaks& breaks() const { return breaks_; }
   int runs() const { return runs_; }             ///< begun so far
-  double worked_s() const { return worked_s_; }  ///< time of the steps that worked
+  double worked_s() const { return worked_s_; }  ///< time of the steps that worked, of all units together
   double worked_m() const { return worked_m_; }  ///< and their length
 
  private:
@@ -98,6 +98,7 @@ class StepMaker {
   Point place_;
   int runs_ = 0;
   double worked_s_ = 0;
+  double worked_until_s_ = -std::numeric_limits<double>::infinity();
   double worked_m_ = 0;
 };
 

@@ -5,6 +5,20 @@
 namespace tramline::coverage {
 namespace {
 
+/// Calls `visit(cell)` for the cells in these states whose box the piece's meets, but not for those that are
+/// added meanwhile. Stops when it returns true, and says so.
+template <class Visit>
+bool any_near(const TilePiece& piece, StateSet states, const CellStore& cells, Visit visit) {
+  const std::size_t count = cells.size();
+  for (std::size_t first = 0; first < count; first += CellStore::kBlock) {
+    if (!cells.block_box(first / CellStore::kBlock).meets(piece.box)) continue;
+    const std::size_t end = std::min(first + CellStore::kBlock, count);
+    for (std::size_t c = first; c < end; ++c)
+      if (holds(states, cells.state(c)) && cells.box(c).meets(piece.box) && visit(c)) return true;
+  }
+  return false;
+}
+
 enum class Meeting { kNone, kCut, kWithin };
 
 /// How the piece meets a cell, judged line by line; fills scratch.cutting.
@@ -64,47 +78,40 @@ bool apply(const TilePiece& piece, const Transition& next, StateSet changing, st
            Totals& totals, CutScratch& scratch) {
   bool changed = false;
   CellStore& cells = tile.cells;
-  const std::size_t count = cells.size();
-  for (std::size_t c = 0; c < count; ++c) {
-    const CellState before = cells.state(c);
-    if (!holds(changing, before) || !cells.box(c).meets(piece.box)) continue;
+  any_near(piece, changing, cells, [&](std::size_t c) {
     const std::span<const TilePoint> ring = cells.ring(c);
     const Meeting met = meeting(piece, ring, scratch);
-    if (met == Meeting::kNone) continue;
-    const CellState after = next[before];
+    if (met == Meeting::kNone) return false;
+    std::size_t parts = 0;
+    if (met == Meeting::kCut && !cut(piece, ring, side, scratch, parts)) return false;
+    const CellState before = cells.state(c), after = next[before];
     const std::int64_t whole = twice_area(ring.data(), ring.size());
+    changed = true;
+    totals[before] -= whole;
     if (met == Meeting::kWithin) {
-      totals[before] -= whole;
       totals[after] += whole;
       cells.set_state(c, after);
-      changed = true;
-      continue;
+      return false;
     }
-    std::size_t parts = 0;
-    if (!cut(piece, ring, side, scratch, parts)) continue;
-    totals[before] -= whole;
     totals[after] += twice_area(scratch.inside);
     cells.replace(c, scratch.inside, after);
     for (std::size_t i = 0; i < parts; ++i) {
       totals[before] += twice_area(scratch.outside[i]);
       cells.add(scratch.outside[i], before);
     }
-    changed = true;
-  }
+    return false;
+  });
   return changed;
 }
 
 bool covers(const TilePiece& piece, StateSet states, std::int64_t side, const Tile& tile,
             CutScratch& scratch) {
-  for (std::size_t c = 0; c < tile.cells.size(); ++c) {
-    if (!holds(states, tile.cells.state(c)) || !tile.cells.box(c).meets(piece.box)) continue;
+  return any_near(piece, states, tile.cells, [&](std::size_t c) {
     const std::span<const TilePoint> ring = tile.cells.ring(c);
     const Meeting met = meeting(piece, ring, scratch);
     std::size_t parts = 0;
-    if (met == Meeting::kWithin || (met == Meeting::kCut && cut(piece, ring, side, scratch, parts)))
-      return true;
-  }
-  return false;
+    return met == Meeting::kWithin || (met == Meeting::kCut && cut(piece, ring, side, scratch, parts));
+  });
 }
 
 void add_areas(const CellStore& cells, Totals& totals) {

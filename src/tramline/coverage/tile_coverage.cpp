@@ -59,6 +59,7 @@ struct TileCoverage::Impl {
   std::vector<ConvexPiece> pieces;  ///< of the step
   TilePiece seen;
   CutScratch scratch;
+  MergeMemory merging;
 };
 
 bool TileCoverage::Impl::meets_worked(const ConvexPiece& piece) {
@@ -80,7 +81,7 @@ void TileCoverage::Impl::work(const ConvexPiece& piece, const Transition& next) 
     if (!apply(seen, next, changing, frame.side, tile, totals, scratch)) return;
     tile.changed = stamp + 1;
     changed = true;
-    merge_when_due(tile, totals);
+    merge_when_due(tile, totals, merging);
   });
 }
 

@@ -14,7 +14,7 @@ TileFrame tile_frame(double tile_m) {
   constexpr int kBits = 30;
   TileFrame out;
   out.unit_m = std::ldexp(1, static_cast<int>(std::ceil(std::log2(tile_m))) - kBits);
-  out.side = kCoarse * std::llround(tile_m / out.coarse_m());
+  out.side = std::llround(tile_m / out.unit_m);
   return out;
 }
 

@@ -13,11 +13,6 @@ namespace tramline::coverage {
 inline constexpr double kLeastTile_m = 0.25;
 inline constexpr double kLargestTile_m = 512;
 
-/// Vertices of regions lie on a grid that much coarser (a power of two): snapping to it swallows what
-/// rounding did to cells.
-inline constexpr int kCoarseShift = 6;
-inline constexpr std::int64_t kCoarse = std::int64_t{1} << kCoarseShift;
-
 // What counts as the same place, in units. Crossings are rounded by 0.7 at most, and vertices that merged
 // cells lose lay no further than kStraight off the edge that remains.
 /// A vertex no further from a line than this lies on it.
@@ -41,10 +36,9 @@ struct TileIndex {
 /// Frame: units count from the origin of the local frame.
 struct TileFrame {
   double unit_m = 0;      ///< a power of two
-  std::int64_t side = 0;  ///< of a tile, in units; a multiple of kCoarse
+  std::int64_t side = 0;  ///< of a tile, in units
 
   GridPoint rounded(Point p) const { return {nearest(p.x / unit_m), nearest(p.y / unit_m)}; }
-  double coarse_m() const { return unit_m * static_cast<double>(kCoarse); }
   double area_m2(Int128 twice) const { return static_cast<double>(twice) * 0.5 * unit_m * unit_m; }
 
   std::int32_t tile_at(std::int64_t coordinate) const {
@@ -57,7 +51,7 @@ struct TileFrame {
 };
 
 /// Throws bad input where the side is not within kLeastTile_m … kLargestTile_m. It is rounded to whole
-/// coarse units.
+/// units.
 TileFrame tile_frame(double tile_m);
 
 }  // namespace tramline::coverage

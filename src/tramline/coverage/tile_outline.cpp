@@ -153,20 +153,20 @@ class Chains {
 TileOutline outline_of(TileIndex tile, const CellStore& cells, StateSet states, std::int64_t side) {
   TileOutline out;
   out.tile = tile;
-  const std::vector<TileEdge> outer = outer_edges(cells, states);
+  std::vector<TileEdge> outer = outer_edges(cells, states);
   if (outer.empty()) return out;
-  const auto coarse_side = static_cast<std::int32_t>(side >> kCoarseShift);
-  Border border(tile, coarse_side);
+  const auto width = static_cast<std::int32_t>(side);
+  Border border(tile, width);
   std::vector<TileEdge> inner;
-  snapped(outer, side).each_left([&](TilePoint from, TilePoint to) {
+  snapped(std::move(outer), width).each_left([&](TilePoint from, TilePoint to) {
     const TileEdge edge{from, to};
-    if (along_border(edge, coarse_side)) return border.add_edge(edge);
+    if (along_border(edge, width)) return border.add_edge(edge);
     inner.push_back(edge);
     border.add_end(from);
     border.add_end(to);
   });
   out.border = border.edges();
-  Chains(std::move(inner), coarse_side).append_to(out);
+  Chains(std::move(inner), width).append_to(out);
   return out;
 }
 

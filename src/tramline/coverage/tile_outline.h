@@ -9,7 +9,7 @@
 
 namespace tramline::coverage {
 
-/// A stretch of boundary along the border between tiles, ground on its left; coarse units of the plane.
+/// A stretch of boundary along the border between tiles, ground on its left; units.
 struct BorderEdge {
   bool upright = false;   ///< along a column's border; else along a row's
   std::int32_t line = 0;  ///< the number of the column east of it, or of the row north of it
@@ -17,7 +17,7 @@ struct BorderEdge {
   std::int64_t to = 0;
 };
 
-/// Frame: coarse units from the tile's corner. Chains have the ground on their left, and no forks but at
+/// Frame: units from the tile's corner. Chains have the ground on their left, and no forks but at
 /// their ends; closed ones end where they begin.
 struct TileOutline {
   TileIndex tile;

@@ -24,7 +24,7 @@ UntouchedGround untouched_ground(const FieldCells& field, const std::vector<Tile
   const std::vector<TileIndex> border = field.border_tiles();
   std::set_difference(border.begin(), border.end(), touched.begin(), touched.end(),
                       std::back_inserter(out.border_tiles));
-  const std::int64_t side = frame.side >> kCoarseShift;
+  const std::int64_t side = frame.side;
   for (std::size_t i = 0; i + 1 < border.size(); ++i) {
     const TileIndex from = border[i], to = border[i + 1];
     if (from.row != to.row || from.column + 1 == to.column) continue;

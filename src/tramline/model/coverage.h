@@ -61,7 +61,7 @@ struct Gap {
   Polygon shape;
   double area_m2 = 0;
   Point centre;         ///< within the shape
-  double widest_m = 0;  ///< diameter of the largest disc within it, to a centimetre
+  double widest_m = 0;  ///< diameter of the largest disc within it; NaN: not measured
 };
 
 /// How far the work was after so many fixes (S3's tables 2 and 3).

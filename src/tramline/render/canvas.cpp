@@ -230,6 +230,11 @@ void clip_to(Canvas& canvas, const Box& box) {
   cairo_clip(canvas.cr());
 }
 
+void clip_to(Canvas& canvas, const Region& region) {
+  add_region(canvas, region);
+  cairo_clip(canvas.cr());
+}
+
 void disc(Canvas& canvas, Point centre, double radius, Colour colour) {
   cairo_new_path(canvas.cr());
   cairo_arc(canvas.cr(), centre.x, centre.y, radius, 0, 2 * std::numbers::pi);

@@ -78,6 +78,8 @@ void stroke_line(Canvas& canvas, const std::vector<Point>& points, const Stroke&
 void fill_shape(Canvas& canvas, const std::vector<Point>& points, Colour colour);
 /// Nothing is drawn outside the box until cairo's state is restored.
 void clip_to(Canvas& canvas, const Box& box);
+/// The same of a region in the field's metres.
+void clip_to(Canvas& canvas, const Region& region);
 void disc(Canvas& canvas, Point centre, double radius, Colour colour);
 
 }  // namespace tramline::render

@@ -3,6 +3,8 @@
 #include <numbers>
 
 #include "tramline/render/close_up_layers.h"
+#include "tramline/render/coverage_layers.h"
+#include "tramline/render/gap_labels.h"
 #include "tramline/render/layers.h"
 #include "tramline/render/text.h"
 
@@ -77,6 +79,10 @@ void draw_swatch_line(Canvas& canvas, const Box& box, const LegendRow& row) {
                 {kKeepOffColour, kKeepOffLine * k, {kKeepOffDash * k, 0.6 * kKeepOffDash * k}});
   } else if (row.symbol == Symbol::kDropped) {
     stroke_line(canvas, {left, right}, {kDroppedColour, kDroppedLine * k, {5 * k, 3 * k}});
+  } else if (row.symbol == Symbol::kWorkedPath) {
+    stroke_line(canvas, {left, right}, {kWorkedPathColour, kPathLine * k});
+  } else if (row.symbol == Symbol::kIdlePath) {
+    stroke_line(canvas, {left, right}, {kIdlePathColour, kPathLine * k, idle_dashes(k)});
   } else if (row.symbol == Symbol::kStop) {
     stroke_line(canvas, {left, box.centre()}, {kTrackColour, kTrackLine * k});
     draw_stop_mark(canvas, box.centre(), kStopRadius * k);
@@ -103,9 +109,15 @@ void draw_symbol(Canvas& canvas, const Box& box, const LegendRow& row) {
       return draw_swatch_box(canvas, box, kOverlapColour, nullptr, kOverlapColour);
     case Symbol::kUncovered:
       return draw_swatch_box(canvas, box, kUncoveredColour, nullptr, kUncoveredColour);
+    case Symbol::kCovered:
+      return draw_swatch_box(canvas, box, kCoveredColour, nullptr, kCoveredEdge);
+    case Symbol::kCoveredOutside:
+      return draw_swatch_box(canvas, box, kCoveredOutsideColour, nullptr, kCoveredEdge);
+    case Symbol::kGap:
+      return draw_gap_badge(canvas, box.centre(), row.index + 1);
     case Symbol::kSubfield: {
-      draw_swatch_box(canvas, box, tint(static_cast<std::size_t>(row.subfield)), nullptr, kSubfieldEdge);
-      const std::string number = std::to_string(row.subfield + 1);
+      draw_swatch_box(canvas, box, tint(static_cast<std::size_t>(row.index)), nullptr, kSubfieldEdge);
+      const std::string number = std::to_string(row.index + 1);
       return draw_text(canvas, box.centre(), number, {kSmallTextSize, true, Align::kCentre});
     }
     case Symbol::kTrack:
@@ -116,6 +128,8 @@ void draw_symbol(Canvas& canvas, const Box& box, const LegendRow& row) {
     case Symbol::kKeepOff:
     case Symbol::kDropped:
     case Symbol::kStop:
+    case Symbol::kWorkedPath:
+    case Symbol::kIdlePath:
       return draw_swatch_line(canvas, box, row);
   }
 }

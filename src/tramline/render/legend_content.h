@@ -28,11 +28,16 @@ enum class Symbol {
   kStop,
   kOverlap,
   kUncovered,
+  kCovered,
+  kCoveredOutside,
+  kWorkedPath,
+  kIdlePath,
+  kGap,
 };
 
 struct LegendRow {
   Symbol symbol = Symbol::kNone;
-  int subfield = 0;   ///< for Symbol::kSubfield
+  int index = 0;      ///< which subfield or gap, from 0
   std::string text;   ///< at the left
   std::string value;  ///< at the right, with its unit
 };

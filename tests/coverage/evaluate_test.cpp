@@ -1,0 +1,128 @@
+// From logs and plans to figures, by hand.
+
+#include "tramline/coverage/evaluate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "coverage/logs.h"
+#include "tramline/coverage/plan_steps.h"
+#include "tramline/geometry/error.h"
+
+namespace tramline::coverage {
+namespace {
+
+using namespace testing_logs;
+
+Region square(double side_m) { return {{{{0, 0}, {side_m, 0}, {side_m, side_m}, {0, side_m}}, {}}}; }
+
+/// Two passes of 4 m eastwards and back over a square of 10 m, with the work on between fixes at its edges:
+/// the first at y = 2, the second at y = 5, so that a strip of 1 m is worked twice, and one of 3 m is missed.
+WorkLog two_passes() {
+  return log({idle(fix(0, {-2, 2}, 90)), fix(1, {0, 2}, 90), fix(2, {5, 2}, 90), fix(3, {10, 2}, 90),
+              idle(fix(4, {12, 2}, 90)), idle(fix(5, {12, 5}, 270)), fix(6, {10, 5}, 270),
+              fix(7, {5, 5}, 270), fix(8, {0, 5}, 270), idle(fix(9, {-2, 5}, 270))},
+             4);
+}
+
+EvaluateSettings by_steps() {
+  EvaluateSettings out;
+  out.drive.switching = Switching::kStep;
+  return out;
+}
+
+TEST(Evaluate, TwoPassesByHand) {
+  const Coverage done = evaluate(two_passes(), square(10), by_steps(), {});
+  // With --switch step the last step of each pass, 2 m beyond the field, is worked as well.
+  EXPECT_NEAR(done.areas.gross_m2, 2 * 12 * 4, 1e-6);
+  EXPECT_NEAR(done.areas.covered_inside_m2, 10 * 7, 1e-6);
+  EXPECT_NEAR(done.areas.outside_m2, 2 * 4 + 2 * 4, 1e-6);
+  EXPECT_NEAR(done.areas.repeated_m2, 10 * 1, 1e-6);
+  EXPECT_NEAR(done.areas.sliver_m2, 0, 1e-6);
+  EXPECT_NEAR(done.areas.missed_m2, 10 * 3, 1e-6);
+  EXPECT_NEAR(done.areas.worked_times_m2[1], 70 + 16 - 10, 1e-6);
+  EXPECT_NEAR(done.areas.worked_times_m2[2], 10, 1e-6);
+  EXPECT_EQ(done.runs, 2);
+  EXPECT_EQ(done.fixes_used, 10U);
+  EXPECT_DOUBLE_EQ(done.worked_s, 6);
+  ASSERT_EQ(done.gaps.size(), 1U);
+  EXPECT_NEAR(done.gaps[0].area_m2, 30, 1e-6);
+  EXPECT_NEAR(done.gaps[0].widest_m, 3, 0.02);
+  EXPECT_DOUBLE_EQ(done.width_m, 4);
+}
+
+TEST(Evaluate, BySwitchingHalfWayOneMetreEitherEndIsWorked) {
+  const Coverage done = evaluate(two_passes(), square(10), {}, {});
+  EXPECT_NEAR(done.areas.gross_m2, 2 * 12 * 4, 1e-6);
+  EXPECT_NEAR(done.areas.outside_m2, 4 * 4 - 2 * 1, 1e-6) << "the strip of 1 m worked twice at either end";
+}
+
+TEST(Evaluate, SlicesSumUpToTheWhole) {
+  EvaluateSettings settings = by_steps();
+  settings.slice = 4;
+  const Coverage done = evaluate(two_passes(), square(10), settings, {});
+  ASSERT_EQ(done.slices.size(), 3U);
+  EXPECT_EQ(done.slices[0].fixes, 4U);
+  EXPECT_NEAR(done.slices[0].areas.covered_m2, 10 * 4, 1e-6);
+  EXPECT_NEAR(done.slices[0].areas.missed_m2, 100 - 40, 1e-6);
+  EXPECT_EQ(done.slices[2].fixes, 10U);
+  EXPECT_NEAR(done.slices[2].areas.covered_m2, done.areas.covered_m2, 1e-9);
+  EXPECT_EQ(done.slices[2].missed_regions, 1U);
+}
+
+// A right-angled bend of rectangles 4 m wide: the kite on its inside is (w/2)²·tan(45°) = 4 m² and lies
+// within the last w of travel: a sliver, and repeated only for the strict.
+TEST(Evaluate, TheInsideOfABendIsASliver) {
+  const WorkLog bend = log({fix(0, {0, 0}), fix(1, {10, 0}), fix(2, {10, 10})}, 4);
+  EvaluateSettings settings;
+  settings.drive.quads = QuadShape::kSegment;
+  const Coverage done = evaluate(bend, {}, settings, {});
+  EXPECT_NEAR(done.areas.sliver_m2, 4, 1e-6);
+  EXPECT_NEAR(done.areas.repeated_m2, 0, 1e-6);
+  settings.strict = true;
+  const Coverage strict = evaluate(bend, {}, settings, {});
+  EXPECT_NEAR(strict.areas.repeated_m2, 4, 1e-6);
+  EXPECT_NEAR(area(strict.repeated), 4, 1e-6);
+}
+
+TEST(Evaluate, TheOrderOfRecordsDoesNotMatter) {
+  WorkLog mixed = two_passes();
+  std::swap(mixed.fixes[2], mixed.fixes[7]);
+  const Coverage done = evaluate(mixed, square(10), by_steps(), {});
+  EXPECT_NEAR(done.areas.covered_inside_m2, 70, 1e-6);
+  EXPECT_EQ(done.warnings.size(), 1U);
+}
+
+TEST(Evaluate, WhatCannotBeEvaluatedIsRefused) {
+  EXPECT_THROW(evaluate(log({}, 4), {}, {}, {}), Error);
+  EXPECT_THROW(evaluate(log({fix(0, {0, 0})}, 4), {}, {}, {}), Error);
+  WorkLog nameless = two_passes();
+  for (Fix& f : nameless.fixes) f.boom = -1;
+  EXPECT_THROW(evaluate(nameless, {}, {}, {}), Error);
+}
+
+TEST(Evaluate, BothEnginesSeeTheSameDrive) {
+  EvaluateSettings settings = by_steps();
+  settings.engine = EngineKind::kMesh;
+  const Coverage done = evaluate(two_passes(), square(10), settings, {});
+  EXPECT_EQ(done.engine, "mesh");
+  EXPECT_NEAR(done.areas.covered_inside_m2, 70, 0.007 * 70);
+  EXPECT_NEAR(done.areas.repeated_m2, 10, 0.007 * 10);
+  EXPECT_NEAR(done.areas.missed_m2, 30, 0.5);
+}
+
+// A plan of two tracks over the square whose swaths overlap by 1 m and end 1 m beyond it: o = 10 + 2·(4 + 4)
+// − 2·1 … counted as gross − covered inside; u = the strip of 3 m.
+TEST(Evaluate, ThePlansDriveHasThePlansTally) {
+  Plan plan;
+  plan.machine.width_m = 4;
+  plan.pieces = {{{-1, 2}, {11, 2}}, {{11, 5}, {-1, 5}}};
+  const Coverage done = evaluate(plan_steps(plan), 4, square(10), {});
+  EXPECT_NEAR(done.areas.missed_m2, 30, 1e-6);
+  EXPECT_NEAR(done.areas.gross_m2 - done.areas.covered_inside_m2, 2 * 12 * 4 - 70, 1e-6);
+}
+
+}  // namespace
+}  // namespace tramline::coverage
