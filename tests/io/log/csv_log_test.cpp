@@ -149,7 +149,7 @@ TEST(CsvLog, XAndYBeyondDegreesAreMetres) {
 
 TEST(CsvLog, MetresUnderTheNamesOfDegreesAreRefused) {
   const std::string sentence = refusal("lon,lat\n600000,5800000\n600001,5800000\n");
-  EXPECT_TRUE(mentions(sentence, "--crs")) << sentence;
+  EXPECT_TRUE(mentions(sentence, "--log-crs")) << sentence;
 }
 
 TEST(CsvLog, ProjectedPositionsAreCarriedToLongitudeAndLatitude) {
