@@ -11,7 +11,7 @@ build_packages=(
   fonts-dejavu-core python3 sqlite3 zip
 )
 # What `make lint`, `make format` and the long tests need besides.
-lint_packages=(clang clang-tidy clang-format-14 shellcheck)
+lint_packages=(clang libclang-rt-14-dev clang-tidy clang-format-14 shellcheck)
 
 wanted=()
 for list in "${@:-build}"; do

@@ -10,7 +10,7 @@
 #include "tramline/admission/place_obstacles.h"
 #include "tramline/admission/read_obstacles.h"
 #include "tramline/geometry/error.h"
-#include "tramline/io/vector/read_vector.h"
+#include "tramline/io/isoxml/read_fields.h"
 
 namespace tramline::app {
 namespace {
@@ -30,7 +30,7 @@ void append_obstacles(const std::string& file, ObstacleKind kind, bool plain, bo
   io::VectorQuery query;
   query.file = file;
   query.all_layers = true;
-  RawDataset dataset = io::read_vector(query);
+  RawDataset dataset = io::read_fields(query);
   if (plain_given)
     for (RawLayer& layer : dataset.layers) layer.crs.clear();
   for (LooseObstacle& obstacle : read_obstacles(dataset, kind, plain, crs))
@@ -202,7 +202,7 @@ void add_obstacle_options(CLI::App& verb, FieldOptions& options) {
 FieldInput load_fields(const FieldOptions& options) {
   io::VectorQuery query = query_of(options);
   if (!options.all) query.limit = kListed;
-  const RawDataset dataset = io::read_vector(query);
+  const RawDataset dataset = io::read_fields(query);
   const RawLayer& layer = dataset.layers.front();
   if (!options.all && layer.features.size() > 1) refuse_several(options, dataset);
   Admitter admitter(options, dataset);
@@ -216,7 +216,7 @@ FieldInput load_fields(const FieldOptions& options) {
 FieldInput survey_fields(const FieldOptions& options, long long limit) {
   io::VectorQuery query = query_of(options);
   query.limit = limit;
-  const RawDataset dataset = io::read_vector(query);
+  const RawDataset dataset = io::read_fields(query);
   Admitter admitter(options, dataset);
   admitter.admit_all();
   return admitter.finish();
@@ -229,7 +229,7 @@ Field load_field(const FieldOptions& options, const FieldSource& source) {
   // GeoJSON and Shapefile layers are called like their file, which may have been renamed.
   query.layer_is_hint = options.layer.empty();
   query.fid = source.fid;
-  const RawDataset dataset = io::read_vector(query);
+  const RawDataset dataset = io::read_fields(query);
   Admitter admitter(options, dataset);
   admitter.admit(dataset.layers.front().features.front());
   FieldInput input = admitter.finish();

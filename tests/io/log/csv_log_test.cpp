@@ -149,7 +149,7 @@ TEST(CsvLog, XAndYBeyondDegreesAreMetres) {
 
 TEST(CsvLog, MetresUnderTheNamesOfDegreesAreRefused) {
   const std::string sentence = refusal("lon,lat\n600000,5800000\n600001,5800000\n");
-  EXPECT_TRUE(mentions(sentence, "--crs")) << sentence;
+  EXPECT_TRUE(mentions(sentence, "--log-crs")) << sentence;
 }
 
 TEST(CsvLog, ProjectedPositionsAreCarriedToLongitudeAndLatitude) {
@@ -185,8 +185,7 @@ TEST(CsvLog, OneWidthIsSharedByItsSections) {
 }
 
 TEST(CsvLog, SectionsFromTheRight) {
-  const WorkLog log =
-      csv("lon,lat,width_mm,sections\n10,50,1000|2000,10\n", "sections_from_right=sections,sections=");
+  const WorkLog log = csv("lon,lat,width_mm,sections\n10,50,1000|2000,10\n", "sections_from_right=sections");
   EXPECT_EQ(log.fixes[0].sections, SectionStates("10"));  // the second from the left
 }
 

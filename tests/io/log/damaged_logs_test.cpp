@@ -5,17 +5,20 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "io/isoxml/time_log_bytes.h"
+#include "io/vector/files.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/fixes/lines.h"
 #include "tramline/io/isoxml/read_task_log.h"
 #include "tramline/io/log/csv_log.h"
 #include "tramline/io/log/gpx_log.h"
 #include "tramline/io/log/nmea_log.h"
+#include "tramline/io/log/read_log.h"
 
 namespace tramline::io {
 namespace {
@@ -147,6 +150,33 @@ TEST(DamagedLogs, HeadersOfTimeLogs) {
   const std::string records = good_records();
   try_damaged(kHeader,
               [&](const std::string& xml) { return decode_time_log(xml, records, elements(), "'t'"); });
+}
+
+const std::string kTaskData =
+    R"(<ISO11783_TaskData><PFD A="PFD1"><PLN A="1"><LSG A="1"><PNT C="52" D="10"/><PNT C="52" D="10.01"/>)"
+    R"(<PNT C="52.01" D="10.01"/></LSG></PLN></PFD><DVC A="DVC-1"><DET A="DET-1" B="1" C="1" E="0" F="0"/>)"
+    R"(<DET A="DET-2" B="2" C="4" E="1" F="1"><DOR A="9"/></DET><DPT A="9" B="0087" C="1500"/></DVC>)"
+    R"(<TSK A="TSK1" E="PFD1"><TLG A="TLG00001"/></TSK></ISO11783_TaskData>)";
+
+TEST(DamagedLogs, TaskData) {
+  const std::string records = good_records();
+  try_damaged(kTaskData, [&](const std::string& xml) {
+    const auto none = [](const std::string&) { return std::optional<std::string>(); };
+    return decode_time_log(kHeader, records, parse_task_data(xml, none, "t").elements, "'t'");
+  });
+}
+
+class DamagedZips : public testing_files::Files {};
+
+TEST_F(DamagedZips, OfTaskSets) {
+  testing_files::write_zip(path("good.zip"), {{"TASKDATA/TASKDATA.XML", kTaskData},
+                                              {"TASKDATA/TLG00001.xml", kHeader},
+                                              {"TASKDATA/TLG00001.bin", good_records()}});
+  int number = 0;
+  try_damaged(bytes_of(path("good.zip")), [&](const std::string& bytes) {
+    // GDAL remembers what a zip of the same name held.
+    return read_log(write(std::to_string(number++) + ".zip", bytes));
+  });
 }
 
 }  // namespace

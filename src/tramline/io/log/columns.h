@@ -1,7 +1,8 @@
 #pragma once
 // Which column of a table is what.
 
-#include <map>
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,6 +31,7 @@ enum class Column {
   kUnit,
   kPass,
 };
+inline constexpr std::size_t kColumns = static_cast<std::size_t>(Column::kPass) + 1;
 
 /// One column and its unit.
 struct ColumnUse {
@@ -43,10 +45,12 @@ enum class PositionNames { kDegrees, kMetres, kEither };
 
 /// The columns of a table that are used.
 struct ColumnMap {
-  std::map<Column, ColumnUse> uses;
+  std::array<std::optional<ColumnUse>, kColumns> uses;
   PositionNames position_names = PositionNames::kEither;
 
-  bool has(Column column) const { return uses.contains(column); }
+  const std::optional<ColumnUse>& operator[](Column column) const {
+    return uses[static_cast<std::size_t>(column)];
+  }
 };
 
 /// Finds the columns by their common names (docs/logs.md): case, blanks and brackets do not matter, and where

@@ -15,8 +15,18 @@
 namespace tramline::io {
 namespace {
 
-/// Splits a row; "" within quotes is a quote. Returns whether a quoted field is left open at the end.
-bool split(std::string_view line, char separator, std::vector<std::string>& cells) {
+/// A row without quotes, cell by cell.
+void split_plain(std::string_view line, char separator, std::vector<std::string_view>& cells) {
+  cells.clear();
+  for (std::size_t end = 0; end != std::string_view::npos;) {
+    end = line.find(separator);
+    cells.push_back(line.substr(0, end));
+    if (end != std::string_view::npos) line.remove_prefix(end + 1);
+  }
+}
+
+/// A row with quotes; "" within them is a quote. Returns whether a quoted field is left open at the end.
+bool split_quoted(std::string_view line, char separator, std::vector<std::string>& cells) {
   cells.clear();
   cells.emplace_back();
   bool quoted = false, at_start = true;
@@ -94,24 +104,28 @@ void CsvLog::read_header(std::string_view line) {
     return;
   }
   if (separator_ == 0) separator_ = separator_of(line);
-  split(line, separator_, cells_);
+  split_quoted(line, separator_, quoted_cells_);
   const auto is_number = [](const std::string& cell) { return number_in(cell).has_value(); };
-  if (std::count_if(cells_.begin(), cells_.end(), is_number) >= 2)
+  if (std::count_if(quoted_cells_.begin(), quoted_cells_.end(), is_number) >= 2)
     throw bad_input(
         fmt::format("{}, line {}: numbers stand where the names of the columns should; put a line such as "
                     "lon,lat,time first",
                     place_, line_));
-  rows_.emplace(cells_, TableForm{place_, columns_, true, separator_ != ','});
+  rows_.emplace(quoted_cells_, TableForm{place_, columns_, true, separator_ != ','});
 }
 
 std::optional<Fix> CsvLog::row(std::string_view line, std::size_t record) {
-  if (split(line, separator_, cells_)) {
+  if (line.find('"') == std::string_view::npos) {
+    split_plain(line, separator_, cells_);
+    return rows_->add(cells_, record);
+  }
+  if (split_quoted(line, separator_, quoted_cells_)) {
     open_row_ = line;
     open_line_ = record;
     return std::nullopt;
   }
-  const std::vector<std::string_view> cells(cells_.begin(), cells_.end());
-  return rows_->add(cells, record);
+  cells_.assign(quoted_cells_.begin(), quoted_cells_.end());
+  return rows_->add(cells_, record);
 }
 
 WorkLog read_csv_log(Lines& lines, const std::string& columns, const std::string& crs,

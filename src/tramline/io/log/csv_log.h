@@ -41,7 +41,8 @@ class CsvLog {
   std::optional<FixRows> rows_;
   std::size_t line_ = 0, open_line_ = 0;
   std::string open_row_;
-  std::vector<std::string> cells_;
+  std::vector<std::string_view> cells_;
+  std::vector<std::string> quoted_cells_;
 };
 
 /// Reads a whole table. `place`: for messages. Throws bad_input like CsvLog and settle_positions(), and for a

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tramline/io/fixes/course_heading.h"
@@ -14,6 +15,8 @@ namespace {
 
 // No machine is as wide.
 constexpr double kWidest_m = 500;
+// Rows that differ in one of them are of different units.
+constexpr std::array kUnitColumns = {Column::kMachine, Column::kSection, Column::kUnit, Column::kPass};
 
 WorkState work_state(std::string_view text, bool& understood) {
   understood = true;
@@ -31,8 +34,8 @@ WorkState work_state(std::string_view text, bool& understood) {
 }
 
 double time_factor(const ColumnMap& map) {
-  const auto at = map.uses.find(Column::kTime);
-  return at != map.uses.end() && at->second.unit_named ? at->second.factor : 0;
+  const auto& time = map[Column::kTime];
+  return time && time->unit_named ? time->factor : 0;
 }
 
 }  // namespace
@@ -44,9 +47,8 @@ FixRows::FixRows(std::span<const std::string> names, TableForm form)
       time_(time_factor(map_)) {}
 
 std::string_view FixRows::cell(Column column) const {
-  const auto at = map_.uses.find(column);
-  return at == map_.uses.end() || at->second.index >= cells_.size() ? std::string_view()
-                                                                    : trimmed(cells_[at->second.index]);
+  const auto& use = map_[column];
+  return !use || use->index >= cells_.size() ? std::string_view() : trimmed(cells_[use->index]);
 }
 
 std::optional<double> FixRows::number_of(std::string_view text) const {
@@ -59,7 +61,7 @@ std::optional<double> FixRows::number_of(std::string_view text) const {
 
 std::optional<double> FixRows::number(Column column) const {
   const auto value = number_of(cell(column));
-  return value ? std::optional(*value * map_.uses.at(column).factor) : std::nullopt;
+  return value ? std::optional(*value * map_[column]->factor) : std::nullopt;
 }
 
 std::optional<Point> FixRows::position() const {
@@ -71,7 +73,7 @@ std::optional<Point> FixRows::position() const {
 std::optional<FixRows::Widths> FixRows::widths() {
   std::string_view text = cell(Column::kWidth);
   if (text.empty()) return std::nullopt;
-  const double factor = map_.uses.at(Column::kWidth).factor;
+  const double factor = map_[Column::kWidth]->factor;
   Widths out;
   bool any = false;
   for (bool more = true; more;) {
@@ -133,7 +135,7 @@ void FixRows::set_sections(Fix& fix, std::optional<Widths> widths) {
 
 int FixRows::unit_of_row() {
   std::string key;
-  for (const Column column : {Column::kMachine, Column::kSection, Column::kUnit, Column::kPass}) {
+  for (const Column column : kUnitColumns) {
     key += cell(column);
     key += '\n';
   }
@@ -164,15 +166,15 @@ std::optional<Fix> FixRows::add(std::span<const std::string_view> cells, std::si
 }
 
 bool FixRows::width_unit_open() const {
-  const auto at = map_.uses.find(Column::kWidth);
-  return at != map_.uses.end() && !at->second.unit_named;
+  const auto& width = map_[Column::kWidth];
+  return width && !width->unit_named;
 }
 
 std::vector<std::string> FixRows::notes() const {
   std::vector<std::string> out;
   const auto named = [&](Column column) {
-    const auto at = map_.uses.find(column);
-    return at == map_.uses.end() ? std::string() : std::string(trimmed(names_[at->second.index]));
+    const auto& use = map_[column];
+    return use ? std::string(trimmed(names_[use->index])) : std::string();
   };
   const auto count = [&](std::size_t rows, Column column, std::string_view what) {
     if (rows > 0) out.push_back(fmt::format("{} rows: '{}' {}", rows, named(column), what));
@@ -188,8 +190,8 @@ std::vector<std::string> FixRows::notes() const {
                     sections_without_width_));
   if (units_.size() > 1) {
     std::string columns;
-    for (const Column column : {Column::kMachine, Column::kSection, Column::kUnit, Column::kPass})
-      if (map_.has(column)) columns += (columns.empty() ? "" : ", ") + named(column);
+    for (const Column column : kUnitColumns)
+      if (map_[column]) columns += (columns.empty() ? "" : ", ") + named(column);
     out.push_back(fmt::format("{} units by {}: each is driven for itself, its positions are its own middle",
                               units_.size(), columns));
   }

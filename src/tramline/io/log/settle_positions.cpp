@@ -75,7 +75,7 @@ void settle_positions(WorkLog& log, PositionNames names, const std::string& crs,
   } else if (names == PositionNames::kMetres ||
              (names == PositionNames::kEither && look_like_metres(log.fixes))) {
     log.positions = Positions::kLocal;
-    log.notes.emplace_back("x and y are taken as metres; with --crs they would be places on the earth");
+    log.notes.emplace_back("x and y are taken as metres; with --log-crs they would be places on the earth");
   }
   if (log.positions == Positions::kLonLat) {
     skip_impossible(log);
@@ -83,8 +83,8 @@ void settle_positions(WorkLog& log, PositionNames names, const std::string& crs,
   }
   if (any && log.fixes.empty())
     throw bad_input(
-        fmt::format("{} has no possible position: {}; name the CRS of the positions with --crs, or "
-                    "--crs none for plain metres",
+        fmt::format("{} has no possible position: {}; name the CRS of the positions with --log-crs, or "
+                    "--log-crs none for plain metres",
                     place, log.skipped.listed.back().why));
 }
 
