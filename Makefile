@@ -87,7 +87,8 @@ program: packages $(RELEASE)/build.ninja
 
 LONG := long-properties long-scenes long-best-bound long-best-brute long-best-real long-best-real-1 \
   long-best-real-2 long-best-real-3 long-tally-real long-real-1 long-real-2 long-real-3 long-obstacles-3 long-obstacles-6 \
-  long-obstacles-12 long-obstacles-24 long-headlands long-maps long-registers long-fuzz-logs long-asan long-tsan long-clang
+  long-obstacles-12 long-obstacles-24 long-headlands long-maps long-coverage long-registers long-fuzz-logs long-asan long-tsan \
+  long-clang
 
 .PHONY: long $(LONG)
 long: $(LONG) ## all the long tests, one after another; each part below can be run alone
@@ -142,6 +143,9 @@ long-headlands: build ## headland passes round all real fields: drivable, in pla
 long-maps: build ## maps of all real fields, straight and curved, with headlands, verified
 	$(LIMIT) $(RELEASE)/tests/real/map_real
 	$(LIMIT) $(RELEASE)/tests/real/map_real --width 4 --headlands 2
+
+long-coverage: build ## 10,000 random drives: the exact engine of coverage against the definitions word for word
+	TRAMLINE_CASES=10000 $(LIMIT) $(RELEASE)/tests/coverage/test_coverage_properties
 
 # Refused fields are part of the register: they are listed in the output and are no failure.
 long-registers: program ## plan every field of the registers, slivers and oddities included

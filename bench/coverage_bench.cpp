@@ -92,7 +92,7 @@ double quads_in(const std::vector<WorkedStep>& steps) {
   return out;
 }
 
-double tile_for(const Work& work) { return std::clamp(2 * work.width_m, 4.0, 16.0); }
+double tile_for(const Work& work) { return work.width_m < 12 ? 8 : 12; }
 
 void run(benchmark::State& state, const Work& work) {
   const std::vector<WorkedStep> steps = boustrophedon(work);
@@ -141,7 +141,7 @@ void latencies(benchmark::State& state, const Work& work) {
   std::vector<double> micros;
   double sum = 0;
   for (auto _ : state) {
-    TileCoverage engine(field, {tile_for(work), true});
+    TileCoverage engine(field, {8, true});
     micros.clear();
     for (const WorkedStep& step : steps) {
       const double begin = cpu_micros();

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <tbb/task_arena.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -198,6 +199,18 @@ TEST(TileCoverageProperties, WithoutMultiplicityAllElseIsTheSame) {
          {Ground::kCovered, Ground::kRepeated, Ground::kSliver, Ground::kMissed, Ground::kOutside})
       EXPECT_NEAR(area_of(got, what), area_of(expected, what), 1e-6 * worked(expected)) << name(what);
     EXPECT_TRUE(std::isnan(got.worked_times_m2[2]));
+  });
+}
+
+TEST(TileCoverageProperties, RegionsAreTheSameOnAnyNumberOfThreads) {
+  for_random_drives(20, 150, [](const Drive& drive, std::mt19937_64&) {
+    const TileCoverage engine = evaluated(drive);
+    for (const Ground what : kGrounds) {
+      Region alone, together;
+      tbb::task_arena(1).execute([&] { alone = engine.region(what); });
+      tbb::task_arena(2).execute([&] { together = engine.region(what); });
+      EXPECT_EQ(alone, together) << name(what);
+    }
   });
 }
 

@@ -66,8 +66,12 @@ class Merging {
     std::vector<bool> out(cells_.size(), true);
     for (std::size_t c = 0; c < cells_.size(); ++c) {
       if (!out[c]) continue;
-      // What a cell becomes is tried against all its neighbours, also those tried before.
-      for (std::size_t other = merge_with_any(c); other != c; other = merge_with_any(c)) out[other] = false;
+      // Neighbours with lesser numbers were tried against it. What it becomes is tried against all.
+      std::size_t from = c;
+      for (std::size_t other = merge_with_any(c, from); other != c; other = merge_with_any(c, from)) {
+        out[other] = false;
+        from = 0;
+      }
     }
     return out;
   }
@@ -97,8 +101,9 @@ class Merging {
     return c;
   }
 
-  /// Merges cell c with the first neighbour that it can be merged with, and returns that; c: with none.
-  std::size_t merge_with_any(std::size_t c) {
+  /// Merges cell c with the first neighbour, of those from number `first` on, that it can be merged with, and
+  /// returns that; c: with none.
+  std::size_t merge_with_any(std::size_t c, std::size_t first) {
     const CellState state = cells_.state(c);
     const std::span<const TilePoint> ring = cells_.ring(c);
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -106,7 +111,7 @@ class Merging {
       const Entry& entry = slot(to, from);
       if (!entry.used) continue;
       const std::size_t other = standing_for(entry.cell);
-      if (other == c || cells_.state(other) != state) continue;
+      if (other == c || other < first || cells_.state(other) != state) continue;
       const std::span<const TilePoint> other_ring = cells_.ring(other);
       const auto found = std::find(other_ring.begin(), other_ring.end(), to);
       if (found == other_ring.end()) continue;

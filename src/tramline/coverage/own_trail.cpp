@@ -10,10 +10,8 @@ namespace {
 
 constexpr std::size_t kMostPieces = std::size_t{1} << 18;
 
-std::int64_t squared(GridPoint a, GridPoint b) {
-  // Lengths matter only to order them, and are up to 2^40.
-  constexpr int kShift = 10;
-  const std::int64_t dx = (b.x - a.x) >> kShift, dy = (b.y - a.y) >> kShift;
+double squared(GridPoint a, GridPoint b) {
+  const auto dx = static_cast<double>(b.x - a.x), dy = static_cast<double>(b.y - a.y);
   return dx * dx + dy * dy;
 }
 
