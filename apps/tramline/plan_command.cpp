@@ -125,6 +125,9 @@ class PlanCommand : public Command {
       throw bad_input(
           "--explain and --front are about straight tracks; leave --curved out, or give a line without "
           "bends");
+    if ((explain_ || front_) && settings.tracks == TrackConstruction::kPaper)
+      throw bad_input(
+          "--explain and --front know nothing of tracks as in the paper; leave --tracks paper out");
     const auto start = std::chrono::steady_clock::now();
     Planned out;
     if (explain_) {

@@ -1,0 +1,49 @@
+#include "tramline/planner/recursive_plan.h"
+
+#include <fmt/format.h>
+
+#include "tramline/cost/recursive_tally.h"
+#include "tramline/geometry/error.h"
+#include "tramline/tracks/recursive_tracks.h"
+
+namespace tramline {
+namespace {
+
+void require_headlands_round_obstacles(const SearchTask& task) {
+  if (!task.ground.passable.empty())
+    throw bad_input(fmt::format(
+        "field '{}' has passable obstacles, which tracks as in the paper know nothing of; leave --tracks "
+        "paper or the passable obstacles out",
+        task.field.id));
+  if (!task.ground.hard.empty())
+    throw bad_input(
+        fmt::format("tracks as in the paper end in the headlands of obstacles, and those of field '{}' have "
+                    "none; give --obstacle-headlands",
+                    task.field.id));
+}
+
+}  // namespace
+
+CurvedCandidate recursive_along(const SearchTask& task, const std::vector<Point>& line) {
+  require_headlands_round_obstacles(task);
+  const double width_m = task.machine.width_m;
+  const Region& body = task.ground.plannable;
+  CurvedCandidate out;
+  out.line = line;
+  out.reference = extended_over(line, width_m, body);
+  out.tracks = recursive_tracks(line, width_m, body, min_length_m(task.machine));
+  RecursiveTally found = recursive_tally(out.tracks, width_m, body);
+  out.tally = found.tally;
+  out.worked = std::move(found.worked);
+  out.cost = cost(task.objective, out.tally);
+  return out;
+}
+
+std::optional<CurvedCandidate> recursive_along_best(const SearchTask& task, int threads) {
+  require_headlands_round_obstacles(task);
+  const std::optional<CurvedCandidate> found = best_curved(task, threads);
+  if (!found) return std::nullopt;
+  return recursive_along(task, found->line);
+}
+
+}  // namespace tramline
