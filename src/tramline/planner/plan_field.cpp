@@ -17,7 +17,12 @@
 namespace tramline {
 namespace {
 
-Error no_curve(const Field& field) {
+Error no_curve(const Field& field, bool from_end_to_end) {
+  if (from_end_to_end)
+    return bad_input(
+        fmt::format("no edge of field '{}' from one corner to another is a curve, and tracks as in the paper "
+                    "need a line with two ends; give one with --guide, or leave --tracks paper out",
+                    field.id));
   return bad_input(
       fmt::format("no edge of field '{}' is a curve that tracks could follow; give a line with "
                   "--guide, or leave --curved out",
@@ -81,7 +86,7 @@ Plan plan_field(const Field& field, const Machine& machine, const Objective& obj
     return finished_plan(task, straight_search(task, threads, progress));
   if (!settings.guide.empty()) return finished_plan(task, along_guide(task));
   const std::optional<CurvedCandidate> curved = along_best_edge(task, threads);
-  if (!curved) throw no_curve(field);
+  if (!curved) throw no_curve(field, as_in_the_paper(settings));
   return finished_plan(task, *curved);
 }
 

@@ -19,10 +19,13 @@ class Recursion {
   /// The tracks to one side (+1: right) of the extended line, from it outwards.
   void add_side(const std::vector<Point>& line, int side, std::vector<CurvedPiece>& out) const {
     std::vector<Point> next = kinked_offset(line, 0.5 * side * width_m_);
+    bool entered = false;  // a line may begin before the box
     for (int i = 0; i < most_tracks() && next.size() > 1; ++i) {
       const Path track = extended_over(next, width_m_, body_);
       const Interval driven = add_pieces(track, side > 0 ? i : -1 - i, out);
-      if (driven.length() <= 0 && !meets_box(track)) return;
+      const bool within = driven.length() > 0 || meets_box(track);
+      if (entered && !within) return;
+      entered = entered || within;
       const Path last = driven.length() > 0 ? path_between(track, driven.from, driven.to) : track;
       next = kinked_offset(vertices_of(last), side * width_m_);
     }
@@ -66,7 +69,17 @@ class Recursion {
 }  // namespace
 
 Path extended_over(const std::vector<Point>& line, double width_m, const Region& body) {
-  return extended(polyline_path(line), bounds(body).grown(width_m)).path;
+  Path out = extended(polyline_path(line), bounds(body).grown(width_m)).path;
+  // What extends an edge is no edge of its own: tracks would gain two with every one before them.
+  if (out.size() > 1 && out.front().to == line.front()) {
+    out[1].from = out.front().from;
+    out.erase(out.begin());
+  }
+  if (out.size() > 1 && out.back().from == line.back()) {
+    out[out.size() - 2].to = out.back().to;
+    out.pop_back();
+  }
+  return out;
 }
 
 CurvedTracks recursive_tracks(const std::vector<Point>& line, double width_m, const Region& body,
