@@ -91,7 +91,7 @@ void add_map_keys(ordered_json& out, const Plan& plan) {
   const Headland& headland = plan.headland;
   const double radius_m = least_radius_m(plan);
   out["kind"] = is_curved(plan) ? "curved" : "straight";
-  out["construction"] = name(plan.settings.tracks);
+  if (plan.settings.tracks != TrackConstruction::kParallel) out["construction"] = name(plan.settings.tracks);
   out["reference"] = reference_json(plan);
   out["min_radius_m"] = std::isfinite(radius_m) ? ordered_json(radius_m) : ordered_json();
   out["identity_error_m2"] = std::abs(identity_error_m2(plan));
@@ -111,13 +111,16 @@ std::string headland_rows(const Plan& plan) {
       headland.uncovered_m2);
 }
 
+std::string radius_remark(double radius_m) {
+  if (radius_m == 0) return " with kinks, as in the paper";
+  return std::isfinite(radius_m) ? fmt::format(", least radius {:.2f} m", radius_m) : "";
+}
+
 std::string line_rows(const Plan& plan) {
   if (plan.reference.empty()) return "";
-  const double radius_m = least_radius_m(plan);
   return fmt::format("reference    {}, tracks {}{}\n",
                      plan.settings.guide.empty() ? "an edge of the field" : "the line given",
-                     is_curved(plan) ? "curved" : "straight",
-                     std::isfinite(radius_m) ? fmt::format(", least radius {:.2f} m", radius_m) : "");
+                     is_curved(plan) ? "curved" : "straight", radius_remark(least_radius_m(plan)));
 }
 
 std::string tally_rows(const Plan& plan) {

@@ -224,7 +224,9 @@ TEST(MetricMap, OfAStraightLineIsTheSameByThePapersConstruction) {
       EXPECT_NEAR(paper.cost, strips.cost, 0.01);
       EXPECT_NEAR(area(symmetric_difference(paper.overlap, strips.overlap)), 0, 0.1);
       EXPECT_FALSE(is_curved(paper));
-      expect_identity(paper);
+      // Booleans move corners by micrometres.
+      EXPECT_NEAR(paper.tally.uncovered_m2, 0, 1e-2);
+      EXPECT_NEAR(identity_error_m2(paper), 0, 1e-2);
     }
   }
 }

@@ -79,6 +79,7 @@ Plan plan_field(const Field& field, const Machine& machine, const Objective& obj
   if (as_in_the_paper(settings) && settings.shape == TrackShape::kStraight && settings.guide.empty())
     throw bad_input(
         "tracks as in the paper follow a line: with --tracks paper give --ab, --guide or --curved");
+  if (as_in_the_paper(settings)) require_paper_ground(field, settings);
   if (settings.shape == TrackShape::kAuto)
     return cheaper_shape(field, machine, objective, settings, threads, progress);
   const SearchTask task = headlanded_task(field, machine, objective, settings, threads);

@@ -4,28 +4,24 @@
 
 #include "tramline/cost/recursive_tally.h"
 #include "tramline/geometry/error.h"
+#include "tramline/headland/body.h"
 #include "tramline/tracks/recursive_tracks.h"
 
 namespace tramline {
-namespace {
-
-void require_headlands_round_obstacles(const SearchTask& task) {
-  if (!task.ground.passable.empty())
+void require_paper_ground(const Field& field, const PlanSettings& settings) {
+  if (!obstacle_shapes(field, ObstacleKind::kPassable).empty())
     throw bad_input(fmt::format(
         "field '{}' has passable obstacles, which tracks as in the paper know nothing of; leave --tracks "
         "paper or the passable obstacles out",
-        task.field.id));
-  if (!task.ground.hard.empty())
+        field.id));
+  if (settings.obstacle_headlands == 0 && !obstacle_shapes(field, ObstacleKind::kObstacle).empty())
     throw bad_input(
         fmt::format("tracks as in the paper end in the headlands of obstacles, and those of field '{}' have "
                     "none; give --obstacle-headlands",
-                    task.field.id));
+                    field.id));
 }
 
-}  // namespace
-
 CurvedCandidate recursive_along(const SearchTask& task, const std::vector<Point>& line) {
-  require_headlands_round_obstacles(task);
   const double width_m = task.machine.width_m;
   const Region& body = task.ground.plannable;
   CurvedCandidate out;
@@ -40,7 +36,6 @@ CurvedCandidate recursive_along(const SearchTask& task, const std::vector<Point>
 }
 
 std::optional<CurvedCandidate> recursive_along_best(const SearchTask& task, int threads) {
-  require_headlands_round_obstacles(task);
   const std::optional<CurvedCandidate> found = best_curved(task, threads);
   if (!found) return std::nullopt;
   return recursive_along(task, found->line);

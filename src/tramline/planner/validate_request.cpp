@@ -41,7 +41,7 @@ void require_paper_rules(const PlanSettings& settings) {
         "tracks as in the paper end where nothing is left to cover: --tracks paper goes with --end-rule "
         "cover, not {}",
         name(settings.end_rule)));
-  if (settings.boundary == EdgeKind::kHard)
+  if (settings.boundary == EdgeKind::kHard && settings.headlands == 0)
     throw bad_input(
         "tracks as in the paper run on over the edge of the body: leave --boundary hard out, or give "
         "--headlands");
