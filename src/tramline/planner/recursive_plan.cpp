@@ -28,7 +28,7 @@ CurvedCandidate recursive_along(const SearchTask& task, const std::vector<Point>
   out.line = line;
   out.reference = extended_over(line, width_m, body);
   out.tracks = recursive_tracks(line, width_m, body, min_length_m(task.machine));
-  RecursiveTally found = recursive_tally(out.tracks, width_m, body);
+  RecursiveTally found = recursive_tally(out.tracks, width_m, task.ground.body);
   out.tally = found.tally;
   out.worked = std::move(found.worked);
   out.cost = cost(task.objective, out.tally);
