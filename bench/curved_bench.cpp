@@ -3,13 +3,16 @@
 
 #include <benchmark/benchmark.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "tramline/cost/curved_tally.h"
+#include "tramline/cost/recursive_tally.h"
 #include "tramline/geometry/extended.h"
 #include "tramline/geometry/smoothed.h"
 #include "tramline/model/objective.h"
 #include "tramline/tracks/curved_pieces.h"
+#include "tramline/tracks/recursive_tracks.h"
 
 namespace tramline::bench {
 namespace {
@@ -52,37 +55,98 @@ Region field(int vertices) {
   return {oriented(out)};
 }
 
-void whole_family(benchmark::State& state) {
-  const Region body = field(static_cast<int>(state.range(0)));
-  const double width = static_cast<double>(state.range(1));
+/// The western border of that field, northwards.
+std::vector<Point> western_border(int vertices) {
   std::vector<Point> line;
-  for (int i = static_cast<int>(state.range(0)); i >= 0; --i) {
-    const double y = 600.0 * i / static_cast<double>(state.range(0));
+  for (int i = vertices; i >= 0; --i) {
+    const double y = 600.0 * i / vertices;
     line.push_back({25 * std::sin(y / 90) + 8 * std::sin(y / 31), 600 - y});
   }
-  Tally tally;
-  for (auto _ : state) {
-    const Path reference = extended(smoothed(line, 6, 0.1).path, bounds(body)).path;
-    const TrackRange range = tracks_over(reference, bounds(body), width);
-    const CurvedTracks tracks =
-        curved_pieces(parallel_family(reference, range.first, range.last, {6, width}), width,
-                      {EdgeIndex(body)}, end_criterion(EndRule::kCheapest, Objective{}, width), 2 * width);
-    tally = curved_tally(tracks, width, area(body));
-    benchmark::DoNotOptimize(tally);
-  }
-  state.counters["ha"] = 1e-4 * area(body);
+  return line;
+}
+
+Tally family_to_tally(const std::vector<Point>& line, const Region& body, double width, EndRule rule,
+                      double min_length) {
+  const Path reference = extended(smoothed(line, 6, 0.1).path, bounds(body)).path;
+  const TrackRange range = tracks_over(reference, bounds(body), width);
+  const CurvedTracks tracks =
+      curved_pieces(parallel_family(reference, range.first, range.last, {6, width}), width, {EdgeIndex(body)},
+                    end_criterion(rule, Objective{}, width), min_length);
+  return curved_tally(tracks, width, area(body));
+}
+
+void count(benchmark::State& state, const Tally& tally) {
   state.counters["pieces"] = tally.pieces;
   state.counters["uncovered_m2"] = tally.uncovered_m2;
   state.counters["overlap_m2"] = tally.overlap_m2;
 }
+
+void whole_family(benchmark::State& state) {
+  const int vertices = static_cast<int>(state.range(0));
+  const Region body = field(vertices);
+  const double width = static_cast<double>(state.range(1));
+  const std::vector<Point> line = western_border(vertices);
+  Tally tally;
+  for (auto _ : state) {
+    tally = family_to_tally(line, body, width, EndRule::kCheapest, 2 * width);
+    benchmark::DoNotOptimize(tally);
+  }
+  state.counters["ha"] = 1e-4 * area(body);
+  count(state, tally);
+}
 BENCHMARK(whole_family)->ArgsProduct({{30, 120}, {2, 4, 6}})->Unit(benchmark::kMillisecond);
+
+/// The paper's end rule for both: everything is covered, no piece is too short.
+void whole_family_covering(benchmark::State& state) {
+  const Region body = field(60);
+  Tally tally;
+  for (auto _ : state) {
+    tally =
+        family_to_tally(western_border(60), body, static_cast<double>(state.range(0)), EndRule::kCover, 0);
+    benchmark::DoNotOptimize(tally);
+  }
+  count(state, tally);
+}
+BENCHMARK(whole_family_covering)->Arg(4)->Arg(2)->Arg(1)->Unit(benchmark::kMillisecond);
+
+/// The same map by S2's own construction, tracks and tally; `times_ours`: how many times as long as the
+/// family above takes, measured in the same run.
+void whole_family_as_in_the_paper(benchmark::State& state) {
+  const Region body = field(60);
+  const double width = static_cast<double>(state.range(0));
+  const std::vector<Point> line = western_border(60);
+  using Clock = std::chrono::steady_clock;
+  const auto seconds = [](Clock::duration time) { return std::chrono::duration<double>(time).count(); };
+  double paper_s = 0, ours_s = 0;
+  Tally tally;
+  for (auto _ : state) {
+    const auto start = Clock::now();
+    tally = recursive_tally(recursive_tracks(line, width, body, 0), width, body).tally;
+    benchmark::DoNotOptimize(tally);
+    paper_s += seconds(Clock::now() - start);
+    state.PauseTiming();
+    const auto ours = Clock::now();
+    benchmark::DoNotOptimize(family_to_tally(line, body, width, EndRule::kCover, 0));
+    ours_s += seconds(Clock::now() - ours);
+    state.ResumeTiming();
+  }
+  count(state, tally);
+  state.counters["times_ours"] = paper_s / ours_s;
+}
+BENCHMARK(whole_family_as_in_the_paper)->Arg(4)->Arg(2)->Arg(1)->Unit(benchmark::kMillisecond);
+
+/// Without the tally, whose booleans S2 does not need: it takes rows to be disjoint.
+void tracks_alone_as_in_the_paper(benchmark::State& state) {
+  const Region body = field(60);
+  const double width = static_cast<double>(state.range(0));
+  const std::vector<Point> line = western_border(60);
+  for (auto _ : state) benchmark::DoNotOptimize(recursive_tracks(line, width, body, 0));
+}
+BENCHMARK(tracks_alone_as_in_the_paper)->Arg(4)->Arg(2)->Arg(1)->Unit(benchmark::kMillisecond);
 
 void families_tracks_alone(benchmark::State& state) {
   const Region body = field(60);
-  std::vector<Point> line;
-  for (int i = 60; i >= 0; --i)
-    line.push_back({25 * std::sin(10. * i / 90) + 8 * std::sin(10. * i / 31), 600 - 10. * i});
-  const Path reference = extended(smoothed(line, 6, 0.1).path, bounds(body)).path;
+  const Path reference = extended(smoothed(western_border(60), 6, 0.1).path, bounds(body)).path;
   const TrackRange range = tracks_over(reference, bounds(body), 2);
   for (auto _ : state) benchmark::DoNotOptimize(parallel_family(reference, range.first, range.last, {6, 2}));
   state.counters["elements"] = static_cast<double>(reference.size());

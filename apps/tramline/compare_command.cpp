@@ -106,9 +106,10 @@ class CompareCommand : public Command {
     objective_ = objective_of(plan_options_);
     settings_ = settings_of(plan_options_);
     validate_request(machine_, objective_, settings_);
-    if (settings_.shape != TrackShape::kStraight || !plan_options_.ab.empty() ||
-        !plan_options_.guide_file.empty())
-      throw bad_input("compare looks for directions by itself: leave --curved, --ab and --guide out");
+    if (settings_.tracks == TrackConstruction::kPaper || settings_.shape != TrackShape::kStraight ||
+        !plan_options_.ab.empty() || !plan_options_.guide_file.empty())
+      throw bad_input(
+          "compare looks for directions by itself: leave --curved, --ab, --guide and --tracks out");
     for (const std::string& text : asked_) {
       prices_.push_back(prices_typed(text, "--for", objective_.stop));
       validate_request(machine_, prices_.back(), settings_);

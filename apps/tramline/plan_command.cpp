@@ -121,6 +121,9 @@ class PlanCommand : public Command {
   Planned plan_one(const Field& field) const {
     ProgressLine progress(quiet_);
     const PlanSettings settings = settings_for(settings_, guide_, field, machine_);
+    if ((explain_ || front_) && settings.tracks == TrackConstruction::kPaper)
+      throw bad_input(
+          "--explain and --front know nothing of tracks as in the paper; leave --tracks paper out");
     if ((explain_ || front_) && settings.shape != TrackShape::kStraight)
       throw bad_input(
           "--explain and --front are about straight tracks; leave --curved out, or give a line without "

@@ -87,6 +87,12 @@ void add_map_options(CLI::App& verb, PlanOptions& o) {
       verb.add_option("--curved", o.curved,
                       "curved tracks along an edge of the field: auto where they cost less than straight "
                       "ones, or always");
+  auto* tracks = verb.add_option(
+      "--tracks", o.tracks,
+      "how tracks along a line are made: each parallel to the line and fit to be driven, or as "
+      "in the paper on metric maps, each from the one before, kinks and all, to compare with: "
+      "parallel or paper (default parallel)");
+  tracks->group(lines);
   ab->group(lines)->excludes(guide)->excludes(curved);
   guide->group(lines)->excludes(curved);
   where->group(lines)->needs(guide);
@@ -155,7 +161,7 @@ void add_plan_options(CLI::App& verb, PlanOptions& o) {
                   "with --strategy best: directions nearer than this are one, degrees (default 0.01)")
       ->group(plan);
   verb.add_option("--end-rule", o.end_rule,
-                  "where swaths end at a soft edge: cheapest, centre, cover or inside")
+                  "where swaths end at a soft edge: cheapest, centre, cover or inside (default cheapest)")
       ->group(plan);
   verb.add_option("--boundary", o.boundary, "the field's own edge: soft (a headland behind it) or hard")
       ->group(plan);
@@ -201,6 +207,8 @@ Machine machine_of(const PlanOptions& o) {
   Machine machine = o.machine_file.empty() ? Machine{} : io::read_machine(o.machine_file);
   if (o.width_m) machine.width_m = *o.width_m;
   if (o.radius_m) machine.radius_m = *o.radius_m;
+  // S2 drops no piece.
+  if (machine.min_length_m < 0 && o.tracks == name(TrackConstruction::kPaper)) machine.min_length_m = 0;
   if (o.min_length_m) machine.min_length_m = length_typed(*o.min_length_m, kLeastTrackLength);
   return machine;
 }
@@ -224,8 +232,12 @@ PlanSettings settings_of(const PlanOptions& o) {
   settings.headlands = o.headlands;
   settings.obstacle_headlands = o.obstacle_headlands;
   settings.shape = shape_of(o.curved);
-  settings.end_rule =
-      chosen(end_rule_named(o.end_rule), "--end-rule", o.end_rule, "cheapest, centre, cover or inside");
+  settings.tracks = chosen(track_construction_named(o.tracks), "--tracks", o.tracks, "parallel or paper");
+  if (!o.end_rule.empty())
+    settings.end_rule =
+        chosen(end_rule_named(o.end_rule), "--end-rule", o.end_rule, "cheapest, centre, cover or inside");
+  else if (settings.tracks == TrackConstruction::kPaper)
+    settings.end_rule = EndRule::kCover;
   settings.boundary = chosen(edge_kind_named(o.boundary), "--boundary", o.boundary, "soft or hard");
   settings.cell_direction = chosen(cell_direction_named(o.cell_direction), "--cell-direction",
                                    o.cell_direction, "rectangle or width");

@@ -17,7 +17,7 @@ struct PlanOptions {
   std::string weights, prices, minimise;
   std::string strategy = "best";
   double direction_tolerance_deg = 0.01;
-  std::string end_rule = "cheapest";
+  std::string end_rule;  ///< cheapest; with S2's tracks cover
   std::string boundary = "soft";
   std::string cell_direction = "rectangle";
   std::string avoid = "cheapest";
@@ -28,6 +28,7 @@ struct PlanOptions {
   double short_edge_m = 0;
   int headlands = 0, obstacle_headlands = 0;
   std::string ab, guide_file, guide_where, curved;
+  std::string tracks = "parallel";
 };
 
 void add_plan_options(CLI::App& verb, PlanOptions& options);

@@ -9,6 +9,7 @@
 #include "front_report.h"
 #include "obstacle_report.h"
 #include "report_parts.h"
+#include "tramline/geometry/kinked_line.h"
 #include "tramline/headland/body.h"
 
 namespace tramline::app {
@@ -67,10 +68,11 @@ bool is_proven(const Plan& plan) {
   return plan.settings.strategy == Strategy::kBest && plan.reference.empty();
 }
 
-/// Of tracks and headland passes; infinite where all is straight, m.
+/// Of tracks and headland passes; infinite where all is straight, and 0 at a kink, m.
 double least_radius_m(const Plan& plan) {
   double least = std::numeric_limits<double>::infinity();
-  for (const TrackPiece& piece : plan.pieces) least = std::min(least, smallest_radius(centre_line(piece)));
+  for (const TrackPiece& piece : plan.pieces)
+    least = least == 0 || has_kinks(piece.curve) ? 0 : std::min(least, smallest_radius(centre_line(piece)));
   for (const HeadlandPass& pass : plan.headland.passes) least = std::min(least, smallest_radius(pass.path));
   return least;
 }
@@ -89,6 +91,7 @@ void add_map_keys(ordered_json& out, const Plan& plan) {
   const Headland& headland = plan.headland;
   const double radius_m = least_radius_m(plan);
   out["kind"] = is_curved(plan) ? "curved" : "straight";
+  if (plan.settings.tracks != TrackConstruction::kParallel) out["construction"] = name(plan.settings.tracks);
   out["reference"] = reference_json(plan);
   out["min_radius_m"] = std::isfinite(radius_m) ? ordered_json(radius_m) : ordered_json();
   out["identity_error_m2"] = std::abs(identity_error_m2(plan));
@@ -108,13 +111,16 @@ std::string headland_rows(const Plan& plan) {
       headland.uncovered_m2);
 }
 
+std::string radius_remark(double radius_m) {
+  if (radius_m == 0) return " with kinks, as in the paper";
+  return std::isfinite(radius_m) ? fmt::format(", least radius {:.2f} m", radius_m) : "";
+}
+
 std::string line_rows(const Plan& plan) {
   if (plan.reference.empty()) return "";
-  const double radius_m = least_radius_m(plan);
   return fmt::format("reference    {}, tracks {}{}\n",
                      plan.settings.guide.empty() ? "an edge of the field" : "the line given",
-                     is_curved(plan) ? "curved" : "straight",
-                     std::isfinite(radius_m) ? fmt::format(", least radius {:.2f} m", radius_m) : "");
+                     is_curved(plan) ? "curved" : "straight", radius_remark(least_radius_m(plan)));
 }
 
 std::string tally_rows(const Plan& plan) {

@@ -91,5 +91,26 @@ TEST(PlannedPlans, hold_or_are_refused_whatever_the_lengths) {
   }
 }
 
+// S2's own tracks have kinks. That is all that is wrong with them where nothing is worked again, and the
+// figures are true: cells of swaths counted one by one against outlines of whole ones.
+TEST(PlannedPlans, with_kinks_are_found_undrivable_and_nothing_else) {
+  Field field;
+  field.id = "bends";
+  field.outer = {{0, 0}, {90, 10}, {170, -25}, {260, 5}, {250, 120}, {160, 90}, {70, 130}, {-10, 110}};
+  field.obstacles.push_back(
+      {{{{60, 60}, {75, 58}, {80, 72}, {62, 75}}, {}}, ObstacleKind::kObstacle, "pond"});
+  PlanSettings settings;
+  settings.tracks = TrackConstruction::kPaper;
+  settings.shape = TrackShape::kCurved;
+  settings.end_rule = EndRule::kCover;
+  settings.headlands = settings.obstacle_headlands = 1;
+  settings.guide = {{0, 0}, {90, 10}, {170, -25}, {260, 5}};
+  const Plan plan = plan_field(field, {"", 4, 6, 0}, {}, settings, 1);
+  const check::Verdict verdict = check::verify(plan);
+  EXPECT_TRUE(verdict.complete);
+  EXPECT_FALSE(verdict.violations.empty());
+  for (const check::Violation& each : verdict.violations) EXPECT_EQ(each.rule, "drivable") << each.what;
+}
+
 }  // namespace
 }  // namespace tramline

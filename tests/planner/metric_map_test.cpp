@@ -203,5 +203,68 @@ TEST(MetricMap, RoundFieldsAreDrivenRoundAndRound) {
   EXPECT_NEAR(plan.tally.track_length_m, 2 * std::numbers::pi * 16 * 52, 2);
 }
 
+/// The same map by S2's own construction.
+Plan as_in_the_paper(const Field& field, double width_m, PlanSettings settings) {
+  settings.tracks = TrackConstruction::kPaper;
+  return mapped(field, width_m, settings);
+}
+
+// Along a straight line S2's construction and strips are two roads to one map.
+TEST(MetricMap, OfAStraightLineIsTheSameByThePapersConstruction) {
+  const Field field = field_of({{0, 0}, {120, 0}, {131, 38}, {120, 70}, {3, 60}},
+                               {box(50, 20, 70, 40), {{90, 30}, {104, 36}, {95, 50}}});
+  for (const double y : {-3.0, 0.0, 11.0}) {
+    for (const double rise : {0.0, 17.0}) {
+      PlanSettings settings = along_x(y, 1, 1);
+      settings.guide.back().y += rise;
+      const Plan strips = mapped(field, 4, settings), paper = as_in_the_paper(field, 4, settings);
+      EXPECT_EQ(paper.tally.pieces, strips.tally.pieces);
+      EXPECT_NEAR(paper.tally.track_length_m, strips.tally.track_length_m, 0.01);
+      EXPECT_NEAR(paper.tally.overlap_m2, strips.tally.overlap_m2, 0.05);
+      EXPECT_NEAR(paper.cost, strips.cost, 0.01);
+      EXPECT_NEAR(area(symmetric_difference(paper.overlap, strips.overlap)), 0, 0.1);
+      EXPECT_FALSE(is_curved(paper));
+      // Booleans move corners by micrometres.
+      EXPECT_NEAR(paper.tally.uncovered_m2, 0, 1e-2);
+      EXPECT_NEAR(identity_error_m2(paper), 0, 1e-2);
+    }
+  }
+}
+
+// A line that turns by 60° along the edge of a field of the same shape, 100 m to either side of the kink and
+// 20 m deep. Five tracks, each 2 w tan 30° longer than the last; nothing is left and nothing worked twice.
+TEST(MetricMap, HasKinksByThePapersConstruction) {
+  const double turn = std::numbers::pi / 3, tangent = std::tan(0.5 * turn);
+  const Point along{std::cos(turn), std::sin(turn)}, right{std::sin(turn), -std::cos(turn)};
+  const Field field =
+      field_of({{-100, 0}, {-100, -20}, {20 * tangent, -20}, 100 * along + 20 * right, 100 * along, {0, 0}});
+  PlanSettings settings;
+  settings.guide = {{-100, 0}, {0, 0}, 100 * along};
+  settings.shape = TrackShape::kCurved;
+  const Plan plan = as_in_the_paper(field, 4, settings);
+  EXPECT_EQ(plan.tally.pieces, 5);
+  EXPECT_NEAR(plan.tally.track_length_m, 5 * 200 + 2 * 4 * tangent * (0.5 + 1.5 + 2.5 + 3.5 + 4.5), 1e-3);
+  EXPECT_NEAR(plan.tally.overlap_m2, 0, 1e-2);
+  EXPECT_NEAR(area(plan.overlap), 0, 1e-2);
+  EXPECT_NEAR(area(plan.uncovered), 0, 1e-2);
+  EXPECT_NEAR(identity_error_m2(plan), 0, 1e-6);
+  for (const TrackPiece& piece : plan.pieces) EXPECT_EQ(piece.curve.size(), 2u);
+}
+
+TEST(MetricMap, RefusesWhatThePaperDoesNotKnow) {
+  const Field pond = field_of(box(0, 0, 100, 50), {box(40, 20, 60, 30)});
+  EXPECT_THROW(as_in_the_paper(pond, 4, along_x(0)), Error) << "no headland round the obstacle";
+  EXPECT_NO_THROW(as_in_the_paper(pond, 4, along_x(0, 0, 1)));
+  const Field bare = field_of(box(0, 0, 100, 50));
+  EXPECT_THROW(as_in_the_paper(bare, 4, {}), Error) << "no line";
+  PlanSettings hard = along_x(0);
+  hard.boundary = EdgeKind::kHard;
+  EXPECT_THROW(as_in_the_paper(bare, 4, hard), Error);
+  PlanSettings inside = along_x(0);
+  inside.tracks = TrackConstruction::kPaper;
+  inside.end_rule = EndRule::kInside;
+  EXPECT_THROW(plan_field(bare, {"", 4, 6, 0}, {}, inside, 1), Error);
+}
+
 }  // namespace
 }  // namespace tramline

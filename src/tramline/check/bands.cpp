@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tramline/geometry/boolean.h"
+#include "tramline/geometry/kinked_line.h"
 
 namespace tramline::check {
 namespace {
@@ -91,6 +92,10 @@ void append_ground(Ring ring, bool may_fold, Region& out) {
 
 Region bands_along(const Path& path, double width_m, double sagitta_m) {
   Region out;
+  if (has_kinks(path)) {
+    for (Ring& cell : kinked_cells(path, width_m)) append_ground(std::move(cell), false, out);
+    return out;
+  }
   for (const PathSegment& segment : path) {
     const bool folds = 2 * radius(segment) <= width_m * (1 + 1e-9);
     const bool aligned = !segment.straight() && !folds;

@@ -10,7 +10,8 @@ namespace tramline::check {
 /// counts.
 void append_ground(Ring ring, bool may_fold, Region& out);
 
-/// The band of every segment, one after the other; they touch, and overlap where the path comes back.
+/// The band of every segment, one after the other; they touch, and overlap where the path comes back. At
+/// kinks they end as in kinked_cells().
 Region bands_along(const Path& path, double width_m, double sagitta_m = kChordSagitta);
 
 /// The path without the first and the last `by_m`; empty where nothing is left.

@@ -10,6 +10,7 @@
 #include "tramline/check/doubled_ground.h"
 #include "tramline/check/rules.h"
 #include "tramline/geometry/boolean.h"
+#include "tramline/geometry/kinked_line.h"
 
 namespace tramline::check {
 namespace {
@@ -42,8 +43,14 @@ Region worked_ground(const Plan& plan) {
 /// The same in parts that only touch, as finely as layers of land are drawn.
 class WorkedParts {
  public:
-  explicit WorkedParts(const Plan& plan) : width_m_(plan.machine.width_m) {
+  explicit WorkedParts(const Plan& plan) : width_m_(plan.machine.width_m), reach_m_(width_m_) {
     for (const TrackPiece& piece : plan.pieces) {
+      if (has_kinks(piece.curve)) {
+        reach_m_ = 2 * width_m_;  // a mitre reaches as far from its track as the swath is wide
+        const Region cells = bands_along(piece.curve, width_m_);
+        for (std::size_t i = 0; i < cells.size(); ++i) add(cells[i], {piece.curve[i]});
+        continue;
+      }
       for (const PathSegment& segment : piece.curve)
         for (Polygon& part : bands_along({segment}, width_m_, kLayerSagitta)) add(std::move(part), {segment});
       if (!piece.curve.empty()) continue;
@@ -51,7 +58,7 @@ class WorkedParts {
       for (const Detour& detour : piece.detours) add(detour.path);
     }
   }
-  Region doubled() const { return doubled_ground(ground_, lines_, width_m_); }
+  Region doubled() const { return doubled_ground(ground_, lines_, reach_m_); }
 
  private:
   void add(Polygon part, const Path& path) {
@@ -64,6 +71,7 @@ class WorkedParts {
   }
 
   double width_m_;
+  double reach_m_;  ///< between two lines, beyond which their parts have nothing in common
   Region ground_;
   std::vector<Path> lines_;  ///< of each part of the ground
 };

@@ -59,6 +59,8 @@ const char* name(TrackShape shape) {
   return "";
 }
 
+const char* name(TrackConstruction how) { return how == TrackConstruction::kPaper ? "paper" : "parallel"; }
+
 const char* name(Passing way) {
   switch (way) {
     case Passing::kLeft:
@@ -88,6 +90,9 @@ std::optional<Avoidance> avoidance_named(std::string_view word) {
 }
 std::optional<TrackShape> track_shape_named(std::string_view word) {
   return named(word, {TrackShape::kStraight, TrackShape::kCurved, TrackShape::kAuto});
+}
+std::optional<TrackConstruction> track_construction_named(std::string_view word) {
+  return named(word, {TrackConstruction::kParallel, TrackConstruction::kPaper});
 }
 std::optional<Passing> passing_named(std::string_view word) {
   return named(word, {Passing::kLeft, Passing::kRight, Passing::kCut});

@@ -26,6 +26,9 @@ enum class EdgeKind { kSoft, kHard };
 enum class Strategy { kBest, kSweep };
 /// How tracks lie: along straight lines, along a curve, or whichever of them costs less.
 enum class TrackShape { kStraight, kCurved, kAuto };
+/// How tracks along a line are made: each parallel to the line itself and drivable, or as in S2, each from
+/// the one before with all kinks (S2.11 to S2.13), to compare with.
+enum class TrackConstruction { kParallel, kPaper };
 /// How a cell gets its direction: the long side of the smallest bounding rectangle (S1.12), or
 /// across its least width.
 enum class CellDirection { kRectangle, kWidth };
@@ -47,18 +50,21 @@ struct PlanSettings {
   int headlands = 0;              ///< passes round the field (S2.4); with any, nothing leaves the field
   int obstacle_headlands = 0;     ///< passes round each obstacle that tracks do not go round
   TrackShape shape = TrackShape::kStraight;
+  /// kPaper goes with the end rule cover and a soft boundary, and tracks along a line or a curve.
+  TrackConstruction tracks = TrackConstruction::kParallel;
   /// Tracks run parallel to this line, local metres, and are numbered from it: it is the border of the
   /// swaths 0 and −1 (S2.6, S2.11, S2.13). Empty: the planner's choice.
   std::vector<Point> guide;
 };
 
-const char* name(EndRule rule);          ///< centre, cover, inside, cheapest
-const char* name(EdgeKind kind);         ///< soft, hard
-const char* name(Strategy strategy);     ///< best, sweep
-const char* name(CellDirection choice);  ///< rectangle, width
-const char* name(Avoidance choice);      ///< cheapest, paper, cut
-const char* name(TrackShape shape);      ///< straight, curved, auto
-const char* name(Passing way);           ///< left, right, cut
+const char* name(EndRule rule);           ///< centre, cover, inside, cheapest
+const char* name(EdgeKind kind);          ///< soft, hard
+const char* name(Strategy strategy);      ///< best, sweep
+const char* name(CellDirection choice);   ///< rectangle, width
+const char* name(Avoidance choice);       ///< cheapest, paper, cut
+const char* name(TrackShape shape);       ///< straight, curved, auto
+const char* name(TrackConstruction how);  ///< parallel, paper
+const char* name(Passing way);            ///< left, right, cut
 /// The inverse of name(); nullopt for any other word.
 std::optional<EndRule> end_rule_named(std::string_view word);
 std::optional<EdgeKind> edge_kind_named(std::string_view word);
@@ -66,6 +72,7 @@ std::optional<Strategy> strategy_named(std::string_view word);
 std::optional<CellDirection> cell_direction_named(std::string_view word);
 std::optional<Avoidance> avoidance_named(std::string_view word);
 std::optional<TrackShape> track_shape_named(std::string_view word);
+std::optional<TrackConstruction> track_construction_named(std::string_view word);
 std::optional<Passing> passing_named(std::string_view word);
 
 /// What a search proved about the plans it did not make. 0 where the strategy proves nothing: no cost is

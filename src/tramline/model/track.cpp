@@ -1,5 +1,7 @@
 #include "tramline/model/track.h"
 
+#include "tramline/geometry/kinked_line.h"
+
 namespace tramline {
 namespace {
 
@@ -30,6 +32,7 @@ double length(const TrackPiece& piece) {
 }
 
 Ring swath(const TrackPiece& piece, double width_m) {
+  if (has_kinks(piece.curve)) return kinked_band(piece.curve, width_m);
   if (!piece.detours.empty() || !piece.curve.empty()) return band(centre_line(piece), width_m);
   const Point along = piece.end - piece.start;
   const double half = 0.5 * width_m / length(along);
@@ -50,6 +53,7 @@ std::vector<PathSegment> straight_parts(const TrackPiece& piece) {
 }
 
 std::vector<Ring> swath_parts(const TrackPiece& piece, double width_m, double sagitta_m) {
+  if (has_kinks(piece.curve)) return kinked_cells(piece.curve, width_m);
   if (!piece.curve.empty()) return {band(piece.curve, width_m, sagitta_m)};
   std::vector<Ring> out;
   for (const PathSegment& part : straight_parts(piece)) out.push_back(band({part}, width_m));

@@ -18,8 +18,8 @@ struct TrackPiece {
   /// driving order) and this one: neither a turn nor a stop.
   bool after_crossing = false;
   std::vector<Detour> detours{};  ///< in driving order; they do not overlap
-  /// The track itself where it is curved, from start to end: lines and arcs, tangents continuous; such a
-  /// piece has no detours. Empty: the straight line.
+  /// The track itself where it is curved, from start to end: lines and arcs, tangents continuous, or as in
+  /// S2 straight lines with kinks; such a piece has no detours. Empty: the straight line.
   Path curve{};
 };
 
@@ -27,13 +27,14 @@ struct TrackPiece {
 Path centre_line(const TrackPiece& piece);
 double length(const TrackPiece& piece);
 
-/// The ground a piece works, counter-clockwise; arcs as chords (kChordSagitta). Precondition: start != end.
+/// The ground a piece works, counter-clockwise; arcs as chords (kChordSagitta), kinks as kinked_band() has
+/// them. Precondition: start != end.
 Ring swath(const TrackPiece& piece, double width_m);
 
 /// The straight parts of a piece that is not curved: before, between and after its detours.
 std::vector<PathSegment> straight_parts(const TrackPiece& piece);
 /// The swath in parts that only touch: a rectangle for each straight part, a band for each detour; one band
-/// where the piece is curved.
+/// where the piece is curved; what kinked_cells() gives where it has kinks.
 std::vector<Ring> swath_parts(const TrackPiece& piece, double width_m, double sagitta_m = kChordSagitta);
 
 }  // namespace tramline

@@ -40,7 +40,8 @@ std::vector<Reference> references_of(const SearchTask& task, int threads) {
   });
   std::vector<Reference> out;
   for (std::optional<Reference>& one : found)
-    if (one) out.push_back(std::move(*one));
+    if (one && !(one->round && task.settings.tracks == TrackConstruction::kPaper))
+      out.push_back(std::move(*one));
   return out;
 }
 

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "tramline/cost/curved_tally.h"
+#include "tramline/cost/recursive_tally.h"
+#include "tramline/cost/worked_regions.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/extended.h"
 #include "tramline/geometry/shifted.h"
@@ -83,7 +85,7 @@ int subfield_of(const Region& parts, const CurvedPiece& piece, double width_m) {
   return best;
 }
 
-TrackPiece forwards(const CurvedPiece& piece, int subfield) {
+TrackPiece forwards(const CurvedPiece& piece, int subfield, bool curved) {
   TrackPiece out;
   out.start = piece.path.front().from;
   out.end = piece.path.back().to;
@@ -91,7 +93,7 @@ TrackPiece forwards(const CurvedPiece& piece, int subfield) {
   out.track = piece.track;
   out.stop_at_start = piece.stop_at_from;
   out.stop_at_end = piece.stop_at_to;
-  out.curve = piece.path;
+  if (curved) out.curve = piece.path;
   return out;
 }
 
@@ -103,7 +105,8 @@ TrackPiece backwards(TrackPiece piece) {
 }
 
 /// Track by track, each the other way; each part of the ground by itself.
-std::vector<TrackPiece> up_and_down(const CurvedTracks& tracks, const Region& parts, double width_m) {
+std::vector<TrackPiece> up_and_down(const CurvedTracks& tracks, const Region& parts, double width_m,
+                                    bool curved) {
   std::vector<int> subfields;
   for (const CurvedPiece& piece : tracks.pieces) subfields.push_back(subfield_of(parts, piece, width_m));
   std::vector<TrackPiece> out;
@@ -119,7 +122,7 @@ std::vector<TrackPiece> up_and_down(const CurvedTracks& tracks, const Region& pa
     for (std::size_t i = 0; i < subfields.size(); ++i) {
       if (subfields[i] != part) continue;
       if (!track.empty() && track.back().track != tracks.pieces[i].track) drive();
-      track.push_back(forwards(tracks.pieces[i], part));
+      track.push_back(forwards(tracks.pieces[i], part, curved));
     }
     drive();
   }
@@ -155,17 +158,26 @@ void add_layers(Plan& plan) {
   plan.overlap = unite(plan.overlap);
 }
 
+void add_layers_of_kinked(Plan& plan, const CurvedCandidate& candidate) {
+  WorkedRegions found = worked_regions(
+      plan.body, kinked_swaths(candidate.tracks.pieces, plan.machine.width_m), {candidate.worked});
+  plan.overlap = std::move(found.overlap);
+  plan.uncovered = std::move(found.uncovered);
+}
+
 }  // namespace
 
 Reference reference_along(const SearchTask& task, const std::vector<Point>& line, double tolerance_m) {
   Smoothed smooth = smoothed(line, limits_of(task.machine).least_radius_m(), tolerance_m);
-  return {std::move(smooth.path), smooth.deviation_m, distance(line.front(), line.back()) <= 2 * kSeam_m};
+  return {line, std::move(smooth.path), smooth.deviation_m,
+          distance(line.front(), line.back()) <= 2 * kSeam_m};
 }
 
 CurvedCandidate curved_along(const SearchTask& task, const Reference& reference, double right_m) {
   const TrackLimits limits = limits_of(task.machine);
   const double width_m = task.machine.width_m;
   CurvedCandidate out;
+  out.line = reference.line;
   const std::optional<Path> line = shifted(reference.path, right_m, limits.least_radius_m());
   if (!line) return out;
   const Box reach = bounds(task.ground.plannable);
@@ -191,14 +203,19 @@ Plan finished_plan(const SearchTask& task, const CurvedCandidate& candidate) {
   const Direction whole = Direction::along(line.front().from, half_way);
   for (const Polygon& part : task.ground.plannable) plan.subfields.push_back({part, whole});
   plan.reference = candidate.reference;
-  plan.pieces = up_and_down(candidate.tracks, task.ground.plannable, task.machine.width_m);
+  const bool curved = line.size() > 1 || !line.front().straight();
+  plan.pieces = up_and_down(candidate.tracks, task.ground.plannable, task.machine.width_m,
+                            curved || task.settings.tracks != TrackConstruction::kPaper);
   for (const CurvedPiece& piece : candidate.tracks.dropped)
     plan.dropped.push_back({piece.path.front().from, piece.path.back().to,
                             subfield_of(task.ground.plannable, piece, task.machine.width_m)});
   plan.tally = candidate.tally;
   plan.cost = candidate.cost;
   plan.directions_tried = 1;
-  add_layers(plan);
+  if (task.settings.tracks == TrackConstruction::kPaper)
+    add_layers_of_kinked(plan, candidate);
+  else
+    add_layers(plan);
   plan.warnings = warnings_about(plan);
   return plan;
 }

@@ -10,17 +10,20 @@ namespace tramline {
 
 /// A family of curved tracks over the whole ground.
 struct CurvedCandidate {
-  Path reference;  ///< smoothed for the machine, extended across the ground
+  std::vector<Point> line;  ///< what the reference was made of
+  Path reference;  ///< smoothed for the machine, extended across the ground; with S2's tracks as it is
   CurvedTracks tracks;
   Tally tally;
   double cost = 0;
+  Region worked{};  ///< with S2's tracks: the union of their swaths
 };
 
 /// What tracks run parallel to.
 struct Reference {
-  Path path;               ///< no tighter than the machine turns, not yet extended
-  double deviation_m = 0;  ///< from the line that was given
-  bool round = false;      ///< all the way round the ground, and back to where it began
+  std::vector<Point> line;  ///< what it was made of
+  Path path;                ///< no tighter than the machine turns, not yet extended
+  double deviation_m = 0;   ///< from the line that was given
+  bool round = false;       ///< all the way round the ground, and back to where it began
 };
 
 /// The line smoothed to what the machine drives and to `tolerance_m`. Throws kBadInput for a line that
@@ -35,6 +38,8 @@ CurvedCandidate curved_along(const SearchTask& task, const Reference& reference,
 /// The cheapest family along a chain of boundary edges between two corners of the ground, at several levels
 /// of smoothing, the best of them moved sideways as well; nullopt where no chain is curved, or none has a
 /// track. Deterministic for any number of threads. O(chains) families.
+/// With S2's tracks to be made from the line chosen, which has to have ends, chains all the way round are
+/// left out.
 std::optional<CurvedCandidate> best_curved(const SearchTask& task, int threads);
 
 /// As a plan: tracks numbered from the reference, driven up and down one after another. Throws kBadInput

@@ -10,17 +10,35 @@
 #include "tramline/planner/curved_plan.h"
 #include "tramline/planner/finished_plan.h"
 #include "tramline/planner/headlanded_task.h"
+#include "tramline/planner/recursive_plan.h"
 #include "tramline/planner/straight_search.h"
 #include "tramline/planner/validate_request.h"
 
 namespace tramline {
 namespace {
 
-Error no_curve(const Field& field) {
+Error no_curve(const Field& field, bool from_end_to_end) {
+  if (from_end_to_end)
+    return bad_input(
+        fmt::format("no edge of field '{}' from one corner to another is a curve, and tracks as in the paper "
+                    "need a line with two ends; give one with --guide, or leave --tracks paper out",
+                    field.id));
   return bad_input(
       fmt::format("no edge of field '{}' is a curve that tracks could follow; give a line with "
                   "--guide, or leave --curved out",
                   field.id));
+}
+
+bool as_in_the_paper(const PlanSettings& settings) { return settings.tracks == TrackConstruction::kPaper; }
+
+CurvedCandidate along_guide(const SearchTask& task) {
+  const std::vector<Point>& guide = task.settings.guide;
+  return as_in_the_paper(task.settings) ? recursive_along(task, guide)
+                                        : curved_along(task, reference_along(task, guide, 0));
+}
+
+std::optional<CurvedCandidate> along_best_edge(const SearchTask& task, int threads) {
+  return as_in_the_paper(task.settings) ? recursive_along_best(task, threads) : best_curved(task, threads);
 }
 
 /// A curved plan; nullopt where no edge is curved, or headlands round all obstacles leave nothing.
@@ -28,7 +46,7 @@ std::optional<Plan> curved_plan(const Field& field, const Machine& machine, cons
                                 const PlanSettings& settings, int threads, double cheaper_than) {
   try {
     const SearchTask task = headlanded_task(field, machine, objective, settings, threads);
-    const std::optional<CurvedCandidate> curved = best_curved(task, threads);
+    const std::optional<CurvedCandidate> curved = along_best_edge(task, threads);
     if (curved && curved->cost < cheaper_than) return finished_plan(task, *curved);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::kBadInput) throw;
@@ -41,10 +59,12 @@ std::optional<Plan> curved_plan(const Field& field, const Machine& machine, cons
 Plan cheaper_shape(const Field& field, const Machine& machine, const Objective& objective,
                    PlanSettings settings, int threads, const Progress& progress) {
   settings.shape = TrackShape::kStraight;
+  const TrackConstruction construction = std::exchange(settings.tracks, TrackConstruction::kParallel);
   const SearchTask task = headlanded_task(field, machine, objective, settings, threads);
   SearchResult straight = straight_search(task, threads, progress);
   const double cost = straight.best.works() ? straight.best.cost() : std::numeric_limits<double>::infinity();
   settings.shape = TrackShape::kCurved;
+  settings.tracks = construction;
   std::optional<Plan> curved = curved_plan(field, machine, objective, settings, threads, cost);
   Plan plan = curved ? std::move(*curved) : finished_plan(task, std::move(straight));
   plan.settings.shape = TrackShape::kAuto;
@@ -56,15 +76,18 @@ Plan cheaper_shape(const Field& field, const Machine& machine, const Objective& 
 Plan plan_field(const Field& field, const Machine& machine, const Objective& objective,
                 const PlanSettings& settings, int threads, const Progress& progress) {
   validate_request(machine, objective, settings);
+  if (as_in_the_paper(settings) && settings.shape == TrackShape::kStraight && settings.guide.empty())
+    throw bad_input(
+        "tracks as in the paper follow a line: with --tracks paper give --ab, --guide or --curved");
+  if (as_in_the_paper(settings)) require_paper_ground(field, settings);
   if (settings.shape == TrackShape::kAuto)
     return cheaper_shape(field, machine, objective, settings, threads, progress);
   const SearchTask task = headlanded_task(field, machine, objective, settings, threads);
-  if (settings.shape == TrackShape::kStraight)
+  if (settings.shape == TrackShape::kStraight && !as_in_the_paper(settings))
     return finished_plan(task, straight_search(task, threads, progress));
-  if (!settings.guide.empty())
-    return finished_plan(task, curved_along(task, reference_along(task, settings.guide, 0)));
-  const std::optional<CurvedCandidate> curved = best_curved(task, threads);
-  if (!curved) throw no_curve(field);
+  if (!settings.guide.empty()) return finished_plan(task, along_guide(task));
+  const std::optional<CurvedCandidate> curved = along_best_edge(task, threads);
+  if (!curved) throw no_curve(field, as_in_the_paper(settings));
   return finished_plan(task, *curved);
 }
 

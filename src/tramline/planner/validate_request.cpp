@@ -34,6 +34,19 @@ void require_metres_or_default(double value, const char* what) {
   if (!(std::isfinite(value) && value < 0)) require_metres(value, 0, kFarthest_m, what);
 }
 
+/// What S2's own tracks know nothing of.
+void require_paper_rules(const PlanSettings& settings) {
+  if (settings.end_rule != EndRule::kCover)
+    throw bad_input(fmt::format(
+        "tracks as in the paper end where nothing is left to cover: --tracks paper goes with --end-rule "
+        "cover, not {}",
+        name(settings.end_rule)));
+  if (settings.boundary == EdgeKind::kHard && settings.headlands == 0)
+    throw bad_input(
+        "tracks as in the paper run on over the edge of the body: leave --boundary hard out, or give "
+        "--headlands");
+}
+
 }  // namespace
 
 void require_metres(double value, double least, double most, const char* what) {
@@ -53,6 +66,7 @@ void validate_request(const Machine& machine, const Objective& objective, const 
   constexpr double kMostClearance = 1000;
   require_metres(settings.clearance_m, 0, kMostClearance, "clearance");
   require_metres_or_default(settings.avoid_threshold_m, kAvoidThreshold);
+  if (settings.tracks == TrackConstruction::kPaper) require_paper_rules(settings);
   require_degrees(settings.direction_tolerance, 1e-4, 10, "direction tolerance");
   require_metres(settings.short_edge_m, 0, kFarthest_m, "short edge");
   require_degrees(settings.merge_threshold, 0, 90, "merge threshold");

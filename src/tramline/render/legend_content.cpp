@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tramline/geometry/kinked_line.h"
 #include "tramline/model/detour_summary.h"
 #include "tramline/render/visible_faults.h"
 
@@ -57,15 +58,17 @@ LegendBlock symbols(const Plan& plan) {
   return block;
 }
 
-// Of all curved tracks; infinite without arcs.
+// Of all curved tracks; infinite without arcs, 0 at a kink.
 double smallest_radius_m(const Plan& plan) {
   double out = std::numeric_limits<double>::infinity();
-  for (const TrackPiece& piece : plan.pieces) out = std::min(out, smallest_radius(piece.curve));
+  for (const TrackPiece& piece : plan.pieces)
+    out = out == 0 || has_kinks(piece.curve) ? 0 : std::min(out, smallest_radius(piece.curve));
   return out;
 }
 
 std::string radius_text(const Plan& plan) {
   const double radius_m = smallest_radius_m(plan);
+  if (radius_m == 0) return "none: tracks have kinks";
   return std::isfinite(radius_m) ? fmt::format("{:.1f} m", radius_m) : std::string("none");
 }
 

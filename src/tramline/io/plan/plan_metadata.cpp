@@ -20,6 +20,7 @@ namespace {
 constexpr const char* kFormat = "tramline plan";
 constexpr int kFormatVersion = kVersionWithHeadlands, kOldestVersion = 2;
 constexpr const char* kInputCrs = "field.source.input_crs";
+constexpr const char* kTracks = "settings.tracks";
 
 /// The one list of keys, walked by the writer (const plan) and by the reader.
 template <class PlanOrConst, class Visitor>
@@ -119,6 +120,7 @@ class Writer : public KeyWriter {
   void operator()(const std::string& key, CellDirection value) const { out()[key] = name(value); }
   void operator()(const std::string& key, Avoidance value) const { out()[key] = name(value); }
   void operator()(const std::string& key, TrackShape value) const { out()[key] = name(value); }
+  void operator()(const std::string& key, TrackConstruction value) const { out()[key] = name(value); }
   /// Degrees are for people; radians are what is read back, to the bit.
   void operator()(const std::string& key, Angle value) const {
     (*this)(key + "_deg", short_degrees(value));
@@ -156,6 +158,9 @@ class Reader : public KeyReader {
   void operator()(const std::string& key, Avoidance& value) { value = word(key, avoidance_named(text(key))); }
   void operator()(const std::string& key, TrackShape& value) {
     value = word(key, track_shape_named(text(key)));
+  }
+  void operator()(const std::string& key, TrackConstruction& value) {
+    value = word(key, track_construction_named(text(key)));
   }
   void operator()(const std::string& key, Angle& value) {
     double radians = 0;
@@ -212,6 +217,7 @@ Metadata metadata_of(const Plan& plan) {
   each_value(plan, writer);
   each_value_since_headlands(plan, writer);
   out[kInputCrs] = plan.field.source.input_crs;
+  writer(kTracks, plan.settings.tracks);
   out["format"] = kFormat;
   out["format_version"] = std::to_string(kFormatVersion);
   for (const char* key : {"field.source.file", "field.source.obstacles_file", "field.source.passable_file"})
@@ -233,8 +239,9 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   each_value(plan, reader);
   reader.shift_by(offset_of(plan.field.frame));
   if (version >= kVersionWithHeadlands) each_value_since_headlands(plan, reader);
-  // Files from before there was this key are as good plans.
+  // Files from before there were these keys are as good plans.
   if (metadata.contains(kInputCrs)) plan.field.source.input_crs = reader.text(kInputCrs);
+  if (metadata.contains(kTracks)) reader(kTracks, plan.settings.tracks);
   return version;
 }
 

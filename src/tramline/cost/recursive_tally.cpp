@@ -1,0 +1,48 @@
+#include "tramline/cost/recursive_tally.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/kinked_line.h"
+
+namespace tramline {
+namespace {
+
+/// One polygon where the swath does not fold: its cells would be many times as many.
+Region swath_of(const CurvedPiece& piece, double width_m) {
+  Polygon outline{kinked_band(piece.path, width_m), {}};
+  if (!find_invalidity(outline)) return {std::move(outline)};
+  return kinked_swaths({piece}, width_m);
+}
+
+}  // namespace
+
+Region kinked_swaths(const std::vector<CurvedPiece>& pieces, double width_m) {
+  Region out;
+  for (const CurvedPiece& piece : pieces)
+    for (Ring& cell : kinked_cells(piece.path, width_m)) out.push_back({std::move(cell), {}});
+  return out;
+}
+
+RecursiveTally recursive_tally(const CurvedTracks& tracks, double width_m, const Region& body) {
+  RecursiveTally out;
+  Region swaths;
+  for (const CurvedPiece& piece : tracks.pieces) {
+    for (Polygon& part : swath_of(piece, width_m)) swaths.push_back(std::move(part));
+    out.tally.track_length_m += piece.length_m;
+    out.tally.stops += (piece.stop_at_from ? 1 : 0) + (piece.stop_at_to ? 1 : 0);
+    ++out.tally.pieces;
+  }
+  out.tally.turns = std::max(0, out.tally.pieces - 1);
+  out.tally.worked_m2 = width_m * out.tally.track_length_m;
+  out.worked = unite(swaths);
+  // On the grid of booleans land that is all worked once may come out a little larger.
+  const double body_m2 = area(body);
+  const double useful_m2 = std::min({area(intersection(out.worked, body)), body_m2, out.tally.worked_m2});
+  out.tally.overlap_m2 = out.tally.worked_m2 - useful_m2;
+  out.tally.uncovered_m2 = body_m2 - useful_m2;
+  return out;
+}
+
+}  // namespace tramline
