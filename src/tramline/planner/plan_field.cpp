@@ -62,7 +62,8 @@ Plan plan_field(const Field& field, const Machine& machine, const Objective& obj
   if (settings.shape == TrackShape::kStraight)
     return finished_plan(task, straight_search(task, threads, progress));
   if (!settings.guide.empty())
-    return finished_plan(task, curved_along(task, reference_along(task, settings.guide, 0)));
+    return finished_plan(task,
+                         with_detours(task, curved_along(task, reference_along(task, settings.guide, 0))));
   const std::optional<CurvedCandidate> curved = best_curved(task, threads);
   if (!curved) throw no_curve(field);
   return finished_plan(task, *curved);
