@@ -59,14 +59,7 @@ class WayBack {
     const auto missing = [this](double at) {
       return hull_.radius + arc_ - nearest_on(hull_, arc_centre(at)).distance_m;
     };
-    const double from = track_.blocked_from, to = track_.blocked_to;
-    const int looks = 1 + static_cast<int>((to - from) / kLook);
-    for (int i = looks; i >= 0; --i) {
-      place = from + (to - from) * i / looks;
-      if (missing(place) >= 0) break;
-      if (i == 0) return std::nullopt;
-    }
-    if (!go_on_until_none(missing, place)) return std::nullopt;
+    if (!begin_where_lacking(missing, place) || !go_on_until_none(missing, place)) return std::nullopt;
     const Point centre = arc_centre(place);
     const Nearest touched = nearest_on(hull_, centre);
     if (touched.normal.y < 0 || hull_.centres.back().y > centre.y) return std::nullopt;
@@ -78,11 +71,22 @@ class WayBack {
     const SteepLine line = steepest_line(hull_);
     Approach out = line.touching;
     const auto missing = [&](double at) { return line.off_m + arc_ - dot(out.normal, arc_centre(at)); };
-    place = 0.5 * (track_.blocked_from + track_.blocked_to);
-    if (missing(place) < 0 || !go_on_until_none(missing, place)) return std::nullopt;
+    if (!begin_where_lacking(missing, place) || !go_on_until_none(missing, place)) return std::nullopt;
     out.arc_centre = arc_centre(place);
     out.on_track = track_.places.at(place).at;
     return out;
+  }
+
+  /// The last place beside what is in the way where something is missing.
+  template <class Missing>
+  bool begin_where_lacking(Missing missing, double& place) const {
+    const double from = track_.blocked_from, to = track_.blocked_to;
+    const int looks = 1 + static_cast<int>((to - from) / kLook);
+    for (int i = looks; i >= 0; --i) {
+      place = from + (to - from) * i / looks;
+      if (missing(place) >= 0) return true;
+    }
+    return false;
   }
 
   /// `missing` changes by no more than twice the way.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tramline/check/sound_path.h"
 #include "tramline/check/tolerances.h"
 #include "tramline/geometry/path_profile.h"
 
@@ -29,10 +30,19 @@ Point heading_at(const Path& path, double along_m) {
   return part.empty() ? direction_at_end(path.back()) : direction_at_start(part.front());
 }
 
+/// A path that parallels can be made of: sound, no tighter than tracks, without kinks.
+bool can_be_followed(const Path& reference, const Machine& machine) {
+  const double least_m = std::max(machine.radius_m, 0.5 * machine.width_m);
+  if (!fault_of(reference).empty() || smallest_radius(reference) < least_m * (1 - kRadiusShare)) return false;
+  for (std::size_t i = 0; i + 1 < reference.size(); ++i)
+    if (distance(direction_at_end(reference[i]), direction_at_start(reference[i + 1])) > 1e-3) return false;
+  return true;
+}
+
 }  // namespace
 
 TrackLines::TrackLines(const Plan& plan) {
-  if (plan.reference.empty() || !is_curved(plan)) return;
+  if (plan.reference.empty() || !is_curved(plan) || !can_be_followed(plan.reference, plan.machine)) return;
   int first = std::numeric_limits<int>::max(), last = std::numeric_limits<int>::min();
   const auto extend = [&](int track) {
     first = std::min(first, track);
@@ -40,19 +50,24 @@ TrackLines::TrackLines(const Plan& plan) {
   };
   for (const TrackPiece& piece : plan.pieces) extend(piece.track);
   for (const Encounter& encounter : plan.encounters) extend(encounter.track);
-  // No field has room for more.
-  constexpr int kMost = 1000000;
+  // More have no room between the farthest places of a map.
+  constexpr int kMost = 100000;
   if (first < -kMost || last > kMost) return;
   TrackLimits limits;
   limits.radius_m = plan.machine.radius_m;
   limits.width_m = plan.machine.width_m;
   lines_ = parallel_family(plan.reference, first, last, limits);
-  for (const FamilyTrack& line : lines_) lengths_m_.push_back(tramline::length(line.track.path));
+  for (const FamilyTrack& line : lines_) {
+    lengths_m_.push_back(tramline::length(line.track.path));
+    boxes_.push_back(reach_of(line.track.path, 2 * kLengthTolerance_m));
+  }
 }
 
 std::optional<double> TrackLines::place_on(std::size_t line, Point p) const {
   double start_m = 0, nearest_m = kLengthTolerance_m;
   std::optional<double> out;
+  const Box& box = boxes_[line];
+  if (!(p.x >= box.min_x && p.x <= box.max_x && p.y >= box.min_y && p.y <= box.max_y)) return out;
   for (const PathSegment& segment : lines_[line].track.path) {
     if (const double off_m = distance_to_edge(segment, p, p); off_m < nearest_m) {
       nearest_m = off_m;
@@ -76,18 +91,6 @@ std::optional<OnLine> TrackLines::between(int track, Point from, Point heading, 
     if (!first || !last) continue;
     const bool back = dot(heading, heading_at(lines_[i].track.path, *first)) < 0;
     if (const auto found = back ? stretch(i, *last, *first) : stretch(i, *first, *last)) return found;
-  }
-  return std::nullopt;
-}
-
-std::optional<OnLine> TrackLines::between(int track, Point from, Point to) const {
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    if (lines_[i].index != track) continue;
-    const std::optional<double> first = place_on(i, from), last = place_on(i, to);
-    if (!first || !last) continue;
-    const auto there = stretch(i, *first, *last), back = stretch(i, *last, *first);
-    if (there && back) return there->to_m - there->from_m < back->to_m - back->from_m ? there : back;
-    return there ? there : back;
   }
   return std::nullopt;
 }

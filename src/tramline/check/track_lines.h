@@ -31,8 +31,6 @@ class TrackLines {
   /// From one place of a track's line to another, leaving in this heading, or against it; nullopt where no
   /// line of the track leads from the one to the other. Places may be a millimetre off.
   std::optional<OnLine> between(int track, Point from, Point heading, Point to) const;
-  /// Both ways, where the heading is not known: the shorter one.
-  std::optional<OnLine> between(int track, Point from, Point to) const;
   /// Where on a line a place is; nullopt where it is a millimetre off.
   std::optional<double> place_on(std::size_t line, Point p) const;
   Path path_of(const OnLine& stretch) const;
@@ -42,6 +40,7 @@ class TrackLines {
 
   std::vector<FamilyTrack> lines_;
   std::vector<double> lengths_m_;
+  std::vector<Box> boxes_;
 };
 
 /// Does the stretch hold a place of the line, up to a millimetre?

@@ -36,6 +36,23 @@ TrackRange tracks_inside(const Box& reach, double width_m) {
   return {-static_cast<int>(std::ceil(0.5 * across / width_m)) - 1, 0};
 }
 
+/// Land given up within the headland stops no track: there the machine turns.
+struct HardLand {
+  Region before_tracks;
+  Region elsewhere;
+};
+
+HardLand hard_land(const SearchTask& task) {
+  const Region& headland = task.headland.ground;
+  HardLand out{task.ground.hard, task.ground.beyond};
+  if (headland.empty() || out.before_tracks.empty()) return out;
+  const Region in_headland = intersection(out.before_tracks, headland);
+  if (in_headland.empty()) return out;
+  out.before_tracks = difference(out.before_tracks, headland);
+  out.elsewhere = unite(out.elsewhere, in_headland);
+  return out;
+}
+
 /// Of a candidate's reference.
 std::vector<CurvedTrack> tracks_of(const SearchTask& task, const CurvedCandidate& candidate) {
   const TrackLimits limits = limits_of(task.machine);
@@ -43,9 +60,10 @@ std::vector<CurvedTrack> tracks_of(const SearchTask& task, const CurvedCandidate
   const Box reach = bounds(task.ground.plannable);
   const TrackRange range =
       candidate.round ? tracks_inside(reach, width_m) : tracks_over(candidate.reference, reach, width_m);
-  const CurvedGround ground{EdgeIndex(task.ground.plannable), EdgeIndex(task.ground.hard),
+  const HardLand hard = hard_land(task);
+  const CurvedGround ground{EdgeIndex(task.ground.plannable), EdgeIndex(hard.before_tracks),
                             EdgeIndex(fence(task)), EdgeIndex(task.ground.passable),
-                            EdgeIndex(task.ground.beyond)};
+                            EdgeIndex(hard.elsewhere)};
   return curved_tracks(parallel_family(candidate.reference, range.first, range.last, limits), width_m, ground,
                        end_criterion(task.settings.end_rule, task.objective, width_m));
 }
@@ -215,20 +233,48 @@ std::vector<Region> worked_grounds(const Plan& plan) {
 /// Slivers between the chords of swaths that share an arc.
 bool is_sliver(const Polygon& part) { return area(part) < 0.5 * kLayerSagitta * perimeter(part.outer); }
 
-/// What detours work that other swaths do, too.
-Region doubled_by_detours(const std::vector<Region>& grounds) {
-  Region out;
-  const auto add = [&out](const Polygon& a, const Polygon& b) {
-    if (!intersects(bounds(a), bounds(b))) return;
-    for (Polygon& both : intersection({a}, {b}))
-      if (!is_sliver(both)) out.push_back(std::move(both));
-  };
-  const Region& detours = grounds[2];
-  for (std::size_t i = 0; i < detours.size(); ++i) {
-    for (std::size_t k = i + 1; k < detours.size(); ++k) add(detours[i], detours[k]);
-    for (const Region* kept : {&grounds[0], &grounds[1]})
-      for (const Polygon& swath : *kept) add(detours[i], swath);
+/// The parts of a path whose swaths reach into a box.
+std::vector<Path> runs_near(const Path& path, double width_m, const Box& window) {
+  const std::vector<Box> reaches = reaches_of(path, width_m);
+  std::vector<Path> out;
+  bool goes_on = false;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const bool is_near = intersects(reaches[i], window);
+    if (is_near && !goes_on) out.emplace_back();
+    if (is_near) out.back().push_back(path[i]);
+    goes_on = is_near;
   }
+  return out;
+}
+
+void append_common(const Region& a, const Region& b, Region& out) {
+  for (const Polygon& one : a)
+    for (const Polygon& other : b) {
+      if (!intersects(bounds(one), bounds(other))) continue;
+      for (Polygon& both : intersection({one}, {other}))
+        if (!is_sliver(both)) out.push_back(std::move(both));
+    }
+}
+
+/// What detours work that other swaths do, too. Tracks are long, and a detour meets little of them.
+Region doubled_by_detours(const Plan& plan) {
+  const double width_m = plan.machine.width_m;
+  Region out, before;
+  for (const TrackPiece& with : plan.pieces)
+    for (const Detour& detour : with.detours) {
+      Region swath;
+      append_swath(detour.path, width_m, swath);
+      append_common(swath, before, out);
+      const Box window = reach_of(detour.path, width_m);
+      for (const TrackPiece& piece : plan.pieces)
+        for (const Path& part : parts_on_track(piece))
+          for (const Path& run : runs_near(part, width_m, window)) {
+            Region other;
+            append_swath(run, width_m, other);
+            append_common(swath, other, out);
+          }
+      before.insert(before.end(), swath.begin(), swath.end());
+    }
   return out;
 }
 
@@ -242,7 +288,7 @@ void add_layers(Plan& plan) {
     for (Polygon& part : difference(ground, plan.body)) plan.overlap.push_back(std::move(part));
   }
   std::erase_if(plan.uncovered, is_sliver);
-  for (Polygon& part : doubled_by_detours(grounds)) plan.overlap.push_back(std::move(part));
+  for (Polygon& part : doubled_by_detours(plan)) plan.overlap.push_back(std::move(part));
   plan.overlap = unite(plan.overlap);
 }
 
