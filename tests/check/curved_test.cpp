@@ -275,7 +275,11 @@ TEST(CurvedPlans, unsound_curves) {
   EXPECT_EQ(with([](TrackPiece& p) { p.start.y -= 0.01; }), Names{"pieces"});
   EXPECT_EQ(with([](TrackPiece& p) { p.curve[0].curvature = 0.1; }), Names{"pieces"});
   EXPECT_EQ(with([](TrackPiece& p) { p.curve.push_back(p.curve[0]); }), Names{"pieces"});
-  EXPECT_EQ(with([](TrackPiece& p) { p.detours.push_back({p.curve, Passing::kLeft, {}}); }), Names{"pieces"});
+  EXPECT_EQ(with([](TrackPiece& p) {
+              p.detours.push_back({reversed(p.curve), Passing::kLeft, {}});
+            }),
+            Names{"pieces"});
+  EXPECT_EQ(with([](TrackPiece& p) { p.detours.push_back({p.curve, Passing::kCut, {}}); }), Names{"pieces"});
   // Straight tracks still lie in the direction of their subfield.
   Plan plan = rectangle_plan();
   plan.pieces[4].end.y += 0.01;

@@ -1,5 +1,5 @@
 #pragma once
-// The ground as detours meet it, in the turned plane of one grid.
+// The ground as detours meet it, in the turned plane of one grid or in the field's own frame.
 
 #include <optional>
 #include <string>
@@ -26,6 +26,9 @@ struct Surroundings {
 
 Surroundings turned_surroundings(const Ground& ground, const Ring& field, bool hard_boundary,
                                  const TrackFrame& frame);
+
+/// The same in the field's frame, for curved tracks.
+Surroundings field_surroundings(const Ground& ground, const Ring& field, bool hard_boundary);
 
 /// A path as the centre line of a swath. Refers to the path.
 struct SwathLine {

@@ -10,20 +10,14 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-/// What one stretch, or several joined, costs.
-struct StretchCost {
-  double sum = 0;
-  bool driven = false;  ///< too short a stretch is not
-};
-
 /// What driving pieces costs; `correct` is added to the area they cover alone.
-class PieceCost {
+class PieceCost : public PieceCosts {
  public:
   PieceCost(const BlockedTrack& track, const Strip& strip, double width_m, const Objective& objective,
             double min_length_m)
       : track_(track), strip_(strip), width_m_(width_m), objective_(objective), min_length_m_(min_length_m) {}
 
-  StretchCost of(const JoinedStretch& joined) const {
+  StretchCost of(const JoinedStretch& joined) const override {
     SubfieldTracks laid{
         {TrackFrame(Direction::clockwise_from_north(Angle::degrees(0))), 0, width_m_}, {}, {}};
     append_joined(strip_, joined, min_length_m_, laid);
@@ -33,11 +27,9 @@ class PieceCost {
     return out;
   }
 
-  /// A turn is counted for every piece, and there is one fewer in a plan that has any.
-  double counted_too_often() const { return track_.only_one_driven ? objective_.turn : 0; }
+  double counted_too_often() const override { return track_.only_one_driven ? objective_.turn : 0; }
 
-  /// What an option adds to the cost of a piece that is driven in any case.
-  double of_option(const TrackOption& option) const {
+  double of_option(const TrackOption& option) const override {
     const double longer = option.way.detour.length_m - straight_length(option.straight);
     return objective_.overlap * width_m_ * longer -
            (objective_.overlap + objective_.uncovered) * option.gain_m2();
@@ -79,7 +71,7 @@ class PieceCost {
 /// Chains of options that join the stretches first … last without a cut.
 class Chains {
  public:
-  Chains(const BlockedTrack& track, const PieceCost& cost, std::size_t first, std::optional<Forced> forced)
+  Chains(const BlockedTrack& track, const PieceCosts& cost, std::size_t first, std::optional<Forced> forced)
       : track_(track),
         first_(first),
         sums_(track.options.size(), kNever),
@@ -142,11 +134,10 @@ void add(Choices& choices, const Choices& before, const std::vector<StripDetour>
 
 }  // namespace
 
-double track_cost(const BlockedTrack& track, const Strip& strip, double width_m,
-                  const std::vector<StripDetour>& detours, const Objective& objective, double min_length_m) {
-  const PieceCost cost(track, strip, width_m, objective, min_length_m);
+double track_cost(const Intervals& stretches, const PieceCosts& cost,
+                  const std::vector<StripDetour>& detours) {
   StretchCost all;
-  for (const JoinedStretch& joined : joined_stretches(strip.stretches, detours)) {
+  for (const JoinedStretch& joined : joined_stretches(stretches, detours)) {
     const StretchCost one = cost.of(joined);
     all.sum += one.sum;
     all.driven = all.driven || one.driven;
@@ -154,11 +145,14 @@ double track_cost(const BlockedTrack& track, const Strip& strip, double width_m,
   return all.driven ? all.sum - cost.counted_too_often() : all.sum;
 }
 
-std::optional<TrackChoice> cheapest_choice(const BlockedTrack& track, const Strip& strip, double width_m,
-                                           const Objective& objective, double min_length_m,
-                                           std::optional<Forced> forced) {
-  const PieceCost cost(track, strip, width_m, objective, min_length_m);
-  const std::size_t count = strip.stretches.size();
+double track_cost(const BlockedTrack& track, const Strip& strip, double width_m,
+                  const std::vector<StripDetour>& detours, const Objective& objective, double min_length_m) {
+  return track_cost(strip.stretches, PieceCost(track, strip, width_m, objective, min_length_m), detours);
+}
+
+std::optional<TrackChoice> cheapest_choice(const BlockedTrack& track, const Intervals& stretches,
+                                           const PieceCosts& cost, std::optional<Forced> forced) {
+  const std::size_t count = stretches.size();
   // best[j]: stretches before j are decided, and the track is cut before stretch j.
   std::vector<Choices> best(count + 1, {TrackChoice{{}, kNever}, TrackChoice{{}, kNever}});
   best[0][0].cost = 0;
@@ -169,8 +163,7 @@ std::optional<TrackChoice> cheapest_choice(const BlockedTrack& track, const Stri
     for (std::size_t last = i; last < count; ++last) {
       const std::vector<StripDetour> detours = last == i ? std::vector<StripDetour>{} : chains.to(last);
       if (last > i && detours.empty()) continue;
-      add(best[last + 1], best[i], detours,
-          cost.of({{strip.stretches[i].from, strip.stretches[last].to}, detours}));
+      add(best[last + 1], best[i], detours, cost.of({{stretches[i].from, stretches[last].to}, detours}));
     }
   }
   auto& [not_driven, driven] = best[count];
@@ -178,6 +171,13 @@ std::optional<TrackChoice> cheapest_choice(const BlockedTrack& track, const Stri
   TrackChoice& least = not_driven.cost < driven.cost ? not_driven : driven;
   if (least.cost == kNever) return std::nullopt;
   return std::move(least);
+}
+
+std::optional<TrackChoice> cheapest_choice(const BlockedTrack& track, const Strip& strip, double width_m,
+                                           const Objective& objective, double min_length_m,
+                                           std::optional<Forced> forced) {
+  return cheapest_choice(track, strip.stretches, PieceCost(track, strip, width_m, objective, min_length_m),
+                         forced);
 }
 
 }  // namespace tramline

@@ -1,45 +1,14 @@
 #include "tramline/avoidance/way_round.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 
+#include "tramline/avoidance/corners_in_way.h"
 #include "tramline/avoidance/detour_frame.h"
 #include "tramline/avoidance/detour_path.h"
 
 namespace tramline {
 namespace {
-
-/// Parts of hazards the detour has to go round, by hazard: positions along.
-using Parts = std::map<std::size_t, Interval>;
-
-bool extend(Parts& parts, std::size_t hazard, Interval range) {
-  const auto [found, is_new] = parts.try_emplace(hazard, range);
-  if (is_new) return true;
-  const Interval before = found->second;
-  found->second = {std::min(before.from, range.from), std::max(before.to, range.to)};
-  return !(found->second == before);
-}
-
-/// Corners of the part of a ring with from ≤ x ≤ to and y ≥ bottom, rounded by half the width. The
-/// frame is the detour's.
-void append_corners(const Ring& ring, Interval range, double bottom, double radius,
-                    std::vector<KeepOut>& out) {
-  const auto clipped = [](const Ring& in, auto height) {
-    Ring kept;
-    for (std::size_t i = 0; i < in.size(); ++i) {
-      const Point a = in[i], b = in[i + 1 == in.size() ? 0 : i + 1];
-      const double ha = height(a), hb = height(b);
-      if (ha >= 0) kept.push_back(a);
-      if ((ha >= 0) != (hb >= 0)) kept.push_back(a + (ha / (ha - hb)) * (b - a));
-    }
-    return kept;
-  };
-  Ring part = clipped(ring, [&](Point p) { return p.x - range.from; });
-  part = clipped(part, [&](Point p) { return range.to - p.x; });
-  part = clipped(part, [&](Point p) { return p.y - bottom; });
-  for (const Point corner : part) out.push_back({corner, radius});
-}
 
 std::vector<KeepOut> discs_round(const Parts& parts, const Surroundings& around, const DetourFrame& frame,
                                  double half_width) {

@@ -40,7 +40,7 @@ class PaperDetour {
         frame_(piece_) {}
 
   void run(Violations& out) const {
-    if (const auto met = encounters_at(c_.plan, piece_, detour_).size(); met > 1)
+    if (const auto met = encounters_at(c_, piece_, detour_).size(); met > 1)
       out.push_back({kRule, fmt::format("{} passes {} encounters at once, against S1's rule", name_, met),
                      detour_.path.front().from, static_cast<double>(met)});
     const auto& obstacles = c_.plan.field.obstacles;

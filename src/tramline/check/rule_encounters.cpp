@@ -25,7 +25,11 @@ Tracks tracks_of(const Plan& plan) {
   return out;
 }
 
-bool extends_over(const TrackPiece& piece, const Detour& detour, Point at) {
+bool extends_over(const Case& c, const TrackPiece& piece, const Detour& detour, Point at) {
+  if (!piece.curve.empty()) {
+    const std::optional<OnLine> left = line_left(c, piece, detour);
+    return left && holds(c.lines, *left, at);
+  }
   const PieceFrame frame(piece);
   const Point p = frame.to_local(at);
   // Written so that NaN lies nowhere.
@@ -35,12 +39,12 @@ bool extends_over(const TrackPiece& piece, const Detour& detour, Point at) {
 }
 
 /// The detour that passes the place of an encounter; nullptr where none does.
-const Detour* detour_over(const Plan& plan, const Tracks& tracks, const Encounter& encounter) {
+const Detour* detour_over(const Case& c, const Tracks& tracks, const Encounter& encounter) {
   const auto pieces = tracks.find({encounter.subfield, encounter.track});
   if (pieces == tracks.end()) return nullptr;
   for (const std::size_t i : pieces->second)
-    for (const Detour& detour : plan.pieces[i].detours)
-      if (extends_over(plan.pieces[i], detour, encounter.at)) return &detour;
+    for (const Detour& detour : c.plan.pieces[i].detours)
+      if (extends_over(c, c.plan.pieces[i], detour, encounter.at)) return &detour;
   return nullptr;
 }
 
@@ -85,14 +89,15 @@ std::string cut_fault(const Plan& plan, const Tracks& tracks, const Encounter& e
 }
 
 /// In which way an encounter is not what the tracks do, or "".
-std::string contradiction(const Plan& plan, const Tracks& tracks, const Encounter& encounter) {
+std::string contradiction(const Case& c, const Tracks& tracks, const Encounter& encounter) {
+  const Plan& plan = c.plan;
   const auto subfields = static_cast<int>(plan.subfields.size());
   if (encounter.subfield < 0 || encounter.subfield >= subfields) return "is in a subfield that there is not";
   // Written so that NaN lies nowhere.
   if (!(std::abs(encounter.at.x) <= kFarthest_m && std::abs(encounter.at.y) <= kFarthest_m))
     return "lies off the map";
   if (!exist(plan, encounter.obstacles)) return "names an obstacle that there is not";
-  const Detour* detour = detour_over(plan, tracks, encounter);
+  const Detour* detour = detour_over(c, tracks, encounter);
   if (encounter.chosen == Passing::kCut && detour != nullptr)
     return "was to be cut, and a detour passes there";
   if (encounter.chosen == Passing::kCut) return cut_fault(plan, tracks, encounter);
@@ -179,7 +184,7 @@ class DetourCheck {
       : c_(c),
         detour_(c.plan.pieces[index].detours[number]),
         name_(detour_name(index, number)),
-        encounters_(encounters_at(c.plan, c.plan.pieces[index], detour_)),
+        encounters_(encounters_at(c, c.plan.pieces[index], detour_)),
         frame_(c.plan.pieces[index]),
         course_(frame_, detour_),
         reach_m_(0.5 * c.plan.machine.width_m + c.plan.settings.clearance_m) {}
@@ -223,11 +228,11 @@ class DetourCheck {
 
 }  // namespace
 
-std::vector<const Encounter*> encounters_at(const Plan& plan, const TrackPiece& piece, const Detour& detour) {
+std::vector<const Encounter*> encounters_at(const Case& c, const TrackPiece& piece, const Detour& detour) {
   std::vector<const Encounter*> out;
-  for (const Encounter& encounter : plan.encounters)
+  for (const Encounter& encounter : c.plan.encounters)
     if (encounter.subfield == piece.subfield && encounter.track == piece.track &&
-        extends_over(piece, detour, encounter.at))
+        extends_over(c, piece, detour, encounter.at))
       out.push_back(&encounter);
   return out;
 }
@@ -242,12 +247,13 @@ bool names(const std::vector<const Encounter*>& encounters, int obstacle) {
 void check_encounters(const Case& c, Violations& out) {
   const Tracks tracks = tracks_of(c.plan);
   for (std::size_t i = 0; i < c.plan.encounters.size(); ++i) {
-    const std::string fault = contradiction(c.plan, tracks, c.plan.encounters[i]);
+    const std::string fault = contradiction(c, tracks, c.plan.encounters[i]);
     if (!fault.empty())
       out.push_back({kRule, fmt::format("encounter {} {}", i + 1, fault), c.plan.encounters[i].at, 1});
   }
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i)
-    for (std::size_t k = 0; k < c.plan.pieces[i].detours.size(); ++k) DetourCheck(c, i, k).run(out);
+    for (std::size_t k = 0; k < c.plan.pieces[i].detours.size() && c.plan.pieces[i].curve.empty(); ++k)
+      DetourCheck(c, i, k).run(out);
 }
 
 }  // namespace tramline::check

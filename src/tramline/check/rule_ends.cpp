@@ -60,8 +60,10 @@ void check_ends(const Case& c, Violations& out) {
     const TrackPiece& piece = c.plan.pieces[i];
     const Polygon& land = c.plan.subfields[static_cast<std::size_t>(piece.subfield)].shape;
     if (!piece.curve.empty()) {
-      const Stretch below = longest_below(land, piece.curve, asked.half_m, asked.required_m);
-      report(i, below, place_on(piece.curve, 0.5 * (below.from_m + below.to_m)));
+      for (const Path& part : parts_on_track(piece)) {
+        const Stretch below = longest_below(land, part, asked.half_m, asked.required_m);
+        report(i, below, place_on(part, 0.5 * (below.from_m + below.to_m)));
+      }
       continue;
     }
     for (const PathSegment& part : straight_parts(piece)) {

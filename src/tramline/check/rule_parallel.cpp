@@ -32,12 +32,14 @@ class Family {
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
       if (c.plan.pieces[i].subfield != subfield) continue;
-      // Ends may touch what lies beside them.
-      const Path path = shortened(centre_line(c.plan.pieces[i]), kLengthTolerance_m);
-      if (path.empty()) continue;
-      const std::vector<Box> reaches = reaches_of(path, 0);
-      boxes.insert(boxes.end(), reaches.begin(), reaches.end());
-      for (const PathSegment& segment : path) stretches_.push_back({i, segment});
+      // Ends may touch what lies beside them, and detours may run where they like.
+      for (const Path& part : parts_on_track(c.plan.pieces[i])) {
+        const Path path = shortened(part, kLengthTolerance_m);
+        if (path.empty()) continue;
+        const std::vector<Box> reaches = reaches_of(path, 0);
+        boxes.insert(boxes.end(), reaches.begin(), reaches.end());
+        for (const PathSegment& segment : path) stretches_.push_back({i, segment});
+      }
     }
     grid_ = BoxGrid(boxes);
   }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -48,7 +49,26 @@ std::string fault_of_curve(const TrackPiece& piece) {
   if (distance(piece.curve.front().from, piece.start) > kJoint_m ||
       distance(piece.curve.back().to, piece.end) > kJoint_m)
     return " is not as long as its curve";
-  return piece.detours.empty() ? "" : " has a curve and detours";
+  return "";
+}
+
+/// The detours of a curved piece are parts of its curve, one after the other. Precondition: a sound curve.
+void check_detours_of_curve(const Plan& plan, std::size_t index, Violations& out) {
+  const TrackPiece& piece = plan.pieces[index];
+  auto free_from = piece.curve.begin();
+  for (std::size_t k = 0; k < piece.detours.size(); ++k) {
+    const Detour& detour = piece.detours[k];
+    std::string fault = fault_of(detour.path);
+    const auto found = std::search(free_from, piece.curve.end(), detour.path.begin(), detour.path.end());
+    if (fault.empty() && found == piece.curve.end()) fault = "is no part of the curve of its piece";
+    if (fault.empty() && detour.side == Passing::kCut) fault = "passes its obstacles on no side";
+    if (fault.empty() && !exist(plan, detour.obstacles)) fault = "names an obstacle that there is not";
+    if (!fault.empty()) {
+      out.push_back({kRule, detour_name(index, k) + " " + fault, piece.start, 0});
+      return;
+    }
+    free_from = found + static_cast<std::ptrdiff_t>(detour.path.size());
+  }
 }
 
 void check_piece(const Plan& plan, std::size_t index, Violations& out) {
@@ -72,6 +92,8 @@ void check_piece(const Plan& plan, std::size_t index, Violations& out) {
   if (!piece.curve.empty()) {
     if (const std::string fault = fault_of_curve(piece); !fault.empty())
       out.push_back({kRule, name + fault, piece.start, 0});
+    else
+      check_detours_of_curve(plan, index, out);
     return;
   }
   check_detours(plan, index, out);

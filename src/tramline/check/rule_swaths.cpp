@@ -149,6 +149,12 @@ void check_swaths(const Case& c, Violations& out) {
     const TrackPiece& piece = c.plan.pieces[i];
     if (!piece.curve.empty()) {
       check_curved(c, i, out);
+      for (std::size_t k = 0; k < piece.detours.size(); ++k) {
+        const Path& path = piece.detours[k].path;
+        const Lane lane(PieceFrame(path.front().from, path.back().to), path, half);
+        if (const auto place = lane.place_outside(c.plan.field.outer))
+          out.push_back({"swaths", detour_name(i, k) + " leaves the field", *place, 0});
+      }
       continue;
     }
     for (const PathSegment& part : straight_parts(piece)) check_straight_part(c, part, i, out);

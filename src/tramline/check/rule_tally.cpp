@@ -78,12 +78,18 @@ class WorkedParts {
 
 /// What chords may take from the ground of arcs, or add to it. Of detours: the sagitta along both edges,
 /// which together are twice as long as the path. Curved pieces lie side by side and share their edges; and
-/// what a chord takes along the outer edge of a piece that lies alone the one along its inner edge adds. The
-/// tally is that of the arcs.
+/// what a chord takes along the outer edge of a piece that lies alone the one along its inner edge adds.
+/// Their detours may lie over them with either edge. The tally is that of the arcs.
 double chord_tolerance_m2(const Plan& plan, double sagitta_m) {
   double detours_m = 0, curves_m = 0;
-  for (const TrackPiece& piece : plan.pieces)
-    (piece.curve.empty() ? detours_m : curves_m) += arcs_m(centre_line(piece));
+  for (const TrackPiece& piece : plan.pieces) {
+    if (piece.curve.empty()) {
+      detours_m += arcs_m(centre_line(piece));
+      continue;
+    }
+    curves_m += arcs_m(piece.curve);
+    for (const Detour& detour : piece.detours) curves_m += arcs_m(detour.path);
+  }
   return sagitta_m * 2 * detours_m + kCurveSagitta_m * curves_m;
 }
 

@@ -6,6 +6,7 @@
 
 #include "tramline/check/boxed.h"
 #include "tramline/check/lane.h"
+#include "tramline/check/track_lines.h"
 #include "tramline/check/verdict.h"
 #include "tramline/model/plan.h"
 
@@ -26,6 +27,7 @@ struct Case {
   double round_edges_m2 = 0;        ///< what chords may take from that, or add to it
   std::vector<Box> obstacle_boxes;  ///< of all obstacles of the field, in their order
   double area_tolerance_m2;         ///< 1e-6 of the field's area, not below what the precision grid can do
+  TrackLines lines;                 ///< of tracks that follow a curve
 };
 using Violations = std::vector<Violation>;
 
@@ -67,6 +69,10 @@ int check_stops(const Case& c, Violations& out);
 /// A piece after a crossing goes on in line beyond a passable, with nothing else in the gap. Where tracks
 /// follow a curve the line between two pieces is not known: the second begins ahead.
 void check_crossings(const Case& c, Violations& out);
+/// Detours of curved tracks leave the line of their track and come back to it, on the side they say. They
+/// name the obstacles that are nearer to that line than half the width and the clearance, no others, and so
+/// do the encounters there.
+void check_curved_detours(const Case& c, Violations& out);
 /// What was decided where tracks meet obstacles is what they do, and detours name the obstacles they
 /// pass and the side. Every detour is where an encounter is, and what is in its way is named there too.
 void check_encounters(const Case& c, Violations& out);
@@ -74,6 +80,8 @@ void check_encounters(const Case& c, Violations& out);
 /// pieces, dropped ones included, there is an encounter that names it. Where a track ends for good the file
 /// does not say what would have followed: nothing is asked there. O(g·e) for g such gaps and e encounters.
 void check_meetings(const Case& c, Violations& out);
+/// The same along curved tracks, whose lines are those of the plan's reference.
+void check_curved_meetings(const Case& c, Violations& out);
 /// Each way past an encounter has either a cost or a reason why not, and the chosen one a cost. Where the
 /// cheapest ways were asked for, the chosen one costs least: no other, nor a cut, is cheaper by more
 /// than rounding.
@@ -105,8 +113,11 @@ int passes_round(const Plan& plan, std::size_t obstacle);
 /// where one of them is curved, or where the plan's reference is.
 bool follows_curve(const Plan& plan, int subfield);
 
+/// The stretch of the line of its curved track that a detour takes the place of, nullopt where it does not
+/// lead from the line back to it.
+std::optional<OnLine> line_left(const Case& c, const TrackPiece& piece, const Detour& detour);
 /// The encounters on the stretch of its track that a detour takes the place of. O(e).
-std::vector<const Encounter*> encounters_at(const Plan& plan, const TrackPiece& piece, const Detour& detour);
+std::vector<const Encounter*> encounters_at(const Case& c, const TrackPiece& piece, const Detour& detour);
 /// Does any of the encounters name the obstacle?
 bool names(const std::vector<const Encounter*>& encounters, int obstacle);
 

@@ -67,7 +67,8 @@ Case::Case(const Plan& of)
       passables(boxed_obstacles(of.field, ObstacleKind::kPassable)),
       given_up(boxed(of.given_up)),
       area_tolerance_m2(
-          std::max(kAreaShare * area(Polygon{of.field.outer, {}}), kGridSize * perimeter(of.field.outer))) {
+          std::max(kAreaShare * area(Polygon{of.field.outer, {}}), kGridSize * perimeter(of.field.outer))),
+      lines(of) {
   for (const Obstacle& obstacle : of.field.obstacles) obstacle_boxes.push_back(bounds(obstacle.shape));
   const Surroundings surroundings(of);
   near_boundaries = surroundings.land();
@@ -127,7 +128,9 @@ Verdict verify(const Plan& plan) {
   const int stops = check_stops(c, verdict.violations);
   check_crossings(c, verdict.violations);
   check_encounters(c, verdict.violations);
+  check_curved_detours(c, verdict.violations);
   check_meetings(c, verdict.violations);
+  check_curved_meetings(c, verdict.violations);
   check_ways(c, verdict.violations);
   check_avoidance(c, verdict.violations);
   verdict.recomputed = check_tally(c, stops, verdict.violations);

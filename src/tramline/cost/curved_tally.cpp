@@ -13,17 +13,18 @@ Tally counts(const CurvedTracks& tracks, double width_m) {
     out.worked_m2 += width_m * piece.length_m;
     out.track_length_m += piece.length_m;
     out.stops += (piece.stop_at_from ? 1 : 0) + (piece.stop_at_to ? 1 : 0);
+    out.crossings += piece.after_crossing ? 1 : 0;
     ++out.pieces;
   }
-  out.turns = std::max(0, out.pieces - 1);
+  out.turns = std::max(0, out.pieces - 1 - out.crossings);
   return out;
 }
 
 }  // namespace
 
-Tally curved_tally(const CurvedTracks& tracks, double width_m, double body_m2) {
+Tally curved_tally(const CurvedTracks& tracks, double width_m, double body_m2, double by_detours_m2) {
   Tally out = counts(tracks, width_m);
-  double inside = 0;
+  double inside = by_detours_m2;
   for (const CurvedPiece& piece : tracks.pieces) inside += piece.inside_m2;
   // Where nothing is worked in vain, or nothing left, rounding may say less than nothing.
   out.overlap_m2 = std::max(0.0, out.worked_m2 - inside);

@@ -1,5 +1,7 @@
 #include "tramline/model/track.h"
 
+#include <algorithm>
+
 #include "tramline/geometry/kinked_line.h"
 
 namespace tramline {
@@ -49,6 +51,23 @@ std::vector<PathSegment> straight_parts(const TrackPiece& piece) {
   }
   out.push_back({at, piece.end, 0});
   std::erase_if(out, [](const PathSegment& part) { return distance(part.from, part.to) <= kDust; });
+  return out;
+}
+
+std::vector<Path> parts_on_track(const TrackPiece& piece) {
+  std::vector<Path> out;
+  if (piece.curve.empty()) {
+    for (const PathSegment& part : straight_parts(piece)) out.push_back({part});
+    return out;
+  }
+  auto at = piece.curve.begin();
+  for (const Detour& detour : piece.detours) {
+    const auto first = std::find(at, piece.curve.end(), detour.path.front());
+    if (first == piece.curve.end()) break;
+    if (first != at) out.emplace_back(at, first);
+    at = first + static_cast<std::ptrdiff_t>(detour.path.size());
+  }
+  if (at != piece.curve.end()) out.emplace_back(at, piece.curve.end());
   return out;
 }
 

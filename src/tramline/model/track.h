@@ -18,8 +18,9 @@ struct TrackPiece {
   /// driving order) and this one: neither a turn nor a stop.
   bool after_crossing = false;
   std::vector<Detour> detours{};  ///< in driving order; they do not overlap
-  /// The track itself where it is curved, from start to end: lines and arcs, tangents continuous, or as in
-  /// S2 straight lines with kinks; such a piece has no detours. Empty: the straight line.
+  /// What is driven where the track is curved, from start to end: lines and arcs, tangents continuous, the
+  /// detours among them; or as in S2 straight lines with kinks and no detours. Empty: the straight line but
+  /// for the detours.
   Path curve{};
 };
 
@@ -33,6 +34,8 @@ Ring swath(const TrackPiece& piece, double width_m);
 
 /// The straight parts of a piece that is not curved: before, between and after its detours.
 std::vector<PathSegment> straight_parts(const TrackPiece& piece);
+/// Where a piece keeps to its track, be it curved or not: before, between and after its detours.
+std::vector<Path> parts_on_track(const TrackPiece& piece);
 /// The swath in parts that only touch: a rectangle for each straight part, a band for each detour; one band
 /// where the piece is curved; what kinked_cells() gives where it has kinks.
 std::vector<Ring> swath_parts(const TrackPiece& piece, double width_m, double sagitta_m = kChordSagitta);

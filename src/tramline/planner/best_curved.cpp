@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "tramline/geometry/error.h"
@@ -12,6 +13,7 @@ namespace {
 constexpr std::size_t kMostChains = 8;
 constexpr std::size_t kMoved = 3;  ///< references that are tried in other places
 constexpr int kPlaces = 8;
+constexpr std::ptrdiff_t kLookedAt = 3;  ///< families whose detours are looked for, by either order
 
 /// A reference in one place, and what its tracks cost.
 struct Tried {
@@ -45,32 +47,58 @@ std::vector<Reference> references_of(const SearchTask& task, int threads) {
   return out;
 }
 
+void sort_best_first(std::vector<Tried>& tried) { std::stable_sort(tried.begin(), tried.end(), is_better); }
+
 void try_all(const SearchTask& task, std::vector<Tried>& places, int threads) {
   for_each_index(places.size(), threads, [&](std::size_t i) {
     places[i].candidate = curved_along(task, *places[i].reference, places[i].right_m);
   });
-  std::stable_sort(places.begin(), places.end(), is_better);
+  sort_best_first(places);
+}
+
+/// With a stop no dearer than a turn: as if most obstacles had a way round.
+double soft_cost(const SearchTask& task, const Tried& tried) {
+  Objective prices = task.objective;
+  prices.stop = std::min(prices.stop, prices.turn);
+  return cost(prices, tried.candidate.tally);
+}
+
+/// Those worth a look at detours: the cheapest as they are, and the cheapest of the rest if stops were cheap.
+/// Precondition: sorted.
+std::vector<Tried> promising(const SearchTask& task, std::vector<Tried> tried) {
+  if (std::ssize(tried) > kLookedAt)
+    std::stable_sort(tried.begin() + kLookedAt, tried.end(), [&task](const Tried& a, const Tried& b) {
+      return soft_cost(task, a) < soft_cost(task, b);
+    });
+  if (std::ssize(tried) > 2 * kLookedAt) tried.erase(tried.begin() + 2 * kLookedAt, tried.end());
+  return tried;
 }
 
 }  // namespace
 
 std::optional<CurvedCandidate> best_curved(const SearchTask& task, int threads) {
   const std::vector<Reference> references = references_of(task, threads);
-  std::vector<Tried> first;
+  std::vector<Tried> all;
   for (const Reference& reference : references) {
-    first.push_back({&reference, 0, {}});
+    all.push_back({&reference, 0, {}});
     // The land lies to the left of a boundary: so far out the first swath takes all of its bends.
-    first.push_back({&reference, reference.deviation_m, {}});
+    all.push_back({&reference, reference.deviation_m, {}});
   }
-  try_all(task, first, threads);
+  try_all(task, all, threads);
   std::vector<Tried> moved;
-  for (std::size_t i = 0; i < std::min(first.size(), kMoved); ++i)
+  for (std::size_t i = 0; i < std::min(all.size(), kMoved); ++i)
     for (int k = 1; k < kPlaces; ++k)
-      moved.push_back({first[i].reference, first[i].right_m + task.machine.width_m * k / kPlaces, {}});
+      moved.push_back({all[i].reference, all[i].right_m + task.machine.width_m * k / kPlaces, {}});
   try_all(task, moved, threads);
-  if (!moved.empty() && is_better(moved.front(), first.front())) first.front() = std::move(moved.front());
-  if (first.empty() || first.front().candidate.tally.pieces == 0) return std::nullopt;
-  return std::move(first.front().candidate);
+  all.insert(all.end(), std::make_move_iterator(moved.begin()), std::make_move_iterator(moved.end()));
+  sort_best_first(all);
+  std::erase_if(all, [](const Tried& tried) { return tried.candidate.tally.pieces == 0; });
+  all = promising(task, std::move(all));
+  for_each_index(all.size(), threads,
+                 [&](std::size_t i) { all[i].candidate = with_detours(task, std::move(all[i].candidate)); });
+  sort_best_first(all);
+  if (all.empty()) return std::nullopt;
+  return std::move(all.front().candidate);
 }
 
 }  // namespace tramline

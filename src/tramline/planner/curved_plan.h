@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "tramline/avoidance/choose_curved_detours.h"
 #include "tramline/planner/candidate.h"
 #include "tramline/tracks/curved_pieces.h"
 
@@ -11,11 +12,13 @@ namespace tramline {
 /// A family of curved tracks over the whole ground.
 struct CurvedCandidate {
   std::vector<Point> line;  ///< what the reference was made of
-  Path reference;  ///< smoothed for the machine, extended across the ground; with S2's tracks as it is
+  Path reference;      ///< smoothed for the machine, extended across the ground; with S2's tracks as it is
+  bool round = false;  ///< goes all the way round the ground
   CurvedTracks tracks;
   Tally tally;
   double cost = 0;
-  Region worked{};  ///< with S2's tracks: the union of their swaths
+  Region worked{};                            ///< with S2's tracks: the union of their swaths
+  std::vector<CurvedEncounter> encounters{};  ///< where detours have been looked for
 };
 
 /// What tracks run parallel to.
@@ -31,15 +34,20 @@ struct Reference {
 Reference reference_along(const SearchTask& task, const std::vector<Point>& line, double tolerance_m);
 
 /// Tracks parallel to the reference, which is moved `right_m` to the right and extended along its end
-/// tangents across the ground: offset by (k + ½)·w to either side. Cut at obstacles, and at passable ones
-/// too. Without a track where the reference cannot be moved so far.
+/// tangents across the ground: offset by (k + ½)·w to either side. Cut at obstacles; passable ones are
+/// crossed. Without a track where the reference cannot be moved so far.
 CurvedCandidate curved_along(const SearchTask& task, const Reference& reference, double right_m = 0);
 
+/// The same family with the ways past obstacles that the settings ask for, and what was decided where.
+/// Never costlier.
+CurvedCandidate with_detours(const SearchTask& task, CurvedCandidate candidate);
+
 /// The cheapest family along a chain of boundary edges between two corners of the ground, at several levels
-/// of smoothing, the best of them moved sideways as well; nullopt where no chain is curved, or none has a
-/// track. Deterministic for any number of threads. O(chains) families.
+/// of smoothing, the best of them moved sideways as well; detours are looked for in the cheapest of these,
+/// and in those that would be if a stop cost no more than a turn. nullopt where no chain is curved, or none
+/// has a track. Deterministic for any number of threads. O(chains) families.
 /// With S2's tracks to be made from the line chosen, which has to have ends, chains all the way round are
-/// left out.
+/// left out, and detours are not looked for.
 std::optional<CurvedCandidate> best_curved(const SearchTask& task, int threads);
 
 /// As a plan: tracks numbered from the reference, driven up and down one after another. Throws kBadInput

@@ -33,8 +33,9 @@ bool as_in_the_paper(const PlanSettings& settings) { return settings.tracks == T
 
 CurvedCandidate along_guide(const SearchTask& task) {
   const std::vector<Point>& guide = task.settings.guide;
-  return as_in_the_paper(task.settings) ? recursive_along(task, guide)
-                                        : curved_along(task, reference_along(task, guide, 0));
+  return as_in_the_paper(task.settings)
+             ? recursive_along(task, guide)
+             : with_detours(task, curved_along(task, reference_along(task, guide, 0)));
 }
 
 std::optional<CurvedCandidate> along_best_edge(const SearchTask& task, int threads) {

@@ -5,27 +5,20 @@
 namespace tramline {
 namespace {
 
-/// Between two crossings, with the detours that lie there.
-struct Part {
-  Interval whole;
-  std::vector<StripDetour> detours;
-  double length_m = 0;
-};
-
 double length_of(const Interval& whole, const std::vector<StripDetour>& detours) {
   double sum = whole.length();
   for (const StripDetour& detour : detours) sum += detour.length_m - (detour.to - detour.from);
   return sum;
 }
 
-std::vector<Part> parts_between_crossings(const JoinedStretch& joined, const Intervals& passable) {
+std::vector<LaidPart> parts_between_crossings(const JoinedStretch& joined, const Intervals& passable) {
   // A detour may go round a passable obstacle beside the hard one.
   Intervals driven_round;
   for (const StripDetour& detour : joined.detours) driven_round.push_back({detour.from, detour.to});
-  std::vector<Part> parts;
+  std::vector<LaidPart> parts;
   for (const Interval& whole : without({joined.whole}, without(passable, driven_round))) {
     if (whole.length() < kNoPiece_m) continue;
-    Part part{whole, {}, 0};
+    LaidPart part{whole};
     for (const StripDetour& detour : joined.detours)
       if (detour.from >= whole.from - kNoPiece_m && detour.to <= whole.to + kNoPiece_m)
         part.detours.push_back(detour);
@@ -35,14 +28,14 @@ std::vector<Part> parts_between_crossings(const JoinedStretch& joined, const Int
   return parts;
 }
 
-StripPiece piece_of(Part part, const Strip& strip, bool after_crossing) {
+StripPiece piece_of(LaidPart part, const Strip& strip) {
   StripPiece piece;
   piece.strip = strip.index;
   piece.from = part.whole.from;
   piece.to = part.whole.to;
   piece.stop_at_from = stops_at(strip, part.whole.from, -1);
   piece.stop_at_to = stops_at(strip, part.whole.to, +1);
-  piece.after_crossing = after_crossing;
+  piece.after_crossing = part.after_crossing;
   piece.detours = std::move(part.detours);
   for (const Interval& straight : straight_parts(piece))
     piece.inside_m2 += area_between(strip.subfield, straight.from, straight.to);
@@ -80,15 +73,24 @@ std::vector<JoinedStretch> joined_stretches(const Intervals& stretches,
 
 double length(const StripPiece& piece) { return length_of({piece.from, piece.to}, piece.detours); }
 
-void append_joined(const Strip& strip, const JoinedStretch& joined, double min_length_m,
-                   SubfieldTracks& out) {
-  std::vector<Part> parts = parts_between_crossings(joined, strip.by_passable);
-  const auto is_long = [min_length_m](const Part& part) { return part.length_m >= min_length_m; };
+std::vector<LaidPart> laid_parts(const JoinedStretch& joined, const Intervals& passable,
+                                 double min_length_m) {
+  std::vector<LaidPart> parts = parts_between_crossings(joined, passable);
+  const auto is_long = [min_length_m](const LaidPart& part) { return part.length_m >= min_length_m; };
   const auto first = std::find_if(parts.begin(), parts.end(), is_long);
   const auto last = std::find_if(parts.rbegin(), parts.rend(), is_long).base();
   for (auto part = parts.begin(); part != parts.end(); ++part) {
-    const bool driven = part >= first && part < last;
-    (driven ? out.pieces : out.dropped).push_back(piece_of(std::move(*part), strip, driven && part != first));
+    part->driven = part >= first && part < last;
+    part->after_crossing = part->driven && part != first;
+  }
+  return parts;
+}
+
+void append_joined(const Strip& strip, const JoinedStretch& joined, double min_length_m,
+                   SubfieldTracks& out) {
+  for (LaidPart& part : laid_parts(joined, strip.by_passable, min_length_m)) {
+    const bool driven = part.driven;
+    (driven ? out.pieces : out.dropped).push_back(piece_of(std::move(part), strip));
   }
 }
 

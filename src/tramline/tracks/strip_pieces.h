@@ -12,9 +12,10 @@ namespace tramline {
 /// obstacles may all but touch.
 inline constexpr double kNoPiece_m = 1e-3;
 
-/// A detour of a strip's track, in the grid's plane, running along the strip.
+/// A detour of a strip's track, in the grid's plane, running along the strip; or of a curved track, in the
+/// field's frame.
 struct StripDetour {
-  double from = 0;  ///< coordinates along, of the two ends on the centre line
+  double from = 0;  ///< coordinates along, of the two ends on the centre line; positions along a curved one
   double to = 0;
   Path path;
   double length_m = 0;  ///< of the path
@@ -55,6 +56,19 @@ struct JoinedStretch {
 /// The stretches of a strip as the detours join them. Preconditions as for append_pieces.
 std::vector<JoinedStretch> joined_stretches(const Intervals& stretches,
                                             const std::vector<StripDetour>& detours);
+
+/// What is driven in one go, or would be were it longer: between two crossings.
+struct LaidPart {
+  Interval whole;
+  std::vector<StripDetour> detours{};
+  double length_m = 0;  ///< of the path
+  bool driven = false;
+  bool after_crossing = false;
+};
+
+/// A joined stretch, interrupted by passable obstacles: what is shorter than the least length is dropped from
+/// both ends inwards.
+std::vector<LaidPart> laid_parts(const JoinedStretch& joined, const Intervals& passable, double min_length_m);
 
 /// The pieces of one joined stretch; see append_pieces.
 void append_joined(const Strip& strip, const JoinedStretch& joined, double min_length_m, SubfieldTracks& out);

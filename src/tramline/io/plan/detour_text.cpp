@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -69,6 +70,26 @@ void require_straight(const Path& path, std::size_t begin, std::size_t end, cons
                     place, begin));
 }
 
+/// A detour begins where the one before has ended, at segment `free_from`, or later.
+void require_order(const Stretch& stretch, std::size_t free_from, const Path& path,
+                   const std::string& place) {
+  if (stretch.first < free_from || stretch.last < stretch.first || stretch.last >= path.size())
+    throw bad_input(fmt::format("{} names segments {} to {} after {} of {}; write the plan again", place,
+                                stretch.first, stretch.last, free_from, path.size()));
+}
+
+TrackPiece piece_with(const Path& path, const std::vector<Stretch>& stretches) {
+  TrackPiece out;
+  out.start = path.front().from;
+  out.end = path.back().to;
+  for (const Stretch& stretch : stretches) {
+    const auto first = path.begin() + static_cast<std::ptrdiff_t>(stretch.first);
+    const auto last = path.begin() + static_cast<std::ptrdiff_t>(stretch.last);
+    out.detours.push_back({{first, last + 1}, stretch.side, stretch.obstacles});
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string obstacles_text(const std::vector<int>& indices) {
@@ -120,8 +141,9 @@ std::string detours_text(const TrackPiece& piece) {
   json list = json::array();
   std::size_t at = 0;
   for (const Detour& detour : piece.detours) {
-    // A straight part may come first.
-    const std::size_t first = path[at] == detour.path.front() ? at : at + 1;
+    const auto begin = path.begin() + static_cast<std::ptrdiff_t>(at);
+    const auto first =
+        static_cast<std::size_t>(std::find(begin, path.end(), detour.path.front()) - path.begin());
     at = first + detour.path.size();
     list.push_back({{"first", first},
                     {"last", at - 1},
@@ -132,32 +154,25 @@ std::string detours_text(const TrackPiece& piece) {
 }
 
 TrackPiece piece_from_text(const Path& path, const std::string& detours, const std::string& place) {
-  TrackPiece out;
-  out.start = path.front().from;
-  out.end = path.back().to;
+  const std::vector<Stretch> stretches = stretches_from(detours, place);
   std::size_t at = 0;
-  for (Stretch& stretch : stretches_from(detours, place)) {
-    if (stretch.first < at || stretch.last < stretch.first || stretch.last >= path.size())
-      throw bad_input(fmt::format("{} names segments {} to {} after {} of {}; write the plan again", place,
-                                  stretch.first, stretch.last, at, path.size()));
+  for (const Stretch& stretch : stretches) {
+    require_order(stretch, at, path, place);
     require_straight(path, at, stretch.first, place);
     at = stretch.last + 1;
-    const auto begin = path.begin();
-    out.detours.push_back(
-        {{begin + static_cast<std::ptrdiff_t>(stretch.first), begin + static_cast<std::ptrdiff_t>(at)},
-         stretch.side,
-         std::move(stretch.obstacles)});
   }
   require_straight(path, at, path.size(), place);
-  return out;
+  return piece_with(path, stretches);
 }
 
 TrackPiece curved_piece(const Path& path, const std::string& detours, const std::string& place) {
-  if (!stretches_from(detours, place).empty())
-    throw bad_input(place + " names detours of a curved track, which has none; write the plan again");
-  TrackPiece out;
-  out.start = path.front().from;
-  out.end = path.back().to;
+  const std::vector<Stretch> stretches = stretches_from(detours, place);
+  std::size_t at = 0;
+  for (const Stretch& stretch : stretches) {
+    require_order(stretch, at, path, place);
+    at = stretch.last + 1;
+  }
+  TrackPiece out = piece_with(path, stretches);
   out.curve = path;
   return out;
 }
