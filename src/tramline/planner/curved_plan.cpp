@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tramline/cost/curved_tally.h"
+#include "tramline/cost/worked_bands.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/extended.h"
 #include "tramline/geometry/shifted.h"
@@ -67,15 +68,16 @@ TrackRange tracks_inside(const Box& reach, double width_m) {
 
 /// The part of the ground a piece lies in.
 int subfield_of(const Region& parts, const CurvedPiece& piece, double width_m) {
+  if (parts.size() == 1) return 0;
   const Path half = path_between(piece.path, 0, 0.5 * piece.length_m);
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (contains(parts[i], half.back().to)) return static_cast<int>(i);
   // Along an edge most of the swath may lie outside, its middle with it.
-  const Region swath = made_valid({band(piece.path, width_m, kLayerSagitta), {}});
   int best = 0;
   double most_m2 = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const double inside_m2 = area(intersection(swath, {parts[i]}));
+    const PathProfile inside = path_profile(EdgeIndex({parts[i]}), piece.path, width_m);
+    const double inside_m2 = area_between(inside, 0, inside.length());
     if (inside_m2 <= most_m2) continue;
     most_m2 = inside_m2;
     best = static_cast<int>(i);
@@ -126,33 +128,15 @@ std::vector<TrackPiece> up_and_down(const CurvedTracks& tracks, const Region& pa
   return out;
 }
 
-/// The swaths of every other track, and the rest.
-std::vector<Region> worked_grounds(const Plan& plan) {
-  std::vector<Region> out(2);
-  for (const TrackPiece& piece : plan.pieces) {
-    Region& swaths = out[piece.track % 2 == 0 ? 0 : 1];
-    Polygon swath{band(piece.curve, plan.machine.width_m, kLayerSagitta), {}};
-    // Round arcs of half the width the inner edge shrinks to a point, and chords may fold there.
-    if (!find_invalidity(swath))
-      swaths.push_back(std::move(swath));
-    else
-      for (Polygon& part : made_valid(swath)) swaths.push_back(std::move(part));
-  }
-  return out;
-}
-
-/// The layers of overlap and uncovered land, without the slivers between the chords of swaths that share an
-/// arc.
+/// The layers of overlap and uncovered land, without the slivers between chords where they stand for one
+/// arc in two polygons.
 void add_layers(Plan& plan) {
-  plan.uncovered = plan.body;
-  for (const Region& swaths : worked_grounds(plan)) {
-    const Region ground = unite(swaths);
-    plan.uncovered = difference(plan.uncovered, ground);
-    for (Polygon& part : difference(ground, plan.body)) plan.overlap.push_back(std::move(part));
-  }
+  const Region ground =
+      unite(worked_bands(plan.reference, plan.pieces, plan.machine.width_m, kLayerSagitta));
+  plan.uncovered = difference(plan.body, ground);
+  plan.overlap = difference(ground, plan.body);
   std::erase_if(plan.uncovered,
                 [](const Polygon& part) { return area(part) < 0.5 * kLayerSagitta * perimeter(part.outer); });
-  plan.overlap = unite(plan.overlap);
 }
 
 }  // namespace
