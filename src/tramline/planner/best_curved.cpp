@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <limits>
+#include <mutex>
 #include <optional>
 
 #include "tramline/geometry/error.h"
@@ -39,14 +41,41 @@ std::vector<Reference> references_of(const SearchTask& task, int threads) {
     }
   });
   std::vector<Reference> out;
+  // Where a chain is smooth enough, less smoothing changes nothing.
   for (std::optional<Reference>& one : found)
-    if (one) out.push_back(std::move(*one));
+    if (one && (out.empty() || one->path != out.back().path)) out.push_back(std::move(*one));
   return out;
 }
 
-void try_all(const SearchTask& task, std::vector<Tried>& places, int threads) {
+/// What the best so many have cost: what is certain to cost more need not be looked at to its end. Families
+/// that are given up for the last of them would not have been among them, whichever came first.
+class BestCosts {
+ public:
+  explicit BestCosts(std::size_t count, double known = std::numeric_limits<double>::infinity())
+      : costs_(count, known) {}
+
+  double last() {
+    const std::lock_guard lock(mutex_);
+    return costs_.back();
+  }
+  void offer(const CurvedCandidate& candidate) {
+    if (candidate.tally.pieces == 0) return;
+    const std::lock_guard lock(mutex_);
+    costs_.insert(std::upper_bound(costs_.begin(), costs_.end(), candidate.cost), candidate.cost);
+    costs_.pop_back();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<double> costs_;
+};
+
+/// The best of them, best first, as many as `costs` holds; the rest in any order.
+void try_all(const SearchTask& task, const CurvedGround& ground, BestCosts& costs, std::vector<Tried>& places,
+             int threads) {
   for_each_index(places.size(), threads, [&](std::size_t i) {
-    places[i].candidate = curved_along(task, *places[i].reference, places[i].right_m);
+    places[i].candidate = curved_along(task, ground, *places[i].reference, places[i].right_m, costs.last());
+    costs.offer(places[i].candidate);
   });
   std::stable_sort(places.begin(), places.end(), is_better);
 }
@@ -55,20 +84,25 @@ void try_all(const SearchTask& task, std::vector<Tried>& places, int threads) {
 
 std::optional<CurvedCandidate> best_curved(const SearchTask& task, int threads) {
   const std::vector<Reference> references = references_of(task, threads);
+  const CurvedGround ground = curved_ground(task);
   std::vector<Tried> first;
   for (const Reference& reference : references) {
     first.push_back({&reference, 0, {}});
     // The land lies to the left of a boundary: so far out the first swath takes all of its bends.
-    first.push_back({&reference, reference.deviation_m, {}});
+    if (reference.deviation_m > 0) first.push_back({&reference, reference.deviation_m, {}});
   }
-  try_all(task, first, threads);
+  BestCosts best_few(kMoved);
+  try_all(task, ground, best_few, first, threads);
+  if (first.empty()) return std::nullopt;
   std::vector<Tried> moved;
   for (std::size_t i = 0; i < std::min(first.size(), kMoved); ++i)
     for (int k = 1; k < kPlaces; ++k)
       moved.push_back({first[i].reference, first[i].right_m + task.machine.width_m * k / kPlaces, {}});
-  try_all(task, moved, threads);
-  if (!moved.empty() && is_better(moved.front(), first.front())) first.front() = std::move(moved.front());
-  if (first.empty() || first.front().candidate.tally.pieces == 0) return std::nullopt;
+  BestCosts best(1);
+  best.offer(first.front().candidate);
+  try_all(task, ground, best, moved, threads);
+  if (is_better(moved.front(), first.front())) first.front() = std::move(moved.front());
+  if (first.front().candidate.tally.pieces == 0) return std::nullopt;
   return std::move(first.front().candidate);
 }
 

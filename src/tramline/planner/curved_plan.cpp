@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "tramline/cost/curved_tally.h"
@@ -65,6 +66,59 @@ TrackRange tracks_inside(const Box& reach, double width_m) {
   const double across = std::hypot(reach.width(), reach.height());
   return {-static_cast<int>(std::ceil(0.5 * across / width_m)) - 1, 0};
 }
+
+/// What a family costs at least, while its tracks are laid one after another.
+class FamilyBound {
+ public:
+  FamilyBound(const SearchTask& task, const Path& reference, const TrackRange& range)
+      : task_(task), reference_(reference), range_(range) {}
+
+  /// With the tracks up to this number, in the order of visit_family().
+  double after(int index, const CurvedTracks& tracks) {
+    for (; seen_ < tracks.pieces.size(); ++seen_) {
+      const CurvedPiece& piece = tracks.pieces[seen_];
+      inside_m2_ += piece.inside_m2;
+      overlap_m2_ += task_.machine.width_m * piece.length_m - piece.inside_m2;
+      // Before passable land there is no stop, but that is told later.
+      if (task_.ground.passable.empty()) stops_ += (piece.stop_at_from ? 1 : 0) + (piece.stop_at_to ? 1 : 0);
+    }
+    const Objective& price = task_.objective;
+    const double sure =
+        price.overlap * overlap_m2_ + price.stop * stops_ + price.turn * (static_cast<double>(seen_) - 1);
+    return (sure + least_for_the_rest(index)) * (1 - kRounding) - kRounding;
+  }
+
+ private:
+  static constexpr double kRounding = 1e-9;
+  /// By how much discs rolled round corners might lengthen a track, and more than that.
+  static constexpr double kLonger = 1.5;
+
+  /// All of the body that is not worked yet is left, or worked by tracks that take a turn each.
+  double least_for_the_rest(int index) const {
+    const double width_m = task_.machine.width_m;
+    double longest_m = 0;
+    const auto look = [&](int k) {
+      longest_m = std::max(longest_m, uncut_length(reference_, (k + 0.5) * width_m));
+    };
+    // A sum of convex functions of the distance is greatest at one end.
+    if (index < 0) {
+      look(index);
+      look(range_.first);
+    }
+    look(std::max(index, 0));
+    look(range_.last);
+    const Objective& price = task_.objective;
+    const double rate = std::min(price.uncovered, price.turn / (width_m * kLonger * longest_m));
+    return rate * std::max(0.0, task_.body_m2 - inside_m2_);
+  }
+
+  const SearchTask& task_;
+  const Path& reference_;
+  TrackRange range_;
+  std::size_t seen_ = 0;
+  double inside_m2_ = 0, overlap_m2_ = 0;
+  int stops_ = 0;
+};
 
 /// The part of the ground a piece lies in.
 int subfield_of(const Region& parts, const CurvedPiece& piece, double width_m) {
@@ -131,8 +185,7 @@ std::vector<TrackPiece> up_and_down(const CurvedTracks& tracks, const Region& pa
 /// The layers of overlap and uncovered land, without the slivers between chords where they stand for one
 /// arc in two polygons.
 void add_layers(Plan& plan) {
-  const Region ground =
-      unite(worked_bands(plan.reference, plan.pieces, plan.machine.width_m, kLayerSagitta));
+  const Region ground = unite(worked_bands(plan.reference, plan.pieces, plan.machine.width_m, kLayerSagitta));
   plan.uncovered = difference(plan.body, ground);
   plan.overlap = difference(ground, plan.body);
   std::erase_if(plan.uncovered,
@@ -146,7 +199,16 @@ Reference reference_along(const SearchTask& task, const std::vector<Point>& line
   return {std::move(smooth.path), smooth.deviation_m, distance(line.front(), line.back()) <= 2 * kSeam_m};
 }
 
+CurvedGround curved_ground(const SearchTask& task) {
+  return {EdgeIndex(workable(task)), EdgeIndex(kept_off(task)), EdgeIndex(fence(task))};
+}
+
 CurvedCandidate curved_along(const SearchTask& task, const Reference& reference, double right_m) {
+  return curved_along(task, curved_ground(task), reference, right_m, std::numeric_limits<double>::infinity());
+}
+
+CurvedCandidate curved_along(const SearchTask& task, const CurvedGround& ground, const Reference& reference,
+                             double right_m, double no_more_than) {
   const TrackLimits limits = limits_of(task.machine);
   const double width_m = task.machine.width_m;
   CurvedCandidate out;
@@ -156,13 +218,24 @@ CurvedCandidate curved_along(const SearchTask& task, const Reference& reference,
   out.reference = reference.round ? *line : extended(*line, reach.grown(width_m)).path;
   const TrackRange range =
       reference.round ? tracks_inside(reach, width_m) : tracks_over(out.reference, reach, width_m);
-  const CurvedGround ground{EdgeIndex(workable(task)), EdgeIndex(kept_off(task)), EdgeIndex(fence(task))};
-  out.tracks =
-      curved_pieces(parallel_family(out.reference, range.first, range.last, limits), task.machine.width_m,
-                    ground, end_criterion(task.settings.end_rule, task.objective, task.machine.width_m),
-                    min_length_m(task.machine));
+  const EndCriterion criterion = end_criterion(task.settings.end_rule, task.objective, width_m);
+  FamilyBound bound(task, out.reference, range);
+  bool hopeful = true;
+  visit_family(out.reference, range.first, range.last, limits, [&](int index, auto tracks) {
+    append_curved_pieces(index, std::move(tracks), width_m, ground, criterion, min_length_m(task.machine),
+                         out.tracks);
+    hopeful = bound.after(index, out.tracks) <= no_more_than;
+    return hopeful;
+  });
+  if (!hopeful) {
+    out.tracks = {};
+    return out;
+  }
+  for (std::vector<CurvedPiece>* pieces : {&out.tracks.pieces, &out.tracks.dropped})
+    std::stable_sort(pieces->begin(), pieces->end(),
+                     [](const CurvedPiece& a, const CurvedPiece& b) { return a.track < b.track; });
   if (!task.ground.passable.empty()) keep_stops_at(task.ground.hard, width_m, out.tracks);
-  out.tally = curved_tally(out.tracks, task.machine.width_m, task.body_m2);
+  out.tally = curved_tally(out.tracks, width_m, task.body_m2);
   out.cost = cost(task.objective, out.tally);
   return out;
 }

@@ -32,6 +32,14 @@ Reference reference_along(const SearchTask& task, const std::vector<Point>& line
 /// too. Without a track where the reference cannot be moved so far.
 CurvedCandidate curved_along(const SearchTask& task, const Reference& reference, double right_m = 0);
 
+/// The same on ground that is ready. Given up, without a track, as soon as it is certain to cost more than
+/// `no_more_than`.
+CurvedCandidate curved_along(const SearchTask& task, const CurvedGround& ground, const Reference& reference,
+                             double right_m, double no_more_than);
+
+/// What curved pieces have to keep to.
+CurvedGround curved_ground(const SearchTask& task);
+
 /// The cheapest family along a chain of boundary edges between two corners of the ground, at several levels
 /// of smoothing, the best of them moved sideways as well; nullopt where no chain is curved, or none has a
 /// track. Deterministic for any number of threads. O(chains) families.

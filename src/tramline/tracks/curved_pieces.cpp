@@ -109,6 +109,14 @@ CurvedTracks curved_pieces(const std::vector<FamilyTrack>& family, double width_
   return out;
 }
 
+void append_curved_pieces(int index, std::vector<ParallelTrack> tracks, double width_m,
+                          const CurvedGround& ground, const EndCriterion& criterion, double min_length_m,
+                          CurvedTracks& out) {
+  const Clipper clipper(width_m, ground, criterion, min_length_m);
+  int branch = 0;
+  for (ParallelTrack& track : tracks) clipper.clip({index, std::move(track)}, branch++, out);
+}
+
 TrackRange tracks_over(const Path& reference, const Box& box, double width_m) {
   // Points of the box are no farther off than its corners but for a bend between them: the distance to
   // the path changes by no more than the way.

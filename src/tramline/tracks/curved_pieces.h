@@ -42,6 +42,11 @@ struct CurvedTracks {
 CurvedTracks curved_pieces(const std::vector<FamilyTrack>& family, double width_m, const CurvedGround& ground,
                            const EndCriterion& criterion, double min_length_m);
 
+/// What the tracks of one number add to them, branch by branch.
+void append_curved_pieces(int index, std::vector<ParallelTrack> tracks, double width_m,
+                          const CurvedGround& ground, const EndCriterion& criterion, double min_length_m,
+                          CurvedTracks& out);
+
 /// The tracks of a reference that may reach the box: the first and last k of its family.
 struct TrackRange {
   int first = 0;
