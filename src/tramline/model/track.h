@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "tramline/geometry/path.h"
 #include "tramline/model/detour.h"
 
@@ -21,6 +23,9 @@ struct TrackPiece {
   /// The track itself where it is curved, from start to end: lines and arcs, tangents continuous; such a
   /// piece has no detours. Empty: the straight line.
   Path curve{};
+  /// What of its swath lies outside the body or is worked by a piece before it, m² (S2.14); unknown in plans
+  /// made by hand and in older files.
+  std::optional<double> overlap_m2{};
 };
 
 /// What the machine follows, from start to end. Precondition: start != end.

@@ -139,7 +139,8 @@ int subfield_of(const Region& parts, const CurvedPiece& piece, double width_m) {
   return best;
 }
 
-TrackPiece forwards(const CurvedPiece& piece, int subfield) {
+/// Swaths of one family have no ground in common: what they overlap is what lies outside the body.
+TrackPiece forwards(const CurvedPiece& piece, int subfield, double width_m) {
   TrackPiece out;
   out.start = piece.path.front().from;
   out.end = piece.path.back().to;
@@ -148,6 +149,7 @@ TrackPiece forwards(const CurvedPiece& piece, int subfield) {
   out.stop_at_start = piece.stop_at_from;
   out.stop_at_end = piece.stop_at_to;
   out.curve = piece.path;
+  out.overlap_m2 = std::max(0.0, width_m * piece.length_m - piece.inside_m2);
   return out;
 }
 
@@ -175,7 +177,7 @@ std::vector<TrackPiece> up_and_down(const CurvedTracks& tracks, const Region& pa
     for (std::size_t i = 0; i < subfields.size(); ++i) {
       if (subfields[i] != part) continue;
       if (!track.empty() && track.back().track != tracks.pieces[i].track) drive();
-      track.push_back(forwards(tracks.pieces[i], part));
+      track.push_back(forwards(tracks.pieces[i], part, width_m));
     }
     drive();
   }
