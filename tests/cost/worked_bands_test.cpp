@@ -13,7 +13,7 @@
 namespace tramline {
 namespace {
 
-constexpr double kSagitta = 1e-4;
+constexpr double kSagitta = 2e-3;
 
 struct Family {
   Path reference;
@@ -54,7 +54,7 @@ Family random_family(std::mt19937_64& random) {
 // Swaths of one family do not overlap, so that their areas, width times length, add up to that of the ground.
 TEST(WorkedBands, AreTheUnionOfTheSwaths) {
   std::size_t vertices = 0, vertices_of_swaths = 0;
-  for (unsigned seed = 0; seed < 40; ++seed) {
+  for (unsigned seed = 0; seed < 10; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
     const Family family = random_family(random);
@@ -66,7 +66,11 @@ TEST(WorkedBands, AreTheUnionOfTheSwaths) {
         if (!segment.straight()) arcs_m += length(segment);
         swaths.push_back({band({segment}, family.width_m, kSagitta), {}});
       }
-    const Region bands = worked_bands(family.reference, family.pieces, family.width_m, kSagitta);
+    Region bands;
+    for (Region& region : worked_bands(family.reference, family.pieces, family.width_m, kSagitta)) {
+      EXPECT_NEAR(area(region), area(unite(region)), 1e-3);
+      for (Polygon& part : region) bands.push_back(std::move(part));
+    }
     const Region ground = unite(bands);
     EXPECT_NEAR(area(ground), worked_m2, kSagitta * arcs_m + 1e-3);
     EXPECT_NEAR(area(symmetric_difference(ground, unite(swaths))), 0, 2 * kSagitta * arcs_m + 1e-2);
@@ -88,7 +92,10 @@ TEST(WorkedBands, OfTracksSideBySideAreOnePolygon) {
     family.pieces.push_back(piece);
   }
   ASSERT_EQ(family.pieces.size(), 4u);
-  const Region ground = worked_bands(family.reference, family.pieces, 3, kSagitta);
+  const std::vector<Region> grounds = worked_bands(family.reference, family.pieces, 3, kSagitta);
+  ASSERT_EQ(grounds.size(), 3u);
+  EXPECT_TRUE(grounds[1].empty() && grounds[2].empty());
+  const Region& ground = grounds[0];
   ASSERT_EQ(ground.size(), 1u);
   const double quarter = 0.25 * 3.14159265358979 * (106 * 106 - 94 * 94);
   EXPECT_NEAR(area(ground), quarter, kSagitta * 300);

@@ -153,18 +153,30 @@ class BlockFinder {
 
 }  // namespace
 
-Region worked_bands(const Path& reference, const std::vector<TrackPiece>& pieces, double width_m,
-                    double sagitta_m) {
+std::vector<Region> worked_bands(const Path& reference, const std::vector<TrackPiece>& pieces, double width_m,
+                                 double sagitta_m) {
   const Contour contour = contour_of(reference);
   std::vector<Block> blocks;
   for (std::size_t i = 0; i < contour.segments; ++i) blocks.emplace_back(contour.elements[i]);
   BlockFinder finder(blocks);
-  Region out;
-  for (const TrackPiece& piece : pieces)
+  std::vector<Region> out(3);
+  for (const TrackPiece& piece : pieces) {
+    Region& corners = out[piece.track % 2 == 0 ? 1 : 2];
+    Path corner;
+    const auto finish_corner = [&] {
+      if (!corner.empty()) Block::append_valid({band(corner, width_m, sagitta_m), {}}, corners);
+      corner.clear();
+    };
     for (const PathSegment& segment : piece.curve)
-      if (!finder.add(segment, piece.track, (piece.track + 0.5) * width_m))
-        Block::append_valid({band({segment}, width_m, sagitta_m), {}}, out);
-  for (Block& block : blocks) block.append_ground(width_m, sagitta_m, out);
+      if (finder.add(segment, piece.track, (piece.track + 0.5) * width_m))
+        finish_corner();
+      else
+        corner.push_back(segment);
+    finish_corner();
+  }
+  Region ground;
+  for (Block& block : blocks) block.append_ground(width_m, sagitta_m, ground);
+  out[0] = unite(ground);
   return out;
 }
 

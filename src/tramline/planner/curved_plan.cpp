@@ -184,14 +184,31 @@ std::vector<TrackPiece> up_and_down(const CurvedTracks& tracks, const Region& pa
   return out;
 }
 
+/// Those that lie not wholly inside the body.
+Region reaching_out(const Region& parts, const EdgeIndex& body) {
+  Region out;
+  for (const Polygon& part : parts) {
+    bool meets = !body.contains(part.outer.front());
+    body.grid().each_meeting(bounds(part), [&meets](std::size_t) { meets = true; });
+    if (meets) out.push_back(part);
+  }
+  return out;
+}
+
 /// The layers of overlap and uncovered land, without the slivers between chords where they stand for one
 /// arc in two polygons.
 void add_layers(Plan& plan) {
-  const Region ground = unite(worked_bands(plan.reference, plan.pieces, plan.machine.width_m, kLayerSagitta));
-  plan.uncovered = difference(plan.body, ground);
-  plan.overlap = difference(ground, plan.body);
+  const EdgeIndex body(plan.body);
+  plan.uncovered = plan.body;
+  for (const Region& ground :
+       worked_bands(plan.reference, plan.pieces, plan.machine.width_m, kLayerSagitta)) {
+    plan.uncovered = difference(plan.uncovered, ground);
+    for (Polygon& part : difference(reaching_out(ground, body), plan.body))
+      plan.overlap.push_back(std::move(part));
+  }
   std::erase_if(plan.uncovered,
                 [](const Polygon& part) { return area(part) < 0.5 * kLayerSagitta * perimeter(part.outer); });
+  plan.overlap = unite(plan.overlap);
 }
 
 }  // namespace
