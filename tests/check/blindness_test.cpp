@@ -76,6 +76,23 @@ TEST(Blindness, land_given_up_outside_the_body) {
   EXPECT_EQ(found(plan), Names{"body"});
 }
 
+TEST(Blindness, overlap_of_a_swath_that_is_not_its_own) {
+  Plan plan = rectangle_plan();
+  for (TrackPiece& piece : plan.pieces) piece.overlap_m2 = 0;
+  EXPECT_EQ(found(plan), Names{});
+  // The first track alone passes the edge, by 2 m: 3 m wide, that is 6 m².
+  plan.pieces[0].end.x = 102;
+  plan.pieces[0].overlap_m2 = 6;
+  plan = settled(plan);
+  plan.settings.end_rule = EndRule::kCover;
+  const Names beside = found(plan);
+  EXPECT_EQ(beside.count("swath overlap"), 0u);
+  std::swap(plan.pieces[0].overlap_m2, plan.pieces[1].overlap_m2);
+  Names both = beside;
+  both.insert("swath overlap");
+  EXPECT_EQ(found(plan), both);
+}
+
 TEST(Blindness, false_figures) {
   const Plan honest = triangle_plan(EndRule::kCentre, 0.5);
   ASSERT_EQ(found(honest), Names{});

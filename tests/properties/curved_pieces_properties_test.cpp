@@ -12,6 +12,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/extended.h"
 #include "tramline/geometry/smoothed.h"
+#include "tramline/planner/curved_plan.h"
 #include "tramline/tracks/curved_pieces.h"
 
 namespace tramline {
@@ -173,6 +174,44 @@ TEST(CurvedPiecesProperties, InsideAreasAreThoseOfPolygonBooleans) {
     EXPECT_GE(closed.uncovered_m2, -1e-6 * whole);
     EXPECT_GE(closed.overlap_m2, -1e-6 * whole);
   });
+}
+
+// A family is given up only where it costs more than was asked for, and else it is what it is: whatever the
+// prices, the line, and the obstacles.
+TEST(CurvedPiecesProperties, AreGivenUpOnlyWhereTheyCostMore) {
+  int families = 0, given_up = 0;
+  const int cases = testing::case_count(60);
+  for (int i = 0; i < cases; ++i) {
+    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
+    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
+    std::mt19937_64 random(seed);
+    const Field field = testing::random_field(random, 3);
+    const Objective prices{uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 5),
+                           uniform(random, 0, 5)};
+    PlanSettings settings;
+    settings.end_rule = static_cast<EndRule>(any_of(random, 0, 3));
+    const SearchTask task = search_task(field, {"", uniform(random, 2, 8), 6, -1}, prices, settings);
+    const CurvedGround ground = curved_ground(task);
+    std::vector<Point> line(field.outer.begin(), field.outer.begin() + 3);
+    try {
+      const Reference reference = reference_along(task, line, 0.1);
+      const CurvedCandidate whole = curved_along(task, reference);
+      if (whole.tally.pieces == 0) continue;
+      ++families;
+      const CurvedCandidate again = curved_along(task, ground, reference, 0, whole.cost);
+      EXPECT_EQ(again.cost, whole.cost);
+      EXPECT_EQ(again.tally.pieces, whole.tally.pieces);
+      const CurvedCandidate dearer = curved_along(task, ground, reference, 0, 0.5 * whole.cost);
+      if (dearer.tally.pieces == 0)
+        ++given_up;
+      else
+        EXPECT_EQ(dearer.cost, whole.cost);
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::kBadInput) throw;
+    }
+  }
+  EXPECT_GE(2 * families, cases < 20 ? 0 : cases);
+  EXPECT_GE(2 * given_up, cases < 20 ? 0 : families);
 }
 
 }  // namespace

@@ -85,6 +85,27 @@ TEST_F(PlanProperties, TallyAgreesWithPolygonBooleans) {
   });
 }
 
+/// S2.14: what swaths overlap, each by itself, is what the plan does.
+TEST_F(PlanProperties, OverlapsOfSwathsSumUp) {
+  for_random_fields(150, [](const Field& field, Request request) {
+    for (const TrackShape shape : {TrackShape::kCurved, TrackShape::kStraight}) {
+      request.settings.shape = shape;
+      const auto plan = try_plan(field, request);
+      if (!plan) continue;
+      double sum = 0;
+      for (const TrackPiece& piece : plan->pieces) {
+        EXPECT_TRUE(piece.overlap_m2.has_value());
+        EXPECT_GE(piece.overlap_m2.value_or(-1), 0);
+        EXPECT_LE(piece.overlap_m2.value_or(0), request.machine.width_m * length(piece) * (1 + 1e-9));
+        sum += piece.overlap_m2.value_or(0);
+      }
+      EXPECT_NEAR(sum, plan->tally.overlap_m2, 1e-8 * area(Polygon{field.outer, {}})) << name(shape);
+      if (shape == TrackShape::kStraight) return true;
+    }
+    return false;
+  });
+}
+
 /// Hard land is entered by no swath; what the end rule promises holds for whole swaths.
 TEST_F(PlanProperties, SwathsKeepOffHardLandAndWithinTheirRule) {
   for_random_fields(150, [](const Field& field, const Request& request) {

@@ -134,6 +134,7 @@ Verdict verify(const Plan& plan) {
   check_ways(c, verdict.violations);
   check_avoidance(c, verdict.violations);
   verdict.recomputed = check_tally(c, stops, verdict.violations);
+  check_swath_overlaps(c, verdict.violations);
   check_headland_tally(c, verdict.violations);
   verdict.complete = true;
   return verdict;

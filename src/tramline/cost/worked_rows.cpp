@@ -2,8 +2,6 @@
 
 #include <map>
 
-#include "tramline/geometry/faces.h"
-
 namespace tramline {
 namespace {
 
@@ -21,15 +19,13 @@ const Intervals& in_strip(const std::map<int, Intervals>& worked, int strip) {
   return found == worked.end() ? nothing : found->second;
 }
 
-/// Along the line between two strips: upwards where only the left one is worked, downwards where only the
-/// right one is.
+}  // namespace
+
 void append_edges_along(double line, const Intervals& left, const Intervals& right,
                         std::vector<DirectedEdge>& out) {
   for (const Interval& bare : without(left, right)) out.push_back({{line, bare.from}, {line, bare.to}});
   for (const Interval& bare : without(right, left)) out.push_back({{line, bare.to}, {line, bare.from}});
 }
-
-}  // namespace
 
 Region worked_rows(const SubfieldTracks& tracks) {
   const std::map<int, Intervals> worked = worked_by_strip(tracks);

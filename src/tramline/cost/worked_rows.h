@@ -1,6 +1,8 @@
 #pragma once
 // The ground that the straight swaths of a subfield work, as one region.
 
+#include "tramline/geometry/faces.h"
+#include "tramline/geometry/interval.h"
 #include "tramline/geometry/region.h"
 #include "tramline/tracks/strip_pieces.h"
 
@@ -10,5 +12,10 @@ namespace tramline {
 /// lines, so that it is a walk along these, and no polygon boolean. Parts may touch in corners. O(n log n)
 /// for n pieces.
 Region worked_rows(const SubfieldTracks& tracks);
+
+/// Along the line across `line` between two strips of which these parts are worked: upwards where only the
+/// left one is, downwards where only the right one is. Plane: x across, y along.
+void append_edges_along(double line, const Intervals& left, const Intervals& right,
+                        std::vector<DirectedEdge>& out);
 
 }  // namespace tramline

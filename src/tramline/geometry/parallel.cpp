@@ -174,16 +174,36 @@ std::vector<ParallelTrack> parallel(const Path& reference, double offset_m, cons
 std::vector<FamilyTrack> parallel_family(const Path& reference, int first, int last,
                                          const TrackLimits& limits) {
   std::vector<FamilyTrack> out;
-  const auto add_all = [&](Levels& levels, int index) {
-    for (ParallelTrack& track : tracks_at(levels, (index + 0.5) * limits.width_m))
-      out.push_back({index, std::move(track)});
-  };
-  Levels left(reference, limits, Sides::kLeft), right(reference, limits, Sides::kRight);
-  for (int k = std::min(last, -1); k >= first; --k) add_all(left, k);
+  visit_family(reference, first, last, limits, [&out](int index, std::vector<ParallelTrack> tracks) {
+    for (ParallelTrack& track : tracks) out.push_back({index, std::move(track)});
+    return true;
+  });
   std::stable_sort(out.begin(), out.end(),
                    [](const FamilyTrack& a, const FamilyTrack& b) { return a.index < b.index; });
-  for (int k = std::max(first, 0); k <= last; ++k) add_all(right, k);
   return out;
+}
+
+void visit_family(const Path& reference, int first, int last, const TrackLimits& limits,
+                  const std::function<bool(int index, std::vector<ParallelTrack> tracks)>& visit) {
+  const auto offset_m = [&limits](int index) { return (index + 0.5) * limits.width_m; };
+  if (first < 0) {
+    Levels left(reference, limits, Sides::kLeft);
+    for (int k = std::min(last, -1); k >= first; --k)
+      if (!visit(k, tracks_at(left, offset_m(k)))) return;
+  }
+  if (last < 0) return;
+  Levels right(reference, limits, Sides::kRight);
+  for (int k = std::max(first, 0); k <= last; ++k)
+    if (!visit(k, tracks_at(right, offset_m(k)))) return;
+}
+
+double uncut_length(const Path& reference, double offset_m) {
+  double sum = 0;
+  for (const PathSegment& segment : reference) {
+    const double whole = length(segment);
+    sum += segment.straight() ? whole : std::max(0.0, whole * (1 + offset_m * segment.curvature));
+  }
+  return sum;
 }
 
 }  // namespace tramline

@@ -11,6 +11,7 @@
 // E dilated by ρ, E being the points at t + ρ or more from the reference: never tighter than ρ, never
 // nearer than t. A corner sharper than the limit is not driven round: both branches end in it.
 
+#include <functional>
 #include <vector>
 
 #include "tramline/geometry/angle.h"
@@ -55,5 +56,14 @@ struct FamilyTrack {
 /// in common is computed once.
 std::vector<FamilyTrack> parallel_family(const Path& reference, int first, int last,
                                          const TrackLimits& limits);
+
+/// The same track by track, outwards from the reference: −1, −2 … first, then 0, 1 … last. `visit` gets the
+/// number and its tracks, none or several; where it gives false no more are made.
+void visit_family(const Path& reference, int first, int last, const TrackLimits& limits,
+                  const std::function<bool(int index, std::vector<ParallelTrack> tracks)>& visit);
+
+/// Length of the reference's segments moved by the signed distance to its right, none of them cut where it
+/// meets others: tracks there are no longer but for what discs rolled round corners add. m. O(n).
+double uncut_length(const Path& reference, double offset_m);
 
 }  // namespace tramline

@@ -229,6 +229,10 @@ class SegmentMaker {
   }
 
   void make_slabs() {
+    if (out_.parts.empty() && right_.empty()) {
+      out_.slabs.push_back({0, out_.length});
+      return;
+    }
     std::vector<double> cuts{0, out_.length};
     for (const SectionPart& part : out_.parts) {
       cuts.push_back(part.from);

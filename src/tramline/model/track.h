@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "tramline/geometry/path.h"
 #include "tramline/model/detour.h"
 
@@ -22,6 +24,9 @@ struct TrackPiece {
   /// detours among them; or as in S2 straight lines with kinks and no detours. Empty: the straight line but
   /// for the detours.
   Path curve{};
+  /// What of its swath lies outside the body or is worked by a piece before it, m² (S2.14); unknown in plans
+  /// made by hand and in older files.
+  std::optional<double> overlap_m2{};
 };
 
 /// What the machine follows, from start to end. Precondition: start != end.

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <iterator>
+#include <limits>
+#include <mutex>
 #include <optional>
 
 #include "tramline/geometry/error.h"
@@ -41,17 +43,46 @@ std::vector<Reference> references_of(const SearchTask& task, int threads) {
     }
   });
   std::vector<Reference> out;
+  // Where a chain is smooth enough, less smoothing changes nothing.
   for (std::optional<Reference>& one : found)
-    if (one && !(one->round && task.settings.tracks == TrackConstruction::kPaper))
+    if (one && !(one->round && task.settings.tracks == TrackConstruction::kPaper) &&
+        (out.empty() || one->path != out.back().path))
       out.push_back(std::move(*one));
   return out;
 }
 
 void sort_best_first(std::vector<Tried>& tried) { std::stable_sort(tried.begin(), tried.end(), is_better); }
 
-void try_all(const SearchTask& task, std::vector<Tried>& places, int threads) {
+/// What the best so many have cost: what is certain to cost more need not be looked at to its end. Families
+/// that are given up for the last of them would not have been among them, whichever came first.
+class BestCosts {
+ public:
+  explicit BestCosts(std::size_t count, double known = std::numeric_limits<double>::infinity())
+      : costs_(count, known) {}
+
+  double last() {
+    const std::lock_guard lock(mutex_);
+    return costs_.back();
+  }
+  void offer(const CurvedCandidate& candidate) {
+    if (candidate.tally.pieces == 0) return;
+    const std::lock_guard lock(mutex_);
+    costs_.insert(std::upper_bound(costs_.begin(), costs_.end(), candidate.cost), candidate.cost);
+    costs_.pop_back();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<double> costs_;
+};
+
+/// All of them, sorted; those that are certain to be none of the best that `costs` holds may have been given
+/// up.
+void try_all(const SearchTask& task, const CurvedGround& ground, BestCosts& costs, std::vector<Tried>& places,
+             int threads) {
   for_each_index(places.size(), threads, [&](std::size_t i) {
-    places[i].candidate = curved_along(task, *places[i].reference, places[i].right_m);
+    places[i].candidate = curved_along(task, ground, *places[i].reference, places[i].right_m, costs.last());
+    costs.offer(places[i].candidate);
   });
   sort_best_first(places);
 }
@@ -78,26 +109,32 @@ std::vector<Tried> promising(const SearchTask& task, std::vector<Tried> tried) {
 
 std::optional<CurvedCandidate> best_curved(const SearchTask& task, int threads) {
   const std::vector<Reference> references = references_of(task, threads);
+  const CurvedGround ground = curved_ground(task);
   std::vector<Tried> all;
   for (const Reference& reference : references) {
     all.push_back({&reference, 0, {}});
     // The land lies to the left of a boundary: so far out the first swath takes all of its bends.
-    all.push_back({&reference, reference.deviation_m, {}});
+    if (reference.deviation_m > 0) all.push_back({&reference, reference.deviation_m, {}});
   }
-  try_all(task, all, threads);
+  BestCosts best_few(kMoved);
+  try_all(task, ground, best_few, all, threads);
+  if (all.empty()) return std::nullopt;
   std::vector<Tried> moved;
   for (std::size_t i = 0; i < std::min(all.size(), kMoved); ++i)
     for (int k = 1; k < kPlaces; ++k)
       moved.push_back({all[i].reference, all[i].right_m + task.machine.width_m * k / kPlaces, {}});
-  try_all(task, moved, threads);
+  BestCosts best(1);
+  best.offer(all.front().candidate);
+  try_all(task, ground, best, moved, threads);
   all.insert(all.end(), std::make_move_iterator(moved.begin()), std::make_move_iterator(moved.end()));
   sort_best_first(all);
   std::erase_if(all, [](const Tried& tried) { return tried.candidate.tally.pieces == 0; });
+  if (all.empty()) return std::nullopt;
+  if (!asks_for_detours(task)) return std::move(all.front().candidate);
   all = promising(task, std::move(all));
   for_each_index(all.size(), threads,
                  [&](std::size_t i) { all[i].candidate = with_detours(task, std::move(all[i].candidate)); });
   sort_best_first(all);
-  if (all.empty()) return std::nullopt;
   return std::move(all.front().candidate);
 }
 

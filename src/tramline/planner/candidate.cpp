@@ -73,9 +73,15 @@ void require_feasible_size(const Field& field, const Machine& machine) {
 SearchTask search_task(const Field& field, const Machine& machine, const Objective& objective,
                        const PlanSettings& settings) {
   require_feasible_size(field, machine);
-  SearchTask task{
-      field, machine, objective, settings, sort_obstacles(field, machine.width_m, settings.clearance_m),
-      0,     0,       {}};
+  SearchTask task{field,
+                  machine,
+                  objective,
+                  settings,
+                  sort_obstacles(field, machine.width_m, settings.clearance_m),
+                  0,
+                  0,
+                  {},
+                  std::numeric_limits<double>::infinity()};
   task.body_m2 = area(task.ground.body);
   task.short_edge_m = settings.short_edge_m;
   return task;

@@ -1,6 +1,8 @@
 #pragma once
 // One candidate of the search: a decomposition with its tracks and what it costs.
 
+#include <limits>
+
 #include "tramline/avoidance/choose_detours.h"
 #include "tramline/avoidance/ground.h"
 #include "tramline/model/plan.h"
@@ -18,6 +20,8 @@ struct SearchTask {
   double body_m2 = 0;
   double short_edge_m = 0;  ///< corners between edges that are both shorter split nothing
   Headland headland;
+  /// What there is already: of dearer plans nobody asks which is the cheapest.
+  double no_more_than = std::numeric_limits<double>::infinity();
 };
 
 struct Candidate {

@@ -6,7 +6,9 @@
 #include <limits>
 #include <utility>
 
+#include "tramline/cost/curved_tally.h"
 #include "tramline/cost/recursive_tally.h"
+#include "tramline/cost/worked_bands.h"
 #include "tramline/cost/worked_regions.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/extended.h"
@@ -55,27 +57,110 @@ HardLand hard_land(const SearchTask& task) {
   return out;
 }
 
-/// Of a candidate's reference.
-std::vector<CurvedTrack> tracks_of(const SearchTask& task, const CurvedCandidate& candidate) {
-  const TrackLimits limits = limits_of(task.machine);
-  const double width_m = task.machine.width_m;
+/// The numbers of the tracks that may reach the ground.
+TrackRange range_of(const SearchTask& task, const CurvedCandidate& candidate) {
   const Box reach = bounds(task.ground.plannable);
-  const TrackRange range =
-      candidate.round ? tracks_inside(reach, width_m) : tracks_over(candidate.reference, reach, width_m);
-  const HardLand hard = hard_land(task);
-  const CurvedGround ground{EdgeIndex(task.ground.plannable), EdgeIndex(hard.before_tracks),
-                            EdgeIndex(fence(task)), EdgeIndex(task.ground.passable),
-                            EdgeIndex(hard.elsewhere)};
-  return curved_tracks(parallel_family(candidate.reference, range.first, range.last, limits), width_m, ground,
-                       end_criterion(task.settings.end_rule, task.objective, width_m));
+  const double width_m = task.machine.width_m;
+  return candidate.round ? tracks_inside(reach, width_m) : tracks_over(candidate.reference, reach, width_m);
+}
+
+EndCriterion criterion_of(const SearchTask& task) {
+  return end_criterion(task.settings.end_rule, task.objective, task.machine.width_m);
+}
+
+/// Of a candidate's reference.
+std::vector<CurvedTrack> tracks_of(const SearchTask& task, const CurvedGround& ground,
+                                   const CurvedCandidate& candidate) {
+  const TrackRange range = range_of(task, candidate);
+  return curved_tracks(parallel_family(candidate.reference, range.first, range.last, limits_of(task.machine)),
+                       task.machine.width_m, ground, criterion_of(task));
 }
 
 CurvedAvoidanceTask avoidance_task(const SearchTask& task, const std::vector<CurvedTrack>& tracks) {
   return {task.field, task.ground, task.machine, task.objective, task.settings, tracks, task.body_m2};
 }
 
+/// What a family costs at least, while its tracks are laid one after another.
+class FamilyBound {
+ public:
+  FamilyBound(const SearchTask& task, const Path& reference, const TrackRange& range)
+      : task_(task), reference_(reference), range_(range) {}
+
+  /// With the tracks up to this number, in the order of visit_family().
+  double after(int index, const CurvedTracks& tracks) {
+    for (; seen_ < tracks.pieces.size(); ++seen_) {
+      const CurvedPiece& piece = tracks.pieces[seen_];
+      inside_m2_ += piece.inside_m2;
+      overlap_m2_ += task_.machine.width_m * piece.length_m - piece.inside_m2;
+      stops_ += (piece.stop_at_from ? 1 : 0) + (piece.stop_at_to ? 1 : 0);
+    }
+    const Objective& price = task_.objective;
+    const double sure =
+        price.overlap * overlap_m2_ + price.stop * stops_ + price.turn * (static_cast<double>(seen_) - 1);
+    return (sure + least_for_the_rest(index)) * (1 - kRounding) - kRounding;
+  }
+
+ private:
+  static constexpr double kRounding = 1e-9;
+  /// By how much discs rolled round corners might lengthen a track, and more than that.
+  static constexpr double kLonger = 1.5;
+
+  /// All of the body that is not worked yet is left, or worked by tracks that take a turn each.
+  double least_for_the_rest(int index) const {
+    const double width_m = task_.machine.width_m;
+    double longest_m = 0;
+    const auto look = [&](int k) {
+      longest_m = std::max(longest_m, uncut_length(reference_, (k + 0.5) * width_m));
+    };
+    // A sum of convex functions of the distance is greatest at one end.
+    if (index < 0) {
+      look(index);
+      look(range_.first);
+    }
+    look(std::max(index, 0));
+    look(range_.last);
+    const Objective& price = task_.objective;
+    const double rate = std::min(price.uncovered, price.turn / (width_m * kLonger * longest_m));
+    return rate * std::max(0.0, task_.body_m2 - inside_m2_);
+  }
+
+  const SearchTask& task_;
+  const Path& reference_;
+  TrackRange range_;
+  std::size_t seen_ = 0;
+  double inside_m2_ = 0, overlap_m2_ = 0;
+  int stops_ = 0;
+};
+
+/// The pieces of a family without detours, laid track by track outwards from the reference; nullopt as soon
+/// as it is certain to cost more than `no_more_than`.
+std::optional<CurvedTracks> laid_plainly(const SearchTask& task, const CurvedGround& ground,
+                                         const CurvedCandidate& candidate, double no_more_than) {
+  const TrackRange range = range_of(task, candidate);
+  FamilyBound bound(task, candidate.reference, range);
+  CurvedTracks out;
+  bool hopeful = true;
+  const auto lay = [&](int index, std::vector<ParallelTrack> tracks) {
+    std::vector<FamilyTrack> family;
+    for (ParallelTrack& track : tracks) family.push_back({index, std::move(track)});
+    CurvedTracks more =
+        curved_pieces(family, task.machine.width_m, ground, criterion_of(task), min_length_m(task.machine));
+    std::move(more.pieces.begin(), more.pieces.end(), std::back_inserter(out.pieces));
+    std::move(more.dropped.begin(), more.dropped.end(), std::back_inserter(out.dropped));
+    hopeful = bound.after(index, out) <= no_more_than;
+    return hopeful;
+  };
+  visit_family(candidate.reference, range.first, range.last, limits_of(task.machine), lay);
+  if (!hopeful) return std::nullopt;
+  for (std::vector<CurvedPiece>* pieces : {&out.pieces, &out.dropped})
+    std::stable_sort(pieces->begin(), pieces->end(),
+                     [](const CurvedPiece& a, const CurvedPiece& b) { return a.track < b.track; });
+  return out;
+}
+
 /// The part of the ground a piece lies in.
 int subfield_of(const Region& parts, const CurvedPiece& piece, double width_m) {
+  if (parts.size() == 1) return 0;
   const Path half = path_between(piece.path, 0, 0.5 * piece.length_m);
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (contains(parts[i], half.back().to)) return static_cast<int>(i);
@@ -92,7 +177,15 @@ int subfield_of(const Region& parts, const CurvedPiece& piece, double width_m) {
   return best;
 }
 
-TrackPiece forwards(const CurvedPiece& piece, int subfield, bool curved) {
+/// How pieces are written down.
+struct Writing {
+  double width_m = 0;
+  bool curved = true;  ///< with their path, even where it is straight
+  /// Swaths of one family have no ground in common: without detours, what they overlap lies outside the body.
+  bool apart = true;
+};
+
+TrackPiece forwards(const CurvedPiece& piece, int subfield, const Writing& writing) {
   TrackPiece out;
   out.start = piece.path.front().from;
   out.end = piece.path.back().to;
@@ -103,7 +196,8 @@ TrackPiece forwards(const CurvedPiece& piece, int subfield, bool curved) {
   out.after_crossing = piece.after_crossing;
   for (const StripDetour& detour : piece.detours)
     out.detours.push_back({detour.path, detour.side, detour.obstacles});
-  if (curved) out.curve = piece.path;
+  if (writing.curved) out.curve = piece.path;
+  if (writing.apart) out.overlap_m2 = std::max(0.0, writing.width_m * piece.length_m - piece.inside_m2);
   return out;
 }
 
@@ -149,8 +243,10 @@ struct Driven {
 };
 
 /// Track by track, each the other way; each part of the ground by itself.
-Driven up_and_down(const CurvedTracks& tracks, const Region& parts, double width_m, bool curved) {
-  Driven out{{}, subfields_of(parts, tracks.pieces, width_m), std::vector<bool>(tracks.pieces.size(), false)};
+Driven up_and_down(const CurvedTracks& tracks, const Region& parts, const Writing& writing) {
+  Driven out{{},
+             subfields_of(parts, tracks.pieces, writing.width_m),
+             std::vector<bool>(tracks.pieces.size(), false)};
   for (int part = 0; part < static_cast<int>(parts.size()); ++part) {
     std::vector<TrackPiece> track;
     bool back = false;
@@ -165,7 +261,7 @@ Driven up_and_down(const CurvedTracks& tracks, const Region& parts, double width
       if (out.subfields[i] != part) continue;
       if (!track.empty() && track.back().track != tracks.pieces[i].track) drive();
       out.back[i] = back;
-      track.push_back(forwards(tracks.pieces[i], part, curved));
+      track.push_back(forwards(tracks.pieces[i], part, writing));
     }
     drive();
   }
@@ -220,14 +316,32 @@ void append_swath(const Path& path, double width_m, Region& out) {
     for (Polygon& part : made_valid(swath)) out.push_back(std::move(part));
 }
 
-/// The swaths of every other track, the rest, and the detours. No part of them folds over itself.
+/// What the tracks work, and what the detours do. No part folds over itself.
 std::vector<Region> worked_grounds(const Plan& plan) {
   const double width_m = plan.machine.width_m;
-  std::vector<Region> out(3);
+  std::vector<TrackPiece> on_track;
+  Region by_detours;
   for (const TrackPiece& piece : plan.pieces) {
-    for (const Path& part : parts_on_track(piece))
-      append_swath(part, width_m, out[piece.track % 2 == 0 ? 0 : 1]);
-    for (const Detour& detour : piece.detours) append_swath(detour.path, width_m, out[2]);
+    for (Path& part : parts_on_track(piece)) {
+      TrackPiece alone{part.front().from, part.back().to};
+      alone.track = piece.track;
+      alone.curve = std::move(part);
+      on_track.push_back(std::move(alone));
+    }
+    for (const Detour& detour : piece.detours) append_swath(detour.path, width_m, by_detours);
+  }
+  std::vector<Region> out = worked_bands(plan.reference, on_track, width_m, kLayerSagitta);
+  if (!by_detours.empty()) out.push_back(unite(by_detours));
+  return out;
+}
+
+/// Those that lie not wholly inside the body.
+Region reaching_out(const Region& parts, const EdgeIndex& body) {
+  Region out;
+  for (const Polygon& part : parts) {
+    bool meets = !body.contains(part.outer.front());
+    body.grid().each_meeting(bounds(part), [&meets](std::size_t) { meets = true; });
+    if (meets) out.push_back(part);
   }
   return out;
 }
@@ -282,12 +396,12 @@ Region doubled_by_detours(const Plan& plan) {
 
 /// The layers of overlap and uncovered land, without slivers.
 void add_layers(Plan& plan) {
+  const EdgeIndex body(plan.body);
   plan.uncovered = plan.body;
-  const std::vector<Region> grounds = worked_grounds(plan);
-  for (const Region& swaths : grounds) {
-    const Region ground = unite(swaths);
+  for (const Region& ground : worked_grounds(plan)) {
     plan.uncovered = difference(plan.uncovered, ground);
-    for (Polygon& part : difference(ground, plan.body)) plan.overlap.push_back(std::move(part));
+    for (Polygon& part : difference(reaching_out(ground, body), plan.body))
+      plan.overlap.push_back(std::move(part));
   }
   std::erase_if(plan.uncovered, is_sliver);
   for (Polygon& part : doubled_by_detours(plan)) plan.overlap.push_back(std::move(part));
@@ -309,7 +423,22 @@ Reference reference_along(const SearchTask& task, const std::vector<Point>& line
           distance(line.front(), line.back()) <= 2 * kSeam_m};
 }
 
+CurvedGround curved_ground(const SearchTask& task) {
+  const HardLand hard = hard_land(task);
+  return {EdgeIndex(task.ground.plannable), EdgeIndex(hard.before_tracks), EdgeIndex(fence(task)),
+          EdgeIndex(task.ground.passable), EdgeIndex(hard.elsewhere)};
+}
+
+bool asks_for_detours(const SearchTask& task) {
+  return !task.ground.hard.empty() || !task.ground.passable.empty();
+}
+
 CurvedCandidate curved_along(const SearchTask& task, const Reference& reference, double right_m) {
+  return curved_along(task, curved_ground(task), reference, right_m, std::numeric_limits<double>::infinity());
+}
+
+CurvedCandidate curved_along(const SearchTask& task, const CurvedGround& ground, const Reference& reference,
+                             double right_m, double no_more_than) {
   CurvedCandidate out;
   out.line = reference.line;
   const std::optional<Path> line = shifted(reference.path, right_m, limits_of(task.machine).least_radius_m());
@@ -317,17 +446,23 @@ CurvedCandidate curved_along(const SearchTask& task, const Reference& reference,
   const Box reach = bounds(task.ground.plannable).grown(task.machine.width_m);
   out.reference = reference.round ? *line : extended(*line, reach).path;
   out.round = reference.round;
-  const std::vector<CurvedTrack> tracks = tracks_of(task, out);
-  CurvedAvoided cut = all_cut(avoidance_task(task, tracks));
-  out.tracks = std::move(cut.tracks);
-  out.tally = cut.tally;
-  out.cost = cut.cost;
+  if (asks_for_detours(task)) {
+    const std::vector<CurvedTrack> tracks = tracks_of(task, ground, out);
+    CurvedAvoided cut = all_cut(avoidance_task(task, tracks));
+    out.tracks = std::move(cut.tracks);
+    out.tally = cut.tally;
+    out.cost = cut.cost;
+  } else if (std::optional<CurvedTracks> tracks = laid_plainly(task, ground, out, no_more_than)) {
+    out.tracks = std::move(*tracks);
+    out.tally = curved_tally(out.tracks, task.machine.width_m, task.body_m2);
+    out.cost = cost(task.objective, out.tally);
+  }
   return out;
 }
 
 CurvedCandidate with_detours(const SearchTask& task, CurvedCandidate candidate) {
-  if (candidate.tally.pieces == 0) return candidate;
-  const std::vector<CurvedTrack> tracks = tracks_of(task, candidate);
+  if (candidate.tally.pieces == 0 || !asks_for_detours(task)) return candidate;
+  const std::vector<CurvedTrack> tracks = tracks_of(task, curved_ground(task), candidate);
   const CurvedAvoidanceTask avoidance = avoidance_task(task, tracks);
   CurvedAvoided avoided = choose_detours(avoidance);
   candidate.encounters = encounters_in(avoidance, avoided);
@@ -346,8 +481,12 @@ Plan finished_plan(const SearchTask& task, const CurvedCandidate& candidate) {
   for (const Polygon& part : task.ground.plannable) plan.subfields.push_back({part, whole});
   plan.reference = candidate.reference;
   const bool curved = line.size() > 1 || !line.front().straight();
-  Driven driven = up_and_down(candidate.tracks, task.ground.plannable, task.machine.width_m,
-                              curved || task.settings.tracks != TrackConstruction::kPaper);
+  const bool paper = task.settings.tracks == TrackConstruction::kPaper;
+  const Writing writing{
+      task.machine.width_m, curved || !paper,
+      !paper && std::all_of(candidate.tracks.pieces.begin(), candidate.tracks.pieces.end(),
+                            [](const CurvedPiece& piece) { return piece.detours.empty(); })};
+  Driven driven = up_and_down(candidate.tracks, task.ground.plannable, writing);
   plan.encounters = encounters_as_driven(task, candidate, driven);
   plan.pieces = std::move(driven.pieces);
   for (const CurvedPiece& piece : candidate.tracks.dropped)
@@ -356,7 +495,7 @@ Plan finished_plan(const SearchTask& task, const CurvedCandidate& candidate) {
   plan.tally = candidate.tally;
   plan.cost = candidate.cost;
   plan.directions_tried = 1;
-  if (task.settings.tracks == TrackConstruction::kPaper)
+  if (paper)
     add_layers_of_kinked(plan, candidate);
   else
     add_layers(plan);

@@ -38,9 +38,20 @@ Reference reference_along(const SearchTask& task, const std::vector<Point>& line
 /// crossed. Without a track where the reference cannot be moved so far.
 CurvedCandidate curved_along(const SearchTask& task, const Reference& reference, double right_m = 0);
 
+/// The same on ground that is ready. Where there is nothing for detours to go round it is given up, without a
+/// track, as soon as it is certain to cost more than `no_more_than`.
+CurvedCandidate curved_along(const SearchTask& task, const CurvedGround& ground, const Reference& reference,
+                             double right_m, double no_more_than);
+
 /// The same family with the ways past obstacles that the settings ask for, and what was decided where.
 /// Never costlier.
 CurvedCandidate with_detours(const SearchTask& task, CurvedCandidate candidate);
+
+/// Whether curved tracks meet anything that they may go round or cross.
+bool asks_for_detours(const SearchTask& task);
+
+/// What curved pieces have to keep to.
+CurvedGround curved_ground(const SearchTask& task);
 
 /// The cheapest family along a chain of boundary edges between two corners of the ground, at several levels
 /// of smoothing, the best of them moved sideways as well; detours are looked for in the cheapest of these,

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "tramline/cost/piece_overlap.h"
 #include "tramline/cost/worked_regions.h"
 #include "tramline/cost/worked_rows.h"
 #include "tramline/geometry/boolean.h"
@@ -98,6 +99,9 @@ Plan finished_plan(const SearchTask& task, SearchResult found) {
   Plan plan = bare_plan(task);
   plan.pieces = driving_order(found.best);
   plan.dropped = dropped_pieces(found.best);
+  const std::vector<double> overlaps =
+      overlap_by_piece(plan.body, found.best.subfields, plan.pieces, plan.machine.width_m);
+  for (std::size_t i = 0; i < overlaps.size(); ++i) plan.pieces[i].overlap_m2 = overlaps[i];
   plan.encounters = encounters_as_driven(task, found.best, plan.pieces);
   const std::vector<Region> grounds = worked_grounds(found.best, plan.pieces, plan.machine.width_m);
   plan.subfields = std::move(found.best.subfields);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -42,13 +41,20 @@ std::optional<CurvedCandidate> along_best_edge(const SearchTask& task, int threa
   return as_in_the_paper(task.settings) ? recursive_along_best(task, threads) : best_curved(task, threads);
 }
 
-/// A curved plan; nullopt where no edge is curved, or headlands round all obstacles leave nothing.
-std::optional<Plan> curved_plan(const Field& field, const Machine& machine, const Objective& objective,
-                                const PlanSettings& settings, int threads, double cheaper_than) {
+/// The best family of curved tracks, with what it was looked for on.
+struct CurvedChoice {
+  SearchTask task;
+  CurvedCandidate candidate;
+};
+
+/// nullopt where no edge is curved, or headlands round all obstacles leave nothing.
+std::optional<CurvedChoice> curved_choice(const Field& field, const Machine& machine,
+                                          const Objective& objective, const PlanSettings& settings,
+                                          int threads) {
   try {
-    const SearchTask task = headlanded_task(field, machine, objective, settings, threads);
-    const std::optional<CurvedCandidate> curved = along_best_edge(task, threads);
-    if (curved && curved->cost < cheaper_than) return finished_plan(task, *curved);
+    SearchTask task = headlanded_task(field, machine, objective, settings, threads);
+    if (std::optional<CurvedCandidate> best = along_best_edge(task, threads))
+      return CurvedChoice{std::move(task), std::move(*best)};
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::kBadInput) throw;
   }
@@ -56,18 +62,20 @@ std::optional<Plan> curved_plan(const Field& field, const Machine& machine, cons
 }
 
 /// The straight plan, or the curved one where that costs less. Which obstacles have headlands is settled for
-/// either by itself.
+/// either by itself. The curved one comes first, being sooner found: what costs more is then soon told.
 Plan cheaper_shape(const Field& field, const Machine& machine, const Objective& objective,
                    PlanSettings settings, int threads, const Progress& progress) {
-  settings.shape = TrackShape::kStraight;
-  const TrackConstruction construction = std::exchange(settings.tracks, TrackConstruction::kParallel);
-  const SearchTask task = headlanded_task(field, machine, objective, settings, threads);
-  SearchResult straight = straight_search(task, threads, progress);
-  const double cost = straight.best.works() ? straight.best.cost() : std::numeric_limits<double>::infinity();
   settings.shape = TrackShape::kCurved;
-  settings.tracks = construction;
-  std::optional<Plan> curved = curved_plan(field, machine, objective, settings, threads, cost);
-  Plan plan = curved ? std::move(*curved) : finished_plan(task, std::move(straight));
+  const std::optional<CurvedChoice> curved = curved_choice(field, machine, objective, settings, threads);
+  settings.shape = TrackShape::kStraight;
+  settings.tracks = TrackConstruction::kParallel;
+  SearchTask task = headlanded_task(field, machine, objective, settings, threads);
+  if (curved) task.no_more_than = curved->candidate.cost;
+  SearchResult straight = straight_search(task, threads, progress);
+  const bool stays_straight =
+      !curved || (straight.best.works() && straight.best.cost() <= curved->candidate.cost);
+  Plan plan = stays_straight ? finished_plan(task, std::move(straight))
+                             : finished_plan(curved->task, curved->candidate);
   plan.settings.shape = TrackShape::kAuto;
   return plan;
 }

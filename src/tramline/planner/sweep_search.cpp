@@ -1,6 +1,7 @@
 #include "tramline/planner/sweep_search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <mutex>
 
@@ -56,6 +57,7 @@ std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vecto
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return swept[a].outlook.least < swept[b].outlook.least;
   });
+  known = std::min(known, std::nextafter(task.no_more_than, std::numeric_limits<double>::infinity()));
   std::optional<Candidate> best;
   std::size_t best_index = 0;
   for (std::size_t first = 0; first < order.size(); first += kAtOnce) {

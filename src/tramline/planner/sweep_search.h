@@ -14,7 +14,7 @@ std::vector<SweptGround> swept_grounds(const SearchTask& task, int threads, cons
 /// The cheapest of them with its detours; among equals that of the smallest sweep direction. Ways past
 /// obstacles are looked for where the outlook leaves hope only, the best outlook first. The result depends
 /// neither on that nor on the number of threads. nullopt where none that works anything costs less than
-/// `known`.
+/// `known`, nor as little as the task's `no_more_than`.
 std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vector<SweptGround>& swept,
                                         double known, int threads);
 

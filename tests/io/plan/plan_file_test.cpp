@@ -47,6 +47,7 @@ Plan odd_plan() {
   plan.subfields = {{plan.body[0], Direction::clockwise_from_north(Angle::degrees(90.3))}};
   plan.pieces = {{{0.1, third}, {39.9, 0.7}, 0, 0, false, true, false},
                  {{43.1, third}, {99, 0.7}, 0, 0, true, false, true}};
+  plan.pieces[1].overlap_m2 = 2 + third;
   plan.dropped = {{{0.3, 0.1}, {0.7, third}, 0}};
   plan.tally = {1000 + third, 0.1, 0.2, 300 + third, 2, 1, 0, 2};
   plan.cost = 17.1;
@@ -142,6 +143,7 @@ TEST_F(PlanFileTest, comes_back_to_the_bit) {
     EXPECT_EQ(read.plan.pieces[i].end, plan.pieces[i].end);
     EXPECT_EQ(read.plan.pieces[i].stop_at_end, plan.pieces[i].stop_at_end);
     EXPECT_EQ(read.plan.pieces[i].after_crossing, plan.pieces[i].after_crossing);
+    EXPECT_EQ(read.plan.pieces[i].overlap_m2, plan.pieces[i].overlap_m2);
   }
   ASSERT_EQ(read.plan.dropped.size(), 1u);
   EXPECT_EQ(read.plan.dropped[0].end, plan.dropped[0].end);

@@ -29,6 +29,7 @@ class Row {
   /// The same and the column, for messages: "plan.gpkg: layer tracks, feature 2: path"
   std::string place_of(const char* column) const { return place_ + ": " + column; }
 
+  bool has(const char* column) const { return feature_.GetFieldIndex(column) >= 0; }
   double number(const char* column) const;
   /// nullopt for NULL.
   std::optional<double> number_if_any(const char* column) const;

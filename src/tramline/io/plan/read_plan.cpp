@@ -158,16 +158,22 @@ void read_tracks(Rows& file, PlanFile& out) {
   }
 }
 
+/// The index of the piece of this order number; nullopt where there is none.
+std::optional<std::size_t> piece_numbered(const PlanFile& file, int order) {
+  const auto& orders = file.track_order;
+  const auto found = std::lower_bound(orders.begin(), orders.end(), order);
+  if (found == orders.end() || *found != order) return std::nullopt;
+  return static_cast<std::size_t>(found - orders.begin());
+}
+
 /// What the swath of this order number measures: width · length of the track of that number, for
 /// chords fall short of arcs; by its own shape where there is no such track.
 double swath_area(const PlanFile& file, int order, const Polygon& swath) {
-  const auto& orders = file.track_order;
-  const auto found = std::lower_bound(orders.begin(), orders.end(), order);
-  if (found == orders.end() || *found != order) return area(swath);
-  const auto index = static_cast<std::size_t>(found - orders.begin());
-  return file.plan.machine.width_m * length(file.plan.pieces[index]);
+  const std::optional<std::size_t> piece = piece_numbered(file, order);
+  return piece ? file.plan.machine.width_m * length(file.plan.pieces[*piece]) : area(swath);
 }
 
+/// Files from before this was said lack the column.
 void read_swaths(Rows& file, PlanFile& out) {
   std::vector<std::pair<int, Polygon>> rows;
   file.each(layers::kSwaths, [&](const Row& row) {
@@ -175,6 +181,8 @@ void read_swaths(Rows& file, PlanFile& out) {
     const auto& [order, swath] = rows.back();
     derive(out, row, "area_m2", swath_area(out, order, swath), swath.outer.front());
     derive(out, row, "width_m", out.plan.machine.width_m, swath.outer.front());
+    if (const std::optional<std::size_t> piece = piece_numbered(out, order); piece && row.has("overlap_m2"))
+      out.plan.pieces[*piece].overlap_m2 = row.number_if_any("overlap_m2");
   });
   sort_into(rows, out.swath_order, out.swaths);
 }

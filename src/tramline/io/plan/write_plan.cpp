@@ -88,12 +88,13 @@ void write_tracks(const Target& target, const Plan& plan) {
 
 void write_swaths(const Target& target, const Plan& plan) {
   Table table(target.file, layers::kSwaths, wkbPolygon, target.crs,
-              {integer("order"), real("width_m"), kAreaColumn});
+              {integer("order"), real("width_m"), kAreaColumn, real("overlap_m2")});
   const double width_m = plan.machine.width_m;
   long long order = 0;
   for (const TrackPiece& piece : plan.pieces)
     table.add(target.shapes.polygon({swath(piece, width_m), {}}),
-              {++order, width_m, width_m * length(piece)});
+              {++order, width_m, width_m * length(piece),
+               number_if(piece.overlap_m2.has_value(), piece.overlap_m2.value_or(0))});
 }
 
 void write_dropped(const Target& target, const Plan& plan) {

@@ -1,0 +1,20 @@
+#pragma once
+// What each swath of a plan works in vain (S2.14).
+
+#include <vector>
+
+#include "tramline/geometry/region.h"
+#include "tramline/model/plan.h"
+
+namespace tramline {
+
+/// The part of each piece's swath that lies outside the body or is worked by a piece before it, m², in the
+/// order of the pieces, which is that of driving. What two swaths share counts for the later one, so that
+/// the sum over all pieces is the overlap of the plan: Σ w·L − area(body ∩ ∪ swaths). S2 counts only what
+/// lies outside the body, since its swaths never meet.
+/// Closed form, exact up to rounding (new_area()). Precondition: the pieces are straight, with or without
+/// detours, and belong to the subfields. About O(n·(v + n)) for n pieces and v corners of the body.
+std::vector<double> overlap_by_piece(const Region& body, const std::vector<Subfield>& subfields,
+                                     const std::vector<TrackPiece>& pieces, double width_m);
+
+}  // namespace tramline
