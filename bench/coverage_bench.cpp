@@ -25,22 +25,25 @@ struct Work {
   int sections = 1;  ///< more than one: each switches at random, once in a second on average
 };
 
+/// Short passes, so that ten thousand fixes make many: a first pass overlaps nothing and costs less.
+constexpr double kPass_m = 150;
+
 Region field_of(const Work& work) {
-  // As wide as needed for passes of 500 m, less a strip at one side.
+  // As wide as the passes need, less a strip at one side.
   const double step_m = work.speed_mps / work.hertz;
-  const double passes = std::ceil(static_cast<double>(work.fixes) * step_m / 500);
+  const double passes = std::ceil(static_cast<double>(work.fixes) * step_m / kPass_m);
   const double width_m = std::max(1.0, passes * work.width_m * (1 - work.overlap) - 10);
-  return {{{{0, 10}, {width_m, 0}, {width_m + 20, 490}, {-10, 495}}, {}}};
+  return {{{{0, 10}, {width_m, 0}, {width_m + 20, kPass_m - 10}, {-10, kPass_m - 5}}, {}}};
 }
 
-/// Up and down beside one another with noise of a centimetre across and half a degree, and a turn on the
-/// spot's other side with the work off.
+/// Up and down beside one another, with noise of a centimetre across and half a degree; the turns are not
+/// worked.
 std::vector<WorkedStep> boustrophedon(const Work& work) {
   std::mt19937_64 random(1);
   std::normal_distribution<double> across(0, 0.01), heading_noise(0, 0.009);
   std::bernoulli_distribution switches(1 / work.hertz);
   const double step_m = work.speed_mps / work.hertz;
-  const auto per_pass = static_cast<std::size_t>(500 / step_m);
+  const auto per_pass = static_cast<std::size_t>(kPass_m / step_m);
   std::vector<bool> on(static_cast<std::size_t>(work.sections), true);
   std::vector<WorkedStep> out;
   Point left, right;
@@ -52,7 +55,7 @@ std::vector<WorkedStep> boustrophedon(const Work& work) {
     const double x = static_cast<double>(pass) * work.width_m * (1 - work.overlap) + across(random);
     const double along = static_cast<double>(place) * step_m;
     const double angle = (up ? 0.5 : 1.5) * 3.14159265358979 + heading_noise(random);
-    const Point at{x, up ? along : 500 - along};
+    const Point at{x, up ? along : kPass_m - along};
     const Point to_left{-std::sin(angle), std::cos(angle)};
     const Point new_left = at + 0.5 * work.width_m * to_left, new_right = at - 0.5 * work.width_m * to_left;
     if (place == 0) {

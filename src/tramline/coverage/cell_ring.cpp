@@ -22,9 +22,14 @@ bool on_border(TilePoint p, std::int64_t side) {
   return p.x <= kNear || p.y <= kNear || p.x >= side - kNear || p.y >= side - kNear;
 }
 
-/// Rounded.
+/// Rounded. Precondition: not negative.
+std::int32_t nearest(double value) {
+  constexpr double kHalf = 0.5;  // and cut off: lround is a call, and this is the innermost loop
+  return static_cast<std::int32_t>(value + kHalf);
+}
+
 std::int32_t between(double value, std::int32_t least, std::int32_t most) {
-  return static_cast<std::int32_t>(std::clamp<double>(value + 0.5, least, most));
+  return nearest(std::clamp<double>(value, least, most));
 }
 
 TilePoint crossing(TilePoint a, double a_inside, TilePoint b, double b_inside, const TileLine& line,
@@ -41,7 +46,7 @@ TilePoint crossing(TilePoint a, double a_inside, TilePoint b, double b_inside, c
   const double share = a_inside / (a_inside - b_inside);
   const double x = a.x + share * (static_cast<double>(b.x) - a.x);
   const double y = a.y + share * (static_cast<double>(b.y) - a.y);
-  const TilePoint p{static_cast<std::int32_t>(x + 0.5), static_cast<std::int32_t>(y + 0.5)};
+  const TilePoint p{nearest(x), nearest(y)};
   if (on_border(p, side)) return p;
   if (same_place(p, line.from_x, line.from_y))
     return {static_cast<std::int32_t>(line.from_x), static_cast<std::int32_t>(line.from_y)};

@@ -14,7 +14,8 @@ struct GridPoint {
   std::int64_t y = 0;
 
   friend bool operator==(GridPoint a, GridPoint b) = default;
-  friend auto operator<=>(GridPoint a, GridPoint b) = default;
+  /// By x and then by y.
+  friend bool operator<(GridPoint a, GridPoint b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 };
 
 /// A point of a tile, in units from its south-west corner: 0 … 2^30.
@@ -23,7 +24,8 @@ struct TilePoint {
   std::int32_t y = 0;
 
   friend bool operator==(TilePoint a, TilePoint b) = default;
-  friend auto operator<=>(TilePoint a, TilePoint b) = default;
+  /// By x and then by y.
+  friend bool operator<(TilePoint a, TilePoint b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 };
 
 /// A closed ring within a tile, counter-clockwise.

@@ -66,10 +66,9 @@ void OwnTrails::Octagon::extend(GridPoint p) {
 }
 
 bool OwnTrails::Octagon::apart(const Octagon& other) const {
-  bool out = false;
   for (std::size_t i = 0; i < least.size(); ++i)
-    out = out | (least[i] > other.most[i]) | (other.least[i] > most[i]);
-  return out;
+    if (least[i] > other.most[i] || other.least[i] > most[i]) return true;
+  return false;
 }
 
 void OwnTrails::add(int run, double travel_m, const ConvexPiece& piece) {

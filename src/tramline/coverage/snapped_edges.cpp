@@ -41,6 +41,7 @@ class Clusters {
         if (is_near(points[i], points[j])) join(i, j, side);
   }
 
+  bool any() const { return any_; }
   TilePoint of(TilePoint p) {
     const auto at = std::lower_bound(points_.begin(), points_.end(), p);
     return points_[head(static_cast<std::size_t>(at - points_.begin()))];
@@ -58,6 +59,7 @@ class Clusters {
       const int borders = (p.x == 0 || p.x == side ? 1 : 0) + (p.y == 0 || p.y == side ? 1 : 0);
       return std::pair(-borders, n);
     };
+    any_ = true;
     i = head(i);
     j = head(j);
     if (rank(j) < rank(i)) std::swap(i, j);
@@ -66,6 +68,7 @@ class Clusters {
 
   const std::vector<TilePoint>& points_;
   std::vector<std::size_t> head_;
+  bool any_ = false;
 };
 
 /// Points in square buckets.
@@ -148,9 +151,11 @@ void find_passed(const TileEdge& edge, const PointGrid& grid, Passed& out) {
 /// One round; returns whether any edge was bent.
 bool snap_once(std::vector<TileEdge>& edges, std::int32_t side, EdgeSum& out) {
   std::vector<TilePoint> points = ends_of(edges);
-  Clusters clusters(points, side);
-  for (TileEdge& edge : edges) edge = {clusters.of(edge.from), clusters.of(edge.to)};
-  const PointGrid grid(ends_of(edges), side);
+  if (Clusters clusters(points, side); clusters.any()) {
+    for (TileEdge& edge : edges) edge = {clusters.of(edge.from), clusters.of(edge.to)};
+    points = ends_of(edges);
+  }
+  const PointGrid grid(std::move(points), side);
   Passed passed;
   bool bent = false;
   for (const TileEdge& edge : edges) {

@@ -26,8 +26,8 @@ void each_tile_met(const TileFrame& frame, std::size_t count, PointAt point, std
   const bool one_column = frame.tile_at(west - margin) == frame.tile_at(east + margin);
   for (std::int32_t row = first_row; row <= last_row; ++row) {
     if (!one_column && first_row != last_row) {
-      const double bottom = static_cast<double>(row * frame.side - margin);
-      const double top = static_cast<double>((row + std::int64_t{1}) * frame.side + margin);
+      const auto bottom = static_cast<double>(row * frame.side - margin);
+      const auto top = static_cast<double>((row + std::int64_t{1}) * frame.side + margin);
       double least = INFINITY, most = -INFINITY;
       for (std::size_t i = 0; i < count; ++i) {
         const GridPoint a = point(i), b = point(i + 1 < count ? i + 1 : 0);
