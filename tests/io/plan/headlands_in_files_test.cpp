@@ -279,9 +279,32 @@ TEST_F(HeadlandsInFiles, curves_under_another_name_are_refused) {
   EXPECT_TRUE(says("UPDATE tracks SET kind = 'straight' WHERE fid = 1",
                    {"layer tracks, feature 1: detours", "straight"}));
   EXPECT_TRUE(says(
-      R"(UPDATE tracks SET detours = '[{"first":1,"last":1,"side":"left","obstacles":[1]}]' WHERE fid = 1)",
-      {"layer tracks, feature 1: detours", "curved"}));
+      R"(UPDATE tracks SET detours = '[{"first":1,"last":9,"side":"left","obstacles":[1]}]' WHERE fid = 1)",
+      {"layer tracks, feature 1: detours", "names segments 1 to 9"}));
   EXPECT_TRUE(says("UPDATE tracks SET detours = 'none' WHERE fid = 1", {"layer tracks, feature 1: detours"}));
+}
+
+/// Between its detours a curved track may have any number of segments.
+TEST_F(HeadlandsInFiles, detours_of_curved_tracks_come_back) {
+  Plan plan = headland_plan();
+  TrackPiece& piece = plan.pieces[0];
+  ASSERT_EQ(piece.curve.size(), 3u);
+  piece.detours = {{{piece.curve[1]}, Passing::kRight, {0}}};
+  plan.pieces[1].detours = {{plan.pieces[1].curve, Passing::kLeft, {}}};
+  const fs::path file = fs::temp_directory_path() / ("curved-detours-" + std::to_string(getpid()) + ".gpkg");
+  io::write_plan(plan, file);
+  const Plan back = io::read_plan(file);
+  fs::remove(file);
+  ASSERT_EQ(back.pieces.size(), plan.pieces.size());
+  for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
+    EXPECT_EQ(back.pieces[i].curve, plan.pieces[i].curve);
+    ASSERT_EQ(back.pieces[i].detours.size(), plan.pieces[i].detours.size());
+    for (std::size_t k = 0; k < plan.pieces[i].detours.size(); ++k) {
+      EXPECT_EQ(back.pieces[i].detours[k].path, plan.pieces[i].detours[k].path);
+      EXPECT_EQ(back.pieces[i].detours[k].side, plan.pieces[i].detours[k].side);
+      EXPECT_EQ(back.pieces[i].detours[k].obstacles, plan.pieces[i].detours[k].obstacles);
+    }
+  }
 }
 
 TEST_F(HeadlandsInFiles, contradictions_are_kept_for_the_verifier) {
