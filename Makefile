@@ -87,7 +87,7 @@ program: packages $(RELEASE)/build.ninja
 
 LONG := long-properties long-scenes long-best-bound long-best-brute long-best-real long-best-real-1 \
   long-best-real-2 long-best-real-3 long-tally-real long-real-1 long-real-2 long-real-3 long-obstacles-3 long-obstacles-6 \
-  long-obstacles-12 long-obstacles-24 long-headlands long-maps long-coverage long-registers long-fuzz-logs long-asan long-tsan \
+  long-obstacles-12 long-obstacles-24 long-headlands long-maps long-coverage long-registers long-fuzz-logs long-fuzz-coverage long-asan long-tsan \
   long-clang
 
 .PHONY: long $(LONG)
@@ -153,6 +153,10 @@ long-registers: program ## plan every field of the registers, slivers and odditi
 	$(LIMIT) $(TRAMLINE) plan $(TRAMLINE_DATA)/fields/fields-all.geojson --all --width 6 --radius 6 --json \
 	  > out/registers.jsonl
 	@echo "$$(wc -l < out/registers.jsonl) lines in out/registers.jsonl"
+
+long-fuzz-coverage: packages-lint build/fuzz/build.ninja ## the exact engine of coverage against polygon booleans, ten minutes
+	cmake --build build/fuzz -j $(JOBS) --target fuzz_tile_coverage
+	$(LIMIT) tools/fuzz.sh build/fuzz 600 tile_coverage
 
 long-fuzz-logs: packages-lint build/fuzz/build.ninja ## the readers of logs on bytes gone wrong, ten minutes each, two at a time
 	cmake --build build/fuzz -j $(JOBS) --target fuzz
