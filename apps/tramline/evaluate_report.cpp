@@ -173,10 +173,10 @@ std::string plan_rows(const Evaluation& evaluation) {
 
 std::string slice_rows(const Coverage& coverage) {
   if (coverage.slices.empty()) return "";
-  std::string out = fmt::format("{:>9} {:>13} {:>13} {:>13} {:>6} {:>8} {:>9}\n", "fixes", "covered m²",
-                                "repeated m²", "missed m²", "rings", "regions", "ms");
+  std::string out = fmt::format("{:>9} {:>13} {:>13} {:>13} {:>6} {:>8}  {}\n", "fixes", "covered m²",
+                                "repeated m²", "missed m²", "rings", "regions", "time so far");
   for (const CoverageSlice& slice : coverage.slices)
-    out += fmt::format("{:>9} {:>12.2f} {:>12.2f} {:>12.2f} {:>6} {:>8} {:>9.2f}\n", slice.fixes,
+    out += fmt::format("{:>9} {:>12.2f} {:>12.2f} {:>12.2f} {:>6} {:>8}  {:.2f} ms\n", slice.fixes,
                        slice.areas.covered_m2, slice.areas.repeated_m2, slice.areas.missed_m2,
                        slice.covered_rings, slice.missed_regions, 1e3 * slice.seconds);
   return out;
