@@ -44,6 +44,11 @@ Region workable(const SearchTask& task) {
                                       : difference(task.ground.plannable, task.ground.passable);
 }
 
+/// Is there land that swaths end before, but not as at an obstacle?
+bool has_ends_without_stop(const SearchTask& task) {
+  return !task.ground.passable.empty() || !task.ground.beyond.empty();
+}
+
 /// Does anything of the region lie within the first millimetres beyond the end of a swath?
 bool lies_ahead(const Region& region, Point end, Point heading, double width_m) {
   constexpr double kAhead = 2e-3;
@@ -51,7 +56,8 @@ bool lies_ahead(const Region& region, Point end, Point heading, double width_m) 
   return area(intersection(region, {{ahead, {}}})) > 0.5 * kAhead * kWidthTolerance;
 }
 
-/// Before passable land work is interrupted, which is no stop.
+/// Before passable land work is interrupted, and before land given up in a headland it ends with the body:
+/// neither is a stop.
 void keep_stops_at(const Region& hard, double width_m, CurvedTracks& tracks) {
   for (CurvedPiece& piece : tracks.pieces) {
     const PathSegment &first = piece.path.front(), &last = piece.path.back();
@@ -79,8 +85,8 @@ class FamilyBound {
       const CurvedPiece& piece = tracks.pieces[seen_];
       inside_m2_ += piece.inside_m2;
       overlap_m2_ += task_.machine.width_m * piece.length_m - piece.inside_m2;
-      // Before passable land there is no stop, but that is told later.
-      if (task_.ground.passable.empty()) stops_ += (piece.stop_at_from ? 1 : 0) + (piece.stop_at_to ? 1 : 0);
+      // Which ends are stops after all is told later.
+      if (!has_ends_without_stop(task_)) stops_ += (piece.stop_at_from ? 1 : 0) + (piece.stop_at_to ? 1 : 0);
     }
     const Objective& price = task_.objective;
     const double sure =
@@ -253,7 +259,7 @@ CurvedCandidate curved_along(const SearchTask& task, const CurvedGround& ground,
   for (std::vector<CurvedPiece>* pieces : {&out.tracks.pieces, &out.tracks.dropped})
     std::stable_sort(pieces->begin(), pieces->end(),
                      [](const CurvedPiece& a, const CurvedPiece& b) { return a.track < b.track; });
-  if (!task.ground.passable.empty()) keep_stops_at(task.ground.hard, width_m, out.tracks);
+  if (has_ends_without_stop(task)) keep_stops_at(task.ground.hard, width_m, out.tracks);
   out.tally = curved_tally(out.tracks, width_m, task.body_m2);
   out.cost = cost(task.objective, out.tally);
   return out;
