@@ -8,6 +8,7 @@
 
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
+#include "tramline/planner/headlanded_task.h"
 #include "tramline/planner/plan_field.h"
 
 namespace tramline {
@@ -264,6 +265,18 @@ TEST(MetricMap, RefusesWhatThePaperDoesNotKnow) {
   inside.tracks = TrackConstruction::kPaper;
   inside.end_rule = EndRule::kInside;
   EXPECT_THROW(plan_field(bare, {"", 4, 6, 0}, {}, inside, 1), Error);
+}
+
+// An obstacle 2 m from the edge, the strip between them too narrow for anything: 20 by 2 m, all of it in the
+// headland. No swath enters it, but to end before it is no stop, and it is not the body's to be left.
+TEST(MetricMap, LandGivenUpInAHeadlandIsNoObstacle) {
+  PlanSettings settings;
+  settings.headlands = 1;
+  const Field field = field_of(box(0, 0, 100, 60), {box(2, 20, 12, 40)});
+  const SearchTask task = headlanded_task(field, {"", 6, 6, 0}, {}, settings, 1);
+  EXPECT_NEAR(area(task.ground.hard), 200, 1e-6);
+  EXPECT_NEAR(area(task.ground.beyond), 40, 1e-6);
+  EXPECT_NEAR(area(task.ground.given_up), 0, 1e-6);
 }
 
 }  // namespace

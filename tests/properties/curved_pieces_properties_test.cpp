@@ -211,7 +211,7 @@ TEST(CurvedPiecesProperties, AreGivenUpOnlyWhereTheyCostMore) {
     }
   }
   EXPECT_GE(2 * families, cases < 20 ? 0 : cases);
-  EXPECT_GE(2 * given_up, cases < 20 ? 0 : families);
+  EXPECT_GE(4 * given_up, cases < 20 ? 0 : families);
 }
 
 }  // namespace

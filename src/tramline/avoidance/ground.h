@@ -15,7 +15,8 @@ struct Ground {
                      ///< the edge, inside a ring of them, and nearer to one than the clearance
   Region hard;       ///< obstacles and given-up land
   Region passable;   ///< crossed with the work interrupted
-  Region beyond;     ///< land outside the field nearer to an obstacle than the clearance: no swath enters it
+  Region beyond;     ///< land outside the field nearer to an obstacle than the clearance, and given-up land
+                     ///< in headlands: no swath enters it, and an end before it is no stop
   std::vector<Hazard> hazards;  ///< the parts of `hard` with what lies beyond
 };
 

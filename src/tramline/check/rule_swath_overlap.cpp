@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "tramline/check/bands.h"
 #include "tramline/check/doubled_ground.h"
@@ -14,7 +16,7 @@ namespace {
 
 constexpr const char* kRule = "swath overlap";
 
-/// A swath as polygons, and how far chords may be off its area.
+/// A swath as polygons that only touch, and how far chords may be off its area.
 struct SwathGround {
   Path line;
   Region parts;
@@ -29,7 +31,7 @@ SwathGround ground_of(const TrackPiece& piece, double width_m) {
   if (piece.curve.empty())
     append_ground(swath(piece, width_m), !piece.detours.empty(), out.parts);
   else
-    out.parts = unite(bands_along(piece.curve, width_m, kLayerSagitta));
+    out.parts = bands_along(piece.curve, width_m, kLayerSagitta);
   out.box = bounds(out.parts);
   const double length_m = length(piece);
   out.area_m2 = width_m * length_m;
@@ -38,21 +40,56 @@ SwathGround ground_of(const TrackPiece& piece, double width_m) {
   return out;
 }
 
+/// The body, ready to be laid over one polygon after another.
+class Body {
+ public:
+  explicit Body(const Region& body) : body_(body), rings_(rings_of(body)) {}
+
+  /// What of the parts lies in it. Most are met by no edge, and need no overlay.
+  Region of(const Region& parts) const {
+    Region out;
+    for (const Polygon& part : parts) {
+      if (is_met(bounds(part))) {
+        for (Polygon& inside : intersection({part}, body_)) out.push_back(std::move(inside));
+      } else if (contains(body_, part.outer.front())) {
+        out.push_back(part);
+      }
+    }
+    return out;
+  }
+
+ private:
+  bool is_met(const Box& box) const {
+    for (const Ring& ring : rings_)
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        Box edge;
+        edge.extend(ring[i]);
+        edge.extend(ring[i + 1 < ring.size() ? i + 1 : 0]);
+        if (intersects(edge, box)) return true;
+      }
+    return false;
+  }
+
+  const Region& body_;
+  std::vector<Ring> rings_;
+};
+
 }  // namespace
 
 void check_swath_overlaps(const Case& c, Violations& out) {
   const double width_m = c.plan.machine.width_m;
+  const Body body(c.plan.body);
   std::vector<SwathGround> before;
   double sum_m2 = 0;
   bool whole = true;
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
     const TrackPiece& piece = c.plan.pieces[i];
     SwathGround own = ground_of(piece, width_m);
-    Region useful = intersection(own.parts, c.plan.body);
+    Region useful = body.of(own.parts);
     for (const SwathGround& other : before)
       if (intersects(other.box, own.box) &&
           distance_between(other.line, own.line) < width_m - kThinnestShown_m)
-        useful = difference(useful, other.parts);
+        useful = difference(unite(useful), unite(other.parts));
     const double found_m2 = own.area_m2 - area(useful);
     if (piece.overlap_m2 && !(std::abs(*piece.overlap_m2 - found_m2) <= own.tolerance_m2))
       out.push_back({kRule,

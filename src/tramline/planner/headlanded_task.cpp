@@ -55,6 +55,13 @@ Ground ground_behind(const SearchTask& task, const HeadlandTerms& terms, const H
   for (std::size_t i = 0; i < task.field.obstacles.size(); ++i)
     if (!bare(i)) ground.hazards.push_back({task.field.obstacles[i].shape, {static_cast<int>(i)}, {}});
   ground.body = headland.body;
+  // Land given up is the body's affair; what of it is headland no swath enters either, but to end there is no
+  // stop.
+  const Region in_headland = difference(ground.given_up, headland.body);
+  if (!in_headland.empty()) {
+    ground.beyond = unite(ground.beyond, in_headland);
+    ground.hard = difference(ground.hard, in_headland);
+  }
   ground.given_up = intersection(ground.given_up, headland.body);
   ground.plannable = intersection(ground.plannable, body_with_passable(task.field, terms, headland));
   return ground;
