@@ -10,34 +10,40 @@
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 #include "tramline/geometry/boolean.h"
+#include "tramline/geometry/box_grid.h"
 
 namespace tramline::check {
 namespace {
 
 constexpr const char* kRule = "swath overlap";
 
-/// A swath as polygons that only touch, and how far chords may be off its area.
-struct SwathGround {
+/// Ground worked along one line: a straight swath with its detours, or one segment of a curved one.
+struct Part {
+  std::size_t piece = 0;
   Path line;
-  Region parts;
-  Box box;
-  double area_m2 = 0;
-  double tolerance_m2 = 0;
+  Region ground;
 };
 
-SwathGround ground_of(const TrackPiece& piece, double width_m) {
-  SwathGround out;
-  out.line = centre_line(piece);
-  if (piece.curve.empty())
-    append_ground(swath(piece, width_m), !piece.detours.empty(), out.parts);
-  else
-    out.parts = bands_along(piece.curve, width_m, kLayerSagitta);
-  out.box = bounds(out.parts);
-  const double length_m = length(piece);
-  out.area_m2 = width_m * length_m;
-  out.tolerance_m2 = kAreaShare * out.area_m2 + kThinnestShown_m * 2 * (length_m + width_m) +
-                     kLayerSagitta * 2 * arcs_m(out.line);
+/// All swaths, by piece.
+std::vector<Part> parts_of(const Plan& plan) {
+  std::vector<Part> out;
+  const double width_m = plan.machine.width_m;
+  for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
+    const TrackPiece& piece = plan.pieces[i];
+    for (const PathSegment& segment : piece.curve)
+      out.push_back({i, {segment}, bands_along({segment}, width_m, kLayerSagitta)});
+    if (!piece.curve.empty()) continue;
+    out.push_back({i, centre_line(piece), {}});
+    append_ground(swath(piece, width_m), !piece.detours.empty(), out.back().ground);
+  }
   return out;
+}
+
+/// What chords and grids may be off the area of a swath.
+double tolerance_m2(const TrackPiece& piece, double width_m) {
+  const double length_m = length(piece);
+  return kAreaShare * width_m * length_m + kThinnestShown_m * 2 * (length_m + width_m) +
+         kLayerSagitta * 2 * arcs_m(centre_line(piece));
 }
 
 /// The body, ready to be laid over one polygon after another.
@@ -74,31 +80,45 @@ class Body {
   std::vector<Ring> rings_;
 };
 
+/// What of each piece's swath is body that no piece before it has worked, m².
+std::vector<double> useful_m2(const Plan& plan) {
+  const Body body(plan.body);
+  const std::vector<Part> parts = parts_of(plan);
+  std::vector<Box> boxes;
+  for (const Part& part : parts) boxes.push_back(bounds(part.ground));
+  const BoxGrid index(boxes);
+  const double apart_m = plan.machine.width_m - kThinnestShown_m;
+  std::vector<double> out(plan.pieces.size(), 0);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Region useful = body.of(parts[i].ground);
+    Region before;
+    index.each_meeting(boxes[i], [&](std::size_t k) {
+      if (parts[k].piece < parts[i].piece && distance_between(parts[k].line, parts[i].line) < apart_m)
+        before.insert(before.end(), parts[k].ground.begin(), parts[k].ground.end());
+    });
+    if (!before.empty()) useful = difference(unite(useful), unite(before));
+    out[parts[i].piece] += area(useful);
+  }
+  return out;
+}
+
 }  // namespace
 
 void check_swath_overlaps(const Case& c, Violations& out) {
   const double width_m = c.plan.machine.width_m;
-  const Body body(c.plan.body);
-  std::vector<SwathGround> before;
+  const std::vector<double> useful = useful_m2(c.plan);
   double sum_m2 = 0;
   bool whole = true;
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
     const TrackPiece& piece = c.plan.pieces[i];
-    SwathGround own = ground_of(piece, width_m);
-    Region useful = body.of(own.parts);
-    for (const SwathGround& other : before)
-      if (intersects(other.box, own.box) &&
-          distance_between(other.line, own.line) < width_m - kThinnestShown_m)
-        useful = difference(unite(useful), unite(other.parts));
-    const double found_m2 = own.area_m2 - area(useful);
-    if (piece.overlap_m2 && !(std::abs(*piece.overlap_m2 - found_m2) <= own.tolerance_m2))
+    const double found_m2 = width_m * length(piece) - useful[i];
+    if (piece.overlap_m2 && !(std::abs(*piece.overlap_m2 - found_m2) <= tolerance_m2(piece, width_m)))
       out.push_back({kRule,
                      fmt::format("the swath of {} is said to overlap by {:.3f} m², its shape gives {:.3f} m²",
                                  piece_name(i), *piece.overlap_m2, found_m2),
                      midpoint(piece.start, piece.end), *piece.overlap_m2 - found_m2});
     whole = whole && piece.overlap_m2.has_value();
     sum_m2 += piece.overlap_m2.value_or(0);
-    before.push_back(std::move(own));
   }
   const double off_m2 = sum_m2 - c.plan.tally.overlap_m2;
   if (whole && !(std::abs(off_m2) <= c.area_tolerance_m2))

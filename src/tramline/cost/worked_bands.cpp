@@ -103,13 +103,13 @@ class Block {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
       const double reach = along_.reach + a.x;
-      const Point from = place(a);
-      if (a.x != b.x || along_.straight || std::abs(reach) < kSamePlace) {
+      const Point from = place(a), to = place(b);
+      if (a.x != b.x || along_.straight || distance(from, to) < kSamePlace) {
         out.push_back(from);
         continue;
       }
       const double curvature = b.y > a.y ? 1 / reach : -1 / reach;
-      std::vector<Point> arc = chords({{from, place(b), curvature}}, sagitta_m);
+      std::vector<Point> arc = chords({{from, to, curvature}}, sagitta_m);
       out.insert(out.end(), arc.begin(), arc.end() - 1);
     }
     return out;
