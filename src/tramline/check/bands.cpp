@@ -90,12 +90,8 @@ void append_ground(Ring ring, bool may_fold, Region& out) {
   for (Polygon& part : made_valid(ground)) out.push_back(std::move(part));
 }
 
-Region bands_along(const Path& path, double width_m, double sagitta_m) {
+Region flat_bands_along(const Path& path, double width_m, double sagitta_m) {
   Region out;
-  if (has_kinks(path)) {
-    for (Ring& cell : kinked_cells(path, width_m)) append_ground(std::move(cell), false, out);
-    return out;
-  }
   for (const PathSegment& segment : path) {
     const bool folds = 2 * radius(segment) <= width_m * (1 + 1e-9);
     const bool aligned = !segment.straight() && !folds;
@@ -103,6 +99,13 @@ Region bands_along(const Path& path, double width_m, double sagitta_m) {
         aligned ? AlignedBand(segment, 0.5 * width_m, sagitta_m).take() : band({segment}, width_m, sagitta_m),
         folds, out);
   }
+  return out;
+}
+
+Region bands_along(const Path& path, double width_m, double sagitta_m) {
+  if (!has_kinks(path)) return flat_bands_along(path, width_m, sagitta_m);
+  Region out;
+  for (Ring& cell : kinked_cells(path, width_m)) append_ground(std::move(cell), false, out);
   return out;
 }
 

@@ -14,6 +14,9 @@ void append_ground(Ring ring, bool may_fold, Region& out);
 /// kinks they end as in kinked_cells().
 Region bands_along(const Path& path, double width_m, double sagitta_m = kChordSagitta);
 
+/// The same with every segment by itself and flat ends, kinks or not: what headland passes are counted by.
+Region flat_bands_along(const Path& path, double width_m, double sagitta_m = kChordSagitta);
+
 /// The path without the first and the last `by_m`; empty where nothing is left.
 Path shortened(const Path& path, double by_m);
 

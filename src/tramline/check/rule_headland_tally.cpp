@@ -31,7 +31,7 @@ HeadlandWork work(const Case& c) {
   for (const HeadlandPass& pass : c.plan.headland.passes) {
     out.worked_m2 += c.plan.machine.width_m * length(pass.path);
     out.arcs_m += arcs_m(pass.path);
-    for (Polygon& band : bands_along(pass.path, c.plan.machine.width_m)) {
+    for (Polygon& band : flat_bands_along(pass.path, c.plan.machine.width_m)) {
       out.worked_m2 -= area_on(c.passables, band);
       bands.push_back(std::move(band));
     }
