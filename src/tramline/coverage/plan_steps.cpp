@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "tramline/geometry/path.h"
@@ -19,23 +20,35 @@ Point turned(Point v, double angle) {
   return {std::cos(angle) * v.x - std::sin(angle) * v.y, std::sin(angle) * v.x + std::cos(angle) * v.y};
 }
 
-/// Chords of an arc whose outer edge lies half a width further out.
-int chord_count(const PathSegment& segment, double width_m) {
-  if (segment.straight()) return 1;
-  const double outer_m = radius(segment) + width_m / 2;
-  const double step = 2 * std::acos(1 - std::min(1.0, kPlanSagitta_m / outer_m));
-  return std::max(1, static_cast<int>(std::ceil(std::abs(turning(segment)) / step)));
+/// Of the chords of an arc: π over a power of two, so that concentric arcs side by side share their corners,
+/// and neither gaps nor overlaps of a chord's height come between their swaths.
+double step_of(const PathSegment& arc, double width_m) {
+  const double outer_m = radius(arc) + width_m / 2;
+  const double widest = 2 * std::acos(1 - std::min(1.0, kPlanSagitta_m / outer_m));
+  double step = std::numbers::pi;
+  while (step > widest) step /= 2;
+  return step;
 }
 
-/// From one end of the segment to the other.
+/// From one end of the segment to the other; on an arc at its ends and at all multiples of the step about its
+/// centre.
 std::vector<Pose> poses(const PathSegment& segment, double width_m) {
-  const int count = chord_count(segment, width_m);
   const Point start = direction_at_start(segment);
   std::vector<Pose> out{{segment.from, start}};
-  for (int i = 1; i < count; ++i) {
-    const double angle = turning(segment) * i / count;
+  if (!segment.straight()) {
     const Point middle = centre(segment);
-    out.push_back({middle + turned(segment.from - middle, angle), turned(start, angle)});
+    const Point spoke = segment.from - middle;
+    const double step = step_of(segment, width_m);
+    const double turn = turning(segment);
+    const double sense = turn > 0 ? 1 : -1;
+    const double from = std::atan2(spoke.y, spoke.x);
+    // Corners nearer to the ends than this share of a step would make slivers.
+    constexpr double kNear = 1e-3;
+    const double first = sense > 0 ? std::ceil(from / step + kNear) : std::floor(from / step - kNear);
+    for (double k = first; sense * (k * step - from) < std::abs(turn) - kNear * step; k += sense) {
+      const double angle = k * step - from;
+      out.push_back({middle + turned(spoke, angle), turned(start, angle)});
+    }
   }
   out.push_back({segment.to, direction_at_end(segment)});
   return out;

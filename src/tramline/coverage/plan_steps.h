@@ -9,7 +9,7 @@
 namespace tramline::coverage {
 
 /// Arcs are driven in chords that the outer edge of the swath leaves by at most this, m.
-inline constexpr double kPlanSagitta_m = 1e-6;
+inline constexpr double kPlanSagitta_m = 2e-5;
 
 /// What the pieces of a plan work, in driving order, each a run of its own. Ends of steps are square to the
 /// path. O(pieces, and chords of arcs).
