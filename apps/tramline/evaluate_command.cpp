@@ -180,9 +180,10 @@ class EvaluateCommand : public Command {
       ground = *field;
     else if (plan)
       ground = work_ground(*plan);
-    const WorkLog log = placed_on(read, ground);
+    WorkLog log = placed_on(read, ground);
+    if (!plan) read = {};  // a day's log is not kept twice
     Evaluation out;
-    out.coverage = evaluated(log, ground.ground);
+    out.coverage = evaluated(std::move(log), ground.ground);
     out.coverage.field_id = ground.field_id;
     out.coverage.field = ground.ground;
     out.coverage.frame = ground.frame;
@@ -190,10 +191,11 @@ class EvaluateCommand : public Command {
     return out;
   }
 
-  Coverage evaluated(const WorkLog& log, const Region& field) const {
+  Coverage evaluated(WorkLog log, const Region& field) const {
     ProgressLine progress(quiet_);
-    return coverage::evaluate(log, field, settings(), [&](std::size_t done, std::size_t total) {
-      progress.show("evaluating " + log.name, static_cast<int>(done), static_cast<int>(total), "fixes");
+    const std::string what = "evaluating " + log.name;
+    return coverage::evaluate(std::move(log), field, settings(), [&](std::size_t done, std::size_t total) {
+      progress.show(what, static_cast<int>(done), static_cast<int>(total), "fixes");
     });
   }
 

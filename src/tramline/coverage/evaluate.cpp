@@ -118,13 +118,13 @@ void add_regions(Coverage& coverage, const Engine& engine, bool strict) {
 
 }  // namespace
 
-Coverage evaluate(const WorkLog& given, const Region& field, const EvaluateSettings& settings,
+Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& settings,
                   const FixProgress& progress) {
   if (given.fixes.size() < 2)
     throw bad_input(fmt::format("{} has {} with a position: no ground is worked without two", given.name,
                                 given.fixes.empty() ? "no fix" : "one fix"));
   Coverage out;
-  WorkLog log = plausible(given);
+  WorkLog log = plausible(std::move(given));
   out.warnings = log.notes;
   if (const std::size_t disorder = out_of_order(log); disorder > 0) {
     log = in_time_order(std::move(log));

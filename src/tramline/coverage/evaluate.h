@@ -27,7 +27,7 @@ using FixProgress = std::function<void(std::size_t done, std::size_t total)>;
 /// local metres, oriented; empty: no field, and nothing missed. Field id, frame and what readers skipped are
 /// the caller's. Throws kBadInput where no width is known, or fewer than two fixes are left. O(fixes) and the
 /// regions. Precondition: local positions.
-Coverage evaluate(const WorkLog& log, const Region& field, const EvaluateSettings& settings,
+Coverage evaluate(WorkLog log, const Region& field, const EvaluateSettings& settings,
                   const FixProgress& progress);
 
 /// The same for steps that are known, such as those of a plan (plan_steps.h). `width_m`: of most.
