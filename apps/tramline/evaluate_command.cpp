@@ -69,7 +69,8 @@ class EvaluateCommand : public Command {
     add_engine_options(*verb);
     verb->add_option("-o,--output", output_, "write the coverage to this GeoPackage (.gpkg)");
     verb->add_option("--picture", picture_, "draw it to this .png, .svg or .pdf");
-    add_unused_threads_option(*verb, threads_);
+    verb->add_option("--threads", settings_.threads, "threads to use (default: all cores)")
+        ->check(CLI::Range(0, 1024));
     verb->add_flag("--json", json_, "print one JSON object instead of the table");
     verb->add_flag("--quiet", quiet_, "no progress, no table");
     verb->footer(kExample);
@@ -157,6 +158,7 @@ class EvaluateCommand : public Command {
     out.drive.switching = switch_ == "step" ? coverage::Switching::kStep : coverage::Switching::kInterpolate;
     out.engine = engine_ == "mesh" ? coverage::EngineKind::kMesh : coverage::EngineKind::kExact;
     out.strict = repeat_ == "strict";
+    out.shapes = !output_.empty() || !picture_.empty();
     return out;
   }
 
@@ -205,7 +207,9 @@ class EvaluateCommand : public Command {
     std::vector<coverage::WorkedStep> steps = coverage::plan_steps(plan);
     for (coverage::WorkedStep& step : coverage::headland_steps(plan, static_cast<int>(plan.pieces.size())))
       steps.push_back(std::move(step));
-    const Region planned = coverage::evaluate(steps, plan.machine.width_m, {}, {}).covered;
+    coverage::EvaluateSettings exact;
+    exact.threads = settings_.threads;
+    const Region planned = coverage::evaluate(steps, plan.machine.width_m, {}, exact).covered;
     const Coverage done = evaluated(placed_on(read, ground), planned);
     return {plan_file_, coverage::deviation(plan, done.lines), area(planned), done.areas.missed_m2,
             done.areas.outside_m2};
@@ -225,7 +229,6 @@ class EvaluateCommand : public Command {
   coverage::EvaluateSettings settings_;
   std::string log_file_, plan_file_, output_, picture_;
   std::string quads_ = "heading", switch_ = "interpolate", engine_ = "exact", repeat_ = "run";
-  int threads_ = 0;
   bool json_ = false, quiet_ = false;
 };
 

@@ -16,32 +16,40 @@ namespace {
 /// A log none of whose fixes is nearer to the field than this was driven elsewhere, m.
 constexpr double kNear_m = 2000;
 
-Ring moved(const Ring& ring, const FrameProjection& from, const FrameProjection& to) {
-  Ring out;
-  for (const Point p : ring) {
-    const std::optional<Point> local = to.from_lonlat(from.to_lonlat(p));
-    if (!local) throw bad_input("the parts of the field lie too far apart for one plane");
-    out.push_back(*local);
+/// From one frame of the field's parts to another's.
+class BetweenFrames {
+ public:
+  BetweenFrames(const LocalFrame& from, const LocalFrame& to)
+      : shift_{from.origin_x_m - to.origin_x_m, from.origin_y_m - to.origin_y_m} {
+    if (!from.geodetic) return;
+    from_.emplace(from);
+    to_.emplace(to);
   }
-  return out;
-}
+
+  Point operator()(Point p) const {
+    if (!from_) return p + shift_;
+    const std::optional<Point> local = to_->from_lonlat(from_->to_lonlat(p));
+    if (!local) throw bad_input("the parts of the field lie too far apart for one plane");
+    return *local;
+  }
+
+ private:
+  Point shift_;
+  std::optional<FrameProjection> from_, to_;
+};
 
 /// Parts of a feature have a frame each.
-Region moved(const Region& region, const LocalFrame& from, const LocalFrame& to) {
+Region moved(Region region, const LocalFrame& from, const LocalFrame& to) {
   if (from == to) return region;
-  Region out = region;
-  const Point shift{from.origin_x_m - to.origin_x_m, from.origin_y_m - to.origin_y_m};
+  const BetweenFrames between(from, to);
   const auto move = [&](Ring& ring) {
-    if (from.geodetic)
-      ring = moved(ring, FrameProjection(from), FrameProjection(to));
-    else
-      std::transform(ring.begin(), ring.end(), ring.begin(), [&](Point p) { return p + shift; });
+    for (Point& p : ring) p = between(p);
   };
-  for (Polygon& polygon : out) {
+  for (Polygon& polygon : region) {
     move(polygon.outer);
     std::for_each(polygon.holes.begin(), polygon.holes.end(), move);
   }
-  return out;
+  return region;
 }
 
 double distance_between(const Box& box, Point p) {

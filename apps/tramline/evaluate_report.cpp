@@ -214,7 +214,7 @@ ordered_json evaluation_json(const Evaluation& evaluation) {
   out["covered_inside_m2"] = of_field(coverage, areas.covered_inside_m2);
   out["outside_m2"] = of_field(coverage, areas.outside_m2);
   out["repeated_m2"] = areas.repeated_m2;
-  out["sliver_m2"] = number(areas.sliver_m2);
+  out["sliver_m2"] = areas.sliver_m2;
   out["repeated_rate"] = repeated_rate(areas);
   out["missed_m2"] = of_field(coverage, areas.missed_m2);
   out["missed_regions"] = has_field(coverage) ? ordered_json(coverage.gaps.size()) : ordered_json();

@@ -111,6 +111,22 @@ TEST(Evaluate, BothEnginesSeeTheSameDrive) {
   EXPECT_NEAR(done.areas.covered_inside_m2, 70, 0.007 * 70);
   EXPECT_NEAR(done.areas.repeated_m2, 10, 0.007 * 10);
   EXPECT_NEAR(done.areas.missed_m2, 30, 0.5);
+  EXPECT_NEAR(area(done.worked_times[1]), done.areas.worked_times_m2[1], 0.007 * 76);
+  EXPECT_TRUE(done.worked_times[2].empty()) << "meshes do not count further";
+}
+
+TEST(Evaluate, ShapesAndThreadsChangeNoFigure) {
+  const Coverage whole = evaluate(two_passes(), square(10), by_steps(), {});
+  EXPECT_NEAR(area(whole.covered), 86, 1e-6);
+  EXPECT_NEAR(area(whole.worked_times[1]), 76, 1e-6);
+  EvaluateSettings figures = by_steps();
+  figures.shapes = false;
+  figures.threads = 1;
+  const Coverage alone = evaluate(two_passes(), square(10), figures, {});
+  EXPECT_TRUE(alone.covered.empty());
+  EXPECT_EQ(alone.areas.covered_m2, whole.areas.covered_m2);
+  EXPECT_EQ(alone.missed, whole.missed);
+  ASSERT_EQ(alone.gaps.size(), 1U);
 }
 
 // A plan of two tracks over the square whose swaths overlap by 1 m and end 1 m beyond it: o = 10 + 2·(4 + 4)

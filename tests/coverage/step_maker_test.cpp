@@ -187,7 +187,9 @@ TEST(StepMaker, AMachineThatStandsDoesNotSpin) {
   for (int i = 0; i <= 20; ++i) fixes.push_back(fix(i, {0.5 * i, 0}));
   for (int i = 0; i < 500; ++i)
     fixes.push_back(fix(21 + i, {10 + 0.01 * std::cos(2.4 * i), 0.01 * std::sin(2.4 * i)}));
-  for (const WorkedStep& step : steps_of(fixes))
+  const std::vector<WorkedStep> steps = steps_of(fixes);
+  EXPECT_GE(steps.size(), 20U);
+  for (const WorkedStep& step : steps)
     for (const Point corner : step.quads.at(0)) {
       EXPECT_LT(corner.x, 10 + 0.02 + 2 * std::sin(0.1));
       EXPECT_LT(std::abs(corner.y), 2.02);

@@ -23,8 +23,9 @@ using coverage::TileCoverage;
 using coverage::WorkedStep;
 using testing::Drive;
 
-constexpr std::array kGrounds = {Ground::kCovered, Ground::kRepeated, Ground::kSliver, Ground::kMissed,
-                                 Ground::kOutside, Ground::kOnce,     Ground::kTwice,  Ground::kOften};
+constexpr std::array kGrounds = {Ground::kCovered, Ground::kRepeated, Ground::kSliver,
+                                 Ground::kMissed,  Ground::kOutside,  Ground::kOnce,
+                                 Ground::kTwice,   Ground::kOften,    Ground::kAgain};
 
 double area_of(const CoverageAreas& areas, Ground what) {
   switch (what) {
@@ -44,13 +45,15 @@ double area_of(const CoverageAreas& areas, Ground what) {
       return areas.worked_times_m2[2];
     case Ground::kOften:
       return areas.worked_times_m2[3];
+    case Ground::kAgain:
+      return areas.worked_times_m2[2] + areas.worked_times_m2[3];
   }
   return 0;
 }
 
 std::string name(Ground what) {
-  constexpr std::array kNames = {"covered", "repeated", "sliver", "missed",
-                                 "outside", "once",     "twice",  "often"};
+  constexpr std::array kNames = {"covered", "repeated", "sliver", "missed", "outside",
+                                 "once",    "twice",    "often",  "again"};
   return kNames[static_cast<std::size_t>(what)];
 }
 

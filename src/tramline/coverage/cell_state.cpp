@@ -22,6 +22,8 @@ bool is(Ground what, CellState state) {
       return times == 2;
     case Ground::kOften:
       return times == kMostCounted;
+    case Ground::kAgain:
+      return times > 1;
   }
   return false;
 }

@@ -29,7 +29,7 @@ class MeshEngine : public Engine {
   CoverageAreas areas() const override { return coverage_.areas(); }
   /// Empty for what meshes do not tell.
   Region region(Ground what) const override {
-    const bool counted = what == Ground::kOnce || what == Ground::kTwice || what == Ground::kOften;
+    const bool counted = what == Ground::kTwice || what == Ground::kOften;
     return counted ? Region{} : coverage_.region(what);
   }
 

@@ -1,11 +1,14 @@
 #include "tramline/coverage/evaluate.h"
 
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -13,7 +16,6 @@
 #include "tramline/coverage/gaps.h"
 #include "tramline/coverage/plausible.h"
 #include "tramline/coverage/time_order.h"
-#include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
 
 namespace tramline::coverage {
@@ -92,28 +94,31 @@ class Slices {
   std::vector<CoverageSlice> slices_;
 };
 
-Region united(Region a, const Region& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return unite(a);
-}
-
 /// Slivers as repeated ground, as S3 has it.
-void count_slivers(Coverage& coverage, const Engine& engine) {
-  coverage.areas.repeated_m2 += coverage.areas.sliver_m2;
-  for (CoverageSlice& slice : coverage.slices) slice.areas.repeated_m2 += slice.areas.sliver_m2;
-  const Region slivers = engine.region(Ground::kSliver);
-  if (!slivers.empty()) coverage.repeated = united(std::move(coverage.repeated), slivers);
-}
+void count_slivers(CoverageAreas& areas) { areas.repeated_m2 = areas.worked_twice_m2(); }
 
-void add_regions(Coverage& coverage, const Engine& engine, bool strict) {
-  coverage.areas = engine.areas();
+void add_shapes(Coverage& coverage, const Engine& engine, bool strict) {
   coverage.covered = engine.region(Ground::kCovered);
-  coverage.repeated = engine.region(Ground::kRepeated);
-  coverage.missed = engine.region(Ground::kMissed);
+  coverage.repeated = engine.region(strict ? Ground::kAgain : Ground::kRepeated);
   coverage.worked_times = {Region{}, engine.region(Ground::kOnce), engine.region(Ground::kTwice),
                            engine.region(Ground::kOften)};
+}
+
+void add_ground(Coverage& coverage, const Engine& engine, const EvaluateSettings& settings) {
+  coverage.areas = engine.areas();
+  coverage.missed = engine.region(Ground::kMissed);
   coverage.gaps = gaps_of(coverage.missed);
-  if (strict) count_slivers(coverage, engine);
+  if (settings.shapes) add_shapes(coverage, engine, settings.strict);
+  if (!settings.strict) return;
+  count_slivers(coverage.areas);
+  for (CoverageSlice& slice : coverage.slices) count_slivers(slice.areas);
+}
+
+/// Regions are put together by as many threads; 0: by all there are.
+std::optional<tbb::global_control> thread_limit(int threads) {
+  if (threads <= 0) return std::nullopt;
+  return std::optional<tbb::global_control>(std::in_place, tbb::global_control::max_allowed_parallelism,
+                                            static_cast<std::size_t>(threads));
 }
 
 }  // namespace
@@ -123,6 +128,7 @@ Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& se
   if (given.fixes.size() < 2)
     throw bad_input(fmt::format("{} has {} with a position: no ground is worked without two", given.name,
                                 given.fixes.empty() ? "no fix" : "one fix"));
+  const auto limit = thread_limit(settings.threads);
   Coverage out;
   WorkLog log = plausible(std::move(given));
   out.warnings = log.notes;
@@ -158,13 +164,14 @@ Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& se
   out.worked_s = log.clock == Clock::kNone ? std::numeric_limits<double>::quiet_NaN() : steps.worked_s();
   out.lines = lines.lines();
   out.slices = slices.slices();
-  add_regions(out, *engine, settings.strict);
+  add_ground(out, *engine, settings);
   for (std::string& note : notes_on(steps.breaks(), drive)) out.warnings.push_back(std::move(note));
   return out;
 }
 
 Coverage evaluate(const std::vector<WorkedStep>& steps, double width_m, const Region& field,
                   const EvaluateSettings& settings) {
+  const auto limit = thread_limit(settings.threads);
   Coverage out;
   const std::unique_ptr<Engine> engine = make_engine(settings.engine, field, width_m, settings.mesh_m);
   for (const WorkedStep& step : steps) {
@@ -174,7 +181,7 @@ Coverage evaluate(const std::vector<WorkedStep>& steps, double width_m, const Re
   out.width_m = width_m;
   out.engine = name(settings.engine);
   out.worked_s = std::numeric_limits<double>::quiet_NaN();
-  add_regions(out, *engine, settings.strict);
+  add_ground(out, *engine, settings);
   return out;
 }
 

@@ -18,6 +18,8 @@ struct EvaluateSettings {
   double mesh_m = 0.05;   ///< S3.3
   bool strict = false;    ///< slivers count as repeated, as in S3
   std::size_t slice = 0;  ///< figures after every so many fixes; 0: none
+  bool shapes = true;     ///< covered and repeated ground and how often it was worked, as regions too
+  int threads = 0;        ///< 0: all; the result is the same
 };
 
 /// Fixes done so far.

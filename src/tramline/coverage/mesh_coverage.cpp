@@ -61,6 +61,7 @@ Region MeshCoverage::region(Ground what) const {
     case Ground::kCovered:
       return region_of(coverage_, mesh_m_);
     case Ground::kRepeated:
+    case Ground::kAgain:
       return region_of(repeated_, mesh_m_);
     case Ground::kSliver:
       return {};

@@ -45,6 +45,7 @@ enum class Ground {
   kOnce,     ///< worked exactly once
   kTwice,    ///< exactly twice
   kOften,    ///< three times or more
+  kAgain,    ///< twice or more: repeated ground and slivers
 };
 
 /// A stretch of the drive: the places of the working implement, in order.
