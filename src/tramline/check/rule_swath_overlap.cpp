@@ -11,6 +11,8 @@
 #include "tramline/check/tolerances.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/box_grid.h"
+#include "tramline/geometry/convex_clip.h"
+#include "tramline/geometry/kinked_line.h"
 
 namespace tramline::check {
 namespace {
@@ -22,6 +24,7 @@ struct Part {
   std::size_t piece = 0;
   Path line;
   Region ground;
+  bool kinked = false;  ///< one of the cells between kinks
 };
 
 /// All swaths, by piece.
@@ -30,6 +33,11 @@ std::vector<Part> parts_of(const Plan& plan) {
   const double width_m = plan.machine.width_m;
   for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
     const TrackPiece& piece = plan.pieces[i];
+    if (has_kinks(piece.curve)) {
+      const Region cells = bands_along(piece.curve, width_m);
+      for (std::size_t k = 0; k < cells.size(); ++k) out.push_back({i, {piece.curve[k]}, {cells[k]}, true});
+      continue;
+    }
     for (const PathSegment& segment : piece.curve)
       out.push_back({i, {segment}, bands_along({segment}, width_m, kLayerSagitta)});
     if (!piece.curve.empty()) continue;
@@ -80,20 +88,31 @@ class Body {
   std::vector<Ring> rings_;
 };
 
-/// What of each piece's swath is body that no piece before it has worked, m².
+/// May the two have ground in common? Cells between kinks are convex, and mostly lie side by side. Other
+/// parts of one swath touch where one follows upon the other.
+bool may_meet(const Part& earlier, const Part& later, bool next_to_each_other, double width_m) {
+  if (earlier.kinked && later.kinked) {
+    const Ring both = convex_intersection(earlier.ground.front().outer, later.ground.front().outer);
+    return std::abs(signed_area(both)) > kThinnestShown_m * perimeter(both);
+  }
+  if (next_to_each_other && earlier.piece == later.piece) return false;
+  const double reach_m = earlier.kinked || later.kinked ? 2 * width_m : width_m;  // mitres are longer
+  return distance_between(earlier.line, later.line) < reach_m - kThinnestShown_m;
+}
+
+/// What of each piece's swath is body that neither it nor a piece before it has worked yet, m².
 std::vector<double> useful_m2(const Plan& plan) {
   const Body body(plan.body);
   const std::vector<Part> parts = parts_of(plan);
   std::vector<Box> boxes;
   for (const Part& part : parts) boxes.push_back(bounds(part.ground));
   const BoxGrid index(boxes);
-  const double apart_m = plan.machine.width_m - kThinnestShown_m;
   std::vector<double> out(plan.pieces.size(), 0);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     Region useful = body.of(parts[i].ground);
     Region before;
     index.each_meeting(boxes[i], [&](std::size_t k) {
-      if (parts[k].piece < parts[i].piece && distance_between(parts[k].line, parts[i].line) < apart_m)
+      if (k < i && may_meet(parts[k], parts[i], k + 1 == i, plan.machine.width_m))
         before.insert(before.end(), parts[k].ground.begin(), parts[k].ground.end());
     });
     if (!before.empty()) useful = difference(unite(useful), unite(before));

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "tramline/cost/curved_tally.h"
+#include "tramline/cost/gain_by_detours.h"
+#include "tramline/cost/kinked_overlap.h"
 #include "tramline/cost/recursive_tally.h"
 #include "tramline/cost/worked_bands.h"
 #include "tramline/cost/worked_regions.h"
@@ -181,8 +183,6 @@ int subfield_of(const Region& parts, const CurvedPiece& piece, double width_m) {
 struct Writing {
   double width_m = 0;
   bool curved = true;  ///< with their path, even where it is straight
-  /// Swaths of one family have no ground in common: without detours, what they overlap lies outside the body.
-  bool apart = true;
 };
 
 TrackPiece forwards(const CurvedPiece& piece, int subfield, const Writing& writing) {
@@ -197,7 +197,9 @@ TrackPiece forwards(const CurvedPiece& piece, int subfield, const Writing& writi
   for (const StripDetour& detour : piece.detours)
     out.detours.push_back({detour.path, detour.side, detour.obstacles});
   if (writing.curved) out.curve = piece.path;
-  if (writing.apart) out.overlap_m2 = std::max(0.0, writing.width_m * piece.length_m - piece.inside_m2);
+  // Where they keep to their tracks swaths of one family have no ground in common; add_overlaps() looks at
+  // the rest.
+  out.overlap_m2 = writing.width_m * piece.length_m - piece.inside_m2;
   return out;
 }
 
@@ -394,6 +396,19 @@ Region doubled_by_detours(const Plan& plan) {
   return out;
 }
 
+/// Settles by how much each swath overlaps.
+void add_overlaps(Plan& plan) {
+  const double width_m = plan.machine.width_m;
+  if (plan.settings.tracks == TrackConstruction::kPaper) {
+    const std::vector<double> overlaps = overlap_by_kinked_piece(plan.body, plan.pieces, width_m);
+    for (std::size_t i = 0; i < overlaps.size(); ++i) plan.pieces[i].overlap_m2 = overlaps[i];
+    return;
+  }
+  const std::vector<double> gains = gain_by_detours_m2(plan.body, plan.pieces, width_m);
+  for (std::size_t i = 0; i < gains.size(); ++i)
+    plan.pieces[i].overlap_m2 = std::max(0.0, *plan.pieces[i].overlap_m2 - gains[i]);
+}
+
 /// The layers of overlap and uncovered land, without slivers.
 void add_layers(Plan& plan) {
   const EdgeIndex body(plan.body);
@@ -482,13 +497,11 @@ Plan finished_plan(const SearchTask& task, const CurvedCandidate& candidate) {
   plan.reference = candidate.reference;
   const bool curved = line.size() > 1 || !line.front().straight();
   const bool paper = task.settings.tracks == TrackConstruction::kPaper;
-  const Writing writing{
-      task.machine.width_m, curved || !paper,
-      !paper && std::all_of(candidate.tracks.pieces.begin(), candidate.tracks.pieces.end(),
-                            [](const CurvedPiece& piece) { return piece.detours.empty(); })};
+  const Writing writing{task.machine.width_m, curved || !paper};
   Driven driven = up_and_down(candidate.tracks, task.ground.plannable, writing);
   plan.encounters = encounters_as_driven(task, candidate, driven);
   plan.pieces = std::move(driven.pieces);
+  add_overlaps(plan);
   for (const CurvedPiece& piece : candidate.tracks.dropped)
     plan.dropped.push_back({piece.path.front().from, piece.path.back().to,
                             subfield_of(task.ground.plannable, piece, task.machine.width_m)});
