@@ -8,6 +8,7 @@
 #include "tramline/check/lane.h"
 #include "tramline/check/track_lines.h"
 #include "tramline/check/verdict.h"
+#include "tramline/check/worked_body.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::check {
@@ -28,6 +29,8 @@ struct Case {
   std::vector<Box> obstacle_boxes;  ///< of all obstacles of the field, in their order
   double area_tolerance_m2;         ///< 1e-6 of the field's area, not below what the precision grid can do
   TrackLines lines;                 ///< of tracks that follow a curve
+  std::vector<WorkedPart> parts;    ///< of the swaths
+  WorkedBody worked;                ///< what they work of the body
 };
 using Violations = std::vector<Violation>;
 
