@@ -199,7 +199,7 @@ std::optional<Fix> NmeaLog::add(std::string_view line) {
   if (start == std::string_view::npos) {
     // Reports of ships and the like begin with "!"; blank lines are no loss.
     if (const std::string_view text = trimmed(line);
-        !text.empty() && text.front() != '!' && text.front() != '#')
+        !text.empty() && text.front() != '!')
       skipped_.add(line_, "no sentence");
     return std::nullopt;
   }

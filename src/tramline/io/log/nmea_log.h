@@ -20,7 +20,7 @@ namespace tramline::io {
 /// time are one epoch, and those without a time belong to the epoch they follow (a second GGA or RMC without
 /// a time begins another); so a fix comes out when the next epoch begins. A course is taken as a heading
 /// above kCourseHolds_mps only. Lines on work (state_lines.h) hold for the epochs whose position comes after
-/// them; other lines that begin with # are passed over.
+/// them.
 ///
 /// Skipped and counted: lines without a sentence, wrong checksums, missing ones where others had one (a line
 /// that is cut off), epochs without a position fix, impossible positions.

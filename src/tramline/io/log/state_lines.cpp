@@ -7,8 +7,10 @@ namespace {
 
 constexpr double kWidest_m = 500;
 
-/// What follows the key, if the line begins with it.
+/// What follows the key, if the line is "#key…" or, from the program itself, "#!key…".
 std::optional<std::string_view> value_of(std::string_view line, std::string_view key) {
+  if (!line.starts_with('#')) return std::nullopt;
+  line.remove_prefix(line.starts_with("#!") ? 2 : 1);
   if (!line.starts_with(key)) return std::nullopt;
   return trimmed(line.substr(key.size()));
 }
@@ -34,7 +36,7 @@ bool StateLines::add(std::string_view line, std::size_t record, SkippedRecords& 
     if (first_record_ == 0) first_record_ = record;
     return true;
   };
-  if (const auto work = value_of(line, "#work=")) {
+  if (const auto work = value_of(line, "work=")) {
     if (*work != "1" && *work != "0" && !work->empty()) {
       skipped.add(record, "work is neither 1 nor 0");
       return true;
@@ -42,7 +44,7 @@ bool StateLines::add(std::string_view line, std::size_t record, SkippedRecords& 
     work_ = work->empty() ? WorkState::kUnknown : *work == "1" ? WorkState::kOn : WorkState::kOff;
     return told();
   }
-  if (const auto sections = value_of(line, "#sections=")) {
+  if (const auto sections = value_of(line, "sections=")) {
     const std::optional<SectionText> text = section_signs(*sections, false);
     if (!text) {
       skipped.add(record, "the states of sections are not understood");
@@ -51,7 +53,7 @@ bool StateLines::add(std::string_view line, std::size_t record, SkippedRecords& 
     sections_ = text->known ? text : std::nullopt;
     return told();
   }
-  if (const auto width = value_of(line, "#width=")) {
+  if (const auto width = value_of(line, "width=")) {
     if (const auto widths_m = widths_in(*width))
       widths_m_ = *widths_m;
     else
@@ -80,7 +82,7 @@ void StateLines::apply(Fix& fix, BoomList& booms, OwnColumns own) const {
   if (!widths_m.empty()) fix.boom = booms.number_of(side_by_side(widths_m));
 }
 
-std::string work_line(bool works) { return works ? "#work=1" : "#work=0"; }
+std::string work_line(bool works) { return works ? "#!work=1" : "#!work=0"; }
 
 void work_before(WorkLog& log, const StateLines& lines) {
   if (lines.first_record() == 0) return;
