@@ -49,6 +49,13 @@ EndSignals::~EndSignals() {
   sigprocmask(SIG_UNBLOCK, &set, nullptr);
 }
 
+bool EndSignals::taken() const {
+  signalfd_siginfo one{};
+  while (read(descriptor_, &one, sizeof one) == sizeof one) {
+  }
+  return true;
+}
+
 WatchRun::WatchRun(WatchSession& session, io::Feed& feed, io::RawLog* log, const WatchOutput& output,
                    bool follows, bool stdin_taken)
     : session_(session),
@@ -199,7 +206,7 @@ int WatchRun::run(const EndSignals& signals) {
         {{feed_.descriptor(), POLLIN, 0}, {signals.descriptor(), POLLIN, 0}, {key_.descriptor(), POLLIN, 0}}};
     const int ready = poll(wanted.data(), wanted.size(), more ? 0 : wait_ms());
     if (ready > 0 && wanted[1].revents != 0) {
-      by_signal = true;
+      by_signal = signals.taken();
       break;
     }
     if (ready > 0 && wanted[2].revents != 0) take_key();

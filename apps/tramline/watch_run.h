@@ -32,6 +32,8 @@ class EndSignals {
   EndSignals& operator=(const EndSignals&) = delete;
   ~EndSignals();
   int descriptor() const { return descriptor_; }
+  /// Those that came do nothing more.
+  bool taken() const;
 
  private:
   int descriptor_ = -1;

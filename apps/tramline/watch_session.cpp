@@ -76,8 +76,6 @@ void WatchSession::read_anew() {
   set_frame(log);
   log = placed(std::move(log), ground_.frame);
   for (const Fix& fix : log.fixes) box_.extend(fix.position);
-  whole_notes_ = log.notes;
-  read_notes_ = lines_.head().notes.size();
   const SkippedRecords read = lines_.head().skipped;
   unplaced_.count = log.skipped.count - read.count;
   for (std::size_t i = read.listed.size(); i < log.skipped.listed.size(); ++i)
@@ -89,8 +87,6 @@ WorkLog WatchSession::head() const {
   WorkLog out = lines_.head();
   out.name = name_;
   out.skipped.add(unplaced_);
-  // What only the whole log tells stays said; the reader's own notes, which count, begin it.
-  for (std::size_t i = read_notes_; i < whole_notes_.size(); ++i) out.notes.push_back(whole_notes_[i]);
   return out;
 }
 

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "evaluate_input.h"
 #include "evaluate_report.h"
@@ -60,9 +59,7 @@ class WatchSession {
   coverage::LiveCoverage live_;
   std::optional<FixPlacing> placing_;
   SkippedRecords unplaced_;
-  std::vector<std::string> whole_notes_;  ///< on the log when it was last read anew, ...
-  std::size_t read_notes_ = 0;            ///< of which so many are its reader's own
-  Box box_;                               ///< of the local positions
+  Box box_;  ///< of the local positions
   std::size_t next_look_ = 2;
 };
 

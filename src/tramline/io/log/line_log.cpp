@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/fixes/boom_list.h"
 #include "tramline/io/fixes/places.h"
 #include "tramline/io/log/settle_positions.h"
 
@@ -55,7 +56,8 @@ void LineLog::recognise(std::string_view line, std::vector<Fix>& out) {
     }
     if (table.rows() == nullptr) return;
     kind_ = Kind::kCsv;
-    csv_.emplace(options_.columns, place_);
+    csv_.emplace(std::move(table));
+    held_.clear();
   }
   if (kind_ == Kind::kNmea && !(options_.columns.empty() && options_.crs.empty()))
     throw bad_input(fmt::format("{} is NMEA: leave --columns and --log-crs away", place_));
@@ -117,7 +119,12 @@ std::optional<Fix> LineLog::taken(Fix fix) {
   } else {
     doubtful_ = doubtful_ || csv_->rows()->width_unit_open();
   }
-  if (!own_columns().work && states()->first_record() == 0) unstated_ = true;
+  if (!own_columns().work) {
+    const std::size_t first = states()->first_record();
+    unstated_ = unstated_ || first == 0;
+    // As work_before(): of an epoch that was still open when the first line on work came.
+    if (fix.record < first && fix.work == WorkState::kUnknown && !fix.has_sections) fix.work = WorkState::kOn;
+  }
   if (positions_ == Positions::kLocal) {
     doubtful_ = doubtful_ || decided_;
     return fix;
@@ -148,7 +155,7 @@ const StateLines* LineLog::states() const {
 OwnColumns LineLog::own_columns() const { return kind_ == Kind::kCsv ? csv_->own_columns() : OwnColumns{}; }
 
 WorkLog LineLog::settle() {
-  doubtful_ = urgent_ = false;
+  doubtful_ = urgent_ = false;  // until the next fix
   if (raw_.empty()) return head();
   undated_ = kind_ == Kind::kNmea && !nmea_->midnight_s();
   unstated_ = !own_columns().work && states()->first_record() == 0;
@@ -160,6 +167,8 @@ WorkLog LineLog::settle() {
     // No position is possible so far.
     return head();
   }
+  const auto read_notes = static_cast<std::ptrdiff_t>(kind_ == Kind::kCsv ? csv_->rows()->notes().size() : 0);
+  whole_notes_.assign(out.notes.begin() + read_notes, out.notes.end());
   if (std::string note = note_on_wide(out.booms); !note.empty()) out.notes.push_back(std::move(note));
   decided_ = out.positions != named_positions();
   positions_ = out.positions;
@@ -170,10 +179,10 @@ WorkLog LineLog::settle() {
   const auto first = static_cast<std::ptrdiff_t>(read.listed.size());
   if (std::ssize(out.skipped.listed) > first)
     impossible_.listed.assign(out.skipped.listed.begin() + first, out.skipped.listed.end());
+  // What is far from these is looked at again; strays that were left out are not.
   box_ = {};
   if (positions_ == Positions::kLonLat)
     for (const Fix& fix : out.fixes) box_.extend(fix.position);
-  doubtful_ = decided_ || (kind_ == Kind::kCsv && csv_->rows()->width_unit_open());
   return out;
 }
 
@@ -189,6 +198,8 @@ WorkLog LineLog::head() const {
     out.notes = csv_->rows()->notes();
   }
   out.skipped.add(impossible_);
+  out.notes.insert(out.notes.end(), whole_notes_.begin(), whole_notes_.end());
+  if (std::string note = note_on_wide(booms_); !note.empty()) out.notes.push_back(std::move(note));
   return out;
 }
 

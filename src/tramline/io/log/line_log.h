@@ -82,10 +82,11 @@ class LineLog {
   bool decided_ = false;  ///< on positions_, by a whole log
   double width_unit_m_ = 1;
   std::vector<Boom> booms_;
-  Box box_;                    ///< of the longitudes and latitudes
-  SkippedRecords impossible_;  ///< positions, besides what the readers skip
-  bool undated_ = false;       ///< a fix came out before the date
-  bool unstated_ = false;      ///< ... or before the first line on work
+  Box box_;                               ///< of the longitudes and latitudes
+  std::vector<std::string> whole_notes_;  ///< what only the whole log told, when it was looked at last
+  SkippedRecords impossible_;             ///< positions, besides what the readers skip
+  bool undated_ = false;                  ///< a fix came out before the date
+  bool unstated_ = false;                 ///< ... or before the first line on work
   bool doubtful_ = false;
   bool urgent_ = false;
 };
