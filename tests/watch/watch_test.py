@@ -503,7 +503,7 @@ class Faults(Case):
         watch.until_fixes(599)
         self.assertEqual(watch.end(signal.SIGINT)[0], 0)
         self.refused("out.gpkg.log was not made from riverside-drive.csv: line 1 differs", "--follow",
-                     str(self.csv), *self.options, "-o", out)
+                     str(self.csv), *self.options, "-o", out, "--quiet")
 
 
 if __name__ == "__main__":

@@ -32,6 +32,7 @@ class LiveCoverage {
  public:
   /// `field`: as in evaluate(); it has to outlive this. settings.slice and threads are not used.
   LiveCoverage(const Region& field, const EvaluateSettings& settings);
+  LiveCoverage(Region&& gone, const EvaluateSettings& settings) = delete;
 
   /// `booms`: of the log so far; those of before stay. Amortised O(quads of the fix); O(fixes) where the
   /// judgement changes. Precondition: position local.

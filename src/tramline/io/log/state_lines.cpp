@@ -46,11 +46,11 @@ bool StateLines::add(std::string_view line, std::size_t record, SkippedRecords& 
   }
   if (const auto sections = value_of(line, "sections=")) {
     const std::optional<SectionText> text = section_signs(*sections, false);
-    if (!text) {
+    if (!text && !sections->empty()) {
       skipped.add(record, "the states of sections are not understood");
       return true;
     }
-    sections_ = text->known ? text : std::nullopt;
+    sections_ = text && text->known && text->count > 0 ? text : std::nullopt;
     return told();
   }
   if (const auto width = value_of(line, "width=")) {
