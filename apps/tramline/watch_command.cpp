@@ -73,9 +73,9 @@ class WatchCommand : public Command {
     const EndSignals signals;
     WorkGround ground;
     if (std::optional<WorkGround> field = work_ground(field_)) ground = std::move(*field);
+    const std::unique_ptr<io::Feed> feed = source();
     std::unique_ptr<io::RawLog> log;
     if (!raw_log.empty()) log = std::make_unique<io::RawLog>(raw_log);
-    const std::unique_ptr<io::Feed> feed = source();
     WatchSession session(std::move(ground), settings, drive_.log, feed->name());
     WatchRun watch(session, *feed, log.get(), output_, !follow_.empty(), from_stdin());
     return watch.run(signals);

@@ -8,6 +8,7 @@ Usage: watch_test.py --tramline PROGRAM --examples FOLDER [--kills N] [--seed N]
 import argparse
 import fcntl
 import functools
+import gzip
 import json
 import math
 import operator
@@ -179,6 +180,18 @@ class Sources(Case):
             with path.open() as lines:
                 self.ended(self.watch(*options, stdin=lines), evaluate(path, *options))
 
+    def test_real_logs(self):
+        """Columns of all kinds, strays, sections that are none, widths in feet."""
+        folder = pathlib.Path(os.environ.get("TRAMLINE_DATA", OPTIONS.examples + "/../../shared/data")) / "logs"
+        if not folder.is_dir():
+            self.skipTest(f"no real logs in {folder}; set TRAMLINE_DATA")
+        for path in sorted(folder.glob("*.csv*")):
+            with self.subTest(path.name):
+                plain = self.folder / path.name.removesuffix(".gz")
+                plain.write_bytes((gzip.open if path.suffix == ".gz" else open)(path, "rb").read())
+                with plain.open() as lines:
+                    self.ended(self.watch("--width", "6", stdin=lines), evaluate(plain, "--width", "6"))
+
     def test_a_file_being_written(self):
         path = self.folder / "growing.nmea"
         text = self.nmea.read_text()
@@ -256,7 +269,7 @@ class Sources(Case):
         self.assertTrue(any("is unplugged" in line for line in watch.errors))
 
     @unittest.skipUnless(shutil.which("gpsfake") and shutil.which("gpsd", path=os.environ["PATH"] + ":/usr/sbin"),
-                         "no gpsd or gpsfake here: apt-get install gpsd gpsd-tools")
+                         "no gpsd or gpsfake here: apt-get install gpsd gpsd-clients")
     def test_gpsd(self):
         port = free_port()
         # What is fed before the client listens is nobody's.
@@ -462,7 +475,9 @@ class Faults(Case):
             self.refused("--udp .* the port cannot be had .*another program", "--udp",
                          str(taken.getsockname()[1]), *self.options)
         port = free_port()
-        self.refused("nobody answers at 127.0.0.1", "--tcp", f"127.0.0.1:{port}", *self.options)
+        self.refused("nobody answers at 127.0.0.1", "--tcp", f"127.0.0.1:{port}", *self.options, "-o",
+                     str(self.folder / "out.gpkg"))
+        self.assertEqual([p.name for p in self.folder.iterdir()], ["drive.nmea"], "nothing is left behind")
         self.refused("gpsd does not answer; is it running", "--gpsd", f"127.0.0.1:{port}", *self.options)
         self.refused("there is no host 'nobody.invalid'", "--tcp", "nobody.invalid:1", *self.options)
         self.refused("'/dev/null' cannot be opened: it is no serial device", "--serial", "/dev/null", *self.options)

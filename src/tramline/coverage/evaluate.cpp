@@ -79,7 +79,7 @@ Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& se
     throw bad_input(log.name + " does not say how wide the machine worked: give --width");
   out.warnings = ready.warnings;
   out.width_m = ready.width_m;
-  WorkedDrive drive(field, settings, ready.drive, out.width_m);
+  WorkedDrive drive(field, settings, ready.drive, out.width_m, log.booms);
   Slices slices(settings.slice, drive.engine());
   const auto start = std::chrono::steady_clock::now();
   for (std::size_t i = 0; i < log.fixes.size(); ++i) {

@@ -35,9 +35,10 @@ double span_m(const Boom& boom);
 /// Settings::shapes and strict as in evaluate.h. Fixes come prepared.
 class WorkedDrive {
  public:
-  /// `drive`: of the prepared log.
+  /// `drive`: of the prepared log. `booms`: known so far; with many sections tiles are small, for each of
+  /// their cells is looked at for every section.
   WorkedDrive(const Region& field, const EvaluateSettings& settings, const DriveSettings& drive,
-              double width_m);
+              double width_m, const std::vector<Boom>& booms);
 
   /// O(quads).
   void add(const Fix& fix, const std::vector<Boom>& booms);

@@ -37,7 +37,10 @@ RawLog::~RawLog() {
   }
   wake_.notify_one();
   if (syncing_.joinable()) syncing_.join();
-  if (file_.open()) fdatasync(file_.number());
+  if (!file_.open()) return;
+  fdatasync(file_.number());
+  // Nothing came: a run that was refused leaves nothing behind.
+  if (size_ == 0) unlink(path_.c_str());
 }
 
 void RawLog::read_before() {
