@@ -146,7 +146,8 @@ long-maps: build ## maps of all real fields, straight and curved, with headlands
 	$(LIMIT) $(RELEASE)/tests/real/map_real
 	$(LIMIT) $(RELEASE)/tests/real/map_real --width 4 --headlands 2
 
-long-coverage: build ## 10,000 random drives: the exact engine of coverage against the definitions word for word
+long-coverage: build ## 10,000 random drives and all real logs: the exact engine of coverage against polygon booleans
+	$(LIMIT) $(RELEASE)/tests/real/coverage_real
 	TRAMLINE_CASES=10000 $(LIMIT) $(RELEASE)/tests/coverage/test_coverage_properties
 
 long-watch: packages-test build ## `tramline watch` killed at 20 random moments and taken up again, and its other tests

@@ -188,7 +188,7 @@ class Sources(Case):
         for path in sorted(folder.glob("*.csv*")):
             with self.subTest(path.name):
                 plain = self.folder / path.name.removesuffix(".gz")
-                plain.write_bytes((gzip.open if path.suffix == ".gz" else open)(path, "rb").read())
+                plain.write_bytes(gzip.decompress(path.read_bytes()) if path.suffix == ".gz" else path.read_bytes())
                 with plain.open() as lines:
                     self.ended(self.watch("--width", "6", stdin=lines), evaluate(plain, "--width", "6"))
 

@@ -73,13 +73,13 @@ Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& se
                                 given.fixes.empty() ? "no fix" : "one fix"));
   const auto limit = thread_limit(settings.threads);
   Coverage out;
-  const PreparedLog ready = prepared(std::move(given), settings.drive);
-  const WorkLog& log = ready.log;
+  PreparedLog ready = prepared(std::move(given), settings.drive);
+  WorkLog& log = ready.log;
   if (!(ready.width_m > 0))
     throw bad_input(log.name + " does not say how wide the machine worked: give --width");
   out.warnings = ready.warnings;
   out.width_m = ready.width_m;
-  WorkedDrive drive(field, settings, ready.drive, out.width_m, log.booms);
+  WorkedDrive drive(field, settings, ready.drive, out.width_m, most_sections(log.booms));
   Slices slices(settings.slice, drive.engine());
   const auto start = std::chrono::steady_clock::now();
   for (std::size_t i = 0; i < log.fixes.size(); ++i) {
@@ -96,6 +96,7 @@ Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& se
   out.skipped = log.skipped;
   out.slices = slices.slices();
   drive.add_figures(out, log.clock);
+  log.fixes = std::vector<Fix>();  // regions need the memory
   drive.add_regions(out);
   if (settings.strict) count_slivers(out);
   return out;
@@ -105,7 +106,7 @@ Coverage evaluate(const std::vector<WorkedStep>& steps, double width_m, const Re
                   const EvaluateSettings& settings) {
   const auto limit = thread_limit(settings.threads);
   Coverage out;
-  const std::unique_ptr<Engine> engine = make_engine(settings.engine, field, width_m, settings.mesh_m);
+  const std::unique_ptr<Engine> engine = make_engine(settings.engine, field, width_m, 1, settings.mesh_m);
   for (const WorkedStep& step : steps) {
     engine->add(step);
     out.runs = std::max(out.runs, step.run + 1);

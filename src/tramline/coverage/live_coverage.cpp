@@ -85,7 +85,7 @@ void LiveCoverage::add(const Fix& fix, std::span<const Boom> booms) {
   if (!drive_) {
     DriveSettings drive = settings_.drive;
     drive.unknown_works = !says_work_;
-    drive_.emplace(*field_, settings_, drive, width_m_, booms_);
+    drive_.emplace(*field_, settings_, drive, width_m_, most_sections(booms_));
   }
   work(mended_fix(fix));
 }
@@ -98,7 +98,7 @@ void LiveCoverage::rebuild() {
   rate_ = WorkRate(settings_.drive.max_gap_s);
   drive_.reset();
   if (!(ready.width_m > 0)) return;
-  drive_.emplace(*field_, settings_, ready.drive, ready.width_m, ready.log.booms);
+  drive_.emplace(*field_, settings_, ready.drive, ready.width_m, most_sections(ready.log.booms));
   for (const Fix& fix : ready.log.fixes) work(fix);
 }
 

@@ -38,17 +38,6 @@ std::vector<std::string> notes_on(const Breaks& breaks, const DriveSettings& dri
   return out;
 }
 
-/// As wide as the machine, but with many sections no wider than this: 24 m with 48 sections that switch at
-/// random take a fifth of the time so.
-constexpr std::size_t kManySections = 8;
-constexpr double kWithManySections_m = 8;
-
-double tile_width_m(double width_m, const std::vector<Boom>& booms) {
-  const bool many =
-      std::any_of(booms.begin(), booms.end(), [](const Boom& boom) { return boom.size() > kManySections; });
-  return many ? std::min(width_m, kWithManySections_m) : width_m;
-}
-
 void add_shapes(Coverage& coverage, const Engine& engine, bool strict) {
   coverage.covered = engine.region(Ground::kCovered);
   coverage.repeated = engine.region(strict ? Ground::kAgain : Ground::kRepeated);
@@ -66,6 +55,12 @@ double span_m(const Boom& boom) {
     right_m = std::min(right_m, section.right_m);
   }
   return std::max(0.0, left_m - right_m);
+}
+
+std::size_t most_sections(const std::vector<Boom>& booms) {
+  std::size_t most = 1;
+  for (const Boom& boom : booms) most = std::max(most, boom.size());
+  return most;
 }
 
 std::string note_on_disorder(std::size_t fixes) {
@@ -96,10 +91,10 @@ void add_regions(Coverage& out, const Engine& engine, const EvaluateSettings& se
 }
 
 WorkedDrive::WorkedDrive(const Region& field, const EvaluateSettings& settings, const DriveSettings& drive,
-                         double width_m, const std::vector<Boom>& booms)
+                         double width_m, std::size_t sections)
     : settings_(settings),
       drive_(drive),
-      engine_(make_engine(settings.engine, field, tile_width_m(width_m, booms), settings.mesh_m)),
+      engine_(make_engine(settings.engine, field, width_m, sections, settings.mesh_m)),
       steps_(drive) {}
 
 void WorkedDrive::add(const Fix& fix, const std::vector<Boom>& booms) {

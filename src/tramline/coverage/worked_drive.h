@@ -29,16 +29,18 @@ PreparedLog prepared(WorkLog log, const DriveSettings& drive);
 /// That so many fixes were late.
 std::string note_on_disorder(std::size_t fixes);
 
+/// Of the boom that has most; 1 without any.
+std::size_t most_sections(const std::vector<Boom>& booms);
 /// Widest of a boom's places, m; 0 for one without sections.
 double span_m(const Boom& boom);
 
 /// Settings::shapes and strict as in evaluate.h. Fixes come prepared.
 class WorkedDrive {
  public:
-  /// `drive`: of the prepared log. `booms`: known so far; with many sections tiles are small, for each of
-  /// their cells is looked at for every section.
+  /// `drive`: of the prepared log. `sections`: as many as the machine has, about; both only for the size of
+  /// tiles.
   WorkedDrive(const Region& field, const EvaluateSettings& settings, const DriveSettings& drive,
-              double width_m, const std::vector<Boom>& booms);
+              double width_m, std::size_t sections);
 
   /// O(quads).
   void add(const Fix& fix, const std::vector<Boom>& booms);

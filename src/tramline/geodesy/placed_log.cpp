@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "tramline/geodesy/crs.h"
 #include "tramline/geodesy/field_projection.h"
@@ -29,6 +29,12 @@ std::string fault(Positions positions, Point p) {
   if (std::abs(p.y) > 90) return fmt::format("the latitude {:.10g} is past a pole", p.y);
   if (std::abs(p.x) > 180) return fmt::format("there is no longitude {:.10g}", p.x);
   return "";
+}
+
+double distance_between(const Box& box, Point p) {
+  const double x = std::max({box.min_x - p.x, 0.0, p.x - box.max_x});
+  const double y = std::max({box.min_y - p.y, 0.0, p.y - box.max_y});
+  return length(Point{x, y});
 }
 
 }  // namespace
@@ -67,21 +73,24 @@ std::optional<Point> FixPlacing::operator()(Point position, std::string& why) co
   return std::nullopt;
 }
 
+bool comes_near(const WorkLog& log, const LocalFrame& frame, const Box& local, double within_m) {
+  const FixPlacing place(log.positions, frame, log.name);
+  return std::any_of(log.fixes.begin(), log.fixes.end(), [&](const Fix& fix) {
+    std::string why;
+    const std::optional<Point> p = place(fix.position, why);
+    return p && distance_between(local, *p) < within_m;
+  });
+}
+
 WorkLog placed(WorkLog log, const LocalFrame& frame) {
   const FixPlacing place(log.positions, frame, log.name);
-  std::vector<Fix> kept;
-  kept.reserve(log.fixes.size());
-  for (Fix& fix : log.fixes) {
+  skip_faulty(log, [&](Fix& fix) {
     std::string why;
     const std::optional<Point> local = place(fix.position, why);
-    if (!local) {
-      log.skipped.add(fix.record, std::move(why));
-      continue;
-    }
+    if (!local) return why;
     fix.position = *local;
-    kept.push_back(fix);
-  }
-  log.fixes = std::move(kept);
+    return std::string();
+  });
   log.positions = Positions::kLocal;
   return log;
 }
