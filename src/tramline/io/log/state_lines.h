@@ -21,7 +21,8 @@ struct OwnColumns {
 
 /// `#work=1`, `#sections=1101` (from left to right) and `#width=3|4.5|3` (metres; of the machine, or of each
 /// section from left to right). Each holds for the fixes after it until the next of its kind; an empty value
-/// takes it back. With `#!` for `#` it is the watcher who said so. Before the first one that tells of work the machine works: see work_before().
+/// takes it back. With `#!` for `#` it is the watcher who said so. Before the first one that tells of work
+/// the machine works: see work_before().
 class StateLines {
  public:
   /// Whether this is such a line. One whose value is not understood changes nothing and is put into
