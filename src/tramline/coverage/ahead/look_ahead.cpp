@@ -5,8 +5,6 @@
 namespace tramline::coverage {
 namespace {
 
-/// What is asked about a place lies this far beyond it.
-constexpr double kBeyond_m = 1e-3;
 /// A machine that stands looks this far ahead: what it stands over.
 constexpr double kLeastReach_m = 0.1;
 
@@ -53,11 +51,11 @@ std::vector<SectionAhead> look_ahead(const TileCoverage& coverage, const Region&
   for (std::size_t i = 0; i < boom.size(); ++i) {
     const double middle_m = 0.5 * (boom[i].left_m + boom[i].right_m);
     const auto over = [&](double ahead_m) {
-      const double there_m = ahead_m + kBeyond_m;
+      const double there_m = ahead_m + kUnderfoot_m;
       return over_at(motion.place + there_m * ahead + middle_m * left, field, share_at(needs[i], there_m));
     };
     SectionAhead section;
-    section.need = share_at(needs[i], 0);
+    section.need = share_at(needs[i], kUnderfoot_m);
     section.over = over(0);
     section.next = next_switch(needs[i], motion.speed_mps, states[i], rule);
     section.next_over = section.next ? over(section.next->ahead_m) : section.over;

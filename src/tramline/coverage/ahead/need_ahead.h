@@ -17,6 +17,9 @@ struct Motion {
   double speed_mps = 0;  ///< ahead
 };
 
+/// Nearer than this to the machine nothing is asked: what it works right now ends there but for rounding.
+inline constexpr double kUnderfoot_m = 1e-3;
+
 /// Shares of a section's width over a stretch of way: linear in between.
 struct NeedStretch {
   double from_m = 0;  ///< ahead of the place

@@ -46,7 +46,7 @@ std::optional<Switch> next_switch(const Need& need, double speed_mps, const Sect
   if (!(speed_mps > 0)) return std::nullopt;
   const bool on = state.commanded();
   const double latency_s = on ? rule.off_latency_s : rule.on_latency_s;
-  const double from_m = speed_mps * std::max(latency_s, state.turning_s.value_or(0));
+  const double from_m = std::max(kUnderfoot_m, speed_mps * std::max(latency_s, state.turning_s.value_or(0)));
   for (const NeedStretch& stretch : need)
     if (const std::optional<double> place = change_in(stretch, from_m, on, rule)) {
       const double effect_s = *place / speed_mps;

@@ -38,8 +38,8 @@ struct Switch {
 };
 
 /// The next switch of a section within its need; nullopt where there is none or the machine stands. It is the
-/// first place that a command can still be in time for and at which the rule asks for the other state than
-/// the one commanded. O(stretches).
+/// first place, from kUnderfoot_m on, that a command can still be in time for and at which the rule asks for
+/// the other state than the one commanded. O(stretches).
 std::optional<Switch> next_switch(const Need& need, double speed_mps, const SectionState& state,
                                   const SwitchRule& rule);
 
