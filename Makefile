@@ -144,7 +144,8 @@ long-maps: build ## maps of all real fields, straight and curved, with headlands
 	$(LIMIT) $(RELEASE)/tests/real/map_real
 	$(LIMIT) $(RELEASE)/tests/real/map_real --width 4 --headlands 2
 
-long-coverage: build ## 10,000 random drives: the exact engine of coverage against the definitions word for word
+long-coverage: build ## 10,000 random drives and all real logs: the exact engine of coverage against polygon booleans
+	$(LIMIT) $(RELEASE)/tests/real/coverage_real
 	TRAMLINE_CASES=10000 $(LIMIT) $(RELEASE)/tests/coverage/test_coverage_properties
 
 # Refused fields are part of the register: they are listed in the output and are no failure.

@@ -8,6 +8,8 @@
 #include <random>
 #include <vector>
 
+#include "irregular_route.h"
+#include "tramline/coverage/engine.h"
 #include "tramline/coverage/tile_coverage.h"
 
 namespace tramline::bench {
@@ -95,14 +97,16 @@ double quads_in(const std::vector<WorkedStep>& steps) {
   return out;
 }
 
-double tile_for(const Work& work) { return work.width_m < 12 ? 8 : 12; }
+double tile_of(const Work& work) {
+  return coverage::tile_for(work.width_m, static_cast<std::size_t>(work.sections));
+}
 
 void run(benchmark::State& state, const Work& work) {
   const std::vector<WorkedStep> steps = boustrophedon(work);
   const Region field = field_of(work);
   double sum = 0, bytes = 0, cells = 0;
   for (auto _ : state) {
-    TileCoverage engine(field, {tile_for(work), true});
+    TileCoverage engine(field, {tile_of(work), true});
     for (const WorkedStep& step : steps) {
       engine.add(step);
       sum += engine.areas().missed_m2 + engine.areas().repeated_m2;
@@ -144,7 +148,7 @@ void latencies(benchmark::State& state, const Work& work) {
   std::vector<double> micros;
   double sum = 0;
   for (auto _ : state) {
-    TileCoverage engine(field, {8, true});
+    TileCoverage engine(field, {tile_of(work), true});
     micros.clear();
     for (const WorkedStep& step : steps) {
       const double begin = cpu_micros();
@@ -170,38 +174,49 @@ void fixes_with_48_sections(benchmark::State& state) {
 }
 BENCHMARK(fixes_with_48_sections)->Arg(10)->Arg(50)->Unit(benchmark::kMillisecond);
 
-/// As many fixes as the irregular route of S3.11 has, 4 m wide, round and round with crossings.
-void route_of_645_fixes(benchmark::State& state) {
-  std::vector<WorkedStep> steps;
-  Point left, right;
-  for (int i = 0; i < 646; ++i) {
-    const double t = i * 0.03;
-    const Point at{40 * std::sin(t) + 10 * std::sin(3.1 * t), 30 * std::sin(1.3 * t + 1)};
-    const Point ahead{40 * std::cos(t) + 31 * std::cos(3.1 * t), 39 * std::cos(1.3 * t + 1)};
-    const Point to_left = (2 / length(ahead)) * Point{-ahead.y, ahead.x};
-    if (i > 0)
-      steps.push_back(
-          {{{left, right, at - to_left, at + to_left}}, 0, 1.3 * i, 4, static_cast<std::size_t>(i)});
-    left = at + to_left;
-    right = at - to_left;
-  }
-  const Region field = {{{{-52, -32}, {52, -32}, {45, 32}, {-45, 32}}, {}}};
+/// The drive like S3's, of which the mesh engine's costs are measured (mesh_bench.cpp); covered, repeated and
+/// missed areas after every point.
+void exact_coverage(benchmark::State& state) {
+  const std::vector<WorkedStep> steps = irregular_route();
+  const auto count = static_cast<std::size_t>(state.range(0)) - 1;
+  const Region field = irregular_field();
   double sum = 0;
   for (auto _ : state) {
-    TileCoverage engine(field, {8, true});
-    for (const WorkedStep& step : steps) {
-      engine.add(step);
+    TileCoverage engine(field, {coverage::tile_for(4, 1), true});
+    for (std::size_t i = 0; i < count; ++i) {
+      engine.add(steps[i]);
       sum += engine.areas().covered_m2 + engine.areas().repeated_m2 + engine.areas().missed_m2;
     }
   }
   benchmark::DoNotOptimize(sum);
 }
-BENCHMARK(route_of_645_fixes)->Unit(benchmark::kMillisecond);
+
+/// The same, and at every point the missed ground as rings.
+void exact_leakage(benchmark::State& state) {
+  const std::vector<WorkedStep> steps = irregular_route();
+  const auto count = static_cast<std::size_t>(state.range(0)) - 1;
+  const Region field = irregular_field();
+  std::size_t regions = 0;
+  for (auto _ : state) {
+    TileCoverage engine(field, {coverage::tile_for(4, 1), true});
+    for (std::size_t i = 0; i < count; ++i) {
+      engine.add(steps[i]);
+      benchmark::DoNotOptimize(regions = engine.region(Ground::kMissed).size());
+    }
+  }
+  state.counters["regions"] = static_cast<double>(regions);
+}
+
+void points_of_s3(benchmark::internal::Benchmark* bench) {
+  for (const int points : {100, 200, 300, 400, 500, 600, kIrregularPoints}) bench->Arg(points);
+}
+BENCHMARK(exact_coverage)->Apply(points_of_s3)->Unit(benchmark::kMillisecond);
+BENCHMARK(exact_leakage)->Apply(points_of_s3)->Unit(benchmark::kMillisecond);
 
 /// 400,000 fixes, and all regions at the end.
 void regions_of_a_day(benchmark::State& state) {
   const Work work{4, 10, 2.5, 0.05, 400000, 1};
-  TileCoverage engine(field_of(work), {tile_for(work), true});
+  TileCoverage engine(field_of(work), {tile_of(work), true});
   for (const WorkedStep& step : boustrophedon(work)) engine.add(step);
   const auto what = static_cast<Ground>(state.range(0));
   std::size_t vertices = 0, polygons = 0;

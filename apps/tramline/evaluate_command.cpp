@@ -182,14 +182,13 @@ class EvaluateCommand : public Command {
       ground = *field;
     else if (plan)
       ground = work_ground(*plan);
-    WorkLog log = placed_on(read, ground);
-    if (!plan) read = {};  // a day's log is not kept twice
+    const std::optional<WorkLog> as_read = plan ? std::optional(read) : std::nullopt;
     Evaluation out;
-    out.coverage = evaluated(std::move(log), ground.ground);
+    out.coverage = evaluated(placed_on(std::move(read), ground), ground.ground);
     out.coverage.field_id = ground.field_id;
     out.coverage.field = ground.ground;
     out.coverage.frame = ground.frame;
-    if (plan) out.compared = compared(*plan, read);
+    if (plan) out.compared = compared(*plan, *as_read);
     return out;
   }
 

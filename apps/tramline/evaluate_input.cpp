@@ -52,26 +52,15 @@ Region moved(Region region, const LocalFrame& from, const LocalFrame& to) {
   return region;
 }
 
-double distance_between(const Box& box, Point p) {
-  const double x = std::max({box.min_x - p.x, 0.0, p.x - box.max_x});
-  const double y = std::max({box.min_y - p.y, 0.0, p.y - box.max_y});
-  return length(Point{x, y});
-}
-
-bool any_near(const WorkLog& local, const Box& field) {
-  return std::any_of(local.fixes.begin(), local.fixes.end(),
-                     [&](const Fix& fix) { return distance_between(field, fix.position) < kNear_m; });
-}
-
 WorkLog with_columns_swapped(WorkLog log) {
   for (Fix& fix : log.fixes) std::swap(fix.position.x, fix.position.y);
   return log;
 }
 
-void require_near(const WorkLog& log, const WorkLog& local, const WorkGround& ground) {
+void require_near(const WorkLog& log, const WorkGround& ground) {
   const Box field = bounds(ground.ground);
-  if (any_near(local, field)) return;
-  if (any_near(placed(with_columns_swapped(log), ground.frame), field))
+  if (comes_near(log, ground.frame, field, kNear_m)) return;
+  if (comes_near(with_columns_swapped(log), ground.frame, field, kNear_m))
     throw bad_input(fmt::format(
         "{} lies nowhere near the field {} as it is, but does with longitude and latitude swapped: give "
         "--columns lon=LATITUDE,lat=LONGITUDE with the names of its columns",
@@ -104,14 +93,12 @@ std::optional<WorkGround> work_ground(const FieldOptions& options) {
 
 WorkGround work_ground(const Plan& plan) { return {plan.field.id, body_of(plan.field), plan.field.frame}; }
 
-WorkLog placed_on(const WorkLog& log, WorkGround& ground) {
-  if (ground.ground.empty()) {
+WorkLog placed_on(WorkLog log, WorkGround& ground) {
+  if (ground.ground.empty())
     ground.frame = frame_centred_on(log);
-    return placed(log, ground.frame);
-  }
-  WorkLog local = placed(log, ground.frame);
-  require_near(log, local, ground);
-  return local;
+  else
+    require_near(log, ground);
+  return placed(std::move(log), ground.frame);
 }
 
 }  // namespace tramline::app

@@ -26,6 +26,6 @@ WorkGround work_ground(const Plan& plan);
 
 /// The log in the frame of the ground, or in one of its own; `ground` then gets that. Throws kBadInput where
 /// no fix lies near the field, and says so where longitude and latitude seem to have changed places.
-WorkLog placed_on(const WorkLog& log, WorkGround& ground);
+WorkLog placed_on(WorkLog log, WorkGround& ground);
 
 }  // namespace tramline::app

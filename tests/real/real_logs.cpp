@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "tramline/coverage/evaluate.h"
+#include "tramline/coverage/plausible.h"
 #include "tramline/coverage/time_order.h"
 #include "tramline/geodesy/placed_log.h"
 #include "tramline/geometry/boolean.h"
@@ -82,7 +83,7 @@ BatchDifference stream_against_batch(const WorkLog& given, const Region& field,
   settings.drive = drive;
   const Coverage stream = coverage::evaluate(given, field, settings, {});
 
-  const WorkLog log = coverage::in_time_order(given);
+  const WorkLog log = coverage::in_time_order(coverage::plausible(given));
   settings.drive.unknown_works = !coverage::says_work(log);
   coverage::StepMaker steps(settings.drive);
   Region shapes;

@@ -19,9 +19,20 @@ std::uint32_t place_of(const CellBox& box) {
   return spread(x) | spread(y) << 1;
 }
 
+/// Room for `more`, a quarter more than needed where there is none: there are many tiles, most of them done
+/// with, and doubling would leave each with room for nothing.
+template <class T>
+void make_room(std::vector<T>& values, std::size_t more) {
+  const std::size_t needed = values.size() + more;
+  if (needed > values.capacity()) values.reserve(needed + needed / 4);
+}
+
 }  // namespace
 
 void CellStore::add(const TileRing& ring, CellState state) {
+  make_room(boxes_, 1);
+  make_room(heads_, 1);
+  make_room(points_, ring.size());
   boxes_.push_back(box_of(ring));
   heads_.push_back(
       {static_cast<std::uint32_t>(points_.size()), static_cast<std::uint16_t>(ring.size()), state});
@@ -46,6 +57,7 @@ void CellStore::replace(std::size_t cell, const TileRing& ring, CellState state)
     unused_ -= ring.size();
   } else {
     head.first = static_cast<std::uint32_t>(points_.size());
+    make_room(points_, ring.size());
     points_.insert(points_.end(), ring.begin(), ring.end());
   }
   head.count = static_cast<std::uint16_t>(ring.size());

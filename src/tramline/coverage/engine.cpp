@@ -1,6 +1,7 @@
 #include "tramline/coverage/engine.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tramline/coverage/mesh_coverage.h"
 #include "tramline/coverage/tile_coverage.h"
@@ -8,12 +9,9 @@
 namespace tramline::coverage {
 namespace {
 
-/// Side of a tile for a working width: a quad meets few tiles, and a tile holds few quads.
-double tile_for(double width_m) { return std::clamp(width_m, 2.0, 32.0); }
-
 class ExactEngine : public Engine {
  public:
-  ExactEngine(const Region& field, double width_m) : coverage_(field, {tile_for(width_m), true}) {}
+  ExactEngine(const Region& field, double tile_m) : coverage_(field, {tile_m, true}) {}
   void add(const WorkedStep& step) override { coverage_.add(step); }
   CoverageAreas areas() const override { return coverage_.areas(); }
   Region region(Ground what) const override { return coverage_.region(what); }
@@ -39,11 +37,17 @@ class MeshEngine : public Engine {
 
 }  // namespace
 
+double tile_for(double width_m, std::size_t sections) {
+  const double section_m = width_m / static_cast<double>(std::max<std::size_t>(1, sections));
+  return std::clamp(std::sqrt(width_m * section_m), 2.0, 32.0);
+}
+
 const char* name(EngineKind kind) { return kind == EngineKind::kMesh ? "mesh" : "exact"; }
 
-std::unique_ptr<Engine> make_engine(EngineKind kind, const Region& field, double width_m, double mesh_m) {
+std::unique_ptr<Engine> make_engine(EngineKind kind, const Region& field, double width_m,
+                                    std::size_t sections, double mesh_m) {
   if (kind == EngineKind::kMesh) return std::make_unique<MeshEngine>(field, mesh_m);
-  return std::make_unique<ExactEngine>(field, width_m);
+  return std::make_unique<ExactEngine>(field, tile_for(width_m, sections));
 }
 
 }  // namespace tramline::coverage

@@ -1,6 +1,7 @@
 #pragma once
 // The engines of coverage behind one face.
 
+#include <cstddef>
 #include <memory>
 #include <string_view>
 
@@ -25,8 +26,13 @@ class Engine {
   virtual Region region(Ground what) const = 0;
 };
 
-/// `field`: oriented; empty: no field. `width_m`: about the working width, for the size of tiles. `mesh_m`:
-/// S3.3, for kMesh.
-std::unique_ptr<Engine> make_engine(EngineKind kind, const Region& field, double width_m, double mesh_m);
+/// Side of a tile, m, for a machine so wide with so many sections: a quad should meet few tiles and a tile
+/// hold few quads, and quads are as wide as the machine or as one section.
+double tile_for(double width_m, std::size_t sections);
+
+/// `field`: oriented; empty: no field. `width_m` and `sections`: about the working width, and how many
+/// sections it has, for the size of tiles. `mesh_m`: S3.3, for kMesh.
+std::unique_ptr<Engine> make_engine(EngineKind kind, const Region& field, double width_m,
+                                    std::size_t sections, double mesh_m);
 
 }  // namespace tramline::coverage

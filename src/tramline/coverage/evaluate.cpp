@@ -49,6 +49,12 @@ double require_width(const WorkLog& log, const DriveSettings& drive) {
   return width_m;
 }
 
+std::size_t most_sections(const WorkLog& log) {
+  std::size_t most = 1;
+  for (const Boom& boom : log.booms) most = std::max(most, boom.size());
+  return most;
+}
+
 std::vector<std::string> notes_on(const Breaks& breaks, const DriveSettings& drive) {
   std::vector<std::string> out;
   if (breaks.gaps > 0)
@@ -141,7 +147,8 @@ Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& se
   DriveSettings drive = settings.drive;
   drive.unknown_works = !says_work(log);
   out.width_m = require_width(log, drive);
-  const std::unique_ptr<Engine> engine = make_engine(settings.engine, field, out.width_m, settings.mesh_m);
+  const std::unique_ptr<Engine> engine =
+      make_engine(settings.engine, field, out.width_m, most_sections(log), settings.mesh_m);
   StepMaker steps(drive);
   DrivenLines lines;
   Slices slices(settings.slice, *engine);
@@ -164,6 +171,7 @@ Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& se
   out.worked_s = log.clock == Clock::kNone ? std::numeric_limits<double>::quiet_NaN() : steps.worked_s();
   out.lines = lines.lines();
   out.slices = slices.slices();
+  log.fixes = std::vector<Fix>();  // regions need the memory
   add_ground(out, *engine, settings);
   for (std::string& note : notes_on(steps.breaks(), drive)) out.warnings.push_back(std::move(note));
   return out;
@@ -173,7 +181,7 @@ Coverage evaluate(const std::vector<WorkedStep>& steps, double width_m, const Re
                   const EvaluateSettings& settings) {
   const auto limit = thread_limit(settings.threads);
   Coverage out;
-  const std::unique_ptr<Engine> engine = make_engine(settings.engine, field, width_m, settings.mesh_m);
+  const std::unique_ptr<Engine> engine = make_engine(settings.engine, field, width_m, 1, settings.mesh_m);
   for (const WorkedStep& step : steps) {
     engine->add(step);
     out.runs = std::max(out.runs, step.run + 1);

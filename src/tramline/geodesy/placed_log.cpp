@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "tramline/geodesy/crs.h"
 #include "tramline/geodesy/field_projection.h"
@@ -50,6 +50,20 @@ class Placing {
   std::optional<FrameProjection> projection_;
 };
 
+void require_same_kind(const WorkLog& log, const LocalFrame& frame) {
+  if (frame.geodetic != (log.positions == Positions::kLonLat))
+    throw bad_input(fmt::format(
+        "{} has positions in {} and the field is in {}; give the CRS of the one without with --crs or "
+        "--log-crs",
+        log.name, frame.geodetic ? "plain metres" : "degrees", frame.geodetic ? "degrees" : "plain metres"));
+}
+
+double distance_between(const Box& box, Point p) {
+  const double x = std::max({box.min_x - p.x, 0.0, p.x - box.max_x});
+  const double y = std::max({box.min_y - p.y, 0.0, p.y - box.max_y});
+  return length(Point{x, y});
+}
+
 }  // namespace
 
 Box bounds(const WorkLog& log) {
@@ -65,27 +79,27 @@ LocalFrame frame_centred_on(const WorkLog& log) {
   return frame_centred_on(log.positions == Positions::kLonLat ? Crs("EPSG:4326") : Crs(), box);
 }
 
-WorkLog placed(WorkLog log, const LocalFrame& frame) {
-  if (frame.geodetic != (log.positions == Positions::kLonLat))
-    throw bad_input(fmt::format(
-        "{} has positions in {} and the field is in {}; give the CRS of the one without with --crs or "
-        "--log-crs",
-        log.name, frame.geodetic ? "plain metres" : "degrees", frame.geodetic ? "degrees" : "plain metres"));
+bool comes_near(const WorkLog& log, const LocalFrame& frame, const Box& local, double within_m) {
+  require_same_kind(log, frame);
   const Placing place(log, frame);
-  std::vector<Fix> kept;
-  kept.reserve(log.fixes.size());
-  for (Fix& fix : log.fixes) {
+  return std::any_of(log.fixes.begin(), log.fixes.end(), [&](const Fix& fix) {
+    if (!fault(log, fix.position).empty()) return false;
+    const std::optional<Point> p = place(fix.position);
+    return p && distance_between(local, *p) < within_m;
+  });
+}
+
+WorkLog placed(WorkLog log, const LocalFrame& frame) {
+  require_same_kind(log, frame);
+  const Placing place(log, frame);
+  skip_faulty(log, [&](Fix& fix) {
     std::string why = fault(log, fix.position);
-    const std::optional<Point> local = why.empty() ? place(fix.position) : std::nullopt;
-    if (why.empty() && !local) why = "the position is more than 1000 km away";
-    if (!local) {
-      log.skipped.add(fix.record, std::move(why));
-      continue;
-    }
+    if (!why.empty()) return why;
+    const std::optional<Point> local = place(fix.position);
+    if (!local) return std::string("the position is more than 1000 km away");
     fix.position = *local;
-    kept.push_back(fix);
-  }
-  log.fixes = std::move(kept);
+    return std::string();
+  });
   log.positions = Positions::kLocal;
   return log;
 }

@@ -14,6 +14,10 @@ Box bounds(const WorkLog& log);
 /// without a usable position.
 LocalFrame frame_centred_on(const WorkLog& log);
 
+/// Whether any fix of the log lies nearer than that to a box of the frame. Throws like placed(). O(n) at
+/// most.
+bool comes_near(const WorkLog& log, const LocalFrame& frame, const Box& local, double within_m);
+
 /// The log with local positions. Fixes without a place in the frame (no number, past a pole, too far away)
 /// are skipped, and listed by their record. A log in plain metres has to come with a plain frame, and one in
 /// degrees with a geodetic one: throws kBadInput otherwise. O(n).

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tramline/geometry/angle.h"
@@ -22,8 +23,8 @@ struct Section {
   friend bool operator==(const Section& a, const Section& b) = default;
 };
 
-/// The sections of a machine at one time, from left to right; a machine without sections is one section. None:
-/// the machine works nothing.
+/// The sections of a machine at one time, from left to right; a machine without sections is one section.
+/// None: the machine works nothing.
 using Boom = std::vector<Section>;
 
 /// As many as ISO 11783-11 condenses into sixteen values (DDI 161-176).
@@ -85,5 +86,19 @@ struct WorkLog {
   SkippedRecords skipped;
   std::vector<std::string> notes;  ///< what the reader assumed, one sentence each
 };
+
+/// Leaves the fixes for which `fault` is empty, in place and in order; the others are skipped and listed.
+template <class Fault>
+void skip_faulty(WorkLog& log, Fault fault) {
+  auto kept = log.fixes.begin();
+  for (Fix& fix : log.fixes) {
+    std::string why = fault(fix);
+    if (why.empty())
+      *kept++ = fix;
+    else
+      log.skipped.add(fix.record, std::move(why));
+  }
+  log.fixes.erase(kept, log.fixes.end());
+}
 
 }  // namespace tramline

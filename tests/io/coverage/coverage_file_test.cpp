@@ -14,12 +14,18 @@
 #include <numbers>
 
 #include "io/coverage/two_passes.h"
+#include "support/refusals.h"
+#include "support/temporary_folder.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/coverage/read_coverage.h"
 #include "tramline/io/coverage/write_coverage.h"
 
 namespace tramline {
 namespace {
+
+using testing_support::bytes_of;
+using testing_support::error_of;
+using testing_support::TemporaryFolder;
 
 namespace fs = std::filesystem;
 
@@ -62,37 +68,12 @@ Coverage odd_passes() {
   return out;
 }
 
-std::string bytes_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 class CoverageFileTest : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "tramline-XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-    unsetenv("SOURCE_DATE_EPOCH");
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  std::size_t files_in_folder() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
-  }
+  void SetUp() override { unsetenv("SOURCE_DATE_EPOCH"); }
   fs::path file() const { return folder_ / "coverage.gpkg"; }
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
-
-template <class Call>
-Error error_of(Call call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error;
-  }
-  ADD_FAILURE() << "no Error was thrown";
-  return failure("");
-}
 
 /// Every number of the areas, for comparison to the bit; NaN equals NaN.
 std::vector<double> numbers_of(const CoverageAreas& areas) {
@@ -328,7 +309,7 @@ TEST_F(CoverageFileTest, the_same_evaluation_gives_the_same_bytes) {
   EXPECT_EQ(bytes_of(file()), bytes_of(folder_ / "other.gpkg"));
   io::write_coverage(io::read_coverage(file()), folder_ / "again.gpkg");
   EXPECT_EQ(bytes_of(file()), bytes_of(folder_ / "again.gpkg"));
-  EXPECT_EQ(files_in_folder(), 3u);
+  EXPECT_EQ(folder_.entries(), 3u);
 }
 
 TEST_F(CoverageFileTest, time_stamps_follow_source_date_epoch) {
@@ -344,7 +325,7 @@ TEST_F(CoverageFileTest, only_geopackages) {
     EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
     EXPECT_NE(std::string(error.what()).find(".gpkg"), std::string::npos);
   }
-  EXPECT_EQ(files_in_folder(), 0u);
+  EXPECT_EQ(folder_.entries(), 0u);
   io::write_coverage(two_passes(), folder_ / "COVERAGE.GPKG");
   EXPECT_EQ(io::read_coverage(folder_ / "COVERAGE.GPKG").covered, two_passes().covered);
 }
@@ -352,10 +333,10 @@ TEST_F(CoverageFileTest, only_geopackages) {
 TEST_F(CoverageFileTest, what_cannot_be_written_leaves_nothing_behind) {
   const Error error = error_of([&] { io::write_coverage(two_passes(), folder_ / "missing/coverage.gpkg"); });
   EXPECT_EQ(error.kind(), ErrorKind::kFailure);
-  EXPECT_EQ(files_in_folder(), 0u);
+  EXPECT_EQ(folder_.entries(), 0u);
   fs::create_directories(file() / "full");
   EXPECT_EQ(error_of([&] { io::write_coverage(two_passes(), file()); }).kind(), ErrorKind::kFailure);
-  EXPECT_EQ(files_in_folder(), 1u);
+  EXPECT_EQ(folder_.entries(), 1u);
 }
 
 }  // namespace

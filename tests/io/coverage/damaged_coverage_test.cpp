@@ -11,6 +11,8 @@
 #include <random>
 
 #include "io/coverage/two_passes.h"
+#include "support/refusals.h"
+#include "support/temporary_folder.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/coverage/read_coverage.h"
 #include "tramline/io/coverage/write_coverage.h"
@@ -19,6 +21,10 @@
 
 namespace tramline {
 namespace {
+
+using testing_support::bytes_of;
+using testing_support::damaged;
+using testing_support::mentions;
 
 namespace fs = std::filesystem;
 
@@ -60,10 +66,6 @@ class DamagedCoverage : public testing::Test {
   }
   fs::path file_;
 };
-
-bool mentions(const std::string& sentence, const std::string& words) {
-  return sentence.find(words) != std::string::npos;
-}
 
 TEST_F(DamagedCoverage, missing_parts_are_named) {
   EXPECT_EQ(read(), "");
@@ -126,15 +128,10 @@ TEST_F(DamagedCoverage, a_file_cut_off_is_known_at_once) {
 
 /// Whatever the bytes, reading ends in an evaluation or in one sentence.
 TEST_F(DamagedCoverage, random_bytes_never_crash_the_reader) {
-  std::ifstream stream(file_, std::ios::binary);
-  const std::string whole{std::istreambuf_iterator<char>(stream), {}};
+  const std::string whole = bytes_of(file_);
   std::mt19937 random(3);
-  std::uniform_int_distribution<std::size_t> place(0, whole.size() - 1);
-  std::uniform_int_distribution<int> byte(0, 255);
   for (int i = 0; i < 150; ++i) {
-    std::string damaged = whole;
-    for (int k = 0; k < 1 + i; ++k) damaged[place(random)] = static_cast<char>(byte(random));
-    std::ofstream(file_, std::ios::binary) << damaged;
+    std::ofstream(file_, std::ios::binary) << damaged(whole, 1 + i, random);
     read();
   }
 }

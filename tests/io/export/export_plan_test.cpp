@@ -2,6 +2,7 @@
 // same coordinates.
 
 #include "tramline/io/export/export_plan.h"
+#include "support/temporary_folder.h"
 
 #include <cpl_conv.h>
 #include <gtest/gtest.h>
@@ -22,6 +23,8 @@
 
 namespace tramline::io {
 namespace {
+
+using testing_support::TemporaryFolder;
 
 namespace fs = std::filesystem;
 
@@ -69,16 +72,10 @@ class ExportTest : public testing::Test {
  protected:
   void SetUp() override {
     GDALAllRegister();
-    std::string pattern = (fs::temp_directory_path() / "tramline-XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
     unsetenv("SOURCE_DATE_EPOCH");
     write_plan(sample_plan(), plan_file());
   }
-  void TearDown() override {
-    unsetenv("SOURCE_DATE_EPOCH");
-    fs::remove_all(folder_);
-  }
+  void TearDown() override { unsetenv("SOURCE_DATE_EPOCH"); }
   fs::path plan_file() const { return folder_ / "plan.gpkg"; }
   ExportReport exported(const char* name, const char* crs = "",
                         const std::vector<std::string>& layers = {}) const {
@@ -100,7 +97,7 @@ class ExportTest : public testing::Test {
     EXPECT_NE(out, nullptr) << path;
     return out;
   }
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 const OGRSimpleCurve* curve_of(const OGRGeometry* shape) {

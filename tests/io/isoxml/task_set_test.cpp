@@ -7,6 +7,7 @@
 
 #include "io/isoxml/time_log_bytes.h"
 #include "io/vector/files.h"
+#include "support/refusals.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/isoxml/read_fields.h"
 #include "tramline/io/isoxml/read_task_log.h"
@@ -15,6 +16,9 @@
 
 namespace tramline {
 namespace {
+
+using testing_support::mentions;
+using testing_support::refusal_of;
 
 using namespace io;
 using testing_logs::header;
@@ -48,20 +52,9 @@ class TaskSet : public testing_files::Files {
     write_in(folder, "Tlg00002.BIN", one_record(520000100, 6000));
   }
   static std::string refusal(const std::string& file, const LogOptions& options = {}) {
-    try {
-      read_log(file, options);
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
-      return error.what();
-    }
-    ADD_FAILURE() << file << " was read";
-    return {};
+    return refusal_of([&] { read_log(file, options); });
   }
 };
-
-bool mentions(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 void expect_both(const WorkLog& log) {
   ASSERT_EQ(log.fixes.size(), 2U);

@@ -8,11 +8,15 @@
 #include <vector>
 
 #include "io/isoxml/time_log_bytes.h"
+#include "support/refusals.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/isoxml/read_task_log.h"
 
 namespace tramline::io {
 namespace {
+
+using testing_support::mentions;
+using testing_support::refusal_of;
 
 using testing_logs::header;
 using testing_logs::little;
@@ -31,18 +35,7 @@ WorkLog decode(const std::string& xml, const std::string& bytes,
 }
 
 std::string refusal(const std::string& xml) {
-  try {
-    decode(xml, "");
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
-    return error.what();
-  }
-  ADD_FAILURE() << "was read";
-  return {};
-}
-
-bool mentions(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  return refusal_of([&] { decode(xml, ""); });
 }
 
 TEST(TimeLog, PositionsAndTimes) {

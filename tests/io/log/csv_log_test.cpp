@@ -1,6 +1,7 @@
 // Tables of fixes: separators, names, units, and what goes wrong in real ones.
 
 #include "tramline/io/log/csv_log.h"
+#include "support/refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -12,24 +13,16 @@
 namespace tramline::io {
 namespace {
 
+using testing_support::mentions;
+using testing_support::refusal_of;
+
 WorkLog csv(const std::string& text, const std::string& columns = "", const std::string& crs = "") {
   TextLines lines(text);
   return read_csv_log(lines, columns, crs, "'t.csv'");
 }
 
 std::string refusal(const std::string& text, const std::string& columns = "", const std::string& crs = "") {
-  try {
-    csv(text, columns, crs);
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
-    return error.what();
-  }
-  ADD_FAILURE() << "was read";
-  return {};
-}
-
-bool mentions(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  return refusal_of([&] { csv(text, columns, crs); });
 }
 
 bool notes_mention(const WorkLog& log, const std::string& part) {

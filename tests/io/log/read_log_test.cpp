@@ -1,6 +1,7 @@
 // Files of all kinds through one door.
 
 #include "tramline/io/log/read_log.h"
+#include "support/refusals.h"
 
 #include <gtest/gtest.h>
 #include <ogrsf_frmts.h>
@@ -16,6 +17,9 @@
 namespace tramline {
 namespace {
 
+using testing_support::mentions;
+using testing_support::refusal_of;
+
 using namespace io;
 
 class ReadLog : public testing_files::Files {
@@ -28,20 +32,9 @@ class ReadLog : public testing_files::Files {
   }
 
   static std::string refusal(const std::string& file, const LogOptions& options = {}) {
-    try {
-      read_log(file, options);
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
-      return error.what();
-    }
-    ADD_FAILURE() << file << " was read";
-    return {};
+    return refusal_of([&] { read_log(file, options); });
   }
 };
-
-bool mentions(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 const std::string kCsv = "lon,lat\n10.5,52.25\n10.6,52.25\n";
 const std::string kGga = "$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47\n";

@@ -1,4 +1,6 @@
 #include "tramline/io/machine/read_machine.h"
+#include "support/refusals.h"
+#include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -12,33 +14,23 @@
 namespace tramline {
 namespace {
 
+using testing_support::refusal_of;
+using testing_support::TemporaryFolder;
+
 class MachineFile : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (std::filesystem::temp_directory_path() / "tramline-machine-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::filesystem::path write(const std::string& text) const {
     std::ofstream(folder_ / "m.toml", std::ios::binary) << text;
     return folder_ / "m.toml";
   }
   Machine read(const std::string& text) const { return io::read_machine(write(text)); }
-  std::string refusal(const std::string& text) const { return refusal_of(write(text)); }
-  static std::string refusal_of(const std::filesystem::path& path) {
-    try {
-      io::read_machine(path);
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
-      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-      return error.what();
-    }
-    ADD_FAILURE() << "nothing was refused";
-    return "";
+  std::string refusal(const std::string& text) const { return refusal_at(write(text)); }
+  static std::string refusal_at(const std::filesystem::path& path) {
+    const std::string sentence = refusal_of([&] { io::read_machine(path); });
+    EXPECT_EQ(sentence.find('\n'), std::string::npos);
+    return sentence;
   }
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 void expect_says(const std::string& message, std::initializer_list<std::string> words) {
@@ -93,8 +85,8 @@ TEST_F(MachineFile, WhatIsNoToml) {
 }
 
 TEST_F(MachineFile, WhatCannotBeRead) {
-  expect_says(refusal_of(folder_ / "none.toml"), {"none.toml", "cannot be read"});
-  expect_says(refusal_of(folder_), {"cannot be read"});
+  expect_says(refusal_at(folder_ / "none.toml"), {"none.toml", "cannot be read"});
+  expect_says(refusal_at(folder_.path()), {"cannot be read"});
 }
 
 TEST_F(MachineFile, TheExampleIsAMachine) {

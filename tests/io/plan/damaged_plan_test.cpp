@@ -10,12 +10,18 @@
 #include <iterator>
 #include <random>
 
+#include "support/refusals.h"
+#include "support/temporary_folder.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/plan/read_plan.h"
 #include "tramline/io/plan/write_plan.h"
 
 namespace tramline {
 namespace {
+
+using testing_support::bytes_of;
+using testing_support::damaged;
+using testing_support::mentions;
 
 namespace fs = std::filesystem;
 
@@ -65,10 +71,6 @@ class DamagedPlan : public testing::Test {
   fs::path file_;
 };
 
-bool mentions(const std::string& sentence, const std::string& words) {
-  return sentence.find(words) != std::string::npos;
-}
-
 TEST_F(DamagedPlan, missing_parts_are_named) {
   EXPECT_EQ(read(), "");
   EXPECT_TRUE(mentions(after_sql("DROP TABLE swaths"), "'swaths'"));
@@ -103,15 +105,10 @@ TEST_F(DamagedPlan, deleted_tracks_leave_a_gap_in_the_order) {
 
 /// Whatever the bytes, reading ends in a plan or in one sentence.
 TEST_F(DamagedPlan, random_bytes_never_crash_the_reader) {
-  std::ifstream stream(file_, std::ios::binary);
-  const std::string whole{std::istreambuf_iterator<char>(stream), {}};
+  const std::string whole = bytes_of(file_);
   std::mt19937 random(3);
-  std::uniform_int_distribution<std::size_t> place(0, whole.size() - 1);
-  std::uniform_int_distribution<int> byte(0, 255);
   for (int i = 0; i < 150; ++i) {
-    std::string damaged = whole;
-    for (int k = 0; k < 1 + i; ++k) damaged[place(random)] = static_cast<char>(byte(random));
-    std::ofstream(file_, std::ios::binary) << damaged;
+    std::ofstream(file_, std::ios::binary) << damaged(whole, 1 + i, random);
     read();
   }
 }

@@ -13,12 +13,15 @@
 #include <set>
 #include <string>
 
+#include "support/temporary_folder.h"
 #include "tramline/io/plan/plan_styles.h"
 #include "tramline/io/plan/read_plan.h"
 #include "tramline/io/plan/write_plan.h"
 
 namespace tramline::io {
 namespace {
+
+using testing_support::TemporaryFolder;
 
 namespace fs = std::filesystem;
 
@@ -37,9 +40,6 @@ Plan two_subfields() {
 class LayerStyles : public testing::Test {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "tramline-XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
     setenv("SOURCE_DATE_EPOCH", "1700000000", 1);
     write_plan(two_subfields(), file());
     RegisterOGRGeoPackage();
@@ -51,10 +51,9 @@ class LayerStyles : public testing::Test {
   void TearDown() override {
     unsetenv("SOURCE_DATE_EPOCH");
     data_.reset();
-    fs::remove_all(folder_);
   }
   fs::path file() const { return folder_ / "plan.gpkg"; }
-  fs::path folder_;
+  TemporaryFolder folder_;
   GDALDatasetUniquePtr data_;
   OGRLayer* styles_ = nullptr;
 };

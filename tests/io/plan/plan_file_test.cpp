@@ -12,12 +12,18 @@
 #include <iterator>
 #include <limits>
 
+#include "support/refusals.h"
+#include "support/temporary_folder.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/plan/read_plan.h"
 #include "tramline/io/plan/write_plan.h"
 
 namespace tramline {
 namespace {
+
+using testing_support::bytes_of;
+using testing_support::error_of;
+using testing_support::TemporaryFolder;
 
 namespace fs = std::filesystem;
 
@@ -58,37 +64,12 @@ Plan odd_plan() {
   return plan;
 }
 
-std::string bytes_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 class PlanFileTest : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "tramline-XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-    unsetenv("SOURCE_DATE_EPOCH");
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  std::size_t files_in_folder() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
-  }
+  void SetUp() override { unsetenv("SOURCE_DATE_EPOCH"); }
   fs::path file() const { return folder_ / "plan.gpkg"; }
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
-
-template <class Call>
-Error error_of(Call call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error;
-  }
-  ADD_FAILURE() << "no Error was thrown";
-  return failure("");
-}
 
 void expect_same_settings(const Plan& a, const Plan& b) {
   EXPECT_EQ(a.field.id, b.field.id);
@@ -179,7 +160,7 @@ TEST_F(PlanFileTest, the_same_plan_gives_the_same_bytes) {
   EXPECT_EQ(bytes_of(file()), bytes_of(folder_ / "other.gpkg"));
   io::write_plan(io::read_plan(file()), folder_ / "again.gpkg");
   EXPECT_EQ(bytes_of(file()), bytes_of(folder_ / "again.gpkg"));
-  EXPECT_EQ(files_in_folder(), 3u);
+  EXPECT_EQ(folder_.entries(), 3u);
 }
 
 TEST_F(PlanFileTest, time_stamps_follow_source_date_epoch) {
@@ -194,7 +175,7 @@ TEST_F(PlanFileTest, time_stamps_follow_source_date_epoch) {
 TEST_F(PlanFileTest, only_geopackages) {
   const Error error = error_of([&] { io::write_plan(odd_plan(), folder_ / "plan.shp"); });
   EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
-  EXPECT_EQ(files_in_folder(), 0u);
+  EXPECT_EQ(folder_.entries(), 0u);
 }
 
 TEST_F(PlanFileTest, the_extension_may_be_in_capitals) {
@@ -210,7 +191,7 @@ TEST_F(PlanFileTest, nothing_is_left_of_a_failed_write) {
   // A folder in the way: the temporary is complete by then and has to go.
   fs::create_directory(file());
   EXPECT_EQ(error_of([&] { io::write_plan(odd_plan(), file()); }).kind(), ErrorKind::kFailure);
-  EXPECT_EQ(files_in_folder(), 1u);
+  EXPECT_EQ(folder_.entries(), 1u);
 }
 
 /// A limit on file sizes stands for a full disk: the write fails half way.
@@ -227,12 +208,12 @@ TEST_F(PlanFileTest, a_full_disk_is_a_failed_run_that_leaves_the_older_plan) {
   std::signal(SIGXFSZ, handler);
   EXPECT_EQ(error.kind(), ErrorKind::kFailure);
   EXPECT_EQ(bytes_of(file()), before);
-  EXPECT_EQ(files_in_folder(), 1u);
+  EXPECT_EQ(folder_.entries(), 1u);
 }
 
 TEST_F(PlanFileTest, missing_foreign_and_cut_off_files_are_bad_input) {
   EXPECT_EQ(error_of([&] { io::read_plan(folder_ / "none.gpkg"); }).kind(), ErrorKind::kBadInput);
-  EXPECT_EQ(error_of([&] { io::read_plan(folder_); }).kind(), ErrorKind::kBadInput);
+  EXPECT_EQ(error_of([&] { io::read_plan(folder_.path()); }).kind(), ErrorKind::kBadInput);
   std::ofstream(folder_ / "text.gpkg") << "this is not a database at all, but it is long enough\n";
   EXPECT_EQ(error_of([&] { io::read_plan(folder_ / "text.gpkg"); }).kind(), ErrorKind::kBadInput);
 

@@ -35,30 +35,12 @@ bool look_like_metres(const std::vector<Fix>& fixes) {
 }
 
 void project(WorkLog& log, const Crs& crs) {
-  std::vector<Fix> kept;
-  for (Fix& fix : log.fixes) {
+  skip_faulty(log, [&](Fix& fix) {
     const auto lonlat = crs.to_lonlat(fix.position);
-    if (!lonlat) {
-      log.skipped.add(fix.record,
-                      fmt::format("{}, {} is no place in {}", fix.position.x, fix.position.y, crs.name()));
-      continue;
-    }
+    if (!lonlat) return fmt::format("{}, {} is no place in {}", fix.position.x, fix.position.y, crs.name());
     fix.position = *lonlat;
-    kept.push_back(fix);
-  }
-  log.fixes = std::move(kept);
-}
-
-void skip_impossible(WorkLog& log) {
-  std::vector<Fix> kept;
-  for (const Fix& fix : log.fixes) {
-    std::string fault = fault_of_lonlat(fix.position);
-    if (fault.empty())
-      kept.push_back(fix);
-    else
-      log.skipped.add(fix.record, std::move(fault));
-  }
-  log.fixes = std::move(kept);
+    return std::string();
+  });
 }
 
 }  // namespace
@@ -78,7 +60,7 @@ void settle_positions(WorkLog& log, PositionNames names, const std::string& crs,
     log.notes.emplace_back("x and y are taken as metres; with --log-crs they would be places on the earth");
   }
   if (log.positions == Positions::kLonLat) {
-    skip_impossible(log);
+    skip_faulty(log, [](const Fix& fix) { return fault_of_lonlat(fix.position); });
     skip_strays(log);
   }
   if (any && log.fixes.empty())

@@ -1,0 +1,45 @@
+#pragma once
+// What was wrong with bad input, in words.
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+#include "tramline/geometry/error.h"
+
+namespace tramline::testing_support {
+
+/// The error that a call throws. A call that throws none has failed.
+template <class Call>
+Error error_of(Call call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error;
+  }
+  ADD_FAILURE() << "no Error was thrown";
+  return failure("");
+}
+
+/// The sentence with which a call refuses bad input.
+template <class Call>
+std::string refusal_of(Call call) {
+  const Error error = error_of(call);
+  EXPECT_EQ(error.kind(), ErrorKind::kBadInput) << error.what();
+  return error.what();
+}
+
+inline bool mentions(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// As many bytes of a text changed at random.
+inline std::string damaged(std::string bytes, int changes, std::mt19937& random) {
+  std::uniform_int_distribution<std::size_t> place(0, bytes.size() - 1);
+  std::uniform_int_distribution<int> byte(0, 255);
+  for (int k = 0; k < changes; ++k) bytes[place(random)] = static_cast<char>(byte(random));
+  return bytes;
+}
+
+}  // namespace tramline::testing_support
