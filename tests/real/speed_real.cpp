@@ -3,9 +3,9 @@
 //   speed_real [--width W] [--headlands N] [--curved 1] [--only ID] [--repeat N]
 //
 // A line for every field, tab-separated: id, hectares, corners, obstacles, processor time in ms, cost, bound,
-// cost and bound of undivided plans, directions tried, and a sum over every number of the plan's tracks, so that
-// two builds can be compared by `diff` but for the times. Fields are planned side by side, as best_real does;
-// the last line has how many fields a second of processor time holds.
+// cost and bound of undivided plans, directions tried, and a sum over every number of the plan's tracks, so
+// that two builds can be compared by `diff` but for the times. Fields are planned side by side, as best_real
+// does; the last line has how many fields a second of processor time holds.
 
 #include <fmt/format.h>
 
@@ -89,8 +89,8 @@ Timed timed(const Field& field, const Request& request) {
     for (int i = 0; i < request.repeat; ++i)
       plan = plan_field(field, {"", request.width_m, 6, -1}, {}, settings, 1);
     out.seconds = (thread_seconds() - start) / request.repeat;
-    out.row = fmt::format("{}\t{:.1f}\t{:.17g}\t{:.17g}\t{:.17g}\t{:.17g}\t{}\t{:016x}", head, 1e3 * out.seconds,
-                          plan.cost, plan.proof.bound, plan.proof.one_direction_cost,
+    out.row = fmt::format("{}\t{:.1f}\t{:.17g}\t{:.17g}\t{:.17g}\t{:.17g}\t{}\t{:016x}", head,
+                          1e3 * out.seconds, plan.cost, plan.proof.bound, plan.proof.one_direction_cost,
                           plan.proof.one_direction_bound, plan.directions_tried, sum_of(plan));
   } catch (const Error& error) {
     out.seconds = thread_seconds() - start;
