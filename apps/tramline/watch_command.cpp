@@ -54,6 +54,7 @@ class WatchCommand : public Command {
     verb->add_option("--save-every", output_.save_every_s, "write it so often, s, besides at the end")
         ->check(CLI::Range(1.0, 86400.0))
         ->capture_default_str();
+    add_look_ahead_options(*verb);
     add_unused_threads_option(*verb, threads_);
     verb->add_flag("--json", output_.json, "print one JSON object a second");
     verb->add_flag("--quiet", output_.quiet, "no status, no table");
@@ -70,6 +71,12 @@ class WatchCommand : public Command {
     coverage::EvaluateSettings settings;
     apply(drive_, settings);
     settings.shapes = !output_.file.empty();
+    if (look_ahead_) {
+      require_sensible(rule_);
+      if (settings.engine != coverage::EngineKind::kExact)
+        throw bad_input("--look-ahead needs --engine exact");
+      output_.look_ahead = rule_;
+    }
     const EndSignals signals;
     WorkGround ground;
     if (std::optional<WorkGround> field = work_ground(field_)) ground = std::move(*field);
@@ -82,6 +89,27 @@ class WatchCommand : public Command {
   }
 
  private:
+  void add_look_ahead_options(CLI::App& verb) {
+    verb.add_flag("--look-ahead", look_ahead_,
+                  "also say what each section comes to at present speed and heading, and when to switch it");
+    verb.add_option("--horizon", rule_.horizon_s, "how far to look ahead, s")
+        ->check(CLI::Range(0.1, 60.0))
+        ->capture_default_str();
+    verb.add_option("--on-latency", rule_.on_latency_s, "from the command to the work of a section, s")
+        ->check(CLI::Range(0.0, 30.0))
+        ->capture_default_str();
+    verb.add_option("--off-latency", rule_.off_latency_s, "from the command to the end of its work, s")
+        ->check(CLI::Range(0.0, 30.0))
+        ->capture_default_str();
+    verb.add_option("--on-from", rule_.on_from,
+                    "a section goes on where at least this share of its width needs work")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
+    verb.add_option("--off-below", rule_.off_below, "and off where less than this share does")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
+  }
+
   bool gpsd_asked() const { return verb_->get_option("--gpsd")->count() > 0; }
   int sources() const {
     return static_cast<int>(!follow_.empty()) + static_cast<int>(!tcp_.empty()) +
@@ -110,7 +138,8 @@ class WatchCommand : public Command {
   WatchOutput output_;
   std::string follow_, tcp_, serial_, gpsd_;
   int udp_ = 0, threads_ = 0;
-  bool once_ = false;
+  bool once_ = false, look_ahead_ = false;
+  coverage::SwitchRule rule_;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "evaluate_report.h"
+#include "tramline/coverage/live_coverage.h"
 
 namespace tramline::app {
 
@@ -19,6 +20,8 @@ struct LiveFigures {
   std::optional<bool> working;      ///< at the last fix
   std::optional<double> stalled_s;  ///< no fix for so long, where that is too long
   bool work_key = false;            ///< the space key switches work
+  bool looks_ahead = false;
+  std::optional<coverage::Ahead> ahead;  ///< nullopt: not known
 };
 
 /// Keys: docs/json.md.

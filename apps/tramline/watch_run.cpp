@@ -137,6 +137,8 @@ LiveFigures WatchRun::figures(bool final) const {
   out.working = session_.live().working();
   const double silent_s = duration<double>(Clock::now() - last_fix_).count();
   if (!final && silent_s > kStalled_s) out.stalled_s = silent_s;
+  out.looks_ahead = !final && output_.look_ahead;
+  if (out.looks_ahead) out.ahead = session_.look_ahead(*output_.look_ahead);
   out.work_key = key_.descriptor() >= 0 && !session_.tells_work();
   return out;
 }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct WatchOutput {
   double save_every_s = 60;
   bool json = false;
   bool quiet = false;
+  std::optional<coverage::SwitchRule> look_ahead;
 };
 
 /// SIGINT, SIGTERM and SIGHUP are something to read, not an end, while it lives; a reader of our output that

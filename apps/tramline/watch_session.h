@@ -39,6 +39,10 @@ class WatchSession {
 
   bool strict() const { return settings_.strict; }
 
+  /// What the sections come to; nullopt: not known.
+  std::optional<coverage::Ahead> look_ahead(const coverage::SwitchRule& rule) const {
+    return live_.look_ahead(rule);
+  }
   /// Without regions and gaps, O(1).
   Coverage figures() const;
   /// With them. Precondition: settled. O(fixes and regions).

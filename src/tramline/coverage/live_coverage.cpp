@@ -134,6 +134,26 @@ std::optional<bool> LiveCoverage::working() const {
               .empty();
 }
 
+std::optional<Ahead> LiveCoverage::look_ahead(const SwitchRule& rule) const {
+  const std::optional<Motion> motion = drive_ ? drive_->motion() : std::nullopt;
+  if (!motion || drive_->engine().tiles() == nullptr) return std::nullopt;
+  const Fix fix = mended_fix(log_.fixes.back());
+  const double half_m = settings_.drive.width_m / 2;
+  Ahead out{fix.boom >= 0 ? booms_[static_cast<std::size_t>(fix.boom)] : Boom{{half_m, -half_m}}, {}};
+  if (std::isnan(span_m(out.boom))) return std::nullopt;
+  const Boom working = working_boom(fix, out.boom, !says_work_);
+  std::vector<SectionState> states;
+  for (const Section& section : out.boom) {
+    const double middle_m = 0.5 * (section.left_m + section.right_m);
+    const bool on = std::any_of(working.begin(), working.end(), [&](const Section& run) {
+      return run.right_m < middle_m && middle_m < run.left_m;
+    });
+    states.push_back({on, {}});
+  }
+  out.sections = coverage::look_ahead(*drive_->engine().tiles(), *field_, *motion, out.boom, states, rule);
+  return out;
+}
+
 double LiveCoverage::last_s() const {
   return log_.fixes.empty() ? std::numeric_limits<double>::quiet_NaN() : log_.fixes.back().time_s;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tramline/coverage/ahead/look_ahead.h"
 #include "tramline/coverage/evaluate.h"
 #include "tramline/coverage/plausible.h"
 #include "tramline/coverage/work_rate.h"
@@ -16,6 +17,12 @@
 #include "tramline/model/work_log.h"
 
 namespace tramline::coverage {
+
+/// A boom and what each of its sections comes to.
+struct Ahead {
+  Boom boom;
+  std::vector<SectionAhead> sections;
+};
 
 /// Takes fixes one by one; areas are current after every one, and once settle()d those of evaluate() on the
 /// same log.
@@ -54,6 +61,10 @@ class LiveCoverage {
   std::optional<bool> working() const;
   /// Of the last fix; NaN: none.
   double last_s() const;
+  /// What the sections of the last fix come to, as they work there; a machine without sections is one.
+  /// nullopt where width, heading or speed are not known, and with another engine than the exact one.
+  /// Precondition: sensible rule. O(c log c) for the c cells ahead.
+  std::optional<Ahead> look_ahead(const SwitchRule& rule) const;
 
   /// Figures without regions and gaps. Name, clock, skipped records and notes are the log's, of which
   /// `head` has no fixes. O(1).

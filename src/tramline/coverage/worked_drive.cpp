@@ -101,6 +101,7 @@ void WorkedDrive::add(const Fix& fix, const std::vector<Boom>& booms) {
   const std::optional<WorkedStep> step = steps_.add(fix, booms);
   if (step) engine_->add(*step);
   lines_.add(fix, steps_.place(), steps_.joined(), step);
+  motion_.add(fix, steps_.place(), steps_.heading(), steps_.joined());
 }
 
 void WorkedDrive::add_figures(Coverage& out, Clock clock) const {

@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tramline/coverage/ahead/motion.h"
 #include "tramline/coverage/driven_lines.h"
 #include "tramline/coverage/engine.h"
 #include "tramline/coverage/evaluate.h"
@@ -46,6 +48,8 @@ class WorkedDrive {
   void add(const Fix& fix, const std::vector<Boom>& booms);
   CoverageAreas areas() const { return engine_->areas(); }
   const Engine& engine() const { return *engine_; }
+  /// At the last fix; nullopt: not known.
+  std::optional<Motion> motion() const { return motion_.motion(); }
 
   /// Runs, time at work, lines, areas and warnings, added to `out`. `clock`: of the log.
   void add_figures(Coverage& out, Clock clock) const;
@@ -58,6 +62,7 @@ class WorkedDrive {
   std::unique_ptr<Engine> engine_;
   StepMaker steps_;
   DrivenLines lines_;
+  MotionTrack motion_;
 };
 
 /// Areas, and where slivers count as repeated (S3), with them so.

@@ -55,6 +55,7 @@ std::vector<SectionAhead> look_ahead(const TileCoverage& coverage, const Region&
       return over_at(motion.place + there_m * ahead + middle_m * left, field, share_at(needs[i], there_m));
     };
     SectionAhead section;
+    section.on = states[i].on;
     section.need = share_at(needs[i], kUnderfoot_m);
     section.over = over(0);
     section.next = next_switch(needs[i], motion.speed_mps, states[i], rule);

@@ -24,6 +24,7 @@ const char* name(Over over);  ///< open, worked, outside, obstacle
 
 /// One section, now and soon.
 struct SectionAhead {
+  bool on = false;  ///< now
   double need = 0;  ///< share of its width that needs work, now
   Over over = Over::kOpen;
   std::optional<Switch> next;

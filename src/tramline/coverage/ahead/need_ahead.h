@@ -3,19 +3,11 @@
 
 #include <vector>
 
+#include "tramline/coverage/ahead/motion.h"
 #include "tramline/coverage/tile_coverage.h"
-#include "tramline/geometry/angle.h"
-#include "tramline/geometry/point.h"
 #include "tramline/model/work_log.h"
 
 namespace tramline::coverage {
-
-/// Where a machine is and where it goes on to at present speed and heading.
-struct Motion {
-  Point place;  ///< the middle of what works, local metres
-  Heading heading;
-  double speed_mps = 0;  ///< ahead
-};
 
 /// Nearer than this to the machine nothing is asked: what it works right now ends there but for rounding.
 inline constexpr double kUnderfoot_m = 1e-3;
