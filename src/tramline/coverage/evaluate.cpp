@@ -42,13 +42,6 @@ double width_of(const WorkLog& log, const DriveSettings& drive) {
   return width_m;
 }
 
-double require_width(const WorkLog& log, const DriveSettings& drive) {
-  const double width_m = width_of(log, drive);
-  if (std::isnan(width_m) || width_m <= 0)
-    throw bad_input(log.name + " does not say how wide the machine worked: give --width");
-  return width_m;
-}
-
 std::size_t most_sections(const WorkLog& log) {
   std::size_t most = 1;
   for (const Boom& boom : log.booms) most = std::max(most, boom.size());
@@ -114,6 +107,7 @@ void add_ground(Coverage& coverage, const Engine& engine, const EvaluateSettings
   coverage.areas = engine.areas();
   coverage.missed = engine.region(Ground::kMissed);
   coverage.gaps = gaps_of(coverage.missed);
+  if (settings.covered && !settings.shapes) coverage.covered = engine.region(Ground::kCovered);
   if (settings.shapes) add_shapes(coverage, engine, settings.strict);
   if (!settings.strict) return;
   count_slivers(coverage.areas);
@@ -129,8 +123,15 @@ std::optional<tbb::global_control> thread_limit(int threads) {
 
 }  // namespace
 
+double working_width_m(const WorkLog& log, const DriveSettings& drive) {
+  const double width_m = width_of(log, drive);
+  if (std::isnan(width_m) || width_m <= 0)
+    throw bad_input(log.name + " does not say how wide the machine worked: give --width");
+  return width_m;
+}
+
 Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& settings,
-                  const FixProgress& progress) {
+                  const FixProgress& progress, const StepSink& sink) {
   if (given.fixes.size() < 2)
     throw bad_input(fmt::format("{} has {} with a position: no ground is worked without two", given.name,
                                 given.fixes.empty() ? "no fix" : "one fix"));
@@ -146,7 +147,7 @@ Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& se
 
   DriveSettings drive = settings.drive;
   drive.unknown_works = !says_work(log);
-  out.width_m = require_width(log, drive);
+  out.width_m = working_width_m(log, drive);
   const std::unique_ptr<Engine> engine =
       make_engine(settings.engine, field, out.width_m, most_sections(log), settings.mesh_m);
   StepMaker steps(drive);
@@ -156,6 +157,7 @@ Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& se
   for (std::size_t i = 0; i < log.fixes.size(); ++i) {
     const std::optional<WorkedStep> step = steps.add(log.fixes[i], log.booms);
     if (step) engine->add(*step);
+    if (step && sink) sink(*step);
     lines.add(log.fixes[i], steps.place(), steps.joined(), step);
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
     slices.add(i + 1, i + 1 == log.fixes.size(), spent.count() - slices.regions_s());

@@ -144,6 +144,7 @@ WorkLog read_csv_log(Lines& lines, const std::string& columns, const std::string
   if (csv.rows() == nullptr) throw bad_input(fmt::format("{} is empty; give a log with records", place));
   log.booms = csv.rows()->booms();
   log.clock = csv.rows()->clock();
+  log.rate_unit = csv.rows()->rate_unit();
   log.skipped = csv.rows()->skipped();
   log.notes = csv.rows()->notes();
   if (csv.in_quotes()) log.notes.emplace_back("the last quoted field is never closed; its row was left out");
