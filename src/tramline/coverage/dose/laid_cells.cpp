@@ -70,7 +70,8 @@ CellGrid LaidCells::grid(const Box& box, const Box& reach) const {
   Box all = box;
   if (low_column <= high_column) {
     all.extend(Point{static_cast<double>(low_column) * cell_m_, static_cast<double>(low_row) * cell_m_});
-    all.extend(Point{static_cast<double>(high_column + 1) * cell_m_, static_cast<double>(high_row + 1) * cell_m_});
+    all.extend(
+        Point{static_cast<double>(high_column + 1) * cell_m_, static_cast<double>(high_row + 1) * cell_m_});
   }
   if (all.empty()) all = {0, 0, cell_m_, cell_m_};
   all = {all.min_x + std::min(0.0, reach.min_x), all.min_y + std::min(0.0, reach.min_y),

@@ -21,8 +21,8 @@ class LaidCells {
   /// Throws kBadInput where the box round all cells has more than kMostCells. O(parts).
   void add(std::span<const CellPart> parts);
 
-  /// The cells that hold all that was laid and the box, and all of that again wherever in `reach` it is moved by.
-  /// Throws kBadInput where they are more than kMostCells.
+  /// The cells that hold all that was laid and the box, and all of that again wherever in `reach` it is moved
+  /// by. Throws kBadInput where they are more than kMostCells.
   CellGrid grid(const Box& box, const Box& reach) const;
   /// Precondition: a grid() of these cells.
   std::vector<double> amounts(const CellGrid& grid) const;
