@@ -79,7 +79,7 @@ std::string histogram_rows(const DoseMap& map) {
                                   ? fmt::format("{:.1f} to {:.1f}", bin.from_per_ha, bin.to_per_ha)
                                   : fmt::format("{:.1f} and more", bin.from_per_ha);
     const int length = static_cast<int>(std::lround(kBarLength * bin.area_m2 / most_m2));
-    out += fmt::format("{:>22}  {:>6.2f} % {}\n", range, 100 * bin.area_m2 / figures.ground_m2,
+    out += fmt::format("{:>22}  {:>6.2f} % {}\n", range, 100 * bin.area_m2 / figures.counted_m2,
                        std::string(static_cast<std::size_t>(length), '#'));
   }
   return out;
@@ -101,6 +101,7 @@ ordered_json dose_json(const DoseMap& map, double seconds) {
   out["off_ground_amount"] = off_ground(figures);
   out["applied_area_m2"] = map.covered_m2;
   out["ground_m2"] = figures.ground_m2;
+  out["counted_m2"] = figures.counted_m2;
   out["reference"] = figures.reference_per_ha;
   out["mean"] = figures.mean_per_ha;
   out["cv"] = figures.cv;

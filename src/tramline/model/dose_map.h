@@ -25,11 +25,14 @@ struct DoseFigures {
   double total = 0;             ///< applied, on the ground and off it
   double on_ground = 0;         ///< of that, on the ground
   double ground_m2 = 0;         ///< area of the ground
-  double reference_per_ha = 0;  ///< the nominal rate, or the mean where there is none
   double mean_per_ha = 0;       ///< on_ground by ground_m2
-  double cv = 0;                ///< standard deviation by mean, over the ground
-  double share_within_10 = 0;   ///< of the ground: from 0.9 to 1.1 of the reference
-  double least_per_ha = 0;      ///< of cells of which half or more is ground
+  double reference_per_ha = 0;  ///< the nominal rate, or the mean where there is none
+
+  // Of cells of which half or more is ground, by how much of it they have.
+  double counted_m2 = 0;       ///< the ground of these
+  double cv = 0;               ///< standard deviation about the mean of these, by that mean
+  double share_within_10 = 0;  ///< from 0.9 to 1.1 of the reference
+  double least_per_ha = 0;
   double most_per_ha = 0;
   std::vector<DoseBin> histogram;
 };

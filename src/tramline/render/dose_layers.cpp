@@ -117,7 +117,7 @@ void draw_histogram(Canvas& canvas, const Box& box, const DoseMap& map) {
   double most_m2 = 0;
   for (const DoseBin& bin : figures.histogram) most_m2 = std::max(most_m2, bin.area_m2);
   const auto bins = static_cast<double>(figures.histogram.size());
-  if (!(most_m2 > 0) || !(figures.ground_m2 > 0)) return;
+  if (!(most_m2 > 0) || !(figures.counted_m2 > 0)) return;
   // The bin about 0 is half as wide as the others, the last one is drawn as wide.
   const double px_per_bin = box.width() / (bins - 0.5);
   const auto left_of = [&](double bin) { return box.min_x + std::max(0.0, bin - 0.5) * px_per_bin; };
@@ -146,7 +146,7 @@ void draw_histogram(Canvas& canvas, const Box& box, const DoseMap& map) {
               {kSmallTextSize, tenths == 10, align});
   }
   draw_text(canvas, {box.min_x, box.min_y + 8 * k},
-            fmt::format("ground by rate; tallest bar {:.1f} %", 100 * most_m2 / figures.ground_m2),
+            fmt::format("ground by rate; tallest bar {:.1f} %", 100 * most_m2 / figures.counted_m2),
             {kSmallTextSize, false, Align::kLeft, kFaintInk});
 }
 

@@ -30,6 +30,14 @@ OnGround on_ground(const CellContents& cells, const CellGrid& grid, std::size_t 
   return out;
 }
 
+/// Of the cell that has most: cells may be larger than the field.
+double most_ground(const CellContents& cells, const CellGrid& grid) {
+  double most_m2 = 0;
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    most_m2 = std::max(most_m2, on_ground(cells, grid, i).ground_m2);
+  return most_m2;
+}
+
 std::vector<DoseBin> bins(double reference) {
   std::vector<DoseBin> out;
   for (int k = 0; k <= kBins; ++k)
@@ -58,22 +66,26 @@ DoseFigures figures_of(const CellContents& cells, const CellGrid& grid, double n
   out.reference_per_ha = std::isnan(nominal_per_ha) ? out.mean_per_ha : nominal_per_ha;
   out.histogram = bins(out.reference_per_ha);
   out.least_per_ha = std::numeric_limits<double>::infinity();
-  double squares = 0, near_m2 = 0;
+  double sum = 0, squares = 0, near_m2 = 0;
+  const double least_m2 = 0.5 * std::min(grid.cell_area_m2(), most_ground(cells, grid));
   for (std::size_t i = 0; i < grid.size(); ++i) {
     const OnGround cell = on_ground(cells, grid, i);
-    if (!(cell.ground_m2 > 0)) continue;
+    if (!(cell.ground_m2 > 0) || cell.ground_m2 < least_m2) continue;
     const double rate = cell.amount / cell.ground_m2 * kHectare_m2;
-    squares += cell.ground_m2 * (rate - out.mean_per_ha) * (rate - out.mean_per_ha);
+    const double off = rate - out.mean_per_ha;
+    out.counted_m2 += cell.ground_m2;
+    sum += cell.ground_m2 * off;
+    squares += cell.ground_m2 * off * off;
     if (std::abs(rate - out.reference_per_ha) <= (kNear + kRounding) * out.reference_per_ha)
       near_m2 += cell.ground_m2;
     out.histogram[bin_of(rate, out.reference_per_ha)].area_m2 += cell.ground_m2;
-    if (cell.ground_m2 < 0.5 * grid.cell_area_m2()) continue;
     out.least_per_ha = std::min(out.least_per_ha, rate);
     out.most_per_ha = std::max(out.most_per_ha, rate);
   }
-  if (!std::isfinite(out.least_per_ha)) out.least_per_ha = out.most_per_ha = out.mean_per_ha;
-  if (out.mean_per_ha > 0) out.cv = std::sqrt(squares / out.ground_m2) / out.mean_per_ha;
-  out.share_within_10 = near_m2 / out.ground_m2;
+  const double off_mean = sum / out.counted_m2, counted_mean = out.mean_per_ha + off_mean;
+  if (counted_mean > 0)
+    out.cv = std::sqrt(std::max(0.0, squares / out.counted_m2 - off_mean * off_mean)) / counted_mean;
+  out.share_within_10 = near_m2 / out.counted_m2;
   return out;
 }
 

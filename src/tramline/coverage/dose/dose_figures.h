@@ -19,8 +19,10 @@ struct CellContents {
 
 /// What was laid in a cell lies evenly on the cell's covered ground, what drifted on all of the cell: of a
 /// cell that the field's edge, or the edge of a swath, passes through only that part counts which is on the
-/// ground. Cells weigh as much as they have ground. Bins are 10 % of the reference wide with a multiple of it
-/// in their middle; the last has all from 245 %. `nominal_per_ha`: the reference; NaN: the mean is. O(cells).
+/// ground. Cells weigh as much as they have ground; those of which less than half is ground count in amounts
+/// and the mean only, as a drop on a sliver makes any rate. Bins are 10 % of the reference wide with a
+/// multiple of it in their middle; the last has all from 245 %. `nominal_per_ha`: the reference; NaN: the
+/// mean is. O(cells).
 DoseFigures figures_of(const CellContents& cells, const CellGrid& grid, double nominal_per_ha);
 
 }  // namespace tramline::coverage
