@@ -57,8 +57,9 @@ struct DoseMap {
   double covered_m2 = 0;  ///< exact, by regions
 
   CellGrid grid;
-  std::vector<double> amount;  ///< in each cell
-  std::vector<float> ground;   ///< share of each cell that is ground, 0 to 1
+  std::vector<double> amount;    ///< in each cell
+  std::vector<float> ground;     ///< share of each cell that is ground, 0 to 1
+  std::vector<float> on_ground;  ///< of the amount in each cell, that on its ground
   DoseFigures figures;
   std::optional<DoseDrift> drift;
 

@@ -25,6 +25,7 @@ std::uint32_t argb(Colour colour, double opacity) {
 /// Cells drawn as one.
 struct Patch {
   double amount = 0;
+  double on_ground = 0;
   double ground = 0;
   int cells = 0;
 };
@@ -35,6 +36,7 @@ Patch patch(const DoseMap& map, int left, int bottom, int together) {
     for (int column = left; column < std::min(left + together, map.grid.columns); ++column) {
       const std::size_t i = map.grid.index(column, row);
       out.amount += map.amount[i];
+      out.on_ground += static_cast<double>(map.on_ground[i]);
       out.ground += static_cast<double>(map.ground[i]);
       ++out.cells;
     }
@@ -42,7 +44,11 @@ Patch patch(const DoseMap& map, int left, int bottom, int together) {
 }
 
 std::uint32_t pixel(const DoseMap& map, const Patch& patch) {
-  const double rate = patch.amount / patch.cells / map.grid.cell_area_m2() * 1e4;
+  // Where ground is only a part of the cell, the rate is that of the ground: edges are not to look
+  // underdosed.
+  const bool has_ground = patch.ground > 0.01 * patch.cells;
+  const double cells = has_ground ? patch.ground : patch.cells;
+  const double rate = (has_ground ? patch.on_ground : patch.amount) / cells / map.grid.cell_area_m2() * 1e4;
   const double reference = map.figures.reference_per_ha;
   const double multiple = reference > 0 ? rate / reference : 0;
   const double ground = std::min(1.0, 2 * patch.ground / patch.cells);

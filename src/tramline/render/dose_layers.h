@@ -6,8 +6,8 @@
 
 namespace tramline::render {
 
-/// The cells in the colours of their rates. Cells too small to be seen are drawn together, as many as make
-/// half a pixel, by their mean.
+/// The cells in the colours of their rates, those of their ground where they have some. Cells too small to be
+/// seen are drawn together, as many as make half a pixel, by their mean.
 void draw_cells(Canvas& canvas, const DoseMap& map);
 /// Outline and obstacles of the field.
 void draw_dose_field(Canvas& canvas, const DoseMap& map);

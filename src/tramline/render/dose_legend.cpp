@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <string>
 #include <utility>
 
 namespace tramline::render {
@@ -11,6 +13,11 @@ constexpr std::size_t kHistogramRows = 8;
 
 void add(LegendBlock& block, const char* text, std::string value) {
   block.rows.push_back({Symbol::kNone, 0, text, std::move(value)});
+}
+
+std::string amount_text(double amount, const std::string& unit) {
+  return fmt::format("{:.{}f} {}", std::abs(amount) < 5e-4 ? 0.0 : amount, std::abs(amount) < 10 ? 2 : 0,
+                     unit);
 }
 
 LegendBlock histogram(const DoseMap& map) {
@@ -30,18 +37,18 @@ LegendBlock figures(const DoseMap& map) {
   add(block, fmt::format("within 10 % of {:.4g}", figures.reference_per_ha).c_str(),
       fmt::format("{:.1f} %", 100 * figures.share_within_10));
   add(block, "least and most",
-      fmt::format("{:.4g} – {:.4g} {}/ha", figures.least_per_ha, figures.most_per_ha, map.unit));
+      fmt::format("{:.0f} – {:.0f} {}/ha", figures.least_per_ha, figures.most_per_ha, map.unit));
   return block;
 }
 
 LegendBlock amounts(const DoseMap& map) {
   const DoseFigures& figures = map.figures;
   LegendBlock block{"Amounts", {}};
-  add(block, "applied", fmt::format("{:.4g} {}", figures.total, map.unit));
+  add(block, "applied", amount_text(figures.total, map.unit));
   if (map.logged_amount > 0 && map.nominal_amount > 0)
-    add(block, "of it by logged rates", fmt::format("{:.4g} {}", map.logged_amount, map.unit));
+    add(block, "of it by logged rates", amount_text(map.logged_amount, map.unit));
   add(block, map.field.empty() ? "beyond covered ground" : "beyond the field",
-      fmt::format("{:.4g} {}", figures.total - figures.on_ground, map.unit));
+      amount_text(figures.total - figures.on_ground, map.unit));
   add(block, "cells", fmt::format("{:g} m", map.grid.cell_m));
   return block;
 }

@@ -93,6 +93,7 @@ void finish(DoseMap& map, CellContents& cells, const DoseSettings& settings) {
   map.figures = figures_of(cells, map.grid, settings.rates.nominal_per_ha);
   const std::vector<double>& ground = cells.field_m2.empty() ? cells.covered_m2 : cells.field_m2;
   for (const double m2 : ground) map.ground.push_back(static_cast<float>(m2 / map.grid.cell_area_m2()));
+  map.on_ground = amounts_on_ground(cells, map.grid);
   map.amount = std::move(cells.laid);
   for (std::size_t i = 0; i < cells.drifted.size(); ++i) map.amount[i] += cells.drifted[i];
 }

@@ -89,4 +89,10 @@ DoseFigures figures_of(const CellContents& cells, const CellGrid& grid, double n
   return out;
 }
 
+std::vector<float> amounts_on_ground(const CellContents& cells, const CellGrid& grid) {
+  std::vector<float> out(grid.size());
+  for (std::size_t i = 0; i < grid.size(); ++i) out[i] = static_cast<float>(on_ground(cells, grid, i).amount);
+  return out;
+}
+
 }  // namespace tramline::coverage

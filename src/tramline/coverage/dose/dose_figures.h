@@ -25,4 +25,7 @@ struct CellContents {
 /// mean is. O(cells).
 DoseFigures figures_of(const CellContents& cells, const CellGrid& grid, double nominal_per_ha);
 
+/// Of the amount in each cell, that on its ground.
+std::vector<float> amounts_on_ground(const CellContents& cells, const CellGrid& grid);
+
 }  // namespace tramline::coverage
