@@ -181,6 +181,9 @@ class DoseCommand : public Command {
     out.field_id = ground.field_id;
     out.field = ground.ground;
     out.frame = ground.frame;
+    if (logged_unit.empty() && out.logged_amount > 0)
+      out.warnings.push_back(
+          fmt::format("the logged rates have no unit: taken as {} a hectare", unit_.empty() ? "l" : unit_));
     out.unit = !logged_unit.empty() ? logged_unit : unit_.empty() ? "l" : unit_;
     return out;
   }
