@@ -84,6 +84,15 @@ void require_rates(const WorkLog& log, const RateSettings& rates) {
         fmt::format("{} has no times to tell the speed by: leave --nominal-speed away", log.name));
 }
 
+/// Told before the work: the map takes in the field and every place that may have been worked.
+void require_cells_for(const WorkLog& log, const Region& field, double cell_m) {
+  const bool told = says_work(log);
+  Box box = field.empty() ? Box{} : bounds(field);
+  for (const Fix& fix : log.fixes)
+    if (told ? fix.work == WorkState::kOn : fix.work != WorkState::kOff) box.extend(fix.position);
+  if (!box.empty()) require_few_cells(box.width(), box.height(), cell_m);
+}
+
 /// Grid, what the wind does, and figures. `map`: all but these.
 void finish(DoseMap& map, CellContents& cells, const DoseSettings& settings) {
   if (map.drift) {
@@ -145,6 +154,7 @@ DoseMap dose(WorkLog log, const Region& field, const DoseSettings& settings, con
   DoseMap out;
   out.log = log.name;
   log = plausible(std::move(log));  // widths as evaluate() will have them
+  require_cells_for(log, field, settings.cell_m);
   Layer layer(settings, working_width_m(log, evaluation.drive));
   const Coverage coverage =
       evaluate(std::move(log), field, evaluation, progress, [&](const WorkedStep& step) { layer.add(step); });
