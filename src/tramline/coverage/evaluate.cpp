@@ -103,6 +103,18 @@ class Slices {
 /// Slivers as repeated ground, as S3 has it.
 void count_slivers(CoverageAreas& areas) { areas.repeated_m2 = areas.worked_twice_m2(); }
 
+void add_further(const FurtherWork& further, Engine& engine, Coverage& out) {
+  const int first = out.runs;
+  for (WorkedStep step : further.steps) {
+    step.run += first;
+    out.runs = std::max(out.runs, step.run + 1);
+    engine.add(step);
+  }
+  constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < further.lines.size(); ++i)
+    out.lines.push_back({first + static_cast<int>(i), further.lines[i], kNever, kNever});
+}
+
 void add_shapes(Coverage& coverage, const Engine& engine, bool strict) {
   coverage.covered = engine.region(Ground::kCovered);
   coverage.repeated = engine.region(strict ? Ground::kAgain : Ground::kRepeated);
@@ -130,7 +142,7 @@ std::optional<tbb::global_control> thread_limit(int threads) {
 }  // namespace
 
 Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& settings,
-                  const FixProgress& progress) {
+                  const FixProgress& progress, const FurtherWork& further) {
   if (given.fixes.size() < 2)
     throw bad_input(fmt::format("{} has {} with a position: no ground is worked without two", given.name,
                                 given.fixes.empty() ? "no fix" : "one fix"));
@@ -171,6 +183,7 @@ Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& se
   out.worked_s = log.clock == Clock::kNone ? std::numeric_limits<double>::quiet_NaN() : steps.worked_s();
   out.lines = lines.lines();
   out.slices = slices.slices();
+  add_further(further, *engine, out);
   log.fixes = std::vector<Fix>();  // regions need the memory
   add_ground(out, *engine, settings);
   for (std::string& note : notes_on(steps.breaks(), drive)) out.warnings.push_back(std::move(note));
