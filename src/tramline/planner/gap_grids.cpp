@@ -155,17 +155,36 @@ std::vector<Direction> gap_directions(const GapGround& ground, double width_m, G
   }
   if (effort == GapEffort::kThorough)
     for (int i = 0; i < 24; ++i) out.push_back(Direction::clockwise_from_north(Angle::degrees(7.5 * i)));
+  if (effort != GapEffort::kThorough) out = along_narrow_gaps(ground, width_m, out);
   return without_near_ones(out);
 }
 
+std::vector<Direction> along_narrow_gaps(const GapGround& ground, double width_m,
+                                         const std::vector<Direction>& directions) {
+  constexpr double kSlim = 3, kOff_deg = 10;
+  std::vector<Direction> axes;
+  for (const Polygon& gap : ground.gaps) {
+    const Direction axis = long_side_of_smallest_rectangle(gap.outer);
+    const Box box = bounds(TrackFrame(axis).to_track(gap.outer));
+    if (box.width() < width_m && box.height() >= kSlim * box.width()) axes.push_back(axis);
+  }
+  std::vector<Direction> out;
+  for (const Direction direction : directions)
+    if (std::all_of(axes.begin(), axes.end(), [&](Direction axis) {
+          return angle_between(direction, axis).degrees() <= kOff_deg;
+        }))
+      out.push_back(direction);
+  return out;
+}
+
 std::optional<GapChoice> best_lines(const GapGround& ground, const std::vector<Direction>& directions,
-                                    const RepairTerms& terms, double least_m2, double least_width_m) {
+                                    const RepairTerms& terms, double least_m2, double least_width_m, ShortLines short_lines) {
   std::optional<GapChoice> best;
   for (const Direction direction : directions) {
     const TrackFrame frame(direction);
     for (const double origin_m : origins(ground, frame, terms.machine.width_m)) {
       const GapLines all = lines_on(ground, {frame, origin_m, terms.machine.width_m}, terms, least_width_m);
-      GapLines kept = worth_driving(all, terms);
+      GapLines kept = short_lines == ShortLines::kDrive ? all : worth_driving(all, terms);
       if (kept.lines.empty() || kept.covered_m2 < least_m2) continue;
       const double price = kept.price + price_of_rest(ground, all, kept, terms);
       // Rounding decides nothing: the first of equals stays.

@@ -15,8 +15,17 @@ enum class GapEffort {
   kThorough,  ///< and every 7.5 degrees
 };
 
-/// Directions worth trying, in a fixed order, no two within a tenth of a degree.
+/// Directions worth trying, in a fixed order, no two within a tenth of a degree. But for a thorough look none
+/// leads more than 10° off the length of a gap that is narrower than w and at least three times as long as
+/// wide: such a gap is worked along.
 std::vector<Direction> gap_directions(const GapGround& ground, double width_m, GapEffort effort);
+
+/// Those of the directions that lead along all gaps narrower than w and three times as long as wide.
+std::vector<Direction> along_narrow_gaps(const GapGround& ground, double width_m,
+                                         const std::vector<Direction>& directions);
+
+/// Whether lines much shorter than the longest of their grid are driven.
+enum class ShortLines { kLeave, kDrive };
 
 /// The lines chosen of one grid.
 struct GapChoice {
@@ -25,11 +34,10 @@ struct GapChoice {
 };
 
 /// The grid over all the directions and some twenty offsets in each whose lines cost least, together with
-/// what they leave. Lines much shorter than the longest are not driven in that direction: what they would
-/// work is left for another one, priced as if it was worked along; what lies in no line is priced high, for
-/// it needs another line at least. nullopt where no grid has a line that covers `least_m2`.
+/// what they leave. Lines much shorter than the longest may be left for another direction, priced as if what
+/// they meet was worked along; what lies in no line is priced high, for it needs another line at least. nullopt where no grid has a line that covers `least_m2`.
 /// Deterministic. O(directions · offsets) looks at the ground.
 std::optional<GapChoice> best_lines(const GapGround& ground, const std::vector<Direction>& directions,
-                                    const RepairTerms& terms, double least_m2, double least_width_m);
+                                    const RepairTerms& terms, double least_m2, double least_width_m, ShortLines short_lines);
 
 }  // namespace tramline

@@ -100,7 +100,9 @@ GapLines lines_on(const GapGround& ground, const StripGrid& grid, const RepairTe
 
 double price_of(const GapLine& line, const RepairTerms& terms) {
   const double width_m = terms.machine.width_m;
-  const double overlap_m2 = width_m * std::max(line.length_m, 2 * width_m) - line.covered_m2;
+  double priced_m = 0;
+  for (const StripPiece& piece : line.pieces) priced_m += std::max(piece.to - piece.from, width_m);
+  const double overlap_m2 = width_m * std::max(priced_m, 2 * width_m) - line.covered_m2;
   return terms.objective.turn + terms.objective.stop * line.stops + terms.objective.overlap * overlap_m2;
 }
 

@@ -112,7 +112,9 @@ class Joining {
     if (distance(from, to) > width_m) directions.push_back(Direction::along(from, to));
     for (const Direction direction : gap_directions(ground, width_m, GapEffort::kGlance))
       directions.push_back(direction);
-    std::optional<GapChoice> choice = best_lines(ground, directions, terms_, 0, kTail_m);
+    directions = along_narrow_gaps(ground, width_m, directions);
+    std::optional<GapChoice> choice =
+        best_lines(ground, directions, terms_, 0, kTail_m, ShortLines::kDrive);
     if (!choice) return std::nullopt;
     const double saving = first.choice.price + second.choice.price - choice->price;
     if (saving <= kLeastSaving) return std::nullopt;

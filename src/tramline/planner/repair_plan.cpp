@@ -112,7 +112,8 @@ class RepairMaker {
 
   std::optional<GapChoice> chosen(const GapGround& ground, GapEffort effort) {
     const std::vector<Direction> directions = gap_directions(ground, terms_.machine.width_m, effort);
-    return best_lines(ground, directions, terms_, least_covered_m2(ground.gaps_m2), kTail_m);
+    return best_lines(ground, directions, terms_, least_covered_m2(ground.gaps_m2), kTail_m,
+                      ShortLines::kLeave);
   }
 
   std::optional<GapChoice> chosen_thoroughly(const GapGround& ground) const {
@@ -120,7 +121,8 @@ class RepairMaker {
         gap_directions(ground, terms_.machine.width_m, GapEffort::kThorough);
     for (const double least_width_m : {kTail_m, kWidthTolerance})
       if (auto found =
-              best_lines(ground, directions, terms_, least_covered_m2(ground.gaps_m2), least_width_m))
+              best_lines(ground, directions, terms_, least_covered_m2(ground.gaps_m2), least_width_m,
+                                  ShortLines::kLeave))
         return found;
     return std::nullopt;
   }
