@@ -103,7 +103,8 @@ int main(int argc, char** argv) {
     for (std::size_t i = 0; i < commands.size(); ++i)
       if (verbs[i]->parsed()) return with_output_flushed(commands[i]->run());
     std::fputs(
-        "tramline: name a verb, plan, map, compare, evaluate, repair, info, check or export; see 'tramline --help'\n",
+        "tramline: name a verb, plan, map, compare, evaluate, repair, info, check or export; see 'tramline "
+        "--help'\n",
         stderr);
     return 2;
   } catch (const CLI::Success& success) {

@@ -33,7 +33,8 @@ constexpr const char* kExample =
     "  tramline evaluate spraying.csv --field field.geojson --width 24 -o coverage.gpkg\n"
     "  tramline repair coverage.gpkg --width 24 --radius 8 -o repair.gpkg --picture repair.png\n"
     "  tramline evaluate spraying.csv --field field.geojson --width 24 --with repair.gpkg\n"
-    "Swaths stay in the field and out of obstacles, and run on over worked ground; between two gaps on a line "
+    "Swaths stay in the field and out of obstacles, and run on over worked ground; between two gaps on a "
+    "line "
     "the\n"
     "work is off. Without -o and --picture nothing is written.";
 
@@ -85,8 +86,7 @@ class RepairCommand : public Command {
         ->required();
     add_machine_options(*verb, options_, "0");
     add_objective_options(*verb, options_);
-    verb->add_option("--min-area", min_area_m2_,
-                     "missed ground smaller than this is ignored, and listed, m²")
+    verb->add_option("--min-area", min_area_m2_, "missed ground smaller than this is ignored, and listed, m²")
         ->capture_default_str();
     verb->add_option("--end-rule", end_rule_,
                      "where swaths end on worked ground: cover, cheapest, centre or inside")
@@ -135,8 +135,7 @@ class RepairCommand : public Command {
     if (!options_.min_length_m && out.machine.min_length_m < 0) out.machine.min_length_m = 0;
     const std::optional<EndRule> rule = end_rule_named(end_rule_);
     if (!rule)
-      throw bad_input(
-          fmt::format("--end-rule takes cover, cheapest, centre or inside, not '{}'", end_rule_));
+      throw bad_input(fmt::format("--end-rule takes cover, cheapest, centre or inside, not '{}'", end_rule_));
     out.end_rule = *rule;
     PlanSettings settings;
     settings.end_rule = out.end_rule;
@@ -161,10 +160,9 @@ class RepairCommand : public Command {
 
   RepairPlan repaired(const GapField& part, const RepairTerms& terms) const {
     ProgressLine progress(quiet_);
-    return repair_plan(part.field, part.gaps, part.missed, terms, min_area_m2_, threads_,
-                       [&](int done, int total) {
-                         progress.show("repairing " + part.field.id, done, total, "grounds");
-                       });
+    return repair_plan(
+        part.field, part.gaps, part.missed, terms, min_area_m2_, threads_,
+        [&](int done, int total) { progress.show("repairing " + part.field.id, done, total, "grounds"); });
   }
 
   PlanOptions options_;

@@ -19,8 +19,8 @@ void report(const Region& off, double tolerance_m2, const std::string& what, Vio
 /// The chords of body and ground are the same: nothing may be lost between the two.
 void check_parting(const Case& c, const Region& ground, const std::string& name, const Region& land,
                    Violations& out) {
-  report(intersection(c.plan.body, ground), c.area_tolerance_m2,
-         "body and " + name + " overlap by {:.3f} m²", out);
+  report(intersection(c.plan.body, ground), c.area_tolerance_m2, "body and " + name + " overlap by {:.3f} m²",
+         out);
   Region both = c.plan.body;
   both.insert(both.end(), ground.begin(), ground.end());
   report(symmetric_difference(unite(both), land), c.area_tolerance_m2,

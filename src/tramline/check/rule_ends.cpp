@@ -67,8 +67,7 @@ void check_ends(const Case& c, Violations& out) {
   const Demand asked = demand(c.plan);
   const double allowed_m = kLengthTolerance_m + (is_repair(c.plan) ? kLeastBreak_m : 0);
   const auto report = [&](std::size_t i, const Stretch& below, Point at) {
-    if (below.length() > allowed_m)
-      out.push_back({"ends", describe(c.plan, i, below), at, below.length()});
+    if (below.length() > allowed_m) out.push_back({"ends", describe(c.plan, i, below), at, below.length()});
   };
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
     const TrackPiece& piece = c.plan.pieces[i];
@@ -82,10 +81,9 @@ void check_ends(const Case& c, Violations& out) {
     }
     for (const PathSegment& part : straight_parts(piece)) {
       const PieceFrame frame(part.from, part.to);
-      const Stretch below = is_repair(c.plan)
-                                ? longest_below(gaps_near(c, frame, asked.half_m), frame, asked.half_m,
-                                                asked.required_m)
-                                : longest_below(land, frame, asked.half_m, asked.required_m);
+      const Stretch below = is_repair(c.plan) ? longest_below(gaps_near(c, frame, asked.half_m), frame,
+                                                              asked.half_m, asked.required_m)
+                                              : longest_below(land, frame, asked.half_m, asked.required_m);
       report(i, below, frame.to_field({0, 0.5 * (below.from_m + below.to_m)}));
     }
   }

@@ -27,15 +27,15 @@ using FixProgress = std::function<void(std::size_t done, std::size_t total)>;
 
 /// Work that follows a log, such as that of a repair plan.
 struct FurtherWork {
-  std::vector<WorkedStep> steps;             ///< runs numbered from 0
+  std::vector<WorkedStep> steps;            ///< runs numbered from 0
   std::vector<std::vector<Point>> lines{};  ///< the way of each run
 };
 
 /// What a log's drive worked of the field. Fixes are taken in order of time. `field`: what was to be worked,
 /// local metres, oriented; empty: no field, and nothing missed. Field id, frame and what readers skipped are
 /// the caller's. Throws kBadInput where no width is known, or fewer than two fixes are left. O(fixes) and the
-/// regions. `further`: work done after the log, on the same ground, in runs of its own; slices know nothing of
-/// it. Precondition: local positions.
+/// regions. `further`: work done after the log, on the same ground, in runs of its own; slices know nothing
+/// of it. Precondition: local positions.
 Coverage evaluate(WorkLog log, const Region& field, const EvaluateSettings& settings,
                   const FixProgress& progress, const FurtherWork& further = {});
 

@@ -55,9 +55,8 @@ std::vector<Edge> edges_beside(const GapGround& ground, double width_m) {
     box.extend(edge.b);
     if (!intersects(box, near)) continue;
     const bool beside = std::any_of(ground.gaps.begin(), ground.gaps.end(), [&](const Polygon& gap) {
-      return std::any_of(gap.outer.begin(), gap.outer.end(), [&](Point p) {
-        return distance_to_segment(p, edge.a, edge.b) < 0.5 * width_m;
-      });
+      return std::any_of(gap.outer.begin(), gap.outer.end(),
+                         [&](Point p) { return distance_to_segment(p, edge.a, edge.b) < 0.5 * width_m; });
     });
     if (beside) out.push_back(edge);
   }
@@ -68,9 +67,8 @@ std::vector<Direction> without_near_ones(const std::vector<Direction>& all) {
   constexpr double kNear_deg = 0.1;
   std::vector<Direction> out;
   for (const Direction direction : all)
-    if (std::none_of(out.begin(), out.end(), [&](Direction other) {
-          return angle_between(direction, other).degrees() < kNear_deg;
-        }))
+    if (std::none_of(out.begin(), out.end(),
+                     [&](Direction other) { return angle_between(direction, other).degrees() < kNear_deg; }))
       out.push_back(direction);
   return out;
 }
@@ -107,11 +105,10 @@ double price_of_rest(const GapGround& ground, const GapLines& all, const GapLine
   const double width_m = terms.machine.width_m;
   double price = 0;
   for (const GapLine& line : all.lines) {
-    const bool is_kept =
-        std::any_of(kept.lines.begin(), kept.lines.end(), [&](const GapLine& other) {
-          return other.pieces.front().strip == line.pieces.front().strip &&
-                 other.pieces.front().from == line.pieces.front().from;
-        });
+    const bool is_kept = std::any_of(kept.lines.begin(), kept.lines.end(), [&](const GapLine& other) {
+      return other.pieces.front().strip == line.pieces.front().strip &&
+             other.pieces.front().from == line.pieces.front().from;
+    });
     if (!is_kept)
       price += terms.objective.overlap * std::max(0.0, width_m * width_m - line.covered_m2) +
                0.25 * terms.objective.turn;
@@ -170,15 +167,15 @@ std::vector<Direction> along_narrow_gaps(const GapGround& ground, double width_m
   }
   std::vector<Direction> out;
   for (const Direction direction : directions)
-    if (std::all_of(axes.begin(), axes.end(), [&](Direction axis) {
-          return angle_between(direction, axis).degrees() <= kOff_deg;
-        }))
+    if (std::all_of(axes.begin(), axes.end(),
+                    [&](Direction axis) { return angle_between(direction, axis).degrees() <= kOff_deg; }))
       out.push_back(direction);
   return out;
 }
 
 std::optional<GapChoice> best_lines(const GapGround& ground, const std::vector<Direction>& directions,
-                                    const RepairTerms& terms, double least_m2, double least_width_m, ShortLines short_lines) {
+                                    const RepairTerms& terms, double least_m2, double least_width_m,
+                                    ShortLines short_lines) {
   std::optional<GapChoice> best;
   for (const Direction direction : directions) {
     const TrackFrame frame(direction);

@@ -35,9 +35,11 @@ struct GapChoice {
 
 /// The grid over all the directions and some twenty offsets in each whose lines cost least, together with
 /// what they leave. Lines much shorter than the longest may be left for another direction, priced as if what
-/// they meet was worked along; what lies in no line is priced high, for it needs another line at least. nullopt where no grid has a line that covers `least_m2`.
-/// Deterministic. O(directions · offsets) looks at the ground.
+/// they meet was worked along; what lies in no line is priced high, for it needs another line at least.
+/// nullopt where no grid has a line that covers `least_m2`. Deterministic. O(directions · offsets) looks at
+/// the ground.
 std::optional<GapChoice> best_lines(const GapGround& ground, const std::vector<Direction>& directions,
-                                    const RepairTerms& terms, double least_m2, double least_width_m, ShortLines short_lines);
+                                    const RepairTerms& terms, double least_m2, double least_width_m,
+                                    ShortLines short_lines);
 
 }  // namespace tramline

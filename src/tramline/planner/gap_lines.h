@@ -19,7 +19,7 @@ struct RepairTerms {
 /// Missed ground that is worked together, and what lies about it. Frame: the field's local metres, oriented.
 struct GapGround {
   Region gaps;
-  Region free;       ///< where swaths may lie: the field less its obstacles, all of it within reach of the gaps
+  Region free;  ///< where swaths may lie: the field less its obstacles, all of it within reach of the gaps
   Region obstacles;  ///< those within reach: a piece that ends at one of them is a stop
   double gaps_m2 = 0;
 };
@@ -52,10 +52,10 @@ inline constexpr double kTail_m = 0.05;
 GapLines lines_on(const GapGround& ground, const StripGrid& grid, const RepairTerms& terms,
                   double least_width_m);
 
-/// What a line is taken to cost when lines are chosen: a turn, its stops, and its overlap. A piece shorter than
-/// w is priced as if it were so long, and a line shorter than 2 w (the least length worth driving of S1.14) as
-/// one of that length: to get there, to switch on and off again costs something too, or else a long gap
-/// narrower than w would be worked across in many short pieces.
+/// What a line is taken to cost when lines are chosen: a turn, its stops, and its overlap. A piece shorter
+/// than w is priced as if it were so long, and a line shorter than 2 w (the least length worth driving of
+/// S1.14) as one of that length: to get there, to switch on and off again costs something too, or else a long
+/// gap narrower than w would be worked across in many short pieces.
 double price_of(const GapLine& line, const RepairTerms& terms);
 
 /// The pieces of the lines, as tracks of their grid.

@@ -33,8 +33,8 @@ struct Pair {
 
 class Joining {
  public:
-  Joining(std::vector<GapGroup> groups, const Region& free, const Region& obstacles,
-          const RepairTerms& terms, int threads)
+  Joining(std::vector<GapGroup> groups, const Region& free, const Region& obstacles, const RepairTerms& terms,
+          int threads)
       : groups_(std::move(groups)),
         gone_(groups_.size(), false),
         free_(free),
@@ -70,9 +70,8 @@ class Joining {
       for (const std::size_t i : {old.a, old.b})
         if (i != a && i != b && (old.a == a || old.a == b || old.b == a || old.b == b))
           wanted.emplace_back(std::min(a, i), std::max(a, i));
-    std::erase_if(pairs_, [&](const Pair& old) {
-      return old.a == a || old.b == a || old.a == b || old.b == b;
-    });
+    std::erase_if(pairs_,
+                  [&](const Pair& old) { return old.a == a || old.b == a || old.a == b || old.b == b; });
     append_neighbours(a, wanted);
     look(std::move(wanted));
   }
@@ -113,8 +112,7 @@ class Joining {
     for (const Direction direction : gap_directions(ground, width_m, GapEffort::kGlance))
       directions.push_back(direction);
     directions = along_narrow_gaps(ground, width_m, directions);
-    std::optional<GapChoice> choice =
-        best_lines(ground, directions, terms_, 0, kTail_m, ShortLines::kDrive);
+    std::optional<GapChoice> choice = best_lines(ground, directions, terms_, 0, kTail_m, ShortLines::kDrive);
     if (!choice) return std::nullopt;
     const double saving = first.choice.price + second.choice.price - choice->price;
     if (saving <= kLeastSaving) return std::nullopt;

@@ -120,8 +120,7 @@ class RepairMaker {
     const std::vector<Direction> directions =
         gap_directions(ground, terms_.machine.width_m, GapEffort::kThorough);
     for (const double least_width_m : {kTail_m, kWidthTolerance})
-      if (auto found =
-              best_lines(ground, directions, terms_, least_covered_m2(ground.gaps_m2), least_width_m,
+      if (auto found = best_lines(ground, directions, terms_, least_covered_m2(ground.gaps_m2), least_width_m,
                                   ShortLines::kLeave))
         return found;
     return std::nullopt;
@@ -151,7 +150,8 @@ class RepairMaker {
 
   std::string why_unreachable() const {
     return fmt::format(
-        "the machine cannot enter: no straight swath {:g} m wide that stays in the field and out of obstacles "
+        "the machine cannot enter: no straight swath {:g} m wide that stays in the field and out of "
+        "obstacles "
         "works as much of it as counts",
         terms_.machine.width_m);
   }
@@ -160,7 +160,8 @@ class RepairMaker {
     if (out_.gaps == 0) throw bad_input(fmt::format("nothing of the field '{}' was missed", field_.id));
     if (!groups.empty()) return;
     throw bad_input(fmt::format(
-        "none of the {} gaps of field '{}' can be repaired: {} are smaller than {:g} m², and into {} no swath "
+        "none of the {} gaps of field '{}' can be repaired: {} are smaller than {:g} m², and into {} no "
+        "swath "
         "{:g} m wide fits without leaving the field; use a smaller --min-area or a narrower machine",
         out_.gaps, field_.id, out_.ignored.size(), min_area_m2_, out_.unreachable.size(),
         terms_.machine.width_m));
@@ -185,8 +186,11 @@ class RepairMaker {
   }
 
   void lay(GapGroup group) {
-    Job job{group.ground.gaps, group.choice.lines.grid.frame.direction(), {group.choice.lines.grid, {}, 0, 0},
-            gap_at(group.ground.gaps), {}};
+    Job job{group.ground.gaps,
+            group.choice.lines.grid.frame.direction(),
+            {group.choice.lines.grid, {}, 0, 0},
+            gap_at(group.ground.gaps),
+            {}};
     const Region left = sized(uncovered(job.region), min_area_m2_);
     if (left.empty()) {
       jobs_.push_back(std::move(job));
@@ -227,8 +231,8 @@ class RepairMaker {
     std::optional<GapChoice> choice = chosen_thoroughly(ground);
     if (!choice) {
       for (const Polygon& part : left)
-        out_.unreachable.push_back({job.gap, area(part), interior_point(part), "part of a gap taken on: " +
-                                                                                   why_unreachable()});
+        out_.unreachable.push_back(
+            {job.gap, area(part), interior_point(part), "part of a gap taken on: " + why_unreachable()});
       return;
     }
     jobs_[parent].left_for_more.insert(jobs_[parent].left_for_more.end(), job.region.begin(),
@@ -269,9 +273,10 @@ class RepairMaker {
     plan.body = unite(plan.body);
     plan.worked = sized(difference(free_, plan.body), kNoGround_m2);
     if (plan.worked.empty())
-      throw bad_input(fmt::format("nothing of the field '{}' was worked: there is nothing to repair, plan it with "
-                                  "'tramline plan'",
-                                  field_.id));
+      throw bad_input(
+          fmt::format("nothing of the field '{}' was worked: there is nothing to repair, plan it with "
+                      "'tramline plan'",
+                      field_.id));
     const std::vector<int> first = add_subfields(plan);
     std::vector<WorkedLine> lines;
     for (std::size_t i = 0; i < jobs_.size(); ++i) append_lines(jobs_[i].lines, first[i], lines);
