@@ -32,7 +32,7 @@ demo: program ## plan the example field and check the plan; results in out/
 	@echo "The program:           $(TRAMLINE) (try --help)"
 
 .PHONY: test
-test: build ## build and run every test; those on real data where TRAMLINE_DATA is found
+test: packages-test build ## build and run every test; those on real data where TRAMLINE_DATA is found
 	$(CTEST) --test-dir $(RELEASE)
 
 .PHONY: gallery
@@ -68,9 +68,11 @@ help: ## show this list
 
 # --- set-up -------------------------------------------------------------------------------------
 
-.PHONY: packages packages-lint
+.PHONY: packages packages-test packages-lint
 packages: ## install the Debian packages that are missing
 	@tools/install-packages.sh build
+packages-test:
+	@tools/install-packages.sh build test
 packages-lint:
 	@tools/install-packages.sh build lint
 
@@ -87,7 +89,7 @@ program: packages $(RELEASE)/build.ninja
 
 LONG := long-properties long-scenes long-best-bound long-best-brute long-best-real long-best-real-1 \
   long-best-real-2 long-best-real-3 long-tally-real long-real-1 long-real-2 long-real-3 long-obstacles-3 long-obstacles-6 \
-  long-obstacles-12 long-obstacles-24 long-headlands long-maps long-coverage long-registers long-fuzz-logs long-fuzz-coverage long-asan long-tsan \
+  long-obstacles-12 long-obstacles-24 long-headlands long-maps long-coverage long-watch long-registers long-fuzz-logs long-fuzz-coverage long-asan long-tsan \
   long-clang
 
 .PHONY: long $(LONG)
@@ -147,6 +149,9 @@ long-maps: build ## maps of all real fields, straight and curved, with headlands
 long-coverage: build ## 10,000 random drives and all real logs: the exact engine of coverage against polygon booleans
 	$(LIMIT) $(RELEASE)/tests/real/coverage_real
 	TRAMLINE_CASES=10000 $(LIMIT) $(RELEASE)/tests/coverage/test_coverage_properties
+
+long-watch: packages-test build ## `tramline watch` killed at 20 random moments and taken up again, and its other tests
+	TRAMLINE_KILLS=20 $(LIMIT) $(CTEST) --test-dir $(RELEASE) -L watch
 
 # Refused fields are part of the register: they are listed in the output and are no failure.
 long-registers: program ## plan every field of the registers, slivers and oddities included

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that tramline needs, and only those that are missing.
-# Usage: install-packages.sh [build] [lint]     (default: build)
+# Usage: install-packages.sh [build] [test] [lint]     (default: build)
 set -euo pipefail
 
 build_packages=(
@@ -10,6 +10,8 @@ build_packages=(
   libgtest-dev librapidcheck-dev libbenchmark-dev
   fonts-dejavu-core python3 sqlite3 zip
 )
+# Peers that only tests talk to; gpsfake is one of the clients.
+test_packages=(gpsd gpsd-clients)
 # What `make lint`, `make format` and the long tests need besides.
 lint_packages=(clang libclang-rt-14-dev clang-tidy clang-format-14 shellcheck)
 
@@ -17,9 +19,10 @@ wanted=()
 for list in "${@:-build}"; do
   case "$list" in
     build) wanted+=("${build_packages[@]}") ;;
+    test) wanted+=("${test_packages[@]}") ;;
     lint) wanted+=("${lint_packages[@]}") ;;
     *)
-      echo "install-packages.sh: no list named '$list' (there are: build, lint)" >&2
+      echo "install-packages.sh: no list named '$list' (there are: build, test, lint)" >&2
       exit 2
       ;;
   esac

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "command.h"
+#include "drive_options.h"
 #include "evaluate_input.h"
 #include "evaluate_report.h"
 #include "field_options.h"
@@ -39,17 +40,6 @@ constexpr const char* kExample =
     "  tramline evaluate spraying.csv --field field.geojson --with repair.gpkg\n"
     "Widths and work states in the log win over --width. Formats of logs: docs/logs.md.";
 
-/// Wider than anything that drives or flies over a field, m.
-constexpr double kWidest_m = 1000;
-
-std::string sensible_width(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (end == text.c_str() || *end != '\0' || !(value > 0 && value <= kWidest_m))
-    return fmt::format("has to be more than 0 and at most {:g} m, not {}", kWidest_m, text);
-  return "";
-}
-
 /// The same result wherever the log lies.
 std::string without_folder(const std::string& name, const std::string& file) {
   const std::string folder = file.substr(0, file.find_last_of('/') + 1);
@@ -72,7 +62,8 @@ class EvaluateCommand : public Command {
                      "again and again")
         ->allow_extra_args(false)
         ->excludes(plan);
-    add_drive_options(*verb);
+    verb->add_option("--log", drive_.log.log, "which log of an ISOXML task set, such as TLG00001");
+    add_drive_options(*verb, drive_);
     add_engine_options(*verb);
     verb->add_option("-o,--output", output_, "write the coverage to this GeoPackage (.gpkg)");
     verb->add_option("--picture", picture_, "draw it to this .png, .svg or .pdf");
@@ -106,44 +97,6 @@ class EvaluateCommand : public Command {
   }
 
  private:
-  void add_drive_options(CLI::App& verb) {
-    coverage::DriveSettings& drive = settings_.drive;
-    verb.add_option("--width", drive.width_m, "working width where the log has none, m")
-        ->check(sensible_width);
-    verb.add_option("--log", log_options_.log, "which log of an ISOXML task set, such as TLG00001");
-    verb.add_option("--columns", log_options_.columns,
-                    "which column is what, where names do not say: \"lon=Xcoord,lat=Ycoord,time=T\"");
-    verb.add_option("--log-crs", log_options_.crs,
-                    "CRS of the log's x and y, such as EPSG:25832; 'none' for plain metres");
-    verb.add_option(
-            "--quads", quads_,
-            "ground of a step: 'heading', square to the heading at either end, or 'segment', a rectangle "
-            "along the step")
-        ->check(CLI::IsMember({"heading", "segment"}))
-        ->capture_default_str();
-    verb.add_option("--switch", switch_,
-                    "when work and sections switch: 'interpolate', half way between fixes, or 'step', at the "
-                    "second")
-        ->check(CLI::IsMember({"interpolate", "step"}))
-        ->capture_default_str();
-    verb.add_option("--max-gap-s", drive.max_gap_s, "nothing is worked over longer gaps in time, s")
-        ->check(CLI::PositiveNumber)
-        ->capture_default_str();
-    verb.add_option("--max-step-m", drive.max_step_m, "nor over longer steps, m")
-        ->check(CLI::PositiveNumber)
-        ->capture_default_str();
-    verb.add_option("--antenna-forward", drive.antenna_forward_m, "antenna before the machine's middle, m")
-        ->check(CLI::Range(-100.0, 100.0))
-        ->capture_default_str();
-    verb.add_option("--antenna-right", drive.antenna_right_m, "antenna right of it, m")
-        ->check(CLI::Range(-100.0, 100.0))
-        ->capture_default_str();
-    verb.add_option("--implement-behind", drive.implement_behind_m,
-                    "what works, behind the machine's middle, m")
-        ->check(CLI::Range(-100.0, 100.0))
-        ->capture_default_str();
-  }
-
   void add_engine_options(CLI::App& verb) {
     verb.add_option("--engine", engine_,
                     "'exact', or 'mesh' as in the paper (S3): slow, right to some per mille")
@@ -152,22 +105,14 @@ class EvaluateCommand : public Command {
     verb.add_option("--mesh", settings_.mesh_m, "side of a mesh with --engine mesh, m")
         ->check(CLI::Range(0.005, 1.0))
         ->capture_default_str();
-    verb.add_option(
-            "--repeat", repeat_,
-            "what is repeated: 'run', ground worked before the machine's own trail, or 'strict', all ground "
-            "worked twice")
-        ->check(CLI::IsMember({"run", "strict"}))
-        ->capture_default_str();
     verb.add_option("--slice", settings_.slice, "also give the figures after every so many fixes")
         ->check(CLI::Range(1, 1000000000));
   }
 
   coverage::EvaluateSettings settings() const {
     coverage::EvaluateSettings out = settings_;
-    out.drive.quads = quads_ == "segment" ? coverage::QuadShape::kSegment : coverage::QuadShape::kHeading;
-    out.drive.switching = switch_ == "step" ? coverage::Switching::kStep : coverage::Switching::kInterpolate;
+    apply(drive_, out);
     out.engine = engine_ == "mesh" ? coverage::EngineKind::kMesh : coverage::EngineKind::kExact;
-    out.strict = repeat_ == "strict";
     out.shapes = !output_.empty() || !picture_.empty();
     return out;
   }
@@ -185,7 +130,7 @@ class EvaluateCommand : public Command {
   }
 
   Evaluation drive(const std::optional<Plan>& plan) const {
-    WorkLog read = io::read_log(log_file_, log_options_);
+    WorkLog read = io::read_log(log_file_, drive_.log);
     read.name = without_folder(read.name, log_file_);
     WorkGround ground;
     if (const std::optional<WorkGround> field = work_ground(field_))
@@ -255,11 +200,11 @@ class EvaluateCommand : public Command {
   }
 
   FieldOptions field_;
-  io::LogOptions log_options_;
+  DriveOptions drive_;
   coverage::EvaluateSettings settings_;
   std::string log_file_, plan_file_, output_, picture_;
   std::vector<std::string> with_files_;
-  std::string quads_ = "heading", switch_ = "interpolate", engine_ = "exact", repeat_ = "run";
+  std::string engine_ = "exact";
   bool json_ = false, quiet_ = false;
 };
 

@@ -56,6 +56,11 @@ const std::array kThirdParty = {
     ThirdParty{"unistd.h", {}},
     ThirdParty{"fcntl.h", {}},
     ThirdParty{"sys/", {}},
+    ThirdParty{"poll.h", {"io", "apps"}},
+    ThirdParty{"termios.h", {"io", "apps"}},
+    ThirdParty{"signal.h", {"apps"}},
+    ThirdParty{"netdb.h", {"io"}},
+    ThirdParty{"netinet/", {"io"}},
 };
 
 const std::map<std::string, Names, std::less<>> kLibraries = {

@@ -120,6 +120,8 @@ TEST(CurvedDetours, of_random_sectors_hold) {
     bool left = false, right = false;
     for (const TrackPiece& piece : plan.pieces)
       for (const Detour& detour : piece.detours) (detour.side == Passing::kLeft ? left : right) = true;
+    // By how much, the verifier has seen.
+    for (const TrackPiece& piece : plan.pieces) EXPECT_TRUE(piece.overlap_m2.has_value());
     both_ways += left && right ? 1 : 0;
   }
   EXPECT_GT(detours, scenes);
@@ -156,6 +158,7 @@ TEST(CurvedDetours, falsified_are_found_out) {
   EXPECT_EQ(found([](Plan& p, TrackPiece&, Detour&) { p.encounters.clear(); }), "encounters ");
   EXPECT_EQ(found([](Plan& p, TrackPiece&, Detour&) { p.settings.avoid = Avoidance::kCut; }), "encounters ");
   EXPECT_EQ(found([](Plan&, TrackPiece& t, Detour&) { ++t.track; }), "encounters ");
+  EXPECT_EQ(found([](Plan&, TrackPiece& t, Detour&) { *t.overlap_m2 += 0.1; }), "swath overlap ");
   EXPECT_EQ(found([](Plan&, TrackPiece&, Detour& d) { d.path.front().curvature *= 1.01; }), "pieces ");
   // What is not called a detour is a track that comes too near to its neighbour.
   EXPECT_NE(found([](Plan&, TrackPiece& t, Detour&) { t.detours.clear(); }).find("parallel"),

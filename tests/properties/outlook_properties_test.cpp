@@ -102,5 +102,19 @@ TEST(OutlookProperties, NoCandidateCostsLessThanItsOutlookAndTheCheapestIsFound)
   EXPECT_GT(seen.left_out, cases);
 }
 
+/// 300 × 200 m with a pond of 100 × 100 m in the middle, tracks 6 m wide along y from the left edge on. 16 of
+/// them lie in the pond's width altogether. To drive on past it is 100 m longer at least, 24 € of overlap,
+/// which no ground left by others repays: each of them is cut, at two stops and a turn, whatever is done.
+TEST(Outlook, CountsTheTracksThatAPondCuts) {
+  Field field;
+  field.outer = {{0, 0}, {300, 0}, {300, 200}, {0, 200}};
+  field.obstacles = {{{{{100, 50}, {200, 50}, {200, 150}, {100, 150}}, {}}, ObstacleKind::kObstacle, "pond"}};
+  const SearchTask task = search_task(field, {"", 6, 6, -1}, {}, {});
+  const Subfield whole{task.ground.plannable.front(), Direction::clockwise_from_north(Angle::degrees(0))};
+  const Outlook outlook = outlook_on(task, {{whole, 0}});
+  EXPECT_GE(outlook.least, 16 * (2 * 5 + 0.45));
+  EXPECT_LE(outlook.least, candidate_on(task, {{whole, 0}}).cost());
+}
+
 }  // namespace
 }  // namespace tramline

@@ -2,29 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
+
+#include "tramline/avoidance/decision_rounds.h"
 
 namespace tramline {
 namespace {
 
-/// Smaller savings are rounding.
-constexpr double kWorthIt = 1e-9;
 /// What begins or ends at the seam of a closed track does so up to this, m.
 constexpr double kAtSeam = 1e-3;
-
-bool same_detours(const std::vector<StripDetour>& a, const std::vector<StripDetour>& b) {
-  return a.size() == b.size() &&
-         std::equal(a.begin(), a.end(), b.begin(),
-                    [](const StripDetour& x, const StripDetour& y) { return x.path == y.path; });
-}
-
-bool same_drive(const WayRound& a, const WayRound& b) {
-  constexpr double kSame = 1e-9;
-  return a.detour.side == b.detour.side && a.first_gap == b.first_gap && a.last_gap == b.last_gap &&
-         std::abs(a.detour.from - b.detour.from) < kSame && std::abs(a.detour.to - b.detour.to) < kSame &&
-         std::abs(a.detour.length_m - b.detour.length_m) < kSame;
-}
 
 /// What driving pieces of a curved track costs.
 class CurvedCosts : public PieceCosts {
@@ -151,23 +137,12 @@ void CurvedDecisions::add_options(BlockedTrack& blocked) {
         blocked.refused.push_back({gap, side, way.why_not});
       add_option(blocked, std::move(way));
     }
-    add_joint_options(blocked, alone);
+    for (const GapRow& row : rows_to_join(alone))
+      add_option(blocked, way_past_gaps(track, row.first, row.last, side));
   }
   std::stable_sort(
       blocked.options.begin(), blocked.options.end(),
       [](const TrackOption& a, const TrackOption& b) { return a.way.first_gap < b.way.first_gap; });
-}
-
-/// As for straight tracks: two detours that would run into each other, three, and the whole row.
-void CurvedDecisions::add_joint_options(BlockedTrack& blocked, const std::vector<WayRound>& alone) {
-  for (std::size_t i = 0; i < alone.size(); ++i) {
-    std::size_t end = i;
-    while (end + 1 < alone.size() && alone[end + 1].detour.from < alone[end].detour.to) ++end;
-    for (const std::size_t last : std::set{std::min(i + 1, end), std::min(i + 2, end), end})
-      if (last > i)
-        add_option(blocked, way_past_gaps(task_.tracks[blocked.strip], alone[i].first_gap,
-                                          alone[last].last_gap, alone[i].detour.side));
-  }
 }
 
 WayRound CurvedDecisions::way_past_gaps(const CurvedTrack& track, std::size_t first, std::size_t last,
@@ -179,10 +154,7 @@ WayRound CurvedDecisions::way_past_gaps(const CurvedTrack& track, std::size_t fi
 }
 
 void CurvedDecisions::add_option(BlockedTrack& blocked, WayRound way) {
-  if (!way.possible()) return;
-  const bool known = std::any_of(blocked.options.begin(), blocked.options.end(),
-                                 [&way](const TrackOption& option) { return same_drive(option.way, way); });
-  if (known) return;
+  if (!way.possible() || has_option(blocked, way)) return;
   const CurvedTrack& track = task_.tracks[blocked.strip];
   TrackOption option;
   option.straight = {way.detour.from, way.detour.to};
@@ -284,25 +256,14 @@ double CurvedDecisions::saving_of(Decision& decision, std::vector<StripDetour>* 
   return track_cost(track.stretches, costs, decision.chosen) - best->cost;
 }
 
-/// Those that save most come first. Every change saves, so the rounds come to an end.
 bool CurvedDecisions::improve() {
-  std::vector<std::pair<double, Decision*>> order;
-  for (Decision& decision : decisions_) order.emplace_back(saving_of(decision, nullptr), &decision);
-  std::stable_sort(order.begin(), order.end(),
-                   [](const auto& a, const auto& b) { return a.first > b.first; });
-  bool any = false;
-  for (bool first_round = true, changed = true; changed; first_round = false) {
-    changed = false;
-    for (const auto& [saving, decision] : order) {
-      if (!first_round && !decision->track.stale) continue;
-      std::vector<StripDetour> detours;
-      if (saving_of(*decision, &detours) <= kWorthIt) continue;
-      choose(*decision, std::move(detours));
-      changed = true;
-    }
-    any = any || changed;
-  }
-  return any;
+  const auto saving = [this](Decision& decision, std::vector<StripDetour>* best) {
+    return saving_of(decision, best);
+  };
+  const auto chosen = [this](Decision& decision, std::vector<StripDetour> detours) {
+    choose(decision, std::move(detours));
+  };
+  return improve_one_by_one(by_saving(decisions_, saving), saving, chosen);
 }
 
 void CurvedDecisions::take(const std::vector<std::vector<StripDetour>>& detours) {
@@ -337,21 +298,17 @@ CurvedEncounter CurvedDecisions::encounter_at(Decision& decision, std::size_t ga
   for (const StripDetour& detour : decision.chosen)
     if (detour.from <= middle && detour.to >= middle) encounter.chosen = detour.side;
   const CurvedCosts costs(decision.track, track, task_.objective, width_m_, least_m_);
-  const auto cut = cheapest_choice(decision.track, track.stretches, costs, Forced{gap, Passing::kCut});
-  encounter.left = way_past(decision, gap, Passing::kLeft, cut->cost);
-  encounter.right = way_past(decision, gap, Passing::kRight, cut->cost);
+  const auto choice = [&](Passing side) {
+    return cheapest_choice(decision.track, track.stretches, costs, Forced{gap, side});
+  };
+  const double cost_of_cut = choice(Passing::kCut)->cost;
+  const auto past = [&](Passing side) {
+    return way_past(decision.track, {gap, side}, choice(side), cost_of_cut,
+                    "detours beside it are in the way");
+  };
+  encounter.left = past(Passing::kLeft);
+  encounter.right = past(Passing::kRight);
   return out;
-}
-
-WayPast CurvedDecisions::way_past(const Decision& decision, std::size_t gap, Passing side,
-                                  double cost_of_cut) const {
-  const CurvedTrack& track = track_of(decision);
-  const CurvedCosts costs(decision.track, track, task_.objective, width_m_, least_m_);
-  const auto choice = cheapest_choice(decision.track, track.stretches, costs, Forced{gap, side});
-  if (choice) return {true, choice->cost - cost_of_cut, ""};
-  for (const RefusedWay& refused : decision.track.refused)
-    if (refused.gap == gap && refused.side == side) return {false, 0, refused.why};
-  return {false, 0, "detours beside it are in the way"};
 }
 
 }  // namespace tramline

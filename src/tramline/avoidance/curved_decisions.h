@@ -3,7 +3,7 @@
 
 #include "tramline/avoidance/choose_curved_detours.h"
 #include "tramline/avoidance/curved_way.h"
-#include "tramline/avoidance/track_choice.h"
+#include "tramline/avoidance/decision.h"
 #include "tramline/cost/curved_cover.h"
 
 namespace tramline {
@@ -27,14 +27,8 @@ class CurvedDecisions {
   std::vector<CurvedEncounter> encounters();
 
  private:
-  struct Decision {
-    BlockedTrack track;  ///< BlockedTrack::strip is the track's place in the task
-    std::vector<StripDetour> chosen;
-  };
-
   const CurvedTrack& track_of(const Decision& decision) const { return task_.tracks[decision.track.strip]; }
   void add_options(BlockedTrack& blocked);
-  void add_joint_options(BlockedTrack& blocked, const std::vector<WayRound>& alone);
   void add_option(BlockedTrack& blocked, WayRound way);
   WayRound way_past_gaps(const CurvedTrack& track, std::size_t first, std::size_t last, Passing side) const;
   std::vector<int> obstacles_near(const CurvedTrack& track, Interval range) const;
@@ -44,7 +38,6 @@ class CurvedDecisions {
   double kept_alone(const Decision& decision, const Interval& range) const;
   double saving_of(Decision& decision, std::vector<StripDetour>* best_detours);
   CurvedEncounter encounter_at(Decision& decision, std::size_t gap);
-  WayPast way_past(const Decision& decision, std::size_t gap, Passing side, double cost_of_cut) const;
 
   const CurvedAvoidanceTask& task_;
   double width_m_;
@@ -52,8 +45,8 @@ class CurvedDecisions {
   Surroundings around_;
   std::vector<Ring> body_;
   CurvedCover cover_;
-  std::vector<bool> driven_;  ///< by track: has a piece
-  std::vector<Decision> decisions_;
+  std::vector<bool> driven_;         ///< by track: has a piece
+  std::vector<Decision> decisions_;  ///< BlockedTrack::strip is the track's place in the task
 };
 
 }  // namespace tramline

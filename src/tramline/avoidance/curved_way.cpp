@@ -5,6 +5,7 @@
 
 #include "tramline/avoidance/corners_in_way.h"
 #include "tramline/avoidance/curved_detour_path.h"
+#include "tramline/avoidance/detour_ends.h"
 
 namespace tramline {
 namespace {
@@ -69,9 +70,9 @@ class Search {
     add_gap(gap_);
     constexpr int kMostRounds = 12;
     for (int round = 0; round < kMostRounds; ++round) {
-      const Step step = look();
-      if (step == Step::kDone) break;
-      if (step == Step::kGaveUp) return std::move(way_);
+      const Look step = look();
+      if (step == Look::kDone) break;
+      if (step == Look::kGaveUp) return std::move(way_);
       if (round + 1 == kMostRounds) {
         give_up("there is no room between the obstacles");
         return std::move(way_);
@@ -83,16 +84,14 @@ class Search {
   }
 
  private:
-  enum class Step { kDone, kLookAgain, kGaveUp };
-
   static Interval whole_gap(const CurvedObstruction& o) {
     return {o.track.stretches[o.gap - 1].to, o.track.stretches[std::max(o.gap, o.last_gap)].from};
   }
   std::size_t last_gap() const { return std::max(o_.gap, o_.last_gap); }
 
-  Step give_up(const char* why) {
+  Look give_up(const char* why) {
     way_.why_not = why;
-    return Step::kGaveUp;
+    return Look::kGaveUp;
   }
 
   bool add_gap(Interval gap) {
@@ -144,7 +143,7 @@ class Search {
   }
 
   /// Makes a path round the parts known so far and sees where it gets.
-  Step look() {
+  Look look() {
     const std::vector<KeepOut> keep_out = discs();
     if (keep_out.empty()) return give_up("the track's end is no obstacle's doing");
     const auto found = curved_detour_path(keep_out, std::max(o_.radius_m, 0.5 * o_.width_m), line_);
@@ -154,11 +153,14 @@ class Search {
     detour.from = found->from;
     detour.to = found->to;
     detour.length_m = length(detour.path);
-    if (const Step ends = look_at_ends(); ends != Step::kDone) return ends;
+    const auto add = [this](const Interval& gap) { return add_gap(gap); };
+    if (const Look ends = look_at_ends(o_.track.stretches, o_.gap, last_gap(), add, way_);
+        ends != Look::kDone)
+      return ends;
     bool met = false;
     const bool grown = add_what_is_met(met);
-    if (!met) return Step::kDone;
-    return grown ? Step::kLookAgain : give_up("there is no room between the obstacles");
+    if (!met) return Look::kDone;
+    return grown ? Look::kLookAgain : give_up("there is no room between the obstacles");
   }
 
   /// Adds what the swath along the path runs into. False where all of it has been taken into account before.
@@ -181,24 +183,6 @@ class Search {
     const Box reach = reach_between(known->second);
     const Box box = bounds(frame_.to_detour(around_.hazards[hazard].outline));
     return reach.min_x <= box.min_x && reach.max_x >= box.max_x;
-  }
-
-  /// Both ends have to lie where the track may be driven.
-  Step look_at_ends() {
-    const Intervals& stretches = o_.track.stretches;
-    const StripDetour& detour = way_.detour;
-    const std::size_t first = stretch_at(stretches, detour.from), last = stretch_at(stretches, detour.to);
-    if (first < o_.gap && last >= last_gap() && last < stretches.size()) {
-      way_.first_gap = first + 1;
-      way_.last_gap = last;
-      return Step::kDone;
-    }
-    bool grown = false;
-    for (std::size_t gap = 1; gap < stretches.size(); ++gap) {
-      const Interval between{stretches[gap - 1].to, stretches[gap].from};
-      if (between.from <= detour.to && between.to >= detour.from) grown = add_gap(between) || grown;
-    }
-    return grown ? Step::kLookAgain : give_up("the track ends before a detour could");
   }
 
   const CurvedObstruction& o_;

@@ -1,16 +1,14 @@
 #include "tramline/avoidance/detour_decisions.h"
 
 #include <algorithm>
-#include <set>
+#include <utility>
 
+#include "tramline/avoidance/decision_rounds.h"
 #include "tramline/avoidance/goes_round.h"
 #include "tramline/avoidance/paper_way.h"
 
 namespace tramline {
 namespace {
-
-/// Smaller savings are rounding.
-constexpr double kWorthIt = 1e-9;
 
 constexpr const char* kFarTooDear = "it would cost far more than a cut";
 
@@ -49,19 +47,6 @@ std::vector<Interval> extents_along(const Field& field, const TrackFrame& frame)
 /// Of two ascending lists.
 void keep_common(std::vector<int>& some, const std::vector<int>& others) {
   std::erase_if(some, [&](int x) { return !std::binary_search(others.begin(), others.end(), x); });
-}
-
-bool same_drive(const WayRound& a, const WayRound& b) {
-  constexpr double kSame = 1e-9;
-  return a.detour.side == b.detour.side && a.first_gap == b.first_gap && a.last_gap == b.last_gap &&
-         std::abs(a.detour.from - b.detour.from) < kSame && std::abs(a.detour.to - b.detour.to) < kSame &&
-         std::abs(a.detour.length_m - b.detour.length_m) < kSame;
-}
-
-bool same_detours(const std::vector<StripDetour>& a, const std::vector<StripDetour>& b) {
-  return a.size() == b.size() &&
-         std::equal(a.begin(), a.end(), b.begin(),
-                    [](const StripDetour& x, const StripDetour& y) { return x.path == y.path; });
 }
 
 bool share_a_hazard(const BlockedTrack& a, const BlockedTrack& b) {
@@ -136,26 +121,14 @@ void DetourDecisions::add_options(BlockedTrack& track) {
           track.refused.push_back({gap, side, way.why_not});
         add_option(track, std::move(way));
       }
-      add_joint_options(track, alone);
+      for (const GapRow& row : rows_to_join(alone))
+        add_option(track, way_past_gaps(track, row.first, row.last, side));
     }
   if (ways_ != WaysPast::kOwn)
     for (const std::size_t gap : track.gaps) add_paper_option(track, gap);
   std::stable_sort(
       track.options.begin(), track.options.end(),
       [](const TrackOption& a, const TrackOption& b) { return a.way.first_gap < b.way.first_gap; });
-}
-
-/// Detours on one side that would run into each other cannot both be driven, but one round all of them can:
-/// two of them, three, and the whole row.
-void DetourDecisions::add_joint_options(BlockedTrack& track, const std::vector<WayRound>& alone) {
-  for (std::size_t i = 0; i < alone.size(); ++i) {
-    std::size_t end = i;
-    while (end + 1 < alone.size() && alone[end + 1].detour.from < alone[end].detour.to) ++end;
-    for (const std::size_t last : std::set{std::min(i + 1, end), std::min(i + 2, end), end})
-      if (last > i)
-        add_option(track,
-                   way_past_gaps(track, alone[i].first_gap, alone[last].last_gap, alone[i].detour.side));
-  }
 }
 
 WayRound DetourDecisions::way_past_gaps(const BlockedTrack& track, std::size_t first, std::size_t last,
@@ -168,10 +141,7 @@ WayRound DetourDecisions::way_past_gaps(const BlockedTrack& track, std::size_t f
 
 /// Unless it is known, cannot be driven, or cannot pay.
 void DetourDecisions::add_option(BlockedTrack& track, WayRound way) {
-  if (!way.possible()) return;
-  const bool known = std::any_of(track.options.begin(), track.options.end(),
-                                 [&way](const TrackOption& option) { return same_drive(option.way, way); });
-  if (known) return;
+  if (!way.possible() || has_option(track, way)) return;
   const Strips& strips = task_.strips[track.subfield];
   TrackOption option = option_of(named(track.subfield, way), strips.grid, strips.strips[track.strip].index);
   if (!hopeless(option, terms_of(track), task_.strips, ground_)) {
@@ -311,40 +281,18 @@ double DetourDecisions::saving_of(Decision& decision, std::vector<StripDetour>* 
   return track_cost(decision.track, strip, width_m_, decision.chosen, task_.objective, least_m_) - best->cost;
 }
 
-/// Those that save most come first: an order that does not depend on how the field lies in its frame.
-std::vector<DetourDecisions::Decision*> DetourDecisions::by_saving() {
-  std::vector<std::pair<double, Decision*>> savings;
-  for (Decision& decision : tracks_) savings.emplace_back(saving_of(decision, nullptr), &decision);
-  std::stable_sort(savings.begin(), savings.end(),
-                   [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::vector<Decision*> out;
-  for (const auto& [saving, decision] : savings) out.push_back(decision);
-  return out;
-}
-
 bool DetourDecisions::improve() {
-  const std::vector<Decision*> order = by_saving();
-  const bool singly = improve_one_by_one(order);
+  const auto saving = [this](Decision& decision, std::vector<StripDetour>* best) {
+    return saving_of(decision, best);
+  };
+  const auto chosen = [this](Decision& decision, std::vector<StripDetour> detours) {
+    choose(decision, std::move(detours));
+  };
+  const std::vector<Decision*> order = by_saving(tracks_, saving);
+  const bool singly = improve_one_by_one(order, saving, chosen);
   if (!improve_pairs()) return singly;
-  improve_one_by_one(order);
+  improve_one_by_one(order, saving, chosen);
   return true;
-}
-
-/// Every change saves, so the rounds come to an end.
-bool DetourDecisions::improve_one_by_one(const std::vector<Decision*>& order) {
-  bool any = false;
-  for (bool first_round = true, changed = true; changed; first_round = false) {
-    changed = false;
-    for (Decision* decision : order) {
-      if (!first_round && !decision->track.stale) continue;
-      std::vector<StripDetour> detours;
-      if (saving_of(*decision, &detours) <= kWorthIt) continue;
-      choose(*decision, std::move(detours));
-      changed = true;
-    }
-    any = any || changed;
-  }
-  return any;
 }
 
 /// A pole on the line between two tracks: what suits either while the other stays need not be what suits
@@ -438,21 +386,16 @@ Encounter DetourDecisions::encounter_at(Decision& decision, std::size_t gap) {
       out.chosen = detour.side;
       keep_common(out.obstacles, detour.obstacles);
     }
-  const auto cut =
-      cheapest_choice(decision.track, strip, width_m_, task_.objective, least_m_, Forced{gap, Passing::kCut});
-  out.left = way_past(decision, gap, Passing::kLeft, cut->cost);
-  out.right = way_past(decision, gap, Passing::kRight, cut->cost);
+  const auto choice = [&](Passing side) {
+    return cheapest_choice(decision.track, strip, width_m_, task_.objective, least_m_, Forced{gap, side});
+  };
+  const double cost_of_cut = choice(Passing::kCut)->cost;
+  const auto past = [&](Passing side) {
+    return way_past(decision.track, {gap, side}, choice(side), cost_of_cut, "S1 passes on the other side");
+  };
+  out.left = past(Passing::kLeft);
+  out.right = past(Passing::kRight);
   return out;
-}
-
-WayPast DetourDecisions::way_past(const Decision& decision, std::size_t gap, Passing side,
-                                  double cost_of_cut) const {
-  const auto choice = cheapest_choice(decision.track, strip_of(decision), width_m_, task_.objective, least_m_,
-                                      Forced{gap, side});
-  if (choice) return {true, choice->cost - cost_of_cut, ""};
-  for (const RefusedWay& refused : decision.track.refused)
-    if (refused.gap == gap && refused.side == side) return {false, 0, refused.why};
-  return {false, 0, "S1 passes on the other side"};
 }
 
 }  // namespace tramline

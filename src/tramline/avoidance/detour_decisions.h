@@ -2,6 +2,7 @@
 // The state of all decisions of one candidate while they are being made.
 
 #include "tramline/avoidance/choose_detours.h"
+#include "tramline/avoidance/decision.h"
 #include "tramline/avoidance/hopeless.h"
 #include "tramline/cost/worked_ground.h"
 
@@ -25,11 +26,6 @@ class DetourDecisions {
   std::vector<Encounter> encounters();
 
  private:
-  struct Decision {
-    BlockedTrack track;
-    std::vector<StripDetour> chosen;
-  };
-
   const Strips& strips_of(const Decision& decision) const { return task_.strips[decision.track.subfield]; }
   const Strip& strip_of(const Decision& decision) const {
     return strips_of(decision).strips[decision.track.strip];
@@ -37,7 +33,6 @@ class DetourDecisions {
   TrackTerms terms_of(const BlockedTrack& track) const;
   void add_tracks(std::size_t subfield);
   void add_options(BlockedTrack& track);
-  void add_joint_options(BlockedTrack& track, const std::vector<WayRound>& alone);
   void add_option(BlockedTrack& track, WayRound way);
   WayRound way_past_gaps(const BlockedTrack& track, std::size_t first, std::size_t last, Passing side) const;
   void add_paper_option(BlockedTrack& track, std::size_t gap);
@@ -50,12 +45,9 @@ class DetourDecisions {
   void value(Decision& decision);
   void drop_dear_options(Decision& decision);
   double saving_of(Decision& decision, std::vector<StripDetour>* best_detours);
-  std::vector<Decision*> by_saving();
-  bool improve_one_by_one(const std::vector<Decision*>& order);
   bool improve_pairs();
   bool improve_pair(Decision& first, Decision& second);
   Encounter encounter_at(Decision& decision, std::size_t gap);
-  WayPast way_past(const Decision& decision, std::size_t gap, Passing side, double cost_of_cut) const;
 
   const AvoidanceTask& task_;
   WaysPast ways_;

@@ -8,15 +8,18 @@ namespace {
 /// What the width tolerance, rounding and the precision grid may take off a distance, m.
 constexpr double kSlack = 2e-5;
 
+bool apart(const Box& a, const Box& b) {
+  return a.max_x < b.min_x || a.min_x > b.max_x || a.max_y < b.min_y || a.min_y > b.max_y;
+}
+
+/// Precondition: reach_m is no more than half the swath's width.
 bool any_edge_nearer(const SwathLine& line, const Ring& ring, double reach_m) {
-  const Box& near = line.reach;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
-    if (std::max(a.x, b.x) < near.min_x || std::min(a.x, b.x) > near.max_x ||
-        std::max(a.y, b.y) < near.min_y || std::min(a.y, b.y) > near.max_y)
-      continue;
-    for (const PathSegment& segment : line.path)
-      if (distance_to_edge(segment, a, b) < reach_m) return true;
+    const Box edge{std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
+    if (apart(edge, line.reach)) continue;
+    for (std::size_t k = 0; k < line.path.size(); ++k)
+      if (!apart(edge, line.reaches[k]) && distance_to_edge(line.path[k], a, b) < reach_m) return true;
   }
   return false;
 }

@@ -32,10 +32,12 @@ Surroundings field_surroundings(const Ground& ground, const Ring& field, bool ha
 
 /// A path as the centre line of a swath. Refers to the path.
 struct SwathLine {
-  SwathLine(const Path& of, double width) : path(of), width_m(width), reach(reach_of(of, width)) {}
+  SwathLine(const Path& of, double width)
+      : path(of), width_m(width), reach(reach_of(of, width)), reaches(reaches_of(of, width)) {}
   const Path& path;
   double width_m;
-  Box reach;  ///< the swath does not leave it
+  Box reach;                 ///< the swath does not leave it …
+  std::vector<Box> reaches;  ///< … nor that of any segment these
 };
 
 /// What is wrong with a swath, in a few words; empty where nothing is: its centre line must not leave the

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "tramline/avoidance/corners_in_way.h"
+#include "tramline/avoidance/detour_ends.h"
 #include "tramline/avoidance/detour_frame.h"
 #include "tramline/avoidance/detour_path.h"
 
@@ -53,9 +54,9 @@ class Search {
       add_gap({stretches[gap - 1].to, stretches[gap].from});
     constexpr int kMostRounds = 12;
     for (int round = 0; round < kMostRounds; ++round) {
-      const Step step = look();
-      if (step == Step::kDone) break;
-      if (step == Step::kGaveUp) return std::move(way_);
+      const Look step = look();
+      if (step == Look::kDone) break;
+      if (step == Look::kGaveUp) return std::move(way_);
       if (round + 1 == kMostRounds) return refuse("there is no room between the obstacles");
     }
     way_.why_not = fault_of({way_.detour.path, o_.width_m}, around_);
@@ -64,17 +65,15 @@ class Search {
   }
 
  private:
-  enum class Step { kDone, kLookAgain, kGaveUp };
-
   std::size_t last_gap() const { return std::max(o_.gap, o_.last_gap); }
 
   WayRound refuse(const char* why) {
     way_.why_not = why;
     return std::move(way_);
   }
-  Step give_up(const char* why) {
+  Look give_up(const char* why) {
     way_.why_not = why;
-    return Step::kGaveUp;
+    return Look::kGaveUp;
   }
 
   /// Tips of hazards thinner than the width tolerance lie outside the gap.
@@ -100,7 +99,7 @@ class Search {
   }
 
   /// Makes a path round the parts known so far and sees where it gets.
-  Step look() {
+  Look look() {
     const double half = 0.5 * o_.width_m, radius = std::max(o_.radius_m, half);
     const std::vector<KeepOut> discs = discs_round(parts_, around_, frame_, half);
     if (discs.empty()) return give_up("the track's end is no obstacle's doing");
@@ -111,30 +110,15 @@ class Search {
     detour.from = detour.path.front().from.y;
     detour.to = detour.path.back().to.y;
     detour.length_m = length(detour.path);
-    if (const Step ends = look_at_ends(); ends != Step::kDone) return ends;
+    const auto add = [this](const Interval& gap) { return add_gap(gap); };
+    if (const Look ends = look_at_ends(o_.strip.stretches, o_.gap, last_gap(), add, way_);
+        ends != Look::kDone)
+      return ends;
     bool met = false;
     const bool grown =
         add_what_is_met({detour.path, o_.width_m}, {detour.from, detour.to}, around_, parts_, met);
-    if (!met) return Step::kDone;
-    return grown ? Step::kLookAgain : give_up("there is no room between the obstacles");
-  }
-
-  /// Both ends have to lie where the track may be driven straight.
-  Step look_at_ends() {
-    const Intervals& stretches = o_.strip.stretches;
-    const StripDetour& detour = way_.detour;
-    const std::size_t first = stretch_at(stretches, detour.from), last = stretch_at(stretches, detour.to);
-    if (first < o_.gap && last >= last_gap() && last < stretches.size()) {
-      way_.first_gap = first + 1;
-      way_.last_gap = last;
-      return Step::kDone;
-    }
-    bool grown = false;
-    for (std::size_t gap = 1; gap < stretches.size(); ++gap) {
-      const Interval between{stretches[gap - 1].to, stretches[gap].from};
-      if (between.from <= detour.to && between.to >= detour.from) grown = add_gap(between) || grown;
-    }
-    return grown ? Step::kLookAgain : give_up("the track ends before a detour could");
+    if (!met) return Look::kDone;
+    return grown ? Look::kLookAgain : give_up("there is no room between the obstacles");
   }
 
   const Obstruction& o_;

@@ -1,13 +1,9 @@
 #include "tramline/check/doubled_ground.h"
 
-#include <algorithm>
-#include <numeric>
 #include <utility>
-#include <vector>
 
-#include "tramline/check/boxed.h"
-#include "tramline/check/path_distance.h"
 #include "tramline/geometry/boolean.h"
+#include "tramline/geometry/box_grid.h"
 #include "tramline/geometry/convex_clip.h"
 
 namespace tramline::check {
@@ -28,24 +24,34 @@ Region common_ground(const Polygon& a, const Polygon& b) {
   return common_m2 > kThinnestShown_m * kThinnestShown_m ? intersection({a}, {b}) : Region{};
 }
 
+void append_common(const Polygon& a, const Polygon& b, Region& out) {
+  for (Polygon& both : common_ground(a, b))
+    if (shows(area(both), perimeter(both.outer))) out.push_back(std::move(both));
+}
+
 }  // namespace
 
-Region doubled_ground(const Region& swaths) { return doubled_ground(swaths, {}, 0); }
-
-Region doubled_ground(const Region& swaths, const std::vector<Path>& lines, double width_m) {
-  const BoxedRegion all = boxed(swaths);
-  std::vector<std::size_t> order(all.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&all](std::size_t a, std::size_t b) { return all[a].box.min_x < all[b].box.min_x; });
+Region doubled_ground(const Region& swaths) {
+  std::vector<Box> boxes;
+  for (const Polygon& swath : swaths) boxes.push_back(bounds(swath));
+  const BoxGrid grid(boxes);
   Region out;
-  for (auto a = order.begin(); a != order.end(); ++a)
-    for (auto b = a + 1; b != order.end() && all[*b].box.min_x <= all[*a].box.max_x; ++b) {
-      if (!intersects(all[*a].box, all[*b].box)) continue;
-      if (!lines.empty() && distance_between(lines[*a], lines[*b]) > width_m - kThinnestShown_m) continue;
-      for (Polygon& both : common_ground(*all[*a].shape, *all[*b].shape))
-        if (shows(area(both), perimeter(both.outer))) out.push_back(std::move(both));
-    }
+  for (std::size_t i = 0; i < swaths.size(); ++i)
+    grid.each_meeting(boxes[i], [&](std::size_t k) {
+      if (k < i) append_common(swaths[k], swaths[i], out);
+    });
+  return out;
+}
+
+Region doubled_ground(const std::vector<WorkedPart>& parts, double width_m) {
+  const BoxGrid grid = grid_of(parts);
+  Region out;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    grid.each_meeting(bounds(parts[i].ground), [&](std::size_t k) {
+      if (k >= i || !may_meet(parts[k], parts[i], width_m)) return;
+      for (const Polygon& a : parts[k].ground)
+        for (const Polygon& b : parts[i].ground) append_common(a, b, out);
+    });
   return out;
 }
 

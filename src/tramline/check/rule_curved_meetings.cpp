@@ -93,8 +93,10 @@ void check_curved_meetings(const Case& c, Violations& out) {
   }
   for (const DroppedPiece& dropped : c.plan.dropped)
     for (std::size_t i = 0; i < c.lines.size(); ++i) {
-      const auto from = c.lines.place_on(i, dropped.start), to = c.lines.place_on(i, dropped.end);
-      if (from && to) meetings[i].add({i, std::min(*from, *to), std::max(*from, *to)});
+      const auto from = c.lines.place_on(i, dropped.start);
+      if (!from) continue;
+      const auto to = c.lines.place_on(i, dropped.end);
+      if (to) meetings[i].add({i, std::min(*from, *to), std::max(*from, *to)});
     }
   for (LineMeetings& line : meetings) line.check();
 }

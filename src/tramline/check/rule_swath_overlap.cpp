@@ -1,43 +1,16 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <utility>
-#include <vector>
 
 #include "tramline/check/bands.h"
 #include "tramline/check/doubled_ground.h"
-#include "tramline/check/path_distance.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
-#include "tramline/geometry/boolean.h"
-#include "tramline/geometry/box_grid.h"
 
 namespace tramline::check {
 namespace {
 
 constexpr const char* kRule = "swath overlap";
-
-/// Ground worked along one line: a straight swath with its detours, or one segment of a curved one.
-struct Part {
-  std::size_t piece = 0;
-  Path line;
-  Region ground;
-};
-
-/// All swaths, by piece.
-std::vector<Part> parts_of(const Plan& plan) {
-  std::vector<Part> out;
-  const double width_m = plan.machine.width_m;
-  for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
-    const TrackPiece& piece = plan.pieces[i];
-    for (const PathSegment& segment : piece.curve)
-      out.push_back({i, {segment}, bands_along({segment}, width_m, kLayerSagitta)});
-    if (!piece.curve.empty()) continue;
-    out.push_back({i, centre_line(piece), {}});
-    append_ground(swath(piece, width_m), !piece.detours.empty(), out.back().ground);
-  }
-  return out;
-}
 
 /// What chords and grids may be off the area of a swath.
 double tolerance_m2(const TrackPiece& piece, double width_m) {
@@ -46,72 +19,15 @@ double tolerance_m2(const TrackPiece& piece, double width_m) {
          kLayerSagitta * 2 * arcs_m(centre_line(piece));
 }
 
-/// The body, ready to be laid over one polygon after another.
-class Body {
- public:
-  explicit Body(const Region& body) : body_(body), rings_(rings_of(body)) {}
-
-  /// What of the parts lies in it. Most are met by no edge, and need no overlay.
-  Region of(const Region& parts) const {
-    Region out;
-    for (const Polygon& part : parts) {
-      if (is_met(bounds(part))) {
-        for (Polygon& inside : intersection({part}, body_)) out.push_back(std::move(inside));
-      } else if (contains(body_, part.outer.front())) {
-        out.push_back(part);
-      }
-    }
-    return out;
-  }
-
- private:
-  bool is_met(const Box& box) const {
-    for (const Ring& ring : rings_)
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        Box edge;
-        edge.extend(ring[i]);
-        edge.extend(ring[i + 1 < ring.size() ? i + 1 : 0]);
-        if (intersects(edge, box)) return true;
-      }
-    return false;
-  }
-
-  const Region& body_;
-  std::vector<Ring> rings_;
-};
-
-/// What of each piece's swath is body that no piece before it has worked, m².
-std::vector<double> useful_m2(const Plan& plan) {
-  const Body body(plan.body);
-  const std::vector<Part> parts = parts_of(plan);
-  std::vector<Box> boxes;
-  for (const Part& part : parts) boxes.push_back(bounds(part.ground));
-  const BoxGrid index(boxes);
-  const double apart_m = plan.machine.width_m - kThinnestShown_m;
-  std::vector<double> out(plan.pieces.size(), 0);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    Region useful = body.of(parts[i].ground);
-    Region before;
-    index.each_meeting(boxes[i], [&](std::size_t k) {
-      if (parts[k].piece < parts[i].piece && distance_between(parts[k].line, parts[i].line) < apart_m)
-        before.insert(before.end(), parts[k].ground.begin(), parts[k].ground.end());
-    });
-    if (!before.empty()) useful = difference(unite(useful), unite(before));
-    out[parts[i].piece] += area(useful);
-  }
-  return out;
-}
-
 }  // namespace
 
 void check_swath_overlaps(const Case& c, Violations& out) {
   const double width_m = c.plan.machine.width_m;
-  const std::vector<double> useful = useful_m2(c.plan);
   double sum_m2 = 0;
   bool whole = true;
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
     const TrackPiece& piece = c.plan.pieces[i];
-    const double found_m2 = width_m * length(piece) - useful[i];
+    const double found_m2 = width_m * length(piece) - c.worked.useful_m2[i];
     if (piece.overlap_m2 && !(std::abs(*piece.overlap_m2 - found_m2) <= tolerance_m2(piece, width_m)))
       out.push_back({kRule,
                      fmt::format("the swath of {} is said to overlap by {:.3f} m², its shape gives {:.3f} m²",

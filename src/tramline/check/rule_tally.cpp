@@ -10,71 +10,15 @@
 #include "tramline/check/doubled_ground.h"
 #include "tramline/check/rules.h"
 #include "tramline/geometry/boolean.h"
-#include "tramline/geometry/kinked_line.h"
 
 namespace tramline::check {
 namespace {
 
 constexpr const char* kRule = "tally";
 
-/// The land worked, and the tally it amounts to.
-struct Worked {
-  Region land;       ///< union of the swaths
-  Region uncovered;  ///< body less that
-  Tally tally;
-};
-
 /// How finely curved pieces are looked at: whole fields of arcs, which overlays of more chords would take
 /// minutes for.
 constexpr double kCurveSagitta_m = kLayerSagitta;
-
-Region worked_ground(const Plan& plan) {
-  Region out;
-  for (const TrackPiece& piece : plan.pieces) {
-    if (piece.curve.empty())
-      append_ground(swath(piece, plan.machine.width_m), !piece.detours.empty(), out);
-    else
-      for (Polygon& part : bands_along(piece.curve, plan.machine.width_m, kCurveSagitta_m))
-        out.push_back(std::move(part));
-  }
-  return out;
-}
-
-/// The same in parts that only touch, as finely as layers of land are drawn.
-class WorkedParts {
- public:
-  explicit WorkedParts(const Plan& plan) : width_m_(plan.machine.width_m), reach_m_(width_m_) {
-    for (const TrackPiece& piece : plan.pieces) {
-      if (has_kinks(piece.curve)) {
-        reach_m_ = 2 * width_m_;  // a mitre reaches as far from its track as the swath is wide
-        const Region cells = bands_along(piece.curve, width_m_);
-        for (std::size_t i = 0; i < cells.size(); ++i) add(cells[i], {piece.curve[i]});
-        continue;
-      }
-      for (const PathSegment& segment : piece.curve)
-        for (Polygon& part : bands_along({segment}, width_m_, kLayerSagitta)) add(std::move(part), {segment});
-      if (!piece.curve.empty()) continue;
-      for (const PathSegment& part : straight_parts(piece)) add({part});
-      for (const Detour& detour : piece.detours) add(detour.path);
-    }
-  }
-  Region doubled() const { return doubled_ground(ground_, lines_, reach_m_); }
-
- private:
-  void add(Polygon part, const Path& path) {
-    ground_.push_back(std::move(part));
-    lines_.push_back(path);
-  }
-  void add(const Path& path) {
-    append_ground(band(path, width_m_, kLayerSagitta), std::isfinite(smallest_radius(path)), ground_);
-    lines_.resize(ground_.size(), path);
-  }
-
-  double width_m_;
-  double reach_m_;  ///< between two lines, beyond which their parts have nothing in common
-  Region ground_;
-  std::vector<Path> lines_;  ///< of each part of the ground
-};
 
 /// What chords may take from the ground of arcs, or add to it. Of detours: the sagitta along both edges,
 /// which together are twice as long as the path. Curved pieces lie side by side and share their edges; and
@@ -93,23 +37,26 @@ double chord_tolerance_m2(const Plan& plan, double sagitta_m) {
   return sagitta_m * 2 * detours_m + kCurveSagitta_m * curves_m;
 }
 
-Worked recompute(const Plan& plan, int stops) {
-  Worked out;
-  out.land = unite(worked_ground(plan));
-  out.uncovered = difference(plan.body, out.land);
-  Tally& tally = out.tally;
-  for (const TrackPiece& piece : plan.pieces) {
+Tally recomputed(const Case& c, int stops) {
+  Tally tally;
+  for (const TrackPiece& piece : c.plan.pieces) {
     tally.track_length_m += length(piece);
     if (piece.after_crossing) ++tally.crossings;
   }
-  tally.worked_m2 = plan.machine.width_m * tally.track_length_m;
-  const double covered = area(plan.body) - area(out.uncovered);
-  tally.overlap_m2 = tally.worked_m2 - covered;
-  tally.uncovered_m2 = area(plan.body) - covered;
-  tally.pieces = static_cast<int>(plan.pieces.size());
+  tally.worked_m2 = c.plan.machine.width_m * tally.track_length_m;
+  tally.overlap_m2 = tally.worked_m2 - c.worked.covered_m2;
+  tally.uncovered_m2 = area(c.plan.body) - c.worked.covered_m2;
+  tally.pieces = static_cast<int>(c.plan.pieces.size());
   tally.turns = std::max(0, tally.pieces - 1 - tally.crossings);
   tally.stops = stops;
-  return out;
+  return tally;
+}
+
+/// Body that no swath works.
+Region uncovered_land(const Case& c) {
+  Region swaths;
+  for (const WorkedPart& part : c.parts) swaths.insert(swaths.end(), part.ground.begin(), part.ground.end());
+  return difference(c.plan.body, unite(swaths));
 }
 
 void compare_tallies(const Case& c, const Tally& found, double tolerance, Violations& out) {
@@ -135,18 +82,14 @@ void compare_tallies(const Case& c, const Tally& found, double tolerance, Violat
 /// The stored layers against the land that the swaths leave out, work twice or work beyond the body.
 class LayersOfLand {
  public:
-  LayersOfLand(const Case& c, const Worked& found, Violations& out)
-      : c_(c),
-        found_(found),
-        tolerance_m2_(c.area_tolerance_m2 + chord_tolerance_m2(c.plan, kLayerSagitta)),
-        out_(out) {}
+  LayersOfLand(const Case& c, Violations& out)
+      : c_(c), tolerance_m2_(c.area_tolerance_m2 + chord_tolerance_m2(c.plan, kLayerSagitta)), out_(out) {}
 
   void compare() {
     const Region uncovered = once(c_.plan.uncovered, "uncovered"), overlap = once(c_.plan.overlap, "overlap");
-    report(symmetric_difference(uncovered, found_.uncovered), tolerance_m2_,
-           "the layer uncovered differs from the body less the swaths");
-    Region parts = WorkedParts(c_.plan).doubled();
-    for (Polygon& beyond : difference(found_.land, c_.plan.body)) parts.push_back(std::move(beyond));
+    compare_uncovered(uncovered);
+    Region parts = doubled_ground(parts_between_detours(c_.plan), c_.plan.machine.width_m);
+    parts.insert(parts.end(), c_.worked.beyond.begin(), c_.worked.beyond.end());
     const Region twice = unite(parts);
     // What is too thin to be shown may be left out of the layer along all edges.
     const double thin_m2 = kThinnestShown_m * perimeter_m(twice);
@@ -157,6 +100,17 @@ class LayersOfLand {
   }
 
  private:
+  /// What two regions have one of is the sum of both less twice what they have in common. So the land itself,
+  /// an overlay of all swaths, is only made to say where it differs.
+  void compare_uncovered(const Region& layer) {
+    const double left_m2 = area(c_.plan.body) - c_.worked.covered_m2;
+    const double off_m2 = area(layer) + left_m2 - 2 * left_within_m2(layer, c_.plan.body, c_.parts);
+    if (off_m2 <= tolerance_m2_) return;
+    out_.push_back(
+        {kRule, fmt::format("the layer uncovered differs from the body less the swaths by {:.3f} m²", off_m2),
+         place_on_largest(symmetric_difference(layer, uncovered_land(c_))), off_m2});
+  }
+
   /// A layer as land. Its polygons must not lie over one another: their areas would not add up.
   Region once(const Region& layer, const char* name) {
     const Region repeated = doubled_ground(layer);
@@ -180,7 +134,6 @@ class LayersOfLand {
   }
 
   const Case& c_;
-  const Worked& found_;
   double tolerance_m2_;
   Violations& out_;
 };
@@ -188,10 +141,10 @@ class LayersOfLand {
 }  // namespace
 
 Tally check_tally(const Case& c, int stops, Violations& out) {
-  const Worked found = recompute(c.plan, stops);
-  compare_tallies(c, found.tally, c.area_tolerance_m2 + chord_tolerance_m2(c.plan, kChordSagitta), out);
-  LayersOfLand(c, found, out).compare();
-  return found.tally;
+  const Tally found = recomputed(c, stops);
+  compare_tallies(c, found, c.area_tolerance_m2 + chord_tolerance_m2(c.plan, kChordSagitta), out);
+  LayersOfLand(c, out).compare();
+  return found;
 }
 
 }  // namespace tramline::check

@@ -8,6 +8,7 @@
 #include "tramline/check/lane.h"
 #include "tramline/check/track_lines.h"
 #include "tramline/check/verdict.h"
+#include "tramline/check/worked_body.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::check {
@@ -28,6 +29,8 @@ struct Case {
   std::vector<Box> obstacle_boxes;  ///< of all obstacles of the field, in their order
   double area_tolerance_m2;         ///< 1e-6 of the field's area, not below what the precision grid can do
   TrackLines lines;                 ///< of tracks that follow a curve
+  std::vector<WorkedPart> parts;    ///< of the swaths
+  WorkedBody worked;                ///< what they work of the body
 };
 using Violations = std::vector<Violation>;
 
@@ -52,8 +55,8 @@ void check_swaths(const Case& c, Violations& out);
 /// Swaths of headland passes stay in the field and enter no obstacle. Pass i keeps (i − ½)·w off every
 /// boundary that has so many passes, and has the land it goes round on its left.
 void check_passes(const Case& c, Violations& out);
-/// Where swaths say by how much they overlap, it is what of them lies outside the body or under the swath of
-/// a piece before; and where all do, the sum is the plan's overlap.
+/// Where swaths say by how much they overlap, it is what of them lies outside the body or has been worked
+/// before, by another swath or by the same; and where all do, the sum is the plan's overlap.
 void check_swath_overlaps(const Case& c, Violations& out);
 /// No detour's swath comes nearer to an obstacle than the clearance, nor enters a passable or land
 /// given up. Where there is a clearance, straight and curved swaths keep it too.

@@ -60,20 +60,32 @@ TrackLines::TrackLines(const Plan& plan) {
   for (const FamilyTrack& line : lines_) {
     lengths_m_.push_back(tramline::length(line.track.path));
     boxes_.push_back(reach_of(line.track.path, 2 * kLengthTolerance_m));
+    std::vector<Segment>& segments = segments_.emplace_back();
+    double from_m = 0;
+    const std::vector<Box> reaches = reaches_of(line.track.path, 2 * kLengthTolerance_m);
+    for (std::size_t i = 0; i < reaches.size(); ++i) {
+      // Flat ends reach no further than the line.
+      segments.push_back({from_m, reaches[i].grown(kLengthTolerance_m)});
+      from_m += tramline::length(line.track.path[i]);
+    }
   }
 }
 
 std::optional<double> TrackLines::place_on(std::size_t line, Point p) const {
-  double start_m = 0, nearest_m = kLengthTolerance_m;
+  double nearest_m = kLengthTolerance_m;
   std::optional<double> out;
-  const Box& box = boxes_[line];
-  if (!(p.x >= box.min_x && p.x <= box.max_x && p.y >= box.min_y && p.y <= box.max_y)) return out;
-  for (const PathSegment& segment : lines_[line].track.path) {
-    if (const double off_m = distance_to_edge(segment, p, p); off_m < nearest_m) {
-      nearest_m = off_m;
-      out = start_m + along_of(segment, p);
-    }
-    start_m += length(segment);
+  const auto in = [p](const Box& box) {
+    return p.x >= box.min_x && p.x <= box.max_x && p.y >= box.min_y && p.y <= box.max_y;
+  };
+  if (!in(boxes_[line])) return out;
+  const Path& path = lines_[line].track.path;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const Segment& segment = segments_[line][i];
+    if (!in(segment.reach)) continue;
+    const double off_m = distance_to_edge(path[i], p, p);
+    if (off_m >= nearest_m) continue;
+    nearest_m = off_m;
+    out = segment.from_m + along_of(path[i], p);
   }
   return out;
 }

@@ -38,9 +38,15 @@ class TrackLines {
  private:
   std::optional<OnLine> stretch(std::size_t line, double from_m, double to_m) const;
 
+  struct Segment {
+    double from_m = 0;  ///< along the line
+    Box reach;
+  };
+
   std::vector<FamilyTrack> lines_;
   std::vector<double> lengths_m_;
   std::vector<Box> boxes_;
+  std::vector<std::vector<Segment>> segments_;  ///< of each line
 };
 
 /// Does the stretch hold a place of the line, up to a millimetre?

@@ -68,7 +68,9 @@ Case::Case(const Plan& of)
       given_up(boxed(of.given_up)),
       area_tolerance_m2(
           std::max(kAreaShare * area(Polygon{of.field.outer, {}}), kGridSize * perimeter(of.field.outer))),
-      lines(of) {
+      lines(of),
+      parts(worked_parts(of)),
+      worked(worked_body(of, parts)) {
   for (const Obstacle& obstacle : of.field.obstacles) obstacle_boxes.push_back(bounds(obstacle.shape));
   const Surroundings surroundings(of);
   near_boundaries = surroundings.land();

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "tramline/geometry/region.h"
-#include "tramline/geometry/strip_fold.h"
 
 namespace tramline {
 namespace {
@@ -52,10 +51,7 @@ void GridTally::Sums::add(double length_m, double inside_m2, double width_m) {
   useful_m2 += inside_m2;
 }
 
-void GridTally::add_open_strips(const StripGrid& grid, StripRange range, const StripMask& open,
-                                Sums& sums) const {
-  thread_local StripFold fold;
-  fold.fold(subfield_.outline, grid, range, open);
+void GridTally::add_open_strips(StripFold& fold, const StripMask& open, Sums& sums) const {
   for (std::size_t i = 0; i < open.size(); ++i) {
     if (!open[i]) continue;
     const StripProfile& profile = fold.profile(i);
@@ -65,12 +61,28 @@ void GridTally::add_open_strips(const StripGrid& grid, StripRange range, const S
   }
 }
 
-void GridTally::add_obstructed_strips(const StripGrid& grid, StripRange range, const StripMask& obstructed,
-                                      Sums& sums) const {
+void GridTally::add_obstructed_strips(StripFold& fold, const StripGrid& grid, StripRange range,
+                                      const StripMask& obstructed, Sums& sums) const {
+  std::vector<StripProfile> profiles(obstructed.size());
+  for (std::size_t i = 0; i < obstructed.size(); ++i)
+    if (obstructed[i]) profiles[i] = fold.profile(i);
+  const Strips strips =
+      strips_of(grid, range, obstructed, std::move(profiles), subfield_.ground, terms_.criterion);
+  for (const Strip& strip : strips.strips) add_obstructed_strip(strip, grid, sums);
+}
+
+/// As cut_pieces() has them; most strips have no passable land, and need no pieces made.
+void GridTally::add_obstructed_strip(const Strip& strip, const StripGrid& grid, Sums& sums) const {
+  if (strip.by_passable.empty()) {
+    for (const Interval& whole : strip.stretches) {
+      if (whole.length() < least_length_m()) continue;
+      sums.add(whole.length(), area_between(strip.subfield, whole.from, whole.to), terms_.width_m);
+      sums.tally.stops += (stops_at(strip, whole.from, -1) ? 1 : 0) + (stops_at(strip, whole.to, +1) ? 1 : 0);
+    }
+    return;
+  }
   SubfieldTracks tracks{grid, {}, {}};
-  for (const Strip& strip :
-       strips_of(grid, range, obstructed, subfield_.shape, subfield_.ground, terms_.criterion).strips)
-    append_pieces(strip, {}, terms_.min_length_m, tracks);
+  append_pieces(strip, {}, terms_.min_length_m, tracks);
   for (const StripPiece& piece : tracks.pieces) {
     sums.add(length(piece), piece.inside_m2, terms_.width_m);
     sums.tally.crossings += piece.after_crossing ? 1 : 0;
@@ -80,6 +92,7 @@ void GridTally::add_obstructed_strips(const StripGrid& grid, StripRange range, c
 
 Tally GridTally::at(double origin_m) const {
   thread_local PlainEnds ends;
+  thread_local StripFold fold;
   const StripGrid grid = this->grid(origin_m);
   const StripRange range = strips_over(grid, subfield_.reach, kWidthTolerance);
   StripMask obstructed(static_cast<std::size_t>(range.size()), false), open = obstructed;
@@ -100,8 +113,13 @@ Tally GridTally::at(double origin_m) const {
       sums.add(length_m, terms_.width_m * length_m - over_m2, terms_.width_m);
     }
   }
-  if (any_open) add_open_strips(grid, range, open, sums);
-  if (any_obstructed) add_obstructed_strips(grid, range, obstructed, sums);
+  if (any_open || any_obstructed) {
+    StripMask folded = obstructed;
+    for (std::size_t i = 0; i < open.size(); ++i) folded[i] = folded[i] || open[i];
+    fold.fold(subfield_.outline, grid, range, folded);
+  }
+  if (any_open) add_open_strips(fold, open, sums);
+  if (any_obstructed) add_obstructed_strips(fold, grid, range, obstructed, sums);
 
   Tally& tally = sums.tally;
   tally.turns = std::max(0, tally.pieces - 1 - tally.crossings);

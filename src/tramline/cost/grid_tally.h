@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tramline/cost/plain_ends.h"
+#include "tramline/geometry/strip_fold.h"
 #include "tramline/model/tally.h"
 #include "tramline/tracks/strip_pieces.h"
 
@@ -54,10 +55,12 @@ class GridTally {
 
   /// Those that obstacles come near. Are there any?
   bool mark_obstructed(const StripGrid& grid, StripRange range, StripMask& out) const;
-  /// Strips that no obstacle comes near, and that the boundary does not cross plainly.
-  void add_open_strips(const StripGrid& grid, StripRange range, const StripMask& open, Sums& sums) const;
-  void add_obstructed_strips(const StripGrid& grid, StripRange range, const StripMask& obstructed,
-                             Sums& sums) const;
+  /// Strips that no obstacle comes near, and that the boundary does not cross plainly. The fold holds them,
+  /// as it does those that obstacles come near.
+  void add_open_strips(StripFold& fold, const StripMask& open, Sums& sums) const;
+  void add_obstructed_strips(StripFold& fold, const StripGrid& grid, StripRange range,
+                             const StripMask& obstructed, Sums& sums) const;
+  void add_obstructed_strip(const Strip& strip, const StripGrid& grid, Sums& sums) const;
   double least_length_m() const { return std::max(terms_.min_length_m, kNoPiece_m); }
 
   TurnedSubfield subfield_;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "tramline/coverage/mesh_coverage.h"
-#include "tramline/coverage/tile_coverage.h"
 
 namespace tramline::coverage {
 namespace {
@@ -15,6 +14,7 @@ class ExactEngine : public Engine {
   void add(const WorkedStep& step) override { coverage_.add(step); }
   CoverageAreas areas() const override { return coverage_.areas(); }
   Region region(Ground what) const override { return coverage_.region(what); }
+  const TileCoverage* tiles() const override { return &coverage_; }
 
  private:
   TileCoverage coverage_;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string_view>
 
+#include "tramline/coverage/tile_coverage.h"
 #include "tramline/coverage/worked_step.h"
 #include "tramline/geometry/region.h"
 #include "tramline/model/coverage.h"
@@ -24,6 +25,8 @@ class Engine {
   virtual void add(const WorkedStep& step) = 0;
   virtual CoverageAreas areas() const = 0;
   virtual Region region(Ground what) const = 0;
+  /// The exact engine; nullptr where it is another.
+  virtual const TileCoverage* tiles() const { return nullptr; }
 };
 
 /// Side of a tile, m, for a machine so wide with so many sections: a quad should meet few tiles and a tile

@@ -1,42 +1,87 @@
 #include "tramline/coverage/nest_holes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <numeric>
+#include <utility>
 
+#include "tramline/geometry/interval.h"
 #include "tramline/geometry/span_index.h"
 
 namespace tramline::coverage {
 namespace {
 
+/// An edge that is not level, upwards.
 struct RingEdge {
-  GridPoint from;
-  GridPoint to;
+  GridPoint low;
+  GridPoint high;
   std::size_t ring = 0;
+
+  /// Just above that height, too.
+  bool reaches(std::int64_t y) const { return low.y <= y && y < high.y; }
+  double place_at(std::int64_t y) const {
+    const double t = static_cast<double>(y - low.y) / static_cast<double>(high.y - low.y);
+    return static_cast<double>(low.x) + t * static_cast<double>(high.x - low.x);
+  }
+  /// Positive where `other` turns further to the west on its way up.
+  Int128 leans_less_west_than(const RingEdge& other) const {
+    return static_cast<Int128>(high.x - low.x) * (other.high.y - other.low.y) -
+           static_cast<Int128>(high.y - low.y) * (other.high.x - other.low.x);
+  }
 };
 
 void append_edges(const GridRing& ring, std::size_t number, std::vector<RingEdge>& out) {
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    if (const GridPoint to = ring[i + 1 < ring.size() ? i + 1 : 0]; to.y != ring[i].y)
-      out.push_back({ring[i], to, number});
-}
-
-/// Where the edge lies at that height; infinite where it does not reach it.
-double place_at(const RingEdge& edge, double y) {
-  const auto from = static_cast<double>(edge.from.y), to = static_cast<double>(edge.to.y);
-  if ((from > y) == (to > y)) return std::numeric_limits<double>::infinity();
-  return static_cast<double>(edge.from.x) +
-         (y - from) / (to - from) * static_cast<double>(edge.to.x - edge.from.x);
-}
-
-/// A height at which a ring has edges and no corner, mostly.
-double height_through(const GridRing& ring) {
-  constexpr double kOdd = 0.38196601;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const GridPoint a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
-    if (a.y != b.y) return static_cast<double>(a.y) + kOdd * static_cast<double>(b.y - a.y);
+    const GridPoint from = ring[i], to = ring[i + 1 < ring.size() ? i + 1 : 0];
+    if (from.y != to.y)
+      out.push_back(from.y < to.y ? RingEdge{from, to, number} : RingEdge{to, from, number});
   }
-  return static_cast<double>(ring.front().y);
+}
+
+/// Its edges, and where those of every height are.
+struct EdgeRows {
+  explicit EdgeRows(std::vector<RingEdge> given) : edges(std::move(given)), rows(spans(edges)) {}
+
+  static std::vector<Interval> spans(const std::vector<RingEdge>& edges) {
+    std::vector<Interval> out;
+    out.reserve(edges.size());
+    for (const RingEdge& e : edges)
+      out.push_back({static_cast<double>(e.low.y), static_cast<double>(e.high.y)});
+    return out;
+  }
+
+  std::vector<RingEdge> edges;
+  SpanIndex rows;
+};
+
+/// Of two edges that meet at a height, in units: this far apart they may still meet.
+constexpr double kMeet = 1e-3;
+
+/// Whether edge a lies east of b at that height, or where they meet there, just above it.
+bool east_of(const RingEdge& a, const RingEdge& b, std::int64_t y) {
+  const double apart = a.place_at(y) - b.place_at(y);
+  return std::abs(apart) > kMeet ? apart > 0 : a.leans_less_west_than(b) > 0;
+}
+
+/// The first edge of another ring west of a corner of a ring, just above it; nullptr: none. Edges that pass
+/// through the corner count where they go on west of the ring's own.
+const RingEdge* first_west_of(GridPoint corner, std::size_t ring, const EdgeRows& all) {
+  const auto near = all.rows.near(static_cast<double>(corner.y));
+  const RingEdge* own = nullptr;
+  for (const std::uint32_t i : near) {
+    const RingEdge& e = all.edges[i];
+    if (e.ring != ring || e.low != corner) continue;
+    if (own == nullptr || own->leans_less_west_than(e) > 0) own = &e;
+  }
+  const RingEdge* first = nullptr;
+  for (const std::uint32_t i : near) {
+    const RingEdge& e = all.edges[i];
+    if (e.ring == ring || !e.reaches(corner.y)) continue;
+    const Int128 side = turn(e.low, e.high, corner);
+    const bool west = side < 0 || (side == 0 && (own == nullptr || own->leans_less_west_than(e) > 0));
+    if (west && (first == nullptr || east_of(e, *first, corner.y))) first = &e;
+  }
+  return first;
 }
 
 }  // namespace
@@ -47,43 +92,31 @@ Int128 twice_area(const GridRing& ring) {
   return out;
 }
 
-// West of the westernmost edge of a hole, at any height, lies the ground that it is a hole of. The first
-// edge that one meets there belongs to the same ground: its outer ring, or another hole further west.
+// West of the westernmost corner of a hole (of those, the southernmost) lies the ground that it is a hole of.
+// The first edge that one meets there belongs to the same ground: its outer ring, or another hole. That
+// hole's own such corner lies further west, so that the way ends.
 std::vector<std::size_t> parents_of(const std::vector<GridRing>& holes, const std::vector<GridRing>& outer) {
   std::vector<std::size_t> parents(holes.size(), outer.size());
   if (holes.empty()) return parents;
   std::vector<RingEdge> edges;
   for (std::size_t i = 0; i < outer.size(); ++i) append_edges(outer[i], i, edges);
   for (std::size_t i = 0; i < holes.size(); ++i) append_edges(holes[i], outer.size() + i, edges);
-  std::vector<Interval> spans;
-  spans.reserve(edges.size());
-  for (const RingEdge& e : edges)
-    spans.push_back(
-        {static_cast<double>(std::min(e.from.y, e.to.y)), static_cast<double>(std::max(e.from.y, e.to.y))});
-  const SpanIndex rows(spans);
+  const EdgeRows all(std::move(edges));
 
+  std::vector<std::pair<GridPoint, std::size_t>> from_west;
+  for (std::size_t i = 0; i < holes.size(); ++i)
+    from_west.emplace_back(*std::min_element(holes[i].begin(), holes[i].end()), i);
+  std::sort(from_west.begin(), from_west.end());
   constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   std::vector<std::size_t> west(holes.size(), kNone);
-  for (std::size_t i = 0; i < holes.size(); ++i) {
-    const double y = height_through(holes[i]);
-    const std::size_t self = outer.size() + i;
-    double own = std::numeric_limits<double>::infinity();
-    for (const std::uint32_t e : rows.near(y))
-      if (edges[e].ring == self) own = std::min(own, place_at(edges[e], y));
-    double nearest = -std::numeric_limits<double>::infinity();
-    for (const std::uint32_t e : rows.near(y)) {
-      const double x = place_at(edges[e], y);
-      if (edges[e].ring == self || !(x <= own) || x < nearest) continue;
-      nearest = x;
-      west[i] = edges[e].ring;
-    }
-  }
-  for (std::size_t i = 0; i < holes.size(); ++i) {
-    std::size_t ring = west[i];
+  for (const auto& [corner, hole] : from_west)
+    if (const RingEdge* first = first_west_of(corner, outer.size() + hole, all)) west[hole] = first->ring;
+  for (const auto& [corner, hole] : from_west) {
+    std::size_t ring = west[hole];
     for (std::size_t n = 0; n < holes.size() && ring != kNone && ring >= outer.size(); ++n)
       ring = west[ring - outer.size()];
-    west[i] = ring;  // a hole further east that leads here has it at once
-    if (ring < outer.size()) parents[i] = ring;
+    west[hole] = ring;  // a hole further east that leads here has it at once
+    if (ring < outer.size()) parents[hole] = ring;
   }
   return parents;
 }

@@ -23,37 +23,48 @@ Boom widest_alone(const Boom& boom) {
 }
 
 void mend_widths(WorkLog& log) {
-  std::vector<char> mended(log.booms.size(), 0);
+  std::vector<char> changed(log.booms.size(), 0);
   for (std::size_t i = 0; i < log.booms.size(); ++i) {
     Boom& boom = log.booms[i];
-    if (boom.size() < 2 || sum_m(boom) <= kWidestMachine_m) continue;
-    const Boom one = widest_alone(boom);
+    const std::optional<Boom> one = mended(boom);
+    if (!one) continue;
     log.notes.push_back(fmt::format("{} widths that add up to {:g} m are taken for one of {:g} m",
-                                    boom.size(), sum_m(boom), width_m(one.front())));
-    boom = one;
-    mended[i] = 1;
+                                    boom.size(), sum_m(boom), width_m(one->front())));
+    boom = *one;
+    changed[i] = 1;
   }
   for (Fix& fix : log.fixes)
-    if (fix.boom >= 0 && mended[static_cast<std::size_t>(fix.boom)] != 0 && fix.has_sections) {
-      // One section works where any did.
-      const bool any = fix.sections.any();
-      fix.sections.reset();
-      fix.sections[0] = any;
-    }
+    if (fix.boom >= 0 && changed[static_cast<std::size_t>(fix.boom)] != 0) fix = with_one_section(fix);
 }
 
 void mend_sections(WorkLog& log) {
-  const auto says = [](const Fix& fix) { return fix.has_sections && fix.work == WorkState::kOn; };
-  const auto works = [](const Fix& fix) { return fix.has_sections && fix.sections.any(); };
-  if (std::none_of(log.fixes.begin(), log.fixes.end(), says) ||
-      std::any_of(log.fixes.begin(), log.fixes.end(), works))
-    return;
-  log.notes.emplace_back(
-      "no section ever works, although the machine does: the states of sections are ignored");
+  SectionTrust trust;
+  for (const Fix& fix : log.fixes) trust.add(fix);
+  if (!trust.ignored()) return;
+  log.notes.emplace_back(kSectionsIgnored);
   for (Fix& fix : log.fixes) fix.has_sections = false;
 }
 
 }  // namespace
+
+std::optional<Boom> mended(const Boom& boom) {
+  if (boom.size() < 2 || sum_m(boom) <= kWidestMachine_m) return std::nullopt;
+  return widest_alone(boom);
+}
+
+Fix with_one_section(Fix fix) {
+  if (!fix.has_sections) return fix;
+  const bool any = fix.sections.any();
+  fix.sections.reset();
+  fix.sections[0] = any;
+  return fix;
+}
+
+void SectionTrust::add(const Fix& fix) {
+  if (!fix.has_sections) return;
+  says_ = says_ || fix.work == WorkState::kOn;
+  works_ = works_ || fix.sections.any();
+}
 
 WorkLog plausible(WorkLog log) {
   mend_widths(log);

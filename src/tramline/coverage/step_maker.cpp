@@ -117,6 +117,7 @@ std::optional<WorkedStep> StepMaker::add(const Fix& fix, const std::vector<Boom>
   const bool recorded = !std::isnan(fix.heading.degrees());
   const std::optional<Heading> course = unit.course.at(to.antenna);
   to.heading = recorded ? std::optional(fix.heading) : course;
+  heading_ = to.heading;
   place_ = to.heading ? middle(to, *to.heading) : to.antenna;
   if (!unit.last) {
     unit.last = std::move(to);

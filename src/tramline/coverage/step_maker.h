@@ -64,6 +64,8 @@ class StepMaker {
   bool joined() const { return joined_; }
   /// Where the middle of what works was at the last fix; the antenna, as long as no heading is known.
   Point place() const { return place_; }
+  /// The machine's heading at the last fix; nullopt: not known.
+  std::optional<Heading> heading() const { return heading_; }
   const Breaks& breaks() const { return breaks_; }
   int runs() const { return runs_; }             ///< begun so far
   double worked_s() const { return worked_s_; }  ///< time of the steps that worked, of all units together
@@ -96,6 +98,7 @@ class StepMaker {
   std::size_t fixes_ = 0;
   bool joined_ = false;
   Point place_;
+  std::optional<Heading> heading_;
   int runs_ = 0;
   double worked_s_ = 0;
   double worked_until_s_ = -std::numeric_limits<double>::infinity();

@@ -42,6 +42,8 @@ struct TileCoverage::Impl {
   void work(const ConvexPiece& piece, const Transition& next);
   void sum_up();
   Region region(Ground what) const;
+  void append_open(const TilePiece& piece, TileIndex index, const CellStore& cells,
+                   std::vector<Ring>& out) const;
 
   Settings settings;
   TileFrame frame;
@@ -145,6 +147,20 @@ Region TileCoverage::Impl::region(Ground what) const {
   return assembled(outlines, std::move(untouched.border), frame);
 }
 
+void TileCoverage::Impl::append_open(const TilePiece& piece, TileIndex index, const CellStore& cells,
+                                     std::vector<Ring>& out) const {
+  const GridPoint corner = frame.corner(index);
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    const CellState state = cells.state(cell);
+    const bool open = times_worked(state) == 0 && (in_field(state) || field.twice_area() == 0);
+    if (!open || !cells.box(cell).meets(piece.box)) continue;
+    Ring& ring = out.emplace_back();
+    for (const TilePoint p : cells.ring(cell))
+      ring.push_back({static_cast<double>(corner.x + p.x) * frame.unit_m,
+                      static_cast<double>(corner.y + p.y) * frame.unit_m});
+  }
+}
+
 TileCoverage::TileCoverage(const Region& field, const Settings& settings)
     : impl_(std::make_unique<Impl>(field, settings)) {}
 TileCoverage::TileCoverage(TileCoverage&&) noexcept = default;
@@ -171,6 +187,26 @@ const CoverageAreas& TileCoverage::areas() const { return impl_->areas; }
 Region TileCoverage::region(Ground what) const {
   if (!impl_->settings.multiplicity && (what == Ground::kTwice || what == Ground::kOften)) return {};
   return impl_->region(what);
+}
+
+std::vector<Ring> TileCoverage::open_ground(const Ring& convex) const {
+  const Impl& impl = *impl_;
+  std::vector<GridPoint> corners;
+  for (const Point p : convex) corners.push_back(impl.frame.rounded(p));
+  const ConvexPiece piece = piece_of(corners);
+  std::vector<Ring> out;
+  TilePiece seen;
+  each_tile_met(
+      impl.frame, corners.size(), [&](std::size_t i) { return corners[i]; }, 0,
+      [&](TileIndex index) {
+        see(piece, impl.frame.corner(index), impl.frame.side, seen);
+        if (const Tile* tile = impl.map.find(index)) return impl.append_open(seen, index, tile->cells, out);
+        CellStore untouched;
+        CutScratch memory;
+        impl.field.partition(index, untouched, memory);
+        impl.append_open(seen, index, untouched, out);
+      });
+  return out;
 }
 
 std::vector<TileCoverage::Change> TileCoverage::changes_since(std::uint64_t stamp, Ground what) const {

@@ -48,6 +48,11 @@ class TileCoverage {
   /// stable order, on any number of threads. O(cells of such ground).
   Region region(Ground what) const;
 
+  /// Ground of the field (without a field: all ground) not worked yet that may lie within a convex ring, in
+  /// convex rings, counter-clockwise, that do not overlap: every such cell that reaches into it, whole.
+  /// Within 4 units. O(cells of the tiles it reaches into). Precondition: counter-clockwise.
+  std::vector<Ring> open_ground(const Ring& convex) const;
+
   /// A square in which something changed, with what it holds now.
   struct Change {
     Box tile;

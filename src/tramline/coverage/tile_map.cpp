@@ -10,6 +10,11 @@ Tile* TileMap::find(TileIndex index) {
   return last_;
 }
 
+const Tile* TileMap::find(TileIndex index) const {
+  const auto found = by_place_.find(key(index));
+  return found == by_place_.end() ? nullptr : found->second;
+}
+
 Tile& TileMap::at(TileIndex index, const FieldCells& field, CutScratch& scratch) {
   if (Tile* known = find(index)) return *known;
   Tile& tile = tiles_.emplace_back();

@@ -16,6 +16,7 @@ class TileMap {
  public:
   /// The tile, or nullptr. O(1).
   Tile* find(TileIndex index);
+  const Tile* find(TileIndex index) const;
   /// The tile; new ones are partitioned by the field.
   Tile& at(TileIndex index, const FieldCells& field, CutScratch& scratch);
 

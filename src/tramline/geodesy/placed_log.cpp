@@ -20,42 +20,15 @@ namespace {
 constexpr double kFarFromFrame_m = 1e6;
 
 /// Why a position is none; empty where it is one.
-std::string fault(const WorkLog& log, Point p) {
+std::string fault(Positions positions, Point p) {
   if (!std::isfinite(p.x) || !std::isfinite(p.y)) return "the position is no number";
-  if (log.positions == Positions::kLocal)
+  if (positions == Positions::kLocal)
     return length(p) > kFarthest_m ? fmt::format("the position ({:.10g}, {:.10g}) is too far away", p.x, p.y)
                                    : "";
   if (p.x == 0 && p.y == 0) return "longitude and latitude are 0";
   if (std::abs(p.y) > 90) return fmt::format("the latitude {:.10g} is past a pole", p.y);
   if (std::abs(p.x) > 180) return fmt::format("there is no longitude {:.10g}", p.x);
   return "";
-}
-
-/// The frame's metres of positions of a log.
-class Placing {
- public:
-  Placing(const WorkLog& log, const LocalFrame& frame) : frame_(frame) {
-    if (log.positions == Positions::kLonLat) projection_.emplace(frame);
-  }
-
-  std::optional<Point> operator()(Point p) const {
-    const std::optional<Point> local =
-        projection_ ? projection_->from_lonlat(p)
-                    : std::optional(Point{p.x - frame_.origin_x_m, p.y - frame_.origin_y_m});
-    return local && length(*local) <= kFarFromFrame_m ? local : std::nullopt;
-  }
-
- private:
-  LocalFrame frame_;
-  std::optional<FrameProjection> projection_;
-};
-
-void require_same_kind(const WorkLog& log, const LocalFrame& frame) {
-  if (frame.geodetic != (log.positions == Positions::kLonLat))
-    throw bad_input(fmt::format(
-        "{} has positions in {} and the field is in {}; give the CRS of the one without with --crs or "
-        "--log-crs",
-        log.name, frame.geodetic ? "plain metres" : "degrees", frame.geodetic ? "degrees" : "plain metres"));
 }
 
 double distance_between(const Box& box, Point p) {
@@ -69,7 +42,7 @@ double distance_between(const Box& box, Point p) {
 Box bounds(const WorkLog& log) {
   Box box;
   for (const Fix& fix : log.fixes)
-    if (fault(log, fix.position).empty()) box.extend(fix.position);
+    if (fault(log.positions, fix.position).empty()) box.extend(fix.position);
   return box;
 }
 
@@ -79,24 +52,42 @@ LocalFrame frame_centred_on(const WorkLog& log) {
   return frame_centred_on(log.positions == Positions::kLonLat ? Crs("EPSG:4326") : Crs(), box);
 }
 
+FixPlacing::FixPlacing(Positions positions, const LocalFrame& frame, const std::string& name)
+    : positions_(positions), frame_(frame) {
+  if (frame.geodetic != (positions == Positions::kLonLat))
+    throw bad_input(fmt::format(
+        "{} has positions in {} and the field is in {}; give the CRS of the one without with --crs or "
+        "--log-crs",
+        name, frame.geodetic ? "plain metres" : "degrees", frame.geodetic ? "degrees" : "plain metres"));
+  if (positions == Positions::kLonLat) projection_.emplace(frame);
+}
+
+std::optional<Point> FixPlacing::operator()(Point position, std::string& why) const {
+  why = fault(positions_, position);
+  if (!why.empty()) return std::nullopt;
+  const std::optional<Point> local =
+      projection_ ? projection_->from_lonlat(position)
+                  : std::optional(Point{position.x - frame_.origin_x_m, position.y - frame_.origin_y_m});
+  if (local && length(*local) <= kFarFromFrame_m) return local;
+  why = "the position is more than 1000 km away";
+  return std::nullopt;
+}
+
 bool comes_near(const WorkLog& log, const LocalFrame& frame, const Box& local, double within_m) {
-  require_same_kind(log, frame);
-  const Placing place(log, frame);
+  const FixPlacing place(log.positions, frame, log.name);
   return std::any_of(log.fixes.begin(), log.fixes.end(), [&](const Fix& fix) {
-    if (!fault(log, fix.position).empty()) return false;
-    const std::optional<Point> p = place(fix.position);
+    std::string why;
+    const std::optional<Point> p = place(fix.position, why);
     return p && distance_between(local, *p) < within_m;
   });
 }
 
 WorkLog placed(WorkLog log, const LocalFrame& frame) {
-  require_same_kind(log, frame);
-  const Placing place(log, frame);
+  const FixPlacing place(log.positions, frame, log.name);
   skip_faulty(log, [&](Fix& fix) {
-    std::string why = fault(log, fix.position);
-    if (!why.empty()) return why;
-    const std::optional<Point> local = place(fix.position);
-    if (!local) return std::string("the position is more than 1000 km away");
+    std::string why;
+    const std::optional<Point> local = place(fix.position, why);
+    if (!local) return why;
     fix.position = *local;
     return std::string();
   });

@@ -1,6 +1,10 @@
 #pragma once
 // A log in the metres of a field's frame.
 
+#include <optional>
+#include <string>
+
+#include "tramline/geodesy/field_projection.h"
 #include "tramline/geometry/region.h"
 #include "tramline/model/local_frame.h"
 #include "tramline/model/work_log.h"
@@ -13,6 +17,22 @@ Box bounds(const WorkLog& log);
 /// The frame for a log without a field: centred on the middle of its positions. Throws kBadInput for a log
 /// without a usable position.
 LocalFrame frame_centred_on(const WorkLog& log);
+
+/// Positions of a log in the metres of a frame, one by one. Owns a PROJ context.
+class FixPlacing {
+ public:
+  /// `name`: of the log, for messages. Throws kBadInput for plain metres with a geodetic frame and the
+  /// reverse.
+  FixPlacing(Positions positions, const LocalFrame& frame, const std::string& name);
+
+  /// nullopt, and `why`, for a position that is none or has no place in the frame.
+  std::optional<Point> operator()(Point position, std::string& why) const;
+
+ private:
+  Positions positions_;
+  LocalFrame frame_;
+  std::optional<FrameProjection> projection_;
+};
 
 /// Whether any fix of the log lies nearer than that to a box of the frame. Throws like placed(). O(n) at
 /// most.

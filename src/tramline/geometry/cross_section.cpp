@@ -11,7 +11,7 @@ std::vector<StripProfile> cross_sections(const Region& turned, const StripGrid& 
   std::vector<StripProfile> profiles(static_cast<std::size_t>(range.size()));
   if (turned.empty()) return profiles;
   thread_local StripFold fold;
-  fold.fold(rings_of(turned), grid, range, wanted);
+  fold.fold(std::span<const Polygon>(turned), grid, range, wanted);
   for (std::size_t i = 0; i < profiles.size(); ++i)
     if (wanted.empty() || wanted[i]) profiles[i] = fold.profile(i);
   return profiles;

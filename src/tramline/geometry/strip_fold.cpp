@@ -24,14 +24,48 @@ double StripFold::EdgePart::across_at(double along) const {
 
 void StripFold::fold(std::span<const Ring> rings, const StripGrid& grid, StripRange range,
                      const StripMask& wanted) {
+  begin(grid, range, wanted);
+  for (const Ring& ring : rings) add_ring(ring, grid, range);
+  end();
+}
+
+void StripFold::fold(std::span<const Polygon> turned, const StripGrid& grid, StripRange range,
+                     const StripMask& wanted) {
+  begin(grid, range, wanted);
+  for (const Polygon& part : turned) {
+    add_ring(part.outer, grid, range);
+    for (const Ring& hole : part.holes) add_ring(hole, grid, range);
+  }
+  end();
+}
+
+void StripFold::begin(const StripGrid& grid, StripRange range, const StripMask& wanted) {
   width_m_ = grid.width_m;
-  const auto strips = static_cast<std::size_t>(range.size());
-  parts_.clear(strips);
-  right_lines_.clear(strips);
-  centre_lines_.clear(strips);
-  for (const Ring& ring : rings)
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      add(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1], grid, range, wanted);
+  const int strips = range.size();
+  parts_.clear(static_cast<std::size_t>(strips));
+  right_lines_.clear(static_cast<std::size_t>(strips));
+  centre_lines_.clear(static_cast<std::size_t>(strips));
+  next_wanted_.resize(static_cast<std::size_t>(strips) + 1);
+  next_wanted_.back() = strips;
+  for (int i = strips - 1; i >= 0; --i) {
+    const auto place = static_cast<std::size_t>(i);
+    next_wanted_[place] = wanted.empty() || wanted[place] ? i : next_wanted_[place + 1];
+  }
+}
+
+void StripFold::add_ring(const Ring& ring, const StripGrid& grid, StripRange range) {
+  if (ring.empty()) return;
+  const Corner first{ring.front(), grid.strip_at(ring.front().x)};
+  Corner a = first;
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    const Corner b{ring[i], grid.strip_at(ring[i].x)};
+    add(a, b, grid, range);
+    a = b;
+  }
+  add(a, first, grid, range);
+}
+
+void StripFold::end() {
   parts_.sort_in();
   right_lines_.sort_in();
   centre_lines_.sort_in();
@@ -44,13 +78,17 @@ const StripProfile& StripFold::profile(std::size_t place) {
 }
 
 /// Points on a line count as right of it, so a strip owns [line(k), line(k + 1)).
-void StripFold::add(Point a, Point b, const StripGrid& grid, StripRange range, const StripMask& wanted) {
-  const bool rightward = a.x < b.x;
-  const Point left = rightward ? a : b, right = rightward ? b : a;
-  const int k_left = grid.strip_at(left.x), k_right = grid.strip_at(right.x);
-  for (int k = std::max(k_left, range.first); k <= std::min(k_right, range.last); ++k) {
-    const auto place = static_cast<std::size_t>(k - range.first);
-    if (!wanted.empty() && !wanted[place]) continue;
+void StripFold::add(const Corner& a, const Corner& b, const StripGrid& grid, StripRange range) {
+  const bool rightward = a.at.x < b.at.x;
+  const Point left = rightward ? a.at : b.at, right = rightward ? b.at : a.at;
+  const int k_left = rightward ? a.strip : b.strip, k_right = rightward ? b.strip : a.strip;
+  const int last = std::min(k_right, range.last) - range.first;
+  const int first = std::max(k_left, range.first) - range.first;
+  if (first > last) return;
+  for (int i = next_wanted_[static_cast<std::size_t>(first)]; i <= last;
+       i = next_wanted_[static_cast<std::size_t>(i) + 1]) {
+    const auto place = static_cast<std::size_t>(i);
+    const int k = range.first + i;
     const double line = grid.line(k), next_line = grid.line(k + 1);
     const Point from = k == k_left ? left : Point{line, along_at(left, right, line)};
     const Point to = k == k_right ? right : Point{next_line, along_at(left, right, next_line)};

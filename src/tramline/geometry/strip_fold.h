@@ -47,6 +47,9 @@ class StripFold {
   /// `rings` in the grid's turned plane, outer ones counter-clockwise, holes clockwise. Refers to nothing
   /// afterwards. O(n + K) for n edges and K incidences of edges and strips that are wanted.
   void fold(std::span<const Ring> rings, const StripGrid& grid, StripRange range, const StripMask& wanted);
+  /// The rings of a region.
+  void fold(std::span<const Polygon> turned, const StripGrid& grid, StripRange range,
+            const StripMask& wanted);
   /// What lies in the strip range.first + place; valid until the next call. O(K log K) for its K edges.
   const StripProfile& profile(std::size_t place);
 
@@ -65,13 +68,23 @@ class StripFold {
     int change;
   };
 
-  void add(Point a, Point b, const StripGrid& grid, StripRange range, const StripMask& wanted);
+  /// An end of an edge, and the strip it lies in.
+  struct Corner {
+    Point at;
+    int strip;
+  };
+
+  void begin(const StripGrid& grid, StripRange range, const StripMask& wanted);
+  void add_ring(const Ring& ring, const StripGrid& grid, StripRange range);
+  void end();
+  void add(const Corner& a, const Corner& b, const StripGrid& grid, StripRange range);
   void add_part(std::size_t place, Point from, Point to, bool rightward, double line);
   void list_events(std::span<const EdgePart> parts, std::span<const Crossing> right_line);
   void find_slabs(std::span<EdgePart> parts, std::span<Crossing> right_line);
   void find_centre_line(std::span<Crossing> crossings);
 
   double width_m_ = 1;
+  std::vector<int> next_wanted_;  ///< by place: the first wanted strip from there on, as a place
   ByStrip<EdgePart> parts_;
   ByStrip<Crossing> right_lines_, centre_lines_;
   std::vector<double> events_;

@@ -9,4 +9,10 @@ void SkippedRecords::add(std::size_t record, std::string why) {
   if (listed.size() < kListed) listed.push_back({record, std::move(why)});
 }
 
+void SkippedRecords::add(const SkippedRecords& others) {
+  count += others.count;
+  for (const SkippedRecord& other : others.listed)
+    if (listed.size() < kListed) listed.push_back(other);
+}
+
 }  // namespace tramline

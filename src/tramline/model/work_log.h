@@ -60,6 +60,8 @@ struct SkippedRecords {
   std::vector<SkippedRecord> listed;
 
   void add(std::size_t record, std::string why);
+  /// Those of another reader, listed behind these.
+  void add(const SkippedRecords& others);
 };
 
 /// Frame of the positions.

@@ -5,11 +5,25 @@
 namespace tramline {
 namespace {
 
+/// Of ground that mostly is not there.
+class Sections {
+ public:
+  Sections(const Region& ground, const StripGrid& grid, StripRange range, const StripMask& wanted) {
+    if (!ground.empty()) profiles_ = cross_sections(ground, grid, range, wanted);
+  }
+  StripProfile take(std::size_t place) {
+    return profiles_.empty() ? StripProfile{} : std::move(profiles_[place]);
+  }
+
+ private:
+  std::vector<StripProfile> profiles_;
+};
+
 /// Where a strip leaves a hard boundary.
 std::vector<Intervals> beyond_boundary(const StripGrid& grid, StripRange range, const StripMask& wanted,
                                        const Region& field) {
+  if (field.empty()) return {};
   std::vector<Intervals> out(static_cast<std::size_t>(range.size()));
-  if (field.empty()) return out;
   const Box reach = bounds(field);
   const std::vector<StripProfile> inside = cross_sections(field, grid, range, wanted);
   for (std::size_t i = 0; i < out.size(); ++i)
@@ -27,10 +41,14 @@ Strips strips_of(const StripGrid& grid, const Polygon& turned, const TurnedGroun
 
 Strips strips_of(const StripGrid& grid, StripRange range, const StripMask& wanted, const Polygon& turned,
                  const TurnedGround& ground, const EndCriterion& criterion) {
-  std::vector<StripProfile> subfield = cross_sections({turned}, grid, range, wanted);
-  std::vector<StripProfile> hard = cross_sections(ground.hard, grid, range, wanted);
-  const std::vector<StripProfile> passable = cross_sections(ground.passable, grid, range, wanted);
-  const std::vector<StripProfile> beyond = cross_sections(ground.beyond, grid, range, wanted);
+  return strips_of(grid, range, wanted, cross_sections({turned}, grid, range, wanted), ground, criterion);
+}
+
+Strips strips_of(const StripGrid& grid, StripRange range, const StripMask& wanted,
+                 std::vector<StripProfile> subfield, const TurnedGround& ground,
+                 const EndCriterion& criterion) {
+  Sections hard(ground.hard, grid, range, wanted), passable(ground.passable, grid, range, wanted),
+      beyond(ground.beyond, grid, range, wanted);
   const std::vector<Intervals> by_outside = beyond_boundary(grid, range, wanted, ground.field);
   Strips out{grid, {}};
   for (int k = range.first; k <= range.last; ++k) {
@@ -39,11 +57,13 @@ Strips strips_of(const StripGrid& grid, StripRange range, const StripMask& wante
     Strip strip;
     strip.index = k;
     strip.subfield = std::move(subfield[i]);
-    strip.hard = std::move(hard[i]);
+    strip.hard = hard.take(i);
     strip.by_hard = where_at_least(strip.hard, kWidthTolerance);
-    strip.by_passable = where_at_least(passable[i], kWidthTolerance);
-    strip.stretches = without(without(allowed_by(criterion, strip.subfield), strip.by_hard), by_outside[i]);
-    strip.stretches = without(strip.stretches, where_at_least(beyond[i], kWidthTolerance));
+    strip.by_passable = where_at_least(passable.take(i), kWidthTolerance);
+    strip.stretches = without(allowed_by(criterion, strip.subfield), strip.by_hard);
+    if (!by_outside.empty()) strip.stretches = without(strip.stretches, by_outside[i]);
+    if (!ground.beyond.empty())
+      strip.stretches = without(strip.stretches, where_at_least(beyond.take(i), kWidthTolerance));
     out.strips.push_back(std::move(strip));
   }
   return out;

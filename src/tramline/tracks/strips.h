@@ -40,6 +40,11 @@ Strips strips_of(const StripGrid& grid, const Polygon& turned, const TurnedGroun
 Strips strips_of(const StripGrid& grid, StripRange range, const StripMask& wanted, const Polygon& turned,
                  const TurnedGround& ground, const EndCriterion& criterion);
 
+/// The same from the subfield's profiles, by k − range.first; those not wanted are not looked at.
+Strips strips_of(const StripGrid& grid, StripRange range, const StripMask& wanted,
+                 std::vector<StripProfile> subfield, const TurnedGround& ground,
+                 const EndCriterion& criterion);
+
 /// Whether a piece that ends at `end` and runs towards it in the sense (+1: along, −1: against) ends in
 /// a stop: the first millimetre beyond meets something hard, on average over more than half the width
 /// tolerance.

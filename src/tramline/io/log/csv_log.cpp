@@ -90,7 +90,8 @@ std::optional<Fix> CsvLog::add(std::string_view line) {
     return row(whole, open_line_);
   }
   const std::string_view text = trimmed(line);
-  if (text.empty() || is_comment(text)) return std::nullopt;
+  if (text.empty() || states_.add(text, line_, bad_states_) || is_comment(text)) return std::nullopt;
+  if (rows_ && line == header_) return std::nullopt;
   if (!rows_) {
     read_header(line);
     return std::nullopt;
@@ -111,47 +112,75 @@ void CsvLog::read_header(std::string_view line) {
         fmt::format("{}, line {}: numbers stand where the names of the columns should; put a line such as "
                     "lon,lat,time first",
                     place_, line_));
+  header_ = line;
   rows_.emplace(quoted_cells_, TableForm{place_, columns_, true, separator_ != ','});
 }
 
 std::optional<Fix> CsvLog::row(std::string_view line, std::size_t record) {
+  std::optional<Fix> fix;
   if (line.find('"') == std::string_view::npos) {
     split_plain(line, separator_, cells_);
-    return rows_->add(cells_, record);
-  }
-  if (split_quoted(line, separator_, quoted_cells_)) {
+  } else if (split_quoted(line, separator_, quoted_cells_)) {
     open_row_ = line;
     open_line_ = record;
     return std::nullopt;
+  } else {
+    cells_.assign(quoted_cells_.begin(), quoted_cells_.end());
   }
-  cells_.assign(quoted_cells_.begin(), quoted_cells_.end());
-  return rows_->add(cells_, record);
+  fix = rows_->add(cells_, record);
+  if (fix) states_.apply(*fix, rows_->boom_list(), own_columns());
+  return fix;
+}
+
+OwnColumns CsvLog::own_columns() const {
+  if (!rows_) return {};
+  return {rows_->has(Column::kWork) || rows_->has(Column::kSections) ||
+              rows_->has(Column::kSectionsFromRight) || rows_->has(Column::kCondensed),
+          rows_->has(Column::kWidth)};
+}
+
+SkippedRecords CsvLog::skipped() const {
+  SkippedRecords out = rows_ ? rows_->skipped() : SkippedRecords{};
+  out.add(bad_states_);
+  return out;
+}
+
+WorkLog work_log_of(const CsvLog& csv, std::vector<Fix> fixes, std::span<const RecordedDistance> distances,
+                    const std::string& crs, const std::string& place, double* width_unit_m) {
+  WorkLog log;
+  log.fixes = std::move(fixes);
+  log.booms = csv.rows()->booms();
+  log.clock = csv.rows()->clock();
+  log.skipped = csv.skipped();
+  log.notes = csv.rows()->notes();
+  if (!csv.own_columns().work) work_before(log, csv.states());
+  settle_positions(log, csv.rows()->position_names(), crs, place);
+  const double unit_m = csv.rows()->width_unit_open() ? settle_width_unit(log, distances) : 1;
+  if (width_unit_m != nullptr) *width_unit_m = unit_m;
+  return log;
 }
 
 WorkLog read_csv_log(Lines& lines, const std::string& columns, const std::string& crs,
                      const std::string& place) {
   CsvLog csv(columns, place);
-  WorkLog log;
+  std::vector<Fix> fixes;
   std::vector<RecordedDistance> distances;
   std::string line;
   while (lines.next(line)) {
     const auto fix = csv.add(line);
     if (!fix) continue;
-    log.fixes.push_back(*fix);
+    fixes.push_back(*fix);
     if (std::isfinite(csv.rows()->last_distance()))
       distances.push_back({fix->record, csv.rows()->last_distance()});
   }
   if (csv.rows() == nullptr) throw bad_input(fmt::format("{} is empty; give a log with records", place));
-  log.booms = csv.rows()->booms();
-  log.clock = csv.rows()->clock();
-  log.skipped = csv.rows()->skipped();
-  log.notes = csv.rows()->notes();
-  if (csv.in_quotes()) log.notes.emplace_back("the last quoted field is never closed; its row was left out");
-  if (!lines.cut_off().empty()) log.notes.push_back(lines.cut_off() + "; the rows before were read");
-  if (log.fixes.empty())
+  if (fixes.empty())
     throw bad_input(fmt::format("{} has no row with a position; check its columns and separators", place));
-  settle_positions(log, csv.rows()->position_names(), crs, place);
-  if (csv.rows()->width_unit_open()) settle_width_unit(log, distances);
+  std::vector<std::string> faults;
+  if (csv.in_quotes()) faults.emplace_back("the last quoted field is never closed; its row was left out");
+  if (!lines.cut_off().empty()) faults.push_back(lines.cut_off() + "; the rows before were read");
+  WorkLog log = work_log_of(csv, std::move(fixes), distances, crs, place);
+  log.notes.insert(log.notes.end(), faults.begin(), faults.end());
   return log;
 }
 

@@ -8,6 +8,8 @@
 
 #include "tramline/io/fixes/lines.h"
 #include "tramline/io/log/fix_rows.h"
+#include "tramline/io/log/state_lines.h"
+#include "tramline/io/log/width_unit.h"
 
 namespace tramline::io {
 
@@ -15,8 +17,8 @@ namespace tramline::io {
 ///
 /// The separator is the commonest of comma, semicolon and tab in the header, or what a line "sep=;" before it
 /// says; with semicolons and tabs a comma within a number is a decimal comma. Fields may be quoted, also over
-/// line ends. Empty lines and comments (#, % or //) are passed over; a byte order mark and carriage returns
-/// are, too.
+/// line ends. Empty lines, comments (#, % or //) and the header once more are passed over; a byte order mark
+/// and carriage returns are, too. Lines on work (state_lines.h) hold where the table has no column for it.
 class CsvLog {
  public:
   /// `columns`: LogOptions::columns. `place`: for messages, "'log.csv'".
@@ -29,6 +31,10 @@ class CsvLog {
 
   /// Null before the header.
   const FixRows* rows() const { return rows_ ? &*rows_ : nullptr; }
+  const StateLines& states() const { return states_; }
+  /// Columns on work and width; none before the header.
+  OwnColumns own_columns() const;
+  SkippedRecords skipped() const;
   /// Whether a quoted field is still open.
   bool in_quotes() const { return !open_row_.empty(); }
 
@@ -40,10 +46,17 @@ class CsvLog {
   char separator_ = 0;
   std::optional<FixRows> rows_;
   std::size_t line_ = 0, open_line_ = 0;
-  std::string open_row_;
+  std::string header_, open_row_;
+  StateLines states_;
+  SkippedRecords bad_states_;
   std::vector<std::string_view> cells_;
   std::vector<std::string> quoted_cells_;
 };
+
+/// The log of a table whose rows have all been read. Precondition: a header. Throws bad_input like
+/// settle_positions(). `width_unit_m`: what the widths were multiplied by.
+WorkLog work_log_of(const CsvLog& csv, std::vector<Fix> fixes, std::span<const RecordedDistance> distances,
+                    const std::string& crs, const std::string& place, double* width_unit_m = nullptr);
 
 /// Reads a whole table. `place`: for messages. Throws bad_input like CsvLog and settle_positions(), and for a
 /// table without a usable row. O(size).

@@ -38,6 +38,8 @@ class FixRows {
                          std::optional<Point> elsewhere = std::nullopt);
 
   const std::vector<Boom>& booms() const { return booms_.booms(); }
+  BoomList& boom_list() { return booms_; }
+  bool has(Column column) const { return map_[column].has_value(); }
   const SkippedRecords& skipped() const { return skipped_; }
   Clock clock() const { return time_.clock(); }
   PositionNames position_names() const { return map_.position_names; }

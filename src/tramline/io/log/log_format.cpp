@@ -11,24 +11,13 @@
 #include "tramline/io/fixes/lines.h"
 #include "tramline/io/fixes/number_text.h"
 #include "tramline/io/isoxml/task_files.h"
+#include "tramline/io/log/line_log.h"
 #include "tramline/io/vector/locate_dataset.h"
 
 namespace tramline::io {
 namespace {
 
 constexpr std::size_t kLooked = 8192;
-
-/// "$GPGGA," or the like, also behind a time stamp of whoever wrote the line down.
-bool has_sentence(std::string_view text) {
-  for (std::size_t at = text.find('$'); at != std::string_view::npos; at = text.find('$', at + 1)) {
-    const std::string_view address = text.substr(at + 1, 6);
-    const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
-    if (address.size() == 6 && address[5] == ',' &&
-        std::all_of(address.begin(), address.begin() + 5, is_capital))
-      return true;
-  }
-  return false;
-}
 
 bool is_vector_name(const std::string& name) {
   constexpr std::array kEndings = {".geojson", ".json", ".geojsonl", ".gpkg", ".shp", ".fgb", ".kml",

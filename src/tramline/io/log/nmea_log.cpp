@@ -114,7 +114,7 @@ std::optional<Fix> NmeaLog::finish() {
     skipped_.add(epoch.record, std::move(fault));
     return std::nullopt;
   }
-  Fix fix;
+  Fix fix = epoch.state;
   fix.record = epoch.record;
   fix.time_s = time_s;
   fix.position = *epoch.lonlat_deg;
@@ -144,6 +144,7 @@ void NmeaLog::place(const Fields& fields, std::size_t latitude) {
   if (epoch_.lonlat_deg) return;
   epoch_.record = line_;
   epoch_.lonlat_deg = lonlat;
+  states_.apply(epoch_.state, booms_, {});
 }
 
 void NmeaLog::read_gga(const Fields& fields) {
@@ -192,11 +193,13 @@ void NmeaLog::read_zda(const Fields& fields) {
 
 std::optional<Fix> NmeaLog::add(std::string_view line) {
   ++line_;
+  if (line.starts_with('#') && states_.add(line, line_, skipped_)) return std::nullopt;
   // A sentence that was cut off may run into the next one.
   const std::size_t start = line.rfind('$');
   if (start == std::string_view::npos) {
     // Reports of ships and the like begin with "!"; blank lines are no loss.
-    if (const std::string_view text = trimmed(line); !text.empty() && text.front() != '!')
+    if (const std::string_view text = trimmed(line);
+        !text.empty() && text.front() != '!')
       skipped_.add(line_, "no sentence");
     return std::nullopt;
   }
@@ -235,24 +238,33 @@ std::optional<Fix> NmeaLog::add(std::string_view line) {
   return done;
 }
 
-WorkLog read_nmea_log(Lines& lines, const std::string& place) {
-  NmeaLog nmea;
+WorkLog work_log_of(const NmeaLog& nmea, std::vector<Fix> fixes) {
   WorkLog log;
-  std::string line;
-  while (lines.next(line))
-    if (const auto fix = nmea.add(line)) log.fixes.push_back(*fix);
-  if (const auto fix = nmea.finish()) log.fixes.push_back(*fix);
+  log.fixes = std::move(fixes);
+  log.booms = nmea.booms();
   log.skipped = nmea.skipped();
-  if (!lines.cut_off().empty()) log.notes.push_back(lines.cut_off() + "; the sentences before were read");
-  if (log.fixes.empty())
-    throw bad_input(
-        fmt::format("{} has no GGA or RMC sentence with a position and a right checksum ({} lines "
-                    "were skipped)",
-                    place, log.skipped.count));
   log.clock = !nmea.has_times() ? Clock::kNone : nmea.midnight_s() ? Clock::kUtc : Clock::kOfDay;
   if (nmea.midnight_s())
     for (Fix& fix : log.fixes) fix.time_s += *nmea.midnight_s();
+  work_before(log, nmea.states());
   skip_strays(log);
+  return log;
+}
+
+WorkLog read_nmea_log(Lines& lines, const std::string& place) {
+  NmeaLog nmea;
+  std::vector<Fix> fixes;
+  std::string line;
+  while (lines.next(line))
+    if (const auto fix = nmea.add(line)) fixes.push_back(*fix);
+  if (const auto fix = nmea.finish()) fixes.push_back(*fix);
+  if (fixes.empty())
+    throw bad_input(
+        fmt::format("{} has no GGA or RMC sentence with a position and a right checksum ({} lines "
+                    "were skipped)",
+                    place, nmea.skipped().count));
+  WorkLog log = work_log_of(nmea, std::move(fixes));
+  if (!lines.cut_off().empty()) log.notes.push_back(lines.cut_off() + "; the sentences before were read");
   return log;
 }
 

@@ -8,7 +8,9 @@
 #include <string>
 #include <string_view>
 
+#include "tramline/io/fixes/boom_list.h"
 #include "tramline/io/fixes/lines.h"
+#include "tramline/io/log/state_lines.h"
 #include "tramline/model/work_log.h"
 
 namespace tramline::io {
@@ -17,7 +19,8 @@ namespace tramline::io {
 /// and THS (true heading), RMC and ZDA (date), of any talker; others are passed over. Sentences with the same
 /// time are one epoch, and those without a time belong to the epoch they follow (a second GGA or RMC without
 /// a time begins another); so a fix comes out when the next epoch begins. A course is taken as a heading
-/// above kCourseHolds_mps only.
+/// above kCourseHolds_mps only. Lines on work (state_lines.h) hold for the epochs whose position comes after
+/// them.
 ///
 /// Skipped and counted: lines without a sentence, wrong checksums, missing ones where others had one (a line
 /// that is cut off), epochs without a position fix, impossible positions.
@@ -34,6 +37,8 @@ class NmeaLog {
   std::optional<double> midnight_s() const { return midnight_s_; }
   bool has_times() const { return has_times_; }
   const SkippedRecords& skipped() const { return skipped_; }
+  const std::vector<Boom>& booms() const { return booms_.booms(); }
+  const StateLines& states() const { return states_; }
   /// Sentences with a right checksum, or none, of whatever kind.
   std::size_t sentences() const { return sentences_; }
 
@@ -50,6 +55,7 @@ class NmeaLog {
     double course_deg = std::numeric_limits<double>::quiet_NaN();
     double heading_deg = std::numeric_limits<double>::quiet_NaN();
     std::optional<long long> date_days;
+    Fix state;  ///< width and work as lines say at the position
   };
   class Fields;
 
@@ -73,7 +79,12 @@ class NmeaLog {
   double days_s_ = 0;
   std::optional<double> midnight_s_;
   SkippedRecords skipped_;
+  StateLines states_;
+  BoomList booms_;
 };
+
+/// The log of sentences that have all been read. Precondition: at least one fix. O(fixes).
+WorkLog work_log_of(const NmeaLog& nmea, std::vector<Fix> fixes);
 
 /// Reads a whole file. Throws bad_input for a file without any position. O(size).
 WorkLog read_nmea_log(Lines& lines, const std::string& place);

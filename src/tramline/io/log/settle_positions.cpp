@@ -12,8 +12,6 @@
 namespace tramline::io {
 namespace {
 
-constexpr double kWidestLog_deg = 2;
-
 /// Extent of the middle 98 in a hundred: a few damaged records do not count.
 double span(const std::vector<Fix>& fixes, double Point::*axis) {
   std::vector<double> values;

@@ -15,4 +15,7 @@ namespace tramline::io {
 /// rest of the log. Throws bad_input for a CRS that is not known, and when no position is left. O(fixes).
 void settle_positions(WorkLog& log, PositionNames names, const std::string& crs, const std::string& place);
 
+/// Places of one log do not span more, degrees: beyond this it has strays, or is in metres.
+inline constexpr double kWidestLog_deg = 2;
+
 }  // namespace tramline::io

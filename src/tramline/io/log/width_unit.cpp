@@ -60,12 +60,12 @@ std::optional<LengthUnit> unit_of(const WorkLog& log, std::span<const RecordedDi
 
 }  // namespace
 
-void settle_width_unit(WorkLog& log, std::span<const RecordedDistance> distances) {
+double settle_width_unit(WorkLog& log, std::span<const RecordedDistance> distances) {
   const auto unit = unit_of(log, distances);
   if (!unit) {
     log.notes.emplace_back(
         "the widths have no unit and are taken as metres; --columns width_ft=NAME would say feet");
-    return;
+    return 1;
   }
   for (Boom& boom : log.booms)
     for (Section& section : boom) section = {section.left_m * unit->metres, section.right_m * unit->metres};
@@ -73,6 +73,7 @@ void settle_width_unit(WorkLog& log, std::span<const RecordedDistance> distances
       fmt::format("the widths have no unit and are taken as {0}, because the distances beside them are {0} "
                   "by the positions",
                   unit->name));
+  return unit->metres;
 }
 
 }  // namespace tramline::io

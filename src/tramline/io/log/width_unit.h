@@ -18,7 +18,8 @@ struct RecordedDistance {
 /// the last record in the same system of units beside it; what a distance of one is in metres, told by the
 /// positions (median over steps of one unit), is then the unit of the widths too: metres, feet, inches,
 /// centimetres or millimetres to 5 %. Without distances, or where they fit none of these, metres. Says what
-/// it did in the log's notes. Preconditions: positions settled; `distances` by rising record. O(fixes · log).
-void settle_width_unit(WorkLog& log, std::span<const RecordedDistance> distances);
+/// it did in the log's notes, and returns the unit, m. Preconditions: positions settled; `distances` by
+/// rising record. O(fixes · log).
+double settle_width_unit(WorkLog& log, std::span<const RecordedDistance> distances);
 
 }  // namespace tramline::io

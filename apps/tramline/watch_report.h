@@ -1,0 +1,32 @@
+#pragma once
+// What `watch` says while the drive goes on, and at its end.
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "evaluate_report.h"
+#include "tramline/coverage/live_coverage.h"
+
+namespace tramline::app {
+
+/// The evaluation so far, and what only a live one knows.
+struct LiveFigures {
+  Evaluation evaluation;
+  bool final = false;
+  bool settled = true;              ///< the figures are those of `evaluate`
+  double present_m2_per_s = 0;      ///< NaN: not known
+  double time_s = 0;                ///< of the last fix
+  std::optional<bool> working;      ///< at the last fix
+  std::optional<double> stalled_s;  ///< no fix for so long, where that is too long
+  bool work_key = false;            ///< the space key switches work
+  bool looks_ahead = false;
+  std::optional<coverage::Ahead> ahead;  ///< nullopt: not known
+};
+
+/// Keys: docs/json.md.
+nlohmann::ordered_json live_json(const LiveFigures& live);
+/// One line without its end.
+std::string status_line(const LiveFigures& live);
+
+}  // namespace tramline::app

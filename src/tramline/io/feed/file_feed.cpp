@@ -1,0 +1,92 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/inotify.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+
+#include "tramline/geometry/error.h"
+#include "tramline/io/feed/descriptor.h"
+#include "tramline/io/feed/feed.h"
+#include "tramline/io/feed/line_splitter.h"
+
+namespace tramline::io {
+namespace {
+
+/// Changes that are not told of (network file systems), and another file of the name, show so soon.
+constexpr int kLook_ms = 1000;
+
+class FileFeed final : public Feed {
+ public:
+  explicit FileFeed(const std::string& path) : path_(path), watch_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
+    if (!open_file()) throw bad_input(fmt::format("'{}' cannot be followed: {}", path_, words_for(errno)));
+  }
+
+  std::string name() const override { return path_.substr(path_.find_last_of('/') + 1); }
+  int descriptor() const override { return watch_.number(); }
+  int wait_ms() const override { return more_ ? 0 : kLook_ms; }
+
+  Received receive() override {
+    forget_events();
+    Received out;
+    std::string bytes;
+    int fault = 0;
+    const ReadResult result = read_some(file_, bytes, fault);
+    read_ += bytes.size();
+    splitter_.add(bytes, out.lines);
+    more_ = out.more = result == ReadResult::kBytes;
+    if (!more_) look_for_another(out);
+    return out;
+  }
+  std::string rest() override { return splitter_.take_rest(); }
+
+ private:
+  bool open_file() {
+    file_ = Descriptor(open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+    struct stat status {};
+    if (!file_.open() || fstat(file_.number(), &status) != 0) return false;
+    if (S_ISDIR(status.st_mode)) {
+      errno = EISDIR;
+      return false;
+    }
+    inode_ = status.st_ino;
+    read_ = 0;
+    more_ = true;
+    if (watch_.open()) inotify_add_watch(watch_.number(), path_.c_str(), IN_MODIFY | IN_MOVE_SELF);
+    return true;
+  }
+
+  void forget_events() {
+    std::array<char, 4096> events;
+    while (watch_.open() && read(watch_.number(), events.data(), events.size()) > 0) {
+    }
+  }
+
+  void look_for_another(Received& out) {
+    struct stat open_one {
+    }, named{};
+    const bool same = stat(path_.c_str(), &named) != 0 || named.st_ino == inode_;
+    const bool cut =
+        fstat(file_.number(), &open_one) == 0 && static_cast<std::size_t>(open_one.st_size) < read_;
+    if (same && !cut) return;
+    splitter_.take_rest();
+    if (!open_file()) return;
+    out.messages.push_back(fmt::format("'{}' begins anew: what comes now is added", path_));
+    out.more = true;
+  }
+
+  std::string path_;
+  Descriptor watch_, file_;
+  ino_t inode_ = 0;
+  std::size_t read_ = 0;
+  bool more_ = true;
+  LineSplitter splitter_;
+};
+
+}  // namespace
+
+std::unique_ptr<Feed> file_feed(const std::string& path) { return std::make_unique<FileFeed>(path); }
+
+}  // namespace tramline::io

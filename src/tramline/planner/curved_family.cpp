@@ -1,0 +1,162 @@
+#include "tramline/planner/curved_family.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "tramline/cost/curved_tally.h"
+#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/extended.h"
+#include "tramline/geometry/shifted.h"
+#include "tramline/geometry/smoothed.h"
+#include "tramline/planner/family_bound.h"
+#include "tramline/planner/reference_chains.h"
+
+namespace tramline {
+namespace {
+
+TrackLimits limits_of(const Machine& machine) {
+  TrackLimits limits;
+  limits.radius_m = machine.radius_m;
+  limits.width_m = machine.width_m;
+  return limits;
+}
+
+/// Without a headland before it a hard boundary is where swaths end.
+Region fence(const SearchTask& task) {
+  const bool hard = task.settings.boundary == EdgeKind::kHard;
+  return hard ? Region{{task.field.outer, {}}} : Region{};
+}
+
+/// Of a reference that goes round the ground, anticlockwise as outer rings do.
+TrackRange tracks_inside(const Box& reach, double width_m) {
+  const double across = std::hypot(reach.width(), reach.height());
+  return {-static_cast<int>(std::ceil(0.5 * across / width_m)) - 1, 0};
+}
+
+/// Land given up within the headland stops no track: there the machine turns.
+struct HardLand {
+  Region before_tracks;
+  Region elsewhere;
+};
+
+HardLand hard_land(const SearchTask& task) {
+  const Region& headland = task.headland.ground;
+  HardLand out{task.ground.hard, task.ground.beyond};
+  if (headland.empty() || out.before_tracks.empty()) return out;
+  const Region in_headland = intersection(out.before_tracks, headland);
+  if (in_headland.empty()) return out;
+  out.before_tracks = difference(out.before_tracks, headland);
+  out.elsewhere = unite(out.elsewhere, in_headland);
+  return out;
+}
+
+/// The numbers of the tracks that may reach the ground.
+TrackRange range_of(const SearchTask& task, const CurvedCandidate& candidate) {
+  const Box reach = bounds(task.ground.plannable);
+  const double width_m = task.machine.width_m;
+  return candidate.round ? tracks_inside(reach, width_m) : tracks_over(candidate.reference, reach, width_m);
+}
+
+EndCriterion criterion_of(const SearchTask& task) {
+  return end_criterion(task.settings.end_rule, task.objective, task.machine.width_m);
+}
+
+/// Of a candidate's reference.
+std::vector<CurvedTrack> tracks_of(const SearchTask& task, const CurvedGround& ground,
+                                   const CurvedCandidate& candidate) {
+  const TrackRange range = range_of(task, candidate);
+  return curved_tracks(parallel_family(candidate.reference, range.first, range.last, limits_of(task.machine)),
+                       task.machine.width_m, ground, criterion_of(task));
+}
+
+CurvedAvoidanceTask avoidance_task(const SearchTask& task, const std::vector<CurvedTrack>& tracks) {
+  return {task.field, task.ground, task.machine, task.objective, task.settings, tracks, task.body_m2};
+}
+
+/// The pieces of a family without detours, laid track by track outwards from the reference; nullopt as soon
+/// as it is certain to cost more than `no_more_than`.
+std::optional<CurvedTracks> laid_plainly(const SearchTask& task, const CurvedGround& ground,
+                                         const CurvedCandidate& candidate, double no_more_than) {
+  const TrackRange range = range_of(task, candidate);
+  FamilyBound bound(task, candidate.reference, range);
+  CurvedTracks out;
+  bool hopeful = true;
+  const auto lay = [&](int index, std::vector<ParallelTrack> tracks) {
+    std::vector<FamilyTrack> family;
+    for (ParallelTrack& track : tracks) family.push_back({index, std::move(track)});
+    CurvedTracks more =
+        curved_pieces(family, task.machine.width_m, ground, criterion_of(task), min_length_m(task.machine));
+    std::move(more.pieces.begin(), more.pieces.end(), std::back_inserter(out.pieces));
+    std::move(more.dropped.begin(), more.dropped.end(), std::back_inserter(out.dropped));
+    hopeful = bound.after(index, out) <= no_more_than;
+    return hopeful;
+  };
+  visit_family(candidate.reference, range.first, range.last, limits_of(task.machine), lay);
+  if (!hopeful) return std::nullopt;
+  for (std::vector<CurvedPiece>* pieces : {&out.pieces, &out.dropped})
+    std::stable_sort(pieces->begin(), pieces->end(),
+                     [](const CurvedPiece& a, const CurvedPiece& b) { return a.track < b.track; });
+  return out;
+}
+
+}  // namespace
+
+Reference reference_along(const SearchTask& task, const std::vector<Point>& line, double tolerance_m) {
+  Smoothed smooth = smoothed(line, limits_of(task.machine).least_radius_m(), tolerance_m);
+  return {line, std::move(smooth.path), smooth.deviation_m,
+          distance(line.front(), line.back()) <= 2 * kSeam_m};
+}
+
+CurvedGround curved_ground(const SearchTask& task) {
+  const HardLand hard = hard_land(task);
+  return {EdgeIndex(task.ground.plannable), EdgeIndex(hard.before_tracks), EdgeIndex(fence(task)),
+          EdgeIndex(task.ground.passable), EdgeIndex(hard.elsewhere)};
+}
+
+bool asks_for_detours(const SearchTask& task) {
+  return !task.ground.hard.empty() || !task.ground.passable.empty();
+}
+
+CurvedCandidate curved_along(const SearchTask& task, const Reference& reference, double right_m) {
+  return curved_along(task, curved_ground(task), reference, right_m, std::numeric_limits<double>::infinity());
+}
+
+CurvedCandidate curved_along(const SearchTask& task, const CurvedGround& ground, const Reference& reference,
+                             double right_m, double no_more_than) {
+  CurvedCandidate out;
+  out.line = reference.line;
+  const std::optional<Path> line = shifted(reference.path, right_m, limits_of(task.machine).least_radius_m());
+  if (!line) return out;
+  const Box reach = bounds(task.ground.plannable).grown(task.machine.width_m);
+  out.reference = reference.round ? *line : extended(*line, reach).path;
+  out.round = reference.round;
+  if (asks_for_detours(task)) {
+    const std::vector<CurvedTrack> tracks = tracks_of(task, ground, out);
+    CurvedAvoided cut = all_cut(avoidance_task(task, tracks));
+    out.tracks = std::move(cut.tracks);
+    out.tally = cut.tally;
+    out.cost = cut.cost;
+  } else if (std::optional<CurvedTracks> tracks = laid_plainly(task, ground, out, no_more_than)) {
+    out.tracks = std::move(*tracks);
+    out.tally = curved_tally(out.tracks, task.machine.width_m, task.body_m2);
+    out.cost = cost(task.objective, out.tally);
+  }
+  return out;
+}
+
+CurvedCandidate with_detours(const SearchTask& task, CurvedCandidate candidate) {
+  if (candidate.tally.pieces == 0 || !asks_for_detours(task)) return candidate;
+  const std::vector<CurvedTrack> tracks = tracks_of(task, curved_ground(task), candidate);
+  const CurvedAvoidanceTask avoidance = avoidance_task(task, tracks);
+  CurvedAvoided avoided = choose_detours(avoidance);
+  candidate.encounters = encounters_in(avoidance, avoided);
+  candidate.tracks = std::move(avoided.tracks);
+  candidate.tally = avoided.tally;
+  candidate.cost = avoided.cost;
+  return candidate;
+}
+
+}  // namespace tramline

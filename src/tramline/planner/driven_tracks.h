@@ -1,0 +1,35 @@
+#pragma once
+// Curved tracks as a plan has them: in driving order, each the other way.
+
+#include <vector>
+
+#include "tramline/model/track.h"
+#include "tramline/tracks/curved_pieces.h"
+
+namespace tramline {
+
+/// How pieces are written down.
+struct Writing {
+  double width_m = 0;
+  bool curved = true;  ///< with their path, even where it is straight
+};
+
+/// The tracks as driven, and of every piece of them the part of the ground it lies in and whether it is
+/// driven against the reference.
+struct Driven {
+  std::vector<TrackPiece> pieces;  ///< in driving order
+  std::vector<int> subfields;      ///< by piece of the tracks
+  std::vector<bool> back;          ///< by piece of the tracks
+};
+
+/// Track by track, each the other way; each part of the ground by itself. What a piece is said to overlap is
+/// what it would without detours (add_overlaps()).
+Driven up_and_down(const CurvedTracks& tracks, const Region& parts, const Writing& writing);
+
+/// The part of the ground a piece lies in.
+int subfield_of(const Region& parts, const CurvedPiece& piece, double width_m);
+
+/// Precondition: not a cut.
+Passing other_side(Passing side);
+
+}  // namespace tramline

@@ -1,0 +1,182 @@
+// The evaluation while the drive goes on: what it says against evaluate() on the fixes so far.
+
+#include "tramline/coverage/live_coverage.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <random>
+#include <string>
+
+#include "coverage/logs.h"
+#include "tramline/coverage/evaluate.h"
+#include "tramline/geometry/error.h"
+
+namespace tramline::coverage {
+namespace {
+
+using namespace testing_logs;
+
+Region square(double side_m) { return {{{{0, 0}, {side_m, 0}, {side_m, side_m}, {0, side_m}}, {}}}; }
+
+/// Up and down over about 60 m, and whatever goes wrong in logs: each fault in some of them only.
+WorkLog random_log(std::mt19937_64& random) {
+  const auto chance = [&](double share) { return std::uniform_real_distribution<>(0, 1)(random) < share; };
+  std::normal_distribution<> noise(0, 0.05);
+  const bool says_work = chance(0.5), has_sections = chance(0.5), late = chance(0.5), untimed = chance(0.2),
+             two_units = chance(0.2), no_width_at_first = chance(0.2), copies = chance(0.2);
+  WorkLog out;
+  out.name = "random";
+  out.clock = Clock::kOther;
+  out.booms = {boom(4, 6), boom(4, 8), boom(4, copies ? 100 : 4)};
+  const int fixes = std::uniform_int_distribution<>(2, 160)(random);
+  const int silent = std::uniform_int_distribution<>(0, fixes)(random);
+  for (int i = 0; i < fixes; ++i) {
+    const int lane = i / 30, along = lane % 2 == 0 ? i % 30 : 29 - i % 30;
+    Fix fix = testing_logs::fix(i + (chance(0.02) ? 30 : 0), {2.0 * along + noise(random), 5.0 * lane + 2});
+    fix.work = WorkState::kUnknown;
+    fix.boom = no_width_at_first && i < silent ? -1 : chance(0.1) ? (chance(0.5) ? 1 : 2) : 0;
+    if (says_work && i >= silent) fix.work = chance(0.8) ? WorkState::kOn : WorkState::kOff;
+    if (has_sections && chance(0.9))
+      fix = with_sections(fix, i < silent ? "0000" : chance(0.9) ? "1111" : "0110");
+    if (late && chance(0.03)) fix.time_s -= 3;
+    if (untimed && chance(0.2)) fix.time_s = std::nan("");
+    if (two_units && i % 2 == 1) {
+      fix.unit = 1;
+      fix.position.y += 40;
+    }
+    fix.record = static_cast<std::size_t>(i) + 1;
+    out.fixes.push_back(fix);
+  }
+  return out;
+}
+
+WorkLog first(const WorkLog& log, std::size_t fixes) {
+  WorkLog out = log;
+  out.fixes.resize(fixes);
+  return out;
+}
+
+WorkLog head_of(WorkLog log) {
+  log.fixes.clear();
+  log.booms.clear();
+  return log;
+}
+
+/// All areas, as shares of the covered one.
+double difference(const CoverageAreas& a, const CoverageAreas& b) {
+  double out = std::max({std::abs(a.gross_m2 - b.gross_m2), std::abs(a.covered_m2 - b.covered_m2),
+                         std::abs(a.covered_inside_m2 - b.covered_inside_m2),
+                         std::abs(a.outside_m2 - b.outside_m2), std::abs(a.repeated_m2 - b.repeated_m2),
+                         std::abs(a.sliver_m2 - b.sliver_m2), std::abs(a.missed_m2 - b.missed_m2)});
+  for (std::size_t i = 0; i < a.worked_times_m2.size(); ++i)
+    out = std::max(out, std::abs(a.worked_times_m2[i] - b.worked_times_m2[i]));
+  return out / std::max(1.0, b.covered_m2);
+}
+
+unsigned long long seed() {
+  const char* told = std::getenv("TRAMLINE_SEED");
+  return told != nullptr ? std::strtoull(told, nullptr, 10) : std::random_device{}();
+}
+
+TEST(LiveCoverage, IsEvaluateAfterEveryFixWhereItSaysSoAndWhereItIsAskedTo) {
+  const auto used = seed();
+  SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(used));
+  std::mt19937_64 random(used);
+  const Region field = square(60);
+  std::size_t settled = 0, rebuilt = 0;
+  for (int round = 0; round < 60; ++round) {
+    SCOPED_TRACE(round);
+    const WorkLog log = random_log(random);
+    EvaluateSettings settings;
+    settings.strict = round % 3 == 0;
+    if (round % 4 != 0) settings.drive.width_m = 5;
+    LiveCoverage live(field, settings);
+    for (std::size_t i = 0; i < log.fixes.size(); ++i) {
+      live.add(log.fixes[i], log.booms);
+      const bool ask = i % 23 == 22 || i + 1 == log.fixes.size();
+      if (i < 1 || (i % 7 != 0 && !ask)) continue;
+      settled += live.settled() ? 1 : 0;
+      if (ask) live.settle();
+      if (!live.settled()) continue;
+      const WorkLog so_far = first(log, i + 1);
+      Coverage whole;
+      try {
+        whole = evaluate(so_far, field, settings, {});
+      } catch (const Error&) {
+        EXPECT_EQ(live.areas().covered_m2, 0) << "no width is known";
+        continue;
+      }
+      EXPECT_LT(difference(live.areas(), whole.areas), 1e-6) << "after " << i + 1 << " fixes";
+      const Coverage figures = live.figures(head_of(so_far));
+      EXPECT_EQ(figures.runs, whole.runs);
+      EXPECT_EQ(figures.warnings, whole.warnings);
+      EXPECT_EQ(figures.width_m, whole.width_m);
+      EXPECT_NEAR(figures.worked_s, whole.worked_s, 1e-9);
+      if (i + 1 < log.fixes.size()) continue;
+      const Coverage end = live.coverage(head_of(so_far));
+      EXPECT_LT(std::abs(area(end.covered) - area(whole.covered)), 1e-6 * (1 + whole.areas.covered_m2));
+      EXPECT_EQ(end.gaps.size(), whole.gaps.size());
+      EXPECT_EQ(end.lines.size(), whole.lines.size());
+    }
+    rebuilt += live.rebuilds();
+  }
+  EXPECT_GT(settled, 100U) << "the live figures are hardly ever those of evaluate()";
+  EXPECT_GT(rebuilt, 20U) << "nothing in these logs changed a judgement";
+}
+
+/// A straight drive with a fix a second, 1 m apart.
+WorkLog straight(int fixes) {
+  std::vector<Fix> out;
+  for (int i = 0; i < fixes; ++i) out.push_back(fix(i, {1.0 * i, 0}, 90));
+  return log(std::move(out), 4);
+}
+
+TEST(LiveCoverage, AreasAreCurrentAfterEveryFix) {
+  const WorkLog drive = straight(50);
+  const Region no_field;
+  LiveCoverage live(no_field, {});
+  for (std::size_t i = 0; i < drive.fixes.size(); ++i) {
+    live.add(drive.fixes[i], drive.booms);
+    ASSERT_NEAR(live.areas().covered_m2, 4.0 * static_cast<double>(i), 1e-6);
+  }
+  EXPECT_EQ(live.rebuilds(), 0U);
+  // 4 m² a second.
+  EXPECT_NEAR(live.present_m2_per_s(), 4, 1e-9);
+}
+
+TEST(LiveCoverage, FixesThatAreAllLateCostNineTimesTheirWorkAtMost) {
+  WorkLog drive = straight(3000);
+  // Each fix with an odd number comes before the one with the even number before it.
+  for (std::size_t i = 1; i + 1 < drive.fixes.size(); i += 2) std::swap(drive.fixes[i], drive.fixes[i + 1]);
+  const Region no_field;
+  LiveCoverage live(no_field, {});
+  std::size_t worked_anew = 0, before = 0;
+  for (const Fix& one : drive.fixes) {
+    live.add(one, drive.booms);
+    if (live.rebuilds() != before) worked_anew += live.fixes();
+    before = live.rebuilds();
+  }
+  EXPECT_GT(live.rebuilds(), 10U);
+  EXPECT_LE(worked_anew, 9 * drive.fixes.size());
+  live.settle();
+  EXPECT_NEAR(live.areas().covered_m2, 4.0 * 2999, 1e-3);
+}
+
+// The rate is that of the last five minutes of driving: here half of what it was before, and a break of an
+// hour does not count.
+TEST(LiveCoverage, ThePresentRate) {
+  WorkRate rate(10);
+  EXPECT_TRUE(std::isnan(rate.m2_per_s()));
+  double time_s = 0, done_m2 = 0;
+  for (int i = 0; i < 600; ++i) rate.add(time_s += 1, done_m2 += 8);
+  EXPECT_NEAR(rate.m2_per_s(), 8, 1e-9);
+  time_s += 3600;
+  for (int i = 0; i < 310; ++i) rate.add(time_s += 1, done_m2 += 4);
+  EXPECT_NEAR(rate.m2_per_s(), 4, 1e-9);
+}
+
+}  // namespace
+}  // namespace tramline::coverage

@@ -1,0 +1,135 @@
+// Plans every curated real field on one thread and says what each took and what came of it.
+//
+//   speed_real [--width W] [--headlands N] [--curved 1] [--only ID] [--repeat N]
+//
+// A line for every field, tab-separated: id, hectares, corners, obstacles, processor time in ms, cost, bound,
+// cost and bound of undivided plans, directions tried, and a sum over every number of the plan's tracks, so
+// that two builds can be compared by `diff` but for the times. Fields are planned side by side, as best_real
+// does; the last line has how many fields a second of processor time holds.
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+#include <ctime>
+#include <string>
+
+#include "real/real_fields.h"
+#include "tramline/geometry/error.h"
+#include "tramline/planner/plan_field.h"
+
+namespace tramline::testing {
+namespace {
+
+struct Request {
+  double width_m = 6;
+  int headlands = 0;
+  bool curved = false;
+  std::string only;
+  int repeat = 1;
+};
+
+struct Timed {
+  std::string row;
+  double seconds = 0;
+};
+
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// FNV-1a over the bits of numbers.
+class Sum {
+ public:
+  void add(double value) {
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    for (int i = 0; i < 64; i += 8) sum_ = (sum_ ^ ((bits >> i) & 0xff)) * 0x100000001b3;
+  }
+  std::uint64_t value() const { return sum_; }
+
+ private:
+  std::uint64_t sum_ = 0xcbf29ce484222325;
+};
+
+std::uint64_t sum_of(const Plan& plan) {
+  Sum sum;
+  for (const TrackPiece& piece : plan.pieces)
+    for (const PathSegment& segment : centre_line(piece))
+      for (const double value :
+           {segment.from.x, segment.from.y, segment.to.x, segment.to.y, segment.curvature})
+        sum.add(value);
+  for (const Encounter& encounter : plan.encounters) {
+    sum.add(static_cast<double>(encounter.chosen));
+    sum.add(encounter.left.cost);
+    sum.add(encounter.right.cost);
+  }
+  return sum.value();
+}
+
+std::size_t corners_of(const Field& field) {
+  std::size_t sum = field.outer.size();
+  for (const Obstacle& obstacle : field.obstacles) sum += obstacle.shape.outer.size();
+  return sum;
+}
+
+Timed timed(const Field& field, const Request& request) {
+  if (!request.only.empty() && field.id != request.only) return {};
+  Timed out;
+  PlanSettings settings;
+  settings.headlands = request.headlands;
+  if (request.curved) settings.shape = TrackShape::kAuto;
+  const std::string head = fmt::format("{}\t{:.2f}\t{}\t{}", field.id, 1e-4 * area(Polygon{field.outer, {}}),
+                                       corners_of(field), field.obstacles.size());
+  const double start = thread_seconds();
+  try {
+    Plan plan;
+    for (int i = 0; i < request.repeat; ++i)
+      plan = plan_field(field, {"", request.width_m, 6, -1}, {}, settings, 1);
+    out.seconds = (thread_seconds() - start) / request.repeat;
+    out.row = fmt::format("{}\t{:.1f}\t{:.17g}\t{:.17g}\t{:.17g}\t{:.17g}\t{}\t{:016x}", head,
+                          1e3 * out.seconds, plan.cost, plan.proof.bound, plan.proof.one_direction_cost,
+                          plan.proof.one_direction_bound, plan.directions_tried, sum_of(plan));
+  } catch (const Error& error) {
+    out.seconds = thread_seconds() - start;
+    out.row = fmt::format("{}\t{:.1f}\t{}", head, 1e3 * out.seconds, error.what());
+  }
+  return out;
+}
+
+int run(int argc, char** argv) {
+  const auto fields = read_real_fields();
+  if (!fields) {
+    fmt::print("skipped: no real fields in {}; set TRAMLINE_DATA\n", real_data_folder());
+    return 0;
+  }
+  Request request;
+  for (int i = 1; i + 1 < argc; i += 2) {
+    const std::string word = argv[i];
+    if (word == "--width") request.width_m = std::atof(argv[i + 1]);
+    if (word == "--headlands") request.headlands = std::atoi(argv[i + 1]);
+    if (word == "--curved") request.curved = std::atoi(argv[i + 1]) != 0;
+    if (word == "--only") request.only = argv[i + 1];
+    if (word == "--repeat") request.repeat = std::atoi(argv[i + 1]);
+  }
+  const std::vector<Timed> all =
+      for_each_field(*fields, [&](const Field& field) { return timed(field, request); });
+  double seconds = 0;
+  int count = 0;
+  for (const Timed& one : all) {
+    if (one.row.empty()) continue;
+    fmt::print("{}\n", one.row);
+    seconds += one.seconds;
+    ++count;
+  }
+  fmt::print("# {} fields in {:.2f} s of processor time: {:.1f} a second on one core\n", count, seconds,
+             count / seconds);
+  return 0;
+}
+
+}  // namespace
+}  // namespace tramline::testing
+
+int main(int argc, char** argv) { return tramline::testing::run(argc, argv); }
