@@ -25,6 +25,7 @@ std::unique_ptr<Command> make_plan_command();
 std::unique_ptr<Command> make_map_command();
 std::unique_ptr<Command> make_compare_command();
 std::unique_ptr<Command> make_evaluate_command();
+std::unique_ptr<Command> make_repair_command();
 std::unique_ptr<Command> make_watch_command();
 std::unique_ptr<Command> make_dose_command();
 std::unique_ptr<Command> make_info_command();

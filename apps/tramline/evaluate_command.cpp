@@ -37,6 +37,7 @@ constexpr const char* kExample =
     "  tramline evaluate TASKDATA.zip --log TLG00001 --json -o coverage.gpkg\n"
     "  tramline evaluate --plan plan.gpkg\n"
     "  tramline evaluate spraying.csv --plan plan.gpkg --width 24\n"
+    "  tramline evaluate spraying.csv --field field.geojson --with repair.gpkg\n"
     "Widths and work states in the log win over --width. Formats of logs: docs/logs.md.";
 
 /// The same result wherever the log lies.
@@ -54,7 +55,13 @@ class EvaluateCommand : public Command {
         "the drive: CSV, NMEA 0183, GPX, ISOXML task data (folder, zip or one time log), or points of "
         "a vector file; .gz too");
     add_field_choice(*verb, field_);
-    verb->add_option("--plan", plan_file_, "a plan file: evaluate its drive, or compare LOG with it");
+    auto* plan =
+        verb->add_option("--plan", plan_file_, "a plan file: evaluate its drive, or compare LOG with it");
+    verb->add_option("--with", with_files_,
+                     "a plan file whose drive is taken as done after LOG's, such as a repair; may be given "
+                     "again and again")
+        ->allow_extra_args(false)
+        ->excludes(plan);
     verb->add_option("--log", drive_.log.log, "which log of an ISOXML task set, such as TLG00001");
     add_drive_options(*verb, drive_);
     add_engine_options(*verb);
@@ -69,11 +76,14 @@ class EvaluateCommand : public Command {
   }
 
   int run() override {
+    if (log_file_.empty() && !with_files_.empty())
+      throw bad_input("--with adds the drive of a plan to that of a log: name the log, or use --plan");
     if (log_file_.empty() && plan_file_.empty())
       throw bad_input("name a log to evaluate, or a plan with --plan");
     if (log_file_.empty() && !field_.file.empty())
       throw bad_input("--field goes with a log; a plan is evaluated on the ground it was made for");
-    const std::vector<std::string> inputs{log_file_, field_.file, plan_file_};
+    std::vector<std::string> inputs{log_file_, field_.file, plan_file_};
+    inputs.insert(inputs.end(), with_files_.begin(), with_files_.end());
     require_writable(output_, "--output", {".gpkg"}, inputs);
     require_writable(picture_, "--picture", {".png", ".svg", ".pdf"}, inputs);
     const auto start = std::chrono::steady_clock::now();
@@ -127,9 +137,14 @@ class EvaluateCommand : public Command {
       ground = *field;
     else if (plan)
       ground = work_ground(*plan);
+    std::vector<Plan> with;
+    for (const std::string& file : with_files_) with.push_back(io::read_plan(file));
+    if (ground.ground.empty() && !with.empty()) ground = work_ground(with.front());
     const std::optional<WorkLog> as_read = plan ? std::optional(read) : std::nullopt;
     Evaluation out;
-    out.coverage = evaluated(placed_on(std::move(read), ground), ground.ground);
+    WorkLog placed = placed_on(std::move(read), ground);
+    out.coverage = evaluated(std::move(placed), ground.ground, work_of_all(with, ground.frame));
+    for (std::size_t i = 0; i < with.size(); ++i) out.with.push_back(with_files_[i]);
     out.coverage.field_id = ground.field_id;
     out.coverage.field = ground.ground;
     out.coverage.frame = ground.frame;
@@ -137,12 +152,28 @@ class EvaluateCommand : public Command {
     return out;
   }
 
-  Coverage evaluated(WorkLog log, const Region& field) const {
+  /// One plan after the other.
+  static coverage::FurtherWork work_of_all(const std::vector<Plan>& plans, const LocalFrame& frame) {
+    coverage::FurtherWork out;
+    for (const Plan& plan : plans) {
+      const int first = static_cast<int>(out.lines.size());
+      coverage::FurtherWork more = work_of(plan, frame);
+      for (coverage::WorkedStep& step : more.steps) {
+        step.run += first;
+        out.steps.push_back(std::move(step));
+      }
+      for (std::vector<Point>& line : more.lines) out.lines.push_back(std::move(line));
+    }
+    return out;
+  }
+
+  Coverage evaluated(WorkLog log, const Region& field, const coverage::FurtherWork& further = {}) const {
     ProgressLine progress(quiet_);
     const std::string what = "evaluating " + log.name;
-    return coverage::evaluate(std::move(log), field, settings(), [&](std::size_t done, std::size_t total) {
+    const auto show = [&](std::size_t done, std::size_t total) {
       progress.show(what, static_cast<int>(done), static_cast<int>(total), "fixes");
-    });
+    };
+    return coverage::evaluate(std::move(log), field, settings(), show, further);
   }
 
   /// Measured on the ground that the plan works: what is missed of it, and what lies outside it.
@@ -172,6 +203,7 @@ class EvaluateCommand : public Command {
   DriveOptions drive_;
   coverage::EvaluateSettings settings_;
   std::string log_file_, plan_file_, output_, picture_;
+  std::vector<std::string> with_files_;
   std::string engine_ = "exact";
   bool json_ = false, quiet_ = false;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "tramline/coverage/plan_steps.h"
 #include "tramline/geodesy/field_projection.h"
 #include "tramline/geodesy/placed_log.h"
 #include "tramline/geometry/error.h"
@@ -92,6 +93,22 @@ std::optional<WorkGround> work_ground(const FieldOptions& options) {
 }
 
 WorkGround work_ground(const Plan& plan) { return {plan.field.id, body_of(plan.field), plan.field.frame}; }
+
+coverage::FurtherWork work_of(const Plan& plan, const LocalFrame& frame) {
+  coverage::FurtherWork out{coverage::plan_steps(plan), {}};
+  for (coverage::WorkedStep& step : coverage::headland_steps(plan, static_cast<int>(plan.pieces.size())))
+    out.steps.push_back(std::move(step));
+  for (const TrackPiece& piece : plan.pieces) out.lines.push_back(chords(centre_line(piece)));
+  for (const HeadlandPass& pass : plan.headland.passes) out.lines.push_back(chords(pass.path));
+  if (plan.field.frame == frame) return out;
+  const BetweenFrames between(plan.field.frame, frame);
+  for (coverage::WorkedStep& step : out.steps)
+    for (coverage::Quad& quad : step.quads)
+      for (Point& p : quad) p = between(p);
+  for (std::vector<Point>& line : out.lines)
+    for (Point& p : line) p = between(p);
+  return out;
+}
 
 WorkLog placed_on(WorkLog log, WorkGround& ground) {
   if (ground.ground.empty())

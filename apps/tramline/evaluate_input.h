@@ -5,6 +5,7 @@
 #include <string>
 
 #include "field_options.h"
+#include "tramline/coverage/evaluate.h"
 #include "tramline/geometry/region.h"
 #include "tramline/model/field.h"
 #include "tramline/model/plan.h"
@@ -23,6 +24,9 @@ struct WorkGround {
 std::optional<WorkGround> work_ground(const FieldOptions& options);
 /// The field a plan was made for: all of it, headlands included.
 WorkGround work_ground(const Plan& plan);
+
+/// What a plan's pieces and headland passes work, in another frame.
+coverage::FurtherWork work_of(const Plan& plan, const LocalFrame& frame);
 
 /// The log in the frame of the ground, or in one of its own; `ground` then gets that. Throws kBadInput where
 /// no fix lies near the field, and says so where longitude and latitude seem to have changed places.

@@ -226,6 +226,7 @@ ordered_json evaluation_json(const Evaluation& evaluation) {
   out["worked_more_m2"] = number(areas.worked_times_m2[3]);
   if (has_field(coverage)) out["gaps"] = gaps_json(coverage);
   if (!coverage.slices.empty()) out["slices"] = slices_json(coverage);
+  if (!evaluation.with.empty()) out["with"] = evaluation.with;
   if (evaluation.tally) out["plan"] = tally_json(*evaluation.tally, areas);
   if (evaluation.compared) out["plan"] = compared_json(*evaluation.compared);
   out["warnings"] = coverage.warnings;
@@ -235,7 +236,10 @@ ordered_json evaluation_json(const Evaluation& evaluation) {
 
 std::string evaluation_table(const Evaluation& evaluation) {
   const Coverage& coverage = evaluation.coverage;
-  return drive_rows(coverage) + area_rows(evaluation) + gap_rows(coverage) + plan_rows(evaluation) +
+  std::string with;
+  for (const std::string& plan : evaluation.with)
+    with += fmt::format("with         the drive of {}, taken as done\n", plan);
+  return drive_rows(coverage) + with + area_rows(evaluation) + gap_rows(coverage) + plan_rows(evaluation) +
          slice_rows(coverage) +
          fmt::format("time         {:.3f} s, engine '{}'\n", evaluation.seconds, coverage.engine) +
          remark_rows(coverage);

@@ -33,6 +33,7 @@ struct Evaluation {
   bool strict = false;
   std::optional<PlanTally> tally;
   std::optional<PlanAndDone> compared;
+  std::vector<std::string> with;  ///< plans whose drive was added to the log's
   double seconds = 0;
 };
 

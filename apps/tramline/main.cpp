@@ -89,6 +89,7 @@ int main(int argc, char** argv) {
   commands.push_back(make_map_command());
   commands.push_back(make_compare_command());
   commands.push_back(make_evaluate_command());
+  commands.push_back(make_repair_command());
   commands.push_back(make_watch_command());
   commands.push_back(make_dose_command());
   commands.push_back(make_info_command());
@@ -104,7 +105,9 @@ int main(int argc, char** argv) {
     for (std::size_t i = 0; i < commands.size(); ++i)
       if (verbs[i]->parsed()) return with_output_flushed(commands[i]->run());
     std::fputs(
-        "tramline: name a verb, plan, map, compare, evaluate, watch, dose, info, check or export; see 'tramline "
+        "tramline: name a verb, plan, map, compare, evaluate, repair, watch, dose, info, check or export; "
+        "see "
+        "'tramline "
         "--help'\n",
         stderr);
     return 2;
@@ -113,11 +116,10 @@ int main(int argc, char** argv) {
   } catch (const CLI::ExtrasError&) {
     const std::string verb = argc > 1 ? argv[1] : "";
     if (!is_verb(verbs, verb)) {
-      std::fprintf(
-          stderr,
-          "tramline: there is no verb '%s': the verbs are plan, map, compare, evaluate, watch, dose, info, check "
-          "and export\n",
-          verb.c_str());
+      std::fprintf(stderr,
+                   "tramline: there is no verb '%s': the verbs are plan, map, compare, evaluate, repair, "
+                   "watch, dose, info, check and export\n",
+                   verb.c_str());
       return 2;
     }
     std::fprintf(stderr, "tramline: %s\n", unexpected_argument(verbs).c_str());

@@ -131,15 +131,18 @@ double length_typed(double value, const char* what) {
 
 }  // namespace
 
-void add_plan_options(CLI::App& verb, PlanOptions& o) {
+void add_machine_options(CLI::App& verb, PlanOptions& o, const char* least_length) {
   const char* machine = "Machine";
   verb.add_option("--width", o.width_m, "working width w, m (default 3)")->group(machine);
   verb.add_option("--radius", o.radius_m, "least turning radius, m (default 6)")->group(machine);
   verb.add_option("--machine", o.machine_file, "machine file (TOML); --width and --radius overrule it")
       ->group(machine);
-  verb.add_option("--min-length", o.min_length_m, "shortest piece worth driving, m (default 2 w)")
+  verb.add_option("--min-length", o.min_length_m,
+                  fmt::format("shortest piece worth driving, m (default {})", least_length))
       ->group(machine);
+}
 
+void add_objective_options(CLI::App& verb, PlanOptions& o) {
   const char* objective = "Objective";
   auto* weights =
       verb.add_option("--weights", o.weights, "weights of overlap (1/m²), uncovered (1/m²), turns[, stops]");
@@ -150,7 +153,11 @@ void add_plan_options(CLI::App& verb, PlanOptions& o) {
   weights->group(objective)->excludes(prices)->excludes(minimise);
   prices->group(objective)->excludes(minimise);
   minimise->group(objective);
+}
 
+void add_plan_options(CLI::App& verb, PlanOptions& o) {
+  add_machine_options(verb, o, "2 w");
+  add_objective_options(verb, o);
   const char* plan = "Plan";
   verb.add_option(
           "--strategy", o.strategy,

@@ -32,6 +32,10 @@ struct PlanOptions {
 };
 
 void add_plan_options(CLI::App& verb, PlanOptions& options);
+/// Of those only --width, --radius, --machine and --min-length, whose default is said in words.
+void add_machine_options(CLI::App& verb, PlanOptions& options, const char* least_length);
+/// Only --weights, --prices and --minimise.
+void add_objective_options(CLI::App& verb, PlanOptions& options);
 
 /// The machine file, overruled by --width, --radius and --min-length. Throws kBadInput.
 Machine machine_of(const PlanOptions& options);

@@ -35,6 +35,11 @@ std::vector<Direction> directions_of(const Plan& plan) {
   return out;
 }
 
+std::string repair_row(const Plan& plan) {
+  return fmt::format("search       lines over gaps, ends '{}', boundary {}\n", name(plan.settings.end_rule),
+                     name(plan.settings.boundary));
+}
+
 std::string ground_rows(const Plan& plan) {
   std::string out;
   out += fmt::format("field        {}\n", plan.field.id);
@@ -47,6 +52,7 @@ std::string ground_rows(const Plan& plan) {
   out += fmt::format("machine      {}{:g} m wide, turning radius {:g} m\n",
                      plan.machine.name.empty() ? "" : plan.machine.name + ", ", plan.machine.width_m,
                      plan.machine.radius_m);
+  if (is_repair(plan)) return out + repair_row(plan);
   out += fmt::format("search       {} strategy, {} directions tried, ends '{}', boundary {}\n",
                      name(plan.settings.strategy), plan.directions_tried, name(plan.settings.end_rule),
                      name(plan.settings.boundary));
@@ -65,7 +71,7 @@ std::string proof_rows(const Plan& plan) {
 
 /// Was there a search that tells what no plan undercuts?
 bool is_proven(const Plan& plan) {
-  return plan.settings.strategy == Strategy::kBest && plan.reference.empty();
+  return plan.settings.strategy == Strategy::kBest && plan.reference.empty() && !is_repair(plan);
 }
 
 /// Of tracks and headland passes; infinite where all is straight, and 0 at a kink, m.

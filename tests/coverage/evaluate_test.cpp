@@ -53,6 +53,29 @@ TEST(Evaluate, TwoPassesByHand) {
   EXPECT_DOUBLE_EQ(done.width_m, 4);
 }
 
+/// A step eastwards of 4 m width along y = 8.5 over the whole square.
+WorkedStep step_over_the_rest() {
+  return {{{Point{0, 10.5}, Point{0, 6.5}, Point{10, 6.5}, Point{10, 10.5}}}, 0, 10, 14, 0};
+}
+
+// The two passes leave y from 7 to 10; the work that follows covers that, half a metre of worked ground again
+// and half a metre beyond the field.
+TEST(Evaluate, WorkThatFollowsTheLogIsAddedToIt) {
+  const FurtherWork repair{{step_over_the_rest()}, {{{0, 8.5}, {10, 8.5}}}};
+  const Coverage before = evaluate(two_passes(), square(10), by_steps(), {});
+  const Coverage done = evaluate(two_passes(), square(10), by_steps(), {}, repair);
+  EXPECT_NEAR(done.areas.missed_m2, 0, 1e-6);
+  EXPECT_NEAR(done.areas.covered_inside_m2, 100, 1e-6);
+  EXPECT_NEAR(done.areas.outside_m2 - before.areas.outside_m2, 5, 1e-6);
+  EXPECT_NEAR(done.areas.repeated_m2 - before.areas.repeated_m2, 5, 1e-6);
+  EXPECT_NEAR(done.areas.gross_m2 - before.areas.gross_m2, 40, 1e-6);
+  EXPECT_TRUE(done.gaps.empty());
+  EXPECT_EQ(done.runs, before.runs + 1);
+  EXPECT_EQ(done.fixes_used, before.fixes_used);
+  ASSERT_EQ(done.lines.size(), before.lines.size() + 1);
+  EXPECT_EQ(done.lines.back().run, before.runs);
+}
+
 TEST(Evaluate, BySwitchingHalfWayOneMetreEitherEndIsWorked) {
   const Coverage done = evaluate(two_passes(), square(10), {}, {});
   EXPECT_NEAR(done.areas.gross_m2, 2 * 12 * 4, 1e-6);

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <string>
+
 #include "tramline/check/rules.h"
 #include "tramline/geometry/boolean.h"
 
@@ -9,20 +11,20 @@ namespace {
 
 constexpr const char* kRule = "body";
 
-void report(const Region& off, double tolerance_m2, const char* what, Violations& out) {
+void report(const Region& off, double tolerance_m2, const std::string& what, Violations& out) {
   if (const double amount = area(off); amount > tolerance_m2)
     out.push_back({kRule, fmt::format(fmt::runtime(what), amount), place_on_largest(off), amount});
 }
 
 /// The chords of body and ground are the same: nothing may be lost between the two.
-void check_parting(const Case& c, const Region& land, Violations& out) {
-  const Region& ground = c.plan.headland.ground;
-  report(intersection(c.plan.body, ground), c.area_tolerance_m2, "body and headland overlap by {:.3f} m²",
+void check_parting(const Case& c, const Region& ground, const std::string& name, const Region& land,
+                   Violations& out) {
+  report(intersection(c.plan.body, ground), c.area_tolerance_m2, "body and " + name + " overlap by {:.3f} m²",
          out);
   Region both = c.plan.body;
   both.insert(both.end(), ground.begin(), ground.end());
   report(symmetric_difference(unite(both), land), c.area_tolerance_m2,
-         "body and headland together differ from the field less its obstacles by {:.3f} m²", out);
+         "body and " + name + " together differ from the field less its obstacles by {:.3f} m²", out);
 }
 
 }  // namespace
@@ -31,6 +33,10 @@ void check_body(const Case& c, Violations& out) {
   Region obstacles;
   for (const Obstacle& obstacle : c.plan.field.obstacles) obstacles.push_back(obstacle.shape);
   const Region land = difference({{c.plan.field.outer, {}}}, unite(obstacles));
+  if (is_repair(c.plan)) {
+    check_parting(c, c.plan.worked, "worked ground", land, out);
+    return;
+  }
   if (c.near_boundaries.empty() && c.plan.headland.ground.empty()) {
     report(symmetric_difference(land, c.plan.body), c.area_tolerance_m2,
            "the body differs from the field less its obstacles by {:.3f} m²", out);
@@ -40,7 +46,7 @@ void check_body(const Case& c, Violations& out) {
            "the body differs from the field less its obstacles and headlands by {:.3f} m²", out);
     report(symmetric_difference(intersection(land, c.near_boundaries), c.plan.headland.ground), tolerance_m2,
            "the headland differs by {:.3f} m² from what its passes are there to work", out);
-    check_parting(c, land, out);
+    check_parting(c, c.plan.headland.ground, "headland", land, out);
   }
   report(difference(c.plan.given_up, c.near_boundaries.empty() ? land : c.plan.body), c.area_tolerance_m2,
          "{:.3f} m² of the land given up lie outside the body", out);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tramline/check/rules.h"
@@ -23,9 +24,15 @@ std::string wrong_gap(const Case& c, const TrackPiece& first, const TrackPiece& 
   const PieceFrame frame(first.end, second.start);
   const double half = 0.5 * c.plan.machine.width_m;
   const Box gap{-half, 0, half, frame.length()};
-  if (clipped(c.passables, frame, gap).area_m2 <= kTouch_m2) return "with no passable obstacle between";
+  const bool repair = is_repair(c.plan);
+  if (!repair && clipped(c.passables, frame, gap).area_m2 <= kTouch_m2)
+    return "with no passable obstacle between";
   const Box core = gap.grown(-kLengthTolerance_m);
   if (core.width() <= 0 || core.height() <= 0) return "";
+  if (repair && clipped(c.passables, frame, core).area_m2 > kTouch_m2) return "through an obstacle";
+  const double whole_m2 = core.width() * core.height();
+  const double inside_m2 = clipped(Polygon{c.plan.field.outer, {}}, frame, core).area_m2;
+  if (repair && whole_m2 - inside_m2 > std::max(kTouch_m2, 1e-12 * whole_m2)) return "beyond the field";
   if (clipped(c.obstacles, frame, core).area_m2 > kTouch_m2) return "through an obstacle";
   if (clipped(c.given_up, frame, core).area_m2 > kTouch_m2) return "through land given up";
   return "";

@@ -38,6 +38,19 @@ Demand demand(const Plan& plan) {
   return {};
 }
 
+/// The rings of all gaps near a straight part as those of one polygon: what lies inside counts even-odd, and
+/// gaps lie apart.
+Polygon gaps_near(const Case& c, const PieceFrame& frame, double half_m) {
+  const Box near = frame.field_box({-half_m, 0, half_m, frame.length()});
+  Polygon out;
+  for (const Polygon& gap : c.plan.body) {
+    if (!intersects(bounds(gap), near)) continue;
+    out.holes.push_back(gap.outer);
+    out.holes.insert(out.holes.end(), gap.holes.begin(), gap.holes.end());
+  }
+  return out;
+}
+
 std::string describe(const Plan& plan, std::size_t index, const Stretch& stretch) {
   const char* rule = name(plan.settings.end_rule);
   if (plan.settings.end_rule == EndRule::kCentre)
@@ -52,9 +65,9 @@ std::string describe(const Plan& plan, std::size_t index, const Stretch& stretch
 
 void check_ends(const Case& c, Violations& out) {
   const Demand asked = demand(c.plan);
+  const double allowed_m = kLengthTolerance_m + (is_repair(c.plan) ? kLeastBreak_m : 0);
   const auto report = [&](std::size_t i, const Stretch& below, Point at) {
-    if (below.length() > kLengthTolerance_m)
-      out.push_back({"ends", describe(c.plan, i, below), at, below.length()});
+    if (below.length() > allowed_m) out.push_back({"ends", describe(c.plan, i, below), at, below.length()});
   };
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
     const TrackPiece& piece = c.plan.pieces[i];
@@ -68,7 +81,9 @@ void check_ends(const Case& c, Violations& out) {
     }
     for (const PathSegment& part : straight_parts(piece)) {
       const PieceFrame frame(part.from, part.to);
-      const Stretch below = longest_below(land, frame, asked.half_m, asked.required_m);
+      const Stretch below = is_repair(c.plan) ? longest_below(gaps_near(c, frame, asked.half_m), frame,
+                                                              asked.half_m, asked.required_m)
+                                              : longest_below(land, frame, asked.half_m, asked.required_m);
       report(i, below, frame.to_field({0, 0.5 * (below.from_m + below.to_m)}));
     }
   }

@@ -43,6 +43,7 @@ void check_shapes(const Plan& plan, Violations& out) {
   for (std::size_t i = 0; i < plan.subfields.size(); ++i)
     check_polygon(plan.subfields[i].shape, fmt::format("subfield {}", i + 1), out);
   check_region(plan.body, "the body", out);
+  check_region(plan.worked, "the worked ground", out);
   check_region(plan.given_up, "the land given up", out);
   check_region(plan.overlap, "the layer overlap", out);
   check_region(plan.uncovered, "the layer uncovered", out);

@@ -44,7 +44,8 @@ void check_pieces(const Plan& plan, Violations& out);
 void check_headland(const Plan& plan, Violations& out);
 /// The body is the field less obstacles, passable ones too, and less the ground of headlands; that ground is
 /// what is nearer to a boundary than its passes are wide. Both are apart, and with the obstacles they are
-/// the field. Land given up lies within the body.
+/// the field. Land given up lies within the body. Of a repair: body and worked ground are apart, and with the
+/// obstacles they are the field.
 void check_body(const Case& c, Violations& out);
 /// Subfields part the body less land given up, plus passables, without overlapping.
 void check_subfields(const Case& c, Violations& out);
@@ -62,7 +63,8 @@ void check_swath_overlaps(const Case& c, Violations& out);
 void check_clearance(const Case& c, Violations& out);
 /// The machine can drive every detour, curve and headland pass: no arc is too tight and no heading jumps.
 void check_drivable(const Case& c, Violations& out);
-/// Each piece obeys the end rule over all its straight parts, or all along its curve.
+/// Each piece obeys the end rule over all its straight parts, or all along its curve. In a repair the ground
+/// asked for is that of any gap, and the work may go on over breaks of less than kLeastBreak_m.
 void check_ends(const Case& c, Violations& out);
 /// Where tracks follow a curve, no two pieces of a subfield lie less than the working width apart, across
 /// either of them.
@@ -73,7 +75,8 @@ void check_length(const Case& c, Violations& out);
 /// headland or land given up, and nowhere else. Returns the number of stops found.
 int check_stops(const Case& c, Violations& out);
 /// A piece after a crossing goes on in line beyond a passable, with nothing else in the gap. Where tracks
-/// follow a curve the line between two pieces is not known: the second begins ahead.
+/// follow a curve the line between two pieces is not known: the second begins ahead. In a repair what is
+/// crossed is worked ground, within the field.
 void check_crossings(const Case& c, Violations& out);
 /// Detours of curved tracks leave the line of their track and come back to it, on the side they say. They
 /// name the obstacles that are nearer to that line than half the width and the clearance, no others, and so
@@ -84,7 +87,8 @@ void check_curved_detours(const Case& c, Violations& out);
 void check_encounters(const Case& c, Violations& out);
 /// Wherever an obstacle without headland or land given up lies across a straight track, between two of its
 /// pieces, dropped ones included, there is an encounter that names it. Where a track ends for good the file
-/// does not say what would have followed: nothing is asked there. O(g·e) for g such gaps and e encounters.
+/// does not say what would have followed: nothing is asked there, nor of a repair, which decides nothing at
+/// obstacles. O(g·e) for g such gaps and e encounters.
 void check_meetings(const Case& c, Violations& out);
 /// The same along curved tracks, whose lines are those of the plan's reference.
 void check_curved_meetings(const Case& c, Violations& out);

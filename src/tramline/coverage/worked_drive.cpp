@@ -105,15 +105,29 @@ std::optional<WorkedStep> WorkedDrive::add(const Fix& fix, const std::vector<Boo
   return step;
 }
 
+void WorkedDrive::add(const FurtherWork& further) {
+  const int first = steps_.runs() + further_runs_;
+  for (WorkedStep step : further.steps) {
+    further_runs_ = std::max(further_runs_, first - steps_.runs() + step.run + 1);
+    step.run += first;
+    engine_->add(step);
+  }
+  constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < further.lines.size(); ++i)
+    further_lines_.push_back({first + static_cast<int>(i), further.lines[i], kNever, kNever});
+}
+
 void WorkedDrive::add_figures(Coverage& out, Clock clock) const {
-  out.runs = steps_.runs();
-  out.worked_s = clock == Clock::kNone ? std::numeric_limits<double>::quiet_NaN() : steps_.worked_s();
+  out.runs = steps_.runs() + further_runs_;
+  const bool timed = clock != Clock::kNone && further_runs_ == 0;
+  out.worked_s = timed ? steps_.worked_s() : std::numeric_limits<double>::quiet_NaN();
   out.areas = reported(engine_->areas(), settings_.strict);
   for (std::string& note : notes_on(steps_.breaks(), drive_)) out.warnings.push_back(std::move(note));
 }
 
 void WorkedDrive::add_regions(Coverage& out) const {
   out.lines = lines_.lines();
+  out.lines.insert(out.lines.end(), further_lines_.begin(), further_lines_.end());
   coverage::add_regions(out, *engine_, settings_);
 }
 

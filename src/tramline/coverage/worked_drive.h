@@ -49,6 +49,9 @@ class WorkedDrive {
 
   /// The step that ends at the fix; nullopt where nothing was worked. O(quads).
   std::optional<WorkedStep> add(const Fix& fix, const std::vector<Boom>& booms);
+  /// Work that follows all fixes, in runs of its own. How long it takes is not known, nor is then the time at
+  /// work. O(quads).
+  void add(const FurtherWork& further);
   CoverageAreas areas() const { return engine_->areas(); }
   const Engine& engine() const { return *engine_; }
   /// At the last fix; nullopt: not known.
@@ -66,6 +69,8 @@ class WorkedDrive {
   StepMaker steps_;
   DrivenLines lines_;
   MotionTrack motion_;
+  int further_runs_ = 0;
+  std::vector<DrivenLine> further_lines_;
 };
 
 /// Areas, and where slivers count as repeated (S3), with them so.

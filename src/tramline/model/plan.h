@@ -75,6 +75,10 @@ std::optional<TrackShape> track_shape_named(std::string_view word);
 std::optional<TrackConstruction> track_construction_named(std::string_view word);
 std::optional<Passing> passing_named(std::string_view word);
 
+/// In a repair the work goes on over worked ground that is shorter than this along a line, m: what is shorter
+/// is not worth switching off for.
+inline constexpr double kLeastBreak_m = 2;
+
 /// What a search proved about the plans it did not make. 0 where the strategy proves nothing: no cost is
 /// less.
 struct Proof {
@@ -104,7 +108,9 @@ struct Plan {
   Machine machine;
   Objective objective;
   PlanSettings settings;
-  Region body;  ///< field minus obstacles, passable ones included, minus headlands
+  Region body;  ///< field minus obstacles, passable ones included, minus headlands; of a repair: the gaps
+  Region worked;  ///< of a repair: the field minus obstacles and gaps, worked before or left for good; swaths
+                  ///< may run on over it. Empty: the plan is no repair
   Headland headland;
   Region given_up;  ///< body between clustered obstacles (b), between obstacle and edge (c), and nearer
                     ///< to an obstacle than the clearance; hard
@@ -125,6 +131,9 @@ struct Plan {
 
 /// Σ w·L − (body − uncovered + overlap), m²: 0 but for rounding, whatever the plan (S2.15).
 double identity_error_m2(const Plan& plan);
+
+/// Is it a plan for what another drive has missed?
+inline bool is_repair(const Plan& plan) { return !plan.worked.empty(); }
 
 /// Does any track?
 bool is_curved(const Plan& plan);

@@ -16,6 +16,7 @@ namespace tramline::io::plan_layers {
 inline constexpr const char* kField = "field";
 inline constexpr const char* kObstacles = "obstacles";
 inline constexpr const char* kBody = "body";
+inline constexpr const char* kWorked = "worked";  ///< only of repairs
 inline constexpr const char* kHeadland = "headland";
 inline constexpr const char* kGivenUp = "given_up";
 inline constexpr const char* kSubfields = "subfields";

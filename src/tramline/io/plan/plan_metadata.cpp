@@ -18,7 +18,7 @@ namespace tramline::io {
 namespace {
 
 constexpr const char* kFormat = "tramline plan";
-constexpr int kFormatVersion = kVersionWithHeadlands, kOldestVersion = 2;
+constexpr int kNewestVersion = kVersionWithRepairs, kOldestVersion = 2;
 constexpr const char* kInputCrs = "field.source.input_crs";
 constexpr const char* kTracks = "settings.tracks";
 
@@ -219,7 +219,7 @@ Metadata metadata_of(const Plan& plan) {
   out[kInputCrs] = plan.field.source.input_crs;
   writer(kTracks, plan.settings.tracks);
   out["format"] = kFormat;
-  out["format_version"] = std::to_string(kFormatVersion);
+  out["format_version"] = std::to_string(is_repair(plan) ? kVersionWithRepairs : kVersionWithHeadlands);
   for (const char* key : {"field.source.file", "field.source.obstacles_file", "field.source.passable_file"})
     out[key] = std::filesystem::path(out[key]).filename().string();
   // The kinds that no setting changes are written all the same: the file explains itself.
@@ -234,8 +234,8 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   if (reader.text("format") != kFormat) throw reader.wrong("format", "'tramline plan'");
   int version = 0;
   reader("format_version", version);
-  if (version < kOldestVersion || version > kFormatVersion)
-    throw reader.wrong("format_version", "2 or 3: read it with the tramline that wrote it");
+  if (version < kOldestVersion || version > kNewestVersion)
+    throw reader.wrong("format_version", "from 2 to 4: read it with the tramline that wrote it");
   each_value(plan, reader);
   reader.shift_by(offset_of(plan.field.frame));
   if (version >= kVersionWithHeadlands) each_value_since_headlands(plan, reader);

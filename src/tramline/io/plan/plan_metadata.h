@@ -11,6 +11,8 @@ namespace tramline::io {
 /// The first version with headlands and curved tracks, and so with their layers and keys. Files of the one
 /// before hold none and are read all the same.
 inline constexpr int kVersionWithHeadlands = 3;
+/// The version of repairs, which have a layer of worked ground. Other plans are written as before.
+inline constexpr int kVersionWithRepairs = 4;
 
 /// Machine, objective, settings, tally, local frame, source and remarks of a plan. The source file is
 /// named without its folder: a plan does not carry the paths of the machine it was made on. Guide line and

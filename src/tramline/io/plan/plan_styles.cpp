@@ -137,7 +137,7 @@ std::string encounters_style() {
 
 std::vector<LayerStyle> styles_of(const Plan& plan) {
   namespace layers = plan_layers;
-  return {
+  std::vector<LayerStyle> out{
       {layers::kField, "the outer boundary", fill_style(qml::simple_edge(kFieldEdge, mm(2.2)))},
       {layers::kObstacles, "obstacles and passable strips", obstacles_style()},
       {layers::kBody, "what the tracks have to cover", fill_style(qml::simple_edge(kFaintInk, mm(1), "dot"))},
@@ -155,6 +155,10 @@ std::vector<LayerStyle> styles_of(const Plan& plan) {
        qml::document(Shape::kLine,
                      {{"", "", symbol(Shape::kLine, {qml::simple_line(kDroppedColour, mm(1.8), "dash")})}})},
       {layers::kEncounters, "where tracks meet obstacles", encounters_style()}};
+  if (is_repair(plan))
+    out.push_back({layers::kWorked, "worked before, or left for good",
+                   fill_style(qml::simple_fill(kCoveredColour, kCoveredEdge, mm(1)))});
+  return out;
 }
 
 }  // namespace tramline::io

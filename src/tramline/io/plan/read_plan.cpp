@@ -266,6 +266,7 @@ PlanFile read_plan_file(const fs::path& path) {
 
   read_field(file, path, out);
   read_region(file, layers::kBody, out.plan.body, out);
+  if (version >= kVersionWithRepairs) read_region(file, layers::kWorked, out.plan.worked, out);
   if (version >= kVersionWithHeadlands) read_headland(file, out);
   read_region(file, layers::kGivenUp, out.plan.given_up, out);
   read_subfields(file, out);

@@ -147,6 +147,7 @@ void write_metadata(GDALDataset& file, const Plan& plan) {
 void write_layers(const Target& target, const Plan& plan) {
   write_field(target, plan.field);
   write_region(target, layers::kBody, plan.body);
+  if (is_repair(plan)) write_region(target, layers::kWorked, plan.worked);
   write_region(target, layers::kHeadland, plan.headland.ground);
   write_region(target, layers::kGivenUp, plan.given_up);
   write_subfields(target, plan);

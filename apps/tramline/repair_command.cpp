@@ -1,0 +1,179 @@
+// tramline repair: what a drive has missed in, passes over it out.
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "command.h"
+#include "field_options.h"
+#include "many_fields.h"
+#include "output_names.h"
+#include "output_target.h"
+#include "plan_options.h"
+#include "progress.h"
+#include "repair_report.h"
+#include "report_parts.h"
+#include "tramline/geometry/error.h"
+#include "tramline/io/coverage/read_coverage.h"
+#include "tramline/io/plan/write_plan.h"
+#include "tramline/model/limits.h"
+#include "tramline/planner/validate_request.h"
+#include "tramline/render/draw_plan.h"
+
+namespace tramline::app {
+namespace {
+
+constexpr const char* kAbout =
+    "Plan passes over what a drive has missed, from the coverage file of 'tramline evaluate'";
+constexpr const char* kExample =
+    "Example:\n"
+    "  tramline evaluate spraying.csv --field field.geojson --width 24 -o coverage.gpkg\n"
+    "  tramline repair coverage.gpkg --width 24 --radius 8 -o repair.gpkg --picture repair.png\n"
+    "  tramline evaluate spraying.csv --field field.geojson --width 24 --with repair.gpkg\n"
+    "Swaths stay in the field and out of obstacles, and run on over worked ground; between two gaps on a "
+    "line "
+    "the\n"
+    "work is off. Without -o and --picture nothing is written.";
+
+/// One connected part of the field that was evaluated, with its obstacles, and what was missed there.
+struct GapField {
+  Field field;
+  std::vector<Gap> gaps;
+  Region missed;
+};
+
+Field field_of(const Coverage& coverage, std::size_t part, const std::string& file) {
+  const Polygon& ground = coverage.field[part];
+  Field field;
+  field.id = coverage.field_id.empty() ? "field" : coverage.field_id;
+  if (part > 0) field.id += fmt::format("#{}", part + 1);
+  field.outer = oriented(ground).outer;
+  for (std::size_t i = 0; i < ground.holes.size(); ++i)
+    field.obstacles.push_back({oriented({ground.holes[i], {}}), ObstacleKind::kObstacle,
+                               fmt::format("hole {} of the field in {}", i + 1, file)});
+  field.frame = coverage.frame;
+  field.source.file = file;
+  field.source.layer = "field";
+  field.source.part = static_cast<int>(part);
+  return field;
+}
+
+std::vector<GapField> gap_fields(const Coverage& coverage, const std::string& file) {
+  std::vector<GapField> out;
+  for (std::size_t i = 0; i < coverage.field.size(); ++i) {
+    GapField part{field_of(coverage, i, file), {}, {}};
+    for (const Gap& gap : coverage.gaps)
+      if (contains(coverage.field[i], gap.centre)) part.gaps.push_back(gap);
+    const Box box = bounds(coverage.field[i]);
+    for (const Polygon& missed : coverage.missed)
+      if (intersects(bounds(missed), box) &&
+          (coverage.field.size() == 1 || contains(part.field.outer, missed.outer.front())))
+        part.missed.push_back(missed);
+    out.push_back(std::move(part));
+  }
+  return out;
+}
+
+class RepairCommand : public Command {
+ public:
+  CLI::App* setup(CLI::App& app) override {
+    CLI::App* verb = app.add_subcommand("repair", kAbout);
+    verb->footer(kExample);
+    verb->add_option("COVERAGE", coverage_file_, "what a drive has worked: written by tramline evaluate -o")
+        ->required();
+    add_machine_options(*verb, options_, "0");
+    add_objective_options(*verb, options_);
+    verb->add_option("--min-area", min_area_m2_, "missed ground smaller than this is ignored, and listed, m²")
+        ->capture_default_str();
+    verb->add_option("--end-rule", end_rule_,
+                     "where swaths end on worked ground: cover, cheapest, centre or inside")
+        ->capture_default_str();
+    verb->add_option("-o,--output", output_, "write the plan to this GeoPackage (.gpkg)");
+    verb->add_option("--picture", picture_, "draw the plan to this .png, .svg or .pdf");
+    verb->add_option("--threads", threads_, "threads to use (default: all cores)")
+        ->check(CLI::Range(0, 1024));
+    verb->add_flag("--json", json_, "print one JSON object per field");
+    verb->add_flag("--quiet", quiet_, "no progress, no table");
+    return verb;
+  }
+
+  int run() override {
+    const RepairTerms terms = terms_typed();
+    require_writable(output_, "--output", {".gpkg"}, {coverage_file_, options_.machine_file});
+    require_writable(picture_, "--picture", {".png", ".svg", ".pdf"},
+                     {coverage_file_, options_.machine_file});
+    const Coverage coverage = io::read_coverage(coverage_file_);
+    if (coverage.field.empty())
+      throw bad_input(coverage_file_ +
+                      " was evaluated without a field, so that nothing counts as missed: give 'tramline "
+                      "evaluate' the field with --field");
+    if (coverage.gaps.empty())
+      throw bad_input(coverage_file_ + ": nothing of the field was missed, there is nothing to repair");
+    const std::vector<GapField> fields = gap_fields(coverage, coverage_file_);
+    Outputs outputs{{output_, fields.size() > 1}, {picture_, fields.size() > 1}};
+    if (fields.size() == 1) {
+      repair(fields.front(), terms, outputs);
+      return 0;
+    }
+    FieldInput input;
+    for (const GapField& field : fields) input.fields.push_back(field.field);
+    return work_on_many_fields(input, {json_, quiet_, "repaired"}, [&](const Field& field) {
+      repair(fields[static_cast<std::size_t>(field.source.part)], terms, outputs);
+    });
+  }
+
+ private:
+  struct Outputs {
+    OutputNames plans, pictures;
+  };
+
+  RepairTerms terms_typed() const {
+    RepairTerms out{machine_of(options_), objective_of(options_), EndRule::kCover};
+    if (!options_.min_length_m && out.machine.min_length_m < 0) out.machine.min_length_m = 0;
+    const std::optional<EndRule> rule = end_rule_named(end_rule_);
+    if (!rule)
+      throw bad_input(fmt::format("--end-rule takes cover, cheapest, centre or inside, not '{}'", end_rule_));
+    out.end_rule = *rule;
+    PlanSettings settings;
+    settings.end_rule = out.end_rule;
+    validate_request(out.machine, out.objective, settings);
+    if (!(min_area_m2_ > 0 && min_area_m2_ <= kFarthest_m))
+      throw bad_input(
+          fmt::format("--min-area must be more than 0 and at most {} m², not {}", kFarthest_m, min_area_m2_));
+    return out;
+  }
+
+  void repair(const GapField& part, const RepairTerms& terms, Outputs& outputs) const {
+    const auto start = std::chrono::steady_clock::now();
+    const RepairPlan done = repaired(part, terms);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    if (!output_.empty()) io::write_plan(done.plan, outputs.plans.next(part.field.id));
+    if (!picture_.empty()) render::draw_plan(done.plan, outputs.pictures.next(part.field.id));
+    if (json_)
+      fmt::print("{}\n", json_line(repair_json(done, min_area_m2_, elapsed.count())));
+    else if (!quiet_)
+      fmt::print("{}", repair_table(done, min_area_m2_, elapsed.count()));
+  }
+
+  RepairPlan repaired(const GapField& part, const RepairTerms& terms) const {
+    ProgressLine progress(quiet_);
+    return repair_plan(
+        part.field, part.gaps, part.missed, terms, min_area_m2_, threads_,
+        [&](int done, int total) { progress.show("repairing " + part.field.id, done, total, "grounds"); });
+  }
+
+  PlanOptions options_;
+  std::string coverage_file_, end_rule_ = "cover", output_, picture_;
+  double min_area_m2_ = 1;
+  int threads_ = 0;
+  bool json_ = false, quiet_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_repair_command() { return std::make_unique<RepairCommand>(); }
+
+}  // namespace tramline::app

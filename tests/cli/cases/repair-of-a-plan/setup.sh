@@ -1,0 +1,1 @@
+"$TRAMLINE" plan "$EXAMPLES/riverside.geojson" --width 12 --strategy sweep --quiet -o "$INPUT/plan.gpkg"

@@ -1,0 +1,1 @@
+"$TRAMLINE" evaluate "$EXAMPLES/riverside-drive.csv" --quiet -o "$INPUT/coverage.gpkg"

@@ -1,0 +1,70 @@
+// What five harvesters missed, repaired with machines of two widths: the plans hold, and log and repair
+// together leave nothing of a square metre but what is listed.
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+
+#include "real/real_fields.h"
+#include "real/real_logs.h"
+#include "tramline/check/verify.h"
+#include "tramline/coverage/evaluate.h"
+#include "tramline/coverage/plan_steps.h"
+#include "tramline/planner/repair_plan.h"
+
+namespace tramline::testing {
+namespace {
+
+struct Harvest {
+  const char* log;
+  const char* partfield;
+};
+
+constexpr Harvest kHarvests[] = {{"isoxml_sh2020_TLG00001.csv", "iso-timelogs/ValidTimeLogs-PFD-2"},
+                                 {"isoxml_sh2020_TLG00002.csv", "iso-timelogs/ValidTimeLogs-PFD-3"},
+                                 {"isoxml_sh2020_TLG00003.csv", "iso-timelogs/ValidTimeLogs-PFD-4"},
+                                 {"isoxml_sh2020_TLG00005.csv", "iso-timelogs/ValidTimeLogs-PFD-6"},
+                                 {"isoxml_sh2020_TLG00008.csv", "iso-timelogs/ValidTimeLogs-PFD-8"}};
+
+class RealRepairs : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    fields_ = read_real_fields();
+    if (!fields_) GTEST_SKIP() << "no real data in " << real_data_folder();
+  }
+
+  std::optional<RealFields> fields_;
+};
+
+TEST_F(RealRepairs, LogAndRepairTogetherLeaveOnlyWhatIsListed) {
+  constexpr double kMinArea_m2 = 1;
+  for (const Harvest& harvest : kHarvests) {
+    const Field field = field_named(*fields_, harvest.partfield);
+    const Region ground = ground_of(field);
+    const WorkLog log = real_log(harvest.log, field.frame);
+    coverage::EvaluateSettings settings;
+    const Coverage before = coverage::evaluate(log, ground, settings, {});
+    for (const double width_m : {9.0, 5.0}) {
+      SCOPED_TRACE(std::string(harvest.log) + ", w = " + std::to_string(width_m));
+      RepairTerms terms;
+      terms.machine.width_m = width_m;
+      const RepairPlan repair = repair_plan(field, before.gaps, before.missed, terms, kMinArea_m2, 0, {});
+      const check::Verdict verdict = check::verify(repair.plan);
+      for (const check::Violation& violation : verdict.violations)
+        ADD_FAILURE() << violation.rule << ": " << violation.what;
+
+      const coverage::FurtherWork drive{coverage::plan_steps(repair.plan), {}};
+      const Coverage after = coverage::evaluate(log, ground, settings, {}, drive);
+      EXPECT_NEAR(after.areas.missed_m2, repair.missed_after_m2, 0.1);
+      EXPECT_LT(after.areas.missed_m2, 0.05 * before.areas.missed_m2);
+      double listed_m2 = 0, left_m2 = 0;
+      for (const LeftGap& gap : repair.unreachable) listed_m2 += gap.area_m2;
+      for (const Gap& gap : after.gaps) left_m2 += gap.area_m2 >= 1.001 * kMinArea_m2 ? gap.area_m2 : 0;
+      EXPECT_LE(left_m2, listed_m2 + 0.1);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tramline::testing
