@@ -27,6 +27,7 @@ std::unique_ptr<Command> make_compare_command();
 std::unique_ptr<Command> make_evaluate_command();
 std::unique_ptr<Command> make_repair_command();
 std::unique_ptr<Command> make_watch_command();
+std::unique_ptr<Command> make_dose_command();
 std::unique_ptr<Command> make_info_command();
 std::unique_ptr<Command> make_check_command();
 std::unique_ptr<Command> make_export_command();

@@ -91,6 +91,7 @@ int main(int argc, char** argv) {
   commands.push_back(make_evaluate_command());
   commands.push_back(make_repair_command());
   commands.push_back(make_watch_command());
+  commands.push_back(make_dose_command());
   commands.push_back(make_info_command());
   commands.push_back(make_check_command());
   commands.push_back(make_export_command());
@@ -104,8 +105,8 @@ int main(int argc, char** argv) {
     for (std::size_t i = 0; i < commands.size(); ++i)
       if (verbs[i]->parsed()) return with_output_flushed(commands[i]->run());
     std::fputs(
-        "tramline: name a verb, plan, map, compare, evaluate, repair, watch, info, check or export; see "
-        "'tramline "
+        "tramline: name a verb, plan, map, compare, evaluate, repair, watch, dose, info, check or export; "
+        "see 'tramline "
         "--help'\n",
         stderr);
     return 2;
@@ -116,7 +117,7 @@ int main(int argc, char** argv) {
     if (!is_verb(verbs, verb)) {
       std::fprintf(stderr,
                    "tramline: there is no verb '%s': the verbs are plan, map, compare, evaluate, repair, "
-                   "watch, info, check "
+                   "watch, dose, info, check "
                    "and export\n",
                    verb.c_str());
       return 2;

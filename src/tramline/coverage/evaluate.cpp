@@ -66,8 +66,14 @@ std::optional<tbb::global_control> thread_limit(int threads) {
 
 }  // namespace
 
+double working_width_m(const WorkLog& log, const DriveSettings& drive) {
+  const double width_m = widest_m(log, drive);
+  if (!(width_m > 0)) throw bad_input(log.name + " does not say how wide the machine worked: give --width");
+  return width_m;
+}
+
 Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& settings,
-                  const FixProgress& progress, const FurtherWork& further) {
+                  const FixProgress& progress, const StepSink& sink, const FurtherWork& further) {
   if (given.fixes.size() < 2)
     throw bad_input(fmt::format("{} has {} with a position: no ground is worked without two", given.name,
                                 given.fixes.empty() ? "no fix" : "one fix"));
@@ -75,15 +81,14 @@ Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& se
   Coverage out;
   PreparedLog ready = prepared(std::move(given), settings.drive);
   WorkLog& log = ready.log;
-  if (!(ready.width_m > 0))
-    throw bad_input(log.name + " does not say how wide the machine worked: give --width");
   out.warnings = ready.warnings;
-  out.width_m = ready.width_m;
+  out.width_m = working_width_m(log, settings.drive);
   WorkedDrive drive(field, settings, ready.drive, out.width_m, most_sections(log.booms));
   Slices slices(settings.slice, drive.engine());
   const auto start = std::chrono::steady_clock::now();
   for (std::size_t i = 0; i < log.fixes.size(); ++i) {
-    drive.add(log.fixes[i], log.booms);
+    const std::optional<WorkedStep> step = drive.add(log.fixes[i], log.booms);
+    if (step && sink) sink(*step);
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
     slices.add(i + 1, i + 1 == log.fixes.size(), spent.count() - slices.regions_s());
     if (progress && i % kProgressEvery == 0) progress(i, log.fixes.size());

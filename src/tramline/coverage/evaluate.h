@@ -19,6 +19,7 @@ struct EvaluateSettings {
   bool strict = false;    ///< slivers count as repeated, as in S3
   std::size_t slice = 0;  ///< figures after every so many fixes; 0: none
   bool shapes = true;     ///< covered and repeated ground and how often it was worked, as regions too
+  bool covered = false;   ///< covered ground as a region where shapes are not asked for
   int threads = 0;        ///< 0: all; the result is the same
 };
 
@@ -31,13 +32,20 @@ struct FurtherWork {
   std::vector<std::vector<Point>> lines{};  ///< the way of each run
 };
 
+/// Takes the steps of a drive as they are worked.
+using StepSink = std::function<void(const WorkedStep&)>;
+
+/// The widest the machine was at any fix, or DriveSettings::width_m. Throws kBadInput where no width is
+/// known. O(fixes).
+double working_width_m(const WorkLog& log, const DriveSettings& drive);
+
 /// What a log's drive worked of the field. Fixes are taken in order of time. `field`: what was to be worked,
 /// local metres, oriented; empty: no field, and nothing missed. Field id, frame and what readers skipped are
-/// the caller's. Throws kBadInput where no width is known, or fewer than two fixes are left. O(fixes) and the
-/// regions. `further`: work done after the log, on the same ground, in runs of its own; slices know nothing
-/// of it. Precondition: local positions.
+/// the caller's. `sink` gets every step too. `further`: work done after the log, on the same ground, in runs of
+/// its own; sink and slices know nothing of it. Throws kBadInput where no width is known, or fewer than two
+/// fixes are left. O(fixes) and the regions. Precondition: local positions.
 Coverage evaluate(WorkLog log, const Region& field, const EvaluateSettings& settings,
-                  const FixProgress& progress, const FurtherWork& further = {});
+                  const FixProgress& progress, const StepSink& sink = {}, const FurtherWork& further = {});
 
 /// The same for steps that are known, such as those of a plan (plan_steps.h). `width_m`: of most.
 Coverage evaluate(const std::vector<WorkedStep>& steps, double width_m, const Region& field,

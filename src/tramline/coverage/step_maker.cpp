@@ -36,13 +36,11 @@ bool has(const Boom& boom, const Section& section) {
 }
 
 /// Switched half way; a run of sections that works on both sides is one quad.
-std::vector<Quad> switched_half_way(const Bar& rear, const Bar& front, const Boom& before,
-                                    const Boom& after) {
-  std::vector<Quad> out;
-  for (const Section& section : before)
-    out.push_back(between(rear, front, section, 0, has(after, section) ? 1 : 0.5));
+std::vector<QuadOrigin> switched_half_way(const Boom& before, const Boom& after) {
+  std::vector<QuadOrigin> out;
+  for (const Section& section : before) out.push_back({section, 0, has(after, section) ? 1 : 0.5});
   for (const Section& section : after)
-    if (!has(before, section)) out.push_back(between(rear, front, section, 0.5, 1));
+    if (!has(before, section)) out.push_back({section, 0.5, 1});
   return out;
 }
 
@@ -76,7 +74,12 @@ Point StepMaker::middle(const End& end, Heading heading) const {
          settings_.antenna_right_m * left;
 }
 
-std::vector<Quad> StepMaker::quads(const End& from, const End& to) const {
+struct StepMaker::Bars {
+  Bar rear;
+  Bar front;
+};
+
+StepMaker::Bars StepMaker::bars(const End& from, const End& to) const {
   Heading rear = from.heading ? *from.heading : *to.heading;
   Heading front = *to.heading;
   if (settings_.quads == QuadShape::kSegment) {
@@ -84,16 +87,23 @@ std::vector<Quad> StepMaker::quads(const End& from, const End& to) const {
     const bool back = reverses(front, course);
     rear = front = back ? Heading::from_to(to.antenna, from.antenna) : course;
   }
-  const Bar rear_bar{middle(from, rear), left_of(rear)};
-  const Bar front_bar{middle(to, front), left_of(front)};
-  const Boom& after = settings_.switching == Switching::kStep ? from.working : to.working;
-  return switched_half_way(rear_bar, front_bar, from.working, after);
+  return {{middle(from, rear), left_of(rear)}, {middle(to, front), left_of(front)}};
 }
 
 std::optional<WorkedStep> StepMaker::step(Unit& unit, const End& to) {
   const End& from = *unit.last;
-  std::vector<Quad> worked = quads(from, to);
-  if (worked.empty()) return std::nullopt;
+  WorkedStep out;
+  const Boom& after = settings_.switching == Switching::kStep ? from.working : to.working;
+  out.origins = switched_half_way(from.working, after);
+  if (out.origins.empty()) return std::nullopt;
+  const Bars ends = bars(from, to);
+  out.quads.reserve(out.origins.size());
+  for (const QuadOrigin& origin : out.origins)
+    out.quads.push_back(between(ends.rear, ends.front, origin.section, origin.from, origin.until));
+  out.way_m = distance(ends.rear.middle, ends.front.middle);
+  out.seconds = from.stood_s + to.time_s - from.time_s;
+  out.rate_before_per_ha = from.rate_per_ha;
+  out.rate_after_per_ha = to.rate_per_ha;
   if (unit.run < 0) {
     unit.run = runs_++;
     unit.travel_m = 0;
@@ -104,14 +114,17 @@ std::optional<WorkedStep> StepMaker::step(Unit& unit, const End& to) {
   // Units that work side by side work the same time.
   worked_s_ += std::max(0.0, to.time_s - std::max(from.time_s, worked_until_s_));
   worked_until_s_ = std::fmax(worked_until_s_, to.time_s);
-  return WorkedStep{std::move(worked), unit.run, unit.travel_m,
-                    step_m + std::max(span_m(from.working), span_m(to.working)), fixes_ - 1};
+  out.run = unit.run;
+  out.travel_m = unit.travel_m;
+  out.reach_m = step_m + std::max(span_m(from.working), span_m(to.working));
+  out.fix = fixes_ - 1;
+  return out;
 }
 
 std::optional<WorkedStep> StepMaker::add(const Fix& fix, const std::vector<Boom>& booms) {
   ++fixes_;
   Unit& unit = units_[fix.unit];
-  End to{fix.time_s, fix.position, std::nullopt, working_at(fix, booms)};
+  End to{fix.time_s, fix.position, std::nullopt, working_at(fix, booms), fix.rate_per_ha};
   joined_ = unit.last && joins(*unit.last, to);
   if (!joined_) unit = Unit{};
   const bool recorded = !std::isnan(fix.heading.degrees());
@@ -126,7 +139,9 @@ std::optional<WorkedStep> StepMaker::add(const Fix& fix, const std::vector<Boom>
   const bool needs_way = settings_.quads == QuadShape::kSegment || !recorded;
   const bool too_short = needs_way && distance(unit.last->antenna, to.antenna) < kLeastStep_m;
   if (!to.heading || too_short) {
+    if (!unit.last->working.empty()) unit.last->stood_s += to.time_s - unit.last->time_s;
     unit.last->time_s = to.time_s;
+    unit.last->rate_per_ha = to.rate_per_ha;
     unit.last->working = std::move(to.working);
     if (unit.last->working.empty()) unit.run = -1;
     return std::nullopt;

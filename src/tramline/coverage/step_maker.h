@@ -78,6 +78,8 @@ class StepMaker {
     Point antenna;
     std::optional<Heading> heading;
     Boom working;
+    double rate_per_ha = std::numeric_limits<double>::quiet_NaN();
+    double stood_s = 0;  ///< at work, and not driven from there
   };
   struct Unit {
     std::optional<End> last;
@@ -89,7 +91,8 @@ class StepMaker {
   Boom working_at(const Fix& fix, const std::vector<Boom>& booms);
   bool joins(const End& from, const End& to);
   Point middle(const End& end, Heading heading) const;
-  std::vector<Quad> quads(const End& from, const End& to) const;
+  struct Bars;
+  Bars bars(const End& from, const End& to) const;
   std::optional<WorkedStep> step(Unit& unit, const End& to);
 
   DriveSettings settings_;

@@ -15,14 +15,6 @@
 namespace tramline::coverage {
 namespace {
 
-/// The widest the machine was at any fix, NaN where nothing is known.
-double width_of(const WorkLog& log, const DriveSettings& drive) {
-  double width_m = drive.width_m;
-  for (const Fix& fix : log.fixes)
-    if (fix.boom >= 0) width_m = std::fmax(width_m, span_m(log.booms[static_cast<std::size_t>(fix.boom)]));
-  return width_m;
-}
-
 std::vector<std::string> notes_on(const Breaks& breaks, const DriveSettings& drive) {
   std::vector<std::string> out;
   if (breaks.gaps > 0)
@@ -46,6 +38,13 @@ void add_shapes(Coverage& coverage, const Engine& engine, bool strict) {
 }
 
 }  // namespace
+
+double widest_m(const WorkLog& log, const DriveSettings& drive) {
+  double width_m = drive.width_m;
+  for (const Fix& fix : log.fixes)
+    if (fix.boom >= 0) width_m = std::fmax(width_m, span_m(log.booms[static_cast<std::size_t>(fix.boom)]));
+  return width_m;
+}
 
 double span_m(const Boom& boom) {
   double left_m = -std::numeric_limits<double>::infinity();
@@ -75,7 +74,7 @@ PreparedLog prepared(WorkLog log, const DriveSettings& drive) {
     out.warnings.push_back(note_on_disorder(disorder));
   }
   out.drive.unknown_works = !says_work(out.log);
-  out.width_m = width_of(out.log, drive);
+  out.width_m = widest_m(out.log, drive);
   return out;
 }
 
@@ -87,6 +86,7 @@ CoverageAreas reported(CoverageAreas areas, bool strict) {
 void add_regions(Coverage& out, const Engine& engine, const EvaluateSettings& settings) {
   out.missed = engine.region(Ground::kMissed);
   out.gaps = gaps_of(out.missed);
+  if (settings.covered && !settings.shapes) out.covered = engine.region(Ground::kCovered);
   if (settings.shapes) add_shapes(out, engine, settings.strict);
 }
 
@@ -97,11 +97,12 @@ WorkedDrive::WorkedDrive(const Region& field, const EvaluateSettings& settings, 
       engine_(make_engine(settings.engine, field, width_m, sections, settings.mesh_m)),
       steps_(drive) {}
 
-void WorkedDrive::add(const Fix& fix, const std::vector<Boom>& booms) {
-  const std::optional<WorkedStep> step = steps_.add(fix, booms);
+std::optional<WorkedStep> WorkedDrive::add(const Fix& fix, const std::vector<Boom>& booms) {
+  std::optional<WorkedStep> step = steps_.add(fix, booms);
   if (step) engine_->add(*step);
   lines_.add(fix, steps_.place(), steps_.joined(), step);
   motion_.add(fix, steps_.place(), steps_.heading(), steps_.joined());
+  return step;
 }
 
 void WorkedDrive::add(const FurtherWork& further) {

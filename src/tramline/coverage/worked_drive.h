@@ -28,6 +28,9 @@ struct PreparedLog {
 /// Precondition: local positions. O(n log n).
 PreparedLog prepared(WorkLog log, const DriveSettings& drive);
 
+/// The widest the machine is at any fix, or DriveSettings::width_m; NaN where nothing is known. O(fixes).
+double widest_m(const WorkLog& log, const DriveSettings& drive);
+
 /// That so many fixes were late.
 std::string note_on_disorder(std::size_t fixes);
 
@@ -44,8 +47,8 @@ class WorkedDrive {
   WorkedDrive(const Region& field, const EvaluateSettings& settings, const DriveSettings& drive,
               double width_m, std::size_t sections);
 
-  /// O(quads).
-  void add(const Fix& fix, const std::vector<Boom>& booms);
+  /// The step that ends at the fix; nullopt where nothing was worked. O(quads).
+  std::optional<WorkedStep> add(const Fix& fix, const std::vector<Boom>& booms);
   /// Work that follows all fixes, in runs of its own. How long it takes is not known, nor is then the time at
   /// work. O(quads).
   void add(const FurtherWork& further);

@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "tramline/geometry/point.h"
+#include "tramline/model/work_log.h"
 
 namespace tramline::coverage {
 
@@ -14,6 +16,13 @@ namespace tramline::coverage {
 /// with the heading. It may cross itself where the machine turns on the spot (a bow-tie: two triangles, both
 /// worked), be run through in either sense where it reverses, and be empty where it stands.
 using Quad = std::array<Point, 4>;
+
+/// What worked a quad: a run of sections, and the part of the step's time in which it did.
+struct QuadOrigin {
+  Section section;  ///< metres left of the machine's middle
+  double from = 0;  ///< shares of the step
+  double until = 1;
+};
 
 /// One step of the drive. Frame: local metres.
 struct WorkedStep {
@@ -24,6 +33,13 @@ struct WorkedStep {
   /// run whose travel_m is within that are not worked again by what they share with this one.
   double reach_m = 0;
   std::size_t fix = 0;  ///< index of the fix at the step's front
+
+  // What the amount that was applied follows from; not known of the steps of a plan.
+  std::vector<QuadOrigin> origins = {};                       ///< as many as quads
+  double way_m = std::numeric_limits<double>::quiet_NaN();    ///< of the middle of what works
+  double seconds = std::numeric_limits<double>::quiet_NaN();  ///< with the work on, standing before it too
+  double rate_before_per_ha = std::numeric_limits<double>::quiet_NaN();  ///< logged where it begins
+  double rate_after_per_ha = std::numeric_limits<double>::quiet_NaN();   ///< logged where it ends
 };
 
 }  // namespace tramline::coverage

@@ -33,12 +33,18 @@ using SectionStates = std::bitset<kMostSections>;
 
 enum class WorkState : std::uint8_t { kUnknown, kOff, kOn };
 
+/// What applied amounts are counted in.
+enum class AmountUnit : std::uint8_t { kUnknown, kLitres, kKilograms, kSeeds };
+/// "l", "kg", "seeds"; "" where it is not known.
+const char* name(AmountUnit unit);
+
 /// One record of a log. What was not recorded is NaN, unknown or -1.
 struct Fix {
   double time_s = std::numeric_limits<double>::quiet_NaN();  ///< see WorkLog::clock
   Point position;                                            ///< see WorkLog::positions
   Heading heading;                                           ///< NaN: not recorded
   double speed_mps = std::numeric_limits<double>::quiet_NaN();
+  double rate_per_ha = std::numeric_limits<double>::quiet_NaN();  ///< applied, in WorkLog::rate_unit
   int boom = -1;  ///< which of WorkLog::booms; -1: the log does not say how wide the machine worked
   WorkState work = WorkState::kUnknown;
   bool has_sections = false;  ///< the states of sections are known
@@ -83,7 +89,8 @@ struct WorkLog {
   std::string name;  ///< file, and the log within it: "TASKDATA.zip/TLG00001"
   Positions positions = Positions::kLonLat;
   Clock clock = Clock::kNone;
-  std::vector<Boom> booms;  ///< each different one once
+  AmountUnit rate_unit = AmountUnit::kUnknown;  ///< of Fix::rate_per_ha
+  std::vector<Boom> booms;                      ///< each different one once
   std::vector<Fix> fixes;
   SkippedRecords skipped;
   std::vector<std::string> notes;  ///< what the reader assumed, one sentence each

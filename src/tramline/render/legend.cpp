@@ -172,18 +172,28 @@ std::vector<double> heights_of(const std::vector<LegendBlock>& blocks) {
   return out;
 }
 
-void draw_legend(Canvas& canvas, const PageLayout& page, const std::vector<LegendBlock>& blocks) {
-  const double k = canvas.scale();
+std::vector<Box> rows_of_blocks(const PageLayout& page, const std::vector<LegendBlock>& blocks) {
+  const double k = page.text_scale;
   const double gap = 36 * k;
   const double width = (page.panel.width() - gap * (page.panel_columns - 1)) / page.panel_columns;
   const std::vector<double> heights = heights_of(blocks);
   const std::vector<int> column = columns_of_blocks(heights, page.panel_columns);
   std::vector<double> top(static_cast<std::size_t>(page.panel_columns), page.panel.min_y);
+  std::vector<Box> out;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     double& y = top[static_cast<std::size_t>(column[i])];
-    draw_block(canvas, {page.panel.min_x + column[i] * (width + gap), y}, width, blocks[i]);
+    const double left = page.panel.min_x + column[i] * (width + gap);
+    out.push_back({left, y + kHeadingHeight * k, left + width, y + (heights[i] - kBlockGap) * k});
     y += heights[i] * k;
   }
+  return out;
+}
+
+void draw_legend(Canvas& canvas, const PageLayout& page, const std::vector<LegendBlock>& blocks) {
+  const std::vector<Box> rows = rows_of_blocks(page, blocks);
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    draw_block(canvas, {rows[i].min_x, rows[i].min_y - kHeadingHeight * canvas.scale()}, rows[i].width(),
+               blocks[i]);
 }
 
 }  // namespace tramline::render

@@ -96,6 +96,32 @@ TEST(TimeLog, WorkAndWidthHoldUntilTheyChange) {
   EXPECT_EQ(log.fixes[5].boom, 2);
 }
 
+TEST(TimeLog, AppliedRatesHoldUntilTheyChange) {
+  struct Case {
+    const char* ddi;
+    std::int32_t value;
+    double per_ha;
+    AmountUnit unit;
+  };
+  // 200 l/ha are 20 ml/m², 20 000 mm³/m²; 150 kg/ha are 15 g/m²; 80 000 seeds/ha are 8/m².
+  for (const Case& c :
+       {Case{"0002", 2000000, 200, AmountUnit::kLitres}, Case{"0007", 15000, 150, AmountUnit::kKilograms},
+        Case{"000C", 8000, 80000, AmountUnit::kSeeds}}) {
+    const std::string xml = header(R"(<DLV A="0001" B="" C="DET-1"/><DLV A=")" + std::string(c.ddi) +
+                                   R"(" B="" C="DET-1"/><DLV A="0002" B="" C="DET-2"/>)");
+    const WorkLog log = decode(xml, record(0, kDay, kLat, kLon, 4, {{0, 77}}) +
+                                        record(1000, kDay, kLat, kLon, 4, {{1, c.value}, {2, 5}}) +
+                                        record(2000, kDay, kLat, kLon, 4) +
+                                        record(3000, kDay, kLat, kLon, 4, {{1, -2147483647}}));
+    ASSERT_EQ(log.fixes.size(), 4U);
+    EXPECT_EQ(log.rate_unit, c.unit);
+    EXPECT_TRUE(std::isnan(log.fixes[0].rate_per_ha));  // a setpoint is not what was applied
+    EXPECT_NEAR(log.fixes[1].rate_per_ha, c.per_ha, 1e-9);
+    EXPECT_NEAR(log.fixes[2].rate_per_ha, c.per_ha, 1e-9);
+    EXPECT_TRUE(std::isnan(log.fixes[3].rate_per_ha));
+  }
+}
+
 TEST(TimeLog, RecordsWithoutAPositionAreListed) {
   const std::string bytes = record(1000, kDay, kLat, kLon, 4) + record(2000, kDay, 0, 0, 4) +
                             record(3000, kDay, 2147483647, kLon, 4) +

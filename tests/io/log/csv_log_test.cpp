@@ -53,6 +53,27 @@ TEST(CsvLog, DecimalCommasStandWithSemicolons) {
   EXPECT_TRUE(mentions(refusal("lon;lat\n1.010,5;52,25\n"), "no row with a position"));
 }
 
+TEST(CsvLog, AppliedRatesComeInAmountsAHectare) {
+  const WorkLog litres = csv("lon,lat,Applied rate (l/ha)\n10.5,52.25,180\n10.6,52.35,\n10.7,52.4,-3\n");
+  ASSERT_EQ(litres.fixes.size(), 3U);
+  EXPECT_EQ(litres.rate_unit, AmountUnit::kLitres);
+  EXPECT_DOUBLE_EQ(litres.fixes[0].rate_per_ha, 180);
+  EXPECT_TRUE(std::isnan(litres.fixes[1].rate_per_ha));
+  EXPECT_TRUE(std::isnan(litres.fixes[2].rate_per_ha));
+  EXPECT_TRUE(notes_mention(litres, "no applied rate"));
+  // An acre is 0.4047 ha, a gallon 3.785 l, a pound 0.4536 kg.
+  const WorkLog gallons = csv("lon,lat,rate_gal_ac\n10.5,52.25,10\n");
+  EXPECT_NEAR(gallons.fixes[0].rate_per_ha, 93.5396, 1e-4);
+  EXPECT_EQ(gallons.rate_unit, AmountUnit::kLitres);
+  const WorkLog pounds = csv("lon,lat,dose\n10.5,52.25,100\n", "rate_lb_ac=dose");
+  EXPECT_NEAR(pounds.fixes[0].rate_per_ha, 112.0851, 1e-4);
+  EXPECT_EQ(pounds.rate_unit, AmountUnit::kKilograms);
+  const WorkLog bare = csv("lon,lat,rate\n10.5,52.25,7\n");
+  EXPECT_DOUBLE_EQ(bare.fixes[0].rate_per_ha, 7);
+  EXPECT_EQ(bare.rate_unit, AmountUnit::kUnknown);
+  EXPECT_TRUE(std::isnan(csv("lon,lat,rate\n10.5,52.25,7\n", "rate=").fixes[0].rate_per_ha));
+}
+
 TEST(CsvLog, ByteOrderMarkCarriageReturnsCommentsAndQuotes) {
   expect_two_fixes(
       csv("\xEF\xBB\xBF# from a machine\r\n\r\n\"lon\",\"lat\",\"speed\",remark\r\n"

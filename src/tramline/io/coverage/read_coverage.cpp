@@ -107,4 +107,14 @@ Coverage read_coverage(const std::filesystem::path& path) {
   return out;
 }
 
+bool is_coverage_file(const std::filesystem::path& path) {
+  if (!EQUAL(path.extension().c_str(), ".gpkg")) return false;
+  const GdalErrors errors;
+  RegisterOGRGeoPackage();
+  const GDALDatasetUniquePtr file(
+      GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
+  return file != nullptr && file->GetLayerByName(layers::kMultiplicity) != nullptr &&
+         file->GetLayerByName(layers::kMetadata) != nullptr;
+}
+
 }  // namespace tramline::io

@@ -12,4 +12,7 @@ namespace tramline::io {
 /// holds a number that is not finite. O(n).
 Coverage read_coverage(const std::filesystem::path& path);
 
+/// Whether a file is a GeoPackage with the layers of a coverage file; false where it cannot be opened.
+bool is_coverage_file(const std::filesystem::path& path);
+
 }  // namespace tramline::io

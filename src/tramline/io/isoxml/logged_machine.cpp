@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace tramline::io {
@@ -22,6 +23,16 @@ bool is_read(unsigned identifier) {
          (identifier >= kFirstCondensed && identifier <= kLastCondensed);
 }
 
+bool is_rate(unsigned identifier) {
+  return identifier == ddi::kVolumeRate || identifier == ddi::kMassRate || identifier == ddi::kCountRate;
+}
+
+/// To amounts a hectare: ISO 11783-11 has 0.01 mm³/m², 1 mg/m² and 0.001 pieces/m².
+double rate_factor(unsigned identifier) {
+  if (identifier == ddi::kVolumeRate) return 1e-4;
+  return identifier == ddi::kMassRate ? 0.01 : 10;
+}
+
 bool tells_of_work(unsigned identifier) {
   return identifier == ddi::kActualWidth || identifier == ddi::kWorkState ||
          (identifier >= ddi::kFirstCondensed && identifier <= ddi::kLastCondensed);
@@ -33,6 +44,7 @@ LoggedMachine::LoggedMachine(const TimeLogHeader& header, const std::vector<Devi
     : header_(header) {
   choose_device(elements);
   choose_elements();
+  choose_rate();
   for (const LoggedValue& logged : header_.values)
     if (logged.fixed) values_[{logged.element, logged.ddi}] = *logged.fixed;
 }
@@ -105,9 +117,37 @@ void LoggedMachine::choose_elements() {
     find_whole(identifier, false);
 }
 
+void LoggedMachine::choose_rate() {
+  std::size_t rates = 0;
+  for (const LoggedValue& logged : header_.values) {
+    const bool of_device = elements_.empty() ||
+                           std::any_of(elements_.begin(), elements_.end(), [&](const DeviceElement& element) {
+                             return element.id == logged.element;
+                           });
+    if (!of_device || !is_rate(logged.ddi)) continue;
+    if (!rate_) rate_ = Key{logged.element, logged.ddi};
+    ++rates;
+  }
+  if (rates > 1)
+    notes_.push_back(fmt::format("{} applied rates are logged: that of {} counts", rates, rate_->first));
+}
+
+AmountUnit LoggedMachine::rate_unit() const {
+  if (!rate_) return AmountUnit::kUnknown;
+  if (rate_->second == ddi::kVolumeRate) return AmountUnit::kLitres;
+  return rate_->second == ddi::kMassRate ? AmountUnit::kKilograms : AmountUnit::kSeeds;
+}
+
+double LoggedMachine::rate_per_ha() const {
+  const auto at = rate_ ? values_.find(*rate_) : values_.end();
+  if (at == values_.end() || at->second < 0) return std::numeric_limits<double>::quiet_NaN();
+  return static_cast<double>(at->second) * rate_factor(rate_->second);
+}
+
 void LoggedMachine::update(const TimeLogRecord& record) {
   for (const auto& [index, value] : record.values) {
     const LoggedValue& logged = header_.values[index];
+    if (!logged.fixed && is_rate(logged.ddi)) values_[{logged.element, logged.ddi}] = value;
     if (logged.fixed || !is_read(logged.ddi)) continue;
     const auto [at, is_new] = values_.try_emplace({logged.element, logged.ddi}, value);
     if (!is_new && at->second == value) continue;
@@ -185,6 +225,7 @@ void LoggedMachine::describe(Fix& fix, BoomList& booms) {
   fix.boom = described_->boom;
   fix.has_sections = described_->has_sections;
   fix.sections = described_->sections;
+  fix.rate_per_ha = rate_per_ha();
 }
 
 void LoggedMachine::describe_anew(Fix& fix, BoomList& booms) const {

@@ -23,15 +23,18 @@ namespace tramline::io {
 /// offsets say (DDI 135, positive to the right), or side by side in the order of their numbers from left to
 /// right where the offsets are not known; widths are what is logged (67), else what the device describes (67,
 /// 70, 68). Condensed states (161-176) count the sections by their numbers. Setpoints (290-305) say what was
-/// asked for, not what was done, and are not read.
+/// asked for, not what was done, and are not read. The applied rate is the first of the device's that is
+/// logged, as volume, mass or count for an area (2, 7, 12).
 class LoggedMachine {
  public:
   LoggedMachine(const TimeLogHeader& header, const std::vector<DeviceElement>& elements);
 
   /// Takes over the values of a record. O(values).
   void update(const TimeLogRecord& record);
-  /// Sets boom, work and sections of a fix. O(1) until one of them changes, then O(sections · log).
+  /// Sets boom, work, sections and rate of a fix. O(1) until one of them changes, then O(sections · log).
   void describe(Fix& fix, BoomList& booms);
+  /// Of the rates.
+  AmountUnit rate_unit() const;
   /// What was assumed, one sentence each.
   const std::vector<std::string>& notes() const { return notes_; }
 
@@ -48,12 +51,15 @@ class LoggedMachine {
   void describe_anew(Fix& fix, BoomList& booms) const;
   void choose_device(const std::vector<DeviceElement>& elements);
   void choose_elements();
+  void choose_rate();
+  double rate_per_ha() const;
 
   const TimeLogHeader& header_;
   std::map<Key, std::int64_t> values_;
   std::vector<DeviceElement> elements_;  ///< of the device that counts
   std::vector<DeviceElement> sections_;  ///< by number; empty: the machine is one
   std::optional<DeviceElement> whole_;   ///< has the width of the machine
+  std::optional<Key> rate_;              ///< where the applied rate is logged
   std::vector<std::string> notes_;
   std::optional<Fix> described_;  ///< by the values as they are
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -69,10 +70,19 @@ WorkLog decode(const TaskFiles& files, const LogFiles& log, const LogEntry& entr
 }
 
 void append(WorkLog& all, WorkLog&& part, const LogEntry& entry, int unit, BoomList& booms) {
+  const AmountUnit own_unit = part.rate_unit;
+  if (all.rate_unit == AmountUnit::kUnknown) all.rate_unit = own_unit;
+  const bool other_amounts = own_unit != AmountUnit::kUnknown && own_unit != all.rate_unit;
+  if (other_amounts)
+    all.notes.push_back(
+        fmt::format("{}: its applied rates are in {}, those of the logs before in {}: they count "
+                    "as not recorded",
+                    entry.name, name(own_unit), name(all.rate_unit)));
   std::vector<int> numbers;
   for (const Boom& boom : part.booms) numbers.push_back(booms.number_of(boom));
   for (Fix fix : part.fixes) {
     fix.unit = unit;
+    if (other_amounts) fix.rate_per_ha = std::numeric_limits<double>::quiet_NaN();
     if (fix.boom >= 0) fix.boom = numbers[static_cast<std::size_t>(fix.boom)];
     all.fixes.push_back(fix);
   }
@@ -131,6 +141,7 @@ WorkLog decode_time_log(std::string_view header_xml, std::string_view bytes,
   log.booms = booms.booms();
   for (const SkippedRecord& skipped : records.skipped().listed) log.skipped.add(skipped.record, skipped.why);
   log.skipped.count += records.skipped().count - records.skipped().listed.size();
+  log.rate_unit = machine.rate_unit();
   log.notes = machine.notes();
   skip_strays(log);
   return log;

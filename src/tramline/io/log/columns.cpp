@@ -13,6 +13,10 @@ namespace {
 
 constexpr double kKmh = 1 / 3.6, kKnot = 1852.0 / 3600, kMph = 0.44704, kFoot = 0.3048, kInch = 0.0254;
 constexpr double kRadian = 180 / std::numbers::pi;
+// To amounts a hectare; an acre is 4046.8564224 m², a gallon that of the United States.
+constexpr double kAcre_ha = 0.40468564224;
+constexpr double kAnAcre = 1 / kAcre_ha, kGallonsAnAcre = 3.785411784 / kAcre_ha,
+                 kPoundsAnAcre = 0.45359237 / kAcre_ha;
 
 struct Name {
   std::string_view name;
@@ -20,12 +24,15 @@ struct Name {
   double factor = 1;
   bool unit_named = false;
   PositionNames positions = PositionNames::kEither;
+  AmountUnit amount = AmountUnit::kUnknown;
 };
 
 // Commoner names first; "kmh" and the like are units, not words of their own.
 constexpr auto kDegrees = PositionNames::kDegrees, kMetres = PositionNames::kMetres,
                kEither = PositionNames::kEither;
 using enum Column;
+constexpr auto kLitres = AmountUnit::kLitres, kKilograms = AmountUnit::kKilograms,
+               kSeeds = AmountUnit::kSeeds;
 constexpr Name kNames[] = {
     {"lon", kLon, 1, true, kDegrees},
     {"longitude", kLon, 1, true, kDegrees},
@@ -128,6 +135,23 @@ constexpr Name kNames[] = {
     {"sections_condensed", kCondensed},
     {"condensed_work_state", kCondensed},
     {"ddi_161", kCondensed},
+    {"rate_l_ha", kRate, 1, true, kEither, kLitres},
+    {"rate_l_per_ha", kRate, 1, true, kEither, kLitres},
+    {"rate_kg_ha", kRate, 1, true, kEither, kKilograms},
+    {"rate_kg_per_ha", kRate, 1, true, kEither, kKilograms},
+    {"rate_gal_ac", kRate, kGallonsAnAcre, true, kEither, kLitres},
+    {"rate_lb_ac", kRate, kPoundsAnAcre, true, kEither, kKilograms},
+    {"rate_seeds_ha", kRate, 1, true, kEither, kSeeds},
+    {"rate_seeds_ac", kRate, kAnAcre, true, kEither, kSeeds},
+    {"applied_rate_l_ha", kRate, 1, true, kEither, kLitres},
+    {"applied_rate_kg_ha", kRate, 1, true, kEither, kKilograms},
+    {"applied_rate_gal_ac", kRate, kGallonsAnAcre, true, kEither, kLitres},
+    {"applied_rate_lb_ac", kRate, kPoundsAnAcre, true, kEither, kKilograms},
+    {"applied_rate_seeds_ac", kRate, kAnAcre, true, kEither, kSeeds},
+    {"applied_rate", kRate},
+    {"actual_rate", kRate},
+    {"application_rate", kRate},
+    {"rate", kRate},
     {"distance", kDistance},
     {"dist", kDistance},
     {"dist_raw", kDistance},
@@ -188,7 +212,7 @@ std::optional<std::size_t> index_of(std::span<const std::string> names, std::str
 }
 
 void use(ColumnMap& map, const Name& name, std::size_t index) {
-  map.uses[static_cast<std::size_t>(name.column)] = {index, name.factor, name.unit_named};
+  map.uses[static_cast<std::size_t>(name.column)] = {index, name.factor, name.unit_named, name.amount};
   if (name.column == Column::kLon || (name.column == Column::kLat && map.position_names == kEither))
     map.position_names = name.positions;
 }

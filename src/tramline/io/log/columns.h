@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tramline/model/work_log.h"
+
 namespace tramline::io {
 
 /// What a column can hold.
@@ -24,6 +26,7 @@ enum class Column {
   kWork,
   kSections,           ///< a sign for each section from left to right: 0, 1, or - where not known
   kSectionsFromRight,  ///< the same from right to left
+  kRate,               ///< applied, an amount for an area
   kCondensed,          ///< states as ISO 11783-11 condenses them (DDI 161): two bits a section
   kDistance,           ///< way since the last record; only tells the unit of a width that has none
   kMachine,
@@ -36,8 +39,9 @@ inline constexpr std::size_t kColumns = static_cast<std::size_t>(Column::kPass) 
 /// One column and its unit.
 struct ColumnUse {
   std::size_t index = 0;
-  double factor = 1;        ///< times this: metres, metres a second, degrees
+  double factor = 1;        ///< times this: metres, metres a second, degrees, amounts a hectare
   bool unit_named = false;  ///< by the name of the column or by the user
+  AmountUnit amount = AmountUnit::kUnknown;  ///< of a rate
 };
 
 /// What the names of the position columns say about their frame.

@@ -107,6 +107,15 @@ void FixRows::set_work(Fix& fix) {
   if (!understood) ++bad_work_;
 }
 
+void FixRows::set_rate(Fix& fix) {
+  if (cell(Column::kRate).empty()) return;
+  const auto rate = number(Column::kRate);
+  if (rate && *rate >= 0 && std::isfinite(*rate))
+    fix.rate_per_ha = *rate;
+  else
+    ++bad_rates_;
+}
+
 void FixRows::set_sections(Fix& fix, std::optional<Widths> widths) {
   std::optional<SectionText> text;
   bool written = false;
@@ -159,6 +168,7 @@ std::optional<Fix> FixRows::add(std::span<const std::string_view> cells, std::si
   if (std::isnan(fix.time_s) && !cell(Column::kTime).empty()) ++bad_times_;
   set_motion(fix);
   set_work(fix);
+  set_rate(fix);
   set_sections(fix, widths());
   fix.unit = unit_of_row();
   last_distance_ = number(Column::kDistance).value_or(std::numeric_limits<double>::quiet_NaN());
@@ -182,6 +192,7 @@ std::vector<std::string> FixRows::notes() const {
   count(bad_times_, Column::kTime, "is no time as in the first row and counts as not recorded");
   count(bad_work_, Column::kWork, "is neither on (1) nor off (0) and counts as not recorded");
   count(bad_widths_, Column::kWidth, "is no width and counts as not recorded");
+  count(bad_rates_, Column::kRate, "is no applied rate and counts as not recorded");
   if (bad_sections_ > 0)
     out.push_back(fmt::format("{} rows: the states of sections are not understood", bad_sections_));
   if (sections_without_width_ > 0)

@@ -45,6 +45,9 @@ class FixRows {
   PositionNames position_names() const { return map_.position_names; }
   /// Distance column of the last row, in the unit of the table; NaN: none.
   double last_distance() const { return last_distance_; }
+  AmountUnit rate_unit() const {
+    return map_[Column::kRate] ? map_[Column::kRate]->amount : AmountUnit::kUnknown;
+  }
   /// Whether the table leaves the unit of its widths open.
   bool width_unit_open() const;
   /// What was assumed so far.
@@ -61,6 +64,7 @@ class FixRows {
   std::optional<Widths> widths();
   void set_motion(Fix& fix) const;
   void set_work(Fix& fix);
+  void set_rate(Fix& fix);
   void set_sections(Fix& fix, std::optional<Widths> widths);
   int unit_of_row();
 
@@ -73,7 +77,8 @@ class FixRows {
   SkippedRecords skipped_;
   std::span<const std::string_view> cells_;  ///< of the row being read
   double last_distance_ = std::numeric_limits<double>::quiet_NaN();
-  std::size_t bad_times_ = 0, bad_work_ = 0, bad_widths_ = 0, bad_sections_ = 0, sections_without_width_ = 0;
+  std::size_t bad_times_ = 0, bad_work_ = 0, bad_rates_ = 0, bad_widths_ = 0, bad_sections_ = 0,
+              sections_without_width_ = 0;
 };
 
 }  // namespace tramline::io

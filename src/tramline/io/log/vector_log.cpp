@@ -108,6 +108,7 @@ WorkLog read_vector_log(const std::string& path, const std::string& wanted, cons
   if (log.fixes.empty()) throw bad_input(fmt::format("{} has no feature with a point", place));
   log.booms = rows.booms();
   log.clock = rows.clock();
+  log.rate_unit = rows.rate_unit();
   log.notes = rows.notes();
   settle_positions(log, PositionNames::kEither, crs.empty() ? declared : crs, place);
   if (rows.width_unit_open()) settle_width_unit(log, distances);

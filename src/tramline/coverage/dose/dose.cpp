@@ -1,0 +1,209 @@
+#include "tramline/coverage/dose/dose.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "tramline/coverage/dose/dose_figures.h"
+#include "tramline/coverage/dose/laid_cells.h"
+#include "tramline/coverage/dose/lay_slab.h"
+#include "tramline/coverage/dose/region_in_cells.h"
+#include "tramline/coverage/plausible.h"
+#include "tramline/geometry/error.h"
+
+namespace tramline::coverage {
+namespace {
+
+/// Lays the steps of a drive one after the other.
+class Layer {
+ public:
+  Layer(const DoseSettings& settings, double width_m)
+      : settings_(settings), half_width_m_(0.5 * width_m), cells_(settings.cell_m) {
+    if (!settings.pattern.empty())
+      pattern_ = TransversePattern(settings.pattern, width_m, settings.pattern_place);
+  }
+
+  void add(const WorkedStep& step) {
+    for (std::size_t i = 0; i < step.quads.size(); ++i) {
+      const QuadOrigin& origin = step.origins[i];
+      const QuadAmount amount = amount_of(step, origin, settings_.rates);
+      if (std::isnan(amount.per_m)) {
+        ++without_rate_;
+        continue;
+      }
+      if (!(amount.per_m > 0)) continue;
+      slabs_.clear();
+      append_slabs(step.quads[i], origin.section, amount.per_m, pattern_, half_width_m_, settings_.cell_m,
+                   slabs_);
+      for (const Slab& slab : slabs_) {
+        parts_.clear();
+        append_laid(slab, settings_.cell_m, parts_);
+        cells_.add(parts_);
+        (amount.logged ? logged_ : nominal_) += slab.amount;
+      }
+    }
+  }
+
+  const LaidCells& cells() const { return cells_; }
+  double logged() const { return logged_; }
+  double nominal() const { return nominal_; }
+  std::size_t without_rate() const { return without_rate_; }
+
+ private:
+  const DoseSettings& settings_;
+  double half_width_m_;
+  TransversePattern pattern_;
+  LaidCells cells_;
+  std::vector<Slab> slabs_;
+  std::vector<CellPart> parts_;
+  double logged_ = 0, nominal_ = 0;
+  std::size_t without_rate_ = 0;
+};
+
+/// The wind spreads with as many threads; 0: all there are.
+std::optional<tbb::global_control> thread_limit(int threads) {
+  if (threads <= 0) return std::nullopt;
+  return std::optional<tbb::global_control>(std::in_place, tbb::global_control::max_allowed_parallelism,
+                                            static_cast<std::size_t>(threads));
+}
+
+void require_rates(const WorkLog& log, const RateSettings& rates) {
+  const bool logged = rates.use_logged && std::any_of(log.fixes.begin(), log.fixes.end(), [](const Fix& fix) {
+                        return !std::isnan(fix.rate_per_ha);
+                      });
+  if (!logged && std::isnan(rates.nominal_per_ha))
+    throw bad_input(fmt::format("{} says nothing of how much was applied{}: give --nominal-rate", log.name,
+                                rates.use_logged ? "" : " that may be used"));
+  if (!std::isnan(rates.nominal_speed_mps) && log.clock == Clock::kNone)
+    throw bad_input(
+        fmt::format("{} has no times to tell the speed by: leave --nominal-speed away", log.name));
+}
+
+/// Told before the work: the map takes in the field and every place that may have been worked.
+void require_cells_for(const WorkLog& log, const Region& field, double cell_m) {
+  const bool told = says_work(log);
+  Box box = field.empty() ? Box{} : bounds(field);
+  for (const Fix& fix : log.fixes)
+    if (told ? fix.work == WorkState::kOn : fix.work != WorkState::kOff) box.extend(fix.position);
+  if (!box.empty()) require_few_cells(box.width(), box.height(), cell_m);
+}
+
+/// Grid, what the wind does, and figures. `map`: all but these.
+void finish(DoseMap& map, CellContents& cells, const DoseSettings& settings) {
+  if (map.drift) {
+    cells.drifted = drifted(cells.laid, map.grid, *map.drift);
+    for (double& amount : cells.laid) amount *= 1 - map.drift->share;
+  }
+  map.figures = figures_of(cells, map.grid, settings.rates.nominal_per_ha);
+  const std::vector<double>& ground = cells.field_m2.empty() ? cells.covered_m2 : cells.field_m2;
+  for (const double m2 : ground) map.ground.push_back(static_cast<float>(m2 / map.grid.cell_area_m2()));
+  map.on_ground = amounts_on_ground(cells, map.grid);
+  map.amount = std::move(cells.laid);
+  for (std::size_t i = 0; i < cells.drifted.size(); ++i) map.amount[i] += cells.drifted[i];
+}
+
+Box reach_of(const DoseMap& map) { return map.drift ? reach(*map.drift, map.grid.cell_m) : Box{0, 0, 0, 0}; }
+
+std::optional<DoseDrift> drift_of(const std::optional<WindSettings>& wind) {
+  return wind ? std::optional(drift_of(*wind)) : std::nullopt;
+}
+
+Box box_of(const Region& field) { return field.empty() ? Box{} : bounds(field); }
+
+void add_ground(CellContents& cells, const CellGrid& grid, const Region& field, const Coverage& coverage) {
+  cells.covered_m2 = area_in_cells(coverage.covered, grid);
+  if (field.empty()) return;
+  cells.field_m2 = area_in_cells(field, grid);
+  cells.missed_m2 = area_in_cells(coverage.missed, grid);
+}
+
+/// How often ground of the class 3 was worked, on average.
+double often(const CoverageAreas& areas) {
+  const auto& times = areas.worked_times_m2;
+  return times[3] > 0 ? std::max(3.0, (areas.gross_m2 - times[1] - 2 * times[2]) / times[3]) : 3;
+}
+
+void require_counted(const Coverage& coverage, const RateSettings& rates) {
+  if (std::isnan(rates.nominal_per_ha))
+    throw bad_input("a coverage file does not say how much was applied: give --nominal-rate");
+  constexpr double kDrawn = 1e-6;
+  for (std::size_t times = 1; times < coverage.worked_times.size(); ++times) {
+    const double counted_m2 = coverage.areas.worked_times_m2[times];
+    if (!(std::abs(area(coverage.worked_times[times]) - counted_m2) <= kDrawn * coverage.areas.gross_m2))
+      throw bad_input(
+          "the coverage file does not show how often ground was worked: write it with tramline evaluate -o "
+          "and "
+          "without --engine mesh");
+  }
+}
+
+}  // namespace
+
+DoseMap dose(WorkLog log, const Region& field, const DoseSettings& settings, const FixProgress& progress) {
+  require_rates(log, settings.rates);
+  const auto limit = thread_limit(settings.evaluate.threads);
+  EvaluateSettings evaluation = settings.evaluate;
+  evaluation.engine = EngineKind::kExact;
+  evaluation.shapes = false;
+  evaluation.covered = true;
+  DoseMap out;
+  out.log = log.name;
+  log = plausible(std::move(log));  // widths as evaluate() will have them
+  require_cells_for(log, field, settings.cell_m);
+  Layer layer(settings, working_width_m(log, evaluation.drive));
+  const Coverage coverage =
+      evaluate(std::move(log), field, evaluation, progress, [&](const WorkedStep& step) { layer.add(step); });
+  out.warnings = coverage.warnings;
+  if (layer.without_rate() > 0)
+    out.warnings.push_back(
+        fmt::format("{} steps have no logged rate: nothing is applied there without --nominal-rate",
+                    layer.without_rate()));
+  out.width_m = coverage.width_m;
+  out.covered_m2 = coverage.areas.covered_m2;
+  out.logged_amount = layer.logged();
+  out.nominal_amount = layer.nominal();
+  out.drift = drift_of(settings.wind);
+  out.grid.cell_m = settings.cell_m;
+  out.grid = layer.cells().grid(box_of(field), reach_of(out));
+  CellContents cells;
+  cells.laid = layer.cells().amounts(out.grid);
+  add_ground(cells, out.grid, field, coverage);
+  finish(out, cells, settings);
+  return out;
+}
+
+DoseMap dose(const Coverage& coverage, const DoseSettings& settings) {
+  require_counted(coverage, settings.rates);
+  const auto limit = thread_limit(settings.evaluate.threads);
+  DoseMap out;
+  out.log = coverage.log;
+  out.field_id = coverage.field_id;
+  out.field = coverage.field;
+  out.frame = coverage.frame;
+  out.width_m = coverage.width_m;
+  out.covered_m2 = coverage.areas.covered_m2;
+  out.drift = drift_of(settings.wind);
+  Box box = box_of(coverage.field);
+  if (!coverage.covered.empty()) box.extend(bounds(coverage.covered));
+  out.grid.cell_m = settings.cell_m;
+  out.grid = LaidCells(settings.cell_m).grid(box, reach_of(out));
+  CellContents cells;
+  cells.laid.assign(out.grid.size(), 0.0);
+  const double each = settings.rates.nominal_per_ha / 1e4;
+  for (std::size_t times = 1; times < coverage.worked_times.size(); ++times) {
+    const double layers = times < kMostCounted ? static_cast<double>(times) : often(coverage.areas);
+    const std::vector<double> m2 = area_in_cells(coverage.worked_times[times], out.grid);
+    for (std::size_t i = 0; i < m2.size(); ++i) cells.laid[i] += layers * each * m2[i];
+  }
+  for (const double amount : cells.laid) out.nominal_amount += amount;
+  add_ground(cells, out.grid, coverage.field, coverage);
+  finish(out, cells, settings);
+  return out;
+}
+
+}  // namespace tramline::coverage

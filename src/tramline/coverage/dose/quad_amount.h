@@ -1,0 +1,32 @@
+#pragma once
+// How much a machine lays in a step.
+
+#include <limits>
+
+#include "tramline/coverage/worked_step.h"
+
+namespace tramline::coverage {
+
+/// Where rates come from. Amounts of any unit.
+struct RateSettings {
+  double nominal_per_ha = std::numeric_limits<double>::quiet_NaN();
+  /// Of a machine whose nozzles let out the same amount in a second however fast it drives; NaN: the rate is
+  /// kept whatever the speed.
+  double nominal_speed_mps = std::numeric_limits<double>::quiet_NaN();
+  bool use_logged = true;  ///< logged rates win
+};
+
+/// What one quad of a step gets for each metre across the machine where the pattern is 1.
+struct QuadAmount {
+  double per_m = 0;
+  bool logged = false;
+};
+
+/// A nozzle lets out an amount in a time, and lays it on the ground it passes over in that time. At the
+/// rate R the machine lays R · way for each metre across it, the way being that of the middle of what works:
+/// in a bend the inside gets more for its area, the outside less. Without rate control it lays R · nominal
+/// speed · time instead, standing or driving. A logged rate holds from half way after the fix before to half
+/// way to the next, as the states of sections do. `per_m` is NaN where no rate is known. O(1).
+QuadAmount amount_of(const WorkedStep& step, const QuadOrigin& origin, const RateSettings& rates);
+
+}  // namespace tramline::coverage

@@ -1,0 +1,1 @@
+printf -- "-6,1\n0,-1\n6,1\n" > "$INPUT/boom.csv"
