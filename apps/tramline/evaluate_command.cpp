@@ -173,7 +173,7 @@ class EvaluateCommand : public Command {
     const auto show = [&](std::size_t done, std::size_t total) {
       progress.show(what, static_cast<int>(done), static_cast<int>(total), "fixes");
     };
-    return coverage::evaluate(std::move(log), field, settings(), show, further);
+    return coverage::evaluate(std::move(log), field, settings(), show, {}, further);
   }
 
   /// Measured on the ground that the plan works: what is missed of it, and what lies outside it.

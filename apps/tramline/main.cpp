@@ -106,8 +106,7 @@ int main(int argc, char** argv) {
       if (verbs[i]->parsed()) return with_output_flushed(commands[i]->run());
     std::fputs(
         "tramline: name a verb, plan, map, compare, evaluate, repair, watch, dose, info, check or export; "
-        "see "
-        "'tramline "
+        "see 'tramline "
         "--help'\n",
         stderr);
     return 2;
@@ -118,7 +117,8 @@ int main(int argc, char** argv) {
     if (!is_verb(verbs, verb)) {
       std::fprintf(stderr,
                    "tramline: there is no verb '%s': the verbs are plan, map, compare, evaluate, repair, "
-                   "watch, dose, info, check and export\n",
+                   "watch, dose, info, check "
+                   "and export\n",
                    verb.c_str());
       return 2;
     }

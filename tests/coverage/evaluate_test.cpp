@@ -63,7 +63,7 @@ WorkedStep step_over_the_rest() {
 TEST(Evaluate, WorkThatFollowsTheLogIsAddedToIt) {
   const FurtherWork repair{{step_over_the_rest()}, {{{0, 8.5}, {10, 8.5}}}};
   const Coverage before = evaluate(two_passes(), square(10), by_steps(), {});
-  const Coverage done = evaluate(two_passes(), square(10), by_steps(), {}, repair);
+  const Coverage done = evaluate(two_passes(), square(10), by_steps(), {}, {}, repair);
   EXPECT_NEAR(done.areas.missed_m2, 0, 1e-6);
   EXPECT_NEAR(done.areas.covered_inside_m2, 100, 1e-6);
   EXPECT_NEAR(done.areas.outside_m2 - before.areas.outside_m2, 5, 1e-6);

@@ -55,7 +55,7 @@ TEST_F(RealRepairs, LogAndRepairTogetherLeaveOnlyWhatIsListed) {
         ADD_FAILURE() << violation.rule << ": " << violation.what;
 
       const coverage::FurtherWork drive{coverage::plan_steps(repair.plan), {}};
-      const Coverage after = coverage::evaluate(log, ground, settings, {}, drive);
+      const Coverage after = coverage::evaluate(log, ground, settings, {}, {}, drive);
       EXPECT_NEAR(after.areas.missed_m2, repair.missed_after_m2, 0.1);
       EXPECT_LT(after.areas.missed_m2, 0.05 * before.areas.missed_m2);
       double listed_m2 = 0, left_m2 = 0;

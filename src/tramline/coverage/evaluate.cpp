@@ -73,7 +73,7 @@ double working_width_m(const WorkLog& log, const DriveSettings& drive) {
 }
 
 Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& settings,
-                  const FixProgress& progress, const FurtherWork& further, const StepSink& sink) {
+                  const FixProgress& progress, const StepSink& sink, const FurtherWork& further) {
   if (given.fixes.size() < 2)
     throw bad_input(fmt::format("{} has {} with a position: no ground is worked without two", given.name,
                                 given.fixes.empty() ? "no fix" : "one fix"));

@@ -237,8 +237,12 @@ TEST_F(HeadlandsInFiles, files_of_the_version_before_are_read) {
 }
 
 TEST_F(HeadlandsInFiles, other_versions_are_refused) {
-  for (const char* version : {"1", "4", "-3", "3.0", ""})
+  for (const char* version : {"1", "5", "-3", "3.0", ""})
     EXPECT_TRUE(says(metadata("format_version", version), {"format_version", "metadata"}));
+}
+
+TEST_F(HeadlandsInFiles, a_repair_without_worked_ground_is_refused) {
+  EXPECT_TRUE(says(metadata("format_version", "4"), {"there is no layer", "worked"}));
 }
 
 TEST_F(HeadlandsInFiles, missing_parts_are_named) {

@@ -156,8 +156,8 @@ DoseMap dose(WorkLog log, const Region& field, const DoseSettings& settings, con
   log = plausible(std::move(log));  // widths as evaluate() will have them
   require_cells_for(log, field, settings.cell_m);
   Layer layer(settings, working_width_m(log, evaluation.drive));
-  const Coverage coverage = evaluate(std::move(log), field, evaluation, progress, {},
-                                     [&](const WorkedStep& step) { layer.add(step); });
+  const Coverage coverage =
+      evaluate(std::move(log), field, evaluation, progress, [&](const WorkedStep& step) { layer.add(step); });
   out.warnings = coverage.warnings;
   if (layer.without_rate() > 0)
     out.warnings.push_back(
