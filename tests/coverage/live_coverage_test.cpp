@@ -178,5 +178,45 @@ TEST(LiveCoverage, ThePresentRate) {
   EXPECT_NEAR(rate.m2_per_s(), 4, 1e-9);
 }
 
+/// To the north, a fix a second.
+LiveCoverage driven_north(const Region& field, double speed_mps, int fixes, double logged_mps) {
+  LiveCoverage out(field, {});
+  const std::vector<Boom> booms{boom(2, 3)};
+  for (int i = 0; i < fixes; ++i) {
+    Fix next = testing_logs::fix(i, {50, 10 + speed_mps * i});
+    next.boom = 0;
+    next.speed_mps = logged_mps;
+    next = with_sections(next, "10");
+    out.add(next, booms);
+  }
+  return out;
+}
+
+// 20 m square, at y = 16 after four fixes: 4 m to its end at 2 m/s.
+TEST(LiveCoverage, LooksAheadFromTheLastFix) {
+  const Region field{{{{40, 0}, {60, 0}, {60, 20}, {40, 20}}, {}}};
+  for (const double logged_mps : {std::nan(""), 2.0, 4.0}) {
+    const LiveCoverage live = driven_north(field, 2, 4, logged_mps);
+    const std::optional<Ahead> ahead = live.look_ahead({});
+    ASSERT_TRUE(ahead);
+    ASSERT_EQ(ahead->sections.size(), 2U);
+    EXPECT_TRUE(ahead->sections[0].on);
+    EXPECT_FALSE(ahead->sections[1].on);
+    ASSERT_TRUE(ahead->sections[0].next);
+    EXPECT_FALSE(ahead->sections[0].next->on);
+    EXPECT_NEAR(ahead->sections[0].next->ahead_m, 4, 1e-6);
+    EXPECT_NEAR(ahead->sections[0].next->effect_s, logged_mps == 4 ? 1 : 2, 1e-6);
+    ASSERT_TRUE(ahead->sections[1].next) << "the right section is off over ground that needs work";
+    EXPECT_TRUE(ahead->sections[1].next->on);
+    EXPECT_NEAR(ahead->sections[1].next->command_s, 0, 1e-3);  // a millimetre ahead
+  }
+}
+
+TEST(LiveCoverage, DoesNotLookAheadOfAnUnknownWay) {
+  const Region field = square(20);
+  EXPECT_FALSE(LiveCoverage(field, {}).look_ahead({}));
+  EXPECT_FALSE(driven_north(field, 2, 1, std::nan("")).look_ahead({})) << "one fix has no course";
+}
+
 }  // namespace
 }  // namespace tramline::coverage

@@ -468,6 +468,51 @@ class Work(Case):
             pass
 
 
+class Ahead(Case):
+    """A square of about 100 m, driven into from its southern edge, one row of a table a second at 2 m/s."""
+
+    def setUp(self):
+        super().setUp()
+        east, north = 1 / (111320 * math.cos(math.radians(52))), 1 / 111250
+        ring = [[10 + x * east, 52 + y * north] for x, y in [(0, 0), (100, 0), (100, 100), (0, 100), (0, 0)]]
+        self.square = self.folder / "square.geojson"
+        self.square.write_text(json.dumps({"type": "Feature", "properties": {"id": "square"},
+                                           "geometry": {"type": "Polygon", "coordinates": [ring]}}))
+        self.rows = ["time,lon,lat,heading,speed_mps,width_m,sections"]
+        for second in range(8):
+            self.rows.append(f"{second},{10 + 50 * east:.9f},{52 + (86 + 2 * second) * north:.9f},0,2,3|3,11")
+
+    def ahead_after(self, rows, *options):
+        watch = self.watch("--field", str(self.square), "--look-ahead", *options, stdin=subprocess.PIPE, bufsize=0)
+        watch.process.stdin.write("".join(row + "\n" for row in rows))
+        watch.until(lambda: watch.figures().get("ahead"), "what lies ahead")
+        out = watch.figures()["ahead"]
+        watch.process.stdin.close()
+        code, last = watch.end()
+        self.assertEqual(code, 0, watch.errors)
+        self.assertNotIn("ahead", last)
+        return out
+
+    def test_the_edge_of_the_field(self):
+        """After four rows the boom is 8 m from the edge: 4 s, and the command 0.4 s earlier."""
+        for section in self.ahead_after(self.rows[:5], "--off-latency", "0.4"):
+            self.assertTrue(section["on"])
+            self.assertEqual(section["over"], "open")
+            self.assertAlmostEqual(section["need"], 1, 6)
+            self.assertFalse(section["next"]["on"])
+            self.assertEqual(section["next"]["over"], "outside")
+            self.assertAlmostEqual(section["next"]["ahead_m"], 8, 1)
+            self.assertAlmostEqual(section["next"]["effect_s"], 4, 1)
+            self.assertAlmostEqual(section["next"]["command_s"], 3.6, 1)
+
+    def test_no_further_than_the_horizon(self):
+        self.assertEqual([section["next"] for section in self.ahead_after(self.rows[:5], "--horizon", "2")], [None, None])
+
+    def test_rules_that_make_no_sense(self):
+        self.refused("goes on from a share", *self.field, "--look-ahead", "--on-from", "0.3", "--off-below", "0.6")
+        self.refused("longer than either", *self.field, "--look-ahead", "--on-latency", "9")
+
+
 class Faults(Case):
     def test_sources_that_cannot_be_opened(self):
         with socket.socket(socket.AF_INET6, socket.SOCK_DGRAM) as taken:
