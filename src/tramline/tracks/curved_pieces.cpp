@@ -13,6 +13,8 @@ namespace {
 constexpr double kLookAhead = 1e-3;
 /// A stretch shorter than this is nothing, as on straight strips, m.
 constexpr double kNothing = 1e-3;
+/// A piece that goes all round ends this far before its beginning, m: a piece has two ends.
+constexpr double kOpening = 1e-5;
 /// What is left of a track between two detours that follow one another at once is no path, m.
 constexpr double kNoPath = 1e-9;
 
@@ -149,7 +151,11 @@ void close(const CurvedTrack& track, std::vector<JoinedStretch>& stretches) {
     return;
   }
   JoinedStretch& round = stretches.front();
-  if (track.by_passable.empty() || !round.detours.empty()) return;
+  if (!round.detours.empty()) return;
+  if (track.by_passable.empty()) {
+    round.whole.to = track.length_m - kOpening;
+    return;
+  }
   const double first = track.by_passable.front().to;
   if (first < track.length_m - kNothing) round.whole = {first, first + track.length_m};
 }
