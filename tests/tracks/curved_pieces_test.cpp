@@ -93,5 +93,20 @@ TEST(CurvedPieces, GoRoundAClosedTrackInOnePiece) {
   EXPECT_NEAR(tracks.pieces[0].path.front().from.y, -r, 1e-6);
 }
 
+// All of it: the piece has two ends, hardly apart.
+TEST(CurvedPieces, AllRoundEndBeforeTheyBegin) {
+  const double r = 30;
+  Path circle{
+      {{r, 0}, {0, r}, 1 / r}, {{0, r}, {-r, 0}, 1 / r}, {{-r, 0}, {0, -r}, 1 / r}, {{0, -r}, {r, 0}, 1 / r}};
+  const CurvedTracks tracks =
+      curved_pieces({{0, {circle, true}}}, kWidth, {EdgeIndex({box(-50, -50, 50, 50)})},
+                    end_criterion(EndRule::kCentre, Objective{}, kWidth), 0);
+  ASSERT_EQ(tracks.pieces.size(), 1u);
+  EXPECT_NEAR(tracks.pieces[0].length_m, 2 * kPi * r, 1e-4);
+  const double apart_m = distance(tracks.pieces[0].path.front().from, tracks.pieces[0].path.back().to);
+  EXPECT_GT(apart_m, 0);
+  EXPECT_LT(apart_m, 1e-4);
+}
+
 }  // namespace
 }  // namespace tramline
