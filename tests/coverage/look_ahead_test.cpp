@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <string>
 
 #include "coverage/random_drive.h"
 #include "properties/random_field.h"
+#include "properties/seeds.h"
 #include "tramline/geometry/error.h"
 
 namespace tramline {
@@ -231,17 +231,13 @@ Scene random_scene(std::mt19937_64& random) {
 
 template <class Check>
 void for_random_scenes(int standard, Check check) {
-  for (int i = 0; i < testing::case_count(standard); ++i) {
-    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
-    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
-    std::mt19937_64 random(seed);
+  testing::for_each_seed(standard, [&](std::mt19937_64& random, int) {
     const Scene scene = random_scene(random);
-    if (scene.drive.steps.empty()) continue;
+    if (scene.drive.steps.empty()) return;
     TileCoverage engine(scene.drive.field, {});
     for (const WorkedStep& step : scene.drive.steps) engine.add(step);
     check(scene, engine, random);
-    if (::testing::Test::HasFailure()) return;
-  }
+  });
 }
 
 /// Of a section, at a distance ahead.

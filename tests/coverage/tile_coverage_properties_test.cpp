@@ -13,6 +13,7 @@
 #include "coverage/literal_coverage.h"
 #include "coverage/random_drive.h"
 #include "properties/random_field.h"
+#include "properties/seeds.h"
 #include "tramline/coverage/tile_coverage.h"
 #include "tramline/geometry/boolean.h"
 
@@ -74,14 +75,10 @@ void expect_same(const CoverageAreas& got, const CoverageAreas& expected, double
 
 template <class Check>
 void for_random_drives(int standard, int length, Check check) {
-  for (int i = 0; i < testing::case_count(standard); ++i) {
-    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
-    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
-    std::mt19937_64 random(seed);
-    const double far_m = i % 3 == 0 ? 1e5 : 50;
+  testing::for_each_seed(standard, [&](std::mt19937_64& random, int number) {
+    const double far_m = number % 3 == 0 ? 1e5 : 50;
     check(testing::random_drive(random, length, far_m), random);
-    if (::testing::Test::HasFailure()) return;
-  }
+  });
 }
 
 TEST(TileCoverageProperties, AgreesWithTheDefinitionsTakenWordForWord) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "properties/random_field.h"
+#include "properties/seeds.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
 #include "tramline/planner/plan_field.h"
@@ -16,6 +17,7 @@ namespace {
 
 using testing::base_seed;
 using testing::case_count;
+using testing::for_each_seed;
 using testing::random_field;
 
 struct Request {
@@ -52,18 +54,12 @@ class PlanProperties : public ::testing::Test {
   template <class Property>
   void for_random_fields(int standard, Property property) {
     int planned = 0;
-    const int cases = case_count(standard);
-    for (int i = 0; i < cases; ++i) {
-      const unsigned long long seed = base_seed() + static_cast<unsigned long long>(i);
-      SCOPED_TRACE("seed " + std::to_string(seed) + " (TRAMLINE_SEED=" + std::to_string(seed) +
-                   " TRAMLINE_CASES=1)");
-      std::mt19937_64 random(seed);
+    for_each_seed(standard, [&](std::mt19937_64& random, int) {
       const Field field = random_field(random, 6);
       const Request request = random_request(random);
       if (property(field, request)) ++planned;
-      if (HasFailure()) return;
-    }
-    EXPECT_GT(planned, cases / 2);
+    });
+    EXPECT_GT(planned, case_count(standard) / 2);
   }
 
   /// S2.14: what swaths overlap, each by itself, is what the plan does.

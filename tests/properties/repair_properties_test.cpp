@@ -8,6 +8,7 @@
 #include <string>
 
 #include "properties/random_field.h"
+#include "properties/seeds.h"
 #include "tramline/check/verify.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
@@ -20,6 +21,7 @@ namespace {
 
 using testing::base_seed;
 using testing::case_count;
+using testing::for_each_seed;
 using testing::random_field;
 
 constexpr double kMinArea_m2 = 2;
@@ -104,21 +106,15 @@ class RepairProperties : public ::testing::Test {
   template <class Property>
   void for_random_repairs(int standard, Property property) {
     int planned = 0;
-    const int cases = case_count(standard);
-    for (int i = 0; i < cases; ++i) {
-      const unsigned long long seed = base_seed() + static_cast<unsigned long long>(i);
-      SCOPED_TRACE("seed " + std::to_string(seed) + " (TRAMLINE_SEED=" + std::to_string(seed) +
-                   " TRAMLINE_CASES=1)");
-      std::mt19937_64 random(seed);
+    for_each_seed(standard, [&](std::mt19937_64& random, int) {
       const Missed missed = random_missed(random);
       const double width_m = pick(random, 3, 12);
       const std::optional<RepairPlan> repair = try_repair(missed, width_m);
-      if (!repair) continue;
+      if (!repair) return;
       ++planned;
       property(missed, *repair, width_m);
-      if (HasFailure()) return;
-    }
-    EXPECT_GE(3 * planned, cases) << "too few of the fields could be repaired";
+    });
+    EXPECT_GE(3 * planned, case_count(standard)) << "too few of the fields could be repaired";
   }
 };
 

@@ -8,11 +8,11 @@
 
 #include "tramline/geometry/error.h"
 #include "tramline/io/export/layer_copy.h"
-#include "tramline/io/export/memory_folder.h"
 #include "tramline/io/export/target_crs.h"
 #include "tramline/io/export/zip_folder.h"
 #include "tramline/io/geopackage/gdal_errors.h"
 #include "tramline/io/geopackage/local_crs.h"
+#include "tramline/io/geopackage/memory_folder.h"
 #include "tramline/io/geopackage/time_stamp.h"
 #include "tramline/io/geopackage/whole_file.h"
 #include "tramline/io/plan/plan_layers.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tramline/io/export/memory_folder.h"
+#include "tramline/io/geopackage/memory_folder.h"
 
 namespace tramline::io {
 

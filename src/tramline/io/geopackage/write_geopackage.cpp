@@ -2,44 +2,21 @@
 
 #include <cpl_conv.h>
 #include <cpl_port.h>
-#include <cpl_vsi.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <atomic>
 #include <memory>
 #include <span>
+#include <string>
 
 #include "tramline/geometry/error.h"
 #include "tramline/io/geopackage/gdal_errors.h"
 #include "tramline/io/geopackage/local_crs.h"
+#include "tramline/io/geopackage/memory_folder.h"
 #include "tramline/io/geopackage/time_stamp.h"
 #include "tramline/io/geopackage/whole_file.h"
 
 namespace tramline::io {
 namespace {
-
-/// A file in GDAL's memory, gone at the end of the scope. Building the GeoPackage there keeps
-/// half-written databases and journals off the disk, whatever happens.
-class MemoryFile {
- public:
-  MemoryFile() {
-    static std::atomic<unsigned> count{0};
-    name_ = fmt::format("/vsimem/tramline_{}_{}.gpkg", getpid(), count++);
-  }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-  ~MemoryFile() { VSIUnlink(name_.c_str()); }
-  const char* name() const { return name_.c_str(); }
-  std::span<const std::byte> bytes() const {
-    vsi_l_offset size = 0;
-    const GByte* data = VSIGetMemFileBuffer(name_.c_str(), &size, FALSE);
-    return std::as_bytes(std::span(data, static_cast<std::size_t>(size)));
-  }
-
- private:
-  std::string name_;
-};
 
 GDALDriver& driver() {
   RegisterOGRGeoPackage();
@@ -57,9 +34,12 @@ void write_geopackage(const std::filesystem::path& path, const FileKind& kind, c
                                 path.string(), kind.what, kind.what));
   const CPLConfigOptionSetter date("OGR_CURRENT_DATE", time_stamp().c_str(), false);
   GdalErrors errors;
-  MemoryFile memory;
+  // Half-written databases and journals never lie on the disk.
+  const MemoryFolder memory;
+  const std::string name = "whole.gpkg";
   {
-    const GDALDatasetUniquePtr file(driver().Create(memory.name(), 0, 0, 0, GDT_Unknown, nullptr));
+    const GDALDatasetUniquePtr file(
+        driver().Create(memory.file(name).c_str(), 0, 0, 0, GDT_Unknown, nullptr));
     if (file != nullptr) {
       OGRSpatialReference crs = crs_of(frame);
       const Point offset = offset_of(frame);
@@ -68,7 +48,7 @@ void write_geopackage(const std::filesystem::path& path, const FileKind& kind, c
       file->CommitTransaction();
     }
   }
-  const std::span<const std::byte> bytes = memory.bytes();
+  const std::span<const std::byte> bytes = memory.bytes(name);
   if (errors.any() || bytes.empty())
     throw failure(fmt::format("cannot write {}: GDAL reports: {}", path.string(), errors.first()));
   write_whole(path, bytes);

@@ -1,14 +1,11 @@
 #include "tramline/io/raster/write_raster.h"
 
 #include <cpl_string.h>
-#include <cpl_vsi.h>
 #include <fmt/format.h>
 #include <gdal_frmts.h>
 #include <gdal_priv.h>
-#include <unistd.h>
 
 #include <array>
-#include <atomic>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,31 +13,11 @@
 #include "tramline/geometry/error.h"
 #include "tramline/io/geopackage/gdal_errors.h"
 #include "tramline/io/geopackage/local_crs.h"
+#include "tramline/io/geopackage/memory_folder.h"
 #include "tramline/io/geopackage/whole_file.h"
 
 namespace tramline::io {
 namespace {
-
-/// A file in GDAL's memory, gone at the end of the scope.
-class MemoryRaster {
- public:
-  MemoryRaster() {
-    static std::atomic<unsigned> count{0};
-    name_ = fmt::format("/vsimem/tramline_{}_{}.tif", getpid(), count++);
-  }
-  MemoryRaster(const MemoryRaster&) = delete;
-  MemoryRaster& operator=(const MemoryRaster&) = delete;
-  ~MemoryRaster() { VSIUnlink(name_.c_str()); }
-  const char* name() const { return name_.c_str(); }
-  std::span<const std::byte> bytes() const {
-    vsi_l_offset size = 0;
-    const GByte* data = VSIGetMemFileBuffer(name_.c_str(), &size, FALSE);
-    return std::as_bytes(std::span(data, static_cast<std::size_t>(size)));
-  }
-
- private:
-  std::string name_;
-};
 
 GDALDriver& driver() {
   GDALRegister_GTiff();
@@ -87,20 +64,21 @@ void write_raster(const DoseMap& map, const std::filesystem::path& path) {
     throw bad_input(
         fmt::format("'{}' cannot hold a map: maps are GeoTIFFs; end the name in .tif", path.string()));
   GdalErrors errors;
-  MemoryRaster memory;
+  const MemoryFolder memory;
+  const std::string name = "whole.tif";
   {
     CPLStringList options;
     options.SetNameValue("COMPRESS", "DEFLATE");
     options.SetNameValue("PREDICTOR", "3");
     options.SetNameValue("TILED", "YES");
-    const GDALDatasetUniquePtr file(
-        driver().Create(memory.name(), map.grid.columns, map.grid.rows, 1, GDT_Float32, options.List()));
+    const GDALDatasetUniquePtr file(driver().Create(memory.file(name).c_str(), map.grid.columns,
+                                                    map.grid.rows, 1, GDT_Float32, options.List()));
     if (file != nullptr) {
       place(*file, map);
       fill(*file->GetRasterBand(1), map);
     }
   }
-  const std::span<const std::byte> bytes = memory.bytes();
+  const std::span<const std::byte> bytes = memory.bytes(name);
   if (errors.any() || bytes.empty())
     throw failure(fmt::format("cannot write {}: GDAL reports: {}", path.string(), errors.first()));
   write_whole(path, bytes);

@@ -1,4 +1,4 @@
-#include "tramline/io/export/memory_folder.h"
+#include "tramline/io/geopackage/memory_folder.h"
 
 #include <cpl_string.h>
 #include <cpl_vsi.h>
@@ -12,7 +12,7 @@ namespace tramline::io {
 
 MemoryFolder::MemoryFolder() {
   static std::atomic<unsigned> count{0};
-  path_ = fmt::format("/vsimem/tramline_export_{}_{}", getpid(), count++);
+  path_ = fmt::format("/vsimem/tramline_{}_{}", getpid(), count++);
   VSIMkdir(path_.c_str(), 0700);
 }
 
