@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
-#include "check_report.h"
 #include "command.h"
 #include "field_options.h"
-#include "report_parts.h"
+#include "report/check_report.h"
+#include "report/report_parts.h"
 #include "tramline/check/compare_fields.h"
 #include "tramline/check/compare_layers.h"
 #include "tramline/check/verify.h"

@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "command.h"
-#include "dose_report.h"
 #include "drive_options.h"
-#include "evaluate_input.h"
 #include "field_options.h"
 #include "output_target.h"
 #include "progress.h"
-#include "report_parts.h"
+#include "report/dose_report.h"
+#include "report/report_parts.h"
+#include "request/evaluate_input.h"
 #include "tramline/coverage/dose/dose.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/coverage/read_coverage.h"

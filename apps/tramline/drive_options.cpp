@@ -62,13 +62,4 @@ void add_drive_options(CLI::App& verb, DriveOptions& options) {
       ->capture_default_str();
 }
 
-void apply(const DriveOptions& options, coverage::EvaluateSettings& settings) {
-  settings.drive = options.drive;
-  settings.drive.quads =
-      options.quads == "segment" ? coverage::QuadShape::kSegment : coverage::QuadShape::kHeading;
-  settings.drive.switching =
-      options.switching == "step" ? coverage::Switching::kStep : coverage::Switching::kInterpolate;
-  settings.strict = options.repeat == "strict";
-}
-
 }  // namespace tramline::app

@@ -8,7 +8,7 @@
 
 #include "command.h"
 #include "output_target.h"
-#include "report_parts.h"
+#include "report/report_parts.h"
 #include "tramline/io/export/export_plan.h"
 
 namespace tramline::app {

@@ -4,8 +4,8 @@
 
 #include "command.h"
 #include "field_options.h"
-#include "info_report.h"
-#include "report_parts.h"
+#include "report/info_report.h"
+#include "report/report_parts.h"
 #include "tramline/geometry/error.h"
 
 namespace tramline::app {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "report_parts.h"
+#include "report/report_parts.h"
 #include "tramline/geometry/error.h"
 
 namespace tramline::app {

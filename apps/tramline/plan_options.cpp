@@ -2,53 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <cstdlib>
-#include <vector>
-
-#include "tramline/geometry/error.h"
-#include "tramline/io/machine/read_machine.h"
-#include "tramline/io/vector/read_vector.h"
-#include "tramline/model/limits.h"
-#include "tramline/planner/validate_request.h"
-
 namespace tramline::app {
 namespace {
-
-/// "0.04,0.1,0.45" as numbers.
-std::vector<double> numbers_in(const std::string& text, const char* option) {
-  std::vector<double> out;
-  std::size_t from = 0;
-  while (from <= text.size()) {
-    const std::size_t comma = std::min(text.find(',', from), text.size());
-    const std::string word = text.substr(from, comma - from);
-    char* end = nullptr;
-    const double value = std::strtod(word.c_str(), &end);
-    if (word.empty() || *end != '\0' || !std::isfinite(value) || value < 0)
-      throw bad_input(
-          fmt::format("{} takes numbers of at least 0 separated by commas, and '{}' in '{}' is none", option,
-                      word, text));
-    out.push_back(value);
-    from = comma + 1;
-  }
-  if (out.size() != 3 && out.size() != 4)
-    throw bad_input(
-        fmt::format("{} takes three or four numbers, overlap,uncovered,turn[,stop], not '{}'", option, text));
-  return out;
-}
-
-Scenario scenario_named(const std::string& word) {
-  if (word == "overlap") return Scenario::kOverlap;
-  if (word == "uncovered") return Scenario::kUncovered;
-  if (word == "turns") return Scenario::kTurns;
-  throw bad_input(fmt::format("--minimise takes overlap, uncovered or turns, not '{}'", word));
-}
-
-template <class Choice>
-Choice chosen(std::optional<Choice> choice, const char* option, const std::string& word, const char* words) {
-  if (!choice) throw bad_input(fmt::format("{} takes {}, not '{}'", option, words, word));
-  return *choice;
-}
 
 void add_obstacle_options(CLI::App& verb, PlanOptions& o) {
   const char* obstacles = "Obstacles";
@@ -97,36 +52,6 @@ void add_map_options(CLI::App& verb, PlanOptions& o) {
   guide->group(lines)->excludes(curved);
   where->group(lines)->needs(guide);
   curved->group(lines);
-}
-
-TrackShape shape_of(const std::string& curved) {
-  if (curved.empty()) return TrackShape::kStraight;
-  if (curved == "auto") return TrackShape::kAuto;
-  if (curved == "always") return TrackShape::kCurved;
-  throw bad_input(fmt::format("--curved takes auto or always, not '{}'", curved));
-}
-
-/// "x1,y1 x2,y2"
-std::vector<double> four_numbers(const std::string& text) {
-  std::vector<double> out;
-  const char* at = text.c_str();
-  while (*at != '\0') {
-    char* end = nullptr;
-    const double value = std::strtod(at, &end);
-    if (end == at || !std::isfinite(value)) break;
-    out.push_back(value);
-    at = end;
-    while (*at == ',' || *at == ' ') ++at;
-  }
-  if (out.size() != 4 || *at != '\0')
-    throw bad_input(fmt::format("--ab takes two points, \"x1,y1 x2,y2\", not '{}'", text));
-  return out;
-}
-
-/// A negative number would be taken for the default, which is not what was typed.
-double length_typed(double value, const char* what) {
-  require_metres(value, 0, kFarthest_m, what);
-  return value;
 }
 
 }  // namespace
@@ -186,75 +111,6 @@ void add_plan_options(CLI::App& verb, PlanOptions& o) {
       ->group(plan);
   add_obstacle_options(verb, o);
   add_map_options(verb, o);
-}
-
-std::optional<GuideLine> guide_of(const PlanOptions& o, const std::string& crs_definition) {
-  if (!o.ab.empty()) {
-    const std::vector<double> n = four_numbers(o.ab);
-    return guide_of_points({n[0], n[1]}, {n[2], n[3]}, "--ab", crs_definition);
-  }
-  if (o.guide_file.empty()) return std::nullopt;
-  io::VectorQuery query;
-  query.file = o.guide_file;
-  query.where = o.guide_where;
-  query.all_layers = true;
-  return read_guide(io::read_vector(query), Crs(crs_definition).plain(), crs_definition);
-}
-
-PlanSettings settings_for(const PlanSettings& settings, const std::optional<GuideLine>& guide,
-                          const Field& field, const Machine& machine) {
-  PlanSettings out = settings;
-  if (!guide) return out;
-  out.guide = placed_guide(*guide, field, machine.width_m);
-  out.shape = out.guide.size() > 2 ? TrackShape::kCurved : TrackShape::kStraight;
-  return out;
-}
-
-Machine machine_of(const PlanOptions& o) {
-  Machine machine = o.machine_file.empty() ? Machine{} : io::read_machine(o.machine_file);
-  if (o.width_m) machine.width_m = *o.width_m;
-  if (o.radius_m) machine.radius_m = *o.radius_m;
-  // S2 drops no piece.
-  if (machine.min_length_m < 0 && o.tracks == name(TrackConstruction::kPaper)) machine.min_length_m = 0;
-  if (o.min_length_m) machine.min_length_m = length_typed(*o.min_length_m, kLeastTrackLength);
-  return machine;
-}
-
-Objective objective_of(const PlanOptions& o) {
-  if (!o.minimise.empty()) return weights_of(scenario_named(o.minimise));
-  if (!o.weights.empty()) return prices_typed(o.weights, "--weights", 0);
-  const Objective prices;
-  return o.prices.empty() ? prices : prices_typed(o.prices, "--prices", prices.stop);
-}
-
-Objective prices_typed(const std::string& text, const char* option, double stop) {
-  const auto n = numbers_in(text, option);
-  return {n[0], n[1], n[2], n.size() > 3 ? n[3] : stop};
-}
-
-PlanSettings settings_of(const PlanOptions& o) {
-  PlanSettings settings;
-  settings.strategy = chosen(strategy_named(o.strategy), "--strategy", o.strategy, "best or sweep");
-  settings.direction_tolerance = Angle::degrees(o.direction_tolerance_deg);
-  settings.headlands = o.headlands;
-  settings.obstacle_headlands = o.obstacle_headlands;
-  settings.shape = shape_of(o.curved);
-  settings.tracks = chosen(track_construction_named(o.tracks), "--tracks", o.tracks, "parallel or paper");
-  if (!o.end_rule.empty())
-    settings.end_rule =
-        chosen(end_rule_named(o.end_rule), "--end-rule", o.end_rule, "cheapest, centre, cover or inside");
-  else if (settings.tracks == TrackConstruction::kPaper)
-    settings.end_rule = EndRule::kCover;
-  settings.boundary = chosen(edge_kind_named(o.boundary), "--boundary", o.boundary, "soft or hard");
-  settings.cell_direction = chosen(cell_direction_named(o.cell_direction), "--cell-direction",
-                                   o.cell_direction, "rectangle or width");
-  settings.avoid = chosen(avoidance_named(o.avoid), "--avoid", o.avoid, "cheapest, paper or cut");
-  if (o.avoid_threshold_m) settings.avoid_threshold_m = length_typed(*o.avoid_threshold_m, kAvoidThreshold);
-  settings.clearance_m = o.clearance_m;
-  settings.merge_threshold = Angle::degrees(o.merge_deg);
-  settings.decomposition_threshold = Angle::degrees(o.decomposition_deg);
-  settings.short_edge_m = o.short_edge_m;
-  return settings;
 }
 
 }  // namespace tramline::app

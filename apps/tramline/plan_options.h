@@ -1,55 +1,16 @@
 #pragma once
-// The options of `plan` that shape a plan, and what they mean.
+// The options of `plan` that shape a plan.
 
 #include <CLI/CLI.hpp>
-#include <optional>
-#include <string>
 
-#include "tramline/admission/read_guide.h"
-#include "tramline/model/plan.h"
+#include "request/plan_request.h"
 
 namespace tramline::app {
-
-/// As typed; empty or unset where the user said nothing.
-struct PlanOptions {
-  std::optional<double> width_m, radius_m, min_length_m;
-  std::string machine_file;
-  std::string weights, prices, minimise;
-  std::string strategy = "best";
-  double direction_tolerance_deg = 0.01;
-  std::string end_rule;  ///< cheapest; with S2's tracks cover
-  std::string boundary = "soft";
-  std::string cell_direction = "rectangle";
-  std::string avoid = "cheapest";
-  std::optional<double> avoid_threshold_m;
-  double clearance_m = 0;
-  double merge_deg = 0;
-  double decomposition_deg = 180;
-  double short_edge_m = 0;
-  int headlands = 0, obstacle_headlands = 0;
-  std::string ab, guide_file, guide_where, curved;
-  std::string tracks = "parallel";
-};
 
 void add_plan_options(CLI::App& verb, PlanOptions& options);
 /// Of those only --width, --radius, --machine and --min-length, whose default is said in words.
 void add_machine_options(CLI::App& verb, PlanOptions& options, const char* least_length);
 /// Only --weights, --prices and --minimise.
 void add_objective_options(CLI::App& verb, PlanOptions& options);
-
-/// The machine file, overruled by --width, --radius and --min-length. Throws kBadInput.
-Machine machine_of(const PlanOptions& options);
-/// --weights o,u,t[,s], --prices o,u,t[,s] or --minimise. Throws kBadInput.
-Objective objective_of(const PlanOptions& options);
-/// o,u,t[,s] as typed after `option`; a stop that is not given costs `stop`. Throws kBadInput.
-Objective prices_typed(const std::string& text, const char* option, double stop);
-/// The line of --ab or --guide, if any; `crs` as --crs was typed or as the fields have it. Throws kBadInput.
-std::optional<GuideLine> guide_of(const PlanOptions& options, const std::string& crs_definition);
-/// The settings for one field: with the guide in its metres. A line with bends makes the tracks curved.
-PlanSettings settings_for(const PlanSettings& settings, const std::optional<GuideLine>& guide,
-                          const Field& field, const Machine& machine);
-/// Throws kBadInput for an unknown word, and for a threshold that is none. What else is out of range is
-/// left to validate_request().
-PlanSettings settings_of(const PlanOptions& options);
 
 }  // namespace tramline::app

@@ -10,14 +10,14 @@
 
 #include "command.h"
 #include "drive_options.h"
-#include "evaluate_input.h"
 #include "field_options.h"
 #include "output_target.h"
+#include "request/evaluate_input.h"
+#include "request/watch_session.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/feed/feed.h"
 #include "tramline/io/feed/raw_log.h"
 #include "watch_run.h"
-#include "watch_session.h"
 
 namespace tramline::app {
 namespace {

@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "report_parts.h"
+#include "report/report_parts.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/coverage/write_coverage.h"
 #include "tramline/io/log/state_lines.h"

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "coverage_saver.h"
+#include "report/watch_report.h"
+#include "request/watch_session.h"
 #include "tramline/io/feed/feed.h"
 #include "tramline/io/feed/raw_log.h"
-#include "watch_report.h"
-#include "watch_session.h"
 #include "work_key.h"
 
 namespace tramline::app {

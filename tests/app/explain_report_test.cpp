@@ -1,4 +1,4 @@
-#include "explain_report.h"
+#include "report/explain_report.h"
 
 #include <gtest/gtest.h>
 

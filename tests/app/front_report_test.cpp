@@ -1,4 +1,4 @@
-#include "front_report.h"
+#include "report/front_report.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "obstacle_report.h"
+#include "report/obstacle_report.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "report_parts.h"
+#include "report/report_parts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "front_report.h"
+#include "report/front_report.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "report_parts.h"
+#include "report/report_parts.h"
 #include "tramline/model/plain_zero.h"
 #include "tramline/planner/front_marks.h"
 

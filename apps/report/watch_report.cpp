@@ -1,4 +1,4 @@
-#include "watch_report.h"
+#include "report/watch_report.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
-#include "info_report.h"
+#include "report/info_report.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
 
-#include "report_parts.h"
+#include "report/report_parts.h"
 
 namespace tramline::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "field_options.h"
+#include "request/field_input.h"
 
 namespace tramline::app {
 

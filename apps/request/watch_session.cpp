@@ -1,4 +1,4 @@
-#include "watch_session.h"
+#include "request/watch_session.h"
 
 #include <cmath>
 #include <utility>

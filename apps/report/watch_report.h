@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "evaluate_report.h"
+#include "report/evaluate_report.h"
 #include "tramline/coverage/live_coverage.h"
 
 namespace tramline::app {

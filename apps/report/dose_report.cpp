@@ -1,4 +1,4 @@
-#include "dose_report.h"
+#include "report/dose_report.h"
 
 #include <fmt/format.h>
 

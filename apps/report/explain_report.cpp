@@ -1,4 +1,4 @@
-#include "explain_report.h"
+#include "report/explain_report.h"
 
 #include <fmt/format.h>
 

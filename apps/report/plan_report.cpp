@@ -1,4 +1,4 @@
-#include "plan_report.h"
+#include "report/plan_report.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "front_report.h"
-#include "obstacle_report.h"
-#include "report_parts.h"
+#include "report/front_report.h"
+#include "report/obstacle_report.h"
+#include "report/report_parts.h"
 #include "tramline/geometry/kinked_line.h"
 #include "tramline/headland/body.h"
 

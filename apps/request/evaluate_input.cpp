@@ -1,4 +1,4 @@
-#include "evaluate_input.h"
+#include "request/evaluate_input.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "evaluate_report.h"
+#include "report/evaluate_report.h"
 
 #include <fmt/format.h>
 

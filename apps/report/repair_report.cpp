@@ -1,4 +1,4 @@
-#include "repair_report.h"
+#include "report/repair_report.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "plan_report.h"
+#include "report/plan_report.h"
 #include "tramline/geodesy/field_projection.h"
 
 namespace tramline::app {

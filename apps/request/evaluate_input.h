@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "field_options.h"
+#include "request/field_input.h"
 #include "tramline/coverage/evaluate.h"
 #include "tramline/geometry/region.h"
 #include "tramline/model/field.h"

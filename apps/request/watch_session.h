@@ -6,8 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "evaluate_input.h"
-#include "evaluate_report.h"
+#include "request/evaluate_input.h"
 #include "tramline/coverage/live_coverage.h"
 #include "tramline/geodesy/placed_log.h"
 #include "tramline/io/log/line_log.h"

@@ -1,0 +1,21 @@
+#pragma once
+// How a drive is to be understood: what evaluate and watch have in common.
+
+#include <string>
+
+#include "tramline/coverage/evaluate.h"
+#include "tramline/io/log/read_log.h"
+
+namespace tramline::app {
+
+/// As typed.
+struct DriveOptions {
+  coverage::DriveSettings drive;
+  io::LogOptions log;
+  std::string quads = "heading", switching = "interpolate", repeat = "run";
+};
+
+/// The settings these options stand for.
+void apply(const DriveOptions& options, coverage::EvaluateSettings& settings);
+
+}  // namespace tramline::app

@@ -1,0 +1,196 @@
+#include "request/field_input.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "tramline/admission/admit.h"
+#include "tramline/admission/place_obstacles.h"
+#include "tramline/admission/read_obstacles.h"
+#include "tramline/geometry/error.h"
+#include "tramline/io/isoxml/read_fields.h"
+
+namespace tramline::app {
+namespace {
+
+constexpr long long kListed = 20;
+
+/// The obstacles of --obstacles and --passable, and which of them met a field so far.
+struct Loose {
+  std::vector<LooseObstacle> obstacles;
+  std::vector<char> met;
+};
+
+/// `plain_given`: the user said that coordinates are plain metres, whatever the file says.
+void append_obstacles(const std::string& file, ObstacleKind kind, bool plain, bool plain_given,
+                      const std::string& crs, std::vector<LooseObstacle>& out) {
+  if (file.empty()) return;
+  io::VectorQuery query;
+  query.file = file;
+  query.all_layers = true;
+  RawDataset dataset = io::read_fields(query);
+  if (plain_given)
+    for (RawLayer& layer : dataset.layers) layer.crs.clear();
+  for (LooseObstacle& obstacle : read_obstacles(dataset, kind, plain, crs))
+    out.push_back(std::move(obstacle));
+}
+
+Loose loose_obstacles(const FieldOptions& options, const Crs& crs, const std::string& definition) {
+  Loose out;
+  const bool plain_given = crs.plain() && !options.crs.empty();
+  append_obstacles(options.obstacles_file, ObstacleKind::kObstacle, crs.plain(), plain_given, definition,
+                   out.obstacles);
+  append_obstacles(options.passable_file, ObstacleKind::kPassable, crs.plain(), plain_given, definition,
+                   out.obstacles);
+  out.met.assign(out.obstacles.size(), 0);
+  return out;
+}
+
+std::vector<Skipped> not_met(const Loose& loose) {
+  std::vector<Skipped> out;
+  for (std::size_t i = 0; i < loose.obstacles.size(); ++i)
+    if (!loose.met[i]) {
+      const Point at = loose.obstacles[i].bounds.centre();
+      out.push_back({loose.obstacles[i].kind == ObstacleKind::kPassable ? "passable strip" : "obstacle",
+                     fmt::format("{} at ({:.7g}, {:.7g})", loose.obstacles[i].origin, at.x, at.y),
+                     "it does not meet any field read"});
+    }
+  return out;
+}
+
+/// Everything between the raw features and the fields: the CRS, the obstacles, the admission.
+class Admitter {
+ public:
+  Admitter(const FieldOptions& options, const RawDataset& dataset)
+      : options_(options),
+        layer_(dataset.layers.front()),
+        definition_(options.crs.empty() ? layer_.crs : options.crs),
+        crs_(definition_),
+        loose_(loose_obstacles(options, crs_, definition_)),
+        context_{dataset.file, layer_.name, &crs_, dataset.winding_matters} {
+    input_.driver = dataset.driver;
+    input_.layer = layer_.name;
+    input_.layer_geometry = layer_.geometry_type;
+    input_.crs = crs_.name();
+    input_.crs_given = !options.crs.empty();
+    input_.features = layer_.matching;
+    input_.skipped = dataset.skipped;
+  }
+
+  /// Throws the refusal.
+  void admit(const RawFeature& feature) {
+    Admission admission = tramline::admit(feature, context_);
+    if (!loose_.obstacles.empty())
+      for (Field& field : admission.fields)
+        place_obstacles(field, loose_.obstacles, options_.obstacle_size_m, loose_.met);
+    for (Field& field : admission.fields) {
+      field.source.crs = options_.crs;
+      field.source.input_crs = crs_.definition();
+      field.source.obstacles_file = options_.obstacles_file;
+      field.source.obstacle_size_m = options_.obstacle_size_m;
+      field.source.passable_file = options_.passable_file;
+      input_.fields.push_back(std::move(field));
+    }
+    for (Skipped& skipped : admission.skipped) input_.skipped.push_back(std::move(skipped));
+  }
+
+  void admit_all() {
+    for (const RawFeature& feature : layer_.features) {
+      try {
+        admit(feature);
+      } catch (const Error& error) {
+        if (error.kind() != ErrorKind::kBadInput) throw;
+        input_.refusals.push_back({field_id(feature, layer_.name), error.what()});
+      }
+    }
+  }
+
+  FieldInput finish() {
+    for (Skipped& skipped : not_met(loose_)) input_.skipped.push_back(std::move(skipped));
+    return std::move(input_);
+  }
+
+ private:
+  const FieldOptions& options_;
+  const RawLayer& layer_;
+  std::string definition_;
+  Crs crs_;
+  Loose loose_;
+  AdmissionContext context_;
+  FieldInput input_;
+};
+
+io::VectorQuery query_of(const FieldOptions& options) {
+  io::VectorQuery query;
+  query.file = options.file;
+  query.layer = options.layer;
+  query.where = options.where;
+  return query;
+}
+
+[[noreturn]] void refuse_several(const FieldOptions& options, const RawDataset& dataset) {
+  FieldOptions bare = options;
+  bare.obstacles_file.clear();
+  bare.passable_file.clear();
+  Admitter admitter(bare, dataset);
+  admitter.admit_all();
+  const FieldInput input = admitter.finish();
+  std::string list;
+  const auto add = [&](const std::string& entry) { list += (list.empty() ? "" : ", ") + entry; };
+  for (const Field& field : input.fields) {
+    const bool unique = std::count_if(input.fields.begin(), input.fields.end(),
+                                      [&](const Field& other) { return other.id == field.id; }) == 1;
+    const std::string number = unique ? "" : fmt::format("fid {}, ", field.source.fid);
+    add(fmt::format("{} ({}{:.1f} m²)", field.id, number, area_m2(field)));
+  }
+  for (const Refusal& refusal : input.refusals) add(fmt::format("{} (refused)", refusal.field_id));
+  const long long more = input.features - kListed;
+  if (more > 0) list += fmt::format(" and {} more", more);
+  throw bad_input(fmt::format("'{}' has {} features; take all with --all or choose one with --where: {}",
+                              dataset.file, input.features, list));
+}
+
+}  // namespace
+
+FieldInput load_fields(const FieldOptions& options) {
+  io::VectorQuery query = query_of(options);
+  if (!options.all) query.limit = kListed;
+  const RawDataset dataset = io::read_fields(query);
+  const RawLayer& layer = dataset.layers.front();
+  if (!options.all && layer.features.size() > 1) refuse_several(options, dataset);
+  Admitter admitter(options, dataset);
+  if (options.all)
+    admitter.admit_all();
+  else
+    admitter.admit(layer.features.front());
+  return admitter.finish();
+}
+
+FieldInput survey_fields(const FieldOptions& options, long long limit) {
+  io::VectorQuery query = query_of(options);
+  query.limit = limit;
+  const RawDataset dataset = io::read_fields(query);
+  Admitter admitter(options, dataset);
+  admitter.admit_all();
+  return admitter.finish();
+}
+
+Field load_field(const FieldOptions& options, const FieldSource& source) {
+  io::VectorQuery query;
+  query.file = options.file;
+  query.layer = options.layer.empty() ? source.layer : options.layer;
+  // GeoJSON and Shapefile layers are called like their file, which may have been renamed.
+  query.layer_is_hint = options.layer.empty();
+  query.fid = source.fid;
+  const RawDataset dataset = io::read_fields(query);
+  Admitter admitter(options, dataset);
+  admitter.admit(dataset.layers.front().features.front());
+  FieldInput input = admitter.finish();
+  for (Field& field : input.fields)
+    if (field.source.part == source.part) return std::move(field);
+  throw bad_input(fmt::format("'{}', layer '{}', feature {} has {} part(s), so there is no part {}",
+                              dataset.file, source.layer, source.fid, input.fields.size(), source.part + 1));
+}
+
+}  // namespace tramline::app

@@ -1,0 +1,52 @@
+#pragma once
+// Which field is meant, and the fields that leads to.
+
+#include <string>
+#include <vector>
+
+#include "tramline/model/field.h"
+#include "tramline/model/raw_feature.h"
+
+namespace tramline::app {
+
+/// As typed; empty where the user said nothing.
+struct FieldOptions {
+  std::string file, layer, where, crs, obstacles_file, passable_file;
+  bool all = false;
+  double obstacle_size_m = 7;
+};
+
+/// A feature that cannot be planned on.
+struct Refusal {
+  std::string field_id;
+  std::string sentence;  ///< what a run on this feature alone would have ended with
+};
+
+struct FieldInput {
+  std::vector<Field> fields;  ///< in file order
+  std::vector<Refusal> refusals;
+  std::vector<Skipped> skipped;
+  // What was read, for the verb info.
+  std::string driver;
+  std::string layer;
+  std::string layer_geometry;
+  std::string crs;         ///< name of the CRS the coordinates were taken in
+  bool crs_given = false;  ///< by --crs, against or without the file's own
+  long long features = 0;  ///< how many match; more than were read without --all
+};
+
+/// One feature, whose polygons become one field each, or with --all every feature. Throws bad_input when
+/// several features match without --all, listing the first 20 with id and area; when a single feature is
+/// refused; and for whatever is wrong with the files. With --all a refused feature is listed and the rest
+/// goes on.
+FieldInput load_fields(const FieldOptions& options);
+
+/// Like load_fields with --all, but reads at most `limit` features and never complains of several.
+FieldInput survey_fields(const FieldOptions& options, long long limit);
+
+/// The one field a plan was made from: by layer (or --layer; the only one with polygons where neither is
+/// found), feature number and part; --where is passed over. Throws bad_input when the file has no such
+/// feature, or the feature no such part, or is refused.
+Field load_field(const FieldOptions& options, const FieldSource& source);
+
+}  // namespace tramline::app
