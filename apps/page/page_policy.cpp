@@ -20,7 +20,7 @@ std::string_view origin_of(std::string_view address) {
 std::string page_policy(std::string_view tiles) {
   std::string sources = "'self' data: blob:";
   const std::string_view origin = origin_of(tiles);
-  if (!origin.empty()) sources += " " + std::string(origin);
+  if (!origin.empty()) sources.append(" ").append(origin);
   std::string policy =
       "default-src 'none'; script-src 'self'; worker-src 'self'; style-src 'self'; font-src 'self'; "
       "manifest-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'; img-src ";
