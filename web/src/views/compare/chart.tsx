@@ -1,0 +1,85 @@
+// Overlap to the right, uncovered land upwards, turns as colour: each dot is a plan.
+import type { FrontPoint } from '../../api/types';
+import { count, money, squareMetres } from '../../format';
+import { roundStep } from '../../map/metres';
+import { marksOf } from './trade_off';
+
+const W = 380;
+const H = 300;
+const LEFT = 58;
+const BOTTOM = 46;
+const TOP = 14;
+const RIGHT = 14;
+
+interface Axis {
+  least: number;
+  most: number;
+  ticks: number[];
+}
+function axis(values: number[]): Axis {
+  const [low, high] = [Math.min(...values), Math.max(...values)];
+  const step = roundStep(Math.max((high - low) / 3.5, high / 100, 1));
+  const least = Math.max(0, Math.floor(low / step - 0.15) * step);
+  const most = Math.ceil(high / step + 0.15) * step;
+  return { least, most, ticks: Array.from({ length: Math.round((most - least) / step) + 1 }, (_, i) => least + i * step) };
+}
+
+interface Props {
+  points: FrontPoint[];
+  open: number | null;
+  hovered: number | null;
+  hover: (point: number | null) => void;
+  choose: (point: number) => void;
+}
+
+export function Chart({ points, open, hovered, hover, choose }: Props) {
+  const across = axis(points.map((point) => point.overlap_m2));
+  const up = axis(points.map((point) => point.uncovered_m2));
+  const turns = points.map((point) => point.turns + point.stops);
+  const [fewest, most] = [Math.min(...turns), Math.max(...turns)];
+  const x = (value: number) => LEFT + ((value - across.least) / (across.most - across.least)) * (W - LEFT - RIGHT);
+  const y = (value: number) => H - BOTTOM - ((value - up.least) / (up.most - up.least)) * (H - BOTTOM - TOP);
+  const radius = (point: FrontPoint) => 5 + (most > fewest ? (6 * (point.turns + point.stops - fewest)) / (most - fewest) : 0);
+  // Small dots lie above large ones, the open one above all.
+  const drawn = [...points].sort((a, b) => Number(a.point === open) - Number(b.point === open) || radius(b) - radius(a));
+  return (
+    <figure class="chart">
+      <svg viewBox={`0 0 ${W} ${H}`} role="group" aria-label="Trade-off: overlap to the right, uncovered land upwards, larger dots turn and stop more often">
+        {across.ticks.map((tick) => (
+          <g key={tick}>
+            <line class="rule" x1={x(tick)} x2={x(tick)} y1={TOP} y2={H - BOTTOM} />
+            <text x={x(tick)} y={H - BOTTOM + 17} text-anchor="middle">{count(tick)}</text>
+          </g>
+        ))}
+        {up.ticks.map((tick) => (
+          <g key={tick}>
+            <line class="rule" x1={LEFT} x2={W - RIGHT} y1={y(tick)} y2={y(tick)} />
+            <text x={LEFT - 7} y={y(tick) + 4} text-anchor="end">{count(tick)}</text>
+          </g>
+        ))}
+        <text x={W - RIGHT} y={H - 8} text-anchor="end">Overlap, m² →</text>
+        <text x={LEFT + 6} y={TOP + 10}>↑ Uncovered, m²</text>
+        {drawn.map((point) => (
+          <g
+            key={point.point} class={`dot ${point.point === open ? 'open' : ''} ${point.point === hovered ? 'hovered' : ''} ${point.marks.includes('given_prices') ? 'cheapest' : ''}`}
+            role="button" tabIndex={0}
+            aria-label={`Plan ${point.point}: ${squareMetres(point.overlap_m2)} overlap, ${squareMetres(point.uncovered_m2)} uncovered, ${point.turns} turns, ${point.stops} stops, ${money(point.cost)}${point.marks.length > 0 ? `, ${marksOf(point)}` : ''}`}
+            onClick={() => choose(point.point)}
+            onKeyDown={(event) => {
+              if (event.key !== 'Enter' && event.key !== ' ') return;
+              event.preventDefault();
+              choose(point.point);
+            }}
+            onMouseEnter={() => hover(point.point)} onMouseLeave={() => hover(null)}
+            onFocus={() => hover(point.point)} onBlur={() => hover(null)}
+          >
+            <circle class="target" cx={x(point.overlap_m2)} cy={y(point.uncovered_m2)} r={23} />
+            <circle class="seen" cx={x(point.overlap_m2)} cy={y(point.uncovered_m2)} r={radius(point)} />
+            {point.marks.includes('knee') && <circle class="knee" cx={x(point.overlap_m2)} cy={y(point.uncovered_m2)} r={radius(point) + 3.5} />}
+          </g>
+        ))}
+      </svg>
+      <figcaption class="hint">A larger dot turns and stops more often. Filled: cheapest at your prices; ringed: balanced.</figcaption>
+    </figure>
+  );
+}
