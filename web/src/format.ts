@@ -37,11 +37,11 @@ export function timeOfDay(seconds: Maybe): string {
   return `${new Date(seconds * 1000).toISOString().slice(0, 19).replace('T', ' ')} UTC`;
 }
 
-/** A difference, with its sign: "+210 m²", "−3", "±0 m". */
+/** A difference, with its sign: "+210 m²", "−3", "±0". */
 export function change(difference: number, write: (value: number) => string): string {
   const size = write(Math.abs(difference));
-  const nothing = size === write(0);
-  return nothing ? `±${size}` : `${difference > 0 ? '+' : '−'}${size}`;
+  if (size === write(0)) return '±0';
+  return `${difference > 0 ? '+' : '−'}${size}`;
 }
 
 export const plural = (n: number, one: string, many = `${one}s`) => `${count(n)} ${n === 1 ? one : many}`;

@@ -13,7 +13,7 @@ let kept = false;
 /** Loads what the server keeps, and opens what the address names. */
 export async function start(): Promise<void> {
   if (!(await greet())) return;
-  await attempt(() => Promise.all([loadFields(), loadMachines(), loadDrives()]));
+  await Promise.all([loadFields, loadMachines, loadDrives].map(attempt));
   if (kept) return;
   kept = true;
   session.set({ view: opened.view });

@@ -5,7 +5,7 @@ import { fields } from '../state/fields';
 import { form } from '../state/plan_form';
 import { session } from '../state/session';
 import { edgesOf, nearestEdge, type Edge } from './edges';
-import { collection, NOTHING, type Shown } from './engine';
+import { collection, NOTHING, type Shown } from './shown';
 
 let ofField: FieldFull | null = null;
 let edges: Edge[] = [];

@@ -1,6 +1,6 @@
 // The map itself: made once, then kept in step with the stores. Loaded after the first paint.
 import maplibregl, { type GeoJSONSource, type Map as GlMap } from 'maplibre-gl';
-import type { Box, FeatureCollection, Place } from '../api/types';
+import type { Box, Place } from '../api/types';
 import { fields } from '../state/fields';
 import { isNight, session } from '../state/session';
 import { followDrawing } from './drawing';
@@ -11,17 +11,7 @@ import { mapStyle } from './style';
 import { followField } from './show_field';
 import { followPlan } from './show_plan';
 import { followWork } from './show_work';
-
-export interface Shown {
-  map: GlMap;
-  /** Replaces what a source holds. */
-  fill(source: string, data: FeatureCollection): void;
-  /** Shows or hides layers. */
-  visible(layers: string[], on: boolean): void;
-}
-
-export const NOTHING: FeatureCollection = { type: 'FeatureCollection', features: [] };
-export const collection = (features: FeatureCollection['features']): FeatureCollection => ({ type: 'FeatureCollection', features });
+import type { Shown } from './shown';
 
 const calm = matchMedia('(prefers-reduced-motion: reduce)');
 const START: Place = [10, 51];
@@ -32,7 +22,7 @@ export function fit(box: Box): void {
   if (!shown) return;
   const { map } = shown;
   const wide = map.getContainer().clientWidth > 760;
-  const padding = wide ? { top: 48, bottom: 56, left: 48, right: 330 } : { top: 28, bottom: 44, left: 24, right: 24 };
+  const padding = wide ? { top: 48, bottom: 56, left: 48, right: 360 } : { top: 28, bottom: 44, left: 24, right: 24 };
   map.fitBounds(box, { padding, maxZoom: 20, animate: !calm.matches, duration: 500 });
 }
 

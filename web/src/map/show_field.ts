@@ -1,7 +1,8 @@
 import { drawing } from '../state/drawing';
 import { fields } from '../state/fields';
 import { session } from '../state/session';
-import { NOTHING, fit, type Shown } from './engine';
+import { fit } from './engine';
+import { NOTHING, type Shown } from './shown';
 
 /** The open field on the map, fitted when another one is opened. */
 export function followField({ fill, visible }: Shown): void {

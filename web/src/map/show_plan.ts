@@ -1,7 +1,7 @@
 import type { FeatureCollection } from '../api/types';
-import { FIRST_SHOWN, isShown, plans } from '../state/plans';
+import { isShown, plans } from '../state/plans';
 import { session } from '../state/session';
-import { NOTHING, type Shown } from './engine';
+import { NOTHING, type Shown } from './shown';
 import { PARTS_OF } from './plan_layers';
 
 /** So many tracks are told apart at a glance; of more, numbers show from nearer. */
@@ -30,5 +30,3 @@ export function followPlan({ map, fill, visible }: Shown): void {
   session.listen(sync);
   sync();
 }
-
-export const knownLayers = [...new Set([...FIRST_SHOWN, ...Object.keys(PARTS_OF)])];

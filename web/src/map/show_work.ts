@@ -3,7 +3,7 @@ import type { FeatureCollection, Place, WorkFrame, WorkTile } from '../api/types
 import { DRIVE_LAYERS, review } from '../state/review';
 import { onFrame, replay } from '../state/replay';
 import { session } from '../state/session';
-import { NOTHING, collection, type Shown } from './engine';
+import { NOTHING, collection, type Shown } from './shown';
 import { TILE_SOURCES } from './style';
 import { DRIVE_PARTS } from './work_layers';
 

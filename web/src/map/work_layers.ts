@@ -2,6 +2,9 @@
 import type { LayerSpecification } from 'maplibre-gl';
 import type { Colours } from './palette';
 
+/** As in the library's pictures: so many gaps bear a number from afar. */
+const GAPS_NUMBERED = 12;
+
 export function workLayers(c: Colours): LayerSpecification[] {
   // Tiles meet edge to edge: smoothed edges would show as seams.
   const ground = (id: string, color: string, opacity: number, antialias: boolean): LayerSpecification => ({
@@ -31,10 +34,11 @@ export function workLayers(c: Colours): LayerSpecification[] {
     { id: 'work:line', type: 'line', source: 'work:line', paint: { 'line-color': c.WorkedPath, 'line-width': 1.4 } },
     {
       id: 'drive:gaps', type: 'line', source: 'drive:gaps',
-      paint: { 'line-color': c.Uncovered, 'line-width': ['case', ['<=', ['to-number', ['get', 'number'], 99], 12], 2.5, 1] },
+      paint: { 'line-color': c.Uncovered, 'line-width': ['case', ['<=', ['to-number', ['get', 'number'], 99], GAPS_NUMBERED], 2.5, 1] },
     },
     {
       id: 'drive:gaps-number', type: 'symbol', source: 'drive:gaps',
+      filter: ['any', ['<=', ['to-number', ['get', 'number'], 99], GAPS_NUMBERED], ['>=', ['zoom'], 17.5]] as never,
       layout: {
         'icon-image': ['concat', 'gap:', ['to-string', ['get', 'number']]], 'icon-padding': 2,
         'symbol-sort-key': ['to-number', ['get', 'number'], 99],

@@ -13,9 +13,8 @@ import { deletePlan, openPlan, plans } from '../../state/plans';
 import { useStore } from '../../state/store';
 
 const called = (plan: PlanItem, all: PlanItem[]) => {
-  const twins = all.filter((other) => other.name === plan.name);
   const number = all.length - all.indexOf(plan);
-  return `${number} · ${twins.length > 1 || plan.name === '' ? when(plan.created) : plan.name} · ${money(plan.cost)}`;
+  return `${number} · ${money(plan.cost)} · ${plan.name || when(plan.created)}`;
 };
 
 export function SideBySide() {

@@ -18,8 +18,8 @@ const KNOWN: Record<string, { title: string; mark: Mark }> = {
   detours: { title: 'Detours', mark: { colour: 'Detour', form: 'line' } },
   headland_passes: { title: 'Headland passes', mark: { colour: 'HeadlandPass', form: 'line' } },
   headland: { title: 'Headland', mark: { colour: 'Headland', form: 'area' } },
-  headland_unworked: { title: 'Headland not worked', mark: { colour: 'Uncovered', form: 'area' } },
-  subfields: { title: 'Parts of the field', mark: { colour: 'Passable', form: 'area' } },
+  headland_unworked: { title: 'Headland left', mark: { colour: 'Uncovered', form: 'area' } },
+  subfields: { title: 'Subfields', mark: { colour: 'Passable', form: 'area' } },
   given_up: { title: 'Left out on purpose', mark: { colour: 'Uncovered', form: 'area' } },
   worked: { title: 'Worked before', mark: { colour: 'Covered', form: 'area' } },
   dropped: { title: 'Too short to drive', mark: { colour: 'Dropped', form: 'dashed' } },
@@ -34,7 +34,7 @@ export function LayerList() {
   const colours = isNight() ? NIGHT : DAY;
   const rows = Object.keys(KNOWN)
     .map((name) => layers.find((layer) => layer.name === name))
-    .filter((layer): layer is LayerItem => layer !== undefined && layer.features > 0 && layer.name in PARTS_OF);
+    .filter((layer): layer is LayerItem => layer !== undefined && layer.features > 0 && (layer.m2 === null || layer.m2 >= 0.05) && layer.name in PARTS_OF);
   return (
     <div class="layers">
       {rows.map((layer) => {

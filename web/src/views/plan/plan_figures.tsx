@@ -7,6 +7,8 @@ import { plans, type Figures as Tally } from '../../state/plans';
 import { useStore } from '../../state/store';
 
 type Key = keyof Tally;
+/** A wider gap between plan and bound says nothing. */
+const TELLING = 0.3;
 
 export function PlanFigures({ plan }: { plan: PlanFull }) {
   const before = useStore(plans, (value) => value.before);
@@ -32,7 +34,7 @@ export function PlanFigures({ plan }: { plan: PlanFull }) {
         ]} />
       <p class="hint">
         {`${hectares(s.body_m2)} to cover${s.direction_deg.length > 0 && s.direction_deg.length <= 4 ? `, tracks towards ${s.direction_deg.map(degrees).join(' and ')}` : ''}.`}
-        {s.gap !== null && s.gap !== undefined && ` No plan can be cheaper by more than ${percent(s.gap)}.`}
+        {typeof s.gap === 'number' && s.gap < TELLING && ` No plan can be cheaper by more than ${percent(s.gap)}.`}
       </p>
       <Remarks plan={plan} />
     </section>

@@ -8,7 +8,7 @@ import { useStore } from '../../state/store';
 import type { DriveFull, FeatureCollection } from '../../api/types';
 
 const TITLES: Record<DriveLayer, string> = {
-  covered: 'Covered', repeated: 'Doubled', missed: 'Missed', multiplicity: 'How often worked', track: 'Way of the machine', gaps: 'Gaps, numbered',
+  covered: 'Covered', repeated: 'Doubled', missed: 'Missed', multiplicity: 'How often', track: 'Way driven', gaps: 'Gaps, numbered',
 };
 
 const sum = (shapes: FeatureCollection | undefined, key: string) =>
