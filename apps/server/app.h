@@ -9,6 +9,8 @@
 #include "server/http/event_stream.h"
 #include "server/jobs/job_queue.h"
 #include "server/store/field_store.h"
+#include "server/store/front_shelf.h"
+#include "server/store/machine_store.h"
 #include "server/store/plan_store.h"
 #include "server/store/store_folder.h"
 #include "server/uploads/uploads.h"
@@ -30,6 +32,9 @@ struct ServerSettings {
   Limits limits;
 };
 
+/// Comparisons that plans can still be taken from: a search for each of 16 prices is kept.
+inline constexpr std::size_t kMostFronts = 8;
+
 /// Everything a server has while it runs. Members are safe for several threads.
 struct App {
   explicit App(ServerSettings given)
@@ -37,6 +42,8 @@ struct App {
         folder(settings.folder),
         fields(folder, warnings),
         plans(folder, warnings),
+        machines(folder, warnings),
+        fronts(kMostFronts),
         uploads(folder),
         streams(settings.limits.streams),
         jobs(settings.limits.jobs) {}
@@ -46,6 +53,8 @@ struct App {
   StoreFolder folder;
   FieldStore fields;
   PlanStore plans;
+  MachineStore machines;
+  FrontShelf fronts;
   Uploads uploads;
   StreamPermits streams;
   JobQueue jobs;  ///< last: its work uses the others

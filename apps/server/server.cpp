@@ -30,8 +30,11 @@ void add_routes(Router& router, App& app) {
   add_session_routes(router, app);
   add_upload_routes(router, app);
   add_field_routes(router, app);
+  add_machine_routes(router, app);
   add_job_routes(router, app);
   add_plan_routes(router, app);
+  add_plan_file_routes(router, app);
+  add_front_routes(router, app);
   add_page_routes(router, app);
 }
 
@@ -88,7 +91,8 @@ Server::Server(ServerSettings settings) : parts_(std::make_unique<Parts>(std::mo
       [gate, &router](const httplib::Request& request, httplib::Response& response) {
         return gate.lets_in(request, response, router.most_bytes(request)) ? 100 : response.status;
       });
-  const httplib::Server::HandlerWithResponse in_json = [](const httplib::Request&, httplib::Response& response) {
+  const httplib::Server::HandlerWithResponse in_json = [](const httplib::Request&,
+                                                          httplib::Response& response) {
     if (response.body.empty())
       answer_fault(response, response.status,
                    error_body(Fault::kBadInput, "the request is none that a server understands"));

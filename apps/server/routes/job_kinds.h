@@ -10,5 +10,7 @@
 namespace tramline::server {
 
 JobStatus begin_plan(App& app, const nlohmann::ordered_json& json);
+JobStatus begin_compare(App& app, const nlohmann::ordered_json& json);
+JobStatus begin_check(App& app, const nlohmann::ordered_json& json);
 
 }  // namespace tramline::server

@@ -16,7 +16,10 @@ void add_about_routes(Router& router, App& app);
 void add_session_routes(Router& router, App& app);
 void add_upload_routes(Router& router, App& app);
 void add_field_routes(Router& router, App& app);
+void add_machine_routes(Router& router, App& app);
 void add_plan_routes(Router& router, App& app);
+void add_plan_file_routes(Router& router, App& app);
+void add_front_routes(Router& router, App& app);
 void add_job_routes(Router& router, App& app);
 void add_page_routes(Router& router, App& app);
 
