@@ -35,6 +35,24 @@ demo: program ## plan the example field and check the plan; results in out/
 test: packages-test build ## build and run every test; those on real data where TRAMLINE_DATA is found
 	$(CTEST) --test-dir $(RELEASE)
 
+.PHONY: page
+page: packages ## bundle the page into build/page, to look at what the program is built with
+	node web/tools/packages.mjs npm
+	node web/node_modules/typescript/bin/tsc --noEmit -p web
+	node web/tools/build.mjs --out build/page
+
+.PHONY: serve
+serve: program ## build the program and serve its page, http://127.0.0.1:8750
+	$(TRAMLINE) serve
+
+.PHONY: page-pictures
+page-pictures: packages-test program ## draw the pictures of docs/page.md anew
+	TRAMLINE=$(TRAMLINE) node tests/page/pictures.mjs docs/images
+
+.PHONY: page-speed
+page-speed: packages-test program ## first paint, and frames a second with 5,000 swaths drawn in software
+	TRAMLINE=$(TRAMLINE) node tests/page/speed.mjs
+
 .PHONY: gallery
 gallery: program ## plan 24 real fields and draw them on one contact sheet, outside the repository
 	cmake --build $(RELEASE) -j $(JOBS) --target tramline_gallery

@@ -10,8 +10,12 @@ build_packages=(
   libgtest-dev librapidcheck-dev libbenchmark-dev
   fonts-dejavu-core python3 sqlite3 zip
 )
-# Peers that only tests talk to; gpsfake is one of the clients.
-test_packages=(gpsd gpsd-clients)
+# The page is built by these commands. Looked for as commands: a node from elsewhere brings its own npm, and does not
+# bear Debian's beside it.
+command -v node >/dev/null || build_packages+=(nodejs)
+command -v npm >/dev/null || build_packages+=(npm)
+# Peers that only tests talk to; gpsfake is one of the clients. Chromium drives the page.
+test_packages=(gpsd gpsd-clients chromium)
 # What `make lint`, `make format` and the long tests need besides.
 lint_packages=(clang libclang-rt-14-dev clang-tidy clang-format-14 shellcheck)
 
