@@ -241,6 +241,7 @@ WorkFrame FeedReader::frame() {
   const app::WatchSession& session = feed_->session_;
   const coverage::LiveCoverage& live = session.live();
   WorkFrame out;
+  out.plane = session.frame();
   out.fix = out.fixes = session.fixes();
   out.time_s = live.last_s();
   out.working = live.working().value_or(false);

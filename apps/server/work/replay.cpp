@@ -70,6 +70,7 @@ WorkFigures Replay::figures() const {
 
 WorkFrame Replay::frame() {
   WorkFrame out;
+  out.plane = drive_->ground.frame;
   out.fix = driven_;
   out.fixes = drive_->ready.log.fixes.size();
   out.time_s = drive_->clock_s[driven_ - 1];

@@ -11,6 +11,7 @@
 #include "tramline/geometry/angle.h"
 #include "tramline/geometry/point.h"
 #include "tramline/model/coverage.h"
+#include "tramline/model/local_frame.h"
 
 namespace tramline::server {
 
@@ -27,8 +28,9 @@ struct WorkFigures {
 /// As `tramline watch` has it; NaN: not known.
 double remaining_s(const WorkFigures& figures);
 
-/// Where a drive is after a fix, and what changed since the last frame. Local metres.
+/// Where a drive is after a fix, and what changed since the last frame.
 struct WorkFrame {
+  LocalFrame plane;       ///< of all places here
   double time_s = 0;        ///< of the fix; NaN: not known
   std::size_t fix = 0;      ///< so many fixes were driven
   std::size_t fixes = 0;    ///< of so many

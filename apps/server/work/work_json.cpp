@@ -20,21 +20,6 @@ ordered_json tiles_json(const std::vector<coverage::TileWork>& tiles, const Show
   return out;
 }
 
-ordered_json frame_json(const WorkFrame& frame, const ShownPlace& place) {
-  ordered_json out;
-  out["time_s"] = number(frame.time_s);
-  out["fix"] = frame.fix;
-  out["fixes"] = frame.fixes;
-  out["at"] = frame.at ? place.position(*frame.at) : ordered_json();
-  out["heading_deg"] = frame.heading ? number(frame.heading->degrees()) : ordered_json();
-  out["working"] = frame.working;
-  out["figures"] = figures_json(frame.figures);
-  out["line"] = place.line(frame.line);
-  out["all"] = frame.changes.all;
-  out["tiles"] = tiles_json(frame.changes.tiles, place);
-  return out;
-}
-
 }  // namespace
 
 std::string tile_id(coverage::TileIndex tile) { return fmt::format("{},{}", tile.column, tile.row); }
@@ -56,12 +41,30 @@ ordered_json figures_json(const WorkFigures& figures) {
   return out;
 }
 
-NamedEvent named_event(const WorkEvent& event, const ShownPlace& place) {
+ordered_json EventWriter::frame_json(const WorkFrame& frame) {
+  if (!place_ || plane_ != frame.plane) {
+    plane_ = frame.plane;
+    place_.emplace(plane_);
+  }
+  ordered_json out;
+  out["time_s"] = number(frame.time_s);
+  out["fix"] = frame.fix;
+  out["fixes"] = frame.fixes;
+  out["at"] = frame.at ? place_->position(*frame.at) : ordered_json();
+  out["heading_deg"] = frame.heading ? number(frame.heading->degrees()) : ordered_json();
+  out["working"] = frame.working;
+  out["figures"] = figures_json(frame.figures);
+  out["line"] = place_->line(frame.line);
+  out["all"] = frame.changes.all;
+  out["tiles"] = tiles_json(frame.changes.tiles, *place_);
+  return out;
+}
+
+NamedEvent EventWriter::named(const WorkEvent& event) {
   if (const auto* state = std::get_if<FeedState>(&event))
     return {"state", {{"message", state->message}, {"connected", state->connected}}};
-  if (const auto* end = std::get_if<WorkEnd>(&event))
-    return {"end", {{"figures", figures_json(end->figures)}}};
-  return {"frame", frame_json(std::get<WorkFrame>(event), place)};
+  if (const auto* end = std::get_if<WorkEnd>(&event)) return {"end", {{"figures", figures_json(end->figures)}}};
+  return {"frame", frame_json(std::get<WorkFrame>(event))};
 }
 
 }  // namespace tramline::server
