@@ -6,7 +6,7 @@ set -euo pipefail
 build_packages=(
   build-essential g++ cmake ninja-build ccache pkg-config
   libgdal-dev gdal-bin libgeos-dev libproj-dev proj-data libcairo2-dev libtbb-dev zlib1g-dev
-  libcli11-dev libfmt-dev nlohmann-json3-dev libpugixml-dev libtomlplusplus-dev
+  libcli11-dev libcpp-httplib-dev libfmt-dev nlohmann-json3-dev libpugixml-dev libtomlplusplus-dev
   libgtest-dev librapidcheck-dev libbenchmark-dev
   fonts-dejavu-core python3 sqlite3 zip
 )

@@ -51,6 +51,7 @@ const std::array kThirdParty = {
     ThirdParty{"nlohmann/", {"io", "apps"}},
     ThirdParty{"toml++/", {"io", "apps"}},
     ThirdParty{"CLI/", {"apps"}},
+    ThirdParty{"httplib.h", {"apps"}},
     ThirdParty{"spdlog/", {"apps"}},
     ThirdParty{"fmt/", {}},
     ThirdParty{"unistd.h", {}},
@@ -59,6 +60,7 @@ const std::array kThirdParty = {
     ThirdParty{"poll.h", {"io", "apps"}},
     ThirdParty{"termios.h", {"io", "apps"}},
     ThirdParty{"signal.h", {"apps"}},
+    ThirdParty{"pthread.h", {"apps"}},
     ThirdParty{"netdb.h", {"io"}},
     ThirdParty{"netinet/", {"io"}},
 };

@@ -39,7 +39,7 @@ std::string partfield_of(App& app, const std::filesystem::path& task_set, const 
   } catch (const Error&) {
     return "";  // the survey of the upload has told why it is refused
   }
-  const auto larger = [](const Field& a, const Field& b) { return area(a.outer) < area(b.outer); };
+  const auto larger = [](const Field& a, const Field& b) { return area_m2(a) < area_m2(b); };
   const auto field = std::max_element(input.fields.begin(), input.fields.end(), larger);
   if (field == input.fields.end()) return "";
   for (const KeptFieldPtr& kept : app.fields.list())

@@ -3,19 +3,19 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "report/evaluate_report.h"
 #include "request/plan_and_done.h"
+#include "server/drives/work_log_file.h"
 #include "server/input/drive_input.h"
 #include "server/map/shown_place.h"
-#include "server/uploads/uploads.h"
 #include "server/work/ready_drive.h"
 #include "tramline/geodesy/placed_log.h"
 #include "tramline/geometry/error.h"
 #include "tramline/headland/body.h"
 #include "tramline/io/coverage/read_coverage.h"
-#include "tramline/io/log/read_log.h"
 #include "tramline/render/draw_coverage.h"
 
 namespace tramline::server {
@@ -114,7 +114,7 @@ coverage::FixProgress told_to(JobRun& run) {
 KeptDrive evaluated_and_kept(App& app, DriveOrder order, JobRun& run) {
   const auto start = std::chrono::steady_clock::now();
   run.step("reading " + order.source.log_name);
-  WorkLog read = log_of(app, order.id, order.source);
+  WorkLog read = read_work_log(app.drives.log_file(order.id, order.source), order.source);
   app::WorkGround ground = ground_of(app, order.field);
   std::optional<OpenedPlan> plan;
   if (!order.plan.empty()) plan = app.plans.open(order.plan);
@@ -134,11 +134,7 @@ KeptDrive evaluated_and_kept(App& app, DriveOrder order, JobRun& run) {
 
   run.step("evaluating " + order.source.log_name);
   app::Evaluation evaluation;
-  WorkLog placed = app::placed_on(std::move(read), ground);
-  evaluation.coverage = coverage::evaluate(std::move(placed), ground.ground, settings, told_to(run));
-  evaluation.coverage.field_id = ground.field_id;
-  evaluation.coverage.field = ground.ground;
-  evaluation.coverage.frame = ground.frame;
+  evaluation.coverage = evaluated_log(std::move(read), std::move(ground), settings, told_to(run));
   evaluation.strict = settings.strict;
   if (!remark.empty()) evaluation.coverage.warnings.push_back(remark);
   if (plan) {
@@ -149,20 +145,19 @@ KeptDrive evaluated_and_kept(App& app, DriveOrder order, JobRun& run) {
   run.check();
   evaluation.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
-  KeptDrive out{order.id,     order.name, order.field, order.plan,
-                order.created, order.source, ground.frame, shown(order, evaluation, span)};
+  KeptDrive out{order.id,
+                order.name,
+                order.field,
+                order.plan,
+                order.created,
+                order.source,
+                evaluation.coverage.frame,
+                shown(order, evaluation, span)};
   app.drives.add(out, evaluation.coverage);
   return out;
 }
 
 }  // namespace
-
-std::string in_the_logs_name(std::string sentence, const std::filesystem::path& kept, const DriveSource& source) {
-  Upload log;
-  log.name = source.log_name;
-  log.path = kept;
-  return log.in_its_name(std::move(sentence));
-}
 
 app::WorkGround ground_of(const App& app, const std::string& field) {
   if (field.empty()) return {};
@@ -170,17 +165,6 @@ app::WorkGround ground_of(const App& app, const std::string& field) {
   app::WorkGround out{kept->field.id, {}, kept->field.frame};
   for (Polygon& polygon : body_of(kept->field)) out.ground.push_back(oriented(std::move(polygon)));
   return out;
-}
-
-WorkLog log_of(const App& app, const std::string& id, const DriveSource& source) {
-  const std::filesystem::path path = app.drives.log_file(id, source);
-  try {
-    WorkLog out = io::read_log(path.string(), source.options.log);
-    out.name = in_the_logs_name(out.name, path, source);
-    return out;
-  } catch (const Error& error) {
-    throw Error(error.kind(), in_the_logs_name(error.what(), path, source));
-  }
 }
 
 KeptDrive work_drive(App& app, DriveOrder order, JobRun& run) {
@@ -203,7 +187,8 @@ KeptDrive work_again(App& app, const KeptDrive& drive, JobRun& run) {
 std::shared_ptr<const ReadyDrive> ready_to_replay(App& app, const KeptDrive& drive) {
   return app.replays.get(drive.id, [&] {
     const Coverage coverage = io::read_coverage(app.drives.coverage_file(drive.id));
-    return ready_drive(log_of(app, drive.id, drive.source), {coverage.field_id, coverage.field, coverage.frame},
+    return ready_drive(read_work_log(app.drives.log_file(drive.id, drive.source), drive.source),
+                       {coverage.field_id, coverage.field, coverage.frame},
                        evaluate_settings(drive.source.options));
   });
 }

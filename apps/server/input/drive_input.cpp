@@ -21,7 +21,8 @@ constexpr double kWidest_m = 1000;
 /// Further than an antenna or an implement is from the middle of a machine, m.
 constexpr double kFarthestPart_m = 100;
 
-void take_word(const JsonInput& input, const char* key, const std::vector<std::string>& known, std::string& out) {
+void take_word(const JsonInput& input, const char* key, const std::vector<std::string>& known,
+               std::string& out) {
   if (!input.has(key)) return;
   out = input.text(key);
   if (std::find(known.begin(), known.end(), out) == known.end())
@@ -32,7 +33,8 @@ void take_word(const JsonInput& input, const char* key, const std::vector<std::s
 void take_positive(const JsonInput& input, const char* key, double& out) {
   const auto value = input.number_if(key);
   if (!value) return;
-  if (!(*value > 0)) throw bad_input(fmt::format("{} has to be more than 0, not {}", input.place_of(key), *value));
+  if (!(*value > 0))
+    throw bad_input(fmt::format("{} has to be more than 0, not {}", input.place_of(key), *value));
   out = *value;
 }
 
@@ -50,7 +52,8 @@ void take_offset(const JsonInput& input, const char* key, double& out) {
 app::DriveOptions drive_options_in(const ordered_json& options, std::optional<double> width_m) {
   app::DriveOptions out;
   if (width_m && !(*width_m > 0 && *width_m <= kWidest_m))
-    throw bad_input(fmt::format("width_m has to be more than 0 and at most {:g} m, not {}", kWidest_m, *width_m));
+    throw bad_input(
+        fmt::format("width_m has to be more than 0 and at most {:g} m, not {}", kWidest_m, *width_m));
   if (width_m) out.drive.width_m = *width_m;
   if (options.is_null()) return out;
   const JsonInput input(options, "options",

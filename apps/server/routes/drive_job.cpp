@@ -27,8 +27,8 @@ using nlohmann::ordered_json;
 Upload log_uploaded(App& app, const JsonInput& input) {
   Upload out = app.uploads.get(input.text("upload"));
   if (out.kind != UploadKind::kLog)
-    throw bad_input(fmt::format("{} is no log of a machine; choose a CSV, NMEA, GPX or ISOXML file of a drive",
-                                out.name));
+    throw bad_input(fmt::format(
+        "{} is no log of a machine; choose a CSV, NMEA, GPX or ISOXML file of a drive", out.name));
   return out;
 }
 
@@ -73,11 +73,13 @@ RepairRequest repair_request(App& app, const ordered_json& json) {
                                 out.min_area_m2));
   const ordered_json& missed_m2 = out.drive.shown["missed_m2"];
   if (missed_m2.is_null())
-    throw bad_input(fmt::format(
-        "{} was evaluated without a field, so that nothing counts as missed; evaluate it again with its field",
-        out.drive.name));
+    throw bad_input(
+        fmt::format("{} was evaluated without a field, so that nothing counts as missed; evaluate it again "
+                    "with its field",
+                    out.drive.name));
   if (out.drive.shown["gaps"].empty())
-    throw bad_input(fmt::format("nothing of the field was missed by {}; there is nothing to repair", out.drive.name));
+    throw bad_input(
+        fmt::format("nothing of the field was missed by {}; there is nothing to repair", out.drive.name));
   return out;
 }
 
@@ -90,8 +92,8 @@ ordered_json make_repair(App& app, const RepairRequest& request, JobRun& run) {
     run.step(fmt::format("planning what {} has missed", drive.name));
     const auto start = std::chrono::steady_clock::now();
     const auto progress = [&run](int done, int total) { run.progress(done, total); };
-    const RepairPlan done = repair_plan(part.field, part.gaps, part.missed, request.terms, request.min_area_m2,
-                                        0, progress);
+    const RepairPlan done =
+        repair_plan(part.field, part.gaps, part.missed, request.terms, request.min_area_m2, 0, progress);
     run.check();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     PlanNotes notes;
@@ -118,7 +120,8 @@ JobStatus begin_drive(App& app, const ordered_json& json) {
   try {
     return app.jobs.submit("evaluate", what, [&app, order = std::move(order)](JobRun& run) mutable {
       if (order.field.empty() && order.plan.empty()) {
-        order.field = partfield_of(app, app.drives.log_file(order.id, order.source), order.source.options.log.log);
+        order.field =
+            partfield_of(app, app.drives.log_file(order.id, order.source), order.source.options.log.log);
         order.field_is_a_guess = !order.field.empty();
       }
       return ordered_json{{"drive", work_drive(app, order, run).id}};

@@ -53,7 +53,8 @@ void replay(App& app, const Call& call, httplib::Response& response) {
   double speed = query_number(call, "speed");
   if (std::isnan(speed)) speed = 1;
   if (!(speed >= kSlowest && speed <= kFastest))
-    throw bad_input(fmt::format("speed has to be between {:g} and {:g}, not {:g}", kSlowest, kFastest, speed));
+    throw bad_input(
+        fmt::format("speed has to be between {:g} and {:g}, not {:g}", kSlowest, kFastest, speed));
   stream_work(app.streams, response, std::make_shared<Replay>(ready_to_replay(app, drive), from_s, speed));
 }
 
@@ -69,10 +70,11 @@ void send_layer(App& app, const Call& call, httplib::Response& response) {
   const KeptDrive drive = app.drives.get(call.part("drive"));
   const std::string& name = call.part("layer");
   if (!is_layer(name))
-    throw HttpError(Fault::kNotFound,
-                    fmt::format("a drive has no layer '{}'; there are covered, repeated, missed, multiplicity, "
-                                "track, gaps and field",
-                                name));
+    throw HttpError(
+        Fault::kNotFound,
+        fmt::format("a drive has no layer '{}'; there are covered, repeated, missed, multiplicity, "
+                    "track, gaps and field",
+                    name));
   response.set_content(io::layer_geojson(app.drives.coverage_file(drive.id), drive.frame, name),
                        "application/geo+json");
 }
@@ -84,8 +86,8 @@ void send_file(App& app, const Call& call, httplib::Response& response) {
     return file_answer(response, app.drives.coverage_file(drive.id), drive.name + ".gpkg",
                        "application/geopackage+sqlite3");
   if (format == "log")
-    return file_answer(response, app.drives.log_file(drive.id, drive.source), drive.name + drive.source.extension,
-                       "application/octet-stream");
+    return file_answer(response, app.drives.log_file(drive.id, drive.source),
+                       drive.name + drive.source.extension, "application/octet-stream");
   const char* type = format == "png" ? "image/png" : format == "svg" ? "image/svg+xml" : "application/pdf";
   if (format != "png" && format != "svg" && format != "pdf")
     throw HttpError(Fault::kNotFound,

@@ -52,11 +52,12 @@ ordered_json kept_json(const KeptDrive& drive) {
           {"field", drive.field},
           {"plan", drive.plan},
           {"created", drive.created},
-          {"log", {{"name", source.log_name},
-                   {"extension", source.extension},
-                   {"entry", source.options.log.log},
-                   {"width_m", number(source.options.drive.width_m)},
-                   {"options", drive_options_json(source.options)}}},
+          {"log",
+           {{"name", source.log_name},
+            {"extension", source.extension},
+            {"entry", source.options.log.log},
+            {"width_m", number(source.options.drive.width_m)},
+            {"options", drive_options_json(source.options)}}},
           {"frame", frame_json(drive.frame)},
           {"shown", drive.shown}};
 }
@@ -84,7 +85,8 @@ KeptDrive drive_in(const std::string& id, const ordered_json& json) {
 bool made_here(const std::string& id) {
   constexpr std::size_t kDate = 8, kTime = 15;
   if (!is_id(id) || id.size() <= kTime || id[kDate] != '-' || id[kTime] != '-') return false;
-  return std::all_of(id.begin(), id.begin() + kTime, [](unsigned char c) { return std::isdigit(c) != 0 || c == '-'; });
+  return std::all_of(id.begin(), id.begin() + kTime,
+                     [](unsigned char c) { return std::isdigit(c) != 0 || c == '-'; });
 }
 
 KeptDrive read_drive(const fs::path& path, const std::string& id) {
@@ -150,9 +152,10 @@ void DriveStore::remove(const std::string& id) {
 fs::path DriveStore::coverage_file(const std::string& id) const { return folder_.file(kKind, id); }
 
 fs::path DriveStore::log_file(const std::string& id, const DriveSource& source) const {
-  return folder_.file(kKind, id, source.extension == ".gpkg" || source.extension == ".json"
-                                     ? (".log" + source.extension).c_str()
-                                     : source.extension.c_str());
+  return folder_.file(kKind, id,
+                      source.extension == ".gpkg" || source.extension == ".json"
+                          ? (".log" + source.extension).c_str()
+                          : source.extension.c_str());
 }
 
 void DriveStore::take_log(const std::string& id, const DriveSource& source, const fs::path& from) const {

@@ -34,12 +34,12 @@ struct KeptDrive {
   nlohmann::ordered_json shown;  ///< what the API says of it
 };
 
-/// For each drive drives/ID.gpkg, a coverage file, drives/ID.csv or the like, its log, and drives/ID.json, which
-/// is written last: without it there is no such drive. Safe for several threads.
+/// For each drive drives/ID.gpkg, a coverage file, drives/ID.csv or the like, its log, and drives/ID.json,
+/// which is written last: without it there is no such drive. Safe for several threads.
 class DriveStore {
  public:
-  /// Files that cannot be read stay where they are and are told of in `warnings`; those of drives that were not
-  /// finished when a server was killed go.
+  /// Files that cannot be read stay where they are and are told of in `warnings`; those of drives that were
+  /// not finished when a server was killed go.
   DriveStore(const StoreFolder& folder, std::vector<std::string>& warnings);
 
   /// The latest first.
@@ -66,7 +66,8 @@ class DriveStore {
   std::map<std::string, KeptDrive> drives_;
 };
 
-/// The extension, of those that readers of logs know, that a name ends with; ".log" where it has none of them.
+/// The extension, of those that readers of logs know, that a name ends with; ".log" where it has none of
+/// them.
 std::string log_extension(const std::string& name);
 
 }  // namespace tramline::server

@@ -16,8 +16,8 @@ namespace tramline::server {
 void write_whole(const std::filesystem::path& path, const std::string& text) {
   const std::string beside = path.string() + ".part";
   const auto refuse = [&] {
-    throw failure(fmt::format("{} cannot be written ({}); is the disk full?", path.string(),
-                              io::words_for(errno)));
+    throw failure(
+        fmt::format("{} cannot be written ({}); is the disk full?", path.string(), io::words_for(errno)));
   };
   {
     const io::Descriptor file(open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
@@ -33,7 +33,8 @@ void write_whole(const std::filesystem::path& path, const std::string& text) {
   std::error_code fault;
   std::filesystem::rename(beside, path, fault);
   if (fault)
-    throw failure(fmt::format("{} cannot be written ({}); is the disk full?", path.string(), fault.message()));
+    throw failure(
+        fmt::format("{} cannot be written ({}); is the disk full?", path.string(), fault.message()));
 }
 
 }  // namespace tramline::server

@@ -30,7 +30,7 @@ double remaining_s(const WorkFigures& figures);
 
 /// Where a drive is after a fix, and what changed since the last frame.
 struct WorkFrame {
-  LocalFrame plane;       ///< of all places here
+  LocalFrame plane;         ///< of all places here
   double time_s = 0;        ///< of the fix; NaN: not known
   std::size_t fix = 0;      ///< so many fixes were driven
   std::size_t fixes = 0;    ///< of so many

@@ -63,7 +63,8 @@ ordered_json EventWriter::frame_json(const WorkFrame& frame) {
 NamedEvent EventWriter::named(const WorkEvent& event) {
   if (const auto* state = std::get_if<FeedState>(&event))
     return {"state", {{"message", state->message}, {"connected", state->connected}}};
-  if (const auto* end = std::get_if<WorkEnd>(&event)) return {"end", {{"figures", figures_json(end->figures)}}};
+  if (const auto* end = std::get_if<WorkEnd>(&event))
+    return {"end", {{"figures", figures_json(end->figures)}}};
   return {"frame", frame_json(std::get<WorkFrame>(event))};
 }
 

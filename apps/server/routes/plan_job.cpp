@@ -1,0 +1,78 @@
+// The job that makes a plan.
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <utility>
+
+#include "report/explain_report.h"
+#include "server/input/json_input.h"
+#include "server/input/plan_input.h"
+#include "server/routes/job_kinds.h"
+#include "tramline/planner/plan_field.h"
+#include "tramline/planner/validate_request.h"
+
+namespace tramline::server {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct PlanRequest {
+  KeptFieldPtr field;
+  Machine machine;
+  Objective objective;
+  PlanSettings settings;
+  bool explain = false;
+  std::string name;
+};
+
+PlanRequest plan_request(App& app, const ordered_json& json) {
+  const JsonInput input(json, "", {"kind", "field", "machine", "objective", "settings", "explain", "name"});
+  PlanRequest out;
+  out.field = app.fields.get(input.text("field"));
+  out.machine = machine_in(input.value("machine"), "machine");
+  out.objective = objective_in(input.value("objective"));
+  const SettingsInput settings = settings_in(input.value("settings"));
+  validate_request(out.machine, out.objective, settings.settings);
+  out.settings = settings_on(settings, out.field->field, out.machine);
+  out.explain = input.flag("explain", false);
+  out.name = name_of(input, "name");
+  return out;
+}
+
+/// Only the search for straight tracks can say why.
+bool can_be_explained(const PlanSettings& settings) {
+  return settings.shape == TrackShape::kStraight && settings.tracks == TrackConstruction::kParallel;
+}
+
+ordered_json make_plan(App& app, const PlanRequest& request, JobRun& run) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto progress = [&run](int done, int total) { run.progress(done, total); };
+  PlanNotes notes{request.name.empty() ? request.field->name : request.name, request.field->id,
+                  request.field->skipped, 0, nullptr};
+  Plan plan;
+  const Field& field = request.field->field;
+  if (request.explain && can_be_explained(request.settings)) {
+    ExplainedPlan explained =
+        plan_and_explain(field, request.machine, request.objective, request.settings, 0, progress);
+    plan = std::move(explained.plan);
+    notes.explain = app::explain_json(explained.why);
+  } else {
+    plan = plan_field(field, request.machine, request.objective, request.settings, 0, progress);
+  }
+  run.check();
+  notes.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return {{"plan", app.plans.add(plan, notes).id}};
+}
+
+}  // namespace
+
+JobStatus begin_plan(App& app, const ordered_json& json) {
+  PlanRequest request = plan_request(app, json);
+  const std::string what = fmt::format("planning {}", request.field->name);
+  return app.jobs.submit("plan", what, [&app, request = std::move(request)](JobRun& run) {
+    return make_plan(app, request, run);
+  });
+}
+
+}  // namespace tramline::server

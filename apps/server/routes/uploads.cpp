@@ -1,0 +1,61 @@
+// Files that are sent.
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <string>
+#include <utility>
+
+#include "server/routes/routes.h"
+#include "server/uploads/survey.h"
+#include "tramline/geometry/error.h"
+
+namespace tramline::server {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// The bytes go to the disk as they come in.
+void receive(const Call& call, Upload& upload) {
+  std::ofstream file(upload.path, std::ios::binary);
+  call.read_body([&](const char* data, std::size_t size) {
+    file.write(data, static_cast<std::streamsize>(size));
+    upload.bytes += size;
+    return true;
+  });
+  file.close();
+  if (!file) throw failure("the file could not be kept; is the disk full?");
+}
+
+ordered_json accept(App& app, const Call& call) {
+  app.uploads.forget_old();
+  Upload upload = app.uploads.begin(call.query("name"));
+  ordered_json found;
+  try {
+    receive(call, upload);
+    found = survey(upload);
+  } catch (...) {
+    app.uploads.discard(upload);
+    throw;
+  }
+  app.uploads.keep(upload);
+  ordered_json out{
+      {"id", upload.id}, {"name", upload.name}, {"bytes", upload.bytes}, {"kind", name(upload.kind)}};
+  out.update(found);
+  return out;
+}
+
+}  // namespace
+
+void add_upload_routes(Router& router, App& app) {
+  router.add(
+      {"POST", api("/uploads"),
+       [&app](const Call& call, httplib::Response& response) { answer(response, accept(app, call), 201); },
+       app.settings.limits.upload_bytes});
+  router.remove(api("/uploads/{upload}"), [&app](const Call& call, httplib::Response& response) {
+    app.uploads.remove(call.part("upload"));
+    answer(response, {{"deleted", call.part("upload")}});
+  });
+}
+
+}  // namespace tramline::server
