@@ -3,26 +3,26 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "server/feeds/feed_board.h"
 #include "server/http/event_stream.h"
 #include "server/jobs/job_queue.h"
-#include "server/store/drive_store.h"
 #include "server/store/field_store.h"
+#include "server/store/front_shelf.h"
+#include "server/store/machine_store.h"
 #include "server/store/plan_store.h"
 #include "server/store/store_folder.h"
 #include "server/uploads/uploads.h"
-#include "server/work/replay_cache.h"
 
 namespace tramline::server {
 
 struct Limits {
   std::size_t upload_bytes = std::size_t{256} << 20;
-  int streams = 24;       ///< open at once
-  int jobs = 2;           ///< running at once
-  std::size_t feeds = 8;  ///< open at once
+  int streams = 24;  ///< open at once
+  int jobs = 2;      ///< running at once
+  int feeds = 8;     ///< live ones, open at once
 };
 
 struct ServerSettings {
@@ -34,6 +34,15 @@ struct ServerSettings {
   Limits limits;
 };
 
+/// Comparisons that plans can still be taken from: a search for each of 16 prices is kept.
+inline constexpr std::size_t kMostFronts = 8;
+
+/// Drives and live feeds: drives/drive_rooms.h.
+struct DriveRooms;
+/// `folder` and `warnings` as everywhere in App.
+std::shared_ptr<DriveRooms> make_drive_rooms(const StoreFolder& folder, const Limits& limits,
+                                             std::vector<std::string>& warnings);
+
 /// Everything a server has while it runs. Members are safe for several threads.
 struct App {
   explicit App(ServerSettings given)
@@ -41,8 +50,9 @@ struct App {
         folder(settings.folder),
         fields(folder, warnings),
         plans(folder, warnings),
-        drives(folder, warnings),
-        feeds(folder, settings.limits.feeds),
+        machines(folder, warnings),
+        fronts(kMostFronts),
+        drives(make_drive_rooms(folder, settings.limits, warnings)),
         uploads(folder),
         streams(settings.limits.streams),
         jobs(settings.limits.jobs) {}
@@ -52,9 +62,9 @@ struct App {
   StoreFolder folder;
   FieldStore fields;
   PlanStore plans;
-  DriveStore drives;
-  ReplayCache replays;
-  FeedBoard feeds;
+  MachineStore machines;
+  FrontShelf fronts;
+  const std::shared_ptr<DriveRooms> drives;
   Uploads uploads;
   StreamPermits streams;
   JobQueue jobs;  ///< last: its work uses the others

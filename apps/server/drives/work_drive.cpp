@@ -114,7 +114,7 @@ coverage::FixProgress told_to(JobRun& run) {
 KeptDrive evaluated_and_kept(App& app, DriveOrder order, JobRun& run) {
   const auto start = std::chrono::steady_clock::now();
   run.step("reading " + order.source.log_name);
-  WorkLog read = read_work_log(app.drives.log_file(order.id, order.source), order.source);
+  WorkLog read = read_work_log(app.drives->store.log_file(order.id, order.source), order.source);
   app::WorkGround ground = ground_of(app, order.field);
   std::optional<OpenedPlan> plan;
   if (!order.plan.empty()) plan = app.plans.open(order.plan);
@@ -153,7 +153,7 @@ KeptDrive evaluated_and_kept(App& app, DriveOrder order, JobRun& run) {
                 order.source,
                 evaluation.coverage.frame,
                 shown(order, evaluation, span)};
-  app.drives.add(out, evaluation.coverage);
+  app.drives->store.add(out, evaluation.coverage);
   return out;
 }
 
@@ -172,7 +172,7 @@ KeptDrive work_drive(App& app, DriveOrder order, JobRun& run) {
   try {
     return evaluated_and_kept(app, std::move(order), run);
   } catch (...) {
-    app.drives.discard(id);
+    app.drives->store.discard(id);
     throw;
   }
 }
@@ -180,14 +180,14 @@ KeptDrive work_drive(App& app, DriveOrder order, JobRun& run) {
 KeptDrive work_again(App& app, const KeptDrive& drive, JobRun& run) {
   KeptDrive out = evaluated_and_kept(
       app, {drive.id, drive.name, drive.created, drive.field, drive.plan, drive.source, false}, run);
-  app.replays.forget(drive.id);
+  app.drives->replays.forget(drive.id);
   return out;
 }
 
 std::shared_ptr<const ReadyDrive> ready_to_replay(App& app, const KeptDrive& drive) {
-  return app.replays.get(drive.id, [&] {
-    const Coverage coverage = io::read_coverage(app.drives.coverage_file(drive.id));
-    return ready_drive(read_work_log(app.drives.log_file(drive.id, drive.source), drive.source),
+  return app.drives->replays.get(drive.id, [&] {
+    const Coverage coverage = io::read_coverage(app.drives->store.coverage_file(drive.id));
+    return ready_drive(read_work_log(app.drives->store.log_file(drive.id, drive.source), drive.source),
                        {coverage.field_id, coverage.field, coverage.frame},
                        evaluate_settings(drive.source.options));
   });

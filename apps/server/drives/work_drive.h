@@ -7,6 +7,7 @@
 
 #include "request/evaluate_input.h"
 #include "server/app.h"
+#include "server/drives/drive_rooms.h"
 #include "server/jobs/job.h"
 #include "server/store/drive_store.h"
 #include "server/work/ready_drive.h"

@@ -58,7 +58,7 @@ struct RepairRequest {
 
 RepairRequest repair_request(App& app, const ordered_json& json) {
   const JsonInput input(json, "", {"kind", "drive", "machine", "objective", "min_area_m2", "name"});
-  RepairRequest out{app.drives.get(input.text("drive")),
+  RepairRequest out{app.drives->store.get(input.text("drive")),
                     {machine_in(input.value("machine"), "machine"), objective_in(input.value("objective")),
                      EndRule::kCover},
                     input.number_if("min_area_m2").value_or(1),
@@ -85,7 +85,7 @@ RepairRequest repair_request(App& app, const ordered_json& json) {
 
 ordered_json make_repair(App& app, const RepairRequest& request, JobRun& run) {
   const KeptDrive& drive = request.drive;
-  const Coverage coverage = io::read_coverage(app.drives.coverage_file(drive.id));
+  const Coverage coverage = io::read_coverage(app.drives->store.coverage_file(drive.id));
   ordered_json plans = ordered_json::array();
   for (app::GapField& part : app::gap_fields(coverage, drive.name)) {
     if (part.gaps.empty()) continue;
@@ -115,26 +115,26 @@ JobStatus begin_drive(App& app, const ordered_json& json) {
   const JsonInput input(json, "", {"upload", "log", "field", "plan", "width_m", "options", "name"});
   const Upload upload = log_uploaded(app, input);
   DriveOrder order = drive_order(app, json, upload, input);
-  app.drives.take_log(order.id, order.source, upload.path);
+  app.drives->store.take_log(order.id, order.source, upload.path);
   const std::string id = order.id, what = "evaluating " + order.name;
   try {
     return app.jobs.submit("evaluate", what, [&app, order = std::move(order)](JobRun& run) mutable {
       if (order.field.empty() && order.plan.empty()) {
-        order.field =
-            partfield_of(app, app.drives.log_file(order.id, order.source), order.source.options.log.log);
+        order.field = partfield_of(app, app.drives->store.log_file(order.id, order.source),
+                                   order.source.options.log.log);
         order.field_is_a_guess = !order.field.empty();
       }
       return ordered_json{{"drive", work_drive(app, order, run).id}};
     });
   } catch (...) {
-    app.drives.discard(id);
+    app.drives->store.discard(id);
     throw;
   }
 }
 
 JobStatus begin_evaluate(App& app, const ordered_json& json) {
   const JsonInput input(json, "", {"kind", "drive"});
-  const KeptDrive drive = app.drives.get(input.text("drive"));
+  const KeptDrive drive = app.drives->store.get(input.text("drive"));
   return app.jobs.submit("evaluate", "evaluating " + drive.name, [&app, drive](JobRun& run) {
     return ordered_json{{"drive", work_again(app, drive, run).id}};
   });

@@ -4,15 +4,14 @@
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
 
 #include "server/drives/work_drive.h"
 #include "server/drives/work_stream.h"
-#include "server/http/file_answer.h"
+#include "server/http/download.h"
 #include "server/routes/job_kinds.h"
 #include "server/routes/routes.h"
 #include "server/work/replay.h"
@@ -48,7 +47,7 @@ double query_number(const Call& call, const char* key) {
 }
 
 void replay(App& app, const Call& call, httplib::Response& response) {
-  const KeptDrive drive = app.drives.get(call.part("drive"));
+  const KeptDrive drive = app.drives->store.get(call.part("drive"));
   const double from_s = query_number(call, "from_s");
   double speed = query_number(call, "speed");
   if (std::isnan(speed)) speed = 1;
@@ -67,7 +66,7 @@ bool is_layer(const std::string& name) {
 }
 
 void send_layer(App& app, const Call& call, httplib::Response& response) {
-  const KeptDrive drive = app.drives.get(call.part("drive"));
+  const KeptDrive drive = app.drives->store.get(call.part("drive"));
   const std::string& name = call.part("layer");
   if (!is_layer(name))
     throw HttpError(
@@ -75,27 +74,27 @@ void send_layer(App& app, const Call& call, httplib::Response& response) {
         fmt::format("a drive has no layer '{}'; there are covered, repeated, missed, multiplicity, "
                     "track, gaps and field",
                     name));
-  response.set_content(io::layer_geojson(app.drives.coverage_file(drive.id), drive.frame, name),
+  response.set_content(io::layer_geojson(app.drives->store.coverage_file(drive.id), drive.frame, name),
                        "application/geo+json");
 }
 
-void send_file(App& app, const Call& call, httplib::Response& response) {
-  const KeptDrive drive = app.drives.get(call.part("drive"));
+void answer_file(App& app, const Call& call, httplib::Response& response) {
+  const KeptDrive drive = app.drives->store.get(call.part("drive"));
+  const std::filesystem::path worked = app.drives->store.coverage_file(drive.id);
   const std::string& format = call.part("format");
   if (format == "gpkg")
-    return file_answer(response, app.drives.coverage_file(drive.id), drive.name + ".gpkg",
-                       "application/geopackage+sqlite3");
+    return send_file(response, worked, drive.name, ".gpkg", "application/geopackage+sqlite3");
   if (format == "log")
-    return file_answer(response, app.drives.log_file(drive.id, drive.source),
-                       drive.name + drive.source.extension, "application/octet-stream");
+    return send_file(response, app.drives->store.log_file(drive.id, drive.source), drive.name,
+                     drive.source.extension, "application/octet-stream");
   const char* type = format == "png" ? "image/png" : format == "svg" ? "image/svg+xml" : "application/pdf";
   if (format != "png" && format != "svg" && format != "pdf")
     throw HttpError(Fault::kNotFound,
                     fmt::format("a drive is no '{}'; there are gpkg, png, svg, pdf and log", format));
-  const PassingFolder folder;
-  const std::filesystem::path picture = folder.path() / ("drive." + format);
-  render::draw_coverage(io::read_coverage(app.drives.coverage_file(drive.id)), picture);
-  file_answer(response, picture, drive.name + "." + format, type);
+  send_written(response, app.folder, drive.name, "." + format, type,
+               [&](const std::filesystem::path& picture) {
+                 render::draw_coverage(io::read_coverage(worked), picture);
+               });
 }
 
 }  // namespace
@@ -103,24 +102,24 @@ void send_file(App& app, const Call& call, httplib::Response& response) {
 void add_drive_routes(Router& router, App& app) {
   router.get(api("/drives"), [&app](const Call&, httplib::Response& response) {
     ordered_json out = ordered_json::array();
-    for (const KeptDrive& drive : app.drives.list()) out.push_back(listed(drive));
+    for (const KeptDrive& drive : app.drives->store.list()) out.push_back(listed(drive));
     answer(response, out);
   });
   router.post(api("/drives"), [&app](const Call& call, httplib::Response& response) {
     answer(response, job_json(begin_drive(app, call.json())), 202);
   });
   router.get(api("/drives/{drive}"), [&app](const Call& call, httplib::Response& response) {
-    answer(response, app.drives.get(call.part("drive")).shown);
+    answer(response, app.drives->store.get(call.part("drive")).shown);
   });
   router.remove(api("/drives/{drive}"), [&app](const Call& call, httplib::Response& response) {
-    app.drives.remove(call.part("drive"));
-    app.replays.forget(call.part("drive"));
+    app.drives->store.remove(call.part("drive"));
+    app.drives->replays.forget(call.part("drive"));
     answer(response, {{"deleted", call.part("drive")}});
   });
   router.get(api("/drives/{drive}/layers/{layer}"),
              [&app](const Call& call, httplib::Response& response) { send_layer(app, call, response); });
   router.get(api("/drives/{drive}/files/{format}"),
-             [&app](const Call& call, httplib::Response& response) { send_file(app, call, response); });
+             [&app](const Call& call, httplib::Response& response) { answer_file(app, call, response); });
   router.get(api("/drives/{drive}/replay"),
              [&app](const Call& call, httplib::Response& response) { replay(app, call, response); });
 }

@@ -67,9 +67,9 @@ OpenFeed begin(App& app, const ordered_json& json) {
   note.log.log_name = note.source;
   note.log.extension = ".log";
   const app::WorkGround ground = ground_of(app, note.field);
-  app.feeds.require_room();
+  app.drives->feeds.require_room();
   try {
-    return app.feeds.open(note, open_feed(note.source, is_loopback(app.settings.host)), ground);
+    return app.drives->feeds.open(note, open_feed(note.source, is_loopback(app.settings.host)), ground);
   } catch (const Error& error) {
     throw Error(error.kind(), for_the_page(error.what()));
   }
@@ -97,17 +97,17 @@ ordered_json keep(App& app, const FeedNote& note, JobRun& run) {
   } catch (const HttpError&) {
     order.field.clear();
   }
-  app.drives.take_log(order.id, order.source, app.feeds.raw_log(note.id));
+  app.drives->store.take_log(order.id, order.source, app.drives->feeds.raw_log(note.id));
   const std::string id = work_drive(app, order, run).id;
-  app.feeds.remove_files(note.id);
+  app.drives->feeds.remove_files(note.id);
   return {{"drive", id}};
 }
 
 ordered_json end(App& app, const std::string& id) {
-  const OpenFeed open = app.feeds.take(id);
+  const OpenFeed open = app.drives->feeds.take(id);
   open.feed->stop();
   if (open.feed->fixes() == 0 && open.feed->problem().empty()) {
-    app.feeds.remove_files(id);
+    app.drives->feeds.remove_files(id);
     return {{"drive", nullptr}, {"message", "no position came, so that there is no drive to keep"}};
   }
   Unfollowed run;
@@ -116,15 +116,15 @@ ordered_json end(App& app, const std::string& id) {
   } catch (const Error& error) {
     return {{"drive", nullptr},
             {"message", fmt::format("{}; what came is kept in {}", in_page_words(error.what()),
-                                    app.feeds.raw_log(id).string())}};
+                                    app.drives->feeds.raw_log(id).string())}};
   }
 }
 
 void take_up_left_feeds(App& app) {
-  for (const FeedNote& note : app.feeds.left()) {
+  for (const FeedNote& note : app.drives->feeds.left()) {
     std::error_code fault;
-    if (std::filesystem::file_size(app.feeds.raw_log(note.id), fault) == 0 || fault) {
-      app.feeds.remove_files(note.id);
+    if (std::filesystem::file_size(app.drives->feeds.raw_log(note.id), fault) == 0 || fault) {
+      app.drives->feeds.remove_files(note.id);
       continue;
     }
     app.jobs.submit("evaluate", "taking up " + note.name,
@@ -138,23 +138,24 @@ void add_feed_routes(Router& router, App& app) {
   take_up_left_feeds(app);
   router.get(api("/feeds"), [&app](const Call&, httplib::Response& response) {
     ordered_json out = ordered_json::array();
-    for (const OpenFeed& open : app.feeds.list()) out.push_back(listed(open));
+    for (const OpenFeed& open : app.drives->feeds.list()) out.push_back(listed(open));
     answer(response, out);
   });
   router.post(api("/feeds"), [&app](const Call& call, httplib::Response& response) {
     answer(response, in_full(begin(app, call.json())), 201);
   });
   router.get(api("/feeds/{feed}"), [&app](const Call& call, httplib::Response& response) {
-    answer(response, in_full(app.feeds.get(call.part("feed"))));
+    answer(response, in_full(app.drives->feeds.get(call.part("feed"))));
   });
   router.get(api("/feeds/{feed}/events"), [&app](const Call& call, httplib::Response& response) {
-    stream_work(app.streams, response, std::make_shared<FeedReader>(app.feeds.get(call.part("feed")).feed));
+    stream_work(app.streams, response,
+                std::make_shared<FeedReader>(app.drives->feeds.get(call.part("feed")).feed));
   });
   router.post(api("/feeds/{feed}/work"), [&app](const Call& call, httplib::Response& response) {
     const ordered_json json = call.json();
     const JsonInput input(json, "", {"on"});
     if (!input.has("on")) throw bad_input("on has to be true or false");
-    const OpenFeed open = app.feeds.get(call.part("feed"));
+    const OpenFeed open = app.drives->feeds.get(call.part("feed"));
     open.feed->set_work(input.flag("on", true));
     answer(response, listed(open));
   });

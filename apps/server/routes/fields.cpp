@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "server/input/field_change.h"
 #include "server/input/field_source.h"
 #include "server/input/json_input.h"
 #include "server/routes/field_json.h"
@@ -51,6 +52,15 @@ ordered_json keep_new(App& app, const ordered_json& json) {
   return out;
 }
 
+ordered_json change(App& app, const std::string& id, const ordered_json& json) {
+  const JsonInput input(json, "", {"name", "add", "remove"});
+  KeptField kept = *app.fields.get(id);
+  if (input.has("name")) kept.name = name_of(input, "name");
+  if (kept.name.empty()) throw bad_input("give the field a name");
+  kept.field = changed_field(std::move(kept.field), input.list("remove"), input.list("add"));
+  return field_in_full(*app.fields.replace(kept));
+}
+
 }  // namespace
 
 void add_field_routes(Router& router, App& app) {
@@ -64,6 +74,9 @@ void add_field_routes(Router& router, App& app) {
   });
   router.get(api("/fields/{field}"), [&app](const Call& call, httplib::Response& response) {
     answer(response, field_in_full(*app.fields.get(call.part("field"))));
+  });
+  router.patch(api("/fields/{field}"), [&app](const Call& call, httplib::Response& response) {
+    answer(response, change(app, call.part("field"), call.json()));
   });
   router.remove(api("/fields/{field}"), [&app](const Call& call, httplib::Response& response) {
     app.fields.remove(call.part("field"));

@@ -1,4 +1,4 @@
-// The job that makes a plan.
+// The jobs that make a plan, and that compare plans.
 
 #include <fmt/format.h>
 
@@ -9,7 +9,9 @@
 #include "server/input/json_input.h"
 #include "server/input/plan_input.h"
 #include "server/routes/job_kinds.h"
+#include "tramline/geometry/error.h"
 #include "tramline/planner/plan_field.h"
+#include "tramline/planner/trade_off.h"
 #include "tramline/planner/validate_request.h"
 
 namespace tramline::server {
@@ -45,6 +47,10 @@ bool can_be_explained(const PlanSettings& settings) {
   return settings.shape == TrackShape::kStraight && settings.tracks == TrackConstruction::kParallel;
 }
 
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 ordered_json make_plan(App& app, const PlanRequest& request, JobRun& run) {
   const auto start = std::chrono::steady_clock::now();
   const auto progress = [&run](int done, int total) { run.progress(done, total); };
@@ -61,11 +67,39 @@ ordered_json make_plan(App& app, const PlanRequest& request, JobRun& run) {
     plan = plan_field(field, request.machine, request.objective, request.settings, 0, progress);
   }
   run.check();
-  notes.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  notes.seconds = seconds_since(start);
   return {{"plan", app.plans.add(plan, notes).id}};
 }
 
+void require_free_directions(const PlanSettings& settings) {
+  if (settings.tracks == TrackConstruction::kPaper || settings.shape != TrackShape::kStraight ||
+      !settings.guide.empty())
+    throw bad_input(
+        "a comparison looks for directions by itself; choose straight tracks and no line to follow");
+}
+
+ordered_json compare_plans(App& app, const PlanRequest& request, JobRun& run) {
+  const auto start = std::chrono::steady_clock::now();
+  TradeOff found = trade_off(request.field->field, request.machine, request.objective, request.settings, 0,
+                             [&run](int done, int total) { run.progress(done, total); });
+  run.check();
+  const std::string name = request.name.empty() ? request.field->name : request.name;
+  return {{"front", app.fronts
+                        .add({"", name, request.field, request.machine, request.settings, std::move(found),
+                              seconds_since(start)})
+                        ->id}};
+}
+
 }  // namespace
+
+JobStatus begin_compare(App& app, const ordered_json& json) {
+  PlanRequest request = plan_request(app, json);
+  require_free_directions(request.settings);
+  const std::string what = fmt::format("comparing plans of {}", request.field->name);
+  return app.jobs.submit("compare", what, [&app, request = std::move(request)](JobRun& run) {
+    return compare_plans(app, request, run);
+  });
+}
 
 JobStatus begin_plan(App& app, const ordered_json& json) {
   PlanRequest request = plan_request(app, json);

@@ -32,6 +32,18 @@ void make(const fs::path& folder) {
                                 error ? error.message() : "something else has that name"));
 }
 
+/// What a server that was killed was just writing.
+void clear_left_overs(const fs::path& folder) {
+  std::error_code ignored;
+  fs::remove_all(folder / ".scratch", ignored);
+  std::vector<fs::path> parts;
+  for (fs::recursive_directory_iterator entry(folder, ignored), end; entry != end; entry.increment(ignored)) {
+    const std::string name = entry->path().filename().string();
+    if (name.starts_with('.') && name.ends_with(".part")) parts.push_back(entry->path());
+  }
+  for (const fs::path& part : parts) fs::remove(part, ignored);
+}
+
 }  // namespace
 
 fs::path default_folder() {
@@ -49,7 +61,10 @@ StoreFolder::StoreFolder(fs::path path) : path_(std::move(path)) {
   if (lock_ < 0)
     throw bad_input(fmt::format("nothing can be written into '{}' ({}); choose another folder",
                                 path_.string(), std::generic_category().message(errno)));
-  if (flock(lock_, LOCK_EX | LOCK_NB) == 0) return;
+  if (flock(lock_, LOCK_EX | LOCK_NB) == 0) {
+    clear_left_overs(path_);
+    return;
+  }
   close(lock_);
   throw bad_input(
       fmt::format("another tramline server keeps its things in '{}'; use that one, end it first, or "

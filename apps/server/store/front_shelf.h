@@ -1,0 +1,40 @@
+#pragma once
+// Fronts that were found and from which plans may still be taken.
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "server/store/field_store.h"
+#include "tramline/planner/trade_off.h"
+
+namespace tramline::server {
+
+struct KeptFront {
+  std::string id;
+  std::string name;
+  KeptFieldPtr field;
+  Machine machine;
+  PlanSettings settings;
+  TradeOff found;
+  double seconds = 0;
+};
+using KeptFrontPtr = std::shared_ptr<const KeptFront>;
+
+/// The last few, in memory: a search can be done again. Safe for several threads.
+class FrontShelf {
+ public:
+  explicit FrontShelf(std::size_t most) : most_(most) {}
+  KeptFrontPtr add(KeptFront front);
+  /// Throws HttpError(kNotFound).
+  KeptFrontPtr get(const std::string& id) const;
+
+ private:
+  const std::size_t most_;
+  mutable std::mutex mutex_;
+  std::deque<KeptFrontPtr> fronts_;
+};
+
+}  // namespace tramline::server
