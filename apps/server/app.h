@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct Limits {
   std::size_t upload_bytes = std::size_t{256} << 20;
   int streams = 24;  ///< open at once
   int jobs = 2;      ///< running at once
+  int feeds = 8;     ///< live ones, open at once
 };
 
 struct ServerSettings {
@@ -35,6 +37,12 @@ struct ServerSettings {
 /// Comparisons that plans can still be taken from: a search for each of 16 prices is kept.
 inline constexpr std::size_t kMostFronts = 8;
 
+/// Drives and live feeds: drives/drive_rooms.h.
+struct DriveRooms;
+/// `folder` and `warnings` as everywhere in App.
+std::shared_ptr<DriveRooms> make_drive_rooms(const StoreFolder& folder, const Limits& limits,
+                                             std::vector<std::string>& warnings);
+
 /// Everything a server has while it runs. Members are safe for several threads.
 struct App {
   explicit App(ServerSettings given)
@@ -44,6 +52,7 @@ struct App {
         plans(folder, warnings),
         machines(folder, warnings),
         fronts(kMostFronts),
+        drives(make_drive_rooms(folder, settings.limits, warnings)),
         uploads(folder),
         streams(settings.limits.streams),
         jobs(settings.limits.jobs) {}
@@ -55,6 +64,7 @@ struct App {
   PlanStore plans;
   MachineStore machines;
   FrontShelf fronts;
+  const std::shared_ptr<DriveRooms> drives;
   Uploads uploads;
   StreamPermits streams;
   JobQueue jobs;  ///< last: its work uses the others

@@ -33,6 +33,8 @@ void add_routes(Router& router, App& app) {
   add_machine_routes(router, app);
   add_job_routes(router, app);
   add_plan_routes(router, app);
+  add_drive_routes(router, app);
+  add_feed_routes(router, app);
   add_plan_file_routes(router, app);
   add_front_routes(router, app);
   add_page_routes(router, app);

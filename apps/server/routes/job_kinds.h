@@ -10,6 +10,11 @@
 namespace tramline::server {
 
 JobStatus begin_plan(App& app, const nlohmann::ordered_json& json);
+/// A new drive from an upload.
+JobStatus begin_drive(App& app, const nlohmann::ordered_json& json);
+/// A drive that is kept, evaluated anew.
+JobStatus begin_evaluate(App& app, const nlohmann::ordered_json& json);
+JobStatus begin_repair(App& app, const nlohmann::ordered_json& json);
 JobStatus begin_compare(App& app, const nlohmann::ordered_json& json);
 JobStatus begin_check(App& app, const nlohmann::ordered_json& json);
 

@@ -17,6 +17,8 @@ JobStatus begin(App& app, const ordered_json& json) {
   const std::string kind =
       json.contains("kind") && json["kind"].is_string() ? json["kind"].get<std::string>() : "";
   if (kind == "plan") return begin_plan(app, json);
+  if (kind == "evaluate") return begin_evaluate(app, json);
+  if (kind == "repair") return begin_repair(app, json);
   if (kind == "compare") return begin_compare(app, json);
   if (kind == "check") return begin_check(app, json);
   throw bad_input("kind has to be plan, compare, evaluate, repair or check");

@@ -18,6 +18,9 @@ void add_upload_routes(Router& router, App& app);
 void add_field_routes(Router& router, App& app);
 void add_machine_routes(Router& router, App& app);
 void add_plan_routes(Router& router, App& app);
+void add_drive_routes(Router& router, App& app);
+/// Also takes up the drives of feeds that a server before has left.
+void add_feed_routes(Router& router, App& app);
 void add_plan_file_routes(Router& router, App& app);
 void add_front_routes(Router& router, App& app);
 void add_job_routes(Router& router, App& app);
