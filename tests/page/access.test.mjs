@@ -52,7 +52,7 @@ const measure = (page) =>
     const shown = (element) => element.checkVisibility({ checkOpacity: false, checkVisibilityCSS: true }) && element.getClientRects().length > 0;
     const small = [];
     const unnamed = [];
-    for (const element of document.querySelectorAll('button, a[href], input, select, summary, [role=button], [tabindex="0"]:not(svg):not(canvas):not([role=region])')) {
+    for (const element of document.querySelectorAll('button, a[href], input, select, summary, [role=button]')) {
       if (!shown(element) || element.closest('.unseen') || element.classList.contains('unseen') || element.classList.contains('skip') || element.disabled) continue;
       const label = element.closest('label, .choice label');
       const boxes = [element, label, ...element.querySelectorAll('.target')].filter(Boolean).map((e) => e.getBoundingClientRect());

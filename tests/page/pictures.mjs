@@ -32,7 +32,7 @@ await shoot(wide, 'plan');
 await goTo(wide, 'Compare');
 await wide.getByRole('button', { name: 'Find the plans' }).click();
 await wide.locator('.dot').first().waitFor({ timeout: 120_000 });
-await wide.locator('.dot.cheapest, .dot').last().click();
+await wide.locator('.dot').last().click({ force: true });
 await wide.getByRole('region', { name: 'Differences of the two plans' }).waitFor();
 await top(wide);
 await shoot(wide, 'compare');

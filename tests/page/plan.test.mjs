@@ -36,10 +36,10 @@ async function planCompareExport({ page, server }, field) {
   await dots.first().waitFor({ timeout: 120_000 });
   const many = await dots.count();
   assert.ok(many >= 1);
-  await dots.last().hover();
+  await dots.last().hover({ force: true });
   await page.locator('.about strong').waitFor();
   const before = new URL(page.url()).hash;
-  await dots.last().click();
+  await dots.last().click({ force: true });
   await newPlanInAddress(page, before);
   assert.match(await panel(page).innerText(), /Why the plan on the map/);
   const table = page.getByRole('region', { name: 'Differences of the two plans' });

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "server/routes/detour_layer.h"
 #include "tramline/geometry/path.h"
 #include "tramline/io/plan/plan_layers.h"
 
@@ -64,6 +65,7 @@ ordered_json layer_list(const io::PlanFile& file) {
   out.push_back(entry(layers::kHeadlandPasses, "Headland passes", plan.headland.passes.size(),
                       plan.headland.worked_m2, length(plan.headland)));
   out.push_back(entry(layers::kTracks, "Tracks", plan.pieces.size(), std::nullopt, tally.track_length_m));
+  out.push_back(detour_entry(plan));
   out.push_back(
       entry(layers::kDropped, "Too short to drive", plan.dropped.size(), std::nullopt, dropped_length(plan)));
   out.push_back(entry(layers::kEncounters, "Meetings with obstacles", plan.encounters.size(), std::nullopt));

@@ -8,6 +8,7 @@
 #include "report/plan_report.h"
 #include "server/input/json_input.h"
 #include "server/map/shown_place.h"
+#include "server/routes/detour_layer.h"
 #include "server/routes/plan_layer_list.h"
 #include "server/routes/routes.h"
 #include "tramline/geometry/error.h"
@@ -72,6 +73,9 @@ void add_plan_routes(Router& router, App& app) {
     answer(response, layer_list(app.plans.open(call.part("plan")).file));
   });
   router.get(api("/plans/{plan}/layers/{layer}"), [&app](const Call& call, httplib::Response& response) {
+    if (call.part("layer") == kDetourLayer)
+      return response.set_content(detour_geojson(app.plans.open(call.part("plan")).file.plan).dump(),
+                                  "application/geo+json");
     const KeptPlan kept = app.plans.get(call.part("plan"));
     response.set_content(io::layer_geojson(app.plans.file(kept.id), kept.frame, call.part("layer")),
                          "application/geo+json");

@@ -285,9 +285,11 @@ export interface DriveFull {
   name: string;
   field: string | null;
   created: string;
-  bbox: Box;
+  bbox: Box | null;
   from_s: number | null;
   to_s: number | null;
+  /** Where the log has no times, from_s and to_s are numbers of fixes. */
+  clock?: 'none' | 'utc' | 'of_day' | 'other';
   summary: DriveSummary;
   gaps: Gap[];
   compared: Compared | null;
@@ -333,7 +335,7 @@ export interface WorkFrame {
   time_s: number | null;
   fix: number;
   fixes: number;
-  at: Place;
+  at: Place | null;
   heading_deg: number | null;
   working: boolean;
   figures: WorkFigures;

@@ -3,6 +3,7 @@ import type { FeatureCollection, Place, WorkFrame, WorkTile } from '../api/types
 import { DRIVE_LAYERS, review } from '../state/review';
 import { onFrame, replay } from '../state/replay';
 import { session } from '../state/session';
+import { fit } from './engine';
 import { NOTHING, collection, type Shown } from './shown';
 import { TILE_SOURCES } from './style';
 import { DRIVE_PARTS } from './work_layers';
@@ -42,6 +43,7 @@ function followStream({ map, fill }: Shown): void {
     for (const kind of GROUND) growTiles(map.getSource(`work:${kind}`) as GeoJSONSource, frame.tiles, kind, there[kind]);
     way = [...way, ...frame.line].slice(-TAIL);
     fill('work:line', collection([{ type: 'Feature', properties: {}, geometry: { type: 'LineString', coordinates: way } }]));
+    if (!frame.at) return;
     fill('work:machine', collection([{
       type: 'Feature',
       properties: { work: frame.working ? 'on' : 'off', heading: frame.heading_deg ?? 0 },
@@ -56,9 +58,12 @@ export function followWork(shown: Shown): void {
   const { fill, visible } = shown;
   followStream(shown);
   const filled: Record<string, FeatureCollection | undefined> = {};
+  let looked: string | null = null;
   const sync = () => {
     const here = session.get().view === 'review';
     const { drive, shapes, shown: on } = review.get();
+    if (drive && drive.id !== looked && drive.field === null && drive.bbox) fit(drive.bbox);
+    looked = drive?.id ?? null;
     const moving = replay.get().of !== null;
     for (const name of DRIVE_LAYERS) {
       const data = drive ? shapes[name] : undefined;

@@ -1,4 +1,5 @@
 // Overlap to the right, uncovered land upwards, turns as colour: each dot is a plan.
+import { useId } from 'preact/hooks';
 import type { FrontPoint } from '../../api/types';
 import { count, money, squareMetres } from '../../format';
 import { roundStep } from '../../map/metres';
@@ -32,19 +33,51 @@ interface Props {
   choose: (point: number) => void;
 }
 
+const REACH_PX = 32;
+
 export function Chart({ points, open, hovered, hover, choose }: Props) {
+  const name = useId();
   const across = axis(points.map((point) => point.overlap_m2));
   const up = axis(points.map((point) => point.uncovered_m2));
   const turns = points.map((point) => point.turns + point.stops);
   const [fewest, most] = [Math.min(...turns), Math.max(...turns)];
   const x = (value: number) => LEFT + ((value - across.least) / (across.most - across.least)) * (W - LEFT - RIGHT);
   const y = (value: number) => H - BOTTOM - ((value - up.least) / (up.most - up.least)) * (H - BOTTOM - TOP);
-  const radius = (point: FrontPoint) => 5 + (most > fewest ? (6 * (point.turns + point.stops - fewest)) / (most - fewest) : 0);
-  // Small dots lie above large ones, the open one above all.
-  const drawn = [...points].sort((a, b) => Number(a.point === open) - Number(b.point === open) || radius(b) - radius(a));
+  const radius = (point: FrontPoint) => 3.5 + (most > fewest ? (5.5 * (point.turns + point.stops - fewest)) / (most - fewest) : 0);
+  const rank = (point: FrontPoint) => (point.point === hovered ? 3 : point.point === open ? 2 : point.marks.length > 0 ? 1 : 0);
+  // Small dots lie above large ones, those that stand out above all.
+  const drawn = [...points].sort((a, b) => rank(a) - rank(b) || radius(b) - radius(a));
+
+  // A finger is wider than a dot: the nearest one within reach is meant.
+  const nearest = (event: MouseEvent & { currentTarget: SVGSVGElement }): number | null => {
+    const box = event.currentTarget.getBoundingClientRect();
+    const [px, py] = [((event.clientX - box.left) * W) / box.width, ((event.clientY - box.top) * H) / box.height];
+    const away = (point: FrontPoint) => Math.hypot(x(point.overlap_m2) - px, y(point.uncovered_m2) - py);
+    const best = points.reduce((a, b) => (away(b) < away(a) ? b : a));
+    return away(best) <= (REACH_PX * W) / box.width ? best.point : null;
+  };
+  const step = (by: number) => {
+    const at = points.findIndex((point) => point.point === (hovered ?? open));
+    hover(points[Math.max(0, Math.min(points.length - 1, at < 0 ? 0 : at + by))]!.point);
+  };
+  const key = (event: KeyboardEvent) => {
+    if (event.key === 'ArrowRight' || event.key === 'ArrowUp') step(1);
+    else if (event.key === 'ArrowLeft' || event.key === 'ArrowDown') step(-1);
+    else if ((event.key === 'Enter' || event.key === ' ') && hovered !== null) choose(hovered);
+    else return;
+    event.preventDefault();
+  };
   return (
     <figure class="chart">
-      <svg viewBox={`0 0 ${W} ${H}`} role="group" aria-label="Trade-off: overlap to the right, uncovered land upwards, larger dots turn and stop more often">
+      <svg
+        viewBox={`0 0 ${W} ${H}`} role="listbox" tabIndex={0} aria-activedescendant={hovered === null ? undefined : `${name}-${hovered}`}
+        aria-label="Trade-off: overlap to the right, uncovered land upwards, larger dots turn and stop more often. Arrow keys go from plan to plan, Enter shows one."
+        onMouseMove={(event) => hover(nearest(event))} onMouseLeave={() => hover(null)} onKeyDown={key}
+        onClick={(event) => {
+          const point = nearest(event);
+          if (point !== null) choose(point);
+        }}
+      >
         {across.ticks.map((tick) => (
           <g key={tick}>
             <line class="rule" x1={x(tick)} x2={x(tick)} y1={TOP} y2={H - BOTTOM} />
@@ -61,19 +94,10 @@ export function Chart({ points, open, hovered, hover, choose }: Props) {
         <text x={LEFT + 6} y={TOP + 10}>↑ Uncovered, m²</text>
         {drawn.map((point) => (
           <g
-            key={point.point} class={`dot ${point.point === open ? 'open' : ''} ${point.point === hovered ? 'hovered' : ''} ${point.marks.includes('given_prices') ? 'cheapest' : ''}`}
-            role="button" tabIndex={0}
+            key={point.point} id={`${name}-${point.point}`} role="option" aria-selected={point.point === open}
+            class={`dot ${point.point === open ? 'open' : ''} ${point.point === hovered ? 'hovered' : ''} ${point.marks.includes('given_prices') ? 'cheapest' : ''}`}
             aria-label={`Plan ${point.point}: ${squareMetres(point.overlap_m2)} overlap, ${squareMetres(point.uncovered_m2)} uncovered, ${point.turns} turns, ${point.stops} stops, ${money(point.cost)}${point.marks.length > 0 ? `, ${marksOf(point)}` : ''}`}
-            onClick={() => choose(point.point)}
-            onKeyDown={(event) => {
-              if (event.key !== 'Enter' && event.key !== ' ') return;
-              event.preventDefault();
-              choose(point.point);
-            }}
-            onMouseEnter={() => hover(point.point)} onMouseLeave={() => hover(null)}
-            onFocus={() => hover(point.point)} onBlur={() => hover(null)}
           >
-            <circle class="target" cx={x(point.overlap_m2)} cy={y(point.uncovered_m2)} r={23} />
             <circle class="seen" cx={x(point.overlap_m2)} cy={y(point.uncovered_m2)} r={radius(point)} />
             {point.marks.includes('knee') && <circle class="knee" cx={x(point.overlap_m2)} cy={y(point.uncovered_m2)} r={radius(point) + 3.5} />}
           </g>

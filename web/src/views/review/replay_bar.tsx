@@ -1,5 +1,5 @@
 import type { DriveFull } from '../../api/types';
-import { clock, hectares, rate, squareMetres, timeOfDay } from '../../format';
+import { clock, count, hectares, rate, squareMetres, timeOfDay } from '../../format';
 import { Button } from '../../parts/button';
 import { Select } from '../../parts/choice';
 import { Figures } from '../../parts/figures';
@@ -28,9 +28,9 @@ export function ReplayBar({ drive }: { drive: DriveFull }) {
           options={SPEEDS.map((speed) => ({ value: String(speed), label: `${speed} ×` }))} />
         {mine && <Button onClick={stopReplay}>Result</Button>}
       </div>
-      <Slider label="Time" value={at - from} least={0} most={Math.max(1, to - from)} step="any" says={`${clock(at - from)} of ${clock(to - from)}`}
+      <Slider label="Time" value={at - from} least={0} most={Math.max(1, to - from)} step="any" says={drive.clock === 'none' ? `fix ${count(at)} of ${count(to)}` : `${clock(at - from)} of ${clock(to - from)}`}
         change={(value) => seek(drive, from + value)} />
-      {mine && <p class="hint">{timeOfDay(at) || '\u00a0'}</p>}
+      {mine && <p class="hint">{(drive.clock === 'utc' && timeOfDay(at)) || '\u00a0'}</p>}
       {mine && state.figures && <WorkNumbers figures={state.figures} />}
     </div>
   );
