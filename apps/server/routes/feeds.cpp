@@ -34,7 +34,7 @@ ordered_json listed(const OpenFeed& open) {
           {"created", note.created},
           {"fixes", open.feed->fixes()},
           {"ended", open.feed->ended()},
-          {"problem", problem.empty() ? ordered_json() : ordered_json(problem)}};
+          {"problem", problem.empty() ? ordered_json() : ordered_json(in_page_words(problem))}};
 }
 
 ordered_json in_full(const OpenFeed& open) {

@@ -6,6 +6,7 @@
 
 #include "report/front_report.h"
 #include "server/routes/routes.h"
+#include "server/store/kept_front.h"
 
 namespace tramline::server {
 namespace {

@@ -9,6 +9,7 @@
 #include "server/input/json_input.h"
 #include "server/input/plan_input.h"
 #include "server/routes/job_kinds.h"
+#include "server/store/kept_front.h"
 #include "tramline/geometry/error.h"
 #include "tramline/planner/plan_field.h"
 #include "tramline/planner/trade_off.h"

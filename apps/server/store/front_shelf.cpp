@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "server/http/http_error.h"
+#include "server/store/kept_front.h"
 #include "server/store/new_id.h"
 
 namespace tramline::server {

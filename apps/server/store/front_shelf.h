@@ -7,20 +7,10 @@
 #include <mutex>
 #include <string>
 
-#include "server/store/field_store.h"
-#include "tramline/planner/trade_off.h"
-
 namespace tramline::server {
 
-struct KeptFront {
-  std::string id;
-  std::string name;
-  KeptFieldPtr field;
-  Machine machine;
-  PlanSettings settings;
-  TradeOff found;
-  double seconds = 0;
-};
+/// kept_front.h: who only has the shelf need not know the planner.
+struct KeptFront;
 using KeptFrontPtr = std::shared_ptr<const KeptFront>;
 
 /// The last few, in memory: a search can be done again. Safe for several threads.

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "server/http/page_words.h"
+
 namespace tramline::server {
 namespace {
 
@@ -62,7 +64,7 @@ ordered_json EventWriter::frame_json(const WorkFrame& frame) {
 
 NamedEvent EventWriter::named(const WorkEvent& event) {
   if (const auto* state = std::get_if<FeedState>(&event))
-    return {"state", {{"message", state->message}, {"connected", state->connected}}};
+    return {"state", {{"message", in_page_words(state->message)}, {"connected", state->connected}}};
   if (const auto* end = std::get_if<WorkEnd>(&event))
     return {"end", {{"figures", figures_json(end->figures)}}};
   return {"frame", frame_json(std::get<WorkFrame>(event))};

@@ -2,7 +2,6 @@
 import { useId } from 'preact/hooks';
 import type { FrontPoint } from '../../api/types';
 import { count, money, squareMetres } from '../../format';
-import { roundStep } from '../../map/metres';
 import { marksOf } from './trade_off';
 
 const W = 380;
@@ -13,16 +12,25 @@ const TOP = 14;
 const RIGHT = 14;
 
 interface Axis {
-  least: number;
-  most: number;
+  /** 0 … 1 along the axis. */
+  at: (value: number) => number;
   ticks: number[];
 }
+const ROUND = [0, 1, 2, 5].flatMap((n) => (n === 0 ? [0] : [1, 10, 100, 1000, 10_000, 100_000].map((power) => n * power))).sort((a, b) => a - b);
+const LEAST_APART = 0.13;
+
+/** By the square root: most plans lie close together near the corner, a few far out. */
 function axis(values: number[]): Axis {
-  const [low, high] = [Math.min(...values), Math.max(...values)];
-  const step = roundStep(Math.max((high - low) / 3.5, high / 100, 1));
-  const least = Math.max(0, Math.floor(low / step - 0.15) * step);
-  const most = Math.ceil(high / step + 0.15) * step;
-  return { least, most, ticks: Array.from({ length: Math.round((most - least) / step) + 1 }, (_, i) => least + i * step) };
+  const [low, high] = [Math.sqrt(Math.min(...values)), Math.sqrt(Math.max(...values, 1))];
+  const room = Math.max(high - low, high / 20) * 0.06;
+  const [least, most] = [Math.max(0, low - room), high + room];
+  const at = (value: number) => (Math.sqrt(value) - least) / (most - least);
+  const ticks: number[] = [];
+  for (const tick of ROUND) {
+    const last = ticks[ticks.length - 1];
+    if (at(tick) >= 0 && at(tick) <= 1 && (last === undefined || at(tick) - at(last) >= LEAST_APART)) ticks.push(tick);
+  }
+  return { at, ticks };
 }
 
 interface Props {
@@ -41,8 +49,8 @@ export function Chart({ points, open, hovered, hover, choose }: Props) {
   const up = axis(points.map((point) => point.uncovered_m2));
   const turns = points.map((point) => point.turns + point.stops);
   const [fewest, most] = [Math.min(...turns), Math.max(...turns)];
-  const x = (value: number) => LEFT + ((value - across.least) / (across.most - across.least)) * (W - LEFT - RIGHT);
-  const y = (value: number) => H - BOTTOM - ((value - up.least) / (up.most - up.least)) * (H - BOTTOM - TOP);
+  const x = (value: number) => LEFT + across.at(value) * (W - LEFT - RIGHT);
+  const y = (value: number) => H - BOTTOM - up.at(value) * (H - BOTTOM - TOP);
   const radius = (point: FrontPoint) => 3.5 + (most > fewest ? (5.5 * (point.turns + point.stops - fewest)) / (most - fewest) : 0);
   const rank = (point: FrontPoint) => (point.point === hovered ? 3 : point.point === open ? 2 : point.marks.length > 0 ? 1 : 0);
   // Small dots lie above large ones, those that stand out above all.
