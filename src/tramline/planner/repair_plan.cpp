@@ -17,6 +17,7 @@
 #include "tramline/planner/for_each_index.h"
 #include "tramline/planner/join_gaps.h"
 #include "tramline/planner/line_order.h"
+#include "tramline/planner/pulse.h"
 #include "tramline/planner/warnings.h"
 #include "tramline/tracks/end_rule.h"
 
@@ -331,7 +332,9 @@ class RepairMaker {
 RepairPlan repair_plan(const Field& field, const std::vector<Gap>& gaps, const Region& missed,
                        RepairTerms terms, double min_area_m2, int threads, const RepairProgress& progress) {
   if (terms.machine.min_length_m < 0) terms.machine.min_length_m = 0;
-  return RepairMaker(field, gaps, terms, min_area_m2, threads, progress).run(missed);
+  Pulse pulse(progress);
+  const RepairProgress counted = pulse.counter();
+  return RepairMaker(field, gaps, terms, min_area_m2, threads, counted).run(missed);
 }
 
 }  // namespace tramline
