@@ -33,7 +33,8 @@ export function MapHost() {
       return;
     }
     void import('./engine').then(async (module) => {
-      await module.startMap(box.current!, (length_m, width_px, grid_m) => setScale({ length_m, width_px, grid_m }));
+      if (!box.current) return; // the page turned out to be locked
+      await module.startMap(box.current, (length_m, width_px, grid_m) => setScale({ length_m, width_px, grid_m }));
       loaded = module;
       new ResizeObserver(() => module.resized()).observe(box.current!);
     });

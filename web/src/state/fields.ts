@@ -1,5 +1,5 @@
 // Fields: those kept by the server, the one that is open, and a file to choose from.
-import { api, ApiError } from '../api/client';
+import { api, ApiError, sentence } from '../api/client';
 import type { FieldFull, FieldItem, Geometry, ObstacleDrawn, Upload, UploadedFeature } from '../api/types';
 import { megabytes } from '../format';
 import { review } from './review';
@@ -60,7 +60,7 @@ export async function takeFieldFile(file: File): Promise<void> {
     const what = upload.kind === 'log' ? 'the log of a machine: drop it under Review' : upload.kind === 'plan' ? 'a plan, not a field' : null;
     throw new ApiError(
       'bad_input',
-      what ? `${file.name} is ${what}.` : (upload.message ?? `${file.name} holds no field. Choose a GeoJSON, GeoPackage, Shapefile, KML or ISOXML file.`),
+      what ? `${file.name} is ${what}.` : `${file.name} holds no field. Choose a GeoJSON, GeoPackage, Shapefile, KML or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
       400,
     );
   }

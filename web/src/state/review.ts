@@ -1,5 +1,5 @@
 // Drives: those kept by the server, the one that is open, its replay or the live feed, and the repair.
-import { api, ApiError } from '../api/client';
+import { api, ApiError, sentence } from '../api/client';
 import { follow } from '../api/jobs';
 import type { DriveFull, DriveItem, FeatureCollection, FeedRequest, Gap, Job, Upload } from '../api/types';
 import { assertSize, busy, fields, loadFields } from './fields';
@@ -43,7 +43,7 @@ export async function takeLogFile(file: File): Promise<void> {
     const what = upload.kind === 'fields' ? 'a file of fields: drop it under Fields' : upload.kind === 'plan' ? 'a plan, not a log' : null;
     throw new ApiError(
       'bad_input',
-      what ? `${file.name} is ${what}.` : (upload.message ?? `${file.name} is no log of a machine. Choose a CSV, NMEA, GPX or ISOXML file.`),
+      what ? `${file.name} is ${what}.` : `${file.name} is no log of a machine. Choose a CSV, NMEA, GPX or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
       400,
     );
   }
