@@ -10,6 +10,7 @@
 #include "server/http/http_error.h"
 #include "server/routes/routes.h"
 #include "tramline/geometry/error.h"
+#include "tramline/io/vector/foreign_files.h"
 
 namespace tramline::server {
 namespace {
@@ -50,6 +51,7 @@ struct Server::Parts {
 };
 
 Server::Server(ServerSettings settings) : parts_(std::make_unique<Parts>(std::move(settings))) {
+  io::open_plain_files_only();
   App& app = parts_->app;
   const Router& router = parts_->router;
   httplib::Server& http = parts_->http;

@@ -49,11 +49,8 @@ bool sound(const RealFields& fields, const std::string& name, const char* way,
 }
 
 int run() {
-  const std::optional<RealFields> fields = read_real_fields();
-  if (!fields) {
-    fmt::print("skipped: no real data in {}\n", real_data_folder());
-    return 0;
-  }
+  const auto fields = read_or_say();
+  if (!fields) return 0;
   coverage::DriveSettings by_segment;
   by_segment.quads = coverage::QuadShape::kSegment;
   by_segment.switching = coverage::Switching::kStep;

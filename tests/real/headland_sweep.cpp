@@ -57,11 +57,8 @@ void look_at(const Field& field, double width_m, int passes, Spreads& out) {
 }
 
 int run() {
-  const auto fields = read_real_fields();
-  if (!fields) {
-    fmt::print("no real fields here\n");
-    return 0;
-  }
+  const auto fields = read_or_say();
+  if (!fields) return 0;
   const Crs crs(fields->dataset.layers.front().crs);
   int failed = 0;
   for (const double width_m : {4.0, 6.0, 12.0})

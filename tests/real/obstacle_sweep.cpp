@@ -221,11 +221,8 @@ int run(const std::vector<std::string>& words) {
     fmt::print(stderr, "usage: obstacle_sweep [--width LIST] [--radius LIST] [--field ID] | --stop-prices\n");
     return 2;
   }
-  const auto fields = read_real_fields();
-  if (!fields) {
-    fmt::print("skipped: no real fields in {}; set TRAMLINE_DATA\n", real_data_folder());
-    return 0;
-  }
+  const auto fields = read_or_say();
+  if (!fields) return 0;
   return request->stop_prices ? run_stop_prices(*fields) : run_sweep(*fields, *request);
 }
 

@@ -94,6 +94,16 @@ std::optional<RealFields> read_real_fields() {
   return RealFields{file, std::move(dataset)};
 }
 
+std::string no_real_fields() {
+  return fmt::format("skipped: no real fields in {}; set TRAMLINE_DATA", real_data_folder());
+}
+
+std::optional<RealFields> read_or_say() {
+  std::optional<RealFields> out = read_real_fields();
+  if (!out) fmt::print("{}\n", no_real_fields());
+  return out;
+}
+
 std::vector<Field> admitted(const RealFields& fields, const Crs& crs, const RawFeature& feature) {
   AdmissionContext context;
   context.file = fields.file;

@@ -27,6 +27,10 @@ struct RealFields {
   const std::vector<RawFeature>& features() const { return dataset.layers.front().features; }
 };
 std::optional<RealFields> read_real_fields();
+/// Why a test is skipped, and what to do.
+std::string no_real_fields();
+/// The curated fields; where the folder is absent, it says so on standard output.
+std::optional<RealFields> read_or_say();
 
 /// The fields that a feature of the dataset makes. Throws Error(kBadInput) where it makes none. `crs` is the
 /// dataset's; it serves one thread at a time.

@@ -31,7 +31,7 @@ class RealRepairs : public ::testing::Test {
  protected:
   void SetUp() override {
     fields_ = read_real_fields();
-    if (!fields_) GTEST_SKIP() << "no real data in " << real_data_folder();
+    if (!fields_) GTEST_SKIP() << no_real_fields();
   }
 
   std::optional<RealFields> fields_;

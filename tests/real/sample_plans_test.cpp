@@ -31,7 +31,7 @@ std::vector<const RawFeature*> sample(const testing::RealFields& fields) {
 
 TEST(RealFields, SampleIsPlannedAndHolds) {
   const auto fields = testing::read_real_fields();
-  if (!fields) GTEST_SKIP() << "no real fields in " << testing::real_data_folder() << "; set TRAMLINE_DATA";
+  if (!fields) GTEST_SKIP() << testing::no_real_fields();
   const Crs crs(fields->dataset.layers.front().crs);
   const std::string scratch =
       (std::filesystem::temp_directory_path() / fmt::format("tramline-sample-{}.gpkg", getpid())).string();

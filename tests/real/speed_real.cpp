@@ -100,11 +100,8 @@ Timed timed(const Field& field, const Request& request) {
 }
 
 int run(int argc, char** argv) {
-  const auto fields = read_real_fields();
-  if (!fields) {
-    fmt::print("skipped: no real fields in {}; set TRAMLINE_DATA\n", real_data_folder());
-    return 0;
-  }
+  const auto fields = read_or_say();
+  if (!fields) return 0;
   Request request;
   for (int i = 1; i + 1 < argc; i += 2) {
     const std::string word = argv[i];

@@ -61,11 +61,8 @@ double difference(const Ground& ground, const Polygon& part, int directions, std
 }
 
 int run(int argc, char** argv) {
-  const auto fields = read_real_fields();
-  if (!fields) {
-    fmt::print("skipped: no real fields in {}; set TRAMLINE_DATA\n", real_data_folder());
-    return 0;
-  }
+  const auto fields = read_or_say();
+  if (!fields) return 0;
   const int directions = argc > 1 ? std::atoi(argv[1]) : 100;
   std::vector<double> most(fields->features().size(), 0);
   tbb::parallel_for(std::size_t{0}, most.size(), [&](std::size_t i) {

@@ -1,5 +1,6 @@
 // What this server is, and what it takes.
 
+#include "server/openapi.h"
 #include "server/routes/routes.h"
 
 namespace tramline::server {
@@ -20,6 +21,9 @@ void add_about_routes(Router& router, App& app) {
   };
   router.get(kApi, about);
   router.get(api("/"), about);
+  router.get(api("/openapi.json"), [](const Call&, httplib::Response& response) {
+    response.set_content(openapi().data(), openapi().size(), "application/json");
+  });
 }
 
 }  // namespace tramline::server

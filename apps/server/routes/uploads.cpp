@@ -9,6 +9,7 @@
 #include "server/routes/routes.h"
 #include "server/uploads/survey.h"
 #include "tramline/geometry/error.h"
+#include "tramline/io/vector/foreign_files.h"
 
 namespace tramline::server {
 namespace {
@@ -27,12 +28,24 @@ void receive(const Call& call, Upload& upload) {
   if (!file) throw failure("the file could not be kept; is the disk full?");
 }
 
+/// What small files may expand to, so that nobody fills the memory with them.
+void require_bounded(const Upload& upload) {
+  constexpr std::size_t kMostExpanded = std::size_t{1} << 30;
+  constexpr int kMostFiles = 10'000;
+  try {
+    io::require_bounded_archive(upload.path, kMostExpanded, kMostFiles);
+  } catch (const Error& error) {
+    throw Error(error.kind(), upload.in_its_name(error.what()));
+  }
+}
+
 ordered_json accept(App& app, const Call& call) {
   app.uploads.forget_old();
   Upload upload = app.uploads.begin(call.query("name"));
   ordered_json found;
   try {
     receive(call, upload);
+    require_bounded(upload);
     found = survey(upload);
   } catch (...) {
     app.uploads.discard(upload);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 #include "server/http/page_words.h"
@@ -32,6 +33,13 @@ bool is_log_by_format(const Upload& upload) {
   } catch (const Error&) {
     return false;
   }
+}
+
+/// Points and lines are no fields, but may be a log.
+bool none_accepted(const ordered_json& found) {
+  const ordered_json& features = found.at("features");
+  return std::all_of(features.begin(), features.end(),
+                     [](const ordered_json& feature) { return !feature.at("refused").is_null(); });
 }
 
 /// Either of two attempts, the more likely one first.
@@ -85,6 +93,7 @@ ordered_json survey(Upload& upload) {
         attempts.found["partfields"] = ordered_json::array();
       }
     }
+    if (upload.kind == UploadKind::kFields && !log_first && none_accepted(attempts.found)) as_log();
     return attempts.found;
   }
   upload.kind = UploadKind::kUnknown;

@@ -1,22 +1,13 @@
 #pragma once
 // A plan for the ground that a drive has missed.
 
-#include <functional>
-#include <string>
 #include <vector>
 
 #include "tramline/model/coverage.h"
-#include "tramline/planner/gap_lines.h"
+#include "tramline/model/plan.h"
+#include "tramline/planner/repair_lines.h"
 
 namespace tramline {
-
-/// Missed ground that a repair leaves.
-struct LeftGap {
-  int number = 0;  ///< of the gap in the coverage, from 1
-  double area_m2 = 0;
-  Point at;  ///< within it
-  std::string why;
-};
 
 struct RepairPlan {
   Plan plan;                         ///< its body: the gaps taken on; worked: the rest of the field
@@ -27,9 +18,6 @@ struct RepairPlan {
   double missed_before_m2 = 0;       ///< all that is missed, down to the thinnest sliver
   double missed_after_m2 = 0;        ///< of that, what no swath of the plan covers
 };
-
-/// Pieces of ground done, and known so far.
-using RepairProgress = std::function<void(int done, int total)>;
 
 /// Plans tracks over the gaps of at least `min_area_m2` so that nothing of that size is left that a straight
 /// swath could work. Each gap gets the grid of lines that costs least (best_lines), gaps are joined where

@@ -103,17 +103,18 @@ void draw_dose_field(Canvas& canvas, const DoseMap& map) {
   outline(canvas, map.field, edge);
 }
 
-void draw_wind(Canvas& canvas, const Box& map_px, const DoseMap& map) {
+void draw_wind(Canvas& canvas, const Box& strip, const DoseMap& map) {
   if (!map.drift || !(map.drift->wind_mps > 0)) return;
   const double k = canvas.scale();
   const Point from = map.drift->wind_from.unit();
   const Point blows{-from.x, from.y};  // y points down on the page
-  const Point middle{map_px.max_x - 60 * k, map_px.min_y + 52 * k};
-  const Point tip = middle + 26 * k * blows;
-  stroke_line(canvas, {middle - 26 * k * blows, tip}, {kInk, 2.2 * k});
-  draw_arrow_head(canvas, tip, blows, 14 * k, kInk);
-  draw_text(canvas, {middle.x, middle.y + 42 * k}, fmt::format("wind {:g} m/s", map.drift->wind_mps),
-            {kSmallTextSize, false, Align::kCentre, kInk, true});
+  const Point half = 22 * k * blows;
+  const double y = strip.centre().y;
+  const Point middle{strip.max_x - 130 * k, y};
+  stroke_line(canvas, {middle - half, middle + half}, {kInk, 2.2 * k});
+  draw_arrow_head(canvas, middle + half, blows, 13 * k, kInk);
+  draw_text(canvas, {strip.max_x - 4 * k, y}, fmt::format("wind {:g} m/s", map.drift->wind_mps),
+            {kSmallTextSize, false, Align::kRight, kInk});
 }
 
 void draw_histogram(Canvas& canvas, const Box& box, const DoseMap& map) {

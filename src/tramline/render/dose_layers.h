@@ -11,8 +11,8 @@ namespace tramline::render {
 void draw_cells(Canvas& canvas, const DoseMap& map);
 /// Outline and obstacles of the field.
 void draw_dose_field(Canvas& canvas, const DoseMap& map);
-/// Where the wind blows to, in the corner of the map; nothing where there is none.
-void draw_wind(Canvas& canvas, const Box& map_px, const DoseMap& map);
+/// Where the wind blows to, at the right end of the strip under the map; nothing where there is none.
+void draw_wind(Canvas& canvas, const Box& strip, const DoseMap& map);
 /// How much ground got how much, over the colours and their rates.
 void draw_histogram(Canvas& canvas, const Box& box, const DoseMap& map);
 

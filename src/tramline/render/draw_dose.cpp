@@ -56,10 +56,10 @@ void draw_dose(const DoseMap& map, const std::filesystem::path& path, const Pict
   clip_to(canvas, page.map);
   draw_cells(canvas, map);
   draw_dose_field(canvas, map);
-  draw_wind(canvas, page.map, map);
   cairo_restore(canvas.cr());
   draw_title(canvas, page.title, title_of(map), subtitle_of(map));
   draw_scale_strip(canvas, page.scale_strip);
+  draw_wind(canvas, page.scale_strip, map);
   const std::vector<LegendBlock> blocks = legend_of(map);
   draw_legend(canvas, page, blocks);
   draw_histogram(canvas, rows_of_blocks(page, blocks).front(), map);

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 
 #include "io/isoxml/time_log_bytes.h"
@@ -11,6 +13,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/io/isoxml/read_fields.h"
 #include "tramline/io/isoxml/read_task_log.h"
+#include "tramline/io/isoxml/task_data.h"
 #include "tramline/io/isoxml/task_files.h"
 #include "tramline/io/log/read_log.h"
 
@@ -151,6 +154,17 @@ std::string ring(const std::string& type, const std::vector<Point>& lonlat) {
 const std::vector<Point> kWest = {{10, 52}, {10.01, 52}, {10.01, 52.01}, {10, 52.01}};
 const std::vector<Point> kEast = {{10.02, 52}, {10.03, 52}, {10.03, 52.01}, {10.02, 52.01}, {10.02, 52}};
 const std::vector<Point> kPond = {{10.024, 52.004}, {10.026, 52.004}, {10.026, 52.006}};
+
+TEST_F(TaskSet, PropertiesAreNumbersOf32Bits) {
+  const TaskData data = parse_task_data(
+      R"(<ISO11783_TaskData><DVC A="DVC-1"><DET A="DET-1" B="1" C="1"><DOR A="5"/><DOR A="6"/><DOR A="7"/>)"
+      R"(<DOR A="8"/></DET><DPT A="5" B="0043" C="-2147483648"/><DPT A="6" B="0044" C="3001000000000000000000000"/>)"
+      R"(<DPT A="7" B="0046" C="wide"/><DPT A="8" B="0087" C="1500"/></DVC></ISO11783_TaskData>)",
+      [](const std::string&) { return std::optional<std::string>(); }, "t");
+  ASSERT_EQ(data.elements.size(), 1U);
+  const std::map<unsigned, long long> expected{{ddi::kActualWidth, -2147483648LL}, {ddi::kOffsetY, 1500}};
+  EXPECT_EQ(data.elements[0].properties, expected);
+}
 
 TEST_F(TaskSet, PartfieldsOfVersion3HaveSeveralExteriorsInOnePolygon) {
   write("TASKDATA.XML", task_data("<PFD A=\"PFD1\" C=\"home\"><PLN A=\"1\">" + ring("1", kWest) +

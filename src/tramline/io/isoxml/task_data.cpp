@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <pugixml.hpp>
 
 #include "tramline/geometry/error.h"
@@ -33,6 +35,13 @@ unsigned identifier(const pugi::xml_attribute& attribute) {
   return out;
 }
 
+/// Of a DPT: a signed number of 32 bits (ISO 11783-10). What does not fit is none.
+std::optional<long long> property_value(const pugi::xml_attribute& attribute) {
+  const std::optional<double> value = number_in(attribute.value());
+  if (!value || !(std::abs(*value) <= 2147483648.0)) return std::nullopt;
+  return static_cast<long long>(*value);
+}
+
 void read_device(const pugi::xml_node& device, TaskData& out) {
   struct Property {
     unsigned ddi;
@@ -40,9 +49,8 @@ void read_device(const pugi::xml_node& device, TaskData& out) {
   };
   std::map<long long, Property> properties;
   for (const pugi::xml_node property : device.children("DPT"))
-    properties[number(property.attribute("A"))] = {
-        identifier(property.attribute("B")),
-        static_cast<long long>(number_in(property.attribute("C").value()).value_or(0))};
+    if (const std::optional<long long> value = property_value(property.attribute("C")))
+      properties[number(property.attribute("A"))] = {identifier(property.attribute("B")), *value};
   for (const pugi::xml_node node : device.children("DET")) {
     DeviceElement element;
     element.id = node.attribute("A").value();
