@@ -107,7 +107,7 @@ program: packages $(RELEASE)/build.ninja
 
 LONG := long-properties long-scenes long-best-bound long-best-brute long-best-real long-best-real-1 \
   long-best-real-2 long-best-real-3 long-tally-real long-real-1 long-real-2 long-real-3 long-obstacles-3 long-obstacles-6 \
-  long-obstacles-12 long-obstacles-24 long-headlands long-maps long-coverage long-watch long-registers long-fuzz-logs long-fuzz-coverage long-asan long-tsan \
+  long-obstacles-12 long-obstacles-24 long-headlands long-maps long-coverage long-watch long-serve long-registers long-fuzz-logs long-fuzz-coverage long-asan long-tsan \
   long-clang
 
 .PHONY: long $(LONG)
@@ -170,6 +170,9 @@ long-coverage: build ## 10,000 random drives and all real logs: the exact engine
 
 long-watch: packages-test build ## `tramline watch` killed at 20 random moments and taken up again, and its other tests
 	TRAMLINE_KILLS=20 $(LIMIT) $(CTEST) --test-dir $(RELEASE) -L watch
+
+long-serve: program ## ten minutes of a live feed at 50 Hz before `tramline serve`, with readers: its memory stays as it is
+	$(LIMIT) tests/server/soak/serve_soak.py --tramline $(TRAMLINE) --seconds 600 --hertz 50
 
 # Refused fields are part of the register: they are listed in the output and are no failure.
 long-registers: program ## plan every field of the registers, slivers and oddities included

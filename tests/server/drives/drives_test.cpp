@@ -170,7 +170,8 @@ TEST_F(Drives, IsWhatEvaluateSaysAndCanBeTakenAway) {
     ASSERT_FALSE(got.json.at("features").empty()) << layer;
   }
   double covered_m2 = 0;
-  for (const ordered_json& feature : here_.get(path + "/layers/covered").json.at("features"))
+  const ordered_json covered = here_.get(path + "/layers/covered").json;
+  for (const ordered_json& feature : covered.at("features"))
     covered_m2 += area_of_json(feature.at("geometry").at("type") == "Polygon"
                                    ? ordered_json::array({feature["geometry"]["coordinates"]})
                                    : feature["geometry"]["coordinates"]);
@@ -342,7 +343,8 @@ std::string task_set_with_partfield(const testing_support::TemporaryFolder& fold
   };
   const FrameProjection projection(frame_here());
   std::string ring;
-  for (const Point p : field_here().front().outer) ring += position(projection.to_lonlat(p));
+  const Region field = field_here();
+  for (const Point p : field.front().outer) ring += position(projection.to_lonlat(p));
   const std::string tasks =
       R"(<?xml version="1.0"?><ISO11783_TaskData VersionMajor="4"><PFD A="PFD1" C="mill"><PLN A="1"><LSG A="1">)" +
       ring + R"(</LSG></PLN></PFD><TSK A="TSK1" B="spray" E="PFD1"><TLG A="TLG00001"/></TSK>)" +
