@@ -23,38 +23,40 @@ async function plan(page) {
   await top(page);
 }
 
-const wide = await openPage(browser, server.address, { viewport: WIDE });
-await mapReady(wide);
-await openField(wide, example('riverside.geojson'));
-await shoot(wide, 'fields');
-await plan(wide);
-await shoot(wide, 'plan');
-await goTo(wide, 'Compare');
-await wide.getByRole('button', { name: 'Find the plans' }).click();
-await wide.locator('.dot').first().waitFor({ timeout: 120_000 });
-await wide.locator('.dot').last().click({ force: true });
-await wide.getByRole('region', { name: 'Differences of the two plans' }).waitFor();
-await top(wide);
-await shoot(wide, 'compare');
-await goTo(wide, 'Review');
-await chooseFile(wide, 'Choose the log of a machine', example('riverside-drive.csv'));
-await wide.getByRole('button', { name: 'Show what was worked' }).click();
-await wide.getByRole('group', { name: 'Replay' }).waitFor({ timeout: 60_000 });
-await wide.locator('section.open').evaluate((section) => section.scrollIntoView());
-await shoot(wide, 'review');
-await wide.getByLabel('Speed').selectOption('100');
-await wide.getByRole('button', { name: 'Play the drive' }).click();
-await wide.waitForFunction(() => /^0:(2[5-9]|[3-5])/.test(document.querySelector('.replay output').textContent), null, { timeout: 90_000 });
-await wide.getByRole('button', { name: 'Pause the replay' }).click();
-await shoot(wide, 'replay');
-const { hash } = new URL(wide.url());
-await closePage(wide);
+try {
+  const wide = await openPage(browser, server.address, { viewport: WIDE });
+  await mapReady(wide);
+  await openField(wide, example('riverside.geojson'));
+  await shoot(wide, 'fields');
+  await plan(wide);
+  await shoot(wide, 'plan');
+  await goTo(wide, 'Compare');
+  await wide.getByRole('button', { name: 'Find the plans' }).click();
+  await wide.locator('.dot').first().waitFor({ timeout: 120_000 });
+  await wide.locator('.dot').last().click({ force: true });
+  await wide.getByRole('region', { name: 'Differences of the two plans' }).waitFor();
+  await top(wide);
+  await shoot(wide, 'compare');
+  await goTo(wide, 'Review');
+  await chooseFile(wide, 'Choose the log of a machine', example('riverside-drive.csv'));
+  await wide.getByRole('button', { name: 'Show what was worked' }).click();
+  await wide.getByRole('group', { name: 'Replay' }).waitFor({ timeout: 60_000 });
+  await wide.locator('section.open').evaluate((section) => section.scrollIntoView());
+  await shoot(wide, 'review');
+  await wide.getByLabel('Speed').selectOption('100');
+  await wide.getByRole('button', { name: 'Play the drive' }).click();
+  await wide.waitForFunction(() => /^0:(2[5-9]|[3-5])/.test(document.querySelector('.replay output').textContent), null, { timeout: 90_000 });
+  await wide.getByRole('button', { name: 'Pause the replay' }).click();
+  await shoot(wide, 'replay');
+  const { hash } = new URL(wide.url());
+  await closePage(wide);
 
-const night = await openPage(browser, `${server.address}/${hash.replace('view=review', 'view=plan')}`, { viewport: NARROW, theme: 'dark', touch: true });
-await mapReady(night);
-await night.getByLabel('The plan in numbers').first().waitFor();
-await shoot(night, 'night');
-await closePage(night);
-
-await browser.close();
-await server.stop();
+  const night = await openPage(browser, `${server.address}/${hash.replace('view=review', 'view=plan')}`, { viewport: NARROW, theme: 'dark', touch: true });
+  await mapReady(night);
+  await night.getByLabel('The plan in numbers').first().waitFor();
+  await shoot(night, 'night');
+  await closePage(night);
+} finally {
+  await browser.close();
+  await server.stop();
+}

@@ -25,8 +25,9 @@ export function SideBySide() {
   useEffect(() => {
     const { a: left, b: right } = compare.get();
     const known = (plan: PlanFull | null) => plan !== null && list.some((item) => item.id === plan.id);
-    if (list[1] && !known(left)) void attempt(() => choose('a', list[1]!.id));
-    if (list[0] && !known(right)) void attempt(() => choose('b', list[0]!.id));
+    const [newest, second] = list;
+    if (!newest || !second || (known(left) && known(right) && left?.id !== right?.id)) return;
+    void attempt(() => Promise.all([choose('a', second.id), choose('b', newest.id)]));
   }, [field, list.length]);
   if (list.length < 2) {
     return (
