@@ -5,6 +5,20 @@ import { chooseFile, drawn, figure, goTo, openField, panel, planShown } from './
 import { example } from './support/server.mjs';
 import { startTractor } from './support/tractor.mjs';
 
+/** Area of all worked tiles that the map holds, m²: shoelace in metres about 52.69° north, 67 611 m and 111 280 m to a degree. */
+const groundOnMap = (page) =>
+  page.evaluate(async () => {
+    await new Promise((wake) => setTimeout(wake, 1000));
+    const { features } = await window.tramlineMap.getSource('work:covered').getData();
+    const ring = (places) => Math.abs(places.reduce((sum, [x, y], i) => {
+      const [nx, ny] = places[(i + 1) % places.length];
+      const [x0, y0] = places[0];
+      return sum + ((x - x0) * (ny - y0) - (nx - x0) * (y - y0)) / 2;
+    }, 0)) * 67_611 * 111_280;
+    const polygon = ([outer, ...holes]) => ring(outer) - holes.reduce((sum, hole) => sum + ring(hole), 0);
+    return features.flatMap(({ geometry }) => geometry.coordinates).reduce((sum, one) => sum + polygon(one), 0);
+  });
+
 async function evaluateLog(page, log) {
   await goTo(page, 'Review');
   await chooseFile(page, 'Choose the log of a machine', log);
@@ -12,7 +26,7 @@ async function evaluateLog(page, log) {
   await page.getByRole('group', { name: 'Replay' }).waitFor({ timeout: 60_000 });
 }
 
-flow('replay a log, look at its gaps, plan their repair', {}, async ({ page }) => {
+flow('replay a log, look at its gaps, plan their repair', {}, async ({ page, server }) => {
   await openField(page, example('riverside.geojson'));
   await evaluateLog(page, example('riverside-drive.csv'));
   // The figures of `tramline evaluate` for the same log (docs/coverage.md).
@@ -27,6 +41,9 @@ flow('replay a log, look at its gaps, plan their repair', {}, async ({ page }) =
   const covered = () => figure(page, 'Covered');
   await page.getByRole('button', { name: 'Play the drive' }).waitFor({ timeout: 60_000 }); // it has come to its end
   assert.ok((await drawn(page, 'work:covered')) > 0, 'worked ground has grown on the map');
+  const [drive] = await (await fetch(`${server.address}/api/v1/drives`)).json();
+  const ground = await groundOnMap(page);
+  assert.ok(Math.abs(ground / drive.covered_m2 - 1) < 0.002, `${ground} m² on the map, ${drive.covered_m2} m² covered`);
   const all = await covered();
   assert.ok(all > 11 && all < 12, `${all} ha`);
 

@@ -17,18 +17,20 @@ export const squareMetres = (m2: Maybe) => (missing(m2) ? NONE : `${digits(m2, M
 export const metres = (m: Maybe) => (missing(m) ? NONE : `${digits(m, Math.abs(m) < 10 ? 2 : 0)} m`);
 export const width = (m: Maybe) => (missing(m) ? NONE : `${zeroed(String(Math.round(m * 100) / 100))} m`);
 export const length = (m: Maybe) => (missing(m) ? NONE : Math.abs(m) < 10_000 ? metres(m) : `${digits(m / 1000, 1)} km`);
-export const money = (value: Maybe) => (missing(value) ? NONE : `€${digits(value, 2)}`.replace('€−', '−€'));
+/** Cents matter up to a hundred thousand. */
+export const money = (value: Maybe) =>
+  missing(value) ? NONE : `€${digits(value, Math.abs(value) < 1e5 ? 2 : 0)}`.replace('€−', '−€');
 export const percent = (share: Maybe) => (missing(share) ? NONE : `${digits(share * 100, 1)} %`);
 export const hours = (h: Maybe) => (missing(h) ? NONE : `${digits(h, 2)} h`);
 export const rate = (ha_per_hour: Maybe) => (missing(ha_per_hour) ? NONE : `${digits(ha_per_hour, 1)} ha/h`);
 export const degrees = (deg: Maybe) => (missing(deg) ? NONE : `${digits(deg, 1)}°`);
 
-/** 3725 s: "1:02:05 h". */
+/** 3725 s: "1:02:05". */
 export function clock(seconds: Maybe): string {
   if (missing(seconds)) return NONE;
   const s = Math.max(0, Math.round(seconds));
   const two = (n: number) => String(n).padStart(2, '0');
-  return `${Math.floor(s / 3600)}:${two(Math.floor(s / 60) % 60)}:${two(s % 60)} h`;
+  return `${Math.floor(s / 3600)}:${two(Math.floor(s / 60) % 60)}:${two(s % 60)}`;
 }
 
 /** Time of day of a log whose clock counts from 1970, UTC. */

@@ -21,7 +21,8 @@ function growTiles(source: GeoJSONSource, tiles: WorkTile[], kind: (typeof GROUN
     const coordinates: Polygons = tile[kind];
     if (coordinates.length > 0) {
       there.add(tile.id);
-      add.push({ type: 'Feature', properties: { id: tile.id }, geometry: { type: 'MultiPolygon', coordinates } });
+      // Known by its own id: changes that wait to be drawn are put together by feature.id, whatever promoteId says.
+      add.push({ type: 'Feature', id: tile.id, properties: {}, geometry: { type: 'MultiPolygon', coordinates } });
     } else if (there.delete(tile.id)) remove.push(tile.id);
   }
   if (add.length + remove.length > 0) void source.updateData({ add, remove } as never);

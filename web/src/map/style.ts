@@ -23,7 +23,7 @@ function sources(tiles: string | null): Record<string, SourceSpecification> {
   const all: Record<string, SourceSpecification> = {};
   for (const name of SOURCES) all[name] = { type: 'geojson', data: empty, tolerance: 0.2, maxzoom: 19 };
   for (const name of TILE_SOURCES) {
-    all[name] = { type: 'geojson', data: empty, tolerance: 0, buffer: 8, maxzoom: 19, promoteId: 'id' };
+    all[name] = { type: 'geojson', data: empty, tolerance: 0, buffer: 8, maxzoom: 19 };
   }
   if (tiles) all['tiles'] = { type: 'raster', tiles: [tiles], tileSize: 256, maxzoom: 19 };
   return all;

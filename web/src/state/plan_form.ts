@@ -62,6 +62,18 @@ export function pricesOf(value: PlanForm): Prices {
   };
 }
 
+export interface Counts {
+  overlap_m2: number;
+  uncovered_m2: number;
+  turns: number;
+  stops: number;
+}
+/** What a plan costs at the prices of the form. Plans made for other prices are held against it by the same ones. */
+export function costOf(counts: Counts, value: PlanForm = form.get()): number {
+  const prices = pricesOf(value);
+  return prices.overlap * counts.overlap_m2 + prices.uncovered * counts.uncovered_m2 + prices.turn * counts.turns + prices.stop * counts.stops;
+}
+
 export function requestOf(value: PlanForm, field: string): PlanRequest {
   const settings: PlanSettings = { end_rule: value.end_rule };
   if (value.headlands > 0) settings.headlands = value.headlands;

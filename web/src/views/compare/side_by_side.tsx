@@ -9,15 +9,17 @@ import { More } from '../../parts/more';
 import { Sure } from '../../parts/sure';
 import { choose, compare } from '../../state/compare';
 import { attempt } from '../../state/notices';
+import { costOf, form } from '../../state/plan_form';
 import { deletePlan, openPlan, plans } from '../../state/plans';
 import { useStore } from '../../state/store';
 
 const called = (plan: PlanItem, all: PlanItem[]) => {
   const number = all.length - all.indexOf(plan);
-  return `${number} · ${money(plan.cost)} · ${plan.name || when(plan.created)}`;
+  return `${number} · ${money(costOf(plan))} · ${plan.name || when(plan.created)}`;
 };
 
 export function SideBySide() {
+  useStore(form, (value) => value); // costs are counted at its prices
   const list = useStore(plans, (value) => value.list);
   const { a, b } = { a: useStore(compare, (value) => value.a), b: useStore(compare, (value) => value.b) };
   const field = list[0]?.field;
@@ -73,8 +75,9 @@ interface Row {
   of: (summary: PlanSummary) => number;
   write: (value: number) => string;
 }
+const costAtHand = (summary: PlanSummary) => costOf(summary);
 const ROWS: Row[] = [
-  { label: 'Cost', of: (s) => s.cost, write: money },
+  { label: 'Cost', of: costAtHand, write: money },
   { label: 'Overlap', of: (s) => s.overlap_m2, write: squareMetres },
   { label: 'Uncovered', of: (s) => s.uncovered_m2, write: squareMetres },
   { label: 'Turns', of: (s) => s.turns, write: count },
@@ -92,12 +95,13 @@ const WORDS: { label: string; of: (summary: PlanSummary) => string }[] = [
 
 function Differences({ a, b }: { a: PlanFull; b: PlanFull }) {
   const [one, two] = [a.summary, b.summary];
-  const dearer = one.cost - two.cost;
+  const [cost1, cost2] = [costOf(one), costOf(two)];
+  const dearer = cost1 - cost2;
   const cheaper = dearer > 0 ? 'second' : 'first';
   return (
     <>
       {money(Math.abs(dearer)) !== money(0) && (
-        <p>The <strong>{cheaper} plan is cheaper by {money(Math.abs(dearer))}</strong>{one.cost > 0 && `, ${percent(Math.abs(dearer) / Math.max(one.cost, two.cost))}`}, each counted at its own prices.</p>
+        <p>The <strong>{cheaper} plan is cheaper by {money(Math.abs(dearer))}</strong>{cost1 > 0 && `, ${percent(Math.abs(dearer) / Math.max(cost1, cost2))}`}, at the prices under Plan.</p>
       )}
       <div class="wide-table" tabIndex={0} role="region" aria-label="Differences of the two plans">
         <table class="differences">

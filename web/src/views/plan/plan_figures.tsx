@@ -3,6 +3,7 @@ import { change, count, degrees, hectares, length, money, percent, squareMetres 
 import { sentence } from '../../api/client';
 import { Figures, type Figure } from '../../parts/figures';
 import { More } from '../../parts/more';
+import { costOf, form } from '../../state/plan_form';
 import { plans, type Figures as Tally } from '../../state/plans';
 import { useStore } from '../../state/store';
 
@@ -10,9 +11,17 @@ type Key = keyof Tally;
 /** A wider gap between plan and bound says nothing. */
 const TELLING = 0.3;
 
+function costFigure(now: number, before: number | null): Figure {
+  const told = before === null ? undefined : change(now - before, money);
+  const same = told === undefined || told.startsWith('±');
+  return { label: 'Cost', value: money(now), change: same && told ? 'as before' : told, better: same ? undefined : now < (before ?? now) };
+}
+
 export function PlanFigures({ plan }: { plan: PlanFull }) {
   const before = useStore(plans, (value) => value.before);
   const s = plan.summary;
+  const prices = useStore(form, (value) => value);
+  const cost = (counts: Tally) => costOf(counts, prices);
   const figure = (label: string, key: Key, write: (v: number) => string, tone?: Figure['tone']): Figure => {
     const by = before ? s[key] - before[key] : 0;
     const told = before ? change(by, write) : undefined;
@@ -25,7 +34,7 @@ export function PlanFigures({ plan }: { plan: PlanFull }) {
     <section aria-label="The plan in numbers">
       <Figures label="The plan in numbers"
         list={[
-          figure('Cost', 'cost', money),
+          costFigure(cost(s), before ? cost(before) : null),
           figure('Overlap', 'overlap_m2', squareMetres, 'overlap'),
           figure('Uncovered', 'uncovered_m2', squareMetres, 'uncovered'),
           figure('Turns', 'turns', count),

@@ -50,7 +50,7 @@ export function LogForm({ upload }: { upload: Upload }) {
       {chosen && (
         <p class="hint">
           {`${count(chosen.fixes)} fixes`}
-          {chosen.from_s !== null && chosen.to_s !== null && ` in ${clock(chosen.to_s - chosen.from_s)}`}
+          {chosen.from_s !== null && chosen.to_s !== null && ` in ${clock(chosen.to_s - chosen.from_s)} h`}
           {timeOfDay(chosen.from_s) && `, from ${timeOfDay(chosen.from_s)}`}
           {chosen.width_m !== null ? `, ${width(chosen.width_m)} wide.` : '. The log does not say how wide the machine is.'}
         </p>

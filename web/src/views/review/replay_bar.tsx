@@ -28,7 +28,7 @@ export function ReplayBar({ drive }: { drive: DriveFull }) {
           options={SPEEDS.map((speed) => ({ value: String(speed), label: `${speed} ×` }))} />
         {mine && <Button onClick={stopReplay}>Result</Button>}
       </div>
-      <Slider label="Time" value={at - from} least={0} most={Math.max(1, to - from)} step="any" says={drive.clock === 'none' ? `fix ${count(at)} of ${count(to)}` : `${clock(at - from)} of ${clock(to - from)}`}
+      <Slider label="Time" value={at - from} least={0} most={Math.max(1, to - from)} step="any" says={drive.clock === 'none' ? `fix ${count(at)} of ${count(to)}` : `${clock(at - from)} of ${clock(to - from)} h`}
         change={(value) => seek(drive, from + value)} />
       {mine && <p class="hint">{(drive.clock === 'utc' && timeOfDay(at)) || '\u00a0'}</p>}
       {mine && state.figures && <WorkNumbers figures={state.figures} />}
@@ -41,9 +41,9 @@ export const WorkNumbers = ({ figures: f }: { figures: WorkFigures }) => (
     list={[
       { label: 'Covered', value: hectares(f.covered_inside_m2 ?? f.covered_m2), tone: 'covered' },
       { label: 'Doubled', value: squareMetres(f.repeated_m2), tone: 'overlap' },
-      { label: 'Missed so far', value: f.missed_m2 === null ? '–' : hectares(f.missed_m2), tone: 'uncovered' },
+      { label: 'Missed', value: f.missed_m2 === null ? '–' : hectares(f.missed_m2), tone: 'uncovered' },
       { label: 'Rate', value: rate(f.ha_per_hour) },
-      { label: 'Working', value: clock(f.worked_s) },
-      { label: 'Remaining', value: f.remaining_s === null ? '–' : clock(f.remaining_s) },
+      { label: 'Working, h', value: clock(f.worked_s) },
+      { label: 'Remaining, h', value: f.remaining_s === null ? '–' : clock(f.remaining_s) },
     ]} />
 );
