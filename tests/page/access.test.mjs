@@ -92,7 +92,7 @@ flow('targets, names and sizes of text at 390 px', { viewport: NARROW, touch: tr
   await goTo(page, 'Plan');
   await makePlan(page);
   await assertComfort(page, 'plan');
-  await page.getByText('Sliders', { exact: true }).click();
+  await page.getByRole('radio', { name: 'Sliders' }).check({ force: true });
   await assertComfort(page, 'plan with sliders');
   await page.getByRole('button', { name: 'Draw a line' }).click();
   await assertComfort(page, 'drawing');
