@@ -57,6 +57,10 @@ struct Server::Parts {
 
 Server::Server(ServerSettings settings) : parts_(std::make_unique<Parts>(std::move(settings))) {
   io::open_plain_files_only();
+  if (parts_->app.settings.token.empty() && !is_loopback(parts_->app.settings.host))
+    throw bad_input(
+        fmt::format("others can reach {} too, so a token has to be asked for; give one with --token",
+                    parts_->app.settings.host));
   App& app = parts_->app;
   const Router& router = parts_->router;
   httplib::Server& http = parts_->http;
