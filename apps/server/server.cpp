@@ -18,10 +18,15 @@ namespace {
 /// Threads beside those that open streams hold.
 constexpr int kWorkers = 8;
 
+/// More than this is not piled up for somebody who reads slowly: a frame of a stream is made when there is room
+/// for it, so that it says what is, and not what was long ago. Connections have it from the port.
+constexpr int kMostUnsentBytes = 1 << 14;
+
 /// Two servers on one port would take turns, so the port is not shared.
 void own_the_port(socket_t socket) {
   const int yes = 1;
   setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+  setsockopt(socket, IPPROTO_TCP, TCP_NOTSENT_LOWAT, &kMostUnsentBytes, sizeof(kMostUnsentBytes));
 }
 
 }  // namespace
@@ -52,6 +57,10 @@ struct Server::Parts {
 
 Server::Server(ServerSettings settings) : parts_(std::make_unique<Parts>(std::move(settings))) {
   io::open_plain_files_only();
+  if (parts_->app.settings.token.empty() && !is_loopback(parts_->app.settings.host))
+    throw bad_input(
+        fmt::format("others can reach {} too, so a token has to be asked for; give one with --token",
+                    parts_->app.settings.host));
   App& app = parts_->app;
   const Router& router = parts_->router;
   httplib::Server& http = parts_->http;

@@ -56,6 +56,7 @@ const std::array kThirdParty = {
     ThirdParty{"fmt/", {}},
     ThirdParty{"unistd.h", {}},
     ThirdParty{"fcntl.h", {}},
+    ThirdParty{"malloc.h", {"apps"}},
     ThirdParty{"sys/", {}},
     ThirdParty{"poll.h", {"io", "apps"}},
     ThirdParty{"termios.h", {"io", "apps"}},

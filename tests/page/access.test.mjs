@@ -92,9 +92,9 @@ flow('targets, names and sizes of text at 390 px', { viewport: NARROW, touch: tr
   await goTo(page, 'Plan');
   await makePlan(page);
   await assertComfort(page, 'plan');
-  await page.getByRole('radio', { name: 'Sliders' }).check({ force: true });
+  await page.getByRole('radio', { name: 'Sliders' }).evaluate((radio) => radio.click());
   await assertComfort(page, 'plan with sliders');
-  await page.getByRole('button', { name: 'Draw a line' }).click();
+  await page.getByRole('button', { name: 'Draw a line' }).evaluate((button) => button.click());
   await assertComfort(page, 'drawing');
   await page.locator('.drawing-bar').getByRole('button', { name: 'Cancel' }).click();
   await goTo(page, 'Compare');

@@ -1,8 +1,11 @@
 #include "server/feeds/feed_board.h"
 
 #include <fmt/format.h>
+#include <malloc.h>
 
+#include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -71,6 +74,8 @@ OpenFeed FeedBoard::open(const FeedNote& note, std::unique_ptr<io::Feed> source,
   order.save = [raw = order.raw_log, log = note.log, ground, to = folder_.file(kKind, note.id)] {
     io::write_coverage(evaluated_log(read_work_log(raw, log), ground, evaluate_settings(log.options), {}),
                        to);
+    // What it took is given back, and not kept for the next time: the feed goes on for hours.
+    malloc_trim(0);
   };
   OpenFeed out{note, nullptr};
   try {
@@ -87,7 +92,8 @@ OpenFeed FeedBoard::open(const FeedNote& note, std::unique_ptr<io::Feed> source,
 std::vector<OpenFeed> FeedBoard::list() const {
   const std::lock_guard lock(mutex_);
   std::vector<OpenFeed> out;
-  for (auto entry = feeds_.rbegin(); entry != feeds_.rend(); ++entry) out.push_back(entry->second);
+  std::transform(feeds_.rbegin(), feeds_.rend(), std::back_inserter(out),
+                 [](const auto& entry) { return entry.second; });
   return out;
 }
 

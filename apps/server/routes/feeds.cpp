@@ -127,8 +127,12 @@ void take_up_left_feeds(App& app) {
       app.drives->feeds.remove_files(note.id);
       continue;
     }
-    app.jobs.submit("evaluate", "taking up " + note.name,
-                    [&app, note](JobRun& run) { return keep(app, note, run); });
+    try {
+      app.jobs.submit("evaluate", "taking up " + note.name,
+                      [&app, note](JobRun& run) { return keep(app, note, run); });
+    } catch (const HttpError&) {
+      return;  // too many at once: the others are taken up at the next start
+    }
   }
 }
 

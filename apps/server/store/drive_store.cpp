@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <string_view>
 #include <system_error>
 
@@ -132,7 +133,8 @@ DriveStore::DriveStore(const StoreFolder& folder, std::vector<std::string>& warn
 std::vector<KeptDrive> DriveStore::list() const {
   const std::lock_guard lock(mutex_);
   std::vector<KeptDrive> out;
-  for (auto entry = drives_.rbegin(); entry != drives_.rend(); ++entry) out.push_back(entry->second);
+  std::transform(drives_.rbegin(), drives_.rend(), std::back_inserter(out),
+                 [](const auto& entry) { return entry.second; });
   return out;
 }
 

@@ -20,8 +20,6 @@ constexpr std::array<std::string_view, 27> kExtensions = {
     ".sqlite", ".shp",    ".zip",    ".fgb",     ".kml",      ".kmz",     ".gml",  ".gpx",  ".csv",
     ".txt",    ".log",    ".tsv",    ".xml",     ".bin",      ".dxf",     ".mif",  ".shz",  ".toml"};
 
-constexpr const char* kBaseName = "upload";
-
 std::string lower(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -70,9 +68,8 @@ std::string stem_of(const std::string& name) {
 }
 
 std::string id_in_its_name(const Upload& upload, const std::string& id) {
-  const std::string base = kBaseName;
-  const bool after_the_file = id == base || id.starts_with(base + ":");
-  return after_the_file ? stem_of(upload.name) + id.substr(base.size()) : id;
+  const bool after_the_file = id == upload.id || id.starts_with(upload.id + ":");
+  return after_the_file ? stem_of(upload.name) + id.substr(upload.id.size()) : id;
 }
 
 Uploads::Uploads(const StoreFolder& folder) : folder_(folder.path() / ".uploads") {
@@ -96,7 +93,8 @@ Upload Uploads::begin(const std::string& name) const {
   if (out.name.empty()) out.name = "file";
   const fs::path own = folder_ / out.id;
   fs::create_directories(own);
-  out.path = own / (kBaseName + std::string(extension_of(lower(out.name))));
+  // Readers name layers and obstacles after the file: no two are to have the same name.
+  out.path = own / (out.id + std::string(extension_of(lower(out.name))));
   return out;
 }
 

@@ -60,7 +60,7 @@ class Uploads {
 /// field.geojson".
 std::string stem_of(const std::string& name);
 
-/// Readers name features without an id after their layer, and layers after the file: "upload:3" becomes
+/// Readers name features without an id after their layer, and layers after the file: "ID:3" becomes
 /// "mill field:3".
 std::string id_in_its_name(const Upload& upload, const std::string& id);
 
