@@ -35,6 +35,24 @@ demo: program ## plan the example field and check the plan; results in out/
 test: packages-test build ## build and run every test; those on real data where TRAMLINE_DATA is found
 	$(CTEST) --test-dir $(RELEASE)
 
+.PHONY: page
+page: packages ## bundle the page into build/page, to look at what the program is built with
+	node web/tools/packages.mjs npm
+	node web/node_modules/typescript/bin/tsc --noEmit -p web
+	node web/tools/build.mjs --out build/page
+
+.PHONY: serve
+serve: program ## build the program and serve its page, http://127.0.0.1:8750
+	$(TRAMLINE) serve
+
+.PHONY: page-pictures
+page-pictures: packages-test program ## draw the pictures of docs/page.md anew
+	TRAMLINE=$(TRAMLINE) node tests/page/pictures.mjs docs/images
+
+.PHONY: page-speed
+page-speed: packages-test program ## first paint, and frames a second with 5,000 swaths drawn in software
+	TRAMLINE=$(TRAMLINE) node tests/page/speed.mjs
+
 .PHONY: gallery
 gallery: program ## plan 24 real fields and draw them on one contact sheet, outside the repository
 	cmake --build $(RELEASE) -j $(JOBS) --target tramline_gallery
@@ -89,7 +107,7 @@ program: packages $(RELEASE)/build.ninja
 
 LONG := long-properties long-scenes long-best-bound long-best-brute long-best-real long-best-real-1 \
   long-best-real-2 long-best-real-3 long-tally-real long-real-1 long-real-2 long-real-3 long-obstacles-3 long-obstacles-6 \
-  long-obstacles-12 long-obstacles-24 long-headlands long-maps long-coverage long-watch long-registers long-fuzz-logs long-fuzz-coverage long-asan long-tsan \
+  long-obstacles-12 long-obstacles-24 long-headlands long-maps long-coverage long-watch long-serve long-registers long-fuzz-logs long-fuzz-coverage long-asan long-tsan \
   long-clang
 
 .PHONY: long $(LONG)
@@ -152,6 +170,9 @@ long-coverage: build ## 10,000 random drives and all real logs: the exact engine
 
 long-watch: packages-test build ## `tramline watch` killed at 20 random moments and taken up again, and its other tests
 	TRAMLINE_KILLS=20 $(LIMIT) $(CTEST) --test-dir $(RELEASE) -L watch
+
+long-serve: program ## ten minutes of a live feed at 50 Hz before `tramline serve`, with readers: its memory stays as it is
+	$(LIMIT) tests/server/soak/serve_soak.py --tramline $(TRAMLINE) --seconds 600 --hertz 50
 
 # Refused fields are part of the register: they are listed in the output and are no failure.
 long-registers: program ## plan every field of the registers, slivers and oddities included

@@ -6,12 +6,16 @@ set -euo pipefail
 build_packages=(
   build-essential g++ cmake ninja-build ccache pkg-config
   libgdal-dev gdal-bin libgeos-dev libproj-dev proj-data libcairo2-dev libtbb-dev zlib1g-dev
-  libcli11-dev libfmt-dev nlohmann-json3-dev libpugixml-dev libtomlplusplus-dev
+  libcli11-dev libcpp-httplib-dev libfmt-dev nlohmann-json3-dev libpugixml-dev libtomlplusplus-dev
   libgtest-dev librapidcheck-dev libbenchmark-dev
   fonts-dejavu-core python3 sqlite3 zip
 )
-# Peers that only tests talk to; gpsfake is one of the clients.
-test_packages=(gpsd gpsd-clients)
+# The page is built by these commands. Looked for as commands: a node from elsewhere brings its own npm, and does not
+# bear Debian's beside it.
+command -v node >/dev/null || build_packages+=(nodejs)
+command -v npm >/dev/null || build_packages+=(npm)
+# Peers that only tests talk to; gpsfake is one of the clients. Chromium drives the page.
+test_packages=(gpsd gpsd-clients chromium)
 # What `make lint`, `make format` and the long tests need besides.
 lint_packages=(clang libclang-rt-14-dev clang-tidy clang-format-14 shellcheck)
 

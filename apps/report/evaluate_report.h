@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tramline/coverage/deviation.h"
+#include "request/plan_and_done.h"
 #include "tramline/model/coverage.h"
 #include "tramline/model/tally.h"
 
@@ -17,15 +17,6 @@ struct PlanTally {
   std::string plan;
   double body_m2 = 0;
   Tally tally;
-};
-
-/// What was done compared with a plan.
-struct PlanAndDone {
-  std::string plan;
-  coverage::Deviation deviation;
-  double planned_m2 = 0;         ///< ground that tracks and headland passes work
-  double planned_missed_m2 = 0;  ///< of that, not worked
-  double unplanned_m2 = 0;       ///< worked, and not planned
 };
 
 struct Evaluation {

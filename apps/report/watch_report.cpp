@@ -13,14 +13,6 @@ using nlohmann::ordered_json;
 
 ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(); }
 
-/// Time for what is missed at the present rate, s; NaN: not known.
-double remaining_s(const LiveFigures& live) {
-  if (live.evaluation.coverage.field.empty() || !(live.present_m2_per_s > 0)) return std::nan("");
-  return live.evaluation.coverage.areas.missed_m2 / live.present_m2_per_s;
-}
-
-double present_ha_per_hour(const LiveFigures& live) { return live.present_m2_per_s * 3600 / 1e4; }
-
 std::string time_text(double seconds) {
   const auto minutes = static_cast<long long>(std::ceil(seconds / 60));
   if (minutes >= 6000) return "more than 100 h";
@@ -80,6 +72,13 @@ std::string ahead_text(const coverage::Ahead& ahead) {
 }
 
 }  // namespace
+
+double present_ha_per_hour(const LiveFigures& live) { return live.present_m2_per_s * 3600 / 1e4; }
+
+double remaining_s(const LiveFigures& live) {
+  if (live.evaluation.coverage.field.empty() || !(live.present_m2_per_s > 0)) return std::nan("");
+  return live.evaluation.coverage.areas.missed_m2 / live.present_m2_per_s;
+}
 
 ordered_json live_json(const LiveFigures& live) {
   ordered_json out = evaluation_json(live.evaluation);

@@ -24,6 +24,10 @@ struct LiveFigures {
   std::optional<coverage::Ahead> ahead;  ///< nullopt: not known
 };
 
+/// NaN: not known.
+double present_ha_per_hour(const LiveFigures& live);
+/// Time for what is missed at the present rate, s; NaN: not known.
+double remaining_s(const LiveFigures& live);
 /// Keys: docs/json.md.
 nlohmann::ordered_json live_json(const LiveFigures& live);
 /// One line without its end.

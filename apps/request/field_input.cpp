@@ -101,7 +101,7 @@ class Admitter {
         admit(feature);
       } catch (const Error& error) {
         if (error.kind() != ErrorKind::kBadInput) throw;
-        input_.refusals.push_back({field_id(feature, layer_.name), error.what()});
+        input_.refusals.push_back({field_id(feature, layer_.name), error.what(), feature.fid});
       }
     }
   }
@@ -126,6 +126,7 @@ io::VectorQuery query_of(const FieldOptions& options) {
   query.file = options.file;
   query.layer = options.layer;
   query.where = options.where;
+  query.fid = options.fid;
   return query;
 }
 

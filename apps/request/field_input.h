@@ -1,6 +1,7 @@
 #pragma once
 // Which field is meant, and the fields that leads to.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace tramline::app {
 /// As typed; empty where the user said nothing.
 struct FieldOptions {
   std::string file, layer, where, crs, obstacles_file, passable_file;
+  std::optional<long long> fid{};  ///< only the feature with this number
   bool all = false;
   double obstacle_size_m = 7;
 };
@@ -20,6 +22,7 @@ struct FieldOptions {
 struct Refusal {
   std::string field_id;
   std::string sentence;  ///< what a run on this feature alone would have ended with
+  long long fid = -1;
 };
 
 struct FieldInput {

@@ -31,6 +31,9 @@ class WatchSession {
 
   const coverage::LiveCoverage& live() const { return live_; }
   std::size_t fixes() const { return live_.fixes(); }
+  /// The plane of what live() says: the field's, or one of the log's own, which may change as long as the
+  /// figures are not settled.
+  const LocalFrame& frame() const { return ground_.frame; }
   /// Whether the figures are those of `tramline evaluate`.
   bool settled() const { return live_.settled() && !lines_.doubtful() && !far_from_frame(); }
   /// Whether the stream says by itself if the machine works.

@@ -10,9 +10,7 @@
 #include "field_options.h"
 #include "report/check_report.h"
 #include "report/report_parts.h"
-#include "tramline/check/compare_fields.h"
-#include "tramline/check/compare_layers.h"
-#include "tramline/check/verify.h"
+#include "request/judge_plan.h"
 #include "tramline/io/plan/read_plan.h"
 
 namespace tramline::app {
@@ -29,26 +27,6 @@ constexpr const char* kExample =
     "  tramline check plan.gpkg\n"
     "  tramline check plan.gpkg --field field.geojson\n"
     "  tramline check plan.gpkg --json | jq .violations";
-
-void append(std::vector<check::Violation>& to, const std::vector<check::Violation>& more) {
-  to.insert(to.end(), more.begin(), more.end());
-}
-
-/// Everything there is to say about a plan file, compared with the field it was made for if that is
-/// given. Where shapes or pieces are unsound the rest would only repeat it.
-check::Verdict judge(const io::PlanFile& file, const std::optional<Field>& input) {
-  check::Verdict verdict = check::verify(file.plan);
-  if (!verdict.complete) return verdict;
-  append(verdict.violations,
-         check::compare_swaths(file.plan, file.track_order, file.swaths, file.swath_order));
-  append(verdict.violations, check::compare_lines(file.plan, file.track_lines));
-  for (const io::DerivedNumber& number : file.derived)
-    check::compare_number(number.where, number.stored, number.from_shape, number.at, verdict.violations);
-  for (const io::DerivedText& text : file.derived_texts)
-    check::compare_text(text.where, text.stored, text.from_shape, text.at, verdict.violations);
-  if (input) append(verdict.violations, check::compare_fields(file.plan.field, *input));
-  return verdict;
-}
 
 class CheckCommand : public Command {
  public:

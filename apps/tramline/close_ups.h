@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "output_names.h"
+#include "request/output_names.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::app {

@@ -31,5 +31,6 @@ std::unique_ptr<Command> make_dose_command();
 std::unique_ptr<Command> make_info_command();
 std::unique_ptr<Command> make_check_command();
 std::unique_ptr<Command> make_export_command();
+std::unique_ptr<Command> make_serve_command();
 
 }  // namespace tramline::app

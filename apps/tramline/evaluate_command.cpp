@@ -16,7 +16,7 @@
 #include "report/evaluate_report.h"
 #include "report/report_parts.h"
 #include "request/evaluate_input.h"
-#include "tramline/coverage/deviation.h"
+#include "request/plan_and_done.h"
 #include "tramline/coverage/evaluate.h"
 #include "tramline/coverage/plan_steps.h"
 #include "tramline/geometry/error.h"
@@ -169,25 +169,20 @@ class EvaluateCommand : public Command {
 
   Coverage evaluated(WorkLog log, const Region& field, const coverage::FurtherWork& further = {}) const {
     ProgressLine progress(quiet_);
-    const std::string what = "evaluating " + log.name;
-    const auto show = [&](std::size_t done, std::size_t total) {
-      progress.show(what, static_cast<int>(done), static_cast<int>(total), "fixes");
-    };
+    const coverage::FixProgress show = shown_by(progress, log.name);
     return coverage::evaluate(std::move(log), field, settings(), show, {}, further);
   }
 
-  /// Measured on the ground that the plan works: what is missed of it, and what lies outside it.
+  /// `progress` has to outlive it.
+  static coverage::FixProgress shown_by(ProgressLine& progress, const std::string& log) {
+    return [&progress, what = "evaluating " + log](std::size_t done, std::size_t total) {
+      progress.show(what, static_cast<int>(done), static_cast<int>(total), "fixes");
+    };
+  }
+
   PlanAndDone compared(const Plan& plan, const WorkLog& read) const {
-    WorkGround ground = work_ground(plan);
-    std::vector<coverage::WorkedStep> steps = coverage::plan_steps(plan);
-    for (coverage::WorkedStep& step : coverage::headland_steps(plan, static_cast<int>(plan.pieces.size())))
-      steps.push_back(std::move(step));
-    coverage::EvaluateSettings exact;
-    exact.threads = settings_.threads;
-    const Region planned = coverage::evaluate(steps, plan.machine.width_m, {}, exact).covered;
-    const Coverage done = evaluated(placed_on(read, ground), planned);
-    return {plan_file_, coverage::deviation(plan, done.lines), area(planned), done.areas.missed_m2,
-            done.areas.outside_m2};
+    ProgressLine progress(quiet_);
+    return plan_and_done(plan, plan_file_, read, settings(), shown_by(progress, read.name));
   }
 
   void write(const Evaluation& evaluation) const {

@@ -95,6 +95,7 @@ int main(int argc, char** argv) {
   commands.push_back(make_info_command());
   commands.push_back(make_check_command());
   commands.push_back(make_export_command());
+  commands.push_back(make_serve_command());
   std::vector<CLI::App*> verbs;
   for (auto& command : commands) verbs.push_back(command->setup(app));
   refuse_empty_values(verbs);
@@ -105,7 +106,8 @@ int main(int argc, char** argv) {
     for (std::size_t i = 0; i < commands.size(); ++i)
       if (verbs[i]->parsed()) return with_output_flushed(commands[i]->run());
     std::fputs(
-        "tramline: name a verb, plan, map, compare, evaluate, repair, watch, dose, info, check or export; "
+        "tramline: name a verb, plan, map, compare, evaluate, repair, watch, dose, info, check, export or "
+        "serve; "
         "see 'tramline "
         "--help'\n",
         stderr);
@@ -117,8 +119,8 @@ int main(int argc, char** argv) {
     if (!is_verb(verbs, verb)) {
       std::fprintf(stderr,
                    "tramline: there is no verb '%s': the verbs are plan, map, compare, evaluate, repair, "
-                   "watch, dose, info, check "
-                   "and export\n",
+                   "watch, dose, info, check, "
+                   "export and serve\n",
                    verb.c_str());
       return 2;
     }

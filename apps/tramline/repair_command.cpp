@@ -10,12 +10,13 @@
 #include "command.h"
 #include "field_options.h"
 #include "many_fields.h"
-#include "output_names.h"
 #include "output_target.h"
 #include "plan_options.h"
 #include "progress.h"
 #include "report/repair_report.h"
 #include "report/report_parts.h"
+#include "request/gap_fields.h"
+#include "request/output_names.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/coverage/read_coverage.h"
 #include "tramline/io/plan/write_plan.h"
@@ -37,45 +38,6 @@ constexpr const char* kExample =
     "line "
     "the\n"
     "work is off. Without -o and --picture nothing is written.";
-
-/// One connected part of the field that was evaluated, with its obstacles, and what was missed there.
-struct GapField {
-  Field field;
-  std::vector<Gap> gaps;
-  Region missed;
-};
-
-Field field_of(const Coverage& coverage, std::size_t part, const std::string& file) {
-  const Polygon& ground = coverage.field[part];
-  Field field;
-  field.id = coverage.field_id.empty() ? "field" : coverage.field_id;
-  if (part > 0) field.id += fmt::format("#{}", part + 1);
-  field.outer = oriented(ground).outer;
-  for (std::size_t i = 0; i < ground.holes.size(); ++i)
-    field.obstacles.push_back({oriented({ground.holes[i], {}}), ObstacleKind::kObstacle,
-                               fmt::format("hole {} of the field in {}", i + 1, file)});
-  field.frame = coverage.frame;
-  field.source.file = file;
-  field.source.layer = "field";
-  field.source.part = static_cast<int>(part);
-  return field;
-}
-
-std::vector<GapField> gap_fields(const Coverage& coverage, const std::string& file) {
-  std::vector<GapField> out;
-  for (std::size_t i = 0; i < coverage.field.size(); ++i) {
-    GapField part{field_of(coverage, i, file), {}, {}};
-    for (const Gap& gap : coverage.gaps)
-      if (contains(coverage.field[i], gap.centre)) part.gaps.push_back(gap);
-    const Box box = bounds(coverage.field[i]);
-    for (const Polygon& missed : coverage.missed)
-      if (intersects(bounds(missed), box) &&
-          (coverage.field.size() == 1 || contains(part.field.outer, missed.outer.front())))
-        part.missed.push_back(missed);
-    out.push_back(std::move(part));
-  }
-  return out;
-}
 
 class RepairCommand : public Command {
  public:
@@ -106,12 +68,6 @@ class RepairCommand : public Command {
     require_writable(picture_, "--picture", {".png", ".svg", ".pdf"},
                      {coverage_file_, options_.machine_file});
     const Coverage coverage = io::read_coverage(coverage_file_);
-    if (coverage.field.empty())
-      throw bad_input(coverage_file_ +
-                      " was evaluated without a field, so that nothing counts as missed: give 'tramline "
-                      "evaluate' the field with --field");
-    if (coverage.gaps.empty())
-      throw bad_input(coverage_file_ + ": nothing of the field was missed, there is nothing to repair");
     const std::vector<GapField> fields = gap_fields(coverage, coverage_file_);
     Outputs outputs{{output_, fields.size() > 1}, {picture_, fields.size() > 1}};
     if (fields.size() == 1) {

@@ -1,4 +1,4 @@
-#include "output_names.h"
+#include "request/output_names.h"
 
 #include <gtest/gtest.h>
 

@@ -7,11 +7,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "coverage/logs.h"
 #include "tramline/coverage/evaluate.h"
+#include "tramline/coverage/work_changes.h"
+#include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
 
 namespace tramline::coverage {
@@ -125,6 +130,74 @@ TEST(LiveCoverage, IsEvaluateAfterEveryFixWhereItSaysSoAndWhereItIsAskedTo) {
   }
   EXPECT_GT(settled, 100U) << "the live figures are hardly ever those of evaluate()";
   EXPECT_GT(rebuilt, 20U) << "nothing in these logs changed a judgement";
+}
+
+/// Somebody who follows a drive by its changes alone.
+struct Reader {
+  double asks = 1;  ///< after so many of the fixes, 0 … 1
+  SeenWork seen{};
+  std::map<TileIndex, TileWork> tiles{};
+  std::size_t afresh = 0;
+
+  void take(WorkChanges changes) {
+    if (changes.all) {
+      tiles.clear();
+      ++afresh;
+    }
+    for (TileWork& tile : changes.tiles) tiles.insert_or_assign(tile.index, std::move(tile));
+  }
+  Region ground(Region TileWork::*of) const {
+    Region out;
+    for (const auto& [index, tile] : tiles) out.insert(out.end(), (tile.*of).begin(), (tile.*of).end());
+    return out;
+  }
+};
+
+void expect_same_ground(const Region& tiles, const Region& whole, double tolerance_m2) {
+  EXPECT_NEAR(area(tiles), area(whole), tolerance_m2);
+  EXPECT_NEAR(area(intersection(unite(tiles), whole)), area(whole), tolerance_m2);
+}
+
+// However seldom somebody asks, and whatever was worked anew meanwhile: what changed, tile by tile, adds up
+// to the whole of it.
+TEST(LiveCoverage, WhoFollowsTheChangesHasAllGround) {
+  const auto used = seed();
+  SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(used));
+  std::mt19937_64 random(used);
+  const Region field = square(60);
+  std::size_t afresh = 0, compared = 0;
+  for (int round = 0; round < 40; ++round) {
+    SCOPED_TRACE(round);
+    const WorkLog log = random_log(random);
+    EvaluateSettings settings;
+    settings.strict = round % 3 == 0;
+    if (round % 4 != 0) settings.drive.width_m = 5;
+    LiveCoverage live(field, settings);
+    std::vector<Reader> readers{{1}, {0.2}, {0.02}};
+    for (std::size_t i = 0; i < log.fixes.size(); ++i) {
+      live.add(log.fixes[i], log.booms);
+      const bool last = i + 1 == log.fixes.size();
+      if (last) live.settle();
+      for (Reader& reader : readers) {
+        if (!last && !std::bernoulli_distribution(reader.asks)(random)) continue;
+        reader.take(changes_since(reader.seen, live, settings.strict));
+        const CoverageAreas areas = live.areas();
+        const double tolerance_m2 = 1e-6 * std::max(1.0, areas.gross_m2);
+        ASSERT_NEAR(area(reader.ground(&TileWork::covered)), areas.covered_m2, tolerance_m2);
+        ASSERT_NEAR(area(reader.ground(&TileWork::repeated)), areas.repeated_m2, tolerance_m2);
+        ++compared;
+        if (!last || live.drive() == nullptr) continue;
+        const Engine& engine = live.drive()->engine();
+        expect_same_ground(reader.ground(&TileWork::covered), engine.region(Ground::kCovered), 1e-3);
+        expect_same_ground(reader.ground(&TileWork::repeated),
+                           engine.region(settings.strict ? Ground::kAgain : Ground::kRepeated), 1e-3);
+        EXPECT_TRUE(changes_since(reader.seen, live, settings.strict).tiles.empty());
+      }
+    }
+    afresh += readers.front().afresh - 1;
+  }
+  EXPECT_GT(afresh, 10U) << "nothing was worked anew";
+  EXPECT_GT(compared, 1000U);
 }
 
 /// A straight drive with a fix a second, 1 m apart.

@@ -51,6 +51,8 @@ class LiveCoverage {
   void restart(WorkLog log);
 
   std::size_t fixes() const { return log_.fixes.size(); }
+  /// The work itself; nullptr before a width is known. Another one after every rebuild.
+  const WorkedDrive* drive() const { return drive_ ? &*drive_ : nullptr; }
   /// How often all fixes were worked anew.
   std::size_t rebuilds() const { return rebuilds_; }
   /// Current, with slivers as repeated where that was asked for.

@@ -212,14 +212,18 @@ std::vector<Ring> TileCoverage::open_ground(const Ring& convex) const {
 std::vector<TileCoverage::Change> TileCoverage::changes_since(std::uint64_t stamp, Ground what) const {
   const TileFrame& frame = impl_->frame;
   const auto metres = [&](std::int64_t units) { return static_cast<double>(units) * frame.unit_m; };
-  std::vector<Change> out;
-  for (const Tile& tile : impl_->map.tiles()) {
-    if (tile.changed <= stamp) continue;
+  std::vector<const Tile*> changed;
+  for (const Tile& tile : impl_->map.tiles())
+    if (tile.changed > stamp) changed.push_back(&tile);
+  std::vector<Change> out(changed.size());
+  tbb::parallel_for(std::size_t{0}, changed.size(), [&](std::size_t i) {
+    const Tile& tile = *changed[i];
     const GridPoint corner = frame.corner(tile.index);
-    out.push_back(
-        {{metres(corner.x), metres(corner.y), metres(corner.x + frame.side), metres(corner.y + frame.side)},
-         assembled({outline_of(tile.index, tile.cells, states_of(what), frame.side)}, {}, frame)});
-  }
+    out[i].index = tile.index;
+    out[i].tile = {metres(corner.x), metres(corner.y), metres(corner.x + frame.side),
+                   metres(corner.y + frame.side)};
+    out[i].ground = assembled({outline_of(tile.index, tile.cells, states_of(what), frame.side)}, {}, frame);
+  });
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "tramline/coverage/tile_frame.h"
 #include "tramline/coverage/worked_step.h"
 #include "tramline/geometry/region.h"
 #include "tramline/model/coverage.h"
@@ -57,9 +58,11 @@ class TileCoverage {
   struct Change {
     Box tile;
     Region ground;
+    TileIndex index{};
   };
   /// What changed after `stamp`, a value that stamp() had before; 0: every tile that was ever worked in.
   /// Missed ground of other tiles is the field's own. In the order in which tiles were first worked in.
+  /// O(tiles), and O(cells) of those that changed; on several threads, with the same result on any number.
   std::vector<Change> changes_since(std::uint64_t stamp, Ground what) const;
   /// Grows with every step that changes anything.
   std::uint64_t stamp() const;

@@ -54,6 +54,12 @@ class WorkedDrive {
   void add(const FurtherWork& further);
   CoverageAreas areas() const { return engine_->areas(); }
   const Engine& engine() const { return *engine_; }
+  /// Where the middle of what works was at the last fix, and the machine's heading there; nullopt: not known.
+  Point place() const { return steps_.place(); }
+  std::optional<Heading> heading() const { return steps_.heading(); }
+  double worked_s() const { return steps_.worked_s(); }  ///< of the log; 0 without times
+  /// The way so far. O(fixes).
+  std::vector<DrivenLine> lines() const { return lines_.lines(); }
   /// At the last fix; nullopt: not known.
   std::optional<Motion> motion() const { return motion_.motion(); }
 

@@ -10,6 +10,7 @@
 #include "tramline/cost/strip_tally.h"
 #include "tramline/decomposition/decompose.h"
 #include "tramline/geometry/error.h"
+#include "tramline/planner/pulse.h"
 #include "tramline/planner/turned_ground.h"
 #include "tramline/tracks/end_rule.h"
 #include "tramline/tracks/strip_origin.h"
@@ -106,6 +107,7 @@ Outlook outlook_on(const SearchTask& task, const std::vector<GriddedSubfield>& g
 }
 
 Candidate candidate_on(const SearchTask& task, const std::vector<GriddedSubfield>& grounds) {
+  beat();
   Candidate out = laid_on(task, grounds);
   out.avoided = choose_detours(avoidance_task(task, out));
   return out;

@@ -12,6 +12,7 @@
 #include "tramline/geometry/shifted.h"
 #include "tramline/geometry/smoothed.h"
 #include "tramline/planner/family_bound.h"
+#include "tramline/planner/pulse.h"
 #include "tramline/planner/reference_chains.h"
 
 namespace tramline {
@@ -148,6 +149,7 @@ CurvedCandidate curved_along(const SearchTask& task, const CurvedGround& ground,
 }
 
 CurvedCandidate with_detours(const SearchTask& task, CurvedCandidate candidate) {
+  beat();
   if (candidate.tally.pieces == 0 || !asks_for_detours(task)) return candidate;
   const std::vector<CurvedTrack> tracks = tracks_of(task, curved_ground(task), candidate);
   const CurvedAvoidanceTask avoidance = avoidance_task(task, tracks);

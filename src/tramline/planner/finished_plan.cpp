@@ -13,6 +13,7 @@
 #include "tramline/headland/headland.h"
 #include "tramline/planner/driving_order.h"
 #include "tramline/planner/encounters_as_driven.h"
+#include "tramline/planner/pulse.h"
 #include "tramline/planner/warnings.h"
 
 namespace tramline {
@@ -99,10 +100,13 @@ Plan finished_plan(const SearchTask& task, SearchResult found) {
   Plan plan = bare_plan(task);
   plan.pieces = driving_order(found.best);
   plan.dropped = dropped_pieces(found.best);
+  beat();
   const std::vector<double> overlaps =
       overlap_by_piece(plan.body, found.best.subfields, plan.pieces, plan.machine.width_m);
   for (std::size_t i = 0; i < overlaps.size(); ++i) plan.pieces[i].overlap_m2 = overlaps[i];
+  beat();
   plan.encounters = encounters_as_driven(task, found.best, plan.pieces);
+  beat();
   const std::vector<Region> grounds = worked_grounds(found.best, plan.pieces, plan.machine.width_m);
   plan.subfields = std::move(found.best.subfields);
   if (!task.settings.guide.empty())
@@ -111,6 +115,7 @@ Plan finished_plan(const SearchTask& task, SearchResult found) {
   plan.cost = found.best.cost();
   plan.directions_tried = found.directions_tried;
   plan.proof = found.proof;
+  beat();
   WorkedRegions worked = worked_regions(plan.body, swath_parts(plan), grounds);
   plan.overlap = std::move(worked.overlap);
   plan.uncovered = std::move(worked.uncovered);

@@ -1,5 +1,7 @@
 #include "tramline/planner/for_each_index.h"
 
+#include "tramline/planner/pulse.h"
+
 #ifdef __SANITIZE_THREAD__
 // Debian's TBB is not built for the thread sanitizer, which therefore does not see that TBB hands work
 // from thread to thread in good order, and reports every use of a task's data as a race. Plain threads
@@ -13,11 +15,17 @@
 
 namespace tramline {
 
-void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& body) {
+void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
+  const PulseOfThread pulse;
+  const auto body = [&](std::size_t i) {
+    const PulseOfThread::Borrowed borrowed(pulse);
+    beat();
+    work(i);
+  };
   std::atomic<std::size_t> next{0};
   std::exception_ptr first;
   std::mutex first_mutex;
-  const auto work = [&] {
+  const auto take_part = [&] {
     try {
       for (std::size_t i = next++; i < count; i = next++) body(i);
     } catch (...) {
@@ -28,7 +36,7 @@ void for_each_index(std::size_t count, int threads, const std::function<void(std
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
   const std::size_t wanted = threads > 0 ? static_cast<std::size_t>(threads) : cores;
   std::vector<std::jthread> crew;
-  for (std::size_t i = 0; i < std::min(wanted, count); ++i) crew.emplace_back(work);
+  for (std::size_t i = 0; i < std::min(wanted, count); ++i) crew.emplace_back(take_part);
   crew.clear();
   if (first) std::rethrow_exception(first);
 }
@@ -46,7 +54,13 @@ void for_each_index(std::size_t count, int threads, const std::function<void(std
 
 namespace tramline {
 
-void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& body) {
+void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
+  const PulseOfThread pulse;
+  const auto body = [&](std::size_t i) {
+    const PulseOfThread::Borrowed borrowed(pulse);
+    beat();
+    work(i);
+  };
   // More threads than cores are the caller's wish; without this TBB warns on stderr. Fewer are the arena's
   // business alone: the limit holds for the whole process, and would slow callers that plan several fields
   // at a time.

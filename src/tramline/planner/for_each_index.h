@@ -8,7 +8,8 @@ namespace tramline {
 
 /// Calls body(0) … body(count − 1), each once, in any order and on up to `threads` threads (0: as many
 /// as there are cores), and returns when all are done. If calls throw, one of the exceptions is thrown
-/// on, and calls not yet begun may be left out. `body` must be safe to call concurrently.
+/// on, and calls not yet begun may be left out. Beats before each (pulse.h). `body` must be safe to call
+/// concurrently.
 void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
 
 }  // namespace tramline

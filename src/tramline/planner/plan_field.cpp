@@ -9,6 +9,7 @@
 #include "tramline/planner/curved_plan.h"
 #include "tramline/planner/finished_plan.h"
 #include "tramline/planner/headlanded_task.h"
+#include "tramline/planner/pulse.h"
 #include "tramline/planner/recursive_plan.h"
 #include "tramline/planner/straight_search.h"
 #include "tramline/planner/validate_request.h"
@@ -83,8 +84,10 @@ Plan cheaper_shape(const Field& field, const Machine& machine, const Objective& 
 }  // namespace
 
 Plan plan_field(const Field& field, const Machine& machine, const Objective& objective,
-                const PlanSettings& settings, int threads, const Progress& progress) {
+                const PlanSettings& settings, int threads, const Progress& given) {
   validate_request(machine, objective, settings);
+  Pulse pulse(given);
+  const Progress progress = pulse.counter();
   if (as_in_the_paper(settings) && settings.shape == TrackShape::kStraight && settings.guide.empty())
     throw bad_input(
         "tracks as in the paper follow a line: with --tracks paper give --ab, --guide or --curved");
@@ -101,8 +104,10 @@ Plan plan_field(const Field& field, const Machine& machine, const Objective& obj
 }
 
 ExplainedPlan plan_and_explain(const Field& field, const Machine& machine, const Objective& objective,
-                               const PlanSettings& settings, int threads, const Progress& progress) {
+                               const PlanSettings& settings, int threads, const Progress& given) {
   validate_request(machine, objective, settings);
+  Pulse pulse(given);
+  const Progress progress = pulse.counter();
   const SearchTask task = headlanded_task(field, machine, objective, settings, threads);
   SearchResult found = straight_search(task, threads, progress);
   require_tracks(task, found.best.avoided.tally);

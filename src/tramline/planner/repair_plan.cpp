@@ -11,6 +11,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/planner/join_gaps.h"
 #include "tramline/planner/line_order.h"
+#include "tramline/planner/pulse.h"
 #include "tramline/planner/warnings.h"
 
 namespace tramline {
@@ -100,12 +101,13 @@ void add_layers(Plan& plan, const Region& swaths) {
 RepairPlan repair_plan(const Field& field, const std::vector<Gap>& gaps, const Region& missed,
                        RepairTerms terms, double min_area_m2, int threads, const RepairProgress& progress) {
   if (terms.machine.min_length_m < 0) terms.machine.min_length_m = 0;
+  Pulse pulse(progress);
   const RepairGround ground = repair_ground(field, terms, min_area_m2);
   GapsTakenOn sorted = enterable_gaps(gaps, ground, threads);
   require_any(sorted, field, ground);
   std::vector<GapGroup> groups =
       join_where_it_pays(std::move(sorted.groups), ground.free, ground.obstacles, terms, threads);
-  RepairLines lines = repair_lines(std::move(groups), sorted.taken, ground, progress);
+  RepairLines lines = repair_lines(std::move(groups), sorted.taken, ground, pulse.counter());
 
   RepairPlan out;
   out.plan = bare_plan(field, sorted.taken, ground);

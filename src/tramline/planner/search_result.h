@@ -1,14 +1,12 @@
 #pragma once
 // What a search hands to the planner.
 
-#include <functional>
+#include <vector>
 
 #include "tramline/planner/candidate.h"
+#include "tramline/planner/progress.h"
 
 namespace tramline {
-
-/// How far a search has come. Called from worker threads, one at a time.
-using Progress = std::function<void(int done, int total)>;
 
 /// A plan the search has laid out and tallied on its way.
 struct SeenPlan {

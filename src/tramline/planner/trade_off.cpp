@@ -10,6 +10,7 @@
 #include "tramline/planner/for_each_index.h"
 #include "tramline/planner/front_marks.h"
 #include "tramline/planner/headlanded_task.h"
+#include "tramline/planner/pulse.h"
 #include "tramline/planner/straight_search.h"
 #include "tramline/planner/validate_request.h"
 
@@ -111,8 +112,10 @@ std::vector<Objective> prices_to_search(const Objective& given) {
 }
 
 TradeOff trade_off(const Field& field, const Machine& machine, const Objective& prices,
-                   const PlanSettings& settings, int threads, const Progress& progress) {
+                   const PlanSettings& settings, int threads, const Progress& given) {
   validate_request(machine, prices, settings);
+  Pulse pulse(given);
+  const Progress progress = pulse.counter();
   TradeOff out;
   out.searches = searches_for(headlanded_task(field, machine, prices, settings, threads), threads, progress);
   require_tracks(out.searches.front().task, out.searches.front().found.best.avoided.tally);

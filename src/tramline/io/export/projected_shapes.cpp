@@ -71,6 +71,12 @@ std::unique_ptr<OGRGeometry> projected(const OGRGeometry& shape, Point offset, c
       }
       return out;
     }
+    case wkbMultiPolygon: {
+      auto out = std::make_unique<OGRMultiPolygon>();
+      for (const OGRPolygon* polygon : *shape.toMultiPolygon())
+        out->addGeometryDirectly(projected(*polygon, offset, target).release());
+      return out;
+    }
     default:
       throw bad_input("the plan holds a shape that is no point, line or polygon; write it again");
   }

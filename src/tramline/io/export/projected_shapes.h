@@ -15,7 +15,8 @@ inline constexpr double kMostAside_m = 0.01;
 
 /// The shape in the target's coordinates, vertex for vertex; where an edge would run more than kMostAside_m
 /// beside the plan's, points are added to it at equal distances. `offset` is taken off first (offset_of()).
-/// Points, lines and polygons. Throws Error(kBadInput) where the target has no such place. O(n).
+/// Points, lines, polygons and multipolygons. Throws Error(kBadInput) where the target has no such place.
+/// O(n).
 std::unique_ptr<OGRGeometry> projected(const OGRGeometry& shape, Point offset, const TargetCrs& target);
 
 }  // namespace tramline::io

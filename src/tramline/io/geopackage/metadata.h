@@ -9,4 +9,7 @@ namespace tramline::io {
 /// many digits as it takes to read the same bits back.
 using Metadata = std::map<std::string, std::string>;
 
+/// The name of that table.
+inline constexpr const char* kMetadataTable = "metadata";
+
 }  // namespace tramline::io

@@ -3,7 +3,9 @@
 //
 // Numbers for people (order, subfield, track, obstacles) count from 1; the model counts from 0.
 
+#include "tramline/io/field/field_file.h"
 #include "tramline/io/geopackage/file_kind.h"
+#include "tramline/io/geopackage/metadata.h"
 
 namespace tramline::io {
 
@@ -13,8 +15,8 @@ inline constexpr FileKind kPlanFile{"plan", "tramline plan"};
 
 namespace tramline::io::plan_layers {
 
-inline constexpr const char* kField = "field";
-inline constexpr const char* kObstacles = "obstacles";
+inline constexpr const char* kField = field_layers::kField;
+inline constexpr const char* kObstacles = field_layers::kObstacles;
 inline constexpr const char* kBody = "body";
 inline constexpr const char* kWorked = "worked";  ///< only of repairs
 inline constexpr const char* kHeadland = "headland";
@@ -29,11 +31,8 @@ inline constexpr const char* kHeadlandUnworked = "headland_unworked";
 inline constexpr const char* kDropped = "dropped";
 inline constexpr const char* kEncounters = "encounters";
 inline constexpr const char* kFront = "front";  ///< only where a front was asked for
-inline constexpr const char* kMetadata = "metadata";
+inline constexpr const char* kMetadata = kMetadataTable;
 inline constexpr const char* kStyles = "layer_styles";  ///< the name QGIS knows
-
-inline constexpr const char* kObstacle = "obstacle";
-inline constexpr const char* kPassable = "passable";
 
 inline constexpr const char* kStraight = "straight";
 inline constexpr const char* kDetour = "detour";

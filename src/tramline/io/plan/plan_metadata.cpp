@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/field/field_values.h"
 #include "tramline/io/geopackage/key_values.h"
 #include "tramline/io/geopackage/local_crs.h"
 #include "tramline/io/plan/path_text.h"
@@ -19,28 +20,12 @@ namespace {
 
 constexpr const char* kFormat = "tramline plan";
 constexpr int kNewestVersion = kVersionWithRepairs, kOldestVersion = 2;
-constexpr const char* kInputCrs = "field.source.input_crs";
 constexpr const char* kTracks = "settings.tracks";
 
 /// The one list of keys, walked by the writer (const plan) and by the reader.
 template <class PlanOrConst, class Visitor>
 void each_value(PlanOrConst& plan, Visitor&& visit) {
-  visit("field.id", plan.field.id);
-  visit("field.source.file", plan.field.source.file);
-  visit("field.source.layer", plan.field.source.layer);
-  visit("field.source.fid", plan.field.source.fid);
-  visit("field.source.part", plan.field.source.part);
-  visit("field.source.crs", plan.field.source.crs);
-  visit("field.source.obstacles_file", plan.field.source.obstacles_file);
-  visit("field.source.obstacle_size_m", plan.field.source.obstacle_size_m);
-  visit("field.source.passable_file", plan.field.source.passable_file);
-  visit("field.repairs", plan.field.repairs);
-  visit("field.warnings", plan.field.warnings);
-  visit("frame.geodetic", plan.field.frame.geodetic);
-  visit("frame.origin_lon_deg", plan.field.frame.origin_lon_deg);
-  visit("frame.origin_lat_deg", plan.field.frame.origin_lat_deg);
-  visit("frame.origin_x_m", plan.field.frame.origin_x_m);
-  visit("frame.origin_y_m", plan.field.frame.origin_y_m);
+  each_field_value(plan.field, visit);
   visit("machine.name", plan.machine.name);
   visit("machine.width_m", plan.machine.width_m);
   visit("machine.radius_m", plan.machine.radius_m);
@@ -91,14 +76,6 @@ void each_value_since_headlands(PlanOrConst& plan, Visitor&& visit) {
   visit("headland.uncovered_m2", plan.headland.uncovered_m2);
 }
 
-nlohmann::json to_json(const Repair& repair) {
-  return {{"what", repair.what},
-          {"where", repair.where},
-          {"x", plain_zero(repair.at.x)},
-          {"y", plain_zero(repair.at.y)},
-          {"area_change_m2", plain_zero(repair.area_change_m2)}};
-}
-
 /// The shortest number of degrees that makes the same angle, to the bit of its radians; where none does,
 /// the nearest. 15 degrees in radians and back are 14.999999999999998.
 double short_degrees(Angle angle) {
@@ -109,11 +86,11 @@ double short_degrees(Angle angle) {
   return angle.degrees();
 }
 
-class Writer : public KeyWriter {
+class Writer : public FieldKeyWriter {
  public:
-  using KeyWriter::operator();
+  using FieldKeyWriter::operator();
   /// `offset` leads from local metres to the coordinates of the file.
-  Writer(Metadata& out, Point offset) : KeyWriter(out), offset_(offset) {}
+  Writer(Metadata& out, Point offset) : FieldKeyWriter(out), offset_(offset) {}
   void operator()(const std::string& key, EndRule value) const { out()[key] = name(value); }
   void operator()(const std::string& key, EdgeKind value) const { out()[key] = name(value); }
   void operator()(const std::string& key, Strategy value) const { out()[key] = name(value); }
@@ -135,20 +112,15 @@ class Writer : public KeyWriter {
   void operator()(const std::string& key, const Path& path) const {
     out()[key] = path_text_if_any(path, offset_);
   }
-  void operator()(const std::string& key, const std::vector<Repair>& repairs) const {
-    nlohmann::json list = nlohmann::json::array();
-    for (const Repair& repair : repairs) list.push_back(to_json(repair));
-    out()[key] = dumped(list);
-  }
 
  private:
   Point offset_;
 };
 
-class Reader : public KeyReader {
+class Reader : public FieldKeyReader {
  public:
-  using KeyReader::KeyReader;
-  using KeyReader::operator();
+  using FieldKeyReader::FieldKeyReader;
+  using FieldKeyReader::operator();
   void operator()(const std::string& key, EndRule& value) { value = word(key, end_rule_named(text(key))); }
   void operator()(const std::string& key, EdgeKind& value) { value = word(key, edge_kind_named(text(key))); }
   void operator()(const std::string& key, Strategy& value) { value = word(key, strategy_named(text(key))); }
@@ -180,15 +152,6 @@ class Reader : public KeyReader {
   void operator()(const std::string& key, Path& path) {
     path = path_from_text_if_any(text(key), offset_, place_of(key));
   }
-  void operator()(const std::string& key, std::vector<Repair>& repairs) {
-    parse(key, [&](const nlohmann::json& json) {
-      for (const nlohmann::json& item : json)
-        repairs.push_back({item.at("what").get<std::string>(),
-                           item.at("where").get<std::string>(),
-                           {item.at("x").get<double>(), item.at("y").get<double>()},
-                           item.at("area_change_m2").get<double>()});
-    });
-  }
 
   /// What is taken off all coordinates from now on.
   void shift_by(Point offset) { offset_ = offset; }
@@ -216,12 +179,11 @@ Metadata metadata_of(const Plan& plan) {
   const Writer writer(out, offset_of(plan.field.frame));
   each_value(plan, writer);
   each_value_since_headlands(plan, writer);
-  out[kInputCrs] = plan.field.source.input_crs;
+  out[kInputCrsKey] = plan.field.source.input_crs;
   writer(kTracks, plan.settings.tracks);
   out["format"] = kFormat;
   out["format_version"] = std::to_string(is_repair(plan) ? kVersionWithRepairs : kVersionWithHeadlands);
-  for (const char* key : {"field.source.file", "field.source.obstacles_file", "field.source.passable_file"})
-    out[key] = std::filesystem::path(out[key]).filename().string();
+  leave_folders_out(out);
   // The kinds that no setting changes are written all the same: the file explains itself.
   out["edges.exterior"] = name(plan.settings.boundary);
   out["edges.obstacles"] = name(EdgeKind::kHard);
@@ -240,7 +202,7 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   reader.shift_by(offset_of(plan.field.frame));
   if (version >= kVersionWithHeadlands) each_value_since_headlands(plan, reader);
   // Files from before there were these keys are as good plans.
-  if (metadata.contains(kInputCrs)) plan.field.source.input_crs = reader.text(kInputCrs);
+  if (metadata.contains(kInputCrsKey)) plan.field.source.input_crs = reader.text(kInputCrsKey);
   if (metadata.contains(kTracks)) reader(kTracks, plan.settings.tracks);
   return version;
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tramline/io/field/field_styles.h"
 #include "tramline/io/geopackage/qml.h"
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/model/palette.h"
@@ -25,16 +26,6 @@ Symbol symbol(Shape shape, std::vector<qml::SymbolLayer> layers) { return {shape
 
 std::string fill_style(qml::SymbolLayer layer) {
   return qml::document({Shape::kPolygon, {std::move(layer)}});
-}
-
-std::string obstacles_style() {
-  return qml::document(Shape::kPolygon,
-                       {{"\"kind\" = 'obstacle'", "obstacle",
-                         symbol(Shape::kPolygon, {qml::simple_fill(kObstacleColour, kObstacleColour, mm(1.8)),
-                                                  qml::hatch(kObstacleHatch, mm(6), mm(1.4), 45)})},
-                        {"\"kind\" = 'passable'", "passable obstacle, not worked",
-                         symbol(Shape::kPolygon, {qml::simple_fill(kPassableColour, kPassableHatch, mm(1.4)),
-                                                  qml::hatch(kPassableHatch, mm(7), mm(1.3), 135)})}});
 }
 
 std::string given_up_style() {
@@ -139,7 +130,7 @@ std::vector<LayerStyle> styles_of(const Plan& plan) {
   namespace layers = plan_layers;
   std::vector<LayerStyle> out{
       {layers::kField, "the outer boundary", fill_style(qml::simple_edge(kFieldEdge, mm(2.2)))},
-      {layers::kObstacles, "obstacles and passable strips", obstacles_style()},
+      obstacles_style(),
       {layers::kBody, "what the tracks have to cover", fill_style(qml::simple_edge(kFaintInk, mm(1), "dot"))},
       {layers::kHeadland, "what the headland passes are there to work",
        fill_style(qml::simple_fill(kHeadlandColour, kSubfieldEdge, mm(1.4)))},

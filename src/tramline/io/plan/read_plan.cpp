@@ -8,8 +8,11 @@
 #include <utility>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/field/field_layers.h"
 #include "tramline/io/geopackage/gdal_errors.h"
 #include "tramline/io/geopackage/local_crs.h"
+#include "tramline/io/geopackage/metadata_table.h"
+#include "tramline/io/geopackage/remarks.h"
 #include "tramline/io/geopackage/rows.h"
 #include "tramline/io/plan/detour_text.h"
 #include "tramline/io/plan/front_text.h"
@@ -40,28 +43,6 @@ void read_region(Rows& file, const char* name, Region& into, PlanFile& out) {
   file.each(name, [&](const Row& row) {
     into.push_back(row.polygon());
     derive_area(out, row, into.back());
-  });
-}
-
-void read_field(Rows& file, const fs::path& path, PlanFile& out) {
-  Field& field = out.plan.field;
-  int count = 0;
-  file.each(layers::kField, [&](const Row& row) {
-    field.outer = row.polygon().outer;
-    ++count;
-    derive_area(out, row, {field.outer, {}});
-  });
-  if (count != 1)
-    throw bad_input(fmt::format("{}: layer field holds {} features instead of one; write the plan again",
-                                path.string(), count));
-  file.each(layers::kObstacles, [&](const Row& row) {
-    Obstacle obstacle{row.polygon(), ObstacleKind::kObstacle, row.text("origin")};
-    const std::string kind = row.text("kind");
-    if (kind != layers::kObstacle && kind != layers::kPassable)
-      throw bad_input(fmt::format("{}: kind is '{}', expected obstacle or passable", row.place(), kind));
-    if (kind == layers::kPassable) obstacle.kind = ObstacleKind::kPassable;
-    derive_area(out, row, obstacle.shape);
-    field.obstacles.push_back(std::move(obstacle));
   });
 }
 
@@ -259,12 +240,13 @@ PlanFile read_plan_file(const fs::path& path) {
   GdalErrors errors;
   Rows file(path, kPlanFile, errors);
   PlanFile out;
-  Metadata metadata;
-  file.each(layers::kMetadata, [&](const Row& row) { metadata[row.text("key")] = row.text("value"); });
+  const Metadata metadata = read_metadata_table(file);
+  out.remarks = remarks_in(metadata);
   const int version = apply_metadata(metadata, path, out.plan);
   file.shift_by(offset_of(out.plan.field.frame));
 
-  read_field(file, path, out);
+  read_field_layers(file, path, kPlanFile, out.plan.field,
+                    [&](const Row& row, const Polygon& polygon) { derive_area(out, row, polygon); });
   read_region(file, layers::kBody, out.plan.body, out);
   if (version >= kVersionWithRepairs) read_region(file, layers::kWorked, out.plan.worked, out);
   if (version >= kVersionWithHeadlands) read_headland(file, out);

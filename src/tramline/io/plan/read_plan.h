@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tramline/io/geopackage/metadata.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::io {
@@ -37,6 +38,7 @@ struct PlanFile {
   std::vector<std::vector<Point>> headland_lines;
   std::vector<DerivedNumber> derived;
   std::vector<DerivedText> derived_texts;
+  Metadata remarks;  ///< of whoever keeps the file (remarks.h)
 };
 
 /// Reads a plan file written by write_plan, or by that of format version 2, which knew neither headlands nor

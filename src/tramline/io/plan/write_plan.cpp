@@ -4,7 +4,10 @@
 
 #include <cmath>
 
+#include "tramline/io/field/field_layers.h"
 #include "tramline/io/geopackage/layer_styles.h"
+#include "tramline/io/geopackage/metadata_table.h"
+#include "tramline/io/geopackage/remarks.h"
 #include "tramline/io/geopackage/table.h"
 #include "tramline/io/geopackage/write_geopackage.h"
 #include "tramline/io/plan/detour_text.h"
@@ -22,20 +25,6 @@ namespace layers = plan_layers;
 void write_region(const Target& target, const char* name, const Region& region) {
   Table table(target.file, name, wkbPolygon, target.crs, {kAreaColumn});
   for (const Polygon& polygon : region) table.add(target.shapes.polygon(polygon), {area(polygon)});
-}
-
-void write_field(const Target& target, const Field& field) {
-  Table fields(target.file, layers::kField, wkbPolygon, target.crs, {text("field_id"), kAreaColumn});
-  fields.add(target.shapes.polygon({field.outer, {}}), {field.id, area(Polygon{field.outer, {}})});
-
-  Table obstacles(target.file, layers::kObstacles, wkbPolygon, target.crs,
-                  {text("kind"), text("origin"), kAreaColumn});
-  for (const Obstacle& obstacle : field.obstacles) {
-    const bool passable = obstacle.kind == ObstacleKind::kPassable;
-    obstacles.add(target.shapes.polygon(obstacle.shape),
-                  {std::string(passable ? layers::kPassable : layers::kObstacle), obstacle.origin,
-                   area(obstacle.shape)});
-  }
 }
 
 /// direction_rad gives the direction back to the bit, which degrees do not.
@@ -139,13 +128,13 @@ void write_front(GDALDataset& file, const Front& front) {
   }
 }
 
-void write_metadata(GDALDataset& file, const Plan& plan) {
-  Table table(file, layers::kMetadata, wkbNone, nullptr, {text("key"), text("value")});
-  for (const auto& [key, value] : metadata_of(plan)) table.add(nullptr, {key, value});
+Metadata with_remarks(Metadata metadata, const Metadata& remarks) {
+  add_remarks(remarks, metadata);
+  return metadata;
 }
 
-void write_layers(const Target& target, const Plan& plan) {
-  write_field(target, plan.field);
+void write_layers(const Target& target, const Plan& plan, const Metadata& remarks) {
+  write_field_layers(target, plan.field);
   write_region(target, layers::kBody, plan.body);
   if (is_repair(plan)) write_region(target, layers::kWorked, plan.worked);
   write_region(target, layers::kHeadland, plan.headland.ground);
@@ -160,15 +149,15 @@ void write_layers(const Target& target, const Plan& plan) {
   write_dropped(target, plan);
   write_encounters(target, plan);
   write_front(target.file, plan.front);
-  write_metadata(target.file, plan);
+  write_metadata_table(target, with_remarks(metadata_of(plan), remarks));
   write_styles(target.file, styles_of(plan));
 }
 
 }  // namespace
 
-void write_plan(const Plan& plan, const std::filesystem::path& path) {
+void write_plan(const Plan& plan, const std::filesystem::path& path, const Metadata& remarks) {
   write_geopackage(path, kPlanFile, plan.field.frame,
-                   [&](const Target& target) { write_layers(target, plan); });
+                   [&](const Target& target) { write_layers(target, plan, remarks); });
 }
 
 }  // namespace tramline::io

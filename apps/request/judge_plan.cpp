@@ -1,0 +1,30 @@
+#include "request/judge_plan.h"
+
+#include "tramline/check/compare_fields.h"
+#include "tramline/check/compare_layers.h"
+#include "tramline/check/verify.h"
+
+namespace tramline::app {
+namespace {
+
+void append(std::vector<check::Violation>& to, const std::vector<check::Violation>& more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+check::Verdict judge(const io::PlanFile& file, const std::optional<Field>& input) {
+  check::Verdict verdict = check::verify(file.plan);
+  if (!verdict.complete) return verdict;
+  append(verdict.violations,
+         check::compare_swaths(file.plan, file.track_order, file.swaths, file.swath_order));
+  append(verdict.violations, check::compare_lines(file.plan, file.track_lines));
+  for (const io::DerivedNumber& number : file.derived)
+    check::compare_number(number.where, number.stored, number.from_shape, number.at, verdict.violations);
+  for (const io::DerivedText& text : file.derived_texts)
+    check::compare_text(text.where, text.stored, text.from_shape, text.at, verdict.violations);
+  if (input) append(verdict.violations, check::compare_fields(file.plan.field, *input));
+  return verdict;
+}
+
+}  // namespace tramline::app

@@ -1,0 +1,73 @@
+#pragma once
+// What the routes share.
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "server/http/event_stream.h"
+#include "server/jobs/job_queue.h"
+#include "server/store/field_store.h"
+#include "server/store/front_shelf.h"
+#include "server/store/machine_store.h"
+#include "server/store/plan_store.h"
+#include "server/store/store_folder.h"
+#include "server/uploads/uploads.h"
+
+namespace tramline::server {
+
+struct Limits {
+  std::size_t upload_bytes = std::size_t{256} << 20;
+  int streams = 24;  ///< open at once
+  int jobs = 2;      ///< running at once
+  int feeds = 8;     ///< live ones, open at once
+};
+
+struct ServerSettings {
+  std::filesystem::path folder;
+  std::string host = "127.0.0.1";
+  int port = 0;       ///< 0: any that is free
+  std::string token;  ///< empty: none is asked for
+  std::string tiles;  ///< URL of raster tiles; empty: none
+  Limits limits;
+};
+
+/// Comparisons that plans can still be taken from: a search for each of 16 prices is kept.
+inline constexpr std::size_t kMostFronts = 8;
+
+/// Drives and live feeds: drives/drive_rooms.h.
+struct DriveRooms;
+/// `folder` and `warnings` as everywhere in App.
+std::shared_ptr<DriveRooms> make_drive_rooms(const StoreFolder& folder, const Limits& limits,
+                                             std::vector<std::string>& warnings);
+
+/// Everything a server has while it runs. Members are safe for several threads.
+struct App {
+  explicit App(ServerSettings given)
+      : settings(std::move(given)),
+        folder(settings.folder),
+        fields(folder, warnings),
+        plans(folder, warnings),
+        machines(folder, warnings),
+        fronts(kMostFronts),
+        drives(make_drive_rooms(folder, settings.limits, warnings)),
+        uploads(folder),
+        streams(settings.limits.streams),
+        jobs(settings.limits.jobs) {}
+
+  const ServerSettings settings;
+  std::vector<std::string> warnings;  ///< about files in the folder; does not change after the start
+  StoreFolder folder;
+  FieldStore fields;
+  PlanStore plans;
+  MachineStore machines;
+  FrontShelf fronts;
+  const std::shared_ptr<DriveRooms> drives;
+  Uploads uploads;
+  StreamPermits streams;
+  JobQueue jobs;  ///< last: its work uses the others
+};
+
+}  // namespace tramline::server

@@ -1,0 +1,26 @@
+#pragma once
+// What a server has for drives.
+//
+// Apart from App, so that only who deals with drives knows the engine of coverage.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "server/feeds/feed_board.h"
+#include "server/store/drive_store.h"
+#include "server/work/replay_cache.h"
+
+namespace tramline::server {
+
+/// Members are safe for several threads.
+struct DriveRooms {
+  DriveRooms(const StoreFolder& folder, std::size_t most_feeds, std::vector<std::string>& warnings)
+      : store(folder, warnings), feeds(folder, most_feeds) {}
+
+  DriveStore store;
+  ReplayCache replays;
+  FeedBoard feeds;
+};
+
+}  // namespace tramline::server

@@ -1,0 +1,30 @@
+#pragma once
+// Events of work as server-sent events.
+
+#include <httplib.h>
+
+#include <chrono>
+#include <memory>
+#include <utility>
+
+#include "server/http/event_stream.h"
+#include "server/work/work_json.h"
+
+namespace tramline::server {
+
+/// What takes this long has to show that somebody still listens.
+inline constexpr std::chrono::milliseconds kPingEvery{1000};
+
+/// Answers with the events of a Replay or of a FeedReader, until its end. Throws HttpError(kBusy).
+template <class Source>
+void stream_work(StreamPermits& permits, httplib::Response& response, std::shared_ptr<Source> source) {
+  auto writer = std::make_shared<EventWriter>();
+  stream_events(permits, response, [source = std::move(source), writer](EventSink& events) {
+    const WorkEvent event = source->next(kPingEvery);
+    if (std::holds_alternative<std::monostate>(event)) return !source->ended() && events.ping();
+    const NamedEvent named = writer->named(event);
+    return events.send(named.name, named.data) && !source->ended();
+  });
+}
+
+}  // namespace tramline::server

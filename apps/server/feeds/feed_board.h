@@ -1,0 +1,61 @@
+#pragma once
+// The live feeds of a server.
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "server/store/drive_store.h"
+#include "server/store/store_folder.h"
+#include "server/work/live_feed.h"
+
+namespace tramline::server {
+
+/// What a feed is, whether it still comes or not.
+struct FeedNote {
+  std::string id;
+  std::string name;     ///< for people
+  std::string source;   ///< "tcp://tractor:5017"
+  std::string field;    ///< id; empty: none
+  std::string created;  ///< "2026-03-14T08:15:00Z"
+  DriveSource log;
+};
+
+struct OpenFeed {
+  FeedNote note;
+  std::shared_ptr<LiveFeed> feed;
+};
+
+/// For each feed feeds/ID.json, feeds/ID.log with every line that came, and now and then feeds/ID.gpkg. They
+/// stay until the drive is kept: a server that was killed finds them again. Safe for several threads.
+class FeedBoard {
+ public:
+  FeedBoard(const StoreFolder& folder, std::size_t most) : folder_(folder), most_(most) {}
+
+  /// Throws HttpError(kBusy) where there are too many already.
+  void require_room() const;
+  /// Begins to read. `ground`: empty without a field. Throws kBadInput, failure, HttpError(kBusy).
+  OpenFeed open(const FeedNote& note, std::unique_ptr<io::Feed> source, const app::WorkGround& ground);
+  /// The latest first.
+  std::vector<OpenFeed> list() const;
+  /// Throw HttpError(kNotFound). take(): it is no more to be found; its files stay.
+  OpenFeed get(const std::string& id) const;
+  OpenFeed take(const std::string& id);
+
+  std::filesystem::path raw_log(const std::string& id) const;
+  void remove_files(const std::string& id) const;
+  /// Feeds of a server that ended without keeping their drives.
+  std::vector<FeedNote> left() const;
+
+ private:
+  const StoreFolder& folder_;
+  const std::size_t most_;
+  mutable std::mutex mutex_;
+  std::map<std::string, OpenFeed> feeds_;
+};
+
+}  // namespace tramline::server

@@ -1,0 +1,39 @@
+#pragma once
+// Who is let in.
+
+#include <httplib.h>
+
+#include <cstddef>
+#include <set>
+#include <string>
+
+namespace tramline::server {
+
+/// Does only this computer reach a server on this host?
+bool is_loopback(const std::string& host);
+
+/// Keeps out what other pages in the same browser send here: names that somebody has led to this computer
+/// (Host), and requests of other pages (Origin); and, where there is a token, whoever does not have it. The
+/// page itself is shown without the token: it holds nothing, and asks for it.
+class Gate {
+ public:
+  Gate(const std::string& host, int port, std::string token);
+
+  /// False with an answer where the request is refused; its body has not been read then. `most_bytes`: the
+  /// longest body its route takes.
+  bool lets_in(const httplib::Request& request, httplib::Response& response, std::size_t most_bytes) const;
+
+ private:
+  bool knows_host(const std::string& host) const;
+  bool has_token(const httplib::Request& request) const;
+
+  std::set<std::string> hosts_;  ///< with the port
+  bool any_address_ = false;     ///< all of this computer's addresses are served
+  int port_;
+  std::string token_;
+};
+
+/// Compares in a time that does not tell how much is alike.
+bool same_secret(const std::string& a, const std::string& b);
+
+}  // namespace tramline::server

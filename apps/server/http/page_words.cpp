@@ -1,0 +1,84 @@
+#include "server/http/page_words.h"
+
+#include <array>
+#include <cctype>
+#include <string_view>
+#include <utility>
+
+namespace tramline::server {
+namespace {
+
+/// Whole phrases first, then the options by themselves.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 49> kWords = {{
+    {"take all with --all or choose one with --where", "choose one of them"},
+    {"give it a width with --width", "give the working width"},
+    {"give the field's CRS with --crs", "say which coordinate reference system the field is in"},
+    {"give the right CRS with --crs", "choose the right coordinate reference system"},
+    {"with --tracks paper give --ab, --guide or --curved", "draw a line or choose curved tracks"},
+    {"give a line with --guide, or leave --curved out", "draw a line to follow, or choose straight tracks"},
+    {"give one with --guide, or leave --tracks paper out", "draw one, or choose tracks parallel to the line"},
+    {"leave --curved out, or give a line without bends",
+     "choose straight tracks, or draw a line without bends"},
+    {"leave --curved, --ab, --guide and --tracks out", "choose straight tracks and no line"},
+    {"leave --tracks paper out", "choose tracks parallel to the line"},
+    {"--explain and --front are", "the explanation is"},
+    {"--explain and --front know", "the explanation knows"},
+    {"or name its layer with --layer", "or choose its layer"},
+    {"name one with --layer", "choose one"},
+    {"choose one with --layer", "choose one"},
+    {"give --layer", "choose the layer"},
+    {"give --crs", "choose the coordinate reference system"},
+    {"--direction-tolerance", "the direction tolerance"},
+    {"--avoid-threshold", "the avoid threshold"},
+    {"--obstacle-headlands", "the number of passes round obstacles"},
+    {"--obstacle-size", "the size of points and lines"},
+    {"--cell-direction", "the direction of cells"},
+    {"--decomposition", "the angle at which corners divide"},
+    {"--short-edge", "the short edge"},
+    {"--min-length", "the shortest piece"},
+    {"--min-area", "the least area"},
+    {"--guide-where", "the choice of a line"},
+    {"--log-crs", "the coordinate reference system of the log"},
+    {"--headlands", "the number of headland passes"},
+    {"--clearance", "the clearance"},
+    {"--obstacles", "the file of obstacles"},
+    {"--passable", "the file of passable strips"},
+    {"--boundary", "the boundary"},
+    {"--strategy", "the strategy"},
+    {"--minimise", "what to minimise"},
+    {"--end-rule", "the end rule"},
+    {"--columns", "the columns"},
+    {"--weights", "the weights"},
+    {"--machine", "the machine"},
+    {"--curved", "curved tracks"},
+    {"--tracks", "the kind of tracks"},
+    {"--prices", "the prices"},
+    {"--radius", "the turning radius"},
+    {"--layer", "the layer"},
+    {"--width", "the working width"},
+    {"--guide", "the line"},
+    {"--where", "the choice of features"},
+    {"--avoid", "avoiding"},
+    {"--merge", "the merging angle"},
+}};
+
+bool goes_on(const std::string& text, std::size_t at) {
+  return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '-');
+}
+
+}  // namespace
+
+std::string in_page_words(std::string sentence) {
+  for (const auto& [from, to] : kWords)
+    for (std::size_t at = sentence.find(from); at != std::string::npos; at = sentence.find(from, at)) {
+      if (goes_on(sentence, at + from.size())) {
+        at += from.size();
+        continue;
+      }
+      sentence.replace(at, from.size(), to);
+      at += to.size();
+    }
+  return sentence;
+}
+
+}  // namespace tramline::server

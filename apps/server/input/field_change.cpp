@@ -1,0 +1,105 @@
+#include "server/input/field_change.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "request/field_input.h"
+#include "server/input/geometry_input.h"
+#include "server/input/json_input.h"
+#include "server/map/shown_place.h"
+#include "tramline/admission/place_obstacles.h"
+#include "tramline/geometry/error.h"
+
+namespace tramline::server {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double kLeastSize_m = 0.01, kMostSize_m = 1000;
+
+void remove_obstacles(Field& field, const ordered_json& numbers) {
+  std::set<std::size_t> going;
+  for (const ordered_json& number : numbers) {
+    const bool known = number.is_number_integer() && number.get<long long>() >= 1 &&
+                       number.get<long long>() <= std::ssize(field.obstacles);
+    if (!known)
+      throw bad_input(fmt::format("remove names obstacle {}, but the field has {}", number.dump(),
+                                  field.obstacles.size()));
+    going.insert(number.get<std::size_t>() - 1);
+  }
+  std::vector<Obstacle> left;
+  for (std::size_t i = 0; i < field.obstacles.size(); ++i)
+    if (!going.contains(i)) left.push_back(std::move(field.obstacles[i]));
+  field.obstacles = std::move(left);
+}
+
+ObstacleKind kind_in(const JsonInput& input) {
+  const std::string kind = input.text("kind");
+  if (kind == "obstacle") return ObstacleKind::kObstacle;
+  if (kind == "passable") return ObstacleKind::kPassable;
+  throw bad_input(
+      fmt::format("{} is '{}', but has to be obstacle or passable", input.place_of("kind"), kind));
+}
+
+/// In the coordinates of the field's input: a plain field was drawn on about (0°, 0°).
+void bring_to_field(LooseObstacle& obstacle, const Field& field) {
+  const ShownPlace place(field.frame);
+  const Point origin{field.frame.origin_x_m, field.frame.origin_y_m};
+  const auto bring = [&](Point& p) {
+    const Point local = place.to_local(p);
+    if (!field.frame.geodetic) p = local + origin;
+    obstacle.bounds.extend(p);
+  };
+  for (RawPolygon& polygon : obstacle.polygons)
+    for (RawRing& ring : polygon.rings) std::for_each(ring.points.begin(), ring.points.end(), bring);
+  for (std::vector<Point>& line : obstacle.lines) std::for_each(line.begin(), line.end(), bring);
+  std::for_each(obstacle.points.begin(), obstacle.points.end(), bring);
+}
+
+/// One that no obstacle has yet.
+std::string next_origin(const Field& field) {
+  for (int number = 1;; ++number) {
+    const std::string origin = fmt::format("drawn {}", number);
+    // United obstacles carry the names of all.
+    if (std::none_of(field.obstacles.begin(), field.obstacles.end(), [&](const Obstacle& obstacle) {
+          return obstacle.origin.find(origin) != std::string::npos;
+        }))
+      return origin;
+  }
+}
+
+void add_obstacle(Field& field, const ordered_json& json, std::size_t number) {
+  const std::string place = fmt::format("add {}", number);
+  const JsonInput input(json, place, {"kind", "geometry", "size_m"});
+  RawFeature feature = raw_feature_in(input.value("geometry"), input.place_of("geometry"));
+  LooseObstacle obstacle{next_origin(field),          kind_in(input),
+                         std::move(feature.polygons), std::move(feature.lines),
+                         std::move(feature.points),   {}};
+  const double size_m = input.number_if("size_m").value_or(app::FieldOptions{}.obstacle_size_m);
+  if (!(size_m >= kLeastSize_m && size_m <= kMostSize_m))
+    throw bad_input(fmt::format("{} has to lie between {} and {} m", input.place_of("size_m"), kLeastSize_m,
+                                kMostSize_m));
+  bring_to_field(obstacle, field);
+  std::vector<char> met(1, 0);
+  place_obstacles(field, {obstacle}, size_m, met);
+  if (met[0] == 0)
+    throw bad_input(
+        fmt::format("what was drawn as obstacle {} does not meet the field; draw it within", number));
+}
+
+}  // namespace
+
+Field changed_field(Field field, const ordered_json& remove, const ordered_json& add) {
+  remove_obstacles(field, remove);
+  std::size_t number = 0;
+  for (const ordered_json& item : add) add_obstacle(field, item, ++number);
+  return field;
+}
+
+}  // namespace tramline::server

@@ -1,0 +1,32 @@
+#pragma once
+// Fields out of what was sent: a feature of a file, or a shape that was drawn.
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "server/uploads/uploads.h"
+#include "tramline/model/field.h"
+
+namespace tramline::server {
+
+struct NewFields {
+  std::vector<Field> fields;  ///< the parts of one feature; not empty
+  std::vector<Skipped> skipped;
+};
+
+/// Which feature, and how it is to be read.
+struct FeatureChoice {
+  std::optional<long long> fid;
+  std::string layer, crs;
+  std::optional<Upload> obstacles;
+  std::optional<double> obstacle_size_m;
+};
+/// Throws bad_input where it is refused, or several features match.
+NewFields fields_from(const Upload& upload, const FeatureChoice& choice);
+
+/// A GeoJSON polygon or multipolygon, longitude and latitude. `name` becomes the field's id. Throws
+/// bad_input.
+NewFields fields_drawn(const nlohmann::ordered_json& geometry, const std::string& name);
+
+}  // namespace tramline::server

@@ -1,0 +1,106 @@
+#include "server/input/plan_input.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <string>
+
+#include "request/plan_request.h"
+#include "server/input/json_input.h"
+#include "server/map/shown_place.h"
+#include "tramline/geometry/error.h"
+#include "tramline/planner/validate_request.h"
+
+namespace tramline::server {
+namespace {
+
+using nlohmann::ordered_json;
+
+int count_in(const JsonInput& input, const char* key) {
+  const long long count = input.whole_if(key).value_or(0);
+  if (count < 0 || count > 100)
+    throw bad_input(fmt::format("{} has to lie between 0 and 100", input.place_of(key)));
+  return static_cast<int>(count);
+}
+
+void take_word(const JsonInput& input, const char* key, std::string& word) {
+  if (input.has(key)) word = input.text(key);
+}
+
+void take_number(const JsonInput& input, const char* key, double& number) {
+  if (input.has(key)) number = input.number(key);
+}
+
+}  // namespace
+
+Machine machine_in(const ordered_json& json, const std::string& place) {
+  const JsonInput input(json, place, {"id", "name", "width_m", "radius_m", "min_length_m"});
+  app::PlanOptions options;
+  options.width_m = input.number("width_m");
+  options.radius_m = input.number("radius_m");
+  options.min_length_m = input.number_if("min_length_m");
+  Machine machine = app::machine_of(options);
+  machine.name = name_of(input, "name");
+  validate_request(machine, {}, {});
+  return machine;
+}
+
+Objective objective_in(const ordered_json& json) {
+  if (json.is_null()) return {};
+  const JsonInput input(json, "objective", {"prices", "minimise"});
+  if (input.has("prices") == input.has("minimise"))
+    throw bad_input("objective has to have either prices or minimise");
+  if (input.has("minimise")) {
+    app::PlanOptions options;
+    options.minimise = input.text("minimise");
+    return app::objective_of(options);
+  }
+  const JsonInput prices(input.value("prices"), "objective.prices", {"overlap", "uncovered", "turn", "stop"});
+  return {prices.number("overlap"), prices.number("uncovered"), prices.number("turn"),
+          prices.number_if("stop").value_or(Objective{}.stop)};
+}
+
+SettingsInput settings_in(const ordered_json& json) {
+  if (json.is_null()) return {};
+  const JsonInput input(
+      json, "settings",
+      {"strategy", "end_rule", "boundary", "headlands", "obstacle_headlands", "curved", "line", "avoid",
+       "avoid_threshold_m", "clearance_m", "merge_deg", "decomposition_deg", "short_edge_m",
+       "direction_tolerance_deg", "cell_direction", "tracks"});
+  app::PlanOptions options;
+  take_word(input, "strategy", options.strategy);
+  take_word(input, "end_rule", options.end_rule);
+  take_word(input, "boundary", options.boundary);
+  take_word(input, "cell_direction", options.cell_direction);
+  take_word(input, "curved", options.curved);
+  take_word(input, "avoid", options.avoid);
+  take_word(input, "tracks", options.tracks);
+  take_number(input, "clearance_m", options.clearance_m);
+  take_number(input, "merge_deg", options.merge_deg);
+  take_number(input, "decomposition_deg", options.decomposition_deg);
+  take_number(input, "short_edge_m", options.short_edge_m);
+  take_number(input, "direction_tolerance_deg", options.direction_tolerance_deg);
+  options.avoid_threshold_m = input.number_if("avoid_threshold_m");
+  options.headlands = count_in(input, "headlands");
+  options.obstacle_headlands = count_in(input, "obstacle_headlands");
+  SettingsInput out{app::settings_of(options), {}};
+  if (!input.has("line")) return out;
+  if (!options.curved.empty())
+    throw bad_input("settings has both curved and a line to follow; give one of them");
+  out.line = positions_of(input.value("line"), input.place_of("line"));
+  return out;
+}
+
+PlanSettings settings_on(const SettingsInput& input, const Field& field, const Machine& machine) {
+  if (input.line.empty()) return input.settings;
+  const ShownPlace place(field.frame);
+  GuideLine guide{"the line that was drawn", {}, !field.frame.geodetic};
+  for (const Point p : input.line) {
+    const Point local = place.to_local(p);
+    guide.points.push_back(
+        field.frame.geodetic ? p : local + Point{field.frame.origin_x_m, field.frame.origin_y_m});
+  }
+  return app::settings_for(input.settings, guide, field, machine);
+}
+
+}  // namespace tramline::server

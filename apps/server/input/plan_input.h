@@ -1,0 +1,29 @@
+#pragma once
+// Machine, objective and settings of a plan, as the page asks for them.
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <vector>
+
+#include "tramline/model/plan.h"
+
+namespace tramline::server {
+
+class JsonInput;
+
+/// {name?, width_m, radius_m, min_length_m?}. Throws bad_input.
+Machine machine_in(const nlohmann::ordered_json& json, const std::string& place);
+/// {prices: {overlap, uncovered, turn, stop}} or {minimise}; none: the default prices. Throws bad_input.
+Objective objective_in(const nlohmann::ordered_json& json);
+
+struct SettingsInput {
+  PlanSettings settings;
+  std::vector<Point> line;  ///< to follow, longitude and latitude; empty: none
+};
+/// Throws bad_input.
+SettingsInput settings_in(const nlohmann::ordered_json& json);
+
+/// The settings for a field: with the line in its metres. Throws bad_input where it does not lie there.
+PlanSettings settings_on(const SettingsInput& input, const Field& field, const Machine& machine);
+
+}  // namespace tramline::server

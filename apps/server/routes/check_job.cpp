@@ -1,0 +1,27 @@
+// The job that verifies a plan.
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "report/check_report.h"
+#include "request/judge_plan.h"
+#include "server/input/json_input.h"
+#include "server/routes/job_kinds.h"
+
+namespace tramline::server {
+
+using nlohmann::ordered_json;
+
+JobStatus begin_check(App& app, const ordered_json& json) {
+  const JsonInput input(json, "", {"kind", "plan"});
+  const KeptPlan plan = app.plans.get(input.text("plan"));
+  return app.jobs.submit("check", fmt::format("checking {}", plan.name), [&app, plan](JobRun& run) {
+    const OpenedPlan opened = app.plans.open(plan.id);
+    run.check();
+    const check::Verdict verdict = app::judge(opened.file, std::nullopt);
+    return ordered_json{{"check", app::check_json(plan.name, opened.file.plan, verdict)}};
+  });
+}
+
+}  // namespace tramline::server

@@ -1,0 +1,151 @@
+// Jobs that evaluate a drive, and that plan what it has missed.
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <utility>
+
+#include "report/repair_report.h"
+#include "request/gap_fields.h"
+#include "server/drives/work_drive.h"
+#include "server/input/drive_input.h"
+#include "server/input/json_input.h"
+#include "server/input/plan_input.h"
+#include "server/routes/job_kinds.h"
+#include "server/store/new_id.h"
+#include "tramline/geometry/error.h"
+#include "tramline/io/coverage/read_coverage.h"
+#include "tramline/model/limits.h"
+#include "tramline/planner/repair_plan.h"
+#include "tramline/planner/validate_request.h"
+
+namespace tramline::server {
+namespace {
+
+using nlohmann::ordered_json;
+
+Upload log_uploaded(App& app, const JsonInput& input) {
+  Upload out = app.uploads.get(input.text("upload"));
+  if (out.kind != UploadKind::kLog)
+    throw bad_input(fmt::format(
+        "{} is no log of a machine; choose a CSV, NMEA, GPX or ISOXML file of a drive", out.name));
+  return out;
+}
+
+DriveOrder drive_order(App& app, const ordered_json& json, const Upload& upload, const JsonInput& input) {
+  DriveOrder out;
+  out.id = new_id();
+  out.created = time_now();
+  out.name = name_of(input, "name");
+  out.field = input.text_or_none("field");
+  out.plan = input.text_or_none("plan");
+  if (!out.field.empty()) app.fields.get(out.field);
+  if (!out.plan.empty()) app.plans.get(out.plan);
+  out.source.options = drive_options_in(json.value("options", ordered_json()), input.number_if("width_m"));
+  out.source.options.log.log = input.text_or_none("log");
+  out.source.log_name = upload.name;
+  out.source.extension = log_extension(upload.path.filename().string());
+  if (out.name.empty()) out.name = stem_of(upload.name);
+  return out;
+}
+
+struct RepairRequest {
+  KeptDrive drive;
+  RepairTerms terms;
+  double min_area_m2 = 1;
+  std::string name;
+};
+
+RepairRequest repair_request(App& app, const ordered_json& json) {
+  const JsonInput input(json, "", {"kind", "drive", "machine", "objective", "min_area_m2", "name"});
+  RepairRequest out{app.drives->store.get(input.text("drive")),
+                    {machine_in(input.value("machine"), "machine"), objective_in(input.value("objective")),
+                     EndRule::kCover},
+                    input.number_if("min_area_m2").value_or(1),
+                    name_of(input, "name")};
+  // Gaps are short: as for the command line, no length is too short unless one is given.
+  if (out.terms.machine.min_length_m < 0) out.terms.machine.min_length_m = 0;
+  PlanSettings settings;
+  settings.end_rule = out.terms.end_rule;
+  validate_request(out.terms.machine, out.terms.objective, settings);
+  if (!(out.min_area_m2 > 0 && out.min_area_m2 <= kFarthest_m))
+    throw bad_input(fmt::format("min_area_m2 has to be more than 0 and at most {} m², not {}", kFarthest_m,
+                                out.min_area_m2));
+  const ordered_json& missed_m2 = out.drive.shown["missed_m2"];
+  if (missed_m2.is_null())
+    throw bad_input(
+        fmt::format("{} was evaluated without a field, so that nothing counts as missed; evaluate it again "
+                    "with its field",
+                    out.drive.name));
+  if (out.drive.shown["gaps"].empty())
+    throw bad_input(
+        fmt::format("nothing of the field was missed by {}; there is nothing to repair", out.drive.name));
+  return out;
+}
+
+ordered_json make_repair(App& app, const RepairRequest& request, JobRun& run) {
+  const KeptDrive& drive = request.drive;
+  const Coverage coverage = io::read_coverage(app.drives->store.coverage_file(drive.id));
+  ordered_json plans = ordered_json::array();
+  for (app::GapField& part : app::gap_fields(coverage, drive.name)) {
+    if (part.gaps.empty()) continue;
+    run.step(fmt::format("planning what {} has missed", drive.name));
+    const auto start = std::chrono::steady_clock::now();
+    const auto progress = [&run](int done, int total) { run.progress(done, total); };
+    const RepairPlan done =
+        repair_plan(part.field, part.gaps, part.missed, request.terms, request.min_area_m2, 0, progress);
+    run.check();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    PlanNotes notes;
+    notes.name = request.name.empty() ? "gaps of " + drive.name : request.name;
+    notes.field = drive.field;
+    notes.seconds = seconds;
+    const std::string plan = app.plans.add(done.plan, notes).id;
+    plans.push_back({{"plan", plan}, {"report", app::repair_json(done, request.min_area_m2, seconds)}});
+  }
+  if (plans.empty()) throw bad_input("no gap lies in the field; there is nothing to repair");
+  ordered_json out = plans.front();
+  if (plans.size() > 1) out["plans"] = std::move(plans);
+  return out;
+}
+
+}  // namespace
+
+JobStatus begin_drive(App& app, const ordered_json& json) {
+  const JsonInput input(json, "", {"upload", "log", "field", "plan", "width_m", "options", "name"});
+  const Upload upload = log_uploaded(app, input);
+  DriveOrder order = drive_order(app, json, upload, input);
+  app.drives->store.take_log(order.id, order.source, upload.path);
+  const std::string id = order.id, what = "evaluating " + order.name;
+  try {
+    return app.jobs.submit("evaluate", what, [&app, order = std::move(order)](JobRun& run) mutable {
+      if (order.field.empty() && order.plan.empty()) {
+        order.field = partfield_of(app, app.drives->store.log_file(order.id, order.source),
+                                   order.source.options.log.log);
+        order.field_is_a_guess = !order.field.empty();
+      }
+      return ordered_json{{"drive", work_drive(app, order, run).id}};
+    });
+  } catch (...) {
+    app.drives->store.discard(id);
+    throw;
+  }
+}
+
+JobStatus begin_evaluate(App& app, const ordered_json& json) {
+  const JsonInput input(json, "", {"kind", "drive"});
+  const KeptDrive drive = app.drives->store.get(input.text("drive"));
+  return app.jobs.submit("evaluate", "evaluating " + drive.name, [&app, drive](JobRun& run) {
+    return ordered_json{{"drive", work_again(app, drive, run).id}};
+  });
+}
+
+JobStatus begin_repair(App& app, const ordered_json& json) {
+  RepairRequest request = repair_request(app, json);
+  const std::string what = fmt::format("planning what {} has missed", request.drive.name);
+  return app.jobs.submit("repair", what, [&app, request = std::move(request)](JobRun& run) {
+    return make_repair(app, request, run);
+  });
+}
+
+}  // namespace tramline::server

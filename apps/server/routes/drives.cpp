@@ -1,0 +1,127 @@
+// Drives that are kept: what they worked, their files, and their replay.
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "server/drives/work_drive.h"
+#include "server/drives/work_stream.h"
+#include "server/http/download.h"
+#include "server/routes/job_kinds.h"
+#include "server/routes/routes.h"
+#include "server/work/replay.h"
+#include "tramline/geometry/error.h"
+#include "tramline/io/coverage/coverage_layers.h"
+#include "tramline/io/coverage/read_coverage.h"
+#include "tramline/io/export/layer_geojson.h"
+#include "tramline/render/draw_coverage.h"
+
+namespace tramline::server {
+namespace {
+
+using nlohmann::ordered_json;
+using std::chrono::milliseconds;
+
+ordered_json listed(const KeptDrive& drive) {
+  ordered_json out;
+  for (const char* key : {"id", "name", "field", "plan", "created", "fixes", "from_s", "to_s", "clock",
+                          "covered_m2", "missed_m2"})
+    out[key] = drive.shown.value(key, ordered_json());
+  return out;
+}
+
+/// "?from_s=12.5"; NaN where it is not there. Throws bad_input.
+double query_number(const Call& call, const char* key) {
+  const std::string text = call.query(key);
+  if (text.empty()) return std::nan("");
+  double out = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), out);
+  if (fault != std::errc() || end != text.data() + text.size() || !std::isfinite(out))
+    throw bad_input(fmt::format("{} has to be a number, not '{}'", key, text));
+  return out;
+}
+
+void replay(App& app, const Call& call, httplib::Response& response) {
+  const KeptDrive drive = app.drives->store.get(call.part("drive"));
+  const double from_s = query_number(call, "from_s");
+  double speed = query_number(call, "speed");
+  if (std::isnan(speed)) speed = 1;
+  if (!(speed >= kSlowest && speed <= kFastest))
+    throw bad_input(
+        fmt::format("speed has to be between {:g} and {:g}, not {:g}", kSlowest, kFastest, speed));
+  stream_work(app.streams, response, std::make_shared<Replay>(ready_to_replay(app, drive), from_s, speed));
+}
+
+bool is_layer(const std::string& name) {
+  namespace layers = io::coverage_layers;
+  for (const char* known : {layers::kField, layers::kCovered, layers::kRepeated, layers::kMissed,
+                            layers::kMultiplicity, layers::kGaps, layers::kTrack})
+    if (name == known) return true;
+  return false;
+}
+
+void send_layer(App& app, const Call& call, httplib::Response& response) {
+  const KeptDrive drive = app.drives->store.get(call.part("drive"));
+  const std::string& name = call.part("layer");
+  if (!is_layer(name))
+    throw HttpError(
+        Fault::kNotFound,
+        fmt::format("a drive has no layer '{}'; there are covered, repeated, missed, multiplicity, "
+                    "track, gaps and field",
+                    name));
+  response.set_content(io::layer_geojson(app.drives->store.coverage_file(drive.id), drive.frame, name),
+                       "application/geo+json");
+}
+
+void answer_file(App& app, const Call& call, httplib::Response& response) {
+  const KeptDrive drive = app.drives->store.get(call.part("drive"));
+  const std::filesystem::path worked = app.drives->store.coverage_file(drive.id);
+  const std::string& format = call.part("format");
+  if (format == "gpkg")
+    return send_file(response, worked, drive.name, ".gpkg", "application/geopackage+sqlite3");
+  if (format == "log")
+    return send_file(response, app.drives->store.log_file(drive.id, drive.source), drive.name,
+                     drive.source.extension, "application/octet-stream");
+  const char* type = format == "png" ? "image/png" : format == "svg" ? "image/svg+xml" : "application/pdf";
+  if (format != "png" && format != "svg" && format != "pdf")
+    throw HttpError(Fault::kNotFound,
+                    fmt::format("a drive is no '{}'; there are gpkg, png, svg, pdf and log", format));
+  send_written(response, app.folder, drive.name, "." + format, type,
+               [&](const std::filesystem::path& picture) {
+                 render::draw_coverage(io::read_coverage(worked), picture);
+               });
+}
+
+}  // namespace
+
+void add_drive_routes(Router& router, App& app) {
+  router.get(api("/drives"), [&app](const Call&, httplib::Response& response) {
+    ordered_json out = ordered_json::array();
+    for (const KeptDrive& drive : app.drives->store.list()) out.push_back(listed(drive));
+    answer(response, out);
+  });
+  router.post(api("/drives"), [&app](const Call& call, httplib::Response& response) {
+    answer(response, job_json(begin_drive(app, call.json())), 202);
+  });
+  router.get(api("/drives/{drive}"), [&app](const Call& call, httplib::Response& response) {
+    answer(response, app.drives->store.get(call.part("drive")).shown);
+  });
+  router.remove(api("/drives/{drive}"), [&app](const Call& call, httplib::Response& response) {
+    app.drives->store.remove(call.part("drive"));
+    app.drives->replays.forget(call.part("drive"));
+    answer(response, {{"deleted", call.part("drive")}});
+  });
+  router.get(api("/drives/{drive}/layers/{layer}"),
+             [&app](const Call& call, httplib::Response& response) { send_layer(app, call, response); });
+  router.get(api("/drives/{drive}/files/{format}"),
+             [&app](const Call& call, httplib::Response& response) { answer_file(app, call, response); });
+  router.get(api("/drives/{drive}/replay"),
+             [&app](const Call& call, httplib::Response& response) { replay(app, call, response); });
+}
+
+}  // namespace tramline::server

@@ -1,0 +1,87 @@
+// Fields that are kept.
+
+#include <string>
+#include <utility>
+
+#include "server/input/field_change.h"
+#include "server/input/field_source.h"
+#include "server/input/json_input.h"
+#include "server/routes/field_json.h"
+#include "server/routes/routes.h"
+#include "tramline/geometry/error.h"
+
+namespace tramline::server {
+namespace {
+
+using nlohmann::ordered_json;
+
+NewFields new_fields(App& app, const ordered_json& json, const std::string& name) {
+  if (!json.contains("upload")) {
+    const JsonInput input(json, "", {"name", "geometry"});
+    return fields_drawn(input.value("geometry"), name);
+  }
+  const JsonInput input(json, "",
+                        {"upload", "fid", "layer", "crs", "name", "obstacles_upload", "obstacle_size_m"});
+  FeatureChoice choice;
+  choice.fid = input.whole_if("fid");
+  choice.layer = input.text_or_none("layer");
+  choice.crs = input.text_or_none("crs");
+  choice.obstacle_size_m = input.number_if("obstacle_size_m");
+  if (input.has("obstacles_upload")) choice.obstacles = app.uploads.get(input.text("obstacles_upload"));
+  return fields_from(app.uploads.get(input.text("upload")), choice);
+}
+
+/// The first part of the feature, and the ids of the others, which are kept too.
+ordered_json keep_new(App& app, const ordered_json& json) {
+  const JsonInput any(
+      json, "", {"upload", "fid", "layer", "crs", "name", "geometry", "obstacles_upload", "obstacle_size_m"});
+  const std::string name = name_of(any, "name");
+  const NewFields found = new_fields(app, json, name);
+  ordered_json others = ordered_json::array();
+  KeptFieldPtr first;
+  for (const Field& field : found.fields) {
+    const std::string number = field.source.part > 0 ? " #" + std::to_string(field.source.part + 1) : "";
+    const KeptFieldPtr kept = app.fields.add(field, name.empty() ? "" : name + number, found.skipped);
+    if (first == nullptr)
+      first = kept;
+    else
+      others.push_back(kept->id);
+  }
+  ordered_json out = field_in_full(*first);
+  out["others"] = std::move(others);
+  return out;
+}
+
+ordered_json change(App& app, const std::string& id, const ordered_json& json) {
+  const JsonInput input(json, "", {"name", "add", "remove"});
+  KeptField kept = *app.fields.get(id);
+  if (input.has("name")) kept.name = name_of(input, "name");
+  if (kept.name.empty()) throw bad_input("give the field a name");
+  kept.field = changed_field(std::move(kept.field), input.list("remove"), input.list("add"));
+  return field_in_full(*app.fields.replace(kept));
+}
+
+}  // namespace
+
+void add_field_routes(Router& router, App& app) {
+  router.get(api("/fields"), [&app](const Call&, httplib::Response& response) {
+    ordered_json out = ordered_json::array();
+    for (const KeptFieldPtr& kept : app.fields.list()) out.push_back(field_entry(*kept));
+    answer(response, out);
+  });
+  router.post(api("/fields"), [&app](const Call& call, httplib::Response& response) {
+    answer(response, keep_new(app, call.json()), 201);
+  });
+  router.get(api("/fields/{field}"), [&app](const Call& call, httplib::Response& response) {
+    answer(response, field_in_full(*app.fields.get(call.part("field"))));
+  });
+  router.patch(api("/fields/{field}"), [&app](const Call& call, httplib::Response& response) {
+    answer(response, change(app, call.part("field"), call.json()));
+  });
+  router.remove(api("/fields/{field}"), [&app](const Call& call, httplib::Response& response) {
+    app.fields.remove(call.part("field"));
+    answer(response, {{"deleted", call.part("field")}});
+  });
+}
+
+}  // namespace tramline::server

@@ -1,0 +1,21 @@
+#pragma once
+// What POST /jobs can begin. Each reads the request whole before it begins anything, and throws bad_input or
+// HttpError(kNotFound) where something is wrong with it.
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "server/app.h"
+#include "server/jobs/job.h"
+
+namespace tramline::server {
+
+JobStatus begin_plan(App& app, const nlohmann::ordered_json& json);
+/// A new drive from an upload.
+JobStatus begin_drive(App& app, const nlohmann::ordered_json& json);
+/// A drive that is kept, evaluated anew.
+JobStatus begin_evaluate(App& app, const nlohmann::ordered_json& json);
+JobStatus begin_repair(App& app, const nlohmann::ordered_json& json);
+JobStatus begin_compare(App& app, const nlohmann::ordered_json& json);
+JobStatus begin_check(App& app, const nlohmann::ordered_json& json);
+
+}  // namespace tramline::server

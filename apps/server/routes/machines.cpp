@@ -1,0 +1,49 @@
+// Machines that are kept.
+
+#include "server/input/plan_input.h"
+#include "server/routes/routes.h"
+#include "tramline/geometry/error.h"
+
+namespace tramline::server {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json json_of(const io::ListedMachine& listed) {
+  const Machine& machine = listed.machine;
+  ordered_json shortest;
+  if (machine.min_length_m >= 0) shortest = machine.min_length_m;
+  return {{"id", listed.id},
+          {"name", machine.name},
+          {"width_m", machine.width_m},
+          {"radius_m", machine.radius_m},
+          {"min_length_m", shortest}};
+}
+
+Machine named_machine(const ordered_json& json) {
+  Machine machine = machine_in(json, "");
+  if (machine.name.empty()) throw bad_input("give the machine a name");
+  return machine;
+}
+
+}  // namespace
+
+void add_machine_routes(Router& router, App& app) {
+  router.get(api("/machines"), [&app](const Call&, httplib::Response& response) {
+    ordered_json out = ordered_json::array();
+    for (const io::ListedMachine& listed : app.machines.list()) out.push_back(json_of(listed));
+    answer(response, out);
+  });
+  router.post(api("/machines"), [&app](const Call& call, httplib::Response& response) {
+    answer(response, json_of(app.machines.add(named_machine(call.json()))), 201);
+  });
+  router.put(api("/machines/{machine}"), [&app](const Call& call, httplib::Response& response) {
+    answer(response, json_of(app.machines.replace(call.part("machine"), named_machine(call.json()))));
+  });
+  router.remove(api("/machines/{machine}"), [&app](const Call& call, httplib::Response& response) {
+    app.machines.remove(call.part("machine"));
+    answer(response, {{"deleted", call.part("machine")}});
+  });
+}
+
+}  // namespace tramline::server

@@ -1,0 +1,113 @@
+// The jobs that make a plan, and that compare plans.
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <utility>
+
+#include "report/explain_report.h"
+#include "server/input/json_input.h"
+#include "server/input/plan_input.h"
+#include "server/routes/job_kinds.h"
+#include "server/store/kept_front.h"
+#include "tramline/geometry/error.h"
+#include "tramline/planner/plan_field.h"
+#include "tramline/planner/trade_off.h"
+#include "tramline/planner/validate_request.h"
+
+namespace tramline::server {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct PlanRequest {
+  KeptFieldPtr field;
+  Machine machine;
+  Objective objective;
+  PlanSettings settings;
+  bool explain = false;
+  std::string name;
+};
+
+PlanRequest plan_request(App& app, const ordered_json& json) {
+  const JsonInput input(json, "", {"kind", "field", "machine", "objective", "settings", "explain", "name"});
+  PlanRequest out;
+  out.field = app.fields.get(input.text("field"));
+  out.machine = machine_in(input.value("machine"), "machine");
+  out.objective = objective_in(input.value("objective"));
+  const SettingsInput settings = settings_in(input.value("settings"));
+  validate_request(out.machine, out.objective, settings.settings);
+  out.settings = settings_on(settings, out.field->field, out.machine);
+  out.explain = input.flag("explain", false);
+  out.name = name_of(input, "name");
+  return out;
+}
+
+/// Only the search for straight tracks can say why.
+bool can_be_explained(const PlanSettings& settings) {
+  return settings.shape == TrackShape::kStraight && settings.tracks == TrackConstruction::kParallel;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+ordered_json make_plan(App& app, const PlanRequest& request, JobRun& run) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto progress = [&run](int done, int total) { run.progress(done, total); };
+  PlanNotes notes{request.name.empty() ? request.field->name : request.name, request.field->id,
+                  request.field->skipped, 0, nullptr};
+  Plan plan;
+  const Field& field = request.field->field;
+  if (request.explain && can_be_explained(request.settings)) {
+    ExplainedPlan explained =
+        plan_and_explain(field, request.machine, request.objective, request.settings, 0, progress);
+    plan = std::move(explained.plan);
+    notes.explain = app::explain_json(explained.why);
+  } else {
+    plan = plan_field(field, request.machine, request.objective, request.settings, 0, progress);
+  }
+  run.check();
+  notes.seconds = seconds_since(start);
+  return {{"plan", app.plans.add(plan, notes).id}};
+}
+
+void require_free_directions(const PlanSettings& settings) {
+  if (settings.tracks == TrackConstruction::kPaper || settings.shape != TrackShape::kStraight ||
+      !settings.guide.empty())
+    throw bad_input(
+        "a comparison looks for directions by itself; choose straight tracks and no line to follow");
+}
+
+ordered_json compare_plans(App& app, const PlanRequest& request, JobRun& run) {
+  const auto start = std::chrono::steady_clock::now();
+  TradeOff found = trade_off(request.field->field, request.machine, request.objective, request.settings, 0,
+                             [&run](int done, int total) { run.progress(done, total); });
+  run.check();
+  const std::string name = request.name.empty() ? request.field->name : request.name;
+  return {{"front", app.fronts
+                        .add({"", name, request.field, request.machine, request.settings, std::move(found),
+                              seconds_since(start)})
+                        ->id}};
+}
+
+}  // namespace
+
+JobStatus begin_compare(App& app, const ordered_json& json) {
+  PlanRequest request = plan_request(app, json);
+  require_free_directions(request.settings);
+  const std::string what = fmt::format("comparing plans of {}", request.field->name);
+  return app.jobs.submit("compare", what, [&app, request = std::move(request)](JobRun& run) {
+    return compare_plans(app, request, run);
+  });
+}
+
+JobStatus begin_plan(App& app, const ordered_json& json) {
+  PlanRequest request = plan_request(app, json);
+  const std::string what = fmt::format("planning {}", request.field->name);
+  return app.jobs.submit("plan", what, [&app, request = std::move(request)](JobRun& run) {
+    return make_plan(app, request, run);
+  });
+}
+
+}  // namespace tramline::server

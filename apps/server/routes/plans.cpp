@@ -1,0 +1,85 @@
+// Plans that are kept, their layers and files.
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string>
+
+#include "report/plan_report.h"
+#include "server/input/json_input.h"
+#include "server/map/shown_place.h"
+#include "server/routes/detour_layer.h"
+#include "server/routes/plan_layer_list.h"
+#include "server/routes/routes.h"
+#include "tramline/geometry/error.h"
+#include "tramline/io/export/layer_geojson.h"
+
+namespace tramline::server {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json listed(const KeptPlan& plan) {
+  return {{"id", plan.id},
+          {"name", plan.name},
+          {"field", plan.field},
+          {"created", plan.created},
+          {"cost", plan.cost},
+          {"tracks", plan.tally.pieces},
+          {"turns", plan.tally.turns},
+          {"stops", plan.tally.stops},
+          {"overlap_m2", plan.tally.overlap_m2},
+          {"uncovered_m2", plan.tally.uncovered_m2},
+          {"width_m", plan.width_m},
+          {"kind", plan.kind}};
+}
+
+ordered_json in_full(const KeptPlan& kept, const OpenedPlan& opened) {
+  const Plan& plan = opened.file.plan;
+  return {{"id", kept.id},
+          {"name", kept.name},
+          {"field", kept.field},
+          {"created", kept.created},
+          {"kind", kept.kind},
+          {"summary", app::plan_json(plan, opened.notes.skipped, opened.notes.seconds)},
+          {"explain", opened.notes.explain},
+          {"bbox", ShownPlace(plan.field.frame).bbox(bounds(plan.field.outer))}};
+}
+
+}  // namespace
+
+void add_plan_routes(Router& router, App& app) {
+  router.get(api("/plans"), [&app](const Call& call, httplib::Response& response) {
+    ordered_json out = ordered_json::array();
+    for (const KeptPlan& plan : app.plans.list(call.query("field"))) out.push_back(listed(plan));
+    answer(response, out);
+  });
+  router.get(api("/plans/{plan}"), [&app](const Call& call, httplib::Response& response) {
+    const KeptPlan kept = app.plans.get(call.part("plan"));
+    answer(response, in_full(kept, app.plans.open(kept.id)));
+  });
+  router.patch(api("/plans/{plan}"), [&app](const Call& call, httplib::Response& response) {
+    const ordered_json json = call.json();
+    const JsonInput input(json, "", {"name"});
+    std::string name = name_of(input, "name");
+    if (name.empty()) throw bad_input("give the plan a name");
+    answer(response, listed(app.plans.rename(call.part("plan"), name)));
+  });
+  router.remove(api("/plans/{plan}"), [&app](const Call& call, httplib::Response& response) {
+    app.plans.remove(call.part("plan"));
+    answer(response, {{"deleted", call.part("plan")}});
+  });
+  router.get(api("/plans/{plan}/layers"), [&app](const Call& call, httplib::Response& response) {
+    answer(response, layer_list(app.plans.open(call.part("plan")).file));
+  });
+  router.get(api("/plans/{plan}/layers/{layer}"), [&app](const Call& call, httplib::Response& response) {
+    if (call.part("layer") == kDetourLayer)
+      return response.set_content(detour_geojson(app.plans.open(call.part("plan")).file.plan).dump(),
+                                  "application/geo+json");
+    const KeptPlan kept = app.plans.get(call.part("plan"));
+    response.set_content(io::layer_geojson(app.plans.file(kept.id), kept.frame, call.part("layer")),
+                         "application/geo+json");
+  });
+}
+
+}  // namespace tramline::server

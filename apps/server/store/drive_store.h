@@ -1,0 +1,73 @@
+#pragma once
+// Drives that are kept: what they worked, and the log they were made from.
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "request/drive_request.h"
+#include "server/store/store_folder.h"
+#include "tramline/model/coverage.h"
+#include "tramline/model/local_frame.h"
+
+namespace tramline::server {
+
+/// A log as it came, and how it is to be understood.
+struct DriveSource {
+  std::string log_name;   ///< as the user's file, or the feed, is called
+  std::string extension;  ///< of the file that is kept: ".csv.gz"
+  app::DriveOptions options;
+};
+
+struct KeptDrive {
+  std::string id;
+  std::string name;     ///< for people
+  std::string field;    ///< id of the field it was driven on; that may be gone. Empty: none
+  std::string plan;     ///< id of the plan it is compared with; that may be gone. Empty: none
+  std::string created;  ///< "2026-03-14T08:15:00Z"
+  DriveSource source;
+  LocalFrame frame;
+  nlohmann::ordered_json shown;  ///< what the API says of it
+};
+
+/// For each drive drives/ID.gpkg, a coverage file, drives/ID.csv or the like, its log, and drives/ID.json,
+/// which is written last: without it there is no such drive. Safe for several threads.
+class DriveStore {
+ public:
+  /// Files that cannot be read stay where they are and are told of in `warnings`; those of drives that were
+  /// not finished when a server was killed go.
+  DriveStore(const StoreFolder& folder, std::vector<std::string>& warnings);
+
+  /// The latest first.
+  std::vector<KeptDrive> list() const;
+  /// Throws HttpError(kNotFound).
+  KeptDrive get(const std::string& id) const;
+  /// Throws HttpError(kNotFound).
+  void remove(const std::string& id);
+
+  std::filesystem::path coverage_file(const std::string& id) const;
+  std::filesystem::path log_file(const std::string& id, const DriveSource& source) const;
+  /// A copy of a log for a drive to be; throws failure where the disk is full.
+  void take_log(const std::string& id, const DriveSource& source, const std::filesystem::path& from) const;
+  /// Writes the coverage and all else. Precondition: the log is there.
+  void add(const KeptDrive& drive, const Coverage& coverage);
+  /// Of a drive that is not to be kept after all.
+  void discard(const std::string& id) const;
+
+ private:
+  void remove_files(const std::string& id) const;
+
+  const StoreFolder& folder_;
+  mutable std::mutex mutex_;
+  std::map<std::string, KeptDrive> drives_;
+};
+
+/// The extension, of those that readers of logs know, that a name ends with; ".log" where it has none of
+/// them.
+std::string log_extension(const std::string& name);
+
+}  // namespace tramline::server

@@ -1,0 +1,79 @@
+#include "server/store/field_store.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
+
+#include "server/http/http_error.h"
+#include "server/store/new_id.h"
+#include "server/store/remark_values.h"
+#include "tramline/geometry/error.h"
+#include "tramline/io/field/read_field.h"
+#include "tramline/io/field/write_field.h"
+
+namespace tramline::server {
+namespace {
+
+constexpr const char* kKind = "fields";
+
+}  // namespace
+
+FieldStore::FieldStore(const StoreFolder& folder, std::vector<std::string>& warnings) : folder_(folder) {
+  for (const std::string& id : folder.ids(kKind)) {
+    try {
+      fields_[id] = read(id);
+    } catch (const Error& error) {
+      warnings.emplace_back(error.what());
+    }
+  }
+}
+
+KeptFieldPtr FieldStore::read(const std::string& id) const {
+  io::StoredField stored = io::read_field(folder_.file(kKind, id));
+  KeptField out{id, remark(stored.remarks, "name"), remark(stored.remarks, "created"),
+                std::move(stored.field), skipped_in(remark(stored.remarks, "skipped"))};
+  if (out.name.empty()) out.name = out.field.id;
+  return std::make_shared<const KeptField>(std::move(out));
+}
+
+KeptFieldPtr FieldStore::write(const KeptField& kept) {
+  io::write_field(kept.field, folder_.file(kKind, kept.id),
+                  {{"name", kept.name}, {"created", kept.created}, {"skipped", skipped_text(kept.skipped)}});
+  KeptFieldPtr out = read(kept.id);
+  const std::lock_guard lock(mutex_);
+  fields_[kept.id] = out;
+  return out;
+}
+
+std::vector<KeptFieldPtr> FieldStore::list() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<KeptFieldPtr> out;
+  for (auto entry = fields_.rbegin(); entry != fields_.rend(); ++entry) out.push_back(entry->second);
+  return out;
+}
+
+KeptFieldPtr FieldStore::get(const std::string& id) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = fields_.find(id);
+  if (found == fields_.end()) throw not_found("field", id);
+  return found->second;
+}
+
+KeptFieldPtr FieldStore::add(const Field& field, const std::string& name,
+                             const std::vector<Skipped>& skipped) {
+  return write({new_id(), name.empty() ? field.id : name, time_now(), field, skipped});
+}
+
+KeptFieldPtr FieldStore::replace(const KeptField& changed) { return write(changed); }
+
+void FieldStore::remove(const std::string& id) {
+  const std::lock_guard lock(mutex_);
+  if (fields_.erase(id) == 0) throw not_found("field", id);
+  std::error_code ignored;
+  std::filesystem::remove(folder_.file(kKind, id), ignored);
+}
+
+}  // namespace tramline::server

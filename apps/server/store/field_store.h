@@ -1,0 +1,49 @@
+#pragma once
+// Fields that are kept.
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "server/store/store_folder.h"
+#include "tramline/model/field.h"
+
+namespace tramline::server {
+
+struct KeptField {
+  std::string id;
+  std::string name;     ///< for people
+  std::string created;  ///< "2026-03-14T08:15:00Z"
+  Field field;
+  std::vector<Skipped> skipped;  ///< of its file
+};
+using KeptFieldPtr = std::shared_ptr<const KeptField>;
+
+/// A file for each, fields/ID.gpkg. Safe for several threads.
+class FieldStore {
+ public:
+  /// Files that cannot be read stay where they are and are told of in `warnings`.
+  FieldStore(const StoreFolder& folder, std::vector<std::string>& warnings);
+
+  /// The latest first.
+  std::vector<KeptFieldPtr> list() const;
+  /// Throws HttpError(kNotFound).
+  KeptFieldPtr get(const std::string& id) const;
+  /// What comes back is what the file holds.
+  KeptFieldPtr add(const Field& field, const std::string& name, const std::vector<Skipped>& skipped);
+  KeptFieldPtr replace(const KeptField& changed);
+  /// Throws HttpError(kNotFound).
+  void remove(const std::string& id);
+
+ private:
+  KeptFieldPtr write(const KeptField& kept);
+  KeptFieldPtr read(const std::string& id) const;
+
+  const StoreFolder& folder_;
+  mutable std::mutex mutex_;
+  std::map<std::string, KeptFieldPtr> fields_;
+};
+
+}  // namespace tramline::server

@@ -1,0 +1,21 @@
+#pragma once
+// A front that was found, and what it was found for.
+
+#include <string>
+
+#include "server/store/field_store.h"
+#include "tramline/planner/trade_off.h"
+
+namespace tramline::server {
+
+struct KeptFront {
+  std::string id;
+  std::string name;
+  KeptFieldPtr field;
+  Machine machine;
+  PlanSettings settings;
+  TradeOff found;
+  double seconds = 0;
+};
+
+}  // namespace tramline::server

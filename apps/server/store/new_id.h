@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace tramline::server {
+
+/// An id that nothing has had before: date and time in UTC, and some letters by chance:
+/// "20260314-081500-k3f9". What follows does not depend on what a user has typed.
+std::string new_id();
+
+/// [a-z0-9-]{1,64}
+bool is_id(std::string_view text);
+
+/// Hard to guess: 32 letters from the system's own source of chance.
+std::string new_token();
+
+/// "2026-03-14T08:15:00Z"
+std::string time_now();
+
+}  // namespace tramline::server

@@ -1,0 +1,123 @@
+#include "server/store/plan_store.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <system_error>
+#include <utility>
+
+#include "report/report_parts.h"
+#include "server/http/http_error.h"
+#include "server/store/new_id.h"
+#include "server/store/remark_values.h"
+#include "tramline/geometry/error.h"
+#include "tramline/io/geopackage/remarks.h"
+#include "tramline/io/plan/plan_layers.h"
+#include "tramline/io/plan/plan_metadata.h"
+#include "tramline/io/plan/write_plan.h"
+
+namespace tramline::server {
+namespace {
+
+constexpr const char* kKind = "plans";
+
+io::Metadata remarks_of(const std::string& created, const PlanNotes& notes) {
+  return {{"name", notes.name},
+          {"field", notes.field},
+          {"created", created},
+          {"skipped", skipped_text(notes.skipped)},
+          {"seconds", fmt::format("{}", notes.seconds)},
+          {"explain", app::json_line(notes.explain)}};
+}
+
+PlanNotes notes_in(const io::Metadata& remarks) {
+  PlanNotes out{remark(remarks, "name"), remark(remarks, "field"), skipped_in(remark(remarks, "skipped")),
+                std::strtod(remark(remarks, "seconds").c_str(), nullptr), nullptr};
+  const auto explain = nlohmann::ordered_json::parse(remark(remarks, "explain"), nullptr, false);
+  if (explain.is_object()) out.explain = explain;
+  return out;
+}
+
+}  // namespace
+
+PlanStore::PlanStore(const StoreFolder& folder, std::vector<std::string>& warnings) : folder_(folder) {
+  for (const std::string& id : folder.ids(kKind)) {
+    try {
+      plans_[id] = read(id);
+    } catch (const Error& error) {
+      warnings.emplace_back(error.what());
+    }
+  }
+}
+
+KeptPlan PlanStore::read(const std::string& id) const {
+  const std::filesystem::path path = folder_.file(kKind, id);
+  const io::Metadata metadata = io::read_metadata(path, io::kPlanFile);
+  Plan plan;
+  const int version = io::apply_metadata(metadata, path, plan);
+  const io::Metadata remarks = io::remarks_in(metadata);
+  KeptPlan out;
+  out.id = id;
+  out.name = remark(remarks, "name");
+  if (out.name.empty()) out.name = plan.field.id;
+  out.field = remark(remarks, "field");
+  out.created = remark(remarks, "created");
+  out.kind = version == io::kVersionWithRepairs ? "repair" : "plan";
+  out.cost = plan.cost;
+  out.tally = plan.tally;
+  out.width_m = plan.machine.width_m;
+  out.frame = plan.field.frame;
+  return out;
+}
+
+KeptPlan PlanStore::write(const std::string& id, const std::string& created, const Plan& plan,
+                          const PlanNotes& notes) {
+  io::write_plan(plan, folder_.file(kKind, id), remarks_of(created, notes));
+  KeptPlan out = read(id);
+  const std::lock_guard lock(mutex_);
+  plans_[id] = out;
+  return out;
+}
+
+KeptPlan PlanStore::add(const Plan& plan, const PlanNotes& notes) {
+  return write(new_id(), time_now(), plan, notes);
+}
+
+std::vector<KeptPlan> PlanStore::list(const std::string& field) const {
+  const std::lock_guard lock(mutex_);
+  std::vector<KeptPlan> out;
+  for (auto entry = plans_.rbegin(); entry != plans_.rend(); ++entry)
+    if (field.empty() || entry->second.field == field) out.push_back(entry->second);
+  return out;
+}
+
+KeptPlan PlanStore::get(const std::string& id) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = plans_.find(id);
+  if (found == plans_.end()) throw not_found("plan", id);
+  return found->second;
+}
+
+std::filesystem::path PlanStore::file(const std::string& id) const { return folder_.file(kKind, get(id).id); }
+
+OpenedPlan PlanStore::open(const std::string& id) const {
+  OpenedPlan out{io::read_plan_file(file(id)), {}};
+  out.notes = notes_in(out.file.remarks);
+  return out;
+}
+
+KeptPlan PlanStore::rename(const std::string& id, const std::string& name) {
+  const KeptPlan known = get(id);
+  OpenedPlan opened = open(id);
+  opened.notes.name = name;
+  return write(id, known.created, opened.file.plan, opened.notes);
+}
+
+void PlanStore::remove(const std::string& id) {
+  const std::lock_guard lock(mutex_);
+  if (plans_.erase(id) == 0) throw not_found("plan", id);
+  std::error_code ignored;
+  std::filesystem::remove(folder_.file(kKind, id), ignored);
+}
+
+}  // namespace tramline::server

@@ -1,0 +1,71 @@
+#pragma once
+// Plans that are kept: plan files like any other.
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "server/store/store_folder.h"
+#include "tramline/io/plan/read_plan.h"
+#include "tramline/model/plan.h"
+
+namespace tramline::server {
+
+/// What the list of plans says, and what it takes to show one.
+struct KeptPlan {
+  std::string id;
+  std::string name;
+  std::string field;  ///< id of the field it was made for; that may be gone
+  std::string created;
+  std::string kind;  ///< "plan" or "repair"
+  double cost = 0;
+  Tally tally;
+  double width_m = 0;
+  LocalFrame frame;
+};
+
+/// What is known of a plan beside what its file says anyway.
+struct PlanNotes {
+  std::string name;
+  std::string field;
+  std::vector<Skipped> skipped;
+  double seconds = 0;
+  nlohmann::ordered_json explain;  ///< null: it was not asked for
+};
+
+/// A plan with its notes.
+struct OpenedPlan {
+  io::PlanFile file;
+  PlanNotes notes;
+};
+
+/// plans/ID.gpkg. Safe for several threads.
+class PlanStore {
+ public:
+  PlanStore(const StoreFolder& folder, std::vector<std::string>& warnings);
+
+  /// The latest first; of one field where `field` is not empty.
+  std::vector<KeptPlan> list(const std::string& field) const;
+  /// These throw HttpError(kNotFound).
+  KeptPlan get(const std::string& id) const;
+  std::filesystem::path file(const std::string& id) const;
+  OpenedPlan open(const std::string& id) const;
+  KeptPlan rename(const std::string& id, const std::string& name);
+  void remove(const std::string& id);
+
+  KeptPlan add(const Plan& plan, const PlanNotes& notes);
+
+ private:
+  KeptPlan read(const std::string& id) const;
+  KeptPlan write(const std::string& id, const std::string& created, const Plan& plan, const PlanNotes& notes);
+
+  const StoreFolder& folder_;
+  mutable std::mutex mutex_;
+  std::map<std::string, KeptPlan> plans_;
+};
+
+}  // namespace tramline::server

@@ -1,0 +1,19 @@
+#pragma once
+// What the server notes in the files it keeps, as texts.
+
+#include <string>
+#include <vector>
+
+#include "tramline/io/geopackage/metadata.h"
+#include "tramline/model/report.h"
+
+namespace tramline::server {
+
+/// Empty where there is none.
+std::string remark(const io::Metadata& remarks, const std::string& key);
+
+std::string skipped_text(const std::vector<Skipped>& skipped);
+/// The inverse; none where the text is of another form.
+std::vector<Skipped> skipped_in(const std::string& text);
+
+}  // namespace tramline::server

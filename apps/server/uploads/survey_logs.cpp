@@ -1,0 +1,59 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "server/http/page_words.h"
+#include "server/uploads/survey.h"
+#include "tramline/coverage/worked_drive.h"
+#include "tramline/geometry/error.h"
+#include "tramline/io/log/read_log.h"
+
+namespace tramline::server {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(); }
+
+/// One log as the list of an upload has it.
+ordered_json entry_json(const io::LogEntry& entry, const WorkLog& log) {
+  constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+  double from_s = kNever, to_s = kNever;
+  for (const Fix& fix : log.fixes) {
+    from_s = std::fmin(from_s, fix.time_s);
+    to_s = std::fmax(to_s, fix.time_s);
+  }
+  const double width_m = coverage::widest_m(log, {});
+  return {{"name", entry.name},
+          {"task", entry.task_name},
+          {"partfield", entry.field_id},
+          {"fixes", log.fixes.size()},
+          {"from_s", number(from_s)},
+          {"to_s", number(to_s)},
+          {"width_m", width_m > 0 ? number(width_m) : ordered_json()},
+          {"refused", nullptr}};
+}
+
+}  // namespace
+
+ordered_json survey_logs_of(const Upload& upload) {
+  ordered_json logs = ordered_json::array();
+  const std::vector<io::LogEntry> entries = io::list_logs(upload.path.string());
+  for (const io::LogEntry& entry : entries) {
+    io::LogOptions options;
+    options.log = entry.name;
+    try {
+      logs.push_back(entry_json(entry, io::read_log(upload.path.string(), options)));
+    } catch (const Error& error) {
+      // One bad log of a task set does not make the others useless.
+      if (entries.size() == 1) throw;
+      ordered_json refused = entry_json(entry, {});
+      refused["refused"] = upload.in_its_name(in_page_words(error.what()));
+      logs.push_back(std::move(refused));
+    }
+  }
+  return {{"logs", std::move(logs)}};
+}
+
+}  // namespace tramline::server

@@ -1,0 +1,59 @@
+#include "server/work/feed_source.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <string_view>
+
+#include "tramline/geometry/error.h"
+
+namespace tramline::server {
+namespace {
+
+constexpr const char* kForms =
+    "give tcp://HOST:PORT, udp://:PORT, gpsd://HOST:PORT, serial:///dev/ttyUSB0,115200 or file:///home/me/"
+    "drive.csv";
+
+int port_in(const std::string& source, std::string_view place) {
+  if (place.starts_with(':')) place.remove_prefix(1);
+  int port = 0;
+  const auto [end, fault] = std::from_chars(place.data(), place.data() + place.size(), port);
+  if (fault != std::errc() || end != place.data() + place.size() || port < 1 || port > 65535)
+    throw bad_input(fmt::format("{}: give the port that the lines are sent to, as udp://:4001", source));
+  return port;
+}
+
+/// The path of file:///home/me and of serial:///dev/tty; "localhost" before it is this machine, too.
+std::string path_in(const std::string& source, std::string_view place, bool local) {
+  if (!local)
+    throw bad_input(fmt::format(
+        "{}: files and devices are opened only for pages on the same machine; use tcp://, udp:// or gpsd://",
+        source));
+  constexpr std::string_view kHere = "localhost";
+  if (place.starts_with(kHere)) place.remove_prefix(kHere.size());
+  if (!place.starts_with('/'))
+    throw bad_input(fmt::format("{}: give the whole path, with three slashes: {}", source, kForms));
+  return std::string(place);
+}
+
+}  // namespace
+
+std::unique_ptr<io::Feed> open_feed(const std::string& source, bool local) {
+  const std::size_t mark = source.find("://");
+  if (mark == std::string::npos || source.find('\0') != std::string::npos)
+    throw bad_input(fmt::format("'{}' is no source of a live feed: {}", source, kForms));
+  const std::string kind = source.substr(0, mark), place = source.substr(mark + 3);
+  if (kind == "tcp") return io::tcp_feed(place, false);
+  if (kind == "udp") return io::udp_feed(port_in(source, place));
+  if (kind == "gpsd") return io::gpsd_feed(place, false);
+  if (kind == "file") return io::file_feed(path_in(source, place, local));
+  if (kind == "serial") {
+    const std::string device = path_in(source, place, local);
+    if (!device.starts_with("/dev/"))
+      throw bad_input(fmt::format("{}: serial devices are in /dev, such as serial:///dev/ttyUSB0", source));
+    return io::serial_feed(device, false);
+  }
+  throw bad_input(fmt::format("'{}' is no source of a live feed: {}", source, kForms));
+}
+
+}  // namespace tramline::server

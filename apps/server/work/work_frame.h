@@ -1,0 +1,64 @@
+#pragma once
+// What is new of a drive, for somebody who follows it.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "tramline/coverage/work_changes.h"
+#include "tramline/geometry/angle.h"
+#include "tramline/geometry/point.h"
+#include "tramline/model/coverage.h"
+#include "tramline/model/local_frame.h"
+
+namespace tramline::server {
+
+/// Frames are this far apart at least, s.
+inline constexpr double kFrameEvery_s = 0.1;
+
+/// How far the work is.
+struct WorkFigures {
+  CoverageAreas areas;
+  bool has_field = false;
+  double worked_s = 0;          ///< NaN: not known
+  double present_m2_per_s = 0;  ///< ground gained by the time driven lately; NaN: not known
+};
+/// As `tramline watch` has it; NaN: not known.
+double remaining_s(const WorkFigures& figures);
+
+/// Where a drive is after a fix, and what changed since the last frame.
+struct WorkFrame {
+  LocalFrame plane;         ///< of all places here
+  double time_s = 0;        ///< of the fix; NaN: not known
+  std::size_t fix = 0;      ///< so many fixes were driven
+  std::size_t fixes = 0;    ///< of so many
+  std::optional<Point> at;  ///< of what works; nullopt: not known yet
+  std::optional<Heading> heading;
+  bool working = false;
+  WorkFigures figures;
+  std::vector<Point> line;  ///< places after the last frame; with changes.all the whole way
+  coverage::WorkChanges changes;
+};
+
+/// What is to be known of a feed beside its work.
+struct FeedState {
+  std::string message;
+  bool connected = false;
+};
+
+struct WorkEnd {
+  WorkFigures figures;
+};
+
+/// Nothing new yet, or one of these.
+using WorkEvent = std::variant<std::monostate, WorkFrame, FeedState, WorkEnd>;
+
+/// A way of fewer places: those closer than `apart_m` to the last one kept are left out, but for the last.
+/// O(n).
+std::vector<Point> thinned(const std::vector<Point>& way, double apart_m);
+/// All lines as one way, in their order.
+std::vector<Point> way_of(const std::vector<DrivenLine>& lines);
+
+}  // namespace tramline::server

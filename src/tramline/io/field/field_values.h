@@ -1,0 +1,54 @@
+#pragma once
+// Everything of a field that has no shape, as keys and values of the table `metadata`.
+
+#include <string>
+#include <vector>
+
+#include "tramline/io/geopackage/key_values.h"
+#include "tramline/model/field.h"
+
+namespace tramline::io {
+
+/// The one list of keys, walked by writers (const field) and by readers.
+template <class FieldOrConst, class Visitor>
+void each_field_value(FieldOrConst& field, Visitor&& visit) {
+  visit("field.id", field.id);
+  visit("field.source.file", field.source.file);
+  visit("field.source.layer", field.source.layer);
+  visit("field.source.fid", field.source.fid);
+  visit("field.source.part", field.source.part);
+  visit("field.source.crs", field.source.crs);
+  visit("field.source.obstacles_file", field.source.obstacles_file);
+  visit("field.source.obstacle_size_m", field.source.obstacle_size_m);
+  visit("field.source.passable_file", field.source.passable_file);
+  visit("field.repairs", field.repairs);
+  visit("field.warnings", field.warnings);
+  visit("frame.geodetic", field.frame.geodetic);
+  visit("frame.origin_lon_deg", field.frame.origin_lon_deg);
+  visit("frame.origin_lat_deg", field.frame.origin_lat_deg);
+  visit("frame.origin_x_m", field.frame.origin_x_m);
+  visit("frame.origin_y_m", field.frame.origin_y_m);
+}
+
+/// Came later than the rest: files without it are as good.
+inline constexpr const char* kInputCrsKey = "field.source.input_crs";
+
+/// Source files are named without their folders: a file does not carry the paths of the machine it was made
+/// on. To be called when all keys are there.
+void leave_folders_out(Metadata& metadata);
+
+class FieldKeyWriter : public KeyWriter {
+ public:
+  using KeyWriter::KeyWriter;
+  using KeyWriter::operator();
+  void operator()(const std::string& key, const std::vector<Repair>& repairs) const;
+};
+
+class FieldKeyReader : public KeyReader {
+ public:
+  using KeyReader::KeyReader;
+  using KeyReader::operator();
+  void operator()(const std::string& key, std::vector<Repair>& repairs) const;
+};
+
+}  // namespace tramline::io

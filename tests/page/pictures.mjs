@@ -1,0 +1,62 @@
+// The pictures of docs/page.md, of example data only. Usage: pictures.mjs FOLDER
+import { join } from 'node:path';
+import { closePage, NARROW, openPage, startBrowser, WIDE } from './support/browser.mjs';
+import { chooseFile, goTo, makePlan, mapReady, openField, still } from './support/page.mjs';
+import { example, startServer } from './support/server.mjs';
+
+const folder = process.argv[2];
+const only = process.argv[3] ?? '';
+const browser = await startBrowser();
+const server = await startServer();
+
+async function shoot(page, name) {
+  await still(page);
+  await page.mouse.move(700, 790);
+  if (name.includes(only)) await page.screenshot({ path: join(folder, `page-${name}.png`) });
+}
+const top = (page) => page.locator('main.panel').evaluate((panel) => panel.scrollTo(0, 0));
+
+async function plan(page) {
+  await goTo(page, 'Plan');
+  await page.getByLabel('Headland passes').fill('1');
+  await makePlan(page);
+  await top(page);
+}
+
+try {
+  const wide = await openPage(browser, server.address, { viewport: WIDE });
+  await mapReady(wide);
+  await openField(wide, example('riverside.geojson'));
+  await shoot(wide, 'fields');
+  await plan(wide);
+  await shoot(wide, 'plan');
+  await goTo(wide, 'Compare');
+  await wide.getByRole('button', { name: 'Find the plans' }).click();
+  await wide.locator('.dot').first().waitFor({ timeout: 120_000 });
+  await wide.locator('.dot').last().click({ force: true });
+  await wide.getByRole('region', { name: 'Differences of the two plans' }).waitFor();
+  await top(wide);
+  await shoot(wide, 'compare');
+  await goTo(wide, 'Review');
+  await chooseFile(wide, 'Choose the log of a machine', example('riverside-drive.csv'));
+  await wide.getByRole('button', { name: 'Show what was worked' }).click();
+  await wide.getByRole('group', { name: 'Replay' }).waitFor({ timeout: 60_000 });
+  await wide.locator('section.open').evaluate((section) => section.scrollIntoView());
+  await shoot(wide, 'review');
+  await wide.getByLabel('Speed').selectOption('100');
+  await wide.getByRole('button', { name: 'Play the drive' }).click();
+  await wide.waitForFunction(() => /^0:(2[5-9]|[3-5])/.test(document.querySelector('.replay output').textContent), null, { timeout: 90_000 });
+  await wide.getByRole('button', { name: 'Pause the replay' }).click();
+  await shoot(wide, 'replay');
+  const { hash } = new URL(wide.url());
+  await closePage(wide);
+
+  const night = await openPage(browser, `${server.address}/${hash.replace('view=review', 'view=plan')}`, { viewport: NARROW, theme: 'dark', touch: true });
+  await mapReady(night);
+  await night.getByLabel('The plan in numbers').first().waitFor();
+  await shoot(night, 'night');
+  await closePage(night);
+} finally {
+  await browser.close();
+  await server.stop();
+}

@@ -1,0 +1,135 @@
+// From a file with a field to a plan that leaves the program.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { join } from 'node:path';
+import { flow, realFile } from './support/flow.mjs';
+import { drawn, figure, goTo, makePlan, newPlan, openField, panel, visible } from './support/page.mjs';
+import { example, tramline } from './support/server.mjs';
+
+const check = (file, field) => execFileSync(tramline, ['check', file, ...(field ? ['--field', field] : [])], { encoding: 'utf8' });
+
+async function download(page, name, folder) {
+  const [file] = await Promise.all([page.waitForEvent('download'), page.getByRole('link', { name }).click()]);
+  const path = join(folder, file.suggestedFilename());
+  await file.saveAs(path);
+  return path;
+}
+
+/** What a plan has to do with its figures, whatever the field. */
+async function planCompareExport({ page, server }, field) {
+  await goTo(page, 'Plan');
+  await page.getByLabel('Swaths end at a slanting edge').selectOption('inside');
+  await makePlan(page);
+  assert.ok((await drawn(page, 'plan:tracks')) > 0, 'tracks are on the map');
+  const [overlap, uncovered] = [await figure(page, 'Overlap'), await figure(page, 'Uncovered')];
+
+  const hash = new URL(page.url()).hash;
+  await page.getByLabel('Swaths end at a slanting edge').selectOption('cover');
+  await newPlan(page, hash);
+  // Covering everything at slanting edges leaves less and overlaps more than staying inside.
+  assert.ok((await figure(page, 'Uncovered')) < uncovered, 'less is left out');
+  assert.ok((await figure(page, 'Overlap')) > overlap, 'more is worked twice');
+
+  await goTo(page, 'Compare');
+  await page.getByRole('button', { name: 'Find the plans' }).click();
+  const dots = page.locator('.dot');
+  await dots.first().waitFor({ timeout: 120_000 });
+  const many = await dots.count();
+  assert.ok(many >= 1);
+  await dots.last().hover({ force: true });
+  await page.locator('.about strong').waitFor();
+  const before = new URL(page.url()).hash;
+  await dots.last().click({ force: true });
+  await newPlanInAddress(page, before);
+  assert.match(await panel(page).innerText(), /Why the plan on the map/);
+  const table = page.getByRole('region', { name: 'Differences of the two plans' });
+  await table.waitFor();
+  assert.match(await table.innerText(), /Overlap[^\n]*m²/);
+
+  await goTo(page, 'Plan');
+  const file = await download(page, /GeoPackage/, server.folder);
+  assert.match(check(file, field), /the plan holds|holds/i);
+}
+
+async function newPlanInAddress(page, before) {
+  const old = new URLSearchParams(before.slice(1)).get('plan');
+  await page.waitForFunction((was) => new URLSearchParams(location.hash.slice(1)).get('plan') !== was, old, { timeout: 60_000 });
+}
+
+flow('a field with holes: plan, end rule, compare, export, check', {}, async (context) => {
+  const { page } = context;
+  await openField(page, example('riverside.geojson'));
+  const text = await panel(page).innerText();
+  assert.match(text, /12\.13 ha · 7 obstacles/);
+  assert.match(text, /Mended: outer ring had vertex 4/);
+  assert.ok((await drawn(page, 'obstacle')) > 0, 'obstacles are on the map');
+  await planCompareExport(context, example('riverside.geojson'));
+});
+
+flow('several fields: choose one, go back to it after a reload', {}, async ({ page }) => {
+  await page.getByLabel('Choose a file with a field').setInputFiles(example('two-farms.gpkg'));
+  await page.getByRole('heading', { name: /Which field of two-farms\.gpkg/ }).waitFor();
+  const cards = page.locator('.cards .card');
+  assert.ok((await cards.count()) >= 4);
+  assert.ok((await page.locator('.preview path').count()) >= 4, 'each has its preview');
+  await page.getByRole('button', { name: /barrow-field/ }).click();
+  await page.getByRole('region', { name: /^Open field/ }).waitFor();
+  await page.reload();
+  await page.getByRole('region', { name: /^Open field/ }).waitFor();
+});
+
+flow('every file can be taken away', {}, async ({ page, server }) => {
+  await openField(page, example('terrace.kml'));
+  await goTo(page, 'Plan');
+  await makePlan(page);
+  for (const name of [/GeoPackage/, /GeoJSON/, /KML/, /Shapefiles/, /FlatGeobuf/, /Picture/, /Drawing/, /Sheet/]) {
+    const file = await download(page, name, server.folder);
+    const size = Number(execFileSync('stat', ['-c', '%s', file], { encoding: 'utf8' }));
+    assert.ok(size > 500, `${file} has ${size} bytes`);
+  }
+});
+
+flow('layers are switched on and off, with their sizes beside them', {}, async ({ page }) => {
+  await openField(page, example('riverside.geojson'));
+  await goTo(page, 'Plan');
+  await page.getByLabel('Headland passes').fill('1');
+  await makePlan(page);
+  for (const [label, layer] of [['Overlap', 'plan:overlap'], ['Tracks', 'plan:tracks'], ['Headland passes', 'plan:headland_passes']]) {
+    const row = page.locator('.legend .switch', { hasText: new RegExp(`^${label}`) });
+    assert.match(await row.locator('.number').innerText(), /\d (m²|m|km|ha)$/);
+    assert.equal(await visible(page, layer), true);
+    await row.getByRole('switch').uncheck({ force: true });
+    assert.equal(await visible(page, layer), false);
+    await row.getByRole('switch').check({ force: true });
+  }
+  const swaths = page.locator('.legend .switch', { hasText: /^Swaths/ });
+  assert.equal(await visible(page, 'plan:swaths'), false);
+  await swaths.getByRole('switch').check({ force: true });
+  await page.waitForFunction(() => window.tramlineMap.getLayoutProperty('plan:swaths', 'visibility') === 'visible');
+  assert.ok((await drawn(page, 'plan:swaths')) > 0);
+});
+
+flow('tracks along an edge of the field, picked from the list', {}, async ({ page }) => {
+  await openField(page, example('roadside.geojson'));
+  await goTo(page, 'Plan');
+  await makePlan(page);
+  const edge = page.getByLabel('Parallel to');
+  const label = await edge.locator('option', { hasText: /^edge 2:/ }).innerText();
+  const towards = Number(/towards ([\d.]+)°/.exec(label)[1]) % 180;
+  const hash = new URL(page.url()).hash;
+  await edge.selectOption({ label });
+  await newPlan(page, hash);
+  const direction = Number(/tracks towards ([\d.]+)°/.exec(await panel(page).innerText())[1]);
+  const off = Math.abs(((direction - towards + 270) % 180) - 90);
+  assert.ok(off < 0.3, `tracks towards ${direction}°, the edge ${towards}°`);
+});
+
+const real = realFile('fields', 'fields.geojson');
+flow('a real field: plan, end rule, compare, export, check', { skip: real.skip }, async (context) => {
+  const { page } = context;
+  await page.getByLabel('Choose a file with a field').setInputFiles(real.file);
+  await page.getByRole('heading', { name: /Which field/ }).waitFor();
+  await page.locator('.cards .card:not([disabled])', { hasText: 'obstacle' }).first().click();
+  await page.getByRole('region', { name: /^Open field/ }).waitFor();
+  await planCompareExport(context, null);
+});

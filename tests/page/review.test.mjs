@@ -1,0 +1,97 @@
+// What was worked: replayed, watched, and mended.
+import assert from 'node:assert/strict';
+import { flow, realFile } from './support/flow.mjs';
+import { chooseFile, drawn, figure, goTo, openField, panel, planShown } from './support/page.mjs';
+import { example } from './support/server.mjs';
+import { startTractor } from './support/tractor.mjs';
+
+/** Area of all worked tiles that the map holds, m²: shoelace in metres about 52.69° north, 67 611 m and 111 280 m to a degree. */
+const groundOnMap = (page) =>
+  page.evaluate(async () => {
+    await new Promise((wake) => setTimeout(wake, 1000));
+    const { features } = await window.tramlineMap.getSource('work:covered').getData();
+    const ring = (places) => Math.abs(places.reduce((sum, [x, y], i) => {
+      const [nx, ny] = places[(i + 1) % places.length];
+      const [x0, y0] = places[0];
+      return sum + ((x - x0) * (ny - y0) - (nx - x0) * (y - y0)) / 2;
+    }, 0)) * 67_611 * 111_280;
+    const polygon = ([outer, ...holes]) => ring(outer) - holes.reduce((sum, hole) => sum + ring(hole), 0);
+    return features.flatMap(({ geometry }) => geometry.coordinates).reduce((sum, one) => sum + polygon(one), 0);
+  });
+
+async function evaluateLog(page, log) {
+  await goTo(page, 'Review');
+  await chooseFile(page, 'Choose the log of a machine', log);
+  await page.getByRole('button', { name: 'Show what was worked' }).click();
+  await page.getByRole('group', { name: 'Replay' }).waitFor({ timeout: 60_000 });
+}
+
+flow('replay a log, look at its gaps, plan their repair', {}, async ({ page, server }) => {
+  await openField(page, example('riverside.geojson'));
+  await evaluateLog(page, example('riverside-drive.csv'));
+  // The figures of `tramline evaluate` for the same log (docs/coverage.md).
+  const missed = await figure(page, 'Missed');
+  assert.ok(missed > 9_000 && missed < 11_000, `${missed} m² missed`);
+  assert.ok((await drawn(page, 'drive:covered')) > 0);
+
+  await page.getByLabel('Speed').selectOption('1000');
+  await page.getByRole('button', { name: 'Play the drive' }).click();
+  await page.waitForFunction(() => window.tramlineMap.getLayoutProperty('work:covered', 'visibility') === 'visible');
+  await page.getByLabel('Worked so far').waitFor();
+  const covered = () => figure(page, 'Covered');
+  await page.getByRole('button', { name: 'Play the drive' }).waitFor({ timeout: 60_000 }); // it has come to its end
+  assert.ok((await drawn(page, 'work:covered')) > 0, 'worked ground has grown on the map');
+  const [drive] = await (await fetch(`${server.address}/api/v1/drives`)).json();
+  const ground = await groundOnMap(page);
+  assert.ok(Math.abs(ground / drive.covered_m2 - 1) < 0.002, `${ground} m² on the map, ${drive.covered_m2} m² covered`);
+  const all = await covered();
+  assert.ok(all > 11 && all < 12, `${all} ha`);
+
+  // Back to an earlier moment: less is covered, and the replay stands still.
+  await page.getByLabel('Time').fill('1000');
+  await page.waitForFunction(() => /^0:16:4/.test(document.querySelector('.replay output').textContent));
+  await page.getByRole('button', { name: 'Result' }).click();
+
+  const gap = page.locator('.gaps .card').first();
+  const zoom = await page.evaluate(() => window.tramlineMap.getZoom());
+  await gap.click();
+  await page.waitForFunction((was) => window.tramlineMap.getZoom() !== was, zoom);
+  const sizes = (await page.locator('.gaps .card strong').allInnerTexts()).map((text) => Number(text.replace(/[^\d.]/g, '')));
+  assert.deepEqual(sizes, [...sizes].sort((a, b) => b - a), 'the largest come first');
+
+  await page.getByRole('button', { name: 'Plan the gaps' }).click();
+  await planShown(page);
+  assert.match(await panel(page).innerText(), /plan for what was missed/);
+  assert.ok((await drawn(page, 'plan:tracks')) > 0);
+});
+
+flow('watch a machine over the network, stop it, and see its drive', {}, async ({ page }) => {
+  const tractor = await startTractor(example('riverside-drive.csv'), { per_s: 400, most: 1500 });
+  try {
+    await openField(page, example('riverside.geojson'));
+    await goTo(page, 'Review');
+    await page.getByText('Watch a machine at work').click();
+    await page.getByLabel('Host and port').fill(`127.0.0.1:${tractor.port}`);
+    await page.getByLabel('Field', { exact: true }).selectOption({ label: 'riverside' });
+    await page.getByRole('button', { name: 'Watch it' }).click();
+    await page.getByLabel('Worked so far').waitFor({ timeout: 30_000 });
+    const first = await figure(page, 'Covered');
+    await page.waitForFunction((was) => Number(document.querySelector('.figures .value').textContent.replace(/[^\d.]/g, '')) > was, first, { timeout: 30_000 });
+    assert.ok((await drawn(page, 'work:covered')) > 0);
+    while (tractor.sent() < 1500) await page.waitForTimeout(100);
+    await page.getByRole('button', { name: 'Stop and store the drive' }).click();
+    await page.getByRole('group', { name: 'Replay' }).waitFor({ timeout: 30_000 });
+    assert.ok((await figure(page, 'Covered')) > 1);
+  } finally {
+    await tractor.stop();
+  }
+});
+
+const real = realFile('logs', 'isoxml_sh2020_TLG00001.csv');
+flow('a real log: replay it', { skip: real.skip }, async ({ page }) => {
+  await evaluateLog(page, real.file);
+  assert.ok((await figure(page, 'Covered')) > 0);
+  await page.getByLabel('Speed').selectOption('1000');
+  await page.getByRole('button', { name: 'Play the drive' }).click();
+  await page.getByLabel('Worked so far').waitFor();
+});

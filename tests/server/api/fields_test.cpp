@@ -1,0 +1,217 @@
+#include "server/api/served.h"
+#include "tramline/io/field/read_field.h"
+#include "tramline/io/field/write_field.h"
+
+namespace tramline::server {
+namespace {
+
+TEST_F(ServerTest, KeepsAFieldOfAFile) {
+  const std::string id = served.field_of("riverside.geojson");
+  const Got field = served.get("/fields/" + id);
+  EXPECT_EQ(field.json["name"], "riverside");
+  EXPECT_EQ(field.json["obstacles"], 7);
+  EXPECT_EQ(field.json["geodetic"], true);
+  EXPECT_EQ(field.json["shapes"]["features"].size(), 8U);
+  EXPECT_EQ(field.json["shapes"]["features"][0]["properties"]["kind"], "field");
+  // riverside.geojson repeats a vertex; whoever looks at the field later is told as well.
+  EXPECT_FALSE(field.json["repairs"].empty());
+  EXPECT_EQ(served.get("/fields").json.size(), 1U);
+  EXPECT_EQ(served.remove("/fields/" + id).status, 200);
+  EXPECT_EQ(served.get("/fields/" + id).status, 404);
+  EXPECT_EQ(served.get("/fields").json.size(), 0U);
+}
+
+TEST_F(ServerTest, ObstaclesOfAnotherFileGoIntoTheField) {
+  const std::string bare = served.field_of("riverside.geojson");
+  const Got file = served.upload_example("riverside.geojson"),
+            obstacles = served.upload_example("riverside-obstacles.geojson");
+  const Got kept = served.post("/fields", {{"upload", file.json["id"]},
+                                           {"fid", 0},
+                                           {"name", "with pylons"},
+                                           {"obstacles_upload", obstacles.json["id"]}});
+  ASSERT_EQ(kept.status, 201) << kept.text;
+  EXPECT_GT(kept.json["obstacles"], served.get("/fields/" + bare).json["obstacles"]);
+  bool named = false;
+  for (const auto& shape : kept.json["shapes"]["features"])
+    named =
+        named || shape["properties"].value("origin", "").starts_with("riverside-obstacles.geojson feature");
+  EXPECT_TRUE(named) << kept.text;
+}
+
+TEST_F(ServerTest, SeveralFeaturesHaveToBeChosenFrom) {
+  const Got file = served.upload_example("two-farms.gpkg");
+  const Got kept = served.post("/fields", {{"upload", file.json["id"]}, {"layer", "parcels"}});
+  EXPECT_EQ(kept.status, 400);
+  EXPECT_NE(kept.message().find("two-farms.gpkg"), std::string::npos) << kept.message();
+  EXPECT_EQ(kept.message().find("--"), std::string::npos) << kept.message();
+}
+
+TEST_F(ServerTest, AllPartsOfAFeatureAreKept) {
+  ordered_json two = square(), far = square(9.01);
+  two["type"] = "MultiPolygon";
+  two["coordinates"] = {square()["coordinates"], far["coordinates"]};
+  const Got kept = served.post("/fields", {{"name", "both"}, {"geometry", two}});
+  ASSERT_EQ(kept.status, 201) << kept.text;
+  ASSERT_EQ(kept.json["others"].size(), 1U);
+  EXPECT_EQ(served.get("/fields/" + std::string(kept.json["others"][0])).json["name"], "both #2");
+}
+
+TEST_F(ServerTest, KeepsADrawnField) {
+  const Got kept = served.post("/fields", {{"name", "drawn"}, {"geometry", square()}});
+  ASSERT_EQ(kept.status, 201) << kept.text;
+  // 0.0028° of longitude at 50° and 0.0018° of latitude on the ellipsoid: 71,697 and 111,229 m to the degree.
+  EXPECT_NEAR(kept.json["area_m2"], 0.0028 * 71697 * 0.0018 * 111229, 40);
+  EXPECT_NEAR(kept.json["bbox"][0], 9, 1e-6);
+  EXPECT_NEAR(kept.json["bbox"][3], 50.0018, 1e-6);
+}
+
+TEST_F(ServerTest, RefusesWhatIsNoField) {
+  const auto refused = [&](const ordered_json& body) {
+    const Got got = served.post("/fields", body);
+    EXPECT_EQ(got.status, 400) << got.text;
+    return got.message();
+  };
+  EXPECT_NE(refused({{"geometry", {{"type", "Point"}, {"coordinates", {9, 50}}}}}).find("polygon"),
+            std::string::npos);
+  EXPECT_NE(refused({{"geometry", {{"type", "Polygon"}, {"coordinates", "x"}}}}).find("list"),
+            std::string::npos);
+  EXPECT_NE(refused({{"geometry", {{"type", "Polygon"}, {"coordinates", {{{9, 50}, {9, 50}, {9, 50}}}}}}})
+                .find("area"),
+            std::string::npos);
+  EXPECT_NE(refused({{"geometry", {{"type", "Polygon"}, {"coordinates", {{{900, 50}, {9, 50}, {9, 51}}}}}}})
+                .find("no longitude and latitude"),
+            std::string::npos);
+  EXPECT_NE(refused({{"geometry", square()}, {"nmae", "x"}}).find("nmae"), std::string::npos);
+  EXPECT_NE(refused({{"geometry", square()}, {"name", 7}}).find("name has to be a text"), std::string::npos);
+  EXPECT_NE(refused(ordered_json::object()).find("geometry"), std::string::npos);
+}
+
+TEST_F(ServerTest, ObstaclesAreDrawnAndTakenAway) {
+  const std::string id = served.post("/fields", {{"name", "meadow"}, {"geometry", square()}}).json["id"];
+  const auto at = [](double dx, double dy) { return ordered_json{9 + dx, 50 + dy}; };
+  const Got drawn = served.patch(
+      "/fields/" + id,
+      {{"name", "meadow with a pond"},
+       {"add",
+        {{{"kind", "obstacle"},
+          {"geometry", {{"type", "Point"}, {"coordinates", at(0.001, 0.001)}}},
+          {"size_m", 4}},
+         {{"kind", "passable"},
+          {"geometry", {{"type", "LineString"}, {"coordinates", {at(0.002, -0.001), at(0.002, 0.003)}}}},
+          {"size_m", 2}}}}});
+  ASSERT_EQ(drawn.status, 200) << drawn.text;
+  EXPECT_EQ(drawn.json["name"], "meadow with a pond");
+  EXPECT_EQ(drawn.json["obstacles"], 1);
+  EXPECT_EQ(drawn.json["passable"], 1);
+  const ordered_json shapes = drawn.json["shapes"]["features"];
+  EXPECT_NEAR(shapes[1]["properties"]["area_m2"], 16, 1e-6);
+  // A strip 2 m wide from edge to edge: 0.0018° of latitude.
+  EXPECT_NEAR(shapes[2]["properties"]["area_m2"], 2 * 0.0018 * 111229, 1);
+  EXPECT_EQ(served.get("/fields/" + id).json, drawn.json) << "what is answered is what is kept";
+
+  const Got less = served.patch("/fields/" + id, {{"remove", {1}}});
+  EXPECT_EQ(less.json["obstacles"], 0);
+  EXPECT_EQ(less.json["passable"], 1);
+  EXPECT_EQ(served.patch("/fields/" + id, {{"remove", {2}}}).status, 400);
+  EXPECT_EQ(served.patch("/fields/" + id, {{"remove", {0}}}).status, 400);
+  EXPECT_EQ(served.patch("/fields/" + id, {{"remove", {"1"}}}).status, 400);
+  const Got outside = served.patch(
+      "/fields/" + id,
+      {{"add", {{{"kind", "obstacle"}, {"geometry", {{"type", "Point"}, {"coordinates", at(0.01, 0)}}}}}}});
+  EXPECT_EQ(outside.status, 400);
+  EXPECT_NE(outside.message().find("does not meet the field"), std::string::npos) << outside.message();
+}
+
+TEST_F(ServerTest, AFieldInPlainMetresIsShownAboutNowhere) {
+  const std::string id = served.field_of("plain-metres.gpkg");
+  const Got field = served.get("/fields/" + id);
+  EXPECT_EQ(field.json["geodetic"], false);
+  const double west = field.json["bbox"][0], east = field.json["bbox"][2], south = field.json["bbox"][1];
+  EXPECT_NEAR(west, -east, 1e-5);
+  // What is drawn near its corner goes back by the same way: 1e-4 degrees are some 11 m.
+  const Got drawn = served.patch(
+      "/fields/" + id, {{"add",
+                         {{{"kind", "obstacle"},
+                           {"geometry", {{"type", "Point"}, {"coordinates", {west + 1e-4, south + 1e-4}}}},
+                           {"size_m", 3}}}}});
+  ASSERT_EQ(drawn.status, 200) << drawn.text;
+  bool found = false;
+  for (const auto& shape : drawn.json["shapes"]["features"])
+    if (shape["properties"].value("origin", "") == "drawn 1") {
+      found = true;
+      EXPECT_NEAR(shape["properties"]["area_m2"], 9, 1e-6);
+      EXPECT_NEAR(shape["geometry"]["coordinates"][0][0][0], west + 1e-4, 2e-5);
+    }
+  EXPECT_TRUE(found);
+}
+
+Polygon box(double x, double y, double size) {
+  return {{{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}}, {}};
+}
+
+Field odd_field(bool geodetic) {
+  Field field;
+  field.id = "odd \"field\"";
+  // Thirds have no short decimals.
+  field.outer = {{-100.0 / 3, -50.0 / 7}, {100.0 / 3, -50}, {100, 1e2 / 3}, {-100, 100}};
+  field.obstacles = {{box(1.0 / 3, 2.0 / 3, 1.0 / 7), ObstacleKind::kObstacle, "drawn 1"},
+                     {box(10.0 / 3, 20.0 / 3, 5), ObstacleKind::kPassable, "strips.geojson feature 3"}};
+  field.frame.geodetic = geodetic;
+  if (geodetic) {
+    field.frame.origin_lon_deg = 9.1234567;
+    field.frame.origin_lat_deg = -48.7654321;
+  }
+  field.source = {"a.geojson", "a", 3, 1, "EPSG:25832", "EPSG:4326", "b.geojson", 2.5, "c.geojson"};
+  field.repairs = {{"one was removed", "outer ring, vertex 4", {9.1, 48.2}, -0.125}};
+  field.warnings = {"a note, with \"quotes\""};
+  return field;
+}
+
+void expect_same(const Field& a, const Field& b) {
+  EXPECT_EQ(a.id, b.id);
+  EXPECT_EQ(a.outer, b.outer);
+  EXPECT_EQ(a.frame, b.frame);
+  ASSERT_EQ(a.obstacles.size(), b.obstacles.size());
+  for (std::size_t i = 0; i < a.obstacles.size(); ++i) {
+    EXPECT_EQ(a.obstacles[i].shape, b.obstacles[i].shape) << i;
+    EXPECT_EQ(a.obstacles[i].kind, b.obstacles[i].kind) << i;
+    EXPECT_EQ(a.obstacles[i].origin, b.obstacles[i].origin) << i;
+  }
+  EXPECT_EQ(a.source.file, b.source.file);
+  EXPECT_EQ(a.source.fid, b.source.fid);
+  EXPECT_EQ(a.source.part, b.source.part);
+  EXPECT_EQ(a.source.input_crs, b.source.input_crs);
+  EXPECT_EQ(a.source.obstacle_size_m, b.source.obstacle_size_m);
+  ASSERT_EQ(a.repairs.size(), b.repairs.size());
+  EXPECT_EQ(a.repairs[0].what, b.repairs[0].what);
+  EXPECT_EQ(a.repairs[0].area_change_m2, b.repairs[0].area_change_m2);
+  EXPECT_EQ(a.warnings, b.warnings);
+}
+
+TEST(FieldFile, AFieldComesBackAsItWas) {
+  const testing_support::TemporaryFolder folder;
+  for (const bool geodetic : {true, false}) {
+    const Field field = odd_field(geodetic);
+    const auto path = folder / (geodetic ? "a.gpkg" : "b.gpkg");
+    io::write_field(field, path, {{"name", "Über \"uns\""}});
+    const io::StoredField back = io::read_field(path);
+    expect_same(back.field, field);
+    EXPECT_EQ(back.remarks, (io::Metadata{{"name", "Über \"uns\""}}));
+  }
+}
+
+TEST(FieldFile, InAShiftedPlaneOnceWrittenItDoesNotChangeAgain) {
+  const testing_support::TemporaryFolder folder;
+  Field field = odd_field(false);
+  field.frame.origin_x_m = 3'456'789;
+  field.frame.origin_y_m = 5'432'109;
+  io::write_field(field, folder / "a.gpkg");
+  const Field once = io::read_field(folder / "a.gpkg").field;
+  for (std::size_t i = 0; i < field.outer.size(); ++i)
+    EXPECT_LT(distance(field.outer[i], once.outer[i]), 2e-9);
+  io::write_field(once, folder / "b.gpkg");
+  expect_same(io::read_field(folder / "b.gpkg").field, once);
+}
+
+}  // namespace
+}  // namespace tramline::server

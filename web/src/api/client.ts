@@ -1,0 +1,129 @@
+// Requests to the server. Every failure becomes an ApiError with one sentence for the user.
+import type * as T from './types';
+
+const base = '/api/v1';
+
+export class ApiError extends Error {
+  constructor(
+    readonly code: string,
+    message: string,
+    readonly status: number,
+  ) {
+    super(message);
+  }
+  /** The server could not be reached at all. */
+  get away(): boolean {
+    return this.status === 0;
+  }
+}
+
+export const AWAY = 'The tramline server does not answer. Start it again with “tramline serve”; this page then goes on by itself.';
+
+type Listener = (reachable: boolean) => void;
+let tell: Listener = () => {};
+/** Called after every request with whether the server was reached. */
+export function onReach(listener: Listener): void {
+  tell = listener;
+}
+
+async function send(method: string, path: string, body?: unknown, signal?: AbortSignal): Promise<Response> {
+  const init: RequestInit = { method, credentials: 'same-origin' };
+  if (signal) init.signal = signal;
+  if (body instanceof Blob) {
+    init.body = body;
+    init.headers = { 'Content-Type': 'application/octet-stream' };
+  } else if (body !== undefined) {
+    init.body = JSON.stringify(body);
+    init.headers = { 'Content-Type': 'application/json' };
+  }
+  let response: Response;
+  try {
+    response = await fetch(base + path, init);
+  } catch (error) {
+    if (signal?.aborted) throw error;
+    tell(false);
+    throw new ApiError('away', AWAY, 0);
+  }
+  tell(true);
+  if (!response.ok) throw await failure(response);
+  return response;
+}
+
+async function failure(response: Response): Promise<ApiError> {
+  let code = 'failed';
+  let message = `The server answered with the status ${response.status}. Try again, or look at what the server prints.`;
+  try {
+    const told = (await response.json()) as { error?: { code?: string; message?: string } };
+    if (told.error?.message) message = sentence(told.error.message);
+    if (told.error?.code) code = told.error.code;
+  } catch {
+    // No JSON: the sentence above stands.
+  }
+  return new ApiError(code, message, response.status);
+}
+
+/** The library's messages begin in lower case and bear no full stop. */
+export function sentence(message: string): string {
+  const text = message.trim();
+  if (text === '') return text;
+  const whole = /[.!?…]$/.test(text) ? text : `${text}.`;
+  return /^[a-z]+\b(?![./_])/.test(whole) ? whole[0]!.toUpperCase() + whole.slice(1) : whole;
+}
+
+async function json<R>(method: string, path: string, body?: unknown, signal?: AbortSignal): Promise<R> {
+  const response = await send(method, path, body, signal);
+  const text = await response.text();
+  return (text === '' ? undefined : JSON.parse(text)) as R;
+}
+
+const id = encodeURIComponent;
+
+export const api = {
+  info: () => json<T.ServerInfo>('GET', ''),
+  session: (token: string) => json<void>('POST', '/session', { token }),
+
+  upload: (file: File) => json<T.Upload>('POST', `/uploads?name=${id(file.name)}`, file),
+
+  fields: () => json<T.FieldItem[]>('GET', '/fields'),
+  field: (field: string) => json<T.FieldFull>('GET', `/fields/${id(field)}`),
+  storeField: (request: Record<string, unknown>) => json<T.FieldFull>('POST', '/fields', request),
+  changeField: (field: string, change: { name?: string; add?: T.ObstacleDrawn[]; remove?: number[] }) =>
+    json<T.FieldFull>('PATCH', `/fields/${id(field)}`, change),
+  deleteField: (field: string) => json<void>('DELETE', `/fields/${id(field)}`),
+
+  machines: () => json<T.Machine[]>('GET', '/machines'),
+  storeMachine: (machine: T.Machine) => json<T.Machine>('POST', '/machines', machine),
+  deleteMachine: (machine: string) => json<void>('DELETE', `/machines/${id(machine)}`),
+
+  startJob: (request: T.JobRequest) => json<T.Job>('POST', '/jobs', request),
+  job: (job: string) => json<T.Job>('GET', `/jobs/${id(job)}`),
+  cancelJob: (job: string) => json<T.Job>('DELETE', `/jobs/${id(job)}`),
+
+  plans: (field: string) => json<T.PlanItem[]>('GET', `/plans?field=${id(field)}`),
+  plan: (plan: string) => json<T.PlanFull>('GET', `/plans/${id(plan)}`),
+  renamePlan: (plan: string, name: string) => json<unknown>('PATCH', `/plans/${id(plan)}`, { name }),
+  deletePlan: (plan: string) => json<void>('DELETE', `/plans/${id(plan)}`),
+  planLayers: (plan: string) => json<T.LayerItem[]>('GET', `/plans/${id(plan)}/layers`),
+  planLayer: (plan: string, layer: string) => json<T.FeatureCollection>('GET', `/plans/${id(plan)}/layers/${id(layer)}`),
+  planFile: (plan: string, format: string, crs = '') =>
+    `${base}/plans/${id(plan)}/files/${format}${crs ? `?crs=${id(crs)}` : ''}`,
+  front: (front: string) => json<T.Front>('GET', `/fronts/${id(front)}`),
+  layPoint: (front: string, point: number) => json<{ plan: string }>('POST', `/fronts/${id(front)}/points/${point}`),
+
+  drives: () => json<T.DriveItem[]>('GET', '/drives'),
+  storeDrive: (request: T.DriveRequest) => json<T.Job>('POST', '/drives', request),
+  drive: (drive: string) => json<T.DriveFull>('GET', `/drives/${id(drive)}`),
+  driveLayer: (drive: string, layer: string) => json<T.FeatureCollection>('GET', `/drives/${id(drive)}/layers/${id(layer)}`),
+  driveFile: (drive: string, format: string) => `${base}/drives/${id(drive)}/files/${format}`,
+  deleteDrive: (drive: string) => json<void>('DELETE', `/drives/${id(drive)}`),
+  replay: (drive: string, from_s: number | null, speed: number) =>
+    `${base}/drives/${id(drive)}/replay?speed=${speed}${from_s === null ? '' : `&from_s=${from_s}`}`,
+
+  feeds: () => json<T.FeedItem[]>('GET', '/feeds'),
+  startFeed: (request: T.FeedRequest) => json<T.FeedItem>('POST', '/feeds', request),
+  feedEvents: (feed: string) => `${base}/feeds/${id(feed)}/events`,
+  feedWork: (feed: string, on: boolean) => json<unknown>('POST', `/feeds/${id(feed)}/work`, { on }),
+  stopFeed: (feed: string) => json<{ drive: string | null }>('DELETE', `/feeds/${id(feed)}`),
+
+  jobEvents: (job: string) => `${base}/jobs/${id(job)}/events`,
+};

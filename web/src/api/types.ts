@@ -1,0 +1,345 @@
+// What the API gives and takes, as in openapi.json. Numbers are in the unit their name ends with.
+
+export type Place = [lon: number, lat: number];
+export type Box = [west: number, south: number, east: number, north: number];
+
+export interface Geometry {
+  type: 'Point' | 'LineString' | 'MultiLineString' | 'Polygon' | 'MultiPolygon' | 'MultiPoint';
+  coordinates: unknown;
+}
+export interface Feature {
+  type: 'Feature';
+  id?: string | number;
+  geometry: Geometry | null;
+  properties: Record<string, unknown>;
+}
+export interface FeatureCollection {
+  type: 'FeatureCollection';
+  features: Feature[];
+}
+
+export interface ServerInfo {
+  name: string;
+  version: string;
+  limits: { upload_bytes: number; streams: number; jobs: number };
+  tiles: string | null;
+}
+
+export interface UploadedFeature {
+  fid: number;
+  layer?: string;
+  id: string;
+  area_m2: number;
+  obstacles: number;
+  refused: string | null;
+  rings: Geometry | Place[][] | null;
+}
+export interface UploadedLog {
+  name: string;
+  fixes: number;
+  from_s: number | null;
+  to_s: number | null;
+  width_m: number | null;
+}
+export interface Upload {
+  id: string;
+  name: string;
+  bytes: number;
+  kind: 'fields' | 'log' | 'plan' | 'unknown';
+  message?: string;
+  features?: UploadedFeature[];
+  features_total?: number;
+  logs?: UploadedLog[];
+  partfields?: unknown[];
+}
+
+export interface FieldItem {
+  id: string;
+  name: string;
+  area_m2: number;
+  obstacles: number;
+  passable: number;
+  geodetic: boolean;
+  created: string;
+}
+export interface Repair {
+  what: string;
+  where: string;
+  area_change_m2?: number;
+}
+export interface Skipped {
+  what: string;
+  where: string;
+  why: string;
+}
+export interface FieldFull extends FieldItem {
+  bbox: Box;
+  repairs: Repair[];
+  skipped: Skipped[];
+  warnings: string[];
+  shapes: FeatureCollection;
+}
+export interface ObstacleDrawn {
+  kind: 'obstacle' | 'passable';
+  geometry: Geometry;
+  size_m?: number;
+}
+
+export interface Machine {
+  id?: string;
+  name?: string;
+  width_m: number;
+  radius_m: number;
+  min_length_m?: number | null;
+}
+
+export interface Prices {
+  overlap: number;
+  uncovered: number;
+  turn: number;
+  stop: number;
+}
+export type EndRule = 'cheapest' | 'centre' | 'cover' | 'inside';
+export interface PlanSettings {
+  strategy?: 'best' | 'sweep';
+  end_rule?: EndRule;
+  boundary?: 'soft' | 'hard';
+  headlands?: number;
+  obstacle_headlands?: number;
+  curved?: 'auto' | 'always';
+  line?: Place[];
+  avoid?: 'cheapest' | 'paper' | 'cut';
+  clearance_m?: number;
+}
+export interface PlanRequest {
+  field: string;
+  machine: Machine;
+  objective: { prices: Prices } | { minimise: string };
+  settings: PlanSettings;
+  explain?: boolean;
+  name?: string;
+}
+
+export type JobRequest =
+  | ({ kind: 'plan' | 'compare' } & PlanRequest)
+  | { kind: 'evaluate'; drive: string }
+  | { kind: 'repair'; drive: string; machine: Machine; min_area_m2?: number }
+  | { kind: 'check'; plan: string };
+export interface JobResult {
+  plan?: string;
+  front?: string;
+  drive?: string;
+  report?: Record<string, unknown> | Record<string, unknown>[];
+  check?: { ok: boolean; [key: string]: unknown };
+}
+export interface Job {
+  id: string;
+  kind: string;
+  state: 'queued' | 'running' | 'done' | 'failed' | 'cancelled';
+  what: string;
+  done: number;
+  total: number;
+  seconds: number;
+  result: JobResult | null;
+  error: { code: string; message: string } | string | null;
+}
+
+export interface Tally {
+  overlap_m2: number;
+  uncovered_m2: number;
+  turns: number;
+  stops: number;
+  cost: number;
+}
+export interface PlanItem extends Tally {
+  id: string;
+  name: string;
+  field: string;
+  created: string;
+  tracks: number;
+  width_m: number;
+  kind: string;
+}
+export interface PlanSummary extends Tally {
+  area_m2: number;
+  body_m2: number;
+  width_m: number;
+  radius_m: number;
+  end_rule: EndRule;
+  direction_deg: number[];
+  subfields: number;
+  tracks: number;
+  track_length_m: number;
+  detours: number;
+  headland_passes: number;
+  headland_m2: number;
+  headland_length_m: number;
+  given_up_m2: number;
+  bound: number | null;
+  gap: number | null;
+  kind: string;
+  seconds?: number;
+  repairs?: Repair[];
+  skipped?: Skipped[];
+  dropped?: { length_m: number }[];
+  warnings?: string[];
+}
+export interface Cause {
+  cause: string;
+  overlap_m2: number;
+  uncovered_m2: number;
+  count: number | null;
+  cost: number;
+}
+export interface RunnerUp extends Tally {
+  direction_deg: number[];
+  subfields: number;
+  more: number;
+  more_by: { overlap: number; uncovered: number; turns: number; stops: number };
+  main_reason: string;
+}
+export interface Explain {
+  causes: Cause[];
+  runner_ups: RunnerUp[];
+}
+export interface PlanFull {
+  id: string;
+  name: string;
+  field: string;
+  created: string;
+  summary: PlanSummary;
+  explain: Explain | null;
+  bbox: Box;
+}
+export interface LayerItem {
+  name: string;
+  title: string;
+  features: number;
+  m2: number | null;
+  m: number | null;
+}
+
+export interface FrontPoint extends Tally {
+  point: number;
+  tracks: number;
+  track_length_m: number;
+  subfields: number;
+  direction_deg: number[];
+  marks: string[];
+}
+export interface Front {
+  field_id: string;
+  area_m2: number;
+  width_m: number;
+  end_rule: EndRule;
+  front: FrontPoint[];
+}
+
+export interface DriveItem {
+  id: string;
+  name: string;
+  field: string | null;
+  created: string;
+  fixes: number;
+  from_s: number | null;
+  to_s: number | null;
+  covered_m2: number;
+  missed_m2: number | null;
+}
+export interface Gap {
+  number: number;
+  area_m2: number;
+  lon: number;
+  lat: number;
+  widest_m: number;
+}
+export interface DriveSummary {
+  field_area_m2: number | null;
+  width_m: number;
+  fixes: number;
+  fixes_used: number;
+  covered_m2: number;
+  covered_inside_m2: number | null;
+  outside_m2: number | null;
+  repeated_m2: number;
+  repeated_rate: number;
+  missed_m2: number | null;
+  worked_hours: number | null;
+  ha_per_hour: number | null;
+  skipped_count?: number;
+  warnings?: string[];
+  plan?: Compared;
+}
+export interface Compared {
+  planned_m2?: number;
+  planned_missed_m2?: number;
+  unplanned_m2?: number;
+  along_tracks_m?: number;
+  beside_tracks_m?: number;
+  deviation_mean_m?: number;
+  deviation_p95_m?: number;
+  deviation_most_m?: number;
+}
+export interface DriveFull {
+  id: string;
+  name: string;
+  field: string | null;
+  created: string;
+  bbox: Box | null;
+  from_s: number | null;
+  to_s: number | null;
+  /** Where the log has no times, from_s and to_s are numbers of fixes. */
+  clock?: 'none' | 'utc' | 'of_day' | 'other';
+  summary: DriveSummary;
+  gaps: Gap[];
+  compared: Compared | null;
+}
+export interface DriveRequest {
+  upload: string;
+  log?: string;
+  field?: string;
+  plan?: string;
+  width_m?: number;
+  name?: string;
+  options?: Record<string, unknown>;
+}
+export interface FeedRequest {
+  source: string;
+  field?: string;
+  width_m?: number;
+  name?: string;
+}
+export interface FeedItem {
+  id: string;
+  name?: string;
+  source?: string;
+  field?: string | null;
+}
+
+export interface WorkFigures {
+  covered_m2: number;
+  covered_inside_m2: number | null;
+  outside_m2: number | null;
+  repeated_m2: number;
+  missed_m2: number | null;
+  worked_s: number;
+  ha_per_hour: number | null;
+  remaining_s: number | null;
+}
+export interface WorkTile {
+  id: string;
+  covered: Place[][][];
+  repeated: Place[][][];
+}
+export interface WorkFrame {
+  time_s: number | null;
+  fix: number;
+  fixes: number;
+  at: Place | null;
+  heading_deg: number | null;
+  working: boolean;
+  figures: WorkFigures;
+  line: Place[];
+  all: boolean;
+  tiles: WorkTile[];
+}

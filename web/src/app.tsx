@@ -1,0 +1,78 @@
+import { MapHost } from './map/host';
+import { Icon, type IconName } from './parts/icon';
+import { Legend } from './parts/legend';
+import { Notices } from './parts/notices';
+import { fields } from './state/fields';
+import { session, setTheme, show, isNight, type View } from './state/session';
+import { useStore } from './state/store';
+import { CompareView } from './views/compare/compare_view';
+import { FieldsView } from './views/fields/fields_view';
+import { PlanView } from './views/plan/plan_view';
+import { ReviewView } from './views/review/review_view';
+import { Locked } from './views/locked';
+
+const VIEWS: { view: View; title: string; icon: IconName }[] = [
+  { view: 'fields', title: 'Fields', icon: 'field' },
+  { view: 'plan', title: 'Plan', icon: 'plan' },
+  { view: 'compare', title: 'Compare', icon: 'compare' },
+  { view: 'review', title: 'Review', icon: 'review' },
+];
+
+export function App() {
+  const locked = useStore(session, (value) => value.locked);
+  return (
+    <div class="page">
+      <a class="skip" href="#panel" onClick={(event) => { event.preventDefault(); document.getElementById('panel')?.focus(); }}>Skip to the panel</a>
+      <Header />
+      <Tabs />
+      <main class="panel" id="panel" tabIndex={-1}>
+        <Notices />
+        {locked ? <Locked /> : <View />}
+      </main>
+      {!locked && <MapHost />}
+      {!locked && <Legend />}
+    </div>
+  );
+}
+
+function Header() {
+  const field = useStore(fields, (value) => value.open?.name);
+  useStore(session, (value) => value.theme);
+  const night = isNight();
+  return (
+    <header>
+      <h1>
+        <svg class="logo" viewBox="0 0 24 24" aria-hidden="true"><path d="M7 22C7 14 9 8 17 2M13 22C13 15 15 10 22 5M1 22C1 12 4 5 11 0" fill="none" stroke="currentColor" stroke-width="2.2" stroke-linecap="round" /></svg>
+        tramline
+      </h1>
+      <span class="which">{field ?? ''}</span>
+      <button type="button" class="button quiet square" aria-label={night ? 'Change to the day theme' : 'Change to the night theme'} onClick={() => setTheme(night ? 'day' : 'night')}>
+        <Icon name={night ? 'sun' : 'moon'} />
+      </button>
+    </header>
+  );
+}
+
+function Tabs() {
+  const view = useStore(session, (value) => value.view);
+  return (
+    <nav aria-label="Views">
+      {VIEWS.map((one) => (
+        <button key={one.view} type="button" aria-current={one.view === view ? 'page' : undefined} onClick={() => show(one.view)}>
+          <Icon name={one.icon} />
+          <span>{one.title}</span>
+        </button>
+      ))}
+    </nav>
+  );
+}
+
+function View() {
+  const view = useStore(session, (value) => value.view);
+  switch (view) {
+    case 'fields': return <FieldsView />;
+    case 'plan': return <PlanView />;
+    case 'compare': return <CompareView />;
+    case 'review': return <ReviewView />;
+  }
+}

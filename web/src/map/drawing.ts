@@ -1,0 +1,74 @@
+// Clicks and keys on the map while something is drawn or an edge is picked.
+import type { Feature, FieldFull, Place } from '../api/types';
+import { add, closed, drawing, undo } from '../state/drawing';
+import { fields } from '../state/fields';
+import { form } from '../state/plan_form';
+import { session } from '../state/session';
+import { edgesOf, nearestEdge, type Edge } from './edges';
+import { collection, NOTHING, type Shown } from './shown';
+
+let ofField: FieldFull | null = null;
+let edges: Edge[] = [];
+/** Edges of the open field; worked out once for each field. */
+export function openEdges(): Edge[] {
+  const field = fields.get().open;
+  if (field !== ofField) {
+    ofField = field;
+    edges = field ? edgesOf(field) : [];
+  }
+  return edges;
+}
+
+function shape(places: Place[], ring: boolean): Feature[] {
+  const points: Feature[] = places.map((place) => ({ type: 'Feature', properties: {}, geometry: { type: 'Point', coordinates: place } }));
+  if (places.length < 2) return points;
+  const line: Feature = { type: 'Feature', properties: {}, geometry: { type: 'LineString', coordinates: ring ? [...places, places[0]!] : places } };
+  const area: Feature = { type: 'Feature', properties: {}, geometry: { type: 'Polygon', coordinates: [[...places, places[0]!]] } };
+  return ring && places.length > 2 ? [area, line, ...points] : [line, ...points];
+}
+
+const guideFeature = (line: Place[], chosen: boolean): Feature => ({
+  type: 'Feature', properties: { chosen }, geometry: { type: 'LineString', coordinates: line },
+});
+
+export function followDrawing({ map, fill }: Shown): void {
+  const sync = () => {
+    const { purpose, places } = drawing.get();
+    fill('drawing', places.length > 0 ? collection(shape(places, closed(purpose))) : NOTHING);
+    map.getCanvas().style.cursor = purpose ? 'crosshair' : '';
+    if (purpose) map.doubleClickZoom.disable();
+    else map.doubleClickZoom.enable();
+  };
+  drawing.listen(sync);
+  sync();
+
+  const guide = () => {
+    const picking = drawing.get().purpose === 'edge';
+    const line = form.get().line;
+    const here = session.get().view === 'plan' || picking;
+    const offered = picking ? openEdges().map((edge) => guideFeature(edge.line, false)) : [];
+    const chosen = here && line ? [guideFeature(line, true)] : [];
+    fill('edges', collection([...offered, ...chosen]));
+  };
+  for (const from of [drawing, form, session]) from.listen(guide);
+  guide();
+
+  const take = (place: Place) => {
+    if (drawing.get().purpose !== 'edge') return add(place);
+    const nearest = nearestEdge(openEdges(), place);
+    if (!nearest) return;
+    form.set({ line: nearest.edge.line });
+    drawing.set({ purpose: null, places: [] });
+  };
+  map.on('click', (event) => {
+    if (drawing.get().purpose) take(event.lngLat.toArray());
+  });
+  map.getCanvas().addEventListener('keydown', (event) => {
+    if (!drawing.get().purpose) return;
+    if (event.key === 'Enter' || event.key === ' ') take(map.getCenter().toArray());
+    else if (event.key === 'Backspace') undo();
+    else if (event.key === 'Escape') drawing.set({ purpose: null, places: [] });
+    else return;
+    event.preventDefault();
+  });
+}

@@ -1,0 +1,28 @@
+// What is being drawn, and the edges that may be picked.
+import type { LayerSpecification } from 'maplibre-gl';
+import type { Colours } from './palette';
+
+export const drawingLayers = (c: Colours): LayerSpecification[] => [
+  {
+    id: 'edges', type: 'line', source: 'edges', layout: { 'line-cap': 'round', 'line-join': 'round' },
+    paint: {
+      'line-color': c.Reference, 'line-width': ['case', ['get', 'chosen'], 5, 3], 'line-opacity': ['case', ['get', 'chosen'], 1, 0.45],
+    },
+  },
+  {
+    id: 'edges-arrow', type: 'symbol', source: 'edges', filter: ['==', ['get', 'chosen'], true],
+    layout: { 'symbol-placement': 'line', 'symbol-spacing': 120, 'icon-image': 'arrow:guide', 'icon-allow-overlap': true },
+  },
+  {
+    id: 'drawing-fill', type: 'fill', source: 'drawing', filter: ['==', ['geometry-type'], 'Polygon'],
+    paint: { 'fill-color': c.Reference, 'fill-opacity': 0.18 },
+  },
+  {
+    id: 'drawing-line', type: 'line', source: 'drawing', layout: { 'line-cap': 'round', 'line-join': 'round' },
+    paint: { 'line-color': c.Reference, 'line-width': 2.5 },
+  },
+  {
+    id: 'drawing-point', type: 'circle', source: 'drawing', filter: ['==', ['geometry-type'], 'Point'],
+    paint: { 'circle-radius': 6, 'circle-color': c.Background, 'circle-stroke-color': c.Reference, 'circle-stroke-width': 3 },
+  },
+];

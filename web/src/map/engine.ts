@@ -1,0 +1,134 @@
+// The map itself: made once, then kept in step with the stores. Loaded after the first paint.
+import maplibregl, { type GeoJSONSource, type Map as GlMap } from 'maplibre-gl';
+import type { Box, Place } from '../api/types';
+import { fields } from '../state/fields';
+import { isNight, session } from '../state/session';
+import { followDrawing } from './drawing';
+import { drawGrid, scaleOf } from './grid';
+import { drawLabels, forgetLabels } from './labels';
+import { DAY, NIGHT } from './palette';
+import { mapStyle } from './style';
+import { followField } from './show_field';
+import { followPlan } from './show_plan';
+import { followWork } from './show_work';
+import type { Shown } from './shown';
+
+const calm = matchMedia('(prefers-reduced-motion: reduce)');
+const START: Place = [10, 51];
+let shown: Shown | null = null;
+
+/** Moves the map so that a box fills it, less what lies over it. */
+export function fit(box: Box): void {
+  if (!shown) return;
+  const { map } = shown;
+  const wide = map.getContainer().clientWidth > 760;
+  const padding = wide ? { top: 48, bottom: 56, left: 48, right: 360 } : { top: 28, bottom: 44, left: 24, right: 24 };
+  map.fitBounds(box, { padding, maxZoom: 20, animate: !calm.matches, duration: 500 });
+}
+
+export const resized = () => shown?.map.resize();
+export const centre = (): Place => (shown ? shown.map.getCenter().toArray() : START);
+
+/** So that a place can be seen from near. */
+export function look(at: Place, size_m: number): void {
+  const span = Math.max(size_m, 10) * 2.5;
+  const lat = span / 111_000;
+  const lon = lat / Math.max(0.01, Math.cos((at[1] * Math.PI) / 180));
+  fit([at[0] - lon, at[1] - lat, at[0] + lon, at[1] + lat]);
+}
+
+type Scale = (length_m: number, width_px: number, grid_m: number) => void;
+
+function keepGrid(map: GlMap, scale: Scale): void {
+  let origin: Place = START;
+  const draw = () => {
+    const grid = drawGrid(map, origin);
+    const { length_m, width_px } = scaleOf(map);
+    scale(length_m, width_px, grid);
+  };
+  const anchor = () => {
+    const box = fields.get().open?.bbox;
+    if (box) origin = [box[0], box[1]];
+    draw();
+  };
+  map.on('moveend', draw);
+  map.on('resize', draw);
+  fields.listen(anchor);
+  anchor();
+}
+
+function keepTheme(map: GlMap): void {
+  let night = isNight();
+  session.listen(() => {
+    if (isNight() === night) return;
+    night = isNight();
+    const colours = night ? NIGHT : DAY;
+    const visibility = map.getStyle().layers.map((layer) => [layer.id, layer.layout?.visibility] as const);
+    for (const layer of mapStyle(colours, null).layers) {
+      for (const [name, value] of Object.entries(layer.paint ?? {})) map.setPaintProperty(layer.id, name, value);
+    }
+    for (const [layer, value] of visibility) if (value) map.setLayoutProperty(layer, 'visibility', value);
+    forgetLabels(map, colours);
+  });
+}
+
+function keepTiles(map: GlMap, visible: Shown['visible']): void {
+  if (!map.getLayer('tiles')) return;
+  const sync = () => visible(['tiles'], session.get().tiles);
+  session.listen(sync);
+  sync();
+}
+
+function keepFocus(map: GlMap): void {
+  const canvas = map.getCanvas();
+  canvas.setAttribute('aria-label', 'Map. Arrow keys move it, plus and minus zoom. While you draw, Enter sets a corner in the middle.');
+  canvas.setAttribute('role', 'application');
+}
+
+export async function startMap(container: HTMLElement, scale: Scale): Promise<void> {
+  maplibregl.setWorkerUrl('/map-worker.js');
+  const map = new maplibregl.Map({
+    container,
+    style: mapStyle(isNight() ? NIGHT : DAY, session.get().info?.tiles ?? null),
+    center: START,
+    zoom: 15,
+    maxZoom: 22,
+    minZoom: 3,
+    attributionControl: false,
+    dragRotate: false,
+    pitchWithRotate: false,
+    touchPitch: false,
+    fadeDuration: 0,
+    renderWorldCopies: false,
+    locale: { 'Map.Title': 'Map' },
+  });
+  map.touchZoomRotate.disableRotation();
+  map.keyboard.disableRotation();
+  drawLabels(map, () => (isNight() ? NIGHT : DAY));
+  keepFocus(map);
+  await map.once('load');
+  shown = {
+    map,
+    fill: (source, data) => void (map.getSource(source) as GeoJSONSource).setData(data as never),
+    visible: (layers, on) => {
+      for (const layer of layers) map.setLayoutProperty(layer, 'visibility', on ? 'visible' : 'none');
+    },
+  };
+  keepGrid(map, scale);
+  keepTheme(map);
+  keepTiles(map, shown.visible);
+  followField(shown);
+  followPlan(shown);
+  followWork(shown);
+  followDrawing(shown);
+  container.dataset['ready'] = 'true';
+  // For the tests of the page, which look at what is drawn.
+  Object.assign(window, { tramlineMap: map });
+}
+
+export function zoomBy(steps: number): void {
+  if (!shown) return;
+  const zoom = shown.map.getZoom() + steps;
+  if (calm.matches) shown.map.jumpTo({ zoom });
+  else shown.map.easeTo({ zoom, duration: 200 });
+}

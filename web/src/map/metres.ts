@@ -1,0 +1,37 @@
+// Metres about a place, for what is drawn on the screen: grid, scale bar, drawing by metres. Good to a part
+// in a thousand over a few kilometres; the library's own planes are what counts.
+import type { Place } from '../api/types';
+
+const A = 6378137;
+const E2 = 0.00669437999014;
+const RAD = Math.PI / 180;
+
+/** Metres in a degree of longitude and of latitude, on WGS 84. */
+export function degreeLengths(lat: number): [lon_m: number, lat_m: number] {
+  const w = 1 - E2 * Math.sin(lat * RAD) ** 2;
+  return [(RAD * A * Math.cos(lat * RAD)) / Math.sqrt(w), (RAD * A * (1 - E2)) / w ** 1.5];
+}
+
+export function moved(from: Place, east_m: number, north_m: number): Place {
+  const [lon_m, lat_m] = degreeLengths(from[1]);
+  return [from[0] + east_m / lon_m, from[1] + north_m / lat_m];
+}
+
+export function between(from: Place, to: Place): [east_m: number, north_m: number] {
+  const [lon_m, lat_m] = degreeLengths((from[1] + to[1]) / 2);
+  return [(to[0] - from[0]) * lon_m, (to[1] - from[1]) * lat_m];
+}
+
+export const distance = (from: Place, to: Place) => Math.hypot(...between(from, to));
+
+/** Degrees clockwise from north, in [0, 360). */
+export function bearing(from: Place, to: Place): number {
+  const [east, north] = between(from, to);
+  return ((Math.atan2(east, north) / RAD) % 360 + 360) % 360;
+}
+
+/** 1, 2 or 5 times a power of ten, at least `least`. */
+export function roundStep(least: number): number {
+  const power = 10 ** Math.floor(Math.log10(least));
+  return [1, 2, 5, 10].map((n) => n * power).find((step) => step >= least) ?? 10 * power;
+}

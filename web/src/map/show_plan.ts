@@ -1,0 +1,55 @@
+import type { FeatureCollection } from '../api/types';
+import { isShown, plans } from '../state/plans';
+import { session } from '../state/session';
+import { NOTHING, type Shown } from './shown';
+import { degreeLengths } from './metres';
+import { PARTS_OF } from './plan_layers';
+
+/** Lines nearer to one another than this are a grey area, and cost as much to draw as if they were seen, px. */
+const LEAST_APART_PX = 3;
+
+/** How wide a swath is on the screen at a zoom, px: MapLibre's world is 512 px wide at zoom 0. */
+function swathPx(width_m: number, lat: number, zoom: number): number {
+  return (width_m * 512 * 2 ** zoom) / (degreeLengths(lat)[0] * 360);
+}
+
+/** From afar every second track is drawn, or every fourth, and so on; all of them from near. */
+function thinned(width_m: number, lat: number): unknown[] {
+  const every = (zoom: number) => 2 ** Math.max(0, Math.ceil(Math.log2(LEAST_APART_PX / swathPx(width_m, lat, zoom))));
+  const steps = Array.from({ length: 18 }, (_, i) => i + 5).flatMap((zoom) => [zoom, every(zoom)]);
+  return ['==', ['%', ['to-number', ['get', 'order'], 0], ['step', ['zoom'], every(4), ...steps]], 0];
+}
+
+function zoomOf(width_m: number, lat: number, px: number): number {
+  return Math.max(0, Math.min(22, Math.log2(px / swathPx(width_m, lat, 0))));
+}
+
+/** The open plan on the map, while a view is open that is about plans. */
+export function followPlan({ map, fill, visible }: Shown): void {
+  const filled: Record<string, FeatureCollection | undefined> = {};
+  let fitted: string | null = null;
+  const sync = () => {
+    const { view } = session.get();
+    const here = view === 'plan' || view === 'compare';
+    const { shapes, open } = plans.get();
+    for (const [name, parts] of Object.entries(PARTS_OF)) {
+      const on = here && open !== null && isShown(name);
+      const data = on ? shapes[name] : undefined;
+      if (on && data !== filled[name]) {
+        filled[name] = data;
+        fill(`plan:${name}`, data ?? NOTHING);
+      }
+      visible(parts, on && data !== undefined);
+    }
+    if (open && open.id !== fitted) {
+      fitted = open.id;
+      const [width_m, lat] = [open.summary.width_m, (open.bbox[1] + open.bbox[3]) / 2];
+      map.setFilter('plan:tracks', thinned(width_m, lat) as never);
+      map.setLayerZoomRange('plan:swaths-edge', zoomOf(width_m, lat, 4), 24);
+      for (const layer of ['plan:tracks-number', 'plan:tracks-arrow']) map.setLayerZoomRange(layer, zoomOf(width_m, lat, LEAST_APART_PX), 24);
+    }
+  };
+  plans.listen(sync);
+  session.listen(sync);
+  sync();
+}

@@ -1,0 +1,53 @@
+// The map without anything on it, and which source and layer comes above which.
+import type { LayerSpecification, SourceSpecification, StyleSpecification } from 'maplibre-gl';
+import type { Colours } from './palette';
+import { fieldLayers } from './field_layers';
+import { planLayers } from './plan_layers';
+import { workLayers } from './work_layers';
+import { drawingLayers } from './drawing_layers';
+import { gridLayers } from './grid';
+
+const empty = { type: 'FeatureCollection' as const, features: [] };
+
+/** Sources whose features are replaced as a whole; those of work are changed tile by tile. */
+export const SOURCES = [
+  'grid', 'field',
+  'plan:headland', 'plan:subfields', 'plan:given_up', 'plan:worked', 'plan:swaths', 'plan:headland_unworked',
+  'plan:uncovered', 'plan:overlap', 'plan:headland_passes', 'plan:tracks', 'plan:detours', 'plan:dropped',
+  'drive:missed', 'drive:covered', 'drive:repeated', 'drive:multiplicity', 'drive:track', 'drive:gaps',
+  'work:line', 'work:machine', 'drawing', 'edges',
+] as const;
+export const TILE_SOURCES = ['work:covered', 'work:repeated'] as const;
+
+function sources(tiles: string | null): Record<string, SourceSpecification> {
+  const all: Record<string, SourceSpecification> = {};
+  for (const name of SOURCES) all[name] = { type: 'geojson', data: empty, tolerance: 0.2, maxzoom: 19 };
+  for (const name of TILE_SOURCES) {
+    all[name] = { type: 'geojson', data: empty, tolerance: 0, buffer: 8, maxzoom: 19 };
+  }
+  if (tiles) all['tiles'] = { type: 'raster', tiles: [tiles], tileSize: 256, maxzoom: 19 };
+  return all;
+}
+
+function layers(c: Colours, tiles: boolean): LayerSpecification[] {
+  const field = fieldLayers(c);
+  const plan = planLayers(c);
+  return [
+    { id: 'backdrop', type: 'background', paint: { 'background-color': c.Backdrop } },
+    ...(tiles ? [{ id: 'tiles', type: 'raster' as const, source: 'tiles', layout: { visibility: 'none' as const } }] : []),
+    ...gridLayers(c),
+    ...field.below,
+    ...plan.areas,
+    ...workLayers(c),
+    ...field.above,
+    ...plan.lines,
+    ...drawingLayers(c),
+  ];
+}
+
+export const mapStyle = (c: Colours, tiles: string | null): StyleSpecification => ({
+  version: 8,
+  sources: sources(tiles),
+  layers: layers(c, tiles !== null),
+  transition: { duration: 0, delay: 0 },
+});

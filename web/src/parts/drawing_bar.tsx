@@ -1,0 +1,94 @@
+// What to do while drawing, and a way to draw without pointing: coordinates, or metres from the last corner.
+import { useState } from 'preact/hooks';
+import type { Geometry, Place } from '../api/types';
+import { engine } from '../map/host';
+import { distance, moved } from '../map/metres';
+import { metres } from '../format';
+import { add, closed, drawing, finished, least, stop, undo, type Purpose } from '../state/drawing';
+import { attempt, complain } from '../state/notices';
+import { useStore } from '../state/store';
+import { Button } from './button';
+
+const WORDS: Record<Purpose, { title: string; done: string }> = {
+  field: { title: 'Set the corners of the field, one after the other.', done: 'Store the field' },
+  'obstacle-point': { title: 'Set the middle of the obstacle.', done: 'Add the obstacle' },
+  'obstacle-line': { title: 'Set the points of the line.', done: 'Add it' },
+  'obstacle-area': { title: 'Set the corners of the obstacle.', done: 'Add the obstacle' },
+  guide: { title: 'Set the points of the line that tracks are to follow.', done: 'Follow this line' },
+  edge: { title: 'Click an edge of the field, or press Enter on the map with an edge nearest to its middle.', done: '' },
+};
+
+type Done = (geometry: Geometry) => Promise<void>;
+let whenDone: Done = async () => {};
+/** What becomes of the shape. */
+export function drawFor(purpose: Purpose, done: Done): void {
+  whenDone = done;
+  drawing.set({ purpose, places: [] });
+  document.querySelector<HTMLElement>('.maplibregl-canvas')?.focus({ preventScroll: true });
+}
+
+function geometry(purpose: Purpose, places: Place[]): Geometry {
+  if (purpose === 'obstacle-point') return { type: 'Point', coordinates: places[0]! };
+  if (closed(purpose)) return { type: 'Polygon', coordinates: [[...places, places[0]!]] };
+  return { type: 'LineString', coordinates: places };
+}
+
+async function finish(): Promise<void> {
+  const { purpose, places } = drawing.get();
+  if (!purpose || !finished()) return;
+  const shape = geometry(purpose, places);
+  if (await attempt(() => whenDone(shape))) stop();
+}
+
+export function DrawingBar() {
+  const purpose = useStore(drawing, (value) => value.purpose);
+  const places = useStore(drawing, (value) => value.places);
+  if (!purpose) return null;
+  const { title, done } = WORDS[purpose];
+  const last = places[places.length - 1];
+  const before = places[places.length - 2];
+  return (
+    <div class="drawing-bar" role="group" aria-label="Drawing">
+      <p>
+        {title} {places.length > 0 && <strong>{places.length} set{last && before ? `, the last ${metres(distance(before, last))} long` : ''}.</strong>}
+      </p>
+      {purpose !== 'edge' && <TypedPlace last={last ?? null} />}
+      <div class="row">
+        {purpose !== 'edge' && <Button kind="main" disabled={places.length < least(purpose)} onClick={() => void finish()}>{done}</Button>}
+        {purpose !== 'edge' && <Button disabled={places.length === 0} onClick={undo}>Undo</Button>}
+        <Button onClick={stop}>Cancel</Button>
+      </div>
+    </div>
+  );
+}
+
+function TypedPlace({ last }: { last: Place | null }) {
+  const [text, setText] = useState('');
+  const set = () => {
+    const numbers = text.trim().split(/[\s;]+|,\s*/).filter((part) => part !== '').map(Number);
+    const [a, b] = numbers;
+    if (numbers.length !== 2 || a === undefined || b === undefined || !Number.isFinite(a) || !Number.isFinite(b)) {
+      complain(last ? 'Type two numbers: metres to the east and to the north of the last corner, such as “120 -40”.' : 'Type two numbers: longitude and latitude in degrees, such as “9.1478 52.6925”.');
+      return;
+    }
+    if (!last && (Math.abs(a) > 180 || Math.abs(b) > 85)) {
+      complain('Longitude goes from −180 to 180, latitude from −85 to 85. Type them in this order.');
+      return;
+    }
+    const place = last ? moved(last, a, b) : ([a, b] as Place);
+    add(place);
+    const all = drawing.get().places;
+    if (all.length < 2) engine()?.look(place, 100);
+    else engine()?.fit([Math.min(...all.map((p) => p[0])), Math.min(...all.map((p) => p[1])), Math.max(...all.map((p) => p[0])), Math.max(...all.map((p) => p[1]))]);
+    setText('');
+  };
+  return (
+    <form class="row" onSubmit={(event) => { event.preventDefault(); set(); }}>
+      <label class="grow">
+        <span class="label">{last ? 'Metres east and north of the last one' : 'Longitude and latitude, degrees'}</span>
+        <input type="text" autocomplete="off" placeholder={last ? '120 -40' : '9.1478 52.6925'} value={text} onInput={(event) => setText(event.currentTarget.value)} />
+      </label>
+      <button type="submit" class="button">Set</button>
+    </form>
+  );
+}

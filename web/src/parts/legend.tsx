@@ -1,0 +1,27 @@
+// What is on the map, over it where there is room and below it where there is none.
+import { useState } from 'preact/hooks';
+import { plans } from '../state/plans';
+import { replay } from '../state/replay';
+import { review } from '../state/review';
+import { session } from '../state/session';
+import { useStore } from '../state/store';
+import { DriveLayers } from '../views/review/drive_layers';
+import { LayerList } from '../views/plan/layer_list';
+
+const narrow = matchMedia('(max-width: 760px)');
+
+export function Legend() {
+  const view = useStore(session, (value) => value.view);
+  const plan = useStore(plans, (value) => value.open !== null);
+  const drive = useStore(review, (value) => value.drive);
+  const moving = useStore(replay, (value) => value.of !== null);
+  const [open, setOpen] = useState(!narrow.matches);
+  const list = view === 'plan' || view === 'compare' ? plan && <LayerList /> : view === 'review' && drive && !moving ? <DriveLayers drive={drive} /> : null;
+  if (!list) return null;
+  return (
+    <details class="legend" open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
+      <summary>On the map</summary>
+      {list}
+    </details>
+  );
+}

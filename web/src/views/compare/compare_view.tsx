@@ -1,0 +1,20 @@
+import { fields } from '../../state/fields';
+import { plans } from '../../state/plans';
+import { useStore } from '../../state/store';
+import { NoField } from '../plan/plan_view';
+import { Reasons } from './reasons';
+import { SideBySide } from './side_by_side';
+import { TradeOff } from './trade_off';
+
+export function CompareView() {
+  const field = useStore(fields, (value) => value.open);
+  const open = useStore(plans, (value) => value.open);
+  if (!field) return <NoField />;
+  return (
+    <>
+      <TradeOff field={field.id} />
+      <SideBySide />
+      {open && <Reasons plan={open} />}
+    </>
+  );
+}

@@ -1,0 +1,54 @@
+// Why the plan on the map won: what its cost is made of, and what the next best would cost more.
+import type { Explain, PlanFull, RunnerUp } from '../../api/types';
+import { count, degrees, money, squareMetres } from '../../format';
+
+const REASONS: Record<string, string> = {
+  overlap: 'more overlap', uncovered: 'more uncovered land', turns: 'more turns', stops: 'more stops',
+};
+const CAUSES: Record<string, string> = {
+  'row ends': 'Ends of swaths at slanting edges', sides: 'Along the sides', seams: 'Between parts of the field', detours: 'Ways round obstacles',
+  stops: 'Stops at obstacles', 'short pieces': 'Pieces too short to drive', 'given up': 'Left out on purpose', turns: 'Turns',
+};
+
+export function Reasons({ plan }: { plan: PlanFull }) {
+  return (
+    <section aria-labelledby="why-title">
+      <h2 id="why-title">Why the plan on the map</h2>
+      {plan.explain ? <Told explain={plan.explain} /> : <p class="hint">This plan was stored without its reasons. Make it again under Plan to see them.</p>}
+    </section>
+  );
+}
+
+function Told({ explain }: { explain: Explain }) {
+  const causes = explain.causes.filter((cause) => cause.cost > 0).sort((a, b) => b.cost - a.cost);
+  const most = Math.max(...causes.map((cause) => cause.cost), 1e-9);
+  return (
+    <>
+      <h3>What its cost is made of</h3>
+      <ul class="bars">
+        {causes.map((cause) => (
+          <li key={cause.cause}>
+            <div class="between"><span>{CAUSES[cause.cause] ?? cause.cause}</span><span class="number">{money(cause.cost)}</span></div>
+            <span class="bar" style={{ width: `${((100 * cause.cost) / most).toFixed(1)}%` }} />
+            <span class="sub">{[
+              cause.overlap_m2 > 0.5 && `${squareMetres(cause.overlap_m2)} overlap`,
+              cause.uncovered_m2 > 0.5 && `${squareMetres(cause.uncovered_m2)} uncovered`,
+              cause.count !== null && `${count(cause.count)} times`,
+            ].filter(Boolean).join(', ')}</span>
+          </li>
+        ))}
+      </ul>
+      <h3>The next best plans</h3>
+      {explain.runner_ups.length === 0 ? <p class="hint">No plan of another kind was looked at.</p> : (
+        <ul class="plain">{explain.runner_ups.map((other, i) => <li key={i}>{told(other)}</li>)}</ul>
+      )}
+    </>
+  );
+}
+
+function told(other: RunnerUp): string {
+  const towards = other.direction_deg.slice(0, 3).map(degrees).join(', ');
+  const how = other.subfields > 1 ? `${other.subfields} parts, towards ${towards}` : `Tracks towards ${towards}`;
+  const saved = Object.entries(other.more_by).filter(([, more]) => more < -0.005).map(([what]) => what);
+  return `${how}: ${money(other.more)} dearer, mostly for ${REASONS[other.main_reason] ?? other.main_reason}${saved.length > 0 ? `, though it saves ${saved.join(' and ')}` : ''}.`;
+}

@@ -1,0 +1,137 @@
+import { useEffect } from 'preact/hooks';
+import { api } from '../../api/client';
+import type { PlanFull, PlanItem, PlanSummary } from '../../api/types';
+import { change, count, endRule, length, money, percent, squareMetres, when } from '../../format';
+import { Button } from '../../parts/button';
+import { Select } from '../../parts/choice';
+import { Icon } from '../../parts/icon';
+import { More } from '../../parts/more';
+import { Sure } from '../../parts/sure';
+import { choose, compare } from '../../state/compare';
+import { attempt } from '../../state/notices';
+import { costOf, form } from '../../state/plan_form';
+import { deletePlan, openPlan, plans } from '../../state/plans';
+import { useStore } from '../../state/store';
+
+const called = (plan: PlanItem, all: PlanItem[]) => {
+  const number = all.length - all.indexOf(plan);
+  return `${number} · ${money(costOf(plan))} · ${plan.name || when(plan.created)}`;
+};
+
+export function SideBySide() {
+  useStore(form, (value) => value); // costs are counted at its prices
+  const list = useStore(plans, (value) => value.list);
+  const { a, b } = { a: useStore(compare, (value) => value.a), b: useStore(compare, (value) => value.b) };
+  const field = list[0]?.field;
+  // The two newest plans are what one wants to compare first.
+  useEffect(() => {
+    const { a: left, b: right } = compare.get();
+    const known = (plan: PlanFull | null) => plan !== null && list.some((item) => item.id === plan.id);
+    const [newest, second] = list;
+    if (!newest || !second || (known(left) && known(right) && left?.id !== right?.id)) return;
+    void attempt(() => Promise.all([choose('a', second.id), choose('b', newest.id)]));
+  }, [field, list.length]);
+  if (list.length < 2) {
+    return (
+      <section>
+        <h2>Two plans side by side</h2>
+        <p class="hint">There {list.length === 1 ? 'is one plan' : 'are no plans'} of this field yet. Make {list.length === 1 ? 'another' : 'two'} under Plan, or choose dots above.</p>
+      </section>
+    );
+  }
+  const options = list.map((plan) => ({ value: plan.id, label: called(plan, list) }));
+  return (
+    <section aria-labelledby="two-title">
+      <h2 id="two-title">Two plans side by side</h2>
+      <div class="two">
+        <Side side="a" title="First plan" plan={a} options={options} />
+        <Side side="b" title="Second plan" plan={b} options={options} />
+      </div>
+      {a && b && a.id !== b.id && <Differences a={a} b={b} />}
+      <AllPlans list={list} />
+    </section>
+  );
+}
+
+interface SideProps {
+  side: 'a' | 'b';
+  title: string;
+  plan: PlanFull | null;
+  options: { value: string; label: string }[];
+}
+const Side = ({ side, title, plan, options }: SideProps) => (
+  <div>
+    <Select label={title} value={plan?.id ?? ''} options={options} change={(id) => void attempt(() => choose(side, id))} />
+    {plan && (
+      <button type="button" class="picture" aria-label={`Show the ${title.toLowerCase()} on the map`} onClick={() => void attempt(() => openPlan(plan.id))}>
+        <img src={api.planFile(plan.id, 'png')} alt={`Picture of the ${title.toLowerCase()}`} loading="lazy" />
+      </button>
+    )}
+  </div>
+);
+
+interface Row {
+  label: string;
+  of: (summary: PlanSummary) => number;
+  write: (value: number) => string;
+}
+const costAtHand = (summary: PlanSummary) => costOf(summary);
+const ROWS: Row[] = [
+  { label: 'Cost', of: costAtHand, write: money },
+  { label: 'Overlap', of: (s) => s.overlap_m2, write: squareMetres },
+  { label: 'Uncovered', of: (s) => s.uncovered_m2, write: squareMetres },
+  { label: 'Turns', of: (s) => s.turns, write: count },
+  { label: 'Stops', of: (s) => s.stops, write: count },
+  { label: 'Tracks', of: (s) => s.tracks, write: count },
+  { label: 'Way on tracks', of: (s) => s.track_length_m, write: length },
+  { label: 'Detours', of: (s) => s.detours, write: count },
+  { label: 'Headland passes', of: (s) => s.headland_passes, write: count },
+];
+const WORDS: { label: string; of: (summary: PlanSummary) => string }[] = [
+  { label: 'Directions', of: (s) => s.direction_deg.slice(0, 3).map((deg) => `${Math.round(deg)}°`).join(' ') + (s.direction_deg.length > 3 ? ' …' : '') },
+  { label: 'End rule', of: (s) => endRule(s.end_rule) },
+  { label: 'Width', of: (s) => `${s.width_m} m` },
+];
+
+function Differences({ a, b }: { a: PlanFull; b: PlanFull }) {
+  const [one, two] = [a.summary, b.summary];
+  const [cost1, cost2] = [costOf(one), costOf(two)];
+  const dearer = cost1 - cost2;
+  const cheaper = dearer > 0 ? 'second' : 'first';
+  return (
+    <>
+      {money(Math.abs(dearer)) !== money(0) && (
+        <p>The <strong>{cheaper} plan is cheaper by {money(Math.abs(dearer))}</strong>{cost1 > 0 && `, ${percent(Math.abs(dearer) / Math.max(cost1, cost2))}`}, at the prices under Plan.</p>
+      )}
+      <div class="wide-table" tabIndex={0} role="region" aria-label="Differences of the two plans">
+        <table class="differences">
+          <thead><tr><th /><th>First</th><th>Second</th><th>Second − first</th></tr></thead>
+          <tbody>
+            {ROWS.map(({ label, of, write }) => (
+              <tr key={label}><th scope="row">{label}</th><td>{write(of(one))}</td><td>{write(of(two))}</td><td>{change(of(two) - of(one), write)}</td></tr>
+            ))}
+            {WORDS.map(({ label, of }) => (
+              <tr key={label}><th scope="row">{label}</th><td>{of(one)}</td><td>{of(two)}</td><td>{of(one) === of(two) ? 'the same' : ''}</td></tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+    </>
+  );
+}
+
+function AllPlans({ list }: { list: PlanItem[] }) {
+  const open = useStore(plans, (value) => value.open?.id);
+  return (
+    <More title={`All plans of this field (${list.length})`}>
+      <ul class="cards">
+        {list.map((plan) => (
+          <li key={plan.id} class="row tight">
+            <Button aria-current={plan.id === open} onClick={() => void attempt(() => openPlan(plan.id))}>{called(plan, list)}</Button>
+            <Sure label={`Delete plan ${called(plan, list)}`} ask="Delete it" act={() => void attempt(() => deletePlan(plan.id))}><Icon name="bin" /></Sure>
+          </li>
+        ))}
+      </ul>
+    </More>
+  );
+}

@@ -1,0 +1,79 @@
+import { useState } from 'preact/hooks';
+import type { FrontPoint } from '../../api/types';
+import { count, money, plural, squareMetres } from '../../format';
+import { Button } from '../../parts/button';
+import { More } from '../../parts/more';
+import { Progress } from '../../parts/progress';
+import { cancelFront, compare, makeFront, openPoint } from '../../state/compare';
+import { attempt } from '../../state/notices';
+import { plans } from '../../state/plans';
+import { useStore } from '../../state/store';
+import { Chart } from './chart';
+
+const MARKS: Record<string, string> = {
+  given_prices: 'cheapest at your prices',
+  knee: 'balanced',
+  least_overlap: 'least overlap',
+  least_uncovered: 'least uncovered',
+  fewest_turns_and_stops: 'fewest turns and stops',
+};
+export const marksOf = (point: FrontPoint) => point.marks.map((mark) => MARKS[mark] ?? mark).join(', ');
+
+export function TradeOff({ field }: { field: string }) {
+  const front = useStore(compare, (value) => (value.field === field ? value.front : null));
+  const job = useStore(compare, (value) => value.job);
+  return (
+    <section aria-labelledby="front-title">
+      <h2 id="front-title">Plans worth a choice</h2>
+      {!front && <p class="hint">Fewer turns cost overlap or uncovered land. This finds the plans of which none is better in everything, for the machine and the settings under Plan.</p>}
+      {job ? (
+        <Progress job={job} title="Comparing" cancel={() => void attempt(cancelFront)} />
+      ) : (
+        <Button kind={front ? 'plain' : 'main'} onClick={() => void attempt(makeFront)}>{front ? 'Find them again' : 'Find the plans'}</Button>
+      )}
+      {front && <Points points={front.front} />}
+    </section>
+  );
+}
+
+function Points({ points }: { points: FrontPoint[] }) {
+  const [hovered, setHovered] = useState<number | null>(null);
+  const laying = useStore(compare, (value) => value.laying);
+  const open = useStore(plans, (value) => value.open?.id);
+  const laid = useStore(compare, (value) => value.laid);
+  const opened = points.find((point) => laid[point.point] === open && open !== undefined);
+  const about = points.find((point) => point.point === (hovered ?? opened?.point)) ?? null;
+  const choose = (point: number) => void attempt(() => openPoint(point));
+  return (
+    <>
+      <Chart points={points} open={opened?.point ?? null} hovered={hovered} hover={setHovered} choose={choose} />
+      <p class="about" role="status">
+        {laying !== null ? `Laying plan ${laying} …` : about ? (
+          <>
+            <strong>Plan {about.point}</strong>
+            {`: ${squareMetres(about.overlap_m2)} overlap, ${squareMetres(about.uncovered_m2)} uncovered, ${plural(about.turns, 'turn')}, ${plural(about.stops, 'stop')}, ${money(about.cost)}${about.marks.length > 0 ? ` – ${marksOf(about)}` : ''}.`}
+          </>
+        ) : `${plural(points.length, 'plan')}. Point at one to see its numbers; click it to see it on the map.`}
+      </p>
+      <More title="The same as a table">
+        <div class="wide-table" tabIndex={0} role="region" aria-label="Plans worth a choice">
+          <table>
+            <thead><tr><th>Plan</th><th>Overlap</th><th>Uncovered</th><th>Turns</th><th>Stops</th><th>Cost</th></tr></thead>
+            <tbody>
+              {points.map((point) => (
+                <tr key={point.point} aria-current={point.point === opened?.point}>
+                  <td><Button aria-label={`Show plan ${point.point}`} onClick={() => choose(point.point)}>{point.point}</Button></td>
+                  <td>{squareMetres(point.overlap_m2)}</td>
+                  <td>{squareMetres(point.uncovered_m2)}</td>
+                  <td>{count(point.turns)}</td>
+                  <td>{count(point.stops)}</td>
+                  <td>{money(point.cost)}</td>
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </div>
+      </More>
+    </>
+  );
+}

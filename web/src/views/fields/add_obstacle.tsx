@@ -1,0 +1,41 @@
+import { useState } from 'preact/hooks';
+import { Button } from '../../parts/button';
+import { Choice } from '../../parts/choice';
+import { More } from '../../parts/more';
+import { NumberField } from '../../parts/number_field';
+import { drawFor } from '../../parts/drawing_bar';
+import type { Purpose } from '../../state/drawing';
+import { changeField } from '../../state/fields';
+
+type Form = 'obstacle-point' | 'obstacle-area' | 'obstacle-line';
+
+/** Poles and trees by a click, ponds by their corners, ditches by their line. */
+export function AddObstacle() {
+  const [form, setForm] = useState<Form>('obstacle-point');
+  const [kind, setKind] = useState<'obstacle' | 'passable'>('obstacle');
+  const [size_m, setSize] = useState(2);
+  const start = () =>
+    drawFor(form as Purpose, (geometry) =>
+      changeField({ add: [{ kind, geometry, ...(form === 'obstacle-area' ? {} : { size_m }) }] }),
+    );
+  return (
+    <More title="Add an obstacle">
+      <Choice label="Its form" value={form} change={setForm}
+        options={[
+          { value: 'obstacle-point', label: 'Point' },
+          { value: 'obstacle-area', label: 'Area' },
+          { value: 'obstacle-line', label: 'Line' },
+        ]} />
+      <Choice label="May the machine cross it?" value={kind} change={setKind}
+        options={[
+          { value: 'obstacle', label: 'No' },
+          { value: 'passable', label: 'Yes, not working' },
+        ]} />
+      {form !== 'obstacle-area' && (
+        <NumberField label={form === 'obstacle-point' ? 'How wide it is' : 'How wide the line is'} unit="m" value={size_m} least={0.1} most={200}
+          change={(value) => value !== null && setSize(value)} />
+      )}
+      <Button onClick={start}>Set it on the map</Button>
+    </More>
+  );
+}

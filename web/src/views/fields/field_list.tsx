@@ -1,0 +1,35 @@
+import { hectares, plural, when } from '../../format';
+import { Sure } from '../../parts/sure';
+import { Icon } from '../../parts/icon';
+import { deleteField, fields, openField } from '../../state/fields';
+import { attempt } from '../../state/notices';
+import { useStore } from '../../state/store';
+
+export function FieldList() {
+  const list = useStore(fields, (value) => value.list);
+  const open = useStore(fields, (value) => value.open?.id);
+  if (list === null) return null;
+  return (
+    <section aria-labelledby="fields-title">
+      <h2 id="fields-title">Your fields</h2>
+      {list.length === 0 && <p class="hint">None yet. Choose a file above, or draw a field on the map.</p>}
+      <ul class="cards">
+        {list.map((field) => (
+          <li key={field.id} class="row tight">
+            <button type="button" class="card grow" aria-current={field.id === open} onClick={() => void attempt(() => openField(field.id))}>
+              <span class="grow">
+                <strong>{field.name}</strong>
+                <span class="sub">
+                  {hectares(field.area_m2)}
+                  {field.obstacles > 0 && ` · ${plural(field.obstacles, 'obstacle')}`}
+                  {field.created && ` · ${when(field.created)}`}
+                </span>
+              </span>
+            </button>
+            <Sure label={`Delete ${field.name}`} ask="Delete it" act={() => void attempt(() => deleteField(field.id))}><Icon name="bin" /></Sure>
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}

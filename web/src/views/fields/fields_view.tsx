@@ -1,0 +1,33 @@
+import { DropZone } from '../../parts/drop_zone';
+import { Button } from '../../parts/button';
+import { drawFor } from '../../parts/drawing_bar';
+import { fields, storeDrawnField, takeFieldFile } from '../../state/fields';
+import { attempt } from '../../state/notices';
+import { useStore } from '../../state/store';
+import { FeatureChooser } from './feature_chooser';
+import { FieldList } from './field_list';
+import { OpenField } from './open_field';
+
+export function FieldsView() {
+  const busy = useStore(fields, (value) => value.busy);
+  const choosing = useStore(fields, (value) => value.choosing);
+  const open = useStore(fields, (value) => value.open);
+  if (choosing) return <FeatureChooser upload={choosing} />;
+  return (
+    <>
+      <section aria-label="Bring a field">
+        <DropZone
+          label="Choose a file with a field"
+          hint="or drop it here: GeoJSON, GeoPackage, Shapefile (zipped), KML, ISOXML"
+          busy={busy}
+          take={(file) => void attempt(() => takeFieldFile(file))}
+        />
+        <div class="row">
+          <Button onClick={() => drawFor('field', (geometry) => storeDrawnField('Drawn field', geometry))}>Draw a field</Button>
+        </div>
+      </section>
+      {open && <OpenField field={open} />}
+      <FieldList />
+    </>
+  );
+}

@@ -1,0 +1,98 @@
+import { useState } from 'preact/hooks';
+import type { FieldFull } from '../../api/types';
+import { sentence } from '../../api/client';
+import { hectares, plural, squareMetres } from '../../format';
+import { Button } from '../../parts/button';
+import { More } from '../../parts/more';
+import { changeField } from '../../state/fields';
+import { attempt } from '../../state/notices';
+import { show } from '../../state/session';
+import { AddObstacle } from './add_obstacle';
+
+export function OpenField({ field }: { field: FieldFull }) {
+  return (
+    <section class="open" aria-label={`Open field: ${field.name}`}>
+      <Name key={field.id} field={field} />
+      <p>
+        <strong>{hectares(field.area_m2)}</strong>
+        {` · ${field.obstacles === 0 ? 'no obstacles' : plural(field.obstacles, 'obstacle')}`}
+        {field.passable > 0 && ` · ${plural(field.passable, 'passable strip')}`}
+        {!field.geodetic && ' · plain metres'}
+      </p>
+      <Findings field={field} />
+      <Obstacles field={field} />
+      <AddObstacle />
+      <Button kind="main" onClick={() => show('plan')}>Plan this field</Button>
+    </section>
+  );
+}
+
+function Name({ field }: { field: FieldFull }) {
+  const [name, setName] = useState(field.name);
+  const save = () => {
+    if (name.trim() !== '' && name !== field.name) void attempt(() => changeField({ name: name.trim() }));
+  };
+  return (
+    <label class="field title-field">
+      <span class="unseen">Name of the field</span>
+      <input type="text" value={name} maxLength={80} onInput={(event) => setName(event.currentTarget.value)} onBlur={save}
+        onKeyDown={(event) => event.key === 'Enter' && event.currentTarget.blur()} />
+    </label>
+  );
+}
+
+function Findings({ field }: { field: FieldFull }) {
+  const { repairs, skipped, warnings } = field;
+  const number = repairs.length + skipped.length + warnings.length;
+  if (number === 0) return <p class="fine">The boundary is sound: nothing had to be mended.</p>;
+  return (
+    <More title={`${plural(number, 'remark')} on the file: what was mended or left aside`} open={number <= 4}>
+      <ul class="plain">
+        {repairs.map((repair, i) => (
+          <li key={i}>
+            {sentence(`mended: ${repair.what}`)} <span class="sub">{repair.where}{repair.area_change_m2 ? `, ${squareMetres(repair.area_change_m2)}` : ''}</span>
+          </li>
+        ))}
+        {skipped.map((skip, i) => (
+          <li key={i}>{sentence(`left aside: ${skip.what}, ${skip.why}`)} <span class="sub">{skip.where}</span></li>
+        ))}
+        {warnings.map((warning, i) => <li key={i}>{sentence(warning)}</li>)}
+      </ul>
+    </More>
+  );
+}
+
+interface Obstacle {
+  number: number;
+  kind: string;
+  area_m2: number | null;
+}
+function obstaclesOf(field: FieldFull): Obstacle[] {
+  return field.shapes.features
+    .filter(({ properties }) => properties['kind'] !== 'field' && typeof properties['number'] === 'number')
+    .map(({ properties }) => ({
+      number: properties['number'] as number,
+      kind: String(properties['kind']),
+      area_m2: typeof properties['area_m2'] === 'number' ? properties['area_m2'] : null,
+    }));
+}
+
+function Obstacles({ field }: { field: FieldFull }) {
+  const list = obstaclesOf(field);
+  if (list.length === 0) return null;
+  return (
+    <More title={`Obstacles, as numbered on the map (${list.length})`}>
+      <ul class="plain">
+        {list.map(({ number, kind, area_m2 }) => (
+          <li key={number} class="between">
+            <span>
+              {number} · {kind === 'passable' ? 'passable' : 'obstacle'}
+              {area_m2 !== null && ` · ${squareMetres(area_m2)}`}
+            </span>
+            <Button kind="quiet" aria-label={`Remove obstacle ${number}`} onClick={() => void attempt(() => changeField({ remove: [number] }))}>Remove</Button>
+          </li>
+        ))}
+      </ul>
+    </More>
+  );
+}

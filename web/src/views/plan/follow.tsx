@@ -1,0 +1,48 @@
+// Tracks along an edge of the field, or along a line that is drawn.
+import type { Place } from '../../api/types';
+import { degrees, length } from '../../format';
+import { openEdges } from '../../map/drawing';
+import { bearing, distance } from '../../map/metres';
+import { Button } from '../../parts/button';
+import { Choice, Select } from '../../parts/choice';
+import { drawFor } from '../../parts/drawing_bar';
+import { drawing } from '../../state/drawing';
+import { form, type Shape } from '../../state/plan_form';
+import { useStore } from '../../state/store';
+
+const SHAPES: { value: Shape; label: string }[] = [
+  { value: 'straight', label: 'Straight' },
+  { value: 'curved', label: 'Curved' },
+  { value: 'auto', label: 'What costs less' },
+];
+const LISTED = 12;
+
+const said = (line: Place[]) => {
+  const long = line.slice(1).reduce((sum, place, i) => sum + distance(line[i]!, place), 0);
+  return `${length(long)}, towards ${degrees(bearing(line[0]!, line[line.length - 1]!))}`;
+};
+
+export function Follow() {
+  const shape = useStore(form, (value) => value.shape);
+  const line = useStore(form, (value) => value.line);
+  const edges = openEdges().slice(0, LISTED);
+  const picked = edges.find((edge) => edge.line === line);
+  return (
+    <section aria-labelledby="follow-title">
+      <h2 id="follow-title">Tracks</h2>
+      <Choice label="Their shape" value={shape} options={SHAPES} change={(value) => form.set({ shape: value })} />
+      <Select label="Parallel to" value={picked ? String(picked.number) : line ? 'line' : ''}
+        options={[
+          { value: '', label: 'whatever costs least' },
+          ...(line && !picked ? [{ value: 'line', label: `a line, ${said(line)}` }] : []),
+          ...edges.map((edge) => ({ value: String(edge.number), label: `edge ${edge.number}: ${length(edge.length_m)}, towards ${degrees(edge.bearing_deg)}` })),
+        ]}
+        change={(value) => value !== 'line' && form.set({ line: edges.find((edge) => String(edge.number) === value)?.line ?? null })} />
+      <div class="row">
+        <Button onClick={() => drawing.set({ purpose: 'edge', places: [] })}>Click an edge</Button>
+        <Button onClick={() => drawFor('guide', async (geometry) => form.set({ line: geometry.coordinates as Place[] }))}>Draw a line</Button>
+        {line && <Button kind="quiet" onClick={() => form.set({ line: null })}>Follow nothing</Button>}
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,50 @@
+// What is on the map, each thing with its size, to switch on and off.
+import type { LayerItem } from '../../api/types';
+import { length, squareMetres } from '../../format';
+import { DAY, NIGHT, type Colours } from '../../map/palette';
+import { PARTS_OF } from '../../map/plan_layers';
+import { Switch } from '../../parts/switch';
+import { attempt } from '../../state/notices';
+import { isShown, plans, switchLayer } from '../../state/plans';
+import { isNight, session } from '../../state/session';
+import { useStore } from '../../state/store';
+
+type Mark = { colour: keyof Colours & string; form: 'area' | 'line' | 'dashed' };
+const KNOWN: Record<string, { title: string; mark: Mark }> = {
+  overlap: { title: 'Overlap', mark: { colour: 'Overlap', form: 'area' } },
+  uncovered: { title: 'Uncovered', mark: { colour: 'Uncovered', form: 'area' } },
+  tracks: { title: 'Tracks', mark: { colour: 'Track', form: 'line' } },
+  swaths: { title: 'Swaths', mark: { colour: 'Rule', form: 'area' } },
+  detours: { title: 'Detours', mark: { colour: 'Detour', form: 'line' } },
+  headland_passes: { title: 'Headland passes', mark: { colour: 'HeadlandPass', form: 'line' } },
+  headland: { title: 'Headland', mark: { colour: 'Headland', form: 'area' } },
+  headland_unworked: { title: 'Headland left', mark: { colour: 'Uncovered', form: 'area' } },
+  subfields: { title: 'Subfields', mark: { colour: 'Passable', form: 'area' } },
+  given_up: { title: 'Left out on purpose', mark: { colour: 'Uncovered', form: 'area' } },
+  worked: { title: 'Worked before', mark: { colour: 'Covered', form: 'area' } },
+  dropped: { title: 'Too short to drive', mark: { colour: 'Dropped', form: 'dashed' } },
+};
+
+const size = (layer: LayerItem) => (layer.m !== null ? length(layer.m) : layer.m2 !== null ? squareMetres(layer.m2) : String(layer.features));
+
+export function LayerList() {
+  const layers = useStore(plans, (value) => value.layers);
+  useStore(plans, (value) => value.shown);
+  useStore(session, (value) => value.theme);
+  const colours = isNight() ? NIGHT : DAY;
+  const rows = Object.keys(KNOWN)
+    .map((name) => layers.find((layer) => layer.name === name))
+    .filter((layer): layer is LayerItem => layer !== undefined && layer.features > 0 && (layer.m2 === null || layer.m2 >= 0.05) && layer.name in PARTS_OF);
+  return (
+    <div class="layers">
+      {rows.map((layer) => {
+        const { title, mark } = KNOWN[layer.name]!;
+        return (
+          <Switch key={layer.name} on={isShown(layer.name)} label={title} value={size(layer)}
+            mark={{ colour: String(colours[mark.colour]), form: mark.form }}
+            change={(on) => void attempt(() => switchLayer(layer.name, on))} />
+        );
+      })}
+    </div>
+  );
+}

@@ -1,0 +1,52 @@
+import { Button } from '../../parts/button';
+import { Progress } from '../../parts/progress';
+import { Switch } from '../../parts/switch';
+import { fields } from '../../state/fields';
+import { attempt } from '../../state/notices';
+import { form } from '../../state/plan_form';
+import { cancelPlan, makePlan, plans } from '../../state/plans';
+import { show } from '../../state/session';
+import { useStore } from '../../state/store';
+import { Ends } from './ends';
+import { Follow } from './follow';
+import { MachineForm } from './machine_form';
+import { Objective } from './objective';
+import { PlanFigures } from './plan_figures';
+import { TakeAway } from './take_away';
+
+export function NoField() {
+  return (
+    <section>
+      <p>Open a field first: choose a file, or draw one.</p>
+      <Button kind="main" onClick={() => show('fields')}>Go to fields</Button>
+    </section>
+  );
+}
+
+export function PlanView() {
+  const field = useStore(fields, (value) => value.open);
+  const open = useStore(plans, (value) => value.open);
+  const job = useStore(plans, (value) => value.job);
+  const again = useStore(form, (value) => value.again);
+  if (!field) return <NoField />;
+  return (
+    <>
+      {open && <PlanFigures plan={open} />}
+      <form onSubmit={(event) => { event.preventDefault(); void attempt(makePlan); }}>
+        <MachineForm />
+        <Objective />
+        <Ends />
+        <Follow />
+        <div class="sticky">
+          {job ? (
+            <Progress job={job} title="Planning" cancel={() => void attempt(cancelPlan)} />
+          ) : (
+            <button type="submit" class="button main wide">{open ? 'Plan again' : 'Make the plan'}</button>
+          )}
+        </div>
+        <Switch on={again} label="Plan again by itself when something changes" change={(on) => form.set({ again: on })} />
+      </form>
+      {open && <TakeAway plan={open} />}
+    </>
+  );
+}

@@ -1,0 +1,43 @@
+// Every file that can be made of a plan.
+import { useState } from 'preact/hooks';
+import { api } from '../../api/client';
+import type { PlanFull } from '../../api/types';
+import { Icon } from '../../parts/icon';
+import { More } from '../../parts/more';
+
+const FILES: { format: string; name: string; what: string; crs: boolean }[] = [
+  { format: 'gpkg', name: 'GeoPackage', what: 'everything, for QGIS and for tramline', crs: false },
+  { format: 'geojson', name: 'GeoJSON', what: 'the tracks', crs: false },
+  { format: 'kml', name: 'KML', what: 'the tracks, for Google Earth', crs: false },
+  { format: 'shapefile', name: 'Shapefiles', what: 'all layers, zipped, for terminals', crs: true },
+  { format: 'flatgeobuf', name: 'FlatGeobuf', what: 'the tracks', crs: true },
+  { format: 'png', name: 'Picture', what: 'PNG', crs: false },
+  { format: 'svg', name: 'Drawing', what: 'SVG', crs: false },
+  { format: 'pdf', name: 'Sheet', what: 'PDF, to print', crs: false },
+];
+
+export function TakeAway({ plan }: { plan: PlanFull }) {
+  const [crs, setCrs] = useState('');
+  return (
+    <section aria-labelledby="take-title">
+      <h2 id="take-title">Take it away</h2>
+      <ul class="files">
+        {FILES.map(({ format, name, what, crs: takes }) => (
+          <li key={format}>
+            <a class="file" href={api.planFile(plan.id, format, takes ? crs : '')} download>
+              <Icon name="down" />
+              <span class="grow"><strong>{name}</strong><span class="sub">{what}</span></span>
+            </a>
+          </li>
+        ))}
+      </ul>
+      <More title="Another coordinate system">
+        <label class="field">
+          <span class="label">For Shapefiles and FlatGeobuf</span>
+          <input type="text" placeholder="EPSG:25832" value={crs} onInput={(event) => setCrs(event.currentTarget.value.trim())} />
+        </label>
+        <p class="hint">Left empty: the system of the field’s own file.</p>
+      </More>
+    </section>
+  );
+}

@@ -1,0 +1,44 @@
+import { hectares, length, squareMetres } from '../../format';
+import { DAY, NIGHT } from '../../map/palette';
+import { Switch } from '../../parts/switch';
+import { attempt } from '../../state/notices';
+import { DRIVE_LAYERS, review, switchDriveLayer, type DriveLayer } from '../../state/review';
+import { isNight, session } from '../../state/session';
+import { useStore } from '../../state/store';
+import type { DriveFull, FeatureCollection } from '../../api/types';
+
+const TITLES: Record<DriveLayer, string> = {
+  covered: 'Covered', repeated: 'Doubled', missed: 'Missed', multiplicity: 'How often', track: 'Way driven', gaps: 'Gaps, numbered',
+};
+
+const sum = (shapes: FeatureCollection | undefined, key: string) =>
+  (shapes?.features ?? []).reduce((all, { properties }) => all + (typeof properties[key] === 'number' ? (properties[key] as number) : 0), 0);
+
+function size(name: DriveLayer, drive: DriveFull, shapes: FeatureCollection | undefined): string {
+  const s = drive.summary;
+  switch (name) {
+    case 'covered': return hectares(s.covered_m2);
+    case 'repeated': return squareMetres(s.repeated_m2);
+    case 'missed': return squareMetres(s.missed_m2);
+    case 'gaps': return String(drive.gaps.length);
+    case 'track': return shapes ? length(sum(shapes, 'length_m')) : '';
+    case 'multiplicity': return shapes ? squareMetres(sum(shapes, 'area_m2')) : '';
+  }
+}
+
+export function DriveLayers({ drive }: { drive: DriveFull }) {
+  const shown = useStore(review, (value) => value.shown);
+  const shapes = useStore(review, (value) => value.shapes);
+  useStore(session, (value) => value.theme);
+  const c = isNight() ? NIGHT : DAY;
+  const colour: Record<DriveLayer, string> = { covered: c.Covered, repeated: c.Overlap, missed: c.Uncovered, multiplicity: c.TwiceHatch, track: c.WorkedPath, gaps: c.Uncovered };
+  return (
+    <div class="layers">
+      {DRIVE_LAYERS.filter((name) => drive.field !== null || (name !== 'missed' && name !== 'gaps')).map((name) => (
+        <Switch key={name} on={shown[name]} label={TITLES[name]} value={size(name, drive, shapes[name])}
+          mark={{ colour: colour[name], form: name === 'track' ? 'line' : 'area' }}
+          change={(on) => void attempt(() => switchDriveLayer(name, on))} />
+      ))}
+    </div>
+  );
+}

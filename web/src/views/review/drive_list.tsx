@@ -1,0 +1,31 @@
+import { count, hectares, when } from '../../format';
+import { Icon } from '../../parts/icon';
+import { Sure } from '../../parts/sure';
+import { attempt } from '../../state/notices';
+import { deleteDrive, openDrive, review } from '../../state/review';
+import { useStore } from '../../state/store';
+
+export function DriveList() {
+  const list = useStore(review, (value) => value.list);
+  const open = useStore(review, (value) => value.drive?.id);
+  if (list === null) return null;
+  return (
+    <section aria-labelledby="drives-title">
+      <h2 id="drives-title">Your drives</h2>
+      {list.length === 0 && <p class="hint">None yet. Choose a log above, or attach to a machine that is at work.</p>}
+      <ul class="cards">
+        {list.map((drive) => (
+          <li key={drive.id} class="row tight">
+            <button type="button" class="card grow" aria-current={drive.id === open} onClick={() => void attempt(() => openDrive(drive.id))}>
+              <span class="grow">
+                <strong>{drive.name}</strong>
+                <span class="sub">{hectares(drive.covered_m2)} covered · {count(drive.fixes)} fixes · {when(drive.created)}</span>
+              </span>
+            </button>
+            <Sure label={`Delete ${drive.name}`} ask="Delete it" act={() => void attempt(() => deleteDrive(drive.id))}><Icon name="bin" /></Sure>
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}

@@ -1,0 +1,61 @@
+// What was missed, the largest first.
+import { useState } from 'preact/hooks';
+import type { DriveFull } from '../../api/types';
+import { metres, squareMetres } from '../../format';
+import { engine } from '../../map/host';
+import { Button } from '../../parts/button';
+import { More } from '../../parts/more';
+import { NumberField } from '../../parts/number_field';
+import { attempt } from '../../state/notices';
+import { form } from '../../state/plan_form';
+import { planTheGaps, review } from '../../state/review';
+import { stopReplay } from '../../state/replay';
+import { useStore } from '../../state/store';
+
+const FEW = 8;
+
+export function Gaps({ drive }: { drive: DriveFull }) {
+  const [all, setAll] = useState(false);
+  const chosen = useStore(review, (value) => value.gap?.number);
+  const list = [...drive.gaps].sort((a, b) => b.area_m2 - a.area_m2);
+  return (
+    <>
+      <h3>Gaps, the largest first</h3>
+      <ol class="gaps">
+        {(all ? list : list.slice(0, FEW)).map((gap) => (
+          <li key={gap.number}>
+            <button type="button" class="card" aria-current={gap.number === chosen}
+              onClick={() => {
+                stopReplay();
+                review.set({ gap });
+                engine()?.look([gap.lon, gap.lat], Math.max(gap.widest_m * 4, Math.sqrt(gap.area_m2) * 2));
+              }}>
+              <span class="gap-number">{gap.number}</span>
+              <span class="grow"><strong>{squareMetres(gap.area_m2)}</strong><span class="sub">{metres(gap.widest_m)} wide at most</span></span>
+            </button>
+          </li>
+        ))}
+      </ol>
+      {list.length > FEW && <Button kind="quiet" onClick={() => setAll(!all)}>{all ? 'Show the largest only' : `Show all ${list.length}`}</Button>}
+      <PlanGaps />
+    </>
+  );
+}
+
+function PlanGaps() {
+  const machine = useStore(form, (value) => value.machine);
+  const [least, setLeast] = useState(10);
+  const set = (change: Partial<typeof machine>) => form.set({ machine: { ...form.get().machine, ...change } });
+  return (
+    <>
+      <More title="With which machine">
+        <div class="two">
+          <NumberField label="Working width" unit="m" value={machine.width_m} least={0.2} most={100} change={(v) => v !== null && set({ width_m: v })} />
+          <NumberField label="Turning radius" unit="m" value={machine.radius_m} least={0} most={100} change={(v) => v !== null && set({ radius_m: v })} />
+        </div>
+        <NumberField label="Leave gaps smaller than" unit="m²" value={least} least={0} most={100000} change={(v) => v !== null && setLeast(v)} />
+      </More>
+      <Button kind="main" onClick={() => void attempt(() => planTheGaps(least))}>Plan the gaps</Button>
+    </>
+  );
+}

@@ -1,0 +1,99 @@
+// Attaching to a machine that is at work.
+import { useEffect, useState } from 'preact/hooks';
+import { api } from '../../api/client';
+import type { FeedItem } from '../../api/types';
+import { Button } from '../../parts/button';
+import { Select } from '../../parts/choice';
+import { More } from '../../parts/more';
+import { NumberField } from '../../parts/number_field';
+import { fields } from '../../state/fields';
+import { attempt, note } from '../../state/notices';
+import { form } from '../../state/plan_form';
+import { attach, replay, stopReplay } from '../../state/replay';
+import { loadDrives, openDrive, startFeed } from '../../state/review';
+import { useStore } from '../../state/store';
+import { WorkNumbers } from './replay_bar';
+
+type Kind = 'tcp' | 'udp' | 'gpsd' | 'serial' | 'file';
+const KINDS: Record<Kind, { label: string; where: string; example: string }> = {
+  tcp: { label: 'Network (TCP)', where: 'Host and port', example: '192.168.1.20:9000' },
+  udp: { label: 'Network (UDP)', where: 'Port', example: ':4001' },
+  gpsd: { label: 'gpsd', where: 'Host and port', example: 'localhost:2947' },
+  serial: { label: 'Serial port', where: 'Device and speed', example: '/dev/ttyUSB0,115200' },
+  file: { label: 'File being written', where: 'Its path on this computer', example: '/home/me/today.csv' },
+};
+
+export function StartFeed() {
+  const list = useStore(fields, (value) => value.list) ?? [];
+  const [kind, setKind] = useState<Kind>('tcp');
+  const [where, setWhere] = useState('');
+  const [field, setField] = useState(fields.get().open?.id ?? '');
+  const [width_m, setWidth] = useState<number | null>(form.get().machine.width_m);
+  const [running, setRunning] = useState<FeedItem[]>([]);
+  useEffect(() => {
+    api.feeds().then(setRunning, () => {});
+  }, []);
+  const go = async () => {
+    const feed = await startFeed({
+      source: `${kind}://${where.trim()}`,
+      ...(field ? { field } : {}),
+      ...(width_m === null ? {} : { width_m }),
+    });
+    if (field && fields.get().open?.id !== field) fields.set({ open: await api.field(field) });
+    attach(feed);
+  };
+  const { where: asked, example } = KINDS[kind];
+  return (
+    <>
+      {running.map((feed) => (
+        <div key={feed.id} class="row"><Button onClick={() => attach(feed)}>Watch {feed.name ?? feed.source ?? feed.id}</Button></div>
+      ))}
+      <More title="Watch a machine at work">
+        <form onSubmit={(event) => { event.preventDefault(); void attempt(go); }}>
+          <Select label="It sends by" value={kind} change={setKind}
+            options={(Object.keys(KINDS) as Kind[]).map((value) => ({ value, label: KINDS[value].label }))} />
+          <label class="field">
+            <span class="label">{asked}</span>
+            <input type="text" autocomplete="off" placeholder={example} value={where} onInput={(event) => setWhere(event.currentTarget.value)} />
+          </label>
+          <Select label="Field" value={field} change={setField}
+            options={[{ value: '', label: 'none' }, ...list.map((one) => ({ value: one.id, label: one.name }))]} />
+          <NumberField label="Working width" unit="m" value={width_m} least={0.2} most={100} optional hint="Left empty: as the machine says." change={setWidth} />
+          <button type="submit" class="button main" disabled={where.trim() === ''}>Watch it</button>
+        </form>
+      </More>
+    </>
+  );
+}
+
+export function LiveFeed() {
+  const state = useStore(replay, (value) => value);
+  const [work, setWork] = useState(true);
+  const id = state.id;
+  if (id === null) return null;
+  const toggle = async () => {
+    await api.feedWork(id, !work);
+    setWork(!work);
+  };
+  const end = async () => {
+    const { drive } = await api.stopFeed(id);
+    stopReplay();
+    await loadDrives();
+    if (drive) await openDrive(drive);
+    else note('Nothing was recorded, so nothing was stored.');
+  };
+  return (
+    <section class="open" aria-labelledby="live-title">
+      <h2 id="live-title">{state.name}</h2>
+      <p class={state.connected ? 'fine' : 'fault'} role="status">
+        {state.message ?? (state.figures ? (state.working ? 'At work.' : 'Connected, not working.') : 'Waiting for the first fix …')}
+      </p>
+      {state.figures && <WorkNumbers figures={state.figures} />}
+      <div class="row">
+        <Button onClick={() => void attempt(toggle)}>{work ? 'Work is off' : 'Work is on again'}</Button>
+        <Button kind="main" onClick={() => void attempt(end)}>Stop and store the drive</Button>
+        <Button onClick={stopReplay}>Leave it running</Button>
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,76 @@
+// What is needed besides the log: which of its logs, which field, how wide, which plan was followed.
+import { useEffect, useState } from 'preact/hooks';
+import { api } from '../../api/client';
+import type { PlanItem, Upload } from '../../api/types';
+import { clock, count, money, timeOfDay, when, width } from '../../format';
+import { Button } from '../../parts/button';
+import { Select } from '../../parts/choice';
+import { NumberField } from '../../parts/number_field';
+import { fields } from '../../state/fields';
+import { attempt } from '../../state/notices';
+import { form } from '../../state/plan_form';
+import { evaluate, review } from '../../state/review';
+import { useStore } from '../../state/store';
+
+const NONE = '';
+
+export function LogForm({ upload }: { upload: Upload }) {
+  const logs = upload.logs ?? [];
+  const list = useStore(fields, (value) => value.list) ?? [];
+  const [log, setLog] = useState(logs[0]?.name ?? NONE);
+  const [field, setField] = useState(fields.get().open?.id ?? NONE);
+  const [plan, setPlan] = useState(NONE);
+  const [plansThere, setPlansThere] = useState<PlanItem[]>([]);
+  const chosen = logs.find((one) => one.name === log) ?? logs[0];
+  const needsWidth = !chosen || chosen.width_m === null;
+  const [width_m, setWidth] = useState<number | null>(null);
+  useEffect(() => {
+    setPlan(NONE);
+    if (field === NONE) setPlansThere([]);
+    else void attempt(async () => setPlansThere(await api.plans(field)));
+  }, [field]);
+
+  const partfields = (upload.partfields ?? []).length;
+  const go = () =>
+    attempt(() =>
+      evaluate(upload, {
+        log: logs.length > 1 ? log : null,
+        field: field || null,
+        plan: plan || null,
+        width_m: width_m ?? (needsWidth ? form.get().machine.width_m : null),
+      }),
+    );
+  return (
+    <section aria-labelledby="log-title">
+      <h2 id="log-title">{upload.name}</h2>
+      {logs.length > 1 && (
+        <Select label={`Which of its ${logs.length} logs`} value={log} change={setLog}
+          options={logs.map((one) => ({ value: one.name, label: `${one.name}, ${count(one.fixes)} fixes` }))} />
+      )}
+      {chosen && (
+        <p class="hint">
+          {`${count(chosen.fixes)} fixes`}
+          {chosen.from_s !== null && chosen.to_s !== null && ` in ${clock(chosen.to_s - chosen.from_s)} h`}
+          {timeOfDay(chosen.from_s) && `, from ${timeOfDay(chosen.from_s)}`}
+          {chosen.width_m !== null ? `, ${width(chosen.width_m)} wide.` : '. The log does not say how wide the machine is.'}
+        </p>
+      )}
+      <Select label="Field" value={field} change={setField}
+        hint={field === NONE ? (partfields > 0 ? 'The field of the task set is taken.' : 'Without a field nothing can be missed: only what was worked is shown.') : ''}
+        options={[{ value: NONE, label: partfields > 0 ? 'the one in the file' : 'none' }, ...list.map((one) => ({ value: one.id, label: one.name }))]} />
+      {plansThere.length > 0 && (
+        <Select label="Plan that was followed" value={plan} change={setPlan}
+          options={[
+            { value: NONE, label: 'none' },
+            ...plansThere.map((one) => ({ value: one.id, label: `${one.name || 'Plan'} · ${when(one.created)} · ${width(one.width_m)} · ${money(one.cost)}` })),
+          ]} />
+      )}
+      <NumberField label="Working width" unit="m" value={width_m ?? (needsWidth ? form.get().machine.width_m : null)} least={0.2} most={100} optional={!needsWidth}
+        hint={needsWidth ? '' : 'Left empty: as the log says.'} change={setWidth} />
+      <div class="row">
+        <Button kind="main" onClick={() => void go()}>Show what was worked</Button>
+        <Button onClick={() => review.set({ upload: null })}>Back</Button>
+      </div>
+    </section>
+  );
+}

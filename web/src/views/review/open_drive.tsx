@@ -1,0 +1,81 @@
+import { api } from '../../api/client';
+import type { Compared, DriveFull } from '../../api/types';
+import { count, hectares, hours, length, metres, percent, rate, squareMetres, width } from '../../format';
+import { sentence } from '../../api/client';
+import { Figures } from '../../parts/figures';
+import { Icon } from '../../parts/icon';
+import { More } from '../../parts/more';
+import { Gaps } from './gaps';
+import { ReplayBar } from './replay_bar';
+
+export function OpenDrive({ drive }: { drive: DriveFull }) {
+  const s = drive.summary;
+  const inside = s.covered_inside_m2 ?? s.covered_m2;
+  return (
+    <section class="open" aria-labelledby="drive-title">
+      <h2 id="drive-title">{drive.name}</h2>
+      <Figures label="The drive in numbers"
+        list={[
+          { label: 'Covered', value: hectares(inside), tone: 'covered', ...(s.field_area_m2 ? { change: `${percent(inside / s.field_area_m2)} of the field` } : {}) },
+          { label: 'Doubled', value: squareMetres(s.repeated_m2), tone: 'overlap', change: percent(s.repeated_rate) },
+          { label: 'Missed', value: squareMetres(s.missed_m2), tone: 'uncovered', ...(s.field_area_m2 && s.missed_m2 !== null ? { change: percent(s.missed_m2 / s.field_area_m2) } : {}) },
+          { label: 'Working', value: hours(s.worked_hours), change: rate(s.ha_per_hour) },
+          { label: 'Outside the field', value: squareMetres(s.outside_m2) },
+          { label: 'Width', value: width(s.width_m), change: `${count(s.fixes_used)} fixes` },
+        ]} />
+      <ReplayBar drive={drive} />
+      {drive.gaps.length > 0 && <Gaps drive={drive} />}
+      {drive.compared && <PlannedDone compared={drive.compared} />}
+      <Remarks drive={drive} />
+      <DriveFiles id={drive.id} />
+    </section>
+  );
+}
+
+const PlannedDone = ({ compared: c }: { compared: Compared }) => (
+  <>
+    <h3>Planned against done</h3>
+    <table class="differences">
+      <tbody>
+        <tr><th scope="row">Planned ground</th><td>{hectares(c.planned_m2)}</td></tr>
+        <tr><th scope="row">Planned, not worked</th><td>{squareMetres(c.planned_missed_m2)}</td></tr>
+        <tr><th scope="row">Worked, not planned</th><td>{squareMetres(c.unplanned_m2)}</td></tr>
+        <tr><th scope="row">Driven along tracks</th><td>{length(c.along_tracks_m)}</td></tr>
+        <tr><th scope="row">Driven beside them</th><td>{length(c.beside_tracks_m)}</td></tr>
+        <tr><th scope="row">Off the track, mean</th><td>{metres(c.deviation_mean_m)}</td></tr>
+        <tr><th scope="row">Off the track, most</th><td>{metres(c.deviation_most_m)}</td></tr>
+      </tbody>
+    </table>
+  </>
+);
+
+function Remarks({ drive }: { drive: DriveFull }) {
+  const { warnings = [], skipped_count = 0 } = drive.summary;
+  if (warnings.length === 0 && skipped_count === 0) return null;
+  return (
+    <More title="Remarks on the log">
+      <ul class="plain">
+        {skipped_count > 0 && <li>{count(skipped_count)} records could not be used.</li>}
+        {warnings.map((warning, i) => <li key={i}>{sentence(warning)}</li>)}
+      </ul>
+    </More>
+  );
+}
+
+const FILES = [
+  { format: 'gpkg', name: 'GeoPackage' },
+  { format: 'png', name: 'Picture' },
+  { format: 'svg', name: 'Drawing' },
+  { format: 'pdf', name: 'Sheet' },
+  { format: 'log', name: 'Log' },
+];
+const DriveFiles = ({ id }: { id: string }) => (
+  <>
+    <h3>Take it away</h3>
+    <ul class="files short">
+      {FILES.map(({ format, name }) => (
+        <li key={format}><a class="file" href={api.driveFile(id, format)} download><Icon name="down" /><strong>{name}</strong></a></li>
+      ))}
+    </ul>
+  </>
+);

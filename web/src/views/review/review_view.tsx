@@ -1,0 +1,33 @@
+import { DropZone } from '../../parts/drop_zone';
+import { Progress } from '../../parts/progress';
+import { fields } from '../../state/fields';
+import { attempt } from '../../state/notices';
+import { replay } from '../../state/replay';
+import { cancelReview, review, takeLogFile } from '../../state/review';
+import { useStore } from '../../state/store';
+import { DriveList } from './drive_list';
+import { LiveFeed, StartFeed } from './live_feed';
+import { LogForm } from './log_form';
+import { OpenDrive } from './open_drive';
+
+export function ReviewView() {
+  const busy = useStore(fields, (value) => value.busy);
+  const upload = useStore(review, (value) => value.upload);
+  const drive = useStore(review, (value) => value.drive);
+  const job = useStore(review, (value) => value.job);
+  const feed = useStore(replay, (value) => value.of === 'feed');
+  if (feed) return <LiveFeed />;
+  if (job) return <Progress job={job} title="Working out the areas" cancel={() => void attempt(cancelReview)} />;
+  if (upload) return <LogForm upload={upload} />;
+  return (
+    <>
+      <section aria-label="Bring a log">
+        <DropZone label="Choose the log of a machine" hint="or drop it here: CSV, NMEA, GPX, ISOXML (zipped)" busy={busy}
+          take={(file) => void attempt(() => takeLogFile(file))} />
+        <StartFeed />
+      </section>
+      {drive && <OpenDrive drive={drive} />}
+      <DriveList />
+    </>
+  );
+}
