@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "tramline/decomposition/candidate_directions.h"
 #include "tramline/decomposition/cells.h"
 #include "tramline/decomposition/cuts.h"
 #include "tramline/decomposition/events.h"
+#include "tramline/decomposition/sweep_directions.h"
 
 namespace tramline {
 namespace {
@@ -155,6 +158,48 @@ TEST(CandidateDirections, AreDistinctModulo180AndLeavePassableObstaclesOut) {
   EXPECT_NEAR(directions[1].degrees(), 90 - 26.565051177, 1e-6);
   EXPECT_NEAR(directions[2].degrees(), 90, 1e-9);
   EXPECT_NEAR(directions[3].degrees(), 90 + 26.565051177, 1e-6);
+}
+
+/// A field of `corners` corners on an ellipse.
+Field ellipse(int corners) {
+  Field field;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners;
+    field.outer.push_back({300 * std::cos(angle), 200 * std::sin(angle)});
+  }
+  return field;
+}
+
+// Opposite edges of an ellipse are parallel where it has an even number of corners.
+TEST(SweepDirections, AreAllOfTheCandidatesUpToALimit) {
+  const Field field = ellipse(2 * static_cast<int>(kMostSweepDirections));
+  ASSERT_EQ(candidate_directions(field).size(), kMostSweepDirections);
+  EXPECT_EQ(sweep_directions(field), candidate_directions(field));
+}
+
+TEST(SweepDirections, OfMoreKeepTheLongestEdgesAndLeaveNoWideGap) {
+  Field field;
+  // A long edge, so near to its neighbours that one of these would do.
+  field.outer = {{0, 0}, {1000, 1}};
+  for (int i = 0; i < 1001; ++i) {
+    const double angle = std::numbers::pi * (i + 0.5) / 1001;
+    field.outer.push_back({500 + 500 * std::cos(angle), 2 + 300 * std::sin(angle)});
+  }
+  const std::vector<Direction> all = candidate_directions(field), some = sweep_directions(field);
+  ASSERT_GT(all.size(), kMostSweepDirections);
+  ASSERT_LE(some.size(), kThinnedDirections);
+  EXPECT_EQ(std::count(some.begin(), some.end(), Direction::along({0, 0}, {1000, 1})), 1);
+  EXPECT_TRUE(std::is_sorted(some.begin(), some.end()));
+  const double apart = 180.0 / static_cast<double>(kThinnedDirections);
+  for (const Direction one : some) {
+    EXPECT_TRUE(std::binary_search(all.begin(), all.end(), one));
+    for (const Direction other : some)
+      EXPECT_TRUE(one == other || angle_between(one, other).degrees() > apart - 1e-9);
+  }
+  for (const Direction left_out : all)
+    EXPECT_TRUE(std::any_of(some.begin(), some.end(), [&](Direction kept) {
+      return angle_between(kept, left_out).degrees() < apart + 1e-9;
+    }));
 }
 
 }  // namespace

@@ -78,6 +78,41 @@ TEST(GridBound, NoGridOfTheBoxCostsLess) {
   }
 }
 
+// Asked only whether a box reaches so much, the bound may stop short, but never says more than the whole.
+TEST(GridBound, StopsWhereItIsEnough) {
+  const int cases = testing::case_count(100);
+  int stopped = 0;
+  for (int i = 0; i < cases; ++i) {
+    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
+    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
+    std::mt19937_64 random(seed);
+    const auto between = [&random](double a, double b) {
+      return std::uniform_real_distribution<double>(a, b)(random);
+    };
+    const Field field = testing::random_field(random, i % 3 == 0 ? 4 : 0);
+    const double width_m = between(1, 12);
+    const Ground ground = sort_obstacles(field, width_m);
+    if (ground.plannable.empty()) continue;
+    const Objective objective{between(0, 1), between(0, 1), between(0, 3), between(0, 3)};
+    const Polygon part = ground.plannable.front();
+    const Case one{part,
+                   ground,
+                   {width_m, 0, end_criterion(EndRule::kCheapest, objective, width_m)},
+                   {objective, bounds(part).centre(), 2 * width_m}};
+    const GridTally middle = one.tally(between(0, 180));
+    const GridBox box{one.origin(middle, between(0, width_m)), width_m * std::pow(10, between(-4, -0.3)),
+                      std::pow(10, between(-6, -2))};
+    const double whole = least_cost(middle, one.bound, box);
+    for (const double share : {0.1, 0.5, 0.9, 1.1}) {
+      const double part_of_it = least_cost(middle, one.bound, box, share * whole);
+      EXPECT_LE(part_of_it, whole * (1 + 1e-12));
+      EXPECT_TRUE(part_of_it >= share * whole || part_of_it == whole) << part_of_it << " of " << whole;
+      stopped += part_of_it < whole ? 1 : 0;
+    }
+  }
+  EXPECT_GT(stopped, cases / 10);
+}
+
 // With nothing in the way and the cheapest ends, a box that is a point has the cost itself as its bound, but
 // for pieces at the verge of being driven.
 TEST(GridBound, OfAPointIsTheCost) {

@@ -85,14 +85,22 @@ std::string real_data_folder() {
   return folder != nullptr ? folder : TRAMLINE_SOURCE_DIR "/../shared/data";
 }
 
-std::optional<RealFields> read_real_fields() {
-  const std::string file = real_data_folder() + "/fields/fields.geojson";
+namespace {
+
+std::optional<RealFields> read_fields_of(const char* name) {
+  const std::string file = real_data_folder() + "/fields/" + name;
   if (!std::filesystem::exists(file)) return std::nullopt;
   io::VectorQuery query;
   query.file = file;
   RawDataset dataset = io::read_vector(query);
   return RealFields{file, std::move(dataset)};
 }
+
+}  // namespace
+
+std::optional<RealFields> read_real_fields() { return read_fields_of("fields.geojson"); }
+
+std::optional<RealFields> read_all_real_fields() { return read_fields_of("fields-all.geojson"); }
 
 std::string no_real_fields() {
   return fmt::format("skipped: no real fields in {}; set TRAMLINE_DATA", real_data_folder());

@@ -27,6 +27,8 @@ struct RealFields {
   const std::vector<RawFeature>& features() const { return dataset.layers.front().features; }
 };
 std::optional<RealFields> read_real_fields();
+/// All fields, of which the curated ones are a choice; nullopt where the folder is absent.
+std::optional<RealFields> read_all_real_fields();
 /// Why a test is skipped, and what to do.
 std::string no_real_fields();
 /// The curated fields; where the folder is absent, it says so on standard output.

@@ -1,7 +1,8 @@
 // Plans every curated real field on one thread and says what each took and what came of it.
 //
-//   speed_real [--width W] [--headlands N] [--curved 1] [--only ID] [--repeat N]
+//   speed_real [--all 1] [--every N] [--width W] [--headlands N] [--curved 1] [--only ID] [--repeat N]
 //
+// --all 1: every field of the registers instead; --every N: each N-th only.
 // A line for every field, tab-separated: id, hectares, corners, obstacles, processor time in ms, cost, bound,
 // cost and bound of undivided plans, directions tried, and a sum over every number of the plan's tracks, so
 // that two builds can be compared by `diff` but for the times. Fields are planned side by side, as best_real
@@ -9,11 +10,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
 #include <ctime>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "real/real_fields.h"
 #include "tramline/geometry/error.h"
@@ -28,6 +32,8 @@ struct Request {
   bool curved = false;
   std::string only;
   int repeat = 1;
+  bool all = false;
+  int every = 1;
 };
 
 struct Timed {
@@ -99,18 +105,31 @@ Timed timed(const Field& field, const Request& request) {
   return out;
 }
 
+void keep_every(int step, std::vector<RawFeature>& features) {
+  std::vector<RawFeature> kept;
+  for (std::size_t i = 0; i < features.size(); i += static_cast<std::size_t>(step))
+    kept.push_back(std::move(features[i]));
+  features = std::move(kept);
+}
+
 int run(int argc, char** argv) {
-  const auto fields = read_or_say();
-  if (!fields) return 0;
   Request request;
   for (int i = 1; i + 1 < argc; i += 2) {
     const std::string word = argv[i];
     if (word == "--width") request.width_m = std::atof(argv[i + 1]);
     if (word == "--headlands") request.headlands = std::atoi(argv[i + 1]);
     if (word == "--curved") request.curved = std::atoi(argv[i + 1]) != 0;
+    if (word == "--all") request.all = std::atoi(argv[i + 1]) != 0;
+    if (word == "--every") request.every = std::max(1, std::atoi(argv[i + 1]));
     if (word == "--only") request.only = argv[i + 1];
     if (word == "--repeat") request.repeat = std::atoi(argv[i + 1]);
   }
+  auto fields = request.all ? read_all_real_fields() : read_real_fields();
+  if (!fields) {
+    fmt::print("{}\n", no_real_fields());
+    return 0;
+  }
+  keep_every(request.every, fields->dataset.layers.front().features);
   const std::vector<Timed> all =
       for_each_field(*fields, [&](const Field& field) { return timed(field, request); });
   double seconds = 0;

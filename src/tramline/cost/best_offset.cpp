@@ -48,7 +48,8 @@ class OffsetSearch {
   void look_between(std::size_t first, std::size_t last) {
     if (looks_++ >= kMostLooks) return;
     const double from = breaks_[first], to = breaks_[last];
-    if (least_cost(tally_, terms_, {0.5 * (from + to), 0.5 * (to - from), 0}) >= best_.cost) return;
+    const GridBox box{0.5 * (from + to), 0.5 * (to - from), 0};
+    if (least_cost(tally_, terms_, box, best_.cost) >= best_.cost) return;
     if (last - first > 1) {
       const std::size_t middle = (first + last) / 2;
       look_between(first, middle);

@@ -20,7 +20,6 @@ class Bound {
       : tally_(tally),
         subfield_(tally.subfield()),
         objective_(terms.objective),
-        half_angle_(box.half_angle),
         grid_(tally.grid(box.origin_m)),
         width_(grid_.width_m),
         range_(strips_over(grid_, subfield_.reach, kWidthTolerance)),
@@ -44,12 +43,14 @@ class Bound {
     least_length_ = shortest_ + 2 * shear_;
   }
 
-  double least_cost() {
+  double least_cost(double enough) {
     thread_local StripParts parts;
     parts.collect(subfield_.outline, grid_, range_, shift_);
     for (int i = 0; i < range_.size(); ++i) {
       enter(range_.first + i, parts.in(static_cast<std::size_t>(i)));
       add_strip();
+      // No strip takes anything away from these; of the windows moved together one may.
+      if (sums_.fixed + sums_.apart >= enough) return sums_.fixed + sums_.apart;
     }
     return sums_.fixed + std::max(sums_.apart, sums_.together.least(moving_.shift, moving_.turn));
   }
@@ -162,12 +163,13 @@ class Bound {
 
   void add_passage(std::size_t i) {
     const BoundaryWindow& window = windows_[i];
-    const double flattest = std::atan(window.least_slope) - half_angle_;
-    const double steepest = std::atan(window.most_slope) + half_angle_;
+    // tan(atan s − h), where the passage rises at least as steeply as s; it stays one while s is not turned
+    // upright.
+    const double flattest = window.least_slope - tangent_;
     double wedge = 0;
-    if (flattest > 0 && steepest < 0.5 * std::numbers::pi) {
+    if (flattest > 0 && window.most_slope * tangent_ < 1) {
       const double per_wedge = is_driven(i) ? per_wedge_ : std::min(per_wedge_, objective_.uncovered);
-      wedge = per_wedge * 0.5 * width_ * width_ * std::tan(flattest);
+      wedge = per_wedge * 0.5 * width_ * width_ * flattest / (1 + window.least_slope * tangent_);
     }
     const double now = passage_cost(window, width_, objective_.overlap, objective_.uncovered);
     if (wedge > 0.95 * now) {
@@ -263,7 +265,6 @@ class Bound {
   const GridTally& tally_;
   const TurnedSubfield& subfield_;
   const Objective& objective_;
-  double half_angle_;
   StripGrid grid_;
   double width_;
   StripRange range_;
@@ -285,8 +286,8 @@ class Bound {
 
 }  // namespace
 
-double least_cost(const GridTally& tally, const BoundTerms& terms, const GridBox& box) {
-  return Bound(tally, terms, box).least_cost();
+double least_cost(const GridTally& tally, const BoundTerms& terms, const GridBox& box, double enough) {
+  return Bound(tally, terms, box).least_cost(enough);
 }
 
 }  // namespace tramline

@@ -1,6 +1,8 @@
 #pragma once
 // What no grid of tracks near a given one can cost less than.
 
+#include <limits>
+
 #include "tramline/cost/grid_tally.h"
 #include "tramline/model/objective.h"
 
@@ -28,7 +30,9 @@ struct BoundTerms {
 /// can have (ALGORITHMS §0.1); elsewhere it is ∫ min(λo·(w − m), λu·m) dy over the cross-sections m(y)
 /// of the middle grid, less what they can change by; and λt for each piece that must be driven. What a
 /// detour may come near is free. Tends to the cost as the box shrinks, obstacles apart, under the end rule
-/// `cheapest`. O(n + K log K).
-double least_cost(const GridTally& tally, const BoundTerms& terms, const GridBox& box);
+/// `cheapest`. Strips are charged only until their sum has reached `enough`: what is less than that is the
+/// whole bound, and a box that has to be no better than `enough` is told sooner. O(n + K log K).
+double least_cost(const GridTally& tally, const BoundTerms& terms, const GridBox& box,
+                  double enough = std::numeric_limits<double>::infinity());
 
 }  // namespace tramline

@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::size_t kHinderedTries = 5;  ///< grids of either ranking that are tried with detours
 
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
 GriddedSubfield gridded(const Polygon& shape, const PricedGrid& grid) {
   return {{shape, grid.direction}, grid.origin_m};
 }
@@ -110,7 +112,15 @@ class BestSearch {
   PartResult search_part(std::size_t index) {
     const Polygon& part = task_.ground.plannable[index];
     const SearchEffort effort = effort_for(part);
-    const GridSearchResult found = search_grids(task_, part, effort, threads_);
+    std::vector<PricedSubfield> divided;
+    Direction along;
+    const Rival divide = [&](const PricedGrid& best) {
+      along = best.direction;
+      divided = divided_from({part, best});
+      // With detours in sight, what the parts cost with all tracks cut says little.
+      return divided.size() < 2 || !task_.ground.hazards.empty() ? kNever : price(divided);
+    };
+    const GridSearchResult found = search_grids(task_, part, effort, threads_, divide);
     const bool hindered = !found.unhindered.empty();
     std::vector<Grounds> ways{{gridded(part, found.grids.front())}};
     if (hindered) append_hindered_ways(index, found, ways);
@@ -123,13 +133,23 @@ class BestSearch {
     PartResult out{cheapest_of(std::move(ways)), {}, std::move(shortlist), found.bound, found.boxes};
     if (hindered) slide(out.whole);
 
-    const PricedSubfield ground{part, hindered ? found.unhindered.front() : found.grids.front()};
-    std::vector<PricedSubfield> divided = divide_where_it_pays(task_, ground, threads_);
+    const PricedGrid& best = hindered ? found.unhindered.front() : found.grids.front();
+    if (angle_between(best.direction, along) > Angle::degrees(1)) {
+      std::vector<PricedSubfield> again = divided_from({part, best});
+      if (divided.size() < 2 || (again.size() > 1 && price(again) < price(divided)))
+        divided = std::move(again);
+    }
     if (divided.size() < 2) return out;
-    if (divided.size() > 2) divided = join_where_it_pays(task_, std::move(divided), threads_);
     Grounds apart = gridded(divided);
     if (is_better(candidate_on(task_, apart).avoided, out.whole.candidate.avoided))
       out.divided = std::move(apart);
+    return out;
+  }
+
+  /// The ground divided, each part with its best grid; one part where that does not pay.
+  std::vector<PricedSubfield> divided_from(const PricedSubfield& ground) const {
+    std::vector<PricedSubfield> out = divide_where_it_pays(task_, ground, threads_);
+    if (out.size() > 2) out = join_where_it_pays(task_, std::move(out), threads_);
     return out;
   }
 
@@ -195,10 +215,10 @@ class BestSearch {
 
   /// Its subfields, each with the best grid, and joined where that pays.
   Grounds regridded(const Grounds& grounds) const {
-    std::vector<PricedSubfield> subfields(grounds.size());
-    for_each_index(subfields.size(), threads_,
-                   [&](std::size_t i) { subfields[i] = priced(task_, grounds[i].subfield.shape, 1); });
-    return gridded(join_where_it_pays(task_, std::move(subfields), threads_));
+    Region shapes;
+    for (const GriddedSubfield& ground : grounds) shapes.push_back(ground.subfield.shape);
+    std::vector<PricedSubfield> joined = join_where_it_pays(task_, priced(task_, shapes, threads_), threads_);
+    return gridded(joined);
   }
 
   void try_plan(const Grounds& grounds) { keep(candidate_on(task_, grounds)); }

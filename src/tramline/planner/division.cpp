@@ -12,18 +12,39 @@
 namespace tramline {
 namespace {
 
-constexpr std::size_t kLookedAt = 4;        ///< divisions that are looked at closely
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr std::size_t kGlancedAt = 20;      ///< divisions that are glanced at twice …
+constexpr std::size_t kLookedAt = 4;        ///< … and that are looked at closely
+constexpr double kHope = 0.5;               ///< relative; a closer look does not make up for more
+constexpr double kLeastShare = 0.01;        ///< of the cost of the whole; ground that costs less stays whole
 constexpr std::size_t kMostSubfields = 24;  ///< made of one piece of ground
 constexpr double kLeastSaving = 1e-6;       ///< relative; less is rounding
 
-SearchEffort glance() { return {4, 0, 0, 0, 0, Angle::degrees(0.1), false}; }
-SearchEffort closer_look() { return {16, 2, 0, 0, 0, Angle::degrees(0.02), false}; }
+/// So many edges, so many grids at each, and so many of the best of these bettered by small steps.
+SearchEffort effort(std::size_t edges, std::size_t offsets, std::size_t polished) {
+  SearchEffort out;
+  out.most_edges = edges;
+  out.edge_offsets = offsets;
+  out.polished = polished;
+  out.scanned = out.most_boxes = 0;
+  out.tolerance = Angle::degrees(0.02);
+  out.cut_too = out.exact_offset = false;
+  return out;
+}
+
+// One after the other, as what is looked at promises more.
+SearchEffort first_glance() { return effort(2, 2, 0); }
+SearchEffort glance() { return effort(4, 4, 0); }
+SearchEffort closer_look() { return effort(16, 4, 2); }
 
 PricedSubfield priced_with(const SearchTask& task, const Polygon& shape, const SearchEffort& effort,
                            int threads) {
   const GridSearchResult found = search_grids(task, shape, effort, threads);
   return {shape, found.unhindered.empty() ? found.grids.front() : found.unhindered.front()};
 }
+
+/// What a division that may yet pay costs at most at a glance.
+double hopeless(double cost) { return cost + kHope * std::abs(cost); }
 
 double least_width(const Ring& ring) {
   const Box box = bounds(TrackFrame(across_least_width(ring)).to_track(ring));
@@ -52,18 +73,27 @@ std::optional<std::vector<PricedSubfield>> best_division(const SearchTask& task,
     return std::any_of(parts.begin(), parts.end(),
                        [&](const Polygon& part) { return area(part) < width_m * width_m; });
   });
-  std::vector<double> sums(ways.size());
-  for_each_index(ways.size(), threads,
-                 [&](std::size_t i) { sums[i] = price(priced_parts(task, ways[i], glance())); });
-  std::vector<std::size_t> order(ways.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return sums[a] < sums[b]; });
-  if (order.size() > kLookedAt) order.resize(kLookedAt);
+  std::vector<double> sums;
+  const auto keep_cheapest = [&](std::size_t most, double below, const SearchEffort& looking) {
+    sums.assign(ways.size(), 0);
+    for_each_index(ways.size(), threads,
+                   [&](std::size_t i) { sums[i] = price(priced_parts(task, ways[i], looking)); });
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < ways.size(); ++i)
+      if (sums[i] <= below) order.push_back(i);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return sums[a] < sums[b]; });
+    if (order.size() > most) order.resize(most);
+    std::vector<Region> kept;
+    for (const std::size_t i : order) kept.push_back(std::move(ways[i]));
+    ways = std::move(kept);
+  };
+  if (ways.size() > kGlancedAt) keep_cheapest(kGlancedAt, kNever, first_glance());
+  keep_cheapest(kLookedAt, hopeless(ground.grid.cost), glance());
 
-  std::vector<std::vector<PricedSubfield>> looked(order.size());
-  for_each_index(order.size(), threads,
-                 [&](std::size_t i) { looked[i] = priced_parts(task, ways[order[i]], closer_look()); });
+  std::vector<std::vector<PricedSubfield>> looked(ways.size());
+  for_each_index(looked.size(), threads,
+                 [&](std::size_t i) { looked[i] = priced_parts(task, ways[i], closer_look()); });
   std::optional<std::vector<PricedSubfield>> best;
   double least = ground.grid.cost - kLeastSaving * std::abs(ground.grid.cost);
   for (std::vector<PricedSubfield>& parts : looked) {
@@ -92,8 +122,11 @@ struct Pair {
 
 }  // namespace
 
-PricedSubfield priced(const SearchTask& task, const Polygon& shape, int threads) {
-  return priced_with(task, shape, closer_look(), threads);
+std::vector<PricedSubfield> priced(const SearchTask& task, const Region& shapes, int threads) {
+  std::vector<PricedSubfield> out(shapes.size());
+  for_each_index(out.size(), threads,
+                 [&](std::size_t i) { out[i] = priced_with(task, shapes[i], closer_look(), 1); });
+  return out;
 }
 
 double price(const std::vector<PricedSubfield>& subfields) {
@@ -109,7 +142,8 @@ std::vector<PricedSubfield> divide_where_it_pays(const SearchTask& task, const P
     const PricedSubfield next = std::move(open.back());
     open.pop_back();
     std::optional<std::vector<PricedSubfield>> parts;
-    if (open.size() + done.size() < kMostSubfields) parts = best_division(task, next, threads);
+    const bool worth_it = next.grid.cost > kLeastShare * ground.grid.cost;
+    if (worth_it && open.size() + done.size() < kMostSubfields) parts = best_division(task, next, threads);
     if (parts)
       open.insert(open.end(), parts->begin(), parts->end());
     else
@@ -127,10 +161,11 @@ std::vector<PricedSubfield> join_where_it_pays(const SearchTask& task, std::vect
       const auto [a, b] = wanted[i];
       const std::optional<Polygon> whole = joined(subfields[a].shape, subfields[b].shape);
       if (!whole) return;
+      const double apart = subfields[a].grid.cost + subfields[b].grid.cost;
+      const bool needed = !is_workable(task, subfields[a]) || !is_workable(task, subfields[b]);
+      if (!needed && priced_with(task, *whole, glance(), 1).grid.cost > hopeless(apart)) return;
       PricedSubfield one = priced_with(task, *whole, closer_look(), 1);
-      double saving = subfields[a].grid.cost + subfields[b].grid.cost - one.grid.cost;
-      if (!is_workable(task, subfields[a]) || !is_workable(task, subfields[b]))
-        saving = std::numeric_limits<double>::infinity();
+      const double saving = needed ? kNever : apart - one.grid.cost;
       found[i] = Pair{a, b, std::move(one), saving};
     });
     for (std::optional<Pair>& pair : found)

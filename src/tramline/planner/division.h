@@ -14,8 +14,8 @@ struct PricedSubfield {
   PricedGrid grid;
 };
 
-/// The best grid for a shape, by edges and small steps alone.
-PricedSubfield priced(const SearchTask& task, const Polygon& shape, int threads);
+/// A grid for each shape, by edges and small steps alone.
+std::vector<PricedSubfield> priced(const SearchTask& task, const Region& shapes, int threads);
 
 /// The sum over the subfields.
 double price(const std::vector<PricedSubfield>& subfields);

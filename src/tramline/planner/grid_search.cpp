@@ -16,11 +16,12 @@ namespace tramline {
 namespace {
 
 constexpr double kHalfTurn = std::numbers::pi;
-constexpr std::size_t kKept = 12;              ///< grids that are told apart
-constexpr std::size_t kBatch = 8;              ///< boxes divided at a time, for any number of threads
-constexpr double kNearBest = 0.15;             ///< small steps hardly better a grid by more
-constexpr int kLookEvery = 200;                ///< boxes, after which the search gives up if …
-constexpr double kLeastProgress = 0.025;       ///< … no more than this share of the gap has been closed
+constexpr std::size_t kKept = 12;            ///< grids that are told apart
+constexpr std::size_t kBatch = 8;            ///< boxes divided at a time, for any number of threads
+constexpr double kNearBest = 0.15;           ///< small steps hardly better a grid by more
+constexpr int kLookEvery = 200;              ///< boxes, after which the search gives up if …
+constexpr double kLeastProgress = 0.025;     ///< … no more than this share of the gap has been closed
+constexpr double kLeastWhereHindered = 0.1;  ///< … or this one where obstacles keep the bound from the cost
 const Angle kFirstTurn = Angle::degrees(0.4);  ///< of the steps that better a grid …
 const Angle kCoarse = Angle::degrees(0.1);     ///< … and where most of them stop
 constexpr std::size_t kFollowed = 1;           ///< grids that are bettered by finer steps
@@ -124,8 +125,9 @@ class Pricing {
     return {separate_cost(task_.objective, sum), separate_cost(soft_, sum), sum.pieces > 0};
   }
   Prices prices(const Place& place) const { return prices(tally(place.angle), place.offset_m); }
-  double least(const GridTally& tally, const SearchBox& box) const {
-    return least_cost(tally, bound_, {origin(tally, box.middle.offset_m), box.half_offset_m, box.half_angle});
+  double least(const GridTally& tally, const SearchBox& box, double enough) const {
+    return least_cost(tally, bound_, {origin(tally, box.middle.offset_m), box.half_offset_m, box.half_angle},
+                      enough);
   }
   PricedGrid priced(const Found& found) const {
     const TrackFrame frame = this->frame(found.place.angle);
@@ -196,11 +198,12 @@ class GridSearch {
         list_(pricing_.width_m()),
         soft_list_(pricing_.width_m()) {}
 
-  GridSearchResult run() {
+  GridSearchResult run(const Rival& rival) {
     try_edges();
     if (effort_.scanned > 0) scan();
-    polish(list_, false, effort_.polished);
+    if (!hindered_ || effort_.cut_too) polish(list_, false, effort_.polished);
     if (hindered_) polish(soft_list_, true, effort_.polished);
+    if (rival) rival_ = rival(pricing_.priced((hindered_ ? soft_list_ : list_).best()));
     if (effort_.most_boxes > 0) {
       branch();
       polish(list_, false, hindered_ ? effort_.polished : kKept);
@@ -224,18 +227,18 @@ class GridSearch {
 
   void try_edges() {
     const std::vector<Place> flush = flush_places(pricing_, effort_.most_edges);
-    constexpr std::size_t kOffsets = 4;
-    std::vector<Place> places(kOffsets * flush.size());
+    const std::size_t count = effort_.edge_offsets;
+    std::vector<Place> places(count * flush.size());
     std::vector<Prices> prices(places.size());
     for_each_index(flush.size(), threads_, [&](std::size_t i) {
       const GridTally tally = pricing_.tally(flush[i].angle);
       const Box& reach = tally.subfield().reach;
       const double pivot = pricing_.origin(tally, 0);
-      const double offsets[kOffsets] = {flush[i].offset_m, reach.min_x - pivot, reach.max_x - pivot,
-                                        flush[i].offset_m + 0.5 * pricing_.width_m()};
-      for (std::size_t k = 0; k < kOffsets; ++k) {
-        places[kOffsets * i + k] = {flush[i].angle, offsets[k]};
-        prices[kOffsets * i + k] = pricing_.prices(tally, offsets[k]);
+      const double offsets[] = {flush[i].offset_m, reach.min_x - pivot, reach.max_x - pivot,
+                                flush[i].offset_m + 0.5 * pricing_.width_m()};
+      for (std::size_t k = 0; k < count; ++k) {
+        places[count * i + k] = {flush[i].angle, offsets[k]};
+        prices[count * i + k] = pricing_.prices(tally, offsets[k]);
       }
     });
     for (std::size_t i = 0; i < places.size(); ++i) offer(places[i], prices[i]);
@@ -243,6 +246,7 @@ class GridSearch {
 
   /// Steps to better neighbours, halved where there is none.
   void polish(Shortlist& shortlist, bool soft, std::size_t most) {
+    if (most == 0) return;
     std::vector<Found> found = shortlist.list();
     if (found.size() > most) found.resize(most);
     const double worth_it = found.front().cost + kNearBest * std::abs(found.front().cost);
@@ -251,7 +255,8 @@ class GridSearch {
                    [&](std::size_t i) { improve(found[i], soft, kFirstTurn, kCoarse); });
     // Coarse steps tell which hollows are deep.
     std::stable_sort(found.begin(), found.end(), is_better);
-    const std::size_t deep = std::min(found.size(), kFollowed);
+    const bool finer = effort_.tolerance.radians() < kCoarse.radians();
+    const std::size_t deep = finer ? std::min(found.size(), kFollowed) : 0;
     for_each_index(deep, threads_, [&](std::size_t i) {
       improve(found[i], soft, kCoarse, effort_.tolerance);
       found[i].polished = true;
@@ -293,7 +298,7 @@ class GridSearch {
   /// first or so small that its middle stands for it.
   std::optional<Prices> look(SearchBox& box, double target) const {
     const GridTally tally = pricing_.tally(box.middle.angle);
-    box.bound = std::max(box.bound, pricing_.least(tally, box));
+    box.bound = std::max(box.bound, pricing_.least(tally, box, target));
     const bool between = box.half_offset_m > pricing_.width_m() / 15 && box.half_angle < kFirstHalfAngle;
     if (box.bound >= target || between) return std::nullopt;
     return pricing_.prices(tally, box.middle.offset_m);
@@ -313,8 +318,9 @@ class GridSearch {
   /// A box that cannot cost less holds nothing worth finding.
   double target() const {
     const Found& best = list_.best();
-    return best.works ? best.cost - effort_.gap * std::abs(best.cost)
-                      : std::numeric_limits<double>::infinity();
+    if (!best.works) return std::numeric_limits<double>::infinity();
+    const double cheapest = std::min(best.cost, rival_);
+    return cheapest - effort_.gap * std::abs(cheapest);
   }
 
   /// A net over all directions and offsets, so that polishing finds the way into most hollows.
@@ -348,8 +354,7 @@ class GridSearch {
     int next_look = boxes_ + kLookEvery;
     while (!open_.empty() && open_.top().bound < target() && boxes_ < effort_.most_boxes) {
       if (boxes_ >= next_look) {
-        const double open_gap = target() - open_.top().bound;
-        if (open_.top().bound - at_last_look < kLeastProgress * open_gap) break;
+        if (!makes_headway(open_.top().bound - at_last_look)) break;
         at_last_look = open_.top().bound;
         next_look += kLookEvery;
       }
@@ -361,6 +366,15 @@ class GridSearch {
       look_at_all(boxes);
     }
     if (!open_.empty()) bound_ = std::min(bound_, open_.top().bound);
+  }
+
+  /// Has the bound risen enough since the last look? Later it rises more slowly: where the boxes that are
+  /// left would not close the gap at twice the pace, it is left open.
+  bool makes_headway(double closed) const {
+    const double open_gap = target() - open_.top().bound;
+    const double looks_left = static_cast<double>(effort_.most_boxes - boxes_) / kLookEvery;
+    return closed >= (hindered_ ? kLeastWhereHindered : kLeastProgress) * open_gap &&
+           2 * closed * looks_left >= open_gap;
   }
 
   void divide(const SearchBox& box, std::vector<SearchBox>& out) {
@@ -395,6 +409,7 @@ class GridSearch {
   SearchEffort effort_;
   int threads_;
   bool hindered_;
+  double rival_ = std::numeric_limits<double>::infinity();
   Shortlist list_, soft_list_;
   std::priority_queue<SearchBox, std::vector<SearchBox>, LaterBox> open_;
   double bound_ = 0;
@@ -404,8 +419,8 @@ class GridSearch {
 }  // namespace
 
 GridSearchResult search_grids(const SearchTask& task, const Polygon& part, const SearchEffort& effort,
-                              int threads) {
-  return GridSearch(task, part, effort, threads).run();
+                              int threads, const Rival& rival) {
+  return GridSearch(task, part, effort, threads).run(rival);
 }
 
 }  // namespace tramline

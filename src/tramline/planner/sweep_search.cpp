@@ -5,8 +5,8 @@
 #include <limits>
 #include <mutex>
 
-#include "tramline/decomposition/candidate_directions.h"
 #include "tramline/decomposition/events.h"
+#include "tramline/decomposition/sweep_directions.h"
 #include "tramline/planner/for_each_index.h"
 
 namespace tramline {
@@ -14,6 +14,11 @@ namespace {
 
 /// Candidates whose detours are looked for together, for any number of threads.
 constexpr std::size_t kAtOnce = 8;
+
+/// So many of those that look cheapest: where there are many edges and many obstacles, most of the candidates
+/// look alike until their detours are known. The best search tries the same ones, but for those that cannot
+/// be cheaper than what it has. More only while none of them has a track.
+constexpr std::size_t kMostTried = 48;
 
 /// Where no corner splits the ground, every direction leaves it whole.
 bool is_cut_anywhere(const SearchTask& task) {
@@ -32,7 +37,7 @@ SweptGround swept_ground(const SearchTask& task, Direction sweep) {
 }  // namespace
 
 std::vector<SweptGround> swept_grounds(const SearchTask& task, int threads, const Progress& progress) {
-  const std::vector<Direction> directions = candidate_directions(task.field);
+  const std::vector<Direction> directions = sweep_directions(task.field);
   std::vector<SweptGround> out(directions.size());
   if (!directions.empty() && !is_cut_anywhere(task)) {
     std::fill(out.begin(), out.end(), swept_ground(task, directions.front()));
@@ -60,7 +65,8 @@ std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vecto
   known = std::min(known, std::nextafter(task.no_more_than, std::numeric_limits<double>::infinity()));
   std::optional<Candidate> best;
   std::size_t best_index = 0;
-  for (std::size_t first = 0; first < order.size(); first += kAtOnce) {
+  bool any_works = false;
+  for (std::size_t first = 0; first < order.size() && (first < kMostTried || !any_works); first += kAtOnce) {
     const auto hopeful = [&](std::size_t place) {
       return place < order.size() && swept[order[place]].outlook.least <= known;
     };
@@ -72,6 +78,7 @@ std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vecto
     for_each_index(batch.size(), threads,
                    [&](std::size_t i) { candidates[i] = candidate_on(task, swept[batch[i]].grounds); });
     for (std::size_t i = 0; i < batch.size(); ++i) {
+      any_works = any_works || candidates[i].works();
       const bool as_cheap = best && candidates[i].cost() == known && batch[i] < best_index;
       if (!candidates[i].works() || (candidates[i].cost() >= known && !as_cheap)) continue;
       best = std::move(candidates[i]);
