@@ -57,7 +57,7 @@ HeadlandAndBody headland_of(const Field& field, const HeadlandTerms& terms) {
   out.body = body_behind(field, land, boundaries, terms.width_m);
   out.ground = difference(land, out.body);
   for (int number = 1; number <= most; ++number) {
-    std::vector<HeadlandPass> rings = pass_rings(boundaries, terms, number);
+    std::vector<HeadlandPass> rings = pass_rings(boundaries, terms, number, {out.ground, out.passes});
     out.passes.insert(out.passes.end(), std::make_move_iterator(rings.begin()),
                       std::make_move_iterator(rings.end()));
   }
