@@ -83,13 +83,15 @@ Ground ground_behind(const SearchTask& task, const HeadlandTerms& terms, const H
 double short_edge_m(const HeadlandTerms& terms) {
   int most = terms.field_passes;
   for (const int passes : terms.obstacle_passes) most = std::max(most, passes);
-  return 2 * std::sqrt(8 * most * terms.width_m * kBodySagitta);
+  // Edges of what passes leave lie about the turns of these.
+  const double widest_m = std::max(most * terms.width_m, terms.radius_m + 0.5 * terms.width_m);
+  return 2 * std::sqrt(8 * widest_m * kBodySagitta);
 }
 
 SearchTask task_with(const SearchTask& task, const std::vector<int>& obstacle_passes) {
   SearchTask out = task;
   const HeadlandTerms terms{task.machine.width_m, task.machine.radius_m, task.settings.headlands,
-                            obstacle_passes};
+                            obstacle_passes, min_length_m(task.machine)};
   HeadlandAndBody headland = headland_of(task.field, terms);
   if (headland.body.empty()) refuse_headlands(task);
   if (task.settings.headlands > 0) out.settings.boundary = EdgeKind::kHard;
