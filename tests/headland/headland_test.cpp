@@ -38,6 +38,7 @@ Ring polygon(int corners, double radius, Point centre) {
 HeadlandAndBody made(const Field& field, const HeadlandTerms& terms) {
   HeadlandAndBody headland = headland_of(field, terms);
   for (const std::string& fault : faults_of(field, terms, headland)) ADD_FAILURE() << fault;
+  for (const std::string& fault : crossings_of(headland)) ADD_FAILURE() << fault;
   return headland;
 }
 
@@ -302,6 +303,34 @@ TEST(Headland, GoesThroughNecksThatMeet) {
   ASSERT_EQ(headland.passes.size(), 1u);
   for (const Point p : {Point{60, 17}, Point{57, 45}, Point{63, 45}})
     EXPECT_NEAR(distance_to_path(p, headland.passes.front().path), 0, 1e-6);
+}
+
+// 19.8 m wide: one pass has room for its turns of 6 m, the second has 1.8 m. What is 6 m and more from the
+// edge is left to tracks, as far as the first pass leaves it: 7.8 m across, and from turn to turn at least
+// the 100 − 2·9 − 2·6 m without their bands. Radius 6.9 + 3 m about a centre 9.9 m from the ends.
+TEST(Headland, LeavesTheMiddleOfAStripToTracks) {
+  const Field field = field_of(box(0, 0, 100, 19.8));
+  const HeadlandAndBody headland = made(field, {6, 6, 2, {}});
+  ASSERT_EQ(headland.passes.size(), 1u);
+  ASSERT_EQ(headland.body.size(), 1u);
+  const Box reach = bounds(headland.body.front().outer);
+  EXPECT_NEAR(reach.height(), 7.8, 1e-3);
+  EXPECT_NEAR(reach.width(), 88, 1e-3);
+  // The first pass works 6 m all round but for what its turns leave outside, and 3 m inside, of corners.
+  const double corner = 1 - kPi / 4;
+  EXPECT_NEAR(area(headland.body), 88 * 7.8 - 4 * corner * 9, 0.2);
+  EXPECT_NEAR(headland.uncovered_m2, 4 * corner * 81, 0.2);
+  // Too short for a track of 100 m, and just long enough.
+  EXPECT_TRUE(made(field, {6, 6, 2, {}, 100}).body.empty());
+  EXPECT_FALSE(made(field, {6, 6, 2, {}, 87}).body.empty());
+}
+
+// Too narrow for a swath between the two sides of the pass: nothing is left to tracks.
+TEST(Headland, LeavesNothingNarrowerThanASwathToTracks) {
+  const HeadlandAndBody headland = made(field_of(box(0, 0, 100, 17.9)), {6, 5, 2, {}});
+  ASSERT_EQ(headland.passes.size(), 1u);
+  EXPECT_TRUE(headland.body.empty());
+  EXPECT_GT(headland.uncovered_m2, 5.9 * 85);
 }
 
 // A dead end of 14 m, 9 + 9 m to turn in.

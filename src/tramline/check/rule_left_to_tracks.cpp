@@ -31,11 +31,11 @@ double least_track_m(const Plan& plan) {
 
 /// Parts in which no swath has room, by more than chords and the grid may take of it.
 Region without_room(const Region& parts, const Plan& plan) {
-  constexpr double kShare = 0.99;
+  constexpr double kShare = 0.97;
   const double half_m = 0.5 * kShare * plan.machine.width_m;
   Region out;
   for (const Polygon& part : parts)
-    if (extent_m(part) < kShare * least_track_m(plan) || largest_disc(part, 0.001 * half_m).radius_m < half_m)
+    if (extent_m(part) < kShare * least_track_m(plan) || buffered({part}, -half_m).empty())
       out.push_back(part);
   return out;
 }

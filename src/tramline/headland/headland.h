@@ -34,7 +34,7 @@ inline constexpr double kBodySagitta = 1e-3;
 /// that would be tighter than the machine turns; into all others it goes as far as the machine turns.
 ///
 /// Boundaries whose swaths with one number would meet are driven round together. In a neck too narrow to turn
-/// in both sides are driven, corners rounded as elsewhere, where that is a sound pass and the ground worked
+/// in both sides are driven, corners rounded as elsewhere, where that can be driven and the ground worked
 /// for the first time is more than that worked again. A lobe where the machine cannot turn is left out, and
 /// so is a ring that would for the most part follow boundaries whose passes are all driven already.
 ///

@@ -20,7 +20,7 @@ bool holds_a_track(const Polygon& polygon, double width_m, double least_length_m
   constexpr double kAlmost = 0.999;
   if (area(polygon) < kAlmost * kAlmost * width_m * least_length_m) return false;
   if (extent_m(polygon) < kAlmost * least_length_m) return false;
-  return largest_disc(polygon, 0.0005 * width_m).radius_m >= kAlmost * 0.5 * width_m;
+  return !buffered({polygon}, -kAlmost * 0.5 * width_m, JoinStyle::kMitre).empty();
 }
 
 void keep_tracks(Region& region, double width_m, double least_length_m) {

@@ -178,27 +178,41 @@ std::optional<LevelRing> rolled_round(const std::vector<Rail>& rails, std::size_
 class Choice {
  public:
   Choice(std::vector<LevelRing> rings, const TurningLand& land, const RingsCost& cost)
-      : rings_(std::move(rings)), land_(land), cost_(cost), least_(cost(rings_)) {}
+      : rings_(std::move(rings)),
+        land_(land),
+        cost_(cost),
+        least_(cost(rings_)),
+        meetings_(meeting_places(paths_along(rings_))) {}
 
-  /// Rings that cannot be driven are not taken.
+  /// Rings that cannot be driven are not taken, nor such as meet in more places than before.
   bool take_if_better(std::vector<LevelRing> rings) {
     constexpr double kGain = 1e-3;  // m²: less is rounding
     const double now = cost_(rings);
     if (!(now < least_ - kGain)) return false;
-    std::vector<Path> paths;
-    for (const LevelRing& ring : rings) paths.push_back(closed_path(ring, land_.radius_m));
-    if (!are_sound(paths, land_)) return false;
+    const std::vector<Path> paths = paths_along(rings);
+    const int meetings = meeting_places(paths);
+    if (meetings > meetings_) return false;
+    for (const Path& path : paths)
+      if (!can_be_driven(path, land_)) return false;
     least_ = now;
+    meetings_ = meetings;
     rings_ = std::move(rings);
     return true;
   }
   const std::vector<LevelRing>& rings() const { return rings_; }
 
  private:
+  std::vector<Path> paths_along(const std::vector<LevelRing>& rings) const {
+    std::vector<Path> out;
+    for (const LevelRing& ring : rings) out.push_back(closed_path(ring, land_.radius_m));
+    return out;
+  }
+
   std::vector<LevelRing> rings_;
   const TurningLand& land_;
   const RingsCost& cost_;
   double least_;
+  int meetings_;
 };
 
 }  // namespace

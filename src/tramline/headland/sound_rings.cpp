@@ -41,7 +41,9 @@ struct Placed {
   std::size_t after = 0;
 };
 
-bool any_meet(const std::vector<Path>& paths) {
+}  // namespace
+
+int meeting_places(const std::vector<Path>& paths) {
   std::vector<Placed> all;
   for (std::size_t k = 0; k < paths.size(); ++k) {
     const std::size_t first = all.size(), n = paths[k].size();
@@ -52,18 +54,17 @@ bool any_meet(const std::vector<Path>& paths) {
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(),
             [&](std::size_t i, std::size_t j) { return all[i].curve.box.min_x < all[j].curve.box.min_x; });
+  int out = 0;
   std::vector<std::size_t> open;
   for (const std::size_t i : order) {
     std::erase_if(open, [&](std::size_t j) { return all[j].curve.box.max_x < all[i].curve.box.min_x; });
     for (const std::size_t j : open)
-      if (j != all[i].before && j != all[i].after && !meetings(all[i].curve, all[j].curve).empty())
-        return true;
+      if (j != all[i].before && j != all[i].after)
+        out += meetings(all[i].curve, all[j].curve).empty() ? 0 : 1;
     open.push_back(i);
   }
-  return false;
+  return out;
 }
-
-}  // namespace
 
 bool keeps_off(const Path& path, const std::vector<Shore>& shores) {
   for (const PathSegment& segment : path) {
@@ -82,13 +83,9 @@ bool keeps_off(const Path& path, const std::vector<Shore>& shores) {
   return true;
 }
 
-bool are_sound(const std::vector<Path>& paths, const TurningLand& land) {
-  return std::all_of(paths.begin(), paths.end(),
-                     [&](const Path& path) {
-                       return path.size() > 1 && smallest_radius(path) >= land.radius_m * (1 - kTighter) &&
-                              is_smooth(path) && inside(path, land.shores) && keeps_off(path, land.shores);
-                     }) &&
-         !any_meet(paths);
+bool can_be_driven(const Path& path, const TurningLand& land) {
+  return path.size() > 1 && smallest_radius(path) >= land.radius_m * (1 - kTighter) && is_smooth(path) &&
+         inside(path, land.shores) && keeps_off(path, land.shores);
 }
 
 }  // namespace tramline

@@ -10,8 +10,12 @@ namespace tramline {
 /// Does the path keep its distance from the shores, up to 2e-7 m?
 bool keeps_off(const Path& path, const std::vector<Shore>& shores);
 
-/// Are the closed paths on the land, nowhere tighter than its radius nor kinked, and do none of them meet or
-/// cross itself or another? O(n² + n·m) for n segments and m edges of shores.
-bool are_sound(const std::vector<Path>& paths, const TurningLand& land);
+/// Is the closed path on the land, nowhere tighter than its radius nor kinked? O(n·m) for n segments and m
+/// edges of shores.
+bool can_be_driven(const Path& path, const TurningLand& land);
+
+/// How many pairs of segments meet, of those not joined end to end: 0 where no path meets itself or another.
+/// O(n²).
+int meeting_places(const std::vector<Path>& paths);
 
 }  // namespace tramline
