@@ -219,6 +219,24 @@ TEST(Headlands, body_or_headland_in_the_wrong_place) {
   EXPECT_TRUE(found(settled(plan)).contains("body"));
 }
 
+/// One pass of the two asked for is driven.
+TEST(Headlands, ground_left_to_tracks) {
+  const auto with_body = [](const Ring& body) {
+    Plan plan = headland_plan(2);
+    plan.headland.passes.pop_back();
+    plan.body = {{body, {}}};
+    plan.subfields[0].shape = plan.body[0];
+    plan.headland.ground = {{plan.field.outer, {reversed(body)}}};
+    return found(settled(plan)).contains("body");
+  };
+  // The second pass is not driven: its ground is left, but for the corners of the first one.
+  const Ring behind_one{{3, 4}, {4, 3}, {96, 3}, {97, 4}, {97, 56}, {96, 57}, {4, 57}, {3, 56}};
+  EXPECT_FALSE(with_body(behind_one));
+  EXPECT_TRUE(with_body(rectangle(3, 6, 94, 54))) << "there is room for tracks on the other sides";
+  EXPECT_TRUE(with_body(rectangle(6, 6, 94, 54))) << "there is room for tracks";
+  EXPECT_TRUE(with_body(rectangle(2.5, 3, 97, 57))) << "the pass works that";
+}
+
 TEST(Headlands, headland_where_none_was_asked_for) {
   Plan plan = rectangle_plan();
   plan.headland.ground = {{rectangle(0, 0, 100, 3), {}}};
