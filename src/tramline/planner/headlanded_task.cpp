@@ -93,7 +93,10 @@ SearchTask task_with(const SearchTask& task, const std::vector<int>& obstacle_pa
   const HeadlandTerms terms{task.machine.width_m, task.machine.radius_m, task.settings.headlands,
                             obstacle_passes, min_length_m(task.machine)};
   HeadlandAndBody headland = headland_of(task.field, terms);
-  if (headland.body.empty()) refuse_headlands(task);
+  // One pass more than fit leaves the middle of a strip to tracks; of more, several would be driven nowhere.
+  const int asked = task.settings.headlands;
+  if (headland.body.empty() || (asked > 2 && asked > 1 + most_passes(task.field, task.machine.width_m)))
+    refuse_headlands(task);
   if (task.settings.headlands > 0) out.settings.boundary = EdgeKind::kHard;
   out.short_edge_m = std::max(task.short_edge_m, short_edge_m(terms));
   out.ground = ground_behind(task, terms, headland);
