@@ -219,6 +219,26 @@ TEST(Headlands, body_or_headland_in_the_wrong_place) {
   EXPECT_TRUE(found(settled(plan)).contains("body"));
 }
 
+/// One pass of the three asked for is driven: the ground of the two others is 6 m wide, and tracks have room
+/// in it.
+TEST(Headlands, ground_left_to_tracks) {
+  const auto with_body = [](const Ring& body) {
+    Plan plan = headland_plan(3);
+    plan.headland.passes.resize(1);
+    plan.body = {{body, {}}};
+    plan.subfields[0].shape = plan.body[0];
+    plan.headland.ground = {{plan.field.outer, {reversed(body)}}};
+    std::string out;
+    for (const check::Violation& violation : check::verify(plan).violations)
+      if (violation.rule == "body") out += violation.what + "\n";
+    return out;
+  };
+  const Ring behind_one{{3, 5}, {5, 3}, {95, 3}, {97, 5}, {97, 55}, {95, 57}, {5, 57}, {3, 55}};
+  EXPECT_EQ(with_body(behind_one), "");
+  EXPECT_NE(with_body(rectangle(9, 9, 91, 51)), "") << "there is room for tracks";
+  EXPECT_NE(with_body(rectangle(2.5, 3, 97, 57)), "") << "the pass works that";
+}
+
 TEST(Headlands, headland_where_none_was_asked_for) {
   Plan plan = rectangle_plan();
   plan.headland.ground = {{rectangle(0, 0, 100, 3), {}}};

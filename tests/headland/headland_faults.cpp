@@ -34,6 +34,23 @@ void look_at_path(const HeadlandPass& pass, double tightest, Faults& out) {
     out.push_back(fmt::format("pass {} has a radius of {} m", pass.number, smallest_radius(path)));
 }
 
+/// Chords that cross one another for certain. Paths that touch themselves are not found.
+void look_at_crossings(const HeadlandPass& pass, Faults& out) {
+  std::vector<Point> ring = chords(pass.path, 1e-3);
+  ring.pop_back();
+  const auto side = [](Point a, Point b, Point c) { return cross(b - a, c - a) / distance(a, b); };
+  const auto parts = [&](Point a, Point b, Point c, Point d) {
+    return std::min(side(a, b, c), side(a, b, d)) < -1e-3 && std::max(side(a, b, c), side(a, b, d)) > 1e-3;
+  };
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Point a = ring[i], b = ring[(i + 1) % ring.size()], c = ring[j], d = ring[(j + 1) % ring.size()];
+      if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x)) continue;
+      if (parts(a, b, c, d) && parts(c, d, a, b))
+        out.push_back(fmt::format("pass {} crosses itself near ({}, {})", pass.number, a.x, a.y));
+    }
+}
+
 double distance_to_ring(const Path& path, const std::vector<Box>& reaches, const Ring& ring, double enough) {
   double out = enough;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -126,6 +143,12 @@ std::vector<std::string> faults_of(const Field& field, const HeadlandTerms& term
     look_at_place(field, terms.width_m, pass, out);
   }
   look_at_areas(field, terms.width_m, headland, out);
+  return out;
+}
+
+std::vector<std::string> crossings_of(const HeadlandAndBody& headland) {
+  Faults out;
+  for (const HeadlandPass& pass : headland.passes) look_at_crossings(pass, out);
   return out;
 }
 

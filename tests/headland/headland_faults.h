@@ -14,6 +14,10 @@ namespace tramline::testing {
 std::vector<std::string> faults_of(const Field& field, const HeadlandTerms& terms,
                                    const HeadlandAndBody& headland);
 
+/// A sentence for each place where a pass crosses itself. Turns that face one another across land too narrow
+/// for a swath may.
+std::vector<std::string> crossings_of(const HeadlandAndBody& headland);
+
 /// Of the terms: what no arc may be tighter than.
 double tightest_m(const HeadlandTerms& terms);
 

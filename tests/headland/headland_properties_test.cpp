@@ -3,10 +3,17 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "headland/headland_faults.h"
 #include "properties/random_field.h"
 #include "properties/random_scene.h"
+#include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
+#include "tramline/headland/closed_path.h"
+#include "tramline/headland/pass_tally.h"
+#include "tramline/headland/turning_land.h"
 
 namespace tramline::testing {
 namespace {
@@ -53,6 +60,78 @@ TEST(HeadlandProperties, HoldForScenesFullOfObstacles) {
     }
     expect_no_faults(scene.field, random_terms(random, scene.field, scene.machine.width_m), seed);
   }
+}
+
+/// Rooms along a line with bends, joined by corridors too narrow for the machine to turn in, if not for it.
+Field with_necks(std::mt19937_64& random, double width_m, double radius_m) {
+  const auto between = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  };
+  const double narrow = 0.5 * width_m, room = radius_m + width_m;
+  Point at{0, 0};
+  double heading = between(0, 6);
+  Region parts;
+  for (int i = std::uniform_int_distribution<int>(2, 8)(random); i > 0; --i) {
+    const Point next = at + between(2, 8) * room * Point{std::cos(heading), std::sin(heading)};
+    Ring ring;
+    for (int k = 0; k < 7; ++k)
+      ring.push_back(next + room * between(0.5, 2.5) * Point{std::cos(k * 0.9), std::sin(k * 0.9)});
+    parts.push_back({ring, {}});
+    const Region corridor = buffered_line({at, next}, between(0.9 * narrow, narrow + radius_m));
+    parts.insert(parts.end(), corridor.begin(), corridor.end());
+    heading += between(-1.5, 1.5);
+    at = next;
+  }
+  const Region whole = unite(parts);
+  const Polygon& largest = *std::max_element(
+      whole.begin(), whole.end(), [](const Polygon& a, const Polygon& b) { return area(a) < area(b); });
+  Field field;
+  field.outer = largest.outer;
+  for (const Ring& hole : largest.holes)
+    field.obstacles.push_back({{reversed(hole), {}}, ObstacleKind::kObstacle, "hole"});
+  return field;
+}
+
+/// What passes leave and double of all ground within their width, whether it is left to tracks or not.
+double with_passes(const std::vector<HeadlandPass>& passes, const Region& ground, double width_m) {
+  HeadlandAndBody headland;
+  headland.ground = ground;
+  headland.passes = passes;
+  tally_passes({}, width_m, headland);
+  return headland.uncovered_m2 + headland.overlap_m2;
+}
+
+/// One pass where it is driven only in places where the machine could turn.
+std::vector<HeadlandPass> where_it_can_turn(const Field& field, const HeadlandTerms& terms) {
+  std::vector<HeadlandPass> out;
+  const TurningLand land = turning_land(boundaries_of(field, terms), terms.width_m, 1, tightest_m(terms));
+  for (const LevelRing& ring : turning_centres(land))
+    out.push_back({closed_path(ring, land.radius_m), 1, true, {}});
+  return out;
+}
+
+TEST(HeadlandProperties, HoldWhereThereAreNecks) {
+  int through = 0;
+  for (int i = 0; i < case_count(150); ++i) {
+    const unsigned long long seed = base_seed() + static_cast<unsigned long long>(i);
+    std::mt19937_64 random(seed);
+    const double width = std::uniform_real_distribution<double>(1, 12)(random);
+    const double radius = std::uniform_real_distribution<double>(0, 12)(random);
+    const Field field = with_necks(random, width, radius);
+    expect_no_faults(field, terms_of(field, width, radius, 2), seed);
+    const HeadlandTerms once = terms_of(field, width, radius, 1);
+    const HeadlandAndBody headland = headland_of(field, once);
+    for (const std::string& fault : crossings_of(headland))
+      ADD_FAILURE() << fault << ", TRAMLINE_SEED=" << seed;
+    if (!field.obstacles.empty()) continue;  // may be driven round one by one
+    const Region ground =
+        difference({{field.outer, {}}}, land_behind_headlands(boundaries_of(field, once), width));
+    const double apart = with_passes(where_it_can_turn(field, once), ground, width);
+    const double all = with_passes(headland.passes, ground, width);
+    EXPECT_LE(all, apart + 1e-3) << "TRAMLINE_SEED=" << seed;
+    through += all < apart - 1 ? 1 : 0;
+  }
+  EXPECT_GT(10 * through, case_count(150)) << "the fields have too few necks";
 }
 
 }  // namespace

@@ -38,6 +38,7 @@ Ring polygon(int corners, double radius, Point centre) {
 HeadlandAndBody made(const Field& field, const HeadlandTerms& terms) {
   HeadlandAndBody headland = headland_of(field, terms);
   for (const std::string& fault : faults_of(field, terms, headland)) ADD_FAILURE() << fault;
+  for (const std::string& fault : crossings_of(headland)) ADD_FAILURE() << fault;
   return headland;
 }
 
@@ -200,10 +201,35 @@ TEST(Headland, PassesObstaclesStraight) {
   EXPECT_TRUE(headland.passes[2].obstacles.empty());
 }
 
-// Two swaths of 6 m fit into 12 m, not into less.
-TEST(Headland, SharesWhatIsTooNarrowForTwo) {
-  EXPECT_EQ(made(field_of(box(0, 0, 100, 100), {box(45, 11.9, 55, 20)}), {6, 0, 1, {1}}).passes.size(), 1u);
-  EXPECT_EQ(made(field_of(box(0, 0, 100, 100), {box(45, 12, 55, 20)}), {6, 0, 1, {1}}).passes.size(), 2u);
+/// Of a circle, beyond a chord.
+double cap_m2(double radius, double height) {
+  const double off = radius - height;
+  return radius * radius * std::acos(off / radius) - off * std::sqrt(radius * radius - off * off);
+}
+
+// Two swaths of 6 m fit into 12 m. In a little less they share what is missing, along the obstacle and, where
+// the swath goes round its corners with a radius of 6 m, beyond it.
+TEST(Headland, PassesANarrowGapOnBothSides) {
+  const auto with_gap = [](double gap) { return field_of(box(0, 0, 100, 100), {box(45, gap, 55, 20)}); };
+  const HeadlandAndBody tight = made(with_gap(11.9), {6, 0, 1, {1}});
+  EXPECT_EQ(tight.passes.size(), 2u);
+  EXPECT_NEAR(tight.overlap_m2, 10 * 0.1 + cap_m2(6, 0.1), kChords);
+  const HeadlandAndBody fitting = made(with_gap(12), {6, 0, 1, {1}});
+  EXPECT_EQ(fitting.passes.size(), 2u);
+  EXPECT_NEAR(fitting.overlap_m2, 0, kChords);
+  EXPECT_EQ(made(with_gap(5.9), {6, 0, 1, {1}}).passes.size(), 1u) << "not even one swath fits";
+}
+
+// All around the obstacle a gap where the machine cannot turn. One ring or two: a second works 4 m of 10 and
+// 2 m again, but 2 m of 8 and 4 m again.
+TEST(Headland, GoesRoundAMoat) {
+  const HeadlandAndBody wide = made(field_of(box(0, 0, 100, 100), {box(10, 10, 90, 90)}), {6, 6, 1, {1}});
+  ASSERT_EQ(wide.passes.size(), 2u);
+  EXPECT_EQ(wide.passes[0].around_field + wide.passes[1].around_field, 1);
+  EXPECT_GT(wide.overlap_m2, 4 * 80 * 2);
+  const HeadlandAndBody narrow = made(field_of(box(0, 0, 100, 100), {box(8, 8, 92, 92)}), {6, 6, 1, {1}});
+  ASSERT_EQ(narrow.passes.size(), 1u);
+  EXPECT_TRUE(narrow.passes.front().around_field);
 }
 
 // 2 m between obstacle and edge all around: the second to fifth pass would lie outside.
@@ -222,14 +248,97 @@ TEST(Headland, GoesRoundTwoObstaclesAtOnce) {
   EXPECT_NEAR(length(headland.passes.front().path), 60 + 6 * kPi + 24 * std::asin(2.0 / 6), kLength);
 }
 
-// Rooms of 40 m, 8 m of corridor between them.
-TEST(Headland, ComesApartAtANeck) {
-  const Ring rooms{{0, 0},    {40, 0},  {40, 16}, {60, 16}, {60, 0},  {100, 0},
-                   {100, 40}, {60, 40}, {60, 24}, {40, 24}, {40, 40}, {0, 40}};
-  const HeadlandAndBody headland = made(field_of(rooms), {6, 0, 1, {}});
+/// Rooms of 40 m and a corridor between them, 20 m long.
+Ring rooms(double corridor) {
+  const double low = 20 - 0.5 * corridor, high = 20 + 0.5 * corridor;
+  return {{0, 0},    {40, 0},  {40, low},  {60, low},  {60, 0},  {100, 0},
+          {100, 40}, {60, 40}, {60, high}, {40, high}, {40, 40}, {0, 40}};
+}
+
+// 8 m: the machine could not turn there. The swaths share 4 m of the corridor, and before it what is within 6
+// m of a corner on either side.
+TEST(Headland, GoesThroughANeck) {
+  const HeadlandAndBody headland = made(field_of(rooms(8)), {6, 0, 1, {}});
   EXPECT_EQ(headland.body.size(), 2u);
+  ASSERT_EQ(headland.passes.size(), 1u);
+  EXPECT_NEAR(length(headland.passes.front().path), 2 * (3 * 28 + 2 * 10) + 2 * 20 + 12 * 1.5 * kPi, kLength);
+  EXPECT_NEAR(headland.overlap_m2, 4 * 20 + 2 * cap_m2(6, 2), kChords);
+}
+
+// 14 m, but the machine turns with 6 m: 9 + 9 m would do. Both sides of the corridor are driven and the 2 m
+// between them are left.
+TEST(Headland, GoesThroughANeckWithWideTurns) {
+  const HeadlandAndBody headland = made(field_of(rooms(14)), {6, 6, 1, {}});
+  ASSERT_EQ(headland.passes.size(), 1u);
+  const Path& path = headland.passes.front().path;
+  EXPECT_NEAR(distance_to_path({50, 16}, path), 0, 1e-6);
+  EXPECT_NEAR(distance_to_path({50, 24}, path), 0, 1e-6);
+  EXPECT_NEAR(smallest_radius(path), 6, 1e-6);
+}
+
+TEST(Headland, ComesApartWhereNoSwathFits) {
+  const HeadlandAndBody headland = made(field_of(rooms(5.9)), {6, 0, 1, {}});
   EXPECT_EQ(headland.passes.size(), 2u);
-  EXPECT_GT(headland.uncovered_m2, 12 * 8) << "the middle of the corridor, at least";
+  EXPECT_GT(headland.uncovered_m2, 20 * 5.9);
+}
+
+// The corridor bends twice: outside the machine rounds the corner, inside it swings wide.
+TEST(Headland, GoesRoundCornersInANeck) {
+  const Ring rooms{{0, 0},    {40, 0},  {40, 13}, {77, 13}, {77, 60}, {120, 60}, {120, 100},
+                   {60, 100}, {60, 74}, {63, 74}, {63, 27}, {40, 27}, {40, 40},  {0, 40}};
+  const HeadlandAndBody headland = made(field_of(rooms), {6, 6, 1, {}});
+  ASSERT_EQ(headland.passes.size(), 1u);
+  EXPECT_NEAR(distance_to_path({50, 16}, headland.passes.front().path), 0, 1e-6);
+  EXPECT_NEAR(distance_to_path({50, 24}, headland.passes.front().path), 0, 1e-6);
+  EXPECT_NEAR(distance_to_path({74, 45}, headland.passes.front().path), 0, 1e-6);
+  EXPECT_NEAR(distance_to_path({66, 45}, headland.passes.front().path), 0, 1e-6);
+}
+
+// Three corridors of 10 m meet where there is no room to turn either.
+TEST(Headland, GoesThroughNecksThatMeet) {
+  const Ring star{{0, 0},   {40, 0},  {40, 15}, {80, 15}, {80, 0},  {120, 0},  {120, 40},
+                  {80, 40}, {80, 25}, {65, 25}, {65, 60}, {90, 60}, {90, 100}, {30, 100},
+                  {30, 60}, {55, 60}, {55, 25}, {40, 25}, {40, 40}, {0, 40}};
+  const HeadlandAndBody headland = made(field_of(star), {4, 3.5, 1, {}});
+  ASSERT_EQ(headland.passes.size(), 1u);
+  for (const Point p : {Point{60, 17}, Point{57, 45}, Point{63, 45}})
+    EXPECT_NEAR(distance_to_path(p, headland.passes.front().path), 0, 1e-6);
+}
+
+// 19.8 m wide: one pass has room for its turns of 6 m, the second has 1.8 m. What is 6 m and more from the
+// edge is left to tracks, as far as the first pass leaves it: 7.8 m across, and from turn to turn at least
+// the 100 − 2·9 − 2·6 m without their bands. Radius 6.9 + 3 m about a centre 9.9 m from the ends.
+TEST(Headland, LeavesTheMiddleOfAStripToTracks) {
+  const Field field = field_of(box(0, 0, 100, 19.8));
+  const HeadlandAndBody headland = made(field, {6, 6, 2, {}});
+  ASSERT_EQ(headland.passes.size(), 1u);
+  ASSERT_EQ(headland.body.size(), 1u);
+  const Box reach = bounds(headland.body.front().outer);
+  EXPECT_NEAR(reach.height(), 7.8, 1e-3);
+  EXPECT_NEAR(reach.width(), 88, 1e-3);
+  // The first pass works 6 m all round but for what its turns leave outside, and 3 m inside, of corners.
+  const double corner = 1 - kPi / 4;
+  EXPECT_NEAR(area(headland.body), 88 * 7.8 - 4 * corner * 9, 0.2);
+  EXPECT_NEAR(headland.uncovered_m2, 4 * corner * 81, 0.2);
+  // Too short for a track of 100 m, and just long enough.
+  EXPECT_TRUE(made(field, {6, 6, 2, {}, 100}).body.empty());
+  EXPECT_FALSE(made(field, {6, 6, 2, {}, 87}).body.empty());
+}
+
+// Too narrow for a swath between the two sides of the pass: nothing is left to tracks.
+TEST(Headland, LeavesNothingNarrowerThanASwathToTracks) {
+  const HeadlandAndBody headland = made(field_of(box(0, 0, 100, 17.9)), {6, 5, 2, {}});
+  ASSERT_EQ(headland.passes.size(), 1u);
+  EXPECT_TRUE(headland.body.empty());
+  EXPECT_GT(headland.uncovered_m2, 5.9 * 85);
+}
+
+// A dead end of 14 m, 9 + 9 m to turn in.
+TEST(Headland, StaysOutOfWhereItCannotTurn) {
+  const Ring with_arm{{0, 0}, {40, 0}, {40, 13}, {80, 13}, {80, 27}, {40, 27}, {40, 40}, {0, 40}};
+  const HeadlandAndBody headland = made(field_of(with_arm), {6, 6, 1, {}});
+  ASSERT_EQ(headland.passes.size(), 1u);
+  EXPECT_LT(reach_of(headland.passes.front().path, 6).max_x, 45);
 }
 
 TEST(Headland, MayTakeTheWholeField) {

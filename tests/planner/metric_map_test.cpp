@@ -153,7 +153,7 @@ TEST(MetricMap, SaysHowManyHeadlandsWouldFit) {
   PlanSettings settings;
   settings.headlands = 9;
   try {
-    mapped(field_of(box(0, 0, 100, 40)), 4, settings);
+    plan_field(field_of(box(0, 0, 100, 40)), {"", 4, 2, 0}, {}, settings, 1);  // turns in any width
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::kBadInput);

@@ -73,11 +73,12 @@ int run() {
       fmt::print(
           "w {} m, r {} m, {} passes: {} fields, {} fail, {} rings, {} without body; of the headland "
           "uncovered "
-          "median {:.2f} %, most {:.1f} %; overlap median {:.3f} %, most {:.1f} %; median {:.2f} ms, longest "
+          "median {:.2f} %, 90 % {:.1f} %, most {:.1f} %; overlap median {:.3f} %, most {:.1f} %; median "
+          "{:.2f} ms, longest "
           "{:.0f} "
           "ms, most per corner {:.0f} µs\n",
           width_m, kRadius, passes, spreads.milliseconds.size(), spreads.failed, spreads.rings,
-          spreads.without_body, median(spreads.uncovered_pct),
+          spreads.without_body, median(spreads.uncovered_pct), quantile(spreads.uncovered_pct, 0.9),
           *std::max_element(spreads.uncovered_pct.begin(), spreads.uncovered_pct.end()),
           median(spreads.overlap_pct),
           *std::max_element(spreads.overlap_pct.begin(), spreads.overlap_pct.end()),

@@ -42,10 +42,10 @@ void check_body(const Case& c, Violations& out) {
            "the body differs from the field less its obstacles by {:.3f} m²", out);
   } else {
     const double tolerance_m2 = c.area_tolerance_m2 + c.round_edges_m2;
-    report(symmetric_difference(difference(land, c.near_boundaries), c.plan.body), tolerance_m2,
-           "the body differs from the field less its obstacles and headlands by {:.3f} m²", out);
-    report(symmetric_difference(intersection(land, c.near_boundaries), c.plan.headland.ground), tolerance_m2,
-           "the headland differs by {:.3f} m² from what its passes are there to work", out);
+    report(difference(difference(land, c.near_boundaries), c.plan.body), tolerance_m2,
+           "the body lacks {:.3f} m² of the field less its obstacles and headlands", out);
+    report(difference(c.plan.headland.ground, c.near_boundaries), tolerance_m2,
+           "{:.3f} m² of the headland are farther from boundaries than its passes are wide", out);
     check_parting(c, c.plan.headland.ground, "headland", land, out);
   }
   report(difference(c.plan.given_up, c.near_boundaries.empty() ? land : c.plan.body), c.area_tolerance_m2,

@@ -26,6 +26,7 @@ struct Case {
   /// land or not. Holes of obstacles with a headland are out of it.
   Region near_boundaries;
   double round_edges_m2 = 0;        ///< what chords may take from that, or add to it
+  Region along_boundaries;          ///< the same with one pass for each boundary that has any
   std::vector<Box> obstacle_boxes;  ///< of all obstacles of the field, in their order
   double area_tolerance_m2;         ///< 1e-6 of the field's area, not below what the precision grid can do
   TrackLines lines;                 ///< of tracks that follow a curve
@@ -43,10 +44,16 @@ void check_pieces(const Plan& plan, Violations& out);
 /// closed path on the map, and one of those that a boundary it names has.
 void check_headland(const Plan& plan, Violations& out);
 /// The body is the field less obstacles, passable ones too, and less the ground of headlands; that ground is
-/// what is nearer to a boundary than its passes are wide. Both are apart, and with the obstacles they are
+/// what is nearer to a boundary than its passes are wide, but for what is left to tracks
+/// (check_left_to_tracks). Both are apart, and with the obstacles they are
 /// the field. Land given up lies within the body. Of a repair: body and worked ground are apart, and with the
 /// obstacles they are the field.
 void check_body(const Case& c, Violations& out);
+/// What is body although it is nearer to a boundary than its passes are wide: no pass works it, it is a
+/// width from every boundary with a headland, and a track as long as the least length, or as two widths where
+/// that is more, has room in each part of it. Of what else no pass works there, no part has ample room for
+/// one.
+void check_left_to_tracks(const Case& c, Violations& out);
 /// Subfields part the body less land given up, plus passables, without overlapping.
 void check_subfields(const Case& c, Violations& out);
 /// No straight or curved swath enters an obstacle, a passable or land given up; none at all crosses a hard

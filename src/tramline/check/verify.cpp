@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "tramline/check/near_land.h"
@@ -25,10 +26,11 @@ BoxedRegion without_headland(const Plan& plan) {
   return out;
 }
 
-/// Land beside the boundaries that have headlands.
+/// Land beside the boundaries that have headlands, as deep as these or as so many passes.
 class Surroundings {
  public:
-  explicit Surroundings(const Plan& plan) : width_m_(plan.machine.width_m) {
+  Surroundings(const Plan& plan, int most_passes)
+      : width_m_(plan.machine.width_m), most_passes_(most_passes) {
     add(plan.field.outer, plan.settings.headlands);
     Region holes;
     for (std::size_t i = 0; i < plan.field.obstacles.size(); ++i) {
@@ -47,13 +49,15 @@ class Surroundings {
   double round_edges_m2() const { return (kRoundEdge_m + kFanSagitta_m) * arcs_m_; }
 
  private:
-  void add(const Ring& ring, int passes) {
+  void add(const Ring& ring, int all_passes) {
+    const int passes = std::min(all_passes, most_passes_);
     if (passes <= 0) return;
     for (Polygon& part : land_near(ring, passes * width_m_)) land_.push_back(std::move(part));
     arcs_m_ += arcs_about_corners_m(ring, passes * width_m_);
   }
 
   double width_m_;
+  int most_passes_;
   Region land_;
   double arcs_m_ = 0;
 };
@@ -72,9 +76,10 @@ Case::Case(const Plan& of)
       parts(worked_parts(of)),
       worked(worked_body(of, parts)) {
   for (const Obstacle& obstacle : of.field.obstacles) obstacle_boxes.push_back(bounds(obstacle.shape));
-  const Surroundings surroundings(of);
+  const Surroundings surroundings(of, std::numeric_limits<int>::max());
   near_boundaries = surroundings.land();
   round_edges_m2 = surroundings.round_edges_m2();
+  if (!near_boundaries.empty()) along_boundaries = Surroundings(of, 1).land();
 }
 
 std::string piece_name(std::size_t index) { return fmt::format("piece {}", index + 1); }
@@ -119,6 +124,7 @@ Verdict verify(const Plan& plan) {
 
   const Case c(plan);
   check_body(c, verdict.violations);
+  check_left_to_tracks(c, verdict.violations);
   check_subfields(c, verdict.violations);
   check_swaths(c, verdict.violations);
   check_passes(c, verdict.violations);

@@ -37,13 +37,6 @@ void append_piece(const LevelPiece& piece, double radius_m, Path& path) {
   append_arc(piece.centre, radius(piece.segment) - radius_m, -1.0 * out, angle, path);
 }
 
-void append_corner(const LevelPiece& before, const LevelPiece& after, double radius_m, Path& path) {
-  const Point a = before.to_heading, b = after.from_heading;
-  double angle = std::atan2(cross(a, b), dot(a, b));
-  if (angle < -0.5 * std::numbers::pi) angle += 2 * std::numbers::pi;  // straight back
-  if (angle > kStraightOn) append_arc(before.segment.to, radius_m, right_of(a), angle, path);
-}
-
 /// Leaves out what has no length and lets each segment begin where the last one ended.
 Path linked(Path path) {
   std::erase_if(path, [](const PathSegment& s) { return distance(s.from, s.to) < kNothing; });
@@ -53,11 +46,21 @@ Path linked(Path path) {
 
 }  // namespace
 
+Path turn_about(Point centre, double radius_m, Point heading_before, Point heading_after) {
+  double angle = std::atan2(cross(heading_before, heading_after), dot(heading_before, heading_after));
+  if (angle < -0.5 * std::numbers::pi) angle += 2 * std::numbers::pi;  // straight back
+  Path out;
+  if (angle > kStraightOn) append_arc(centre, radius_m, right_of(heading_before), angle, out);
+  return out;
+}
+
 Path closed_path(const LevelRing& ring, double radius_m) {
   Path path;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     append_piece(ring[i], radius_m, path);
-    append_corner(ring[i], ring[(i + 1) % ring.size()], radius_m, path);
+    const Path turn = turn_about(ring[i].segment.to, radius_m, ring[i].to_heading,
+                                 ring[(i + 1) % ring.size()].from_heading);
+    path.insert(path.end(), turn.begin(), turn.end());
   }
   return linked(std::move(path));
 }

@@ -10,4 +10,8 @@ namespace tramline {
 /// smaller by the radius. Precondition: the ring's arcs are larger than the radius.
 Path closed_path(const LevelRing& ring, double radius_m);
 
+/// The part of it that the disc draws where its centre turns to the left from one heading, a unit vector, to
+/// another, half a circle at most; empty where that is no turn.
+Path turn_about(Point centre, double radius_m, Point heading_before, Point heading_after);
+
 }  // namespace tramline

@@ -5,6 +5,7 @@
 
 #include "tramline/geometry/boolean.h"
 #include "tramline/headland/body.h"
+#include "tramline/headland/left_to_tracks.h"
 #include "tramline/headland/pass_rings.h"
 #include "tramline/headland/pass_tally.h"
 #include "tramline/headland/shores.h"
@@ -29,6 +30,23 @@ Region body_behind(const Field& field, const Region& land, const std::vector<Bou
   if (!inside.empty()) behind = unite(behind, inside);
   if (boundaries.front().passes > 0 && field.obstacles.empty()) return behind;
   return intersection(land, behind);
+}
+
+/// Where tracks may end in any direction: a width from every boundary that has passes.
+Region clear_of_boundaries(std::vector<Boundary> boundaries, double width_m) {
+  for (Boundary& boundary : boundaries) boundary.passes = std::min(boundary.passes, 1);
+  return land_behind_headlands(boundaries, width_m);
+}
+
+void leave_to_tracks(const Field& field, const Region& land, const std::vector<Boundary>& boundaries,
+                     const HeadlandTerms& terms, HeadlandAndBody& out) {
+  const double w = terms.width_m, least_m = std::max(terms.min_length_m, 2 * w);
+  if (out.uncovered_m2 < w * least_m) return;
+  const Region left = left_to_tracks(out, clear_of_boundaries(boundaries, w), w, least_m);
+  if (left.empty()) return;
+  out.body = unite(out.body, left);
+  out.ground = difference(land, out.body);
+  tally_passes(obstacle_shapes(field, ObstacleKind::kPassable), w, out);
 }
 
 int deepest(const std::vector<Boundary>& boundaries) {
@@ -57,11 +75,12 @@ HeadlandAndBody headland_of(const Field& field, const HeadlandTerms& terms) {
   out.body = body_behind(field, land, boundaries, terms.width_m);
   out.ground = difference(land, out.body);
   for (int number = 1; number <= most; ++number) {
-    std::vector<HeadlandPass> rings = pass_rings(boundaries, terms, number);
+    std::vector<HeadlandPass> rings = pass_rings(boundaries, terms, number, {out.ground, out.passes});
     out.passes.insert(out.passes.end(), std::make_move_iterator(rings.begin()),
                       std::make_move_iterator(rings.end()));
   }
   tally_passes(obstacle_shapes(field, ObstacleKind::kPassable), terms.width_m, out);
+  leave_to_tracks(field, land, boundaries, terms, out);
   return out;
 }
 

@@ -16,6 +16,7 @@ struct HeadlandTerms {
   int field_passes = 0;              ///< round the boundary; 0: the field has no headland
   std::vector<int> obstacle_passes;  ///< by Field::obstacles; 0, also where the list ends early: the obstacle
                                      ///< has no headland. Of no consequence for passable ones
+  double min_length_m = 0;           ///< no track is shorter
 };
 
 /// Headlands, all but Headland::unworked, and what they leave.
@@ -32,10 +33,14 @@ inline constexpr double kBodySagitta = 1e-3;
 /// Round a corner that stands out into the land it runs along an arc at that distance, and swings wide where
 /// that would be tighter than the machine turns; into all others it goes as far as the machine turns.
 ///
-/// Boundaries whose swaths with one number would meet are driven round together. A lobe where the machine
-/// cannot turn is left out, and so is a ring that would for the most part follow boundaries whose passes are
-/// all driven already; their ground counts as uncovered. Where a neck is too narrow to turn in, two turns may
-/// face one another and work some of it twice.
+/// Boundaries whose swaths with one number would meet are driven round together. In a neck too narrow to turn
+/// in both sides are driven, corners rounded as elsewhere, where that can be driven and the ground worked
+/// for the first time is more than that worked again. A lobe where the machine cannot turn is left out, and
+/// so is a ring that would for the most part follow boundaries whose passes are all driven already.
+///
+/// What of the ground no pass works is body where a track fits: at least a width from every boundary that has
+/// a headland (no swath leaves the field there, however it ends), as wide as a swath, and as long as the
+/// least length or two widths, whichever is more. The rest counts as uncovered.
 ///
 /// No pass leaves the field or enters an obstacle with its swath (up to 1e-6 m). Passable obstacles bend no
 /// pass. Ground inside a hole of an obstacle is body without headland.

@@ -2,34 +2,12 @@
 
 #include <algorithm>
 
+#include "tramline/geometry/layered_area.h"
 #include "tramline/headland/closed_path.h"
-#include "tramline/headland/wide_corners.h"
+#include "tramline/headland/necks.h"
 
 namespace tramline {
 namespace {
-
-/// Land just wide enough to turn on is wide enough: passes come nearer to their boundaries by this, m.
-constexpr double kJustFits = 1e-7;
-
-/// Where the centre of the turning circle may be: the circle's far side draws the pass.
-std::vector<LevelRing> turning_centres(const std::vector<Boundary>& boundaries, double width_m, int number,
-                                       double radius_m) {
-  std::vector<Shore> shores;
-  bool any_tight = false;
-  for (const Boundary& boundary : boundaries) {
-    const double distance_m = pass_distance_m(boundary, number, width_m) - kJustFits;
-    shores.push_back({boundary.ring, distance_m});
-    any_tight = any_tight || distance_m < radius_m;
-  }
-  std::vector<ShoreDisc> discs;
-  if (any_tight) discs = wide_corners(level_rings(shores), radius_m);
-  for (Shore& shore : shores) {
-    shore.round_corners = shore.distance_m >= radius_m;
-    shore.distance_m += radius_m;
-  }
-  for (ShoreDisc& disc : discs) disc.radius_m += radius_m;
-  return level_rings(shores, discs);
-}
 
 /// How much of a ring follows boundaries that have the pass, and boundaries whose passes are used up, m.
 /// Those without headland are on neither side: they have to be gone round in any case.
@@ -88,17 +66,43 @@ struct Group {
   std::vector<HeadlandPass> passes;
 };
 
+/// What rings leave of the ground and what they work elsewhere or again, but for a constant, m²: Σ w·L less
+/// twice what they are the first to work of it.
+double missed_and_doubled_m2(const std::vector<HeadlandPass>& rings, const Worked& before, double width_m) {
+  if (rings.empty()) return 0;
+  RisingCurves curves;
+  Box window;
+  double worked_m2 = 0;
+  for (const HeadlandPass& ring : rings) {
+    window.extend(reach_of(ring.path, width_m));
+    worked_m2 += width_m * length(ring.path);
+    append_band(ring.path, width_m, Layer::kNew, curves);
+  }
+  for (const HeadlandPass& pass : before.passes)
+    if (intersects(window, reach_of(pass.path, width_m)))
+      append_band(pass.path, width_m, Layer::kTaken, curves);
+  for (const Ring& ring : rings_of(before.ground)) append_ring(ring, Layer::kBody, window, curves);
+  return worked_m2 - 2 * new_area(curves);
+}
+
 void drive_round(Group& group, const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
-                 int number) {
+                 int number, const Worked& before) {
   const double radius_m = std::max(terms.radius_m, 0.5 * terms.width_m);
   std::vector<Boundary> members;
   for (const std::size_t i : group.members) members.push_back(boundaries[i]);
   group.passes.clear();
   if (std::none_of(members.begin(), members.end(), [&](const Boundary& b) { return b.passes >= number; }))
     return;
-  for (const LevelRing& ring : turning_centres(members, terms.width_m, number, radius_m))
-    if (worth_driving(ring, members, number))
-      group.passes.push_back(pass_along(ring, members, number, radius_m));
+  const auto passes_along = [&](const std::vector<LevelRing>& rings) {
+    std::vector<HeadlandPass> out;
+    for (const LevelRing& ring : rings)
+      if (worth_driving(ring, members, number)) out.push_back(pass_along(ring, members, number, radius_m));
+    return out;
+  };
+  const TurningLand land = turning_land(members, terms.width_m, number, radius_m);
+  group.passes = passes_along(through_necks(turning_centres(land), land, [&](const auto& rings) {
+    return missed_and_doubled_m2(passes_along(rings), before, terms.width_m);
+  }));
 }
 
 /// Does a pass of the group come too near to the boundary, or is it on its wrong side?
@@ -116,7 +120,7 @@ bool disturbs(const Group& group, const Boundary& boundary, int number, double w
 
 /// Puts together the first two groups one of which disturbs the other; false: there are none.
 bool merge_first(std::vector<Group>& groups, const std::vector<Boundary>& boundaries,
-                 const HeadlandTerms& terms, int number) {
+                 const HeadlandTerms& terms, int number, const Worked& before) {
   for (std::size_t i = 0; i < groups.size(); ++i)
     for (std::size_t j = 0; j < groups.size(); ++j) {
       const auto& others = groups[j].members;
@@ -128,7 +132,7 @@ bool merge_first(std::vector<Group>& groups, const std::vector<Boundary>& bounda
       const Group& gone = groups[std::max(i, j)];
       kept.members.insert(kept.members.end(), gone.members.begin(), gone.members.end());
       std::sort(kept.members.begin(), kept.members.end());
-      drive_round(kept, boundaries, terms, number);
+      drive_round(kept, boundaries, terms, number, before);
       groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(std::max(i, j)));
       return true;
     }
@@ -138,13 +142,13 @@ bool merge_first(std::vector<Group>& groups, const std::vector<Boundary>& bounda
 }  // namespace
 
 std::vector<HeadlandPass> pass_rings(const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
-                                     int number) {
+                                     int number, const Worked& before) {
   std::vector<Group> groups(boundaries.size());
   for (std::size_t i = 0; i < groups.size(); ++i) {
     groups[i].members = {i};
-    drive_round(groups[i], boundaries, terms, number);
+    drive_round(groups[i], boundaries, terms, number, before);
   }
-  while (merge_first(groups, boundaries, terms, number)) {
+  while (merge_first(groups, boundaries, terms, number, before)) {
   }
   std::vector<HeadlandPass> out;
   for (const Group& group : groups) out.insert(out.end(), group.passes.begin(), group.passes.end());

@@ -16,24 +16,11 @@ bool meets_itself(const Path& path, double width_m) {
   return new_area(curves) < width_m * length(path) - kRounding;
 }
 
-/// Halves the path until no part meets itself.
-void append_parts(const Path& path, double width_m, std::vector<Path>& out) {
-  if (path.size() == 1 || !meets_itself(path, width_m)) {
-    out.push_back(path);
-    return;
-  }
-  const auto middle = path.begin() + static_cast<std::ptrdiff_t>(path.size() / 2);
-  append_parts(Path(path.begin(), middle), width_m, out);
-  append_parts(Path(middle, path.end()), width_m, out);
-}
-
 Region bands(const Path& path, double width_m) {
   if (!meets_itself(path, width_m)) return {closed_band(path, width_m, kBodySagitta)};
-  std::vector<Path> parts;
-  append_parts(path, width_m, parts);
   Region out;
-  for (const Path& part : parts) out.push_back({band(part, width_m, kBodySagitta), {}});
-  return out;
+  for (const PathSegment& segment : path) out.push_back({band({segment}, width_m, kBodySagitta), {}});
+  return unite(out);
 }
 
 /// What of the ground the pass leaves. Bands whose inner edge shrinks to points may fold there by rounding,
@@ -42,10 +29,7 @@ Region left_by(const Path& path, double width_m, const Region& ground) {
   constexpr int kTries = 4;
   for (int i = 0;; ++i) {
     try {
-      Region left = ground;
-      for (const Polygon& band : bands(path, width_m - i * 0.25 * kLayerSagitta))
-        left = difference(left, {band});
-      return left;
+      return difference(ground, bands(path, width_m - i * 0.25 * kLayerSagitta));
     } catch (const Error&) {
       if (i == kTries) throw;
     }

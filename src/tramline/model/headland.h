@@ -25,9 +25,10 @@ struct Headland {
   std::vector<HeadlandPass> passes;  ///< by number
   std::vector<int> obstacle_passes;  ///< how many each obstacle has, by Field::obstacles; 0, also where the
                                      ///< list ends early: no headland
-  Region ground;         ///< what the passes are there to work: nearer to a boundary than its passes are wide
-  double worked_m2 = 0;  ///< Σ width · length of the passes, without what lies on passable obstacles,
-                         ///< where the work is interrupted
+  Region ground;  ///< what the passes are there to work: nearer to a boundary than its passes are wide, but
+                  ///< for what none of them works and tracks can
+  double worked_m2 = 0;     ///< Σ width · length of the passes, without what lies on passable obstacles,
+                            ///< where the work is interrupted
   double overlap_m2 = 0;    ///< worked outside `ground`, or worked there again
   double uncovered_m2 = 0;  ///< of `ground`: worked_m2 = area(ground) − uncovered_m2 + overlap_m2
   Region unworked;          ///< `uncovered_m2` as a picture

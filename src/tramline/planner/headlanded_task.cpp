@@ -83,15 +83,20 @@ Ground ground_behind(const SearchTask& task, const HeadlandTerms& terms, const H
 double short_edge_m(const HeadlandTerms& terms) {
   int most = terms.field_passes;
   for (const int passes : terms.obstacle_passes) most = std::max(most, passes);
-  return 2 * std::sqrt(8 * most * terms.width_m * kBodySagitta);
+  // Edges of what passes leave lie about the turns of these.
+  const double widest_m = std::max(most * terms.width_m, terms.radius_m + 0.5 * terms.width_m);
+  return 2 * std::sqrt(8 * widest_m * kBodySagitta);
 }
 
 SearchTask task_with(const SearchTask& task, const std::vector<int>& obstacle_passes) {
   SearchTask out = task;
   const HeadlandTerms terms{task.machine.width_m, task.machine.radius_m, task.settings.headlands,
-                            obstacle_passes};
+                            obstacle_passes, min_length_m(task.machine)};
   HeadlandAndBody headland = headland_of(task.field, terms);
-  if (headland.body.empty()) refuse_headlands(task);
+  // One pass more than fit leaves the middle of a strip to tracks; of more, several would be driven nowhere.
+  const int asked = task.settings.headlands;
+  if (headland.body.empty() || (asked > 2 && asked > 1 + most_passes(task.field, task.machine.width_m)))
+    refuse_headlands(task);
   if (task.settings.headlands > 0) out.settings.boundary = EdgeKind::kHard;
   out.short_edge_m = std::max(task.short_edge_m, short_edge_m(terms));
   out.ground = ground_behind(task, terms, headland);

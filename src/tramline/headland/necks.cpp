@@ -1,0 +1,262 @@
+#include "tramline/headland/necks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "tramline/headland/closed_path.h"
+#include "tramline/headland/rails.h"
+#include "tramline/headland/sound_rings.h"
+
+namespace tramline {
+namespace {
+
+constexpr double kSamePlace = 1e-6;  // m: rails and rings that are one
+constexpr double kIdle = 1e-5;       // m: pieces of a ring that may be on no rail
+
+/// Where a piece of a ring lies on the rails.
+struct Run {
+  std::size_t rail = 0;
+  double from = 0;
+  double to = 0;
+};
+
+/// A part of a ring along rails that follow one another. Where it ends the circle touches what is farther on.
+struct Stretch {
+  RailPlace from;
+  RailPlace to;
+  LevelRing pieces;
+  std::size_t after = 0;  ///< the next stretch of the ring
+  std::size_t along = 0;  ///< the next stretch along the level
+};
+
+/// How one goes on from a stretch.
+struct Link {
+  std::size_t to = 0;
+  LevelRing way;
+};
+
+double metres(const Rail& rail, double extent) {
+  return rail.curve.straight() ? extent : extent * rail.curve.radius;
+}
+
+/// nullopt: it is not on the rail.
+std::optional<Run> run_on(const Rail& rail, std::size_t index, const LevelPiece& piece) {
+  const OffsetCurve& curve = rail.curve;
+  if (curve.straight() != piece.segment.straight() || rail.shore != piece.shore) return std::nullopt;
+  if (!curve.straight() && distance(curve.centre, piece.centre) > kSamePlace) return std::nullopt;
+  Box box;
+  box.extend(midpoint(piece.segment.from, piece.segment.to));
+  if (!intersects(curve.box.grown(curve.radius + 1), box)) return std::nullopt;
+  for (const Point p : {piece.segment.from, piece.segment.to}) {
+    const double place = place_on(curve, p);
+    if (distance(point_at(curve, place), p) > kSamePlace) return std::nullopt;
+    if (metres(rail, place) < -kSamePlace || metres(rail, place - curve.extent) > kSamePlace)
+      return std::nullopt;
+  }
+  if (dot(heading_at(curve, piece.segment.from), piece.from_heading) < 0) return std::nullopt;
+  const auto within = [&](Point p) { return std::clamp(place_on(curve, p), 0.0, curve.extent); };
+  return Run{index, within(piece.segment.from), within(piece.segment.to)};
+}
+
+bool run_on_to(const std::vector<Rail>& rails, const Run& before, const Run& after) {
+  const Rail &a = rails[before.rail], &b = rails[after.rail];
+  if (before.rail == after.rail) return std::abs(metres(a, after.from - before.to)) < kSamePlace;
+  return a.next == after.rail && metres(a, a.curve.extent - before.to) + metres(b, after.from) < kSamePlace;
+}
+
+/// Splits a ring into stretches. false: it is not on the rails.
+bool append_stretches(const LevelRing& ring, const std::vector<Rail>& rails, std::vector<Stretch>& out) {
+  std::vector<Run> runs;
+  std::vector<const LevelPiece*> pieces;
+  for (const LevelPiece& piece : ring) {
+    std::optional<Run> run;
+    for (std::size_t i = 0; i < rails.size() && !run; ++i) run = run_on(rails[i], i, piece);
+    if (!run && length(piece.segment) > kIdle) return false;
+    if (!run) continue;
+    runs.push_back(*run);
+    pieces.push_back(&piece);
+  }
+  const std::size_t n = runs.size(), first = out.size();
+  const auto breaks_before = [&](std::size_t i) { return !run_on_to(rails, runs[(i + n - 1) % n], runs[i]); };
+  std::size_t start = 0;
+  while (start < n && !breaks_before(start)) ++start;
+  if (n == 0) return false;
+  if (start == n) {  // no turn at all
+    out.push_back({{runs[0].rail, runs[0].from}, {runs[0].rail, runs[0].from}, ring, first, 0});
+    return true;
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t i = (start + k) % n;
+    if (breaks_before(i)) out.push_back({{runs[i].rail, runs[i].from}, {}, {}, out.size() + 1, 0});
+    out.back().to = {runs[i].rail, runs[i].to};
+    out.back().pieces.push_back(*pieces[i]);
+  }
+  out.back().after = first;
+  return true;
+}
+
+/// Finds what is next along the level. Rails of one ring follow one another in the list.
+void order_along(const std::vector<Rail>& rails, std::vector<Stretch>& stretches) {
+  std::vector<std::size_t> order(stretches.size()), ring(rails.size(), 0);
+  for (std::size_t i = 1; i < rails.size(); ++i) ring[i] = rails[i - 1].next == i ? ring[i - 1] : i;
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  const auto place = [&](std::size_t i) { return std::pair(stretches[i].from.rail, stretches[i].from.at); };
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return place(i) < place(j); });
+  for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
+    while (last < order.size() &&
+           ring[stretches[order[last]].from.rail] == ring[stretches[order[first]].from.rail])
+      ++last;
+    for (std::size_t i = first; i < last; ++i)
+      stretches[order[i]].along = order[i + 1 < last ? i + 1 : first];
+  }
+}
+
+/// Groups of stretches at whose ends one would go on along the level instead of turning: if all of a group
+/// do, what results are rings again.
+std::vector<std::vector<std::size_t>> necks_between(const std::vector<Stretch>& stretches) {
+  std::vector<std::size_t> before(stretches.size());
+  for (std::size_t i = 0; i < stretches.size(); ++i) before[stretches[i].after] = i;
+  std::vector<bool> seen(stretches.size(), false);
+  std::vector<std::vector<std::size_t>> out;
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    std::vector<std::size_t> group;
+    for (std::size_t k = i; !seen[k]; k = before[stretches[k].along]) {
+      seen[k] = true;
+      group.push_back(k);
+    }
+    if (group.size() > 1) out.push_back(std::move(group));
+  }
+  return out;
+}
+
+std::vector<LevelRing> traced(const std::vector<Stretch>& stretches, const std::vector<Link>& links) {
+  std::vector<bool> seen(stretches.size(), false);
+  std::vector<LevelRing> out;
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    LevelRing ring;
+    for (std::size_t k = i; !seen[k]; k = links[k].to) {
+      seen[k] = true;
+      ring.insert(ring.end(), stretches[k].pieces.begin(), stretches[k].pieces.end());
+      ring.insert(ring.end(), links[k].way.begin(), links[k].way.end());
+    }
+    if (!ring.empty()) out.push_back(std::move(ring));
+  }
+  return out;
+}
+
+/// Rails of each ring of the level that no ring of centres touches.
+std::vector<std::size_t> idle_levels(const std::vector<Rail>& rails, const std::vector<Stretch>& stretches) {
+  std::vector<std::size_t> out;
+  for (std::size_t first = 0; first < rails.size();) {
+    std::size_t last = first, longest = first;
+    do {
+      if (metres(rails[last], rails[last].curve.extent) > metres(rails[longest], rails[longest].curve.extent))
+        longest = last;
+      ++last;
+    } while (last < rails.size() && rails[last - 1].next == last);
+    if (std::none_of(stretches.begin(), stretches.end(), [&](const Stretch& stretch) {
+          return stretch.from.rail >= first && stretch.from.rail < last;
+        }))
+      out.push_back(longest);
+    first = last;
+  }
+  return out;
+}
+
+/// All round a ring of the level, from a rail on which the circle has some way to itself.
+std::optional<LevelRing> rolled_round(const std::vector<Rail>& rails, std::size_t start,
+                                      const ArcFits& fits) {
+  const double from = 0.4 * rails[start].curve.extent, to = 0.6 * rails[start].curve.extent;
+  std::optional<LevelRing> out = rolled(rails, {start, to}, {start, from}, fits);
+  if (out) out->push_back(piece_between(rails[start], from, to));
+  return out;
+}
+
+/// The rings as they are driven so far, and what that costs.
+class Choice {
+ public:
+  Choice(std::vector<LevelRing> rings, const TurningLand& land, const RingsCost& cost)
+      : rings_(std::move(rings)),
+        land_(land),
+        cost_(cost),
+        least_(cost(rings_)),
+        meetings_(meeting_places(paths_along(rings_))) {}
+
+  /// Rings that cannot be driven are not taken, nor such as meet in more places than before.
+  bool take_if_better(std::vector<LevelRing> rings) {
+    constexpr double kGain = 1e-3;  // m²: less is rounding
+    const double now = cost_(rings);
+    if (!(now < least_ - kGain)) return false;
+    const std::vector<Path> paths = paths_along(rings);
+    const int meetings = meeting_places(paths);
+    if (meetings > meetings_) return false;
+    for (const Path& path : paths)
+      if (!can_be_driven(path, land_)) return false;
+    least_ = now;
+    meetings_ = meetings;
+    rings_ = std::move(rings);
+    return true;
+  }
+  const std::vector<LevelRing>& rings() const { return rings_; }
+
+ private:
+  std::vector<Path> paths_along(const std::vector<LevelRing>& rings) const {
+    std::vector<Path> out;
+    for (const LevelRing& ring : rings) out.push_back(closed_path(ring, land_.radius_m));
+    return out;
+  }
+
+  std::vector<LevelRing> rings_;
+  const TurningLand& land_;
+  const RingsCost& cost_;
+  double least_;
+  int meetings_;
+};
+
+}  // namespace
+
+std::vector<LevelRing> through_necks(std::vector<LevelRing> centres, const TurningLand& land,
+                                     const RingsCost& cost) {
+  if (land.shores.size() < 2 && centres.size() < 2) return centres;
+  const std::vector<Rail> rails = rails_along(levels(land), land.radius_m);
+  std::vector<Stretch> stretches;
+  for (const LevelRing& ring : centres)
+    if (!append_stretches(ring, rails, stretches)) return centres;
+  order_along(rails, stretches);
+  const ArcFits fits = [&](Point centre, Point before, Point after) {
+    return keeps_off(turn_about(centre, land.radius_m, before, after), land.shores);
+  };
+  const auto necks = necks_between(stretches);
+  const std::vector<std::size_t> idle =
+      land.shores.size() > 1 ? idle_levels(rails, stretches) : std::vector<std::size_t>{};
+  if (necks.empty() && idle.empty()) return centres;
+
+  Choice choice(std::move(centres), land, cost);
+  std::vector<Link> links;
+  for (const Stretch& stretch : stretches) links.push_back({stretch.after, {}});
+  for (const std::vector<std::size_t>& neck : necks) {
+    std::vector<Link> changed = links;
+    bool passes = true;
+    for (const std::size_t k : neck) {
+      const std::size_t to = stretches[k].along;
+      std::optional<LevelRing> way =
+          passes ? rolled(rails, stretches[k].to, stretches[to].from, fits) : std::nullopt;
+      passes = way.has_value();
+      if (passes) changed[k] = {to, std::move(*way)};
+    }
+    if (!passes) continue;
+    if (choice.take_if_better(traced(stretches, changed))) links = std::move(changed);
+  }
+  for (const std::size_t rail : idle) {
+    const std::optional<LevelRing> ring = rolled_round(rails, rail, fits);
+    if (!ring) continue;
+    std::vector<LevelRing> rings = choice.rings();
+    rings.push_back(*ring);
+    choice.take_if_better(std::move(rings));
+  }
+  return choice.rings();
+}
+
+}  // namespace tramline

@@ -1,0 +1,125 @@
+#include "tramline/headland/rails.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tramline {
+namespace {
+
+constexpr double kShortest = 1e-7;    // m
+constexpr double kStraightOn = 1e-7;  // rad
+constexpr double kSlack = 1e-7;       // m: by how much places may lie beyond ends
+
+Point left_of(Point direction) { return {-direction.y, direction.x}; }
+
+Rail rail_along(const LevelPiece& piece, double radius_m) {
+  const Point from = piece.segment.from + radius_m * left_of(piece.from_heading);
+  const Point to = piece.segment.to + radius_m * left_of(piece.to_heading);
+  if (piece.segment.straight()) return {offset_line(from, to), piece.shore, 0, false};
+  return {offset_arc(piece.centre, radius(piece.segment) + radius_m, from, to), piece.shore, 0, false};
+}
+
+double slack_on(const OffsetCurve& curve) { return curve.straight() ? kSlack : kSlack / curve.radius; }
+
+/// A rail of the way, as far as it is part of it.
+struct Stage {
+  const Rail* rail = nullptr;
+  double first = 0;
+  double last = 0;
+
+  bool has(double place) const {
+    const double slack = slack_on(rail->curve);
+    return place >= first - slack && place <= last + slack;
+  }
+};
+
+std::vector<Stage> stages(const std::vector<Rail>& rails, RailPlace from, RailPlace to) {
+  std::vector<Stage> out;
+  const auto extent = [&](std::size_t rail) { return rails[rail].curve.extent; };
+  if (from.rail == to.rail && from.at <= to.at) return {{&rails[from.rail], from.at, to.at}};
+  out.push_back({&rails[from.rail], from.at, extent(from.rail)});
+  for (std::size_t rail = rails[from.rail].next; rail != to.rail; rail = rails[rail].next)
+    out.push_back({&rails[rail], 0, extent(rail)});
+  out.push_back({&rails[to.rail], 0, to.at});
+  return out;
+}
+
+/// Where the circle, rolling along one rail, comes to touch another.
+struct Touch {
+  double here = 0;
+  std::size_t stage = 0;
+  double there = 0;
+  Point centre;
+  Point heading_before, heading_after;
+};
+
+std::vector<Touch> touches(const std::vector<Stage>& stages, std::size_t on, double at) {
+  // Circles that leave what they touched turn right.
+  constexpr double kNoTurn = 1e-9;
+  std::vector<Touch> out;
+  const OffsetCurve& here = stages[on].rail->curve;
+  for (std::size_t k = on + 1; k < stages.size(); ++k) {
+    const OffsetCurve& there = stages[k].rail->curve;
+    if (!intersects(here.box, there.box)) continue;
+    for (const Point p : meetings(here, there)) {
+      const double a = place_on(here, p), b = place_on(there, p);
+      if (!stages[on].has(a) || a < at - slack_on(here) || !stages[k].has(b)) continue;
+      const Point before = heading_at(here, p), after = heading_at(there, p);
+      if (cross(before, after) < kNoTurn) continue;
+      out.push_back({std::max(a, at), k, std::max(b, stages[k].first), p, before, after});
+    }
+  }
+  std::stable_sort(out.begin(), out.end(), [](const Touch& a, const Touch& b) { return a.here < b.here; });
+  return out;
+}
+
+}  // namespace
+
+std::vector<Rail> rails_along(const std::vector<LevelRing>& level, double radius_m) {
+  std::vector<Rail> out;
+  for (const LevelRing& ring : level) {
+    std::vector<const LevelPiece*> pieces;
+    for (const LevelPiece& piece : ring)
+      if (distance(piece.segment.from, piece.segment.to) > kShortest) pieces.push_back(&piece);
+    const std::size_t first = out.size(), n = pieces.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Point before = pieces[i]->to_heading, after = pieces[(i + 1) % n]->from_heading;
+      out.push_back(rail_along(*pieces[i], radius_m));
+      out.back().next = first + (i + 1) % n;
+      out.back().straight_on = std::abs(std::atan2(cross(before, after), dot(before, after))) < kStraightOn;
+    }
+  }
+  return out;
+}
+
+LevelPiece piece_between(const Rail& rail, double from, double to) {
+  const Point a = point_at(rail.curve, from), b = point_at(rail.curve, to);
+  return {{a, b, curvature(rail.curve)},
+          rail.curve.centre,
+          heading_at(rail.curve, a),
+          heading_at(rail.curve, b),
+          rail.shore};
+}
+
+std::optional<LevelRing> rolled(const std::vector<Rail>& rails, RailPlace from, RailPlace to,
+                                const ArcFits& fits) {
+  const std::vector<Stage> way = stages(rails, from, to);
+  LevelRing out;
+  double at = from.at;
+  for (std::size_t on = 0; on + 1 < way.size();) {
+    const std::vector<Touch> found = touches(way, on, at);
+    const auto first = std::find_if(found.begin(), found.end(), [&](const Touch& touch) {
+      return fits(touch.centre, touch.heading_before, touch.heading_after);
+    });
+    if (first == found.end() && !way[on].rail->straight_on) return std::nullopt;
+    const double end = first == found.end() ? way[on].last : first->here;
+    if (end > at) out.push_back(piece_between(*way[on].rail, at, end));
+    at = first == found.end() ? way[on + 1].first : first->there;
+    on = first == found.end() ? on + 1 : first->stage;
+  }
+  if (at > way.back().last + slack_on(way.back().rail->curve)) return std::nullopt;
+  if (way.back().last > at) out.push_back(piece_between(*way.back().rail, at, way.back().last));
+  return out;
+}
+
+}  // namespace tramline

@@ -1,0 +1,21 @@
+#pragma once
+// Is a pass one that a machine can drive? Looked at from its path alone.
+
+#include <vector>
+
+#include "tramline/headland/turning_land.h"
+
+namespace tramline {
+
+/// Does the path keep its distance from the shores, up to 2e-7 m?
+bool keeps_off(const Path& path, const std::vector<Shore>& shores);
+
+/// Is the closed path on the land, nowhere tighter than its radius nor kinked? O(n·m) for n segments and m
+/// edges of shores.
+bool can_be_driven(const Path& path, const TurningLand& land);
+
+/// How many pairs of segments meet, of those not joined end to end: 0 where no path meets itself or another.
+/// O(n²).
+int meeting_places(const std::vector<Path>& paths);
+
+}  // namespace tramline
