@@ -67,6 +67,8 @@ TEST(TradeOff, IsTheSameForAnyNumberOfThreads) {
 TEST(TradeOff, TellsOfSearchesAsTheyEnd) {
   int last = 0;
   trade_off(field(), {}, {}, {}, 2, [&](int done, int total) {
+    // Between two searches the same is told again and again, and before the first nothing.
+    if (done == last) return;
     EXPECT_EQ(done, ++last);
     EXPECT_EQ(total, 16);
   });

@@ -1,0 +1,95 @@
+#include "tramline/planner/pulse.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <thread>
+
+#include "tramline/planner/for_each_index.h"
+#include "tramline/planner/plan_field.h"
+#include "tramline/planner/trade_off.h"
+
+namespace tramline {
+namespace {
+
+struct Stop {};
+
+/// A wavy disc some 1200 m across: seconds of search.
+Field wavy_field() {
+  Field field;
+  field.id = "wavy";
+  for (int i = 0; i < 200; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 200;
+    const double radius = 600 + 30 * std::sin(13 * angle);
+    field.outer.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  return field;
+}
+
+// Long after the last direction has been counted a search goes on, and is stopped all the same.
+TEST(Pulse, AProgressThatThrowsEndsASearchWhereverItIs) {
+  const Field field = wavy_field();
+  Machine machine;
+  machine.width_m = 3;
+  for (const int threads : {1, 4}) {
+    bool counted = false;
+    std::chrono::steady_clock::time_point thrown;
+    const Progress progress = [&](int done, int total) {
+      if (done < total || total == 0) return;
+      if (counted) {
+        thrown = std::chrono::steady_clock::now();
+        throw Stop();
+      }
+      counted = true;
+    };
+    EXPECT_THROW(plan_field(field, machine, {}, {}, threads, progress), Stop);
+    EXPECT_TRUE(counted);
+    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - thrown).count(), 1);
+  }
+}
+
+TEST(Pulse, AComparisonIsStoppedWithinItsFirstSearch) {
+  Machine machine;
+  machine.width_m = 3;
+  int calls = 0;
+  EXPECT_THROW(trade_off(wavy_field(), machine, {}, {}, 1,
+                         [&](int done, int) {
+                           EXPECT_EQ(done, 0);
+                           if (++calls == 3) throw Stop();
+                         }),
+               Stop);
+}
+
+TEST(Pulse, AProgressChangesNoPlan) {
+  Field field = wavy_field();
+  for (Point& p : field.outer) p = 0.2 * p;
+  const Plan without = plan_field(field, {}, {}, {});
+  const Plan with = plan_field(field, {}, {}, {}, 0, [](int, int) {});
+  EXPECT_EQ(without.cost, with.cost);
+  ASSERT_EQ(without.pieces.size(), with.pieces.size());
+  for (std::size_t i = 0; i < with.pieces.size(); ++i) {
+    EXPECT_EQ(without.pieces[i].start, with.pieces[i].start);
+    EXPECT_EQ(without.pieces[i].end, with.pieces[i].end);
+  }
+}
+
+TEST(Pulse, BeatsOnTheThreadsThatWorkForIt) {
+  std::atomic<int> calls = 0;
+  const Progress progress = [&](int, int) { ++calls; };
+  {
+    const Pulse pulse(progress);
+    for_each_index(4, 2, [](std::size_t) { std::this_thread::sleep_for(std::chrono::milliseconds(30)); });
+  }
+  EXPECT_GE(calls, 2);
+  const int before = calls;
+  for_each_index(4, 2, [](std::size_t) {});
+  beat();
+  EXPECT_EQ(calls, before) << "a pulse that is over beats no more";
+}
+
+}  // namespace
+}  // namespace tramline
