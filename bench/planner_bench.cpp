@@ -75,7 +75,7 @@ BENCHMARK(decomposition_of_one_direction)->Unit(benchmark::kMicrosecond);
 /// The aim: 20 µs at 200 vertices and 150 tracks, with and without obstacles.
 void tally_of_one_direction(benchmark::State& state) {
   const Field field = large_field(200, static_cast<int>(state.range(0)));
-  const Ground ground = sort_obstacles(field, 1);
+  const SortedGround ground = sort_obstacles(field, 1);
   const Polygon& shape = ground.plannable.front();
   const TrackFrame frame(Direction::clockwise_from_north(Angle::degrees(31)));
   const Box reach = bounds(frame.to_track(shape.outer));

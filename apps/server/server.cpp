@@ -18,8 +18,8 @@ namespace {
 /// Threads beside those that open streams hold.
 constexpr int kWorkers = 8;
 
-/// More than this is not piled up for somebody who reads slowly: a frame of a stream is made when there is room
-/// for it, so that it says what is, and not what was long ago. Connections have it from the port.
+/// More than this is not piled up for somebody who reads slowly: a frame of a stream is made when there is
+/// room for it, so that it says what is, and not what was long ago. Connections have it from the port.
 constexpr int kMostUnsentBytes = 1 << 14;
 
 /// Two servers on one port would take turns, so the port is not shared.

@@ -65,7 +65,7 @@ class Laid {
   Machine machine_;
   Objective objective_;
   PlanSettings settings_;
-  Ground ground_;
+  SortedGround ground_;
   std::vector<CurvedTrack> tracks_;
 };
 

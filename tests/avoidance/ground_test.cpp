@@ -29,7 +29,7 @@ Field field_with(std::vector<Polygon> obstacles) {
 
 // b: squares of 4 m whose faces are 2 m apart: the 2 × 4 m between them are given up.
 TEST(Clusters, GiveUpTheLandBetween) {
-  const Ground ground = sort_obstacles(field_with({box(40, 40, 44, 44), box(46, 40, 50, 44)}), kWidth);
+  const SortedGround ground = sort_obstacles(field_with({box(40, 40, 44, 44), box(46, 40, 50, 44)}), kWidth);
   EXPECT_NEAR(area(ground.given_up), 8, 1e-6);
   EXPECT_NEAR(area(ground.body), 10000 - 32, 1e-6) << "given-up land stays in the body";
   EXPECT_NEAR(area(ground.plannable), 10000 - 40, 1e-6);
@@ -37,7 +37,7 @@ TEST(Clusters, GiveUpTheLandBetween) {
 }
 
 TEST(Clusters, LeaveObstaclesAWidthApartAlone) {
-  const Ground ground = sort_obstacles(field_with({box(40, 40, 44, 44), box(47, 40, 51, 44)}), kWidth);
+  const SortedGround ground = sort_obstacles(field_with({box(40, 40, 44, 44), box(47, 40, 51, 44)}), kWidth);
   EXPECT_TRUE(ground.given_up.empty());
   EXPECT_EQ(ground.hard.size(), 2u);
 }
@@ -51,13 +51,13 @@ TEST(Clusters, AreTransitive) {
 
 TEST(Clusters, JoinCornerToCorner) {
   // Corners √2 apart: one obstacle, although no face looks at another.
-  const Ground ground = sort_obstacles(field_with({box(40, 40, 44, 44), box(45, 45, 49, 49)}), kWidth);
+  const SortedGround ground = sort_obstacles(field_with({box(40, 40, 44, 44), box(45, 45, 49, 49)}), kWidth);
   EXPECT_EQ(ground.hard.size(), 1u);
 }
 
 // c: a square of 4 m, 2 m from the lower edge: the 4 × 2 m between are given up.
 TEST(EdgeClips, GiveUpTheLandUpToTheEdge) {
-  const Ground ground = sort_obstacles(field_with({box(40, 2, 44, 6)}), kWidth);
+  const SortedGround ground = sort_obstacles(field_with({box(40, 2, 44, 6)}), kWidth);
   EXPECT_NEAR(area(ground.given_up), 8, 1e-6);
   ASSERT_EQ(ground.plannable.size(), 1u);
   EXPECT_TRUE(ground.plannable[0].holes.empty()) << "the obstacle is joined to the edge";
@@ -65,7 +65,7 @@ TEST(EdgeClips, GiveUpTheLandUpToTheEdge) {
 }
 
 TEST(EdgeClips, ApplyToObstaclesThatTouchTheEdge) {
-  const Ground ground = sort_obstacles(field_with({box(40, 0, 44, 4)}), kWidth);
+  const SortedGround ground = sort_obstacles(field_with({box(40, 0, 44, 4)}), kWidth);
   EXPECT_NEAR(area(ground.given_up), 0, 1e-6);
   EXPECT_NEAR(area(ground.hard), 16, 1e-6);
   EXPECT_TRUE(ground.plannable[0].holes.empty());
@@ -74,7 +74,7 @@ TEST(EdgeClips, ApplyToObstaclesThatTouchTheEdge) {
 // The tip of a diamond lies 1 cm inside a square: a common square centimetre, which admission leaves alone.
 TEST(EdgeClips, TakeObstaclesThatAllButTouch) {
   const Polygon diamond{{{43.99, 4}, {46, 2}, {48, 4}, {46, 6}}, {}};
-  const Ground ground = sort_obstacles(field_with({box(40, 2, 44, 6), diamond}), kWidth);
+  const SortedGround ground = sort_obstacles(field_with({box(40, 2, 44, 6), diamond}), kWidth);
   // Below the square 4 × 2 m; below the diamond what lies within 3 m of the edge, below y = 3.
   const Region below{box(40, 0, 44, 2)};
   EXPECT_NEAR(area(intersection(ground.given_up, below)), 8, 1e-3);
@@ -88,7 +88,7 @@ TEST(EdgeClips, LeaveObstaclesAWidthFromTheEdgeAlone) {
 
 TEST(EdgeClips, ReachThroughAClusterToTheEdge) {
   // The first square is joined to the edge, the second to the first: 4·2 + 4·2 m².
-  const Ground ground = sort_obstacles(field_with({box(40, 2, 44, 6), box(40, 8, 44, 12)}), kWidth);
+  const SortedGround ground = sort_obstacles(field_with({box(40, 2, 44, 6), box(40, 8, 44, 12)}), kWidth);
   EXPECT_NEAR(area(ground.given_up), 16, 1e-6);
   EXPECT_EQ(ground.hard.size(), 1u);
 }
@@ -96,7 +96,7 @@ TEST(EdgeClips, ReachThroughAClusterToTheEdge) {
 // A metre kept clear round a square of 4 m at the edge: outside 4 m² and two quarter discs, whose chords lie
 // outside the circle by up to 1/cos²(3π/128) of its area; inside 3 sides and two quarter discs more.
 TEST(Clearance, IsKeptOutsideTheFieldToo) {
-  const Ground ground = sort_obstacles(field_with({box(40, 0, 44, 4)}), kWidth, 1);
+  const SortedGround ground = sort_obstacles(field_with({box(40, 0, 44, 4)}), kWidth, 1);
   const double quarters = std::numbers::pi / 2;
   const auto expect_area = [quarters](const Region& land, double straight) {
     EXPECT_GE(area(land), straight + quarters - 1e-6);
@@ -118,7 +118,7 @@ TEST(Clearance, IsKeptAtEveryCorner) {
       const double angle = 2 * std::numbers::pi * i / corners;
       pole.outer.push_back({50 + 2 * std::cos(angle), 50 + 2 * std::sin(angle)});
     }
-    const Ground ground = sort_obstacles(field_with({pole}), kWidth, 2);
+    const SortedGround ground = sort_obstacles(field_with({pole}), kWidth, 2);
     ASSERT_EQ(ground.hard.size(), 1u);
     EXPECT_GE(distance_to_ring({pole}, ground.hard[0].outer), 2 - 1e-6) << corners;
     EXPECT_LE(bounds(ground.hard).width(), 8 * 1.0055) << corners;
@@ -129,7 +129,7 @@ TEST(Clearance, IsKeptAtEveryCorner) {
 TEST(Clearance, BelongsToItsObstacleBeyondPassableLand) {
   Field field = field_with({box(40, 40, 44, 44)});
   field.obstacles.push_back({box(45, 0, 46, 100), ObstacleKind::kPassable, "ditch"});
-  const Ground ground = sort_obstacles(field, kWidth, 3);
+  const SortedGround ground = sort_obstacles(field, kWidth, 3);
   ASSERT_EQ(ground.hazards.size(), 2u);
   for (const Hazard& hazard : ground.hazards) EXPECT_EQ(hazard.obstacles, std::vector<int>{0});
 }
@@ -140,7 +140,7 @@ TEST(EnclosedLand, IsGivenUp) {
   Polygon hedge = box(40, 40, 54, 54);
   hedge.holes = {reversed(box(42, 42, 52, 52).outer)};
   field.obstacles.push_back({hedge, ObstacleKind::kObstacle, "hedge"});
-  const Ground ground = sort_obstacles(field, kWidth);
+  const SortedGround ground = sort_obstacles(field, kWidth);
   EXPECT_NEAR(area(ground.given_up), 100, 1e-6);
   EXPECT_NEAR(area(ground.plannable), 10000 - 14 * 14, 1e-6);
   EXPECT_NEAR(area(ground.body), 10000 - 14 * 14 + 100, 1e-6);
@@ -149,7 +149,7 @@ TEST(EnclosedLand, IsGivenUp) {
 TEST(PassableObstacles, AreTakenOutOfTheBodyButStayPlannable) {
   Field field = field_with({});
   field.obstacles.push_back({box(0, 50, 100, 55), ObstacleKind::kPassable, "waterway"});
-  const Ground ground = sort_obstacles(field, kWidth);
+  const SortedGround ground = sort_obstacles(field, kWidth);
   EXPECT_NEAR(area(ground.body), 9500, 1e-6);
   EXPECT_NEAR(area(ground.plannable), 10000, 1e-6);
   EXPECT_TRUE(ground.hard.empty());

@@ -24,7 +24,7 @@ class PoleField {
   AvoidanceTask task(Avoidance avoid = Avoidance::kCheapest) const;
   Avoided plan(Avoidance avoid = Avoidance::kCheapest) const { return choose_detours(task(avoid)); }
   const Strips& strips() const { return strips_.front(); }
-  const Ground& ground() const { return ground_; }
+  const SortedGround& ground() const { return ground_; }
   double width_m() const { return machine_.width_m; }
   const Objective& objective() const { return objective_; }
   /// How the detour goes on one side of what makes the gap.
@@ -44,7 +44,7 @@ class PoleField {
   Machine machine_;
   Objective objective_;
   PlanSettings settings_[3];  ///< one for each way of avoiding
-  Ground ground_;
+  SortedGround ground_;
   std::vector<Subfield> subfields_;
   std::vector<Strips> strips_;
   Box reach_;

@@ -18,7 +18,7 @@ constexpr EndRule kRules[] = {EndRule::kCentre, EndRule::kCover, EndRule::kInsid
 /// One subfield with everything that its tallies and bounds depend on.
 struct Case {
   Polygon part;
-  Ground ground;
+  SortedGround ground;
   GridTerms grid;
   BoundTerms bound;
 
@@ -54,7 +54,7 @@ TEST(GridBound, NoGridOfTheBoxCostsLess) {
     };
     const Field field = testing::random_field(random, i % 3 == 0 ? 4 : 0);
     const double width_m = between(1, 12);
-    Ground ground = sort_obstacles(field, width_m);
+    SortedGround ground = sort_obstacles(field, width_m);
     if (ground.plannable.empty()) continue;
     const Objective objective{between(0, 1), between(0, 1), between(0, 3), between(0, 3)};
     for (const EndRule rule : kRules) {
@@ -91,7 +91,7 @@ TEST(GridBound, StopsWhereItIsEnough) {
     };
     const Field field = testing::random_field(random, i % 3 == 0 ? 4 : 0);
     const double width_m = between(1, 12);
-    const Ground ground = sort_obstacles(field, width_m);
+    const SortedGround ground = sort_obstacles(field, width_m);
     if (ground.plannable.empty()) continue;
     const Objective objective{between(0, 1), between(0, 1), between(0, 3), between(0, 3)};
     const Polygon part = ground.plannable.front();

@@ -13,7 +13,8 @@ namespace {
 
 constexpr EndRule kRules[] = {EndRule::kCentre, EndRule::kCover, EndRule::kInside, EndRule::kCheapest};
 
-TurnedGround turned(const Ground& ground, const Field& field, const TrackFrame& frame, bool hard_boundary) {
+TurnedGround turned(const SortedGround& ground, const Field& field, const TrackFrame& frame,
+                    bool hard_boundary) {
   TurnedGround out{
       frame.to_track(ground.hard), frame.to_track(ground.passable), {}, frame.to_track(ground.beyond)};
   if (hard_boundary) out.field = {{frame.to_track(field.outer), {}}};
@@ -43,7 +44,7 @@ TEST(GridTally, AgreesWithThePiecesOfEveryStrip) {
     const Field field = testing::random_field(random, i % 3 == 0 ? 4 : 0);
     const double width_m = between(1, 12);
     const bool hard_boundary = i % 5 == 1;
-    const Ground ground = sort_obstacles(field, width_m);
+    const SortedGround ground = sort_obstacles(field, width_m);
     const Objective objective{between(0, 1), between(0, 1), 1, 1};
     for (const EndRule rule : kRules)
       for (const Polygon& part : ground.plannable) {

@@ -11,7 +11,7 @@ namespace tramline {
 /// Everything the decisions about one family of tracks depend on. Refers to its arguments.
 struct CurvedAvoidanceTask {
   const Field& field;
-  const Ground& ground;
+  const SortedGround& ground;
   const Machine& machine;
   const Objective& objective;
   const PlanSettings& settings;

@@ -13,7 +13,7 @@ namespace tramline {
 /// Everything the decisions of one candidate depend on. Refers to its arguments.
 struct AvoidanceTask {
   const Field& field;
-  const Ground& ground;
+  const SortedGround& ground;
   const Machine& machine;
   const Objective& objective;
   const PlanSettings& settings;

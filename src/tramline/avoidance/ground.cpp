@@ -31,10 +31,10 @@ Region with_clearance(const Region& obstacles, double clearance_m) {
 
 }  // namespace
 
-Ground sort_obstacles(const Field& field, double width_m, double clearance_m) {
+SortedGround sort_obstacles(const Field& field, double width_m, double clearance_m) {
   const Region obstacles = obstacle_shapes(field, ObstacleKind::kObstacle);
   const Region whole{{field.outer, {}}};
-  Ground ground;
+  SortedGround ground;
   ground.passable = obstacle_shapes(field, ObstacleKind::kPassable);
   ground.body = body_of(field);
 

@@ -8,7 +8,7 @@ namespace tramline {
 
 /// Local metres. body = plannable ∪ given_up − passable; the parts of given_up and of the obstacles
 /// are hard: no swath enters them.
-struct Ground {
+struct SortedGround {
   Region body;       ///< what has to be covered (DESIGN: field minus obstacles)
   Region plannable;  ///< field minus obstacles and given-up land; passable obstacles still in it
   Region given_up;   ///< land no swath may work: between clustered obstacles, between an obstacle and
@@ -23,6 +23,6 @@ struct Ground {
 /// S1.27-S1.29: clusters (b) and edge clips (c). Every other obstacle is driven round (a) or cuts the
 /// swaths it meets (d), which is decided track by track. No swath comes nearer to an obstacle than
 /// `clearance_m`.
-Ground sort_obstacles(const Field& field, double width_m, double clearance_m = 0);
+SortedGround sort_obstacles(const Field& field, double width_m, double clearance_m = 0);
 
 }  // namespace tramline

@@ -25,7 +25,8 @@ bool any_edge_nearer(const SwathLine& line, const Ring& ring, double reach_m) {
 }
 
 template <class Motion>
-Surroundings moved_surroundings(const Ground& ground, const Ring& field, bool hard_boundary, Motion move) {
+Surroundings moved_surroundings(const SortedGround& ground, const Ring& field, bool hard_boundary,
+                                Motion move) {
   const auto moved_ring = [&move](const Ring& ring) {
     Ring out;
     out.reserve(ring.size());
@@ -47,12 +48,12 @@ Surroundings moved_surroundings(const Ground& ground, const Ring& field, bool ha
 
 }  // namespace
 
-Surroundings turned_surroundings(const Ground& ground, const Ring& field, bool hard_boundary,
+Surroundings turned_surroundings(const SortedGround& ground, const Ring& field, bool hard_boundary,
                                  const TrackFrame& frame) {
   return moved_surroundings(ground, field, hard_boundary, [&frame](Point p) { return frame.to_track(p); });
 }
 
-Surroundings field_surroundings(const Ground& ground, const Ring& field, bool hard_boundary) {
+Surroundings field_surroundings(const SortedGround& ground, const Ring& field, bool hard_boundary) {
   return moved_surroundings(ground, field, hard_boundary, [](Point p) { return p; });
 }
 

@@ -18,17 +18,17 @@ struct TurnedHazard {
 };
 
 struct Surroundings {
-  std::vector<TurnedHazard> hazards;  ///< as Ground::hazards
+  std::vector<TurnedHazard> hazards;  ///< as SortedGround::hazards
   std::vector<Ring> passable;         ///< all rings
   Ring field;                         ///< the outer ring
   bool hard_boundary = false;
 };
 
-Surroundings turned_surroundings(const Ground& ground, const Ring& field, bool hard_boundary,
+Surroundings turned_surroundings(const SortedGround& ground, const Ring& field, bool hard_boundary,
                                  const TrackFrame& frame);
 
 /// The same in the field's frame, for curved tracks.
-Surroundings field_surroundings(const Ground& ground, const Ring& field, bool hard_boundary);
+Surroundings field_surroundings(const SortedGround& ground, const Ring& field, bool hard_boundary);
 
 /// A path as the centre line of a swath. Refers to the path.
 struct SwathLine {

@@ -108,7 +108,7 @@ struct Plan {
   Machine machine;
   Objective objective;
   PlanSettings settings;
-  Region body;  ///< field minus obstacles, passable ones included, minus headlands; of a repair: the gaps
+  Region body;    ///< field minus obstacles, passable ones included, minus headlands; of a repair: the gaps
   Region worked;  ///< of a repair: the field minus obstacles and gaps, worked before or left for good; swaths
                   ///< may run on over it. Empty: the plan is no repair
   Headland headland;

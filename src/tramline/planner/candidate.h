@@ -16,7 +16,7 @@ struct SearchTask {
   Machine machine;
   Objective objective;
   PlanSettings settings;
-  Ground ground;
+  SortedGround ground;
   double body_m2 = 0;
   double short_edge_m = 0;  ///< corners between edges that are both shorter split nothing
   Headland headland;

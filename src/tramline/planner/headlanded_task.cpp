@@ -31,7 +31,7 @@ Field with_obstacles(const Field& field, Keep keep, std::vector<int>& indices) {
   return out;
 }
 
-/// The body with passable land still in it, as Ground::plannable has it.
+/// The body with passable land still in it, as SortedGround::plannable has it.
 Region body_with_passable(const Field& field, const HeadlandTerms& terms, const HeadlandAndBody& headland) {
   if (obstacle_shapes(field, ObstacleKind::kPassable).empty()) return headland.body;
   std::vector<int> indices;
@@ -45,11 +45,12 @@ Region body_with_passable(const Field& field, const HeadlandTerms& terms, const 
 }
 
 /// Obstacles with a headland do not meet tracks: they are sorted out, but detours have to keep off them.
-Ground ground_behind(const SearchTask& task, const HeadlandTerms& terms, const HeadlandAndBody& headland) {
+SortedGround ground_behind(const SearchTask& task, const HeadlandTerms& terms,
+                           const HeadlandAndBody& headland) {
   std::vector<int> indices;
   const auto bare = [&](std::size_t i) { return !has_headland(terms.obstacle_passes, i); };
   const Field met = with_obstacles(task.field, bare, indices);
-  Ground ground = sort_obstacles(met, task.machine.width_m, task.settings.clearance_m);
+  SortedGround ground = sort_obstacles(met, task.machine.width_m, task.settings.clearance_m);
   for (Hazard& hazard : ground.hazards)
     for (int& obstacle : hazard.obstacles) obstacle = indices[static_cast<std::size_t>(obstacle)];
   for (std::size_t i = 0; i < task.field.obstacles.size(); ++i)

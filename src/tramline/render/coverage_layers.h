@@ -13,8 +13,8 @@ namespace tramline::render {
 void draw_covered(Canvas& canvas, const Coverage& coverage);
 /// Repeated land as wide as it is: slivers tint the page by what they take of it.
 void draw_repeated(Canvas& canvas, const Coverage& coverage);
-/// Missed land likewise; but gaps at least so wide that none escapes the eye, and no wider: a page full of thin
-/// gaps must not look as if most of the land had been missed.
+/// Missed land likewise; but gaps at least so wide that none escapes the eye, and no wider: a page full of
+/// thin gaps must not look as if most of the land had been missed.
 void draw_missed(Canvas& canvas, const Coverage& coverage);
 /// The way of the machine: solid where it worked, dashed where it did not.
 void draw_driven(Canvas& canvas, const Coverage& coverage);

@@ -11,9 +11,9 @@ namespace tramline {
 /// side (S2.13). Of each track the rows that have any of the body to work are its pieces (track_extent());
 /// together with what lies between them they are the final track. Its offset by w, extended again, is the
 /// next (S2.12). Algorithm 2 buffers every track but the first by w where its rows are w/2 wide to either
-/// side: read as w/2. A track without a piece is carried on whole, until none meets the body's box any more. Kinks
-/// stay. Pieces have no `inside_m2`; rows of one family may overlap or leave land between them. Tracks are
-/// numbered from the line: 0, 1 … to the right, −1, −2 … to the left; `branch` is the part of the body.
+/// side: read as w/2. A track without a piece is carried on whole, until none meets the body's box any more.
+/// Kinks stay. Pieces have no `inside_m2`; rows of one family may overlap or leave land between them. Tracks
+/// are numbered from the line: 0, 1 … to the right, −1, −2 … to the left; `branch` is the part of the body.
 /// Pieces shorter than `min_length_m` (S2: 0) are dropped. Preconditions: two distinct points at least; no
 /// point twice in a row; the body is not empty. For each track a polygon boolean, and O(n²) where it crosses
 /// itself.

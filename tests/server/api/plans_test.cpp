@@ -63,7 +63,7 @@ TEST_F(ServerTest, LayersAreThereOneByOne) {
     if (name == "overlap") {
       EXPECT_EQ(layer["m2"], summary["overlap_m2"]);
     }
-        if (name != "tracks") continue;
+    if (name != "tracks") continue;
     EXPECT_EQ(layer["m"], summary["track_length_m"]);
     // riverside lies about 9.15° east, 52.69° north.
     const auto& first = shapes.json["features"][0];

@@ -198,8 +198,7 @@ std::optional<Fix> NmeaLog::add(std::string_view line) {
   const std::size_t start = line.rfind('$');
   if (start == std::string_view::npos) {
     // Reports of ships and the like begin with "!"; blank lines are no loss.
-    if (const std::string_view text = trimmed(line);
-        !text.empty() && text.front() != '!')
+    if (const std::string_view text = trimmed(line); !text.empty() && text.front() != '!')
       skipped_.add(line_, "no sentence");
     return std::nullopt;
   }

@@ -59,7 +59,8 @@ SprayPattern read_pattern(const std::string& path) {
     const std::string place = fmt::format("pattern '{}', line {}", path, number);
     if (std::isnan(offset_m) || std::isnan(rate))
       throw bad_input(fmt::format(
-          "{}: not two numbers; each line is an offset in metres and a relative rate, such as -6,0.8", place));
+          "{}: not two numbers; each line is an offset in metres and a relative rate, such as -6,0.8",
+          place));
     if (rate < 0) throw bad_input(fmt::format("{}: the rate is {:g}; rates are 0 or more", place, rate));
     if (out.size() == kMostRows)
       throw bad_input(fmt::format("{}: more than {} rows; is this a pattern?", place, kMostRows));

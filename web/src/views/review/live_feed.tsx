@@ -20,7 +20,7 @@ const KINDS: Record<Kind, { label: string; where: string; example: string }> = {
   udp: { label: 'Network (UDP)', where: 'Port', example: ':4001' },
   gpsd: { label: 'gpsd', where: 'Host and port', example: 'localhost:2947' },
   serial: { label: 'Serial port', where: 'Device and speed', example: '/dev/ttyUSB0,115200' },
-  file: { label: 'File being written', where: 'Its path on this computer', example: '/home/me/today.csv' },
+  file: { label: 'File being written', where: 'Its path on this computer', example: '/home/somebody/today.csv' },
 };
 
 export function StartFeed() {
