@@ -44,6 +44,6 @@ export const WorkNumbers = ({ figures: f }: { figures: WorkFigures }) => (
       { label: 'Missed', value: f.missed_m2 === null ? '–' : hectares(f.missed_m2), tone: 'uncovered' },
       { label: 'Rate', value: rate(f.ha_per_hour) },
       { label: 'Working, h', value: clock(f.worked_s) },
-      { label: 'Remaining, h', value: f.remaining_s === null ? '–' : clock(f.remaining_s) },
+      { label: 'To go, h', value: f.remaining_s === null ? '–' : clock(f.remaining_s) },
     ]} />
 );
