@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "properties/random_field.h"
+#include "properties/seeds.h"
 #include "tramline/avoidance/hazards.h"
 
 namespace tramline {
@@ -270,9 +271,7 @@ double earliest_return(const KeepOut& disc, double common, double r) {
 TEST(DetourPathProperties, RoundRandomDiscsIsDrivableClearAndNoHigherThanItHasToBe) {
   int touched = 0;
   for (int i = 0; i < testing::case_count(600); ++i) {
-    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
-    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
-    std::mt19937_64 random(seed);
+    testing::SeededRandom random(i);
     const Discs discs = random_discs(random);
     const auto path = detour_path(discs.all, discs.r);
     const double h = highest_reach(discs.all);
@@ -305,9 +304,7 @@ TEST(DetourPathProperties, RoundRandomDiscsIsDrivableClearAndNoHigherThanItHasTo
 // A mirrored scene has the mirrored path, and a moved one the moved path.
 TEST(DetourPathProperties, FollowsItsDiscsWhenTheyAreMirroredOrMoved) {
   for (int i = 0; i < testing::case_count(300); ++i) {
-    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
-    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
-    std::mt19937_64 random(seed);
+    testing::SeededRandom random(i);
     const Discs discs = random_discs(random);
     const auto path = detour_path(discs.all, discs.r);
     Discs moved = discs, mirrored = discs;

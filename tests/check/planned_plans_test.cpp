@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "properties/random_field.h"
+#include "properties/seeds.h"
 #include "tramline/check/verify.h"
 #include "tramline/geometry/error.h"
 #include "tramline/model/limits.h"
@@ -15,7 +16,6 @@
 namespace tramline {
 namespace {
 
-using testing::base_seed;
 using testing::case_count;
 
 PlanSettings random_settings(std::mt19937_64& random) {
@@ -31,9 +31,7 @@ TEST(PlannedPlans, hold_on_random_fields) {
   int planned = 0;
   const int cases = case_count(60);
   for (int i = 0; i < cases; ++i) {
-    const unsigned long long seed = base_seed() + static_cast<unsigned long long>(i);
-    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
-    std::mt19937_64 random(seed);
+    testing::SeededRandom random(i);
     const Field field = testing::random_field(random, 4);
     Machine machine;
     machine.width_m = std::uniform_real_distribution<double>(1.5, 8)(random);

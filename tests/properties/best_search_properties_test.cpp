@@ -8,6 +8,7 @@
 #include <random>
 
 #include "properties/random_field.h"
+#include "properties/seeds.h"
 #include "tramline/geometry/bounding_rectangle.h"
 #include "tramline/geometry/error.h"
 #include "tramline/planner/grid_search.h"
@@ -15,18 +16,6 @@
 
 namespace tramline {
 namespace {
-
-/// Runs `body(random, seed)` for as many seeds as the run asks for.
-template <class Body>
-void for_seeds(int standard, const Body& body) {
-  const int cases = testing::case_count(standard);
-  for (int i = 0; i < cases; ++i) {
-    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
-    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
-    std::mt19937_64 random(seed);
-    body(random);
-  }
-}
 
 double between(std::mt19937_64& random, double a, double b) {
   return std::uniform_real_distribution<double>(a, b)(random);
@@ -59,7 +48,7 @@ double cost_at(const SearchTask& task, double degrees, double origin_m) {
 
 // The bound of a search lies below what any grid costs, also with detours.
 TEST(BestSearchProperties, NoGridCostsLessThanTheBound) {
-  for_seeds(60, [](std::mt19937_64& random) {
+  testing::for_each_seed(60, [](std::mt19937_64& random, int) {
     const Field field = testing::random_field(random, random() % 3 == 0 ? 3 : 0);
     const double width_m = between(random, 3, 12);
     const SearchTask task =
@@ -94,7 +83,7 @@ TEST(BestSearchProperties, NoGridCostsLessThanTheBound) {
 // Against brute force in steps of 0.1 degrees and w/100 over a field by itself: nothing there is cheaper, but
 // by less than the search says it may have missed.
 TEST(BestSearchProperties, BruteForceFindsNothingBetterThanTheGapAllows) {
-  for_seeds(2, [](std::mt19937_64& random) {
+  testing::for_each_seed(2, [](std::mt19937_64& random, int) {
     const Field field = testing::random_field(random, 0);
     const double width_m = between(random, 5, 12);
     const SearchTask task = task_of(field, width_m, Objective{});
@@ -115,7 +104,7 @@ TEST(BestSearchProperties, BruteForceFindsNothingBetterThanTheGapAllows) {
 }
 
 TEST(BestSearchProperties, IsNeverDearerThanTheSweep) {
-  for_seeds(25, [](std::mt19937_64& random) {
+  testing::for_each_seed(25, [](std::mt19937_64& random, int) {
     const Field field = testing::random_field(random, 3);
     const double turn =
         random() % 3 == 0 ? 1e5 : between(random, 0, 3);  // too dear for the land to be worth it
@@ -141,7 +130,7 @@ TEST(BestSearchProperties, IsNeverDearerThanTheSweep) {
 // A convex field needs at least as many tracks as fit beside each other into its least width (Bang 1951), and
 // one subfield across it has no more.
 TEST(BestSearchProperties, ConvexFieldsTakeAsFewTracksAsTheirWidthAllows) {
-  for_seeds(40, [](std::mt19937_64& random) {
+  testing::for_each_seed(40, [](std::mt19937_64& random, int) {
     std::vector<Point> points;
     for (int i = 0; i < 9; ++i) points.push_back({between(random, 0, 200), between(random, 0, 120)});
     Field field;
@@ -160,7 +149,7 @@ TEST(BestSearchProperties, ConvexFieldsTakeAsFewTracksAsTheirWidthAllows) {
 }
 
 TEST(BestSearchProperties, IsTheSameForAnyNumberOfThreads) {
-  for_seeds(4, [](std::mt19937_64& random) {
+  testing::for_each_seed(4, [](std::mt19937_64& random, int) {
     const Field field = testing::random_field(random, 2);
     const Plan one = plan_field(field, {"", 6, 6, -1}, {}, {}, 1);
     for (const int threads : {2, 4}) {

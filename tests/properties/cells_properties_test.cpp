@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "properties/random_field.h"
+#include "properties/seeds.h"
 #include "tramline/decomposition/candidate_directions.h"
 #include "tramline/decomposition/cells.h"
 #include "tramline/decomposition/decompose.h"
@@ -15,9 +16,7 @@ namespace {
 
 TEST(CellProperties, CellsAndSubfieldsAreTheGroundInEveryEdgeDirection) {
   for (int i = 0; i < testing::case_count(60); ++i) {
-    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
-    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
-    std::mt19937_64 random(seed);
+    testing::SeededRandom random(i);
     const Field field = testing::random_field(random, 6);
     const Region ground = body_of(field);
     PlanSettings settings;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "properties/random_field.h"
+#include "properties/seeds.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/convex_clip.h"
 #include "tramline/geometry/track_frame.h"
@@ -29,9 +30,7 @@ std::vector<Ring> rows(std::mt19937_64& random, int count) {
 
 TEST(ConvexClipProperties, AreaInUnionAgreesWithPolygonBooleans) {
   for (int i = 0; i < testing::case_count(300); ++i) {
-    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
-    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
-    std::mt19937_64 random(seed);
+    testing::SeededRandom random(i);
     const Ring ground = testing::random_star(random, {0, 0}, 10, 30, 11);
     std::vector<ConvexSet> sets;
     Region rectangles;

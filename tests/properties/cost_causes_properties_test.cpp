@@ -9,6 +9,7 @@
 
 #include "properties/random_field.h"
 #include "properties/random_scene.h"
+#include "properties/seeds.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
 #include "tramline/planner/plan_field.h"
@@ -16,7 +17,6 @@
 namespace tramline {
 namespace {
 
-using testing::base_seed;
 using testing::case_count;
 using testing::Scene;
 
@@ -113,9 +113,7 @@ void for_random_scenes(int standard, MakeScene make) {
   int planned = 0;
   const int cases = case_count(standard);
   for (int i = 0; i < cases; ++i) {
-    const unsigned long long seed = base_seed() + static_cast<unsigned long long>(i);
-    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
-    std::mt19937_64 random(seed);
+    testing::SeededRandom random(i);
     try {
       planned += look_at(make(random)) ? 1 : 0;
     } catch (const Error&) {  // a scene without land left is none

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "properties/random_field.h"
+#include "properties/seeds.h"
 #include "tramline/cost/curved_tally.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
@@ -93,9 +94,7 @@ void for_random_scenes(int standard, Check check) {
   int drivable = 0;
   const int cases = testing::case_count(standard);
   for (int i = 0; i < cases; ++i) {
-    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
-    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
-    std::mt19937_64 random(seed);
+    testing::SeededRandom random(i);
     const std::optional<Scene> scene = random_scene(random);
     if (!scene) continue;
     ++drivable;
@@ -182,9 +181,7 @@ TEST(CurvedPiecesProperties, AreGivenUpOnlyWhereTheyCostMore) {
   int families = 0, plain = 0, given_up = 0;
   const int cases = testing::case_count(60);
   for (int i = 0; i < cases; ++i) {
-    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
-    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
-    std::mt19937_64 random(seed);
+    testing::SeededRandom random(i);
     const Field field = testing::random_field(random, 3);
     const Objective prices{uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 5),
                            uniform(random, 0, 5)};

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "properties/random_field.h"
+#include "properties/seeds.h"
 #include "tramline/avoidance/ground.h"
 #include "tramline/cost/strip_tally.h"
 
@@ -46,9 +47,7 @@ struct Case {
 TEST(GridBound, NoGridOfTheBoxCostsLess) {
   const int cases = testing::case_count(300);
   for (int i = 0; i < cases; ++i) {
-    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
-    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
-    std::mt19937_64 random(seed);
+    testing::SeededRandom random(i);
     const auto between = [&random](double a, double b) {
       return std::uniform_real_distribution<double>(a, b)(random);
     };
@@ -83,9 +82,7 @@ TEST(GridBound, StopsWhereItIsEnough) {
   const int cases = testing::case_count(100);
   int stopped = 0;
   for (int i = 0; i < cases; ++i) {
-    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
-    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
-    std::mt19937_64 random(seed);
+    testing::SeededRandom random(i);
     const auto between = [&random](double a, double b) {
       return std::uniform_real_distribution<double>(a, b)(random);
     };
@@ -119,9 +116,7 @@ TEST(GridBound, OfAPointIsTheCost) {
   const int cases = testing::case_count(100);
   int equal = 0, compared = 0;
   for (int i = 0; i < cases; ++i) {
-    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
-    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
-    std::mt19937_64 random(seed);
+    testing::SeededRandom random(i);
     const auto between = [&random](double a, double b) {
       return std::uniform_real_distribution<double>(a, b)(random);
     };

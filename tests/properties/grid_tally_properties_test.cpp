@@ -5,6 +5,7 @@
 #include <random>
 
 #include "properties/random_field.h"
+#include "properties/seeds.h"
 #include "tramline/avoidance/ground.h"
 #include "tramline/cost/strip_tally.h"
 
@@ -35,9 +36,7 @@ void expect_same(const Tally& a, const Tally& b, double area_m2) {
 TEST(GridTally, AgreesWithThePiecesOfEveryStrip) {
   const int cases = testing::case_count(200);
   for (int i = 0; i < cases; ++i) {
-    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
-    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
-    std::mt19937_64 random(seed);
+    testing::SeededRandom random(i);
     const auto between = [&random](double a, double b) {
       return std::uniform_real_distribution<double>(a, b)(random);
     };

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "properties/random_field.h"
+#include "properties/seeds.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/layered_area.h"
 
@@ -173,16 +174,11 @@ Scene moved(Scene scene, Point by) {
   return scene;
 }
 
-/// Runs `check` on random scenes; says which one failed.
+/// Runs `check` on random scenes.
 template <class Check>
 void for_random_scenes(int standard, Check check) {
-  for (int i = 0; i < testing::case_count(standard); ++i) {
-    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
-    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
-    std::mt19937_64 random(seed);
-    check(random_scene(random), random);
-    if (::testing::Test::HasFailure()) return;
-  }
+  testing::for_each_seed(standard,
+                         [&](std::mt19937_64& random, int) { check(random_scene(random), random); });
 }
 
 // Chords lie up to the sagitta off the edges of the bands, and the precision grid moves all edges of the

@@ -8,6 +8,7 @@
 
 #include "properties/random_field.h"
 #include "properties/random_scene.h"
+#include "properties/seeds.h"
 #include "tramline/geometry/error.h"
 #include "tramline/planner/sweep_search.h"
 
@@ -85,9 +86,7 @@ TEST(OutlookProperties, NoCandidateCostsLessThanItsOutlookAndTheCheapestIsFound)
   Seen seen;
   const int cases = testing::case_count(200);
   for (int i = 0; i < cases; ++i) {
-    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
-    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
-    std::mt19937_64 random(seed);
+    testing::SeededRandom random(i);
     try {
       const Scene scene = scene_of(random);
       look_at(search_task(scene.field, scene.machine, scene.objective, scene.settings), seen);

@@ -9,6 +9,7 @@
 
 #include "geometry/drivable.h"
 #include "properties/random_field.h"
+#include "properties/seeds.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/extended.h"
@@ -76,9 +77,7 @@ void for_random_scenes(int standard, bool as_wide_as_it_turns, double margin, Ch
   int drivable = 0;
   const int cases = testing::case_count(standard);
   for (int i = 0; i < cases; ++i) {
-    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
-    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
-    std::mt19937_64 random(seed);
+    testing::SeededRandom random(i);
     const std::optional<Scene> scene = random_scene(random, as_wide_as_it_turns, margin);
     if (!scene) continue;
     ++drivable;

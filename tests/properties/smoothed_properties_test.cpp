@@ -7,6 +7,7 @@
 
 #include "geometry/drivable.h"
 #include "properties/random_field.h"
+#include "properties/seeds.h"
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/smoothed.h"
 
@@ -41,9 +42,7 @@ TEST(SmoothedProperties, CanBeDrivenOrSaysWhy) {
   int driven = 0;
   const int cases = testing::case_count(600);
   for (int i = 0; i < cases; ++i) {
-    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
-    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
-    std::mt19937_64 random(seed);
+    testing::SeededRandom random(i);
     const std::vector<Point> line = random_walk(random);
     const double radius = uniform(random, 0.5, 12), tolerance = any_of(random, 0, 1) * uniform(random, 0, 1);
     try {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "properties/random_field.h"
+#include "properties/seeds.h"
 #include "tramline/decomposition/candidate_directions.h"
 #include "tramline/decomposition/cuts.h"
 #include "tramline/decomposition/merge_equal_directions.h"
@@ -16,17 +17,6 @@
 
 namespace tramline {
 namespace {
-
-/// Runs `body(random)` for as many seeds as the run asks for.
-template <class Body>
-void for_seeds(int standard, const Body& body) {
-  for (int i = 0; i < testing::case_count(standard); ++i) {
-    const auto seed = testing::base_seed() + static_cast<unsigned long long>(i);
-    SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(seed) + " TRAMLINE_CASES=1");
-    std::mt19937_64 random(seed);
-    body(random);
-  }
-}
 
 std::vector<Ring> rings_in_order(const Polygon& polygon) {
   std::vector<Ring> rings{polygon.outer};
@@ -86,7 +76,7 @@ void compare_questions(const Polygon& polygon, Direction sweep, std::mt19937_64&
 }
 
 TEST(SweepProperties, RaysMeetWhatAScanOfAllEdgesFinds) {
-  for_seeds(60, [](std::mt19937_64& random) {
+  testing::for_each_seed(60, [](std::mt19937_64& random, int) {
     const Field field = testing::random_field(random, 6);
     for (const Polygon& ground : body_of(field))
       for (const Direction sweep : candidate_directions(field)) compare_questions(ground, sweep, random);
@@ -138,7 +128,7 @@ std::size_t compare_phase(MergeGraph& quick, MergeGraph& plain, Remember remembe
 
 TEST(SweepProperties, CellsMergeInTheOrderInWhichAScanOfAllPairsMergesThem) {
   std::size_t before = 0, equal = 0, large = 0, similar = 0;
-  for_seeds(60, [&](std::mt19937_64& random) {
+  testing::for_each_seed(60, [&](std::mt19937_64& random, int) {
     Field field = testing::random_field(random, 6);
     // Right angles make equal directions and equal lengths.
     if (random() % 2 == 0)

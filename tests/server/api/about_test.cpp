@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <set>
 
-#include "server/api/served.h"
 #include "server/openapi.h"
 #include "server/routes/routes.h"
+#include "server/served.h"
 
 namespace tramline::server {
 namespace {

@@ -1,4 +1,4 @@
-#include "server/api/served.h"
+#include "server/served.h"
 #include "tramline/io/field/read_field.h"
 #include "tramline/io/field/write_field.h"
 

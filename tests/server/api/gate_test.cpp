@@ -1,6 +1,6 @@
 #include "server/http/gate.h"
 
-#include "server/api/served.h"
+#include "server/served.h"
 #include "tramline/geometry/error.h"
 
 namespace tramline::server {

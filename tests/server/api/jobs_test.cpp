@@ -1,8 +1,8 @@
 #include <cmath>
 #include <future>
 
-#include "server/api/served.h"
 #include "server/jobs/job_queue.h"
+#include "server/served.h"
 
 namespace tramline::server {
 namespace {

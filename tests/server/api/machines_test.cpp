@@ -1,4 +1,4 @@
-#include "server/api/served.h"
+#include "server/served.h"
 
 namespace tramline::server {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "server/api/served.h"
+#include "server/served.h"
 #include "tramline/check/verify.h"
 #include "tramline/io/plan/read_plan.h"
 

@@ -2,7 +2,7 @@
 #include <fstream>
 #include <set>
 
-#include "server/api/served.h"
+#include "server/served.h"
 #include "server/store/new_id.h"
 #include "tramline/geometry/error.h"
 

@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "server/api/served.h"
+#include "server/served.h"
 
 namespace tramline::server {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "io/isoxml/time_log_bytes.h"
 #include "io/vector/files.h"
-#include "server/drives/server_here.h"
+#include "server/served.h"
 #include "server/work/drives.h"
 #include "support/refusals.h"
 #include "tramline/coverage/evaluate.h"
@@ -27,7 +27,6 @@ namespace tramline::server {
 namespace {
 
 using namespace testing_drives;
-using namespace testing_server;
 using testing_support::mentions;
 
 ordered_json polygon_json(const Polygon& polygon) {
@@ -95,15 +94,15 @@ struct Shown {
 class Drives : public ::testing::Test {
  protected:
   std::string new_field() {
-    const Reply made =
+    const Got made =
         here_.post("/fields", {{"name", "mill field"}, {"geometry", polygon_json(field_here().front())}});
-    EXPECT_EQ(made.status, 201) << made.body;
+    EXPECT_EQ(made.status, 201) << made.text;
     return made.json.at("id");
   }
   std::string upload_log(const std::string& bytes, const std::string& name = "spraying.csv") {
-    const Reply made = here_.upload(name, bytes);
-    EXPECT_EQ(made.status, 201) << made.body;
-    EXPECT_EQ(made.json.value("kind", ""), "log") << made.body;
+    const Got made = here_.upload(name, bytes);
+    EXPECT_EQ(made.status, 201) << made.text;
+    EXPECT_EQ(made.json.value("kind", ""), "log") << made.text;
     return made.json.value("id", "");
   }
   ordered_json new_drive(ordered_json request) {
@@ -120,7 +119,7 @@ class Drives : public ::testing::Test {
   }
 
   testing_support::TemporaryFolder folder_;
-  ServerHere here_{folder_.path()};
+  Served here_{folder_.path()};
 };
 
 Coverage evaluated_here(const std::filesystem::path& log) {
@@ -131,7 +130,7 @@ TEST_F(Drives, IsWhatEvaluateSaysAndCanBeTakenAway) {
   const std::string log = joined(csv_lines(1500));
   std::ofstream(folder_ / "own.csv") << log;
   const Coverage whole = evaluated_here(folder_ / "own.csv");
-  const Reply sent = here_.upload("spraying.csv", log);
+  const Got sent = here_.upload("spraying.csv", log);
   ASSERT_EQ(sent.json.at("logs").size(), 1U);
   EXPECT_EQ(sent.json["logs"][0].at("fixes"), 1500);
   EXPECT_EQ(sent.json["logs"][0].at("width_m"), 6);
@@ -164,8 +163,8 @@ TEST_F(Drives, IsWhatEvaluateSaysAndCanBeTakenAway) {
   EXPECT_NEAR(list[0].at("missed_m2"), whole.areas.missed_m2, 1e-3);
 
   for (const char* layer : {"covered", "repeated", "missed", "multiplicity", "track", "gaps", "field"}) {
-    const Reply got = here_.get(path + "/layers/" + layer);
-    ASSERT_EQ(got.status, 200) << layer << got.body;
+    const Got got = here_.get(path + "/layers/" + layer);
+    ASSERT_EQ(got.status, 200) << layer << got.text;
     EXPECT_EQ(got.json.at("type"), "FeatureCollection") << layer;
     ASSERT_FALSE(got.json.at("features").empty()) << layer;
   }
@@ -177,13 +176,13 @@ TEST_F(Drives, IsWhatEvaluateSaysAndCanBeTakenAway) {
                                    : feature["geometry"]["coordinates"]);
   EXPECT_NEAR(covered_m2, whole.areas.covered_m2, 0.5) << "seven decimals of a degree are a centimetre";
 
-  EXPECT_EQ(here_.get(path + "/files/log").body, log);
-  EXPECT_TRUE(here_.get(path + "/files/png").body.starts_with("\x89PNG"));
-  EXPECT_TRUE(mentions(here_.get(path + "/files/svg").body, "<svg"));
-  const Reply pdf = here_.get(path + "/files/pdf");
-  EXPECT_TRUE(pdf.body.starts_with("%PDF"));
+  EXPECT_EQ(here_.get(path + "/files/log").text, log);
+  EXPECT_TRUE(here_.get(path + "/files/png").text.starts_with("\x89PNG"));
+  EXPECT_TRUE(mentions(here_.get(path + "/files/svg").text, "<svg"));
+  const Got pdf = here_.get(path + "/files/pdf");
+  EXPECT_TRUE(pdf.text.starts_with("%PDF"));
   EXPECT_TRUE(mentions(pdf.headers.find("Content-Disposition")->second, "attachment"));
-  std::ofstream(folder_ / "taken.gpkg", std::ios::binary) << here_.get(path + "/files/gpkg").body;
+  std::ofstream(folder_ / "taken.gpkg", std::ios::binary) << here_.get(path + "/files/gpkg").text;
   const Coverage taken = io::read_coverage(folder_ / "taken.gpkg");
   EXPECT_EQ(taken.areas.covered_m2, summary.at("covered_m2").get<double>());
 
@@ -221,7 +220,7 @@ TEST_F(Drives, TilesOfAReplayAddUpToTheWhole) {
 TEST_F(Drives, WhatIsWrongIsSaidInASentence) {
   const std::string log = upload_log(joined(csv_lines(30)));
   for (const char* body : {"", "{", "[1]", "\"x\"", "{\"upload\": 7}", "{\"what\": 1}"}) {
-    const Reply got = here_.post("/drives", std::string(body));
+    const Got got = here_.post_text("/drives", body);
     EXPECT_EQ(got.status, 400) << body;
     EXPECT_EQ(got.code(), "bad_input");
     EXPECT_FALSE(got.message().empty());
@@ -236,8 +235,8 @@ TEST_F(Drives, WhatIsWrongIsSaidInASentence) {
   EXPECT_EQ(here_.post("/jobs", {{"kind", "evaluate"}, {"drive", "none"}}).status, 404);
   EXPECT_EQ(here_.post("/jobs", {{"kind", "repair"}, {"drive", "none"}, {"machine", {}}}).status, 404);
 
-  const Reply field_file = here_.upload("f.geojson", polygon_json(field_here().front()).dump());
-  ASSERT_EQ(field_file.status, 201) << field_file.body;
+  const Got field_file = here_.upload("f.geojson", polygon_json(field_here().front()).dump());
+  ASSERT_EQ(field_file.status, 201) << field_file.text;
   EXPECT_TRUE(mentions(here_.post("/drives", {{"upload", field_file.json.at("id")}}).message(), "no log"));
   EXPECT_EQ(here_.upload("empty.csv", "").status, 400);
 
@@ -263,7 +262,7 @@ TEST_F(Drives, UnknownIdsLayersFormatsAndSpeeds) {
   for (const char* query : {"?speed=0", "?speed=1e9", "?speed=x", "?from_s=now", "?speed=nan", "?from_s=inf"})
     EXPECT_EQ(here_.get(path + "/replay" + query).status, 400) << query;
   // Without a field there is nothing to repair.
-  const Reply repair = here_.post(
+  const Got repair = here_.post(
       "/jobs",
       {{"kind", "repair"}, {"drive", drive.at("id")}, {"machine", {{"width_m", 6}, {"radius_m", 5}}}});
   EXPECT_EQ(repair.status, 400);
@@ -309,8 +308,8 @@ TEST_F(Drives, IsEvaluatedAnewAndOutlivesTheServer) {
   testing_support::TemporaryFolder folder;
   std::string id;
   {
-    ServerHere first(folder.path());
-    const Reply sent = first.upload("drive.csv", joined(csv_lines(200)));
+    Served first(folder.path());
+    const Got sent = first.upload("drive.csv", joined(csv_lines(200)));
     const ordered_json job = first.job_of(first.post(
         "/drives", {{"upload", sent.json.at("id")}, {"options", {{"repeat", "strict"}, {"max_gap_s", 20}}}}));
     id = job.at("result").at("drive");
@@ -319,7 +318,7 @@ TEST_F(Drives, IsEvaluatedAnewAndOutlivesTheServer) {
     std::ofstream(folder / "drives/notes.txt") << "mine";
     std::ofstream(folder / "drives/damaged.json") << "{";
   }
-  ServerHere second(folder.path());
+  Served second(folder.path());
   EXPECT_FALSE(std::filesystem::exists(folder / "drives/20260314-081500-k3f9ab.csv"));
   EXPECT_TRUE(std::filesystem::exists(folder / "drives/notes.txt"));
   EXPECT_TRUE(std::filesystem::exists(folder / "drives/damaged.json"));
@@ -365,8 +364,8 @@ std::string task_set_with_partfield(const testing_support::TemporaryFolder& fold
 }
 
 TEST_F(Drives, ThePartfieldOfATaskSetBecomesAField) {
-  const Reply sent = here_.upload("TASKDATA.zip", task_set_with_partfield(folder_));
-  ASSERT_EQ(sent.status, 201) << sent.body;
+  const Got sent = here_.upload("TASKDATA.zip", task_set_with_partfield(folder_));
+  ASSERT_EQ(sent.status, 201) << sent.text;
   EXPECT_EQ(sent.json.at("kind"), "log");
   ASSERT_EQ(sent.json.at("logs").size(), 2U);
   EXPECT_EQ(sent.json["logs"][0].at("partfield"), "PFD1");
@@ -396,9 +395,9 @@ TEST_F(Drives, RealLogsReplayedEndWithWhatEvaluateSays) {
       continue;
     }
     SCOPED_TRACE(name);
-    const Reply sent = here_.upload(name, testing_support::bytes_of(logs / name));
+    const Got sent = here_.upload(name, testing_support::bytes_of(logs / name));
     if (sent.status != 201 || sent.json.value("kind", "") != "log") {
-      std::cout << "skipped, no log: " << sent.body << "\n";
+      std::cout << "skipped, no log: " << sent.text << "\n";
       continue;
     }
     const ordered_json drive = new_drive({{"upload", sent.json.at("id")}, {"width_m", 12}});

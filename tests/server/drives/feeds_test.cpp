@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "server/drives/server_here.h"
+#include "server/served.h"
 #include "server/work/drives.h"
 #include "server/work/fake_tractor.h"
 #include "support/refusals.h"
@@ -18,23 +18,22 @@ namespace tramline::server {
 namespace {
 
 using namespace testing_drives;
-using namespace testing_server;
 using std::chrono::milliseconds;
 using testing_support::mentions;
 
 class Feeds : public ::testing::Test {
  protected:
   /// A feed of the tractor; its id.
-  std::string begin(ServerHere& server, const ordered_json& more = ordered_json::object()) {
+  std::string begin(Served& server, const ordered_json& more = ordered_json::object()) {
     ordered_json request = {{"source", tractor_.address()}};
     request.update(more);
     std::thread dialling([this] { tractor_.answer(); });
-    const Reply made = server.post("/feeds", request);
+    const Got made = server.post("/feeds", request);
     dialling.join();
-    EXPECT_EQ(made.status, 201) << made.body;
+    EXPECT_EQ(made.status, 201) << made.text;
     return made.json.value("id", "");
   }
-  static void wait_for(const ServerHere& server, const std::string& feed, int fixes) {
+  static void wait_for(const Served& server, const std::string& feed, int fixes) {
     for (int i = 0; i < 1000 && server.get("/feeds/" + feed).json.value("fixes", 0) < fixes; ++i)
       std::this_thread::sleep_for(milliseconds(10));
     EXPECT_GE(server.get("/feeds/" + feed).json.value("fixes", 0), fixes);
@@ -48,7 +47,7 @@ class Feeds : public ::testing::Test {
 };
 
 TEST_F(Feeds, AreFollowedByTwoAndKeptAsADrive) {
-  ServerHere here(folder_.path());
+  Served here(folder_.path());
   const std::string feed = begin(here, {{"name", "Tuesday"}});
   const std::vector<std::string> lines = csv_lines(600);
   struct Seen {
@@ -80,8 +79,8 @@ TEST_F(Feeds, AreFollowedByTwoAndKeptAsADrive) {
   ASSERT_EQ(here.get("/feeds").json.size(), 1U);
   EXPECT_EQ(here.get("/feeds").json[0].at("name"), "Tuesday");
 
-  const Reply ended = here.remove("/feeds/" + feed);
-  ASSERT_EQ(ended.status, 200) << ended.body;
+  const Got ended = here.remove("/feeds/" + feed);
+  ASSERT_EQ(ended.status, 200) << ended.text;
   for (std::thread& reader : readers) reader.join();
   const ordered_json drive = here.get("/drives/" + ended.json.at("drive").get<std::string>()).json;
   EXPECT_EQ(drive.at("name"), "Tuesday");
@@ -96,20 +95,20 @@ TEST_F(Feeds, AreFollowedByTwoAndKeptAsADrive) {
   }
   EXPECT_TRUE(here.get("/feeds").json.empty());
   EXPECT_EQ(here.get("/feeds/" + feed).status, 404);
-  EXPECT_TRUE(mentions(here.get("/drives/" + feed + "/files/log").body, "#!work=0"));
+  EXPECT_TRUE(mentions(here.get("/drives/" + feed + "/files/log").text, "#!work=0"));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path() / "feeds"), {}), 0);
 }
 
 TEST_F(Feeds, WhatIsWrongIsSaidInASentence) {
-  ServerHere here(folder_.path());
+  Served here(folder_.path());
   for (const char* source : {"", "tractor", "udp://:0", "tcp://127.0.0.1:1", "file:///nowhere.csv"}) {
-    const Reply got = here.post("/feeds", {{"source", source}});
+    const Got got = here.post("/feeds", {{"source", source}});
     EXPECT_EQ(got.status, 400) << source;
     EXPECT_FALSE(mentions(got.message(), "--")) << got.message();
     EXPECT_GT(got.message().size(), 20U);
   }
   for (const char* body : {"", "{", "{}", "{\"source\": 5}", "{\"source\": \"udp://:4001\", \"colour\": 1}"})
-    EXPECT_EQ(here.post("/feeds", std::string(body)).status, 400) << body;
+    EXPECT_EQ(here.post_text("/feeds", body).status, 400) << body;
   EXPECT_EQ(here.post("/feeds", {{"source", "udp://:4001"}, {"field", "none"}}).status, 404);
   EXPECT_EQ(here.post("/feeds", {{"source", "udp://:4001"}, {"width_m", 0}}).status, 400);
   EXPECT_EQ(here.get("/feeds/none").status, 404);
@@ -120,18 +119,18 @@ TEST_F(Feeds, WhatIsWrongIsSaidInASentence) {
   EXPECT_EQ(here.post("/feeds/" + feed + "/work", {{"on", true}}).status, 400) << "no fix has come yet";
   EXPECT_EQ(here.post("/feeds/" + feed + "/work", ordered_json::object()).status, 400);
   EXPECT_EQ(here.post("/feeds/" + feed + "/work", {{"on", "yes"}}).status, 400);
-  const Reply ended = here.remove("/feeds/" + feed);
+  const Got ended = here.remove("/feeds/" + feed);
   EXPECT_EQ(ended.status, 200);
   EXPECT_TRUE(ended.json.at("drive").is_null());
   EXPECT_TRUE(here.get("/drives").json.empty());
 }
 
 TEST_F(Feeds, ThereIsALimit) {
-  ServerHere here(folder_.path());
+  Served here(folder_.path());
   const std::string followed = (folder_ / "drive.csv").string();
   std::ofstream(followed) << joined(csv_lines(5));
   int made = 0;
-  Reply last;
+  Got last;
   for (; made < 100; ++made)
     if ((last = here.post("/feeds", {{"source", "file://" + followed}})).status != 201) break;
   EXPECT_EQ(made, Limits().feeds);
@@ -144,13 +143,13 @@ TEST_F(Feeds, AreFoundAgainByTheNextServer) {
   std::string feed;
   const std::vector<std::string> lines = csv_lines(200);
   {
-    ServerHere first(folder_.path());
+    Served first(folder_.path());
     feed = begin(first, {{"name", "before the fall"}});
     send(lines, 0, 201);
     wait_for(first, feed, 200);
   }
   EXPECT_EQ(testing_support::bytes_of(folder_.path() / "feeds" / (feed + ".log")), joined(lines));
-  ServerHere second(folder_.path());
+  Served second(folder_.path());
   ordered_json drives;
   for (int i = 0; i < 1000 && (drives = second.get("/drives").json).empty(); ++i)
     std::this_thread::sleep_for(milliseconds(10));
@@ -165,7 +164,7 @@ TEST_F(Feeds, AreFoundAgainByTheNextServer) {
 }
 
 TEST_F(Feeds, AStreamThatIsNoLogEndsWithASentenceAndKeepsWhatCame) {
-  ServerHere here(folder_.path());
+  Served here(folder_.path());
   const std::string feed = begin(here);
   tractor_.send("lon,lat\n10.5,52.3\n10.5001,52.3\n");
   std::string message;
@@ -175,10 +174,10 @@ TEST_F(Feeds, AStreamThatIsNoLogEndsWithASentenceAndKeepsWhatCame) {
   });
   EXPECT_TRUE(mentions(message, "how wide")) << message;
   EXPECT_TRUE(here.get("/feeds/" + feed).json.at("ended"));
-  const Reply ended = here.remove("/feeds/" + feed);
+  const Got ended = here.remove("/feeds/" + feed);
   EXPECT_EQ(ended.status, 200);
   EXPECT_TRUE(ended.json.at("drive").is_null());
-  EXPECT_TRUE(mentions(ended.json.at("message"), "kept in")) << ended.body;
+  EXPECT_TRUE(mentions(ended.json.at("message"), "kept in")) << ended.text;
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "feeds" / (feed + ".log")));
 }
 

@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -30,11 +31,12 @@ struct Got {
   httplib::Headers headers;
 
   /// The sentence of an error; empty where it is none.
-  std::string message() const {
-    return json.is_object() && json.contains("error") ? json["error"].value("message", "") : "";
-  }
-  std::string code() const {
-    return json.is_object() && json.contains("error") ? json["error"].value("code", "") : "";
+  std::string message() const { return of_error("message"); }
+  std::string code() const { return of_error("code"); }
+
+ private:
+  std::string of_error(const char* key) const {
+    return json.is_object() && json.contains("error") ? json["error"].value(key, "") : "";
   }
 };
 
@@ -102,6 +104,12 @@ class Served {
     }
     return {};
   }
+  /// The job that an answer is about, when it is over.
+  ordered_json job_of(const Got& begun) const {
+    if (begun.status == 202) return finished(begun.json);
+    ADD_FAILURE() << begun.status << " " << begun.text;
+    return {{"state", "refused"}};
+  }
   /// The id of a plan for the field.
   std::string planned(const std::string& field, const ordered_json& settings = ordered_json::object(),
                       bool explain = false) const {
@@ -110,10 +118,37 @@ class Served {
                                      {"machine", {{"name", "drill"}, {"width_m", 6}, {"radius_m", 6}}},
                                      {"settings", settings},
                                      {"explain", explain}});
-    EXPECT_EQ(begun.status, 202) << begun.text;
-    const ordered_json job = finished(begun.json);
+    const ordered_json job = job_of(begun);
     EXPECT_EQ(job.value("state", ""), "done") << job.dump();
     return job["result"].is_object() ? job["result"].value("plan", "") : "";
+  }
+
+  using OnEvent = std::function<bool(const std::string& name, const ordered_json& data)>;
+  /// Events of a stream until it ends, or `on_event` says false. The status of the answer.
+  int follow(const std::string& path, const OnEvent& on_event) const {
+    std::string rest;
+    int status = 0;
+    httplib::Client client("127.0.0.1", port());
+    client.set_read_timeout(60);
+    client.Get(
+        whole(path), headers,
+        [&](const httplib::Response& response) {
+          status = response.status;
+          return true;
+        },
+        [&](const char* data, std::size_t size) {
+          rest.append(data, size);
+          for (std::size_t end = rest.find("\n\n"); end != std::string::npos; end = rest.find("\n\n")) {
+            const std::string block = rest.substr(0, end);
+            rest.erase(0, end + 2);
+            const std::size_t data_at = block.find("\ndata: ");
+            if (!block.starts_with("event: ") || data_at == std::string::npos) continue;
+            if (!on_event(block.substr(7, data_at - 7), ordered_json::parse(block.substr(data_at + 7))))
+              return false;
+          }
+          return true;
+        });
+    return status;
   }
 
   /// Bytes as they are to a socket; everything that comes back.
