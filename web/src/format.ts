@@ -17,6 +17,8 @@ export const squareMetres = (m2: Maybe) => (missing(m2) ? NONE : `${digits(m2, M
 export const metres = (m: Maybe) => (missing(m) ? NONE : `${digits(m, Math.abs(m) < 10 ? 2 : 0)} m`);
 export const width = (m: Maybe) => (missing(m) ? NONE : `${zeroed(String(Math.round(m * 100) / 100))} m`);
 export const length = (m: Maybe) => (missing(m) ? NONE : Math.abs(m) < 10_000 ? metres(m) : `${digits(m / 1000, 1)} km`);
+/** How far off something is, in words' precision: 420 m, 12 km, 7,480 km. */
+export const farness = (m: number) => (m < 1000 ? `${digits(Math.max(10, Math.round(m / 10) * 10), 0)} m` : m < 10_000 ? `${digits(m / 1000, 1)} km` : `${digits(m >= 1e5 ? Math.round(m / 1e4) * 10 : m / 1000, 0)} km`);
 /** Cents matter up to a hundred thousand. */
 export const money = (value: Maybe) =>
   missing(value) ? NONE : `€${digits(value, Math.abs(value) < 1e5 ? 2 : 0)}`.replace('€−', '−€');

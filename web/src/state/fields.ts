@@ -1,10 +1,10 @@
 // Fields: those kept by the server, the one that is open, and a file to choose from.
 import { api, ApiError, sentence } from '../api/client';
 import type { FieldFull, FieldItem, Geometry, ObstacleDrawn, Upload, UploadedFeature } from '../api/types';
-import { megabytes } from '../format';
+import { megabytes, plural } from '../format';
 import { review } from './review';
 import { closePlan, loadPlans } from './plans';
-import { note } from './notices';
+import { complain, note } from './notices';
 import { session } from './session';
 import { store } from './store';
 
@@ -13,7 +13,9 @@ export const fields = store<{
   open: FieldFull | null;
   choosing: Upload | null;
   busy: string | null;
-}>({ list: null, open: null, choosing: null, busy: null });
+  /** Several fields of a file are being stored, one after the other. */
+  taking: boolean;
+}>({ list: null, open: null, choosing: null, busy: null, taking: false });
 
 export async function loadFields(): Promise<void> {
   fields.set({ list: await api.fields() });
@@ -70,10 +72,42 @@ export async function takeFieldFile(file: File): Promise<void> {
   else fields.set({ choosing: upload });
 }
 
+const storeFeature = (upload: Upload, { fid, layer }: UploadedFeature) =>
+  api.storeField({ upload: upload.id, fid, ...(layer === undefined ? {} : { layer }) });
+
+let stopped = false;
+export const stopTaking = () => void (stopped = true);
+
+/** Stores them in turn, without opening any. What cannot be stored is told of, and the others are stored all the same. */
+export async function takeFeatures(upload: Upload, features: UploadedFeature[]): Promise<void> {
+  const [only] = features;
+  if (features.length === 1 && only) return takeFeature(upload, only);
+  stopped = false;
+  fields.set({ taking: true });
+  let stored = 0;
+  const refused: string[] = [];
+  try {
+    for (const feature of features) {
+      if (stopped) break;
+      fields.set({ busy: `Storing ${feature.id}, ${stored + refused.length + 1} of ${features.length} …` });
+      try {
+        await storeFeature(upload, feature);
+        stored++;
+      } catch (error) {
+        if (!(error instanceof ApiError) || error.away) throw error;
+        refused.push(`${feature.id}: ${error.message}`);
+      }
+    }
+  } finally {
+    fields.set({ busy: null, taking: false, ...(stopped ? {} : { choosing: null }) });
+    await loadFields();
+  }
+  note(`${plural(stored, 'field')} of ${upload.name} ${stored === 1 ? 'is' : 'are'} stored${stopped ? ', then you pressed Stop' : ''}. Open one under Your fields.`);
+  if (refused.length > 0) complain(`${plural(refused.length, 'field')} could not be stored. ${refused.slice(0, 3).join(' ')}`);
+}
+
 export async function takeFeature(upload: Upload, feature: UploadedFeature): Promise<void> {
-  const request: Record<string, unknown> = { upload: upload.id, fid: feature.fid };
-  if (feature.layer !== undefined) request['layer'] = feature.layer;
-  const field = await busy('Looking over the field …', () => api.storeField(request));
+  const field = await busy('Looking over the field …', () => storeFeature(upload, feature));
   fields.set({ choosing: null });
   await opened(await api.field(field.id));
   await loadFields();

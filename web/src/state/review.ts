@@ -109,6 +109,13 @@ export async function switchDriveLayer(name: DriveLayer, on: boolean): Promise<v
   if (review.get().drive?.id === drive.id) review.set({ shapes: { ...review.get().shapes, ...fetched } });
 }
 
+export async function renameDrive(id: string, name: string): Promise<void> {
+  await api.renameDrive(id, name);
+  const open = review.get().drive;
+  if (open?.id === id) review.set({ drive: { ...open, name } });
+  await loadDrives();
+}
+
 export async function deleteDrive(id: string): Promise<void> {
   await api.deleteDrive(id);
   if (review.get().drive?.id === id) {

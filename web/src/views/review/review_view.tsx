@@ -17,8 +17,17 @@ export function ReviewView() {
   const job = useStore(review, (value) => value.job);
   const feed = useStore(replay, (value) => value.of === 'feed');
   if (feed) return <LiveFeed />;
-  if (job) return <Progress job={job} title="Working out the areas" cancel={() => void attempt(cancelReview)} />;
-  if (upload) return <LogForm upload={upload} />;
+  const progress = job && <Progress job={job} title="Working out the areas" cancel={() => void attempt(cancelReview)} />;
+  // The form stays as it was filled in, for when the job fails or is cancelled.
+  if (upload) {
+    return (
+      <>
+        {progress}
+        <div hidden={job !== null}><LogForm key={upload.id} upload={upload} /></div>
+      </>
+    );
+  }
+  if (progress) return progress;
   return (
     <>
       <section aria-label="Bring a log">
