@@ -23,7 +23,7 @@ export function fit(box: Box): void {
   if (!shown) return;
   const { map } = shown;
   const wide = map.getContainer().clientWidth > 760;
-  const padding = wide ? { top: 48, bottom: 56, left: 48, right: 360 } : { top: 28, bottom: 44, left: 24, right: 24 };
+  const padding = wide ? { top: 48, bottom: 56, left: 48, right: 360 } : { top: 20, bottom: 44, left: 62, right: 20 };
   map.fitBounds(box, { padding, maxZoom: 20, animate: !calm.matches, duration: 500 });
 }
 

@@ -5,6 +5,7 @@ import { megabytes, plural } from '../format';
 import { review } from './review';
 import { closePlan, loadPlans } from './plans';
 import { complain, note } from './notices';
+import { form } from './plan_form';
 import { session } from './session';
 import { store } from './store';
 
@@ -34,6 +35,7 @@ export async function busy<R>(what: string, action: () => Promise<R>): Promise<R
 async function opened(field: FieldFull): Promise<void> {
   if (fields.get().open?.id !== field.id) {
     closePlan();
+    form.set({ line: null }); // an edge of the other field, or a line over it
     if (review.get().drive?.field !== field.id) review.set({ drive: null });
   }
   fields.set({ open: field });
@@ -59,7 +61,7 @@ export async function takeFieldFile(file: File): Promise<void> {
   assertSize(file);
   const upload = await busy(`Reading ${file.name} …`, () => api.upload(file));
   if (upload.kind !== 'fields') {
-    const what = upload.kind === 'log' ? 'the log of a machine: drop it under Review' : upload.kind === 'plan' ? 'a plan, not a field' : null;
+    const what = upload.kind === 'log' ? 'the log of a machine: drop it under Review' : upload.kind === 'plan' ? 'a plan, not a field: choose the file of the field itself' : null;
     throw new ApiError(
       'bad_input',
       what ? `${file.name} is ${what}.` : `${file.name} holds no field. Choose a GeoJSON, GeoPackage, Shapefile, KML or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
@@ -135,5 +137,5 @@ export async function deleteField(id: string): Promise<void> {
     fields.set({ open: null });
   }
   await loadFields();
-  note('The field is deleted. Its plans and drives are kept.');
+  note('The field is deleted. Its drives are still under Review, and its plans in the folder of the server.');
 }

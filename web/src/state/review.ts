@@ -40,7 +40,7 @@ export async function takeLogFile(file: File): Promise<void> {
   assertSize(file);
   const upload = await busy(`Reading ${file.name} …`, () => api.upload(file));
   if (upload.kind !== 'log') {
-    const what = upload.kind === 'fields' ? 'a file of fields: drop it under Fields' : upload.kind === 'plan' ? 'a plan, not a log' : null;
+    const what = upload.kind === 'fields' ? 'a file of fields: drop it under Fields' : upload.kind === 'plan' ? 'a plan, not a log: choose the file that the machine wrote' : null;
     throw new ApiError(
       'bad_input',
       what ? `${file.name} is ${what}.` : `${file.name} is no log of a machine. Choose a CSV, NMEA, GPX or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),

@@ -40,7 +40,7 @@ export function PlanView() {
         <Objective />
         <Ends />
         <Follow />
-        <div class="sticky">
+        <div class={open && !job ? 'sticky' : 'sticky foot'}>
           {job ? (
             <Progress job={job} title="Planning" cancel={() => void attempt(cancelPlan)} />
           ) : (
