@@ -30,12 +30,12 @@ export function ReviewView() {
   if (progress) return progress;
   return (
     <>
+      {drive && <OpenDrive drive={drive} />}
       <section aria-label="Bring a log">
         <DropZone label="Choose the log of a machine" hint="or drop it here: CSV, NMEA, GPX, ISOXML (zipped)" busy={busy}
           take={(file) => void attempt(() => takeLogFile(file))} />
         <StartFeed />
       </section>
-      {drive && <OpenDrive drive={drive} />}
       <DriveList />
     </>
   );
