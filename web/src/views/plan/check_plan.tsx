@@ -1,7 +1,7 @@
 // The verifier's verdict: the plan worked out anew from its tracks alone.
 import { sentence } from '../../api/client';
 import type { Check, Checked, Place, PlanFull } from '../../api/types';
-import { count, length, squareMetres } from '../../format';
+import { count, ground, length, squareMetres } from '../../format';
 import { engine } from '../../map/host';
 import { Button } from '../../parts/button';
 import { Progress } from '../../parts/progress';
@@ -12,7 +12,7 @@ import { useStore } from '../../state/store';
 const ROWS: { label: string; of: (figures: Checked) => number; write: (value: number) => string }[] = [
   { label: 'Overlap', of: (f) => f.overlap_m2, write: squareMetres },
   { label: 'Uncovered', of: (f) => f.uncovered_m2, write: squareMetres },
-  { label: 'Worked', of: (f) => f.worked_m2, write: squareMetres },
+  { label: 'Worked', of: (f) => f.worked_m2, write: ground },
   { label: 'Tracks', of: (f) => f.tracks, write: count },
   { label: 'Way on tracks', of: (f) => f.track_length_m, write: length },
   { label: 'Turns', of: (f) => f.turns, write: count },
