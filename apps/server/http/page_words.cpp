@@ -10,7 +10,7 @@ namespace tramline::server {
 namespace {
 
 /// Whole phrases first, then the options by themselves.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 51> kWords = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 52> kWords = {{
     {"take all with --all or choose one with --where", "choose one of them"},
     {"give it a width with --width", "give the working width"},
     {"give the field's CRS with --crs", "say which coordinate reference system the field is in"},
@@ -31,6 +31,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 51> kWords =
     {"give --crs", "choose the coordinate reference system"},
     {"--boundary hard keeps them inside",
      "say that the machine cannot leave the field to turn, and they stay inside"},
+    {"a smaller --min-length", "shorter pieces"},
     {"nothing is worked there without --width", "nothing is worked there unless you give the working width"},
     {"--direction-tolerance", "the direction tolerance"},
     {"--avoid-threshold", "the avoid threshold"},

@@ -14,7 +14,7 @@ TEST(PageWords, OptionsBecomeWords) {
             "no ground to work; use a smaller clearance");
   EXPECT_EQ(in_page_words(
                 "a narrower machine, a smaller --min-length, a smaller --clearance or another --end-rule"),
-            "a narrower machine, a smaller shortest piece, a smaller clearance or another end rule");
+            "a narrower machine, shorter pieces, a smaller clearance or another end rule");
   EXPECT_EQ(in_page_words("none; give --obstacle-headlands"),
             "none; give the number of passes round obstacles");
   EXPECT_EQ(in_page_words("it names --obstacle-headlands"), "it names the number of passes round obstacles");
