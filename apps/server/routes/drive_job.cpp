@@ -40,7 +40,7 @@ DriveOrder drive_order(App& app, const ordered_json& json, const Upload& upload,
   out.field = input.text_or_none("field");
   out.plan = input.text_or_none("plan");
   if (!out.field.empty()) app.fields.get(out.field);
-  if (!out.plan.empty()) app.plans.get(out.plan);
+  if (!out.plan.empty()) app.plans.keep(out.plan);
   out.source.options = drive_options_in(json.value("options", ordered_json()), input.number_if("width_m"));
   out.source.options.log.log = input.text_or_none("log");
   out.source.log_name = upload.name;

@@ -12,6 +12,8 @@
 #include "server/drives/work_drive.h"
 #include "server/drives/work_stream.h"
 #include "server/http/download.h"
+#include "server/http/page_words.h"
+#include "server/input/json_input.h"
 #include "server/routes/job_kinds.h"
 #include "server/routes/routes.h"
 #include "server/work/replay.h"
@@ -109,7 +111,15 @@ void add_drive_routes(Router& router, App& app) {
     answer(response, job_json(begin_drive(app, call.json())), 202);
   });
   router.get(api("/drives/{drive}"), [&app](const Call& call, httplib::Response& response) {
-    answer(response, app.drives->store.get(call.part("drive")).shown);
+    ordered_json shown = app.drives->store.get(call.part("drive")).shown;
+    if (shown.contains("summary")) shown["summary"] = summary_in_page_words(std::move(shown["summary"]));
+    answer(response, shown);
+  });
+  router.patch(api("/drives/{drive}"), [&app](const Call& call, httplib::Response& response) {
+    const ordered_json json = call.json();
+    const std::string name = name_of(JsonInput(json, "", {"name"}), "name");
+    if (name.empty()) throw bad_input("give the drive a name");
+    answer(response, listed(app.drives->store.rename(call.part("drive"), name)));
   });
   router.remove(api("/drives/{drive}"), [&app](const Call& call, httplib::Response& response) {
     app.drives->store.remove(call.part("drive"));

@@ -145,6 +145,18 @@ KeptDrive DriveStore::get(const std::string& id) const {
   return found->second;
 }
 
+KeptDrive DriveStore::rename(const std::string& id, const std::string& name) {
+  const std::lock_guard lock(mutex_);
+  const auto found = drives_.find(id);
+  if (found == drives_.end()) throw not_found("drive", id);
+  KeptDrive out = found->second;
+  out.name = name;
+  out.shown["name"] = name;
+  write_whole(folder_.file(kKind, id, ".json"), app::json_line(kept_json(out)) + '\n');
+  found->second = out;
+  return out;
+}
+
 void DriveStore::remove(const std::string& id) {
   const std::lock_guard lock(mutex_);
   if (drives_.erase(id) == 0) throw not_found("drive", id);

@@ -47,6 +47,8 @@ class DriveStore {
   /// Throws HttpError(kNotFound).
   KeptDrive get(const std::string& id) const;
   /// Throws HttpError(kNotFound).
+  KeptDrive rename(const std::string& id, const std::string& name);
+  /// Throws HttpError(kNotFound).
   void remove(const std::string& id);
 
   std::filesystem::path coverage_file(const std::string& id) const;

@@ -27,7 +27,8 @@ io::Metadata remarks_of(const std::string& created, const PlanNotes& notes) {
           {"created", created},
           {"skipped", skipped_text(notes.skipped)},
           {"seconds", fmt::format("{}", notes.seconds)},
-          {"explain", app::json_line(notes.explain)}};
+          {"explain", app::json_line(notes.explain)},
+          {"draft", notes.draft ? "yes" : ""}};
 }
 
 PlanNotes notes_in(const io::Metadata& remarks) {
@@ -35,6 +36,7 @@ PlanNotes notes_in(const io::Metadata& remarks) {
                 std::strtod(remark(remarks, "seconds").c_str(), nullptr), nullptr};
   const auto explain = nlohmann::ordered_json::parse(remark(remarks, "explain"), nullptr, false);
   if (explain.is_object()) out.explain = explain;
+  out.draft = remark(remarks, "draft") == "yes";
   return out;
 }
 
@@ -67,6 +69,7 @@ KeptPlan PlanStore::read(const std::string& id) const {
   out.tally = plan.tally;
   out.width_m = plan.machine.width_m;
   out.frame = plan.field.frame;
+  out.draft = remark(remarks, "draft") == "yes";
   return out;
 }
 
@@ -80,7 +83,22 @@ KeptPlan PlanStore::write(const std::string& id, const std::string& created, con
 }
 
 KeptPlan PlanStore::add(const Plan& plan, const PlanNotes& notes) {
-  return write(new_id(), time_now(), plan, notes);
+  KeptPlan out = write(new_id(), time_now(), plan, notes);
+  if (out.draft) drop_other_drafts(out);
+  return out;
+}
+
+/// Several where a server was killed between keeping one and dropping the one before.
+void PlanStore::drop_other_drafts(const KeptPlan& newest) {
+  const std::lock_guard lock(mutex_);
+  if (!plans_.contains(newest.id)) return;  // of two at the same time, one stays
+  std::error_code ignored;
+  std::erase_if(plans_, [&](const auto& entry) {
+    const KeptPlan& plan = entry.second;
+    if (!plan.draft || plan.field != newest.field || plan.id == newest.id) return false;
+    std::filesystem::remove(folder_.file(kKind, plan.id), ignored);
+    return true;
+  });
 }
 
 std::vector<KeptPlan> PlanStore::list(const std::string& field) const {
@@ -107,10 +125,25 @@ OpenedPlan PlanStore::open(const std::string& id) const {
 }
 
 KeptPlan PlanStore::rename(const std::string& id, const std::string& name) {
-  const KeptPlan known = get(id);
+  const KeptPlan known = promised(id);
   OpenedPlan opened = open(id);
   opened.notes.name = name;
+  opened.notes.draft = false;
   return write(id, known.created, opened.file.plan, opened.notes);
+}
+
+KeptPlan PlanStore::keep(const std::string& id) {
+  const KeptPlan known = get(id);
+  return known.draft ? rename(id, known.name) : known;
+}
+
+/// A draft that a newer one must not drop while its file is being written anew.
+KeptPlan PlanStore::promised(const std::string& id) {
+  const std::lock_guard lock(mutex_);
+  const auto found = plans_.find(id);
+  if (found == plans_.end()) throw not_found("plan", id);
+  found->second.draft = false;
+  return found->second;
 }
 
 void PlanStore::remove(const std::string& id) {

@@ -269,6 +269,39 @@ TEST_F(Drives, UnknownIdsLayersFormatsAndSpeeds) {
   EXPECT_TRUE(mentions(repair.message(), "without a field")) << repair.message();
 }
 
+TEST_F(Drives, AreRenamedForGood) {
+  const std::string id = new_drive({{"upload", upload_log(joined(csv_lines(30)))}}).at("id");
+  ordered_json before = here_.get("/drives/" + id).json;
+  const Got renamed = here_.patch("/drives/" + id, {{"name", "first cut"}});
+  EXPECT_EQ(renamed.status, 200) << renamed.text;
+  EXPECT_EQ(renamed.json["name"], "first cut");
+  before["name"] = "first cut";
+  EXPECT_EQ(here_.get("/drives/" + id).json, before) << "a name changes nothing else";
+  std::ifstream file(folder_.path() / "drives" / (id + ".json"));
+  EXPECT_EQ(ordered_json::parse(file)["name"], "first cut");
+  EXPECT_EQ(here_.patch("/drives/" + id, {{"name", ""}}).status, 400);
+  EXPECT_EQ(here_.patch("/drives/" + id, {{"field", "x"}}).status, 400);
+  EXPECT_EQ(here_.patch("/drives/none", {{"name", "x"}}).status, 404);
+}
+
+TEST_F(Drives, ADraftThatADriveIsComparedWithStays) {
+  const std::string field = new_field();
+  const auto drafted = [&](double width_m) {
+    const ordered_json job =
+        here_.job_of(here_.post("/jobs", {{"kind", "plan"},
+                                          {"field", field},
+                                          {"machine", {{"width_m", width_m}, {"radius_m", 5}}},
+                                          {"draft", true}}));
+    return job.at("result").at("plan").get<std::string>();
+  };
+  const std::string plan = drafted(6);
+  new_drive({{"upload", upload_log(joined(csv_lines(60)))}, {"field", field}, {"plan", plan}});
+  const std::string next = drafted(7), last = drafted(8);
+  EXPECT_EQ(here_.get("/plans/" + plan).json["draft"], false);
+  EXPECT_EQ(here_.get("/plans/" + next).status, 404);
+  EXPECT_EQ(here_.get("/plans/" + last).status, 200);
+}
+
 TEST_F(Drives, WhatWasMissedIsPlannedAndComparedWithAPlan) {
   const std::string field = new_field();
   const ordered_json machine = {{"width_m", 6}, {"radius_m", 5}};
