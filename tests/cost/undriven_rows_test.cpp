@@ -17,7 +17,9 @@ class UndrivenRows : public ::testing::Test {
  protected:
   Intervals in(const MovingTerms& moving, const DrivenTerms& driven) {
     gather_windows(parts_, moving.width_m, 0, 2 * driven.shear_m, windows_);
-    return undriven_rows(windows_, moving, driven);
+    Intervals out;
+    find_undriven_rows(windows_, moving, driven, out);
+    return out;
   }
 
   std::vector<BoundaryPart> parts_{{{0, 0}, {4, 0}}, {{4, 3}, {0, 11}}};

@@ -154,7 +154,7 @@ class Bound {
       return;
     const bool two_ends = of_run.size() == 2 && of_run[0].passes && of_run[1].passes;
     if (two_ends && of_run[1].lowest - of_run[0].highest >= shortest_) return;
-    undriven_ = undriven_rows(of_run, moving_, {least_width_, shortest_, shear_});
+    find_undriven_rows(of_run, moving_, {least_width_, shortest_, shear_}, undriven_);
   }
 
   /// Does no grid drive anything between these places?

@@ -38,15 +38,13 @@ AffineBound along_chord(double from, double to, double m0, double m1, int sense,
           sense * slope * length * (middle - terms.pivot_along)};
 }
 
-/// How much lies inside grows with the shift (1) or shrinks (−1): what lies to the left is inside.
-int sense_of(const BoundaryPart& part) { return part.to.y > part.from.y ? 1 : -1; }
+/// How much lies inside grows with the shift (1) or shrinks (−1).
+int sense_of(const BoundaryPart& part) { return rises(part) ? 1 : -1; }
 
 /// How much of a row lies inside that the part alone passes: less than nothing, or more than the width,
 /// where it passes beside the strip.
 double inside_of(const BoundaryPart& part, double along, double width_m) {
-  const double slope = (part.to.x - part.from.x) / (part.to.y - part.from.y);
-  const double x = part.from.x + slope * (along - part.from.y);
-  return sense_of(part) > 0 ? x : width_m - x;
+  return rises(part) ? x_at(part, along) : width_m - x_at(part, along);
 }
 
 /// Rows through which one part passes, in steps so that a chord spans little more than the shift.

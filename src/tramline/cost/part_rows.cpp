@@ -1,13 +1,6 @@
 #include "tramline/cost/part_rows.h"
 
 namespace tramline {
-namespace {
-
-double at(const BoundaryPart& part, double along) {
-  return part.from.x + (part.to.x - part.from.x) * ((along - part.from.y) / (part.to.y - part.from.y));
-}
-
-}  // namespace
 
 void PartRows::list_places(std::span<const BoundaryPart> parts, double width_m,
                            std::span<const double> cuts) {
@@ -23,18 +16,19 @@ void PartRows::list_places(std::span<const BoundaryPart> parts, double width_m,
   std::sort(places_.begin(), places_.end());
 }
 
-bool PartRows::right_inside(double along) const {
+PartRow PartRows::row_of_all(double from, double to, double width_m) const {
+  const double middle = 0.5 * (from + to);
   const auto rightmost = std::max_element(
       active_.begin(), active_.end(),
-      [&](const BoundaryPart* a, const BoundaryPart* b) { return at(*a, along) < at(*b, along); });
-  return (*rightmost)->to.y < (*rightmost)->from.y;
-}
-
-double PartRows::inside_width(double along, double width_m, bool right) const {
-  double sum = right ? width_m : 0;
-  for (const BoundaryPart* part : active_)
-    sum += (part->to.y > part->from.y ? 1 : -1) * std::clamp(at(*part, along), 0.0, width_m);
-  return sum;
+      [&](const BoundaryPart* a, const BoundaryPart* b) { return x_at(*a, middle) < x_at(*b, middle); });
+  const double right_of_all = rises(**rightmost) ? 0 : width_m;
+  PartRow row{from, to, right_of_all, right_of_all, active_};
+  for (const BoundaryPart* part : active_) {
+    const int sense = rises(*part) ? 1 : -1;
+    row.inside_from += sense * std::clamp(x_at(*part, from), 0.0, width_m);
+    row.inside_to += sense * std::clamp(x_at(*part, to), 0.0, width_m);
+  }
+  return row;
 }
 
 }  // namespace tramline

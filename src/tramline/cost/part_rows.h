@@ -9,6 +9,13 @@
 
 namespace tramline {
 
+/// What lies to the left of a part is inside: does it run up the strip?
+inline bool rises(const BoundaryPart& part) { return part.to.y > part.from.y; }
+/// Where the line through a part that does not lie across passes a row.
+inline double x_at(const BoundaryPart& part, double along) {
+  return part.from.x + (part.to.x - part.from.x) * ((along - part.from.y) / (part.to.y - part.from.y));
+}
+
 /// A stretch along a strip in which each row is passed by the same parts, none of which passes a line of
 /// the strip there.
 struct PartRow {
@@ -17,7 +24,7 @@ struct PartRow {
   std::span<const BoundaryPart* const> parts;
 };
 
-/// The same for any parts of one strip; made once and used again, so that the memory is reused.
+/// Lists such stretches; made once and used again, so that the memory is reused.
 class PartRows {
  public:
   /// Calls row(const PartRow&) from low to high for every stretch that is passed at all. `parts` are sorted
@@ -36,16 +43,19 @@ class PartRows {
       for (; next != parts.end() && next->lowest() <= from; ++next)
         if (next->highest() > middle) active_.push_back(&*next);
       if (active_.empty()) continue;
-      const bool right = right_inside(middle);
-      row(PartRow{from, to, inside_width(from, width_m, right), inside_width(to, width_m, right), active_});
+      row(active_.size() == 1 ? row_of(*active_.front(), from, to, width_m) : row_of_all(from, to, width_m));
     }
   }
 
  private:
   void list_places(std::span<const BoundaryPart> parts, double width_m, std::span<const double> cuts);
-  /// Does the land to the right of all parts that pass the row lie inside?
-  bool right_inside(double along) const;
-  double inside_width(double along, double width_m, bool right) const;
+  PartRow row_of(const BoundaryPart& part, double from, double to, double width_m) const {
+    const double at_from = std::clamp(x_at(part, from), 0.0, width_m);
+    const double at_to = std::clamp(x_at(part, to), 0.0, width_m);
+    if (rises(part)) return {from, to, at_from, at_to, active_};
+    return {from, to, width_m - at_from, width_m - at_to, active_};
+  }
+  PartRow row_of_all(double from, double to, double width_m) const;
 
   std::vector<double> places_;
   std::vector<const BoundaryPart*> active_;

@@ -17,42 +17,42 @@ Interval narrow_part(const PartRow& row, double limit) {
   return from < limit ? Interval{row.from, at} : Interval{at, row.to};
 }
 
-/// Rows too narrow to be driven wherever the boundary moves.
-Intervals barred_rows(std::span<const BoundaryPart> parts, const MovingTerms& moving,
-                      const DrivenTerms& driven) {
-  thread_local PartRows rows;
-  Intervals out;
-  rows.for_each(parts, moving.width_m, {}, [&](const PartRow& row) {
-    double flat = 0;  // how far across the parts go for each metre along
-    for (const BoundaryPart* part : row.parts)
-      flat += std::abs((part->to.x - part->from.x) / (part->to.y - part->from.y));
-    const double limit = driven.least_width_m - kWidthTolerance - most_shift(row.from, row.to, moving) -
-                         2 * driven.shear_m * flat;
-    Interval narrow = narrow_part(row, limit);
-    // Nearer to its ends other parts may come into the row.
-    narrow.from = std::max(narrow.from, row.from + driven.shear_m);
-    narrow.to = std::min(narrow.to, row.to - driven.shear_m);
-    if (narrow.from < narrow.to) append_joining(out, narrow);
-  });
-  return out;
+/// How far across the parts of a row go for each metre along, all summed.
+double flatness(const PartRow& row) {
+  double sum = 0;
+  for (const BoundaryPart* part : row.parts)
+    sum += std::abs((part->to.x - part->from.x) / (part->to.y - part->from.y));
+  return sum;
+}
+
+/// What of a row is too narrow to be driven wherever the boundary moves; nothing where to < from.
+Interval barred_part(const PartRow& row, const MovingTerms& moving, const DrivenTerms& driven) {
+  const double limit = driven.least_width_m - kWidthTolerance - most_shift(row.from, row.to, moving);
+  if (std::min(row.inside_from, row.inside_to) >= limit) return {row.to, row.from};
+  const Interval narrow = narrow_part(row, limit - 2 * driven.shear_m * flatness(row));
+  // Nearer to its ends other parts may come into the row.
+  return {std::max(narrow.from, row.from + driven.shear_m), std::min(narrow.to, row.to - driven.shear_m)};
 }
 
 }  // namespace
 
-Intervals undriven_rows(std::span<const BoundaryWindow> run, const MovingTerms& moving,
-                        const DrivenTerms& driven) {
-  const std::span parts(run.front().parts.data(), run.back().parts.data() + run.back().parts.size());
-  const Interval whole{run.front().lowest - driven.shear_m, run.back().highest + driven.shear_m};
-  Intervals out;
-  double drivable_from = whole.from;
+void find_undriven_rows(std::span<const BoundaryWindow> run, const MovingTerms& moving,
+                        const DrivenTerms& driven, Intervals& out) {
+  out.clear();
+  double drivable_from = run.front().lowest - driven.shear_m;
   const auto see = [&](const Interval& barred) {
     const bool too_short = barred.from - drivable_from < driven.shortest_m;
     append_joining(out, {too_short ? drivable_from : barred.from, barred.to});
     drivable_from = barred.to;
   };
-  for (const Interval& barred : barred_rows(parts, moving, driven)) see(barred);
-  see({whole.to, whole.to});
-  return out;
+  const std::span parts(run.front().parts.data(), run.back().parts.data() + run.back().parts.size());
+  thread_local PartRows rows;
+  rows.for_each(parts, moving.width_m, {}, [&](const PartRow& row) {
+    const Interval barred = barred_part(row, moving, driven);
+    if (barred.from < barred.to) see(barred);
+  });
+  const double end = run.back().highest + driven.shear_m;
+  see({end, end});
 }
 
 }  // namespace tramline

@@ -16,9 +16,9 @@ struct DrivenTerms {
 
 /// Stretches of a run (windows with land between them, and none before or beyond) that are in no piece,
 /// wherever the boundary moves: too little of each of their rows lies inside, or they lie between such rows,
-/// too near to one another for a piece. Sorted, reaching a shear beyond the run. For end rules by width,
-/// where no obstacle is near. O(p log p).
-Intervals undriven_rows(std::span<const BoundaryWindow> run, const MovingTerms& moving,
-                        const DrivenTerms& driven);
+/// too near to one another for a piece. Put into `out`, sorted, reaching a shear beyond the run. For end
+/// rules by width, where no obstacle is near. O(p log p).
+void find_undriven_rows(std::span<const BoundaryWindow> run, const MovingTerms& moving,
+                        const DrivenTerms& driven, Intervals& out);
 
 }  // namespace tramline
