@@ -26,6 +26,8 @@ const Angle kFirstTurn = Angle::degrees(0.4);  ///< of the steps that better a g
 const Angle kCoarse = Angle::degrees(0.1);     ///< … and where most of them stop
 constexpr std::size_t kFollowed = 1;           ///< grids that are bettered by finer steps
 constexpr double kFirstHalfAngle = kHalfTurn / 360;
+constexpr double kLeastShift =
+    1.0 / (1 << 18);  ///< widths by which the grids of a box differ that is not divided
 
 /// A grid by its angle and by its offset from the pivot, across.
 struct Place {
@@ -379,7 +381,7 @@ class GridSearch {
 
   void divide(const SearchBox& box, std::vector<SearchBox>& out) {
     const double by_angle = box.half_angle * pricing_.radius_m();
-    const double least_offset = pricing_.width_m() / 1024;
+    const double least_offset = kLeastShift * pricing_.width_m();
     const bool can_turn = by_angle > least_offset;
     if (!can_turn && box.half_offset_m <= least_offset) {
       bound_ = std::min(bound_, box.bound);
