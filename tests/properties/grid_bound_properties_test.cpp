@@ -55,7 +55,9 @@ TEST(GridBound, NoGridOfTheBoxCostsLess) {
     const double width_m = between(1, 12);
     SortedGround ground = sort_obstacles(field, width_m);
     if (ground.plannable.empty()) continue;
-    const Objective objective{between(0, 1), between(0, 1), between(0, 3), between(0, 3)};
+    Objective objective{between(0, 1), between(0, 1), between(0, 3), between(0, 3)};
+    if (i % 4 == 1)
+      (random() % 2 == 0 ? objective.overlap : objective.uncovered) = std::pow(10, between(0, 5));
     for (const EndRule rule : kRules) {
       const Polygon part = ground.plannable[random() % ground.plannable.size()];
       const Case one{
@@ -111,7 +113,7 @@ TEST(GridBound, StopsWhereItIsEnough) {
 }
 
 // With nothing in the way and the cheapest ends, a box that is a point has the cost itself as its bound, but
-// for pieces at the verge of being driven.
+// for pieces at the verge of being driven; short ones that are left included.
 TEST(GridBound, OfAPointIsTheCost) {
   const int cases = testing::case_count(100);
   int equal = 0, compared = 0;
@@ -125,7 +127,8 @@ TEST(GridBound, OfAPointIsTheCost) {
     const Objective objective{between(0, 1), between(0, 1), 0, 0};
     const Case one{{field.outer, {}},
                    {},
-                   {width_m, 0, end_criterion(EndRule::kCheapest, objective, width_m)},
+                   {width_m, i % 2 == 0 ? 0 : between(0, 4 * width_m),
+                    end_criterion(EndRule::kCheapest, objective, width_m)},
                    {objective, bounds(field.outer).centre(), 0}};
     const double degrees = between(0, 180), offset_m = between(0, width_m);
     const GridTally middle = one.tally(degrees);
