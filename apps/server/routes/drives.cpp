@@ -97,9 +97,18 @@ void answer_file(App& app, const Call& call, httplib::Response& response) {
                });
 }
 
+/// Answers from the files of a drive, which may be deleted meanwhile.
+template <void (*answer_from)(App&, const Call&, httplib::Response&)>
+Handler from_files(App& app) {
+  return [&app](const Call& call, httplib::Response& response) {
+    while_kept([&] { app.drives->store.get(call.part("drive")); }, [&] { answer_from(app, call, response); });
+  };
+}
+
 }  // namespace
 
 void add_drive_routes(Router& router, App& app) {
+  finish_half_replaced(app);
   router.get(api("/drives"), [&app](const Call&, httplib::Response& response) {
     ordered_json out = ordered_json::array();
     for (const KeptDrive& drive : app.drives->store.list()) out.push_back(listed(drive));
@@ -116,12 +125,9 @@ void add_drive_routes(Router& router, App& app) {
     app.drives->replays.forget(call.part("drive"));
     answer(response, {{"deleted", call.part("drive")}});
   });
-  router.get(api("/drives/{drive}/layers/{layer}"),
-             [&app](const Call& call, httplib::Response& response) { send_layer(app, call, response); });
-  router.get(api("/drives/{drive}/files/{format}"),
-             [&app](const Call& call, httplib::Response& response) { answer_file(app, call, response); });
-  router.get(api("/drives/{drive}/replay"),
-             [&app](const Call& call, httplib::Response& response) { replay(app, call, response); });
+  router.get(api("/drives/{drive}/layers/{layer}"), from_files<send_layer>(app));
+  router.get(api("/drives/{drive}/files/{format}"), from_files<answer_file>(app));
+  router.get(api("/drives/{drive}/replay"), from_files<replay>(app));
 }
 
 }  // namespace tramline::server

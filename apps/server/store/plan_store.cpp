@@ -101,12 +101,13 @@ KeptPlan PlanStore::get(const std::string& id) const {
 std::filesystem::path PlanStore::file(const std::string& id) const { return folder_.file(kKind, get(id).id); }
 
 OpenedPlan PlanStore::open(const std::string& id) const {
-  OpenedPlan out{io::read_plan_file(file(id)), {}};
+  OpenedPlan out{while_kept([&] { get(id); }, [&] { return io::read_plan_file(file(id)); }), {}};
   out.notes = notes_in(out.file.remarks);
   return out;
 }
 
 KeptPlan PlanStore::rename(const std::string& id, const std::string& name) {
+  const std::lock_guard one_at_a_time(changing_);
   const KeptPlan known = get(id);
   OpenedPlan opened = open(id);
   opened.notes.name = name;
@@ -114,6 +115,7 @@ KeptPlan PlanStore::rename(const std::string& id, const std::string& name) {
 }
 
 void PlanStore::remove(const std::string& id) {
+  const std::lock_guard one_at_a_time(changing_);
   const std::lock_guard lock(mutex_);
   if (plans_.erase(id) == 0) throw not_found("plan", id);
   std::error_code ignored;

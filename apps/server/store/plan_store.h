@@ -54,6 +54,7 @@ class PlanStore {
   KeptPlan get(const std::string& id) const;
   std::filesystem::path file(const std::string& id) const;
   OpenedPlan open(const std::string& id) const;
+  /// One at a time, and none brings back what is deleted.
   KeptPlan rename(const std::string& id, const std::string& name);
   void remove(const std::string& id);
 
@@ -64,6 +65,7 @@ class PlanStore {
   KeptPlan write(const std::string& id, const std::string& created, const Plan& plan, const PlanNotes& notes);
 
   const StoreFolder& folder_;
+  std::mutex changing_;  ///< taken before mutex_
   mutable std::mutex mutex_;
   std::map<std::string, KeptPlan> plans_;
 };
