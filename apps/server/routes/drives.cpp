@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -35,26 +34,16 @@ ordered_json listed(const KeptDrive& drive) {
   return out;
 }
 
-/// "?from_s=12.5"; NaN where it is not there. Throws bad_input.
-double query_number(const Call& call, const char* key) {
-  const std::string text = call.query(key);
-  if (text.empty()) return std::nan("");
-  double out = 0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), out);
-  if (fault != std::errc() || end != text.data() + text.size() || !std::isfinite(out))
-    throw bad_input(fmt::format("{} has to be a number, not '{}'", key, text));
-  return out;
-}
-
 void replay(App& app, const Call& call, httplib::Response& response) {
   const KeptDrive drive = app.drives->store.get(call.part("drive"));
-  const double from_s = query_number(call, "from_s");
-  double speed = query_number(call, "speed");
+  const double from_s = call.query_number("from_s");
+  double speed = call.query_number("speed");
   if (std::isnan(speed)) speed = 1;
   if (!(speed >= kSlowest && speed <= kFastest))
     throw bad_input(
         fmt::format("speed has to be between {:g} and {:g}, not {:g}", kSlowest, kFastest, speed));
-  stream_work(app.streams, response, std::make_shared<Replay>(ready_to_replay(app, drive), from_s, speed));
+  stream_work(app.streams, response, std::make_shared<Replay>(ready_to_replay(app, drive), from_s, speed),
+              detail_in(call));
 }
 
 bool is_layer(const std::string& name) {
