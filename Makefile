@@ -198,7 +198,8 @@ long-asan: packages build/asan-ubsan/build.ninja ## all tests with address and u
 
 long-tsan: packages build/tsan/build.ninja ## the tests labelled `threads` with the thread sanitizer
 	cmake --build build/tsan -j $(JOBS)
-	$(LIMIT) $(CTEST) --test-dir build/tsan -L threads
+	TSAN_OPTIONS="suppressions=$(abspath tools/tsan.supp) ignore_noninstrumented_modules=1" \
+	  $(LIMIT) $(CTEST) --test-dir build/tsan -L threads
 
 long-clang: packages-lint build/clang/build.ninja ## all tests built by clang
 	cmake --build build/clang -j $(JOBS)
