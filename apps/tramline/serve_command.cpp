@@ -121,7 +121,11 @@ class ServeCommand : public Command {
   }
 
   void announce(const server::Server& server) const {
-    fmt::print("tramline serves {}\n", server.address());
+    const char* word = "tramline serves ";
+    for (const std::string& address : server.addresses()) {
+      fmt::print("{}{}\n", word, address);
+      word = "             or ";
+    }
     fmt::print("and keeps everything in {}. Press Ctrl-C to end it.\n", settings_.folder.string());
     std::fflush(stdout);
   }

@@ -64,8 +64,9 @@ void send_plan(App& app, const Call& call, httplib::Response& response) {
 }  // namespace
 
 void add_plan_file_routes(Router& router, App& app) {
-  router.get(api("/plans/{plan}/files/{format}"),
-             [&app](const Call& call, httplib::Response& response) { send_plan(app, call, response); });
+  router.get(api("/plans/{plan}/files/{format}"), [&app](const Call& call, httplib::Response& response) {
+    while_kept([&] { app.plans.get(call.part("plan")); }, [&] { send_plan(app, call, response); });
+  });
 }
 
 }  // namespace tramline::server

@@ -85,8 +85,11 @@ void add_plan_routes(Router& router, App& app) {
       return response.set_content(detour_geojson(app.plans.open(call.part("plan")).file.plan).dump(),
                                   "application/geo+json");
     const KeptPlan kept = app.plans.get(call.part("plan"));
-    response.set_content(io::layer_geojson(app.plans.file(kept.id), kept.frame, call.part("layer")),
-                         "application/geo+json");
+    response.set_content(
+        while_kept(
+            [&] { app.plans.get(kept.id); },
+            [&] { return io::layer_geojson(app.plans.file(kept.id), kept.frame, call.part("layer")); }),
+        "application/geo+json");
   });
 }
 

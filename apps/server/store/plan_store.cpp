@@ -90,6 +90,7 @@ KeptPlan PlanStore::add(const Plan& plan, const PlanNotes& notes) {
 
 /// Several where a server was killed between keeping one and dropping the one before.
 void PlanStore::drop_other_drafts(const KeptPlan& newest) {
+  const std::lock_guard one_at_a_time(changing_);
   const std::lock_guard lock(mutex_);
   if (!plans_.contains(newest.id)) return;  // of two at the same time, one stays
   std::error_code ignored;
@@ -119,13 +120,14 @@ KeptPlan PlanStore::get(const std::string& id) const {
 std::filesystem::path PlanStore::file(const std::string& id) const { return folder_.file(kKind, get(id).id); }
 
 OpenedPlan PlanStore::open(const std::string& id) const {
-  OpenedPlan out{io::read_plan_file(file(id)), {}};
+  OpenedPlan out{while_kept([&] { get(id); }, [&] { return io::read_plan_file(file(id)); }), {}};
   out.notes = notes_in(out.file.remarks);
   return out;
 }
 
 KeptPlan PlanStore::rename(const std::string& id, const std::string& name) {
-  const KeptPlan known = promised(id);
+  const std::lock_guard one_at_a_time(changing_);
+  const KeptPlan known = get(id);
   OpenedPlan opened = open(id);
   opened.notes.name = name;
   opened.notes.draft = false;
@@ -137,16 +139,8 @@ KeptPlan PlanStore::keep(const std::string& id) {
   return known.draft ? rename(id, known.name) : known;
 }
 
-/// A draft that a newer one must not drop while its file is being written anew.
-KeptPlan PlanStore::promised(const std::string& id) {
-  const std::lock_guard lock(mutex_);
-  const auto found = plans_.find(id);
-  if (found == plans_.end()) throw not_found("plan", id);
-  found->second.draft = false;
-  return found->second;
-}
-
 void PlanStore::remove(const std::string& id) {
+  const std::lock_guard one_at_a_time(changing_);
   const std::lock_guard lock(mutex_);
   if (plans_.erase(id) == 0) throw not_found("plan", id);
   std::error_code ignored;

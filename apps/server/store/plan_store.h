@@ -56,7 +56,7 @@ class PlanStore {
   KeptPlan get(const std::string& id) const;
   std::filesystem::path file(const std::string& id) const;
   OpenedPlan open(const std::string& id) const;
-  /// A plan with a name of its own is no draft.
+  /// A plan with a name of its own is no draft. One at a time, and none brings back what is deleted.
   KeptPlan rename(const std::string& id, const std::string& name);
   /// From now on it is no draft: only remove() drops it.
   KeptPlan keep(const std::string& id);
@@ -67,11 +67,11 @@ class PlanStore {
 
  private:
   KeptPlan read(const std::string& id) const;
-  KeptPlan promised(const std::string& id);
   void drop_other_drafts(const KeptPlan& newest);
   KeptPlan write(const std::string& id, const std::string& created, const Plan& plan, const PlanNotes& notes);
 
   const StoreFolder& folder_;
+  std::mutex changing_;  ///< taken before mutex_
   mutable std::mutex mutex_;
   std::map<std::string, KeptPlan> plans_;
 };

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -83,6 +84,18 @@ struct Shown {
     if (data.at("all")) tiles.clear();
     for (const ordered_json& tile : data.at("tiles")) tiles[tile.at("id")] = tile;
     return true;
+  }
+  double edges_m(const char* of) const {
+    constexpr double kMetresPerDegree = 111320;
+    double out = 0;
+    for (const auto& [id, tile] : tiles)
+      for (const ordered_json& polygon : tile.at(of))
+        for (const ordered_json& ring : polygon)
+          for (std::size_t i = 1; i < ring.size(); ++i)
+            out += kMetresPerDegree * std::hypot((ring[i][0].get<double>() - ring[i - 1][0].get<double>()) *
+                                                     std::cos(kLat * std::numbers::pi / 180),
+                                                 ring[i][1].get<double>() - ring[i - 1][1].get<double>());
+    return out;
   }
   double area_m2(const char* of) const {
     double out = 0;
@@ -215,6 +228,39 @@ TEST_F(Drives, TilesOfAReplayAddUpToTheWhole) {
     EXPECT_NEAR(shown.area_m2("repeated"), summary.at("repeated_m2"), 0.05);
     EXPECT_GT(shown.frames, 5);
   }
+}
+
+// Outlines within 2 cm: no area differs by more than 2 cm along its edge, and no figure at all.
+TEST_F(Drives, TilesForTheEyeAreSmallerAndWithinWhatIsAskedFor) {
+  std::vector<std::string> lines = csv_lines(1500);
+  for (std::size_t i = 1; i < lines.size(); ++i)  // a machine that sways by a few millimetres
+    lines[i] = csv_line(static_cast<int>(i - 1) * 10,
+                        lanes(1500)[i - 1] + Point{0, 4e-8 * std::sin(static_cast<double>(i))}, 6);
+  const ordered_json drive = new_drive({{"upload", upload_log(joined(lines))}, {"field", new_field()}});
+  struct Seen {
+    Shown shown{};
+    std::size_t bytes = 0;
+  };
+  const auto seen_with = [&](const char* detail) {
+    Seen out;
+    here_.follow(fmt::format("/drives/{}/replay?from_s={}&speed=1000{}", drive.at("id").get<std::string>(),
+                             drive.at("to_s").get<double>(), detail),
+                 [&](const auto& name, const auto& data) {
+                   out.bytes += data.dump().size();
+                   return out.shown.take(name, data);
+                 });
+    return out;
+  };
+  const Seen all = seen_with(""), eye = seen_with("&detail_m=0.02");
+  EXPECT_EQ(eye.shown.frames, 1);
+  EXPECT_LT(2 * eye.bytes, all.bytes) << eye.bytes << " of " << all.bytes;
+  EXPECT_EQ(eye.shown.end, all.shown.end);
+  for (const char* of : {"covered", "repeated"})
+    EXPECT_NEAR(eye.shown.area_m2(of), all.shown.area_m2(of), 0.02 * all.shown.edges_m(of)) << of;
+  for (const char* wrong : {"-1", "11", "x", "nan"})
+    EXPECT_EQ(here_.get("/drives/" + drive.at("id").get<std::string>() + "/replay?detail_m=" + wrong).status,
+              400)
+        << wrong;
 }
 
 TEST_F(Drives, WhatIsWrongIsSaidInASentence) {
