@@ -9,6 +9,7 @@
 
 #include "properties/random_field.h"
 #include "properties/seeds.h"
+#include "tramline/cost/best_offset.h"
 #include "tramline/geometry/bounding_rectangle.h"
 #include "tramline/geometry/error.h"
 #include "tramline/planner/grid_search.h"
