@@ -107,7 +107,7 @@ program: packages $(RELEASE)/build.ninja
 
 LONG := long-properties long-scenes long-best-bound long-best-brute long-best-real long-best-real-1 \
   long-best-real-2 long-best-real-3 long-tally-real long-real-1 long-real-2 long-real-3 long-obstacles-3 long-obstacles-6 \
-  long-obstacles-12 long-obstacles-24 long-headlands long-maps long-coverage long-watch long-serve long-registers long-fuzz-logs long-fuzz-coverage long-asan long-tsan \
+  long-obstacles-12 long-obstacles-24 long-headlands long-maps long-coverage long-watch long-serve long-kills long-registers long-fuzz-logs long-fuzz-coverage long-asan long-tsan \
   long-clang
 
 .PHONY: long $(LONG)
@@ -175,6 +175,9 @@ long-serve: program ## ten minutes of a live feed at 50 Hz before `tramline serv
 	$(LIMIT) tests/server/soak/serve_soak.py --tramline $(TRAMLINE) --seconds 600 --hertz 50
 
 # Refused fields are part of the register: they are listed in the output and are no failure.
+long-kills: program ## `tramline serve` killed 300 times while it stores: nothing that was answered is lost
+	$(LIMIT) tests/server/kills/serve_kills.py --tramline $(TRAMLINE) --kills 300
+
 long-registers: program ## plan every field of the registers, slivers and oddities included
 	mkdir -p out
 	$(LIMIT) $(TRAMLINE) plan $(TRAMLINE_DATA)/fields/fields-all.geojson --all --width 6 --radius 6 --json \
@@ -195,7 +198,8 @@ long-asan: packages build/asan-ubsan/build.ninja ## all tests with address and u
 
 long-tsan: packages build/tsan/build.ninja ## the tests labelled `threads` with the thread sanitizer
 	cmake --build build/tsan -j $(JOBS)
-	$(LIMIT) $(CTEST) --test-dir build/tsan -L threads
+	TSAN_OPTIONS="suppressions=$(abspath tools/tsan.supp) ignore_noninstrumented_modules=1" \
+	  $(LIMIT) $(CTEST) --test-dir build/tsan -L threads
 
 long-clang: packages-lint build/clang/build.ninja ## all tests built by clang
 	cmake --build build/clang -j $(JOBS)

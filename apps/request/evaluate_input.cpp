@@ -67,12 +67,13 @@ void require_near(const WorkLog& log, const WorkGround& ground) {
         "--columns lon=LATITUDE,lat=LONGITUDE with the names of its columns",
         log.name, ground.field_id));
   const Box box = bounds(log);
-  throw bad_input(fmt::format("{} lies nowhere near the field {}: the log is about ({:.5f}, {:.5f}){}",
-                              log.name, ground.field_id, box.centre().x, box.centre().y,
-                              ground.frame.geodetic
-                                  ? fmt::format(" and the field about ({:.5f}, {:.5f})",
-                                                ground.frame.origin_lon_deg, ground.frame.origin_lat_deg)
-                                  : ""));
+  throw bad_input(fmt::format(
+      "{} lies nowhere near the field {}: the log is about ({:.5f}, {:.5f}){}; give the "
+      "field it was driven on, or none",
+      log.name, ground.field_id, box.centre().x, box.centre().y,
+      ground.frame.geodetic ? fmt::format(" and the field about ({:.5f}, {:.5f})",
+                                          ground.frame.origin_lon_deg, ground.frame.origin_lat_deg)
+                            : ""));
 }
 
 }  // namespace

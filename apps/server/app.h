@@ -28,9 +28,10 @@ struct Limits {
 struct ServerSettings {
   std::filesystem::path folder;
   std::string host = "127.0.0.1";
-  int port = 0;       ///< 0: any that is free
-  std::string token;  ///< empty: none is asked for
-  std::string tiles;  ///< URL of raster tiles; empty: none
+  int port = 0;                   ///< 0: any that is free
+  std::string token;              ///< empty: none is asked for
+  std::string tiles;              ///< URL of raster tiles; empty: none
+  std::string tiles_attribution;  ///< whom they are from; empty: their host is named
   Limits limits;
 };
 

@@ -8,6 +8,7 @@
 
 #include "server/http/gate.h"
 #include "server/http/http_error.h"
+#include "server/http/own_addresses.h"
 #include "server/routes/routes.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/vector/foreign_files.h"
@@ -21,6 +22,10 @@ constexpr int kWorkers = 8;
 /// More than this is not piled up for somebody who reads slowly: a frame of a stream is made when there is
 /// room for it, so that it says what is, and not what was long ago. Connections have it from the port.
 constexpr int kMostUnsentBytes = 1 << 14;
+
+/// Connections that may wait to be taken. Debian's cpp-httplib has room for five, fewer than a browser opens
+/// at once: on a busy machine the others were cut off.
+constexpr int kMostWaiting = 128;
 
 /// Two servers on one port would take turns, so the port is not shared.
 void own_the_port(socket_t socket) {
@@ -52,6 +57,7 @@ struct Server::Parts {
   Router router;
   httplib::Server http;
   int port = 0;
+  socket_t listening = INVALID_SOCKET;
   std::atomic<bool> stopping = false;
 };
 
@@ -71,7 +77,10 @@ Server::Server(ServerSettings settings) : parts_(std::make_unique<Parts>(std::mo
   // A connection that waits for its next request would hold a thread; a new one costs next to nothing here.
   http.set_keep_alive_max_count(1);
   http.set_tcp_nodelay(true);
-  http.set_socket_options(own_the_port);
+  http.set_socket_options([this](socket_t socket) {
+    own_the_port(socket);
+    parts_->listening = socket;
+  });
   http.set_read_timeout(30);
   http.set_write_timeout(30);
 
@@ -83,6 +92,8 @@ Server::Server(ServerSettings settings) : parts_(std::make_unique<Parts>(std::mo
         fmt::format("port {} on {} cannot be had: another program, perhaps another tramline, uses it, or "
                     "it is not allowed; choose another with --port, or end that one",
                     given.port, given.host));
+
+  listen(parts_->listening, kMostWaiting);
 
   const Gate gate(given.host, parts_->port, given.token);
   http.set_pre_routing_handler([gate, &router](const httplib::Request& request, httplib::Response& response) {
@@ -118,11 +129,15 @@ Server::~Server() { stop(); }
 
 int Server::port() const { return parts_->port; }
 
-std::string Server::address() const {
+std::vector<std::string> Server::addresses() const {
   const ServerSettings& given = parts_->app.settings;
-  const bool six = given.host.find(':') != std::string::npos;
-  return fmt::format("http://{}{}{}:{}/{}", six ? "[" : "", given.host, six ? "]" : "", parts_->port,
-                     given.token.empty() ? "" : "#token=" + given.token);
+  std::vector<std::string> out;
+  for (const std::string& host : own_addresses(given.host)) {
+    const bool six = host.find(':') != std::string::npos;
+    out.push_back(fmt::format("http://{}{}{}:{}/{}", six ? "[" : "", host, six ? "]" : "", parts_->port,
+                              given.token.empty() ? "" : "#token=" + given.token));
+  }
+  return out;
 }
 
 const std::vector<std::string>& Server::warnings() const { return parts_->app.warnings; }

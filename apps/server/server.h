@@ -23,8 +23,9 @@ class Server {
   ~Server();
 
   int port() const;
-  /// "http://127.0.0.1:8750/", with the token behind # where there is one.
-  std::string address() const;
+  /// "http://127.0.0.1:8750/", with the token behind # where there is one. Several where the server listens
+  /// on all addresses of this machine: the first is for others, the last for this machine.
+  std::vector<std::string> addresses() const;
   /// About files in the folder that could not be read.
   const std::vector<std::string>& warnings() const;
 

@@ -72,6 +72,8 @@ class ServeCommand : public Command {
     verb->add_option(
         "--tiles", settings_.tiles,
         "URL of raster tiles to show under the map, with {z}, {x} and {y} (default: none, no network)");
+    verb->add_option("--tiles-attribution", settings_.tiles_attribution,
+                     "whom the tiles are from, shown on the map with them (default: the host of the URL)");
     verb->add_option("--threads", threads_, "taken by every verb; here each plan uses all cores")
         ->check(CLI::Range(0, 1024));
     verb->add_flag("--quiet", quiet_, "print nothing but errors");
@@ -109,16 +111,32 @@ class ServeCommand : public Command {
     if (!settings_.tiles.empty() && !web)
       throw bad_input(
           fmt::format("--tiles takes a URL that begins with https:// or http://, not '{}'", settings_.tiles));
+    const auto has = [&](const char* part) { return settings_.tiles.find(part) != std::string::npos; };
+    if (web && !(has("{z}") && has("{x}") && has("{y}")))
+      throw bad_input(fmt::format(
+          "--tiles takes a URL with {{z}}, {{x}} and {{y}} where the numbers of a tile belong, not '{}'",
+          settings_.tiles));
+    if (settings_.tiles.empty() && !settings_.tiles_attribution.empty())
+      throw bad_input("--tiles-attribution says whom tiles are from; give them with --tiles, too");
   }
 
   void announce(const server::Server& server) const {
-    fmt::print("tramline serves {}\n", server.address());
+    const char* word = "tramline serves ";
+    for (const std::string& address : server.addresses()) {
+      fmt::print("{}{}\n", word, address);
+      word = "             or ";
+    }
     fmt::print("and keeps everything in {}. Press Ctrl-C to end it.\n", settings_.folder.string());
     std::fflush(stdout);
   }
 
-  server::ServerSettings settings_{
-      .folder = {}, .host = "127.0.0.1", .port = 8750, .token = {}, .tiles = {}, .limits = {}};
+  server::ServerSettings settings_{.folder = {},
+                                   .host = "127.0.0.1",
+                                   .port = 8750,
+                                   .token = {},
+                                   .tiles = {},
+                                   .tiles_attribution = {},
+                                   .limits = {}};
   std::string folder_;
   int threads_ = 0;
   bool quiet_ = false;

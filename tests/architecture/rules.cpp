@@ -63,7 +63,10 @@ const std::array kThirdParty = {
     ThirdParty{"signal.h", {"apps"}},
     ThirdParty{"pthread.h", {"apps"}},
     ThirdParty{"netdb.h", {"io"}},
-    ThirdParty{"netinet/", {"io"}},
+    ThirdParty{"netinet/", {"io", "apps"}},
+    ThirdParty{"net/if.h", {"apps"}},
+    ThirdParty{"arpa/inet.h", {"apps"}},
+    ThirdParty{"ifaddrs.h", {"apps"}},
 };
 
 const std::map<std::string, Names, std::less<>> kLibraries = {

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { NARROW } from './support/browser.mjs';
 import { flow } from './support/flow.mjs';
-import { figure, goTo, makePlan, openField, planShown } from './support/page.mjs';
+import { figure, goTo, makePlan, newPlan, openField, planShown } from './support/page.mjs';
 import { example } from './support/server.mjs';
 
 /** Presses Tab until the control with this name has the focus. */
@@ -87,11 +87,22 @@ async function assertComfort(page, where) {
 
 flow('targets, names and sizes of text at 390 px', { viewport: NARROW, touch: true }, async ({ page }) => {
   await assertComfort(page, 'the first page');
+  await page.getByLabel('Choose a file with a field').setInputFiles(example('two-farms.gpkg'));
+  await page.getByLabel('Search by name or area').waitFor();
+  await page.locator('.tick input').first().check();
+  await assertComfort(page, 'a file of several fields');
+  await page.getByRole('button', { name: 'Back' }).click();
   await openField(page, example('riverside.geojson'));
   await assertComfort(page, 'fields');
   await goTo(page, 'Plan');
   await makePlan(page);
   await assertComfort(page, 'plan');
+  const hash = new URL(page.url()).hash;
+  await page.getByLabel('Working width', { exact: true }).fill('7');
+  await newPlan(page, hash);
+  await page.getByRole('button', { name: 'Check this plan' }).click();
+  await page.getByText('The plan holds').waitFor({ timeout: 60_000 });
+  await assertComfort(page, 'a draft that was checked');
   await page.getByRole('radio', { name: 'Sliders' }).evaluate((radio) => radio.click());
   await assertComfort(page, 'plan with sliders');
   await page.getByRole('button', { name: 'Draw a line' }).evaluate((button) => button.click());
@@ -108,6 +119,35 @@ flow('targets, names and sizes of text at 390 px', { viewport: NARROW, touch: tr
   await page.getByRole('button', { name: 'Show what was worked' }).click();
   await page.getByRole('group', { name: 'Replay' }).waitFor({ timeout: 60_000 });
   await assertComfort(page, 'review');
+});
+
+flow('on a phone nothing slides over the map, and a message is in sight wherever one is', { viewport: NARROW, touch: true, expected: [/status of 4/] }, async ({ page }) => {
+  await openField(page, example('riverside.geojson'));
+  await goTo(page, 'Plan');
+  await makePlan(page);
+  const covered = await page.evaluate(async () => {
+    const found = [];
+    for (let y = 0; y < document.documentElement.scrollHeight - innerHeight; y += 40) {
+      scrollTo(0, y);
+      await new Promise((drawn) => requestAnimationFrame(drawn));
+      const box = document.querySelector('.map').getBoundingClientRect();
+      for (const part of [0.2, 0.5, 0.8]) {
+        const at = document.elementFromPoint(box.left + box.width / 2, box.top + box.height * part);
+        if (!at?.closest('.map')) found.push(`${y} px: ${at?.textContent}`);
+      }
+    }
+    return found;
+  });
+  assert.deepEqual(covered, []);
+  // From the end of the page: a width that no track fits into.
+  await page.getByLabel('Working width', { exact: true }).fill('100');
+  await page.evaluate(() => scrollTo(0, document.documentElement.scrollHeight));
+  await page.getByLabel('Shortest piece').evaluate((input) => { input.value = '1000'; input.dispatchEvent(new Event('input', { bubbles: true })); });
+  const message = page.getByRole('alert').filter({ hasText: 'no track fits' }).or(page.getByRole('alert').filter({ hasText: 'No track fits' }));
+  await message.waitFor({ timeout: 60_000 });
+  const box = await message.boundingBox();
+  assert.ok(box.y > 0 && box.y + box.height < 844, `the message lies at ${box.y} px`);
+  if (process.env.TRAMLINE_SHOTS) await page.screenshot({ path: `${process.env.TRAMLINE_SHOTS}/message.png` });
 });
 
 flow('day and night follow the system until one is chosen', { theme: 'dark' }, async ({ page }) => {

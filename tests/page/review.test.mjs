@@ -65,6 +65,30 @@ flow('replay a log, look at its gaps, plan their repair', {}, async ({ page, ser
   assert.ok((await drawn(page, 'plan:tracks')) > 0);
 });
 
+flow('a log from elsewhere is told of at once, with ways to go on', {}, async ({ page, server }) => {
+  await openField(page, example('riverside.geojson'));
+  await openField(page, example('roadside.geojson')); // some 10 km away
+  await goTo(page, 'Review');
+  await chooseFile(page, 'Choose the log of a machine', example('riverside-drive.csv'));
+  // The field that it was driven on is stored: it is chosen, and the page says why.
+  await page.getByText(/not driven on roadside, which is open, but .* km away from it\. It was driven on riverside, which is chosen/).waitFor();
+  const field = page.getByLabel('Field', { exact: true });
+  assert.equal(await field.locator('option:checked').innerText(), 'riverside');
+  // Against better knowledge: what is wrong, and two ways on.
+  await field.selectOption({ label: 'roadside' });
+  await page.getByRole('alert').filter({ hasText: 'This log was not driven on roadside' }).waitFor();
+  await page.getByRole('button', { name: 'Show what was worked' }).click();
+  await page.getByRole('alert').filter({ hasText: 'nowhere near the field roadside' }).waitFor();
+  await page.getByRole('button', { name: 'Show it without a field' }).click();
+  await page.getByRole('group', { name: 'Replay' }).waitFor({ timeout: 60_000 });
+  assert.equal((await (await fetch(`${server.address}/api/v1/drives`)).json())[0].field, null);
+
+  await chooseFile(page, 'Choose the log of a machine', example('riverside-drive.csv'));
+  await page.getByLabel('Field', { exact: true }).selectOption({ label: 'roadside' });
+  await page.getByRole('button', { name: 'Show it on riverside' }).click();
+  await page.getByText('Gaps, the largest first').waitFor({ timeout: 60_000 });
+});
+
 flow('watch a machine over the network, stop it, and see its drive', {}, async ({ page }) => {
   const tractor = await startTractor(example('riverside-drive.csv'), { per_s: 400, most: 1500 });
   try {
@@ -85,6 +109,20 @@ flow('watch a machine over the network, stop it, and see its drive', {}, async (
   } finally {
     await tractor.stop();
   }
+});
+
+const sprayer = realFile('logs', 'isoxml_jdsprayer_TLG00015.csv');
+flow('a real log from another continent, with a field open: it is replayed without', { skip: sprayer.skip }, async ({ page }) => {
+  await openField(page, example('riverside.geojson'));
+  await goTo(page, 'Review');
+  await chooseFile(page, 'Choose the log of a machine', sprayer.file);
+  await page.getByText(/not driven on riverside, which is open, but [78],\d\d0 km away from it\. None of your fields lies there/).waitFor();
+  await page.getByRole('button', { name: 'Show what was worked' }).click();
+  await page.getByRole('group', { name: 'Replay' }).waitFor({ timeout: 30_000 });
+  assert.ok(Math.abs((await figure(page, 'Covered')) - 0.81) < 0.02, 'as tramline evaluate says');
+  await page.getByLabel('Speed').selectOption('50');
+  await page.getByRole('button', { name: 'Play the drive' }).click();
+  await page.getByLabel('Worked so far').waitFor();
 });
 
 const real = realFile('logs', 'isoxml_sh2020_TLG00001.csv');

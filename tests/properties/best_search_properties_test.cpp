@@ -51,8 +51,10 @@ TEST(BestSearchProperties, NoGridCostsLessThanTheBound) {
   testing::for_each_seed(60, [](std::mt19937_64& random, int) {
     const Field field = testing::random_field(random, random() % 3 == 0 ? 3 : 0);
     const double width_m = between(random, 3, 12);
-    const SearchTask task =
-        task_of(field, width_m, {between(random, 0, 1), between(random, 0, 1), between(random, 0, 3), 5});
+    Objective objective{between(random, 0, 1), between(random, 0, 1), between(random, 0, 3), 5};
+    // As under S1's scenarios.
+    if (random() % 4 == 0) (random() % 2 == 0 ? objective.overlap : objective.uncovered) = 99999;
+    const SearchTask task = task_of(field, width_m, objective);
     if (task.ground.plannable.size() != 1) return;
     SearchEffort effort;
     effort.most_boxes = 1000;

@@ -45,7 +45,9 @@ TEST(GridBound, NoGridOfTheBoxCostsLess) {
     const double width_m = scene.width_m;
     const SortedGround& ground = scene.ground;
     if (ground.plannable.empty()) continue;
-    const Objective objective = scene.objective();
+    Objective objective = scene.objective();
+    if (i % 4 == 1)
+      (scene.random() % 2 == 0 ? objective.overlap : objective.uncovered) = std::pow(10, scene.between(0, 5));
     for (const EndRule rule : testing::kEndRules) {
       const Polygon part = ground.plannable[scene.random() % ground.plannable.size()];
       const Case one{
@@ -97,7 +99,7 @@ TEST(GridBound, StopsWhereItIsEnough) {
 }
 
 // With nothing in the way and the cheapest ends, a box that is a point has the cost itself as its bound, but
-// for pieces at the verge of being driven.
+// for pieces at the verge of being driven; short ones that are left included.
 TEST(GridBound, OfAPointIsTheCost) {
   const int cases = testing::case_count(100);
   int equal = 0, compared = 0;
@@ -107,7 +109,8 @@ TEST(GridBound, OfAPointIsTheCost) {
     const Objective objective = scene.objective(0);
     const Case one{{scene.field.outer, {}},
                    {},
-                   {width_m, 0, end_criterion(EndRule::kCheapest, objective, width_m)},
+                   {width_m, i % 2 == 0 ? 0 : scene.between(0, 4 * width_m),
+                    end_criterion(EndRule::kCheapest, objective, width_m)},
                    {objective, bounds(scene.field.outer).centre(), 0}};
     const double degrees = scene.between(0, 180), offset_m = scene.between(0, width_m);
     const GridTally middle = one.tally(degrees);

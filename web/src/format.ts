@@ -14,13 +14,17 @@ export const count = (value: Maybe) => (missing(value) ? NONE : digits(value, 0)
 export const hectares = (m2: Maybe) => (missing(m2) ? NONE : `${digits(m2 / 1e4, 2)} ha`);
 /** Areas to compare with one another: m², finer where they are small. */
 export const squareMetres = (m2: Maybe) => (missing(m2) ? NONE : `${digits(m2, Math.abs(m2) < 10 ? 1 : 0)} m²`);
+/** Areas of any size, by themselves: m² up to ten hectares. */
+export const ground = (m2: Maybe) => (missing(m2) || Math.abs(m2) < 1e5 ? squareMetres(m2) : hectares(m2));
 export const metres = (m: Maybe) => (missing(m) ? NONE : `${digits(m, Math.abs(m) < 10 ? 2 : 0)} m`);
 export const width = (m: Maybe) => (missing(m) ? NONE : `${zeroed(String(Math.round(m * 100) / 100))} m`);
 export const length = (m: Maybe) => (missing(m) ? NONE : Math.abs(m) < 10_000 ? metres(m) : `${digits(m / 1000, 1)} km`);
+/** How far off something is, in words' precision: 420 m, 12 km, 7,480 km. */
+export const farness = (m: number) => (m < 1000 ? `${digits(Math.max(10, Math.round(m / 10) * 10), 0)} m` : m < 10_000 ? `${digits(m / 1000, 1)} km` : `${digits(m >= 1e5 ? Math.round(m / 1e4) * 10 : m / 1000, 0)} km`);
 /** Cents matter up to a hundred thousand. */
 export const money = (value: Maybe) =>
   missing(value) ? NONE : `€${digits(value, Math.abs(value) < 1e5 ? 2 : 0)}`.replace('€−', '−€');
-export const percent = (share: Maybe) => (missing(share) ? NONE : `${digits(share * 100, 1)} %`);
+export const percent = (share: Maybe) => (missing(share) ? NONE : `${digits(share * 100, 1)}\u00a0%`);
 export const hours = (h: Maybe) => (missing(h) ? NONE : `${digits(h, 2)} h`);
 export const rate = (ha_per_hour: Maybe) => (missing(ha_per_hour) ? NONE : `${digits(ha_per_hour, 1)} ha/h`);
 export const degrees = (deg: Maybe) => (missing(deg) ? NONE : `${digits(deg, 1)}°`);

@@ -4,6 +4,7 @@
 // Apart from App, so that only who deals with drives knows the engine of coverage.
 
 #include <cstddef>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct DriveRooms {
   DriveStore store;
   ReplayCache replays;
   FeedBoard feeds;
+  std::mutex partfields;  ///< held while a field is looked for, and kept where there is none
 };
 
 }  // namespace tramline::server

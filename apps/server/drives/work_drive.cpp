@@ -111,7 +111,12 @@ coverage::FixProgress told_to(JobRun& run) {
   };
 }
 
-KeptDrive evaluated_and_kept(App& app, DriveOrder order, JobRun& run) {
+struct WorkedOrder {
+  KeptDrive drive;
+  Coverage coverage;
+};
+
+WorkedOrder evaluated(App& app, DriveOrder order, JobRun& run) {
   const auto start = std::chrono::steady_clock::now();
   run.step("reading " + order.source.log_name);
   WorkLog read = read_work_log(app.drives->store.log_file(order.id, order.source), order.source);
@@ -145,16 +150,9 @@ KeptDrive evaluated_and_kept(App& app, DriveOrder order, JobRun& run) {
   run.check();
   evaluation.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
-  KeptDrive out{order.id,
-                order.name,
-                order.field,
-                order.plan,
-                order.created,
-                order.source,
-                evaluation.coverage.frame,
-                shown(order, evaluation, span)};
-  app.drives->store.add(out, evaluation.coverage);
-  return out;
+  return {{order.id, order.name, order.field, order.plan, order.created, order.source,
+           evaluation.coverage.frame, shown(order, evaluation, span)},
+          std::move(evaluation.coverage)};
 }
 
 }  // namespace
@@ -168,20 +166,21 @@ app::WorkGround ground_of(const App& app, const std::string& field) {
 }
 
 KeptDrive work_drive(App& app, DriveOrder order, JobRun& run) {
-  const std::string id = order.id;
-  try {
-    return evaluated_and_kept(app, std::move(order), run);
-  } catch (...) {
-    app.drives->store.discard(id);
-    throw;
-  }
+  WorkedOrder worked = evaluated(app, std::move(order), run);
+  app.drives->store.add(worked.drive, worked.coverage);
+  return worked.drive;
 }
 
 KeptDrive work_again(App& app, const KeptDrive& drive, JobRun& run) {
-  KeptDrive out = evaluated_and_kept(
-      app, {drive.id, drive.name, drive.created, drive.field, drive.plan, drive.source, false}, run);
-  app.drives->replays.forget(drive.id);
-  return out;
+  return while_kept(
+      [&] { app.drives->store.get(drive.id); },
+      [&] {
+        WorkedOrder worked = evaluated(
+            app, {drive.id, drive.name, drive.created, drive.field, drive.plan, drive.source, false}, run);
+        app.drives->store.replace(worked.drive, worked.coverage);
+        app.drives->replays.forget(drive.id);
+        return worked.drive;
+      });
 }
 
 std::shared_ptr<const ReadyDrive> ready_to_replay(App& app, const KeptDrive& drive) {

@@ -34,11 +34,12 @@ app::WorkGround ground_of(const App& app, const std::string& field);
 std::string partfield_of(App& app, const std::filesystem::path& task_set, const std::string& log);
 
 /// Evaluates the drive as `tramline evaluate` does, and keeps it. Where it has a plan but no field, the
-/// ground is the plan's. Throws kBadInput, JobCancelled; nothing of the drive is kept then.
+/// ground is the plan's. Throws kBadInput, JobCancelled; nothing is kept then but the log, which is its
+/// taker's.
 KeptDrive work_drive(App& app, DriveOrder order, JobRun& run);
 
 /// The same for a drive that is kept already, by the field as it is now. What was kept stays where that
-/// fails.
+/// fails. Throws HttpError(kNotFound) where the drive has been deleted, also meanwhile.
 KeptDrive work_again(App& app, const KeptDrive& drive, JobRun& run);
 
 /// The drive as it can be replayed: on the ground it was evaluated on.

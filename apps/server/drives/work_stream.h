@@ -8,22 +8,28 @@
 #include <utility>
 
 #include "server/http/event_stream.h"
+#include "server/http/router.h"
 #include "server/work/work_json.h"
 
 namespace tramline::server {
 
+/// "?detail_m=0.02": how far what is drawn may be from what is; 0 where it is not there. Throws bad_input.
+double detail_in(const Call& call);
+
 /// What takes this long has to show that somebody still listens.
 inline constexpr std::chrono::milliseconds kPingEvery{1000};
 
-/// Answers with the events of a Replay or of a FeedReader, until its end. Throws HttpError(kBusy).
+/// Answers with the events of a Replay or of a FeedReader, until its end. `detail_m`: of EventWriter. Throws
+/// HttpError(kBusy).
 template <class Source>
-void stream_work(StreamPermits& permits, httplib::Response& response, std::shared_ptr<Source> source) {
-  auto writer = std::make_shared<EventWriter>();
+void stream_work(StreamPermits& permits, httplib::Response& response, std::shared_ptr<Source> source,
+                 double detail_m) {
+  auto writer = std::make_shared<EventWriter>(detail_m);
   stream_events(permits, response, [source = std::move(source), writer](EventSink& events) {
     const WorkEvent event = source->next(kPingEvery);
     if (std::holds_alternative<std::monostate>(event)) return !source->ended() && events.ping();
     const NamedEvent named = writer->named(event);
-    return events.send(named.name, named.data) && !source->ended();
+    return events.send_text(named.name, named.data) && !source->ended();
   });
 }
 

@@ -52,18 +52,19 @@ FeedNote note_in(const std::string& id, const ordered_json& json) {
 
 }  // namespace
 
-void FeedBoard::require_room() const {
-  const std::lock_guard lock(mutex_);
-  if (feeds_.size() < most_) return;
-  throw HttpError(
-      Fault::kBusy,
-      fmt::format("{} live feeds are open already, which is as many as there can be; end one of them",
-                  most_));
+std::shared_ptr<void> FeedBoard::take_room() {
+  if (open_.fetch_add(1) >= most_) {
+    --open_;
+    throw HttpError(
+        Fault::kBusy,
+        fmt::format("{} live feeds are open already, which is as many as there can be; end one of them",
+                    most_));
+  }
+  return {this, [this](void*) { --open_; }};
 }
 
 OpenFeed FeedBoard::open(const FeedNote& note, std::unique_ptr<io::Feed> source,
-                         const app::WorkGround& ground) {
-  require_room();
+                         const app::WorkGround& ground, std::shared_ptr<void> room) {
   write_whole(folder_.file(kKind, note.id, ".json"), app::json_line(note_json(note)) + '\n');
   FeedOrder order;
   order.source = std::move(source);
@@ -77,7 +78,7 @@ OpenFeed FeedBoard::open(const FeedNote& note, std::unique_ptr<io::Feed> source,
     // What it took is given back, and not kept for the next time: the feed goes on for hours.
     malloc_trim(0);
   };
-  OpenFeed out{note, nullptr};
+  OpenFeed out{note, nullptr, std::move(room)};
   try {
     out.feed = std::make_shared<LiveFeed>(std::move(order));
   } catch (...) {

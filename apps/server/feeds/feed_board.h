@@ -1,6 +1,7 @@
 #pragma once
 // The live feeds of a server.
 
+#include <atomic>
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -28,6 +29,7 @@ struct FeedNote {
 struct OpenFeed {
   FeedNote note;
   std::shared_ptr<LiveFeed> feed;
+  std::shared_ptr<void> room;  ///< of FeedBoard::take_room()
 };
 
 /// For each feed feeds/ID.json, feeds/ID.log with every line that came, and now and then feeds/ID.gpkg. They
@@ -36,10 +38,11 @@ class FeedBoard {
  public:
   FeedBoard(const StoreFolder& folder, std::size_t most) : folder_(folder), most_(most) {}
 
-  /// Throws HttpError(kBusy) where there are too many already.
-  void require_room() const;
-  /// Begins to read. `ground`: empty without a field. Throws kBadInput, failure, HttpError(kBusy).
-  OpenFeed open(const FeedNote& note, std::unique_ptr<io::Feed> source, const app::WorkGround& ground);
+  /// A place for one more, until it is given back. Throws HttpError(kBusy) where there are too many already.
+  std::shared_ptr<void> take_room();
+  /// Begins to read. `room`: of take_room(). `ground`: empty without a field. Throws kBadInput, failure.
+  OpenFeed open(const FeedNote& note, std::unique_ptr<io::Feed> source, const app::WorkGround& ground,
+                std::shared_ptr<void> room);
   /// The latest first.
   std::vector<OpenFeed> list() const;
   /// Throw HttpError(kNotFound). take(): it is no more to be found; its files stay.
@@ -54,6 +57,7 @@ class FeedBoard {
  private:
   const StoreFolder& folder_;
   const std::size_t most_;
+  std::atomic<std::size_t> open_ = 0;  ///< those that are only being opened, too
   mutable std::mutex mutex_;
   std::map<std::string, OpenFeed> feeds_;
 };

@@ -4,10 +4,9 @@
 
 #include <fstream>
 #include <iterator>
-#include <system_error>
 
 #include "request/output_names.h"
-#include "server/store/new_id.h"
+#include "server/store/scratch_folder.h"
 #include "tramline/geometry/error.h"
 
 namespace tramline::server {
@@ -25,23 +24,6 @@ std::string percent_coded(const std::string& name) {
   }
   return out;
 }
-
-class ScratchFolder {
- public:
-  explicit ScratchFolder(const StoreFolder& folder) : path_(folder.path() / ".scratch" / new_id()) {
-    fs::create_directories(path_);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 }  // namespace
 

@@ -22,7 +22,11 @@ std::shared_ptr<void> StreamPermits::take() {
 }
 
 bool EventSink::send(const std::string& event, const nlohmann::ordered_json& data) {
-  return write(fmt::format("event: {}\ndata: {}\n\n", event, app::json_line(data)));
+  return send_text(event, app::json_line(data));
+}
+
+bool EventSink::send_text(const std::string& event, const std::string& data) {
+  return write(fmt::format("event: {}\ndata: {}\n\n", event, data));
 }
 
 bool EventSink::ping() { return write(": \n\n"); }

@@ -36,6 +36,8 @@ class EventSink {
   explicit EventSink(httplib::DataSink& sink) : sink_(sink) {}
   /// False where nobody listens any more.
   bool send(const std::string& event, const nlohmann::ordered_json& data);
+  /// `data`: JSON in one line.
+  bool send_text(const std::string& event, const std::string& data);
   /// Says nothing, but finds out whether somebody still listens.
   bool ping();
 

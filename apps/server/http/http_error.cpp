@@ -51,7 +51,8 @@ const char* word_of(Fault fault) {
 }
 
 HttpError not_found(const std::string& what, const std::string& id) {
-  return {Fault::kNotFound, fmt::format("there is no {} '{}'; it may have been deleted", what, id)};
+  return {Fault::kNotFound,
+          fmt::format("there is no {} '{}'; it may have been deleted: choose another", what, id)};
 }
 
 Answer answer_to(const std::exception_ptr& problem) {

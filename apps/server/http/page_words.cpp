@@ -1,5 +1,6 @@
 #include "server/http/page_words.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <string_view>
@@ -9,7 +10,7 @@ namespace tramline::server {
 namespace {
 
 /// Whole phrases first, then the options by themselves.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 49> kWords = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 52> kWords = {{
     {"take all with --all or choose one with --where", "choose one of them"},
     {"give it a width with --width", "give the working width"},
     {"give the field's CRS with --crs", "say which coordinate reference system the field is in"},
@@ -28,6 +29,10 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 49> kWords =
     {"choose one with --layer", "choose one"},
     {"give --layer", "choose the layer"},
     {"give --crs", "choose the coordinate reference system"},
+    {"--boundary hard keeps them inside",
+     "say that the machine cannot leave the field to turn, and they stay inside"},
+    {"a smaller --min-length", "shorter pieces"},
+    {"nothing is worked there without --width", "nothing is worked there unless you give the working width"},
     {"--direction-tolerance", "the direction tolerance"},
     {"--avoid-threshold", "the avoid threshold"},
     {"--obstacle-headlands", "the number of passes round obstacles"},
@@ -62,6 +67,14 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 49> kWords =
     {"--merge", "the merging angle"},
 }};
 
+/// "a smaller --clearance" becomes "a smaller clearance": an article stands only where none can be there yet.
+bool has_article(std::string_view before) {
+  constexpr std::array<std::string_view, 10> kBefore = {
+      "smaller ", "larger ", "shorter ", "longer ", "another ", "other ", "right ", " a ", " the ", " no "};
+  return std::any_of(kBefore.begin(), kBefore.end(),
+                     [&](std::string_view word) { return before.ends_with(word); });
+}
+
 bool goes_on(const std::string& text, std::size_t at) {
   return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '-');
 }
@@ -75,10 +88,21 @@ std::string in_page_words(std::string sentence) {
         at += from.size();
         continue;
       }
-      sentence.replace(at, from.size(), to);
-      at += to.size();
+      constexpr std::string_view kThe = "the ";
+      const std::string_view before = std::string_view(sentence).substr(0, at);
+      const std::string_view words =
+          to.starts_with(kThe) && has_article(before) ? to.substr(kThe.size()) : to;
+      sentence.replace(at, from.size(), words);
+      at += words.size();
     }
   return sentence;
+}
+
+nlohmann::ordered_json summary_in_page_words(nlohmann::ordered_json summary) {
+  if (summary.contains("warnings"))
+    for (nlohmann::ordered_json& warning : summary["warnings"])
+      warning = in_page_words(warning.get<std::string>());
+  return summary;
 }
 
 }  // namespace tramline::server

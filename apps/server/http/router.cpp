@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 
 #include "report/report_parts.h"
 #include "server/http/http_error.h"
+#include "tramline/geometry/error.h"
 
 namespace tramline::server {
 namespace {
@@ -79,6 +82,16 @@ const std::string& Call::part(const std::string& name) const {
 }
 
 std::string Call::query(const std::string& name) const { return request_.get_param_value(name); }
+
+double Call::query_number(const std::string& name) const {
+  const std::string text = query(name);
+  if (text.empty()) return std::nan("");
+  double out = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), out);
+  if (fault != std::errc() || end != text.data() + text.size() || !std::isfinite(out))
+    throw bad_input(fmt::format("{} has to be a number, not '{}'", name, text));
+  return out;
+}
 
 void Call::read_body(const Bytes& take) const {
   if (reader_ == nullptr || !has_body(request_)) return;

@@ -28,6 +28,8 @@ class Call {
   const std::string& part(const std::string& name) const;
   /// "?name=value"; empty where it is not there.
   std::string query(const std::string& name) const;
+  /// "?from_s=12.5"; NaN where it is not there. Throws bad_input where it is no finite number.
+  double query_number(const std::string& name) const;
 
   /// Hands on the body as it comes in; once. Throws HttpError(kTooLarge) where it grows beyond the route's
   /// limit, and kBadInput where it breaks off.

@@ -101,14 +101,16 @@ std::vector<JobStatus> JobQueue::list() const {
 }
 
 std::optional<JobStatus> JobQueue::cancel(const std::string& id) {
+  Work left;  // what it holds is let go of when the mutex is
   const std::lock_guard lock(mutex_);
   const auto found = entry(id);
   if (!found) return std::nullopt;
   found->cancelled = true;
   if (found->current.state == JobState::kQueued) {
     found->current.state = JobState::kCancelled;
-    found->work = nullptr;
+    left = std::exchange(found->work, nullptr);
     found->touch();
+    forget_old();
   }
   return status(*found);
 }
@@ -173,12 +175,13 @@ void JobQueue::run(const std::shared_ptr<Entry>& entry) {
     state = entry->cancelled ? JobState::kCancelled : JobState::kFailed;
     problem = answer_to(std::current_exception());
   }
+  // What it holds is gone when the job is over.
+  entry->work = nullptr;
   const std::lock_guard lock(mutex_);
   entry->end = Clock::now();
   entry->current.state = state;
   entry->current.result = std::move(result);
   entry->current.problem = std::move(problem);
-  entry->work = nullptr;
   entry->touch();
   forget_old();
 }

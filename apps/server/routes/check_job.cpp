@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <utility>
 
 #include "report/check_report.h"
 #include "request/judge_plan.h"
 #include "server/input/json_input.h"
+#include "server/map/shown_place.h"
 #include "server/routes/job_kinds.h"
 
 namespace tramline::server {
@@ -20,7 +22,11 @@ JobStatus begin_check(App& app, const ordered_json& json) {
     const OpenedPlan opened = app.plans.open(plan.id);
     run.check();
     const check::Verdict verdict = app::judge(opened.file, std::nullopt);
-    return ordered_json{{"check", app::check_json(plan.name, opened.file.plan, verdict)}};
+    ordered_json out = app::check_json(plan.name, opened.file.plan, verdict);
+    const ShownPlace place(opened.file.plan.field.frame);
+    for (ordered_json& violation : out["violations"])
+      violation["at"] = place.position({violation.at("x_m"), violation.at("y_m")});
+    return ordered_json{{"check", std::move(out)}};
   });
 }
 

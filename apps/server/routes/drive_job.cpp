@@ -40,13 +40,19 @@ DriveOrder drive_order(App& app, const ordered_json& json, const Upload& upload,
   out.field = input.text_or_none("field");
   out.plan = input.text_or_none("plan");
   if (!out.field.empty()) app.fields.get(out.field);
-  if (!out.plan.empty()) app.plans.get(out.plan);
+  if (!out.plan.empty()) app.plans.keep(out.plan);
   out.source.options = drive_options_in(json.value("options", ordered_json()), input.number_if("width_m"));
   out.source.options.log.log = input.text_or_none("log");
   out.source.log_name = upload.name;
   out.source.extension = log_extension(upload.path.filename().string());
   if (out.name.empty()) out.name = stem_of(upload.name);
   return out;
+}
+
+JobStatus evaluate_again(App& app, const KeptDrive& drive) {
+  return app.jobs.submit("evaluate", "evaluating " + drive.name, [&app, drive](JobRun& run) {
+    return ordered_json{{"drive", work_again(app, drive, run).id}};
+  });
 }
 
 struct RepairRequest {
@@ -85,25 +91,37 @@ RepairRequest repair_request(App& app, const ordered_json& json) {
 
 ordered_json make_repair(App& app, const RepairRequest& request, JobRun& run) {
   const KeptDrive& drive = request.drive;
-  const Coverage coverage = io::read_coverage(app.drives->store.coverage_file(drive.id));
-  ordered_json plans = ordered_json::array();
+  const Coverage coverage =
+      while_kept([&] { app.drives->store.get(drive.id); },
+                 [&] { return io::read_coverage(app.drives->store.coverage_file(drive.id)); });
+  struct Part {
+    RepairPlan done;
+    double seconds;
+  };
+  std::vector<Part> parts;
   for (app::GapField& part : app::gap_fields(coverage, drive.name)) {
     if (part.gaps.empty()) continue;
     run.step(fmt::format("planning what {} has missed", drive.name));
     const auto start = std::chrono::steady_clock::now();
     const auto progress = [&run](int done, int total) { run.progress(done, total); };
-    const RepairPlan done =
+    RepairPlan done =
         repair_plan(part.field, part.gaps, part.missed, request.terms, request.min_area_m2, 0, progress);
     run.check();
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    parts.push_back(
+        {std::move(done), std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
+  }
+  if (parts.empty()) throw bad_input("no gap lies in the field; there is nothing to repair");
+  // All or, where it is cancelled, none.
+  ordered_json plans = ordered_json::array();
+  for (const Part& part : parts) {
     PlanNotes notes;
     notes.name = request.name.empty() ? "gaps of " + drive.name : request.name;
     notes.field = drive.field;
-    notes.seconds = seconds;
-    const std::string plan = app.plans.add(done.plan, notes).id;
-    plans.push_back({{"plan", plan}, {"report", app::repair_json(done, request.min_area_m2, seconds)}});
+    notes.seconds = part.seconds;
+    const std::string plan = app.plans.add(part.done.plan, notes).id;
+    plans.push_back(
+        {{"plan", plan}, {"report", app::repair_json(part.done, request.min_area_m2, part.seconds)}});
   }
-  if (plans.empty()) throw bad_input("no gap lies in the field; there is nothing to repair");
   ordered_json out = plans.front();
   if (plans.size() > 1) out["plans"] = std::move(plans);
   return out;
@@ -115,29 +133,35 @@ JobStatus begin_drive(App& app, const ordered_json& json) {
   const JsonInput input(json, "", {"upload", "log", "field", "plan", "width_m", "options", "name"});
   const Upload upload = log_uploaded(app, input);
   DriveOrder order = drive_order(app, json, upload, input);
-  app.drives->store.take_log(order.id, order.source, upload.path);
-  const std::string id = order.id, what = "evaluating " + order.name;
-  try {
-    return app.jobs.submit("evaluate", what, [&app, order = std::move(order)](JobRun& run) mutable {
-      if (order.field.empty() && order.plan.empty()) {
-        order.field = partfield_of(app, app.drives->store.log_file(order.id, order.source),
-                                   order.source.options.log.log);
-        order.field_is_a_guess = !order.field.empty();
-      }
-      return ordered_json{{"drive", work_drive(app, order, run).id}};
-    });
-  } catch (...) {
-    app.drives->store.discard(id);
-    throw;
-  }
+  std::shared_ptr<void> log =
+      while_kept([&] { app.uploads.get(upload.id); },
+                 [&] { return app.drives->store.take_log(order.id, order.source, upload.path); });
+  const std::string what = "evaluating " + order.name;
+  // The log belongs to the job: it goes with it, however that ends.
+  return app.jobs.submit(
+      "evaluate", what, [&app, order = std::move(order), log = std::move(log)](JobRun& run) mutable {
+        if (order.field.empty() && order.plan.empty()) {
+          order.field = partfield_of(app, app.drives->store.log_file(order.id, order.source),
+                                     order.source.options.log.log);
+          order.field_is_a_guess = !order.field.empty();
+        }
+        return ordered_json{{"drive", work_drive(app, order, run).id}};
+      });
 }
 
 JobStatus begin_evaluate(App& app, const ordered_json& json) {
   const JsonInput input(json, "", {"kind", "drive"});
-  const KeptDrive drive = app.drives->store.get(input.text("drive"));
-  return app.jobs.submit("evaluate", "evaluating " + drive.name, [&app, drive](JobRun& run) {
-    return ordered_json{{"drive", work_again(app, drive, run).id}};
-  });
+  return evaluate_again(app, app.drives->store.get(input.text("drive")));
+}
+
+void finish_half_replaced(App& app) {
+  for (const std::string& id : app.drives->store.half_replaced()) {
+    try {
+      evaluate_again(app, app.drives->store.get(id));
+    } catch (const HttpError&) {
+      return;  // too many at once: the others come at the next start
+    }
+  }
 }
 
 JobStatus begin_repair(App& app, const ordered_json& json) {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -12,6 +11,8 @@
 #include "server/drives/work_drive.h"
 #include "server/drives/work_stream.h"
 #include "server/http/download.h"
+#include "server/http/page_words.h"
+#include "server/input/json_input.h"
 #include "server/routes/job_kinds.h"
 #include "server/routes/routes.h"
 #include "server/work/replay.h"
@@ -35,26 +36,16 @@ ordered_json listed(const KeptDrive& drive) {
   return out;
 }
 
-/// "?from_s=12.5"; NaN where it is not there. Throws bad_input.
-double query_number(const Call& call, const char* key) {
-  const std::string text = call.query(key);
-  if (text.empty()) return std::nan("");
-  double out = 0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), out);
-  if (fault != std::errc() || end != text.data() + text.size() || !std::isfinite(out))
-    throw bad_input(fmt::format("{} has to be a number, not '{}'", key, text));
-  return out;
-}
-
 void replay(App& app, const Call& call, httplib::Response& response) {
   const KeptDrive drive = app.drives->store.get(call.part("drive"));
-  const double from_s = query_number(call, "from_s");
-  double speed = query_number(call, "speed");
+  const double from_s = call.query_number("from_s");
+  double speed = call.query_number("speed");
   if (std::isnan(speed)) speed = 1;
   if (!(speed >= kSlowest && speed <= kFastest))
     throw bad_input(
         fmt::format("speed has to be between {:g} and {:g}, not {:g}", kSlowest, kFastest, speed));
-  stream_work(app.streams, response, std::make_shared<Replay>(ready_to_replay(app, drive), from_s, speed));
+  stream_work(app.streams, response, std::make_shared<Replay>(ready_to_replay(app, drive), from_s, speed),
+              detail_in(call));
 }
 
 bool is_layer(const std::string& name) {
@@ -97,9 +88,18 @@ void answer_file(App& app, const Call& call, httplib::Response& response) {
                });
 }
 
+/// Answers from the files of a drive, which may be deleted meanwhile.
+template <void (*answer_from)(App&, const Call&, httplib::Response&)>
+Handler from_files(App& app) {
+  return [&app](const Call& call, httplib::Response& response) {
+    while_kept([&] { app.drives->store.get(call.part("drive")); }, [&] { answer_from(app, call, response); });
+  };
+}
+
 }  // namespace
 
 void add_drive_routes(Router& router, App& app) {
+  finish_half_replaced(app);
   router.get(api("/drives"), [&app](const Call&, httplib::Response& response) {
     ordered_json out = ordered_json::array();
     for (const KeptDrive& drive : app.drives->store.list()) out.push_back(listed(drive));
@@ -109,19 +109,24 @@ void add_drive_routes(Router& router, App& app) {
     answer(response, job_json(begin_drive(app, call.json())), 202);
   });
   router.get(api("/drives/{drive}"), [&app](const Call& call, httplib::Response& response) {
-    answer(response, app.drives->store.get(call.part("drive")).shown);
+    ordered_json shown = app.drives->store.get(call.part("drive")).shown;
+    if (shown.contains("summary")) shown["summary"] = summary_in_page_words(std::move(shown["summary"]));
+    answer(response, shown);
+  });
+  router.patch(api("/drives/{drive}"), [&app](const Call& call, httplib::Response& response) {
+    const ordered_json json = call.json();
+    const std::string name = name_of(JsonInput(json, "", {"name"}), "name");
+    if (name.empty()) throw bad_input("give the drive a name");
+    answer(response, listed(app.drives->store.rename(call.part("drive"), name)));
   });
   router.remove(api("/drives/{drive}"), [&app](const Call& call, httplib::Response& response) {
     app.drives->store.remove(call.part("drive"));
     app.drives->replays.forget(call.part("drive"));
     answer(response, {{"deleted", call.part("drive")}});
   });
-  router.get(api("/drives/{drive}/layers/{layer}"),
-             [&app](const Call& call, httplib::Response& response) { send_layer(app, call, response); });
-  router.get(api("/drives/{drive}/files/{format}"),
-             [&app](const Call& call, httplib::Response& response) { answer_file(app, call, response); });
-  router.get(api("/drives/{drive}/replay"),
-             [&app](const Call& call, httplib::Response& response) { replay(app, call, response); });
+  router.get(api("/drives/{drive}/layers/{layer}"), from_files<send_layer>(app));
+  router.get(api("/drives/{drive}/files/{format}"), from_files<answer_file>(app));
+  router.get(api("/drives/{drive}/replay"), from_files<replay>(app));
 }
 
 }  // namespace tramline::server

@@ -67,9 +67,10 @@ OpenFeed begin(App& app, const ordered_json& json) {
   note.log.log_name = note.source;
   note.log.extension = ".log";
   const app::WorkGround ground = ground_of(app, note.field);
-  app.drives->feeds.require_room();
+  std::shared_ptr<void> room = app.drives->feeds.take_room();
   try {
-    return app.drives->feeds.open(note, open_feed(note.source, is_loopback(app.settings.host)), ground);
+    return app.drives->feeds.open(note, open_feed(note.source, is_loopback(app.settings.host)), ground,
+                                  std::move(room));
   } catch (const Error& error) {
     throw Error(error.kind(), for_the_page(error.what()));
   }
@@ -85,6 +86,12 @@ class Unfollowed : public JobRun {
 
 /// The drive of a feed that is no longer read.
 ordered_json keep(App& app, const FeedNote& note, JobRun& run) {
+  DriveStore& store = app.drives->store;
+  // A server that was killed may have kept it and not yet said so.
+  if (store.has(note.id)) {
+    app.drives->feeds.remove_files(note.id);
+    return {{"drive", note.id}};
+  }
   DriveOrder order;
   order.id = note.id;
   order.name = note.name;
@@ -97,7 +104,8 @@ ordered_json keep(App& app, const FeedNote& note, JobRun& run) {
   } catch (const HttpError&) {
     order.field.clear();
   }
-  app.drives->store.take_log(order.id, order.source, app.drives->feeds.raw_log(note.id));
+  const std::shared_ptr<void> log =
+      store.take_log(order.id, order.source, app.drives->feeds.raw_log(note.id));
   const std::string id = work_drive(app, order, run).id;
   app.drives->feeds.remove_files(note.id);
   return {{"drive", id}};
@@ -153,7 +161,7 @@ void add_feed_routes(Router& router, App& app) {
   });
   router.get(api("/feeds/{feed}/events"), [&app](const Call& call, httplib::Response& response) {
     stream_work(app.streams, response,
-                std::make_shared<FeedReader>(app.drives->feeds.get(call.part("feed")).feed));
+                std::make_shared<FeedReader>(app.drives->feeds.get(call.part("feed")).feed), detail_in(call));
   });
   router.post(api("/feeds/{feed}/work"), [&app](const Call& call, httplib::Response& response) {
     const ordered_json json = call.json();

@@ -42,12 +42,12 @@ ordered_json field_entry(const KeptField& kept) {
           {"obstacles", count(field, ObstacleKind::kObstacle)},
           {"passable", count(field, ObstacleKind::kPassable)},
           {"geodetic", field.frame.geodetic},
+          {"bbox", ShownPlace(field.frame).bbox(bounds(field.outer))},
           {"created", kept.created}};
 }
 
 ordered_json field_in_full(const KeptField& kept) {
   ordered_json out = field_entry(kept);
-  out["bbox"] = ShownPlace(kept.field.frame).bbox(bounds(kept.field.outer));
   out["repairs"] = app::repairs_json(kept.field.repairs);
   out["skipped"] = app::skipped_json(kept.skipped);
   out["warnings"] = kept.field.warnings;

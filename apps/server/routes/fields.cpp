@@ -28,7 +28,13 @@ NewFields new_fields(App& app, const ordered_json& json, const std::string& name
   choice.crs = input.text_or_none("crs");
   choice.obstacle_size_m = input.number_if("obstacle_size_m");
   if (input.has("obstacles_upload")) choice.obstacles = app.uploads.get(input.text("obstacles_upload"));
-  return fields_from(app.uploads.get(input.text("upload")), choice);
+  const Upload upload = app.uploads.get(input.text("upload"));
+  return while_kept(
+      [&] {
+        app.uploads.get(upload.id);
+        if (choice.obstacles) app.uploads.get(choice.obstacles->id);
+      },
+      [&] { return fields_from(upload, choice); });
 }
 
 /// The first part of the feature, and the ids of the others, which are kept too.
@@ -54,11 +60,11 @@ ordered_json keep_new(App& app, const ordered_json& json) {
 
 ordered_json change(App& app, const std::string& id, const ordered_json& json) {
   const JsonInput input(json, "", {"name", "add", "remove"});
-  KeptField kept = *app.fields.get(id);
-  if (input.has("name")) kept.name = name_of(input, "name");
-  if (kept.name.empty()) throw bad_input("give the field a name");
-  kept.field = changed_field(std::move(kept.field), input.list("remove"), input.list("add"));
-  return field_in_full(*app.fields.replace(kept));
+  return field_in_full(*app.fields.change(id, [&](KeptField& kept) {
+    if (input.has("name")) kept.name = name_of(input, "name");
+    if (kept.name.empty()) throw bad_input("give the field a name");
+    kept.field = changed_field(std::move(kept.field), input.list("remove"), input.list("add"));
+  }));
 }
 
 }  // namespace

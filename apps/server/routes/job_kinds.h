@@ -18,4 +18,7 @@ JobStatus begin_repair(App& app, const nlohmann::ordered_json& json);
 JobStatus begin_compare(App& app, const nlohmann::ordered_json& json);
 JobStatus begin_check(App& app, const nlohmann::ordered_json& json);
 
+/// At the start: drives that a server was just replacing when it was killed are evaluated anew.
+void finish_half_replaced(App& app);
+
 }  // namespace tramline::server

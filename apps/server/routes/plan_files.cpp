@@ -36,7 +36,8 @@ const FileFormat* named(const std::array<FileFormat, size>& formats, std::string
 }
 
 void send_plan(App& app, const Call& call, httplib::Response& response) {
-  const KeptPlan plan = app.plans.get(call.part("plan"));
+  // What somebody has taken away, or looked at beside another, is wanted.
+  const KeptPlan plan = app.plans.keep(call.part("plan"));
   const std::filesystem::path file = app.plans.file(plan.id);
   const std::string& word = call.part("format");
   if (word == kPlanFile.name)
@@ -63,8 +64,9 @@ void send_plan(App& app, const Call& call, httplib::Response& response) {
 }  // namespace
 
 void add_plan_file_routes(Router& router, App& app) {
-  router.get(api("/plans/{plan}/files/{format}"),
-             [&app](const Call& call, httplib::Response& response) { send_plan(app, call, response); });
+  router.get(api("/plans/{plan}/files/{format}"), [&app](const Call& call, httplib::Response& response) {
+    while_kept([&] { app.plans.get(call.part("plan")); }, [&] { send_plan(app, call, response); });
+  });
 }
 
 }  // namespace tramline::server

@@ -26,11 +26,13 @@ struct PlanRequest {
   Objective objective;
   PlanSettings settings;
   bool explain = false;
+  bool draft = false;
   std::string name;
 };
 
 PlanRequest plan_request(App& app, const ordered_json& json) {
-  const JsonInput input(json, "", {"kind", "field", "machine", "objective", "settings", "explain", "name"});
+  const JsonInput input(json, "",
+                        {"kind", "field", "machine", "objective", "settings", "explain", "draft", "name"});
   PlanRequest out;
   out.field = app.fields.get(input.text("field"));
   out.machine = machine_in(input.value("machine"), "machine");
@@ -39,7 +41,9 @@ PlanRequest plan_request(App& app, const ordered_json& json) {
   validate_request(out.machine, out.objective, settings.settings);
   out.settings = settings_on(settings, out.field->field, out.machine);
   out.explain = input.flag("explain", false);
+  out.draft = input.flag("draft", false);
   out.name = name_of(input, "name");
+  if (out.draft && !out.name.empty()) throw bad_input("a plan with a name is kept; leave out name or draft");
   return out;
 }
 
@@ -55,8 +59,12 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 ordered_json make_plan(App& app, const PlanRequest& request, JobRun& run) {
   const auto start = std::chrono::steady_clock::now();
   const auto progress = [&run](int done, int total) { run.progress(done, total); };
-  PlanNotes notes{request.name.empty() ? request.field->name : request.name, request.field->id,
-                  request.field->skipped, 0, nullptr};
+  PlanNotes notes{request.name.empty() ? request.field->name : request.name,
+                  request.field->id,
+                  request.field->skipped,
+                  0,
+                  nullptr,
+                  request.draft};
   Plan plan;
   const Field& field = request.field->field;
   if (request.explain && can_be_explained(request.settings)) {
@@ -95,6 +103,7 @@ ordered_json compare_plans(App& app, const PlanRequest& request, JobRun& run) {
 
 JobStatus begin_compare(App& app, const ordered_json& json) {
   PlanRequest request = plan_request(app, json);
+  if (request.draft) throw bad_input("a comparison keeps no plan by itself; leave draft out");
   require_free_directions(request.settings);
   const std::string what = fmt::format("comparing plans of {}", request.field->name);
   return app.jobs.submit("compare", what, [&app, request = std::move(request)](JobRun& run) {

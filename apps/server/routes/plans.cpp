@@ -6,6 +6,7 @@
 #include <string>
 
 #include "report/plan_report.h"
+#include "server/http/page_words.h"
 #include "server/input/json_input.h"
 #include "server/map/shown_place.h"
 #include "server/routes/detour_layer.h"
@@ -31,19 +32,22 @@ ordered_json listed(const KeptPlan& plan) {
           {"overlap_m2", plan.tally.overlap_m2},
           {"uncovered_m2", plan.tally.uncovered_m2},
           {"width_m", plan.width_m},
-          {"kind", plan.kind}};
+          {"kind", plan.kind},
+          {"draft", plan.draft}};
 }
 
 ordered_json in_full(const KeptPlan& kept, const OpenedPlan& opened) {
   const Plan& plan = opened.file.plan;
-  return {{"id", kept.id},
-          {"name", kept.name},
-          {"field", kept.field},
-          {"created", kept.created},
-          {"kind", kept.kind},
-          {"summary", app::plan_json(plan, opened.notes.skipped, opened.notes.seconds)},
-          {"explain", opened.notes.explain},
-          {"bbox", ShownPlace(plan.field.frame).bbox(bounds(plan.field.outer))}};
+  return {
+      {"id", kept.id},
+      {"name", kept.name},
+      {"field", kept.field},
+      {"created", kept.created},
+      {"kind", kept.kind},
+      {"draft", kept.draft},
+      {"summary", summary_in_page_words(app::plan_json(plan, opened.notes.skipped, opened.notes.seconds))},
+      {"explain", opened.notes.explain},
+      {"bbox", ShownPlace(plan.field.frame).bbox(bounds(plan.field.outer))}};
 }
 
 }  // namespace
@@ -60,8 +64,12 @@ void add_plan_routes(Router& router, App& app) {
   });
   router.patch(api("/plans/{plan}"), [&app](const Call& call, httplib::Response& response) {
     const ordered_json json = call.json();
-    const JsonInput input(json, "", {"name"});
-    std::string name = name_of(input, "name");
+    const JsonInput input(json, "", {"name", "draft"});
+    if (input.flag("draft", false))
+      throw bad_input("a plan that is kept becomes no draft; delete it instead");
+    const std::string name = name_of(input, "name");
+    if (input.has("draft") && !input.has("name"))
+      return answer(response, listed(app.plans.keep(call.part("plan"))));
     if (name.empty()) throw bad_input("give the plan a name");
     answer(response, listed(app.plans.rename(call.part("plan"), name)));
   });
@@ -77,8 +85,11 @@ void add_plan_routes(Router& router, App& app) {
       return response.set_content(detour_geojson(app.plans.open(call.part("plan")).file.plan).dump(),
                                   "application/geo+json");
     const KeptPlan kept = app.plans.get(call.part("plan"));
-    response.set_content(io::layer_geojson(app.plans.file(kept.id), kept.frame, call.part("layer")),
-                         "application/geo+json");
+    response.set_content(
+        while_kept(
+            [&] { app.plans.get(kept.id); },
+            [&] { return io::layer_geojson(app.plans.file(kept.id), kept.frame, call.part("layer")); }),
+        "application/geo+json");
   });
 }
 

@@ -15,6 +15,7 @@
 #include "server/http/http_error.h"
 #include "server/input/drive_input.h"
 #include "server/store/new_id.h"
+#include "server/store/scratch_folder.h"
 #include "server/store/whole_text.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/coverage/write_coverage.h"
@@ -26,6 +27,8 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 constexpr const char* kKind = "drives";
+/// Lies beside a drive while its files are replaced, one after another.
+constexpr const char* kMark = ".replacing";
 
 /// Longer ones first.
 constexpr std::array<std::string_view, 16> kExtensions = {
@@ -138,11 +141,28 @@ std::vector<KeptDrive> DriveStore::list() const {
   return out;
 }
 
+bool DriveStore::has(const std::string& id) const {
+  const std::lock_guard lock(mutex_);
+  return drives_.contains(id);
+}
+
 KeptDrive DriveStore::get(const std::string& id) const {
   const std::lock_guard lock(mutex_);
   const auto found = drives_.find(id);
   if (found == drives_.end()) throw not_found("drive", id);
   return found->second;
+}
+
+KeptDrive DriveStore::rename(const std::string& id, const std::string& name) {
+  const std::lock_guard lock(mutex_);
+  const auto found = drives_.find(id);
+  if (found == drives_.end()) throw not_found("drive", id);
+  KeptDrive out = found->second;
+  out.name = name;
+  out.shown["name"] = name;
+  write_whole(folder_.file(kKind, id, ".json"), app::json_line(kept_json(out)) + '\n');
+  found->second = out;
+  return out;
 }
 
 void DriveStore::remove(const std::string& id) {
@@ -160,23 +180,51 @@ fs::path DriveStore::log_file(const std::string& id, const DriveSource& source) 
                           : source.extension.c_str());
 }
 
-void DriveStore::take_log(const std::string& id, const DriveSource& source, const fs::path& from) const {
+std::shared_ptr<void> DriveStore::take_log(const std::string& id, const DriveSource& source,
+                                           const fs::path& from) {
+  std::shared_ptr<void> out(this, [this, id](void*) {
+    const std::lock_guard lock(mutex_);
+    if (!drives_.contains(id)) remove_files(id);
+  });
   std::error_code fault;
   const fs::path to = log_file(id, source);
   fs::create_hard_link(from, to, fault);
-  if (!fault) return;
-  if (!fs::copy_file(from, to, fs::copy_options::overwrite_existing, fault))
+  if (fault && !fs::copy_file(from, to, fs::copy_options::overwrite_existing, fault))
     throw failure(fmt::format("the log could not be kept ({}); is the disk full?", fault.message()));
+  return out;
 }
 
-void DriveStore::add(const KeptDrive& drive, const Coverage& coverage) {
-  io::write_coverage(coverage, coverage_file(drive.id));
+/// To be called with the mutex held: nobody deletes it half-way.
+void DriveStore::put(const KeptDrive& drive, const fs::path& worked) {
+  fs::rename(worked, coverage_file(drive.id));
   write_whole(folder_.file(kKind, drive.id, ".json"), app::json_line(kept_json(drive)) + '\n');
-  const std::lock_guard lock(mutex_);
   drives_[drive.id] = drive;
 }
 
-void DriveStore::discard(const std::string& id) const { remove_files(id); }
+void DriveStore::add(const KeptDrive& drive, const Coverage& coverage) {
+  const ScratchFolder scratch(folder_);
+  io::write_coverage(coverage, scratch.path() / "worked.gpkg");
+  const std::lock_guard lock(mutex_);
+  put(drive, scratch.path() / "worked.gpkg");
+}
+
+void DriveStore::replace(const KeptDrive& drive, const Coverage& coverage) {
+  const ScratchFolder scratch(folder_);
+  io::write_coverage(coverage, scratch.path() / "worked.gpkg");
+  const std::lock_guard lock(mutex_);
+  if (!drives_.contains(drive.id)) throw not_found("drive", drive.id);
+  const fs::path mark = folder_.file(kKind, drive.id, kMark);
+  write_whole(mark, "");
+  put(drive, scratch.path() / "worked.gpkg");
+  fs::remove(mark);
+}
+
+std::vector<std::string> DriveStore::half_replaced() const {
+  std::vector<std::string> out = folder_.ids(kKind, kMark);
+  const std::lock_guard lock(mutex_);
+  std::erase_if(out, [&](const std::string& id) { return !drives_.contains(id); });
+  return out;
+}
 
 /// The .json first: what is left of a drive without it goes at the next start.
 void DriveStore::remove_files(const std::string& id) const {

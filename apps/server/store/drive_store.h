@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -44,21 +45,29 @@ class DriveStore {
 
   /// The latest first.
   std::vector<KeptDrive> list() const;
+  bool has(const std::string& id) const;
   /// Throws HttpError(kNotFound).
   KeptDrive get(const std::string& id) const;
+  /// Throws HttpError(kNotFound).
+  KeptDrive rename(const std::string& id, const std::string& name);
   /// Throws HttpError(kNotFound).
   void remove(const std::string& id);
 
   std::filesystem::path coverage_file(const std::string& id) const;
   std::filesystem::path log_file(const std::string& id, const DriveSource& source) const;
-  /// A copy of a log for a drive to be; throws failure where the disk is full.
-  void take_log(const std::string& id, const DriveSource& source, const std::filesystem::path& from) const;
+  /// A copy of a log for a drive to be; throws failure where the disk is full. When the last copy of what
+  /// comes back goes and there is no such drive by then, the log goes too.
+  std::shared_ptr<void> take_log(const std::string& id, const DriveSource& source,
+                                 const std::filesystem::path& from);
   /// Writes the coverage and all else. Precondition: the log is there.
   void add(const KeptDrive& drive, const Coverage& coverage);
-  /// Of a drive that is not to be kept after all.
-  void discard(const std::string& id) const;
+  /// The same for one that is there. Throws HttpError(kNotFound) where it has been deleted: it stays so.
+  void replace(const KeptDrive& drive, const Coverage& coverage);
+  /// Those that a server was just replacing when it was killed: their files may not go together.
+  std::vector<std::string> half_replaced() const;
 
  private:
+  void put(const KeptDrive& drive, const std::filesystem::path& worked);
   void remove_files(const std::string& id) const;
 
   const StoreFolder& folder_;

@@ -67,9 +67,15 @@ KeptFieldPtr FieldStore::add(const Field& field, const std::string& name,
   return write({new_id(), name.empty() ? field.id : name, time_now(), field, skipped});
 }
 
-KeptFieldPtr FieldStore::replace(const KeptField& changed) { return write(changed); }
+KeptFieldPtr FieldStore::change(const std::string& id, const std::function<void(KeptField&)>& how) {
+  const std::lock_guard one_at_a_time(changing_);
+  KeptField changed = *get(id);
+  how(changed);
+  return write(changed);
+}
 
 void FieldStore::remove(const std::string& id) {
+  const std::lock_guard one_at_a_time(changing_);
   const std::lock_guard lock(mutex_);
   if (fields_.erase(id) == 0) throw not_found("field", id);
   std::error_code ignored;

@@ -1,6 +1,7 @@
 #pragma once
 // Fields that are kept.
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -33,7 +34,9 @@ class FieldStore {
   KeptFieldPtr get(const std::string& id) const;
   /// What comes back is what the file holds.
   KeptFieldPtr add(const Field& field, const std::string& name, const std::vector<Skipped>& skipped);
-  KeptFieldPtr replace(const KeptField& changed);
+  /// Lets `how` change it; one change at a time, so that none undoes another, and none brings back what is
+  /// deleted. Throws HttpError(kNotFound), and what `how` throws: then nothing is changed.
+  KeptFieldPtr change(const std::string& id, const std::function<void(KeptField&)>& how);
   /// Throws HttpError(kNotFound).
   void remove(const std::string& id);
 
@@ -42,6 +45,7 @@ class FieldStore {
   KeptFieldPtr read(const std::string& id) const;
 
   const StoreFolder& folder_;
+  std::mutex changing_;  ///< taken before mutex_
   mutable std::mutex mutex_;
   std::map<std::string, KeptFieldPtr> fields_;
 };

@@ -29,7 +29,8 @@ io::Metadata remarks_of(const std::string& created, const PlanNotes& notes) {
           {"created", created},
           {"skipped", skipped_text(notes.skipped)},
           {"seconds", fmt::format("{}", notes.seconds)},
-          {"explain", app::json_line(notes.explain)}};
+          {"explain", app::json_line(notes.explain)},
+          {"draft", notes.draft ? "yes" : ""}};
 }
 
 PlanNotes notes_in(const io::Metadata& remarks) {
@@ -37,6 +38,7 @@ PlanNotes notes_in(const io::Metadata& remarks) {
                 std::strtod(remark(remarks, "seconds").c_str(), nullptr), nullptr};
   const auto explain = nlohmann::ordered_json::parse(remark(remarks, "explain"), nullptr, false);
   if (explain.is_object()) out.explain = explain;
+  out.draft = remark(remarks, "draft") == "yes";
   return out;
 }
 
@@ -69,6 +71,7 @@ KeptPlan PlanStore::read(const std::string& id) const {
   out.tally = plan.tally;
   out.width_m = plan.machine.width_m;
   out.frame = plan.field.frame;
+  out.draft = remark(remarks, "draft") == "yes";
   return out;
 }
 
@@ -82,7 +85,23 @@ KeptPlan PlanStore::write(const std::string& id, const std::string& created, con
 }
 
 KeptPlan PlanStore::add(const Plan& plan, const PlanNotes& notes) {
-  return write(new_id(), time_now(), plan, notes);
+  KeptPlan out = write(new_id(), time_now(), plan, notes);
+  if (out.draft) drop_other_drafts(out);
+  return out;
+}
+
+/// Several where a server was killed between keeping one and dropping the one before.
+void PlanStore::drop_other_drafts(const KeptPlan& newest) {
+  const std::lock_guard one_at_a_time(changing_);
+  const std::lock_guard lock(mutex_);
+  if (!plans_.contains(newest.id)) return;  // of two at the same time, one stays
+  std::error_code ignored;
+  std::erase_if(plans_, [&](const auto& entry) {
+    const KeptPlan& plan = entry.second;
+    if (!plan.draft || plan.field != newest.field || plan.id == newest.id) return false;
+    std::filesystem::remove(folder_.file(kKind, plan.id), ignored);
+    return true;
+  });
 }
 
 std::vector<KeptPlan> PlanStore::list(const std::string& field) const {
@@ -104,19 +123,27 @@ KeptPlan PlanStore::get(const std::string& id) const {
 std::filesystem::path PlanStore::file(const std::string& id) const { return folder_.file(kKind, get(id).id); }
 
 OpenedPlan PlanStore::open(const std::string& id) const {
-  OpenedPlan out{io::read_plan_file(file(id)), {}};
+  OpenedPlan out{while_kept([&] { get(id); }, [&] { return io::read_plan_file(file(id)); }), {}};
   out.notes = notes_in(out.file.remarks);
   return out;
 }
 
 KeptPlan PlanStore::rename(const std::string& id, const std::string& name) {
+  const std::lock_guard one_at_a_time(changing_);
   const KeptPlan known = get(id);
   OpenedPlan opened = open(id);
   opened.notes.name = name;
+  opened.notes.draft = false;
   return write(id, known.created, opened.file.plan, opened.notes);
 }
 
+KeptPlan PlanStore::keep(const std::string& id) {
+  const KeptPlan known = get(id);
+  return known.draft ? rename(id, known.name) : known;
+}
+
 void PlanStore::remove(const std::string& id) {
+  const std::lock_guard one_at_a_time(changing_);
   const std::lock_guard lock(mutex_);
   if (plans_.erase(id) == 0) throw not_found("plan", id);
   std::error_code ignored;

@@ -26,6 +26,7 @@ struct KeptPlan {
   Tally tally;
   double width_m = 0;
   LocalFrame frame;
+  bool draft = false;  ///< see PlanNotes
 };
 
 /// What is known of a plan beside what its file says anyway.
@@ -35,6 +36,7 @@ struct PlanNotes {
   std::vector<Skipped> skipped;
   double seconds = 0;
   nlohmann::ordered_json explain;  ///< null: it was not asked for
+  bool draft = false;  ///< made on the way to another one: the next draft of its field replaces it
 };
 
 /// A plan with its notes.
@@ -54,16 +56,22 @@ class PlanStore {
   KeptPlan get(const std::string& id) const;
   std::filesystem::path file(const std::string& id) const;
   OpenedPlan open(const std::string& id) const;
+  /// A plan with a name of its own is no draft. One at a time, and none brings back what is deleted.
   KeptPlan rename(const std::string& id, const std::string& name);
+  /// From now on it is no draft: only remove() drops it.
+  KeptPlan keep(const std::string& id);
   void remove(const std::string& id);
 
+  /// A draft drops the drafts that were there of its field, once it is kept itself.
   KeptPlan add(const Plan& plan, const PlanNotes& notes);
 
  private:
   KeptPlan read(const std::string& id) const;
+  void drop_other_drafts(const KeptPlan& newest);
   KeptPlan write(const std::string& id, const std::string& created, const Plan& plan, const PlanNotes& notes);
 
   const StoreFolder& folder_;
+  std::mutex changing_;  ///< taken before mutex_
   mutable std::mutex mutex_;
   std::map<std::string, KeptPlan> plans_;
 };

@@ -10,6 +10,18 @@ namespace tramline::server {
 /// $XDG_DATA_HOME/tramline, or ~/.local/share/tramline. Throws failure where the system knows no home.
 std::filesystem::path default_folder();
 
+/// Reads what somebody else may be deleting: where that fails, and `still_there` throws that it is gone, then
+/// that is what went wrong.
+template <class StillThere, class Read>
+auto while_kept(StillThere&& still_there, Read&& read) {
+  try {
+    return read();
+  } catch (...) {
+    still_there();
+    throw;
+  }
+}
+
 /// Belongs to one server at a time; the system itself gives it back when the server ends, however it ends.
 class StoreFolder {
  public:

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "server/http/page_words.h"
 #include "server/uploads/survey.h"
@@ -16,6 +18,28 @@ using nlohmann::ordered_json;
 
 ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(); }
 
+/// [west, south, east, north] of all fixes but the outermost hundredth on each side, among which the stray
+/// ones are; null where the log is in plain metres, or says nowhere where it was. O(n).
+ordered_json where_driven(const WorkLog& log) {
+  if (log.positions != Positions::kLonLat) return {};
+  std::vector<double> lon, lat;
+  for (const Fix& fix : log.fixes) {
+    const Point p = fix.position;
+    const bool on_the_globe = std::abs(p.x) <= 180 && std::abs(p.y) <= 90 && (p.x != 0 || p.y != 0);
+    if (!on_the_globe) continue;
+    lon.push_back(p.x);
+    lat.push_back(p.y);
+  }
+  if (lon.empty()) return {};
+  const std::size_t stray = lon.size() / 100;
+  const auto nth = [](std::vector<double>& of, std::size_t n) {
+    std::nth_element(of.begin(), of.begin() + static_cast<std::ptrdiff_t>(n), of.end());
+    return of[n];
+  };
+  const std::size_t last = lon.size() - 1 - stray;
+  return {nth(lon, stray), nth(lat, stray), nth(lon, last), nth(lat, last)};
+}
+
 /// One log as the list of an upload has it.
 ordered_json entry_json(const io::LogEntry& entry, const WorkLog& log) {
   constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
@@ -25,13 +49,10 @@ ordered_json entry_json(const io::LogEntry& entry, const WorkLog& log) {
     to_s = std::fmax(to_s, fix.time_s);
   }
   const double width_m = coverage::widest_m(log, {});
-  return {{"name", entry.name},
-          {"task", entry.task_name},
-          {"partfield", entry.field_id},
-          {"fixes", log.fixes.size()},
-          {"from_s", number(from_s)},
-          {"to_s", number(to_s)},
-          {"width_m", width_m > 0 ? number(width_m) : ordered_json()},
+  return {{"name", entry.name},          {"task", entry.task_name},
+          {"partfield", entry.field_id}, {"fixes", log.fixes.size()},
+          {"from_s", number(from_s)},    {"to_s", number(to_s)},
+          {"bbox", where_driven(log)},   {"width_m", width_m > 0 ? number(width_m) : ordered_json()},
           {"refused", nullptr}};
 }
 

@@ -19,6 +19,11 @@ using std::chrono::duration;
 using std::chrono::milliseconds;
 
 constexpr auto kFrameEvery = milliseconds(static_cast<int>(kFrameEvery_s * 1000));
+/// No fix waits longer than this for others to be shown with, and no two frames are closer together than
+/// that: what is left of a tenth of a second is for making, sending and drawing the frame.
+constexpr auto kLongestWait = milliseconds(50), kFrameApart = milliseconds(30);
+/// So many times that fixes came are known; who reads more slowly has waited long enough.
+constexpr std::size_t kTimesKept = 64;
 /// Without a fix for so long, something is wrong, s.
 constexpr double kStalled_s = 3;
 /// States that somebody who reads late may still get.
@@ -98,6 +103,7 @@ void LiveFeed::add(const std::string& line) {
 }
 
 void LiveFeed::take(io::Received received) {
+  const Clock::time_point now = Clock::now();
   const std::lock_guard lock(mutex_);
   if (!received.lines.empty()) {
     std::string text;
@@ -109,7 +115,9 @@ void LiveFeed::take(io::Received received) {
   connected_ = connected();
   for (std::string& message : received.messages) say(std::move(message));
   if (session_.fixes() == before) return;
-  last_fix_ = Clock::now();
+  last_fix_ = now;
+  came_.emplace_back(session_.fixes(), now);
+  if (came_.size() > kTimesKept) came_.pop_front();
   if (std::exchange(stalled_, false)) say("positions come again");
   news_.notify_all();
 }
@@ -237,6 +245,16 @@ bool FeedReader::anything_new() const {
          (session.fixes() != fixes_ || (seen_.any && seen_.rebuilds != session.live().rebuilds()));
 }
 
+/// When what is new is to be shown: a fix that comes alone at once, one of many with others.
+FeedReader::Clock::time_point FeedReader::frame_at() const {
+  const auto& came = feed_->came_;
+  const auto oldest =
+      std::find_if(came.begin(), came.end(), [&](const auto& time) { return time.first > fixes_; });
+  const Clock::time_point latest = last_frame_ + kFrameEvery;
+  if (oldest == came.end()) return latest;
+  return std::clamp(oldest->second + kLongestWait, last_frame_ + kFrameApart, latest);
+}
+
 WorkFrame FeedReader::frame() {
   const app::WatchSession& session = feed_->session_;
   const coverage::LiveCoverage& live = session.live();
@@ -277,14 +295,14 @@ WorkEvent FeedReader::next(milliseconds most) {
       states_ = one.number;
       return one.state;
     }
-    const Clock::time_point now = Clock::now(), frame_at = last_frame_ + kFrameEvery;
-    if (anything_new() && (now >= frame_at || feed_->ended_)) return frame();
+    const Clock::time_point now = Clock::now();
+    if (anything_new() && (now >= frame_at() || feed_->ended_)) return frame();
     if (feed_->ended_) {
       ended_ = true;
       return WorkEnd{feed_->work_figures()};
     }
     if (now >= deadline) return {};
-    feed_->news_.wait_until(lock, anything_new() ? std::min(deadline, frame_at) : deadline);
+    feed_->news_.wait_until(lock, anything_new() ? std::min(deadline, frame_at()) : deadline);
   }
 }
 

@@ -11,6 +11,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "report/watch_report.h"
@@ -79,6 +80,8 @@ class LiveFeed {
   mutable std::mutex mutex_;  ///< of all below but the threads
   std::condition_variable news_;
   app::WatchSession session_;
+  /// How many fixes there were, and when the last of them came: of the last few times any came.
+  std::deque<std::pair<std::size_t, Clock::time_point>> came_;
   std::vector<Point> way_;
   std::size_t way_of_rebuild_ = 0;
   std::deque<NumberedState> states_;
@@ -108,6 +111,7 @@ class FeedReader {
  private:
   using Clock = std::chrono::steady_clock;
   bool anything_new() const;
+  Clock::time_point frame_at() const;
   WorkFrame frame();
 
   std::shared_ptr<LiveFeed> feed_;

@@ -20,7 +20,8 @@ class ReplayCache {
   explicit ReplayCache(std::size_t most = 4, std::size_t most_bytes = std::size_t{256} << 20)
       : most_(most), most_bytes_(most_bytes) {}
 
-  /// The drive of that id, made by `make` where it is not there. What `make` throws is thrown on.
+  /// The drive of that id, made by `make` where it is not there. What `make` throws is thrown on. What is
+  /// made while something is forgotten is not kept: it may be what it was before.
   std::shared_ptr<const ReadyDrive> get(const std::string& id, const std::function<ReadyDrive()>& make);
   void forget(const std::string& id);
 
@@ -30,7 +31,8 @@ class ReplayCache {
 
   const std::size_t most_, most_bytes_;
   std::mutex mutex_;
-  std::list<Entry> entries_;  ///< asked for last: first
+  std::size_t forgotten_ = 0;  ///< calls of forget()
+  std::list<Entry> entries_;   ///< asked for last: first
 };
 
 }  // namespace tramline::server

@@ -3,8 +3,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <iterator>
+#include <utility>
+#include <vector>
 
+#include "report/report_parts.h"
 #include "server/http/page_words.h"
+#include "tramline/geometry/simplified_line.h"
 
 namespace tramline::server {
 namespace {
@@ -13,14 +18,77 @@ using nlohmann::ordered_json;
 
 ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(); }
 
-ordered_json tiles_json(const std::vector<coverage::TileWork>& tiles, const ShownPlace& place) {
-  ordered_json out = ordered_json::array();
-  for (const coverage::TileWork& tile : tiles)
-    out.push_back({{"id", tile_id(tile.index)},
-                   {"covered", place.region(tile.covered)},
-                   {"repeated", place.region(tile.repeated)}});
-  return out;
-}
+/// Lists of places as text. A replay's first frame may have half a million of them, which as values that are
+/// then put into words take ten times as long.
+class PlaceText {
+ public:
+  PlaceText(const ShownPlace& place, double detail_m, std::string& out)
+      : place_(place), detail_m_(detail_m), places_(detail_m > 0 ? 8 : 10), out_(out) {}
+
+  void line(const std::vector<Point>& line) {
+    if (detail_m_ > 0)
+      list(simplified_line(line, detail_m_), [&](std::size_t i) { position(line[i]); });
+    else
+      list(line, [&](Point p) { position(p); });
+  }
+  void region(const Region& region) {
+    std::vector<std::vector<Ring>> shown;
+    for (const Polygon& polygon : region)
+      if (std::vector<Ring> rings = rings_of(polygon); !rings.empty()) shown.push_back(std::move(rings));
+    list(shown, [&](const std::vector<Ring>& rings) {
+      list(rings, [&](const Ring& ring) { list(ring, [&](Point p) { position(p); }); });
+    });
+  }
+
+ private:
+  template <class List, class Item>
+  void list(const List& items, Item&& item) {
+    char before = '[';
+    for (const auto& one : items) {
+      out_ += before;
+      before = ',';
+      item(one);
+    }
+    out_ += before == '[' ? "[]" : "]";
+  }
+  void position(Point local_m) {
+    const Point p = place_.to_lonlat(local_m);
+    out_ += '[';
+    degrees(p.x);
+    out_ += ',';
+    degrees(p.y);
+    out_ += ']';
+  }
+  void degrees(double value) {
+    fmt::format_to(std::back_inserter(out_), "{:.{}f}", value, places_);
+    while (out_.back() == '0') out_.pop_back();
+    if (out_.back() == '.') out_.pop_back();
+  }
+  /// Closed, the outer one first; none where it is narrower than the eye sees.
+  std::vector<Ring> rings_of(const Polygon& polygon) const {
+    std::vector<Ring> out;
+    if (!add(polygon.outer, out)) return {};
+    for (const Ring& hole : polygon.holes) add(hole, out);
+    return out;
+  }
+  bool add(Ring ring, std::vector<Ring>& out) const {
+    ring.push_back(ring.front());
+    if (detail_m_ > 0) {
+      Ring less;
+      for (const std::size_t i : simplified_line(ring, detail_m_)) less.push_back(ring[i]);
+      ring = std::move(less);
+      constexpr std::size_t kTriangle = 4;
+      if (ring.size() < kTriangle) return false;
+    }
+    out.push_back(std::move(ring));
+    return true;
+  }
+
+  const ShownPlace& place_;
+  const double detail_m_;
+  const int places_;
+  std::string& out_;
+};
 
 }  // namespace
 
@@ -43,31 +111,44 @@ ordered_json figures_json(const WorkFigures& figures) {
   return out;
 }
 
-ordered_json EventWriter::frame_json(const WorkFrame& frame) {
+std::string EventWriter::frame_text(const WorkFrame& frame) {
   if (!place_ || plane_ != frame.plane) {
     plane_ = frame.plane;
     place_.emplace(plane_);
   }
-  ordered_json out;
-  out["time_s"] = number(frame.time_s);
-  out["fix"] = frame.fix;
-  out["fixes"] = frame.fixes;
-  out["at"] = frame.at ? place_->position(*frame.at) : ordered_json();
-  out["heading_deg"] = frame.heading ? number(frame.heading->degrees()) : ordered_json();
-  out["working"] = frame.working;
-  out["figures"] = figures_json(frame.figures);
-  out["line"] = place_->line(frame.line);
-  out["all"] = frame.changes.all;
-  out["tiles"] = tiles_json(frame.changes.tiles, *place_);
-  return out;
+  ordered_json head;
+  head["time_s"] = number(frame.time_s);
+  head["fix"] = frame.fix;
+  head["fixes"] = frame.fixes;
+  head["at"] = frame.at ? place_->position(*frame.at) : ordered_json();
+  head["heading_deg"] = frame.heading ? number(frame.heading->degrees()) : ordered_json();
+  head["working"] = frame.working;
+  head["figures"] = figures_json(frame.figures);
+  head["all"] = frame.changes.all;
+  std::string out = app::json_line(head);
+  out.back() = ',';  // in the place of its brace
+  PlaceText text(*place_, detail_m_, out);
+  out += "\"line\":";
+  text.line(frame.line);
+  out += ",\"tiles\":[";
+  for (const coverage::TileWork& tile : frame.changes.tiles) {
+    fmt::format_to(std::back_inserter(out), "{{\"id\":\"{}\",\"covered\":", tile_id(tile.index));
+    text.region(tile.covered);
+    out += ",\"repeated\":";
+    text.region(tile.repeated);
+    out += "},";
+  }
+  if (out.back() == ',') out.pop_back();
+  return out += "]}";
 }
 
 NamedEvent EventWriter::named(const WorkEvent& event) {
+  const auto text = [](const ordered_json& json) { return app::json_line(json); };
   if (const auto* state = std::get_if<FeedState>(&event))
-    return {"state", {{"message", in_page_words(state->message)}, {"connected", state->connected}}};
+    return {"state", text({{"message", in_page_words(state->message)}, {"connected", state->connected}})};
   if (const auto* end = std::get_if<WorkEnd>(&event))
-    return {"end", {{"figures", figures_json(end->figures)}}};
-  return {"frame", frame_json(std::get<WorkFrame>(event))};
+    return {"end", text({{"figures", figures_json(end->figures)}})};
+  return {"frame", frame_text(std::get<WorkFrame>(event))};
 }
 
 }  // namespace tramline::server

@@ -12,17 +12,22 @@ namespace tramline::server {
 
 struct NamedEvent {
   std::string name;  ///< frame, state, end
-  nlohmann::ordered_json data;
+  std::string data;  ///< JSON
 };
 
 /// Puts places on the map of the page. One object on one thread at a time.
+///
+/// `detail_m`: lines and outlines keep within that of what they are, and what is narrower may go; places are
+/// then given to the millimetre. 0: nothing is left out. Figures are always those of all of it.
 class EventWriter {
  public:
-  /// Precondition: not std::monostate. O(vertices).
+  explicit EventWriter(double detail_m = 0) : detail_m_(detail_m) {}
+  /// Precondition: not std::monostate. Mostly O(n log n) in vertices.
   NamedEvent named(const WorkEvent& event);
 
  private:
-  nlohmann::ordered_json frame_json(const WorkFrame& frame);
+  std::string frame_text(const WorkFrame& frame);
+  double detail_m_;
   LocalFrame plane_;
   std::optional<ShownPlace> place_;  ///< of plane_
 };

@@ -6,6 +6,7 @@
 
 #include "tramline/cost/boundary_windows.h"
 #include "tramline/cost/moving_rows.h"
+#include "tramline/cost/undriven_rows.h"
 
 namespace tramline {
 namespace {
@@ -134,8 +135,32 @@ class Bound {
       sums_.fixed += undriven(run);
       return;
     }
-    for (std::size_t k = run.first; k <= run.last; ++k)
-      if (!in_zone(windows_[k])) windows_[k].passes ? add_passage(k) : add_rows(windows_[k]);
+    find_undriven(run);
+    for (std::size_t k = run.first; k <= run.last; ++k) {
+      if (in_zone(windows_[k])) continue;
+      windows_[k].passes && !is_left(windows_[k].lowest, windows_[k].highest) ? add_passage(k)
+                                                                              : add_rows(windows_[k]);
+      if (k < run.last && is_left(windows_[k].highest, windows_[k + 1].lowest))
+        sums_.fixed += objective_.uncovered * width_ * (windows_[k + 1].lowest - windows_[k].highest);
+    }
+  }
+
+  /// Sets undriven_ for the run; leaves it empty where a look shows that all of the run is driven.
+  void find_undriven(const Windows& run) {
+    undriven_.clear();
+    const std::span of_run(windows_.begin() + static_cast<std::ptrdiff_t>(run.first),
+                           run.last - run.first + 1);
+    if (tally_.plain_criterion().by_centre_line || in_zone(of_run.front().lowest, of_run.back().highest))
+      return;
+    const bool two_ends = of_run.size() == 2 && of_run[0].passes && of_run[1].passes;
+    if (two_ends && of_run[1].lowest - of_run[0].highest >= shortest_) return;
+    find_undriven_rows(of_run, moving_, {least_width_, shortest_, shear_}, undriven_);
+  }
+
+  /// Does no grid drive anything between these places?
+  bool is_left(double from, double to) const {
+    return std::any_of(undriven_.begin(), undriven_.end(),
+                       [&](const Interval& stretch) { return stretch.from <= from && to <= stretch.to; });
   }
 
   /// What the run costs where no piece is driven in it.
@@ -188,7 +213,7 @@ class Bound {
 
   void add_rows(const BoundaryWindow& window) {
     const double sheared = dearest_ * shear_ * window.across_m;
-    RowBounds rows = moving_rows(window.parts, moving_);
+    RowBounds rows = moving_rows(window.parts, moving_, undriven_);
     sums_.apart += std::max(0.0, rows.apart - sheared);
     rows.together.constant -= sheared;
     sums_.together += rows.together;
@@ -279,15 +304,31 @@ class Bound {
   MovingTerms moving_;
   Sums sums_;
   std::vector<BoundaryWindow> windows_;
-  Intervals zones_;    ///< along the strip, where detours may be
-  Intervals blocked_;  ///< where an obstacle may reach into it
+  Intervals undriven_;  ///< of the run at hand
+  Intervals zones_;     ///< along the strip, where detours may be
+  Intervals blocked_;   ///< where an obstacle may reach into it
   std::vector<Crossing> crossings_;
 };
+
+/// Is one of the prices of land less than half the actual one?
+bool is_far_from(const Objective& nearer, const Objective& actual) {
+  return 2 * nearer.overlap < actual.overlap || 2 * nearer.uncovered < actual.uncovered;
+}
 
 }  // namespace
 
 double least_cost(const GridTally& tally, const BoundTerms& terms, const GridBox& box, double enough) {
-  return Bound(tally, terms, box).least_cost(enough);
+  const Objective& actual = terms.objective;
+  double least = 0;
+  for (const double times : {2.0, 10.0, 100.0}) {
+    BoundTerms nearer = terms;
+    nearer.objective.overlap = std::min(actual.overlap, times * actual.uncovered);
+    nearer.objective.uncovered = std::min(actual.uncovered, times * actual.overlap);
+    if (!is_far_from(nearer.objective, actual)) break;
+    least = std::max(least, Bound(tally, nearer, box).least_cost(enough));
+    if (least >= enough) return least;
+  }
+  return std::max(least, Bound(tally, terms, box).least_cost(enough));
 }
 
 }  // namespace tramline

@@ -28,10 +28,12 @@ struct BoundTerms {
 /// grid of the box, whatever detours its tracks make: each strip is charged the least that its boundary
 /// can cost, window by window (boundary_windows.h). A plain passage costs its wedge with the least slope it
 /// can have (ALGORITHMS §0.1); elsewhere it is ∫ min(λo·(w − m), λu·m) dy over the cross-sections m(y)
-/// of the middle grid, less what they can change by; and λt for each piece that must be driven. What a
-/// detour may come near is free. Tends to the cost as the box shrinks, obstacles apart, under the end rule
-/// `cheapest`. Strips are charged only until their sum has reached `enough`: what is less than that is the
-/// whole bound, and a box that has to be no better than `enough` is told sooner. O(n + K log K).
+/// of the middle grid, less what they can change by, or λu·m where no grid of the box drives
+/// (undriven_rows.h); and λt for each piece that must be driven. Where λo and λu are far apart, lower values
+/// of the greater one bound the cost too, and change less as the boundary moves: the best of them counts.
+/// What a detour may come near is free. Tends to the cost as the box shrinks, obstacles apart, under the end
+/// rule `cheapest`. Strips are charged only until their sum has reached `enough`: what is less than that is
+/// the whole bound, and a box that has to be no better than `enough` is told sooner. O(n + K log K).
 double least_cost(const GridTally& tally, const BoundTerms& terms, const GridBox& box,
                   double enough = std::numeric_limits<double>::infinity());
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tramline/cost/strip_parts.h"
+#include "tramline/geometry/interval.h"
 
 namespace tramline {
 
@@ -38,12 +39,17 @@ struct RowBounds {
   AffineBound together;  ///< all rows moved at once
 };
 
+/// How far the boundary may move between two places along.
+double most_shift(double from, double to, const MovingTerms& terms);
+
 /// How much land lies in the strip in those rows, at least, m².
 double inside_rows(std::span<const BoundaryPart> parts, const MovingTerms& terms);
 
 /// Of the rows of a window whose parts of the boundary are given, sorted by their lowest place. Where one
 /// part is all that may come into a row, m changes just as that part moves, and min(…), which is concave,
-/// lies above its chord. O(p log p + p·(most parts in a row)).
-RowBounds moving_rows(std::span<const BoundaryPart> parts, const MovingTerms& terms);
+/// lies above its chord. Rows in the `undriven` stretches (sorted) cost λu·m. O(p log p + p·(most parts in a
+/// row)).
+RowBounds moving_rows(std::span<const BoundaryPart> parts, const MovingTerms& terms,
+                      std::span<const Interval> undriven = {});
 
 }  // namespace tramline

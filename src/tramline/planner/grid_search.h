@@ -4,17 +4,9 @@
 #include <functional>
 #include <vector>
 
-#include "tramline/cost/best_offset.h"
-#include "tramline/planner/candidate.h"
+#include "tramline/planner/grid_pricing.h"
 
 namespace tramline {
-
-/// A grid over a piece of ground, and what separate_cost() gives for it with tracks cut at obstacles.
-struct PricedGrid {
-  Direction direction;
-  double origin_m = 0;  ///< coordinate across of line 0, in the turned plane
-  double cost = 0;
-};
 
 /// How hard to look.
 struct SearchEffort {

@@ -17,8 +17,8 @@ export const startBrowser = () =>
     ],
   });
 
-/** A page with a context of its own. `expected`: errors in the console that the test is about. */
-export async function openPage(browser, address, { viewport = WIDE, theme = 'light', touch = false, expected = [], reducedMotion = 'reduce' } = {}) {
+/** A page with a context of its own. `expected`: errors in the console that the test is about; `allowed`: other servers it may ask. */
+export async function openPage(browser, address, { viewport = WIDE, theme = 'light', touch = false, expected = [], allowed = [], reducedMotion = 'reduce' } = {}) {
   const context = await browser.newContext({ viewport, colorScheme: theme, hasTouch: touch, reducedMotion, acceptDownloads: true });
   const page = await context.newPage();
   page.setDefaultTimeout(20_000);
@@ -29,7 +29,7 @@ export async function openPage(browser, address, { viewport = WIDE, theme = 'lig
     if (message.type() === 'error' && !expected.some((pattern) => pattern.test(text))) faults.push(`console: ${text}`);
   });
   page.on('request', (request) => {
-    if (/^https?:/.test(request.url()) && !request.url().startsWith(new URL(address).origin)) faults.push(`left the server: ${request.url()}`);
+    if (/^https?:/.test(request.url()) && ![new URL(address).origin, ...allowed].some((origin) => request.url().startsWith(origin))) faults.push(`left the server: ${request.url()}`);
   });
   page.faults = faults;
   await page.goto(address);

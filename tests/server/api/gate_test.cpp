@@ -65,7 +65,8 @@ TEST(Token, IsAskedForByEverythingButThePage) {
   EXPECT_NE(cookie.find("SameSite=Strict"), std::string::npos);
   served.headers = {{"Cookie", "other=1; " + cookie.substr(0, cookie.find(';'))}};
   EXPECT_EQ(served.get("/").status, 200);
-  EXPECT_NE(served.server().address().find("/#token=a-secret-of-ours"), std::string::npos);
+  EXPECT_EQ(served.server().addresses(),
+            std::vector<std::string>{"http://" + served.own_host() + "/#token=a-secret-of-ours"});
 }
 
 TEST(Token, OtherHostsAreNotServedWithoutOne) {
@@ -74,6 +75,37 @@ TEST(Token, OtherHostsAreNotServedWithoutOne) {
   settings.folder = folder.path();
   settings.host = "0.0.0.0";
   EXPECT_THROW(Server server(settings), Error);
+}
+
+// Every address that is printed opens the page: tried with the address as the Host, over the address itself.
+TEST(Token, AServerOnAllAddressesNamesThoseThatCanBeOpened) {
+  const testing_support::TemporaryFolder folder;
+  for (const char* host : {"0.0.0.0", "::"}) {
+    SCOPED_TRACE(host);
+    ServerSettings settings;
+    settings.host = host;
+    settings.token = "a-secret-of-ours";
+    const Served served(folder.path(), settings);
+    const std::vector<std::string> addresses = served.server().addresses();
+    ASSERT_FALSE(addresses.empty());
+    EXPECT_EQ(addresses.back(), "http://" + served.own_host() + "/#token=a-secret-of-ours");
+    for (const std::string& address : addresses) {
+      EXPECT_TRUE(address.ends_with("/#token=a-secret-of-ours")) << address;
+      EXPECT_EQ(address.find("0.0.0.0"), std::string::npos) << address;
+      EXPECT_EQ(address.find("[::]"), std::string::npos) << address;
+      const std::size_t from = std::string("http://").size(), port = address.rfind(':');
+      std::string name = address.substr(from, port - from);
+      if (name.starts_with('[')) name = name.substr(1, name.size() - 2);
+      httplib::Client client(name, served.port());
+      const auto page = client.Get("/");
+      ASSERT_TRUE(page) << address;
+      EXPECT_EQ(page->status, 200) << address;
+      const auto fields =
+          client.Get("/api/v1/fields", httplib::Headers{{"Authorization", "Bearer a-secret-of-ours"}});
+      ASSERT_TRUE(fields) << address;
+      EXPECT_EQ(fields->status, 200) << address;
+    }
+  }
 }
 
 TEST(Gate, TellsLoopbackFromTheRest) {

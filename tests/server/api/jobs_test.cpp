@@ -199,6 +199,21 @@ TEST(JobQueue, RemembersTheLastOnes) {
   EXPECT_EQ(queue.find(ids[3])->result, 3);
 }
 
+TEST(JobQueue, LetsGoOfWhatIsCancelledWhileItWaits) {
+  JobQueue queue(0, 100, 5);
+  std::weak_ptr<int> held;
+  for (int i = 0; i < 20; ++i) {
+    auto kept = std::make_shared<int>(i);
+    held = kept;
+    const JobStatus job =
+        queue.submit("plan", "", [kept = std::move(kept)](JobRun&) { return ordered_json(); });
+    EXPECT_FALSE(held.expired());
+    EXPECT_EQ(queue.cancel(job.id)->state, JobState::kCancelled);
+    EXPECT_TRUE(held.expired());
+  }
+  EXPECT_EQ(queue.list().size(), 5U) << "no more are remembered than of those that ran";
+}
+
 TEST(JobQueue, TakesNoMoreThanItCanHold) {
   std::promise<void> go;
   const std::shared_future<void> gone = go.get_future().share();

@@ -10,9 +10,25 @@ namespace {
 TEST(PageWords, OptionsBecomeWords) {
   EXPECT_EQ(in_page_words("--strategy takes best or sweep, not 'x'"),
             "the strategy takes best or sweep, not 'x'");
-  EXPECT_EQ(in_page_words("use a smaller --clearance or --min-length"),
-            "use a smaller the clearance or the shortest piece");
+  EXPECT_EQ(in_page_words("no ground to work; use a smaller --clearance"),
+            "no ground to work; use a smaller clearance");
+  EXPECT_EQ(in_page_words(
+                "a narrower machine, a smaller --min-length, a smaller --clearance or another --end-rule"),
+            "a narrower machine, shorter pieces, a smaller clearance or another end rule");
+  EXPECT_EQ(in_page_words("none; give --obstacle-headlands"),
+            "none; give the number of passes round obstacles");
   EXPECT_EQ(in_page_words("it names --obstacle-headlands"), "it names the number of passes round obstacles");
+}
+
+TEST(PageWords, WarningsOfASummaryAreTakenAlong) {
+  const nlohmann::ordered_json said = summary_in_page_words(nlohmann::ordered_json{
+      {"turns", 3},
+      {"warnings", {"3 fixes do not say how wide the machine is: nothing is worked there without --width"}}});
+  EXPECT_EQ(said["turns"], 3);
+  EXPECT_EQ(said["warnings"][0],
+            "3 fixes do not say how wide the machine is: nothing is worked there unless you give the working "
+            "width");
+  EXPECT_EQ(summary_in_page_words(nlohmann::ordered_json{{"turns", 3}})["turns"], 3);
 }
 
 TEST(PageWords, AnOptionWithinALongerOneIsLeftAlone) {

@@ -35,6 +35,97 @@ TEST_F(ServerTest, PlansAFieldAndKeepsThePlan) {
   EXPECT_EQ(served.get("/plans/" + id + "/layers").status, 404);
 }
 
+/// The plan's id; a draft that is made as a page does when something changes.
+std::string drafted(const Served& served, const std::string& field, double width_m) {
+  const ordered_json job =
+      served.job_of(served.post("/jobs", {{"kind", "plan"},
+                                          {"field", field},
+                                          {"machine", {{"width_m", width_m}, {"radius_m", 6}}},
+                                          {"settings", {{"strategy", "sweep"}}},
+                                          {"draft", true}}));
+  EXPECT_EQ(job.value("state", ""), "done") << job.dump();
+  return job["result"].value("plan", "");
+}
+
+std::set<std::string> ids_of(const Served& served, const std::string& field) {
+  std::set<std::string> out;
+  for (const auto& plan : served.get("/plans?field=" + field).json) out.insert(std::string(plan["id"]));
+  return out;
+}
+
+TEST_F(ServerTest, ADraftReplacesTheDraftOfItsFieldAndNothingElse) {
+  const std::string field = served.field_of("plain-metres.gpkg"), other = served.field_of("roadside.geojson");
+  const std::string plan = served.planned(field), elsewhere = drafted(served, other, 6);
+  const std::string first = drafted(served, field, 6);
+  EXPECT_EQ(served.get("/plans/" + first).json["draft"], true);
+  EXPECT_EQ(ids_of(served, field), (std::set<std::string>{plan, first}));
+  const std::string second = drafted(served, field, 7);
+  EXPECT_EQ(ids_of(served, field), (std::set<std::string>{plan, second}));
+  EXPECT_EQ(served.get("/plans/" + first).status, 404);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "plans" / (first + ".gpkg")));
+  EXPECT_EQ(served.get("/plans/" + plan).json["draft"], false);
+  // A plan that was asked for leaves the draft alone.
+  const std::string third = served.planned(field);
+  EXPECT_EQ(ids_of(served, field), (std::set<std::string>{plan, second, third}));
+  EXPECT_EQ(ids_of(served, other), std::set<std::string>{elsewhere});
+}
+
+TEST_F(ServerTest, WhatSomebodyWantsIsNoDraftAnyMore) {
+  const std::string field = served.field_of("plain-metres.gpkg");
+  const auto wanted = [&](const char* how, const auto& want) {
+    const std::string plan = drafted(served, field, 6);
+    want("/plans/" + plan);
+    EXPECT_EQ(served.get("/plans/" + plan).json["draft"], false) << how;
+    drafted(served, field, 7);
+    EXPECT_EQ(served.get("/plans/" + plan).status, 200) << how;
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "plans" / (plan + ".gpkg"))) << how;
+  };
+  wanted("named", [&](const std::string& path) {
+    EXPECT_EQ(served.patch(path, {{"name", "spring"}}).json["draft"], false);
+  });
+  wanted("kept", [&](const std::string& path) {
+    const Got kept = served.patch(path, {{"draft", false}});
+    EXPECT_EQ(kept.status, 200) << kept.text;
+    EXPECT_EQ(kept.json["draft"], false);
+  });
+  wanted("taken away",
+         [&](const std::string& path) { EXPECT_EQ(served.get(path + "/files/gpkg").status, 200); });
+  wanted("looked at",
+         [&](const std::string& path) { EXPECT_EQ(served.get(path + "/files/png").status, 200); });
+  EXPECT_EQ(served.get("/plans?field=" + field).json.size(), 5U)
+      << "four that are wanted, and the newest draft";
+}
+
+TEST_F(ServerTest, RefusesDraftsThatAreNone) {
+  const std::string field = served.field_of("plain-metres.gpkg");
+  const ordered_json machine{{"width_m", 6}, {"radius_m", 6}};
+  const auto refused = [&](ordered_json body) {
+    const Got got = served.post("/jobs", body);
+    EXPECT_EQ(got.status, 400) << got.text;
+  };
+  refused({{"kind", "plan"}, {"field", field}, {"machine", machine}, {"draft", "yes"}});
+  refused({{"kind", "plan"}, {"field", field}, {"machine", machine}, {"draft", true}, {"name", "spring"}});
+  refused({{"kind", "compare"}, {"field", field}, {"machine", machine}, {"draft", true}});
+  const std::string path = "/plans/" + served.planned(field);
+  EXPECT_EQ(served.patch(path, {{"draft", true}}).status, 400);
+  EXPECT_EQ(served.patch(path, ordered_json::object()).status, 400);
+  EXPECT_EQ(served.patch("/plans/none", {{"draft", false}}).status, 404);
+}
+
+TEST(Drafts, StayDraftsWhenTheServerStartsAgain) {
+  const testing_support::TemporaryFolder folder;
+  std::string field, draft;
+  {
+    const Served served(folder.path());
+    field = served.field_of("plain-metres.gpkg");
+    draft = drafted(served, field, 6);
+  }
+  const Served served(folder.path());
+  EXPECT_EQ(served.get("/plans/" + draft).json["draft"], true);
+  const std::string next = drafted(served, field, 7);
+  EXPECT_EQ(ids_of(served, field), std::set<std::string>{next});
+}
+
 TEST_F(ServerTest, PlanFilesOpenInAGisAndHold) {
   const std::string id = served.planned(served.field_of("plain-metres.gpkg"));
   const auto path = folder.path() / "plans" / (id + ".gpkg");

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <zlib.h>
 
 #include <fstream>
@@ -95,6 +96,29 @@ TEST_F(ServerTest, FilesThatLeadToOtherFilesAreNotFollowed) {
     const Got sent = served.upload(name, vrt);
     EXPECT_EQ(sent.json.value("kind", "unknown"), "unknown") << sent.text;
   }
+}
+
+TEST_F(ServerTest, SaysWhereALogWasDrivenWhateverStraysFromIt) {
+  // 200 fixes on a diagonal, and of each two in the middle a place that is none or lies elsewhere.
+  std::string text = "time,lon,lat,width\n";
+  for (int i = 0; i < 200; ++i) {
+    const double lon = i == 100 ? -120 : 9 + i * 1e-5, lat = i == 50 ? 0 : 50 + i * 1e-5;
+    text +=
+        fmt::format("2026-05-06T08:{:02}:{:02}Z,{:.5f},{:.5f},6\n", i / 60, i % 60, i == 50 ? 0 : lon, lat);
+  }
+  const Got log = served.upload("log.csv", text);
+  ASSERT_EQ(log.status, 201) << log.text;
+  const ordered_json& box = log.json["logs"][0]["bbox"];
+  ASSERT_EQ(box.size(), 4U) << log.text;
+  const double expected[] = {9, 50, 9 + 199e-5, 50 + 199e-5};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(box[i], expected[i], 2.5e-5) << i;
+  const ordered_json fields = served.upload_example("riverside.geojson").json;
+  const std::string id = served.post("/fields", {{"upload", fields["id"]}, {"fid", 0}}).json["id"];
+  const ordered_json listed = served.get("/fields").json;
+  EXPECT_EQ(listed[0]["bbox"], served.get("/fields/" + id).json["bbox"]);
+  // riverside lies about 9.15° east, 52.69° north.
+  EXPECT_NEAR(listed[0]["bbox"][0], 9.15, 0.01);
+  EXPECT_NEAR(listed[0]["bbox"][3], 52.695, 0.01);
 }
 
 TEST_F(ServerTest, ArchivesAreBounded) {

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -83,6 +84,18 @@ struct Shown {
     if (data.at("all")) tiles.clear();
     for (const ordered_json& tile : data.at("tiles")) tiles[tile.at("id")] = tile;
     return true;
+  }
+  double edges_m(const char* of) const {
+    constexpr double kMetresPerDegree = 111320;
+    double out = 0;
+    for (const auto& [id, tile] : tiles)
+      for (const ordered_json& polygon : tile.at(of))
+        for (const ordered_json& ring : polygon)
+          for (std::size_t i = 1; i < ring.size(); ++i)
+            out += kMetresPerDegree * std::hypot((ring[i][0].get<double>() - ring[i - 1][0].get<double>()) *
+                                                     std::cos(kLat * std::numbers::pi / 180),
+                                                 ring[i][1].get<double>() - ring[i - 1][1].get<double>());
+    return out;
   }
   double area_m2(const char* of) const {
     double out = 0;
@@ -232,6 +245,39 @@ TEST_F(Drives, TilesOfAReplayAddUpToTheWhole) {
   }
 }
 
+// Outlines within 2 cm: no area differs by more than 2 cm along its edge, and no figure at all.
+TEST_F(Drives, TilesForTheEyeAreSmallerAndWithinWhatIsAskedFor) {
+  std::vector<std::string> lines = csv_lines(1500);
+  for (std::size_t i = 1; i < lines.size(); ++i)  // a machine that sways by a few millimetres
+    lines[i] = csv_line(static_cast<int>(i - 1) * 10,
+                        lanes(1500)[i - 1] + Point{0, 4e-8 * std::sin(static_cast<double>(i))}, 6);
+  const ordered_json drive = new_drive({{"upload", upload_log(joined(lines))}, {"field", new_field()}});
+  struct Seen {
+    Shown shown{};
+    std::size_t bytes = 0;
+  };
+  const auto seen_with = [&](const char* detail) {
+    Seen out;
+    here_.follow(fmt::format("/drives/{}/replay?from_s={}&speed=1000{}", drive.at("id").get<std::string>(),
+                             drive.at("to_s").get<double>(), detail),
+                 [&](const auto& name, const auto& data) {
+                   out.bytes += data.dump().size();
+                   return out.shown.take(name, data);
+                 });
+    return out;
+  };
+  const Seen all = seen_with(""), eye = seen_with("&detail_m=0.02");
+  EXPECT_EQ(eye.shown.frames, 1);
+  EXPECT_LT(2 * eye.bytes, all.bytes) << eye.bytes << " of " << all.bytes;
+  EXPECT_EQ(eye.shown.end, all.shown.end);
+  for (const char* of : {"covered", "repeated"})
+    EXPECT_NEAR(eye.shown.area_m2(of), all.shown.area_m2(of), 0.02 * all.shown.edges_m(of)) << of;
+  for (const char* wrong : {"-1", "11", "x", "nan"})
+    EXPECT_EQ(here_.get("/drives/" + drive.at("id").get<std::string>() + "/replay?detail_m=" + wrong).status,
+              400)
+        << wrong;
+}
+
 TEST_F(Drives, WhatIsWrongIsSaidInASentence) {
   const std::string log = upload_log(joined(csv_lines(30)));
   for (const char* body : {"", "{", "[1]", "\"x\"", "{\"upload\": 7}", "{\"what\": 1}"}) {
@@ -282,6 +328,39 @@ TEST_F(Drives, UnknownIdsLayersFormatsAndSpeeds) {
       {{"kind", "repair"}, {"drive", drive.at("id")}, {"machine", {{"width_m", 6}, {"radius_m", 5}}}});
   EXPECT_EQ(repair.status, 400);
   EXPECT_TRUE(mentions(repair.message(), "without a field")) << repair.message();
+}
+
+TEST_F(Drives, AreRenamedForGood) {
+  const std::string id = new_drive({{"upload", upload_log(joined(csv_lines(30)))}}).at("id");
+  ordered_json before = here_.get("/drives/" + id).json;
+  const Got renamed = here_.patch("/drives/" + id, {{"name", "first cut"}});
+  EXPECT_EQ(renamed.status, 200) << renamed.text;
+  EXPECT_EQ(renamed.json["name"], "first cut");
+  before["name"] = "first cut";
+  EXPECT_EQ(here_.get("/drives/" + id).json, before) << "a name changes nothing else";
+  std::ifstream file(folder_.path() / "drives" / (id + ".json"));
+  EXPECT_EQ(ordered_json::parse(file)["name"], "first cut");
+  EXPECT_EQ(here_.patch("/drives/" + id, {{"name", ""}}).status, 400);
+  EXPECT_EQ(here_.patch("/drives/" + id, {{"field", "x"}}).status, 400);
+  EXPECT_EQ(here_.patch("/drives/none", {{"name", "x"}}).status, 404);
+}
+
+TEST_F(Drives, ADraftThatADriveIsComparedWithStays) {
+  const std::string field = new_field();
+  const auto drafted = [&](double width_m) {
+    const ordered_json job =
+        here_.job_of(here_.post("/jobs", {{"kind", "plan"},
+                                          {"field", field},
+                                          {"machine", {{"width_m", width_m}, {"radius_m", 5}}},
+                                          {"draft", true}}));
+    return job.at("result").at("plan").get<std::string>();
+  };
+  const std::string plan = drafted(6);
+  new_drive({{"upload", upload_log(joined(csv_lines(60)))}, {"field", field}, {"plan", plan}});
+  const std::string next = drafted(7), last = drafted(8);
+  EXPECT_EQ(here_.get("/plans/" + plan).json["draft"], false);
+  EXPECT_EQ(here_.get("/plans/" + next).status, 404);
+  EXPECT_EQ(here_.get("/plans/" + last).status, 200);
 }
 
 TEST_F(Drives, WhatWasMissedIsPlannedAndComparedWithAPlan) {

@@ -203,6 +203,14 @@ TEST(ReplayCache, KeepsTheLastOnesWithinItsBounds) {
   cache.forget("b");
   cache.get("b", make);
   EXPECT_EQ(made, 5);
+  // What is made while it is forgotten is what it was before.
+  cache.get("new", [&] {
+    cache.forget("new");
+    return make();
+  });
+  cache.get("new", make);
+  EXPECT_EQ(made, 7);
+  made = 5;
   ReplayCache small(10, 1);
   small.get("a", make);
   small.get("b", make);

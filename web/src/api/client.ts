@@ -77,6 +77,8 @@ async function json<R>(method: string, path: string, body?: unknown, signal?: Ab
 }
 
 const id = encodeURIComponent;
+// Two centimetres are less than a screen shows, and a day's work is a third of the bytes.
+const SEEN = 'detail_m=0.02';
 
 export const api = {
   info: () => json<T.ServerInfo>('GET', ''),
@@ -93,6 +95,7 @@ export const api = {
 
   machines: () => json<T.Machine[]>('GET', '/machines'),
   storeMachine: (machine: T.Machine) => json<T.Machine>('POST', '/machines', machine),
+  changeMachine: (machine: string, to: T.Machine) => json<T.Machine>('PUT', `/machines/${id(machine)}`, to),
   deleteMachine: (machine: string) => json<void>('DELETE', `/machines/${id(machine)}`),
 
   startJob: (request: T.JobRequest) => json<T.Job>('POST', '/jobs', request),
@@ -102,6 +105,7 @@ export const api = {
   plans: (field: string) => json<T.PlanItem[]>('GET', `/plans?field=${id(field)}`),
   plan: (plan: string) => json<T.PlanFull>('GET', `/plans/${id(plan)}`),
   renamePlan: (plan: string, name: string) => json<unknown>('PATCH', `/plans/${id(plan)}`, { name }),
+  keepPlan: (plan: string) => json<unknown>('PATCH', `/plans/${id(plan)}`, { draft: false }),
   deletePlan: (plan: string) => json<void>('DELETE', `/plans/${id(plan)}`),
   planLayers: (plan: string) => json<T.LayerItem[]>('GET', `/plans/${id(plan)}/layers`),
   planLayer: (plan: string, layer: string) => json<T.FeatureCollection>('GET', `/plans/${id(plan)}/layers/${id(layer)}`),
@@ -115,13 +119,14 @@ export const api = {
   drive: (drive: string) => json<T.DriveFull>('GET', `/drives/${id(drive)}`),
   driveLayer: (drive: string, layer: string) => json<T.FeatureCollection>('GET', `/drives/${id(drive)}/layers/${id(layer)}`),
   driveFile: (drive: string, format: string) => `${base}/drives/${id(drive)}/files/${format}`,
+  renameDrive: (drive: string, name: string) => json<unknown>('PATCH', `/drives/${id(drive)}`, { name }),
   deleteDrive: (drive: string) => json<void>('DELETE', `/drives/${id(drive)}`),
   replay: (drive: string, from_s: number | null, speed: number) =>
-    `${base}/drives/${id(drive)}/replay?speed=${speed}${from_s === null ? '' : `&from_s=${from_s}`}`,
+    `${base}/drives/${id(drive)}/replay?speed=${speed}&${SEEN}${from_s === null ? '' : `&from_s=${from_s}`}`,
 
   feeds: () => json<T.FeedItem[]>('GET', '/feeds'),
   startFeed: (request: T.FeedRequest) => json<T.FeedItem>('POST', '/feeds', request),
-  feedEvents: (feed: string) => `${base}/feeds/${id(feed)}/events`,
+  feedEvents: (feed: string) => `${base}/feeds/${id(feed)}/events?${SEEN}`,
   feedWork: (feed: string, on: boolean) => json<unknown>('POST', `/feeds/${id(feed)}/work`, { on }),
   stopFeed: (feed: string) => json<{ drive: string | null }>('DELETE', `/feeds/${id(feed)}`),
 

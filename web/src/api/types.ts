@@ -23,6 +23,7 @@ export interface ServerInfo {
   version: string;
   limits: { upload_bytes: number; streams: number; jobs: number };
   tiles: string | null;
+  tiles_attribution: string | null;
 }
 
 export interface UploadedFeature {
@@ -39,7 +40,10 @@ export interface UploadedLog {
   fixes: number;
   from_s: number | null;
   to_s: number | null;
+  /** Where it was driven; null in plain metres. */
+  bbox: Box | null;
   width_m: number | null;
+  refused?: string | null;
 }
 export interface Upload {
   id: string;
@@ -60,6 +64,7 @@ export interface FieldItem {
   obstacles: number;
   passable: number;
   geodetic: boolean;
+  bbox: Box;
   created: string;
 }
 export interface Repair {
@@ -73,7 +78,6 @@ export interface Skipped {
   why: string;
 }
 export interface FieldFull extends FieldItem {
-  bbox: Box;
   repairs: Repair[];
   skipped: Skipped[];
   warnings: string[];
@@ -117,6 +121,8 @@ export interface PlanRequest {
   objective: { prices: Prices } | { minimise: string };
   settings: PlanSettings;
   explain?: boolean;
+  /** The next draft of the field replaces it, unless the user wants it. */
+  draft?: boolean;
   name?: string;
 }
 
@@ -130,7 +136,24 @@ export interface JobResult {
   front?: string;
   drive?: string;
   report?: Record<string, unknown> | Record<string, unknown>[];
-  check?: { ok: boolean; [key: string]: unknown };
+  check?: Check;
+}
+/** What the verifier found when it worked the plan out anew. */
+export interface Check {
+  ok: boolean;
+  complete: boolean;
+  violations: { rule: string; what: string; amount: number; at: Place }[];
+  recomputed: Checked | null;
+  stored: Checked;
+}
+export interface Checked {
+  overlap_m2: number;
+  uncovered_m2: number;
+  worked_m2: number;
+  turns: number;
+  stops: number;
+  tracks: number;
+  track_length_m: number;
 }
 export interface Job {
   id: string;
@@ -159,6 +182,7 @@ export interface PlanItem extends Tally {
   tracks: number;
   width_m: number;
   kind: string;
+  draft: boolean;
 }
 export interface PlanSummary extends Tally {
   area_m2: number;
@@ -207,6 +231,8 @@ export interface PlanFull {
   name: string;
   field: string;
   created: string;
+  kind: string;
+  draft: boolean;
   summary: PlanSummary;
   explain: Explain | null;
   bbox: Box;

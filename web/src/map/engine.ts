@@ -2,7 +2,8 @@
 import maplibregl, { type GeoJSONSource, type Map as GlMap } from 'maplibre-gl';
 import type { Box, Place } from '../api/types';
 import { fields } from '../state/fields';
-import { isNight, session } from '../state/session';
+import { complain } from '../state/notices';
+import { isNight, session, tilesHost } from '../state/session';
 import { followDrawing } from './drawing';
 import { drawGrid, scaleOf } from './grid';
 import { drawLabels, forgetLabels } from './labels';
@@ -22,7 +23,7 @@ export function fit(box: Box): void {
   if (!shown) return;
   const { map } = shown;
   const wide = map.getContainer().clientWidth > 760;
-  const padding = wide ? { top: 48, bottom: 56, left: 48, right: 360 } : { top: 28, bottom: 44, left: 24, right: 24 };
+  const padding = wide ? { top: 48, bottom: 56, left: 48, right: 360 } : { top: 20, bottom: 44, left: 62, right: 20 };
   map.fitBounds(box, { padding, maxZoom: 20, animate: !calm.matches, duration: 500 });
 }
 
@@ -64,7 +65,7 @@ function keepTheme(map: GlMap): void {
     night = isNight();
     const colours = night ? NIGHT : DAY;
     const visibility = map.getStyle().layers.map((layer) => [layer.id, layer.layout?.visibility] as const);
-    for (const layer of mapStyle(colours, null).layers) {
+    for (const layer of mapStyle(colours, session.get().info?.tiles ?? null).layers) {
       for (const [name, value] of Object.entries(layer.paint ?? {})) map.setPaintProperty(layer.id, name, value);
     }
     for (const [layer, value] of visibility) if (value) map.setLayoutProperty(layer, 'visibility', value);
@@ -72,9 +73,25 @@ function keepTheme(map: GlMap): void {
   });
 }
 
+/** What would hide the picture of the land where one wants to see it. */
+const GROUND = ['field-ground', 'plan:headland', 'plan:subfields'];
+const SEEN_THROUGH = 0.35;
+
+/** A background that does not come is told of once, until it is switched on anew. */
 function keepTiles(map: GlMap, visible: Shown['visible']): void {
+  let told = false;
+  map.on('error', (event) => {
+    if ((event as { sourceId?: string }).sourceId !== 'tiles') return console.error(event.error);
+    if (told || !session.get().tiles) return;
+    told = true;
+    complain(`The background does not come from ${tilesHost()}. Check the network and the address after --tiles; everything else works without it.`);
+  });
   if (!map.getLayer('tiles')) return;
-  const sync = () => visible(['tiles'], session.get().tiles);
+  const sync = () => {
+    if (!session.get().tiles) told = false;
+    visible(['tiles'], session.get().tiles);
+    for (const layer of GROUND) map.setPaintProperty(layer, 'fill-opacity', session.get().tiles ? SEEN_THROUGH : 1);
+  };
   session.listen(sync);
   sync();
 }

@@ -5,7 +5,7 @@ import { DrawingBar } from '../parts/drawing_bar';
 import { complain } from '../state/notices';
 import { fields } from '../state/fields';
 import { review } from '../state/review';
-import { session } from '../state/session';
+import { session, tilesHost } from '../state/session';
 import { useStore } from '../state/store';
 import { metres } from '../format';
 
@@ -45,6 +45,7 @@ export function MapHost() {
       <div class="crosshair" aria-hidden="true" />
       <MapButtons />
       {scale && <ScaleBar {...scale} />}
+      <Attribution />
       <DrawingBar />
     </section>
   );
@@ -59,6 +60,14 @@ const ScaleBar = ({ length_m, width_px, grid_m }: Scale) => (
     <span class="grid-step">grid {short(grid_m)}</span>
   </div>
 );
+
+/** Whom the background is from. */
+function Attribution() {
+  const info = useStore(session, (value) => value.info);
+  const on = useStore(session, (value) => value.tiles);
+  if (!on || !info?.tiles) return null;
+  return <p class="attribution">{info.tiles_attribution ?? `Background: ${tilesHost()}`}</p>;
+}
 
 function MapButtons() {
   const tiles = useStore(session, (value) => value.info?.tiles ?? null);

@@ -13,11 +13,11 @@ function swathPx(width_m: number, lat: number, zoom: number): number {
   return (width_m * 512 * 2 ** zoom) / (degreeLengths(lat)[0] * 360);
 }
 
-/** From afar every second track is drawn, or every fourth, and so on; all of them from near. */
+/** From afar every second track is drawn, or every fourth, and so on; all of them from near. Whole tracks: pieces of neighbours take turns in the order. */
 function thinned(width_m: number, lat: number): unknown[] {
   const every = (zoom: number) => 2 ** Math.max(0, Math.ceil(Math.log2(LEAST_APART_PX / swathPx(width_m, lat, zoom))));
   const steps = Array.from({ length: 18 }, (_, i) => i + 5).flatMap((zoom) => [zoom, every(zoom)]);
-  return ['==', ['%', ['to-number', ['get', 'order'], 0], ['step', ['zoom'], every(4), ...steps]], 0];
+  return ['==', ['%', ['to-number', ['get', 'track'], 0], ['step', ['zoom'], every(4), ...steps]], 0];
 }
 
 function zoomOf(width_m: number, lat: number, px: number): number {

@@ -1,6 +1,6 @@
 // The map without anything on it, and which source and layer comes above which.
 import type { LayerSpecification, SourceSpecification, StyleSpecification } from 'maplibre-gl';
-import type { Colours } from './palette';
+import { NIGHT, type Colours } from './palette';
 import { fieldLayers } from './field_layers';
 import { planLayers } from './plan_layers';
 import { workLayers } from './work_layers';
@@ -29,12 +29,12 @@ function sources(tiles: string | null): Record<string, SourceSpecification> {
   return all;
 }
 
-function layers(c: Colours, tiles: boolean): LayerSpecification[] {
+function layers(c: Colours, tiles: boolean, night: boolean): LayerSpecification[] {
   const field = fieldLayers(c);
   const plan = planLayers(c);
   return [
     { id: 'backdrop', type: 'background', paint: { 'background-color': c.Backdrop } },
-    ...(tiles ? [{ id: 'tiles', type: 'raster' as const, source: 'tiles', layout: { visibility: 'none' as const } }] : []),
+    ...(tiles ? [{ id: 'tiles', type: 'raster' as const, source: 'tiles', layout: { visibility: 'none' as const }, paint: { 'raster-brightness-max': night ? 0.55 : 1, 'raster-fade-duration': 0 } }] : []),
     ...gridLayers(c),
     ...field.below,
     ...plan.areas,
@@ -48,6 +48,6 @@ function layers(c: Colours, tiles: boolean): LayerSpecification[] {
 export const mapStyle = (c: Colours, tiles: string | null): StyleSpecification => ({
   version: 8,
   sources: sources(tiles),
-  layers: layers(c, tiles !== null),
+  layers: layers(c, tiles !== null, c === NIGHT),
   transition: { duration: 0, delay: 0 },
 });

@@ -10,12 +10,12 @@ import { useStore } from '../state/store';
 import { Button } from './button';
 
 const WORDS: Record<Purpose, { title: string; done: string }> = {
-  field: { title: 'Set the corners of the field, one after the other.', done: 'Store the field' },
-  'obstacle-point': { title: 'Set the middle of the obstacle.', done: 'Add the obstacle' },
-  'obstacle-line': { title: 'Set the points of the line.', done: 'Add it' },
-  'obstacle-area': { title: 'Set the corners of the obstacle.', done: 'Add the obstacle' },
-  guide: { title: 'Set the points of the line that tracks are to follow.', done: 'Follow this line' },
-  edge: { title: 'Click an edge of the field, or press Enter on the map with an edge nearest to its middle.', done: '' },
+  field: { title: 'Click or tap the corners of the field, one after the other.', done: 'Store the field' },
+  'obstacle-point': { title: 'Click or tap the middle of the obstacle.', done: 'Add the obstacle' },
+  'obstacle-line': { title: 'Click or tap the points of the line.', done: 'Add the obstacle' },
+  'obstacle-area': { title: 'Click or tap the corners of the obstacle.', done: 'Add the obstacle' },
+  guide: { title: 'Click or tap the points of the line that tracks are to follow.', done: 'Follow this line' },
+  edge: { title: 'Click or tap an edge of the field. With the keyboard: move the map until the edge is nearest to its middle, then press Enter.', done: '' },
 };
 
 type Done = (geometry: Geometry) => Promise<void>;
@@ -85,7 +85,7 @@ function TypedPlace({ last }: { last: Place | null }) {
   return (
     <form class="row" onSubmit={(event) => { event.preventDefault(); set(); }}>
       <label class="grow">
-        <span class="label">{last ? 'Metres east and north of the last one' : 'Longitude and latitude, degrees'}</span>
+        <span class="label">{last ? 'Or metres east and north of the last' : 'Or longitude and latitude, degrees'}</span>
         <input type="text" autocomplete="off" placeholder={last ? '120 -40' : '9.1478 52.6925'} value={text} onInput={(event) => setText(event.currentTarget.value)} />
       </label>
       <button type="submit" class="button">Set</button>

@@ -4,7 +4,7 @@ import { follow } from '../api/jobs';
 import type { Front, Job, PlanFull } from '../api/types';
 import { fields } from './fields';
 import { form, requestOf } from './plan_form';
-import { loadPlans, openPlan } from './plans';
+import { keepPlan, loadPlans, openPlan, plans } from './plans';
 import { store } from './store';
 
 export const compare = store<{
@@ -55,5 +55,8 @@ export async function openPoint(point: number): Promise<void> {
 }
 
 export async function choose(side: 'a' | 'b', plan: string): Promise<void> {
-  compare.set({ [side]: plan === '' ? null : await api.plan(plan) });
+  if (plan === '') return compare.set({ [side]: null });
+  // What is laid beside another is wanted: no draft takes its place.
+  if (plans.get().list.some((item) => item.id === plan && item.draft)) await keepPlan(plan);
+  compare.set({ [side]: await api.plan(plan) });
 }

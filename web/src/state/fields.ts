@@ -1,10 +1,11 @@
 // Fields: those kept by the server, the one that is open, and a file to choose from.
 import { api, ApiError, sentence } from '../api/client';
 import type { FieldFull, FieldItem, Geometry, ObstacleDrawn, Upload, UploadedFeature } from '../api/types';
-import { megabytes } from '../format';
+import { megabytes, plural } from '../format';
 import { review } from './review';
 import { closePlan, loadPlans } from './plans';
-import { note } from './notices';
+import { complain, note } from './notices';
+import { form } from './plan_form';
 import { session } from './session';
 import { store } from './store';
 
@@ -13,7 +14,9 @@ export const fields = store<{
   open: FieldFull | null;
   choosing: Upload | null;
   busy: string | null;
-}>({ list: null, open: null, choosing: null, busy: null });
+  /** Several fields of a file are being stored, one after the other. */
+  taking: boolean;
+}>({ list: null, open: null, choosing: null, busy: null, taking: false });
 
 export async function loadFields(): Promise<void> {
   fields.set({ list: await api.fields() });
@@ -32,6 +35,7 @@ export async function busy<R>(what: string, action: () => Promise<R>): Promise<R
 async function opened(field: FieldFull): Promise<void> {
   if (fields.get().open?.id !== field.id) {
     closePlan();
+    form.set({ line: null }); // an edge of the other field, or a line over it
     if (review.get().drive?.field !== field.id) review.set({ drive: null });
   }
   fields.set({ open: field });
@@ -57,7 +61,7 @@ export async function takeFieldFile(file: File): Promise<void> {
   assertSize(file);
   const upload = await busy(`Reading ${file.name} …`, () => api.upload(file));
   if (upload.kind !== 'fields') {
-    const what = upload.kind === 'log' ? 'the log of a machine: drop it under Review' : upload.kind === 'plan' ? 'a plan, not a field' : null;
+    const what = upload.kind === 'log' ? 'the log of a machine: drop it under Review' : upload.kind === 'plan' ? 'a plan, not a field: choose the file of the field itself' : null;
     throw new ApiError(
       'bad_input',
       what ? `${file.name} is ${what}.` : `${file.name} holds no field. Choose a GeoJSON, GeoPackage, Shapefile, KML or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
@@ -70,10 +74,42 @@ export async function takeFieldFile(file: File): Promise<void> {
   else fields.set({ choosing: upload });
 }
 
+const storeFeature = (upload: Upload, { fid, layer }: UploadedFeature) =>
+  api.storeField({ upload: upload.id, fid, ...(layer === undefined ? {} : { layer }) });
+
+let stopped = false;
+export const stopTaking = () => void (stopped = true);
+
+/** Stores them in turn, without opening any. What cannot be stored is told of, and the others are stored all the same. */
+export async function takeFeatures(upload: Upload, features: UploadedFeature[]): Promise<void> {
+  const [only] = features;
+  if (features.length === 1 && only) return takeFeature(upload, only);
+  stopped = false;
+  fields.set({ taking: true });
+  let stored = 0;
+  const refused: string[] = [];
+  try {
+    for (const feature of features) {
+      if (stopped) break;
+      fields.set({ busy: `Storing ${feature.id}, ${stored + refused.length + 1} of ${features.length} …` });
+      try {
+        await storeFeature(upload, feature);
+        stored++;
+      } catch (error) {
+        if (!(error instanceof ApiError) || error.away) throw error;
+        refused.push(`${feature.id}: ${error.message}`);
+      }
+    }
+  } finally {
+    fields.set({ busy: null, taking: false, ...(stopped ? {} : { choosing: null }) });
+    await loadFields();
+  }
+  note(`${plural(stored, 'field')} of ${upload.name} ${stored === 1 ? 'is' : 'are'} stored${stopped ? ', then you pressed Stop' : ''}. Open one under Your fields.`);
+  if (refused.length > 0) complain(`${plural(refused.length, 'field')} could not be stored. ${refused.slice(0, 3).join(' ')}`);
+}
+
 export async function takeFeature(upload: Upload, feature: UploadedFeature): Promise<void> {
-  const request: Record<string, unknown> = { upload: upload.id, fid: feature.fid };
-  if (feature.layer !== undefined) request['layer'] = feature.layer;
-  const field = await busy('Looking over the field …', () => api.storeField(request));
+  const field = await busy('Looking over the field …', () => storeFeature(upload, feature));
   fields.set({ choosing: null });
   await opened(await api.field(field.id));
   await loadFields();
@@ -101,5 +137,5 @@ export async function deleteField(id: string): Promise<void> {
     fields.set({ open: null });
   }
   await loadFields();
-  note('The field is deleted. Its plans and drives are kept.');
+  note('The field is deleted. Its drives are still under Review, and its plans in the folder of the server.');
 }

@@ -92,6 +92,6 @@ export function requestOf(value: PlanForm, field: string): PlanRequest {
   const { name, width_m, radius_m, min_length_m } = value.machine;
   const machine: Machine = { width_m, radius_m };
   if (name) machine.name = name;
-  if (min_length_m) machine.min_length_m = min_length_m;
+  if (typeof min_length_m === 'number') machine.min_length_m = min_length_m;
   return { field, machine, objective: { prices: pricesOf(value) }, settings };
 }

@@ -1,7 +1,7 @@
 // Plans of the open field: the list, the one that is shown, its layers, and the job that makes the next.
-import { api } from '../api/client';
+import { api, ApiError } from '../api/client';
 import { follow } from '../api/jobs';
-import type { FeatureCollection, Job, LayerItem, Machine, PlanFull, PlanItem } from '../api/types';
+import type { Check, FeatureCollection, Job, LayerItem, Machine, PlanFull, PlanItem } from '../api/types';
 import { fields } from './fields';
 import { attempt } from './notices';
 import { form, requestOf } from './plan_form';
@@ -24,8 +24,10 @@ export const plans = store<{
   shown: Record<string, boolean>;
   shapes: Record<string, FeatureCollection>;
   job: Job | null;
+  checking: Job | null;
+  checked: { plan: string; check: Check } | null;
   machines: Machine[];
-}>({ list: [], open: null, before: null, layers: [], shown: {}, shapes: {}, job: null, machines: [] });
+}>({ list: [], open: null, before: null, layers: [], shown: {}, shapes: {}, job: null, checking: null, checked: null, machines: [] });
 
 /** On when a plan is opened; everything else is switched on by the user, and stays so. */
 export const FIRST_SHOWN = ['tracks', 'headland_passes', 'headland', 'headland_unworked', 'detours', 'overlap', 'uncovered', 'obstacles', 'subfields'];
@@ -66,21 +68,24 @@ export async function switchLayer(name: string, on: boolean): Promise<void> {
   plans.set({ shown: { ...plans.get().shown, [name]: on } });
   const open = plans.get().open;
   if (!on || !open || plans.get().shapes[name]) return;
-  const fetched = await fetchLayers(open.id, [name]);
-  if (plans.get().open?.id === open.id) plans.set({ shapes: { ...plans.get().shapes, ...fetched } });
+  const fetched = await fetchLayers(open.id, [name]).catch((error: unknown) => {
+    if (open.draft && error instanceof ApiError && error.status === 404) return null; // the next draft is on its way
+    throw error;
+  });
+  if (fetched && plans.get().open?.id === open.id) plans.set({ shapes: { ...plans.get().shapes, ...fetched } });
 }
 
 let run = 0;
 
-/** Makes a plan as the form says; a run that is still going on is cancelled first. */
-export async function makePlan(): Promise<void> {
+/** Makes a plan as the form says, which the next one replaces if it is a draft; a run that is still going on is cancelled first. */
+export async function makePlan(draft = false): Promise<void> {
   const field = fields.get().open;
   if (!field) return;
   const mine = ++run;
   const going = plans.get().job;
   if (going) await api.cancelJob(going.id).catch(() => {});
   try {
-    const job = await api.startJob({ kind: 'plan', ...requestOf(form.get(), field.id), explain: true });
+    const job = await api.startJob({ kind: 'plan', ...requestOf(form.get(), field.id), explain: true, ...(draft ? { draft } : {}) });
     const result = await follow(job, (state) => mine === run && plans.set({ job: state }));
     if (mine !== run || !result.plan) return;
     await openPlan(result.plan);
@@ -104,12 +109,36 @@ export async function deletePlan(id: string): Promise<void> {
   if (field) await loadPlans(field.id);
 }
 
+async function changed(id: string, change: Partial<PlanFull>): Promise<void> {
+  const open = plans.get().open;
+  if (open?.id === id) plans.set({ open: { ...open, ...change } });
+  const field = fields.get().open;
+  if (field) await loadPlans(field.id);
+}
+
 export async function renamePlan(id: string, name: string): Promise<void> {
   await api.renamePlan(id, name);
-  const field = fields.get().open;
-  const open = plans.get().open;
-  if (open?.id === id) plans.set({ open: { ...open, name } });
-  if (field) await loadPlans(field.id);
+  await changed(id, { name, draft: false });
+}
+
+/** From now on no draft replaces it. */
+export async function keepPlan(id: string): Promise<void> {
+  await api.keepPlan(id);
+  await changed(id, { draft: false });
+}
+
+/** Works the plan out anew on the server, by another road than the one that made it. */
+export async function checkPlan(id: string): Promise<void> {
+  try {
+    const { check } = await follow(await api.startJob({ kind: 'check', plan: id }), (job) => plans.set({ checking: job }));
+    if (check) plans.set({ checked: { plan: id, check } });
+  } finally {
+    plans.set({ checking: null });
+  }
+}
+export async function cancelCheck(): Promise<void> {
+  const job = plans.get().checking;
+  if (job) await api.cancelJob(job.id);
 }
 
 export async function loadMachines(): Promise<void> {
@@ -119,17 +148,23 @@ export async function loadMachines(): Promise<void> {
 const PAUSE_MS = 350;
 let timer = 0;
 
+/** What a plan comes out by: the name of a machine changes nothing. */
+function whatMatters(field: string): string {
+  const { machine: { name: _, ...machine }, ...rest } = requestOf(form.get(), field);
+  return JSON.stringify({ ...rest, machine });
+}
+
 /** Once a plan is there, changes of the form make the next one by themselves. */
 export function planAtChanges(): void {
   let last = '';
   form.listen(() => {
     const field = fields.get().open;
-    const asked = field ? JSON.stringify(requestOf(form.get(), field.id)) : '';
+    const asked = field ? whatMatters(field.id) : '';
     if (asked === last) return;
     last = asked;
     clearTimeout(timer);
     const open = plans.get().open;
     if (!form.get().again || !field || !open || open.field !== field.id) return;
-    timer = window.setTimeout(() => void attempt(makePlan), PAUSE_MS);
+    timer = window.setTimeout(() => void attempt(() => makePlan(true)), PAUSE_MS);
   });
 }

@@ -40,7 +40,7 @@ export async function takeLogFile(file: File): Promise<void> {
   assertSize(file);
   const upload = await busy(`Reading ${file.name} …`, () => api.upload(file));
   if (upload.kind !== 'log') {
-    const what = upload.kind === 'fields' ? 'a file of fields: drop it under Fields' : upload.kind === 'plan' ? 'a plan, not a log' : null;
+    const what = upload.kind === 'fields' ? 'a file of fields: drop it under Fields' : upload.kind === 'plan' ? 'a plan, not a log: choose the file that the machine wrote' : null;
     throw new ApiError(
       'bad_input',
       what ? `${file.name} is ${what}.` : `${file.name} is no log of a machine. Choose a CSV, NMEA, GPX or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
@@ -107,6 +107,13 @@ export async function switchDriveLayer(name: DriveLayer, on: boolean): Promise<v
   if (!on || !drive || review.get().shapes[name]) return;
   const fetched = await fetchShapes(drive.id, [name]);
   if (review.get().drive?.id === drive.id) review.set({ shapes: { ...review.get().shapes, ...fetched } });
+}
+
+export async function renameDrive(id: string, name: string): Promise<void> {
+  await api.renameDrive(id, name);
+  const open = review.get().drive;
+  if (open?.id === id) review.set({ drive: { ...open, name } });
+  await loadDrives();
 }
 
 export async function deleteDrive(id: string): Promise<void> {

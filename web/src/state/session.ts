@@ -21,6 +21,16 @@ export const session = store<{
   tiles: boolean;
 }>({ info: null, reachable: true, locked: false, view: 'fields', theme: remembered(), tiles: false });
 
+/** Where the background comes from: "tile.example.org". */
+export function tilesHost(): string {
+  const tiles = session.get().info?.tiles;
+  try {
+    return tiles ? new URL(tiles).host : '';
+  } catch {
+    return tiles ?? '';
+  }
+}
+
 export const show = (view: View) => session.set({ view });
 
 const dark = matchMedia('(prefers-color-scheme: dark)');

@@ -15,7 +15,7 @@ import { useStore } from '../../state/store';
 
 const called = (plan: PlanItem, all: PlanItem[]) => {
   const number = all.length - all.indexOf(plan);
-  return `${number} · ${money(costOf(plan))} · ${plan.name || when(plan.created)}`;
+  return `${number} · ${money(costOf(plan))} · ${plan.name || when(plan.created)}${plan.draft ? ' · draft' : ''}`;
 };
 
 export function SideBySide() {
@@ -30,7 +30,7 @@ export function SideBySide() {
     const [newest, second] = list;
     if (!newest || !second || (known(left) && known(right) && left?.id !== right?.id)) return;
     void attempt(() => Promise.all([choose('a', second.id), choose('b', newest.id)]));
-  }, [field, list.length]);
+  }, [field, list.map((plan) => plan.id).join()]);
   if (list.length < 2) {
     return (
       <section>

@@ -1,6 +1,8 @@
+import { useState } from 'preact/hooks';
 import { hectares, plural, when } from '../../format';
 import { Sure } from '../../parts/sure';
 import { Icon } from '../../parts/icon';
+import { arrowKeys, LONG, matching, Search } from '../../parts/search';
 import { deleteField, fields, openField } from '../../state/fields';
 import { attempt } from '../../state/notices';
 import { useStore } from '../../state/store';
@@ -8,13 +10,17 @@ import { useStore } from '../../state/store';
 export function FieldList() {
   const list = useStore(fields, (value) => value.list);
   const open = useStore(fields, (value) => value.open?.id);
+  const [typed, setTyped] = useState('');
   if (list === null) return null;
+  const long = list.length > LONG;
+  const found = long ? matching(list, typed, (field) => `${field.name} ${hectares(field.area_m2)}`) : list;
   return (
     <section aria-labelledby="fields-title">
       <h2 id="fields-title">Your fields</h2>
       {list.length === 0 && <p class="hint">None yet. Choose a file above, or draw a field on the map.</p>}
-      <ul class="cards">
-        {list.map((field) => (
+      {long && <Search label="Search by name or area" typed={typed} found={found.length} all={list.length} list="stored-fields" change={setTyped} />}
+      <ul class="cards" id="stored-fields" onKeyDown={arrowKeys}>
+        {found.map((field) => (
           <li key={field.id} class="row tight">
             <button type="button" class="card grow" aria-current={field.id === open} onClick={() => void attempt(() => openField(field.id))}>
               <span class="grow">

@@ -1,9 +1,9 @@
-import { useState } from 'preact/hooks';
 import type { FieldFull } from '../../api/types';
 import { sentence } from '../../api/client';
 import { hectares, plural, squareMetres } from '../../format';
 import { Button } from '../../parts/button';
 import { More } from '../../parts/more';
+import { TitleField } from '../../parts/title_field';
 import { changeField } from '../../state/fields';
 import { attempt } from '../../state/notices';
 import { show } from '../../state/session';
@@ -12,7 +12,7 @@ import { AddObstacle } from './add_obstacle';
 export function OpenField({ field }: { field: FieldFull }) {
   return (
     <section class="open" aria-label={`Open field: ${field.name}`}>
-      <Name key={field.id} field={field} />
+      <TitleField key={field.id} label="Name of the field" value={field.name} save={(name) => void attempt(() => changeField({ name }))} />
       <p>
         <strong>{hectares(field.area_m2)}</strong>
         {` · ${field.obstacles === 0 ? 'no obstacles' : plural(field.obstacles, 'obstacle')}`}
@@ -24,20 +24,6 @@ export function OpenField({ field }: { field: FieldFull }) {
       <AddObstacle />
       <Button kind="main" onClick={() => show('plan')}>Plan this field</Button>
     </section>
-  );
-}
-
-function Name({ field }: { field: FieldFull }) {
-  const [name, setName] = useState(field.name);
-  const save = () => {
-    if (name.trim() !== '' && name !== field.name) void attempt(() => changeField({ name: name.trim() }));
-  };
-  return (
-    <label class="field title-field">
-      <span class="unseen">Name of the field</span>
-      <input type="text" value={name} maxLength={80} onInput={(event) => setName(event.currentTarget.value)} onBlur={save}
-        onKeyDown={(event) => event.key === 'Enter' && event.currentTarget.blur()} />
-    </label>
   );
 }
 

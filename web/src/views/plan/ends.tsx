@@ -6,7 +6,7 @@ import { form } from '../../state/plan_form';
 import { useStore } from '../../state/store';
 
 const RULES: { value: EndRule; label: string }[] = [
-  { value: 'cheapest', label: 'Where running on stops to pay' },
+  { value: 'cheapest', label: 'Where it costs least' },
   { value: 'cover', label: 'Cover everything' },
   { value: 'inside', label: 'Stay inside the field' },
   { value: 'centre', label: 'Where the centre line meets the edge' },
@@ -20,7 +20,7 @@ export function Ends() {
       <Select label="Swaths end at a slanting edge" value={value.end_rule} options={RULES} change={(end_rule) => form.set({ end_rule })} />
       <div class="two">
         <NumberField label="Headland passes" unit="" whole value={value.headlands} least={0} most={20} change={(v) => v !== null && form.set({ headlands: v })} />
-        <NumberField label="Passes round obstacles" unit="" whole value={value.obstacle_headlands} least={0} most={20}
+        <NumberField label="Round obstacles" unit="" whole value={value.obstacle_headlands} least={0} most={20}
           change={(v) => v !== null && form.set({ obstacle_headlands: v })} />
       </div>
       <More title="Obstacles and the boundary">

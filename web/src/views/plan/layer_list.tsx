@@ -1,6 +1,6 @@
 // What is on the map, each thing with its size, to switch on and off.
 import type { LayerItem } from '../../api/types';
-import { length, squareMetres } from '../../format';
+import { ground, length } from '../../format';
 import { DAY, NIGHT, type Colours } from '../../map/palette';
 import { PARTS_OF } from '../../map/plan_layers';
 import { Switch } from '../../parts/switch';
@@ -25,7 +25,7 @@ const KNOWN: Record<string, { title: string; mark: Mark }> = {
   dropped: { title: 'Too short to drive', mark: { colour: 'Dropped', form: 'dashed' } },
 };
 
-const size = (layer: LayerItem) => (layer.m !== null ? length(layer.m) : layer.m2 !== null ? squareMetres(layer.m2) : String(layer.features));
+const size = (layer: LayerItem) => (layer.m !== null ? length(layer.m) : layer.m2 !== null ? ground(layer.m2) : String(layer.features));
 
 export function LayerList() {
   const layers = useStore(plans, (value) => value.layers);

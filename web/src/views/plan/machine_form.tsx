@@ -1,10 +1,14 @@
 import { useState } from 'preact/hooks';
 import { api } from '../../api/client';
+import type { Machine } from '../../api/types';
 import { width } from '../../format';
 import { Button } from '../../parts/button';
 import { Select } from '../../parts/choice';
+import { Icon } from '../../parts/icon';
 import { More } from '../../parts/more';
 import { NumberField } from '../../parts/number_field';
+import { Sure } from '../../parts/sure';
+import { TitleField } from '../../parts/title_field';
 import { attempt, note } from '../../state/notices';
 import { form } from '../../state/plan_form';
 import { loadMachines, plans } from '../../state/plans';
@@ -21,7 +25,7 @@ export function MachineForm() {
     <section aria-labelledby="machine-title">
       <h2 id="machine-title">Machine</h2>
       {machines.length > 0 && (
-        <Select label="Stored machine" value={machine.id ?? ''}
+        <Select label="Stored machine" value={machines.some((one) => one.id === machine.id) ? (machine.id ?? '') : ''}
           options={[
             { value: '', label: 'as typed below' },
             ...machines.map((one) => ({ value: one.id ?? '', label: `${one.name ?? 'Machine'}, ${width(one.width_m)}` })),
@@ -38,29 +42,60 @@ export function MachineForm() {
       <More title="More about the machine">
         <NumberField label="Shortest piece worth driving" unit="m" value={machine.min_length_m ?? null} least={0} most={1000} optional
           hint="Left empty: twice the working width." change={(v) => set({ min_length_m: v })} />
+        <ChosenMachine machine={machine} />
         <SaveMachine />
       </More>
     </section>
   );
 }
 
+/** The machine at hand under a name; one that has the name already is replaced. */
 function SaveMachine() {
   const [name, setName] = useState('');
+  const machines = useStore(plans, (value) => value.machines);
+  const same = machines.find((one) => one.name === name.trim());
   const save = async () => {
     const { width_m, radius_m, min_length_m } = form.get().machine;
-    const stored = await api.storeMachine({ name: name.trim(), width_m, radius_m, ...(min_length_m ? { min_length_m } : {}) });
+    const machine = { name: name.trim(), width_m, radius_m, ...(typeof min_length_m === 'number' ? { min_length_m } : {}) };
+    const stored = await (same?.id ? api.changeMachine(same.id, machine) : api.storeMachine(machine));
     await loadMachines();
     form.set({ machine: stored });
-    note(`${name.trim()} is stored. Choose it for other fields, too.`);
+    note(`${name.trim()} is ${same ? 'changed' : 'stored'}. Choose it for other fields, too.`);
     setName('');
   };
   return (
     <div class="row">
       <label class="grow">
         <span class="label">Store this machine under a name</span>
-        <input type="text" maxLength={60} value={name} onInput={(event) => setName(event.currentTarget.value)} />
+        <input type="text" maxLength={60} value={name} onInput={(event) => setName(event.currentTarget.value)}
+          onKeyDown={(event) => { if (event.key === 'Enter') { event.preventDefault(); if (name.trim() !== '') void attempt(save); } }} />
       </label>
-      <Button disabled={name.trim() === ''} onClick={() => void attempt(save)}>Store</Button>
+      <Button disabled={name.trim() === ''} onClick={() => void attempt(save)}>{same ? 'Replace' : 'Store'}</Button>
+    </div>
+  );
+}
+
+/** Another name for the stored machine that is chosen, or its end. */
+function ChosenMachine({ machine }: { machine: Machine }) {
+  const id = machine.id;
+  if (!id) return null;
+  const rename = async (name: string) => {
+    const { width_m, radius_m, min_length_m } = machine;
+    const stored = await api.changeMachine(id, { name, width_m, radius_m, ...(typeof min_length_m === 'number' ? { min_length_m } : {}) });
+    await loadMachines();
+    form.set({ machine: stored });
+  };
+  const remove = async () => {
+    await api.deleteMachine(id);
+    const { id: _, name: __, ...rest } = form.get().machine;
+    form.set({ machine: rest });
+    await loadMachines();
+    note(`${machine.name ?? 'The machine'} is deleted. Its width and radius stay in the form.`);
+  };
+  return (
+    <div class="row tight">
+      <TitleField key={id} label="Name of the stored machine" value={machine.name ?? ''} save={(name) => void attempt(() => rename(name))} />
+      <Sure label={`Delete the machine ${machine.name ?? ''}`} ask="Delete it" act={() => void attempt(remove)}><Icon name="bin" /></Sure>
     </div>
   );
 }

@@ -7,11 +7,13 @@ import { form } from '../../state/plan_form';
 import { cancelPlan, makePlan, plans } from '../../state/plans';
 import { show } from '../../state/session';
 import { useStore } from '../../state/store';
+import { CheckPlan } from './check_plan';
 import { Ends } from './ends';
 import { Follow } from './follow';
 import { MachineForm } from './machine_form';
 import { Objective } from './objective';
 import { PlanFigures } from './plan_figures';
+import { PlanHead } from './plan_head';
 import { TakeAway } from './take_away';
 
 export function NoField() {
@@ -31,13 +33,14 @@ export function PlanView() {
   if (!field) return <NoField />;
   return (
     <>
+      {open && <PlanHead plan={open} />}
       {open && <PlanFigures plan={open} />}
-      <form onSubmit={(event) => { event.preventDefault(); void attempt(makePlan); }}>
+      <form onSubmit={(event) => { event.preventDefault(); void attempt(() => makePlan()); }}>
         <MachineForm />
         <Objective />
         <Ends />
         <Follow />
-        <div class="sticky">
+        <div class={open && !job ? 'sticky' : 'sticky foot'}>
           {job ? (
             <Progress job={job} title="Planning" cancel={() => void attempt(cancelPlan)} />
           ) : (
@@ -46,6 +49,7 @@ export function PlanView() {
         </div>
         <Switch on={again} label="Plan again by itself when something changes" change={(on) => form.set({ again: on })} />
       </form>
+      {open && <CheckPlan plan={open} />}
       {open && <TakeAway plan={open} />}
     </>
   );

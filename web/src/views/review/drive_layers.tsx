@@ -1,4 +1,4 @@
-import { hectares, length, squareMetres } from '../../format';
+import { ground, hectares, length } from '../../format';
 import { DAY, NIGHT } from '../../map/palette';
 import { Switch } from '../../parts/switch';
 import { attempt } from '../../state/notices';
@@ -18,11 +18,11 @@ function size(name: DriveLayer, drive: DriveFull, shapes: FeatureCollection | un
   const s = drive.summary;
   switch (name) {
     case 'covered': return hectares(s.covered_m2);
-    case 'repeated': return squareMetres(s.repeated_m2);
-    case 'missed': return squareMetres(s.missed_m2);
+    case 'repeated': return ground(s.repeated_m2);
+    case 'missed': return ground(s.missed_m2);
     case 'gaps': return String(drive.gaps.length);
     case 'track': return shapes ? length(sum(shapes, 'length_m')) : '';
-    case 'multiplicity': return shapes ? squareMetres(sum(shapes, 'area_m2')) : '';
+    case 'multiplicity': return shapes ? ground(sum(shapes, 'area_m2')) : '';
   }
 }
 

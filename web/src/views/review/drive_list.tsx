@@ -12,7 +12,7 @@ export function DriveList() {
   return (
     <section aria-labelledby="drives-title">
       <h2 id="drives-title">Your drives</h2>
-      {list.length === 0 && <p class="hint">None yet. Choose a log above, or attach to a machine that is at work.</p>}
+      {list.length === 0 && <p class="hint">None yet. Choose a log above, or watch a machine that is at work.</p>}
       <ul class="cards">
         {list.map((drive) => (
           <li key={drive.id} class="row tight">

@@ -80,7 +80,7 @@ export function LiveFeed() {
     stopReplay();
     await loadDrives();
     if (drive) await openDrive(drive);
-    else note('Nothing was recorded, so nothing was stored.');
+    else note('No fix came, so nothing was stored. Look whether the machine sends to this address, then watch it again.');
   };
   return (
     <section class="open" aria-labelledby="live-title">

@@ -11,17 +11,28 @@ import { attempt } from '../../state/notices';
 import { form } from '../../state/plan_form';
 import { evaluate, review } from '../../state/review';
 import { useStore } from '../../state/store';
+import { farFrom, fieldBelow, WhereDriven } from './where_driven';
 
 const NONE = '';
 
 export function LogForm({ upload }: { upload: Upload }) {
   const logs = upload.logs ?? [];
   const list = useStore(fields, (value) => value.list) ?? [];
-  const [log, setLog] = useState(logs[0]?.name ?? NONE);
-  const [field, setField] = useState(fields.get().open?.id ?? NONE);
+  const usable = logs.filter((one) => !one.refused);
+  const [log, setLog] = useState((usable[0] ?? logs[0])?.name ?? NONE);
   const [plan, setPlan] = useState(NONE);
   const [plansThere, setPlansThere] = useState<PlanItem[]>([]);
   const chosen = logs.find((one) => one.name === log) ?? logs[0];
+  const partfields = (upload.partfields ?? []).length;
+  const bbox = chosen?.bbox ?? null;
+  const open = useStore(fields, (value) => value.open) ?? undefined;
+  const below = fieldBelow(bbox, list);
+  // The open field where the log was driven on it, else the one it was driven on, else none.
+  const likely = () => {
+    if (open && farFrom(bbox, open) === null) return open.id;
+    return partfields > 0 ? NONE : (below?.id ?? NONE);
+  };
+  const [field, setField] = useState(likely);
   const needsWidth = !chosen || chosen.width_m === null;
   const [width_m, setWidth] = useState<number | null>(null);
   useEffect(() => {
@@ -30,19 +41,19 @@ export function LogForm({ upload }: { upload: Upload }) {
     else void attempt(async () => setPlansThere(await api.plans(field)));
   }, [field]);
 
-  const partfields = (upload.partfields ?? []).length;
-  const go = () =>
+  const go = (on = field) =>
     attempt(() =>
       evaluate(upload, {
         log: logs.length > 1 ? log : null,
-        field: field || null,
-        plan: plan || null,
+        field: on || null,
+        plan: (on === field && plan) || null,
         width_m: width_m ?? (needsWidth ? form.get().machine.width_m : null),
       }),
     );
   return (
     <section aria-labelledby="log-title">
       <h2 id="log-title">{upload.name}</h2>
+      <WhereDriven bbox={bbox} open={open} chosen={list.find((one) => one.id === field)} below={below} go={(on) => { setField(on); void go(on); }} />
       {logs.length > 1 && (
         <Select label={`Which of its ${logs.length} logs`} value={log} change={setLog}
           options={logs.map((one) => ({ value: one.name, label: `${one.name}, ${count(one.fixes)} fixes` }))} />

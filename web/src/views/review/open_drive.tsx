@@ -5,6 +5,9 @@ import { sentence } from '../../api/client';
 import { Figures } from '../../parts/figures';
 import { Icon } from '../../parts/icon';
 import { More } from '../../parts/more';
+import { TitleField } from '../../parts/title_field';
+import { attempt } from '../../state/notices';
+import { renameDrive } from '../../state/review';
 import { Gaps } from './gaps';
 import { ReplayBar } from './replay_bar';
 
@@ -13,7 +16,8 @@ export function OpenDrive({ drive }: { drive: DriveFull }) {
   const inside = s.covered_inside_m2 ?? s.covered_m2;
   return (
     <section class="open" aria-labelledby="drive-title">
-      <h2 id="drive-title">{drive.name}</h2>
+      <h2 id="drive-title" class="unseen">{drive.name}</h2>
+      <TitleField key={drive.id} label="Name of the drive" value={drive.name} save={(name) => void attempt(() => renameDrive(drive.id, name))} />
       <Figures label="The drive in numbers"
         list={[
           { label: 'Covered', value: hectares(inside), tone: 'covered', ...(s.field_area_m2 ? { change: `${percent(inside / s.field_area_m2)} of the field` } : {}) },

@@ -17,16 +17,25 @@ export function ReviewView() {
   const job = useStore(review, (value) => value.job);
   const feed = useStore(replay, (value) => value.of === 'feed');
   if (feed) return <LiveFeed />;
-  if (job) return <Progress job={job} title="Working out the areas" cancel={() => void attempt(cancelReview)} />;
-  if (upload) return <LogForm upload={upload} />;
+  const progress = job && <Progress job={job} title="Working out the areas" cancel={() => void attempt(cancelReview)} />;
+  // The form stays as it was filled in, for when the job fails or is cancelled.
+  if (upload) {
+    return (
+      <>
+        {progress}
+        <div hidden={job !== null}><LogForm key={upload.id} upload={upload} /></div>
+      </>
+    );
+  }
+  if (progress) return progress;
   return (
     <>
+      {drive && <OpenDrive drive={drive} />}
       <section aria-label="Bring a log">
         <DropZone label="Choose the log of a machine" hint="or drop it here: CSV, NMEA, GPX, ISOXML (zipped)" busy={busy}
           take={(file) => void attempt(() => takeLogFile(file))} />
         <StartFeed />
       </section>
-      {drive && <OpenDrive drive={drive} />}
       <DriveList />
     </>
   );

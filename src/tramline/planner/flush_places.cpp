@@ -1,0 +1,53 @@
+#include "tramline/planner/flush_places.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tramline/decomposition/candidate_directions.h"
+
+namespace tramline {
+namespace {
+
+/// Edges of one direction.
+struct Edges {
+  double angle = 0, length = 0, longest = 0;
+  Point at;
+};
+
+}  // namespace
+
+std::vector<GridPlace> flush_places(const Polygon& part, Point pivot, std::size_t most) {
+  std::vector<Edges> all;
+  for (const Ring& ring : rings_of({part}))
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+      if (a == b) continue;
+      const double length = std::hypot(b.x - a.x, b.y - a.y);
+      all.push_back({Direction::along(a, b).angle().radians(), length, length, a});
+    }
+  std::sort(all.begin(), all.end(), [](const Edges& a, const Edges& b) { return a.angle < b.angle; });
+  std::vector<Edges> groups;
+  for (const Edges& edge : all) {
+    if (groups.empty() || edge.angle - groups.back().angle > kSameDirectionRadians) {
+      groups.push_back(edge);
+      continue;
+    }
+    Edges& group = groups.back();
+    group.length += edge.length;
+    if (edge.longest > group.longest) {
+      group.longest = edge.longest;
+      group.at = edge.at;
+    }
+  }
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const Edges& a, const Edges& b) { return a.length > b.length; });
+  if (groups.size() > most) groups.resize(most);
+  std::vector<GridPlace> out;
+  for (const Edges& group : groups) {
+    const TrackFrame frame = GridPricing::frame(group.angle);
+    out.push_back({group.angle, frame.to_track(group.at).x - frame.to_track(pivot).x});
+  }
+  return out;
+}
+
+}  // namespace tramline
