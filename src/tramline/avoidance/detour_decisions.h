@@ -38,7 +38,7 @@ class DetourDecisions {
   void add_tracks(std::size_t subfield);
   TrackTerms terms_of(const BlockedTrack& track) const;
   void add_options(BlockedTrack& track);
-  void add_option(BlockedTrack& track, WayRound way);
+  void add_option(BlockedTrack& track, const WayRound& way);
   WayRound way_past_gaps(const BlockedTrack& track, std::size_t first, std::size_t last, Passing side) const;
   void add_paper_option(BlockedTrack& track, std::size_t gap);
   WayRound named(std::size_t subfield, WayRound way) const;

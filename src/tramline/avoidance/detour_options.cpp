@@ -60,7 +60,7 @@ void DetourDecisions::add_options(BlockedTrack& track) {
           alone.push_back(way);
         else
           track.refused.push_back({gap, side, way.why_not});
-        add_option(track, std::move(way));
+        add_option(track, way);
       }
       for (const GapRow& row : rows_to_join(alone))
         add_option(track, way_past_gaps(track, row.first, row.last, side));
@@ -81,7 +81,7 @@ WayRound DetourDecisions::way_past_gaps(const BlockedTrack& track, std::size_t f
 }
 
 /// Unless it is known, cannot be driven, or cannot pay.
-void DetourDecisions::add_option(BlockedTrack& track, WayRound way) {
+void DetourDecisions::add_option(BlockedTrack& track, const WayRound& way) {
   if (!way.possible() || has_option(track, way)) return;
   const Strips& strips = task_.strips[track.subfield];
   TrackOption option = option_of(named(track.subfield, way), strips.grid, strips.strips[track.strip].index);
