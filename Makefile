@@ -188,9 +188,9 @@ long-fuzz-coverage: packages-lint build/fuzz/build.ninja ## the exact engine of 
 	cmake --build build/fuzz -j $(JOBS) --target fuzz_tile_coverage
 	$(LIMIT) tools/fuzz.sh build/fuzz 600 tile_coverage
 
-long-fuzz-logs: packages-lint build/fuzz/build.ninja ## the readers of logs on bytes gone wrong, ten minutes each, two at a time
+long-fuzz-logs: packages-lint build/fuzz/build.ninja ## the readers of logs and patterns on bytes gone wrong, ten minutes each, two at a time
 	cmake --build build/fuzz -j $(JOBS) --target fuzz
-	$(LIMIT) tools/fuzz.sh build/fuzz 600 csv_log nmea_log gpx_log time_log task_data
+	$(LIMIT) tools/fuzz.sh build/fuzz 600 csv_log nmea_log gpx_log time_log task_data spray_pattern
 
 long-asan: packages build/asan-ubsan/build.ninja ## all tests with address and undefined-behaviour sanitizers
 	cmake --build build/asan-ubsan -j $(JOBS)

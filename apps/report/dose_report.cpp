@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/report_parts.h"
+
 namespace tramline::app {
 namespace {
 
@@ -12,13 +14,10 @@ using nlohmann::ordered_json;
 
 constexpr int kBarLength = 40;
 
-/// Null where there is no number.
-ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(); }
-
 ordered_json histogram_json(const DoseFigures& figures) {
   ordered_json out = ordered_json::array();
   for (const DoseBin& bin : figures.histogram)
-    out.push_back({{"from", bin.from_per_ha}, {"to", number(bin.to_per_ha)}, {"area_m2", bin.area_m2}});
+    out.push_back({{"from", bin.from_per_ha}, {"to", number_json(bin.to_per_ha)}, {"area_m2", bin.area_m2}});
   return out;
 }
 
@@ -93,7 +92,7 @@ ordered_json dose_json(const DoseMap& map, double seconds) {
   out["field_id"] = map.field.empty() ? ordered_json() : ordered_json(map.field_id);
   out["log"] = map.log.empty() ? ordered_json() : ordered_json(map.log);
   out["unit"] = map.unit;
-  out["width_m"] = number(map.width_m);
+  out["width_m"] = number_json(map.width_m);
   out["total_amount"] = figures.total;
   out["logged_amount"] = map.logged_amount;
   out["nominal_amount"] = map.nominal_amount;
@@ -123,7 +122,7 @@ ordered_json dose_json(const DoseMap& map, double seconds) {
 std::string dose_table(const DoseMap& map, double seconds) {
   std::string out = ground_rows(map) + amount_rows(map) + histogram_rows(map);
   out += fmt::format("time         {:.3f} s\n", seconds);
-  for (const std::string& warning : map.warnings) out += fmt::format("note         {}\n", warning);
+  out += note_rows(map.warnings);
   return out;
 }
 

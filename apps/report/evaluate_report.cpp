@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/report_parts.h"
 #include "tramline/geodesy/field_projection.h"
 
 namespace tramline::app {
@@ -27,9 +28,8 @@ double ha_per_hour(const Coverage& coverage) {
 }
 
 /// Null where there is no number.
-ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(); }
 ordered_json of_field(const Coverage& coverage, double value) {
-  return has_field(coverage) ? number(value) : ordered_json();
+  return has_field(coverage) ? number_json(value) : ordered_json();
 }
 
 /// Coordinates as the input has them: longitude and latitude, or plain metres.
@@ -50,7 +50,7 @@ ordered_json gaps_json(const Coverage& coverage) {
     const Point at = in_input(coverage.frame, projection, gap.centre);
     out.push_back({{"number", gap.number},
                    {"area_m2", gap.area_m2},
-                   {"widest_m", number(gap.widest_m)},
+                   {"widest_m", number_json(gap.widest_m)},
                    {"centre", {at.x, at.y}}});
   }
   return out;
@@ -190,7 +190,7 @@ std::string remark_rows(const Coverage& coverage) {
                        coverage.skipped.listed[i].why);
   if (coverage.skipped.count > kShown)
     out += fmt::format("             and {} more records\n", coverage.skipped.count - kShown);
-  for (const std::string& warning : coverage.warnings) out += fmt::format("note         {}\n", warning);
+  out += note_rows(coverage.warnings);
   return out;
 }
 
@@ -218,12 +218,12 @@ ordered_json evaluation_json(const Evaluation& evaluation) {
   out["repeated_rate"] = repeated_rate(areas);
   out["missed_m2"] = of_field(coverage, areas.missed_m2);
   out["missed_regions"] = has_field(coverage) ? ordered_json(coverage.gaps.size()) : ordered_json();
-  out["worked_hours"] = number(worked_hours(coverage));
-  out["ha_per_hour"] = number(ha_per_hour(coverage));
+  out["worked_hours"] = number_json(worked_hours(coverage));
+  out["ha_per_hour"] = number_json(ha_per_hour(coverage));
   out["engine"] = coverage.engine;
-  out["worked_once_m2"] = number(areas.worked_times_m2[1]);
-  out["worked_twice_m2"] = number(areas.worked_times_m2[2]);
-  out["worked_more_m2"] = number(areas.worked_times_m2[3]);
+  out["worked_once_m2"] = number_json(areas.worked_times_m2[1]);
+  out["worked_twice_m2"] = number_json(areas.worked_times_m2[2]);
+  out["worked_more_m2"] = number_json(areas.worked_times_m2[3]);
   if (has_field(coverage)) out["gaps"] = gaps_json(coverage);
   if (!coverage.slices.empty()) out["slices"] = slices_json(coverage);
   if (!evaluation.with.empty()) out["with"] = evaluation.with;

@@ -97,7 +97,7 @@ std::string field_rows(const Field& field) {
   for (const Repair& repair : field.repairs)
     fmt::format_to(add, "  {}: {}, at {}, area {:+.3f} m²\n", repair.where, without_ring(repair),
                    place(repair.at, field.frame), repair.area_change_m2 + 0.0);
-  for (const std::string& warning : field.warnings) fmt::format_to(add, "note         {}\n", warning);
+  fmt::format_to(add, "{}", note_rows(field.warnings));
   return out;
 }
 

@@ -211,7 +211,7 @@ std::string plan_table(const Plan& plan, const std::vector<Skipped>& skipped, do
     out += fmt::format("repaired     {}, {} at ({:.9g}, {:.9g}), area {:+.2f} m²\n", repair.where,
                        repair.what, repair.at.x, repair.at.y, repair.area_change_m2);
   out += skipped_rows(skipped);
-  for (const std::string& warning : plan.warnings) out += fmt::format("note         {}\n", warning);
+  out += note_rows(plan.warnings);
   return out;
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include <iterator>
 #include <utility>
 
@@ -27,6 +29,8 @@ std::string json_text(const ordered_json& json, int indent) {
 }
 
 std::string json_line(const ordered_json& json) { return json_text(json, -1); }
+
+ordered_json number_json(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(); }
 
 ordered_json repairs_json(const std::vector<Repair>& repairs) {
   ordered_json out = ordered_json::array();
@@ -54,6 +58,12 @@ std::string skipped_rows(const std::vector<Skipped>& skipped) {
   std::string out;
   for (const Skipped& item : skipped)
     fmt::format_to(std::back_inserter(out), "skipped      {} ({}): {}\n", item.what, item.where, item.why);
+  return out;
+}
+
+std::string note_rows(const std::vector<std::string>& warnings) {
+  std::string out;
+  for (const std::string& warning : warnings) out += fmt::format("note         {}\n", warning);
   return out;
 }
 

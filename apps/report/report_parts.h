@@ -17,6 +17,9 @@ std::string json_text(const nlohmann::ordered_json& json, int indent);
 /// json_text() without a line break.
 std::string json_line(const nlohmann::ordered_json& json);
 
+/// Null where it is not a finite number.
+nlohmann::ordered_json number_json(double value);
+
 nlohmann::ordered_json repairs_json(const std::vector<Repair>& repairs);
 nlohmann::ordered_json skipped_json(const std::vector<Skipped>& skipped);
 /// A feature that was refused, in a run with --all.
@@ -24,6 +27,9 @@ nlohmann::ordered_json refusal_json(const std::string& field_id, const std::stri
 
 /// "skipped      what (where): why", a row each.
 std::string skipped_rows(const std::vector<Skipped>& skipped);
+
+/// "note         what", a row each.
+std::string note_rows(const std::vector<std::string>& warnings);
 
 /// "95.98°, 12.30°", and "…" for those beyond `most`.
 std::string directions_text(const std::vector<Direction>& directions, std::size_t most);

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <vector>
 
+#include "report/report_parts.h"
+
 namespace tramline::app {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(); }
 
 std::string time_text(double seconds) {
   const auto minutes = static_cast<long long>(std::ceil(seconds / 60));
@@ -88,11 +88,11 @@ ordered_json live_json(const LiveFigures& live) {
   }
   out["final"] = live.final;
   out["settled"] = live.settled;
-  out["time_s"] = number(live.time_s);
+  out["time_s"] = number_json(live.time_s);
   out["working"] = live.working ? ordered_json(*live.working) : ordered_json();
-  out["present_ha_per_hour"] = number(present_ha_per_hour(live));
-  out["remaining_s"] = number(remaining_s(live));
-  out["stalled_s"] = live.stalled_s ? number(*live.stalled_s) : ordered_json();
+  out["present_ha_per_hour"] = number_json(present_ha_per_hour(live));
+  out["remaining_s"] = number_json(remaining_s(live));
+  out["stalled_s"] = live.stalled_s ? number_json(*live.stalled_s) : ordered_json();
   if (live.looks_ahead) out["ahead"] = ahead_json(live.ahead);
   return out;
 }

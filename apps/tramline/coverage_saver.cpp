@@ -1,12 +1,12 @@
 #include "coverage_saver.h"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <csignal>
 #include <exception>
 
 namespace tramline::app {

@@ -14,6 +14,7 @@
 #include "output_target.h"
 #include "request/evaluate_input.h"
 #include "request/watch_session.h"
+#include "tramline/coverage/thread_limit.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/feed/feed.h"
 #include "tramline/io/feed/raw_log.h"
@@ -56,7 +57,8 @@ class WatchCommand : public Command {
         ->check(CLI::Range(1.0, 86400.0))
         ->capture_default_str();
     add_look_ahead_options(*verb);
-    add_unused_threads_option(*verb, threads_);
+    verb->add_option("--threads", threads_, "threads to use (default: all cores)")
+        ->check(CLI::Range(0, 1024));
     verb->add_flag("--json", output_.json, "print one JSON object a second");
     verb->add_flag("--quiet", output_.quiet, "no status, no table");
     verb->footer(kExample);
@@ -78,6 +80,7 @@ class WatchCommand : public Command {
         throw bad_input("--look-ahead needs --engine exact");
       output_.look_ahead = rule_;
     }
+    const coverage::ThreadLimit limit(threads_);
     const EndSignals signals;
     WorkGround ground;
     if (std::optional<WorkGround> field = work_ground(field_)) ground = std::move(*field);

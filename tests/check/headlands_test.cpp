@@ -130,6 +130,61 @@ TEST(Headlands, pass_that_cannot_be_driven) {
   EXPECT_EQ(with(kinked), Names{"drivable"});
 }
 
+/// A pass that leaves the south side at x = 30 for a detour and comes back to it heading east.
+Path with_detour(const Path& detour) {
+  const Path round = rounded_rectangle(1.5, 1.5, 98.5, 58.5, kCorner_m);
+  Path out{{round.front().from, {30, 1.5}, 0}};
+  out.insert(out.end(), detour.begin(), detour.end());
+  out.push_back({detour.back().to, round.front().to, 0});
+  out.insert(out.end(), round.begin() + 1, round.end());
+  return out;
+}
+
+constexpr double kLeft = 1 / kCorner_m, kRight = -kLeft;
+
+// Up at x = 33, a loop to the left, over its own track at (33, 23), and down.
+TEST(Headlands, pass_that_crosses_itself) {
+  Plan plan = headland_plan(1);
+  plan.headland.passes[0].path = with_detour({{{30, 1.5}, {33, 4.5}, kLeft},
+                                              {{33, 4.5}, {33, 26}, 0},
+                                              {{33, 26}, {30, 29}, kLeft},
+                                              {{30, 29}, {27, 26}, kLeft},
+                                              {{27, 26}, {30, 23}, kLeft},
+                                              {{30, 23}, {36, 23}, 0},
+                                              {{36, 23}, {39, 20}, kRight},
+                                              {{39, 20}, {39, 4.5}, 0},
+                                              {{39, 4.5}, {42, 1.5}, kLeft}});
+  plan = settled(plan);
+  const check::Verdict verdict = check::verify(plan);
+  ASSERT_EQ(rules(verdict), Names{"headland"});
+  EXPECT_NE(verdict.violations.front().what.find("headland pass 1 crosses itself"), std::string::npos);
+  EXPECT_NEAR(distance(verdict.violations.front().at, {33, 23}), 0, 1e-6);
+  EXPECT_EQ(found(settled(turned(plan, Angle::degrees(33.3), {-712.3, 455.1}))), Names{"headland"});
+}
+
+// Up at x = 33 with a bulge to the right, down at x = 45 with one to the left: they touch at (39, 16).
+TEST(Headlands, pass_that_touches_itself) {
+  Plan plan = headland_plan(1);
+  plan.headland.passes[0].path = with_detour({{{30, 1.5}, {33, 4.5}, kLeft},
+                                              {{33, 4.5}, {33, 10}, 0},
+                                              {{33, 10}, {36, 13}, kRight},
+                                              {{36, 13}, {39, 16}, kLeft},
+                                              {{39, 16}, {36, 19}, kLeft},
+                                              {{36, 19}, {33, 22}, kRight},
+                                              {{33, 22}, {33, 26}, 0},
+                                              {{33, 26}, {36, 29}, kRight},
+                                              {{36, 29}, {42, 29}, 0},
+                                              {{42, 29}, {45, 26}, kRight},
+                                              {{45, 26}, {45, 22}, 0},
+                                              {{45, 22}, {42, 19}, kRight},
+                                              {{42, 19}, {39, 16}, kLeft},
+                                              {{39, 16}, {42, 13}, kLeft},
+                                              {{42, 13}, {45, 10}, kRight},
+                                              {{45, 10}, {45, 4.5}, 0},
+                                              {{45, 4.5}, {48, 1.5}, kLeft}});
+  EXPECT_EQ(found(settled(plan)), Names{});
+}
+
 TEST(Headlands, passes_that_are_none) {
   const auto with = [](auto change) {
     Plan plan = headland_plan(2);

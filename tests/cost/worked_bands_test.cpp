@@ -7,7 +7,7 @@
 
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/parallel.h"
-#include "tramline/geometry/path_profile.h"
+#include "tramline/geometry/path_between.h"
 #include "tramline/geometry/smoothed.h"
 
 namespace tramline {

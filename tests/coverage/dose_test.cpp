@@ -373,6 +373,8 @@ TEST(Dose, RefusesWhatItCannotKnow) {
   EXPECT_TRUE(mentions(with_pattern({{-1, 1}, {1, kNan}}), "p.csv"));
   EXPECT_TRUE(mentions(with_pattern({{-1, 1}, {1, 1}, {0, 1}}), "one side to the other"));
   EXPECT_TRUE(mentions(with_pattern({{-1, 0}, {1, 0}}), "nothing lands"));
+  EXPECT_TRUE(mentions(with_pattern({{-1, 1e-320}, {1, 1e-320}}), "nothing lands"));
+  EXPECT_TRUE(mentions(with_pattern({{0, 1}, {5e-324, 1}}), "nothing lands"));
   const std::string cells = refusal_of([&] { dose(drive, {}, settings_at(100, 0.001), {}); });
   EXPECT_TRUE(mentions(cells, "--cell")) << cells;
   WorkLog timeless = drive;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <map>
 #include <random>
 #include <string>
@@ -86,18 +87,30 @@ unsigned long long seed() {
   return told != nullptr ? std::strtoull(told, nullptr, 10) : std::random_device{}();
 }
 
-TEST(LiveCoverage, IsEvaluateAfterEveryFixWhereItSaysSoAndWhereItIsAskedTo) {
+/// A drive, and how it is to be judged: every third round strictly, every fourth by the widths in the log.
+struct Round {
+  WorkLog log;
+  EvaluateSettings settings;
+};
+
+void for_random_rounds(int rounds, const std::function<void(const Round&, std::mt19937_64&)>& look) {
   const auto used = seed();
   SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(used));
   std::mt19937_64 random(used);
+  for (int i = 0; i < rounds; ++i) {
+    SCOPED_TRACE(i);
+    Round round{random_log(random), {}};
+    round.settings.strict = i % 3 == 0;
+    if (i % 4 != 0) round.settings.drive.width_m = 5;
+    look(round, random);
+  }
+}
+
+TEST(LiveCoverage, IsEvaluateAfterEveryFixWhereItSaysSoAndWhereItIsAskedTo) {
   const Region field = square(60);
   std::size_t settled = 0, rebuilt = 0;
-  for (int round = 0; round < 60; ++round) {
-    SCOPED_TRACE(round);
-    const WorkLog log = random_log(random);
-    EvaluateSettings settings;
-    settings.strict = round % 3 == 0;
-    if (round % 4 != 0) settings.drive.width_m = 5;
+  for_random_rounds(60, [&](const Round& round, std::mt19937_64&) {
+    const auto& [log, settings] = round;
     LiveCoverage live(field, settings);
     for (std::size_t i = 0; i < log.fixes.size(); ++i) {
       live.add(log.fixes[i], log.booms);
@@ -127,7 +140,7 @@ TEST(LiveCoverage, IsEvaluateAfterEveryFixWhereItSaysSoAndWhereItIsAskedTo) {
       EXPECT_EQ(end.lines.size(), whole.lines.size());
     }
     rebuilt += live.rebuilds();
-  }
+  });
   EXPECT_GT(settled, 100U) << "the live figures are hardly ever those of evaluate()";
   EXPECT_GT(rebuilt, 20U) << "nothing in these logs changed a judgement";
 }
@@ -161,17 +174,10 @@ void expect_same_ground(const Region& tiles, const Region& whole, double toleran
 // However seldom somebody asks, and whatever was worked anew meanwhile: what changed, tile by tile, adds up
 // to the whole of it.
 TEST(LiveCoverage, WhoFollowsTheChangesHasAllGround) {
-  const auto used = seed();
-  SCOPED_TRACE("TRAMLINE_SEED=" + std::to_string(used));
-  std::mt19937_64 random(used);
   const Region field = square(60);
   std::size_t afresh = 0, compared = 0;
-  for (int round = 0; round < 40; ++round) {
-    SCOPED_TRACE(round);
-    const WorkLog log = random_log(random);
-    EvaluateSettings settings;
-    settings.strict = round % 3 == 0;
-    if (round % 4 != 0) settings.drive.width_m = 5;
+  for_random_rounds(40, [&](const Round& round, std::mt19937_64& random) {
+    const auto& [log, settings] = round;
     LiveCoverage live(field, settings);
     std::vector<Reader> readers{{1}, {0.2}, {0.02}};
     for (std::size_t i = 0; i < log.fixes.size(); ++i) {
@@ -195,7 +201,7 @@ TEST(LiveCoverage, WhoFollowsTheChangesHasAllGround) {
       }
     }
     afresh += readers.front().afresh - 1;
-  }
+  });
   EXPECT_GT(afresh, 10U) << "nothing was worked anew";
   EXPECT_GT(compared, 1000U);
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tramline/geometry/path_between.h"
+
 namespace tramline {
 namespace {
 

@@ -140,15 +140,10 @@ std::vector<std::string> faults_of(const Field& field, const HeadlandTerms& term
       continue;
     }
     look_at_path(pass, tightest_m(terms), out);
+    look_at_crossings(pass, out);
     look_at_place(field, terms.width_m, pass, out);
   }
   look_at_areas(field, terms.width_m, headland, out);
-  return out;
-}
-
-std::vector<std::string> crossings_of(const HeadlandAndBody& headland) {
-  Faults out;
-  for (const HeadlandPass& pass : headland.passes) look_at_crossings(pass, out);
   return out;
 }
 

@@ -8,15 +8,11 @@
 
 namespace tramline::testing {
 
-/// A sentence for each promise that does not hold: passes are closed, smooth and drivable, their swaths stay
-/// in the field and out of obstacles, rings of one pass do not overlap, areas add up. By other means than the
+/// A sentence for each promise that does not hold: passes are closed, smooth, drivable and do not cross
+/// themselves, their swaths stay in the field and out of obstacles, areas add up. By other means than the
 /// product's where there are any.
 std::vector<std::string> faults_of(const Field& field, const HeadlandTerms& terms,
                                    const HeadlandAndBody& headland);
-
-/// A sentence for each place where a pass crosses itself. Turns that face one another across land too narrow
-/// for a swath may.
-std::vector<std::string> crossings_of(const HeadlandAndBody& headland);
 
 /// Of the terms: what no arc may be tighter than.
 double tightest_m(const HeadlandTerms& terms);

@@ -4,17 +4,11 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 
-#include "properties/random_field.h"
-#include "properties/seeds.h"
-#include "tramline/avoidance/ground.h"
-#include "tramline/cost/strip_tally.h"
+#include "properties/grid_scene.h"
 
 namespace tramline {
 namespace {
-
-constexpr EndRule kRules[] = {EndRule::kCentre, EndRule::kCover, EndRule::kInside, EndRule::kCheapest};
 
 /// One subfield with everything that its tallies and bounds depend on.
 struct Case {
@@ -47,34 +41,30 @@ struct Case {
 TEST(GridBound, NoGridOfTheBoxCostsLess) {
   const int cases = testing::case_count(300);
   for (int i = 0; i < cases; ++i) {
-    testing::SeededRandom random(i);
-    const auto between = [&random](double a, double b) {
-      return std::uniform_real_distribution<double>(a, b)(random);
-    };
-    const Field field = testing::random_field(random, i % 3 == 0 ? 4 : 0);
-    const double width_m = between(1, 12);
-    SortedGround ground = sort_obstacles(field, width_m);
+    testing::GridScene scene(i, i % 3 == 0 ? 4 : 0, 12);
+    const double width_m = scene.width_m;
+    const SortedGround& ground = scene.ground;
     if (ground.plannable.empty()) continue;
-    Objective objective{between(0, 1), between(0, 1), between(0, 3), between(0, 3)};
+    Objective objective = scene.objective();
     if (i % 4 == 1)
-      (random() % 2 == 0 ? objective.overlap : objective.uncovered) = std::pow(10, between(0, 5));
-    for (const EndRule rule : kRules) {
-      const Polygon part = ground.plannable[random() % ground.plannable.size()];
+      (scene.random() % 2 == 0 ? objective.overlap : objective.uncovered) = std::pow(10, scene.between(0, 5));
+    for (const EndRule rule : testing::kEndRules) {
+      const Polygon part = ground.plannable[scene.random() % ground.plannable.size()];
       const Case one{
           part,
           ground,
-          {width_m, i % 2 == 0 ? 0 : between(0, 4 * width_m), end_criterion(rule, objective, width_m)},
+          {width_m, i % 2 == 0 ? 0 : scene.between(0, 4 * width_m), end_criterion(rule, objective, width_m)},
           {objective, bounds(part).centre(), 2 * width_m}};
-      const double degrees = between(0, 180), offset_m = between(0, width_m);
-      const double half_degrees = std::pow(10, between(-4, 0)),
-                   half_m = width_m * std::pow(10, between(-4, -0.3));
+      const double degrees = scene.between(0, 180), offset_m = scene.between(0, width_m);
+      const double half_degrees = std::pow(10, scene.between(-4, 0)),
+                   half_m = width_m * std::pow(10, scene.between(-4, -0.3));
       const GridTally middle = one.tally(degrees);
       const double least = least_cost(
           middle, one.bound, {one.origin(middle, offset_m), half_m, half_degrees * std::numbers::pi / 180});
       for (int k = 0; k < 20; ++k)
-        EXPECT_GE(
-            one.cost_at(degrees + between(-half_degrees, half_degrees), offset_m + between(-half_m, half_m)),
-            least * (1 - 1e-9) - 1e-9);
+        EXPECT_GE(one.cost_at(degrees + scene.between(-half_degrees, half_degrees),
+                              offset_m + scene.between(-half_m, half_m)),
+                  least * (1 - 1e-9) - 1e-9);
     }
   }
 }
@@ -84,23 +74,19 @@ TEST(GridBound, StopsWhereItIsEnough) {
   const int cases = testing::case_count(100);
   int stopped = 0;
   for (int i = 0; i < cases; ++i) {
-    testing::SeededRandom random(i);
-    const auto between = [&random](double a, double b) {
-      return std::uniform_real_distribution<double>(a, b)(random);
-    };
-    const Field field = testing::random_field(random, i % 3 == 0 ? 4 : 0);
-    const double width_m = between(1, 12);
-    const SortedGround ground = sort_obstacles(field, width_m);
+    testing::GridScene scene(i, i % 3 == 0 ? 4 : 0, 12);
+    const double width_m = scene.width_m;
+    const SortedGround& ground = scene.ground;
     if (ground.plannable.empty()) continue;
-    const Objective objective{between(0, 1), between(0, 1), between(0, 3), between(0, 3)};
+    const Objective objective = scene.objective();
     const Polygon part = ground.plannable.front();
     const Case one{part,
                    ground,
                    {width_m, 0, end_criterion(EndRule::kCheapest, objective, width_m)},
                    {objective, bounds(part).centre(), 2 * width_m}};
-    const GridTally middle = one.tally(between(0, 180));
-    const GridBox box{one.origin(middle, between(0, width_m)), width_m * std::pow(10, between(-4, -0.3)),
-                      std::pow(10, between(-6, -2))};
+    const GridTally middle = one.tally(scene.between(0, 180));
+    const GridBox box{one.origin(middle, scene.between(0, width_m)),
+                      width_m * std::pow(10, scene.between(-4, -0.3)), std::pow(10, scene.between(-6, -2))};
     const double whole = least_cost(middle, one.bound, box);
     for (const double share : {0.1, 0.5, 0.9, 1.1}) {
       const double part_of_it = least_cost(middle, one.bound, box, share * whole);
@@ -118,19 +104,15 @@ TEST(GridBound, OfAPointIsTheCost) {
   const int cases = testing::case_count(100);
   int equal = 0, compared = 0;
   for (int i = 0; i < cases; ++i) {
-    testing::SeededRandom random(i);
-    const auto between = [&random](double a, double b) {
-      return std::uniform_real_distribution<double>(a, b)(random);
-    };
-    const Field field = testing::random_field(random, 0);
-    const double width_m = between(1, 8);
-    const Objective objective{between(0, 1), between(0, 1), 0, 0};
-    const Case one{{field.outer, {}},
+    testing::GridScene scene(i, 0, 8);
+    const double width_m = scene.width_m;
+    const Objective objective = scene.objective(0);
+    const Case one{{scene.field.outer, {}},
                    {},
-                   {width_m, i % 2 == 0 ? 0 : between(0, 4 * width_m),
+                   {width_m, i % 2 == 0 ? 0 : scene.between(0, 4 * width_m),
                     end_criterion(EndRule::kCheapest, objective, width_m)},
-                   {objective, bounds(field.outer).centre(), 0}};
-    const double degrees = between(0, 180), offset_m = between(0, width_m);
+                   {objective, bounds(scene.field.outer).centre(), 0}};
+    const double degrees = scene.between(0, 180), offset_m = scene.between(0, width_m);
     const GridTally middle = one.tally(degrees);
     const double cost = one.cost_at(degrees, offset_m);
     const double least = least_cost(middle, one.bound, {one.origin(middle, offset_m), 1e-9, 1e-12});

@@ -2,17 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
-#include "properties/random_field.h"
-#include "properties/seeds.h"
-#include "tramline/avoidance/ground.h"
-#include "tramline/cost/strip_tally.h"
+#include "properties/grid_scene.h"
 
 namespace tramline {
 namespace {
-
-constexpr EndRule kRules[] = {EndRule::kCentre, EndRule::kCover, EndRule::kInside, EndRule::kCheapest};
 
 TurnedGround turned(const SortedGround& ground, const Field& field, const TrackFrame& frame,
                     bool hard_boundary) {
@@ -36,23 +29,20 @@ void expect_same(const Tally& a, const Tally& b, double area_m2) {
 TEST(GridTally, AgreesWithThePiecesOfEveryStrip) {
   const int cases = testing::case_count(200);
   for (int i = 0; i < cases; ++i) {
-    testing::SeededRandom random(i);
-    const auto between = [&random](double a, double b) {
-      return std::uniform_real_distribution<double>(a, b)(random);
-    };
-    const Field field = testing::random_field(random, i % 3 == 0 ? 4 : 0);
-    const double width_m = between(1, 12);
+    testing::GridScene scene(i, i % 3 == 0 ? 4 : 0, 12);
+    const double width_m = scene.width_m;
+    const SortedGround& ground = scene.ground;
     const bool hard_boundary = i % 5 == 1;
-    const SortedGround ground = sort_obstacles(field, width_m);
-    const Objective objective{between(0, 1), between(0, 1), 1, 1};
-    for (const EndRule rule : kRules)
+    const Objective objective = scene.objective(1);
+    for (const EndRule rule : testing::kEndRules)
       for (const Polygon& part : ground.plannable) {
-        if (hard_boundary && (ground.plannable.size() > 1 || part.outer.size() != field.outer.size()))
+        if (hard_boundary && (ground.plannable.size() > 1 || part.outer.size() != scene.field.outer.size()))
           continue;
-        const TrackFrame frame(Direction::clockwise_from_north(Angle::degrees(between(0, 180))));
+        const TrackFrame frame(Direction::clockwise_from_north(Angle::degrees(scene.between(0, 180))));
         const EndCriterion criterion = end_criterion(rule, objective, width_m);
-        const double least_m = i % 2 == 0 ? 0 : between(0, 4 * width_m), origin_m = between(0, width_m);
-        const TurnedGround around = turned(ground, field, frame, hard_boundary);
+        const double least_m = i % 2 == 0 ? 0 : scene.between(0, 4 * width_m),
+                     origin_m = scene.between(0, width_m);
+        const TurnedGround around = turned(ground, scene.field, frame, hard_boundary);
         const GridTally quick(frame, part, around, {width_m, least_m, criterion});
         const Strips strips =
             strips_of({frame, origin_m, width_m}, frame.to_track(Region{part}).front(), around, criterion);

@@ -181,6 +181,24 @@ class Case(unittest.TestCase):
         self.assertRegex(done.stderr, f"^tramline: [^\n]*{words}[^\n]*\n$")
 
 
+class Threads(Case):
+    def test_any_number_gives_the_same_bytes(self):
+        said, written = [], []
+        for threads in (1, 2, 4):
+            file = self.folder / f"{threads}.gpkg"
+            with self.csv.open() as lines:
+                watch = self.watch(*self.field, "--threads", str(threads), "-o", str(file), stdin=lines,
+                                   env={**os.environ, "SOURCE_DATE_EPOCH": "1700000000"})
+                code, last = watch.end()
+            self.assertEqual(code, 0, watch.errors)
+            del last["seconds"]
+            said.append(last)
+            written.append(file.read_bytes())
+        self.assertGreater(said[0]["covered_m2"], 0)
+        self.assertEqual(said[1:], said[:-1])
+        self.assertTrue(written[0] == written[1] == written[2])
+
+
 class Sources(Case):
     """The same lines by every road give what `evaluate` gives for the file."""
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <cstdlib>
 #include <system_error>
 #include <utility>
@@ -105,8 +107,9 @@ void PlanStore::drop_other_drafts(const KeptPlan& newest) {
 std::vector<KeptPlan> PlanStore::list(const std::string& field) const {
   const std::lock_guard lock(mutex_);
   std::vector<KeptPlan> out;
-  for (auto entry = plans_.rbegin(); entry != plans_.rend(); ++entry)
-    if (field.empty() || entry->second.field == field) out.push_back(entry->second);
+  std::for_each(plans_.rbegin(), plans_.rend(), [&](const auto& entry) {
+    if (field.empty() || entry.second.field == field) out.push_back(entry.second);
+  });
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tramline/avoidance/decision_rounds.h"
+#include "tramline/geometry/path_between.h"
 
 namespace tramline {
 namespace {

@@ -6,6 +6,7 @@
 #include "tramline/avoidance/corners_in_way.h"
 #include "tramline/avoidance/curved_detour_path.h"
 #include "tramline/avoidance/detour_ends.h"
+#include "tramline/geometry/path_between.h"
 
 namespace tramline {
 namespace {

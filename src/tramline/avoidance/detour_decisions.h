@@ -30,23 +30,29 @@ class DetourDecisions {
   const Strip& strip_of(const Decision& decision) const {
     return strips_of(decision).strips[decision.track.strip];
   }
-  TrackTerms terms_of(const BlockedTrack& track) const;
+  void work(std::size_t subfield, const Strip& strip, const std::vector<StripDetour>& detours);
+  void choose(Decision& decision, std::vector<StripDetour> detours);
+  void mark_stale_near(const Decision& decision, const std::vector<StripDetour>& detours);
+
+  // detour_options.cpp
   void add_tracks(std::size_t subfield);
+  TrackTerms terms_of(const BlockedTrack& track) const;
   void add_options(BlockedTrack& track);
-  void add_option(BlockedTrack& track, WayRound way);
+  void add_option(BlockedTrack& track, const WayRound& way);
   WayRound way_past_gaps(const BlockedTrack& track, std::size_t first, std::size_t last, Passing side) const;
   void add_paper_option(BlockedTrack& track, std::size_t gap);
   WayRound named(std::size_t subfield, WayRound way) const;
   std::vector<int> obstacles_along(std::size_t subfield, const std::vector<std::size_t>& hazards,
                                    Interval range) const;
-  void work(std::size_t subfield, const Strip& strip, const std::vector<StripDetour>& detours);
-  void choose(Decision& decision, std::vector<StripDetour> detours);
-  void mark_stale_near(const Decision& decision, const std::vector<StripDetour>& detours);
-  void value(Decision& decision);
   void drop_dear_options(Decision& decision);
+
+  // detour_improvement.cpp
+  void value(Decision& decision);
   double saving_of(Decision& decision, std::vector<StripDetour>* best_detours);
   bool improve_pairs();
   bool improve_pair(Decision& first, Decision& second);
+
+  // detour_encounters.cpp
   Encounter encounter_at(Decision& decision, std::size_t gap);
 
   const AvoidanceTask& task_;

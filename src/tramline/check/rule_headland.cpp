@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tramline/check/rules.h"
+#include "tramline/check/self_crossing.h"
 #include "tramline/check/sound_path.h"
 #include "tramline/check/tolerances.h"
 
@@ -66,10 +67,12 @@ void check_headland(const Plan& plan, Violations& out) {
   check_obstacle_passes(plan, out);
   const auto& passes = plan.headland.passes;
   for (std::size_t i = 0; i < passes.size(); ++i) {
-    const std::string fault = fault_of(plan, passes[i]);
-    if (fault.empty()) continue;
-    const Point at = passes[i].path.empty() ? Point{} : passes[i].path.front().from;
-    out.push_back({kRule, pass_name(i) + " " + fault, at, 0});
+    if (const std::string fault = fault_of(plan, passes[i]); !fault.empty()) {
+      const Point at = passes[i].path.empty() ? Point{} : passes[i].path.front().from;
+      out.push_back({kRule, pass_name(i) + " " + fault, at, 0});
+    } else if (const auto place = self_crossing_of(passes[i].path)) {
+      out.push_back({kRule, pass_name(i) + " crosses itself", *place, 0});
+    }
   }
 }
 

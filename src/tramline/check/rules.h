@@ -41,7 +41,7 @@ void check_shapes(const Plan& plan, Violations& out);
 /// detours are paths on the map that leave and rejoin the line one after the other.
 void check_pieces(const Plan& plan, Violations& out);
 /// No boundary has more passes of headland than were asked for, and passables have none. Every pass is a
-/// closed path on the map, and one of those that a boundary it names has.
+/// closed path on the map that does not cross itself, and one of those that a boundary it names has.
 void check_headland(const Plan& plan, Violations& out);
 /// The body is the field less obstacles, passable ones too, and less the ground of headlands; that ground is
 /// what is nearer to a boundary than its passes are wide, but for what is left to tracks

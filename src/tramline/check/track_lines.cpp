@@ -6,7 +6,7 @@
 
 #include "tramline/check/sound_path.h"
 #include "tramline/check/tolerances.h"
-#include "tramline/geometry/path_profile.h"
+#include "tramline/geometry/path_between.h"
 
 namespace tramline::check {
 namespace {

@@ -14,6 +14,7 @@ struct StripWork {
   Intervals straight;  ///< ascending, apart
   std::vector<StripDetour> detours;
 };
+inline bool is_driven(const StripWork& work) { return !work.straight.empty() || !work.detours.empty(); }
 
 /// Straight swaths and detours by subfield and strip. Subfields may have different grids.
 class WorkedGround {

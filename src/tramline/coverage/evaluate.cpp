@@ -1,7 +1,6 @@
 #include "tramline/coverage/evaluate.h"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,6 +12,7 @@
 #include <utility>
 
 #include "tramline/coverage/gaps.h"
+#include "tramline/coverage/thread_limit.h"
 #include "tramline/coverage/worked_drive.h"
 #include "tramline/geometry/error.h"
 
@@ -57,13 +57,6 @@ void count_slivers(Coverage& coverage) {
   for (CoverageSlice& slice : coverage.slices) slice.areas = reported(slice.areas, true);
 }
 
-/// Regions are put together by as many threads; 0: by all there are.
-std::optional<tbb::global_control> thread_limit(int threads) {
-  if (threads <= 0) return std::nullopt;
-  return std::optional<tbb::global_control>(std::in_place, tbb::global_control::max_allowed_parallelism,
-                                            static_cast<std::size_t>(threads));
-}
-
 }  // namespace
 
 double working_width_m(const WorkLog& log, const DriveSettings& drive) {
@@ -77,7 +70,7 @@ Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& se
   if (given.fixes.size() < 2)
     throw bad_input(fmt::format("{} has {} with a position: no ground is worked without two", given.name,
                                 given.fixes.empty() ? "no fix" : "one fix"));
-  const auto limit = thread_limit(settings.threads);
+  const ThreadLimit limit(settings.threads);
   Coverage out;
   PreparedLog ready = prepared(std::move(given), settings.drive);
   WorkLog& log = ready.log;
@@ -110,7 +103,7 @@ Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& se
 
 Coverage evaluate(const std::vector<WorkedStep>& steps, double width_m, const Region& field,
                   const EvaluateSettings& settings) {
-  const auto limit = thread_limit(settings.threads);
+  const ThreadLimit limit(settings.threads);
   Coverage out;
   const std::unique_ptr<Engine> engine = make_engine(settings.engine, field, width_m, 1, settings.mesh_m);
   for (const WorkedStep& step : steps) {

@@ -7,29 +7,11 @@
 
 #include <vector>
 
-#include "tramline/geometry/box_grid.h"
+#include "tramline/geometry/edge_index.h"
 #include "tramline/geometry/interval.h"
 #include "tramline/geometry/path.h"
 
 namespace tramline {
-
-/// The edges of a region, ready to be met by paths. Rings oriented: outer counter-clockwise, holes clockwise.
-class EdgeIndex {
- public:
-  explicit EdgeIndex(const Region& oriented);
-
-  struct Edge {
-    Point from;
-    Point to;
-  };
-  const std::vector<Edge>& edges() const { return edges_; }
-  const BoxGrid& grid() const { return grid_; }
-  bool contains(Point p) const;  ///< even-odd over all edges. O(n)
-
- private:
-  std::vector<Edge> edges_;
-  BoxGrid grid_;
-};
 
 /// Part of a boundary edge within the cross-sections of one segment: positions along that segment, and the
 /// distance from the left end of the cross-section, which is monotonic in between.
@@ -78,8 +60,5 @@ Intervals where_at_least(const PathProfile& profile, double least_m);
 Intervals centre_inside(const PathProfile& profile);
 /// Area of the region within the swath between two positions, m².
 double area_between(const PathProfile& profile, double from, double to);
-
-/// The path between two positions along it. Precondition: from < to, both on the path.
-Path path_between(const Path& path, double from, double to);
 
 }  // namespace tramline

@@ -14,6 +14,9 @@ namespace {
 
 constexpr double kSamePlace = 1e-6;  // m: rails and rings that are one
 constexpr double kIdle = 1e-5;       // m: pieces of a ring that may be on no rail
+/// Where edges turn by less their lines at any distance just go on, m/m: so lines at two distances end so
+/// much of the difference apart.
+constexpr double kBend = 5e-7;
 
 /// Where a piece of a ring lies on the rails.
 struct Run {
@@ -41,8 +44,11 @@ double metres(const Rail& rail, double extent) {
   return rail.curve.straight() ? extent : extent * rail.curve.radius;
 }
 
+/// By how much pieces of a ring may end before or behind their rails, m.
+double slack_m(double radius_m) { return kSamePlace + kBend * radius_m; }
+
 /// nullopt: it is not on the rail.
-std::optional<Run> run_on(const Rail& rail, std::size_t index, const LevelPiece& piece) {
+std::optional<Run> run_on(const Rail& rail, std::size_t index, const LevelPiece& piece, double radius_m) {
   const OffsetCurve& curve = rail.curve;
   if (curve.straight() != piece.segment.straight() || rail.shore != piece.shore) return std::nullopt;
   if (!curve.straight() && distance(curve.centre, piece.centre) > kSamePlace) return std::nullopt;
@@ -52,7 +58,7 @@ std::optional<Run> run_on(const Rail& rail, std::size_t index, const LevelPiece&
   for (const Point p : {piece.segment.from, piece.segment.to}) {
     const double place = place_on(curve, p);
     if (distance(point_at(curve, place), p) > kSamePlace) return std::nullopt;
-    if (metres(rail, place) < -kSamePlace || metres(rail, place - curve.extent) > kSamePlace)
+    if (metres(rail, place) < -slack_m(radius_m) || metres(rail, place - curve.extent) > slack_m(radius_m))
       return std::nullopt;
   }
   if (dot(heading_at(curve, piece.segment.from), piece.from_heading) < 0) return std::nullopt;
@@ -60,26 +66,30 @@ std::optional<Run> run_on(const Rail& rail, std::size_t index, const LevelPiece&
   return Run{index, within(piece.segment.from), within(piece.segment.to)};
 }
 
-bool run_on_to(const std::vector<Rail>& rails, const Run& before, const Run& after) {
+bool run_on_to(const std::vector<Rail>& rails, const Run& before, const Run& after, double radius_m) {
   const Rail &a = rails[before.rail], &b = rails[after.rail];
   if (before.rail == after.rail) return std::abs(metres(a, after.from - before.to)) < kSamePlace;
-  return a.next == after.rail && metres(a, a.curve.extent - before.to) + metres(b, after.from) < kSamePlace;
+  return a.next == after.rail &&
+         metres(a, a.curve.extent - before.to) + metres(b, after.from) < slack_m(radius_m);
 }
 
 /// Splits a ring into stretches. false: it is not on the rails.
-bool append_stretches(const LevelRing& ring, const std::vector<Rail>& rails, std::vector<Stretch>& out) {
+bool append_stretches(const LevelRing& ring, const std::vector<Rail>& rails, double radius_m,
+                      std::vector<Stretch>& out) {
   std::vector<Run> runs;
   std::vector<const LevelPiece*> pieces;
   for (const LevelPiece& piece : ring) {
     std::optional<Run> run;
-    for (std::size_t i = 0; i < rails.size() && !run; ++i) run = run_on(rails[i], i, piece);
+    for (std::size_t i = 0; i < rails.size() && !run; ++i) run = run_on(rails[i], i, piece, radius_m);
     if (!run && length(piece.segment) > kIdle) return false;
     if (!run) continue;
     runs.push_back(*run);
     pieces.push_back(&piece);
   }
   const std::size_t n = runs.size(), first = out.size();
-  const auto breaks_before = [&](std::size_t i) { return !run_on_to(rails, runs[(i + n - 1) % n], runs[i]); };
+  const auto breaks_before = [&](std::size_t i) {
+    return !run_on_to(rails, runs[(i + n - 1) % n], runs[i], radius_m);
+  };
   std::size_t start = 0;
   while (start < n && !breaks_before(start)) ++start;
   if (n == 0) return false;
@@ -174,56 +184,47 @@ std::optional<LevelRing> rolled_round(const std::vector<Rail>& rails, std::size_
   return out;
 }
 
+/// Fewer meetings, or as many and less left and doubled than rounding can make of it.
+bool is_better(const RingsCost& a, const RingsCost& b) {
+  constexpr double kGain = 1e-3;  // m²
+  if (a.meetings != b.meetings) return a.meetings < b.meetings;
+  return a.missed_and_doubled_m2 < b.missed_and_doubled_m2 - kGain;
+}
+
 /// The rings as they are driven so far, and what that costs.
 class Choice {
  public:
-  Choice(std::vector<LevelRing> rings, const TurningLand& land, const RingsCost& cost)
-      : rings_(std::move(rings)),
-        land_(land),
-        cost_(cost),
-        least_(cost(rings_)),
-        meetings_(meeting_places(paths_along(rings_))) {}
+  Choice(std::vector<LevelRing> rings, const TurningLand& land, const CostOfRings& cost)
+      : rings_(std::move(rings)), land_(land), cost_(cost), least_(cost(rings_)) {}
 
-  /// Rings that cannot be driven are not taken, nor such as meet in more places than before.
+  /// Rings that cannot be driven are not taken.
   bool take_if_better(std::vector<LevelRing> rings) {
-    constexpr double kGain = 1e-3;  // m²: less is rounding
-    const double now = cost_(rings);
-    if (!(now < least_ - kGain)) return false;
-    const std::vector<Path> paths = paths_along(rings);
-    const int meetings = meeting_places(paths);
-    if (meetings > meetings_) return false;
-    for (const Path& path : paths)
-      if (!can_be_driven(path, land_)) return false;
+    const RingsCost now = cost_(rings);
+    if (!is_better(now, least_)) return false;
+    for (const LevelRing& ring : rings)
+      if (!can_be_driven(closed_path(ring, land_.radius_m), land_)) return false;
     least_ = now;
-    meetings_ = meetings;
     rings_ = std::move(rings);
     return true;
   }
   const std::vector<LevelRing>& rings() const { return rings_; }
 
  private:
-  std::vector<Path> paths_along(const std::vector<LevelRing>& rings) const {
-    std::vector<Path> out;
-    for (const LevelRing& ring : rings) out.push_back(closed_path(ring, land_.radius_m));
-    return out;
-  }
-
   std::vector<LevelRing> rings_;
   const TurningLand& land_;
-  const RingsCost& cost_;
-  double least_;
-  int meetings_;
+  const CostOfRings& cost_;
+  RingsCost least_;
 };
 
 }  // namespace
 
 std::vector<LevelRing> through_necks(std::vector<LevelRing> centres, const TurningLand& land,
-                                     const RingsCost& cost) {
+                                     const CostOfRings& cost) {
   if (land.shores.size() < 2 && centres.size() < 2) return centres;
   const std::vector<Rail> rails = rails_along(levels(land), land.radius_m);
   std::vector<Stretch> stretches;
   for (const LevelRing& ring : centres)
-    if (!append_stretches(ring, rails, stretches)) return centres;
+    if (!append_stretches(ring, rails, land.radius_m, stretches)) return centres;
   order_along(rails, stretches);
   const ArcFits fits = [&](Point centre, Point before, Point after) {
     return keeps_off(turn_about(centre, land.radius_m, before, after), land.shores);

@@ -5,6 +5,7 @@
 #include "tramline/geometry/layered_area.h"
 #include "tramline/headland/closed_path.h"
 #include "tramline/headland/necks.h"
+#include "tramline/headland/sound_rings.h"
 
 namespace tramline {
 namespace {
@@ -85,6 +86,12 @@ double missed_and_doubled_m2(const std::vector<HeadlandPass>& rings, const Worke
   return worked_m2 - 2 * new_area(curves);
 }
 
+int meetings_of(const std::vector<HeadlandPass>& rings) {
+  std::vector<Path> paths;
+  for (const HeadlandPass& ring : rings) paths.push_back(ring.path);
+  return meeting_places(paths);
+}
+
 void drive_round(Group& group, const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
                  int number, const Worked& before) {
   const double radius_m = std::max(terms.radius_m, 0.5 * terms.width_m);
@@ -101,7 +108,8 @@ void drive_round(Group& group, const std::vector<Boundary>& boundaries, const He
   };
   const TurningLand land = turning_land(members, terms.width_m, number, radius_m);
   group.passes = passes_along(through_necks(turning_centres(land), land, [&](const auto& rings) {
-    return missed_and_doubled_m2(passes_along(rings), before, terms.width_m);
+    const std::vector<HeadlandPass> passes = passes_along(rings);
+    return RingsCost{meetings_of(passes), missed_and_doubled_m2(passes, before, terms.width_m)};
   }));
 }
 

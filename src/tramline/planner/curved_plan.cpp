@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "tramline/geometry/path_between.h"
 #include "tramline/planner/curved_encounters.h"
 #include "tramline/planner/curved_layers.h"
 #include "tramline/planner/curved_overlaps.h"

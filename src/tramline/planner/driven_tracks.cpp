@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tramline/geometry/boolean.h"
+#include "tramline/geometry/path_between.h"
 
 namespace tramline {
 namespace {

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "tramline/geometry/path_between.h"
+
 namespace tramline {
 namespace {
 

@@ -7,6 +7,7 @@
 #include "tramline/geometry/extended.h"
 #include "tramline/geometry/kinked_line.h"
 #include "tramline/geometry/kinked_offset.h"
+#include "tramline/geometry/path_between.h"
 #include "tramline/tracks/track_extent.h"
 
 namespace tramline {

@@ -139,68 +139,83 @@ Coverage evaluated_here(const std::filesystem::path& log) {
   return coverage::evaluate(placed(io::read_log(log), frame_here()), field_here(), {}, {});
 }
 
-TEST_F(Drives, IsWhatEvaluateSaysAndCanBeTakenAway) {
-  const std::string log = joined(csv_lines(1500));
-  std::ofstream(folder_ / "own.csv") << log;
-  const Coverage whole = evaluated_here(folder_ / "own.csv");
-  const Got sent = here_.upload("spraying.csv", log);
-  ASSERT_EQ(sent.json.at("logs").size(), 1U);
-  EXPECT_EQ(sent.json["logs"][0].at("fixes"), 1500);
-  EXPECT_EQ(sent.json["logs"][0].at("width_m"), 6);
-  const std::string field = new_field();
-  const ordered_json drive =
-      new_drive({{"upload", sent.json.at("id")}, {"field", field}, {"name", "Tuesday"}});
-  const std::string id = drive.at("id"), path = "/drives/" + id;
-  EXPECT_EQ(drive.at("name"), "Tuesday");
-  EXPECT_EQ(drive.at("field"), field);
-  EXPECT_EQ(drive.at("to_s").get<double>() - drive.at("from_s").get<double>(), 1499);
-  const ordered_json& summary = drive.at("summary");
+/// One that is evaluated here, too.
+class EvaluatedDrive : public Drives {
+ protected:
+  void SetUp() override {
+    std::ofstream(folder_ / "own.csv") << log_;
+    whole_ = evaluated_here(folder_ / "own.csv");
+    sent_ = here_.upload("spraying.csv", log_).json;
+    field_ = new_field();
+    drive_ = new_drive({{"upload", sent_.at("id")}, {"field", field_}, {"name", "Tuesday"}});
+    ASSERT_TRUE(drive_.is_object());
+    path_ = "/drives/" + drive_.at("id").get<std::string>();
+  }
+
+  const std::string log_ = joined(csv_lines(1500));
+  Coverage whole_;
+  ordered_json sent_, drive_;
+  std::string field_, path_;
+};
+
+TEST_F(EvaluatedDrive, SaysWhatEvaluateSays) {
+  ASSERT_EQ(sent_.at("logs").size(), 1U);
+  EXPECT_EQ(sent_["logs"][0].at("fixes"), 1500);
+  EXPECT_EQ(sent_["logs"][0].at("width_m"), 6);
+  EXPECT_EQ(drive_.at("name"), "Tuesday");
+  EXPECT_EQ(drive_.at("field"), field_);
+  EXPECT_EQ(drive_.at("to_s").get<double>() - drive_.at("from_s").get<double>(), 1499);
+  const ordered_json& summary = drive_.at("summary");
   // The two planes are centred on places a few metres apart.
-  EXPECT_NEAR(summary.at("covered_m2"), whole.areas.covered_m2, 1e-3);
-  EXPECT_NEAR(summary.at("missed_m2"), whole.areas.missed_m2, 1e-3);
-  EXPECT_NEAR(summary.at("repeated_m2"), whole.areas.repeated_m2, 1e-3);
-  EXPECT_EQ(summary.at("missed_regions"), whole.gaps.size());
+  EXPECT_NEAR(summary.at("covered_m2"), whole_.areas.covered_m2, 1e-3);
+  EXPECT_NEAR(summary.at("missed_m2"), whole_.areas.missed_m2, 1e-3);
+  EXPECT_NEAR(summary.at("repeated_m2"), whole_.areas.repeated_m2, 1e-3);
+  EXPECT_EQ(summary.at("missed_regions"), whole_.gaps.size());
   EXPECT_EQ(summary.at("log"), "spraying.csv");
-  ASSERT_EQ(drive.at("gaps").size(), whole.gaps.size());
-  const Point gap = FrameProjection(frame_here()).to_lonlat(whole.gaps.front().centre);
-  EXPECT_NEAR(drive["gaps"][0].at("area_m2"), whole.gaps.front().area_m2, 1e-3);
-  EXPECT_NEAR(drive["gaps"][0].at("lon"), gap.x, 1e-6);
-  EXPECT_TRUE(drive.at("compared").is_null());
-  ASSERT_EQ(drive.at("bbox").size(), 4U);
-  EXPECT_LT(drive["bbox"][0].get<double>(), kLon);
-  EXPECT_GT(drive["bbox"][3].get<double>(), kLat);
+  ASSERT_EQ(drive_.at("gaps").size(), whole_.gaps.size());
+  const Point gap = FrameProjection(frame_here()).to_lonlat(whole_.gaps.front().centre);
+  EXPECT_NEAR(drive_["gaps"][0].at("area_m2"), whole_.gaps.front().area_m2, 1e-3);
+  EXPECT_NEAR(drive_["gaps"][0].at("lon"), gap.x, 1e-6);
+  EXPECT_TRUE(drive_.at("compared").is_null());
+  ASSERT_EQ(drive_.at("bbox").size(), 4U);
+  EXPECT_LT(drive_["bbox"][0].get<double>(), kLon);
+  EXPECT_GT(drive_["bbox"][3].get<double>(), kLat);
 
   const ordered_json list = here_.get("/drives").json;
   ASSERT_EQ(list.size(), 1U);
-  EXPECT_EQ(list[0].at("id"), id);
-  EXPECT_NEAR(list[0].at("missed_m2"), whole.areas.missed_m2, 1e-3);
+  EXPECT_EQ(list[0].at("id"), drive_.at("id"));
+  EXPECT_NEAR(list[0].at("missed_m2"), whole_.areas.missed_m2, 1e-3);
+}
 
+TEST_F(EvaluatedDrive, HasLayersForTheMap) {
   for (const char* layer : {"covered", "repeated", "missed", "multiplicity", "track", "gaps", "field"}) {
-    const Got got = here_.get(path + "/layers/" + layer);
+    const Got got = here_.get(path_ + "/layers/" + layer);
     ASSERT_EQ(got.status, 200) << layer << got.text;
     EXPECT_EQ(got.json.at("type"), "FeatureCollection") << layer;
     ASSERT_FALSE(got.json.at("features").empty()) << layer;
   }
   double covered_m2 = 0;
-  const ordered_json covered = here_.get(path + "/layers/covered").json;
+  const ordered_json covered = here_.get(path_ + "/layers/covered").json;
   for (const ordered_json& feature : covered.at("features"))
     covered_m2 += area_of_json(feature.at("geometry").at("type") == "Polygon"
                                    ? ordered_json::array({feature["geometry"]["coordinates"]})
                                    : feature["geometry"]["coordinates"]);
-  EXPECT_NEAR(covered_m2, whole.areas.covered_m2, 0.5) << "seven decimals of a degree are a centimetre";
+  EXPECT_NEAR(covered_m2, whole_.areas.covered_m2, 0.5) << "seven decimals of a degree are a centimetre";
+}
 
-  EXPECT_EQ(here_.get(path + "/files/log").text, log);
-  EXPECT_TRUE(here_.get(path + "/files/png").text.starts_with("\x89PNG"));
-  EXPECT_TRUE(mentions(here_.get(path + "/files/svg").text, "<svg"));
-  const Got pdf = here_.get(path + "/files/pdf");
+TEST_F(EvaluatedDrive, CanBeTakenAwayAndDeleted) {
+  EXPECT_EQ(here_.get(path_ + "/files/log").text, log_);
+  EXPECT_TRUE(here_.get(path_ + "/files/png").text.starts_with("\x89PNG"));
+  EXPECT_TRUE(mentions(here_.get(path_ + "/files/svg").text, "<svg"));
+  const Got pdf = here_.get(path_ + "/files/pdf");
   EXPECT_TRUE(pdf.text.starts_with("%PDF"));
   EXPECT_TRUE(mentions(pdf.headers.find("Content-Disposition")->second, "attachment"));
-  std::ofstream(folder_ / "taken.gpkg", std::ios::binary) << here_.get(path + "/files/gpkg").text;
+  std::ofstream(folder_ / "taken.gpkg", std::ios::binary) << here_.get(path_ + "/files/gpkg").text;
   const Coverage taken = io::read_coverage(folder_ / "taken.gpkg");
-  EXPECT_EQ(taken.areas.covered_m2, summary.at("covered_m2").get<double>());
+  EXPECT_EQ(taken.areas.covered_m2, drive_.at("summary").at("covered_m2").get<double>());
 
-  EXPECT_EQ(here_.remove(path).status, 200);
-  EXPECT_EQ(here_.get(path).status, 404);
+  EXPECT_EQ(here_.remove(path_).status, 200);
+  EXPECT_EQ(here_.get(path_).status, 404);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path() / "drives"), {}), 0);
 }
 

@@ -1,7 +1,6 @@
 #include "tramline/coverage/dose/dose.h"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +13,7 @@
 #include "tramline/coverage/dose/lay_slab.h"
 #include "tramline/coverage/dose/region_in_cells.h"
 #include "tramline/coverage/plausible.h"
+#include "tramline/coverage/thread_limit.h"
 #include "tramline/geometry/error.h"
 
 namespace tramline::coverage {
@@ -64,13 +64,6 @@ class Layer {
   double logged_ = 0, nominal_ = 0;
   std::size_t without_rate_ = 0;
 };
-
-/// The wind spreads with as many threads; 0: all there are.
-std::optional<tbb::global_control> thread_limit(int threads) {
-  if (threads <= 0) return std::nullopt;
-  return std::optional<tbb::global_control>(std::in_place, tbb::global_control::max_allowed_parallelism,
-                                            static_cast<std::size_t>(threads));
-}
 
 void require_rates(const WorkLog& log, const RateSettings& rates) {
   const bool logged = rates.use_logged && std::any_of(log.fixes.begin(), log.fixes.end(), [](const Fix& fix) {
@@ -146,7 +139,7 @@ void require_counted(const Coverage& coverage, const RateSettings& rates) {
 
 DoseMap dose(WorkLog log, const Region& field, const DoseSettings& settings, const FixProgress& progress) {
   require_rates(log, settings.rates);
-  const auto limit = thread_limit(settings.evaluate.threads);
+  const ThreadLimit limit(settings.evaluate.threads);
   EvaluateSettings evaluation = settings.evaluate;
   evaluation.engine = EngineKind::kExact;
   evaluation.shapes = false;
@@ -179,7 +172,7 @@ DoseMap dose(WorkLog log, const Region& field, const DoseSettings& settings, con
 
 DoseMap dose(const Coverage& coverage, const DoseSettings& settings) {
   require_counted(coverage, settings.rates);
-  const auto limit = thread_limit(settings.evaluate.threads);
+  const ThreadLimit limit(settings.evaluate.threads);
   DoseMap out;
   out.log = coverage.log;
   out.field_id = coverage.field_id;

@@ -57,7 +57,9 @@ TransversePattern::TransversePattern(SprayPattern points, double width_m, const 
     stretches_.push_back({a.offset_m, b.offset_m, a.rate, b.rate});
     whole += 0.5 * (a.rate + b.rate) * (b.offset_m - a.offset_m);
   }
-  if (!(whole > 0) || !std::isfinite(whole))
+  // Below that digits are lost, and the factor is no number.
+  constexpr double kLeast = 1e-200;
+  if (!(whole > kLeast) || !std::isfinite(whole))
     throw bad_input(fmt::format("{}: nothing lands anywhere; give rates above 0", place));
   for (PatternStretch& stretch : stretches_) {
     stretch.at_right *= width_m / whole;

@@ -24,7 +24,7 @@ class TransversePattern {
   TransversePattern();
   /// Throws kBadInput, with `place` in front, for fewer than two points, numbers that are not finite,
   /// negative rates, offsets that go back and forth, more than two points at one offset, and rates that are
-  /// all 0.
+  /// all 0, or so small that they come to nothing.
   TransversePattern(SprayPattern points, double width_m, const std::string& place);
 
   bool even() const { return stretches_.empty(); }

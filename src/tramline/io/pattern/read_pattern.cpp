@@ -41,6 +41,10 @@ std::vector<std::string> cells_of(std::string_view text) {
 
 SprayPattern read_pattern(const std::string& path) {
   FileLines lines(path);
+  return read_pattern(lines, path);
+}
+
+SprayPattern read_pattern(Lines& lines, const std::string& name) {
   SprayPattern out;
   std::string line;
   bool may_be_names = true;
@@ -56,7 +60,7 @@ SprayPattern read_pattern(const std::string& path) {
     const bool names = may_be_names && two && std::isnan(offset_m) && std::isnan(rate);
     may_be_names = false;
     if (names) continue;
-    const std::string place = fmt::format("pattern '{}', line {}", path, number);
+    const std::string place = fmt::format("pattern '{}', line {}", name, number);
     if (std::isnan(offset_m) || std::isnan(rate))
       throw bad_input(fmt::format(
           "{}: not two numbers; each line is an offset in metres and a relative rate, such as -6,0.8",
@@ -68,7 +72,7 @@ SprayPattern read_pattern(const std::string& path) {
   }
   if (out.empty())
     throw bad_input(fmt::format(
-        "pattern '{}' holds no rows; each line is an offset in metres and a relative rate", path));
+        "pattern '{}' holds no rows; each line is an offset in metres and a relative rate", name));
   return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "tramline/io/fixes/lines.h"
 #include "tramline/model/spray_pattern.h"
 
 namespace tramline::io {
@@ -13,5 +14,7 @@ namespace tramline::io {
 /// cannot be opened or is no such table, for a rate that is negative, and for more than 10 000 rows. What
 /// makes a pattern of the rows is checked where it is used. O(size).
 SprayPattern read_pattern(const std::string& path);
+/// The same from any lines; messages call them `name`.
+SprayPattern read_pattern(Lines& lines, const std::string& name);
 
 }  // namespace tramline::io
