@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "report/evaluate_report.h"
+#include "report/report_parts.h"
 #include "request/plan_and_done.h"
 #include "server/drives/work_log_file.h"
 #include "server/input/drive_input.h"
@@ -25,8 +26,6 @@ using nlohmann::ordered_json;
 
 /// A log none of whose fixes is nearer to a field than this was driven elsewhere, m.
 constexpr double kNear_m = 2000;
-
-ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(); }
 
 const char* word_for(Clock clock) {
   switch (clock) {
@@ -69,7 +68,7 @@ ordered_json gaps_json(const Coverage& coverage, const ShownPlace& place) {
                    {"area_m2", gap.area_m2},
                    {"lon", at.x},
                    {"lat", at.y},
-                   {"widest_m", number(gap.widest_m)}});
+                   {"widest_m", app::number_json(gap.widest_m)}});
   }
   return out;
 }
@@ -94,9 +93,9 @@ ordered_json shown(const DriveOrder& order, const app::Evaluation& evaluation, c
   out["geodetic"] = coverage.frame.geodetic;
   out["bbox"] = any_ground ? place.bbox(box) : ordered_json();
   out["covered_m2"] = coverage.areas.covered_m2;
-  out["missed_m2"] = coverage.field.empty() ? ordered_json() : number(coverage.areas.missed_m2);
+  out["missed_m2"] = coverage.field.empty() ? ordered_json() : app::number_json(coverage.areas.missed_m2);
   out["options"] = drive_options_json(order.source.options);
-  out["width_m"] = number(order.source.options.drive.width_m);
+  out["width_m"] = app::number_json(order.source.options.drive.width_m);
   out["summary"] = app::evaluation_json(evaluation);
   out["gaps"] = gaps_json(coverage, place);
   out["compared"] = nullptr;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <string_view>
@@ -35,8 +34,6 @@ constexpr std::array<std::string_view, 16> kExtensions = {
     ".csv.gz", ".txt.gz", ".log.gz", ".nmea.gz", ".geojson", ".gpkg", ".json", ".nmea",
     ".shp",    ".zip",    ".gpx",    ".csv",     ".txt",     ".log",  ".xml",  ".bin"};
 
-ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(); }
-
 ordered_json frame_json(const LocalFrame& frame) {
   return {{"geodetic", frame.geodetic},
           {"origin_lon_deg", frame.origin_lon_deg},
@@ -60,7 +57,7 @@ ordered_json kept_json(const KeptDrive& drive) {
            {{"name", source.log_name},
             {"extension", source.extension},
             {"entry", source.options.log.log},
-            {"width_m", number(source.options.drive.width_m)},
+            {"width_m", app::number_json(source.options.drive.width_m)},
             {"options", drive_options_json(source.options)}}},
           {"frame", frame_json(drive.frame)},
           {"shown", drive.shown}};

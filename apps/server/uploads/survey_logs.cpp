@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "report/report_parts.h"
 #include "server/http/page_words.h"
 #include "server/uploads/survey.h"
 #include "tramline/coverage/worked_drive.h"
@@ -15,8 +16,6 @@ namespace tramline::server {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(); }
 
 /// [west, south, east, north] of all fixes but the outermost hundredth on each side, among which the stray
 /// ones are; null where the log is in plain metres, or says nowhere where it was. O(n).
@@ -49,10 +48,14 @@ ordered_json entry_json(const io::LogEntry& entry, const WorkLog& log) {
     to_s = std::fmax(to_s, fix.time_s);
   }
   const double width_m = coverage::widest_m(log, {});
-  return {{"name", entry.name},          {"task", entry.task_name},
-          {"partfield", entry.field_id}, {"fixes", log.fixes.size()},
-          {"from_s", number(from_s)},    {"to_s", number(to_s)},
-          {"bbox", where_driven(log)},   {"width_m", width_m > 0 ? number(width_m) : ordered_json()},
+  return {{"name", entry.name},
+          {"task", entry.task_name},
+          {"partfield", entry.field_id},
+          {"fixes", log.fixes.size()},
+          {"from_s", app::number_json(from_s)},
+          {"to_s", app::number_json(to_s)},
+          {"bbox", where_driven(log)},
+          {"width_m", width_m > 0 ? app::number_json(width_m) : ordered_json()},
           {"refused", nullptr}};
 }
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -15,8 +14,6 @@ namespace tramline::server {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(); }
 
 /// Lists of places as text. A replay's first frame may have half a million of them, which as values that are
 /// then put into words take ten times as long.
@@ -96,7 +93,9 @@ std::string tile_id(coverage::TileIndex tile) { return fmt::format("{},{}", tile
 
 ordered_json figures_json(const WorkFigures& figures) {
   const CoverageAreas& areas = figures.areas;
-  const auto of_field = [&](double value) { return figures.has_field ? number(value) : ordered_json(); };
+  const auto of_field = [&](double value) {
+    return figures.has_field ? app::number_json(value) : ordered_json();
+  };
   ordered_json out;
   out["covered_m2"] = areas.covered_m2;
   out["covered_inside_m2"] = of_field(areas.covered_inside_m2);
@@ -105,9 +104,9 @@ ordered_json figures_json(const WorkFigures& figures) {
   out["missed_m2"] = of_field(areas.missed_m2);
   out["gross_m2"] = areas.gross_m2;
   out["sliver_m2"] = areas.sliver_m2;
-  out["worked_s"] = number(figures.worked_s);
-  out["ha_per_hour"] = number(figures.present_m2_per_s * 3600 / 1e4);
-  out["remaining_s"] = number(remaining_s(figures));
+  out["worked_s"] = app::number_json(figures.worked_s);
+  out["ha_per_hour"] = app::number_json(figures.present_m2_per_s * 3600 / 1e4);
+  out["remaining_s"] = app::number_json(remaining_s(figures));
   return out;
 }
 
@@ -117,11 +116,11 @@ std::string EventWriter::frame_text(const WorkFrame& frame) {
     place_.emplace(plane_);
   }
   ordered_json head;
-  head["time_s"] = number(frame.time_s);
+  head["time_s"] = app::number_json(frame.time_s);
   head["fix"] = frame.fix;
   head["fixes"] = frame.fixes;
   head["at"] = frame.at ? place_->position(*frame.at) : ordered_json();
-  head["heading_deg"] = frame.heading ? number(frame.heading->degrees()) : ordered_json();
+  head["heading_deg"] = frame.heading ? app::number_json(frame.heading->degrees()) : ordered_json();
   head["working"] = frame.working;
   head["figures"] = figures_json(frame.figures);
   head["all"] = frame.changes.all;
