@@ -105,7 +105,7 @@ TEST(Races, APlanThatIsTakenAwayWhileItIsDeletedIsWholeOrNotThere) {
   const std::vector<std::string> plans = copies_of_a_plan(folder.path(), 40);
   const Served served(folder.path());
   std::mt19937 chance(8);
-  const std::vector<std::string> parts{"", "/layers/tracks", "/layers", "/files/geojson", "/files/png"};
+  const std::vector<std::string> parts{"", "/layers/tracks", "/layers", "/files/flatgeobuf", "/files/png"};
   for (std::size_t i = 0; i < plans.size(); ++i) {
     const std::string path = "/plans/" + plans[i];
     std::atomic<bool> gone = false;
