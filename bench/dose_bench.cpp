@@ -59,19 +59,19 @@ void run(benchmark::State& state, const coverage::DoseSettings& settings) {
       static_cast<double>(fixes) * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
 }
 
-void even(benchmark::State& state) {
-  coverage::DoseSettings settings;
-  settings.evaluate.drive.width_m = kWidth_m;
-  settings.evaluate.threads = 1;
-  run(state, settings);
+coverage::DoseSettings on_one_thread() {
+  coverage::DoseSettings out;
+  out.evaluate.drive.width_m = kWidth_m;
+  out.evaluate.threads = 1;
+  return out;
 }
+
+void even(benchmark::State& state) { run(state, on_one_thread()); }
 BENCHMARK(even)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
 
 /// Less at both ends of the boom, in five stretches.
 void with_pattern(benchmark::State& state) {
-  coverage::DoseSettings settings;
-  settings.evaluate.drive.width_m = kWidth_m;
-  settings.evaluate.threads = 1;
+  coverage::DoseSettings settings = on_one_thread();
   settings.pattern = {{-12.5, 0}, {-11.5, 1}, {-4, 1.02}, {4, 0.98}, {11.5, 1}, {12.5, 0}};
   settings.pattern_place = "the pattern";
   run(state, settings);
@@ -80,9 +80,7 @@ BENCHMARK(with_pattern)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
 
 /// 4 m/s from the west spread the cells.
 void with_wind(benchmark::State& state) {
-  coverage::DoseSettings settings;
-  settings.evaluate.drive.width_m = kWidth_m;
-  settings.evaluate.threads = 1;
+  coverage::DoseSettings settings = on_one_thread();
   settings.wind = coverage::WindSettings{};
   settings.wind->speed_mps = 4;
   run(state, settings);

@@ -34,6 +34,62 @@ void own_the_port(socket_t socket) {
   setsockopt(socket, IPPROTO_TCP, TCP_NOTSENT_LOWAT, &kMostUnsentBytes, sizeof(kMostUnsentBytes));
 }
 
+void require_token_where_others_come(const ServerSettings& given) {
+  if (given.token.empty() && !is_loopback(given.host))
+    throw bad_input(fmt::format(
+        "others can reach {} too, so a token has to be asked for; give one with --token", given.host));
+}
+
+void set_up_connections(httplib::Server& http, int threads) {
+  http.new_task_queue = [threads] { return new httplib::ThreadPool(static_cast<std::size_t>(threads)); };
+  // A connection that waits for its next request would hold a thread; a new one costs next to nothing here.
+  http.set_keep_alive_max_count(1);
+  http.set_tcp_nodelay(true);
+  http.set_read_timeout(30);
+  http.set_write_timeout(30);
+}
+
+int bound_port(httplib::Server& http, const ServerSettings& given) {
+  const int any = given.port == 0 ? http.bind_to_any_port(given.host) : -1;
+  if (any > 0) return any;
+  if (given.port != 0 && http.bind_to_port(given.host, given.port)) return given.port;
+  throw bad_input(
+      fmt::format("port {} on {} cannot be had: another program, perhaps another tramline, uses it, or "
+                  "it is not allowed; choose another with --port, or end that one",
+                  given.port, given.host));
+}
+
+/// Every request goes through the gate, and then to its route. The router is kept by reference.
+void set_handlers(httplib::Server& http, const Gate& gate, const Router& router) {
+  http.set_pre_routing_handler([gate, &router](const httplib::Request& request, httplib::Response& response) {
+    const bool has_body = request.method == "POST" || request.method == "PUT" || request.method == "PATCH";
+    if (!gate.lets_in(request, response, router.most_bytes(request)))
+      return httplib::Server::HandlerResponse::Handled;
+    if (has_body) return httplib::Server::HandlerResponse::Unhandled;
+    router.serve(request, response, nullptr);
+    return httplib::Server::HandlerResponse::Handled;
+  });
+  const auto with_body = [&router](const httplib::Request& request, httplib::Response& response,
+                                   const httplib::ContentReader& reader) {
+    router.serve(request, response, &reader);
+  };
+  http.Post("[^]*", with_body);
+  http.Put("[^]*", with_body);
+  http.Patch("[^]*", with_body);
+  http.set_expect_100_continue_handler(
+      [gate, &router](const httplib::Request& request, httplib::Response& response) {
+        return gate.lets_in(request, response, router.most_bytes(request)) ? 100 : response.status;
+      });
+  const httplib::Server::HandlerWithResponse in_json = [](const httplib::Request&,
+                                                          httplib::Response& response) {
+    if (response.body.empty())
+      answer_fault(response, response.status,
+                   error_body(Fault::kBadInput, "the request is none that a server understands"));
+    return httplib::Server::HandlerResponse::Handled;
+  };
+  http.set_error_handler(in_json);
+}
+
 }  // namespace
 
 void add_routes(Router& router, App& app) {
@@ -63,66 +119,17 @@ struct Server::Parts {
 
 Server::Server(ServerSettings settings) : parts_(std::make_unique<Parts>(std::move(settings))) {
   io::open_plain_files_only();
-  if (parts_->app.settings.token.empty() && !is_loopback(parts_->app.settings.host))
-    throw bad_input(
-        fmt::format("others can reach {} too, so a token has to be asked for; give one with --token",
-                    parts_->app.settings.host));
-  App& app = parts_->app;
-  const Router& router = parts_->router;
-  httplib::Server& http = parts_->http;
-  add_routes(parts_->router, app);
-  http.new_task_queue = [&app] {
-    return new httplib::ThreadPool(static_cast<std::size_t>(app.settings.limits.streams + kWorkers));
-  };
-  // A connection that waits for its next request would hold a thread; a new one costs next to nothing here.
-  http.set_keep_alive_max_count(1);
-  http.set_tcp_nodelay(true);
-  http.set_socket_options([this](socket_t socket) {
+  const ServerSettings& given = parts_->app.settings;
+  require_token_where_others_come(given);
+  add_routes(parts_->router, parts_->app);
+  set_up_connections(parts_->http, given.limits.streams + kWorkers);
+  parts_->http.set_socket_options([this](socket_t socket) {
     own_the_port(socket);
     parts_->listening = socket;
   });
-  http.set_read_timeout(30);
-  http.set_write_timeout(30);
-
-  const ServerSettings& given = app.settings;
-  const bool bound = given.port == 0 ? (parts_->port = http.bind_to_any_port(given.host)) > 0
-                                     : http.bind_to_port(given.host, parts_->port = given.port);
-  if (!bound)
-    throw bad_input(
-        fmt::format("port {} on {} cannot be had: another program, perhaps another tramline, uses it, or "
-                    "it is not allowed; choose another with --port, or end that one",
-                    given.port, given.host));
-
+  parts_->port = bound_port(parts_->http, given);
   listen(parts_->listening, kMostWaiting);
-
-  const Gate gate(given.host, parts_->port, given.token);
-  http.set_pre_routing_handler([gate, &router](const httplib::Request& request, httplib::Response& response) {
-    const bool has_body = request.method == "POST" || request.method == "PUT" || request.method == "PATCH";
-    if (!gate.lets_in(request, response, router.most_bytes(request)))
-      return httplib::Server::HandlerResponse::Handled;
-    if (has_body) return httplib::Server::HandlerResponse::Unhandled;
-    router.serve(request, response, nullptr);
-    return httplib::Server::HandlerResponse::Handled;
-  });
-  const auto with_body = [&router](const httplib::Request& request, httplib::Response& response,
-                                   const httplib::ContentReader& reader) {
-    router.serve(request, response, &reader);
-  };
-  http.Post("[^]*", with_body);
-  http.Put("[^]*", with_body);
-  http.Patch("[^]*", with_body);
-  http.set_expect_100_continue_handler(
-      [gate, &router](const httplib::Request& request, httplib::Response& response) {
-        return gate.lets_in(request, response, router.most_bytes(request)) ? 100 : response.status;
-      });
-  const httplib::Server::HandlerWithResponse in_json = [](const httplib::Request&,
-                                                          httplib::Response& response) {
-    if (response.body.empty())
-      answer_fault(response, response.status,
-                   error_body(Fault::kBadInput, "the request is none that a server understands"));
-    return httplib::Server::HandlerResponse::Handled;
-  };
-  http.set_error_handler(in_json);
+  set_handlers(parts_->http, Gate(given.host, parts_->port, given.token), parts_->router);
 }
 
 Server::~Server() { stop(); }

@@ -136,11 +136,15 @@ class Bound {
       return;
     }
     find_undriven(run);
+    const auto is_passage = [this](const BoundaryWindow& window) {
+      return window.passes && !is_left(window.lowest, window.highest);
+    };
     for (std::size_t k = run.first; k <= run.last; ++k) {
       if (in_zone(windows_[k])) continue;
-      windows_[k].passes && !is_left(windows_[k].lowest, windows_[k].highest) ? add_passage(k)
-                                                                              : add_rows(windows_[k]);
-      if (k < run.last && is_left(windows_[k].highest, windows_[k + 1].lowest))
+      is_passage(windows_[k]) ? add_passage(k) : add_rows(windows_[k]);
+      // A passage may move along without costing less: only beside other windows is the land between certain.
+      if (k == run.last || is_passage(windows_[k]) || is_passage(windows_[k + 1])) continue;
+      if (is_left(windows_[k].highest, windows_[k + 1].lowest))
         sums_.fixed += objective_.uncovered * width_ * (windows_[k + 1].lowest - windows_[k].highest);
     }
   }

@@ -1,7 +1,6 @@
 #include "tramline/planner/flush_places.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "tramline/decomposition/candidate_directions.h"
 
@@ -11,34 +10,44 @@ namespace {
 /// Edges of one direction.
 struct Edges {
   double angle = 0, length = 0, longest = 0;
-  Point at;
+  Point at;  ///< on the longest
 };
 
-}  // namespace
-
-std::vector<GridPlace> flush_places(const Polygon& part, Point pivot, std::size_t most) {
-  std::vector<Edges> all;
+/// By their angles, each by itself.
+std::vector<Edges> edges_of(const Polygon& part) {
+  std::vector<Edges> out;
   for (const Ring& ring : rings_of({part}))
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
       if (a == b) continue;
-      const double length = std::hypot(b.x - a.x, b.y - a.y);
-      all.push_back({Direction::along(a, b).angle().radians(), length, length, a});
+      const double length = distance(a, b);
+      out.push_back({Direction::along(a, b).angle().radians(), length, length, a});
     }
-  std::sort(all.begin(), all.end(), [](const Edges& a, const Edges& b) { return a.angle < b.angle; });
-  std::vector<Edges> groups;
-  for (const Edges& edge : all) {
-    if (groups.empty() || edge.angle - groups.back().angle > kSameDirectionRadians) {
-      groups.push_back(edge);
+  std::sort(out.begin(), out.end(), [](const Edges& a, const Edges& b) { return a.angle < b.angle; });
+  return out;
+}
+
+std::vector<Edges> by_direction(const std::vector<Edges>& edges) {
+  std::vector<Edges> out;
+  for (const Edges& edge : edges) {
+    if (out.empty() || edge.angle - out.back().angle > kSameDirectionRadians) {
+      out.push_back(edge);
       continue;
     }
-    Edges& group = groups.back();
+    Edges& group = out.back();
     group.length += edge.length;
     if (edge.longest > group.longest) {
       group.longest = edge.longest;
       group.at = edge.at;
     }
   }
+  return out;
+}
+
+}  // namespace
+
+std::vector<GridPlace> flush_places(const Polygon& part, Point pivot, std::size_t most) {
+  std::vector<Edges> groups = by_direction(edges_of(part));
   std::stable_sort(groups.begin(), groups.end(),
                    [](const Edges& a, const Edges& b) { return a.length > b.length; });
   if (groups.size() > most) groups.resize(most);

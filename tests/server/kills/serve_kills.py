@@ -135,7 +135,7 @@ class Worker(threading.Thread):
         self.done, self.fault = 0, None
 
     def run(self):
-        acts = [[self.new_field, self.change_field, self.delete("fields")], [self.new_machine, self.delete("machines")],
+        acts = [[self.new_field, self.rename_field, self.delete("fields")], [self.new_machine, self.delete("machines")],
                 [self.new_plan, self.new_plan, self.rename_plan, self.delete("plans")],
                 [self.new_drive, self.new_drive, self.evaluate_again, self.delete("drives")]][self.number]
         try:
@@ -162,15 +162,21 @@ class Worker(threading.Thread):
         self.ledger.set(kind, ident, {"id": ident, "name": made.get("name")})
         self.told(kind, ident)
 
-    def change_field(self):
-        ident = self.ledger.some("fields", self.chance)
+    def rename(self, kind):
+        ident = self.ledger.some(kind, self.chance)
         if ident is None:
             return
-        old = self.server.described("fields", ident)
+        old = self.server.described(kind, ident)
         new = {**old, "name": self.name()}
-        self.ledger.set("fields", ident, old, new)
-        self.server.call("PATCH", f"/fields/{ident}", {"name": new["name"]})
-        self.ledger.set("fields", ident, new)
+        self.ledger.set(kind, ident, old, new)
+        self.server.call("PATCH", f"/{kind}/{ident}", {"name": new["name"]})
+        self.ledger.set(kind, ident, new)
+
+    def rename_field(self):
+        self.rename("fields")
+
+    def rename_plan(self):
+        self.rename("plans")
 
     def new_machine(self):
         machine = {**MACHINE, "name": self.name(), "width_m": self.chance.randrange(1, 40), "min_length_m": 7}
@@ -188,16 +194,6 @@ class Worker(threading.Thread):
         job = self.server.call("POST", "/jobs", {"kind": "plan", "field": field["id"], "machine": MACHINE})
         ident = self.server.end_of(job)["plan"]
         self.told_or_named("plans", ident, {"name": field["name"]})
-
-    def rename_plan(self):
-        ident = self.ledger.some("plans", self.chance)
-        if ident is None:
-            return
-        old = self.server.described("plans", ident)
-        new = {**old, "name": self.name()}
-        self.ledger.set("plans", ident, old, new)
-        self.server.call("PATCH", f"/plans/{ident}", {"name": new["name"]})
-        self.ledger.set("plans", ident, new)
 
     def new_drive(self):
         sent = self.server.call("POST", "/uploads?name=drive.csv", log_of(self.chance))
