@@ -9,7 +9,9 @@ namespace {
 
 using nlohmann::ordered_json;
 
-bool is_counted(Cause cause) { return cause == Cause::kTurns || cause == Cause::kStops; }
+bool is_counted(Cause cause) {
+  return cause == Cause::kTurns || cause == Cause::kStops || cause == Cause::kSubfields;
+}
 
 ordered_json cause_json(Cause cause, const CausePart& part) {
   return {{"cause", name(cause)},
@@ -34,7 +36,8 @@ ordered_json runner_up_json(const RunnerUp& plan) {
            {{"overlap", plan.more.overlap},
             {"uncovered", plan.more.uncovered},
             {"turns", plan.more.turns},
-            {"stops", plan.more.stops}}},
+            {"stops", plan.more.stops},
+            {"subfields", plan.more.subfields}}},
           {"main_reason", main_reason(plan.more)}};
 }
 
@@ -56,7 +59,7 @@ std::string cause_row(Cause cause, const CausePart& part, double cost) {
 
 bool is_worth_a_row(const CausePart& part) {
   constexpr double kShown_m2 = 0.05;
-  return part.overlap_m2 >= kShown_m2 || part.uncovered_m2 >= kShown_m2 || part.count > 0;
+  return std::abs(part.overlap_m2) >= kShown_m2 || std::abs(part.uncovered_m2) >= kShown_m2 || part.count > 0;
 }
 
 std::string directions_text(const std::vector<Direction>& directions) {
@@ -87,6 +90,21 @@ std::string runner_up_rows(const Explanation& why, double cost) {
   return out;
 }
 
+/// What most people would have driven.
+std::string longest_side_row(const RunnerUp& plan) {
+  constexpr double kNothing = 0.005;
+  const double more = plan.more.sum();
+  if (plan.tally.pieces == 0)
+    return fmt::format("longest side  at {:.2f}° no track fits\n", plan.directions.front().degrees());
+  const std::string difference = std::abs(more) < kNothing ? "the same"
+                                 : more > 0                ? fmt::format("{:.2f} more", more)
+                                                           : fmt::format("{:.2f} less", -more);
+  return fmt::format("longest side  all tracks along it, at {:.2f}°, would cost {:.2f}, {}: overlap {}, uncovered {}, "
+                     "{} turns, {} stops\n",
+                     plan.directions.front().degrees(), plan.cost, difference, area_text(plan.tally.overlap_m2),
+                     area_text(plan.tally.uncovered_m2), plan.tally.turns, plan.tally.stops);
+}
+
 }  // namespace
 
 ordered_json explain_json(const Explanation& why) {
@@ -94,7 +112,9 @@ ordered_json explain_json(const Explanation& why) {
   for (std::size_t i = 0; i < kCauseCount; ++i)
     causes.push_back(cause_json(static_cast<Cause>(i), why.causes.parts[i]));
   for (const RunnerUp& plan : why.runner_ups) runner_ups.push_back(runner_up_json(plan));
-  return {{"causes", std::move(causes)}, {"runner_ups", std::move(runner_ups)}};
+  return {{"causes", std::move(causes)},
+          {"runner_ups", std::move(runner_ups)},
+          {"longest_side", runner_up_json(why.longest_side)}};
 }
 
 std::string explain_rows(const Explanation& why, double cost) {
@@ -103,7 +123,7 @@ std::string explain_rows(const Explanation& why, double cost) {
   for (std::size_t i = 0; i < kCauseCount; ++i)
     if (is_worth_a_row(why.causes.parts[i]))
       out += cause_row(static_cast<Cause>(i), why.causes.parts[i], cost);
-  return out + runner_up_rows(why, cost);
+  return out + runner_up_rows(why, cost) + longest_side_row(why.longest_side);
 }
 
 }  // namespace tramline::app

@@ -171,6 +171,7 @@ ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, do
   out["directions_tried"] = plan.directions_tried;
   out["direction_deg"] = std::move(directions);
   out["subfields"] = plan.subfields.size();
+  out["further_subfields"] = further_subfields(tally);
   out["tracks"] = tally.pieces;
   out["turns"] = tally.turns;
   out["stops"] = tally.stops;
@@ -180,6 +181,8 @@ ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, do
   out["uncovered_m2"] = tally.uncovered_m2;
   out["overlap_pct"] = percent_of_field(plan, tally.overlap_m2);
   out["uncovered_pct"] = percent_of_field(plan, tally.uncovered_m2);
+  out["body_overlap_m2"] = plan.track_tally.overlap_m2;
+  out["body_uncovered_m2"] = plan.track_tally.uncovered_m2;
   out["given_up_m2"] = area(plan.given_up);
   out["cost"] = plan.cost;
   add_map_keys(out, plan);

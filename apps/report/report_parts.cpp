@@ -76,15 +76,16 @@ std::string directions_text(const std::vector<Direction>& directions, std::size_
 }
 
 std::string prices_text(const Objective& prices) {
-  return fmt::format("{:g}·overlap + {:g}·uncovered + {:g}·turns + {:g}·stops", prices.overlap,
-                     prices.uncovered, prices.turn, prices.stop);
+  return fmt::format("{:g}·overlap + {:g}·uncovered + {:g}·turns + {:g}·stops + {:g}·further subfields",
+                     prices.overlap, prices.uncovered, prices.turn, prices.stop, prices.subfield);
 }
 
 ordered_json weights_json(const Objective& prices) {
   return {{"overlap", prices.overlap},
           {"uncovered", prices.uncovered},
           {"turn", prices.turn},
-          {"stop", prices.stop}};
+          {"stop", prices.stop},
+          {"subfield", prices.subfield}};
 }
 
 }  // namespace tramline::app

@@ -34,7 +34,7 @@ std::string note_rows(const std::vector<std::string>& warnings);
 /// "95.98°, 12.30°", and "…" for those beyond `most`.
 std::string directions_text(const std::vector<Direction>& directions, std::size_t most);
 
-/// "0.04·overlap + 0.1·uncovered + 0.45·turns + 5·stops"
+/// "0.02·overlap + 0.1·uncovered + 1·turns + 5·stops + 5·further subfields"
 std::string prices_text(const Objective& prices);
 /// The object `weights` of docs/json.md.
 nlohmann::ordered_json weights_json(const Objective& prices);

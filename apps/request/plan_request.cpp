@@ -15,7 +15,7 @@
 namespace tramline::app {
 namespace {
 
-/// "0.04,0.1,0.45" as numbers.
+/// "0.02,0.1,1" as numbers.
 std::vector<double> numbers_in(const std::string& text, const char* option) {
   std::vector<double> out;
   std::size_t from = 0;
@@ -31,9 +31,9 @@ std::vector<double> numbers_in(const std::string& text, const char* option) {
     out.push_back(value);
     from = comma + 1;
   }
-  if (out.size() != 3 && out.size() != 4)
-    throw bad_input(
-        fmt::format("{} takes three or four numbers, overlap,uncovered,turn[,stop], not '{}'", option, text));
+  if (out.size() < 3 || out.size() > 5)
+    throw bad_input(fmt::format(
+        "{} takes three to five numbers, overlap,uncovered,turn[,stop[,subfield]], not '{}'", option, text));
   return out;
 }
 
@@ -116,14 +116,13 @@ Machine machine_of(const PlanOptions& o) {
 
 Objective objective_of(const PlanOptions& o) {
   if (!o.minimise.empty()) return weights_of(scenario_named(o.minimise));
-  if (!o.weights.empty()) return prices_typed(o.weights, "--weights", 0);
-  const Objective prices;
-  return o.prices.empty() ? prices : prices_typed(o.prices, "--prices", prices.stop);
+  if (!o.weights.empty()) return prices_typed(o.weights, "--weights", {0, 0, 0, 0, 0});
+  return o.prices.empty() ? Objective{} : prices_typed(o.prices, "--prices", {});
 }
 
-Objective prices_typed(const std::string& text, const char* option, double stop) {
+Objective prices_typed(const std::string& text, const char* option, const Objective& otherwise) {
   const auto n = numbers_in(text, option);
-  return {n[0], n[1], n[2], n.size() > 3 ? n[3] : stop};
+  return {n[0], n[1], n[2], n.size() > 3 ? n[3] : otherwise.stop, n.size() > 4 ? n[4] : otherwise.subfield};
 }
 
 PlanSettings settings_of(const PlanOptions& o) {

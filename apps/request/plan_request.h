@@ -22,7 +22,7 @@ struct PlanOptions {
   std::string avoid = "cheapest";
   std::optional<double> avoid_threshold_m;
   double clearance_m = 0;
-  double merge_deg = 0;
+  double merge_deg = 1;
   double decomposition_deg = 180;
   double short_edge_m = 0;
   int headlands = 0, obstacle_headlands = 0;
@@ -32,10 +32,11 @@ struct PlanOptions {
 
 /// The machine file, overruled by --width, --radius and --min-length. Throws kBadInput.
 Machine machine_of(const PlanOptions& options);
-/// --weights o,u,t[,s], --prices o,u,t[,s] or --minimise. Throws kBadInput.
+/// --weights o,u,t[,s[,d]], --prices o,u,t[,s[,d]] or --minimise. Throws kBadInput.
 Objective objective_of(const PlanOptions& options);
-/// o,u,t[,s] as typed after `option`; a stop that is not given costs `stop`. Throws kBadInput.
-Objective prices_typed(const std::string& text, const char* option, double stop);
+/// o,u,t[,s[,d]] as typed after `option`; stops and further subfields that are not given cost what they do
+/// `otherwise`. Throws kBadInput.
+Objective prices_typed(const std::string& text, const char* option, const Objective& otherwise);
 /// The line of --ab or --guide, if any; `crs` as --crs was typed or as the fields have it. Throws kBadInput.
 std::optional<GuideLine> guide_of(const PlanOptions& options, const std::string& crs_definition);
 /// The settings for one field: with the guide in its metres. A line with bends makes the tracks curved.

@@ -33,7 +33,7 @@ constexpr const char* kAbout =
 constexpr const char* kExample =
     "Example:\n"
     "  tramline compare field.geojson --width 3 --radius 6 --picture front.png\n"
-    "  tramline compare field.geojson --width 3 --for 0.02,0.10,0.45,5 --for 0.04,0.10,2\n"
+    "  tramline compare field.geojson --width 3 --for 0.02,0.10,0.5,5 --for 0.04,0.10,2\n"
     "  tramline compare field.geojson --width 3 --csv front.csv -o knee.gpkg --point knee\n"
     "The plans are those met in up to 16 searches: for the prices given, for each of overlap, uncovered and\n"
     "turns above all, and for the prices given with one of them times 1/8, 1/2, 2 and 8. A plan's swath "
@@ -83,8 +83,8 @@ class CompareCommand : public Command {
     add_field_options(*verb, field_options_);
     add_plan_options(*verb, plan_options_);
     verb->add_option("--for", asked_,
-                     "name the plan that costs least at these prices too: overlap,uncovered,turn[,stop]; may "
-                     "be given again and again (a stop costs what it costs in --prices)")
+                     "name the plan that costs least at these prices too: overlap,uncovered,turn[,stop[,subfield]];\n"
+                     "may be given again and again (prices left out are those of --prices)")
         ->allow_extra_args(false);
     verb->add_option("--csv", csv_, "write a table of the plans to this .csv");
     verb->add_option("--picture", picture_,
@@ -111,7 +111,7 @@ class CompareCommand : public Command {
       throw bad_input(
           "compare looks for directions by itself: leave --curved, --ab, --guide and --tracks out");
     for (const std::string& text : asked_) {
-      prices_.push_back(prices_typed(text, "--for", objective_.stop));
+      prices_.push_back(prices_typed(text, "--for", objective_));
       validate_request(machine_, prices_.back(), settings_);
     }
     const PointChoice choice(point_);

@@ -70,9 +70,11 @@ void add_machine_options(CLI::App& verb, PlanOptions& o, const char* least_lengt
 void add_objective_options(CLI::App& verb, PlanOptions& o) {
   const char* objective = "Objective";
   auto* weights =
-      verb.add_option("--weights", o.weights, "weights of overlap (1/m²), uncovered (1/m²), turns[, stops]");
+      verb.add_option("--weights", o.weights, "weights of overlap (1/m²), uncovered (1/m²), turns[, stops[, further\n"
+                                             "subfields]]; those left out weigh nothing");
   auto* prices = verb.add_option("--prices", o.prices,
-                                 "€/m² overlap, €/m² uncovered, €/turn[, €/stop] (default 0.04,0.10,0.45,5)");
+                                 "€/m² overlap, €/m² uncovered, €/turn[, €/stop[, €/further subfield]]\n"
+                                 "(default 0.02,0.10,1,5,5)");
   auto* minimise =
       verb.add_option("--minimise", o.minimise, "overlap, uncovered or turns above all (weight 99999)");
   weights->group(objective)->excludes(prices)->excludes(minimise);
@@ -98,7 +100,7 @@ void add_plan_options(CLI::App& verb, PlanOptions& o) {
   verb.add_option("--boundary", o.boundary, "the field's own edge: soft (a headland behind it) or hard")
       ->group(plan);
   verb.add_option("--merge", o.merge_deg,
-                  "merge subfields whose directions differ by no more, degrees (default 0)")
+                  "merge subfields whose directions differ by no more, degrees (default 1)")
       ->group(plan);
   verb.add_option("--decomposition", o.decomposition_deg,
                   "split at corners with a larger inside angle, degrees (default 180)")

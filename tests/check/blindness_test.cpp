@@ -163,7 +163,7 @@ TEST(Blindness, piece_prolonged_past_its_end_rule) {
 /// Both ends of the piece obey the rule, the land falls away in between.
 TEST(Blindness, end_rule_broken_in_the_middle_of_a_piece) {
   Plan plan = rectangle_plan();
-  plan.field.outer = {{0, 0}, {45, 0}, {45, 2.5}, {55, 2.5}, {55, 0}, {100, 0}, {100, 30}, {0, 30}};
+  plan.field.outer = {{0, 0}, {45, 0}, {45, 2.7}, {55, 2.7}, {55, 0}, {100, 0}, {100, 30}, {0, 30}};
   plan.body = {{plan.field.outer, {}}};
   plan.subfields[0].shape = plan.body[0];
   const check::Verdict verdict = check::verify(settled(plan));

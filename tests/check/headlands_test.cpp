@@ -39,8 +39,43 @@ TEST(Headlands, passes_with_rounded_corners) {
   EXPECT_NEAR(one.headland.overlap_m2, 4 * kCornerShare * 1.5 * 1.5, 1e-3);
   EXPECT_NEAR(two.headland.uncovered_m2, 4 * kCornerShare * (2 * 4.5 * 4.5 - 1.5 * 1.5), 1e-3);
   EXPECT_NEAR(two.headland.overlap_m2, 4 * kCornerShare * 1.5 * 1.5, 1e-3);
-  EXPECT_NEAR(two.tally.overlap_m2, 0, 1e-6);
-  EXPECT_NEAR(two.tally.uncovered_m2, 0, 1e-6);
+  EXPECT_NEAR(two.track_tally.overlap_m2, 0, 1e-6);
+  EXPECT_NEAR(two.track_tally.uncovered_m2, 0, 1e-6);
+}
+
+/// What passes and tracks leave of body and headland counts once, and so do the figures of both together: none
+/// of the passes' corners lies in the body, whose corners they work a second time.
+TEST(Headlands, figures_are_those_of_tracks_and_passes) {
+  const Plan plan = headland_plan(1);
+  EXPECT_NEAR(plan.tally.uncovered_m2, 4 * kCornerShare * 4.5 * 4.5, 1e-3);
+  EXPECT_NEAR(plan.tally.overlap_m2, 4 * kCornerShare * 1.5 * 1.5, 1e-3);
+  EXPECT_NEAR(plan.track_tally.overlap_m2, 0, 1e-6);
+}
+
+/// The figures of the tracks alone are not those of the plan.
+TEST(Headlands, figures_that_leave_the_headland_out) {
+  Plan plan = headland_plan(1);
+  plan.tally.uncovered_m2 = plan.track_tally.uncovered_m2;
+  plan.tally.overlap_m2 = plan.track_tally.overlap_m2;
+  plan.cost = cost(plan.objective, plan.tally);
+  EXPECT_TRUE(found(plan).contains("tally"));
+}
+
+TEST(Headlands, layers_that_leave_the_headland_out) {
+  Plan plan = headland_plan(1);
+  plan.uncovered.clear();
+  EXPECT_TRUE(found(plan).contains("tally"));
+}
+
+/// Files of earlier versions speak of tracks alone; they are held to that.
+TEST(Headlands, figures_of_tracks_in_older_files) {
+  Plan plan = headland_plan(1);
+  plan.figures = PlanFigures::kTracks;
+  plan.tally = plan.track_tally;
+  plan.cost = cost(plan.objective, plan.tally);
+  plan.overlap.clear();
+  plan.uncovered.clear();
+  expect_holds(plan);
 }
 
 TEST(Headlands, work_is_interrupted_on_passables) {
@@ -61,7 +96,7 @@ TEST(Headlands, round_an_obstacle) {
   EXPECT_GT(plan.headland.overlap_m2, 1);
   EXPECT_GT(plan.headland.uncovered_m2, 1);
   // Two tracks that run on beside a quarter of a circle, at both ends.
-  EXPECT_NEAR(plan.tally.overlap_m2, 4 * (std::numbers::pi / 4) * 9, 1e-2);
+  EXPECT_NEAR(plan.track_tally.overlap_m2, 4 * (std::numbers::pi / 4) * 9, 1e-2);
 }
 
 TEST(Headlands, turning_and_moving_changes_nothing) {

@@ -86,16 +86,25 @@ Plan settled(Plan plan) {
     }
     worked.insert(worked.end(), ground.begin(), ground.end());
   }
-  const Region land = unite(worked);
-  plan.overlap = difference(land, plan.body);
+  for (const HeadlandPass& pass : plan.headland.passes)
+    for (const PathSegment& segment : pass.path)
+      for (Polygon& part : sound({band({segment}, plan.machine.width_m, kLayerSagitta), {}})) {
+        worked.push_back(part);
+        parts.push_back(std::move(part));
+      }
+  const Region all_worked = unite(worked), land = unite(plan.body, plan.headland.ground);
+  plan.overlap = difference(all_worked, land);
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (intersects(bounds(parts[i]), bounds(parts[j])))
-        for (Polygon& both : intersection({parts[i]}, {parts[j]})) plan.overlap.push_back(std::move(both));
+        for (Polygon& both : intersection({parts[i]}, {parts[j]}))
+          if (area(both) > kLayerSagitta * perimeter(both.outer)) plan.overlap.push_back(std::move(both));
   plan.overlap = unite(plan.overlap);
-  plan.uncovered = difference(plan.body, land);
+  plan.uncovered = difference(land, all_worked);
   settle_headland(plan);
-  plan.tally = check::verify(plan).recomputed;
+  const check::Verdict verdict = check::verify(plan);
+  plan.tally = verdict.recomputed;
+  plan.track_tally = verdict.track_tally;
   plan.cost = cost(plan.objective, plan.tally);
   return plan;
 }

@@ -32,7 +32,7 @@ std::vector<GriddedSubfield> driven(double degrees, double origin_m = 0) {
 /// A search that has found the rectangle driven east, at no cost but nineteen turns.
 struct Search {
   SearchTask task = search_task(rectangle(), {}, {}, {});
-  SearchResult found{candidate_on(task, driven(90)), 0, {}, {}, {}, {}};
+  SearchResult found{candidate_on(task, driven(90)), 0, {}, {}, {}, {}, {}};
 
   void see(const std::vector<GriddedSubfield>& grounds) {
     found.seen.push_back(seen_plan(candidate_on(task, grounds)));
@@ -45,10 +45,10 @@ struct Search {
 void expect_driven_north(const RunnerUp& plan) {
   ASSERT_EQ(plan.directions.size(), 1U);
   EXPECT_NEAR(plan.directions[0].degrees(), 0, 1e-9);
-  EXPECT_NEAR(plan.cost, 0.04 * 120 + 0.45 * 33, 1e-3);
-  EXPECT_NEAR(plan.more.overlap, 0.04 * 120, 1e-3);
+  EXPECT_NEAR(plan.cost, 0.02 * 120 + 1.00 * 33, 1e-3);
+  EXPECT_NEAR(plan.more.overlap, 0.02 * 120, 1e-3);
   EXPECT_NEAR(plan.more.uncovered, 0, 1e-3);
-  EXPECT_NEAR(plan.more.turns, 0.45 * 14, 1e-9);
+  EXPECT_NEAR(plan.more.turns, 1.00 * 14, 1e-9);
   EXPECT_EQ(plan.more.stops, 0);
   EXPECT_STREQ(main_reason(plan.more), "turns");
 }
@@ -63,7 +63,7 @@ TEST(Explanation, RunnerUpsDifferByMoreThanADegree) {
   const Explanation out = search.explanation();
   ASSERT_EQ(out.runner_ups.size(), 1U);
   expect_driven_north(out.runner_ups[0]);
-  EXPECT_NEAR(out.causes.of(Cause::kTurns).cost, 0.45 * 19, 1e-9);
+  EXPECT_NEAR(out.causes.of(Cause::kTurns).cost, 1.00 * 19, 1e-9);
 }
 
 TEST(Explanation, PlansOnTheShortlistsAreLaidOut) {
@@ -99,8 +99,24 @@ TEST(Explanation, AnotherNumberOfSubfieldsIsAnotherPlan) {
   search.see(halves);
   const Explanation out = search.explanation();
   ASSERT_EQ(out.runner_ups.size(), 1U);
-  EXPECT_NEAR(out.runner_ups[0].more.turns, 0.45 * 20, 1e-9);
-  EXPECT_NEAR(out.runner_ups[0].more.sum(), 0.45 * 20, 1e-3);
+  EXPECT_NEAR(out.runner_ups[0].more.turns, 1.00 * 20, 1e-9);
+  EXPECT_NEAR(out.runner_ups[0].more.subfields, 5, 1e-9);
+  EXPECT_NEAR(out.runner_ups[0].more.sum(), 1.00 * 20 + 5, 1e-3);
+}
+
+// The L driven along its longest side, which runs north: in 31 m across the upper leg 11 strips of 3 m, and
+// 59 m of the lower one take 20 more from one end of it.
+TEST(Explanation, SaysWhatTheLongestSideWouldCost) {
+  Search search;
+  search.task = search_task(l_shape(), {}, {}, {});
+  search.found.best = candidate_on(
+      search.task, {{{{l_shape().outer, {}}, Direction::clockwise_from_north(Angle::degrees(90))}, 0}});
+  const Explanation out = search.explanation();
+  ASSERT_EQ(out.longest_side.directions.size(), 1U);
+  EXPECT_NEAR(out.longest_side.directions[0].degrees(), 0, 1e-9);
+  EXPECT_EQ(out.longest_side.tally.pieces, 30);  // 90 m across
+  EXPECT_NEAR(out.longest_side.cost, cost({}, out.longest_side.tally), 1e-9);
+  EXPECT_NEAR(out.longest_side.more.sum(), out.longest_side.cost - search.found.best.cost(), 1e-9);
 }
 
 TEST(MainReason, IsWhatDiffersMost) {

@@ -46,7 +46,7 @@ TEST(PlanField, AnObstacleCutsTheStripsItMeets) {
   EXPECT_EQ(plan.tally.pieces, 23);
   EXPECT_EQ(plan.tally.stops, 6);
   EXPECT_NEAR(plan.tally.uncovered_m2, 0, 1e-3);
-  EXPECT_NEAR(plan.cost, 0.45 * 22 + 5 * 6, 1e-3);
+  EXPECT_NEAR(plan.cost, 1.00 * 22 + 5 * 6, 1e-3);
 }
 
 // A hedge rises obliquely through strips 7 and 8 (y from 21 to 27), x from 60 to 120; 2 m behind its upper

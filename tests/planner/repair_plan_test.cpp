@@ -63,7 +63,7 @@ TEST(RepairPlan, ARectangleInTheMiddleIsWorkedAlong) {
   EXPECT_NEAR(tally.track_length_m, 60, 1e-6);
   EXPECT_NEAR(tally.overlap_m2, 0, 1e-3);
   EXPECT_NEAR(tally.uncovered_m2, 0, 1e-3);
-  EXPECT_NEAR(done.plan.cost, 0.45, 1e-3);
+  EXPECT_NEAR(done.plan.cost, 1.00, 1e-3);
   EXPECT_NEAR(done.missed_before_m2, 360, 1e-9);
   EXPECT_NEAR(done.missed_after_m2, 0, 1e-3);
   EXPECT_EQ(done.taken, 1);
@@ -155,7 +155,7 @@ TEST(RepairPlan, GapsInLineAreJoined) {
   EXPECT_EQ(done.plan.tally.crossings, 2);
   EXPECT_EQ(done.plan.tally.turns, 1);
   EXPECT_NEAR(done.plan.tally.overlap_m2, 0, 1e-3);
-  EXPECT_NEAR(done.plan.cost, 0.45, 1e-3);
+  EXPECT_NEAR(done.plan.cost, 1.00, 1e-3);
 }
 
 // The second is 3 m to the side in one direction and 45 in the other: on a common grid either has a swath

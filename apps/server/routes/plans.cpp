@@ -29,6 +29,7 @@ ordered_json listed(const KeptPlan& plan) {
           {"tracks", plan.tally.pieces},
           {"turns", plan.tally.turns},
           {"stops", plan.tally.stops},
+          {"further_subfields", further_subfields(plan.tally)},
           {"overlap_m2", plan.tally.overlap_m2},
           {"uncovered_m2", plan.tally.uncovered_m2},
           {"width_m", plan.width_m},

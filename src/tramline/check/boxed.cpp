@@ -1,5 +1,7 @@
 #include "tramline/check/boxed.h"
 
+#include "tramline/geometry/boolean.h"
+
 namespace tramline::check {
 
 BoxedRegion boxed_obstacles(const Field& field, ObstacleKind kind) {
@@ -13,6 +15,16 @@ BoxedRegion boxed(const Region& region) {
   BoxedRegion out;
   for (const Polygon& polygon : region) out.push_back({&polygon, bounds(polygon)});
   return out;
+}
+
+double area_common_to(const Region& ground, const BoxedRegion& region) {
+  double sum = 0;
+  for (const Polygon& part : ground) {
+    const Box box = bounds(part);
+    for (const Boxed& polygon : region)
+      if (intersects(polygon.box, box)) sum += area(intersection({part}, {*polygon.shape}));
+  }
+  return sum;
 }
 
 Clipped clipped(const BoxedRegion& region, const PieceFrame& frame, const Box& rectangle) {

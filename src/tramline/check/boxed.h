@@ -20,6 +20,9 @@ BoxedRegion boxed_obstacles(const Field& field, ObstacleKind kind);
 /// Refers to the polygons of the region.
 BoxedRegion boxed(const Region& region);
 
+/// The area, m², that each part of some ground has in common with each polygon, summed.
+double area_common_to(const Region& ground, const BoxedRegion& region);
+
 /// The part of all polygons within a rectangle of the piece's frame; `at` lies on the largest part.
 Clipped clipped(const BoxedRegion& region, const PieceFrame& frame, const Box& rectangle);
 

@@ -16,14 +16,6 @@ struct HeadlandWork {
   double arcs_m = 0;
 };
 
-double area_on(const BoxedRegion& land, const Polygon& ground) {
-  const Box box = bounds(ground);
-  double sum = 0;
-  for (const Boxed& polygon : land)
-    if (intersects(polygon.box, box)) sum += area(intersection({ground}, {*polygon.shape}));
-  return sum;
-}
-
 /// On passables the work is interrupted: what lies there is not worked, as often as it is driven over.
 HeadlandWork work(const Case& c) {
   HeadlandWork out;
@@ -32,7 +24,7 @@ HeadlandWork work(const Case& c) {
     out.worked_m2 += c.plan.machine.width_m * length(pass.path);
     out.arcs_m += arcs_m(pass.path);
     for (Polygon& band : flat_bands_along(pass.path, c.plan.machine.width_m)) {
-      out.worked_m2 -= area_on(c.passables, band);
+      out.worked_m2 -= area_common_to({band}, c.passables);
       bands.push_back(std::move(band));
     }
   }

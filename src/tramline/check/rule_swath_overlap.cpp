@@ -36,11 +36,11 @@ void check_swath_overlaps(const Case& c, Violations& out) {
     whole = whole && piece.overlap_m2.has_value();
     sum_m2 += piece.overlap_m2.value_or(0);
   }
-  const double off_m2 = sum_m2 - c.plan.tally.overlap_m2;
+  const double off_m2 = sum_m2 - c.plan.track_tally.overlap_m2;
   if (whole && !(std::abs(off_m2) <= c.area_tolerance_m2))
     out.push_back({kRule,
                    fmt::format("the swaths overlap by {:.3f} m² together, the plan by {:.3f} m²", sum_m2,
-                               c.plan.tally.overlap_m2),
+                               c.plan.track_tally.overlap_m2),
                    c.plan.field.outer.front(), off_m2});
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // The rules a plan is judged by, one file each: rule_<name>.cpp. Every function appends what it finds.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,14 @@
 #include "tramline/model/plan.h"
 
 namespace tramline::check {
+
+/// The swaths and the headland passes together, over body and headland ground.
+struct WithPasses {
+  Region land;
+  std::vector<WorkedPart> parts;
+  WorkedBody worked;
+  double passes_m2 = 0;  ///< width · length of the passes, without what lies on passables
+};
 
 /// A plan with what several rules need of it. Refers to the plan, which has to outlive it.
 struct Case {
@@ -32,6 +41,7 @@ struct Case {
   TrackLines lines;                 ///< of tracks that follow a curve
   std::vector<WorkedPart> parts;    ///< of the swaths
   WorkedBody worked;                ///< what they work of the body
+  std::optional<WithPasses> with_passes;  ///< where figures count headland passes, too, and there are any
 };
 using Violations = std::vector<Violation>;
 
@@ -108,9 +118,13 @@ void check_ways(const Case& c, Violations& out);
 /// name one side at most, and are cut only where that is not possible or another detour of the track may
 /// be in its way.
 void check_avoidance(const Case& c, Violations& out);
-/// The stored tally, cost and layers agree with the tracks. `stops` is what check_stops found.
-/// Returns the recomputed tally.
-Tally check_tally(const Case& c, int stops, Violations& out);
+/// The stored tallies, cost and layers agree with the tracks and headland passes. `stops` is what check_stops found.
+/// Returns the recomputed tallies.
+struct Tallies {
+  Tally whole;   ///< of tracks and headland passes
+  Tally tracks;  ///< of the tracks alone, against the body
+};
+Tallies check_tally(const Case& c, int stops, Violations& out);
 /// The stored tally of the headland and the layer of what it leaves agree with its passes.
 void check_headland_tally(const Case& c, Violations& out);
 
@@ -144,6 +158,12 @@ std::string piece_name(std::size_t index);
 std::string pass_name(std::size_t index);
 /// "detour 2 of piece 12"
 std::string detour_name(std::size_t piece, std::size_t detour);
+
+/// The land that the plan's figures are about, the parts of all swaths that they count, and what these work of
+/// it.
+const Region& counted_land(const Case& c);
+const std::vector<WorkedPart>& counted_parts(const Case& c);
+const WorkedBody& counted_work(const Case& c);
 
 /// A vertex of the polygon of largest area; the origin for an empty region.
 Point place_on_largest(const Region& region);

@@ -62,7 +62,37 @@ class Surroundings {
   double arcs_m_ = 0;
 };
 
+/// On passables the work is interrupted: what lies there is not worked, as often as it is driven over.
+double worked_by_passes_m2(const Plan& plan, const std::vector<WorkedPart>& passes,
+                           const BoxedRegion& passables) {
+  double sum = 0;
+  for (const HeadlandPass& pass : plan.headland.passes) sum += plan.machine.width_m * length(pass.path);
+  for (const WorkedPart& part : passes) sum -= area_common_to(part.ground, passables);
+  return sum;
+}
+
+std::optional<WithPasses> with_passes_of(const Case& c) {
+  const Headland& headland = c.plan.headland;
+  if (c.plan.figures == PlanFigures::kTracks || (headland.passes.empty() && headland.ground.empty()))
+    return std::nullopt;
+  WithPasses out;
+  const std::vector<WorkedPart> passes = pass_parts(c.plan);
+  out.land = unite(c.plan.body, headland.ground);
+  out.parts = c.parts;
+  out.parts.insert(out.parts.end(), passes.begin(), passes.end());
+  out.worked = worked_on(out.land, out.parts, c.plan.pieces.size() + headland.passes.size(),
+                         c.plan.machine.width_m);
+  out.passes_m2 = worked_by_passes_m2(c.plan, passes, c.passables);
+  return out;
+}
+
 }  // namespace
+
+const Region& counted_land(const Case& c) { return c.with_passes ? c.with_passes->land : c.plan.body; }
+const std::vector<WorkedPart>& counted_parts(const Case& c) {
+  return c.with_passes ? c.with_passes->parts : c.parts;
+}
+const WorkedBody& counted_work(const Case& c) { return c.with_passes ? c.with_passes->worked : c.worked; }
 
 Case::Case(const Plan& of)
     : plan(of),
@@ -74,7 +104,8 @@ Case::Case(const Plan& of)
           std::max(kAreaShare * area(Polygon{of.field.outer, {}}), kGridSize * perimeter(of.field.outer))),
       lines(of),
       parts(worked_parts(of)),
-      worked(worked_body(of, parts)) {
+      worked(worked_on(of.body, parts, of.pieces.size(), of.machine.width_m)) {
+  with_passes = with_passes_of(*this);
   for (const Obstacle& obstacle : of.field.obstacles) obstacle_boxes.push_back(bounds(obstacle.shape));
   const Surroundings surroundings(of, std::numeric_limits<int>::max());
   near_boundaries = surroundings.land();
@@ -141,7 +172,9 @@ Verdict verify(const Plan& plan) {
   check_curved_meetings(c, verdict.violations);
   check_ways(c, verdict.violations);
   check_avoidance(c, verdict.violations);
-  verdict.recomputed = check_tally(c, stops, verdict.violations);
+  const Tallies tallies = check_tally(c, stops, verdict.violations);
+  verdict.recomputed = tallies.whole;
+  verdict.track_tally = tallies.tracks;
   check_swath_overlaps(c, verdict.violations);
   check_headland_tally(c, verdict.violations);
   verdict.complete = true;

@@ -63,16 +63,17 @@ constexpr std::size_t kManyParts = 500;
 
 }  // namespace
 
-WorkedBody worked_body(const Plan& plan, const std::vector<WorkedPart>& parts) {
-  const Land body(plan.body);
+WorkedBody worked_on(const Region& land, const std::vector<WorkedPart>& parts, std::size_t owners,
+                     double width_m) {
+  const Land body(land);
   const BoxGrid grid = grid_of(parts);
   WorkedBody out;
-  out.useful_m2.assign(plan.pieces.size(), 0);
+  out.useful_m2.assign(owners, 0);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     Region useful, before;
     body.split(parts[i].ground, useful, out.beyond);
     grid.each_meeting(bounds(parts[i].ground), [&](std::size_t k) {
-      if (k < i && may_meet(parts[k], parts[i], plan.machine.width_m))
+      if (k < i && may_meet(parts[k], parts[i], width_m))
         before.insert(before.end(), parts[k].ground.begin(), parts[k].ground.end());
     });
     if (!before.empty()) useful = difference(unite(useful), unite(before));

@@ -100,6 +100,17 @@ std::vector<WorkedPart> parts_between_detours(const Plan& plan) {
   return parts_of(plan, append_between_detours);
 }
 
+std::vector<WorkedPart> pass_parts(const Plan& plan) {
+  std::vector<WorkedPart> out;
+  const double width_m = plan.machine.width_m;
+  for (std::size_t k = 0; k < plan.headland.passes.size(); ++k) {
+    SwathParts parts(plan.pieces.size() + k, width_m, out);
+    for (const PathSegment& segment : plan.headland.passes[k].path)
+      parts.add({segment}, flat_bands_along({segment}, width_m));
+  }
+  return out;
+}
+
 bool may_meet(const WorkedPart& earlier, const WorkedPart& later, double width_m) {
   if (earlier.kinked && later.kinked) {
     const Ring both = convex_intersection(earlier.ground.front().outer, later.ground.front().outer);

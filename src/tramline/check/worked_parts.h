@@ -15,7 +15,7 @@ inline constexpr double kThinnestShown_m = 1e-5;
 /// Ground worked along one line: a straight swath with its detours, or a part of one, a segment of a curved
 /// swath, or a cell of one with kinks.
 struct WorkedPart {
-  std::size_t piece = 0;
+  std::size_t piece = 0;  ///< or the headland pass, counted on after the pieces
   Path line;
   Region ground;        ///< arcs as chords
   bool kinked = false;  ///< one of the cells between kinks: convex
@@ -27,7 +27,10 @@ struct WorkedPart {
 
 /// All swaths in the order of the pieces, each from its start to its end; straight ones whole. O(n).
 std::vector<WorkedPart> worked_parts(const Plan& plan);
-/// The same, and straight ones parted where detours begin and end, which may lie over the rest.
+/// The ground of headland passes, segment by segment, on to the owners after the pieces: pass k is owner
+/// pieces + k. O(n).
+std::vector<WorkedPart> pass_parts(const Plan& plan);
+/// As worked_parts(), and straight ones parted where detours begin and end, which may lie over the rest.
 std::vector<WorkedPart> parts_between_detours(const Plan& plan);
 
 /// False where the two have no ground in common for certain, or none that shows (kThinnestShown_m): their

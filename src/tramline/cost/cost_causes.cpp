@@ -167,6 +167,7 @@ Parts measured(const LaidPlan& plan) {
   part(parts, Cause::kGivenUp).uncovered_m2 = area(plan.given_up);
   part(parts, Cause::kTurns).count = plan.tally.turns;
   part(parts, Cause::kStops).count = plan.tally.stops;
+  part(parts, Cause::kSubfields).count = further_subfields(plan.tally);
   for (CausePart& each : parts) {
     each.overlap_m2 = without_rounding(each.overlap_m2);
     each.uncovered_m2 = without_rounding(each.uncovered_m2);
@@ -206,6 +207,10 @@ const char* name(Cause cause) {
       return "given up";
     case Cause::kTurns:
       return "turns";
+    case Cause::kSubfields:
+      return "subfields";
+    case Cause::kHeadland:
+      return "headland";
   }
   return "";
 }
@@ -218,6 +223,7 @@ CostCauses causes_of(const LaidPlan& plan, const Objective& objective) {
     each.cost = objective.overlap * each.overlap_m2 + objective.uncovered * each.uncovered_m2;
   part(out.parts, Cause::kTurns).cost += objective.turn * plan.tally.turns;
   part(out.parts, Cause::kStops).cost += objective.stop * plan.tally.stops;
+  part(out.parts, Cause::kSubfields).cost += objective.subfield * further_subfields(plan.tally);
   return out;
 }
 

@@ -31,20 +31,22 @@ enum class Cause {
   kShortPieces,  ///< rows of pieces that were too short to drive
   kGivenUp,      ///< land given up
   kTurns,
+  kSubfields,  ///< every subfield after the first
+  kHeadland,   ///< what headland passes add; nothing of the tracks
 };
-inline constexpr std::size_t kCauseCount = 8;
+inline constexpr std::size_t kCauseCount = 10;
 
 /// A boundary that takes longer than this many widths along to pass through a strip runs along it: it makes
 /// less than 14 degrees with the tracks.
 inline constexpr double kLongestRowEnd = 4;
 
-/// row ends, sides, seams, detours, stops, short pieces, given up, turns
+/// row ends, sides, seams, detours, stops, short pieces, given up, turns, subfields, headland
 const char* name(Cause cause);
 
 struct CausePart {
   double overlap_m2 = 0;
   double uncovered_m2 = 0;
-  int count = 0;    ///< of turns or stops; 0 for other causes
+  int count = 0;    ///< of turns, stops or further subfields; 0 for other causes
   double cost = 0;  ///< of all three
 };
 

@@ -10,7 +10,8 @@ Tally tally_of(const std::vector<Subfield>& subfields, const std::vector<Subfiel
                double body_m2, double by_detours_m2) {
   Tally tally;
   double useful_m2 = by_detours_m2;
-  for (const SubfieldTracks& subfield : tracks)
+  for (const SubfieldTracks& subfield : tracks) {
+    tally.subfields += subfield.pieces.empty() ? 0 : 1;
     for (const StripPiece& piece : subfield.pieces) {
       tally.track_length_m += length(piece);
       tally.worked_m2 += subfield.grid.width_m * length(piece);
@@ -19,6 +20,7 @@ Tally tally_of(const std::vector<Subfield>& subfields, const std::vector<Subfiel
       tally.crossings += piece.after_crossing ? 1 : 0;
       tally.stops += (piece.stop_at_from ? 1 : 0) + (piece.stop_at_to ? 1 : 0);
     }
+  }
   useful_m2 += covered_by_neighbours_m2(subfields, tracks);
   tally.turns = std::max(0, tally.pieces - 1 - tally.crossings);
   tally.overlap_m2 = tally.worked_m2 - useful_m2;

@@ -27,8 +27,10 @@ Region overlap_of(const Ring& a, const Ring& b) {
   return intersection({{a, {}}}, {{b, {}}});
 }
 
-/// Intersections of every two swaths that overlap: sorted along x, so only near ones are met.
-Region pairwise_overlaps(const Region& swaths) {
+}  // namespace
+
+Region common_to_two(const Region& swaths) {
+  // Sorted along x, so that only near ones are met.
   struct Item {
     const Ring* ring;
     Box box;
@@ -47,8 +49,6 @@ Region pairwise_overlaps(const Region& swaths) {
   return out;
 }
 
-}  // namespace
-
 WorkedRegions worked_regions(const Region& body, const Region& swaths) {
   return worked_regions(body, swaths, std::vector<Region>{unite(swaths)});
 }
@@ -57,7 +57,7 @@ WorkedRegions worked_regions(const Region& body, const Region& swaths, const std
   Region worked;
   for (const Region& ground : grounds) worked = worked.empty() ? ground : unite(worked, ground);
   Region overlap = difference(worked, body);
-  if (const Region doubled = pairwise_overlaps(swaths); !doubled.empty())
+  if (const Region doubled = common_to_two(swaths); !doubled.empty())
     overlap = unite(overlap, unite(doubled));
   return {std::move(overlap), difference(body, worked)};
 }

@@ -1,19 +1,24 @@
 #pragma once
-// What a plan costs: S = λo·o + λu·u + λt·t + λs·stops (S1 eq. 1 with stops added).
+// What a plan costs: S = λo·o + λu·u + λt·t + λs·stops + λd·(subfields − 1). With the last two prices 0 it is
+// the cost of Versleijen (2019), eq. 1.
 
 namespace tramline {
 
 struct Tally;
 
-/// Weights per m² of overlap, per m² uncovered, per turn and per stop. In euros by default.
+/// Prices per m² of overlap, per m² uncovered, per turn, per stop, and per subfield after the first. In euros by
+/// default; docs/prices.md says what each stands for.
 struct Objective {
-  double overlap = 0.04;
+  double overlap = 0.02;
   double uncovered = 0.10;
-  double turn = 0.45;
+  double turn = 1.00;
   double stop = 5;
+  double subfield = 5;
+
+  friend bool operator==(const Objective& a, const Objective& b) = default;
 };
 
-/// S1.8: one of the three weighs 99999, the others 1, stops nothing: S1 has no price for them.
+/// S1.8: one of the three weighs 99999, the others 1, stops and subfields nothing: S1 has no price for them.
 enum class Scenario { kOverlap, kUncovered, kTurns };
 Objective weights_of(Scenario scenario);
 

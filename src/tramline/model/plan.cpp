@@ -100,11 +100,17 @@ std::optional<Passing> passing_named(std::string_view word) {
 
 double gap(double cost, double bound) { return cost > 0 ? (cost - bound) / cost : 0; }
 
+double land_m2(const Plan& plan) {
+  const double headland_m2 = plan.figures == PlanFigures::kTracks ? 0 : area(plan.headland.ground);
+  return area(plan.body) + headland_m2;
+}
+
 double identity_error_m2(const Plan& plan) {
   double length_m = 0;
   for (const TrackPiece& piece : plan.pieces) length_m += length(piece);
-  return plan.machine.width_m * length_m -
-         (area(plan.body) - plan.tally.uncovered_m2 + plan.tally.overlap_m2);
+  const double by_passes_m2 = plan.figures == PlanFigures::kTracks ? 0 : plan.headland.worked_m2;
+  return plan.machine.width_m * length_m + by_passes_m2 -
+         (land_m2(plan) - plan.tally.uncovered_m2 + plan.tally.overlap_m2);
 }
 
 bool is_curved(const Plan& plan) {

@@ -40,7 +40,8 @@ struct PlanSettings {
   EdgeKind boundary = EdgeKind::kSoft;  ///< kind of the field's outer ring; obstacles are hard
   CellDirection cell_direction = CellDirection::kRectangle;
   Angle direction_tolerance = Angle::degrees(0.01);     ///< with Strategy::kBest: finer is not looked for
-  Angle merge_threshold = Angle::degrees(0);            ///< S1.22
+  /// S1.22. Directions nearer to one another have no border between them.
+  Angle merge_threshold = Angle::degrees(1);
   Angle decomposition_threshold = Angle::degrees(180);  ///< S1.16
   double short_edge_m = 0;     ///< S1.59: corners between edges that are both shorter split nothing
   double small_cell_m2 = 200;  ///< S1.21
@@ -87,6 +88,10 @@ struct Proof {
   double one_direction_bound = 0;  ///< no such plan costs less
 };
 
+/// What the figures and layers of a plan count: tracks and headland passes against the land, or, in files of
+/// earlier versions, the tracks against the body alone.
+enum class PlanFigures { kTracksAndPasses, kTracks };
+
 /// (cost − bound)/cost; 0 where the cost is 0.
 double gap(double cost, double bound);
 
@@ -119,17 +124,25 @@ struct Plan {
   std::vector<TrackPiece> pieces;   ///< in driving order
   std::vector<DroppedPiece> dropped;
   std::vector<Encounter> encounters;  ///< by subfield, track and place along it
+  PlanFigures figures = PlanFigures::kTracksAndPasses;
+  /// Areas: all swaths and headland passes against the land, which is body and headland; counts and track
+  /// length: of the tracks. Σ width · length of both = area of the land − uncovered + overlap.
   Tally tally;
-  double cost = 0;
-  Region overlap;    ///< where land outside the body or worked already is worked
-  Region uncovered;  ///< body that no swath covers
+  Tally track_tally;  ///< the same for the tracks alone, against the body; need not add up with the headland's
+  double cost = 0;    ///< of `tally`
+  Region overlap;     ///< where work goes beyond the land, or over land worked already
+  Region uncovered;   ///< land that neither swath nor headland pass covers
   int directions_tried = 0;
   Proof proof;
   std::vector<std::string> warnings;
   Front front;  ///< other plans of the field to choose from, where they were asked for
 };
 
-/// Σ w·L − (body − uncovered + overlap), m²: 0 but for rounding, whatever the plan (S2.15).
+/// What all work of a plan is there to cover: the field less its obstacles, passable ones too; of a repair, the
+/// gaps; with PlanFigures::kTracks, the body. m²
+double land_m2(const Plan& plan);
+
+/// Σ w·L of tracks and passes − (land − uncovered + overlap), m²: 0 but for rounding, whatever the plan (S2.15).
 double identity_error_m2(const Plan& plan);
 
 /// Is it a plan for what another drive has missed?

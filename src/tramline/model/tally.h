@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 namespace tramline {
 
 /// What a set of tracks amounts to. Areas in m², lengths in m.
@@ -13,6 +15,10 @@ struct Tally {
   int crossings = 0;  ///< of passable obstacles, within one track
   int turns = 0;      ///< max(0, pieces − 1 − crossings)
   int stops = 0;      ///< piece ends against an obstacle without headland
+  int subfields = 0;  ///< those with a piece; a repair has one
 };
+
+/// Subfields that have to be paid for: all but the first.
+constexpr int further_subfields(const Tally& tally) { return std::max(0, tally.subfields - 1); }
 
 }  // namespace tramline

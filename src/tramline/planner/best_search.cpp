@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "tramline/planner/division.h"
 #include "tramline/planner/for_each_index.h"
@@ -26,10 +27,17 @@ std::vector<GriddedSubfield> gridded(const std::vector<PricedSubfield>& subfield
   return out;
 }
 
-/// What a plan costs besides what its parts cost each by itself: the first track needs no turn.
+/// What a plan costs besides what its parts cost each by itself: the first track needs no turn, and the first
+/// subfield is free.
 double beside_the_parts(const SearchTask& task) {
   const double given_up_m2 = std::max(0.0, task.body_m2 - area(task.ground.plannable));
-  return task.objective.uncovered * given_up_m2 - task.objective.turn;
+  const Objective& price = task.objective;
+  return price.uncovered * given_up_m2 - price.turn - price.subfield;
+}
+
+/// A part of the ground is a subfield more, or is left.
+double least_of_part(const SearchTask& task, const Polygon& part, double bound) {
+  return std::min(bound + task.objective.subfield, std::max(bound, task.objective.uncovered * area(part)));
 }
 
 using Grounds = std::vector<GriddedSubfield>;
@@ -63,6 +71,7 @@ class BestSearch {
       keep(std::move(*sweep));
     }
     if (!undivided_) out_.proof.one_direction_cost = best_.cost();
+    if (undivided_ && best_.subfields.size() > task_.ground.plannable.size()) out_.undivided = std::move(*undivided_);
     out_.proof.one_direction_bound =
         std::clamp(out_.proof.one_direction_bound, 0.0, out_.proof.one_direction_cost);
     out_.proof.bound = std::min(out_.proof.one_direction_bound, least_cost_of_any_plan(task_));
@@ -85,7 +94,8 @@ class BestSearch {
       whole.insert(whole.end(), found.whole.grounds.begin(), found.whole.grounds.end());
       chosen.insert(chosen.end(), better.begin(), better.end());
       divided = divided || !found.divided.empty();
-      bound += found.bound;
+      bound += parts == 1 ? found.bound + task_.objective.subfield
+                          : least_of_part(task_, task_.ground.plannable[i], found.bound);
       boxes_ += found.boxes;
       shortlists.push_back(std::move(found.shortlist));
       if (parts == 1) best_ = std::move(found.whole.candidate);
@@ -118,7 +128,7 @@ class BestSearch {
       along = best.direction;
       divided = divided_from({part, best});
       // With detours in sight, what the parts cost with all tracks cut says little.
-      return divided.size() < 2 || !task_.ground.hazards.empty() ? kNever : price(divided);
+      return divided.size() < 2 || !task_.ground.hazards.empty() ? kNever : price(task_, divided);
     };
     const GridSearchResult found = search_grids(task_, part, effort, threads_, divide);
     const bool hindered = !found.unhindered.empty();
@@ -136,7 +146,7 @@ class BestSearch {
     const PricedGrid& best = hindered ? found.unhindered.front() : found.grids.front();
     if (angle_between(best.direction, along) > Angle::degrees(1)) {
       std::vector<PricedSubfield> again = divided_from({part, best});
-      if (divided.size() < 2 || (again.size() > 1 && price(again) < price(divided)))
+      if (divided.size() < 2 || (again.size() > 1 && price(task_, again) < price(task_, divided)))
         divided = std::move(again);
     }
     if (divided.size() < 2) return out;
@@ -149,7 +159,7 @@ class BestSearch {
   /// The ground divided, each part with its best grid; one part where that does not pay.
   std::vector<PricedSubfield> divided_from(const PricedSubfield& ground) const {
     std::vector<PricedSubfield> out = divide_where_it_pays(task_, ground, threads_);
-    if (out.size() > 2) out = join_where_it_pays(task_, std::move(out), threads_);
+    if (out.size() > 1) out = join_where_it_pays(task_, std::move(out), threads_);
     return out;
   }
 
@@ -231,8 +241,9 @@ class BestSearch {
   void see_undivided(const Candidate& candidate) {
     if (!candidate.works()) return;
     double& least = out_.proof.one_direction_cost;
-    least = undivided_ ? std::min(least, candidate.cost()) : candidate.cost();
-    undivided_ = true;
+    if (undivided_ && candidate.cost() >= least) return;
+    least = candidate.cost();
+    undivided_ = grounds_of(candidate);
   }
 
   void see(const Candidate& candidate) { out_.seen.push_back(seen_plan(candidate)); }
@@ -242,7 +253,7 @@ class BestSearch {
   std::vector<SweptGround> swept_;
   SearchResult out_;
   Candidate best_;
-  bool undivided_ = false;  ///< has a plan with undivided parts been seen?
+  std::optional<Grounds> undivided_;  ///< of the cheapest plan with undivided parts that has been seen
   int boxes_ = 0;
 };
 

@@ -11,6 +11,7 @@
 #include "tramline/geometry/extended.h"
 #include "tramline/geometry/shifted.h"
 #include "tramline/geometry/smoothed.h"
+#include "tramline/planner/driven_tracks.h"
 #include "tramline/planner/family_bound.h"
 #include "tramline/planner/pulse.h"
 #include "tramline/planner/reference_chains.h"
@@ -117,6 +118,14 @@ CurvedGround curved_ground(const SearchTask& task) {
           EdgeIndex(task.ground.passable), EdgeIndex(hard.elsewhere)};
 }
 
+void count_subfields(const SearchTask& task, CurvedCandidate& candidate) {
+  std::vector<bool> worked(task.ground.plannable.size(), false);
+  for (const CurvedPiece& piece : candidate.tracks.pieces)
+    worked[static_cast<std::size_t>(subfield_of(task.ground.plannable, piece, task.machine.width_m))] = true;
+  candidate.tally.subfields = static_cast<int>(std::count(worked.begin(), worked.end(), true));
+  candidate.cost = cost(task.objective, candidate.tally);
+}
+
 bool asks_for_detours(const SearchTask& task) {
   return !task.ground.hard.empty() || !task.ground.passable.empty();
 }
@@ -139,11 +148,11 @@ CurvedCandidate curved_along(const SearchTask& task, const CurvedGround& ground,
     CurvedAvoided cut = all_cut(avoidance_task(task, tracks));
     out.tracks = std::move(cut.tracks);
     out.tally = cut.tally;
-    out.cost = cut.cost;
+    count_subfields(task, out);
   } else if (std::optional<CurvedTracks> tracks = laid_plainly(task, ground, out, no_more_than)) {
     out.tracks = std::move(*tracks);
     out.tally = curved_tally(out.tracks, task.machine.width_m, task.body_m2);
-    out.cost = cost(task.objective, out.tally);
+    count_subfields(task, out);
   }
   return out;
 }
@@ -157,7 +166,7 @@ CurvedCandidate with_detours(const SearchTask& task, CurvedCandidate candidate) 
   candidate.encounters = encounters_in(avoidance, avoided);
   candidate.tracks = std::move(avoided.tracks);
   candidate.tally = avoided.tally;
-  candidate.cost = avoided.cost;
+  count_subfields(task, candidate);
   return candidate;
 }
 

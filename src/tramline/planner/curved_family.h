@@ -48,6 +48,9 @@ CurvedCandidate curved_along(const SearchTask& task, const CurvedGround& ground,
 /// Never costlier.
 CurvedCandidate with_detours(const SearchTask& task, CurvedCandidate candidate);
 
+/// Sets how many parts of the ground have tracks, and the cost that follows from the tally.
+void count_subfields(const SearchTask& task, CurvedCandidate& candidate);
+
 /// Whether curved tracks meet anything that they may go round or cross.
 bool asks_for_detours(const SearchTask& task);
 

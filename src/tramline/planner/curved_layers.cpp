@@ -6,7 +6,7 @@
 #include "tramline/cost/worked_bands.h"
 #include "tramline/cost/worked_regions.h"
 #include "tramline/geometry/boolean.h"
-#include "tramline/geometry/path_profile.h"
+#include "tramline/planner/worked_layers.h"
 
 namespace tramline {
 namespace {
@@ -38,20 +38,6 @@ std::vector<Region> worked_grounds(const Plan& plan) {
   if (!by_detours.empty()) out.push_back(unite(by_detours));
   return out;
 }
-
-/// Those that lie not wholly inside the body.
-Region reaching_out(const Region& parts, const EdgeIndex& body) {
-  Region out;
-  for (const Polygon& part : parts) {
-    bool meets = !body.contains(part.outer.front());
-    body.grid().each_meeting(bounds(part), [&meets](std::size_t) { meets = true; });
-    if (meets) out.push_back(part);
-  }
-  return out;
-}
-
-/// Slivers between the chords of swaths that share an arc.
-bool is_sliver(const Polygon& part) { return area(part) < 0.5 * kLayerSagitta * perimeter(part.outer); }
 
 /// The parts of a path whose swaths reach into a box.
 std::vector<Path> runs_near(const Path& path, double width_m, const Box& window) {
@@ -100,24 +86,11 @@ Region doubled_by_detours(const Plan& plan) {
 
 }  // namespace
 
-void add_layers(Plan& plan) {
-  const EdgeIndex body(plan.body);
-  plan.uncovered = plan.body;
-  for (const Region& ground : worked_grounds(plan)) {
-    plan.uncovered = difference(plan.uncovered, ground);
-    for (Polygon& part : difference(reaching_out(ground, body), plan.body))
-      plan.overlap.push_back(std::move(part));
-  }
-  std::erase_if(plan.uncovered, is_sliver);
-  for (Polygon& part : doubled_by_detours(plan)) plan.overlap.push_back(std::move(part));
-  plan.overlap = unite(plan.overlap);
-}
+void add_curved_layers(Plan& plan) { add_layers(plan, {worked_grounds(plan), doubled_by_detours(plan)}); }
 
-void add_layers_of_kinked(Plan& plan, const CurvedCandidate& candidate) {
-  WorkedRegions found = worked_regions(
-      plan.body, kinked_swaths(candidate.tracks.pieces, plan.machine.width_m), {candidate.worked});
-  plan.overlap = std::move(found.overlap);
-  plan.uncovered = std::move(found.uncovered);
+void add_kinked_layers(Plan& plan, const CurvedCandidate& candidate) {
+  add_layers(plan, {{candidate.worked},
+                    common_to_two(kinked_swaths(candidate.tracks.pieces, plan.machine.width_m))});
 }
 
 }  // namespace tramline

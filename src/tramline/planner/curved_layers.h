@@ -5,10 +5,10 @@
 
 namespace tramline {
 
-/// The layers of overlap and uncovered land of parallel tracks, without slivers.
-void add_layers(Plan& plan);
+/// The layers of overlap and uncovered land of parallel tracks, headland passes among them (add_layers()).
+void add_curved_layers(Plan& plan);
 
 /// Those of tracks made as in the paper, from the union of the swaths that the candidate has.
-void add_layers_of_kinked(Plan& plan, const CurvedCandidate& candidate);
+void add_kinked_layers(Plan& plan, const CurvedCandidate& candidate);
 
 }  // namespace tramline

@@ -9,6 +9,7 @@
 #include "tramline/planner/driven_tracks.h"
 #include "tramline/planner/finished_plan.h"
 #include "tramline/planner/warnings.h"
+#include "tramline/planner/whole_figures.h"
 
 namespace tramline {
 
@@ -30,13 +31,12 @@ Plan finished_plan(const SearchTask& task, const CurvedCandidate& candidate) {
   for (const CurvedPiece& piece : candidate.tracks.dropped)
     plan.dropped.push_back({piece.path.front().from, piece.path.back().to,
                             subfield_of(task.ground.plannable, piece, task.machine.width_m)});
-  plan.tally = candidate.tally;
-  plan.cost = candidate.cost;
+  set_figures(plan, candidate.tally);
   plan.directions_tried = 1;
   if (paper)
-    add_layers_of_kinked(plan, candidate);
+    add_kinked_layers(plan, candidate);
   else
-    add_layers(plan);
+    add_curved_layers(plan);
   plan.warnings = warnings_about(plan);
   return plan;
 }

@@ -57,11 +57,23 @@ bool is_workable(const SearchTask& task, const PricedSubfield& subfield) {
   return !cut_pieces(strips, min_length_m(task.machine)).pieces.empty();
 }
 
+/// Nobody drives two directions that differ by less than the merge threshold.
+bool too_alike(const SearchTask& task, const PricedSubfield& a, const PricedSubfield& b) {
+  return angle_between(a.grid.direction, b.grid.direction) < task.settings.merge_threshold;
+}
+
 std::vector<PricedSubfield> priced_parts(const SearchTask& task, const Region& parts,
                                          const SearchEffort& effort) {
   std::vector<PricedSubfield> out;
   for (const Polygon& part : parts) out.push_back(priced_with(task, part, effort, 1));
   return out;
+}
+
+bool too_alike(const SearchTask& task, const std::vector<PricedSubfield>& parts) {
+  for (std::size_t a = 0; a < parts.size(); ++a)
+    for (std::size_t b = a + 1; b < parts.size(); ++b)
+      if (too_alike(task, parts[a], parts[b])) return true;
+  return false;
 }
 
 /// The division that saves most, or nothing.
@@ -77,7 +89,7 @@ std::optional<std::vector<PricedSubfield>> best_division(const SearchTask& task,
   const auto keep_cheapest = [&](std::size_t most, double below, const SearchEffort& looking) {
     sums.assign(ways.size(), 0);
     for_each_index(ways.size(), threads,
-                   [&](std::size_t i) { sums[i] = price(priced_parts(task, ways[i], looking)); });
+                   [&](std::size_t i) { sums[i] = price(task, priced_parts(task, ways[i], looking)); });
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < ways.size(); ++i)
       if (sums[i] <= below) order.push_back(i);
@@ -99,8 +111,8 @@ std::optional<std::vector<PricedSubfield>> best_division(const SearchTask& task,
   for (std::vector<PricedSubfield>& parts : looked) {
     const bool workable = std::all_of(parts.begin(), parts.end(),
                                       [&](const PricedSubfield& part) { return is_workable(task, part); });
-    if (!workable || price(parts) >= least) continue;
-    least = price(parts);
+    if (!workable || too_alike(task, parts) || price(task, parts) >= least) continue;
+    least = price(task, parts);
     best = std::move(parts);
   }
   return best;
@@ -129,8 +141,8 @@ std::vector<PricedSubfield> priced(const SearchTask& task, const Region& shapes,
   return out;
 }
 
-double price(const std::vector<PricedSubfield>& subfields) {
-  double sum = 0;
+double price(const SearchTask& task, const std::vector<PricedSubfield>& subfields) {
+  double sum = task.objective.subfield * (std::max(1.0, static_cast<double>(subfields.size())) - 1);
   for (const PricedSubfield& subfield : subfields) sum += subfield.grid.cost;
   return sum;
 }
@@ -161,8 +173,9 @@ std::vector<PricedSubfield> join_where_it_pays(const SearchTask& task, std::vect
       const auto [a, b] = wanted[i];
       const std::optional<Polygon> whole = joined(subfields[a].shape, subfields[b].shape);
       if (!whole) return;
-      const double apart = subfields[a].grid.cost + subfields[b].grid.cost;
-      const bool needed = !is_workable(task, subfields[a]) || !is_workable(task, subfields[b]);
+      const double apart = price(task, {subfields[a], subfields[b]});
+      const bool needed = !is_workable(task, subfields[a]) || !is_workable(task, subfields[b]) ||
+                          too_alike(task, subfields[a], subfields[b]);
       if (!needed && priced_with(task, *whole, glance(), 1).grid.cost > hopeless(apart)) return;
       PricedSubfield one = priced_with(task, *whole, closer_look(), 1);
       const double saving = needed ? kNever : apart - one.grid.cost;

@@ -17,16 +17,17 @@ struct PricedSubfield {
 /// A grid for each shape, by edges and small steps alone.
 std::vector<PricedSubfield> priced(const SearchTask& task, const Region& shapes, int threads);
 
-/// The sum over the subfields.
-double price(const std::vector<PricedSubfield>& subfields);
+/// The sum over the subfields, and the price of each after the first.
+double price(const SearchTask& task, const std::vector<PricedSubfield>& subfields);
 
-/// Divides the ground in two, the way that saves most, and the parts again, as long as anything is saved.
-/// Every subfield has a track, and is no narrower than w. One subfield where nothing pays.
+/// Divides the ground in two, the way that saves most, and the parts again, as long as more is saved than a
+/// further subfield costs. Every subfield has a track, and is no narrower than w. One subfield where nothing pays.
 std::vector<PricedSubfield> divide_where_it_pays(const SearchTask& task, const PricedSubfield& ground,
                                                  int threads);
 
 /// Joins neighbours whose union costs no more than the two, the pair that saves most first; also those
-/// that have no track or are narrower than w, whatever it costs.
+/// that have no track, are narrower than w, or whose directions are nearer to one another than the merge
+/// threshold, whatever it costs.
 std::vector<PricedSubfield> join_where_it_pays(const SearchTask& task, std::vector<PricedSubfield> subfields,
                                                int threads);
 

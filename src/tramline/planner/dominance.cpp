@@ -10,19 +10,19 @@ namespace {
 
 bool no_worse(const Criteria& a, const Criteria& b) {
   return a.overlap_milli_m2 <= b.overlap_milli_m2 && a.uncovered_milli_m2 <= b.uncovered_milli_m2 &&
-         a.turns <= b.turns && a.stops <= b.stops;
+         a.turns <= b.turns && a.stops <= b.stops && a.further_subfields <= b.further_subfields;
 }
 
 bool comes_first(const Criteria& a, const Criteria& b) {
-  return std::tie(a.overlap_milli_m2, a.uncovered_milli_m2, a.turns, a.stops) <
-         std::tie(b.overlap_milli_m2, b.uncovered_milli_m2, b.turns, b.stops);
+  return std::tie(a.overlap_milli_m2, a.uncovered_milli_m2, a.turns, a.stops, a.further_subfields) <
+         std::tie(b.overlap_milli_m2, b.uncovered_milli_m2, b.turns, b.stops, b.further_subfields);
 }
 
 }  // namespace
 
 Criteria criteria_of(const Tally& tally) {
   return {std::llround(1e3 * tally.overlap_m2), std::llround(1e3 * tally.uncovered_m2), tally.turns,
-          tally.stops};
+          tally.stops, further_subfields(tally)};
 }
 
 bool dominates(const Tally& a, const Tally& b) {

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "tramline/planner/for_each_index.h"
+#include "tramline/planner/longest_side.h"
+#include "tramline/planner/whole_figures.h"
 
 namespace tramline {
 namespace {
@@ -103,8 +105,19 @@ void enter_swept(const std::vector<SweptGround>& swept, Contest& contest) {
   }
 }
 
-RunnerUp runner_up(const Objective& objective, const SeenPlan& plan, const Tally& best) {
-  return {plan.directions, plan.tally, plan.cost, difference(objective, plan.tally, best)};
+/// With its headland, as the chosen plan has been counted.
+RunnerUp runner_up(const SearchTask& task, const std::vector<Direction>& directions, const Candidate& plan,
+                   const Tally& best) {
+  const Tally tally = whole_tally_of(task, plan);
+  return {directions, tally, cost(task.objective, tally), difference(task.objective, tally, best)};
+}
+
+/// What the headland's passes add to the areas of the tracks.
+void add_headland(const Objective& objective, const Tally& whole, const Tally& tracks, CostCauses& causes) {
+  CausePart& part = causes.parts[static_cast<std::size_t>(Cause::kHeadland)];
+  part.overlap_m2 = whole.overlap_m2 - tracks.overlap_m2;
+  part.uncovered_m2 = whole.uncovered_m2 - tracks.uncovered_m2;
+  part.cost = objective.overlap * part.overlap_m2 + objective.uncovered * part.uncovered_m2;
 }
 
 }  // namespace
@@ -112,14 +125,16 @@ RunnerUp runner_up(const Objective& objective, const SeenPlan& plan, const Tally
 CostDifference difference(const Objective& objective, const Tally& of, const Tally& from) {
   return {objective.overlap * (of.overlap_m2 - from.overlap_m2),
           objective.uncovered * (of.uncovered_m2 - from.uncovered_m2),
-          objective.turn * (of.turns - from.turns), objective.stop * (of.stops - from.stops)};
+          objective.turn * (of.turns - from.turns), objective.stop * (of.stops - from.stops),
+          objective.subfield * (further_subfields(of) - further_subfields(from))};
 }
 
 const char* main_reason(const CostDifference& more) {
-  const std::array<std::pair<double, const char*>, 4> reasons{{{more.overlap, "overlap"},
+  const std::array<std::pair<double, const char*>, 5> reasons{{{more.overlap, "overlap"},
                                                                {more.uncovered, "uncovered"},
                                                                {more.turns, "turns"},
-                                                               {more.stops, "stops"}}};
+                                                               {more.stops, "stops"},
+                                                               {more.subfields, "subfields"}}};
   return std::max_element(reasons.begin(), reasons.end(),
                           [](const auto& a, const auto& b) { return a.first < b.first; })
       ->second;
@@ -127,11 +142,14 @@ const char* main_reason(const CostDifference& more) {
 
 Explanation explanation_of(const SearchTask& task, const SearchResult& found, int threads) {
   const Candidate& best = found.best;
-  const Tally& tally = best.avoided.tally;
+  const Tally& tracks = best.avoided.tally;
+  const Tally tally = whole_tally_of(task, best);
   Explanation out{causes_of({best.subfields, best.strips, best.avoided.tracks, task.ground.body,
-                             task.ground.given_up, task.ground.passable, tally},
+                             task.ground.given_up, task.ground.passable, tracks},
                             task.objective),
+                  {},
                   {}};
+  add_headland(task.objective, tally, tracks, out.causes);
   Contest contest(task, best, threads);
   for (const SeenPlan& plan : found.seen) contest.enter(plan);
   std::vector<const Grounds*> shortlist;
@@ -139,7 +157,10 @@ Explanation explanation_of(const SearchTask& task, const SearchResult& found, in
   contest.lay_and_enter(shortlist);
   enter_swept(found.swept, contest);
   for (const SeenPlan* plan : contest.runner_ups())
-    out.runner_ups.push_back(runner_up(task.objective, *plan, tally));
+    out.runner_ups.push_back(
+        runner_up(task, plan->directions, candidate_on(task, plan->grounds), tally));
+  const Candidate expected = along_longest_side(task, threads);
+  out.longest_side = runner_up(task, {longest_side(task.field, task.machine.width_m)}, expected, tally);
   return out;
 }
 

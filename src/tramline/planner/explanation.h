@@ -8,19 +8,20 @@
 
 namespace tramline {
 
-/// What a plan costs above another one, by what is paid for.
+/// What a plan costs above another one; negative where it costs less, by what is paid for.
 struct CostDifference {
   double overlap = 0;
   double uncovered = 0;
   double turns = 0;
   double stops = 0;
+  double subfields = 0;
 
-  double sum() const { return overlap + uncovered + turns + stops; }
+  double sum() const { return overlap + uncovered + turns + stops + subfields; }
 };
 
 CostDifference difference(const Objective& objective, const Tally& of, const Tally& from);
 
-/// overlap, uncovered, turns or stops: what is largest; among equals the first.
+/// overlap, uncovered, turns, stops or subfields: what is largest; among equals the first.
 const char* main_reason(const CostDifference& more);
 
 /// A plan that was not chosen.
@@ -32,8 +33,9 @@ struct RunnerUp {
 };
 
 struct Explanation {
-  CostCauses causes;                 ///< of the chosen plan
+  CostCauses causes;                 ///< of the chosen plan, headland passes included
   std::vector<RunnerUp> runner_ups;  ///< cheapest first
+  RunnerUp longest_side;             ///< the ground undivided, with tracks along the field's longest side
 };
 
 /// Of the best plan of a search. Runner-ups are up to five of the plans that the search has laid out or had

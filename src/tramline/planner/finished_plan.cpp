@@ -15,6 +15,8 @@
 #include "tramline/planner/encounters_as_driven.h"
 #include "tramline/planner/pulse.h"
 #include "tramline/planner/warnings.h"
+#include "tramline/planner/whole_figures.h"
+#include "tramline/planner/worked_layers.h"
 
 namespace tramline {
 namespace {
@@ -107,18 +109,15 @@ Plan finished_plan(const SearchTask& task, SearchResult found) {
   beat();
   plan.encounters = encounters_as_driven(task, found.best, plan.pieces);
   beat();
-  const std::vector<Region> grounds = worked_grounds(found.best, plan.pieces, plan.machine.width_m);
+  std::vector<Region> grounds = worked_grounds(found.best, plan.pieces, plan.machine.width_m);
   plan.subfields = std::move(found.best.subfields);
   if (!task.settings.guide.empty())
     plan.reference = straight_path(task.settings.guide.front(), task.settings.guide.back());
-  plan.tally = found.best.avoided.tally;
-  plan.cost = found.best.cost();
+  set_figures(plan, found.best.avoided.tally);
   plan.directions_tried = found.directions_tried;
-  plan.proof = found.proof;
+  plan.proof = whole_proof(task, found, plan);
   beat();
-  WorkedRegions worked = worked_regions(plan.body, swath_parts(plan), grounds);
-  plan.overlap = std::move(worked.overlap);
-  plan.uncovered = std::move(worked.uncovered);
+  add_layers(plan, {std::move(grounds), common_to_two(swath_parts(plan))});
   plan.warnings = warnings_about(plan);
   return plan;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "tramline/planner/recursive_plan.h"
 #include "tramline/planner/straight_search.h"
 #include "tramline/planner/validate_request.h"
+#include "tramline/planner/whole_figures.h"
 
 namespace tramline {
 namespace {
@@ -71,10 +73,12 @@ Plan cheaper_shape(const Field& field, const Machine& machine, const Objective& 
   settings.shape = TrackShape::kStraight;
   settings.tracks = TrackConstruction::kParallel;
   SearchTask task = headlanded_task(field, machine, objective, settings, threads);
-  if (curved) task.no_more_than = curved->candidate.cost;
+  const double curved_cost =
+      curved ? whole_cost(curved->task, curved->candidate) : std::numeric_limits<double>::infinity();
+  task.no_more_than = curved_cost - least_by_headland(task);
   SearchResult straight = straight_search(task, threads, progress);
   const bool stays_straight =
-      !curved || (straight.best.works() && straight.best.cost() <= curved->candidate.cost);
+      !curved || (straight.best.works() && whole_cost(task, straight.best) <= curved_cost);
   Plan plan = stays_straight ? finished_plan(task, std::move(straight))
                              : finished_plan(curved->task, curved->candidate);
   plan.settings.shape = TrackShape::kAuto;

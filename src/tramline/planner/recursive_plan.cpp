@@ -31,7 +31,7 @@ CurvedCandidate recursive_along(const SearchTask& task, const std::vector<Point>
   RecursiveTally found = recursive_tally(out.tracks, width_m, task.ground.body);
   out.tally = found.tally;
   out.worked = std::move(found.worked);
-  out.cost = cost(task.objective, out.tally);
+  count_subfields(task, out);
   return out;
 }
 

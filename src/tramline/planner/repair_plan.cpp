@@ -84,9 +84,11 @@ void add_tally(Plan& plan) {
     tally.stops += (piece.stop_at_start ? 1 : 0) + (piece.stop_at_end ? 1 : 0);
   }
   tally.pieces = static_cast<int>(plan.pieces.size());
+  tally.subfields = plan.pieces.empty() ? 0 : 1;
   tally.turns = std::max(0, tally.pieces - 1 - tally.crossings);
   tally.worked_m2 = width_m * tally.track_length_m;
   tally.uncovered_m2 = std::max(0.0, area(plan.body) - (tally.worked_m2 - tally.overlap_m2));
+  plan.track_tally = tally;
   plan.cost = cost(plan.objective, tally);
 }
 

@@ -27,11 +27,13 @@ struct SweptGround {
 struct SearchResult {
   Candidate best;
   int directions_tried = 0;
-  Proof proof;
+  Proof proof;  ///< of tracks on the body, headland passes left out
   std::vector<SeenPlan> seen;  ///< of the whole field, in the order in which they were looked at
   /// Plans of the whole field, undivided, that were priced and looked good; seen or not.
   std::vector<std::vector<GriddedSubfield>> shortlist;
   std::vector<SweptGround> swept;  ///< every candidate of the sweep
+  /// The best plan found that leaves the ground undivided, where the best of all divides it.
+  std::vector<GriddedSubfield> undivided;
 };
 
 }  // namespace tramline

@@ -13,6 +13,7 @@
 #include "tramline/planner/pulse.h"
 #include "tramline/planner/straight_search.h"
 #include "tramline/planner/validate_request.h"
+#include "tramline/planner/whole_figures.h"
 
 namespace tramline {
 namespace {
@@ -24,10 +25,6 @@ struct Laid {
   TradeOff::Origin origin;
   Tally tally;
 };
-
-bool alike(const Objective& a, const Objective& b) {
-  return a.overlap == b.overlap && a.uncovered == b.uncovered && a.turn == b.turn && a.stop == b.stop;
-}
 
 /// The plans the search has met, the one it has chosen first.
 std::vector<Laid> laid_by(std::size_t search, SearchResult& found) {
@@ -78,6 +75,17 @@ std::vector<Laid> laid_anew(const std::vector<TradeOff::Search>& searches, const
   return out;
 }
 
+/// With the tallies of tracks and headland passes together, and without what is dominated by these.
+std::vector<Laid> with_headland(const std::vector<TradeOff::Search>& searches, std::vector<Laid> laid,
+                                int threads) {
+  if (searches.front().task.headland.passes.empty()) return laid;
+  for_each_index(laid.size(), threads, [&](std::size_t i) {
+    const SearchTask& task = searches[laid[i].origin.search].task;
+    laid[i].tally = whole_tally_of(task, candidate_on(task, laid[i].origin.grounds));
+  });
+  return best_of(std::move(laid));
+}
+
 Front front_of(const Objective& prices, const std::vector<TradeOff::Search>& searches,
                const std::vector<Laid>& laid) {
   Front front;
@@ -97,16 +105,17 @@ Front front_of(const Objective& prices, const std::vector<TradeOff::Search>& sea
 std::vector<Objective> prices_to_search(const Objective& given) {
   std::vector<Objective> out;
   const auto add = [&out](const Objective& prices) {
-    if (std::none_of(out.begin(), out.end(), [&](const Objective& other) { return alike(prices, other); }))
+    if (std::none_of(out.begin(), out.end(), [&](const Objective& other) { return prices == other; }))
       out.push_back(prices);
   };
   add(given);
   for (const Scenario scenario : {Scenario::kOverlap, Scenario::kUncovered, Scenario::kTurns})
     add(weights_of(scenario));
   for (const double factor : {0.125, 0.5, 2.0, 8.0}) {
-    add({given.overlap * factor, given.uncovered, given.turn, given.stop});
-    add({given.overlap, given.uncovered * factor, given.turn, given.stop});
-    add({given.overlap, given.uncovered, given.turn * factor, given.stop * factor});
+    add({given.overlap * factor, given.uncovered, given.turn, given.stop, given.subfield});
+    add({given.overlap, given.uncovered * factor, given.turn, given.stop, given.subfield});
+    add({given.overlap, given.uncovered, given.turn * factor, given.stop * factor,
+         given.subfield * factor});
   }
   return out;
 }
@@ -125,7 +134,7 @@ TradeOff trade_off(const Field& field, const Machine& machine, const Objective& 
     for (Laid& plan : laid_by(i, out.searches[i].found)) laid.push_back(std::move(plan));
   laid = best_of(std::move(laid));
   for (Laid& plan : laid_anew(out.searches, laid, threads)) laid.push_back(std::move(plan));
-  laid = best_of(std::move(laid));
+  laid = with_headland(out.searches, best_of(std::move(laid)), threads);
 
   out.front = front_of(prices, out.searches, laid);
   for (Laid& plan : laid) out.origins.push_back(std::move(plan.origin));

@@ -63,6 +63,7 @@ void validate_request(const Machine& machine, const Objective& objective, const 
   require_weight(objective.uncovered, "uncovered land");
   require_weight(objective.turn, "turns");
   require_weight(objective.stop, "stops");
+  require_weight(objective.subfield, "further subfields");
   constexpr double kMostClearance = 1000;
   require_metres(settings.clearance_m, 0, kMostClearance, "clearance");
   require_metres_or_default(settings.avoid_threshold_m, kAvoidThreshold);

@@ -52,13 +52,34 @@ void warn_of_dropped_pieces(const Plan& plan, std::vector<std::string>& out) {
                             noun, min_length_m(plan.machine), total));
 }
 
+void warn_of_unworked_land(const Plan& plan, std::vector<std::string>& out) {
+  constexpr double kMuch = 0.02;
+  const double land = land_m2(plan);
+  if (is_repair(plan) || plan.tally.uncovered_m2 <= kMuch * land) return;
+  out.push_back(fmt::format("{:.1f} % of the land, {:.0f} m², stays unworked",
+                            100 * plan.tally.uncovered_m2 / land, plan.tally.uncovered_m2));
+}
+
+/// A machine that has just turned needs about that much to straighten up and work.
+void warn_of_short_pieces(const Plan& plan, std::vector<std::string>& out) {
+  const double least_m = 2 * plan.machine.radius_m + plan.machine.width_m;
+  const auto is_short = [least_m](const TrackPiece& piece) { return length(piece) < least_m; };
+  const auto count = std::count_if(plan.pieces.begin(), plan.pieces.end(), is_short);
+  if (is_repair(plan) || count == 0) return;
+  out.push_back(fmt::format("{} of {} tracks {} shorter than {:.1f} m, twice the turning radius and the working "
+                            "width: hardly worth turning for",
+                            count, plan.pieces.size(), count == 1 ? "is" : "are", least_m));
+}
+
 }  // namespace
 
 std::vector<std::string> warnings_about(const Plan& plan) {
   std::vector<std::string> out = plan.field.warnings;
+  warn_of_unworked_land(plan, out);
   warn_of_overrun(plan, out);
   warn_of_given_up_land(plan, out);
   warn_of_dropped_pieces(plan, out);
+  warn_of_short_pieces(plan, out);
   out.emplace_back("connections between tracks are not planned yet: only the order of the pieces is");
   return out;
 }

@@ -102,6 +102,7 @@ export interface Prices {
   uncovered: number;
   turn: number;
   stop: number;
+  subfield: number;
 }
 export type EndRule = 'cheapest' | 'centre' | 'cover' | 'inside';
 export interface PlanSettings {

@@ -20,7 +20,7 @@ export interface PlanForm {
   again: boolean;
 }
 
-export const USUAL: Prices = { overlap: 0.04, uncovered: 0.1, turn: 0.45, stop: 5 };
+export const USUAL: Prices = { overlap: 0.02, uncovered: 0.1, turn: 1, stop: 5, subfield: 5 };
 /** The middle of a slider is the usual price; two notches double it, 0 makes the thing free. */
 export const MIDDLE = 5;
 export const priceAt = (notch: number, usual: number) => (notch === 0 ? 0 : usual * 2 ** ((notch - MIDDLE) / 0.75));
@@ -44,7 +44,8 @@ const first: PlanForm = {
 
 function kept(): PlanForm {
   try {
-    return { ...first, ...(JSON.parse(localStorage.getItem(KEEP) ?? '{}') as Partial<PlanForm>), line: null };
+    const own = JSON.parse(localStorage.getItem(KEEP) ?? '{}') as Partial<PlanForm>;
+    return { ...first, ...own, prices: { ...USUAL, ...own.prices }, line: null };
   } catch {
     return first;
   }
@@ -59,6 +60,7 @@ export function pricesOf(value: PlanForm): Prices {
     uncovered: priceAt(value.sliders.uncovered, USUAL.uncovered),
     turn: priceAt(value.sliders.turns, USUAL.turn),
     stop: priceAt(value.sliders.turns, USUAL.stop),
+    subfield: USUAL.subfield,
   };
 }
 
@@ -67,11 +69,13 @@ export interface Counts {
   uncovered_m2: number;
   turns: number;
   stops: number;
+  further_subfields?: number;
 }
 /** What a plan costs at the prices of the form. Plans made for other prices are held against it by the same ones. */
 export function costOf(counts: Counts, value: PlanForm = form.get()): number {
   const prices = pricesOf(value);
-  return prices.overlap * counts.overlap_m2 + prices.uncovered * counts.uncovered_m2 + prices.turn * counts.turns + prices.stop * counts.stops;
+  return prices.overlap * counts.overlap_m2 + prices.uncovered * counts.uncovered_m2 + prices.turn * counts.turns + prices.stop * counts.stops
+    + prices.subfield * (counts.further_subfields ?? 0);
 }
 
 export function requestOf(value: PlanForm, field: string): PlanRequest {

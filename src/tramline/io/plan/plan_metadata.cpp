@@ -19,7 +19,7 @@ namespace tramline::io {
 namespace {
 
 constexpr const char* kFormat = "tramline plan";
-constexpr int kNewestVersion = kVersionWithRepairs, kOldestVersion = 2;
+constexpr int kNewestVersion = kVersionWithWholeFigures, kOldestVersion = 2;
 constexpr const char* kTracks = "settings.tracks";
 
 /// The one list of keys, walked by the writer (const plan) and by the reader.
@@ -74,6 +74,27 @@ void each_value_since_headlands(PlanOrConst& plan, Visitor&& visit) {
   visit("headland.worked_m2", plan.headland.worked_m2);
   visit("headland.overlap_m2", plan.headland.overlap_m2);
   visit("headland.uncovered_m2", plan.headland.uncovered_m2);
+}
+
+/// The keys that came with figures of tracks and headland passes together.
+template <class PlanOrConst, class Visitor>
+void each_value_since_whole_figures(PlanOrConst& plan, Visitor&& visit) {
+  visit("objective.subfield", plan.objective.subfield);
+  visit("tally.subfields", plan.tally.subfields);
+  visit("track_tally.worked_m2", plan.track_tally.worked_m2);
+  visit("track_tally.overlap_m2", plan.track_tally.overlap_m2);
+  visit("track_tally.uncovered_m2", plan.track_tally.uncovered_m2);
+}
+
+/// Counts and lengths are the same for tracks alone; the areas are read or, in older files, are all there is.
+void complete_track_tally(int version, Plan& plan) {
+  Tally of_tracks = plan.tally;
+  if (version >= kVersionWithWholeFigures) {
+    of_tracks.worked_m2 = plan.track_tally.worked_m2;
+    of_tracks.overlap_m2 = plan.track_tally.overlap_m2;
+    of_tracks.uncovered_m2 = plan.track_tally.uncovered_m2;
+  }
+  plan.track_tally = of_tracks;
 }
 
 /// The shortest number of degrees that makes the same angle, to the bit of its radians; where none does,
@@ -179,10 +200,11 @@ Metadata metadata_of(const Plan& plan) {
   const Writer writer(out, offset_of(plan.field.frame));
   each_value(plan, writer);
   each_value_since_headlands(plan, writer);
+  each_value_since_whole_figures(plan, writer);
   out[kInputCrsKey] = plan.field.source.input_crs;
   writer(kTracks, plan.settings.tracks);
   out["format"] = kFormat;
-  out["format_version"] = std::to_string(is_repair(plan) ? kVersionWithRepairs : kVersionWithHeadlands);
+  out["format_version"] = std::to_string(kVersionWithWholeFigures);
   leave_folders_out(out);
   // The kinds that no setting changes are written all the same: the file explains itself.
   out["edges.exterior"] = name(plan.settings.boundary);
@@ -197,10 +219,17 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   int version = 0;
   reader("format_version", version);
   if (version < kOldestVersion || version > kNewestVersion)
-    throw reader.wrong("format_version", "from 2 to 4: read it with the tramline that wrote it");
+    throw reader.wrong("format_version", "from 2 to 5: read it with the tramline that wrote it");
   each_value(plan, reader);
   reader.shift_by(offset_of(plan.field.frame));
   if (version >= kVersionWithHeadlands) each_value_since_headlands(plan, reader);
+  if (version >= kVersionWithWholeFigures) {
+    each_value_since_whole_figures(plan, reader);
+  } else {
+    plan.objective.subfield = 0;  // it had no price
+    plan.figures = PlanFigures::kTracks;
+  }
+  complete_track_tally(version, plan);
   // Files from before there were these keys are as good plans.
   if (metadata.contains(kInputCrsKey)) plan.field.source.input_crs = reader.text(kInputCrsKey);
   if (metadata.contains(kTracks)) reader(kTracks, plan.settings.tracks);

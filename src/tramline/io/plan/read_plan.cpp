@@ -221,7 +221,11 @@ void read_front(Rows& file, PlanFile& out) {
     point.directions = directions_from_text(row.text("direction_rad"), row.place_of("direction_rad"));
     point.cost = row.number("cost");
     point.laid_for = {row.number("laid_for_overlap"), row.number("laid_for_uncovered"),
-                      row.number("laid_for_turn"), row.number("laid_for_stop")};
+                      row.number("laid_for_turn"), row.number("laid_for_stop"), 0};
+    if (out.plan.figures == PlanFigures::kTracksAndPasses) {
+      point.laid_for.subfield = row.number("laid_for_subfield");
+      tally.subfields = row.whole("worked_subfields");
+    }
     apply_marks(row.text("marks"), front.points.size(), row.place_of("marks"), front.marks);
     front.points.push_back(std::move(point));
     const FrontPoint& read = front.points.back();
@@ -248,7 +252,8 @@ PlanFile read_plan_file(const fs::path& path) {
   read_field_layers(file, path, kPlanFile, out.plan.field,
                     [&](const Row& row, const Polygon& polygon) { derive_area(out, row, polygon); });
   read_region(file, layers::kBody, out.plan.body, out);
-  if (version >= kVersionWithRepairs) read_region(file, layers::kWorked, out.plan.worked, out);
+  if (version == kVersionWithRepairs || file.has(layers::kWorked))
+    read_region(file, layers::kWorked, out.plan.worked, out);
   if (version >= kVersionWithHeadlands) read_headland(file, out);
   read_region(file, layers::kGivenUp, out.plan.given_up, out);
   read_subfields(file, out);

@@ -28,6 +28,7 @@ function ByPrices() {
         <NumberField label="Uncovered" unit="€/m²" value={prices.uncovered} least={0} most={1000} change={(v) => v !== null && set({ uncovered: v })} />
         <NumberField label="Turn" unit="€" value={prices.turn} least={0} most={100000} change={(v) => v !== null && set({ turn: v })} />
         <NumberField label="Stop and back out" unit="€" value={prices.stop} least={0} most={100000} change={(v) => v !== null && set({ stop: v })} />
+        <NumberField label="Further subfield" unit="€" value={prices.subfield} least={0} most={100000} change={(v) => v !== null && set({ subfield: v })} />
       </div>
       <Button kind="quiet" onClick={() => form.set({ prices: USUAL })}>Usual prices</Button>
     </>

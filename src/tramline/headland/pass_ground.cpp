@@ -1,0 +1,27 @@
+#include "tramline/headland/pass_ground.h"
+
+#include "tramline/geometry/layered_area.h"
+
+namespace tramline {
+namespace {
+
+/// Does it work some ground twice by itself?
+bool meets_itself(const Path& path, double width_m) {
+  constexpr double kRounding = 1e-6;  // m²
+  RisingCurves curves;
+  const Box reach = reach_of(path, width_m);
+  append_box(reach.grown(1), Layer::kBody, reach, curves);
+  append_band(path, width_m, Layer::kNew, curves);
+  return new_area(curves) < width_m * length(path) - kRounding;
+}
+
+}  // namespace
+
+Region pass_ground_parts(const Path& path, double width_m, double sagitta_m) {
+  if (!meets_itself(path, width_m)) return {closed_band(path, width_m, sagitta_m)};
+  Region out;
+  for (const PathSegment& segment : path) out.push_back({band({segment}, width_m, sagitta_m), {}});
+  return out;
+}
+
+}  // namespace tramline
