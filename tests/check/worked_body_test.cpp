@@ -12,7 +12,7 @@
 namespace tramline {
 namespace {
 
-using check::worked_body;
+using check::worked_on;
 using check::WorkedPart;
 
 /// A sector of a ring about the origin with poles on it.
@@ -70,7 +70,7 @@ TEST(WorkedBody, covers_what_the_union_of_the_swaths_does) {
         plan.pieces.insert(plan.pieces.begin(), more);
       }
       const std::vector<WorkedPart> parts = check::worked_parts(plan);
-      const check::WorkedBody found = worked_body(plan, parts);
+      const check::WorkedBody found = worked_on(plan.body, parts, plan.pieces.size(), plan.machine.width_m);
       const Region land = ground_of(parts);
       EXPECT_NEAR(found.covered_m2, area(intersection(land, plan.body)), kTolerance_m2);
       EXPECT_NEAR(area(unite(found.beyond)), area(difference(land, plan.body)), kTolerance_m2);
@@ -113,7 +113,8 @@ TEST(WorkedBody, knows_swaths_that_meet_themselves) {
   const double twice_m2 = 4 * length(piece) - area(land);
   // Legs from 0 to 20 m share a metre of their width, and each what the arcs at its ends bend into it.
   EXPECT_GT(twice_m2, 20);
-  EXPECT_NEAR(worked_body(plan, parts).covered_m2, area(land), 1e-2);
+  const check::WorkedBody found = worked_on(plan.body, parts, plan.pieces.size(), plan.machine.width_m);
+  EXPECT_NEAR(found.covered_m2, area(land), 1e-2);
 }
 
 }  // namespace

@@ -52,14 +52,17 @@ struct Expected {
   int count = 0;
 };
 
-/// These parts, at prices 0.04, 0.10, 0.45 and 5, and nothing else but turns.
+/// A second subfield; stops and further subfields cost the same.
+const Expected kOneMore{Cause::kSubfields, 0, 0, 1};
+
+/// These parts, at prices 0.02, 0.10, 1.00, 5 and 5, and nothing else but turns.
 void expect_causes(const CostCauses& causes, const std::vector<Expected>& expected, int turns) {
   CostCauses wanted{};
   for (const Expected& each : expected)
     wanted.parts[static_cast<std::size_t>(each.cause)] = {
         each.overlap_m2, each.uncovered_m2, each.count,
-        0.04 * each.overlap_m2 + 0.10 * each.uncovered_m2 + 5 * each.count};
-  wanted.parts[static_cast<std::size_t>(Cause::kTurns)] = {0, 0, turns, 0.45 * turns};
+        0.02 * each.overlap_m2 + 0.10 * each.uncovered_m2 + 5 * each.count};
+  wanted.parts[static_cast<std::size_t>(Cause::kTurns)] = {0, 0, turns, 1.00 * turns};
   for (std::size_t i = 0; i < kCauseCount; ++i) {
     SCOPED_TRACE(name(static_cast<Cause>(i)));
     EXPECT_NEAR(causes.parts[i].overlap_m2, wanted.parts[i].overlap_m2, kTolerance_m2);
@@ -84,19 +87,19 @@ Laid trapezium(double slope) {
   return {{{{{{0, 0}, {30, 0}, {30, 200 + 30 * slope}, {0, 200}}, {}}, kNorth}}};
 }
 
-// ALGORITHMS §0.1: with f = 0.10/(0.04 + 0.10) a wedge of ½w²·cot φ costs f² of it in overlap and (1 − f)² in
+// ALGORITHMS §0.1: with f = 0.10/(0.02 + 0.10) a wedge of ½w²·cot φ costs f² of it in overlap and (1 − f)² in
 // land left.
 TEST(CostCauses, WedgesWhereAnEdgeCrossesTheTracksAreRowEnds) {
   for (const double slope : {0.25, 1.0, 3.0}) {
     SCOPED_TRACE(slope);
-    const double wedges_m2 = 10 * 0.5 * kWidth * kWidth * slope, f = 0.10 / 0.14;
+    const double wedges_m2 = 10 * 0.5 * kWidth * kWidth * slope, f = 0.10 / 0.12;
     expect_causes(trapezium(slope).causes(),
                   {{Cause::kRowEnds, f * f * wedges_m2, (1 - f) * (1 - f) * wedges_m2}}, 9);
   }
 }
 
 TEST(CostCauses, AnEdgeThatTakesMoreThanFourWidthsToPassThroughAStripIsASide) {
-  const double wedges_m2 = 10 * 0.5 * kWidth * kWidth * 5, f = 0.10 / 0.14;
+  const double wedges_m2 = 10 * 0.5 * kWidth * kWidth * 5, f = 0.10 / 0.12;
   expect_causes(trapezium(5).causes(), {{Cause::kSides, f * f * wedges_m2, (1 - f) * (1 - f) * wedges_m2}},
                 9);
 }
@@ -118,10 +121,10 @@ Laid parted(EndRule rule) {
 // Ten strips meet the border from either side, with wedges of 4.5 m². One of them is all there is of its
 // strip: `inside` does not drive it.
 TEST(CostCauses, WhatSubfieldsOverlapAndLeaveAtTheirBorderIsASeam) {
-  expect_causes(parted(EndRule::kCover).causes(), {{Cause::kSeams, 2 * 10 * 4.5, 0}}, 29);
-  expect_causes(parted(EndRule::kInside).causes(), {{Cause::kSeams, 0, 2 * 10 * 4.5}}, 28);
+  expect_causes(parted(EndRule::kCover).causes(), {{Cause::kSeams, 2 * 10 * 4.5, 0}, kOneMore}, 29);
+  expect_causes(parted(EndRule::kInside).causes(), {{Cause::kSeams, 0, 2 * 10 * 4.5}, kOneMore}, 28);
   // What the one leaves the other covers, so that the halves of a strip fit together.
-  expect_causes(parted(EndRule::kCentre).causes(), {}, 29);
+  expect_causes(parted(EndRule::kCentre).causes(), {kOneMore}, 29);
 }
 
 // One leg of 31 × 60 m is driven north, the other, 59 × 31 m, east. Each has an eleventh strip with 1 m of
@@ -130,7 +133,7 @@ TEST(CostCauses, WhatSubfieldsOverlapAndLeaveAtTheirBorderIsASeam) {
 TEST(CostCauses, AnLShapeHasASeamWhereItsLegsMeet) {
   Laid laid{{{{box(0, 0, 31, 60), {}}, kNorth}, {{box(31, 0, 90, 31), {}}, kEast}}};
   laid.rule = EndRule::kCover;
-  expect_causes(laid.causes(), {{Cause::kSeams, 2 * 31, 0}, {Cause::kSides, 2 * 29 + 2 * 59, 0}}, 21);
+  expect_causes(laid.causes(), {{Cause::kSeams, 2 * 31, 0}, {Cause::kSides, 2 * 29 + 2 * 59, 0}, kOneMore}, 21);
 }
 
 // A diamond of 3 × 3 m fills the second strip for 3 m: two stops, and its four corners are left.

@@ -22,8 +22,8 @@ Field field() {
 TEST(PricesToSearch, AreSixteenAtMostAndNoTwoAlike) {
   EXPECT_EQ(prices_to_search({}).size(), 16u);
   // A price of 0 stays 0 times anything.
-  EXPECT_EQ(prices_to_search({0, 1, 1, 0}).size(), 12u);
-  EXPECT_EQ(prices_to_search({1, 1, 99999, 0}).size(), 15u);
+  EXPECT_EQ(prices_to_search({0, 1, 1, 0, 0}).size(), 12u);
+  EXPECT_EQ(prices_to_search({1, 1, 99999, 0, 0}).size(), 15u);
 }
 
 TEST(TradeOff, PlansAreLaidAgainAsTheyWereTallied) {

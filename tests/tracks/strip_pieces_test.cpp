@@ -52,9 +52,9 @@ TEST(EndRules, OnAParallelogram) {
     EndRule rule;
     double fraction;
   };
-  const Objective prices;  // 0.04 and 0.10: f* = 0.10/0.14
+  const Objective prices;  // 0.02 and 0.10: f* = 0.10/0.12
   for (const Case& c : {Case{EndRule::kCentre, 0.5}, Case{EndRule::kCover, 1.0}, Case{EndRule::kInside, 0.0},
-                        Case{EndRule::kCheapest, 0.10 / 0.14}}) {
+                        Case{EndRule::kCheapest, 0.10 / 0.12}}) {
     const Sums sums = sums_of(lay(kParallelogram, c.rule, {}, 6, prices), kParallelogram);
     EXPECT_EQ(sums.pieces, 10) << name(c.rule);
     EXPECT_NEAR(sums.overlap, 20 * kWedge * c.fraction * c.fraction, kRowEnds) << name(c.rule);

@@ -49,8 +49,15 @@ class DetourDecisions {
   // detour_improvement.cpp
   void value(Decision& decision);
   double saving_of(Decision& decision, std::vector<StripDetour>* best_detours);
-  bool improve_pairs();
-  bool improve_pair(Decision& first, Decision& second);
+  /// Tracks first to end − 1 that meet one obstacle, tried with one another.
+  struct Group {
+    std::size_t first = 0, end = 0;
+    std::vector<std::vector<StripDetour>> best;  ///< empty: nothing saves more than most_saved
+    double most_saved = 0;
+  };
+  bool improve_groups();
+  bool improve_group(std::size_t first, std::size_t end);
+  void try_choices(Group& group, std::size_t at, double saved);
 
   // detour_encounters.cpp
   Encounter encounter_at(Decision& decision, std::size_t gap);

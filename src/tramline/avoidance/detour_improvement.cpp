@@ -9,6 +9,8 @@
 namespace tramline {
 namespace {
 
+constexpr std::size_t kMostTogether = 4;  ///< tracks whose choices are tried with one another
+
 bool share_a_hazard(const BlockedTrack& a, const BlockedTrack& b) {
   for (const TrackOption& mine : a.options)
     for (const TrackOption& theirs : b.options)
@@ -46,56 +48,65 @@ bool DetourDecisions::improve() {
   };
   const std::vector<Decision*> order = by_saving(tracks_, saving);
   const bool singly = improve_one_by_one(order, saving, chosen);
-  if (!improve_pairs()) return singly;
+  if (!improve_groups()) return singly;
   improve_one_by_one(order, saving, chosen);
   return true;
 }
 
-/// A pole on the line between two tracks: what suits either while the other stays need not be what suits
-/// both.
-bool DetourDecisions::improve_pairs() {
+/// A pole on the line between tracks: what suits each while the others stay need not be what suits all.
+bool DetourDecisions::improve_groups() {
   const auto one_pole = [this](std::size_t i, std::size_t j) {
-    if (j >= tracks_.size()) return false;
     const BlockedTrack &a = tracks_[i].track, &b = tracks_[j].track;
     return a.subfield == b.subfield && b.strip == a.strip + 1 && a.gaps.size() == 1 && b.gaps.size() == 1 &&
            share_a_hazard(a, b);
   };
   bool any = false;
-  for (std::size_t i = 0; i + 1 < tracks_.size(); ++i) {
-    if (!one_pole(i, i + 1) || one_pole(i + 1, i + 2) || (i > 0 && one_pole(i - 1, i))) continue;
-    any = improve_pair(tracks_[i], tracks_[i + 1]) || any;
+  for (std::size_t first = 0; first < tracks_.size();) {
+    std::size_t end = first + 1;
+    while (end < tracks_.size() && one_pole(end - 1, end)) ++end;
+    if (end - first > 1 && end - first <= kMostTogether) any = improve_group(first, end) || any;
+    first = end;
   }
   return any;
 }
 
-/// Every choice for the first with the best one for the second.
-bool DetourDecisions::improve_pair(Decision& first, Decision& second) {
-  const std::vector<StripDetour> first_now = first.chosen, second_now = second.chosen;
-  std::vector<std::vector<StripDetour>> choices{{}};
-  for (const TrackOption& option : first.track.options) choices.push_back({option.way.detour});
-  const auto cost_of = [this](Decision& decision, const std::vector<StripDetour>& detours) {
-    value(decision);
+/// Every choice for all tracks of the group but the last, with the best one for that.
+bool DetourDecisions::improve_group(std::size_t first, std::size_t end) {
+  Group group{first, end, {}, kWorthIt};
+  try_choices(group, first, 0);
+  if (group.best.empty()) return false;
+  for (std::size_t i = first; i < end; ++i) choose(tracks_[i], std::move(group.best[i - first]));
+  return true;
+}
+
+/// Goes on from `at`; the tracks before have what is being tried and save so much together. Leaves all tracks
+/// from there on as they were.
+void DetourDecisions::try_choices(Group& group, std::size_t at, double saved) {
+  Decision& decision = tracks_[at];
+  const std::vector<StripDetour> now = decision.chosen;
+  const auto cost_of = [&](const std::vector<StripDetour>& detours) {
     return track_cost(decision.track, strip_of(decision), width_m_, detours, task_.objective, least_m_);
   };
-  double most_saved = kWorthIt;
-  std::vector<StripDetour> best_first, best_second;
-  for (const std::vector<StripDetour>& choice : choices) {
-    if (same_detours(choice, first_now)) continue;
-    double saved = cost_of(first, first_now) - cost_of(first, choice);
-    choose(first, choice);
-    saved += cost_of(second, second_now);
-    const auto answer = cheapest_choice(second.track, strip_of(second), width_m_, task_.objective, least_m_);
-    if (answer && saved - answer->cost > most_saved) {
-      most_saved = saved - answer->cost;
-      best_first = choice;
-      best_second = answer->detours;
-    }
-    choose(first, first_now);
+  value(decision);
+  const double cost_now = cost_of(now);
+  if (at + 1 == group.end) {
+    const auto answer =
+        cheapest_choice(decision.track, strip_of(decision), width_m_, task_.objective, least_m_);
+    if (!answer || saved + cost_now - answer->cost <= group.most_saved) return;
+    group.most_saved = saved + cost_now - answer->cost;
+    group.best.clear();
+    for (std::size_t i = group.first; i < at; ++i) group.best.push_back(tracks_[i].chosen);
+    group.best.push_back(answer->detours);
+    return;
   }
-  if (most_saved <= kWorthIt) return false;
-  choose(first, std::move(best_first));
-  choose(second, std::move(best_second));
-  return true;
+  std::vector<std::pair<std::vector<StripDetour>, double>> choices{{{}, 0}};
+  for (const TrackOption& option : decision.track.options) choices.push_back({{option.way.detour}, 0});
+  for (auto& [detours, cost] : choices) cost = cost_of(detours);
+  for (auto& [detours, cost] : choices) {
+    choose(decision, std::move(detours));
+    try_choices(group, at + 1, saved + cost_now - cost);
+  }
+  choose(decision, now);
 }
 
 }  // namespace tramline
