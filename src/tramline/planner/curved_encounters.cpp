@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "tramline/planner/order/lines.h"
+
 namespace tramline {
 namespace {
 
@@ -37,7 +39,7 @@ std::vector<Encounter> encounters_as_driven(const SearchTask& task, const Curved
           piece, [&] { return subfield_of(task.ground.plannable, piece, task.machine.width_m); }, back);
     if (back) {
       std::swap(encounter.left, encounter.right);
-      if (encounter.chosen != Passing::kCut) encounter.chosen = other_side(encounter.chosen);
+      encounter.chosen = order::other_side(encounter.chosen);
     }
     out.push_back(std::move(encounter));
   }
