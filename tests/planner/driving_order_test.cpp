@@ -342,6 +342,37 @@ TEST(DrivingOrderProperties, FewHopsLeadThroughPonds) {
   EXPECT_GT(through_by_track, 60) << "the scenes ask for it";
 }
 
+double y_of(const TrackPiece& p) { return midpoint(p.start, p.end).y; }
+
+// Pieces on both sides of a pond may be driven in different directions. What is left and right of an
+// encounter is seen by the piece next to it, of the two the one driven first: of the lowest track that meets
+// the pond the way past on the south is the cheaper one, of the highest that on the north.
+TEST(DrivingOrder, SidesOfEncountersAreThoseOfThePieceBeforeThem) {
+  const Field field = field_of(box(0, 0, 200, 66), {box(90, 24.5, 110, 41.5)});
+  PlanSettings settings;
+  settings.avoid = Avoidance::kCut;
+  settings.decomposition_threshold = Angle::degrees(300);
+  settings.strategy = Strategy::kSweep;
+  const Plan plan = plan_field(field, {"", kWidth_m, 2, -1}, {}, settings);
+  ASSERT_EQ(plan.encounters.size(), 3U);
+  int looked_at = 0;
+  for (const Encounter& encounter : plan.encounters) {
+    if (std::abs(encounter.at.y - 33) < 1) continue;
+    const auto first = std::find_if(plan.pieces.begin(), plan.pieces.end(), [&](const TrackPiece& p) {
+      return std::abs(y_of(p) - encounter.at.y) < 0.1;
+    });
+    ASSERT_NE(first, plan.pieces.end());
+    ASSERT_TRUE(encounter.left.possible);
+    ASSERT_TRUE(encounter.right.possible);
+    const bool north_is_left = first->end.x > first->start.x;
+    const double north = north_is_left ? encounter.left.cost : encounter.right.cost;
+    const double south = north_is_left ? encounter.right.cost : encounter.left.cost;
+    EXPECT_EQ(south < north, encounter.at.y < 33) << "at y = " << encounter.at.y;
+    ++looked_at;
+  }
+  EXPECT_EQ(looked_at, 2);
+}
+
 // The same mechanism for curved tracks: along the bent side of a field like a U.
 TEST(DrivingOrder, CurvedTracksKeepToTheirLegToo) {
   Field field = field_of({});

@@ -9,6 +9,9 @@
 namespace tramline {
 namespace {
 
+/// Pieces on both sides of what blocks a track are as near: less is rounding, m.
+constexpr double kNearer_m = 1e-3;
+
 /// How far the piece is from what blocks its track.
 double off_by(const CurvedPiece& piece, const Interval& between) {
   return std::max({0.0, piece.from - between.to, between.from - piece.to});
@@ -26,7 +29,7 @@ std::vector<Encounter> encounters_as_driven(const SearchTask& task, const Curved
     const auto look_at = [&](const CurvedPiece& piece, auto subfield, bool driven_back) {
       if (piece.track != encounter.track || piece.branch != one.branch) return;
       const double off = off_by(piece, one.between);
-      if (off >= nearest) return;
+      if (off >= nearest - kNearer_m) return;
       nearest = off;
       encounter.subfield = subfield();
       back = driven_back;

@@ -56,6 +56,15 @@ int subfield_of(const Region& parts, const CurvedPiece& piece, double width_m) {
   return best;
 }
 
+std::vector<TrackPiece> track_pieces(const CurvedTracks& tracks, const Region& parts,
+                                     const Writing& writing) {
+  const std::vector<int> subfields = subfields_of(parts, tracks.pieces, writing.width_m);
+  std::vector<TrackPiece> out;
+  for (std::size_t i = 0; i < tracks.pieces.size(); ++i)
+    out.push_back(forwards(tracks.pieces[i], subfields[i], writing));
+  return out;
+}
+
 Driven driven_tracks(const CurvedTracks& tracks, const Region& parts, const Field& field,
                      const Writing& writing) {
   Driven out{{},

@@ -23,6 +23,9 @@ struct Driven {
   std::vector<bool> back;          ///< by piece of the tracks
 };
 
+/// The tracks as they are laid, each the same way: not in driving order.
+std::vector<TrackPiece> track_pieces(const CurvedTracks& tracks, const Region& parts, const Writing& writing);
+
 /// In the order and the way round of order::best_tour(); each part of the ground is a subfield. What a piece
 /// is said to overlap is what it would without detours (add_overlaps()).
 Driven driven_tracks(const CurvedTracks& tracks, const Region& parts, const Field& field,

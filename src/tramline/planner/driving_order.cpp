@@ -25,14 +25,18 @@ TrackPiece piece_on_field(const StripPiece& piece, const StripGrid& grid, int su
 
 }  // namespace
 
-std::vector<TrackPiece> driving_order(const SearchTask& task, const Candidate& candidate) {
+std::vector<TrackPiece> track_pieces(const Candidate& candidate) {
   std::vector<TrackPiece> pieces;
   for (std::size_t i = 0; i < candidate.avoided.tracks.size(); ++i) {
     const SubfieldTracks& tracks = candidate.avoided.tracks[i];
     for (const StripPiece& piece : tracks.pieces)
       pieces.push_back(piece_on_field(piece, tracks.grid, static_cast<int>(i), first_track(candidate, i)));
   }
-  const std::vector<order::WorkedLine> lines = order::lines_of(pieces);
+  return pieces;
+}
+
+std::vector<TrackPiece> driving_order(const SearchTask& task, const Candidate& candidate) {
+  const std::vector<order::WorkedLine> lines = order::lines_of(track_pieces(candidate));
   return order::pieces_on(order::best_tour(lines, task.field, task.machine.width_m), lines);
 }
 

@@ -7,7 +7,10 @@
 
 namespace tramline {
 
-/// The pieces of a candidate in the order and the way round in which they are driven (order::best_tour()).
+/// The pieces of a candidate by subfield, track and place along it: not in driving order.
+std::vector<TrackPiece> track_pieces(const Candidate& candidate);
+
+/// The same in the order and the way round in which they are driven (order::best_tour()).
 /// Connections between pieces are not planned.
 std::vector<TrackPiece> driving_order(const SearchTask& task, const Candidate& candidate);
 

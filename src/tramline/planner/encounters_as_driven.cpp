@@ -17,6 +17,16 @@ double off_by(const TrackPiece& piece, Point at) {
   return length(along) * std::max({0.0, -place, place - 1});
 }
 
+/// An encounter lies in the middle between two pieces that end before it: less is rounding, m.
+constexpr double kNearer_m = 1e-3;
+
+const TrackPiece& nearest_of(const std::vector<const TrackPiece*>& pieces, Point at) {
+  const TrackPiece* nearest = pieces.front();
+  for (const TrackPiece* piece : pieces)
+    if (off_by(*piece, at) < off_by(*nearest, at) - kNearer_m) nearest = piece;
+  return *nearest;
+}
+
 }  // namespace
 
 std::vector<Encounter> encounters_as_driven(const SearchTask& task, const Candidate& candidate,
@@ -28,10 +38,7 @@ std::vector<Encounter> encounters_as_driven(const SearchTask& task, const Candid
     encounter.track -= first_track(candidate, static_cast<std::size_t>(encounter.subfield));
     const auto found = driven.find({encounter.subfield, encounter.track});
     if (found == driven.end()) continue;
-    const TrackPiece& nearest = **std::min_element(
-        found->second.begin(), found->second.end(), [&](const TrackPiece* a, const TrackPiece* b) {
-          return off_by(*a, encounter.at) < off_by(*b, encounter.at);
-        });
+    const TrackPiece& nearest = nearest_of(found->second, encounter.at);
     const Point along = candidate.subfields[static_cast<std::size_t>(encounter.subfield)].direction.unit();
     if (dot(nearest.end - nearest.start, along) >= 0) continue;
     encounter.chosen = order::other_side(encounter.chosen);
