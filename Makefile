@@ -107,7 +107,7 @@ program: packages $(RELEASE)/build.ninja
 
 LONG := long-properties long-scenes long-best-bound long-best-brute long-best-real long-best-real-1 \
   long-best-real-2 long-best-real-3 long-tally-real long-real-1 long-real-2 long-real-3 long-obstacles-3 long-obstacles-6 \
-  long-obstacles-12 long-obstacles-24 long-headlands long-maps long-coverage long-watch long-serve long-kills long-registers long-fuzz-logs long-fuzz-coverage long-asan long-tsan \
+  long-obstacles-12 long-obstacles-24 long-headlands long-maps long-order long-coverage long-watch long-serve long-kills long-registers long-fuzz-logs long-fuzz-coverage long-asan long-tsan \
   long-clang
 
 .PHONY: long $(LONG)
@@ -163,6 +163,9 @@ long-headlands: build ## headland passes round all real fields: drivable, in pla
 long-maps: build ## maps of all real fields, straight and curved, with headlands, verified
 	$(LIMIT) $(RELEASE)/tests/real/map_real
 	$(LIMIT) $(RELEASE)/tests/real/map_real --width 4 --headlands 2
+
+long-order: build ## the driving order of all real fields, straight and curved: hops against a nearest-neighbour tour
+	$(LIMIT) $(RELEASE)/tests/real/order_real
 
 long-coverage: build ## 10,000 random drives and all real logs: the exact engine of coverage against polygon booleans
 	$(LIMIT) $(RELEASE)/tests/real/coverage_real

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "tramline/geometry/error.h"
-#include "tramline/planner/driving_order.h"
 
 namespace tramline {
 namespace {
@@ -152,27 +151,6 @@ TEST(DrivingOrder, GoesUpAndDown) {
   const Plan plan = plan_field(rectangle(100, 60), {}, {}, {});
   for (std::size_t i = 1; i < plan.pieces.size(); ++i)
     EXPECT_NEAR(distance(plan.pieces[i - 1].end, plan.pieces[i].start), 3, 1e-9) << i;
-}
-
-TEST(DrivingOrder, TakesTheNearestSubfieldNext) {
-  // Three subfields in a row, given in the order left, right, middle: after the left comes the middle.
-  Candidate candidate;
-  const StripGrid grid{TrackFrame(Direction::clockwise_from_north(Angle::degrees(0))), 0, 3};
-  for (const int strip : {0, 20, 10}) {
-    candidate.subfields.emplace_back();
-    candidate.strips.push_back({grid, {}});
-    candidate.avoided.tracks.push_back({grid, {}, {}});
-    StripPiece piece;
-    piece.strip = strip;
-    piece.to = 50;
-    candidate.avoided.tracks.back().pieces.push_back(piece);
-  }
-  const auto order = driving_order(candidate);
-  ASSERT_EQ(order.size(), 3u);
-  EXPECT_EQ(order[0].subfield, 0);
-  EXPECT_EQ(order[1].subfield, 2);
-  EXPECT_EQ(order[2].subfield, 1);
-  EXPECT_NEAR(order[1].start.y, 50, 1e-9) << "from where the machine is";
 }
 
 }  // namespace

@@ -4,8 +4,13 @@
 #include <limits>
 #include <utility>
 
+#include "tramline/planner/order/lines.h"
+
 namespace tramline {
 namespace {
+
+/// Pieces on both sides of what blocks a track are as near: less is rounding, m.
+constexpr double kNearer_m = 1e-3;
 
 /// How far the piece is from what blocks its track.
 double off_by(const CurvedPiece& piece, const Interval& between) {
@@ -24,7 +29,7 @@ std::vector<Encounter> encounters_as_driven(const SearchTask& task, const Curved
     const auto look_at = [&](const CurvedPiece& piece, auto subfield, bool driven_back) {
       if (piece.track != encounter.track || piece.branch != one.branch) return;
       const double off = off_by(piece, one.between);
-      if (off >= nearest) return;
+      if (off >= nearest - kNearer_m) return;
       nearest = off;
       encounter.subfield = subfield();
       back = driven_back;
@@ -37,7 +42,7 @@ std::vector<Encounter> encounters_as_driven(const SearchTask& task, const Curved
           piece, [&] { return subfield_of(task.ground.plannable, piece, task.machine.width_m); }, back);
     if (back) {
       std::swap(encounter.left, encounter.right);
-      if (encounter.chosen != Passing::kCut) encounter.chosen = other_side(encounter.chosen);
+      encounter.chosen = order::other_side(encounter.chosen);
     }
     out.push_back(std::move(encounter));
   }

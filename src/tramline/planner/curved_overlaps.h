@@ -6,7 +6,7 @@
 namespace tramline {
 
 /// Settles by how much each swath overlaps. Precondition: pieces say what they would overlap without detours
-/// (up_and_down()), unless they are made by the paper's construction. As gain_by_detours_m2() and
+/// (driven_tracks()), unless they are made by the paper's construction. As gain_by_detours_m2() and
 /// overlap_by_kinked_piece().
 void add_overlaps(Plan& plan);
 

@@ -24,7 +24,7 @@ Plan finished_plan(const SearchTask& task, const CurvedCandidate& candidate) {
   const bool curved = line.size() > 1 || !line.front().straight();
   const bool paper = task.settings.tracks == TrackConstruction::kPaper;
   const Writing writing{task.machine.width_m, curved || !paper};
-  Driven driven = up_and_down(candidate.tracks, task.ground.plannable, writing);
+  Driven driven = driven_tracks(candidate.tracks, task.ground.plannable, task.field, writing);
   plan.encounters = encounters_as_driven(task, candidate, driven);
   plan.pieces = std::move(driven.pieces);
   add_overlaps(plan);

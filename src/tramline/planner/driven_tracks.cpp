@@ -1,11 +1,11 @@
 #include "tramline/planner/driven_tracks.h"
 
 #include <algorithm>
-#include <iterator>
-#include <utility>
+#include <numeric>
 
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/path_between.h"
+#include "tramline/planner/order/best_tour.h"
 
 namespace tramline {
 namespace {
@@ -26,28 +26,6 @@ TrackPiece forwards(const CurvedPiece& piece, int subfield, const Writing& writi
   // the rest.
   out.overlap_m2 = writing.width_m * piece.length_m - piece.inside_m2;
   return out;
-}
-
-TrackPiece backwards(TrackPiece piece) {
-  std::swap(piece.start, piece.end);
-  std::swap(piece.stop_at_start, piece.stop_at_end);
-  piece.curve = reversed(piece.curve);
-  std::reverse(piece.detours.begin(), piece.detours.end());
-  for (Detour& detour : piece.detours) {
-    detour.path = reversed(detour.path);
-    detour.side = other_side(detour.side);
-  }
-  return piece;
-}
-
-/// The pieces of one track the other way round: what came after a crossing comes before it.
-std::vector<TrackPiece> backwards(std::vector<TrackPiece> track) {
-  std::reverse(track.begin(), track.end());
-  for (std::size_t i = track.size(); i-- > 0;) {
-    track[i] = backwards(std::move(track[i]));
-    track[i].after_crossing = i > 0 && track[i - 1].after_crossing;
-  }
-  return track;
 }
 
 /// The part of the ground each piece lies in. What crossings join lies in one.
@@ -78,30 +56,34 @@ int subfield_of(const Region& parts, const CurvedPiece& piece, double width_m) {
   return best;
 }
 
-Passing other_side(Passing side) { return side == Passing::kLeft ? Passing::kRight : Passing::kLeft; }
+std::vector<TrackPiece> track_pieces(const CurvedTracks& tracks, const Region& parts,
+                                     const Writing& writing) {
+  const std::vector<int> subfields = subfields_of(parts, tracks.pieces, writing.width_m);
+  std::vector<TrackPiece> out;
+  for (std::size_t i = 0; i < tracks.pieces.size(); ++i)
+    out.push_back(forwards(tracks.pieces[i], subfields[i], writing));
+  return out;
+}
 
-Driven up_and_down(const CurvedTracks& tracks, const Region& parts, const Writing& writing) {
+Driven driven_tracks(const CurvedTracks& tracks, const Region& parts, const Field& field,
+                     const Writing& writing) {
   Driven out{{},
              subfields_of(parts, tracks.pieces, writing.width_m),
              std::vector<bool>(tracks.pieces.size(), false)};
-  for (int part = 0; part < static_cast<int>(parts.size()); ++part) {
-    std::vector<TrackPiece> track;
-    bool back = false;
-    const auto drive = [&] {
-      if (track.empty()) return;
-      if (back) track = backwards(std::move(track));
-      std::move(track.begin(), track.end(), std::back_inserter(out.pieces));
-      back = !back;
-      track.clear();
-    };
-    for (std::size_t i = 0; i < tracks.pieces.size(); ++i) {
-      if (out.subfields[i] != part) continue;
-      if (!track.empty() && track.back().track != tracks.pieces[i].track) drive();
-      out.back[i] = back;
-      track.push_back(forwards(tracks.pieces[i], part, writing));
-    }
-    drive();
-  }
+  std::vector<std::size_t> by_part(tracks.pieces.size());
+  std::iota(by_part.begin(), by_part.end(), std::size_t{0});
+  std::stable_sort(by_part.begin(), by_part.end(),
+                   [&](std::size_t a, std::size_t b) { return out.subfields[a] < out.subfields[b]; });
+  std::vector<TrackPiece> pieces;
+  for (const std::size_t i : by_part) pieces.push_back(forwards(tracks.pieces[i], out.subfields[i], writing));
+  const std::vector<order::WorkedLine> lines = order::lines_of(pieces);
+  const order::Tour tour = order::best_tour(lines, field, writing.width_m);
+  std::vector<bool> back(lines.size());
+  for (const order::End end : tour) back[order::line_of(end)] = !order::is_start(end);
+  auto piece = by_part.begin();
+  for (std::size_t line = 0; line < lines.size(); ++line)
+    for (std::size_t k = 0; k < lines[line].size(); ++k) out.back[*piece++] = back[line];
+  out.pieces = order::pieces_on(tour, lines);
   return out;
 }
 

@@ -1,8 +1,9 @@
 #pragma once
-// Curved tracks as a plan has them: in driving order, each the other way.
+// Curved tracks as a plan has them: in driving order.
 
 #include <vector>
 
+#include "tramline/model/field.h"
 #include "tramline/model/track.h"
 #include "tramline/tracks/curved_pieces.h"
 
@@ -22,14 +23,15 @@ struct Driven {
   std::vector<bool> back;          ///< by piece of the tracks
 };
 
-/// Track by track, each the other way; each part of the ground by itself. What a piece is said to overlap is
-/// what it would without detours (add_overlaps()).
-Driven up_and_down(const CurvedTracks& tracks, const Region& parts, const Writing& writing);
+/// The tracks as they are laid, each the same way: not in driving order.
+std::vector<TrackPiece> track_pieces(const CurvedTracks& tracks, const Region& parts, const Writing& writing);
+
+/// In the order and the way round of order::best_tour(); each part of the ground is a subfield. What a piece
+/// is said to overlap is what it would without detours (add_overlaps()).
+Driven driven_tracks(const CurvedTracks& tracks, const Region& parts, const Field& field,
+                     const Writing& writing);
 
 /// The part of the ground a piece lies in.
 int subfield_of(const Region& parts, const CurvedPiece& piece, double width_m);
-
-/// Precondition: not a cut.
-Passing other_side(Passing side);
 
 }  // namespace tramline

@@ -7,9 +7,11 @@
 
 namespace tramline {
 
-/// Up and down the tracks of a subfield one after the other (boustrophedon), from the corner nearest
-/// to where the machine is; then the nearest subfield not yet worked. The first subfield is the one
-/// with index 0. Connections between pieces are not planned.
-std::vector<TrackPiece> driving_order(const Candidate& candidate);
+/// The pieces of a candidate by subfield, track and place along it: not in driving order.
+std::vector<TrackPiece> track_pieces(const Candidate& candidate);
+
+/// The same in the order and the way round in which they are driven (order::best_tour()).
+/// Connections between pieces are not planned.
+std::vector<TrackPiece> driving_order(const SearchTask& task, const Candidate& candidate);
 
 }  // namespace tramline

@@ -100,7 +100,7 @@ Plan bare_plan(const SearchTask& task) {
 Plan finished_plan(const SearchTask& task, SearchResult found) {
   require_tracks(task, found.best.avoided.tally);
   Plan plan = bare_plan(task);
-  plan.pieces = driving_order(found.best);
+  plan.pieces = driving_order(task, found.best);
   plan.dropped = dropped_pieces(found.best);
   beat();
   const std::vector<double> overlaps =

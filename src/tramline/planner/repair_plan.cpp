@@ -9,8 +9,9 @@
 #include "tramline/cost/worked_regions.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
+#include "tramline/planner/gap_pieces.h"
 #include "tramline/planner/join_gaps.h"
-#include "tramline/planner/line_order.h"
+#include "tramline/planner/order/best_tour.h"
 #include "tramline/planner/pulse.h"
 #include "tramline/planner/warnings.h"
 
@@ -66,9 +67,10 @@ std::vector<int> add_subfields(Plan& plan, const std::vector<RepairedGround>& gr
 
 void add_pieces(Plan& plan, const std::vector<RepairedGround>& grounds) {
   const std::vector<int> first = add_subfields(plan, grounds);
-  std::vector<WorkedLine> lines;
-  for (std::size_t i = 0; i < grounds.size(); ++i) append_lines(grounds[i].lines, first[i], lines);
-  plan.pieces = in_driving_order(std::move(lines));
+  std::vector<TrackPiece> pieces;
+  for (std::size_t i = 0; i < grounds.size(); ++i) append_pieces(grounds[i].lines, first[i], pieces);
+  const std::vector<order::WorkedLine> lines = order::lines_of(pieces);
+  plan.pieces = order::pieces_on(order::best_tour(lines, plan.field, plan.machine.width_m), lines);
 }
 
 void add_tally(Plan& plan) {

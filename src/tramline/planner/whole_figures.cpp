@@ -10,7 +10,9 @@
 namespace tramline {
 namespace {
 
-bool has_headland(const SearchTask& task) { return !task.headland.ground.empty() || !task.headland.passes.empty(); }
+bool has_headland(const SearchTask& task) {
+  return !task.headland.ground.empty() || !task.headland.passes.empty();
+}
 
 /// Of the body, what headland passes work.
 double worked_of_body_m2(const SearchTask& task) {
@@ -35,7 +37,7 @@ double undivided_cost(const SearchTask& task, const SearchResult& found, const P
 Tally whole_tally_of(const SearchTask& task, const Candidate& candidate) {
   const Tally& tracks = candidate.avoided.tally;
   if (!has_headland(task)) return tracks;
-  return whole_tally(tracks, driving_order(candidate), task.ground.body, task.headland, task.machine.width_m);
+  return whole_tally(tracks, track_pieces(candidate), task.ground.body, task.headland, task.machine.width_m);
 }
 
 double whole_cost(const SearchTask& task, const Candidate& candidate) {
@@ -44,9 +46,10 @@ double whole_cost(const SearchTask& task, const Candidate& candidate) {
 
 double whole_cost(const SearchTask& task, const CurvedCandidate& candidate) {
   if (!has_headland(task)) return candidate.cost;
-  const Driven driven = up_and_down(candidate.tracks, task.ground.plannable, {task.machine.width_m, true});
-  return cost(task.objective, whole_tally(candidate.tally, driven.pieces, task.ground.body, task.headland,
-                                          task.machine.width_m));
+  const std::vector<TrackPiece> pieces =
+      track_pieces(candidate.tracks, task.ground.plannable, {task.machine.width_m, true});
+  return cost(task.objective,
+              whole_tally(candidate.tally, pieces, task.ground.body, task.headland, task.machine.width_m));
 }
 
 void set_figures(Plan& plan, const Tally& tracks) {

@@ -1,0 +1,20 @@
+#pragma once
+// Lines that lie side by side.
+
+#include <cstddef>
+#include <vector>
+
+#include "tramline/planner/order/lines.h"
+
+namespace tramline::order {
+
+/// Lines on neighbouring tracks of a subfield, by track, each facing the one before and the one behind and no
+/// other: what is driven up and down without a thought (a cell of a boustrophedon decomposition). Indices.
+using Block = std::vector<std::size_t>;
+
+/// Every line in one block. Two lines face one another where one begins or ends beside the other, no farther
+/// off than tracks lie apart. Blocks by their first line. O(n log n) where few lines share a track; for
+/// curved ones times their segments.
+std::vector<Block> blocks_of(const std::vector<WorkedLine>& lines, double width_m);
+
+}  // namespace tramline::order

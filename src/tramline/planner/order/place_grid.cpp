@@ -1,0 +1,66 @@
+#include "tramline/planner/order/place_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tramline::order {
+
+PlaceGrid::PlaceGrid(const std::vector<Point>& places) : places_(places) {
+  for (const Point p : places) box_.extend(p);
+  if (places.empty()) box_.extend(Point{});
+  const double longer = std::max({box_.width(), box_.height(), 1e-6});
+  const double shorter = std::max(std::min(box_.width(), box_.height()), 1e-3 * longer);
+  cell_m_ = std::max(std::sqrt(2 * longer * shorter / static_cast<double>(places.size() + 1)), 1e-3 * longer);
+  columns_ = static_cast<int>(box_.width() / cell_m_) + 1;
+  rows_ = static_cast<int>(box_.height() / cell_m_) + 1;
+  cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+  for (std::size_t i = 0; i < places.size(); ++i)
+    cells_[static_cast<std::size_t>(row_of(places[i]) * columns_ + column_of(places[i]))].push_back(i);
+}
+
+int PlaceGrid::column_of(Point p) const {
+  return std::clamp(static_cast<int>(std::floor((p.x - box_.min_x) / cell_m_)), 0, columns_ - 1);
+}
+
+int PlaceGrid::row_of(Point p) const {
+  return std::clamp(static_cast<int>(std::floor((p.y - box_.min_y) / cell_m_)), 0, rows_ - 1);
+}
+
+void PlaceGrid::remove(std::size_t place) {
+  const Point p = places_[place];
+  std::erase(cells_[static_cast<std::size_t>(row_of(p) * columns_ + column_of(p))], place);
+}
+
+void PlaceGrid::add_cell(int column, int row, Point p, std::vector<Found>& found) const {
+  if (column < 0 || column >= columns_ || row < 0 || row >= rows_) return;
+  for (const std::size_t i : cells_[static_cast<std::size_t>(row * columns_ + column)])
+    found.push_back({dot(places_[i] - p, places_[i] - p), i});
+}
+
+std::vector<std::size_t> PlaceGrid::nearest(Point p, std::size_t most) const {
+  std::vector<Found> found;
+  const int column = column_of(p), row = row_of(p);
+  const auto before = [](const Found& a, const Found& b) {
+    return std::pair(a.reach_m2, a.place) < std::pair(b.reach_m2, b.place);
+  };
+  for (int ring = 0; ring < std::max(columns_, rows_); ++ring) {
+    // Places in this square ring of cells and beyond are at least so far away.
+    const double least = std::max(0, ring - 1) * cell_m_;
+    if (found.size() >= most && ring > 0) {
+      std::nth_element(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(most - 1), found.end(),
+                       before);
+      if (found[most - 1].reach_m2 < least * least) break;
+    }
+    for (int dx = -ring; dx <= ring; ++dx) {
+      const int step = std::abs(dx) == ring ? 1 : std::max(1, 2 * ring);
+      for (int dy = -ring; dy <= ring; dy += step) add_cell(column + dx, row + dy, p, found);
+    }
+  }
+  std::sort(found.begin(), found.end(), before);
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < std::min(most, found.size()); ++i) out.push_back(found[i].place);
+  return out;
+}
+
+}  // namespace tramline::order

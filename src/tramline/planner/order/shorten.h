@@ -1,0 +1,28 @@
+#pragma once
+// A tour made shorter by local search.
+
+#include <array>
+#include <vector>
+
+#include "tramline/planner/order/hop_costs.h"
+
+namespace tramline::order {
+
+/// What a tour passes over in one go: a line, or several driven one after the other.
+struct Stretch {
+  std::array<End, 2> ends{};  ///< by which it may be entered; it is left by the other
+};
+
+/// Stretches in driving order: 2·i where stretch i is entered by its first end, 2·i + 1 where by its second.
+using StretchTour = std::vector<std::size_t>;
+
+/// The ends near each end of a stretch, nearest first; ends by number as in a tour.
+using NearEnds = std::vector<std::vector<std::size_t>>;
+NearEnds near_ends(const std::vector<Stretch>& stretches, const HopCosts& costs);
+
+/// Exchanges two or three hops of the tour at a time, which turns parts of it round, puts them elsewhere or
+/// both, as long as that makes it cheaper; near ends first. The tour may begin and end anywhere.
+/// Deterministic. About O(n log n) looks at hops, each exchange O(n).
+void shorten(StretchTour& tour, const std::vector<Stretch>& stretches, const NearEnds& near, HopCosts& costs);
+
+}  // namespace tramline::order
