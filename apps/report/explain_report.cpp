@@ -99,10 +99,11 @@ std::string longest_side_row(const RunnerUp& plan) {
   const std::string difference = std::abs(more) < kNothing ? "the same"
                                  : more > 0                ? fmt::format("{:.2f} more", more)
                                                            : fmt::format("{:.2f} less", -more);
-  return fmt::format("longest side  all tracks along it, at {:.2f}°, would cost {:.2f}, {}: overlap {}, uncovered {}, "
-                     "{} turns, {} stops\n",
-                     plan.directions.front().degrees(), plan.cost, difference, area_text(plan.tally.overlap_m2),
-                     area_text(plan.tally.uncovered_m2), plan.tally.turns, plan.tally.stops);
+  return fmt::format(
+      "longest side  all tracks along it, at {:.2f}°, would cost {:.2f}, {}: overlap {}, uncovered {}, "
+      "{} turns, {} stops\n",
+      plan.directions.front().degrees(), plan.cost, difference, area_text(plan.tally.overlap_m2),
+      area_text(plan.tally.uncovered_m2), plan.tally.turns, plan.tally.stops);
 }
 
 }  // namespace

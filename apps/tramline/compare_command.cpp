@@ -82,9 +82,10 @@ class CompareCommand : public Command {
     verb->footer(kExample);
     add_field_options(*verb, field_options_);
     add_plan_options(*verb, plan_options_);
-    verb->add_option("--for", asked_,
-                     "name the plan that costs least at these prices too: overlap,uncovered,turn[,stop[,subfield]];\n"
-                     "may be given again and again (prices left out are those of --prices)")
+    verb->add_option(
+            "--for", asked_,
+            "name the plan that costs least at these prices too: overlap,uncovered,turn[,stop[,subfield]];\n"
+            "may be given again and again (prices left out are those of --prices)")
         ->allow_extra_args(false);
     verb->add_option("--csv", csv_, "write a table of the plans to this .csv");
     verb->add_option("--picture", picture_,

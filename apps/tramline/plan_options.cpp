@@ -69,9 +69,9 @@ void add_machine_options(CLI::App& verb, PlanOptions& o, const char* least_lengt
 
 void add_objective_options(CLI::App& verb, PlanOptions& o) {
   const char* objective = "Objective";
-  auto* weights =
-      verb.add_option("--weights", o.weights, "weights of overlap (1/m²), uncovered (1/m²), turns[, stops[, further\n"
-                                             "subfields]]; those left out weigh nothing");
+  auto* weights = verb.add_option("--weights", o.weights,
+                                  "weights of overlap (1/m²), uncovered (1/m²), turns[, stops[, further\n"
+                                  "subfields]]; those left out weigh nothing");
   auto* prices = verb.add_option("--prices", o.prices,
                                  "€/m² overlap, €/m² uncovered, €/turn[, €/stop[, €/further subfield]]\n"
                                  "(default 0.02,0.10,1,5,5)");

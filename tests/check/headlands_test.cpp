@@ -43,8 +43,8 @@ TEST(Headlands, passes_with_rounded_corners) {
   EXPECT_NEAR(two.track_tally.uncovered_m2, 0, 1e-6);
 }
 
-/// What passes and tracks leave of body and headland counts once, and so do the figures of both together: none
-/// of the passes' corners lies in the body, whose corners they work a second time.
+/// What passes and tracks leave of body and headland counts once, and so do the figures of both together:
+/// none of the passes' corners lies in the body, whose corners they work a second time.
 TEST(Headlands, figures_are_those_of_tracks_and_passes) {
   const Plan plan = headland_plan(1);
   EXPECT_NEAR(plan.tally.uncovered_m2, 4 * kCornerShare * 4.5 * 4.5, 1e-3);

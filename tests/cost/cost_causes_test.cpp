@@ -133,7 +133,8 @@ TEST(CostCauses, WhatSubfieldsOverlapAndLeaveAtTheirBorderIsASeam) {
 TEST(CostCauses, AnLShapeHasASeamWhereItsLegsMeet) {
   Laid laid{{{{box(0, 0, 31, 60), {}}, kNorth}, {{box(31, 0, 90, 31), {}}, kEast}}};
   laid.rule = EndRule::kCover;
-  expect_causes(laid.causes(), {{Cause::kSeams, 2 * 31, 0}, {Cause::kSides, 2 * 29 + 2 * 59, 0}, kOneMore}, 21);
+  expect_causes(laid.causes(), {{Cause::kSeams, 2 * 31, 0}, {Cause::kSides, 2 * 29 + 2 * 59, 0}, kOneMore},
+                21);
 }
 
 // A diamond of 3 × 3 m fills the second strip for 3 m: two stops, and its four corners are left.

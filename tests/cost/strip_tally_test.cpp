@@ -82,7 +82,10 @@ TEST(Cost, IsTheWeightedSum) {
   tally.uncovered_m2 = 50;
   tally.turns = 10;
   tally.stops = 2;
-  EXPECT_NEAR(cost(Objective{}, tally), 4 + 5 + 4.5 + 10, 1e-12);
+  tally.subfields = 3;
+  EXPECT_NEAR(cost(Objective{}, tally), 2 + 5 + 10 + 10 + 2 * 5, 1e-12);
+  tally.subfields = 0;  // nothing is worked
+  EXPECT_NEAR(cost(Objective{}, tally), 2 + 5 + 10 + 10, 1e-12);
   EXPECT_NEAR(cost(Objective{99999, 1, 1, 0}, tally), 99999 * 100 + 50 + 10, 1e-6);
 }
 

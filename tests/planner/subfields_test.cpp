@@ -57,7 +57,8 @@ TEST(Subfields, EachAfterTheFirstIsPaidFor) {
 
 // At 0.6 degrees a division saves wedges, but no driver would set up a second line for it.
 TEST(Subfields, DirectionsThatAreOneHaveNoBorder) {
-  for (const double degrees : {0.3, 0.6, 0.9}) EXPECT_EQ(subfields_at(bent(degrees), 0, Angle::degrees(1)), 1);
+  for (const double degrees : {0.3, 0.6, 0.9})
+    EXPECT_EQ(subfields_at(bent(degrees), 0, Angle::degrees(1)), 1);
 }
 
 TEST(Subfields, DirectionsOfNeighboursDifferByTheMergeThreshold) {

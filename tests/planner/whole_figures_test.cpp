@@ -75,7 +75,8 @@ TEST(WholeFigures, LandOfTheHeadlandThatNothingWorksCounts) {
 
 // A rectangle with one pass: the four corners that the pass rounds are left, each r² − πr²/4 … of the outer
 // edge of the swath, whose radius is r + w/2: (1 − π/4) · 7.5² = 12.07 m² at w = 3, r = 6; the inner edge, of
-// radius r − w/2 = 4.5, leaves (1 − π/4) · 4.5² = 4.35 m² outside the swath to the body. Tracks end at the body.
+// radius r − w/2 = 4.5, leaves (1 − π/4) · 4.5² = 4.35 m² outside the swath to the body. Tracks end at the
+// body.
 TEST(WholeFigures, CornersOfAPassAreLeft) {
   PlanSettings settings;
   settings.headlands = 1;

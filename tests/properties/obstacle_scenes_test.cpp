@@ -47,8 +47,7 @@ void look_at(const Plan& plan, Problems& problems) {
   if (!verdict.complete) problems.push_back(fmt::format("{}: the verifier gave up", way));
   for (const check::Violation& v : verdict.violations)
     problems.push_back(fmt::format("{}: {}: {} at ({:.6f}, {:.6f})", way, v.rule, v.what, v.at.x, v.at.y));
-  const Tally& tally = plan.tally;
-  const double off = tally.worked_m2 - (area(plan.body) - tally.uncovered_m2 + tally.overlap_m2);
+  const double off = identity_error_m2(plan);
   if (!(std::abs(off) <= 1e-6)) problems.push_back(fmt::format("{}: the identity is off by {} m²", way, off));
 }
 

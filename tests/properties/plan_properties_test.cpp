@@ -75,7 +75,7 @@ class PlanProperties : public ::testing::Test {
         EXPECT_LE(piece.overlap_m2.value_or(0), request.machine.width_m * length(piece) * (1 + 1e-9));
         sum += piece.overlap_m2.value_or(0);
       }
-      EXPECT_NEAR(sum, plan->tally.overlap_m2, 1e-8 * area(Polygon{field.outer, {}}));
+      EXPECT_NEAR(sum, plan->track_tally.overlap_m2, 1e-8 * area(Polygon{field.outer, {}}));
       return true;
     });
   }
@@ -141,7 +141,7 @@ TEST_F(PlanProperties, OverlapsOfCurvedSwathsAgreeWithPolygonBooleans) {
         detours += static_cast<int>(piece.detours.size());
         kinked += tracks == TrackConstruction::kPaper && piece.curve.size() > 1 ? 1 : 0;
       }
-      EXPECT_NEAR(sum, plan->tally.overlap_m2, 1e-6 * area(Polygon{field.outer, {}}));
+      EXPECT_NEAR(sum, plan->track_tally.overlap_m2, 1e-6 * area(Polygon{field.outer, {}}));
     }
     return any;
   });

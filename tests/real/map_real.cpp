@@ -45,8 +45,8 @@ Outcome map(const Field& field, const Request& request) {
     settings.end_rule = EndRule::kCover;
     const Plan covering = plan_field(field, {"", request.width_m, 6, 0}, {}, settings, 1);
     verify(covering, "straight, cover", out.faults);
-    if (covering.given_up.empty() && covering.tally.uncovered_m2 > 1e-6 * area(covering.body))
-      out.faults.push_back(fmt::format("cover leaves {} m²", covering.tally.uncovered_m2));
+    if (covering.given_up.empty() && covering.track_tally.uncovered_m2 > 1e-6 * area(covering.body))
+      out.faults.push_back(fmt::format("cover leaves {} m²", covering.track_tally.uncovered_m2));
     settings.end_rule = EndRule::kCheapest;
     const Plan straight = plan_field(field, {"", request.width_m, 6, -1}, {}, settings, 1);
     settings.shape = TrackShape::kAuto;

@@ -55,7 +55,7 @@ Objective objective_in(const ordered_json& json) {
     options.minimise = input.text("minimise");
     return app::objective_of(options);
   }
-  const JsonInput prices(input.value("prices"), "objective.prices", 
+  const JsonInput prices(input.value("prices"), "objective.prices",
                          {"overlap", "uncovered", "turn", "stop", "subfield"});
   return {prices.number("overlap"), prices.number("uncovered"), prices.number("turn"),
           prices.number_if("stop").value_or(Objective{}.stop),

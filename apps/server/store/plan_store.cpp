@@ -66,7 +66,7 @@ KeptPlan PlanStore::read(const std::string& id) const {
   if (out.name.empty()) out.name = plan.field.id;
   out.field = remark(remarks, "field");
   out.created = remark(remarks, "created");
-  out.kind = version == io::kVersionWithRepairs ? "repair" : "plan";
+  out.kind = io::is_repair(metadata, version) ? "repair" : "plan";
   out.cost = plan.cost;
   out.tally = plan.tally;
   out.width_m = plan.machine.width_m;

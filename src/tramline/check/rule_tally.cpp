@@ -49,7 +49,8 @@ double pass_arcs_m(const Case& c) {
 int worked_subfields(const Plan& plan) {
   std::set<int> worked;
   for (const TrackPiece& piece : plan.pieces) worked.insert(piece.subfield);
-  return is_repair(plan) ? std::min<int>(1, static_cast<int>(worked.size())) : static_cast<int>(worked.size());
+  return is_repair(plan) ? std::min<int>(1, static_cast<int>(worked.size()))
+                         : static_cast<int>(worked.size());
 }
 
 Tally recomputed(const Case& c, int stops) {
@@ -72,7 +73,8 @@ Tally recomputed(const Case& c, int stops) {
 /// Land that nothing works.
 Region uncovered_land(const Case& c) {
   Region swaths;
-  for (const WorkedPart& part : counted_parts(c)) swaths.insert(swaths.end(), part.ground.begin(), part.ground.end());
+  for (const WorkedPart& part : counted_parts(c))
+    swaths.insert(swaths.end(), part.ground.begin(), part.ground.end());
   return difference(counted_land(c), unite(swaths));
 }
 
@@ -119,7 +121,8 @@ void compare_track_areas(const Case& c, const Tally& found, double tolerance, Vi
 class LayersOfLand {
  public:
   LayersOfLand(const Case& c, Violations& out)
-      : c_(c), tolerance_m2_(c.area_tolerance_m2 + chord_tolerance_m2(c.plan, kLayerSagitta) +
+      : c_(c),
+        tolerance_m2_(c.area_tolerance_m2 + chord_tolerance_m2(c.plan, kLayerSagitta) +
                       kLayerSagitta * 2 * pass_arcs_m(c)),
         out_(out) {}
 

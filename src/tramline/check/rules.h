@@ -118,8 +118,8 @@ void check_ways(const Case& c, Violations& out);
 /// name one side at most, and are cut only where that is not possible or another detour of the track may
 /// be in its way.
 void check_avoidance(const Case& c, Violations& out);
-/// The stored tallies, cost and layers agree with the tracks and headland passes. `stops` is what check_stops found.
-/// Returns the recomputed tallies.
+/// The stored tallies, cost and layers agree with the tracks and headland passes. `stops` is what check_stops
+/// found. Returns the recomputed tallies.
 struct Tallies {
   Tally whole;   ///< of tracks and headland passes
   Tally tracks;  ///< of the tracks alone, against the body
@@ -159,8 +159,8 @@ std::string pass_name(std::size_t index);
 /// "detour 2 of piece 12"
 std::string detour_name(std::size_t piece, std::size_t detour);
 
-/// The land that the plan's figures are about, the parts of all swaths that they count, and what these work of
-/// it.
+/// The land that the plan's figures are about, the parts of all swaths that they count, and what these work
+/// of it.
 const Region& counted_land(const Case& c);
 const std::vector<WorkedPart>& counted_parts(const Case& c);
 const WorkedBody& counted_work(const Case& c);

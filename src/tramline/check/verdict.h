@@ -19,8 +19,8 @@ struct Violation {
 };
 
 struct Verdict {
-  Tally recomputed;    ///< of tracks and headland passes, by polygon booleans
-  Tally track_tally;   ///< the same of the tracks alone, against the body
+  Tally recomputed;   ///< of tracks and headland passes, by polygon booleans
+  Tally track_tally;  ///< the same of the tracks alone, against the body
   std::vector<Violation> violations;
   /// False where shapes or pieces are so wrong that nothing else could be looked at: `recomputed` is
   /// empty then.

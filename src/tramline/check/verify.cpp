@@ -80,8 +80,8 @@ std::optional<WithPasses> with_passes_of(const Case& c) {
   out.land = unite(c.plan.body, headland.ground);
   out.parts = c.parts;
   out.parts.insert(out.parts.end(), passes.begin(), passes.end());
-  out.worked = worked_on(out.land, out.parts, c.plan.pieces.size() + headland.passes.size(),
-                         c.plan.machine.width_m);
+  out.worked =
+      worked_on(out.land, out.parts, c.plan.pieces.size() + headland.passes.size(), c.plan.machine.width_m);
   out.passes_m2 = worked_by_passes_m2(c.plan, passes, c.passables);
   return out;
 }

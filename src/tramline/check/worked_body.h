@@ -15,8 +15,9 @@ struct WorkedBody {
   Region beyond;          ///< what of the swaths lies outside the body; parts may overlap
 };
 
-/// What the parts work of land, by piece or headland pass: `owners` in all. By polygon booleans, part by part and only where an edge of the body or another part is in the way: most
-/// swaths lie in the middle of the body and next to one another. O(n log n + k) for n parts and k overlays.
+/// What the parts work of land, by piece or headland pass: `owners` in all. By polygon booleans, part by part
+/// and only where an edge of the body or another part is in the way: most swaths lie in the middle of the
+/// body and next to one another. O(n log n + k) for n parts and k overlays.
 WorkedBody worked_on(const Region& land, const std::vector<WorkedPart>& parts, std::size_t owners,
                      double width_m);
 

@@ -36,7 +36,8 @@ class Works {
 
  private:
   void append_land(const Region& land) {
-    for (const Ring& ring : rings_of(frame_.to_track(land))) append_ring(ring, Layer::kBody, window_, curves_);
+    for (const Ring& ring : rings_of(frame_.to_track(land)))
+      append_ring(ring, Layer::kBody, window_, curves_);
   }
 
   TrackFrame frame_;

@@ -17,8 +17,8 @@ struct WorkedRegions {
 WorkedRegions worked_regions(const Region& body, const Region& swaths);
 WorkedRegions worked_regions(const Region& body, const Region& swaths, const std::vector<Region>& grounds);
 
-/// What every two of the swaths have in common; where three do, the parts overlap. Every swath has to be valid.
-/// O(n log n + k) for k pairs whose boxes meet along x.
+/// What every two of the swaths have in common; where three do, the parts overlap. Every swath has to be
+/// valid. O(n log n + k) for k pairs whose boxes meet along x.
 Region common_to_two(const Region& swaths);
 
 }  // namespace tramline

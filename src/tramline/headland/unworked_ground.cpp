@@ -12,7 +12,8 @@ Region left_by(const Path& path, double width_m, const Region& ground) {
   constexpr int kTries = 4;
   for (int i = 0;; ++i) {
     try {
-      return difference(ground, unite(pass_ground_parts(path, width_m - i * 0.25 * kLayerSagitta, kBodySagitta)));
+      return difference(ground,
+                        unite(pass_ground_parts(path, width_m - i * 0.25 * kLayerSagitta, kBodySagitta)));
     } catch (const Error&) {
       if (i == kTries) throw;
     }

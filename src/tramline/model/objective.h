@@ -6,8 +6,8 @@ namespace tramline {
 
 struct Tally;
 
-/// Prices per m² of overlap, per m² uncovered, per turn, per stop, and per subfield after the first. In euros by
-/// default; docs/prices.md says what each stands for.
+/// Prices per m² of overlap, per m² uncovered, per turn, per stop, and per subfield after the first. In euros
+/// by default; docs/prices.md says what each stands for.
 struct Objective {
   double overlap = 0.02;
   double uncovered = 0.10;

@@ -39,7 +39,7 @@ struct PlanSettings {
   EndRule end_rule = EndRule::kCheapest;
   EdgeKind boundary = EdgeKind::kSoft;  ///< kind of the field's outer ring; obstacles are hard
   CellDirection cell_direction = CellDirection::kRectangle;
-  Angle direction_tolerance = Angle::degrees(0.01);     ///< with Strategy::kBest: finer is not looked for
+  Angle direction_tolerance = Angle::degrees(0.01);  ///< with Strategy::kBest: finer is not looked for
   /// S1.22. Directions nearer to one another have no border between them.
   Angle merge_threshold = Angle::degrees(1);
   Angle decomposition_threshold = Angle::degrees(180);  ///< S1.16
@@ -128,21 +128,23 @@ struct Plan {
   /// Areas: all swaths and headland passes against the land, which is body and headland; counts and track
   /// length: of the tracks. Σ width · length of both = area of the land − uncovered + overlap.
   Tally tally;
-  Tally track_tally;  ///< the same for the tracks alone, against the body; need not add up with the headland's
-  double cost = 0;    ///< of `tally`
-  Region overlap;     ///< where work goes beyond the land, or over land worked already
-  Region uncovered;   ///< land that neither swath nor headland pass covers
+  Tally
+      track_tally;   ///< the same for the tracks alone, against the body; need not add up with the headland's
+  double cost = 0;   ///< of `tally`
+  Region overlap;    ///< where work goes beyond the land, or over land worked already
+  Region uncovered;  ///< land that neither swath nor headland pass covers
   int directions_tried = 0;
   Proof proof;
   std::vector<std::string> warnings;
   Front front;  ///< other plans of the field to choose from, where they were asked for
 };
 
-/// What all work of a plan is there to cover: the field less its obstacles, passable ones too; of a repair, the
-/// gaps; with PlanFigures::kTracks, the body. m²
+/// What all work of a plan is there to cover: the field less its obstacles, passable ones too; of a repair,
+/// the gaps; with PlanFigures::kTracks, the body. m²
 double land_m2(const Plan& plan);
 
-/// Σ w·L of tracks and passes − (land − uncovered + overlap), m²: 0 but for rounding, whatever the plan (S2.15).
+/// Σ w·L of tracks and passes − (land − uncovered + overlap), m²: 0 but for rounding, whatever the plan
+/// (S2.15).
 double identity_error_m2(const Plan& plan);
 
 /// Is it a plan for what another drive has missed?

@@ -71,7 +71,8 @@ class BestSearch {
       keep(std::move(*sweep));
     }
     if (!undivided_) out_.proof.one_direction_cost = best_.cost();
-    if (undivided_ && best_.subfields.size() > task_.ground.plannable.size()) out_.undivided = std::move(*undivided_);
+    if (undivided_ && best_.subfields.size() > task_.ground.plannable.size())
+      out_.undivided = std::move(*undivided_);
     out_.proof.one_direction_bound =
         std::clamp(out_.proof.one_direction_bound, 0.0, out_.proof.one_direction_cost);
     out_.proof.bound = std::min(out_.proof.one_direction_bound, least_cost_of_any_plan(task_));

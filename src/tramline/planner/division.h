@@ -21,7 +21,8 @@ std::vector<PricedSubfield> priced(const SearchTask& task, const Region& shapes,
 double price(const SearchTask& task, const std::vector<PricedSubfield>& subfields);
 
 /// Divides the ground in two, the way that saves most, and the parts again, as long as more is saved than a
-/// further subfield costs. Every subfield has a track, and is no narrower than w. One subfield where nothing pays.
+/// further subfield costs. Every subfield has a track, and is no narrower than w. One subfield where nothing
+/// pays.
 std::vector<PricedSubfield> divide_where_it_pays(const SearchTask& task, const PricedSubfield& ground,
                                                  int threads);
 

@@ -20,9 +20,9 @@ struct Criteria {
 };
 Criteria criteria_of(const Tally& tally);
 
-/// Is `a` no worse than `b` in overlap, uncovered land, turns, stops and further subfields, and better in one of
-/// them? The last three are compared each by itself, for they have prices of their own: only so is the cheapest of a set
-/// among those that none dominates, whatever the prices are.
+/// Is `a` no worse than `b` in overlap, uncovered land, turns, stops and further subfields, and better in one
+/// of them? The last three are compared each by itself, for they have prices of their own: only so is the
+/// cheapest of a set among those that none dominates, whatever the prices are.
 bool dominates(const Tally& a, const Tally& b);
 
 /// The tallies that none of the others dominates, as indices, ascending in overlap, then in uncovered land,

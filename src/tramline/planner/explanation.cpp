@@ -157,8 +157,7 @@ Explanation explanation_of(const SearchTask& task, const SearchResult& found, in
   contest.lay_and_enter(shortlist);
   enter_swept(found.swept, contest);
   for (const SeenPlan* plan : contest.runner_ups())
-    out.runner_ups.push_back(
-        runner_up(task, plan->directions, candidate_on(task, plan->grounds), tally));
+    out.runner_ups.push_back(runner_up(task, plan->directions, candidate_on(task, plan->grounds), tally));
   const Candidate expected = along_longest_side(task, threads);
   out.longest_side = runner_up(task, {longest_side(task.field, task.machine.width_m)}, expected, tally);
   return out;

@@ -39,8 +39,10 @@ Candidate along_longest_side(const SearchTask& task, int threads) {
   for (const Polygon& shape : task.ground.plannable) {
     const Subfield part{shape, along};
     const std::vector<double> origins = origins_of(part, task.machine.width_m);
-    if (ways.size() < origins.size()) ways.resize(origins.size(), ways.empty() ? std::vector<GriddedSubfield>{} : ways.front());
-    for (std::size_t i = 0; i < ways.size(); ++i) ways[i].push_back({part, origins[i < origins.size() ? i : 0]});
+    if (ways.size() < origins.size())
+      ways.resize(origins.size(), ways.empty() ? std::vector<GriddedSubfield>{} : ways.front());
+    for (std::size_t i = 0; i < ways.size(); ++i)
+      ways[i].push_back({part, origins[i < origins.size() ? i : 0]});
   }
   std::vector<Candidate> candidates(ways.size());
   for_each_index(ways.size(), threads, [&](std::size_t i) { candidates[i] = candidate_on(task, ways[i]); });

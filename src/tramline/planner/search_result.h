@@ -27,7 +27,7 @@ struct SweptGround {
 struct SearchResult {
   Candidate best;
   int directions_tried = 0;
-  Proof proof;  ///< of tracks on the body, headland passes left out
+  Proof proof;                 ///< of tracks on the body, headland passes left out
   std::vector<SeenPlan> seen;  ///< of the whole field, in the order in which they were looked at
   /// Plans of the whole field, undivided, that were priced and looked good; seen or not.
   std::vector<std::vector<GriddedSubfield>> shortlist;

@@ -114,8 +114,7 @@ std::vector<Objective> prices_to_search(const Objective& given) {
   for (const double factor : {0.125, 0.5, 2.0, 8.0}) {
     add({given.overlap * factor, given.uncovered, given.turn, given.stop, given.subfield});
     add({given.overlap, given.uncovered * factor, given.turn, given.stop, given.subfield});
-    add({given.overlap, given.uncovered, given.turn * factor, given.stop * factor,
-         given.subfield * factor});
+    add({given.overlap, given.uncovered, given.turn * factor, given.stop * factor, given.subfield * factor});
   }
   return out;
 }

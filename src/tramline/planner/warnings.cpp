@@ -66,9 +66,10 @@ void warn_of_short_pieces(const Plan& plan, std::vector<std::string>& out) {
   const auto is_short = [least_m](const TrackPiece& piece) { return length(piece) < least_m; };
   const auto count = std::count_if(plan.pieces.begin(), plan.pieces.end(), is_short);
   if (is_repair(plan) || count == 0) return;
-  out.push_back(fmt::format("{} of {} tracks {} shorter than {:.1f} m, twice the turning radius and the working "
-                            "width: hardly worth turning for",
-                            count, plan.pieces.size(), count == 1 ? "is" : "are", least_m));
+  out.push_back(
+      fmt::format("{} of {} tracks {} shorter than {:.1f} m, twice the turning radius and the working "
+                  "width: hardly worth turning for",
+                  count, plan.pieces.size(), count == 1 ? "is" : "are", least_m));
 }
 
 }  // namespace

@@ -17,9 +17,9 @@ double whole_cost(const SearchTask& task, const CurvedCandidate& candidate);
 void set_figures(Plan& plan, const Tally& tracks);
 
 /// What headland passes add at least to the cost of any set of tracks on the body; may be negative.
-/// With o and u of the passes alone, they add λo·o + λu·u, less λo + λu for every m² that the tracks work of what
-/// the passes leave, or the passes of what the tracks leave: at most all that passes leave of the headland, and
-/// what they work of the body.
+/// With o and u of the passes alone, they add λo·o + λu·u, less λo + λu for every m² that the tracks work of
+/// what the passes leave, or the passes of what the tracks leave: at most all that passes leave of the
+/// headland, and what they work of the body.
 double least_by_headland(const SearchTask& task);
 
 /// The proof of a search, which speaks of tracks alone, for plans with the headland. `plan` has its cost.

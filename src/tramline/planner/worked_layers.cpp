@@ -11,9 +11,7 @@
 namespace tramline {
 namespace {
 
-Region land_of(const Plan& plan) {
-  return plan.headland.ground.empty() ? plan.body : body_of(plan.field);
-}
+Region land_of(const Plan& plan) { return plan.headland.ground.empty() ? plan.body : body_of(plan.field); }
 
 void append_common(const Region& a, const Region& b, Region& out) {
   if (!intersects(bounds(a), bounds(b))) return;

@@ -13,9 +13,9 @@ struct TrackGround {
   Region doubled;               ///< what more than one of them works; parts may overlap
 };
 
-/// The layers Plan::overlap and Plan::uncovered of tracks and headland passes together: pictures of the tally,
-/// without slivers between the chords of swaths that share an arc. Precondition: everything else but tally,
-/// cost and warnings is there.
+/// The layers Plan::overlap and Plan::uncovered of tracks and headland passes together: pictures of the
+/// tally, without slivers between the chords of swaths that share an arc. Precondition: everything else but
+/// tally, cost and warnings is there.
 void add_layers(Plan& plan, TrackGround tracks);
 
 /// Is a polygon no more than what chords of neighbouring swaths leave open or share?

@@ -33,11 +33,11 @@ TEST(RepairInFiles, WorkedGroundComesBackToTheBit) {
   EXPECT_TRUE(is_repair(back));
 }
 
-TEST(RepairInFiles, OnlyRepairsAreOfTheNewVersion) {
+TEST(RepairInFiles, HaveTheVersionOfAllPlans) {
   Plan plan = repair();
-  EXPECT_EQ(io::metadata_of(plan).at("format_version"), "4");
+  EXPECT_EQ(io::metadata_of(plan).at("format_version"), "5");
   plan.worked.clear();
-  EXPECT_EQ(io::metadata_of(plan).at("format_version"), "3");
+  EXPECT_EQ(io::metadata_of(plan).at("format_version"), "5");
 }
 
 }  // namespace

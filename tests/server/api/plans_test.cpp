@@ -23,7 +23,7 @@ TEST_F(ServerTest, PlansAFieldAndKeepsThePlan) {
   EXPECT_EQ(plan["summary"]["headland_passes"], 1);
   EXPECT_EQ(plan["summary"]["cost"], listed[0]["cost"]);
   EXPECT_NEAR(plan["summary"]["identity_error_m2"], 0, 1e-3);
-  EXPECT_EQ(plan["explain"]["causes"].size(), 8U);
+  EXPECT_EQ(plan["explain"]["causes"].size(), 10U);
   EXPECT_EQ(served.patch("/plans/" + id, {{"name", "spring"}}).json["name"], "spring");
   const ordered_json renamed = served.get("/plans/" + id).json;
   EXPECT_EQ(renamed["name"], "spring");

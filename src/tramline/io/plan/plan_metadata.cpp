@@ -21,6 +21,8 @@ namespace {
 constexpr const char* kFormat = "tramline plan";
 constexpr int kNewestVersion = kVersionWithWholeFigures, kOldestVersion = 2;
 constexpr const char* kTracks = "settings.tracks";
+constexpr const char* kKind = "kind";
+constexpr const char* kRepair = "repair";
 
 /// The one list of keys, walked by the writer (const plan) and by the reader.
 template <class PlanOrConst, class Visitor>
@@ -205,6 +207,7 @@ Metadata metadata_of(const Plan& plan) {
   writer(kTracks, plan.settings.tracks);
   out["format"] = kFormat;
   out["format_version"] = std::to_string(kVersionWithWholeFigures);
+  out[kKind] = is_repair(plan) ? kRepair : "plan";
   leave_folders_out(out);
   // The kinds that no setting changes are written all the same: the file explains itself.
   out["edges.exterior"] = name(plan.settings.boundary);
@@ -234,6 +237,11 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   if (metadata.contains(kInputCrsKey)) plan.field.source.input_crs = reader.text(kInputCrsKey);
   if (metadata.contains(kTracks)) reader(kTracks, plan.settings.tracks);
   return version;
+}
+
+bool is_repair(const Metadata& metadata, int version) {
+  const auto kind = metadata.find(kKind);
+  return version == kVersionWithRepairs || (kind != metadata.end() && kind->second == kRepair);
 }
 
 }  // namespace tramline::io

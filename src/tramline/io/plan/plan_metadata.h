@@ -13,8 +13,8 @@ namespace tramline::io {
 inline constexpr int kVersionWithHeadlands = 3;
 /// The version of repairs, which have a layer of worked ground.
 inline constexpr int kVersionWithRepairs = 4;
-/// The first version whose tally, cost and layers are those of tracks and headland passes together, and with a
-/// price for each subfield after the first. All plans are written so.
+/// The first version whose tally, cost and layers are those of tracks and headland passes together, and with
+/// a price for each subfield after the first. All plans are written so.
 inline constexpr int kVersionWithWholeFigures = 5;
 
 /// Machine, objective, settings, tally, local frame, source and remarks of a plan. The source file is
@@ -26,5 +26,8 @@ Metadata metadata_of(const Plan& plan);
 /// naming `file` and the key where a key is missing, a word unknown, a number not finite or the version one
 /// that cannot be read.
 int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, Plan& plan);
+
+/// Whether the plan of a file of this version is a repair, told without its layers.
+bool is_repair(const Metadata& metadata, int version);
 
 }  // namespace tramline::io

@@ -111,22 +111,35 @@ void write_front(GDALDataset& file, const Front& front) {
   if (front.points.empty()) return;
   Table table(
       file, layers::kFront, wkbNone, nullptr,
-      {integer("number"), real("overlap_m2"), real("uncovered_m2"), integer("turns"), integer("stops"),
-       integer("crossings"), integer("tracks"), real("track_length_m"), real("worked_m2"),
-       integer("subfields"), text("direction_deg"), text("direction_rad"), real("cost"), text("marks"),
-       real("laid_for_overlap"), real("laid_for_uncovered"), real("laid_for_turn"), real("laid_for_stop"),
-       real("laid_for_subfield"), integer("worked_subfields")});
+      {integer("number"),     real("overlap_m2"),    real("uncovered_m2"),      integer("turns"),
+       integer("stops"),      integer("crossings"),  integer("tracks"),         real("track_length_m"),
+       real("worked_m2"),     integer("subfields"),  text("direction_deg"),     text("direction_rad"),
+       real("cost"),          text("marks"),         real("laid_for_overlap"),  real("laid_for_uncovered"),
+       real("laid_for_turn"), real("laid_for_stop"), real("laid_for_subfield"), integer("worked_subfields")});
   for (std::size_t i = 0; i < front.points.size(); ++i) {
     const FrontPoint& point = front.points[i];
     const Tally& tally = point.tally;
     const Objective& prices = point.laid_for;
-    table.add(nullptr,
-              {static_cast<long long>(i + 1), tally.overlap_m2, tally.uncovered_m2, tally.turns + 0LL,
-               tally.stops + 0LL, tally.crossings + 0LL, tally.pieces + 0LL, tally.track_length_m,
-               tally.worked_m2, static_cast<long long>(point.directions.size()),
-               degrees_text(point.directions), radians_text(point.directions), point.cost,
-               marks_text(front, i), prices.overlap, prices.uncovered, prices.turn, prices.stop, prices.subfield,
-               tally.subfields + 0LL});
+    table.add(nullptr, {static_cast<long long>(i + 1),
+                        tally.overlap_m2,
+                        tally.uncovered_m2,
+                        tally.turns + 0LL,
+                        tally.stops + 0LL,
+                        tally.crossings + 0LL,
+                        tally.pieces + 0LL,
+                        tally.track_length_m,
+                        tally.worked_m2,
+                        static_cast<long long>(point.directions.size()),
+                        degrees_text(point.directions),
+                        radians_text(point.directions),
+                        point.cost,
+                        marks_text(front, i),
+                        prices.overlap,
+                        prices.uncovered,
+                        prices.turn,
+                        prices.stop,
+                        prices.subfield,
+                        tally.subfields + 0LL});
   }
 }
 
