@@ -16,8 +16,8 @@ namespace tramline::io {
 
 /// Data dictionary identifiers of ISO 11783-11 that are read.
 namespace ddi {
-inline constexpr unsigned kActualWidth = 67, kDefaultWidth = 68, kMostWidth = 70, kOffsetY = 135,
-                          kVolumeRate = 2, kMassRate = 7, kCountRate = 12, kWorkState = 141,
+inline constexpr unsigned kActualWidth = 67, kDefaultWidth = 68, kMostWidth = 70, kOffsetX = 134,
+                          kOffsetY = 135, kVolumeRate = 2, kMassRate = 7, kCountRate = 12, kWorkState = 141,
                           kFirstCondensed = 161, kLastCondensed = 176;
 }
 
