@@ -40,6 +40,8 @@ class LoggedMachine {
   AmountUnit rate_unit() const { return rate_.unit(); }
   /// Ids of the devices that count.
   const std::vector<std::string>& devices() const { return telling_.devices; }
+  /// Of these devices.
+  const std::vector<DeviceElement>& elements() const { return telling_.elements; }
   /// What was assumed, one sentence each.
   std::vector<std::string> notes() const;
 
