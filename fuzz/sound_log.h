@@ -19,11 +19,17 @@ inline void demand_sound(const WorkLog& log) {
            (std::abs(fix.position.x) <= 180 && std::abs(fix.position.y) <= 90));
     demand(fix.boom >= -1 && fix.boom < static_cast<int>(log.booms.size()));
     demand(fix.unit >= 0 && fix.record > 0);
+    demand(fix.shape >= -1 && fix.shape < static_cast<int>(log.shapes.size()));
+    demand(!std::isinf(fix.rate_per_ha) && !(fix.rate_per_ha < 0));
     const double heading = fix.heading.degrees();
     demand(std::isnan(heading) || (heading >= 0 && heading < 360));
   }
   for (const Boom& boom : log.booms)
-    for (const Section& section : boom) demand(section.left_m >= section.right_m);
+    for (const Section& section : boom)
+      demand(std::isfinite(section.left_m) && std::isfinite(section.right_m) &&
+             section.left_m >= section.right_m);
+  for (const double counted : {log.counters.area_m2, log.counters.distance_m, log.counters.seconds})
+    demand(std::isnan(counted) || (counted >= 0 && std::isfinite(counted)));
   demand(log.skipped.count >= log.skipped.listed.size());
 }
 

@@ -110,12 +110,31 @@ std::string drive_rows(const Coverage& coverage) {
   if (!coverage.log.empty())
     out += fmt::format("log          {}: {} fixes, {} used\n", coverage.log, coverage.fixes,
                        coverage.fixes_used);
-  out +=
-      fmt::format("work         {} runs, {:g} m wide{}\n", coverage.runs, coverage.width_m,
-                  std::isfinite(coverage.worked_s)
-                      ? fmt::format(", {:.2f} h, {:.2f} ha/h", worked_hours(coverage), ha_per_hour(coverage))
-                      : "");
+  out += fmt::format(
+      "work         {} runs, {}{}\n", coverage.runs,
+      std::isfinite(coverage.width_m) ? fmt::format("{:g} m wide", coverage.width_m) : "width not known",
+      std::isfinite(coverage.worked_s) && coverage.worked_s > 0
+          ? fmt::format(", {:.2f} h, {:.2f} ha/h", worked_hours(coverage), ha_per_hour(coverage))
+          : "");
   return out;
+}
+
+ordered_json machine_json(const MachineCounters& counters) {
+  return {{"area_m2", number_json(counters.area_m2)},
+          {"distance_m", number_json(counters.distance_m)},
+          {"hours", number_json(counters.seconds / 3600)}};
+}
+
+/// What the machine counted itself, beside what was evaluated.
+std::string machine_row(const Coverage& coverage) {
+  const MachineCounters& counters = coverage.counters;
+  if (!counters.any()) return "";
+  std::vector<std::string> parts;
+  if (std::isfinite(counters.area_m2)) parts.push_back(fmt::format("{:.1f} m²", counters.area_m2));
+  if (std::isfinite(counters.distance_m))
+    parts.push_back(fmt::format("{:.2f} km", counters.distance_m / 1000));
+  if (std::isfinite(counters.seconds)) parts.push_back(fmt::format("{:.2f} h", counters.seconds / 3600));
+  return fmt::format("counter      {} by the machine's own count\n", fmt::join(parts, ", "));
 }
 
 std::string area_rows(const Evaluation& evaluation) {
@@ -124,6 +143,7 @@ std::string area_rows(const Evaluation& evaluation) {
   std::string out;
   out +=
       fmt::format("covered      {:.1f} m²{}\n", areas.covered_m2, share(coverage, areas.covered_inside_m2));
+  out += machine_row(coverage);
   if (has_field(coverage))
     out += fmt::format("outside      {:.1f} m² of that, beyond the field\n", areas.outside_m2);
   out += fmt::format("repeated     {:.1f} m², {:.2f} % of what is covered{}\n", areas.repeated_m2,
@@ -142,8 +162,10 @@ std::string gap_rows(const Coverage& coverage) {
   for (std::size_t i = 0; i < std::min(coverage.gaps.size(), kGapsInTable); ++i) {
     const Gap& gap = coverage.gaps[i];
     const Point at = in_input(coverage.frame, projection, gap.centre);
-    out += fmt::format("  gap {:<6} {:.1f} m², up to {:.2f} m wide, at ({:.9g}, {:.9g})\n", gap.number,
-                       gap.area_m2, gap.widest_m, at.x, at.y);
+    const std::string widest =
+        std::isfinite(gap.widest_m) ? fmt::format("up to {:.2f} m wide", gap.widest_m) : "width not known";
+    out += fmt::format("  gap {:<6} {:.1f} m², {}, at ({:.9g}, {:.9g})\n", gap.number, gap.area_m2, widest,
+                       at.x, at.y);
   }
   if (coverage.gaps.size() > kGapsInTable)
     out += fmt::format("  and {} smaller ones\n", coverage.gaps.size() - kGapsInTable);
@@ -203,7 +225,7 @@ ordered_json evaluation_json(const Evaluation& evaluation) {
   out["field_id"] = has_field(coverage) ? ordered_json(coverage.field_id) : ordered_json();
   out["field_area_m2"] = of_field(coverage, field_m2(coverage));
   out["log"] = coverage.log.empty() ? ordered_json() : ordered_json(coverage.log);
-  out["width_m"] = coverage.width_m;
+  out["width_m"] = number_json(coverage.width_m);
   out["fixes"] = coverage.fixes;
   out["fixes_used"] = coverage.fixes_used;
   out["skipped"] = skipped_list(coverage.skipped);
@@ -220,6 +242,7 @@ ordered_json evaluation_json(const Evaluation& evaluation) {
   out["missed_regions"] = has_field(coverage) ? ordered_json(coverage.gaps.size()) : ordered_json();
   out["worked_hours"] = number_json(worked_hours(coverage));
   out["ha_per_hour"] = number_json(ha_per_hour(coverage));
+  if (coverage.counters.any()) out["machine"] = machine_json(coverage.counters);
   out["engine"] = coverage.engine;
   out["worked_once_m2"] = number_json(areas.worked_times_m2[1]);
   out["worked_twice_m2"] = number_json(areas.worked_times_m2[2]);

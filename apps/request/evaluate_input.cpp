@@ -14,9 +14,6 @@
 namespace tramline::app {
 namespace {
 
-/// A log none of whose fixes is nearer to the field than this was driven elsewhere, m.
-constexpr double kNear_m = 2000;
-
 /// From one frame of the field's parts to another's.
 class BetweenFrames {
  public:

@@ -13,6 +13,9 @@
 
 namespace tramline::app {
 
+/// A log none of whose fixes is nearer to the field than this was driven elsewhere, m.
+inline constexpr double kNear_m = 2000;
+
 /// What was to be worked. Frame: local metres.
 struct WorkGround {
   std::string field_id;  ///< empty: no field

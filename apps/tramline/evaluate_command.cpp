@@ -10,18 +10,20 @@
 
 #include "command.h"
 #include "drive_options.h"
+#include "evaluate_jobs.h"
 #include "field_options.h"
 #include "output_target.h"
 #include "progress.h"
 #include "report/evaluate_report.h"
 #include "report/report_parts.h"
 #include "request/evaluate_input.h"
+#include "request/log_jobs.h"
+#include "request/output_names.h"
 #include "request/plan_and_done.h"
 #include "tramline/coverage/evaluate.h"
 #include "tramline/coverage/plan_steps.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/coverage/write_coverage.h"
-#include "tramline/io/log/read_log.h"
 #include "tramline/io/plan/read_plan.h"
 #include "tramline/render/draw_coverage.h"
 
@@ -35,16 +37,11 @@ constexpr const char* kExample =
     "  tramline evaluate spraying.csv --field fields.gpkg --where \"id='mill-field'\" --width 24 --picture "
     "done.png\n"
     "  tramline evaluate TASKDATA.zip --log TLG00001 --json -o coverage.gpkg\n"
+    "  tramline evaluate TASKDATA.zip --field TASKDATA.zip --job 2\n"
     "  tramline evaluate --plan plan.gpkg\n"
     "  tramline evaluate spraying.csv --plan plan.gpkg --width 24\n"
     "  tramline evaluate spraying.csv --field field.geojson --with repair.gpkg\n"
     "Widths and work states in the log win over --width. Formats of logs: docs/logs.md.";
-
-/// The same result wherever the log lies.
-std::string without_folder(const std::string& name, const std::string& file) {
-  const std::string folder = file.substr(0, file.find_last_of('/') + 1);
-  return name.starts_with(folder) ? name.substr(folder.size()) : name;
-}
 
 class EvaluateCommand : public Command {
  public:
@@ -52,8 +49,8 @@ class EvaluateCommand : public Command {
     CLI::App* verb = app.add_subcommand("evaluate", kHelp);
     verb->add_option(
         "LOG", log_file_,
-        "the drive: CSV, NMEA 0183, GPX, ISOXML task data (folder, zip or one time log), or points of "
-        "a vector file; .gz too");
+        "the drive: CSV, NMEA 0183, GPX, ISOXML task data (folder, zip or one time log), or points or "
+        "worked polygons of a vector file; .gz too");
     add_field_choice(*verb, field_);
     auto* plan =
         verb->add_option("--plan", plan_file_, "a plan file: evaluate its drive, or compare LOG with it");
@@ -63,6 +60,8 @@ class EvaluateCommand : public Command {
         ->allow_extra_args(false)
         ->excludes(plan);
     verb->add_option("--log", drive_.log.log, "which log of an ISOXML task set, such as TLG00001");
+    verb->add_option("--job", job_, "which job, by its number, where a log has several")
+        ->check(CLI::Range(1, 1000000));
     add_drive_options(*verb, drive_);
     add_engine_options(*verb);
     verb->add_option("-o,--output", output_, "write the coverage to this GeoPackage (.gpkg)");
@@ -86,17 +85,57 @@ class EvaluateCommand : public Command {
     inputs.insert(inputs.end(), with_files_.begin(), with_files_.end());
     require_writable(output_, "--output", {".gpkg"}, inputs);
     require_writable(picture_, "--picture", {".png", ".svg", ".pdf"}, inputs);
-    const auto start = std::chrono::steady_clock::now();
     std::optional<Plan> plan;
     if (!plan_file_.empty()) plan = io::read_plan(plan_file_);
-    Evaluation evaluation = log_file_.empty() ? plan_alone(*plan) : drive(plan);
-    evaluation.strict = settings().strict;
-    evaluation.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    write(evaluation);
+    if (log_file_.empty()) {
+      const auto start = std::chrono::steady_clock::now();
+      Evaluation evaluation = plan_alone(*plan);
+      finish(evaluation, start);
+      write(evaluation, output_, picture_);
+      print(evaluation);
+      return 0;
+    }
+    std::vector<NumberedJob> jobs = jobs_of(log_file_, drive_.log, job_);
+    if (jobs.size() > 1) return several(plan, std::move(jobs));
+    const auto start = std::chrono::steady_clock::now();
+    io::LogJob& job = jobs.front().job;
+    WorkGround ground = ground_of(plan, job);
+    Evaluation evaluation = drive(plan, std::move(job.log), std::move(ground));
+    finish(evaluation, start);
+    write(evaluation, output_, picture_);
+    print(evaluation);
     return 0;
   }
 
  private:
+  using TimePoint = std::chrono::steady_clock::time_point;
+
+  void finish(Evaluation& evaluation, TimePoint start) const {
+    evaluation.strict = settings().strict;
+    evaluation.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  /// Each job by itself, with files of its own.
+  int several(const std::optional<Plan>& plan, std::vector<NumberedJob> jobs) const {
+    if (!with_files_.empty())
+      throw bad_input(fmt::format("--with goes with one job and '{}' has {}; choose one with --job",
+                                  log_file_, jobs.size()));
+    OutputNames outputs(output_, true), pictures(picture_, true);
+    JobWork work;
+    work.ground = [&](const io::LogJob& job) { return ground_of(plan, job); };
+    work.evaluate = [&](WorkLog log, WorkGround ground) {
+      const auto start = std::chrono::steady_clock::now();
+      Evaluation out = drive(plan, std::move(log), std::move(ground));
+      finish(out, start);
+      return out;
+    };
+    work.write = [&](const Evaluation& evaluation, const std::string& name) {
+      write(evaluation, output_.empty() ? "" : outputs.next(name).string(),
+            picture_.empty() ? "" : pictures.next(name).string());
+    };
+    return evaluate_jobs(std::move(jobs), work, {json_, quiet_});
+  }
+
   void add_engine_options(CLI::App& verb) {
     verb.add_option("--engine", engine_,
                     "'exact', or 'mesh' as in the paper (S3): slow, right to some per mille")
@@ -129,14 +168,14 @@ class EvaluateCommand : public Command {
     return out;
   }
 
-  Evaluation drive(const std::optional<Plan>& plan) const {
-    WorkLog read = io::read_log(log_file_, drive_.log);
-    read.name = without_folder(read.name, log_file_);
-    WorkGround ground;
-    if (const std::optional<WorkGround> field = work_ground(field_))
-      ground = *field;
-    else if (plan)
-      ground = work_ground(*plan);
+  /// Where the job was to work: none where neither a field nor a plan was given.
+  WorkGround ground_of(const std::optional<Plan>& plan, const io::LogJob& job) const {
+    if (const std::optional<WorkGround> field = work_ground(field_of_job(field_, log_file_, job)))
+      return *field;
+    return plan ? work_ground(*plan) : WorkGround{};
+  }
+
+  Evaluation drive(const std::optional<Plan>& plan, WorkLog read, WorkGround ground) const {
     std::vector<Plan> with;
     for (const std::string& file : with_files_) with.push_back(io::read_plan(file));
     if (ground.ground.empty() && !with.empty()) ground = work_ground(with.front());
@@ -185,9 +224,12 @@ class EvaluateCommand : public Command {
     return plan_and_done(plan, plan_file_, read, settings(), shown_by(progress, read.name));
   }
 
-  void write(const Evaluation& evaluation) const {
-    if (!output_.empty()) io::write_coverage(evaluation.coverage, output_);
-    if (!picture_.empty()) render::draw_coverage(evaluation.coverage, picture_);
+  static void write(const Evaluation& evaluation, const std::string& output, const std::string& picture) {
+    if (!output.empty()) io::write_coverage(evaluation.coverage, output);
+    if (!picture.empty()) render::draw_coverage(evaluation.coverage, picture);
+  }
+
+  void print(const Evaluation& evaluation) const {
     if (json_)
       fmt::print("{}\n", json_line(evaluation_json(evaluation)));
     else if (!quiet_)
@@ -200,6 +242,7 @@ class EvaluateCommand : public Command {
   std::string log_file_, plan_file_, output_, picture_;
   std::vector<std::string> with_files_;
   std::string engine_ = "exact";
+  std::optional<std::size_t> job_;
   bool json_ = false, quiet_ = false;
 };
 

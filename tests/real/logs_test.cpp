@@ -83,6 +83,25 @@ TEST_F(RealLogs, ATaskSetIsItsLogsOneAfterTheOther) {
   EXPECT_EQ(logs[0].field_id, "PFD-2");
 }
 
+// Nine logs on eight fields. The totals are those that the task set itself gives for each task (TIM): area in
+// m², way at work in mm, time at work in s. The machine writes them down every 100 m² and a few seconds.
+TEST_F(RealLogs, ATaskSetOfEightJobsCountsWhatItsTasksSay) {
+  const std::vector<LogJob> jobs = read_jobs(file("isoxml/forage-harvester"));
+  ASSERT_EQ(jobs.size(), 8U);
+  const std::vector<std::array<double, 3>> totals = {
+      {48300, 5503990, 3559}, {40500, 4602412, 3135}, {19500, 2224858, 1370}, {30100, 3529801, 2283},
+      {17900, 2127845, 1545}, {52000, 5902654, 3490}, {65000, 7585003, 3868}, {48200, 5448311, 3545}};
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    SCOPED_TRACE(i);
+    const MachineCounters& counters = jobs[i].log.counters;
+    EXPECT_NEAR(counters.area_m2, totals[i][0], 200);
+    EXPECT_NEAR(counters.distance_m, totals[i][1] / 1000, 40);
+    EXPECT_NEAR(counters.seconds, totals[i][2], 20);
+    EXPECT_EQ(jobs[i].entries.size(), i == 5 ? 2U : 1U);
+    EXPECT_EQ(jobs[i].entries[0].field_id, "PFD-" + std::to_string(i + 2));
+  }
+}
+
 TEST_F(RealLogs, SectionsOfASprayer) {
   const std::string zip = file("isoxml/zips/jd-sprayer-short.zip");
   const WorkLog log = read_log(zip, {"", "", "TLG00016"});

@@ -37,6 +37,10 @@ ReadyDrive ready_drive(WorkLog read, app::WorkGround ground, const coverage::Eva
   out.ground = std::move(ground);
   out.settings = settings;
   out.settings.shapes = out.settings.covered = false;
+  if (!read.shapes.empty())
+    throw bad_input(fmt::format(
+        "{} has polygons, which do not say how they were driven: evaluate it with tramline evaluate",
+        read.name));
   WorkLog placed = app::placed_on(std::move(read), out.ground);
   if (placed.fixes.size() < 2)
     throw bad_input(fmt::format("{} has {} with a position: no ground is worked without two", placed.name,

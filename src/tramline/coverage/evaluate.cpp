@@ -11,7 +11,9 @@
 #include <string>
 #include <utility>
 
+#include "tramline/coverage/doubts.h"
 #include "tramline/coverage/gaps.h"
+#include "tramline/coverage/shape_drive.h"
 #include "tramline/coverage/thread_limit.h"
 #include "tramline/coverage/worked_drive.h"
 #include "tramline/geometry/error.h"
@@ -57,6 +59,48 @@ void count_slivers(Coverage& coverage) {
   for (CoverageSlice& slice : coverage.slices) slice.areas = reported(slice.areas, true);
 }
 
+void require_ground(const WorkLog& log) {
+  if (log.fixes.size() >= 2 || (!log.fixes.empty() && !log.shapes.empty())) return;
+  throw bad_input(fmt::format("{} has {} with a position: no ground is worked without two", log.name,
+                              log.fixes.empty() ? "no fix" : "one fix"));
+}
+
+/// What comes after the last fix. Takes the log's fixes: regions need the memory.
+void finish(Coverage& out, WorkedDrive& drive, WorkLog& log, const EvaluateSettings& settings,
+            const FurtherWork& further) {
+  out.log = log.name;
+  out.engine = name(settings.engine);
+  out.fixes_used = log.fixes.size();
+  out.fixes = out.fixes_used + log.skipped.count;
+  out.skipped = log.skipped;
+  out.counters = log.counters;
+  const std::vector<std::string> doubts = doubts_on(drive.areas(), log.counters, out.width_m);
+  drive.add(further);
+  drive.add_figures(out, log.clock);
+  out.warnings.insert(out.warnings.end(), doubts.begin(), doubts.end());
+  log.fixes = std::vector<Fix>();
+  drive.add_regions(out);
+  if (settings.strict) count_slivers(out);
+}
+
+/// Of a log that has its ground as polygons.
+Coverage evaluate_shapes(PreparedLog ready, const Region& field, const EvaluateSettings& settings,
+                         const StepSink& sink, const FurtherWork& further) {
+  const ShapeDrive shapes = shape_drive(ready.log, ready.drive);
+  Coverage out;
+  out.warnings = std::move(ready.warnings);
+  if (settings.slice > 0)
+    out.warnings.emplace_back("polygons are evaluated at once: there are no slices of them");
+  out.width_m = shapes.width_m;
+  WorkedDrive drive(field, settings, ready.drive, out.width_m, 1);
+  drive.add(shapes.work);
+  if (sink)
+    for (const WorkedStep& step : shapes.work.steps) sink(step);
+  finish(out, drive, ready.log, settings, further);
+  if (further.steps.empty()) out.worked_s = shapes.worked_s;
+  return out;
+}
+
 }  // namespace
 
 double working_width_m(const WorkLog& log, const DriveSettings& drive) {
@@ -67,12 +111,11 @@ double working_width_m(const WorkLog& log, const DriveSettings& drive) {
 
 Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& settings,
                   const FixProgress& progress, const StepSink& sink, const FurtherWork& further) {
-  if (given.fixes.size() < 2)
-    throw bad_input(fmt::format("{} has {} with a position: no ground is worked without two", given.name,
-                                given.fixes.empty() ? "no fix" : "one fix"));
+  require_ground(given);
   const ThreadLimit limit(settings.threads);
-  Coverage out;
   PreparedLog ready = prepared(std::move(given), settings.drive);
+  if (!ready.log.shapes.empty()) return evaluate_shapes(std::move(ready), field, settings, sink, further);
+  Coverage out;
   WorkLog& log = ready.log;
   out.warnings = ready.warnings;
   out.width_m = working_width_m(log, settings.drive);
@@ -86,18 +129,8 @@ Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& se
     slices.add(i + 1, i + 1 == log.fixes.size(), spent.count() - slices.regions_s());
     if (progress && i % kProgressEvery == 0) progress(i, log.fixes.size());
   }
-
-  out.log = log.name;
-  out.engine = name(settings.engine);
-  out.fixes_used = log.fixes.size();
-  out.fixes = out.fixes_used + log.skipped.count;
-  out.skipped = log.skipped;
   out.slices = slices.slices();
-  drive.add(further);
-  drive.add_figures(out, log.clock);
-  log.fixes = std::vector<Fix>();  // regions need the memory
-  drive.add_regions(out);
-  if (settings.strict) count_slivers(out);
+  finish(out, drive, log, settings, further);
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace tramline::coverage {
@@ -10,9 +11,15 @@ namespace {
 
 double width_m(const Section& section) { return section.left_m - section.right_m; }
 
-double sum_m(const Boom& boom) {
-  double sum = 0;
-  for (const Section& section : boom) sum += width_m(section);
+/// Of the sections together; what two of them work counts once.
+double worked_m(Boom boom) {
+  std::stable_sort(boom.begin(), boom.end(),
+                   [](const Section& a, const Section& b) { return a.left_m > b.left_m; });
+  double sum = 0, right_m = std::numeric_limits<double>::infinity();
+  for (const Section& section : boom) {
+    sum += std::max(0.0, std::min(section.left_m, right_m) - section.right_m);
+    right_m = std::min(right_m, section.right_m);
+  }
   return sum;
 }
 
@@ -29,7 +36,7 @@ void mend_widths(WorkLog& log) {
     const std::optional<Boom> one = mended(boom);
     if (!one) continue;
     log.notes.push_back(fmt::format("{} widths that add up to {:g} m are taken for one of {:g} m",
-                                    boom.size(), sum_m(boom), width_m(one->front())));
+                                    boom.size(), worked_m(boom), width_m(one->front())));
     boom = *one;
     changed[i] = 1;
   }
@@ -48,7 +55,7 @@ void mend_sections(WorkLog& log) {
 }  // namespace
 
 std::optional<Boom> mended(const Boom& boom) {
-  if (boom.size() < 2 || sum_m(boom) <= kWidestMachine_m) return std::nullopt;
+  if (boom.size() < 2 || worked_m(boom) <= kWidestMachine_m) return std::nullopt;
   return widest_alone(boom);
 }
 

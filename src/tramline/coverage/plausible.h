@@ -15,7 +15,8 @@ inline constexpr const char* kSectionsIgnored =
     "no section ever works, although the machine does: the states of sections are ignored";
 
 /// The log, with two faults mended that make it worthless otherwise, and noted:
-/// - widths of elements that add up to more than kWidestMachine_m are copies of one: such a boom becomes one
+/// - widths of elements side by side that add up to more than kWidestMachine_m are copies of one: such a boom
+/// becomes one
 ///   section as wide as its widest;
 /// - states of sections of which none ever works although the machine says that it does are no states.
 /// O(fixes).

@@ -82,6 +82,25 @@ bool comes_near(const WorkLog& log, const LocalFrame& frame, const Box& local, d
   });
 }
 
+namespace {
+
+bool place_shape(Polygon& shape, const FixPlacing& place, std::string& why) {
+  const auto place_ring = [&](Ring& ring) {
+    for (Point& corner : ring) {
+      const std::optional<Point> local = place(corner, why);
+      if (!local) return false;
+      corner = *local;
+    }
+    return true;
+  };
+  if (!place_ring(shape.outer) || !std::all_of(shape.holes.begin(), shape.holes.end(), place_ring))
+    return false;
+  shape = oriented(std::move(shape));
+  return true;
+}
+
+}  // namespace
+
 WorkLog placed(WorkLog log, const LocalFrame& frame) {
   const FixPlacing place(log.positions, frame, log.name);
   skip_faulty(log, [&](Fix& fix) {
@@ -89,6 +108,8 @@ WorkLog placed(WorkLog log, const LocalFrame& frame) {
     const std::optional<Point> local = place(fix.position, why);
     if (!local) return why;
     fix.position = *local;
+    if (fix.shape >= 0 && !place_shape(log.shapes[static_cast<std::size_t>(fix.shape)], place, why))
+      return why;
     return std::string();
   });
   log.positions = Positions::kLocal;

@@ -225,6 +225,11 @@ Region made_valid(const Polygon& polygon) {
   return from_geos(checked(GEOSMakeValid_r(geos(), to_geos(polygon).get()), "repair"));
 }
 
+Region triangles_of(const Polygon& polygon) {
+  return from_geos(
+      checked(GEOSConstrainedDelaunayTriangulation_r(geos(), to_geos(polygon).get()), "triangulation"));
+}
+
 Region split_by_lines(const Polygon& polygon, const std::vector<std::vector<Point>>& lines) {
   std::vector<Geometry> edges;
   edges.push_back(to_line(polygon.outer, true));

@@ -57,6 +57,10 @@ std::optional<Invalidity> find_invalidity(const Polygon& polygon);
 /// The land enclosed an odd number of times by the rings of the polygon (GEOS make-valid, linework).
 Region made_valid(const Polygon& polygon);
 
+/// The polygon cut into triangles between its vertices (constrained Delaunay); they do not overlap, and
+/// together they are the polygon. Precondition: a valid polygon.
+Region triangles_of(const Polygon& polygon);
+
 /// Faces of the arrangement of the polygon's rings and the polylines that lie inside it, on the
 /// precision grid. They form a valid coverage: edges shared by two faces are identical.
 Region split_by_lines(const Polygon& polygon, const std::vector<std::vector<Point>>& lines);

@@ -96,6 +96,7 @@ struct Coverage {
   std::size_t fixes_used = 0;
   int runs = 0;
   double worked_s = 0;  ///< NaN without times
+  MachineCounters counters;
   SkippedRecords skipped;
   std::vector<std::string> warnings;
 };

@@ -1,5 +1,6 @@
 #include "tramline/model/work_log.h"
 
+#include <cmath>
 #include <utility>
 
 namespace tramline {
@@ -27,6 +28,19 @@ void SkippedRecords::add(const SkippedRecords& others) {
   count += others.count;
   for (const SkippedRecord& other : others.listed)
     if (listed.size() < kListed) listed.push_back(other);
+}
+
+bool MachineCounters::any() const {
+  return !(std::isnan(area_m2) && std::isnan(distance_m) && std::isnan(seconds));
+}
+
+void MachineCounters::add(const MachineCounters& next) {
+  for (double MachineCounters::*counter :
+       {&MachineCounters::area_m2, &MachineCounters::distance_m, &MachineCounters::seconds})
+    if (std::isnan(this->*counter))
+      this->*counter = next.*counter;
+    else if (!std::isnan(next.*counter))
+      this->*counter += next.*counter;
 }
 
 }  // namespace tramline

@@ -11,6 +11,7 @@
 
 #include "tramline/geometry/angle.h"
 #include "tramline/geometry/point.h"
+#include "tramline/geometry/region.h"
 
 namespace tramline {
 
@@ -50,6 +51,7 @@ struct Fix {
   bool has_sections = false;  ///< the states of sections are known
   SectionStates sections;     ///< working ones, in the order of the boom
   int unit = 0;               ///< fixes of different units (machines, rows of one machine) are never joined
+  int shape = -1;             ///< which of WorkLog::shapes it worked; -1: none
   std::size_t record = 0;     ///< place in the file, from 1: line of a text, record of a binary file
 };
 
@@ -68,6 +70,18 @@ struct SkippedRecords {
   void add(std::size_t record, std::string why);
   /// Those of another reader, listed behind these.
   void add(const SkippedRecords& others);
+};
+
+/// What the machine's own counters grew by over a log. NaN: not recorded.
+struct MachineCounters {
+  double area_m2 = std::numeric_limits<double>::quiet_NaN();
+  double distance_m = std::numeric_limits<double>::quiet_NaN();  ///< at work
+  double seconds = std::numeric_limits<double>::quiet_NaN();     ///< at work
+
+  /// Whether any was recorded.
+  bool any() const;
+  /// Those of a log that follows. What only one of them has stands as it is.
+  void add(const MachineCounters& next);
 };
 
 /// Frame of the positions.
@@ -92,7 +106,11 @@ struct WorkLog {
   AmountUnit rate_unit = AmountUnit::kUnknown;  ///< of Fix::rate_per_ha
   std::vector<Boom> booms;                      ///< each different one once
   std::vector<Fix> fixes;
+  /// Ground as it was recorded as worked, in the frame of the positions; then every fix has one, and nothing
+  /// is worked between fixes. Oriented.
+  std::vector<Polygon> shapes;
   SkippedRecords skipped;
+  MachineCounters counters;
   std::vector<std::string> notes;  ///< what the reader assumed, one sentence each
 };
 

@@ -124,9 +124,11 @@ TEST_F(ReadLog, PointsOfAGeoPackageInAGrid) {
   EXPECT_TRUE(mentions(refusal(path("p.gpkg"), {"", "", "less"}), "no layer 'less'"));
 }
 
-TEST_F(ReadLog, PolygonsAreNoLog) {
+TEST_F(ReadLog, FieldsAndLinesAreNoLog) {
   testing_files::write_layer("GPKG", path("f.gpkg"), "fields", 4326, {{"a", "POLYGON ((0 0,1 0,1 1,0 0))"}});
-  EXPECT_TRUE(mentions(refusal(path("f.gpkg")), "no layer with points"));
+  EXPECT_TRUE(mentions(refusal(path("f.gpkg")), "fields rather than like work"));
+  testing_files::write_layer("GPKG", path("l.gpkg"), "lines", 4326, {{"a", "LINESTRING (0 0,1 0)"}});
+  EXPECT_TRUE(mentions(refusal(path("l.gpkg")), "no layer with points or polygons"));
 }
 
 TEST_F(ReadLog, OtherFilesAreOneLog) {

@@ -138,6 +138,11 @@ void require_counted(const Coverage& coverage, const RateSettings& rates) {
 }  // namespace
 
 DoseMap dose(WorkLog log, const Region& field, const DoseSettings& settings, const FixProgress& progress) {
+  if (!log.shapes.empty())
+    throw bad_input(
+        fmt::format("{} has polygons, which do not say how they were driven; evaluate them with -o and give "
+                    "the coverage file with --nominal-rate",
+                    log.name));
   require_rates(log, settings.rates);
   const ThreadLimit limit(settings.evaluate.threads);
   EvaluateSettings evaluation = settings.evaluate;

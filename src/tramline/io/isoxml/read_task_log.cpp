@@ -9,8 +9,10 @@
 
 #include "tramline/geometry/error.h"
 #include "tramline/io/fixes/boom_list.h"
+#include "tramline/io/fixes/job_groups.h"
 #include "tramline/io/fixes/number_text.h"
 #include "tramline/io/fixes/places.h"
+#include "tramline/io/isoxml/logged_counters.h"
 #include "tramline/io/isoxml/logged_machine.h"
 #include "tramline/io/isoxml/time_log_header.h"
 #include "tramline/io/isoxml/time_log_records.h"
@@ -60,13 +62,59 @@ LogFiles files_of(const TaskFiles& files, const LogEntry& entry) {
   return {files.read(entry.name + ".xml"), files.read(entry.name + ".bin")};
 }
 
-WorkLog decode(const TaskFiles& files, const LogFiles& log, const LogEntry& entry, const TaskData& tasks) {
+/// A log with the devices that worked.
+struct DecodedLog {
+  LogEntry entry;
+  WorkLog log;
+  std::vector<std::string> devices;
+};
+
+DecodedLog decode_bytes(std::string_view header_xml, std::string_view bytes,
+                        const std::vector<DeviceElement>& elements, const std::string& place) {
+  const TimeLogHeader header = read_time_log_header(header_xml, place + ", header");
+  if (!header.has_position)
+    throw bad_input(fmt::format("{} records no positions (its header has no element PTN)", place));
+  DecodedLog out;
+  WorkLog& log = out.log;
+  log.clock = Clock::kUtc;
+  LoggedMachine machine(header, elements);
+  LoggedCounters counters(header, machine.elements());
+  BoomList booms;
+  TimeLogRecords records(header, bytes);
+  while (const auto record = records.next()) {
+    machine.update(*record);
+    counters.update(*record);
+    if (std::string fault = fault_of(*record); !fault.empty()) {
+      log.skipped.add(record->number, std::move(fault));
+      continue;
+    }
+    Fix fix;
+    fix.record = record->number;
+    fix.time_s = record->time_s;
+    fix.position = record->lonlat_deg;
+    machine.describe(fix, booms);
+    log.fixes.push_back(fix);
+  }
+  log.booms = booms.booms();
+  for (const SkippedRecord& skipped : records.skipped().listed) log.skipped.add(skipped.record, skipped.why);
+  log.skipped.count += records.skipped().count - records.skipped().listed.size();
+  log.rate_unit = machine.rate_unit();
+  log.counters = counters.totals();
+  log.notes = machine.notes();
+  skip_strays(log);
+  out.devices = machine.devices();
+  return out;
+}
+
+DecodedLog decode(const TaskFiles& files, const LogFiles& log, const LogEntry& entry, const TaskData& tasks) {
   const std::string place = fmt::format("'{}', {}", files.path(), entry.name);
   if (!log.xml)
     throw bad_input(fmt::format("{}: the header {}.xml is missing; without it the records cannot be read",
                                 place, entry.name));
   if (!log.bin) throw bad_input(fmt::format("{}: the records {}.bin are missing", place, entry.name));
-  return decode_time_log(*log.xml, *log.bin, tasks.elements, place);
+  DecodedLog out = decode_bytes(*log.xml, *log.bin, tasks.elements, place);
+  out.entry = entry;
+  return out;
 }
 
 void append(WorkLog& all, WorkLog&& part, const LogEntry& entry, int unit, BoomList& booms) {
@@ -89,78 +137,124 @@ void append(WorkLog& all, WorkLog&& part, const LogEntry& entry, int unit, BoomL
   for (const SkippedRecord& skipped : part.skipped.listed)
     all.skipped.add(skipped.record, entry.name + ": " + skipped.why);
   all.skipped.count += part.skipped.count - part.skipped.listed.size();
+  all.counters.add(part.counters);
   for (const std::string& note : part.notes) all.notes.push_back(entry.name + ": " + note);
 }
 
-WorkLog joined(const TaskFiles& files, const std::vector<LogEntry>& logs, const TaskData& tasks) {
+/// One log as it is; several one after the other, each a unit.
+WorkLog joined(std::vector<DecodedLog> logs) {
+  if (logs.size() == 1) return std::move(logs.front().log);
   WorkLog all;
   all.clock = Clock::kUtc;
   BoomList booms;
   int unit = 0;
+  for (DecodedLog& log : logs) append(all, std::move(log.log), log.entry, unit++, booms);
+  all.booms = booms.booms();
+  all.notes.push_back(fmt::format("{} logs were joined: each is driven for itself", unit));
+  return all;
+}
+
+/// All logs that are meant, and what of them is left out.
+struct DecodedLogs {
+  std::vector<DecodedLog> logs;
+  std::vector<std::string> notes;
+};
+
+DecodedLogs decoded(const TaskFiles& files, const TaskData& tasks, const std::string& wanted) {
+  const std::vector<LogEntry> entries = chosen(files, tasks, wanted);
+  DecodedLogs out;
   std::vector<std::string> left_out;
-  for (const LogEntry& entry : logs) {
+  for (const LogEntry& entry : entries) {
     const LogFiles log = files_of(files, entry);
-    if (log.xml && log.bin)
-      append(all, decode(files, log, entry, tasks), entry, unit++, booms);
+    if ((log.xml && log.bin) || entries.size() == 1)
+      out.logs.push_back(decode(files, log, entry, tasks));
     else
       left_out.push_back(entry.name);
   }
-  all.booms = booms.booms();
-  all.notes.push_back(fmt::format("{} logs were joined: each is driven for itself", unit));
   if (!left_out.empty())
-    all.notes.push_back(fmt::format("{} logs have no .xml or no .bin and were left out: {}", left_out.size(),
+    out.notes.push_back(fmt::format("{} logs have no .xml or no .bin and were left out: {}", left_out.size(),
                                     fmt::join(left_out, ", ")));
-  return all;
+  return out;
+}
+
+void require_fixes(const std::vector<DecodedLog>& logs, const std::string& path) {
+  SkippedRecords skipped;
+  for (const DecodedLog& log : logs) {
+    if (!log.log.fixes.empty()) return;
+    skipped.add(log.log.skipped);
+  }
+  throw bad_input(fmt::format("'{}' has no record with a possible position ({} were skipped{})", path,
+                              skipped.count,
+                              skipped.listed.empty() ? "" : ": " + skipped.listed.front().why));
+}
+
+std::vector<std::vector<std::size_t>> grouped(const std::vector<DecodedLog>& logs) {
+  std::vector<JobFacts> facts;
+  for (const DecodedLog& log : logs) {
+    facts.push_back(facts_of(log.log));
+    facts.back().field_id = log.entry.field_id;
+    facts.back().devices = log.devices;
+  }
+  return job_groups(facts);
+}
+
+LogJob job_of(std::vector<DecodedLog> logs, const TaskData& tasks) {
+  LogJob out;
+  for (const DecodedLog& log : logs) {
+    out.entries.push_back(log.entry);
+    for (const std::string& id : log.devices) {
+      const auto named = tasks.device_names.find(id);
+      const std::string& name =
+          named == tasks.device_names.end() || named->second.empty() ? id : named->second;
+      if (!name.empty() && std::find(out.devices.begin(), out.devices.end(), name) == out.devices.end())
+        out.devices.push_back(name);
+    }
+  }
+  out.log = joined(std::move(logs));
+  out.clock = out.log.clock;
+  const JobFacts facts = facts_of(out.log);
+  out.from_s = facts.from_s;
+  out.to_s = facts.to_s;
+  return out;
 }
 
 }  // namespace
 
 WorkLog decode_time_log(std::string_view header_xml, std::string_view bytes,
                         const std::vector<DeviceElement>& elements, const std::string& place) {
-  const TimeLogHeader header = read_time_log_header(header_xml, place + ", header");
-  if (!header.has_position)
-    throw bad_input(fmt::format("{} records no positions (its header has no element PTN)", place));
-  WorkLog log;
-  log.clock = Clock::kUtc;
-  LoggedMachine machine(header, elements);
-  BoomList booms;
-  TimeLogRecords records(header, bytes);
-  while (const auto record = records.next()) {
-    machine.update(*record);
-    if (std::string fault = fault_of(*record); !fault.empty()) {
-      log.skipped.add(record->number, std::move(fault));
-      continue;
-    }
-    Fix fix;
-    fix.record = record->number;
-    fix.time_s = record->time_s;
-    fix.position = record->lonlat_deg;
-    machine.describe(fix, booms);
-    log.fixes.push_back(fix);
-  }
-  log.booms = booms.booms();
-  for (const SkippedRecord& skipped : records.skipped().listed) log.skipped.add(skipped.record, skipped.why);
-  log.skipped.count += records.skipped().count - records.skipped().listed.size();
-  log.rate_unit = machine.rate_unit();
-  log.notes = machine.notes();
-  skip_strays(log);
-  return log;
+  return decode_bytes(header_xml, bytes, elements, place).log;
 }
 
 WorkLog read_task_log(const std::string& path, const std::string& wanted) {
   const TaskFiles files = TaskFiles::open(path);
+  DecodedLogs all = decoded(files, read_task_data(files), wanted);
+  require_fixes(all.logs, path);
+  WorkLog out = joined(std::move(all.logs));
+  out.notes.insert(out.notes.end(), all.notes.begin(), all.notes.end());
+  return out;
+}
+
+std::vector<LogJob> read_task_jobs(const std::string& path, const std::string& wanted) {
+  const TaskFiles files = TaskFiles::open(path);
   const TaskData tasks = read_task_data(files);
-  const std::vector<LogEntry> logs = chosen(files, tasks, wanted);
-  WorkLog all;
-  if (logs.size() == 1)
-    all = decode(files, files_of(files, logs.front()), logs.front(), tasks);
-  else
-    all = joined(files, logs, tasks);
-  if (all.fixes.empty())
-    throw bad_input(fmt::format("'{}' has no record with a possible position ({} were skipped{})", path,
-                                all.skipped.count,
-                                all.skipped.listed.empty() ? "" : ": " + all.skipped.listed.front().why));
-  return all;
+  DecodedLogs all = decoded(files, tasks, wanted);
+  require_fixes(all.logs, path);
+  std::vector<LogJob> out;
+  std::vector<std::string> empty;
+  for (const std::vector<std::size_t>& group : grouped(all.logs)) {
+    std::vector<DecodedLog> logs;
+    for (const std::size_t i : group) logs.push_back(std::move(all.logs[i]));
+    if (logs.front().log.fixes.empty())
+      empty.push_back(logs.front().entry.name);
+    else
+      out.push_back(job_of(std::move(logs), tasks));
+  }
+  std::vector<std::string>& notes = out.front().log.notes;
+  notes.insert(notes.end(), all.notes.begin(), all.notes.end());
+  if (!empty.empty())
+    notes.push_back(fmt::format("{} logs have no record with a possible position and were left out: {}",
+                                empty.size(), fmt::join(empty, ", ")));
+  return out;
 }
 
 std::vector<LogEntry> list_task_logs(const std::string& path) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tramline/io/fixes/log_entry.h"
+#include "tramline/io/fixes/log_job.h"
 #include "tramline/io/isoxml/task_data.h"
 #include "tramline/model/raw_feature.h"
 #include "tramline/model/work_log.h"
@@ -23,6 +24,11 @@ WorkLog decode_time_log(std::string_view header_xml, std::string_view records,
 /// not among them (listing those there are), for a log whose header or records are missing, and when no
 /// record has a possible position. O(size).
 WorkLog read_task_log(const std::string& path, const std::string& log);
+
+/// The same, each job by itself (fixes/job_groups.h), in the order of their first logs: with a name given,
+/// the one job of that log. Logs without a possible position are left out, which the first job tells. Throws
+/// like read_task_log(). O(size).
+std::vector<LogJob> read_task_jobs(const std::string& path, const std::string& log);
 
 /// The time logs of a task set; of a folder without TASKDATA.XML, those that lie in it cannot be listed.
 std::vector<LogEntry> list_task_logs(const std::string& path);

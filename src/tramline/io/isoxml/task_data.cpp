@@ -43,6 +43,7 @@ std::optional<long long> property_value(const pugi::xml_attribute& attribute) {
 }
 
 void read_device(const pugi::xml_node& device, TaskData& out) {
+  out.device_names[device.attribute("A").value()] = device.attribute("B").value();
   struct Property {
     unsigned ddi;
     long long value;

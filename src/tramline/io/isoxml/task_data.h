@@ -16,9 +16,10 @@ namespace tramline::io {
 
 /// Data dictionary identifiers of ISO 11783-11 that are read.
 namespace ddi {
-inline constexpr unsigned kActualWidth = 67, kDefaultWidth = 68, kMostWidth = 70, kOffsetY = 135,
-                          kVolumeRate = 2, kMassRate = 7, kCountRate = 12, kWorkState = 141,
-                          kFirstCondensed = 161, kLastCondensed = 176;
+inline constexpr unsigned kActualWidth = 67, kDefaultWidth = 68, kMostWidth = 70, kOffsetX = 134,
+                          kOffsetY = 135, kVolumeRate = 2, kMassRate = 7, kCountRate = 12, kWorkState = 141,
+                          kFirstCondensed = 161, kLastCondensed = 176, kTotalArea = 116, kTotalDistance = 117,
+                          kTotalTime = 119;
 }
 
 /// Part of a machine (element DET).
@@ -34,8 +35,9 @@ struct DeviceElement {
 
 struct TaskData {
   std::vector<DeviceElement> elements;
-  std::vector<LogEntry> logs;  ///< in the order of the tasks
-  RawDataset partfields;       ///< layers "partfields" and "obstacles", without those that are empty
+  std::map<std::string, std::string> device_names;  ///< designators by id
+  std::vector<LogEntry> logs;                       ///< in the order of the tasks
+  RawDataset partfields;  ///< layers "partfields" and "obstacles", without those that are empty
 };
 
 /// Gives the text of an external file by its name; nullopt where there is none.

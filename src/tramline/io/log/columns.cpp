@@ -129,6 +129,12 @@ constexpr Name kNames[] = {
     {"working", kWork},
     {"is_working", kWork},
     {"recording", kWork},
+    {"work_status", kWork},
+    {"working_state", kWork},
+    {"implement_state", kWork},
+    {"implement_status", kWork},
+    {"implement_position", kWork},
+    {"in_out", kWork},
     {"sections", kSections},
     {"section_states", kSections},
     {"sections_from_right", kSectionsFromRight},
@@ -152,6 +158,11 @@ constexpr Name kNames[] = {
     {"actual_rate", kRate},
     {"application_rate", kRate},
     {"rate", kRate},
+    {"device_area", kCounterArea},
+    {"counter_area", kCounterArea},
+    {"area_counter", kCounterArea},
+    {"total_area", kCounterArea},
+    {"area_total", kCounterArea},
     {"distance", kDistance},
     {"dist", kDistance},
     {"dist_raw", kDistance},
@@ -187,11 +198,43 @@ std::string plain_name(std::string_view name) {
   return out;
 }
 
-const Name* known(std::string_view name) {
+/// What may follow the name of a column, and what it is in metres or square metres.
+struct Unit {
+  std::string_view suffix;
+  double factor;
+  bool of_area = false;
+};
+constexpr double kAcre_m2 = 1e4 * kAcre_ha;
+constexpr Unit kUnits[] = {{"_m", 1},          {"_metre", 1},           {"_metres", 1},
+                           {"_meter", 1},      {"_meters", 1},          {"_mm", 1e-3},
+                           {"_cm", 1e-2},      {"_ft", kFoot},          {"_feet", kFoot},
+                           {"_foot", kFoot},   {"_in", kInch},          {"_inch", kInch},
+                           {"_inches", kInch}, {"_m2", 1, true},        {"_sqm", 1, true},
+                           {"_ha", 1e4, true}, {"_ac", kAcre_m2, true}, {"_acres", kAcre_m2, true}};
+
+/// A width, a distance or an area whose name ends in a unit: swath_raw_in.
+std::optional<Name> known_with_unit(std::string_view plain) {
+  for (const Unit& unit : kUnits) {
+    if (!plain.ends_with(unit.suffix)) continue;
+    const std::string_view stem = plain.substr(0, plain.size() - unit.suffix.size());
+    for (const Name& candidate : kNames) {
+      const bool measured = unit.of_area ? candidate.column == kCounterArea
+                                         : candidate.column == kWidth || candidate.column == kDistance;
+      if (candidate.name != stem || !measured || candidate.unit_named) continue;
+      Name out = candidate;
+      out.factor = unit.factor;
+      out.unit_named = true;
+      return out;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Name> known(std::string_view name) {
   const std::string plain = plain_name(name);
   for (const Name& candidate : kNames)
-    if (candidate.name == plain) return &candidate;
-  return nullptr;
+    if (candidate.name == plain) return candidate;
+  return known_with_unit(plain);
 }
 
 std::string listed(std::span<const std::string> names) {
@@ -227,8 +270,8 @@ std::vector<Column> apply_wanted(ColumnMap& map, std::span<const std::string> na
     wanted = comma == std::string_view::npos ? std::string_view() : wanted.substr(comma + 1);
     if (part.empty()) continue;
     const std::size_t equals = part.find('=');
-    const Name* name = known(part.substr(0, equals));
-    if (equals == std::string_view::npos || name == nullptr)
+    const std::optional<Name> name = known(part.substr(0, equals));
+    if (equals == std::string_view::npos || !name)
       throw bad_input(
           fmt::format("--columns: '{}' is not understood; write for example "
                       "lon=Xcoord,lat=Ycoord,time=T,width_mm=W",
@@ -267,6 +310,12 @@ ColumnMap map_columns(std::span<const std::string> names, const std::string& wan
       continue;
     const auto at = std::find(plain.begin(), plain.end(), name.name);
     if (at != plain.end()) use(map, name, static_cast<std::size_t>(at - plain.begin()));
+  }
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    const std::optional<Name> name = known_with_unit(plain[i]);
+    if (name && !map[name->column] &&
+        std::find(spoken_of.begin(), spoken_of.end(), name->column) == spoken_of.end())
+      use(map, *name, i);
   }
   if (!needs_positions) return map;
   for (const auto& [column, word, other] : {std::tuple(Column::kLon, "lon", "longitude, x or easting"),

@@ -28,6 +28,7 @@ enum class Column {
   kSectionsFromRight,  ///< the same from right to left
   kRate,               ///< applied, an amount for an area
   kCondensed,          ///< states as ISO 11783-11 condenses them (DDI 161): two bits a section
+  kCounterArea,        ///< what the machine has counted so far
   kDistance,           ///< way since the last record; only tells the unit of a width that has none
   kMachine,
   kSection,

@@ -152,6 +152,7 @@ WorkLog work_log_of(const CsvLog& csv, std::vector<Fix> fixes, std::span<const R
   log.booms = csv.rows()->booms();
   log.clock = csv.rows()->clock();
   log.rate_unit = csv.rows()->rate_unit();
+  log.counters = csv.rows()->counters();
   log.skipped = csv.skipped();
   log.notes = csv.rows()->notes();
   if (!csv.own_columns().work) work_before(log, csv.states());

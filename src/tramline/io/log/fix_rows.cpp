@@ -9,6 +9,7 @@
 #include "tramline/io/fixes/course_heading.h"
 #include "tramline/io/fixes/number_text.h"
 #include "tramline/io/log/section_text.h"
+#include "tramline/io/log/work_word.h"
 
 namespace tramline::io {
 namespace {
@@ -17,21 +18,6 @@ namespace {
 constexpr double kWidest_m = 500;
 // Rows that differ in one of them are of different units.
 constexpr std::array kUnitColumns = {Column::kMachine, Column::kSection, Column::kUnit, Column::kPass};
-
-WorkState work_state(std::string_view text, bool& understood) {
-  understood = true;
-  const std::string word = lower_case(trimmed(text));
-  if (word.empty()) return WorkState::kUnknown;
-  for (const std::string_view on : {"true", "on", "yes", "t", "y", "working", "work", "recording"})
-    if (word == on) return WorkState::kOn;
-  for (const std::string_view off : {"false", "off", "no", "f", "n", "not working", "idle"})
-    if (word == off) return WorkState::kOff;
-  const auto value = number_in(word);
-  if (value && *value == 1) return WorkState::kOn;
-  if (value && *value == 0) return WorkState::kOff;
-  understood = false;
-  return WorkState::kUnknown;
-}
 
 double time_factor(const ColumnMap& map) {
   const auto& time = map[Column::kTime];
@@ -102,9 +88,9 @@ void FixRows::set_motion(Fix& fix) const {
 }
 
 void FixRows::set_work(Fix& fix) {
-  bool understood = true;
-  fix.work = work_state(cell(Column::kWork), understood);
-  if (!understood) ++bad_work_;
+  const std::optional<WorkState> work = work_word(cell(Column::kWork));
+  if (!work) ++bad_work_;
+  fix.work = work.value_or(WorkState::kUnknown);
 }
 
 void FixRows::set_rate(Fix& fix) {
@@ -171,8 +157,21 @@ std::optional<Fix> FixRows::add(std::span<const std::string_view> cells, std::si
   set_rate(fix);
   set_sections(fix, widths());
   fix.unit = unit_of_row();
+  if (const auto counted = number(Column::kCounterArea))
+    areas_[std::string(cell(Column::kMachine))].add(*counted);
   last_distance_ = number(Column::kDistance).value_or(std::numeric_limits<double>::quiet_NaN());
   return fix;
+}
+
+MachineCounters FixRows::counters() const {
+  MachineCounters out;
+  for (const auto& [machine, area] : areas_) {
+    if (!(area.total() > 0)) continue;  // the area of the field, and no counter
+    MachineCounters of_machine;
+    of_machine.area_m2 = area.total();
+    out.add(of_machine);
+  }
+  return out;
 }
 
 bool FixRows::width_unit_open() const {
@@ -190,7 +189,8 @@ std::vector<std::string> FixRows::notes() const {
     if (rows > 0) out.push_back(fmt::format("{} rows: '{}' {}", rows, named(column), what));
   };
   count(bad_times_, Column::kTime, "is no time as in the first row and counts as not recorded");
-  count(bad_work_, Column::kWork, "is neither on (1) nor off (0) and counts as not recorded");
+  count(bad_work_, Column::kWork,
+        "is neither on (1, in, down) nor off (0, out, up) and counts as not recorded");
   count(bad_widths_, Column::kWidth, "is no width and counts as not recorded");
   count(bad_rates_, Column::kRate, "is no applied rate and counts as not recorded");
   if (bad_sections_ > 0)

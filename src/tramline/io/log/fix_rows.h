@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tramline/io/fixes/boom_list.h"
+#include "tramline/io/fixes/counter_total.h"
 #include "tramline/io/log/columns.h"
 #include "tramline/io/log/time_column.h"
 #include "tramline/model/work_log.h"
@@ -48,6 +49,8 @@ class FixRows {
   AmountUnit rate_unit() const {
     return map_[Column::kRate] ? map_[Column::kRate]->amount : AmountUnit::kUnknown;
   }
+  /// Of all machines together.
+  MachineCounters counters() const;
   /// Whether the table leaves the unit of its widths open.
   bool width_unit_open() const;
   /// What was assumed so far.
@@ -74,6 +77,7 @@ class FixRows {
   TimeColumn time_;
   BoomList booms_;
   std::map<std::string, int, std::less<>> units_;
+  std::map<std::string, CounterTotal> areas_;  ///< of each machine
   SkippedRecords skipped_;
   std::span<const std::string_view> cells_;  ///< of the row being read
   double last_distance_ = std::numeric_limits<double>::quiet_NaN();

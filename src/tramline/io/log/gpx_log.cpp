@@ -5,11 +5,13 @@
 #include <cmath>
 #include <limits>
 #include <pugixml.hpp>
+#include <set>
 #include <utility>
 
 #include "tramline/geometry/error.h"
 #include "tramline/io/fixes/civil_time.h"
 #include "tramline/io/fixes/course_heading.h"
+#include "tramline/io/fixes/job_groups.h"
 #include "tramline/io/fixes/number_text.h"
 #include "tramline/io/fixes/places.h"
 
@@ -61,35 +63,93 @@ void add_point(const pugi::xml_node& point, int unit, std::size_t record, WorkLo
   log.fixes.push_back(fix);
 }
 
-}  // namespace
+/// One track of a file.
+struct Track {
+  LogEntry entry;
+  WorkLog log;
+};
 
-WorkLog read_gpx_log(std::string_view text, const std::string& place) {
+std::vector<Track> tracks_of(std::string_view text, const std::string& place) {
   pugi::xml_document document;
   const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size());
   if (!parsed)
     throw bad_input(fmt::format("{} is damaged XML at byte {} ({}); fetch or export it again", place,
                                 parsed.offset, parsed.description()));
-  WorkLog log;
+  std::vector<Track> out;
   int unit = 0;
-  std::size_t record = 0;
+  std::size_t record = 0, skipped = 0, fixes = 0;
   const pugi::xml_node root = child_called(document, "gpx");
   for (const pugi::xml_node track : root.children()) {
     if (local_name(track) != "trk") continue;
+    out.emplace_back();
+    const std::string name(trimmed(child_called(track, "name").child_value()));
+    out.back().entry.name = name.empty() ? fmt::format("track {}", out.size()) : name;
+    WorkLog& log = out.back().log;
     for (const pugi::xml_node segment : track.children()) {
       if (local_name(segment) != "trkseg") continue;
       for (const pugi::xml_node point : segment.children())
         if (local_name(point) == "trkpt") add_point(point, unit, ++record, log);
       ++unit;
     }
+    skip_strays(log);
+    skipped += log.skipped.count;
+    fixes += log.fixes.size();
   }
-  if (log.fixes.empty())
+  if (fixes == 0)
     throw bad_input(
         fmt::format("{} has no track point with a possible position ({} were skipped); routes and "
                     "waypoints are no log",
-                    place, log.skipped.count));
-  if (unit > 1) log.notes.push_back(fmt::format("{} track segments: nothing is worked between them", unit));
-  skip_strays(log);
-  return log;
+                    place, skipped));
+  return out;
+}
+
+/// One track after the other.
+WorkLog joined(std::vector<Track> tracks) {
+  WorkLog out;
+  std::set<int> units;
+  for (Track& track : tracks) {
+    if (track.log.clock != Clock::kNone) out.clock = track.log.clock;
+    for (const Fix& fix : track.log.fixes) units.insert(fix.unit);
+    out.fixes.insert(out.fixes.end(), track.log.fixes.begin(), track.log.fixes.end());
+    out.skipped.add(track.log.skipped);
+  }
+  if (units.size() > 1)
+    out.notes.push_back(fmt::format("{} track segments: nothing is worked between them", units.size()));
+  return out;
+}
+
+}  // namespace
+
+WorkLog read_gpx_log(std::string_view text, const std::string& place) {
+  return joined(tracks_of(text, place));
+}
+
+std::vector<LogJob> read_gpx_jobs(std::string_view text, const std::string& place) {
+  std::vector<Track> tracks = tracks_of(text, place);
+  std::vector<JobFacts> facts;
+  for (const Track& track : tracks) facts.push_back(facts_of(track.log));
+  std::vector<LogJob> out;
+  SkippedRecords of_no_job;
+  for (const std::vector<std::size_t>& group : job_groups(facts)) {
+    LogJob job;
+    std::vector<Track> of_job;
+    for (const std::size_t i : group) {
+      job.entries.push_back(tracks[i].entry);
+      of_job.push_back(std::move(tracks[i]));
+    }
+    job.log = joined(std::move(of_job));
+    if (job.log.fixes.empty()) {
+      of_no_job.add(job.log.skipped);
+      continue;
+    }
+    job.clock = job.log.clock;
+    const JobFacts of_all = facts_of(job.log);
+    job.from_s = of_all.from_s;
+    job.to_s = of_all.to_s;
+    out.push_back(std::move(job));
+  }
+  out.front().log.skipped.add(of_no_job);
+  return out;
 }
 
 }  // namespace tramline::io

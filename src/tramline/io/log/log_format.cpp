@@ -20,8 +20,10 @@ namespace {
 constexpr std::size_t kLooked = 8192;
 
 bool is_vector_name(const std::string& name) {
-  constexpr std::array kEndings = {".geojson", ".json", ".geojsonl", ".gpkg", ".shp", ".fgb", ".kml",
-                                   ".kmz",     ".gml",  ".sqlite",   ".tab",  ".mif", ".gdb"};
+  constexpr std::array kEndings = {".geojson",     ".json",   ".geojsonl", ".gpkg",       ".shp",
+                                   ".fgb",         ".kml",    ".kmz",      ".gml",        ".sqlite",
+                                   ".tab",         ".mif",    ".gdb",      ".geojson.gz", ".json.gz",
+                                   ".geojsonl.gz", ".kml.gz", ".gml.gz"};
   return std::any_of(kEndings.begin(), kEndings.end(),
                      [&](std::string_view ending) { return name.ends_with(ending); });
 }

@@ -62,6 +62,29 @@ WorkLog read_log(const std::string& path, const LogOptions& options) {
   return log;
 }
 
+std::vector<LogJob> read_jobs(const std::string& path, const LogOptions& options) {
+  const LogFormat format = log_format(path);
+  std::vector<LogJob> jobs;
+  if (format == LogFormat::kIsoxml || format == LogFormat::kGpx) {
+    const std::string place = "'" + path + "'";
+    refuse_unused(options, format, place);
+    jobs = format == LogFormat::kIsoxml ? read_task_jobs(path, options.log)
+                                        : read_gpx_jobs(whole_text(path), place);
+  }
+  if (jobs.empty()) jobs.emplace_back().log = read_log(path, options);
+  for (LogJob& job : jobs) {
+    std::vector<std::string> names;
+    for (const LogEntry& entry : job.entries) names.push_back(entry.name);
+    job.log.name = jobs.size() > 1       ? fmt::format("{}/{}", path, fmt::join(names, ", "))
+                   : options.log.empty() ? path
+                                         : path + "/" + options.log;
+    if (format != LogFormat::kIsoxml && format != LogFormat::kGpx) continue;
+    if (std::string note = note_on_wide(job.log.booms); !note.empty())
+      job.log.notes.push_back(std::move(note));
+  }
+  return jobs;
+}
+
 std::vector<LogEntry> list_logs(const std::string& path) {
   if (log_format(path) == LogFormat::kIsoxml) return list_task_logs(path);
   return {LogEntry{}};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tramline/io/fixes/log_entry.h"
+#include "tramline/io/fixes/log_job.h"
 #include "tramline/model/work_log.h"
 
 namespace tramline::io {
@@ -29,6 +30,11 @@ struct LogOptions {
 /// that is missing (naming those found), a log of that name that is missing (naming those found), a file that
 /// expands to more than kMostExpanded bytes, and a file without any usable fix. Prints nothing. O(size).
 WorkLog read_log(const std::string& path, const LogOptions& options = {});
+
+/// The same, job by job: logs of a task set that are of other fields, machines or days are jobs of their own
+/// (job_groups.h), and so are the tracks of a GPX file. Every other file is one job. At least one. The name
+/// of a job of several is that of the file and its logs. Throws bad_input like read_log.
+std::vector<LogJob> read_jobs(const std::string& path, const LogOptions& options = {});
 
 /// The logs of an ISOXML task set in the order of its tasks; one entry without a name for other files.
 /// Throws bad_input like read_log.

@@ -32,11 +32,26 @@ bool look_like_metres(const std::vector<Fix>& fixes) {
          span(fixes, &Point::x) > kWidestLog_deg;
 }
 
+/// False where a corner has no place.
+bool project(Polygon& shape, const Crs& crs) {
+  const auto project_ring = [&](Ring& ring) {
+    for (Point& corner : ring) {
+      const auto lonlat = crs.to_lonlat(corner);
+      if (!lonlat) return false;
+      corner = *lonlat;
+    }
+    return true;
+  };
+  return project_ring(shape.outer) && std::all_of(shape.holes.begin(), shape.holes.end(), project_ring);
+}
+
 void project(WorkLog& log, const Crs& crs) {
   skip_faulty(log, [&](Fix& fix) {
     const auto lonlat = crs.to_lonlat(fix.position);
     if (!lonlat) return fmt::format("{}, {} is no place in {}", fix.position.x, fix.position.y, crs.name());
     fix.position = *lonlat;
+    if (fix.shape >= 0 && !project(log.shapes[static_cast<std::size_t>(fix.shape)], crs))
+      return fmt::format("a corner of it is no place in {}", crs.name());
     return std::string();
   });
 }

@@ -1,6 +1,7 @@
 #include "tramline/io/log/state_lines.h"
 
 #include "tramline/io/fixes/number_text.h"
+#include "tramline/io/log/work_word.h"
 
 namespace tramline::io {
 namespace {
@@ -37,11 +38,12 @@ bool StateLines::add(std::string_view line, std::size_t record, SkippedRecords& 
     return true;
   };
   if (const auto work = value_of(line, "work=")) {
-    if (*work != "1" && *work != "0" && !work->empty()) {
+    const std::optional<WorkState> state = work_word(*work);
+    if (!state) {
       skipped.add(record, "work is neither 1 nor 0");
       return true;
     }
-    work_ = work->empty() ? WorkState::kUnknown : *work == "1" ? WorkState::kOn : WorkState::kOff;
+    work_ = *state;
     return told();
   }
   if (const auto sections = value_of(line, "sections=")) {

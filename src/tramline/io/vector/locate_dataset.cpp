@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <memory>
 #include <set>
+#include <vector>
 
 #include "tramline/geometry/error.h"
 #include "tramline/io/vector/gdal_messages.h"
@@ -44,6 +46,19 @@ std::vector<std::string> members(const std::string& zip) {
   CSLDestroy(list);
   std::sort(out.begin(), out.end());
   return out;
+}
+
+/// A compressed file is expanded whole by most drivers.
+void refuse_endless(const std::string& file) {
+  const std::unique_ptr<VSILFILE, int (*)(VSILFILE*)> expanded(VSIFOpenL(("/vsigzip/" + file).c_str(), "rb"),
+                                                               VSIFCloseL);
+  if (!expanded) throw bad_input(fmt::format("'{}' cannot be opened", file));
+  std::vector<char> buffer(std::size_t{1} << 20);
+  std::size_t size = 0;
+  for (std::size_t got = 0; (got = VSIFReadL(buffer.data(), 1, buffer.size(), expanded.get())) > 0;)
+    if ((size += got) > kMostExpandedDataset)
+      throw bad_input(
+          fmt::format("'{}' expands to more than {} MiB; unpack it first", file, kMostExpandedDataset >> 20));
 }
 
 /// Names inside the zip to open: a folder of Shapefiles counts once, a file geodatabase is its folder.
@@ -107,6 +122,10 @@ std::vector<std::string> locate_datasets(const std::string& file) {
   if (is_database_string(file) || file.rfind("/vsi", 0) == 0) return {file};
   const GdalMessages silence;
   if (!exists(file)) throw bad_input(fmt::format("there is no file '{}'; check the path", file));
+  if (extension(file) == "gz") {
+    refuse_endless(file);
+    return {"/vsigzip/" + file};
+  }
   if (extension(file) != "zip") return {file};
 
   const std::string zip = "/vsizip/{" + file + "}";

@@ -1,6 +1,7 @@
 #pragma once
 // From what the user typed to the name under which GDAL opens it.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,13 @@ bool is_folder(const std::string& name);
 /// The string with any password masked, for messages.
 std::string shown_name(const std::string& file);
 
-/// The names GDAL can open for `file`: the file itself, or for a .zip each vector dataset inside, in any
-/// folder (the Shapefiles of one folder are one dataset). Throws bad_input when the file does not exist, or
-/// when the zip cannot be read or holds no vector file.
+/// Refused beyond this: what a gzipped file expands to.
+inline constexpr std::size_t kMostExpandedDataset = std::size_t{1} << 30;
+
+/// The names GDAL can open for `file`: the file itself (expanded where it is a .gz), or for a .zip each
+/// vector dataset inside, in any folder (the Shapefiles of one folder are one dataset). Throws bad_input when
+/// the file does not exist, or when the zip cannot be read or holds no vector file, and for a .gz that
+/// expands beyond kMostExpandedDataset.
 std::vector<std::string> locate_datasets(const std::string& file);
 
 }  // namespace tramline::io

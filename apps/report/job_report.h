@@ -1,0 +1,20 @@
+#pragma once
+// What `evaluate` says of one job among several.
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "report/evaluate_report.h"
+#include "request/log_jobs.h"
+
+namespace tramline::app {
+
+/// "job 2 of 3    TLG00002 …", a line with an empty one before it unless it is the first that is shown.
+std::string job_heading(const NumberedJob& job, bool first);
+
+/// The keys of an evaluation with those of its job before them (docs/json.md).
+nlohmann::ordered_json job_json(const NumberedJob& job, const Evaluation& evaluation);
+/// Of a job that was left out, and why.
+nlohmann::ordered_json job_json(const NumberedJob& job, const std::string& why);
+
+}  // namespace tramline::app
