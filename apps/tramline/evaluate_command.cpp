@@ -117,15 +117,16 @@ class EvaluateCommand : public Command {
     return out;
   }
 
-  /// The drive of a plan over the ground it has to cover.
+  /// The drive of a plan, headland passes too, over the ground it has to cover: the field less its obstacles,
+  /// or what a repair is for.
   Evaluation plan_alone(const Plan& plan) const {
     Evaluation out;
-    out.coverage =
-        coverage::evaluate(coverage::plan_steps(plan), plan.machine.width_m, plan.body, settings());
+    const Region land = is_repair(plan) ? plan.body : work_ground(plan).ground;
+    out.coverage = coverage::evaluate(coverage::steps_of(plan), plan.machine.width_m, land, settings());
     out.coverage.field_id = plan.field.id;
-    out.coverage.field = plan.body;
+    out.coverage.field = land;
     out.coverage.frame = plan.field.frame;
-    out.tally = PlanTally{plan_file_, area(plan.body), plan.tally};
+    out.tally = PlanTally{plan_file_, area(land), area(plan.body), plan.tally};
     return out;
   }
 
