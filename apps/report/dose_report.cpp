@@ -13,6 +13,8 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr int kBarLength = 40;
+/// Where less of the ground is counted cell by cell, that is said.
+constexpr double kMostlyCounted = 0.95;
 
 ordered_json histogram_json(const DoseFigures& figures) {
   ordered_json out = ordered_json::array();
@@ -39,7 +41,8 @@ std::string ground_rows(const DoseMap& map) {
   if (!map.field.empty())
     out += fmt::format("field        {}, {:.4f} ha\n", map.field_id, area(map.field) / 1e4);
   if (!map.log.empty()) out += fmt::format("log          {}\n", map.log);
-  return out + fmt::format("covered      {:.1f} m², {:g} m wide\n", map.covered_m2, map.width_m);
+  out += fmt::format("covered      {:.1f} m²", map.covered_m2);
+  return out + (std::isfinite(map.width_m) ? fmt::format(", {:g} m wide\n", map.width_m) : "\n");
 }
 
 std::string amount_rows(const DoseMap& map) {
@@ -61,6 +64,11 @@ std::string amount_rows(const DoseMap& map) {
                      figures.mean_per_ha, unit, 100 * figures.cv, figures.least_per_ha, figures.most_per_ha);
   out += fmt::format("within 10 %  {:.2f} % of the ground, of {:.2f} {}/ha\n", 100 * figures.share_within_10,
                      figures.reference_per_ha, unit);
+  if (figures.counted_m2 < kMostlyCounted * figures.ground_m2)
+    out += fmt::format(
+        "cells        of which half or more is ground hold {:.1f} of {:.1f} m²: CV, within 10 % and what "
+        "follows are of these; a smaller --cell counts more\n",
+        figures.counted_m2, figures.ground_m2);
   out +=
       fmt::format("map          {} x {} cells of {:g} m\n", map.grid.columns, map.grid.rows, map.grid.cell_m);
   return out;

@@ -70,6 +70,7 @@ ordered_json slices_json(const Coverage& coverage) {
                    {"covered_m2", slice.areas.covered_m2},
                    {"repeated_m2", slice.areas.repeated_m2},
                    {"missed_m2", of_field(coverage, slice.areas.missed_m2)},
+                   {"not_recorded_m2", slice.areas.not_recorded_m2},
                    {"covered_rings", slice.covered_rings},
                    {"missed_regions", slice.missed_regions},
                    {"seconds", slice.seconds}});
@@ -78,6 +79,7 @@ ordered_json slices_json(const Coverage& coverage) {
 
 ordered_json tally_json(const PlanTally& plan, const CoverageAreas& areas) {
   return {{"file", plan.plan},
+          {"land_m2", plan.land_m2},
           {"body_m2", plan.body_m2},
           {"uncovered_m2", plan.tally.uncovered_m2},
           {"overlap_m2", plan.tally.overlap_m2},
@@ -85,17 +87,27 @@ ordered_json tally_json(const PlanTally& plan, const CoverageAreas& areas) {
           {"driven_overlap_m2", areas.gross_m2 - areas.covered_inside_m2}};
 }
 
+/// Null where the plan was not followed: how far a drive is off a plan that it did not keep to says nothing.
+ordered_json if_followed(const coverage::Deviation& deviation, double value_m) {
+  return deviation.followed() ? number_json(value_m) : ordered_json();
+}
+
 ordered_json compared_json(const PlanAndDone& compared) {
   const coverage::Deviation& deviation = compared.deviation;
   return {{"file", compared.plan},
           {"planned_m2", compared.planned_m2},
           {"planned_missed_m2", compared.planned_missed_m2},
+          {"planned_not_recorded_m2", compared.planned_not_recorded_m2},
           {"unplanned_m2", compared.unplanned_m2},
+          {"followed", deviation.followed()},
+          {"followed_share", deviation.followed_share()},
           {"along_tracks_m", deviation.along_m},
           {"beside_tracks_m", deviation.beside_m},
-          {"deviation_mean_m", deviation.mean_m},
-          {"deviation_p95_m", deviation.p95_m},
-          {"deviation_most_m", deviation.most_m}};
+          {"median_distance_m", number_json(deviation.median_distance_m)},
+          {"median_angle_deg", number_json(deviation.median_angle_deg)},
+          {"deviation_mean_m", if_followed(deviation, deviation.mean_m)},
+          {"deviation_p95_m", if_followed(deviation, deviation.p95_m)},
+          {"deviation_most_m", if_followed(deviation, deviation.most_m)}};
 }
 
 std::string share(const Coverage& coverage, double part_m2) {
@@ -153,6 +165,10 @@ std::string area_rows(const Evaluation& evaluation) {
   if (has_field(coverage))
     out += fmt::format("missed       {:.1f} m²{} in {} places\n", areas.missed_m2,
                        share(coverage, areas.missed_m2), coverage.gaps.size());
+  if (areas.not_recorded_m2 > 0)
+    out += fmt::format(
+        "not recorded {:.1f} m²{}: the machine may have worked there while the log has no fixes\n",
+        areas.not_recorded_m2, share(coverage, areas.not_recorded_m2));
   return out;
 }
 
@@ -172,6 +188,25 @@ std::string gap_rows(const Coverage& coverage) {
   return out;
 }
 
+std::string deviation_row(const coverage::Deviation& deviation) {
+  if (deviation.followed())
+    return fmt::format(
+        "deviation    {:.2f} m on average, 95 % within {:.2f} m, at most {:.2f} m, over {:.0f} m along "
+        "tracks; "
+        "{:.0f} m beside them\n",
+        deviation.mean_m, deviation.p95_m, deviation.most_m, deviation.along_m, deviation.beside_m);
+  if (!(deviation.along_m + deviation.beside_m > 0)) return "";
+  std::string how;
+  if (deviation.median_angle_deg > coverage::kAlongTrack.degrees())
+    how = fmt::format("; its direction differs by {:.0f}° from that of the nearest track (median)",
+                      deviation.median_angle_deg);
+  else if (std::isfinite(deviation.median_distance_m))
+    how = fmt::format("; {:.2f} m from the nearest track (median)", deviation.median_distance_m);
+  return fmt::format(
+      "deviation    The drive did not follow the plan: {:.0f} of {:.0f} m at work lie along its tracks{}\n",
+      deviation.along_m, deviation.along_m + deviation.beside_m, how);
+}
+
 std::string plan_rows(const Evaluation& evaluation) {
   const CoverageAreas& areas = evaluation.coverage.areas;
   std::string out;
@@ -184,13 +219,9 @@ std::string plan_rows(const Evaluation& evaluation) {
   const PlanAndDone& compared = *evaluation.compared;
   out += fmt::format("plan         {:.1f} m² planned; {:.1f} m² of it not worked, {:.1f} m² worked besides\n",
                      compared.planned_m2, compared.planned_missed_m2, compared.unplanned_m2);
-  out += fmt::format(
-      "deviation    {:.2f} m on average, 95 % within {:.2f} m, at most {:.2f} m, over {:.0f} m along tracks; "
-      "{:.0f} "
-      "m beside them\n",
-      compared.deviation.mean_m, compared.deviation.p95_m, compared.deviation.most_m,
-      compared.deviation.along_m, compared.deviation.beside_m);
-  return out;
+  if (compared.planned_not_recorded_m2 > 0)
+    out += fmt::format("             {:.1f} m² of it not recorded\n", compared.planned_not_recorded_m2);
+  return out + deviation_row(compared.deviation);
 }
 
 std::string slice_rows(const Coverage& coverage) {
@@ -239,6 +270,7 @@ ordered_json evaluation_json(const Evaluation& evaluation) {
   out["sliver_m2"] = areas.sliver_m2;
   out["repeated_rate"] = repeated_rate(areas);
   out["missed_m2"] = of_field(coverage, areas.missed_m2);
+  out["not_recorded_m2"] = areas.not_recorded_m2;
   out["missed_regions"] = has_field(coverage) ? ordered_json(coverage.gaps.size()) : ordered_json();
   out["worked_hours"] = number_json(worked_hours(coverage));
   out["ha_per_hour"] = number_json(ha_per_hour(coverage));

@@ -15,7 +15,8 @@ namespace tramline::app {
 /// A plan's own tally, for comparison with what its drive covers.
 struct PlanTally {
   std::string plan;
-  double body_m2 = 0;
+  double land_m2 = 0;  ///< the ground that the plan has to cover
+  double body_m2 = 0;  ///< of that, what is left to tracks
   Tally tally;
 };
 

@@ -66,8 +66,12 @@ ordered_json repair_json(const RepairPlan& repair, double min_area_m2, double se
   out["gaps_taken"] = repair.taken;
   out["gaps_ignored"] = left_json(repair.ignored, frame);
   out["gaps_unreachable"] = left_json(repair.unreachable, frame);
+  out["gaps_not_worth"] = left_json(repair.not_worth, frame);
   out["missed_before_m2"] = repair.missed_before_m2;
   out["missed_after_m2"] = repair.missed_after_m2;
+  out["cost_if_left"] = repair.cost_if_left;
+  out["cost_of_passes"] = repair.cost_of_passes;
+  out["cost_after"] = repair.cost_after;
   out["seconds"] = seconds;
   return out;
 }
@@ -76,6 +80,15 @@ std::string repair_table(const RepairPlan& repair, double min_area_m2, double se
   const LocalFrame& frame = repair.plan.field.frame;
   std::string out = fmt::format("gaps         {}, {} taken on; missed {:.1f} m² before, {:.1f} m² after\n",
                                 repair.gaps, repair.taken, repair.missed_before_m2, repair.missed_after_m2);
+  out += fmt::format(
+      "prices       left as they are the gaps cost {:.2f}; the passes cost {:.2f} and leave {:.2f}: {:.2f} "
+      "saved\n",
+      repair.cost_if_left, repair.cost_of_passes, repair.cost_after - repair.cost_of_passes,
+      repair.cost_if_left - repair.cost_after);
+  if (!repair.not_worth.empty())
+    out += fmt::format("not worth it {} gaps, {:.1f} m² in all\n", repair.not_worth.size(),
+                       sum_m2(repair.not_worth)) +
+           left_rows(repair.not_worth, frame, true);
   if (!repair.ignored.empty())
     out += fmt::format("ignored      {} gaps smaller than {:g} m², {:.1f} m² in all\n", repair.ignored.size(),
                        min_area_m2, sum_m2(repair.ignored)) +

@@ -93,9 +93,7 @@ std::optional<WorkGround> work_ground(const FieldOptions& options) {
 WorkGround work_ground(const Plan& plan) { return {plan.field.id, body_of(plan.field), plan.field.frame}; }
 
 coverage::FurtherWork work_of(const Plan& plan, const LocalFrame& frame) {
-  coverage::FurtherWork out{coverage::plan_steps(plan), {}};
-  for (coverage::WorkedStep& step : coverage::headland_steps(plan, static_cast<int>(plan.pieces.size())))
-    out.steps.push_back(std::move(step));
+  coverage::FurtherWork out{coverage::steps_of(plan), {}};
   for (const TrackPiece& piece : plan.pieces) out.lines.push_back(chords(centre_line(piece)));
   for (const HeadlandPass& pass : plan.headland.passes) out.lines.push_back(chords(pass.path));
   if (plan.field.frame == frame) return out;

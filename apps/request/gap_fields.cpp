@@ -36,7 +36,7 @@ std::vector<GapField> gap_fields(const Coverage& coverage, const std::string& fi
     throw bad_input(file + ": nothing of the field was missed, there is nothing to repair");
   std::vector<GapField> out;
   for (std::size_t i = 0; i < coverage.field.size(); ++i) {
-    GapField part{field_of(coverage, i, file), {}, {}};
+    GapField part{field_of(coverage, i, file), {}, {}, coverage.lines};
     for (const Gap& gap : coverage.gaps)
       if (contains(coverage.field[i], gap.centre)) part.gaps.push_back(gap);
     const Box box = bounds(coverage.field[i]);

@@ -15,6 +15,7 @@ struct GapField {
   Field field;
   std::vector<Gap> gaps;
   Region missed;
+  std::vector<DrivenLine> driven;  ///< the whole way of the machine
 };
 
 /// Those of an evaluation, one for each polygon of its field, in their order; Field::source says which.

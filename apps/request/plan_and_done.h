@@ -14,9 +14,10 @@ namespace tramline::app {
 struct PlanAndDone {
   std::string plan;
   coverage::Deviation deviation;
-  double planned_m2 = 0;         ///< ground that tracks and headland passes work
-  double planned_missed_m2 = 0;  ///< of that, not worked
-  double unplanned_m2 = 0;       ///< worked, and not planned
+  double planned_m2 = 0;               ///< ground that tracks and headland passes work
+  double planned_missed_m2 = 0;        ///< of that, not worked
+  double planned_not_recorded_m2 = 0;  ///< of that, perhaps worked while the log has no fixes
+  double unplanned_m2 = 0;             ///< worked, and not planned
 };
 
 /// Measured on the ground that the plan works: what is missed of it, and what lies outside it. `read`: as it

@@ -162,12 +162,20 @@ class DoseCommand : public Command {
     return out;
   }
 
+  /// A log that does not say what it counts is not taken to count litres.
+  void tell_unknown_unit(DoseMap& map) const {
+    if (unit_.empty()) map.unit = "units";
+    map.warnings.push_back(unit_.empty()
+                               ? "the log does not say what its rates count: name it with --unit"
+                               : fmt::format("the logged rates have no unit: taken as {} a hectare", unit_));
+  }
+
   DoseMap of_log() const {
     const coverage::DoseSettings chosen = settings();
     WorkLog log = io::read_log(input_, drive_.log);
     const std::string folder = input_.substr(0, input_.find_last_of('/') + 1);
     if (log.name.starts_with(folder)) log.name.erase(0, folder.size());
-    const std::string logged_unit = chosen.rates.use_logged ? name(log.rate_unit) : "";
+    const std::string logged_unit = name(log.rate_unit);
     if (!logged_unit.empty() && !unit_.empty() && unit_ != logged_unit)
       throw bad_input(fmt::format("--unit {}: the rates in {} are in {}", unit_, log.name, logged_unit));
     WorkGround ground;
@@ -181,10 +189,8 @@ class DoseCommand : public Command {
     out.field_id = ground.field_id;
     out.field = ground.ground;
     out.frame = ground.frame;
-    if (logged_unit.empty() && out.logged_amount > 0)
-      out.warnings.push_back(
-          fmt::format("the logged rates have no unit: taken as {} a hectare", unit_.empty() ? "l" : unit_));
     out.unit = !logged_unit.empty() ? logged_unit : unit_.empty() ? "l" : unit_;
+    if (logged_unit.empty() && out.logged_amount > 0) tell_unknown_unit(out);
     return out;
   }
 

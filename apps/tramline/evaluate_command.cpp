@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -156,15 +157,30 @@ class EvaluateCommand : public Command {
     return out;
   }
 
-  /// The drive of a plan over the ground it has to cover.
+  /// The drive of a plan, headland passes too, over the ground it has to cover: the field less its obstacles,
+  /// or what a repair is for. The figures of plans of earlier versions are of the tracks and the body alone.
   Evaluation plan_alone(const Plan& plan) const {
     Evaluation out;
-    out.coverage =
-        coverage::evaluate(coverage::plan_steps(plan), plan.machine.width_m, plan.body, settings());
+    const bool tracks_alone = plan.figures == PlanFigures::kTracks;
+    const Region land = is_repair(plan) || tracks_alone ? plan.body : work_ground(plan).ground;
+    out.coverage = coverage::evaluate(tracks_alone ? coverage::plan_steps(plan) : coverage::steps_of(plan),
+                                      plan.machine.width_m, land, settings());
+    out.coverage.lines = lines_of(plan, tracks_alone);
     out.coverage.field_id = plan.field.id;
-    out.coverage.field = plan.body;
+    out.coverage.field = land;
     out.coverage.frame = plan.field.frame;
-    out.tally = PlanTally{plan_file_, area(plan.body), plan.tally};
+    out.tally = PlanTally{plan_file_, area(land), area(plan.body), plan.tally};
+    return out;
+  }
+
+  /// The way that the plan plans, a run for each piece and headland pass.
+  static std::vector<DrivenLine> lines_of(const Plan& plan, bool tracks_alone) {
+    std::vector<DrivenLine> out;
+    constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+    const coverage::FurtherWork work = work_of(plan, plan.field.frame);
+    const std::size_t count = tracks_alone ? plan.pieces.size() : work.lines.size();
+    for (std::size_t i = 0; i < count; ++i)
+      out.push_back({static_cast<int>(i), work.lines[i], kNever, kNever});
     return out;
   }
 

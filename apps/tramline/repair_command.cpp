@@ -34,10 +34,10 @@ constexpr const char* kExample =
     "  tramline evaluate spraying.csv --field field.geojson --width 24 -o coverage.gpkg\n"
     "  tramline repair coverage.gpkg --width 24 --radius 8 -o repair.gpkg --picture repair.png\n"
     "  tramline evaluate spraying.csv --field field.geojson --width 24 --with repair.gpkg\n"
-    "Swaths stay in the field and out of obstacles, and run on over worked ground; between two gaps on a "
-    "line "
-    "the\n"
-    "work is off. Without -o and --picture nothing is written.";
+    "Passes keep to the directions driven, stay in the field and out of obstacles, and run on over worked\n"
+    "ground; between two gaps on a line the work is off. A pass that costs more than it wins back is not "
+    "made.\n"
+    "Without -o and --picture nothing is written.";
 
 class RepairCommand : public Command {
  public:
@@ -51,7 +51,7 @@ class RepairCommand : public Command {
     verb->add_option("--min-area", min_area_m2_, "missed ground smaller than this is ignored, and listed, m²")
         ->capture_default_str();
     verb->add_option("--end-rule", end_rule_,
-                     "where swaths end on worked ground: cover, cheapest, centre or inside")
+                     "where swaths end on worked ground: cheapest, cover, centre or inside")
         ->capture_default_str();
     verb->add_option("-o,--output", output_, "write the plan to this GeoPackage (.gpkg)");
     verb->add_option("--picture", picture_, "draw the plan to this .png, .svg or .pdf");
@@ -87,11 +87,11 @@ class RepairCommand : public Command {
   };
 
   RepairTerms terms_typed() const {
-    RepairTerms out{machine_of(options_), objective_of(options_), EndRule::kCover};
+    RepairTerms out{machine_of(options_), objective_of(options_), EndRule::kCheapest};
     if (!options_.min_length_m && out.machine.min_length_m < 0) out.machine.min_length_m = 0;
     const std::optional<EndRule> rule = end_rule_named(end_rule_);
     if (!rule)
-      throw bad_input(fmt::format("--end-rule takes cover, cheapest, centre or inside, not '{}'", end_rule_));
+      throw bad_input(fmt::format("--end-rule takes cheapest, cover, centre or inside, not '{}'", end_rule_));
     out.end_rule = *rule;
     PlanSettings settings;
     settings.end_rule = out.end_rule;
@@ -117,12 +117,12 @@ class RepairCommand : public Command {
   RepairPlan repaired(const GapField& part, const RepairTerms& terms) const {
     ProgressLine progress(quiet_);
     return repair_plan(
-        part.field, part.gaps, part.missed, terms, min_area_m2_, threads_,
-        [&](int done, int total) { progress.show("repairing " + part.field.id, done, total, "grounds"); });
+        part.field, part.gaps, part.missed, part.driven, terms, min_area_m2_, threads_,
+        [&](int done, int total) { progress.show("repairing " + part.field.id, done, total, "steps"); });
   }
 
   PlanOptions options_;
-  std::string coverage_file_, end_rule_ = "cover", output_, picture_;
+  std::string coverage_file_, end_rule_ = "cheapest", output_, picture_;
   double min_area_m2_ = 1;
   int threads_ = 0;
   bool json_ = false, quiet_ = false;

@@ -192,6 +192,35 @@ TEST(Dose, LoggedRatesWinAndSwitchHalfWay) {
   EXPECT_NEAR(dose(log(fixes, 10), {}, nominal, {}).figures.total, 2, 1e-9);
 }
 
+// Rates are logged over the first 9 m of 30: the ground is all that was covered, whatever got something, and
+// so for the figures, the cells and the raster alike.
+TEST(Dose, CoveredGroundThatGotNothingIsGroundToo) {
+  std::vector<Fix> fixes = pass({0, 0}, {0, 30});
+  for (std::size_t i = 0; i < fixes.size(); ++i) fixes[i].rate_per_ha = i < 10 ? 200 : kNan;
+  const DoseMap map = dose(log(fixes, 6), {}, settings_at(kNan), {});
+  EXPECT_NEAR(map.covered_m2, 180, 1e-6);
+  EXPECT_NEAR(map.figures.ground_m2, map.covered_m2, 1e-6);
+  EXPECT_NEAR(map.figures.counted_m2, map.covered_m2, 1e-6);
+  double ground_m2 = 0, histogram_m2 = 0;
+  for (const float share : map.ground) ground_m2 += static_cast<double>(share) * map.grid.cell_area_m2();
+  for (const DoseBin& bin : map.figures.histogram) histogram_m2 += bin.area_m2;
+  EXPECT_NEAR(ground_m2, map.covered_m2, 1e-3);
+  EXPECT_NEAR(histogram_m2, map.covered_m2, 1e-6);
+  EXPECT_NEAR(map.figures.mean_per_ha, map.figures.total / map.covered_m2 * 1e4, 1e-6);
+  EXPECT_EQ(map.figures.least_per_ha, 0);
+}
+
+// Ground that was not recorded got nothing that is known of, and is no worked ground.
+TEST(Dose, GroundNotRecordedGetsNothing) {
+  std::vector<Fix> fixes = pass({3, 0}, {3, 20});
+  for (Fix& late : pass({3, 40}, {3, 60}, 31)) fixes.push_back(late);
+  const Region field{{{{0, 0}, {6, 0}, {6, 60}, {0, 60}}, {}}};
+  const DoseMap map = dose(log(fixes, 6), field, settings_at(200), {});
+  EXPECT_NEAR(map.covered_m2, 240, 1e-6);
+  EXPECT_NEAR(map.figures.on_ground, map.figures.total, 1e-9);
+  EXPECT_NEAR(map.figures.mean_per_ha, 200.0 * 240 / 360, 1e-6);
+}
+
 TEST(Dose, TheFieldCountsWhereNothingWasWorked) {
   // The field is twice as long as the pass: half of it has nothing, the mean is half the rate.
   const Region field{{{{0, 0}, {10, 0}, {10, 80}, {0, 80}}, {}}};

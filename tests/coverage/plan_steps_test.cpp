@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "tramline/coverage/deviation.h"
+#include "tramline/geometry/path.h"
 
 namespace tramline::coverage {
 namespace {
@@ -54,6 +55,65 @@ TEST(Deviation, IsWeightedByTheWay) {
   EXPECT_NEAR(found.mean_m, 0.5 * 25 / 75, 1e-9);
   EXPECT_NEAR(found.p95_m, 0.5, 1e-9);
   EXPECT_NEAR(found.most_m, 0.5, 1e-9);
+}
+
+// Tracks eastwards every 4 m, and a drive northwards over them: within half a width of one wherever it is,
+// and 90° off its direction. A quarter of its way is along a track.
+TEST(Deviation, APlanInAnotherDirectionIsNotFollowed) {
+  const Plan plan = plan_with({{{0, 0}, {100, 0}}, {{0, 4}, {100, 4}}, {{0, 8}, {100, 8}}});
+  const Deviation across = deviation(plan, {{0, {{50, 0}, {50, 3}, {50, 6}}}, {1, {{10, 4.5}, {12, 4.5}}}});
+  EXPECT_NEAR(across.along_m, 2, 1e-9);
+  EXPECT_NEAR(across.beside_m, 6, 1e-9);
+  EXPECT_NEAR(across.followed_share(), 0.25, 1e-9);
+  EXPECT_FALSE(across.followed());
+  EXPECT_NEAR(across.median_angle_deg, 90, 1e-6);
+  const Deviation along = deviation(plan, {{0, {{10, 4.5}, {12, 4.5}}}});
+  EXPECT_TRUE(along.followed());
+  EXPECT_NEAR(along.median_distance_m, 0.5, 1e-9);
+}
+
+// 10° off is along the track, 20° is not.
+TEST(Deviation, FollowingHasALimitInDirection) {
+  const Plan plan = plan_with({{{-50, 0}, {50, 0}}});
+  for (const double degrees : {10.0, 20.0}) {
+    const double angle = degrees * std::numbers::pi / 180;
+    const Point step{std::cos(angle), std::sin(angle)};
+    EXPECT_EQ(deviation(plan, {{0, {-1.0 * step, step}}}).followed(), degrees < 15);
+  }
+}
+
+// Far from all tracks the distance is still known.
+TEST(Deviation, ADriveElsewhereIsSoFarOff) {
+  const Plan plan = plan_with({{{0, 0}, {100, 0}}});
+  const Deviation far = deviation(plan, {{0, {{50, 300}, {60, 300}}}});
+  EXPECT_FALSE(far.followed());
+  EXPECT_NEAR(far.median_distance_m, 300, 1e-9);
+  EXPECT_NEAR(far.median_angle_deg, 0, 1e-6);
+}
+
+HeadlandPass pass_along(Point from, Point to) {
+  HeadlandPass out;
+  out.path = straight_path(from, to);
+  return out;
+}
+
+TEST(PlanSteps, HeadlandPassesAreWorkedAfterThePieces) {
+  Plan plan = plan_with({{{0, 0}, {10, 0}}});
+  plan.headland.passes = {pass_along({0, 10}, {20, 10})};
+  const std::vector<WorkedStep> steps = steps_of(plan);
+  EXPECT_NEAR(gross_m2(steps), 4 * 30, 1e-9);
+  EXPECT_EQ(steps.back().run, 1);
+}
+
+// A ditch 2 m wide that leads over the pass on a slant: 2 · 4·√2 m² of it are not worked, the rest is, once.
+TEST(PlanSteps, OnAPassableObstacleTheHeadlandPassIsInterrupted) {
+  Plan plan = plan_with({});
+  plan.headland.passes = {pass_along({0, 0}, {20, 0})};
+  const double half = std::numbers::sqrt2;  // along the pass: half of 2 m across a ditch at 45°
+  plan.field.obstacles = {{{{{5 - half, -5}, {5 + half, -5}, {15 + half, 5}, {15 - half, 5}}, {}},
+                           ObstacleKind::kPassable,
+                           "ditch"}};
+  EXPECT_NEAR(gross_m2(headland_steps(plan, 0)), 80 - 2 * 4 * std::numbers::sqrt2, 1e-9);
 }
 
 }  // namespace

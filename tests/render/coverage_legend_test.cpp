@@ -54,7 +54,7 @@ TEST(CoverageLegend, ShowsOnlyTheSymbolsThatOccur) {
   coverage.missed.clear();
   coverage.gaps.clear();
   coverage.lines.resize(1);
-  coverage.areas = {1540, 1540, 0, 1540, 0, 0, 0, {}};
+  coverage.areas = {1540, 1540, 0, 1540, 0, 0, 0, 0, {}};
   coverage.worked_s = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(symbols(coverage), (std::multiset<Symbol>{Symbol::kCovered, Symbol::kWorkedPath}));
   const auto value = values(coverage);

@@ -132,7 +132,7 @@ TEST(DrawCoverage, WithoutAFieldAllCoveredLandIsShown) {
   coverage.missed.clear();
   coverage.gaps.clear();
   coverage.field_id.clear();
-  coverage.areas = {1700, 1540, 0, 1540, 160, 0, 0, {0, 1380, 160, 0}};
+  coverage.areas = {1700, 1540, 0, 1540, 160, 0, 0, 0, {0, 1380, 160, 0}};
   const Box drawn = drawn_box(coverage);
   EXPECT_EQ(drawn.max_x, 36);
   EXPECT_EQ(drawn.max_y, 45);

@@ -66,7 +66,7 @@ RepairRequest repair_request(App& app, const ordered_json& json) {
   const JsonInput input(json, "", {"kind", "drive", "machine", "objective", "min_area_m2", "name"});
   RepairRequest out{app.drives->store.get(input.text("drive")),
                     {machine_in(input.value("machine"), "machine"), objective_in(input.value("objective")),
-                     EndRule::kCover},
+                     EndRule::kCheapest},
                     input.number_if("min_area_m2").value_or(1),
                     name_of(input, "name")};
   // Gaps are short: as for the command line, no length is too short unless one is given.
@@ -104,8 +104,8 @@ ordered_json make_repair(App& app, const RepairRequest& request, JobRun& run) {
     run.step(fmt::format("planning what {} has missed", drive.name));
     const auto start = std::chrono::steady_clock::now();
     const auto progress = [&run](int done, int total) { run.progress(done, total); };
-    RepairPlan done =
-        repair_plan(part.field, part.gaps, part.missed, request.terms, request.min_area_m2, 0, progress);
+    RepairPlan done = repair_plan(part.field, part.gaps, part.missed, part.driven, request.terms,
+                                  request.min_area_m2, 0, progress);
     run.check();
     parts.push_back(
         {std::move(done), std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});

@@ -51,7 +51,7 @@ void replay(App& app, const Call& call, httplib::Response& response) {
 bool is_layer(const std::string& name) {
   namespace layers = io::coverage_layers;
   for (const char* known : {layers::kField, layers::kCovered, layers::kRepeated, layers::kMissed,
-                            layers::kMultiplicity, layers::kGaps, layers::kTrack})
+                            layers::kNotRecorded, layers::kMultiplicity, layers::kGaps, layers::kTrack})
     if (name == known) return true;
   return false;
 }
@@ -62,8 +62,8 @@ void send_layer(App& app, const Call& call, httplib::Response& response) {
   if (!is_layer(name))
     throw HttpError(
         Fault::kNotFound,
-        fmt::format("a drive has no layer '{}'; there are covered, repeated, missed, multiplicity, "
-                    "track, gaps and field",
+        fmt::format("a drive has no layer '{}'; there are covered, repeated, missed, not_recorded, "
+                    "multiplicity, track, gaps and field",
                     name));
   response.set_content(io::layer_geojson(app.drives->store.coverage_file(drive.id), drive.frame, name),
                        "application/geo+json");

@@ -102,6 +102,7 @@ ordered_json figures_json(const WorkFigures& figures) {
   out["outside_m2"] = of_field(areas.outside_m2);
   out["repeated_m2"] = areas.repeated_m2;
   out["missed_m2"] = of_field(areas.missed_m2);
+  out["not_recorded_m2"] = areas.not_recorded_m2;
   out["gross_m2"] = areas.gross_m2;
   out["sliver_m2"] = areas.sliver_m2;
   out["worked_s"] = app::number_json(figures.worked_s);

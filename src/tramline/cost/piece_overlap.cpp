@@ -1,6 +1,7 @@
 #include "tramline/cost/piece_overlap.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tramline/geometry/layered_area.h"
 #include "tramline/geometry/track_frame.h"
@@ -23,9 +24,16 @@ std::vector<TurnedBody> turned_bodies(const Region& body, const std::vector<Subf
   return out;
 }
 
-/// Straight swaths of one grid lie beside or behind one another.
-bool may_meet(const TrackPiece& a, const TrackPiece& b) {
-  return a.subfield != b.subfield || !a.detours.empty() || !b.detours.empty();
+/// Straight swaths of one grid lie beside or behind one another; lines over gaps may lie half over each
+/// other.
+bool may_meet(const TrackPiece& a, const TrackPiece& b, double width_m) {
+  constexpr double kTouch_m = 1e-6;
+  if (a.subfield != b.subfield || !a.detours.empty() || !b.detours.empty()) return true;
+  const double length_m = distance(b.start, b.end);
+  const Point along = (1 / length_m) * (b.end - b.start);
+  if (std::abs(cross(along, a.start - b.start)) > width_m - kTouch_m) return false;
+  const double one = dot(along, a.start - b.start), other = dot(along, a.end - b.start);
+  return std::max(one, other) > kTouch_m && std::min(one, other) < length_m - kTouch_m;
 }
 
 }  // namespace
@@ -48,7 +56,7 @@ std::vector<double> overlap_by_piece(const Region& body, const std::vector<Subfi
     RisingCurves curves;
     for (const Ring& ring : turned.rings) append_ring(ring, Layer::kBody, window, curves);
     for (std::size_t i = 0; i + 1 < lines.size(); ++i)
-      if (may_meet(pieces[i], piece) && intersects(reaches[i], reaches.back()))
+      if (may_meet(pieces[i], piece, width_m) && intersects(reaches[i], reaches.back()))
         append_band(in_frame(lines[i]), width_m, Layer::kTaken, curves);
     append_band(own, width_m, Layer::kNew, curves);
     out.push_back(std::max(0.0, width_m * length(own) - new_area(curves)));

@@ -13,7 +13,9 @@ bool is(Ground what, CellState state) {
     case Ground::kSliver:
       return times > 1 && !is_repeated(state);
     case Ground::kMissed:
-      return times == 0 && in_field(state);
+      return times == 0 && in_field(state) && !is_unrecorded(state);
+    case Ground::kUnrecorded:
+      return is_unrecorded(state);
     case Ground::kOutside:
       return times > 0 && !in_field(state);
     case Ground::kOnce:
@@ -41,7 +43,14 @@ Transition worked_again(int most) {
 Transition made_repeated() {
   Transition out{};
   for (CellState s = 0; s < kCellStates; ++s)
-    out[s] = cell_state(in_field(s), times_worked(s), is_repeated(s) || times_worked(s) > 0);
+    out[s] = times_worked(s) > 0 ? cell_state(in_field(s), times_worked(s), true) : s;
+  return out;
+}
+
+Transition made_unrecorded(bool everywhere) {
+  Transition out{};
+  for (CellState s = 0; s < kCellStates; ++s)
+    out[s] = times_worked(s) == 0 && (everywhere || in_field(s)) ? cell_state(in_field(s), 0, true) : s;
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "tramline/geometry/box_grid.h"
@@ -25,74 +26,129 @@ void append(const PathSegment& segment, std::vector<PathSegment>& out) {
     out.push_back({segment.from + i * part, segment.from + (i + 1) * part, 0});
 }
 
+/// Where the path leads at its place nearest to p.
+Direction direction_near(const PathSegment& part, Point p) {
+  if (part.straight()) return Direction::along(part.from, part.to);
+  return Direction::along(centre(part), p).perpendicular();
+}
+
+/// A planned line as seen from a step.
+struct Seen {
+  double distance_m = std::numeric_limits<double>::infinity();
+  double angle_deg = 0;  ///< between its direction and the step's
+};
+
 /// The planned lines, ready to be asked for the nearest.
 class Tracks {
  public:
-  Tracks(const Plan& plan, double within_m) : within_m_(within_m) {
+  explicit Tracks(const Plan& plan) {
     for (const TrackPiece& piece : plan.pieces)
       for (const PathSegment& segment : centre_line(piece)) append(segment, parts_);
     for (const HeadlandPass& pass : plan.headland.passes)
       for (const PathSegment& segment : pass.path) append(segment, parts_);
     std::vector<Box> boxes;
-    for (const PathSegment& part : parts_) boxes.push_back(reach_of({part}, 0));
+    for (const PathSegment& part : parts_) {
+      boxes.push_back(reach_of({part}, 0));
+      all_.extend(boxes.back());
+    }
     grid_ = BoxGrid(boxes);
   }
 
-  /// Infinite where none is within reach.
-  double distance_from(Point p) const {
-    double least = std::numeric_limits<double>::infinity();
+  bool empty() const { return parts_.empty(); }
+
+  /// The nearest within reach whose direction is no further off than that; nullopt: none.
+  std::optional<Seen> nearest(Point p, Direction course, double within_m, double within_deg) const {
+    std::optional<Seen> best;
     Box window;
     window.extend(p);
-    grid_.each_meeting(window.grown(within_m_),
-                       [&](std::size_t i) { least = std::min(least, distance_to_edge(parts_[i], p, p)); });
-    return least;
+    grid_.each_meeting(window.grown(within_m), [&](std::size_t i) {
+      const double off_m = distance_to_edge(parts_[i], p, p);
+      if (off_m > within_m || (best && off_m >= best->distance_m)) return;
+      const double angle_deg = angle_between(course, direction_near(parts_[i], p)).degrees();
+      if (angle_deg <= within_deg) best = Seen{off_m, angle_deg};
+    });
+    return best;
+  }
+
+  /// However far it is. Precondition: not empty.
+  Seen nearest_anywhere(Point p, Direction course, double first_look_m) const {
+    Box everything = all_;
+    everything.extend(p);
+    const double most_m = std::hypot(everything.width(), everything.height());
+    for (double within_m = first_look_m; within_m < most_m; within_m *= 4)
+      if (const std::optional<Seen> found = nearest(p, course, within_m, kAnyAngle_deg)) return *found;
+    return nearest(p, course, most_m + first_look_m, kAnyAngle_deg).value_or(Seen{most_m, 0});
   }
 
  private:
-  double within_m_;
+  static constexpr double kAnyAngle_deg = 180;
   std::vector<PathSegment> parts_;
+  Box all_;
   BoxGrid grid_;
 };
 
-/// The distance that `share` of the way does not exceed. Precondition: not empty.
-double quantile(std::vector<std::pair<double, double>> distance_and_way, double share) {
-  std::sort(distance_and_way.begin(), distance_and_way.end());
+/// A value, and the way on which it was so.
+using Weighted = std::vector<std::pair<double, double>>;
+
+/// What `share` of the way does not exceed; NaN where there is none.
+double quantile(Weighted values, double share) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::sort(values.begin(), values.end());
   double total = 0;
-  for (const auto& [distance_m, way_m] : distance_and_way) total += way_m;
+  for (const auto& [value, way_m] : values) total += way_m;
   double sum = 0;
-  for (const auto& [distance_m, way_m] : distance_and_way) {
+  for (const auto& [value, way_m] : values) {
     sum += way_m;
-    if (sum >= share * total) return distance_m;
+    if (sum >= share * total) return value;
   }
-  return distance_and_way.back().first;
+  return values.back().first;
+}
+
+/// Calls `visit(middle, direction, way_m)` for every step at work that leads anywhere.
+template <class Visit>
+void each_worked_step(const std::vector<DrivenLine>& lines, Visit visit) {
+  for (const DrivenLine& line : lines) {
+    if (line.run < 0) continue;
+    for (std::size_t i = 1; i < line.line.size(); ++i) {
+      const Point from = line.line[i - 1], to = line.line[i];
+      if (const double way_m = distance(from, to); way_m > 0)
+        visit(midpoint(from, to), Direction::along(from, to), way_m);
+    }
+  }
 }
 
 }  // namespace
 
+double Deviation::followed_share() const {
+  const double whole_m = along_m + beside_m;
+  return whole_m > 0 ? along_m / whole_m : 0;
+}
+
 Deviation deviation(const Plan& plan, const std::vector<DrivenLine>& lines) {
   const double within_m = plan.machine.width_m / 2;
-  const Tracks tracks(plan, within_m);
+  const Tracks tracks(plan);
   Deviation out;
-  std::vector<std::pair<double, double>> found;
-  for (const DrivenLine& line : lines) {
-    if (line.run < 0) continue;
-    for (std::size_t i = 1; i < line.line.size(); ++i) {
-      const double way_m = distance(line.line[i - 1], line.line[i]);
-      const double off_m = tracks.distance_from(midpoint(line.line[i - 1], line.line[i]));
-      if (off_m > within_m) {
-        out.beside_m += way_m;
-        continue;
-      }
-      found.emplace_back(off_m, way_m);
+  Weighted followed, distances, angles;
+  each_worked_step(lines, [&](Point middle, Direction course, double way_m) {
+    if (const auto track = tracks.nearest(middle, course, within_m, kAlongTrack.degrees())) {
+      followed.emplace_back(track->distance_m, way_m);
       out.along_m += way_m;
-      out.mean_m += off_m * way_m;
-      out.most_m = std::max(out.most_m, off_m);
+      out.mean_m += track->distance_m * way_m;
+      out.most_m = std::max(out.most_m, track->distance_m);
+    } else {
+      out.beside_m += way_m;
     }
-  }
+    if (tracks.empty()) return;
+    const Seen seen = tracks.nearest_anywhere(middle, course, within_m);
+    distances.emplace_back(seen.distance_m, way_m);
+    angles.emplace_back(seen.angle_deg, way_m);
+  });
   if (out.along_m > 0) {
     out.mean_m /= out.along_m;
-    out.p95_m = quantile(std::move(found), 0.95);
+    out.p95_m = quantile(std::move(followed), 0.95);
   }
+  out.median_distance_m = quantile(std::move(distances), 0.5);
+  out.median_angle_deg = quantile(std::move(angles), 0.5);
   return out;
 }
 

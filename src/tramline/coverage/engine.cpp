@@ -12,6 +12,7 @@ class ExactEngine : public Engine {
  public:
   ExactEngine(const Region& field, double tile_m) : coverage_(field, {tile_m, true}) {}
   void add(const WorkedStep& step) override { coverage_.add(step); }
+  void add_unrecorded(const std::vector<Quad>& quads) override { coverage_.add_unrecorded(quads); }
   CoverageAreas areas() const override { return coverage_.areas(); }
   Region region(Ground what) const override { return coverage_.region(what); }
   const TileCoverage* tiles() const override { return &coverage_; }
@@ -24,6 +25,7 @@ class MeshEngine : public Engine {
  public:
   MeshEngine(const Region& field, double mesh_m) : coverage_(field, mesh_m) {}
   void add(const WorkedStep& step) override { coverage_.add(step); }
+  void add_unrecorded(const std::vector<Quad>& quads) override { coverage_.add_unrecorded(quads); }
   CoverageAreas areas() const override { return coverage_.areas(); }
   /// Empty for what meshes do not tell.
   Region region(Ground what) const override {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include "tramline/coverage/tile_coverage.h"
 #include "tramline/coverage/worked_step.h"
@@ -23,6 +24,8 @@ class Engine {
  public:
   virtual ~Engine() = default;
   virtual void add(const WorkedStep& step) = 0;
+  /// Ground that may have been worked and was not recorded.
+  virtual void add_unrecorded(const std::vector<Quad>& quads) = 0;
   virtual CoverageAreas areas() const = 0;
   virtual Region region(Ground what) const = 0;
   /// The exact engine; nullptr where it is another.

@@ -34,6 +34,16 @@ void MeshCoverage::add(const WorkedStep& step) {
   }
 }
 
+void MeshCoverage::add_unrecorded(const std::vector<Quad>& quads) {
+  for (const Quad& quad : quads)
+    combine_into(unrecorded_, mesh_region({Ring(quad.begin(), quad.end())}, mesh_m_), MeshOperation::kUnion);
+}
+
+MeshRegion MeshCoverage::unrecorded() const {
+  return has_field() ? combined(leakage(), unrecorded_, MeshOperation::kIntersection)
+                     : combined(unrecorded_, coverage_, MeshOperation::kResidual);
+}
+
 MeshRegion MeshCoverage::leakage() const { return combined(field_, coverage_, MeshOperation::kResidual); }
 
 double MeshCoverage::area_m2(const MeshRegion& region) const {
@@ -41,8 +51,9 @@ double MeshCoverage::area_m2(const MeshRegion& region) const {
 }
 
 CoverageAreas MeshCoverage::areas() const {
-  const std::int64_t missed = leakage().corners_inside();
-  const std::int64_t inside = field_.corners_inside() - missed;
+  const std::int64_t not_covered = leakage().corners_inside();
+  const std::int64_t not_recorded = unrecorded().corners_inside();
+  const std::int64_t inside = field_.corners_inside() - not_covered;
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   CoverageAreas out;
   out.gross_m2 = area_of(gross_corners_, mesh_m_);
@@ -50,9 +61,10 @@ CoverageAreas MeshCoverage::areas() const {
   out.covered_inside_m2 = area_of(inside, mesh_m_);
   out.outside_m2 = area_of(coverage_.corners_inside() - inside, mesh_m_);
   out.repeated_m2 = area_m2(repeated_);
-  out.missed_m2 = area_of(missed, mesh_m_);
+  out.missed_m2 = area_of(has_field() ? not_covered - not_recorded : 0, mesh_m_);
+  out.not_recorded_m2 = area_of(not_recorded, mesh_m_);
   const std::int64_t once = coverage_.corners_inside() - repeated_.corners_inside();
-  out.worked_times_m2 = {out.missed_m2, area_of(once, mesh_m_), unknown, unknown};
+  out.worked_times_m2 = {area_of(not_covered, mesh_m_), area_of(once, mesh_m_), unknown, unknown};
   return out;
 }
 
@@ -66,7 +78,9 @@ Region MeshCoverage::region(Ground what) const {
     case Ground::kSliver:
       return {};
     case Ground::kMissed:
-      return region_of(leakage(), mesh_m_);
+      return region_of(combined(leakage(), unrecorded_, MeshOperation::kResidual), mesh_m_);
+    case Ground::kUnrecorded:
+      return region_of(unrecorded(), mesh_m_);
     case Ground::kOutside:
       return region_of(combined(coverage_, field_, MeshOperation::kResidual), mesh_m_);
     case Ground::kOnce:

@@ -33,6 +33,9 @@ class MeshCoverage {
   /// Throws Error(kBadInput) where meshes do not reach; what was worked before is then kept.
   void add(const WorkedStep& step);
 
+  /// Ground that may have been worked and was not recorded. Throws as add() does.
+  void add_unrecorded(const std::vector<Quad>& quads);
+
   /// O(meshes of coverage and field), for the leakage.
   CoverageAreas areas() const;
 
@@ -43,14 +46,18 @@ class MeshCoverage {
   double mesh_m() const { return mesh_m_; }
   std::size_t coverage_meshes() const { return coverage_.meshes(); }  ///< on its boundary
   MeshRegion leakage() const;                                         ///< field less coverage
+  /// What was not recorded, less coverage, in the field where there is one.
+  MeshRegion unrecorded() const;
 
  private:
+  bool has_field() const { return field_.corners_inside() > 0; }
   double area_m2(const MeshRegion& region) const;
 
   double mesh_m_;
   MeshRegion field_;
   MeshRegion coverage_;
   MeshRegion repeated_;
+  MeshRegion unrecorded_;  ///< covered or not
   std::int64_t gross_corners_ = 0;
 };
 

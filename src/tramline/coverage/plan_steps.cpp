@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "tramline/coverage/interrupted.h"
 #include "tramline/geometry/path.h"
 
 namespace tramline::coverage {
@@ -88,6 +89,19 @@ std::vector<WorkedStep> headland_steps(const Plan& plan, int first_run) {
   std::vector<WorkedStep> out;
   int run = first_run;
   for (const HeadlandPass& pass : plan.headland.passes) append(pass.path, plan.machine.width_m, run++, out);
+  Region passable;
+  for (const Obstacle& obstacle : plan.field.obstacles)
+    if (obstacle.kind == ObstacleKind::kPassable) passable.push_back(obstacle.shape);
+  if (!passable.empty())
+    for (WorkedStep& step : out) step.quads = interrupted(step.quads, passable);
+  return out;
+}
+
+std::vector<WorkedStep> steps_of(const Plan& plan) {
+  std::vector<WorkedStep> out = plan_steps(plan);
+  for (WorkedStep& step : headland_steps(plan, static_cast<int>(plan.pieces.size())))
+    out.push_back(std::move(step));
+  for (std::size_t i = 0; i < out.size(); ++i) out[i].fix = i;
   return out;
 }
 

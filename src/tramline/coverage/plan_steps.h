@@ -15,7 +15,11 @@ inline constexpr double kPlanSagitta_m = 2e-5;
 /// path. O(pieces, and chords of arcs).
 std::vector<WorkedStep> plan_steps(const Plan& plan);
 
-/// What its headland passes work, each a run of its own; numbered from `first_run`.
+/// What its headland passes work, each a run of its own; numbered from `first_run`. On passable obstacles the
+/// work is interrupted. O(passes, chords of arcs, and edges of passable obstacles beside them).
 std::vector<WorkedStep> headland_steps(const Plan& plan, int first_run);
+
+/// All that the plan works: pieces, then headland passes.
+std::vector<WorkedStep> steps_of(const Plan& plan);
 
 }  // namespace tramline::coverage

@@ -74,6 +74,29 @@ Point StepMaker::middle(const End& end, Heading heading) const {
          settings_.antenna_right_m * left;
 }
 
+/// Nothing joins the fix to those before it.
+void StepMaker::begin_anew(Unit& unit, const End& to) {
+  if (unit.hole) close_hole(unit);
+  Unit fresh;
+  fresh.usual = unit.usual;
+  const bool backwards = unit.last && to.time_s < unit.last->time_s;
+  if (unit.last && !backwards && !unit.last->working.empty() && !to.working.empty())
+    fresh.hole = Hole{*unit.last, to};
+  unit = std::move(fresh);
+}
+
+void StepMaker::close_hole(Unit& unit) {
+  const auto end_of_hole = [&](const End& end) {
+    return HoleEnd{end.time_s, end.heading ? middle(end, *end.heading) : end.antenna, end.heading,
+                   end.working};
+  };
+  const std::vector<Quad> strip = hole_strip(end_of_hole(unit.hole->before), end_of_hole(unit.hole->after),
+                                             unit.usual.mps(), settings_.quads == QuadShape::kHeading);
+  if (!strip.empty()) ++breaks_.holes;
+  unrecorded_.insert(unrecorded_.end(), strip.begin(), strip.end());
+  unit.hole.reset();
+}
+
 struct StepMaker::Bars {
   Bar rear;
   Bar front;
@@ -102,6 +125,7 @@ std::optional<WorkedStep> StepMaker::step(Unit& unit, const End& to) {
     out.quads.push_back(between(ends.rear, ends.front, origin.section, origin.from, origin.until));
   out.way_m = distance(ends.rear.middle, ends.front.middle);
   out.seconds = from.stood_s + to.time_s - from.time_s;
+  unit.usual.add(out.way_m, to.time_s - from.time_s);
   out.rate_before_per_ha = from.rate_per_ha;
   out.rate_after_per_ha = to.rate_per_ha;
   if (unit.run < 0) {
@@ -126,10 +150,15 @@ std::optional<WorkedStep> StepMaker::add(const Fix& fix, const std::vector<Boom>
   Unit& unit = units_[fix.unit];
   End to{fix.time_s, fix.position, std::nullopt, working_at(fix, booms), fix.rate_per_ha};
   joined_ = unit.last && joins(*unit.last, to);
-  if (!joined_) unit = Unit{};
+  unrecorded_.clear();
+  if (!joined_) begin_anew(unit, to);
   const bool recorded = !std::isnan(fix.heading.degrees());
   const std::optional<Heading> course = unit.course.at(to.antenna);
   to.heading = recorded ? std::optional(fix.heading) : course;
+  if (unit.hole && to.heading) {
+    unit.hole->after.heading = to.heading;
+    close_hole(unit);
+  }
   heading_ = to.heading;
   place_ = to.heading ? middle(to, *to.heading) : to.antenna;
   if (!unit.last) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tramline/coverage/course.h"
+#include "tramline/coverage/log_hole.h"
 #include "tramline/coverage/worked_step.h"
 #include "tramline/model/work_log.h"
 
@@ -44,6 +45,7 @@ struct Breaks {
   std::size_t jumps = 0;          ///< longer than max_step_m
   std::size_t backwards = 0;      ///< in time
   std::size_t without_width = 0;  ///< at work, and no width known
+  std::size_t holes = 0;          ///< of gaps and jumps, those that the machine may have worked over
 };
 
 /// Joins fixes to steps, one after the other: what a live stream needs. O(sections) a fix.
@@ -51,7 +53,9 @@ struct Breaks {
 /// A fix without a heading has that of its course (course.h). Fixes of different units are not joined, nor
 /// over a gap in time or place, nor backwards in time. The work of a unit is one run until it stops, or until
 /// two fixes are not joined. Where a step has no direction, being too short, the place it began at is kept
-/// for the next one, so that slow work is not lost.
+/// for the next one, so that slow work is not lost. Between fixes that lie too far apart in time or place,
+/// and that both work, the ground counts as not recorded where the machine may have driven straight
+/// (log_hole.h).
 class StepMaker {
  public:
   explicit StepMaker(const DriveSettings& settings) : settings_(settings) {}
@@ -59,6 +63,10 @@ class StepMaker {
   /// The step that ends at this fix; nullopt where nothing was worked. `booms`: of the fix's log.
   /// Precondition: position local and finite.
   std::optional<WorkedStep> add(const Fix& fix, const std::vector<Boom>& booms);
+
+  /// What the last fix tells not to be recorded: the strips of holes in the log, mostly none. The heading at
+  /// their front may have become known only now.
+  const std::vector<Quad>& unrecorded() const { return unrecorded_; }
 
   /// Whether the last fix was joined to one before it.
   bool joined() const { return joined_; }
@@ -81,8 +89,15 @@ class StepMaker {
     double rate_per_ha = std::numeric_limits<double>::quiet_NaN();
     double stood_s = 0;  ///< at work, and not driven from there
   };
+  /// Fixes that were not joined, and both work.
+  struct Hole {
+    End before;
+    End after;
+  };
   struct Unit {
     std::optional<End> last;
+    std::optional<Hole> hole;  ///< the heading behind it is not known yet
+    UsualSpeed usual;
     Course course;
     int run = -1;  ///< none
     double travel_m = 0;
@@ -90,6 +105,8 @@ class StepMaker {
 
   Boom working_at(const Fix& fix, const std::vector<Boom>& booms);
   bool joins(const End& from, const End& to);
+  void begin_anew(Unit& unit, const End& to);
+  void close_hole(Unit& unit);
   Point middle(const End& end, Heading heading) const;
   struct Bars;
   Bars bars(const End& from, const End& to) const;
@@ -100,6 +117,7 @@ class StepMaker {
   Breaks breaks_;
   std::size_t fixes_ = 0;
   bool joined_ = false;
+  std::vector<Quad> unrecorded_;
   Point place_;
   std::optional<Heading> heading_;
   int runs_ = 0;

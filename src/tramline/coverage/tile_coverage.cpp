@@ -97,10 +97,11 @@ void TileCoverage::Impl::mark_repeated(const WorkedStep& step) {
 }
 
 void TileCoverage::Impl::sum_up() {
-  Int128 covered = 0, inside = 0, repeated = 0, sliver = 0;
+  Int128 covered = 0, inside = 0, repeated = 0, sliver = 0, unrecorded = 0;
   std::array<Int128, kMostCounted + 1> times{};
   for (CellState s = 0; s < kCellStates; ++s) {
     times[static_cast<std::size_t>(times_worked(s))] += totals[s];
+    if (is_unrecorded(s)) unrecorded += totals[s];
     if (times_worked(s) == 0) continue;
     covered += totals[s];
     if (in_field(s)) inside += totals[s];
@@ -114,10 +115,13 @@ void TileCoverage::Impl::sum_up() {
   areas.repeated_m2 = frame.area_m2(repeated);
   areas.sliver_m2 = frame.area_m2(sliver);
   // Rounding along the boundary may make the field's cells a little larger than the field.
-  areas.missed_m2 = frame.area_m2(std::max<Int128>(field.twice_area() - inside, 0));
+  const Int128 not_covered = std::max<Int128>(field.twice_area() - inside, 0);
+  if (field.twice_area() > 0) unrecorded = std::min(unrecorded, not_covered);
+  areas.missed_m2 = frame.area_m2(field.twice_area() > 0 ? not_covered - unrecorded : 0);
+  areas.not_recorded_m2 = frame.area_m2(unrecorded);
   areas.worked_times_m2.fill(std::numeric_limits<double>::quiet_NaN());
   if (!settings.multiplicity) return;
-  areas.worked_times_m2[0] = areas.missed_m2;
+  areas.worked_times_m2[0] = frame.area_m2(not_covered);
   for (std::size_t n = 1; n < times.size(); ++n) areas.worked_times_m2[n] = frame.area_m2(times[n]);
 }
 
@@ -178,6 +182,18 @@ void TileCoverage::add(const WorkedStep& step) {
     impl.work(piece, impl.count);
     impl.trails.add(step.run, step.travel_m, piece);
   }
+  if (impl.changed) ++impl.stamp;
+  impl.sum_up();
+}
+
+void TileCoverage::add_unrecorded(const std::vector<Quad>& quads) {
+  if (quads.empty()) return;
+  Impl& impl = *impl_;
+  impl.pieces.clear();
+  impl.changed = false;
+  for (const Quad& quad : quads) append_pieces(quad, impl.frame, impl.pieces);
+  const Transition unrecorded = made_unrecorded(impl.field.twice_area() == 0);
+  for (const ConvexPiece& piece : impl.pieces) impl.work(piece, unrecorded);
   if (impl.changed) ++impl.stamp;
   impl.sum_up();
 }

@@ -40,6 +40,10 @@ class TileCoverage {
   /// does not decrease within a run, and what lies further back than kLongestReach_m is forgotten.
   void add(const WorkedStep& step);
 
+  /// Ground that may have been worked and was not recorded. What is worked, before or after, is covered all
+  /// the same. O(cells met). Precondition as for add().
+  void add_unrecorded(const std::vector<Quad>& quads);
+
   /// O(1).
   const CoverageAreas& areas() const;
 

@@ -23,6 +23,11 @@ std::vector<std::string> notes_on(const Breaks& breaks, const DriveSettings& dri
   if (breaks.jumps > 0)
     out.push_back(
         fmt::format("nothing is worked over {} jumps of more than {:g} m", breaks.jumps, drive.max_step_m));
+  if (breaks.holes > 0)
+    out.push_back(fmt::format(
+        "the log has {} {} with the machine at work before and behind: what nothing else covers of the "
+        "straight way between counts as not recorded",
+        breaks.holes, breaks.holes == 1 ? "hole" : "holes"));
   if (breaks.without_width > 0)
     out.push_back(
         fmt::format("{} fixes do not say how wide the machine is: nothing is worked there without --width",
@@ -85,6 +90,7 @@ CoverageAreas reported(CoverageAreas areas, bool strict) {
 
 void add_regions(Coverage& out, const Engine& engine, const EvaluateSettings& settings) {
   out.missed = engine.region(Ground::kMissed);
+  out.not_recorded = engine.region(Ground::kUnrecorded);
   out.gaps = gaps_of(out.missed);
   if (settings.covered && !settings.shapes) out.covered = engine.region(Ground::kCovered);
   if (settings.shapes) add_shapes(out, engine, settings.strict);
@@ -100,6 +106,7 @@ WorkedDrive::WorkedDrive(const Region& field, const EvaluateSettings& settings, 
 std::optional<WorkedStep> WorkedDrive::add(const Fix& fix, const std::vector<Boom>& booms) {
   std::optional<WorkedStep> step = steps_.add(fix, booms);
   if (step) engine_->add(*step);
+  engine_->add_unrecorded(steps_.unrecorded());
   lines_.add(fix, steps_.place(), steps_.joined(), step);
   motion_.add(fix, steps_.place(), steps_.heading(), steps_.joined());
   return step;

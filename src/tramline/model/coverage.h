@@ -27,9 +27,12 @@ struct CoverageAreas {
   double outside_m2 = 0;         ///< of that, outside it
   double repeated_m2 = 0;
   double sliver_m2 = 0;
-  double missed_m2 = 0;  ///< field − covered
-  /// Ground worked exactly 1, 2 times, 3 times or more; [0]: the missed ground. Exact in every engine that
-  /// counts; NaN where it was not asked for.
+  double missed_m2 = 0;  ///< field − covered − not recorded
+  /// Ground that was not covered, but that the machine may have worked while the log has no fixes: of the
+  /// field, or anywhere where there is none. covered inside + missed + not recorded = field.
+  double not_recorded_m2 = 0;
+  /// Ground worked exactly 1, 2 times, 3 times or more; [0]: the field less what was covered, that is missed
+  /// and not recorded. Exact in every engine that counts; NaN where it was not asked for.
   std::array<double, kMostCounted + 1> worked_times_m2{};
 
   double worked_twice_m2() const { return repeated_m2 + sliver_m2; }
@@ -41,11 +44,12 @@ enum class Ground {
   kRepeated,
   kSliver,
   kMissed,
-  kOutside,  ///< covered outside the field
-  kOnce,     ///< worked exactly once
-  kTwice,    ///< exactly twice
-  kOften,    ///< three times or more
-  kAgain,    ///< twice or more: repeated ground and slivers
+  kUnrecorded,  ///< not covered, but the machine may have worked it while the log has no fixes
+  kOutside,     ///< covered outside the field
+  kOnce,        ///< worked exactly once
+  kTwice,       ///< exactly twice
+  kOften,       ///< three times or more
+  kAgain,       ///< twice or more: repeated ground and slivers
 };
 
 /// A stretch of the drive: the places of the working implement, in order.
@@ -87,7 +91,8 @@ struct Coverage {
   Region covered;
   Region repeated;
   Region missed;
-  std::array<Region, kMostCounted + 1> worked_times{};  ///< as CoverageAreas::worked_times_m2; [0] is empty
+  Region not_recorded;
+  std::array<Region, kMostCounted + 1> worked_times{};  ///< as worked_times_m2; [0] is empty
   std::vector<Gap> gaps;                                ///< the missed region's parts, slivers left out
   std::vector<DrivenLine> lines;
   std::vector<CoverageSlice> slices;

@@ -67,6 +67,10 @@ inline constexpr Colour kCoveredColour = rgb(kCoveredHex);
 inline constexpr Colour kCoveredOutsideColour = rgb(kCoveredOutsideHex);
 inline constexpr Colour kCoveredEdge = rgb(0x86AE6B);
 inline constexpr Colour kTwiceHatch = rgb(0x8A3B00);
+/// What may have been worked and was not recorded: a yellow under dark lines, neither worked nor missed.
+inline constexpr std::uint32_t kNotRecordedHex = 0xF2C500;
+inline constexpr Colour kNotRecordedColour = rgb(kNotRecordedHex);
+inline constexpr Colour kNotRecordedHatch = rgb(0x1E2420, 0.55);
 inline constexpr Colour kWorkedPathColour = rgb(0x26402A, 0.75);
 inline constexpr Colour kIdlePathColour = rgb(0x7B7B7B, 0.8);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The track pieces of lines over gaps.
+// A line over gaps as pieces of a plan.
 
 #include <vector>
 
@@ -7,8 +7,8 @@
 
 namespace tramline {
 
-/// The pieces of the lines in the field's frame, line by line. They belong to the subfield; each line is a
-/// track of its own, numbered from 0.
-void append_pieces(const GapLines& lines, int subfield, std::vector<TrackPiece>& out);
+/// The line in the field's frame, in order along it: strip 0 of the grid. Its pieces belong to the subfield and
+/// are the track of that number. O(pieces).
+std::vector<TrackPiece> pieces_of(const GapLine& line, const StripGrid& grid, int subfield, int track);
 
 }  // namespace tramline

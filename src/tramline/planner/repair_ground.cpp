@@ -1,61 +1,138 @@
 #include "tramline/planner/repair_ground.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
+#include "tramline/geometry/boolean.h"
 #include "tramline/headland/body.h"
-#include "tramline/tracks/end_rule.h"
 
 namespace tramline {
 namespace {
 
-double least_covered_m2(double ground_m2, double min_area_m2) {
-  return std::max(kNoGround_m2, std::min(min_area_m2, ground_m2 - min_area_m2));
+Region all_oriented(Region region) {
+  for (Polygon& polygon : region) polygon = oriented(std::move(polygon));
+  return region;
 }
 
-std::optional<GapChoice> best_of(const GapGround& part, const RepairGround& ground, GapEffort effort,
-                                 double least_width_m) {
-  return best_lines(part, gap_directions(part, ground.terms.machine.width_m, effort), ground.terms,
-                    least_covered_m2(part.gaps_m2, ground.min_area_m2), least_width_m, ShortLines::kLeave);
+Region swaths_of(const GapLine& line, const StripGrid& grid) {
+  Region out;
+  const double left = grid.line(0), right = grid.line(1);
+  for (const StripPiece& piece : line.pieces)
+    out.push_back(
+        oriented({{grid.frame.to_field({left, piece.from}), grid.frame.to_field({right, piece.from}),
+                   grid.frame.to_field({right, piece.to}), grid.frame.to_field({left, piece.to})},
+                  {}}));
+  return out;
+}
+
+Region obstacles_of(const Field& field) {
+  Region out = obstacle_shapes(field, ObstacleKind::kObstacle);
+  for (Polygon& strip : obstacle_shapes(field, ObstacleKind::kPassable)) out.push_back(std::move(strip));
+  return all_oriented(std::move(out));
 }
 
 }  // namespace
 
-RepairGround repair_ground(const Field& field, const RepairTerms& terms, double min_area_m2) {
-  RepairGround out{body_of(field), obstacle_shapes(field, ObstacleKind::kObstacle), terms, min_area_m2};
-  for (Polygon& strip : obstacle_shapes(field, ObstacleKind::kPassable))
-    out.obstacles.push_back(std::move(strip));
-  for (Polygon& polygon : out.free) polygon = oriented(std::move(polygon));
+RepairGround::RepairGround(const Field& field, const std::vector<Gap>& gaps, DrivenDirections directions,
+                           RepairTerms terms)
+    : terms_(std::move(terms)), free_(all_oriented(body_of(field))) {
+  for (const Gap& gap : gaps) {
+    shapes_.push_back(oriented(gap.shape));
+    boxes_.push_back(bounds(gap.shape));
+    open_.push_back({shapes_.back()});
+  }
+  const Region obstacles = obstacles_of(field);
+  for (std::size_t d = 0; d < directions.directions.size(); ++d) {
+    Turned turned{TrackFrame(directions.directions[d]), {}, {}, {}, {}, {}};
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+      const std::vector<std::size_t>& of_gap = directions.of_gaps[i];
+      if (std::find(of_gap.begin(), of_gap.end(), d) != of_gap.end()) turned.gaps.push_back(i);
+    }
+    turned.open.resize(turned.gaps.size());
+    turned.boxes.resize(turned.gaps.size());
+    for (std::size_t k = 0; k < turned.gaps.size(); ++k) turn(turned, k);
+    turned.free = turned.frame.to_track(free_);
+    turned.obstacles = turned.frame.to_track(obstacles);
+    turned_.push_back(std::move(turned));
+  }
+}
+
+void RepairGround::turn(Turned& turned, std::size_t k) const {
+  turned.open[k] = turned.frame.to_track(open_[turned.gaps[k]]);
+  turned.boxes[k] = bounds(turned.open[k]);
+}
+
+double RepairGround::open_m2() const {
+  double sum = 0;
+  for (const Region& region : open_) sum += area(region);
+  return sum;
+}
+
+std::vector<RepairLine> RepairGround::lines_at(const LinePlace& place) const {
+  const Turned& turned = turned_[place.direction];
+  const double right_m = place.left_m + terms_.machine.width_m;
+  Region gaps;
+  for (std::size_t k = 0; k < turned.gaps.size(); ++k)
+    if (turned.boxes[k].min_x < right_m && turned.boxes[k].max_x > place.left_m)
+      gaps.insert(gaps.end(), turned.open[k].begin(), turned.open[k].end());
+  return lines_at(place, gaps, terms_.end_rule, WantedPieces::kWorthDriving);
+}
+
+std::vector<RepairLine> RepairGround::lines_at(const LinePlace& place, std::size_t gap) const {
+  return lines_at(place, turned_[place.direction].frame.to_track(open_[gap]), terms_.end_rule,
+                  WantedPieces::kWorthDriving);
+}
+
+std::vector<RepairLine> RepairGround::lines_over(std::size_t gap, const LinePlace& place) const {
+  return lines_at(place, turned_[place.direction].frame.to_track(Region{shapes_[gap]}), EndRule::kCover,
+                  WantedPieces::kAll);
+}
+
+std::vector<RepairLine> RepairGround::lines_at(const LinePlace& place, const Region& turned_gaps,
+                                               EndRule end_rule, WantedPieces wanted) const {
+  if (turned_gaps.empty()) return {};
+  const Turned& turned = turned_[place.direction];
+  const StripGrid grid{turned.frame, place.left_m, terms_.machine.width_m};
+  constexpr StripRange kOne{0, 0};
+  Strip strip;
+  strip.subfield = cross_sections(turned_gaps, grid, kOne).front();
+  if (strip.subfield.empty()) return {};
+  strip.hard = cross_sections(turned.obstacles, grid, kOne).front();
+  const Intervals open = where_at_least(cross_sections(turned.free, grid, kOne).front(),
+                                        terms_.machine.width_m - kWidthTolerance);
+  std::vector<RepairLine> out;
+  RepairTerms terms = terms_;
+  terms.end_rule = end_rule;
+  for (GapLine& line : lines_on(strip, open, terms, wanted)) {
+    RepairLine found{place, std::move(line), {}, 0};
+    found.worth = worth_of(found.line, found.line.covered_m2, terms_);
+    found.swaths = swaths_of(found.line, grid);
+    out.push_back(std::move(found));
+  }
   return out;
 }
 
-GapGround ground_of(Region region, const RepairGround& ground) {
-  for (Polygon& polygon : region) polygon = oriented(std::move(polygon));
-  return gap_ground(std::move(region), ground.free, ground.obstacles, ground.terms.machine.width_m);
-}
-
-std::optional<GapChoice> chosen_lines(const GapGround& part, const RepairGround& ground, GapEffort effort) {
-  return best_of(part, ground, effort, kTail_m);
-}
-
-std::optional<GapChoice> lines_whatever_it_takes(const GapGround& part, const RepairGround& ground) {
-  for (const double least_width_m : {kTail_m, kWidthTolerance})
-    if (auto found = best_of(part, ground, GapEffort::kThorough, least_width_m)) return found;
-  return std::nullopt;
-}
-
-std::string why_unreachable(const RepairGround& ground) {
-  return fmt::format(
-      "the machine cannot enter: no straight swath {:g} m wide that stays in the field and out of obstacles "
-      "works as much of it as counts",
-      ground.terms.machine.width_m);
-}
-
-Region sized(Region region, double least_m2) {
-  std::erase_if(region, [&](const Polygon& polygon) { return area(polygon) < least_m2; });
-  return region;
+void RepairGround::cover(const std::vector<RepairLine>& lines, const Region& changed) {
+  const Box near = bounds(changed);
+  for (std::size_t i = 0; i < shapes_.size(); ++i) {
+    if (!intersects(boxes_[i], near)) continue;
+    const bool meets = std::any_of(changed.begin(), changed.end(), [&](const Polygon& swath) {
+      return intersects(bounds(swath), boxes_[i]);
+    });
+    if (!meets) continue;
+    Region swaths;
+    for (const RepairLine& line : lines)
+      for (const Polygon& swath : line.swaths)
+        if (intersects(bounds(swath), boxes_[i])) swaths.push_back(swath);
+    open_[i] = {shapes_[i]};
+    if (!swaths.empty()) open_[i] = all_oriented(difference(open_[i], unite(swaths)));
+    std::erase_if(open_[i], [](const Polygon& polygon) { return area(polygon) < kNoGround_m2; });
+    for (Turned& turned : turned_) {
+      const auto found = std::lower_bound(turned.gaps.begin(), turned.gaps.end(), i);
+      if (found != turned.gaps.end() && *found == i)
+        turn(turned, static_cast<std::size_t>(found - turned.gaps.begin()));
+    }
+  }
 }
 
 }  // namespace tramline

@@ -1,48 +1,83 @@
 #pragma once
-// The ground of a repair, and the lines that are best for a part of it.
+// The ground of a repair: gaps, what of them is open yet, and the lines that may be driven over them.
 
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "tramline/model/field.h"
-#include "tramline/planner/gap_grids.h"
+#include "tramline/planner/driven_directions.h"
+#include "tramline/planner/gap_lines.h"
 
 namespace tramline {
-
-/// Missed ground that a repair leaves.
-struct LeftGap {
-  int number = 0;  ///< of the gap in the coverage, from 1
-  double area_m2 = 0;
-  Point at;  ///< within it
-  std::string why;
-};
 
 /// Smaller polygons are what the precision grid makes of two edges that should be one, m².
 inline constexpr double kNoGround_m2 = 1e-4;
 
-/// Where the lines of a repair may lie, and what they are laid for. Frame: the field's local metres.
-struct RepairGround {
-  Region free;       ///< the field less its obstacles, oriented
-  Region obstacles;  ///< passable strips too
-  RepairTerms terms;
-  double min_area_m2 = 0;  ///< smaller ground is left
+/// A place for a line: the strip with its left edge there, in one of the directions. Left of it as seen in
+/// the turned plane (track_frame.h).
+struct LinePlace {
+  std::size_t direction = 0;
+  double left_m = 0;
 };
 
-RepairGround repair_ground(const Field& field, const RepairTerms& terms, double min_area_m2);
+/// A line with its place.
+struct RepairLine {
+  LinePlace place;
+  GapLine line;
+  Region swaths;     ///< of its pieces, in the field's frame, oriented
+  double worth = 0;  ///< when it was found, but for the turn to it: see worth_of()
+};
 
-/// A part of the missed ground with what lies about it.
-GapGround ground_of(Region region, const RepairGround& ground);
+/// Frame: the field's local metres. Gaps are seen by the directions they may be worked in; swaths of other
+/// directions cover what they meet all the same.
+class RepairGround {
+ public:
+  /// `gaps`: those that are large enough.
+  RepairGround(const Field& field, const std::vector<Gap>& gaps, DrivenDirections directions,
+               RepairTerms terms);
 
-/// The lines that cost least, as in best_lines(), among those that cover as much as is no gap any more when
-/// it is left, or enough for the rest to be none; nullopt: no such line.
-std::optional<GapChoice> chosen_lines(const GapGround& part, const RepairGround& ground, GapEffort effort);
-/// The same in every direction, and then for ground however narrow.
-std::optional<GapChoice> lines_whatever_it_takes(const GapGround& part, const RepairGround& ground);
+  const RepairTerms& terms() const { return terms_; }
+  const Region& free() const { return free_; }  ///< the field less its obstacles, oriented
+  std::size_t gaps() const { return shapes_.size(); }
+  const Polygon& gap(std::size_t i) const { return shapes_[i]; }
+  const Region& open(std::size_t i) const { return open_[i]; }  ///< of that, what no line covers
+  double open_m2() const;                                       ///< of all gaps
+  std::size_t directions() const { return turned_.size(); }
+  const TrackFrame& frame(std::size_t direction) const { return turned_[direction].frame; }
 
-/// Why chosen lines are none.
-std::string why_unreachable(const RepairGround& ground);
+  /// Gaps worked in a direction, increasing.
+  const std::vector<std::size_t>& gaps_in(std::size_t direction) const { return turned_[direction].gaps; }
 
-/// The polygons of at least that area.
-Region sized(Region region, double least_m2);
+  /// The lines there over what is open, as lines_on() has them. O(edges of the field and of the gaps that the
+  /// strip meets). Safe to call from several threads.
+  std::vector<RepairLine> lines_at(const LinePlace& place) const;
+  /// Those over what is open of one gap.
+  std::vector<RepairLine> lines_at(const LinePlace& place, std::size_t gap) const;
+  /// Those over one gap alone, as it is without any line, with all that they meet of it, whatever that costs.
+  std::vector<RepairLine> lines_over(std::size_t gap, const LinePlace& place) const;
+
+  /// Ground is covered, or open again, as these lines say. Only gaps that `changed` meets are looked at.
+  void cover(const std::vector<RepairLine>& lines, const Region& changed);
+
+ private:
+  struct Turned {
+    TrackFrame frame;
+    std::vector<std::size_t> gaps;  ///< worked in this direction
+    std::vector<Region> open;       ///< of these
+    std::vector<Box> boxes;
+    Region free;
+    Region obstacles;
+  };
+  void turn(Turned& turned, std::size_t k) const;
+  std::vector<RepairLine> lines_at(const LinePlace& place, const Region& turned_gaps, EndRule end_rule,
+                                   WantedPieces wanted) const;
+
+  RepairTerms terms_;
+  Region free_;
+  std::vector<Polygon> shapes_;
+  std::vector<Box> boxes_;
+  std::vector<Region> open_;
+  std::vector<Turned> turned_;
+};
 
 }  // namespace tramline

@@ -3,74 +3,123 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "tramline/cost/piece_overlap.h"
 #include "tramline/cost/worked_regions.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
-#include "tramline/planner/gap_pieces.h"
-#include "tramline/planner/join_gaps.h"
-#include "tramline/planner/order/best_tour.h"
+#include "tramline/planner/for_each_index.h"
 #include "tramline/planner/pulse.h"
+#include "tramline/planner/repair_pieces.h"
+#include "tramline/planner/repair_places.h"
 #include "tramline/planner/warnings.h"
 
 namespace tramline {
 namespace {
 
-void require_any(const GapsTakenOn& gaps, const Field& field, const RepairGround& ground) {
-  const std::size_t all = gaps.taken.size() + gaps.ignored.size() + gaps.unreachable.size();
-  if (all == 0) throw bad_input(fmt::format("nothing of the field '{}' was missed", field.id));
-  if (!gaps.taken.empty()) return;
+/// Less of a gap, m², is worked by chance, where a swath runs over it to another.
+constexpr double kByChance_m2 = 0.01;
+
+/// Gaps that are large enough, the others listed.
+std::vector<Gap> large_ones(const std::vector<Gap>& gaps, double min_area_m2, std::vector<LeftGap>& ignored) {
+  std::vector<Gap> out;
+  for (const Gap& gap : gaps) {
+    if (gap.area_m2 >= min_area_m2)
+      out.push_back(gap);
+    else
+      ignored.push_back({gap.number, gap.area_m2, gap.centre,
+                         fmt::format("smaller than the least area of {:g} m²", min_area_m2)});
+  }
+  return out;
+}
+
+/// Why a gap is left: what the pass that works most of it alone wins and costs; nullopt: none gets in.
+std::optional<std::string> price_of_pass(std::size_t gap, const RepairGround& ground) {
+  const Objective& objective = ground.terms().objective;
+  const RepairLine* best = nullptr;
+  std::vector<std::vector<RepairLine>> found;
+  for (const LinePlace& place : places_over(gap, ground)) found.push_back(ground.lines_over(gap, place));
+  for (const std::vector<RepairLine>& lines : found)
+    for (const RepairLine& line : lines)
+      if (best == nullptr || line.line.covered_m2 > best->line.covered_m2) best = &line;
+  if (best == nullptr) return std::nullopt;
+  return fmt::format("a pass over {:.1f} m² of it costs {:.2f} with the turn to it and wins back {:.2f}",
+                     best->line.covered_m2, price_of(best->line, ground.terms()) + objective.turn,
+                     objective.uncovered * best->line.covered_m2);
+}
+
+std::string why_unreachable(const RepairGround& ground) {
+  return fmt::format(
+      "the machine cannot enter: no straight swath {:g} m wide in a direction driven there stays in the "
+      "field "
+      "and out of obstacles",
+      ground.terms().machine.width_m);
+}
+
+/// Indices of the gaps that the lines work; the others are listed.
+std::vector<std::size_t> taken_on(const std::vector<Gap>& gaps, const RepairGround& ground, int threads,
+                                  RepairPlan& out) {
+  std::vector<std::size_t> taken, left;
+  for (std::size_t i = 0; i < gaps.size(); ++i)
+    (area(ground.gap(i)) - area(ground.open(i)) > kByChance_m2 ? taken : left).push_back(i);
+  std::vector<std::optional<std::string>> prices(left.size());
+  for_each_index(left.size(), threads, [&](std::size_t k) { prices[k] = price_of_pass(left[k], ground); });
+  for (std::size_t k = 0; k < left.size(); ++k) {
+    const Gap& gap = gaps[left[k]];
+    if (prices[k])
+      out.not_worth.push_back({gap.number, gap.area_m2, gap.centre, *prices[k]});
+    else
+      out.unreachable.push_back({gap.number, gap.area_m2, gap.centre, why_unreachable(ground)});
+  }
+  return taken;
+}
+
+void require_gaps(const std::vector<Gap>& all, const std::vector<Gap>& large, const Field& field,
+                  double min_area_m2) {
+  if (all.empty()) throw bad_input(fmt::format("nothing of the field '{}' was missed", field.id));
+  if (large.empty())
+    throw bad_input(fmt::format(
+        "none of the {} gaps of field '{}' can be repaired: all are smaller than {:g} m²; use a smaller "
+        "--min-area",
+        all.size(), field.id, min_area_m2));
+}
+
+void require_passes(const RepairPlan& repair, const RepairGround& ground, const Field& field) {
+  if (repair.taken > 0) return;
+  const double width_m = ground.terms().machine.width_m;
+  if (repair.not_worth.empty())
+    throw bad_input(fmt::format(
+        "none of the {} gaps of field '{}' can be repaired: {} are too small, and into {} no swath "
+        "{:g} m wide fits without leaving the field; use a smaller --min-area or a narrower machine",
+        repair.gaps, field.id, repair.ignored.size(), repair.unreachable.size(), width_m));
+  const LeftGap& largest = repair.not_worth.front();
   throw bad_input(fmt::format(
-      "none of the {} gaps of field '{}' can be repaired: {} are smaller than {:g} m², and into {} no swath "
-      "{:g} m wide fits without leaving the field; use a smaller --min-area or a narrower machine",
-      all, field.id, gaps.ignored.size(), ground.min_area_m2, gaps.unreachable.size(),
-      ground.terms.machine.width_m));
+      "none of the {} gaps of field '{}' is worth a pass: left as they are they cost {:.2f}, and any pass "
+      "costs "
+      "more than it wins back (gap {}, {:.1f} m²: {}); --prices says what missed land and passes cost",
+      repair.gaps, field.id, repair.cost_if_left, largest.number, largest.area_m2, largest.why));
 }
 
 /// Without pieces: body, worked ground and what was asked for.
-Plan bare_plan(const Field& field, const std::vector<Gap>& taken, const RepairGround& ground) {
+Plan bare_plan(const Field& field, const std::vector<std::size_t>& taken, const RepairGround& ground) {
   Plan plan;
   plan.field = field;
-  plan.machine = ground.terms.machine;
-  plan.objective = ground.terms.objective;
-  plan.settings.end_rule = ground.terms.end_rule;
+  plan.machine = ground.terms().machine;
+  plan.objective = ground.terms().objective;
+  plan.settings.end_rule = ground.terms().end_rule;
   plan.settings.boundary = EdgeKind::kHard;
   plan.settings.avoid = Avoidance::kCut;
-  for (const Gap& gap : taken) plan.body.push_back(oriented(gap.shape));
+  for (const std::size_t i : taken) plan.body.push_back(ground.gap(i));
   plan.body = unite(plan.body);
-  plan.worked = sized(difference(ground.free, plan.body), kNoGround_m2);
+  plan.worked = difference(ground.free(), plan.body);
+  std::erase_if(plan.worked, [](const Polygon& polygon) { return area(polygon) < kNoGround_m2; });
   if (plan.worked.empty())
     throw bad_input(fmt::format(
         "nothing of the field '{}' was worked: there is nothing to repair, plan it with 'tramline plan'",
         field.id));
   return plan;
-}
-
-/// The regions without those of the grounds that came of them, a subfield for each polygon, and the index of
-/// the first for each ground.
-std::vector<int> add_subfields(Plan& plan, const std::vector<RepairedGround>& grounds) {
-  std::vector<int> first;
-  for (const RepairedGround& ground : grounds) {
-    Region own =
-        ground.left_for_more.empty() ? ground.region : difference(ground.region, unite(ground.left_for_more));
-    std::stable_sort(own.begin(), own.end(),
-                     [](const Polygon& a, const Polygon& b) { return area(a) > area(b); });
-    first.push_back(static_cast<int>(plan.subfields.size()));
-    for (std::size_t i = 0; i < own.size(); ++i)
-      if (i == 0 || area(own[i]) >= kNoGround_m2)
-        plan.subfields.push_back({std::move(own[i]), ground.direction});
-  }
-  return first;
-}
-
-void add_pieces(Plan& plan, const std::vector<RepairedGround>& grounds) {
-  const std::vector<int> first = add_subfields(plan, grounds);
-  std::vector<TrackPiece> pieces;
-  for (std::size_t i = 0; i < grounds.size(); ++i) append_pieces(grounds[i].lines, first[i], pieces);
-  const std::vector<order::WorkedLine> lines = order::lines_of(pieces);
-  plan.pieces = order::pieces_on(order::best_tour(lines, plan.field, plan.machine.width_m), lines);
 }
 
 void add_tally(Plan& plan) {
@@ -94,38 +143,48 @@ void add_tally(Plan& plan) {
   plan.cost = cost(plan.objective, tally);
 }
 
-void add_layers(Plan& plan, const Region& swaths) {
-  WorkedRegions worked = worked_regions(plan.body, swaths);
-  plan.overlap = std::move(worked.overlap);
-  plan.uncovered = std::move(worked.uncovered);
+Region all_swaths(const std::vector<RepairLine>& lines) {
+  Region out;
+  for (const RepairLine& line : lines) out.insert(out.end(), line.swaths.begin(), line.swaths.end());
+  return out;
+}
+
+void add_prices(RepairPlan& repair) {
+  const Objective& objective = repair.plan.objective;
+  repair.cost_of_passes = repair.plan.cost - objective.uncovered * repair.plan.tally.uncovered_m2;
+  repair.cost_after = repair.cost_of_passes + objective.uncovered * repair.missed_after_m2;
 }
 
 }  // namespace
 
 RepairPlan repair_plan(const Field& field, const std::vector<Gap>& gaps, const Region& missed,
-                       RepairTerms terms, double min_area_m2, int threads, const RepairProgress& progress) {
+                       const std::vector<DrivenLine>& driven, RepairTerms terms, double min_area_m2,
+                       int threads, const RepairProgress& progress) {
   if (terms.machine.min_length_m < 0) terms.machine.min_length_m = 0;
   Pulse pulse(progress);
-  const RepairGround ground = repair_ground(field, terms, min_area_m2);
-  GapsTakenOn sorted = enterable_gaps(gaps, ground, threads);
-  require_any(sorted, field, ground);
-  std::vector<GapGroup> groups =
-      join_where_it_pays(std::move(sorted.groups), ground.free, ground.obstacles, terms, threads);
-  RepairLines lines = repair_lines(std::move(groups), sorted.taken, ground, pulse.counter());
-
   RepairPlan out;
-  out.plan = bare_plan(field, sorted.taken, ground);
-  add_pieces(out.plan, lines.grounds);
-  add_tally(out.plan);
-  add_layers(out.plan, lines.swaths);
-  out.plan.warnings = warnings_about(out.plan);
+  const std::vector<Gap> large = large_ones(gaps, min_area_m2, out.ignored);
+  require_gaps(gaps, large, field, min_area_m2);
+  const double width_m = terms.machine.width_m;
+  RepairGround ground(field, large, driven_directions(large, driven, width_m), std::move(terms));
+  const std::vector<RepairLine> lines = chosen_lines(ground, threads, pulse.counter());
+  const std::vector<std::size_t> taken = taken_on(large, ground, threads, out);
   out.gaps = static_cast<int>(gaps.size());
-  out.taken = static_cast<int>(sorted.taken.size());
-  out.ignored = std::move(sorted.ignored);
-  out.unreachable = std::move(sorted.unreachable);
-  for (LeftGap& part : lines.unreachable) out.unreachable.push_back(std::move(part));
+  out.taken = static_cast<int>(taken.size());
   out.missed_before_m2 = area(missed);
-  out.missed_after_m2 = area(difference(missed, unite(lines.swaths)));
+  out.cost_if_left = ground.terms().objective.uncovered * out.missed_before_m2;
+  require_passes(out, ground, field);
+
+  out.plan = bare_plan(field, taken, ground);
+  add_lines(out.plan, taken, lines, ground);
+  add_tally(out.plan);
+  const Region swaths = all_swaths(lines);
+  WorkedRegions worked = worked_regions(out.plan.body, swaths);
+  out.plan.overlap = std::move(worked.overlap);
+  out.plan.uncovered = std::move(worked.uncovered);
+  out.plan.warnings = warnings_about(out.plan);
+  out.missed_after_m2 = area(difference(missed, unite(swaths)));
+  add_prices(out);
   return out;
 }
 

@@ -65,6 +65,11 @@ void draw_missed(Canvas& canvas, const Coverage& coverage) {
   }
 }
 
+void draw_not_recorded(Canvas& canvas, const Coverage& coverage) {
+  fill(canvas, coverage.not_recorded, kNotRecordedColour);
+  hatch(canvas, coverage.not_recorded, not_recorded_hatch());
+}
+
 void draw_driven(Canvas& canvas, const Coverage& coverage) {
   const double k = canvas.scale();
   const double pass = coverage.width_m * canvas.view().px_per_m;

@@ -16,6 +16,8 @@ void draw_repeated(Canvas& canvas, const Coverage& coverage);
 /// Missed land likewise; but gaps at least so wide that none escapes the eye, and no wider: a page full of
 /// thin gaps must not look as if most of the land had been missed.
 void draw_missed(Canvas& canvas, const Coverage& coverage);
+/// What may have been worked and was not recorded, hatched.
+void draw_not_recorded(Canvas& canvas, const Coverage& coverage);
 /// The way of the machine: solid where it worked, dashed where it did not.
 void draw_driven(Canvas& canvas, const Coverage& coverage);
 void draw_field_outline(Canvas& canvas, const Coverage& coverage);

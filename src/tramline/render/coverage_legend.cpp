@@ -41,6 +41,7 @@ LegendBlock symbols(const Coverage& coverage) {
   add(!coverage.covered.empty(), Symbol::kCovered, "covered");
   add(areas.repeated_m2 > kLeastArea, Symbol::kOverlap, "repeated: worked again");
   add(field && areas.missed_m2 > kLeastArea, Symbol::kUncovered, "missed: not worked");
+  add(areas.not_recorded_m2 > kLeastArea, Symbol::kNotRecorded, "not recorded: a hole in the log");
   add(field && areas.outside_m2 > kLeastArea, Symbol::kCoveredOutside, "covered outside the field");
   add(has_lines(coverage, true), Symbol::kWorkedPath, "driven and working");
   add(has_lines(coverage, false), Symbol::kIdlePath, "driven, not working");
@@ -58,9 +59,12 @@ LegendBlock areas_of(const Coverage& coverage) {
     add("field", area_text(field_m2));
     add("covered, of the field", with_share(areas.covered_inside_m2, field_m2));
     add("missed, of the field", with_share(areas.missed_m2, field_m2));
+    if (areas.not_recorded_m2 > kLeastArea)
+      add("not recorded, of the field", with_share(areas.not_recorded_m2, field_m2));
     add("covered outside it", area_text(areas.outside_m2));
   } else {
     add("covered", area_text(areas.covered_m2));
+    if (areas.not_recorded_m2 > kLeastArea) add("not recorded", area_text(areas.not_recorded_m2));
   }
   add("repeated, of all covered", with_share(areas.repeated_m2, areas.covered_m2));
   if (areas.sliver_m2 > kLeastArea)

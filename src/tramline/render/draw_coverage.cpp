@@ -35,6 +35,7 @@ void draw_map(Canvas& canvas, const Coverage& coverage, const Box& map) {
   draw_covered(canvas, coverage);
   draw_repeated(canvas, coverage);
   draw_missed(canvas, coverage);
+  draw_not_recorded(canvas, coverage);
   draw_driven(canvas, coverage);
   draw_field_outline(canvas, coverage);
   draw_gap_labels(canvas, place_gap_labels(coverage.gaps, canvas.view(), canvas.scale(), map));

@@ -36,6 +36,11 @@ const Hatch& given_up_hatch() {
   return style;
 }
 
+const Hatch& not_recorded_hatch() {
+  static const Hatch style{kNotRecordedHatch, 7, 1.2, true};
+  return style;
+}
+
 void draw_ground(Canvas& canvas, const Plan& plan) {
   fill(canvas, {{plan.field.outer, {}}}, kFieldColour);
   if (is_repair(plan)) fill(canvas, plan.worked, kCoveredColour);

@@ -54,6 +54,7 @@ void draw_arrow_head(Canvas& canvas, Point tip, Point heading, double size, Colo
 const Hatch& obstacle_hatch();
 const Hatch& passable_hatch();
 const Hatch& given_up_hatch();
+const Hatch& not_recorded_hatch();
 /// The line of a track, px at text scale 1.
 inline constexpr double kTrackLine = 1.1;
 inline constexpr double kDetourLine = 2.2;

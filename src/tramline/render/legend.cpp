@@ -109,6 +109,8 @@ void draw_symbol(Canvas& canvas, const Box& box, const LegendRow& row) {
       return draw_swatch_box(canvas, box, kOverlapColour, nullptr, kOverlapColour);
     case Symbol::kUncovered:
       return draw_swatch_box(canvas, box, kUncoveredColour, nullptr, kUncoveredColour);
+    case Symbol::kNotRecorded:
+      return draw_swatch_box(canvas, box, kNotRecordedColour, &not_recorded_hatch(), kNotRecordedColour);
     case Symbol::kCovered:
       return draw_swatch_box(canvas, box, kCoveredColour, nullptr, kCoveredEdge);
     case Symbol::kCoveredOutside:

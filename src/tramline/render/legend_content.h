@@ -28,6 +28,7 @@ enum class Symbol {
   kStop,
   kOverlap,
   kUncovered,
+  kNotRecorded,
   kCovered,
   kCoveredOutside,
   kWorkedPath,

@@ -44,9 +44,11 @@ Coverage odd_passes() {
       std::for_each(polygon.holes.begin(), polygon.holes.end(), move_ring);
     }
   };
+  out.not_recorded = {{box_ring(2, 30, 6, 38), {}}};
+  out.areas.not_recorded_m2 = 32 + 1.0 / 3;
   out.field[0].holes = {reversed(box_ring(2, 2, 3, 3)), reversed(box_ring(5, 5, 7, 6))};
-  for (Region* region :
-       {&out.field, &out.covered, &out.repeated, &out.missed, &out.worked_times[1], &out.worked_times[2]})
+  for (Region* region : {&out.field, &out.covered, &out.repeated, &out.missed, &out.not_recorded,
+                         &out.worked_times[1], &out.worked_times[2]})
     move_region(*region);
   for (Gap& gap : out.gaps) {
     move_ring(gap.shape.outer);
@@ -63,8 +65,9 @@ Coverage odd_passes() {
   out.areas.sliver_m2 = 1e-7 / 3;
   out.worked_s = 42 + 1.0 / 3;
   out.fixes = 5'000'000'000;
-  out.slices = {{100, {1, 2, 3, 4, 5, 6, 7, {8, 9, 10, 11}}, 12, 13, 0.1},
-                {200, {1.1, 2, 3, 4, 5, 6, kNan, {kNan, kNan, kNan, kNan}}, 5'000'000'000, 23, 1.0 / 3}};
+  out.slices = {
+      {100, {1, 2, 3, 4, 5, 6, 7, 7.5, {8, 9, 10, 11}}, 12, 13, 0.1},
+      {200, {1.1, 2, 3, 4, 5, 6, kNan, kNan, {kNan, kNan, kNan, kNan}}, 5'000'000'000, 23, 1.0 / 3}};
   return out;
 }
 
@@ -77,8 +80,9 @@ class CoverageFileTest : public testing::Test {
 
 /// Every number of the areas, for comparison to the bit; NaN equals NaN.
 std::vector<double> numbers_of(const CoverageAreas& areas) {
-  std::vector<double> out{areas.gross_m2,    areas.covered_m2, areas.covered_inside_m2, areas.outside_m2,
-                          areas.repeated_m2, areas.sliver_m2,  areas.missed_m2};
+  std::vector<double> out{areas.gross_m2,   areas.covered_m2,     areas.covered_inside_m2,
+                          areas.outside_m2, areas.repeated_m2,    areas.sliver_m2,
+                          areas.missed_m2,  areas.not_recorded_m2};
   out.insert(out.end(), areas.worked_times_m2.begin(), areas.worked_times_m2.end());
   for (double& number : out)
     if (std::isnan(number)) number = -1;
@@ -122,6 +126,7 @@ TEST_F(CoverageFileTest, comes_back_to_the_bit) {
   EXPECT_EQ(read.covered, coverage.covered);
   EXPECT_EQ(read.repeated, coverage.repeated);
   EXPECT_EQ(read.missed, coverage.missed);
+  EXPECT_EQ(read.not_recorded, coverage.not_recorded);
   EXPECT_TRUE(read.worked_times[0].empty());
   // Of the two parts worked once the western one has 16·40 m², the eastern one 20·5 m² more: it comes first.
   EXPECT_EQ(read.worked_times[1], (Region{coverage.worked_times[1][1], coverage.worked_times[1][0]}));
@@ -206,7 +211,7 @@ TEST_F(CoverageFileTest, gdal_finds_the_layers_and_their_figures) {
   for (const auto& row : *data->GetLayerByName("metadata"))
     metadata[row->GetFieldAsString("key")] = row->GetFieldAsString("value");
   EXPECT_EQ(metadata["format"], "tramline coverage");
-  EXPECT_EQ(metadata["format_version"], "1");
+  EXPECT_EQ(metadata["format_version"], "2");
   EXPECT_EQ(metadata["areas.covered_m2"], "1540");
   EXPECT_EQ(metadata["areas.worked_times_1_m2"], "1380");
   EXPECT_EQ(metadata["field.id"], "square");
@@ -258,7 +263,8 @@ TEST_F(CoverageFileTest, an_evaluation_of_nothing_has_every_layer) {
   EXPECT_TRUE(read.covered.empty());
   EXPECT_TRUE(read.lines.empty());
   const GDALDatasetUniquePtr data(GDALDataset::Open(file().c_str(), GDAL_OF_VECTOR));
-  for (const char* layer : {"field", "covered", "repeated", "missed", "multiplicity", "gaps", "track"}) {
+  for (const char* layer :
+       {"field", "covered", "repeated", "missed", "not_recorded", "multiplicity", "gaps", "track"}) {
     ASSERT_NE(data->GetLayerByName(layer), nullptr) << layer;
     EXPECT_EQ(data->GetLayerByName(layer)->GetFeatureCount(), 0) << layer;
   }

@@ -39,8 +39,8 @@ TEST(CoverageStyles, EveryLayerWithShapesHasOneAndEveryRuleItsSymbol) {
                                                                     rule.attribute("symbol").value()))
           << layer;
   }
-  EXPECT_EQ(layers, (std::set<std::string>{"field", "covered", "repeated", "missed", "multiplicity", "gaps",
-                                           "track"}));
+  EXPECT_EQ(layers, (std::set<std::string>{"field", "covered", "repeated", "missed", "not_recorded",
+                                           "multiplicity", "gaps", "track"}));
 }
 
 TEST(CoverageStyles, ShowTheColoursOfPictures) {
@@ -48,6 +48,7 @@ TEST(CoverageStyles, ShowTheColoursOfPictures) {
   EXPECT_TRUE(has(qml.at("covered"), "color", "191,221,169,255"));
   EXPECT_TRUE(has(qml.at("repeated"), "color", "230,97,0,255"));
   EXPECT_TRUE(has(qml.at("missed"), "color", "10,79,214,255"));
+  EXPECT_TRUE(has(qml.at("not_recorded"), "color", "242,197,0,255"));
   EXPECT_TRUE(has(qml.at("track"), "line_color", "38,64,42,191"));
   EXPECT_TRUE(has(qml.at("track"), "line_style", "dash"));
 }

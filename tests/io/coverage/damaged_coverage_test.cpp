@@ -69,7 +69,8 @@ class DamagedCoverage : public testing::Test {
 
 TEST_F(DamagedCoverage, missing_parts_are_named) {
   EXPECT_EQ(read(), "");
-  for (const std::string layer : {"field", "covered", "repeated", "missed", "multiplicity", "gaps", "track"})
+  for (const std::string layer :
+       {"field", "covered", "repeated", "missed", "not_recorded", "multiplicity", "gaps", "track"})
     EXPECT_TRUE(mentions(after_sql(("DROP TABLE " + layer).c_str()), "'" + layer + "'")) << layer;
   EXPECT_EQ(after_sql("DROP TABLE layer_styles"), "");
   EXPECT_EQ(after_sql("DROP TABLE slices"), "");
@@ -81,7 +82,7 @@ TEST_F(DamagedCoverage, missing_parts_are_named) {
   EXPECT_TRUE(mentions(after_sql("UPDATE metadata SET value = '{\"record\":1}' WHERE key = 'skipped.listed'"),
                        "JSON list"));
   EXPECT_TRUE(
-      mentions(after_sql("UPDATE metadata SET value = '2' WHERE key = 'format_version'"), "format_version"));
+      mentions(after_sql("UPDATE metadata SET value = '3' WHERE key = 'format_version'"), "format_version"));
   EXPECT_TRUE(mentions(after_sql("UPDATE covered SET geom = NULL"), "layer covered, feature 1"));
   EXPECT_TRUE(mentions(after_sql("UPDATE gaps SET number = NULL"), "number"));
   EXPECT_TRUE(mentions(after_sql("UPDATE gaps SET x = 9e999"), "layer gaps, feature 1"));
@@ -89,6 +90,24 @@ TEST_F(DamagedCoverage, missing_parts_are_named) {
   EXPECT_TRUE(mentions(after_sql("UPDATE multiplicity SET times = 4 WHERE fid = 1"), "times is 4"));
   EXPECT_TRUE(mentions(after_sql("UPDATE multiplicity SET times = 2 WHERE fid = 1"), "times is 2 again"));
   EXPECT_TRUE(mentions(after_sql("UPDATE slices SET fixes = -5"), "fixes is negative"));
+}
+
+// Version 1 knew nothing of ground that was not recorded.
+TEST_F(DamagedCoverage, older_files_are_read) {
+  io::write_coverage(with_slices(), file_);
+  {
+    const GDALDatasetUniquePtr data(GDALDataset::Open(file_.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
+    for (const char* statement :
+         {"DROP TABLE not_recorded", "DELETE FROM metadata WHERE key = 'areas.not_recorded_m2'",
+          "ALTER TABLE slices DROP COLUMN not_recorded_m2",
+          "UPDATE metadata SET value = '1' WHERE key = 'format_version'"})
+      data->ExecuteSQL(statement, nullptr, nullptr);
+  }
+  const Coverage read = io::read_coverage(file_);
+  EXPECT_TRUE(read.not_recorded.empty());
+  EXPECT_EQ(read.areas.not_recorded_m2, 0);
+  EXPECT_EQ(read.slices.at(0).areas.not_recorded_m2, 0);
+  EXPECT_EQ(read.areas.missed_m2, with_slices().areas.missed_m2);
 }
 
 TEST_F(DamagedCoverage, files_of_another_kind_are_told_apart) {

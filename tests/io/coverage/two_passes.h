@@ -29,7 +29,7 @@ inline Coverage two_passes() {
   out.frame = {true, 13, 52, 0, 0};
   out.width_m = 20;
   out.engine = "exact";
-  out.areas = {1700, 1540, 1440, 100, 160, 0, 160, {160, 1380, 160, 0}};
+  out.areas = {1700, 1540, 1440, 100, 160, 0, 160, 0, {160, 1380, 160, 0}};
   out.covered = {{{{0, 0}, {36, 0}, {36, 45}, {16, 45}, {16, 40}, {0, 40}}, {}}};
   out.repeated = {{box_ring(16, 0, 20, 40), {}}};
   out.missed = {{box_ring(36, 0, 40, 40), {}}};

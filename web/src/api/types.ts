@@ -291,6 +291,7 @@ export interface DriveSummary {
   repeated_m2: number;
   repeated_rate: number;
   missed_m2: number | null;
+  not_recorded_m2?: number;
   worked_hours: number | null;
   ha_per_hour: number | null;
   skipped_count?: number;
@@ -303,7 +304,11 @@ export interface Compared {
   unplanned_m2?: number;
   along_tracks_m?: number;
   beside_tracks_m?: number;
-  deviation_mean_m?: number;
+  followed?: boolean;
+  followed_share?: number;
+  median_distance_m?: number | null;
+  median_angle_deg?: number | null;
+  deviation_mean_m?: number | null;
   deviation_p95_m?: number;
   deviation_most_m?: number;
 }

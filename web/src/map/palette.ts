@@ -25,6 +25,8 @@ export const PICTURE = {
   CoveredOutside: '#E4F0DA',
   CoveredEdge: '#86AE6B',
   TwiceHatch: '#8A3B00',
+  NotRecorded: '#F2C500',
+  NotRecordedHatch: '#1E2420',
   WorkedPath: '#26402A',
   IdlePath: '#7B7B7B',
 } as const;
@@ -61,6 +63,7 @@ export const NIGHT: Colours = {
   CoveredOutside: '#2C4428',
   CoveredEdge: '#6D9A58',
   TwiceHatch: '#FFB27A',
+  NotRecorded: '#C9A400',
   WorkedPath: '#D9F0C8',
   IdlePath: '#9A9A9A',
   Tints: ['#2C3A2A', '#3B3626', '#332D3D', '#3B2E2D', '#25393A', '#36361F', '#2B333C', '#3A3229'],

@@ -14,7 +14,7 @@ export const SOURCES = [
   'grid', 'field',
   'plan:headland', 'plan:subfields', 'plan:given_up', 'plan:worked', 'plan:swaths', 'plan:headland_unworked',
   'plan:uncovered', 'plan:overlap', 'plan:headland_passes', 'plan:tracks', 'plan:detours', 'plan:dropped',
-  'drive:missed', 'drive:covered', 'drive:repeated', 'drive:multiplicity', 'drive:track', 'drive:gaps',
+  'drive:missed', 'drive:not_recorded', 'drive:covered', 'drive:repeated', 'drive:multiplicity', 'drive:track', 'drive:gaps',
   'work:line', 'work:machine', 'drawing', 'edges',
 ] as const;
 export const TILE_SOURCES = ['work:covered', 'work:repeated'] as const;

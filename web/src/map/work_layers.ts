@@ -13,6 +13,7 @@ export function workLayers(c: Colours): LayerSpecification[] {
   return [
     ground('drive:covered', c.Covered, 1, true),
     ground('drive:missed', c.Uncovered, 0.9, true),
+    ground('drive:not_recorded', c.NotRecorded, 0.9, true),
     ground('drive:repeated', c.Overlap, 0.9, true),
     {
       id: 'drive:multiplicity', type: 'fill', source: 'drive:multiplicity',
@@ -58,6 +59,7 @@ export const DRIVE_PARTS: Record<string, string[]> = {
   covered: ['drive:covered'],
   repeated: ['drive:repeated'],
   missed: ['drive:missed'],
+  not_recorded: ['drive:not_recorded'],
   multiplicity: ['drive:multiplicity'],
   track: ['drive:track', 'drive:track-idle'],
   gaps: ['drive:gaps', 'drive:gaps-number'],

@@ -10,8 +10,12 @@ import { stopReplay } from './replay';
 import { show } from './session';
 import { store } from './store';
 
-export const DRIVE_LAYERS = ['covered', 'repeated', 'missed', 'multiplicity', 'track', 'gaps'] as const;
+export const DRIVE_LAYERS = ['covered', 'repeated', 'missed', 'not_recorded', 'multiplicity', 'track', 'gaps'] as const;
 export type DriveLayer = (typeof DRIVE_LAYERS)[number];
+
+/** A drive has not all of them: holes of a log are rare, and files of older versions know none. */
+export const hasLayer = (drive: DriveFull, name: DriveLayer): boolean =>
+  name === 'not_recorded' ? (drive.summary.not_recorded_m2 ?? 0) > 0 : drive.field !== null || (name !== 'missed' && name !== 'gaps');
 
 export const review = store<{
   list: DriveItem[] | null;
@@ -26,7 +30,7 @@ export const review = store<{
   upload: null,
   drive: null,
   shapes: {},
-  shown: { covered: true, repeated: true, missed: true, multiplicity: false, track: true, gaps: true },
+  shown: { covered: true, repeated: true, missed: true, not_recorded: true, multiplicity: false, track: true, gaps: true },
   job: null,
   gap: null,
 });
@@ -92,7 +96,7 @@ export async function openDrive(id: string): Promise<void> {
     const field = await api.field(drive.field).catch(() => null); // a deleted field's drives stay
     fields.set({ open: field });
   }
-  const names = DRIVE_LAYERS.filter((name) => review.get().shown[name]);
+  const names = DRIVE_LAYERS.filter((name) => review.get().shown[name] && (name !== 'not_recorded' || hasLayer(drive, name)));
   const shapes = await fetchShapes(id, names);
   review.set({ drive, shapes, gap: null });
 }

@@ -106,13 +106,15 @@ std::optional<DoseDrift> drift_of(const std::optional<WindSettings>& wind) {
   return wind ? std::optional(drift_of(*wind)) : std::nullopt;
 }
 
-Box box_of(const Region& field) { return field.empty() ? Box{} : bounds(field); }
+Box box_of(const Region& region) { return region.empty() ? Box{} : bounds(region); }
 
 void add_ground(CellContents& cells, const CellGrid& grid, const Region& field, const Coverage& coverage) {
   cells.covered_m2 = area_in_cells(coverage.covered, grid);
   if (field.empty()) return;
   cells.field_m2 = area_in_cells(field, grid);
   cells.missed_m2 = area_in_cells(coverage.missed, grid);
+  const std::vector<double> not_recorded_m2 = area_in_cells(coverage.not_recorded, grid);
+  for (std::size_t i = 0; i < not_recorded_m2.size(); ++i) cells.missed_m2[i] += not_recorded_m2[i];
 }
 
 /// How often ground of the class 3 was worked, on average.
@@ -167,7 +169,9 @@ DoseMap dose(WorkLog log, const Region& field, const DoseSettings& settings, con
   out.nominal_amount = layer.nominal();
   out.drift = drift_of(settings.wind);
   out.grid.cell_m = settings.cell_m;
-  out.grid = layer.cells().grid(box_of(field), reach_of(out));
+  // Covered ground that got nothing is ground too.
+  const Box ground = box_of(field.empty() ? coverage.covered : field);
+  out.grid = layer.cells().grid(ground, reach_of(out));
   CellContents cells;
   cells.laid = layer.cells().amounts(out.grid);
   add_ground(cells, out.grid, field, coverage);

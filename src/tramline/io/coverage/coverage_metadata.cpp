@@ -11,7 +11,9 @@ namespace tramline::io {
 namespace {
 
 constexpr const char* kFormat = "tramline coverage";
-constexpr int kFormatVersion = 1;
+constexpr int kFormatVersion = 2;
+/// Older ones know nothing of ground that was not recorded.
+constexpr int kOldestVersion = 1;
 constexpr const char* kListedRecords = "skipped.listed";
 
 /// The one list of keys, walked by the writer (const coverage) and by the reader.
@@ -73,6 +75,7 @@ Metadata metadata_of(const Coverage& coverage) {
   Metadata out;
   const Writer writer(out);
   each_value(coverage, writer);
+  writer.number_if_any(coverage_layers::kNotRecordedArea, coverage.areas.not_recorded_m2);
   writer(kListedRecords, coverage.skipped.listed);
   writer.number_if_any("worked_hours", coverage.worked_s / 3600);
   writer("program_version", std::string(TRAMLINE_VERSION));
@@ -86,9 +89,11 @@ void apply_metadata(const Metadata& metadata, const std::filesystem::path& file,
   if (reader.text("format") != kFormat) throw reader.wrong("format", "'tramline coverage'");
   int version = 0;
   reader("format_version", version);
-  if (version != kFormatVersion)
-    throw reader.wrong("format_version", "1: read it with the tramline that wrote it");
+  if (version < kOldestVersion || version > kFormatVersion)
+    throw reader.wrong("format_version", "1 or 2: read it with the tramline that wrote it");
   each_value(coverage, reader);
+  if (version > kOldestVersion)
+    reader.number_if_any(coverage_layers::kNotRecordedArea, coverage.areas.not_recorded_m2);
   coverage.skipped.listed = records_of(reader, kListedRecords);
 }
 

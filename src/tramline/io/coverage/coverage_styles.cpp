@@ -39,6 +39,12 @@ std::string gaps_style() {
                        {{"", "", {Shape::kPolygon, {qml::simple_edge(kUncoveredColour, mm(1.6))}}}}, numbers);
 }
 
+std::string not_recorded_style() {
+  return qml::document({Shape::kPolygon,
+                        {qml::simple_fill(kNotRecordedColour, kNotRecordedColour, kSliver_mm),
+                         qml::hatch(kNotRecordedHatch, mm(7), mm(1.2), 45)}});
+}
+
 std::string track_style() {
   return qml::document(Shape::kLine,
                        {{"\"run\" IS NOT NULL",
@@ -61,6 +67,8 @@ std::vector<LayerStyle> coverage_styles() {
        fill_style(qml::simple_fill(kOverlapColour, kOverlapColour, 0))},
       {layers::kMissed, "land left out",
        fill_style(qml::simple_fill(kUncoveredColour, kUncoveredColour, kSliver_mm))},
+      {layers::kNotRecorded, "land that may have been worked while the log has no fixes",
+       not_recorded_style()},
       {layers::kMultiplicity, "how often land was worked", multiplicity_style()},
       {layers::kGaps, "the gaps, the largest numbered", gaps_style()},
       {layers::kTrack, "the way of the machine", track_style()}};

@@ -76,6 +76,7 @@ void read_slices(Rows& file, Coverage& out) {
     areas.repeated_m2 = number_or_nan(row, "repeated_m2");
     areas.sliver_m2 = number_or_nan(row, "sliver_m2");
     areas.missed_m2 = number_or_nan(row, "missed_m2");
+    if (row.has("not_recorded_m2")) areas.not_recorded_m2 = number_or_nan(row, "not_recorded_m2");
     for (std::size_t times = 0; times < areas.worked_times_m2.size(); ++times)
       areas.worked_times_m2[times] = number_or_nan(row, fmt::format("worked_times_{}_m2", times).c_str());
     slice.covered_rings = row.count("covered_rings");
@@ -100,6 +101,7 @@ Coverage read_coverage(const std::filesystem::path& path) {
   read_region(file, layers::kCovered, out.covered);
   read_region(file, layers::kRepeated, out.repeated);
   read_region(file, layers::kMissed, out.missed);
+  if (metadata.contains(layers::kNotRecordedArea)) read_region(file, layers::kNotRecorded, out.not_recorded);
   read_multiplicity(file, out);
   read_gaps(file, out);
   read_track(file, out);

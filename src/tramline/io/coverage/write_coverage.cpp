@@ -105,9 +105,9 @@ void write_slices(const Target& target, const Coverage& coverage) {
   Table table(
       target.file, layers::kSlices, wkbNone, nullptr,
       {count_of("fixes"), real("gross_m2"), real("covered_m2"), real("covered_inside_m2"), real("outside_m2"),
-       real("repeated_m2"), real("sliver_m2"), real("missed_m2"), real("worked_times_0_m2"),
-       real("worked_times_1_m2"), real("worked_times_2_m2"), real("worked_times_3_m2"),
-       count_of("covered_rings"), count_of("missed_regions"), real("seconds")});
+       real("repeated_m2"), real("sliver_m2"), real("missed_m2"), real("not_recorded_m2"),
+       real("worked_times_0_m2"), real("worked_times_1_m2"), real("worked_times_2_m2"),
+       real("worked_times_3_m2"), count_of("covered_rings"), count_of("missed_regions"), real("seconds")});
   static_assert(kMostCounted == 3);
   for (const CoverageSlice& slice : coverage.slices) {
     const CoverageAreas& areas = slice.areas;
@@ -116,8 +116,9 @@ void write_slices(const Target& target, const Coverage& coverage) {
                         number_unless_nan(areas.covered_m2), number_unless_nan(areas.covered_inside_m2),
                         number_unless_nan(areas.outside_m2), number_unless_nan(areas.repeated_m2),
                         number_unless_nan(areas.sliver_m2), number_unless_nan(areas.missed_m2),
-                        number_unless_nan(times[0]), number_unless_nan(times[1]), number_unless_nan(times[2]),
-                        number_unless_nan(times[3]), static_cast<long long>(slice.covered_rings),
+                        number_unless_nan(areas.not_recorded_m2), number_unless_nan(times[0]),
+                        number_unless_nan(times[1]), number_unless_nan(times[2]), number_unless_nan(times[3]),
+                        static_cast<long long>(slice.covered_rings),
                         static_cast<long long>(slice.missed_regions), number_unless_nan(slice.seconds)});
   }
 }
@@ -132,6 +133,7 @@ void write_layers(const Target& target, const Coverage& coverage) {
   write_region(target, layers::kCovered, coverage.covered);
   write_region(target, layers::kRepeated, coverage.repeated);
   write_region(target, layers::kMissed, coverage.missed);
+  write_region(target, layers::kNotRecorded, coverage.not_recorded);
   write_multiplicity(target, coverage);
   write_gaps(target, coverage);
   write_track(target, coverage);

@@ -2,13 +2,13 @@ import { ground, hectares, length } from '../../format';
 import { DAY, NIGHT } from '../../map/palette';
 import { Switch } from '../../parts/switch';
 import { attempt } from '../../state/notices';
-import { DRIVE_LAYERS, review, switchDriveLayer, type DriveLayer } from '../../state/review';
+import { DRIVE_LAYERS, hasLayer, review, switchDriveLayer, type DriveLayer } from '../../state/review';
 import { isNight, session } from '../../state/session';
 import { useStore } from '../../state/store';
 import type { DriveFull, FeatureCollection } from '../../api/types';
 
 const TITLES: Record<DriveLayer, string> = {
-  covered: 'Covered', repeated: 'Doubled', missed: 'Missed', multiplicity: 'How often', track: 'Way driven', gaps: 'Gaps, numbered',
+  covered: 'Covered', repeated: 'Doubled', missed: 'Missed', not_recorded: 'Not recorded', multiplicity: 'How often', track: 'Way driven', gaps: 'Gaps, numbered',
 };
 
 const sum = (shapes: FeatureCollection | undefined, key: string) =>
@@ -20,6 +20,7 @@ function size(name: DriveLayer, drive: DriveFull, shapes: FeatureCollection | un
     case 'covered': return hectares(s.covered_m2);
     case 'repeated': return ground(s.repeated_m2);
     case 'missed': return ground(s.missed_m2);
+    case 'not_recorded': return ground(s.not_recorded_m2 ?? 0);
     case 'gaps': return String(drive.gaps.length);
     case 'track': return shapes ? length(sum(shapes, 'length_m')) : '';
     case 'multiplicity': return shapes ? ground(sum(shapes, 'area_m2')) : '';
@@ -31,10 +32,10 @@ export function DriveLayers({ drive }: { drive: DriveFull }) {
   const shapes = useStore(review, (value) => value.shapes);
   useStore(session, (value) => value.theme);
   const c = isNight() ? NIGHT : DAY;
-  const colour: Record<DriveLayer, string> = { covered: c.Covered, repeated: c.Overlap, missed: c.Uncovered, multiplicity: c.TwiceHatch, track: c.WorkedPath, gaps: c.Uncovered };
+  const colour: Record<DriveLayer, string> = { covered: c.Covered, repeated: c.Overlap, missed: c.Uncovered, not_recorded: c.NotRecorded, multiplicity: c.TwiceHatch, track: c.WorkedPath, gaps: c.Uncovered };
   return (
     <div class="layers">
-      {DRIVE_LAYERS.filter((name) => drive.field !== null || (name !== 'missed' && name !== 'gaps')).map((name) => (
+      {DRIVE_LAYERS.filter((name) => hasLayer(drive, name)).map((name) => (
         <Switch key={name} on={shown[name]} label={TITLES[name]} value={size(name, drive, shapes[name])}
           mark={{ colour: colour[name], form: name === 'track' ? 'line' : 'area' }}
           change={(on) => void attempt(() => switchDriveLayer(name, on))} />

@@ -23,6 +23,7 @@ export function OpenDrive({ drive }: { drive: DriveFull }) {
           { label: 'Covered', value: hectares(inside), tone: 'covered', ...(s.field_area_m2 ? { change: `${percent(inside / s.field_area_m2)} of the field` } : {}) },
           { label: 'Doubled', value: squareMetres(s.repeated_m2), tone: 'overlap', change: percent(s.repeated_rate) },
           { label: 'Missed', value: squareMetres(s.missed_m2), tone: 'uncovered', ...(s.field_area_m2 && s.missed_m2 !== null ? { change: percent(s.missed_m2 / s.field_area_m2) } : {}) },
+          ...(s.not_recorded_m2 ? [{ label: 'Not recorded', value: squareMetres(s.not_recorded_m2) }] : []),
           { label: 'Working', value: hours(s.worked_hours), change: rate(s.ha_per_hour) },
           { label: 'Outside the field', value: squareMetres(s.outside_m2) },
           { label: 'Width', value: width(s.width_m), change: `${count(s.fixes_used)} fixes` },
@@ -44,6 +45,7 @@ const PlannedDone = ({ compared: c }: { compared: Compared }) => (
         <tr><th scope="row">Planned ground</th><td>{hectares(c.planned_m2)}</td></tr>
         <tr><th scope="row">Planned, not worked</th><td>{squareMetres(c.planned_missed_m2)}</td></tr>
         <tr><th scope="row">Worked, not planned</th><td>{squareMetres(c.unplanned_m2)}</td></tr>
+        {c.followed === false && <tr><th scope="row">The plan was not followed</th><td>{c.median_angle_deg != null ? `direction off by ${Math.round(c.median_angle_deg)}°` : ''}</td></tr>}
         <tr><th scope="row">Driven along tracks</th><td>{length(c.along_tracks_m)}</td></tr>
         <tr><th scope="row">Driven beside them</th><td>{length(c.beside_tracks_m)}</td></tr>
         <tr><th scope="row">Off the track, mean</th><td>{metres(c.deviation_mean_m)}</td></tr>

@@ -1,0 +1,26 @@
+#pragma once
+// Which lines a repair drives.
+
+#include <functional>
+#include <vector>
+
+#include "tramline/planner/repair_ground.h"
+
+namespace tramline {
+
+/// Steps done, and known so far.
+using RepairProgress = std::function<void(int done, int total)>;
+
+/// What lines cost with what they leave: the open ground at the price of missed land, their overlap (as
+/// price_of() has it for short ones), stops, and a turn from each line to the next. The ground has to be
+/// covered by just these. O(open ground).
+double cost_with(const std::vector<RepairLine>& lines, const RepairGround& ground);
+
+/// Lines that together cost little, see cost_with(): none may be left out, or exchanged for others of
+/// repair_places(), and none of those may be added, so that it costs less; nor may two that are neighbours be
+/// exchanged for others. Begun once with the line that is worth most, time and again, and twice with the best
+/// rows of lines over wide gaps; the best outcome counts. Covers the ground. Deterministic for any number of
+/// threads. O(lines · places beside them) looks at the ground.
+std::vector<RepairLine> chosen_lines(RepairGround& ground, int threads, const RepairProgress& progress);
+
+}  // namespace tramline
