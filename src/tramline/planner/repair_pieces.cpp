@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "tramline/geometry/boolean.h"
@@ -68,6 +69,43 @@ int part_of(const RepairLine& line, const std::vector<Part>& parts) {
   return best;
 }
 
+struct LaidLine {
+  int part = 0;
+  const RepairLine* line = nullptr;
+};
+
+/// By subfield, from left to right and along.
+std::vector<LaidLine> sorted_lines(const std::vector<RepairLine>& lines, const std::vector<Part>& parts) {
+  std::vector<LaidLine> out;
+  for (const RepairLine& line : lines)
+    if (const int part = part_of(line, parts); part >= 0) out.push_back({part, &line});
+  const auto key = [](const LaidLine& laid) {
+    return std::tuple(laid.part, laid.line->place.left_m, laid.line->line.pieces.front().from);
+  };
+  std::sort(out.begin(), out.end(), [&](const LaidLine& a, const LaidLine& b) { return key(a) < key(b); });
+  return out;
+}
+
+/// Each line is a track of its own, numbered from 0 in its subfield.
+std::vector<TrackPiece> laid(const std::vector<RepairLine>& lines, const std::vector<Part>& parts,
+                             const RepairGround& ground) {
+  std::vector<TrackPiece> out;
+  int part = -1, track = 0;
+  for (const LaidLine& next : sorted_lines(lines, parts)) {
+    track = next.part == part ? track + 1 : 0;
+    part = next.part;
+    const LinePlace& place = next.line->place;
+    const StripGrid grid{ground.frame(place.direction), place.left_m, ground.terms().machine.width_m};
+    for (TrackPiece& piece : pieces_of(next.line->line, grid, part, track)) out.push_back(std::move(piece));
+  }
+  return out;
+}
+
+std::vector<TrackPiece> in_driving_order(const std::vector<TrackPiece>& pieces, const Plan& plan) {
+  const std::vector<order::WorkedLine> lines = order::lines_of(pieces);
+  return order::pieces_on(order::best_tour(lines, plan.field, plan.machine.width_m), lines);
+}
+
 }  // namespace
 
 void add_lines(Plan& plan, const std::vector<std::size_t>& worked, const std::vector<RepairLine>& lines,
@@ -76,18 +114,7 @@ void add_lines(Plan& plan, const std::vector<std::size_t>& worked, const std::ve
   for (const std::size_t i : worked) append_parts_of(ground.gap(i), lines, parts);
   for (const Part& part : parts)
     plan.subfields.push_back({part.shape, ground.frame(part.direction).direction()});
-  std::vector<int> tracks(parts.size(), 0);
-  std::vector<TrackPiece> pieces;
-  for (const RepairLine& line : lines) {
-    const int part = part_of(line, parts);
-    if (part < 0) continue;  // not so: a line works something that no other direction does
-    const StripGrid grid{ground.frame(line.place.direction), line.place.left_m,
-                         ground.terms().machine.width_m};
-    for (TrackPiece& piece : pieces_of(line.line, grid, part, tracks[static_cast<std::size_t>(part)]++))
-      pieces.push_back(std::move(piece));
-  }
-  const std::vector<order::WorkedLine> driven = order::lines_of(pieces);
-  plan.pieces = order::pieces_on(order::best_tour(driven, plan.field, plan.machine.width_m), driven);
+  plan.pieces = in_driving_order(laid(lines, parts, ground), plan);
 }
 
 }  // namespace tramline
