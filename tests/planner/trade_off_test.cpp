@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tramline/geometry/error.h"
 #include "tramline/planner/dominance.h"
 #include "tramline/planner/front_marks.h"
@@ -51,6 +53,26 @@ TEST(TradeOff, KnowsThePlanOfTheGivenPrices) {
   const FrontPoint& winner = found.front.points[found.front.marks.given_prices];
   EXPECT_LE(winner.cost, planned.cost + 1e-3);
   for (const FrontPoint& point : found.front.points) EXPECT_FALSE(dominates(planned.tally, point.tally));
+}
+
+/// Twelve fields that swaths of 12 m fit without overlap in one direction at least: rectangles a whole number
+/// of widths across, turned by various angles, so that corners lie off the grid of booleans.
+TEST(TradeOff, NoAreaIsLessThanNothing) {
+  Machine machine;
+  machine.width_m = 12;
+  for (int turn = 0; turn < 12; ++turn) {
+    SCOPED_TRACE(turn);
+    const double angle = 0.13 * turn, c = std::cos(angle), s = std::sin(angle);
+    Field out;
+    out.id = "turned";
+    for (const Point p : {Point{0, 0}, Point{144.7, 0}, Point{144.7, 72}, Point{0, 72}})
+      out.outer.push_back({c * p.x - s * p.y, s * p.x + c * p.y});
+    for (const FrontPoint& point : trade_off(out, machine, {}, {}, 1).front.points)
+      for (const double area_m2 : {point.tally.overlap_m2, point.tally.uncovered_m2}) {
+        EXPECT_GE(area_m2, 0);
+        EXPECT_FALSE(std::signbit(area_m2));
+      }
+  }
 }
 
 TEST(TradeOff, IsTheSameForAnyNumberOfThreads) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tramline/cost/settled_areas.h"
 #include "tramline/geometry/boolean.h"
 
 namespace tramline {
@@ -26,9 +27,7 @@ Tally curved_tally(const CurvedTracks& tracks, double width_m, double body_m2, d
   Tally out = counts(tracks, width_m);
   double inside = by_detours_m2;
   for (const CurvedPiece& piece : tracks.pieces) inside += piece.inside_m2;
-  // Where nothing is worked in vain, or nothing left, rounding may say less than nothing.
-  out.overlap_m2 = std::max(0.0, out.worked_m2 - inside);
-  out.uncovered_m2 = std::max(0.0, body_m2 - inside);
+  settle_areas(out, inside, body_m2);
   return out;
 }
 
@@ -39,8 +38,7 @@ Tally curved_tally_by_booleans(const CurvedTracks& tracks, double width_m, const
   for (const CurvedPiece& piece : tracks.pieces)
     for (const PathSegment& segment : piece.path) swaths.push_back({band({segment}, width_m, sagitta_m), {}});
   const double useful = area(intersection(unite(swaths), body));
-  out.overlap_m2 = out.worked_m2 - useful;
-  out.uncovered_m2 = area(body) - useful;
+  settle_areas(out, useful, area(body));
   return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tramline/cost/settled_areas.h"
 #include "tramline/geometry/region.h"
 
 namespace tramline {
@@ -123,8 +124,7 @@ Tally GridTally::at(double origin_m) const {
 
   Tally& tally = sums.tally;
   tally.turns = std::max(0, tally.pieces - 1 - tally.crossings);
-  tally.overlap_m2 = tally.worked_m2 - sums.useful_m2;
-  tally.uncovered_m2 = subfield_.area_m2 - sums.useful_m2;
+  settle_areas(tally, sums.useful_m2, subfield_.area_m2);
   return tally;
 }
 

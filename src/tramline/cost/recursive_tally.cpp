@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "tramline/cost/settled_areas.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/kinked_line.h"
 
@@ -37,11 +38,7 @@ RecursiveTally recursive_tally(const CurvedTracks& tracks, double width_m, const
   out.tally.turns = std::max(0, out.tally.pieces - 1);
   out.tally.worked_m2 = width_m * out.tally.track_length_m;
   out.worked = unite(swaths);
-  // On the grid of booleans land that is all worked once may come out a little larger.
-  const double body_m2 = area(body);
-  const double useful_m2 = std::min({area(intersection(out.worked, body)), body_m2, out.tally.worked_m2});
-  out.tally.overlap_m2 = out.tally.worked_m2 - useful_m2;
-  out.tally.uncovered_m2 = body_m2 - useful_m2;
+  settle_areas(out.tally, area(intersection(out.worked, body)), area(body));
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tramline/cost/border_overrun.h"
+#include "tramline/cost/settled_areas.h"
 
 namespace tramline {
 
@@ -23,8 +24,7 @@ Tally tally_of(const std::vector<Subfield>& subfields, const std::vector<Subfiel
   }
   useful_m2 += covered_by_neighbours_m2(subfields, tracks);
   tally.turns = std::max(0, tally.pieces - 1 - tally.crossings);
-  tally.overlap_m2 = tally.worked_m2 - useful_m2;
-  tally.uncovered_m2 = body_m2 - useful_m2;
+  settle_areas(tally, useful_m2, body_m2);
   return tally;
 }
 
