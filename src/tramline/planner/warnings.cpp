@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "tramline/geometry/boolean.h"
 
@@ -52,14 +53,6 @@ void warn_of_dropped_pieces(const Plan& plan, std::vector<std::string>& out) {
                             noun, min_length_m(plan.machine), total));
 }
 
-void warn_of_unworked_land(const Plan& plan, std::vector<std::string>& out) {
-  constexpr double kMuch = 0.02;
-  const double land = land_m2(plan);
-  if (is_repair(plan) || plan.tally.uncovered_m2 <= kMuch * land) return;
-  out.push_back(fmt::format("{:.1f} % of the land, {:.0f} m², stays unworked",
-                            100 * plan.tally.uncovered_m2 / land, plan.tally.uncovered_m2));
-}
-
 /// A machine that has just turned needs about that much to straighten up and work.
 void warn_of_short_pieces(const Plan& plan, std::vector<std::string>& out) {
   const double least_m = 2 * plan.machine.radius_m + plan.machine.width_m;
@@ -74,14 +67,23 @@ void warn_of_short_pieces(const Plan& plan, std::vector<std::string>& out) {
 
 }  // namespace
 
+std::string unworked_land_warning(const Plan& plan) {
+  constexpr double kMuch = 0.02;
+  const double land = land_m2(plan), unworked = plan.tally.uncovered_m2;
+  if (is_repair(plan) || unworked <= kMuch * land) return "";
+  return fmt::format("{:.1f} % of the land, {:.0f} m², stays unworked", 100 * unworked / land, unworked);
+}
+
 std::vector<std::string> warnings_about(const Plan& plan) {
-  std::vector<std::string> out = plan.field.warnings;
-  warn_of_unworked_land(plan, out);
+  std::vector<std::string> out;
+  if (std::string unworked = unworked_land_warning(plan); !unworked.empty())
+    out.push_back(std::move(unworked));
+  out.insert(out.end(), plan.field.warnings.begin(), plan.field.warnings.end());
   warn_of_overrun(plan, out);
   warn_of_given_up_land(plan, out);
   warn_of_dropped_pieces(plan, out);
   warn_of_short_pieces(plan, out);
-  out.emplace_back("connections between tracks are not planned yet: only the order of the pieces is");
+  out.emplace_back(kConnectionsUnplanned);
   return out;
 }
 
