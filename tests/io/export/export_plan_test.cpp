@@ -77,9 +77,10 @@ class ExportTest : public testing::Test {
   }
   void TearDown() override { unsetenv("SOURCE_DATE_EPOCH"); }
   fs::path plan_file() const { return folder_ / "plan.gpkg"; }
-  ExportReport exported(const char* name, const char* crs = "",
-                        const std::vector<std::string>& layers = {}) const {
-    return export_plan({plan_file(), folder_ / name, crs, layers});
+  /// Every vertex as it is, where no tolerance is given.
+  ExportReport exported(const char* name, const char* crs = "", const std::vector<std::string>& layers = {},
+                        double tolerance_m = 0) const {
+    return export_plan({plan_file(), folder_ / name, crs, layers, tolerance_m});
   }
   std::optional<std::string> refusal(const char* name, const char* crs = "",
                                      const std::vector<std::string>& layers = {}) const {
@@ -279,6 +280,76 @@ TEST_F(ExportTest, LongLinesStayWhereTheyWerePlanned) {
   EXPECT_EQ(second->GetGeometryRef()->toLineString()->getNumPoints(),
             second_planned->GetGeometryRef()->toLineString()->getNumPoints())
       << "short lines need no more points";
+}
+
+/// How far the vertices of one line lie from the edges of another, m.
+double off_line(const OGRSimpleCurve& points, const OGRSimpleCurve& line) {
+  double out = 0;
+  for (int i = 0; i < points.getNumPoints(); ++i) {
+    OGRPoint p;
+    points.getPoint(i, &p);
+    out = std::max(out, p.Distance(&line));
+  }
+  return out;
+}
+
+// GDAL measures. The bound holds both ways: for vertices left out, and for those that stayed.
+TEST_F(ExportTest, ShapesStayWithinTheTolerance) {
+  for (const double tolerance_m : {0.02, 0.2}) {
+    SCOPED_TRACE(tolerance_m);
+    exported("plan.zip", "EPSG:25833", {}, 0);
+    const auto all = open("/vsizip/" + (folder_ / "plan.zip").string());
+    exported("few.zip", "EPSG:25833", {}, tolerance_m);
+    const auto few = open("/vsizip/" + (folder_ / "few.zip").string());
+    for (const char* layer : {"tracks", "headland_passes", "swaths", "body"}) {
+      SCOPED_TRACE(layer);
+      OGRLayer *from = all->GetLayerByName(layer), *to = few->GetLayerByName(layer);
+      int points_before = 0, points_after = 0;
+      for (const auto& feature : *from) {
+        const OGRFeatureUniquePtr thin(to->GetNextFeature());
+        const OGRSimpleCurve *a = curve_of(feature->GetGeometryRef()), *b = curve_of(thin->GetGeometryRef());
+        EXPECT_LE(off_line(*a, *b), tolerance_m);
+        EXPECT_LE(off_line(*b, *a), tolerance_m);
+        points_before += a->getNumPoints();
+        points_after += b->getNumPoints();
+      }
+      EXPECT_LE(points_after, points_before);
+      if (std::string(layer) == "headland_passes") {
+        EXPECT_GT(points_before, 1000);
+        EXPECT_LT(points_after, 150);
+      }
+    }
+  }
+}
+
+TEST_F(ExportTest, FieldAndObstaclesKeepTheirVertices) {
+  Plan plan = sample_plan();
+  plan.field.outer.insert(plan.field.outer.begin() + 1, {0, -290});  // on the line from corner to corner
+  write_plan(plan, plan_file());
+  exported("plan.zip", "source", {}, 5);
+  const auto file = open("/vsizip/" + (folder_ / "plan.zip").string());
+  const OGRFeatureUniquePtr field(file->GetLayerByName("field")->GetNextFeature());
+  EXPECT_GE(curve_of(field->GetGeometryRef())->getNumPoints(), 6);
+  const OGRFeatureUniquePtr obstacle(file->GetLayerByName("obstacles")->GetNextFeature());
+  EXPECT_EQ(curve_of(obstacle->GetGeometryRef())->getNumPoints(), 5);
+}
+
+// What is narrower than the tolerance must not become a line.
+TEST_F(ExportTest, SliversKeepTheirVertices) {
+  Plan plan = sample_plan();
+  plan.uncovered = {{{{0, 100}, {50, 100.001}, {100, 100}, {50, 99.999}}, {}}};
+  write_plan(plan, plan_file());
+  exported("u.fgb", "source", {"uncovered"}, 0.02);
+  const auto file = open(folder_ / "u.fgb");
+  const OGRFeatureUniquePtr sliver(file->GetLayer(0)->GetNextFeature());
+  EXPECT_EQ(curve_of(sliver->GetGeometryRef())->getNumPoints(), 5);
+  EXPECT_TRUE(sliver->GetGeometryRef()->IsValid());
+}
+
+TEST_F(ExportTest, AToleranceThatIsNoneIsRefused) {
+  for (const double tolerance_m : {-0.01, 10.5, std::nan("")})
+    EXPECT_THROW(exported("t.fgb", "", {}, tolerance_m), Error);
+  EXPECT_FALSE(fs::exists(folder_ / "t.fgb"));
 }
 
 TEST_F(ExportTest, TheSamePlanGivesTheSameBytes) {

@@ -1,9 +1,13 @@
 #include "tramline/io/export/export_plan.h"
 
+#include <cpl_conv.h>
+#include <cpl_string.h>
 #include <fmt/format.h>
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include "tramline/geometry/error.h"
@@ -15,6 +19,7 @@
 #include "tramline/io/geopackage/memory_folder.h"
 #include "tramline/io/geopackage/time_stamp.h"
 #include "tramline/io/geopackage/whole_file.h"
+#include "tramline/io/plan/fields_in.h"
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/io/plan/read_plan.h"
 
@@ -84,35 +89,76 @@ GDALDatasetUniquePtr opened(const std::filesystem::path& plan) {
 /// The file, or all that belongs into the zip, in the folder. Its name is always the same: some formats
 /// write it down.
 void write_layers(GDALDataset& plan, const Field& field, const std::vector<std::string>& layers,
-                  const TargetCrs& target, const std::string& name, ExportReport& report) {
+                  const TargetCrs& target, double tolerance_m, const std::string& name,
+                  ExportReport& report) {
   const GDALDatasetUniquePtr file(
       driver_for(report.format).Create(name.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
   if (file == nullptr) return;
-  const LayerWay way{report.format, target, offset_of(field.frame), time_of_files()};
+  const LayerWay way{report.format, target, offset_of(field.frame), time_of_files(), tolerance_m};
   for (const std::string& layer : layers)
     report.layers.push_back(
         {layer, copy_layer(*plan.GetLayerByName(layer.c_str()), *file, way, report.shortened)});
 }
 
+void require_tolerance(double tolerance_m) {
+  constexpr double kMost_m = 10;
+  if (!(tolerance_m >= 0 && tolerance_m <= kMost_m))
+    throw bad_input(fmt::format("--tolerance must be from 0 to {} m, not {}", kMost_m, tolerance_m));
+}
+
+/// What is exported of a plan file: the field, in the frame of its layers, and the rows.
+struct Chosen {
+  Field field;
+  std::size_t fields = 1;
+  std::optional<std::string> key;  ///< only its rows; nullopt: all
+};
+
+Chosen chosen_from(const ExportRequest& request) {
+  const std::vector<FieldNames> fields = fields_in(request.plan);
+  if (fields.empty()) return {read_plan(request.plan, request.field).field, 1, std::nullopt};
+  Chosen out;
+  out.fields = fields.size();
+  if (!request.field.empty() || fields.size() == 1) {
+    out.key = chosen_field(fields, request.field, request.plan).key;
+    out.fields = 1;
+  }
+  out.field = read_plan(request.plan, out.key.value_or(fields.front().key)).field;
+  out.field.frame = frame_of_layers(request.plan, out.field.frame);
+  return out;
+}
+
+/// Layers hand out the rows of that field only, from now on.
+void choose_rows(GDALDataset& plan, const std::string& key) {
+  const std::unique_ptr<char, decltype(&CPLFree)> quoted(
+      CPLEscapeString(key.c_str(), static_cast<int>(key.size()), CPLES_SQL), CPLFree);
+  for (OGRLayer* layer : plan.GetLayers())
+    if (layer->GetLayerDefn()->GetFieldIndex(kFieldKey) >= 0)
+      layer->SetAttributeFilter(fmt::format("{} = '{}'", kFieldKey, quoted.get()).c_str());
+}
+
 }  // namespace
 
 ExportReport export_plan(const ExportRequest& request) {
+  require_tolerance(request.tolerance_m);
   ExportReport report;
   report.format = export_format_of(request.file);
-  const Plan plan = read_plan(request.plan);
+  const Chosen plan = chosen_from(request);
   register_drivers();
   GdalErrors errors;
   const GDALDatasetUniquePtr from = opened(request.plan);
+  if (plan.key) choose_rows(*from, *plan.key);
   const std::vector<std::string> layers = chosen_layers(*from, request, report.format);
   require_something(*from, request, layers);
   const TargetCrs target(plan.field, request.crs, report.format);
   report.field_id = plan.field.id;
+  report.fields = plan.fields;
   report.crs = target.name();
 
   const bool zipped = report.format == ExportFormat::kShapefiles;
   const MemoryFolder folder;
   const std::string result = zipped ? "plan.zip" : "plan" + request.file.extension().string();
-  write_layers(*from, plan.field, layers, target, zipped ? folder.path() : folder.file(result), report);
+  write_layers(*from, plan.field, layers, target, request.tolerance_m,
+               zipped ? folder.path() : folder.file(result), report);
   if (zipped) zip_files(folder, folder.files(), result, time_of_files());
   const std::span<const std::byte> bytes = folder.bytes(result);
   if (errors.any() || bytes.empty())

@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
+#include "tramline/geometry/path.h"
 #include "tramline/io/export/column_names.h"
 #include "tramline/io/export/projected_shapes.h"
+#include "tramline/io/export/thinned_shape.h"
 #include "tramline/io/export/utf8_prefix.h"
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/model/palette.h"
@@ -132,9 +135,21 @@ class LayerCopy {
       out.SetStyleString(pen_of(from_.GetName(), detour > 0).c_str());
     }
     if (const OGRGeometry* shape = source.GetGeometryRef())
-      out.SetGeometryDirectly(projected(*shape, way_.offset, way_.target).release());
+      out.SetGeometryDirectly(exported(*shape).release());
     if (to_->CreateFeature(&out) != OGRERR_NONE)
       CPLError(CE_Failure, CPLE_AppDefined, "a feature of layer %s was refused", from_.GetName());
+  }
+
+  /// Half of the tolerance is for vertices that are left out, half for edges that bend on their way into the
+  /// target. What the user drew keeps its vertices; the drawn lines of arcs are chords already.
+  std::unique_ptr<OGRGeometry> exported(const OGRGeometry& shape) const {
+    const double half_m = 0.5 * way_.tolerance_m;
+    const double most_aside_m = half_m > 0 ? std::min(half_m, kMostAside_m) : kMostAside_m;
+    const double thinning_m = half_m - kChordSagitta;
+    const std::string_view layer = from_.GetName();
+    if (thinning_m <= 0 || layer == plan_layers::kField || layer == plan_layers::kObstacles)
+      return projected(shape, way_.offset, way_.target, most_aside_m);
+    return projected(*thinned_shape(shape, thinning_m), way_.offset, way_.target, most_aside_m);
   }
 
   static int count_of(const char* detours) {

@@ -16,8 +16,9 @@ namespace tramline::io {
 struct LayerWay {
   ExportFormat format;
   const TargetCrs& target;
-  Point offset;      ///< offset_of() the field's frame
-  std::time_t time;  ///< of the file
+  Point offset;            ///< offset_of() the field's frame
+  std::time_t time;        ///< of the file
+  double tolerance_m = 0;  ///< by which shapes may deviate from the plan's to need fewer vertices
 };
 
 /// Copies the features in their order, as export_plan() says, and gives their number. Texts that the format

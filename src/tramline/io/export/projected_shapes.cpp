@@ -25,14 +25,15 @@ double aside(Point a, Point b, Point target_a, Point target_b, const TargetCrs& 
 }
 
 /// Parts that an edge has to be cut into: in halves it is off by a quarter.
-int parts(Point a, Point b, Point target_a, Point target_b, const TargetCrs& target) {
+int parts(Point a, Point b, Point target_a, Point target_b, const TargetCrs& target, double most_aside_m) {
   if (target.plain()) return 1;
   constexpr double kMostParts = 1000;
   const double off = aside(a, b, target_a, target_b, target);
-  return static_cast<int>(std::clamp(std::ceil(std::sqrt(off / kMostAside_m)), 1.0, kMostParts));
+  return static_cast<int>(std::clamp(std::ceil(std::sqrt(off / most_aside_m)), 1.0, kMostParts));
 }
 
-void project_line(const OGRSimpleCurve& from, Point offset, const TargetCrs& target, OGRSimpleCurve& to) {
+void project_line(const OGRSimpleCurve& from, Point offset, const TargetCrs& target, double most_aside_m,
+                  OGRSimpleCurve& to) {
   if (from.getNumPoints() == 0) return;
   Point last = vertex(from, 0, offset);
   Point target_last = target.from_local(last);
@@ -40,7 +41,7 @@ void project_line(const OGRSimpleCurve& from, Point offset, const TargetCrs& tar
   for (int i = 1; i < from.getNumPoints(); ++i) {
     const Point next = vertex(from, i, offset);
     const Point target_next = target.from_local(next);
-    const int n = parts(last, next, target_last, target_next, target);
+    const int n = parts(last, next, target_last, target_next, target, most_aside_m);
     for (int part = 1; part < n; ++part)
       append(to, target.from_local(last + (static_cast<double>(part) / n) * (next - last)));
     append(to, target_next);
@@ -51,7 +52,8 @@ void project_line(const OGRSimpleCurve& from, Point offset, const TargetCrs& tar
 
 }  // namespace
 
-std::unique_ptr<OGRGeometry> projected(const OGRGeometry& shape, Point offset, const TargetCrs& target) {
+std::unique_ptr<OGRGeometry> projected(const OGRGeometry& shape, Point offset, const TargetCrs& target,
+                                       double most_aside_m) {
   switch (wkbFlatten(shape.getGeometryType())) {
     case wkbPoint: {
       const Point p = target.from_local(Point{shape.toPoint()->getX(), shape.toPoint()->getY()} - offset);
@@ -59,14 +61,14 @@ std::unique_ptr<OGRGeometry> projected(const OGRGeometry& shape, Point offset, c
     }
     case wkbLineString: {
       auto out = std::make_unique<OGRLineString>();
-      project_line(*shape.toLineString(), offset, target, *out);
+      project_line(*shape.toLineString(), offset, target, most_aside_m, *out);
       return out;
     }
     case wkbPolygon: {
       auto out = std::make_unique<OGRPolygon>();
       for (const OGRLinearRing* ring : *shape.toPolygon()) {
         auto closed = std::make_unique<OGRLinearRing>();
-        project_line(*ring, offset, target, *closed);
+        project_line(*ring, offset, target, most_aside_m, *closed);
         out->addRingDirectly(closed.release());
       }
       return out;
@@ -74,7 +76,7 @@ std::unique_ptr<OGRGeometry> projected(const OGRGeometry& shape, Point offset, c
     case wkbMultiPolygon: {
       auto out = std::make_unique<OGRMultiPolygon>();
       for (const OGRPolygon* polygon : *shape.toMultiPolygon())
-        out->addGeometryDirectly(projected(*polygon, offset, target).release());
+        out->addGeometryDirectly(projected(*polygon, offset, target, most_aside_m).release());
       return out;
     }
     default:

@@ -12,11 +12,16 @@ namespace tramline::io {
 namespace layers = field_layers;
 
 void write_field_layers(const Target& target, const Field& field) {
-  Table fields(target.file, layers::kField, wkbPolygon, target.crs, {text("field_id"), kAreaColumn});
-  fields.add(target.shapes.polygon({field.outer, {}}), {field.id, area(Polygon{field.outer, {}})});
+  const double area_m2 = area(Polygon{field.outer, {}});
+  if (target.names != nullptr) {  // which have the column field_id already
+    Table fields(target, layers::kField, wkbPolygon, {kAreaColumn});
+    fields.add(target.shapes.polygon({field.outer, {}}), {area_m2});
+  } else {
+    Table fields(target, layers::kField, wkbPolygon, {text("field_id"), kAreaColumn});
+    fields.add(target.shapes.polygon({field.outer, {}}), {field.id, area_m2});
+  }
 
-  Table obstacles(target.file, layers::kObstacles, wkbPolygon, target.crs,
-                  {text("kind"), text("origin"), kAreaColumn});
+  Table obstacles(target, layers::kObstacles, wkbPolygon, {text("kind"), text("origin"), kAreaColumn});
   for (const Obstacle& obstacle : field.obstacles) {
     const bool passable = obstacle.kind == ObstacleKind::kPassable;
     obstacles.add(target.shapes.polygon(obstacle.shape),

@@ -3,7 +3,7 @@
 namespace tramline::io {
 
 void write_metadata_table(const Target& target, const Metadata& metadata) {
-  Table table(target.file, kMetadataTable, wkbNone, nullptr, {text("key"), text("value")});
+  Table table(target, kMetadataTable, wkbNone, {text("key"), text("value")});
   for (const auto& [key, value] : metadata) table.add(nullptr, {key, value});
 }
 

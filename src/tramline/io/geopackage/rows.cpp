@@ -1,5 +1,7 @@
 #include "tramline/io/geopackage/rows.h"
 
+#include <cpl_conv.h>
+#include <cpl_string.h>
 #include <fmt/format.h>
 
 #include <array>
@@ -10,6 +12,7 @@
 #include <memory>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/geopackage/table.h"
 
 namespace tramline::io {
 namespace {
@@ -104,7 +107,7 @@ Point Row::point() const {
   const OGRGeometry* shape = feature_.GetGeometryRef();
   if (shape == nullptr || wkbFlatten(shape->getGeometryType()) != wkbPoint || shape->IsEmpty())
     throw wrong("has no point");
-  const Point p{shape->toPoint()->getX() - offset_.x, shape->toPoint()->getY() - offset_.y};
+  const Point p = to_local_({shape->toPoint()->getX(), shape->toPoint()->getY()});
   if (!std::isfinite(p.x) || !std::isfinite(p.y)) throw wrong("has no finite coordinates");
   return p;
 }
@@ -123,7 +126,7 @@ int Row::index(const char* column) const {
 }
 
 Point Row::vertex(const OGRSimpleCurve& line, int i) const {
-  const Point p{line.getX(i) - offset_.x, line.getY(i) - offset_.y};
+  const Point p = to_local_({line.getX(i), line.getY(i)});
   if (!std::isfinite(p.x) || !std::isfinite(p.y))
     throw bad_input(fmt::format("{}: vertex {} has no finite coordinates", place_, i));
   return p;
@@ -161,10 +164,15 @@ void Rows::each(const char* name, const std::function<void(const Row&)>& take) {
   if (layer == nullptr)
     throw bad_input(fmt::format("{}: there is no layer '{}', so this is no whole {}; give a {} written by {}",
                                 path_.string(), name, kind_.what, kind_.what, kind_.writer));
+  if (key_) {
+    const std::unique_ptr<char, decltype(&CPLFree)> quoted(
+        CPLEscapeString(key_->c_str(), static_cast<int>(key_->size()), CPLES_SQL), CPLFree);
+    layer->SetAttributeFilter(fmt::format("{} = '{}'", kFieldKey, quoted.get()).c_str());
+  }
   layer->ResetReading();
   while (const OGRFeatureUniquePtr feature{layer->GetNextFeature()})
     take(Row(*feature, fmt::format("{}: layer {}, feature {}", path_.string(), name, feature->GetFID()),
-             offset_, kind_));
+             to_local_, kind_));
   // GDAL ends a damaged layer as if it were complete, and only reports.
   if (errors_.any())
     throw bad_input(fmt::format("{}: layer {} cannot be read whole ({}); write the {} again", path_.string(),

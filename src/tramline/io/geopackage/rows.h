@@ -17,12 +17,20 @@
 
 namespace tramline::io {
 
+/// The way from coordinates of a file to local metres.
+struct FileToLocal {
+  Point offset;                              ///< taken off, at last
+  std::function<Point(Point)> project = {};  ///< where the file is not in the field's own plane
+  Point operator()(Point p) const { return (project ? project(p) : p) - offset; }
+};
+
 /// One feature of a layer. Every function throws Error(kBadInput) naming file, layer, feature and
 /// column where a value is missing, not finite or of another kind.
 class Row {
  public:
-  Row(const OGRFeature& feature, std::string place, Point offset, const FileKind& kind)
-      : feature_(feature), place_(std::move(place)), offset_(offset), kind_(kind) {}
+  /// `to_local` has to be alive as long.
+  Row(const OGRFeature& feature, std::string place, const FileToLocal& to_local, const FileKind& kind)
+      : feature_(feature), place_(std::move(place)), to_local_(to_local), kind_(kind) {}
 
   /// "plan.gpkg: layer tracks, feature 2"
   const std::string& place() const { return place_; }
@@ -49,8 +57,8 @@ class Row {
   std::vector<Point> line() const;
   std::pair<Point, Point> straight_line() const;
   Point point() const;
-  /// From coordinates of the file to local metres: taken off.
-  Point offset() const { return offset_; }
+  /// From coordinates in texts to local metres: taken off.
+  Point offset() const { return to_local_.offset; }
 
  private:
   bool is_null(const char* column) const;
@@ -62,7 +70,7 @@ class Row {
 
   const OGRFeature& feature_;
   std::string place_;
-  Point offset_;
+  const FileToLocal& to_local_;
   const FileKind& kind_;
 };
 
@@ -73,7 +81,11 @@ class Rows {
   Rows(const std::filesystem::path& path, const FileKind& kind, GdalErrors& errors);
 
   /// What is taken off all coordinates from now on.
-  void shift_by(Point offset) { offset_ = offset; }
+  void shift_by(Point offset) { to_local_.offset = offset; }
+  /// What is made of the coordinates of all shapes before that.
+  void project_by(std::function<Point(Point)> project) { to_local_.project = std::move(project); }
+  /// From now on only rows of the field of this key, in a file of several.
+  void only(const std::string& key) { key_ = key; }
 
   bool has(const char* name) { return file_->GetLayerByName(name) != nullptr; }
 
@@ -85,7 +97,8 @@ class Rows {
   const FileKind& kind_;
   GdalErrors& errors_;
   GDALDatasetUniquePtr file_;
-  Point offset_;
+  FileToLocal to_local_;
+  std::optional<std::string> key_;
 };
 
 }  // namespace tramline::io

@@ -24,7 +24,8 @@ Cell number_if(bool any, double number) { return any ? Cell(number) : Cell(); }
 Cell number_unless_nan(double number) { return number_if(!std::isnan(number), number); }
 
 std::unique_ptr<OGRGeometry> Shapes::point(Point p) const {
-  return std::make_unique<OGRPoint>(plain_zero(p.x + offset_.x), plain_zero(p.y + offset_.y));
+  const Point placed = this->placed(p);
+  return std::make_unique<OGRPoint>(placed.x, placed.y);
 }
 
 std::unique_ptr<OGRGeometry> Shapes::line(const std::vector<Point>& points) const {
@@ -49,19 +50,38 @@ std::unique_ptr<OGRGeometry> Shapes::region(const Region& region) const {
   return out;
 }
 
+Point Shapes::placed(Point p) const {
+  const Point out = project_ ? project_(p) : p + offset_;
+  return {plain_zero(out.x), plain_zero(out.y)};
+}
+
 void Shapes::append(OGRLineString& out, const std::vector<Point>& points, bool closed) const {
   const std::size_t n = points.size();
   const std::size_t written = closed && n > 0 ? n + 1 : n;
   out.setNumPoints(static_cast<int>(written), FALSE);
   for (std::size_t i = 0; i < written; ++i) {
-    const Point p = points[i % n];
-    out.setPoint(static_cast<int>(i), plain_zero(p.x + offset_.x), plain_zero(p.y + offset_.y));
+    const Point p = placed(points[i % n]);
+    out.setPoint(static_cast<int>(i), p.x, p.y);
   }
 }
 
 Table::Table(GDALDataset& file, const char* name, OGRwkbGeometryType type, OGRSpatialReference* crs,
              std::initializer_list<Column> columns, const char* key)
     : layer_(file.CreateLayer(name, crs, type, CPLStringList().SetNameValue("FID", key).List())) {
+  add_columns(columns);
+}
+
+Table::Table(const Target& target, const char* name, OGRwkbGeometryType type,
+             std::initializer_list<Column> columns)
+    : layer_(target.names == nullptr ? nullptr : target.file.GetLayerByName(name)), names_(target.names) {
+  if (layer_ != nullptr) return;
+  layer_ = target.file.CreateLayer(name, type == wkbNone ? nullptr : target.crs, type,
+                                   CPLStringList().SetNameValue("FID", "fid").List());
+  if (names_ != nullptr) add_columns({text(kFieldKey), text(kFieldId)});
+  add_columns(columns);
+}
+
+void Table::add_columns(std::initializer_list<Column> columns) {
   if (layer_ == nullptr) return;
   for (const Column& column : columns) {
     OGRFieldDefn definition(column.name, column.type);
@@ -74,6 +94,10 @@ void Table::add(std::unique_ptr<OGRGeometry> shape, std::initializer_list<Cell> 
   if (layer_ == nullptr) return;
   OGRFeature feature(layer_->GetLayerDefn());
   int column = 0;
+  if (names_ != nullptr) {
+    set(feature, column++, names_->key);
+    set(feature, column++, names_->id);
+  }
   for (const Cell& cell : cells) set(feature, column++, cell);
   if (shape != nullptr) feature.SetGeometryDirectly(shape.release());
   if (layer_->CreateFeature(&feature) != OGRERR_NONE)

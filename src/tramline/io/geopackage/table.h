@@ -3,13 +3,16 @@
 
 #include <ogrsf_frmts.h>
 
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "tramline/geometry/region.h"
+#include "tramline/io/geopackage/field_names.h"
 
 namespace tramline::io {
 
@@ -32,10 +35,11 @@ Cell number_if(bool any, double number);
 /// A number, or NULL where it is none.
 Cell number_unless_nan(double number);
 
-/// Local metres to the file's coordinates: the offset is added. Zeros have no sign.
+/// Local metres to the file's coordinates: the offset is added, or the point projected. Zeros have no sign.
 class Shapes {
  public:
   explicit Shapes(Point offset) : offset_(offset) {}
+  explicit Shapes(std::function<Point(Point)> project) : project_(std::move(project)) {}
 
   std::unique_ptr<OGRGeometry> point(Point p) const;
   std::unique_ptr<OGRGeometry> line(const std::vector<Point>& points) const;
@@ -45,8 +49,12 @@ class Shapes {
 
  private:
   void append(OGRLineString& out, const std::vector<Point>& points, bool closed) const;
-  Point offset_;
+  Point placed(Point p) const;
+  Point offset_{};
+  std::function<Point(Point)> project_;
 };
+
+struct Target;
 
 /// Failures are left to the GdalErrors of the caller.
 class Table {
@@ -54,20 +62,29 @@ class Table {
   /// `crs` is nullptr for a table without shapes.
   Table(GDALDataset& file, const char* name, OGRwkbGeometryType type, OGRSpatialReference* crs,
         std::initializer_list<Column> columns, const char* key = "fid");
+  /// In a file of several fields: adds to the layer where there is one, and every row has the names of its
+  /// field.
+  Table(const Target& target, const char* name, OGRwkbGeometryType type,
+        std::initializer_list<Column> columns);
 
   /// As many cells as columns.
   void add(std::unique_ptr<OGRGeometry> shape, std::initializer_list<Cell> cells);
 
  private:
+  void add_columns(std::initializer_list<Column> columns);
+
   OGRLayer* layer_;
+  const FieldNames* names_ = nullptr;  ///< nullptr: the file is of one field
 };
 
 /// Where the layers of one file go.
 struct Target {
   GDALDataset& file;
   OGRSpatialReference* crs;
-  Point offset;
+  Point offset;  ///< what has to be added to local metres in texts
   Shapes shapes;
+  const FieldNames* names =
+      nullptr;  ///< of the field whose rows are written; nullptr: the file is of one field
 };
 
 }  // namespace tramline::io

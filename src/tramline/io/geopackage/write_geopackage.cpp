@@ -27,27 +27,28 @@ GDALDriver& driver() {
 
 }  // namespace
 
+void fill_geopackage(const std::string& name, const LocalFrame& frame,
+                     const std::function<void(const Target&)>& fill) {
+  const CPLConfigOptionSetter date("OGR_CURRENT_DATE", time_stamp().c_str(), false);
+  const GDALDatasetUniquePtr file(driver().Create(name.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+  if (file == nullptr) return;
+  OGRSpatialReference crs = crs_of(frame);
+  const Point offset = offset_of(frame);
+  file->StartTransaction();
+  fill({*file, &crs, offset, Shapes(offset)});
+  file->CommitTransaction();
+}
+
 void write_geopackage(const std::filesystem::path& path, const FileKind& kind, const LocalFrame& frame,
                       const std::function<void(const Target&)>& fill) {
   if (!EQUAL(path.extension().c_str(), ".gpkg"))
     throw bad_input(fmt::format("'{}' cannot hold a {}: {}s are GeoPackages; end the name in .gpkg",
                                 path.string(), kind.what, kind.what));
-  const CPLConfigOptionSetter date("OGR_CURRENT_DATE", time_stamp().c_str(), false);
   GdalErrors errors;
   // Half-written databases and journals never lie on the disk.
   const MemoryFolder memory;
   const std::string name = "whole.gpkg";
-  {
-    const GDALDatasetUniquePtr file(
-        driver().Create(memory.file(name).c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-    if (file != nullptr) {
-      OGRSpatialReference crs = crs_of(frame);
-      const Point offset = offset_of(frame);
-      file->StartTransaction();
-      fill({*file, &crs, offset, Shapes(offset)});
-      file->CommitTransaction();
-    }
-  }
+  fill_geopackage(memory.file(name), frame, fill);
   const std::span<const std::byte> bytes = memory.bytes(name);
   if (errors.any() || bytes.empty())
     throw failure(fmt::format("cannot write {}: GDAL reports: {}", path.string(), errors.first()));

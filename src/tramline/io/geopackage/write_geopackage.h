@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 
 #include "tramline/io/geopackage/file_kind.h"
 #include "tramline/io/geopackage/table.h"
@@ -19,5 +20,10 @@ namespace tramline::io {
 /// reports a failure or the file cannot be written.
 void write_geopackage(const std::filesystem::path& path, const FileKind& kind, const LocalFrame& frame,
                       const std::function<void(const Target&)>& fill);
+
+/// The same into a file of any name that GDAL takes, which is half-written until this returns. Failures are
+/// left to the GdalErrors of the caller.
+void fill_geopackage(const std::string& name, const LocalFrame& frame,
+                     const std::function<void(const Target&)>& fill);
 
 }  // namespace tramline::io

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tramline/io/field/field_styles.h"
 #include "tramline/io/geopackage/qml.h"
@@ -36,6 +38,11 @@ std::string given_up_style() {
                                  qml::hatch(kGivenUpHatch, mm(6), mm(1.6), 135)})}});
 }
 
+Rule tinted(std::size_t i, const std::string& label) {
+  return {fmt::format("\"number\" = {}", i + 1), label,
+          symbol(Shape::kPolygon, {qml::simple_fill(tint(i), kSubfieldEdge, mm(1.4))})};
+}
+
 /// A tint for each, and its direction in the legend.
 std::string subfields_style(const Plan& plan) {
   std::vector<Rule> rules;
@@ -43,8 +50,7 @@ std::string subfields_style(const Plan& plan) {
     const double degrees = plain_zero(plan.subfields[i].direction.degrees());
     const std::string direction =
         std::isfinite(degrees) ? fmt::format("{:.1f}° from north", degrees) : std::string("no direction");
-    rules.push_back({fmt::format("\"number\" = {}", i + 1), fmt::format("{}: {}", i + 1, direction),
-                     symbol(Shape::kPolygon, {qml::simple_fill(tint(i), kSubfieldEdge, mm(1.4))})});
+    rules.push_back(tinted(i, fmt::format("{}: {}", i + 1, direction)));
   }
   if (rules.empty())
     rules.push_back({"", "", symbol(Shape::kPolygon, {qml::simple_fill(tint(0), kSubfieldEdge, mm(1.4))})});
@@ -65,13 +71,18 @@ constexpr const char* kDetourParts =
     "line_locate_point($geometry, geom_from_wkt('POINT(' || regexp_substr(array_get(@points, "
     "map_get(@element, 'last') + 1), '^(\\\\S+ \\\\S+)') || ')'))))))";
 
-std::string tracks_style() {
+/// How the detours of a track are drawn: those that its columns say, or all of it.
+enum class Detours { kFromColumns, kWholeTrack };
+
+std::string tracks_style(Detours drawn) {
   const qml::SymbolLayer track = qml::simple_line(kTrackColour, kTrackLine_mm);
   const qml::SymbolLayer arrow = qml::marker_on_line(
       "centralpoint", qml::simple_marker("filled_arrowhead", kFieldEdge, kFieldEdge, kArrow_mm));
-  const qml::SymbolLayer detours =
-      qml::generated(kDetourParts, symbol(Shape::kLine, {qml::simple_line(kDetourRim, kRim_mm),
-                                                         qml::simple_line(kDetourColour, kDetourLine_mm)}));
+  const Symbol marked = symbol(
+      Shape::kLine, {qml::simple_line(kDetourRim, kRim_mm), qml::simple_line(kDetourColour, kDetourLine_mm)});
+  const qml::SymbolLayer detours = drawn == Detours::kFromColumns
+                                       ? qml::generated(kDetourParts, marked)
+                                       : qml::simple_line(kDetourColour, kDetourLine_mm);
   return qml::document(
       Shape::kLine,
       {{"\"kind\" = 'straight'", "track", symbol(Shape::kLine, {track, arrow})},
@@ -124,20 +135,19 @@ std::string encounters_style() {
                         {"\"chosen\" <> 'cut'", "passed on the left or right", dot(kDetourColour)}});
 }
 
-}  // namespace
-
-std::vector<LayerStyle> styles_of(const Plan& plan) {
+/// Those that all plans have.
+std::vector<LayerStyle> styles_with(std::string subfields, std::string tracks) {
   namespace layers = plan_layers;
-  std::vector<LayerStyle> out{
+  return {
       {layers::kField, "the outer boundary", fill_style(qml::simple_edge(kFieldEdge, mm(2.2)))},
       obstacles_style(),
       {layers::kBody, "what the tracks have to cover", fill_style(qml::simple_edge(kFaintInk, mm(1), "dot"))},
       {layers::kHeadland, "what the headland passes are there to work",
        fill_style(qml::simple_fill(kHeadlandColour, kSubfieldEdge, mm(1.4)))},
       {layers::kGivenUp, "given up on purpose, uncovered", given_up_style()},
-      {layers::kSubfields, "a tint for each driving direction", subfields_style(plan)},
+      {layers::kSubfields, "a tint for each driving direction", std::move(subfields)},
       {layers::kHeadlandPasses, "passes round the field and its obstacles", headland_passes_style()},
-      {layers::kTracks, "tracks with arrows, detours and stops", tracks_style()},
+      {layers::kTracks, "tracks with arrows, detours and stops", std::move(tracks)},
       {layers::kSwaths, "the ground each track works", swaths_style()},
       {layers::kOverlap, "land worked again", fault_style(kOverlapColour)},
       {layers::kUncovered, "land left out", fault_style(kUncoveredColour)},
@@ -146,10 +156,23 @@ std::vector<LayerStyle> styles_of(const Plan& plan) {
        qml::document(Shape::kLine,
                      {{"", "", symbol(Shape::kLine, {qml::simple_line(kDroppedColour, mm(1.8), "dash")})}})},
       {layers::kEncounters, "where tracks meet obstacles", encounters_style()}};
+}
+
+}  // namespace
+
+std::vector<LayerStyle> styles_of(const Plan& plan) {
+  std::vector<LayerStyle> out = styles_with(subfields_style(plan), tracks_style(Detours::kFromColumns));
   if (is_repair(plan))
-    out.push_back({layers::kWorked, "worked before, or left for good",
+    out.push_back({plan_layers::kWorked, "worked before, or left for good",
                    fill_style(qml::simple_fill(kCoveredColour, kCoveredEdge, mm(1)))});
   return out;
+}
+
+std::vector<LayerStyle> styles_of_many(std::size_t most_subfields) {
+  std::vector<Rule> rules;
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, most_subfields); ++i)
+    rules.push_back(tinted(i, fmt::format("subfield {} of its field", i + 1)));
+  return styles_with(qml::document(Shape::kPolygon, rules), tracks_style(Detours::kWholeTrack));
 }
 
 }  // namespace tramline::io

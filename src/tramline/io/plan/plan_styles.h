@@ -12,4 +12,8 @@ namespace tramline::io {
 /// added: only land that the picture fills is filled. Depends on the subfields and their directions alone.
 std::vector<LayerStyle> styles_of(const Plan& plan);
 
+/// The same for the layers of many plans, of which none has more subfields than that. Tracks with detours are
+/// marked as a whole: their paths are in the planes of their fields, in which QGIS does not draw them.
+std::vector<LayerStyle> styles_of_many(std::size_t most_subfields);
+
 }  // namespace tramline::io

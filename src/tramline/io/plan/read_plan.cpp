@@ -14,9 +14,12 @@
 #include "tramline/io/geopackage/metadata_table.h"
 #include "tramline/io/geopackage/remarks.h"
 #include "tramline/io/geopackage/rows.h"
+#include "tramline/io/plan/common_frame.h"
 #include "tramline/io/plan/detour_text.h"
+#include "tramline/io/plan/fields_in.h"
 #include "tramline/io/plan/front_text.h"
 #include "tramline/io/plan/path_text.h"
+#include "tramline/io/plan/plan_collection.h"
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/io/plan/plan_metadata.h"
 
@@ -240,14 +243,20 @@ void read_front(Rows& file, PlanFile& out) {
 
 }  // namespace
 
-PlanFile read_plan_file(const fs::path& path) {
+PlanFile read_plan_file(const fs::path& path, const std::string& field) {
   GdalErrors errors;
   Rows file(path, kPlanFile, errors);
+  const std::optional<LocalFrame> common = collection_frame(file, path);
+  if (common) file.only(chosen_field(fields_in(path), field, path).key);
   PlanFile out;
   const Metadata metadata = read_metadata_table(file);
   out.remarks = remarks_in(metadata);
   const int version = apply_metadata(metadata, path, out.plan);
+  if (!common && !field.empty() && field != out.plan.field.id)
+    throw bad_input(
+        fmt::format("{}: this is the plan of field {}, not of {}", path.string(), out.plan.field.id, field));
   file.shift_by(offset_of(out.plan.field.frame));
+  if (common && common->geodetic) file.project_by(way_between(*common, out.plan.field.frame));
 
   read_field_layers(file, path, kPlanFile, out.plan.field,
                     [&](const Row& row, const Polygon& polygon) { derive_area(out, row, polygon); });
@@ -267,6 +276,6 @@ PlanFile read_plan_file(const fs::path& path) {
   return out;
 }
 
-Plan read_plan(const fs::path& path) { return read_plan_file(path).plan; }
+Plan read_plan(const fs::path& path, const std::string& field) { return read_plan_file(path, field).plan; }
 
 }  // namespace tramline::io

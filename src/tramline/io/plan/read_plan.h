@@ -41,15 +41,19 @@ struct PlanFile {
   Metadata remarks;  ///< of whoever keeps the file (remarks.h)
 };
 
+/// `field`: in a file of many (write_plans.h) the key or the id of the field whose plan is read, empty for
+/// the only one; in a file of one plan its id, or empty.
+///
 /// Reads a plan file written by write_plan, or by that of format version 2, which knew neither headlands nor
 /// curved tracks. Coordinates and numbers come back to the bit (in a plain
 /// frame, which is shifted: to 1e-9 m), pieces and headland passes from the texts of their paths; of the
 /// source file only the base name comes back. Throws Error(kBadInput) naming the file, and the layer and
 /// feature at fault, where the file is missing, cut off, no plan, or holds a number that is not finite or a
-/// text of another form, and then the column too. O(n log n).
-PlanFile read_plan_file(const std::filesystem::path& path);
+/// text of another form, and then the column too; and where `field` names none or several. Shapes in a file
+/// of many come back to 1e-7 m. O(n log n).
+PlanFile read_plan_file(const std::filesystem::path& path, const std::string& field = {});
 
 /// The plan alone.
-Plan read_plan(const std::filesystem::path& path);
+Plan read_plan(const std::filesystem::path& path, const std::string& field = {});
 
 }  // namespace tramline::io

@@ -15,6 +15,7 @@
 #include "tramline/io/plan/path_text.h"
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/io/plan/plan_metadata.h"
+#include "tramline/io/plan/plan_rows.h"
 #include "tramline/io/plan/plan_styles.h"
 
 namespace tramline::io {
@@ -23,13 +24,13 @@ namespace {
 namespace layers = plan_layers;
 
 void write_region(const Target& target, const char* name, const Region& region) {
-  Table table(target.file, name, wkbPolygon, target.crs, {kAreaColumn});
+  Table table(target, name, wkbPolygon, {kAreaColumn});
   for (const Polygon& polygon : region) table.add(target.shapes.polygon(polygon), {area(polygon)});
 }
 
 /// direction_rad gives the direction back to the bit, which degrees do not.
 void write_subfields(const Target& target, const Plan& plan) {
-  Table table(target.file, layers::kSubfields, wkbPolygon, target.crs,
+  Table table(target, layers::kSubfields, wkbPolygon,
               {integer("number"), real("direction_deg"), real("direction_rad"), kAreaColumn});
   long long number = 0;
   for (const Subfield& subfield : plan.subfields)
@@ -45,7 +46,7 @@ std::vector<Point> drawn(const TrackPiece& piece) {
 }
 
 void write_headland_passes(const Target& target, const Headland& headland) {
-  Table table(target.file, layers::kHeadlandPasses, wkbLineString, target.crs,
+  Table table(target, layers::kHeadlandPasses, wkbLineString,
               {integer("number"), flag("around_field"), text("obstacles"), real("length_m"),
                real("smallest_radius_m"), text("path")});
   for (const HeadlandPass& pass : headland.passes) {
@@ -58,7 +59,7 @@ void write_headland_passes(const Target& target, const Headland& headland) {
 
 void write_tracks(const Target& target, const Plan& plan) {
   Table table(
-      target.file, layers::kTracks, wkbLineString, target.crs,
+      target, layers::kTracks, wkbLineString,
       {integer("order"), integer("subfield"), integer("track"), text("kind"), real("heading_deg"),
        real("length_m"), real("smallest_radius_m"), text("obstacles"), text("sides"), flag("stop_at_start"),
        flag("stop_at_end"), flag("after_crossing"), text("path"), text("detours")});
@@ -76,7 +77,7 @@ void write_tracks(const Target& target, const Plan& plan) {
 }
 
 void write_swaths(const Target& target, const Plan& plan) {
-  Table table(target.file, layers::kSwaths, wkbPolygon, target.crs,
+  Table table(target, layers::kSwaths, wkbPolygon,
               {integer("order"), real("width_m"), kAreaColumn, real("overlap_m2")});
   const double width_m = plan.machine.width_m;
   long long order = 0;
@@ -87,15 +88,14 @@ void write_swaths(const Target& target, const Plan& plan) {
 }
 
 void write_dropped(const Target& target, const Plan& plan) {
-  Table table(target.file, layers::kDropped, wkbLineString, target.crs,
-              {integer("subfield"), real("length_m")});
+  Table table(target, layers::kDropped, wkbLineString, {integer("subfield"), real("length_m")});
   for (const DroppedPiece& piece : plan.dropped)
     table.add(target.shapes.line({piece.start, piece.end}),
               {piece.subfield + 1LL, distance(piece.start, piece.end)});
 }
 
 void write_encounters(const Target& target, const Plan& plan) {
-  Table table(target.file, layers::kEncounters, wkbPoint, target.crs,
+  Table table(target, layers::kEncounters, wkbPoint,
               {integer("number"), integer("subfield"), integer("track"), text("obstacles"), text("chosen"),
                real("cost_left"), real("cost_right"), text("why_not_left"), text("why_not_right")});
   long long number = 0;
@@ -107,10 +107,10 @@ void write_encounters(const Target& target, const Plan& plan) {
                encounter.right.why_not});
 }
 
-void write_front(GDALDataset& file, const Front& front) {
+void write_front(const Target& target, const Front& front) {
   if (front.points.empty()) return;
   Table table(
-      file, layers::kFront, wkbNone, nullptr,
+      target, layers::kFront, wkbNone,
       {integer("number"),     real("overlap_m2"),    real("uncovered_m2"),      integer("turns"),
        integer("stops"),      integer("crossings"),  integer("tracks"),         real("track_length_m"),
        real("worked_m2"),     integer("subfields"),  text("direction_deg"),     text("direction_rad"),
@@ -148,7 +148,9 @@ Metadata with_remarks(Metadata metadata, const Metadata& remarks) {
   return metadata;
 }
 
-void write_layers(const Target& target, const Plan& plan, const Metadata& remarks) {
+}  // namespace
+
+void write_plan_rows(const Target& target, const Plan& plan, const Metadata& remarks) {
   write_field_layers(target, plan.field);
   write_region(target, layers::kBody, plan.body);
   if (is_repair(plan)) write_region(target, layers::kWorked, plan.worked);
@@ -163,16 +165,15 @@ void write_layers(const Target& target, const Plan& plan, const Metadata& remark
   write_region(target, layers::kHeadlandUnworked, plan.headland.unworked);
   write_dropped(target, plan);
   write_encounters(target, plan);
-  write_front(target.file, plan.front);
+  write_front(target, plan.front);
   write_metadata_table(target, with_remarks(metadata_of(plan), remarks));
-  write_styles(target.file, styles_of(plan));
 }
 
-}  // namespace
-
 void write_plan(const Plan& plan, const std::filesystem::path& path, const Metadata& remarks) {
-  write_geopackage(path, kPlanFile, plan.field.frame,
-                   [&](const Target& target) { write_layers(target, plan, remarks); });
+  write_geopackage(path, kPlanFile, plan.field.frame, [&](const Target& target) {
+    write_plan_rows(target, plan, remarks);
+    write_styles(target.file, styles_of(plan));
+  });
 }
 
 }  // namespace tramline::io

@@ -1,0 +1,25 @@
+#pragma once
+// Which fields a plan file has the plans of.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tramline/io/geopackage/field_names.h"
+#include "tramline/model/local_frame.h"
+
+namespace tramline::io {
+
+/// The plane of the shapes in a plan file whose field has that frame.
+LocalFrame frame_of_layers(const std::filesystem::path& path, const LocalFrame& field);
+
+/// The fields of a file of many, in its order; none of one plan. Throws Error(kBadInput) where it is no plan
+/// file.
+std::vector<FieldNames> fields_in(const std::filesystem::path& path);
+
+/// The field that `asked` names, by key or id; the only one where `asked` is empty. Throws Error(kBadInput),
+/// naming those there are (the first 20), where it names none or several.
+FieldNames chosen_field(const std::vector<FieldNames>& fields, const std::string& asked,
+                        const std::filesystem::path& path);
+
+}  // namespace tramline::io

@@ -1,0 +1,106 @@
+#include "tramline/io/plan/write_plans.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
+#include "tramline/geometry/error.h"
+#include "tramline/io/geopackage/gdal_errors.h"
+#include "tramline/io/geopackage/layer_styles.h"
+#include "tramline/io/geopackage/local_crs.h"
+#include "tramline/io/geopackage/remarks.h"
+#include "tramline/io/geopackage/write_geopackage.h"
+#include "tramline/io/plan/common_frame.h"
+#include "tramline/io/plan/plan_collection.h"
+#include "tramline/io/plan/plan_layers.h"
+#include "tramline/io/plan/plan_metadata.h"
+#include "tramline/io/plan/plan_rows.h"
+#include "tramline/io/plan/plan_styles.h"
+#include "tramline/io/plan/read_plan.h"
+
+namespace tramline::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+LocalFrame frame_of(const fs::path& file) {
+  Plan plan;
+  apply_metadata(read_metadata(file, kPlanFile), file, plan);
+  return plan.field.frame;
+}
+
+LocalFrame frame_for(const std::vector<KeptPlan>& plans) {
+  std::vector<LocalFrame> frames;
+  for (const KeptPlan& plan : plans) frames.push_back(frame_of(plan.file));
+  return common_frame(frames);
+}
+
+/// A reader that asks for one field of many need not look at the rows of all.
+void make_indexes(GDALDataset& file) {
+  std::vector<std::string> tables;
+  for (OGRLayer* layer : file.GetLayers())
+    if (layer->GetLayerDefn()->GetFieldIndex(kFieldKey) >= 0) tables.emplace_back(layer->GetName());
+  for (const std::string& table : tables)
+    file.ReleaseResultSet(file.ExecuteSQL(
+        fmt::format("CREATE INDEX \"{0}_{1}\" ON \"{0}\" (\"{1}\")", table, kFieldKey).c_str(), nullptr, ""));
+}
+
+void write_all(const std::vector<KeptPlan>& plans, const LocalFrame& common, const Target& file) {
+  std::size_t most_subfields = 0;
+  for (const KeptPlan& kept : plans) {
+    const PlanFile part = read_plan_file(kept.file);
+    const LocalFrame& frame = part.plan.field.frame;
+    const FieldNames names{kept.key, part.plan.field.id};
+    write_plan_rows({file.file, file.crs, offset_of(frame), Shapes(way_between(frame, common)), &names},
+                    part.plan, part.remarks);
+    most_subfields = std::max(most_subfields, part.plan.subfields.size());
+  }
+  const FieldNames nobody;
+  Table metadata({file.file, file.crs, {}, Shapes(Point{}), &nobody}, kMetadataTable, wkbNone,
+                 {text("key"), text("value")});
+  metadata.add(nullptr, {std::string(kCollectionKey), collection_text(common)});
+  write_styles(file.file, styles_of_many(most_subfields));
+  make_indexes(file.file);
+}
+
+/// A file under way, gone unless it gets its name.
+class HalfWritten {
+ public:
+  explicit HalfWritten(const fs::path& target)
+      : target_(target),
+        name_(target.parent_path() / fmt::format(".{}.{}.part.gpkg", target.stem().string(), getpid())) {}
+  HalfWritten(const HalfWritten&) = delete;
+  HalfWritten& operator=(const HalfWritten&) = delete;
+  ~HalfWritten() {
+    std::error_code ignored;
+    fs::remove(name_, ignored);
+    fs::remove(name_.string() + "-journal", ignored);
+  }
+  std::string name() const { return name_.string(); }
+  void keep() {
+    if (std::rename(name_.c_str(), target_.c_str()) != 0)
+      throw failure(
+          fmt::format("cannot write {}: {}", target_.string(), std::generic_category().message(errno)));
+  }
+
+ private:
+  fs::path target_, name_;
+};
+
+}  // namespace
+
+void write_plans(const std::vector<KeptPlan>& plans, const fs::path& path) {
+  const LocalFrame common = frame_for(plans);
+  HalfWritten file(path);
+  GdalErrors errors;
+  fill_geopackage(file.name(), common, [&](const Target& target) { write_all(plans, common, target); });
+  if (errors.any() || !fs::exists(file.name()))
+    throw failure(fmt::format("cannot write {}: GDAL reports: {}", path.string(), errors.first()));
+  file.keep();
+}
+
+}  // namespace tramline::io
