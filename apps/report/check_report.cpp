@@ -6,6 +6,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "request/field_key.h"
+
 namespace tramline::app {
 namespace {
 
@@ -80,13 +82,9 @@ nlohmann::ordered_json check_json(const std::string& plan_file, const Plan& plan
   for (const check::Violation& violation : verdict.violations) violations.push_back(to_json(violation));
   nlohmann::ordered_json recomputed;
   if (verdict.complete) recomputed = to_json(verdict.recomputed);
-  return {{"plan", plan_file},
-          {"field_id", plan.field.id},
-          {"ok", verdict.holds()},
-          {"complete", verdict.complete},
-          {"violations", violations},
-          {"recomputed", recomputed},
-          {"stored", to_json(plan.tally)}};
+  return {{"plan", plan_file},        {"field_id", plan.field.id},    {"key", field_key(plan.field)},
+          {"ok", verdict.holds()},    {"complete", verdict.complete}, {"violations", violations},
+          {"recomputed", recomputed}, {"stored", to_json(plan.tally)}};
 }
 
 }  // namespace tramline::app

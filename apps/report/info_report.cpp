@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "report/report_parts.h"
+#include "request/field_key.h"
 
 namespace tramline::app {
 namespace {
@@ -83,8 +84,8 @@ std::string source_rows(const std::string& file, const FieldInput& input) {
 std::string field_rows(const Field& field) {
   std::string out;
   const auto add = std::back_inserter(out);
-  fmt::format_to(add, "field        {} (feature {}, part {})\n", field.id, field.source.fid,
-                 field.source.part + 1);
+  fmt::format_to(add, "field        {} (key {}: feature {}, part {})\n", field.id, field_key(field),
+                 field.source.fid, field.source.part + 1);
   out += frame_row(field.frame);
   fmt::format_to(add, "area         {:.1f} m² ({:.4f} ha), {:.1f} m² without its obstacles\n",
                  signed_area(field.outer), signed_area(field.outer) / 1e4, area_m2(field));
@@ -102,23 +103,26 @@ std::string field_rows(const Field& field) {
 }
 
 std::string candidate_rows(const FieldInput& input) {
-  std::size_t width = 5;
-  for (const Field& field : input.fields) width = std::max(width, field.id.size());
+  std::size_t width = 5, key_width = 3;
+  for (const Field& field : input.fields) {
+    width = std::max(width, field.id.size());
+    key_width = std::max(key_width, field_key(field).size());
+  }
   for (const Refusal& refusal : input.refusals) width = std::max(width, refusal.field_id.size());
   std::string out;
   const auto add = std::back_inserter(out);
-  fmt::format_to(add, "{:<{}}  {:>14}  {:>8}  {:>9}  {:>7}\n", "field", width, "area, m²", "vertices",
-                 "obstacles", "repairs");
+  fmt::format_to(add, "{:<{}}  {:<{}}  {:>14}  {:>8}  {:>9}  {:>7}\n", "field", width, "key", key_width,
+                 "area, m²", "vertices", "obstacles", "repairs");
   for (const Field& field : input.fields)
-    fmt::format_to(add, "{:<{}}  {:>14.1f}  {:>8}  {:>9}  {:>7}\n", field.id, width, area_m2(field),
-                   vertices(field), field.obstacles.size(), field.repairs.size());
+    fmt::format_to(add, "{:<{}}  {:<{}}  {:>14.1f}  {:>8}  {:>9}  {:>7}\n", field.id, width, field_key(field),
+                   key_width, area_m2(field), vertices(field), field.obstacles.size(), field.repairs.size());
   for (const Refusal& refusal : input.refusals)
     fmt::format_to(add, "{:<{}}  refused: {}\n", refusal.field_id, width, refusal.sentence);
   return out;
 }
 
 ordered_json field_json(const std::string& file, const FieldInput& input, const Field& field) {
-  ordered_json out{{"field_id", field.id}};
+  ordered_json out{{"field_id", field.id}, {"key", field_key(field)}};
   out.update(source_json(file, input));
   out["feature"] = field.source.fid;
   out["part"] = field.source.part;
@@ -139,12 +143,13 @@ ordered_json candidates_json(const std::string& file, const FieldInput& input) {
   out["candidates"] = ordered_json::array();
   for (const Field& field : input.fields)
     out["candidates"].push_back({{"field_id", field.id},
+                                 {"key", field_key(field)},
                                  {"area_m2", area_m2(field)},
                                  {"vertices", vertices(field)},
                                  {"obstacles", field.obstacles.size()},
                                  {"repairs", field.repairs.size()}});
   for (const Refusal& refusal : input.refusals)
-    out["candidates"].push_back(refusal_json(refusal.field_id, refusal.sentence));
+    out["candidates"].push_back(refusal_json(input.file, input.layer, refusal));
   out["skipped"] = skipped_json(input.skipped);
   return out;
 }

@@ -11,6 +11,7 @@
 #include "report/report_parts.h"
 #include "tramline/geometry/kinked_line.h"
 #include "tramline/headland/body.h"
+#include "tramline/model/plain_zero.h"
 
 namespace tramline::app {
 namespace {
@@ -42,10 +43,9 @@ std::string repair_row(const Plan& plan) {
 
 std::string ground_rows(const Plan& plan) {
   std::string out;
-  out += fmt::format("field        {}\n", plan.field.id);
   out += fmt::format(
-      "area         {:.4f} ha without the obstacles, {:.4f} ha to work\nobstacles    {}, passable strips "
-      "{}\n",
+      "area         {:.4f} ha without the obstacles, {:.4f} ha of it for tracks\nobstacles    {}, passable "
+      "strips {}\n",
       area_m2(plan.field) / 1e4, area(plan.body) / 1e4,
       obstacle_shapes(plan.field, ObstacleKind::kObstacle).size(),
       obstacle_shapes(plan.field, ObstacleKind::kPassable).size());
@@ -59,14 +59,15 @@ std::string ground_rows(const Plan& plan) {
   return out;
 }
 
-/// How far from the best there is the plan could be.
+/// How far from the best there is the plan could be, in the unit of the cost: of a plan that costs next to
+/// nothing a share would sound bad whatever it is.
 std::string proof_rows(const Plan& plan) {
   const Proof& proof = plan.proof;
   return fmt::format(
-      "bound        no plan costs less than {:.2f} (gap {:.2f} %); undivided and of one direction, {:.2f} is "
-      "the best found and none costs less than {:.2f} (gap {:.2f} %)\n",
-      proof.bound, 100 * gap(plan.cost, proof.bound), proof.one_direction_cost, proof.one_direction_bound,
-      100 * gap(proof.one_direction_cost, proof.one_direction_bound));
+      "bound        no plan costs less than {:.2f}, so the best there is saves {:.2f} at most\n"
+      "undivided    in one direction {:.2f} is the best found, and none costs less than {:.2f}\n",
+      proof.bound, plain_zero(std::max(0.0, plan.cost - proof.bound)), proof.one_direction_cost,
+      proof.one_direction_bound);
 }
 
 /// Was there a search that tells what no plan undercuts?
@@ -112,9 +113,9 @@ std::string headland_rows(const Plan& plan) {
   const Headland& headland = plan.headland;
   if (headland.passes.empty()) return "";
   return fmt::format(
-      "headlands    {} passes, {:.1f} m in all, on {:.4f} ha; overlap {:.1f} m², uncovered {:.1f} m²\n",
-      headland.passes.size(), length(headland), area(headland.ground) / 1e4, headland.overlap_m2,
-      headland.uncovered_m2);
+      "headlands    {} {}, {:.1f} m in all, on {:.4f} ha; overlap {:.1f} m², uncovered {:.1f} m²\n",
+      headland.passes.size(), headland.passes.size() == 1 ? "pass" : "passes", length(headland),
+      area(headland.ground) / 1e4, headland.overlap_m2, headland.uncovered_m2);
 }
 
 std::string radius_remark(double radius_m) {
@@ -141,10 +142,6 @@ std::string tally_rows(const Plan& plan) {
   out += fmt::format("stops        {}\n", tally.stops);
   out += obstacle_rows(plan);
   if (tally.crossings > 0) out += fmt::format("crossings    {}\n", tally.crossings);
-  out += fmt::format("overlap      {:.1f} m² ({:.3f} %)\n", tally.overlap_m2,
-                     percent_of_field(plan, tally.overlap_m2));
-  out += fmt::format("uncovered    {:.1f} m² ({:.3f} %)\n", tally.uncovered_m2,
-                     percent_of_field(plan, tally.uncovered_m2));
   out += fmt::format("cost         {:.2f} = {}\n", plan.cost, prices_text(plan.objective));
   if (is_proven(plan)) out += proof_rows(plan);
   return out;
@@ -204,11 +201,8 @@ ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, do
   return out;
 }
 
-std::string plan_table(const Plan& plan, const std::vector<Skipped>& skipped, double seconds) {
+std::string plan_details(const Plan& plan, const std::vector<Skipped>& skipped, double seconds) {
   std::string out = ground_rows(plan) + tally_rows(plan);
-  if (!plan.front.points.empty())
-    out += fmt::format("front        {} plans to choose from: see 'tramline compare'\n",
-                       plan.front.points.size());
   out += fmt::format("time         {:.3f} s\n", seconds);
   for (const Repair& repair : plan.field.repairs)
     out += fmt::format("repaired     {}, {} at ({:.9g}, {:.9g}), area {:+.2f} m²\n", repair.where,
@@ -216,16 +210,6 @@ std::string plan_table(const Plan& plan, const std::vector<Skipped>& skipped, do
   out += skipped_rows(skipped);
   out += note_rows(plan.warnings);
   return out;
-}
-
-std::string plan_line(const Plan& plan, double seconds) {
-  return fmt::format(
-      "{}: {:.4f} ha, {} tracks in {} subfields, {} turns, {} stops, overlap {:.1f} m² ({:.3f} %), uncovered "
-      "{:.1f} m² "
-      "({:.3f} %), cost {:.2f}, {:.3f} s\n",
-      plan.field.id, area_m2(plan.field) / 1e4, plan.tally.pieces, plan.subfields.size(), plan.tally.turns,
-      plan.tally.stops, plan.tally.overlap_m2, percent_of_field(plan, plan.tally.overlap_m2),
-      plan.tally.uncovered_m2, percent_of_field(plan, plan.tally.uncovered_m2), plan.cost, seconds);
 }
 
 }  // namespace tramline::app

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "report/plan_report.h"
+#include "report/plan_summary.h"
 #include "tramline/geodesy/field_projection.h"
 
 namespace tramline::app {
@@ -97,7 +98,7 @@ std::string repair_table(const RepairPlan& repair, double min_area_m2, double se
     out += fmt::format("unreachable  {} places, {:.1f} m² in all\n", repair.unreachable.size(),
                        sum_m2(repair.unreachable)) +
            left_rows(repair.unreachable, frame, true);
-  return out + plan_table(repair.plan, {}, seconds);
+  return out + plan_summary(repair.plan, {}) + plan_details(repair.plan, {}, seconds);
 }
 
 }  // namespace tramline::app

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "request/field_key.h"
 #include "tramline/model/plain_zero.h"
 
 namespace tramline::app {
@@ -30,6 +31,12 @@ std::string json_text(const ordered_json& json, int indent) {
 
 std::string json_line(const ordered_json& json) { return json_text(json, -1); }
 
+ordered_json versioned(const ordered_json& result) {
+  ordered_json out{{"format_version", kJsonVersion}};
+  out.update(result);
+  return out;
+}
+
 ordered_json number_json(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(); }
 
 ordered_json repairs_json(const std::vector<Repair>& repairs) {
@@ -50,8 +57,21 @@ ordered_json skipped_json(const std::vector<Skipped>& skipped) {
   return out;
 }
 
-ordered_json refusal_json(const std::string& field_id, const std::string& sentence) {
-  return {{"field_id", field_id}, {"error", sentence}};
+ordered_json with_field_names(const Field& field, const ordered_json& result) {
+  const FieldSource& source = field.source;
+  ordered_json out{{"field_id", field.id},  {"key", field_key(field)}, {"file", source.file},
+                   {"layer", source.layer}, {"feature", source.fid},   {"part", source.part}};
+  out.update(result);
+  return out;
+}
+
+ordered_json refusal_json(const std::string& file, const std::string& layer, const Refusal& refusal) {
+  return {{"field_id", refusal.field_id},
+          {"key", field_key(layer, refusal.fid)},
+          {"file", file},
+          {"layer", layer},
+          {"feature", refusal.fid},
+          {"error", refusal.sentence}};
 }
 
 std::string skipped_rows(const std::vector<Skipped>& skipped) {

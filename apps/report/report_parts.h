@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "request/field_input.h"
 #include "tramline/geometry/angle.h"
 #include "tramline/model/field.h"
 #include "tramline/model/objective.h"
@@ -17,13 +18,22 @@ std::string json_text(const nlohmann::ordered_json& json, int indent);
 /// json_text() without a line break.
 std::string json_line(const nlohmann::ordered_json& json);
 
+/// The version of what --json prints (docs/json.md says what raises it).
+inline constexpr int kJsonVersion = 1;
+/// The object with the key `format_version` before all others.
+nlohmann::ordered_json versioned(const nlohmann::ordered_json& result);
+
 /// Null where it is not a finite number.
 nlohmann::ordered_json number_json(double value);
 
 nlohmann::ordered_json repairs_json(const std::vector<Repair>& repairs);
 nlohmann::ordered_json skipped_json(const std::vector<Skipped>& skipped);
-/// A feature that was refused, in a run with --all.
-nlohmann::ordered_json refusal_json(const std::string& field_id, const std::string& sentence);
+/// What tells a field from all others: field_id, key, file, layer, feature and part (docs/json.md), and then
+/// the keys of `result`.
+nlohmann::ordered_json with_field_names(const Field& field, const nlohmann::ordered_json& result);
+/// A feature that was refused, in a run with --all: its names and `error`.
+nlohmann::ordered_json refusal_json(const std::string& file, const std::string& layer,
+                                    const Refusal& refusal);
 
 /// "skipped      what (where): why", a row each.
 std::string skipped_rows(const std::vector<Skipped>& skipped);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "request/field_key.h"
 #include "tramline/admission/admit.h"
 #include "tramline/admission/place_obstacles.h"
 #include "tramline/admission/read_obstacles.h"
@@ -69,6 +70,7 @@ class Admitter {
         crs_(definition_),
         loose_(loose_obstacles(options, crs_, definition_)),
         context_{dataset.file, layer_.name, &crs_, dataset.winding_matters} {
+    input_.file = dataset.file;
     input_.driver = dataset.driver;
     input_.layer = layer_.name;
     input_.layer_geometry = layer_.geometry_type;
@@ -97,6 +99,9 @@ class Admitter {
 
   void admit_all() {
     for (const RawFeature& feature : layer_.features) {
+      if (!options_.id.empty() &&
+          !may_be_named(field_id(feature, layer_.name), layer_.name, feature.fid, options_.id))
+        continue;
       try {
         admit(feature);
       } catch (const Error& error) {
@@ -104,6 +109,12 @@ class Admitter {
         input_.refusals.push_back({field_id(feature, layer_.name), error.what(), feature.fid});
       }
     }
+  }
+
+  /// Those that the user means. `features` counts what is listed to choose from.
+  void keep_named() {
+    std::erase_if(input_.fields, [&](const Field& field) { return !is_named(field, options_.id); });
+    input_.features = static_cast<long long>(input_.fields.size() + input_.refusals.size());
   }
 
   FieldInput finish() {
@@ -142,19 +153,47 @@ io::VectorQuery query_of(const FieldOptions& options) {
   for (const Field& field : input.fields) {
     const bool unique = std::count_if(input.fields.begin(), input.fields.end(),
                                       [&](const Field& other) { return other.id == field.id; }) == 1;
-    const std::string number = unique ? "" : fmt::format("fid {}, ", field.source.fid);
-    add(fmt::format("{} ({}{:.1f} m²)", field.id, number, area_m2(field)));
+    add(fmt::format("{} ({:.1f} m²)", unique ? field.id : field_key(field), area_m2(field)));
   }
   for (const Refusal& refusal : input.refusals) add(fmt::format("{} (refused)", refusal.field_id));
   const long long more = input.features - kListed;
   if (more > 0) list += fmt::format(" and {} more", more);
-  throw bad_input(fmt::format("'{}' has {} features; take all with --all or choose one with --where: {}",
+  throw bad_input(fmt::format("'{}' has {} features; take all with --all or choose one with --id: {}",
                               dataset.file, input.features, list));
+}
+
+[[noreturn]] void refuse_alike(const FieldOptions& options, const FieldInput& input) {
+  std::string list;
+  const auto add = [&](const std::string& key, const std::string& what) {
+    list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", key, what);
+  };
+  for (const Field& field : input.fields) add(field_key(field), fmt::format("{:.1f} m²", area_m2(field)));
+  for (const Refusal& refusal : input.refusals) add(field_key(input.layer, refusal.fid), "refused");
+  throw bad_input(fmt::format("'{}' has {} fields that are called '{}'; choose one by its key, --id {}",
+                              options.file, input.fields.size() + input.refusals.size(), options.id, list));
+}
+
+/// The field of --id, or with --all all that are called so.
+FieldInput load_named(const FieldOptions& options) {
+  const RawDataset dataset = io::read_fields(query_of(options));
+  Admitter admitter(options, dataset);
+  admitter.admit_all();
+  admitter.keep_named();
+  FieldInput input = admitter.finish();
+  if (input.fields.empty() && input.refusals.empty())
+    throw bad_input(fmt::format(
+        "'{}', layer '{}' has no field that is called '{}'{}: 'tramline info' lists them", dataset.file,
+        input.layer, options.id, options.where.empty() ? "" : ", of those that --where leaves"));
+  if (options.all) return input;
+  if (input.fields.empty()) throw bad_input(input.refusals.front().sentence);
+  if (input.fields.size() + input.refusals.size() > 1) refuse_alike(options, input);
+  return input;
 }
 
 }  // namespace
 
 FieldInput load_fields(const FieldOptions& options) {
+  if (!options.id.empty()) return load_named(options);
   io::VectorQuery query = query_of(options);
   if (!options.all) query.limit = kListed;
   const RawDataset dataset = io::read_fields(query);
@@ -169,6 +208,7 @@ FieldInput load_fields(const FieldOptions& options) {
 }
 
 FieldInput survey_fields(const FieldOptions& options, long long limit) {
+  if (!options.id.empty()) return load_named(options);
   io::VectorQuery query = query_of(options);
   query.limit = limit;
   const RawDataset dataset = io::read_fields(query);

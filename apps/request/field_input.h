@@ -13,6 +13,7 @@ namespace tramline::app {
 /// As typed; empty where the user said nothing.
 struct FieldOptions {
   std::string file, layer, where, crs, obstacles_file, passable_file;
+  std::string id{};                ///< only the field of this id or key (field_key.h), as `info` lists them
   std::optional<long long> fid{};  ///< only the feature with this number
   bool all = false;
   double obstacle_size_m = 7;
@@ -29,7 +30,8 @@ struct FieldInput {
   std::vector<Field> fields;  ///< in file order
   std::vector<Refusal> refusals;
   std::vector<Skipped> skipped;
-  // What was read, for the verb info.
+  // What was read.
+  std::string file;  ///< as the user named it
   std::string driver;
   std::string layer;
   std::string layer_geometry;
@@ -38,13 +40,15 @@ struct FieldInput {
   long long features = 0;  ///< how many match; more than were read without --all
 };
 
-/// One feature, whose polygons become one field each, or with --all every feature. Throws bad_input when
-/// several features match without --all, listing the first 20 with id and area; when a single feature is
+/// One feature, whose polygons become one field each, or with --all every feature; with --id one field of
+/// them, or with both all of that id. Throws bad_input when several features match without --all, listing the
+/// first 20 with id and area; when none or several are called what --id says; when a single feature is
 /// refused; and for whatever is wrong with the files. With --all a refused feature is listed and the rest
 /// goes on.
 FieldInput load_fields(const FieldOptions& options);
 
-/// Like load_fields with --all, but reads at most `limit` features and never complains of several.
+/// Like load_fields with --all, but reads at most `limit` features and never complains of several. With --id
+/// as load_fields.
 FieldInput survey_fields(const FieldOptions& options, long long limit);
 
 /// The one field a plan was made from: by layer (or --layer; the only one with polygons where neither is

@@ -3,25 +3,25 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
-#include "request/output_names.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::app {
 
-/// Files "<field id>-obstacle-<n>.png" in one folder: a close-up of every obstacle that is not
-/// passable, n its number as in the plan file, from 1. Two fields of one id get names of their own.
+/// Files "<field>-obstacle-<n>.png" in one folder: a close-up of every obstacle that is not
+/// passable, n its number as in the plan file, from 1.
 class CloseUps {
  public:
   /// An empty name: write() does nothing.
   explicit CloseUps(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// Makes the folder if it is missing. Throws Error(kFailure) where it or a file cannot be written.
-  void write(const Plan& plan);
+  /// Makes the folder if it is missing, and gives the names of the files. `field` begins them. Throws
+  /// Error(kFailure) where it or a file cannot be written.
+  std::vector<std::string> write(const Plan& plan, const std::string& field) const;
 
  private:
   std::filesystem::path folder_;
-  UniqueNames names_;
 };
 
 }  // namespace tramline::app

@@ -1,6 +1,7 @@
 #pragma once
 // The verbs of the program. setup() only declares options; run() does the work and returns the exit
-// code (0 success, 1 failed run or failed check, 2 bad input). Errors are thrown as tramline::Error.
+// code (0 success, 1 failed run or failed check, 2 bad input, 3 some of many fields refused). Errors are
+// thrown as tramline::Error.
 
 #include <CLI/CLI.hpp>
 #include <memory>

@@ -14,7 +14,6 @@
 #include "plan_options.h"
 #include "progress.h"
 #include "report/front_report.h"
-#include "report/report_parts.h"
 #include "request/output_names.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/geopackage/whole_file.h"
@@ -124,12 +123,13 @@ class CompareCommand : public Command {
     const FieldInput input = load_fields(field_options_);
     const bool single = !field_options_.all && input.fields.size() == 1;
     Outputs outputs{{csv_, !single}, {picture_, !single}, {output_, !single}, choice};
+    const ManyFieldsReport report{json_, quiet_, "compared the plans of"};
     if (single) {
-      compare(input.fields.front(), input.skipped, outputs);
-      return 0;
+      const Field& field = input.fields.front();
+      return show_single(field, compare(field, input.skipped, outputs), report);
     }
-    return work_on_many_fields(input, {json_, quiet_, "compared the plans of"},
-                               [&](const Field& field) { compare(field, {}, outputs); });
+    return work_on_many_fields(input, report,
+                               [&](const Field& field) { return compare(field, {}, outputs); });
   }
 
  private:
@@ -138,16 +138,13 @@ class CompareCommand : public Command {
     PointChoice choice;
   };
 
-  void compare(const Field& field, const std::vector<Skipped>& skipped, Outputs& outputs) const {
+  FieldResult compare(const Field& field, const std::vector<Skipped>& skipped, Outputs& outputs) const {
     const auto start = std::chrono::steady_clock::now();
     const TradeOff found = compared(field);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     write(found, field, outputs);
     const Comparison comparison{field, machine_, settings_, found.front, prices_, elapsed.count()};
-    if (json_)
-      fmt::print("{}\n", json_line(compare_json(comparison, skipped)));
-    else if (!quiet_)
-      fmt::print("{}", compare_table(comparison, skipped));
+    return {compare_json(comparison, skipped), compare_table(comparison, skipped), {}};
   }
 
   TradeOff compared(const Field& field) const {

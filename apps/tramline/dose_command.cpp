@@ -18,6 +18,7 @@
 #include "report/dose_report.h"
 #include "report/report_parts.h"
 #include "request/evaluate_input.h"
+#include "result_output.h"
 #include "tramline/coverage/dose/dose.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/coverage/read_coverage.h"
@@ -95,9 +96,9 @@ class DoseCommand : public Command {
     if (!picture_.empty()) render::draw_dose(map, picture_);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (json_)
-      fmt::print("{}\n", json_line(dose_json(map, seconds)));
+      print_json_line(dose_json(map, seconds));
     else if (!quiet_)
-      fmt::print("{}", dose_table(map, seconds));
+      print_result(dose_table(map, seconds));
     return 0;
   }
 

@@ -21,6 +21,7 @@
 #include "request/log_jobs.h"
 #include "request/output_names.h"
 #include "request/plan_and_done.h"
+#include "result_output.h"
 #include "tramline/coverage/evaluate.h"
 #include "tramline/coverage/plan_steps.h"
 #include "tramline/geometry/error.h"
@@ -247,9 +248,9 @@ class EvaluateCommand : public Command {
 
   void print(const Evaluation& evaluation) const {
     if (json_)
-      fmt::print("{}\n", json_line(evaluation_json(evaluation)));
+      print_json_line(evaluation_json(evaluation));
     else if (!quiet_)
-      fmt::print("{}", evaluation_table(evaluation));
+      print_result(evaluation_table(evaluation));
   }
 
   FieldOptions field_;

@@ -9,6 +9,7 @@
 #include "command.h"
 #include "output_target.h"
 #include "report/report_parts.h"
+#include "result_output.h"
 #include "tramline/io/export/export_plan.h"
 
 namespace tramline::app {
@@ -22,6 +23,7 @@ constexpr const char* kExample =
     "Example:\n"
     "  tramline export plan.gpkg -o tracks.geojson\n"
     "  tramline export plan.gpkg -o plan.zip --crs EPSG:25832\n"
+    "  tramline export plans.gpkg -o tracks.kml --id mill-field --tolerance 0.1\n"
     "  tramline export plan.gpkg -o uncovered.fgb --layer uncovered --crs wgs84\n"
     "GeoJSON and KML are always in WGS 84; the others are in the coordinate reference system of the file "
     "the\n"
@@ -41,6 +43,13 @@ class ExportCommand : public Command {
     verb->add_option("--layer", layers_,
                      "export this layer of the plan; may be given again and again for .zip and .kml")
         ->allow_extra_args(false);
+    verb->add_option("--tolerance", tolerance_m_,
+                     "how far lines and outlines may run beside the plan's to need fewer points, m; 0 keeps "
+                     "all points")
+        ->capture_default_str();
+    verb->add_option("--id", id_,
+                     "of a file of many plans (plan --one-file): only that of the field of this id or key "
+                     "(default all)");
     add_unused_threads_option(*verb, threads_);
     verb->add_flag("--json", json_, "print one JSON object instead of the table");
     verb->add_flag("--quiet", quiet_, "no table");
@@ -50,39 +59,47 @@ class ExportCommand : public Command {
 
   int run() override {
     require_writable(output_, "--output", {".geojson", ".fgb", ".kml", ".zip"}, {plan_file_});
-    const io::ExportReport report = io::export_plan({plan_file_, output_, crs_, layers_});
+    const io::ExportReport report = io::export_plan({plan_file_, output_, crs_, layers_, tolerance_m_, id_});
     if (json_)
-      fmt::print("{}\n", json_text(json_of(report), 2));
+      print_json(json_of(report));
     else if (!quiet_)
-      fmt::print("{}", table_of(report));
+      print_result(table_of(report));
     return 0;
   }
 
  private:
   std::string table_of(const io::ExportReport& report) const {
     std::string out =
-        fmt::format("{}: field {}, {}, {}\n", output_, report.field_id, name(report.format), report.crs);
+        fmt::format("{}: {}, {}, {}\n", output_, field_of(report), name(report.format), report.crs);
     for (const io::ExportedLayer& layer : report.layers)
-      fmt::format_to(std::back_inserter(out), "  {:<14}{:>8}\n", layer.name, layer.features);
+      fmt::format_to(std::back_inserter(out), "  {:<18}{:>8}\n", layer.name, layer.features);
     for (const Skipped& text : report.shortened)
       fmt::format_to(std::back_inserter(out), "shortened: {} ({}): {}\n", text.what, text.where, text.why);
     return out;
+  }
+
+  static std::string field_of(const io::ExportReport& report) {
+    return report.fields == 1 ? "field " + report.field_id : fmt::format("{} fields", report.fields);
   }
 
   nlohmann::ordered_json json_of(const io::ExportReport& report) const {
     nlohmann::ordered_json layers = nlohmann::ordered_json::array();
     for (const io::ExportedLayer& layer : report.layers)
       layers.push_back({{"name", layer.name}, {"features", layer.features}});
-    return {{"plan", plan_file_},
-            {"field_id", report.field_id},
-            {"file", output_},
-            {"format", name(report.format)},
-            {"crs", report.crs},
-            {"layers", layers},
-            {"shortened", skipped_json(report.shortened)}};
+    return {
+        {"plan", plan_file_},
+        {"field_id", report.fields == 1 ? nlohmann::ordered_json(report.field_id) : nlohmann::ordered_json()},
+        {"fields", report.fields},
+        {"tolerance_m", tolerance_m_},
+        {"file", output_},
+        {"format", name(report.format)},
+        {"crs", report.crs},
+        {"layers", layers},
+        {"shortened", skipped_json(report.shortened)}};
   }
 
-  std::string plan_file_, output_, crs_;
+  std::string plan_file_, output_, crs_, id_;
+  double tolerance_m_ = io::ExportRequest{}.tolerance_m;
   std::vector<std::string> layers_;
   int threads_ = 0;
   bool json_ = false, quiet_ = false;

@@ -25,6 +25,7 @@ void add_field_options(CLI::App& verb, FieldOptions& options) {
       ->required();
   verb.add_option("--layer", options.layer, "the layer to read, where there are several");
   verb.add_option("--where", options.where, "only features that match, for example \"crop='wheat'\"");
+  verb.add_option("--id", options.id, "only the field of this id or key, as 'tramline info' lists them");
   verb.add_flag("--all", options.all, "take every feature, not just one");
   add_obstacle_options(verb, options);
 }
@@ -33,9 +34,11 @@ void add_field_choice(CLI::App& verb, FieldOptions& options) {
   CLI::Option* field = verb.add_option(
       "--field", options.file, "the field that was to be worked: any vector file, or an ISOXML task set");
   verb.add_option("--layer", options.layer, "the layer of the field's file, where there are several");
-  verb.add_option("--where", options.where, "which of its features, for example \"id='mill-field'\"");
+  verb.add_option("--where", options.where, "which of its features, for example \"crop='wheat'\"");
+  verb.add_option("--id", options.id, "which of its fields, by id or key, as 'tramline info' lists them");
   add_obstacle_options(verb, options);
-  for (const char* option : {"--layer", "--where", "--crs", "--obstacles", "--obstacle-size", "--passable"})
+  for (const char* option :
+       {"--layer", "--where", "--id", "--crs", "--obstacles", "--obstacle-size", "--passable"})
     verb.get_option(option)->needs(field);
 }
 

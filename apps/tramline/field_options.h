@@ -7,8 +7,8 @@
 
 namespace tramline::app {
 
-/// Declares FILE, --layer, --where, --all, --crs, --obstacles, --obstacle-size and --passable on the verb.
-/// `options` has to outlive the parse.
+/// Declares FILE, --layer, --where, --id, --all, --crs, --obstacles, --obstacle-size and --passable on the
+/// verb. `options` has to outlive the parse.
 void add_field_options(CLI::App& verb, FieldOptions& options);
 
 /// The same with --field for FILE, which need not be given, and without --all.

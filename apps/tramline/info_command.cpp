@@ -6,6 +6,7 @@
 #include "field_options.h"
 #include "report/info_report.h"
 #include "report/report_parts.h"
+#include "result_output.h"
 #include "tramline/geometry/error.h"
 
 namespace tramline::app {
@@ -18,7 +19,7 @@ constexpr const char* kHelp =
 constexpr const char* kExample =
     "Example:\n"
     "  tramline info parcels.gpkg\n"
-    "  tramline info parcels.gpkg --where \"id = 'mill-field'\"\n"
+    "  tramline info parcels.gpkg --id mill-field\n"
     "  tramline info parcels.gpkg --all --json | jq '.repairs[]'";
 constexpr long long kListed = 20;
 
@@ -48,12 +49,12 @@ class InfoCommand : public Command {
  private:
   void list(const FieldInput& input) const {
     if (json_) {
-      fmt::print("{}\n", json_line(candidates_json(options_.file, input)));
+      print_json_line(candidates_json(options_.file, input));
       return;
     }
-    fmt::print("{}{}", source_rows(options_.file, input), candidate_rows(input));
-    if (input.features > kListed) fmt::print("and {} more features\n", input.features - kListed);
-    fmt::print("{}choose one with --where, or take all with --all\n", skipped_rows(input.skipped));
+    std::string table = source_rows(options_.file, input) + candidate_rows(input);
+    if (input.features > kListed) table += fmt::format("and {} more features\n", input.features - kListed);
+    print_result(table + skipped_rows(input.skipped) + "choose one with --id, or take all with --all\n");
   }
 
   /// With --all what was skipped stands on a line of its own rather than with every field.
@@ -61,20 +62,20 @@ class InfoCommand : public Command {
     for (const Field& field : input.fields) {
       nlohmann::ordered_json line = field_json(options_.file, input, field);
       if (!options_.all) line["skipped"] = skipped_json(input.skipped);
-      fmt::print("{}\n", json_line(line));
+      print_json_line(line);
     }
     for (const Refusal& refusal : input.refusals)
-      fmt::print("{}\n", json_line(refusal_json(refusal.field_id, refusal.sentence)));
-    if (options_.all && !input.skipped.empty())
-      fmt::print("{}\n", json_line({{"skipped", skipped_json(input.skipped)}}));
+      print_json_line(refusal_json(input.file, input.layer, refusal));
+    if (options_.all && !input.skipped.empty()) print_json_line({{"skipped", skipped_json(input.skipped)}});
   }
 
   void print_table(const FieldInput& input) const {
-    fmt::print("{}", source_rows(options_.file, input));
+    std::string table = source_rows(options_.file, input);
     for (const Field& field : input.fields)
-      fmt::print("{}{}", input.fields.size() > 1 ? "\n" : "", field_rows(field));
-    for (const Refusal& refusal : input.refusals) fmt::print("\nrefused      {}\n", refusal.sentence);
-    fmt::print("{}", skipped_rows(input.skipped));
+      table += (input.fields.size() > 1 ? "\n" : "") + field_rows(field);
+    for (const Refusal& refusal : input.refusals)
+      table += fmt::format("\nrefused      {}\n", refusal.sentence);
+    print_result(table + skipped_rows(input.skipped));
   }
 
   FieldOptions options_;

@@ -4,9 +4,11 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "command.h"
+#include "result_output.h"
 #include "tramline/geometry/error.h"
 
 #ifndef TRAMLINE_VERSION
@@ -61,9 +63,8 @@ void refuse_empty_values(const std::vector<CLI::App*>& verbs) {
 
 /// A full disk behind stdout shows at the last moment.
 int with_output_flushed(int code) {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
-  std::fprintf(stderr, "tramline: the result could not be written to stdout: is the disk full?\n");
-  return 1;
+  tramline::app::flush_output();
+  return code;
 }
 
 /// One line, whatever a user's names contain.
@@ -71,6 +72,12 @@ std::string one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c >= 0 && c < ' '; }, ' ');
   return text;
+}
+
+/// Does the error say that whoever read stdout has gone?
+bool is_closed_pipe(const std::exception& error) {
+  const auto* system = dynamic_cast<const std::system_error*>(&error);
+  return system != nullptr && system->code() == std::errc::broken_pipe && std::ferror(stdout) != 0;
 }
 
 int exit_code(const tramline::Error& error) { return error.kind() == tramline::ErrorKind::kBadInput ? 2 : 1; }
@@ -99,6 +106,7 @@ int main(int argc, char** argv) {
   std::vector<CLI::App*> verbs;
   for (auto& command : commands) verbs.push_back(command->setup(app));
   refuse_empty_values(verbs);
+  report_closed_pipes();
 
   try {
     refuse_values_cut_short(verbs, {argv + std::min(argc, 1), argv + argc});
@@ -132,7 +140,10 @@ int main(int argc, char** argv) {
   } catch (const tramline::Error& error) {
     std::fprintf(stderr, "tramline: %s\n", one_line(error.what()).c_str());
     return exit_code(error);
+  } catch (const OutputClosed&) {
+    end_as_by_closed_pipe();
   } catch (const std::exception& error) {
+    if (is_closed_pipe(error)) end_as_by_closed_pipe();
     std::fprintf(stderr, "tramline: the run failed: %s\n", error.what());
     return 1;
   }

@@ -6,23 +6,22 @@
 #include <optional>
 #include <utility>
 
-#include "close_ups.h"
 #include "command.h"
 #include "field_options.h"
 #include "many_fields.h"
 #include "output_target.h"
 #include "plan_options.h"
+#include "plan_outputs.h"
+#include "plan_run_input.h"
 #include "progress.h"
 #include "report/explain_report.h"
 #include "report/plan_report.h"
-#include "report/report_parts.h"
-#include "request/output_names.h"
+#include "report/plan_summary.h"
+#include "request/field_key.h"
 #include "tramline/geometry/error.h"
-#include "tramline/io/plan/write_plan.h"
 #include "tramline/planner/plan_field.h"
 #include "tramline/planner/trade_off.h"
 #include "tramline/planner/validate_request.h"
-#include "tramline/render/draw_plan.h"
 
 namespace tramline::app {
 namespace {
@@ -31,6 +30,7 @@ constexpr const char* kExample =
     "Example:\n"
     "  tramline plan field.geojson --width 3 --radius 6 -o plan.gpkg --picture plan.png\n"
     "  tramline plan parcels.gpkg --layer parcels --where \"crop='wheat'\" --all --json\n"
+    "  tramline plan parcels.gpkg --all --width 6 -o plans.gpkg --one-file --resume\n"
     "  tramline plan field.geojson --width 3 --explain\n"
     "  tramline plan field.geojson --width 3 --clearance 0.5 --zoom-obstacles closeups\n"
     "  tramline plan field.geojson --width 3 --avoid paper --avoid-threshold 4 -o paper.gpkg\n"
@@ -55,13 +55,21 @@ class PlanCommand : public Command {
     verb->footer(example_);
     add_field_options(*verb, field_options_);
     add_plan_options(*verb, plan_options_);
-    verb->add_option("-o,--output", output_, "write the plan to this GeoPackage (.gpkg)");
-    verb->add_option("--picture", picture_, "draw the plan to this .png, .svg or .pdf");
-    verb->add_option("--zoom-obstacles", zoom_,
+    CLI::Option* output =
+        verb->add_option("-o,--output", wanted_.plan, "write the plan to this GeoPackage (.gpkg)");
+    verb->add_option("--picture", wanted_.picture, "draw the plan to this .png, .svg or .pdf");
+    verb->add_option("--zoom-obstacles", wanted_.close_ups,
                      "draw a close-up of every obstacle into this folder, which is made if missing");
-    verb->add_flag(
-        "--explain", explain_,
-        "also say why this plan: what causes its cost, and how much more the next best would cost");
+    verb->add_flag("--one-file", wanted_.one_file,
+                   "put the plans of all fields into the one file of --output, instead of a file for each")
+        ->needs(output);
+    verb->add_flag("--resume", resume_,
+                   "go on where a former run of the same command ended: fields that it has finished are "
+                   "not planned again");
+    verb->add_flag("--explain", explain_,
+                   "also say how the plan was found and why this one: its cost and what causes it, how much "
+                   "less any plan "
+                   "could cost, how much more the next best does, repairs and all notes");
     verb->add_flag(
         "--front", front_,
         "look for other plans worth a choice too (see 'tramline compare'), and keep their numbers in "
@@ -81,35 +89,62 @@ class PlanCommand : public Command {
     const std::vector<std::string> inputs{field_options_.file, field_options_.obstacles_file,
                                           field_options_.passable_file, plan_options_.machine_file,
                                           plan_options_.guide_file};
-    require_writable(output_, "--output", {".gpkg"}, inputs);
-    require_writable(picture_, "--picture", {".png", ".svg", ".pdf"}, inputs);
-    require_folder(zoom_, "--zoom-obstacles");
+    require_writable(wanted_.plan, "--output", {".gpkg"}, inputs);
+    require_writable(wanted_.picture, "--picture", {".png", ".svg", ".pdf"}, inputs);
+    require_folder(wanted_.close_ups, "--zoom-obstacles");
+    if (resume_ && wanted_.plan.empty() && wanted_.picture.empty() && wanted_.close_ups.empty())
+      throw bad_input(
+          "--resume needs --output, --picture or --zoom-obstacles: what is finished is noted beside them");
     const FieldInput input = load_fields(field_options_);
     if (!input.fields.empty()) guide_ = guide_of(plan_options_, input.fields.front().source.input_crs);
-    const bool single = !field_options_.all && input.fields.size() == 1;
-    return single ? plan_single(input.fields.front(), input.skipped) : plan_many(input);
+    const bool single = !field_options_.all && input.fields.size() == 1 && !wanted_.one_file && !resume_;
+    PlanOutputs outputs(wanted_, input.fields, field_options_.all || input.fields.size() != 1);
+    return single ? plan_single(input.fields.front(), input.skipped, outputs) : plan_many(input, outputs);
   }
 
  private:
-  int plan_single(const Field& field, const std::vector<Skipped>& skipped) {
+  int plan_single(const Field& field, const std::vector<Skipped>& skipped, PlanOutputs& outputs) const {
     const Planned planned = plan_one(field);
-    Outputs outputs{{output_, false}, {picture_, false}, CloseUps(zoom_)};
-    write(planned.plan, outputs);
-    if (json_)
-      fmt::print("{}\n", json_line(json_of(planned, skipped)));
-    else if (!quiet_)
-      fmt::print("{}{}", plan_table(planned.plan, skipped, planned.seconds), explanation_of(planned));
-    return 0;
+    outputs.write(planned.plan);
+    return show_single(field,
+                       {json_of(planned, skipped),
+                        plan_summary(planned.plan, skipped) + explanation_of(planned, skipped),
+                        {}},
+                       report());
   }
 
   /// Several features, or the parts of one.
-  int plan_many(const FieldInput& input) const {
-    Outputs outputs{{output_, true}, {picture_, true}, CloseUps(zoom_)};
-    return work_on_many_fields(input, {json_, quiet_, "planned"}, [&](const Field& field) {
+  int plan_many(const FieldInput& input, PlanOutputs& outputs) const {
+    const auto work = [&](const Field& field) {
       const Planned planned = plan_one(field);
-      write(planned.plan, outputs);
-      report_one_of_many(planned);
-    });
+      return FieldResult{json_of(planned, {}),
+                         plan_line(planned.plan, planned.seconds) + explanation_of(planned, {}),
+                         outputs.write(planned.plan)};
+    };
+    if (outputs.record_file().empty()) return work_on_many_fields(input, report(), work);
+    const RunRecord::Start start = resume_ ? RunRecord::Start::kResume : RunRecord::Start::kAnew;
+    RunRecord record(outputs.record_file(), start);
+    std::vector<std::pair<std::string, std::string>> made_from;
+    for (const Field& field : input.fields) made_from.emplace_back(field_key(field), digest(field));
+    outputs.begin(record, made_from, start);
+    const int code = work_on_many_fields(input, report(), work,
+                                         {&record, [&](const Field& field) { return digest(field); }});
+    outputs.finish(record, made_from);
+    return code;
+  }
+
+  ManyFieldsReport report() const { return {json_, quiet_, "planned"}; }
+
+  /// Of all that the result for a field depends on.
+  std::string digest(const Field& field) const {
+    Plan asked;
+    asked.field = field;
+    asked.machine = machine_;
+    asked.objective = objective_;
+    asked.settings = settings_for(settings_, guide_, field, machine_);
+    return digest_of(
+        made_from_text(asked, fmt::format("{}\n{}\n{}\n{} {} {}", wanted_.plan, wanted_.picture,
+                                          wanted_.close_ups, wanted_.one_file, explain_, front_)));
   }
 
   struct Planned {
@@ -121,37 +156,39 @@ class PlanCommand : public Command {
   Planned plan_one(const Field& field) const {
     ProgressLine progress(quiet_);
     const PlanSettings settings = settings_for(settings_, guide_, field, machine_);
-    if ((explain_ || front_) && settings.tracks == TrackConstruction::kPaper)
-      throw bad_input(
-          "--explain and --front know nothing of tracks as in the paper; leave --tracks paper out");
-    if ((explain_ || front_) && settings.shape != TrackShape::kStraight)
-      throw bad_input(
-          "--explain and --front are about straight tracks; leave --curved out, or give a line without "
-          "bends");
+    if (front_ && settings.tracks == TrackConstruction::kPaper)
+      throw bad_input("--front knows nothing of tracks as in the paper; leave --tracks paper out");
+    if (front_ && settings.shape != TrackShape::kStraight)
+      throw bad_input("--front is about straight tracks; leave --curved out, or give a line without bends");
+    const bool explained =
+        explain_ && settings.tracks != TrackConstruction::kPaper && settings.shape == TrackShape::kStraight;
     const auto start = std::chrono::steady_clock::now();
     Planned out;
-    if (explain_) {
-      ExplainedPlan explained =
+    if (explained) {
+      ExplainedPlan both =
           plan_and_explain(field, machine_, objective_, settings, threads_, shown(field, progress));
-      out.plan = std::move(explained.plan);
-      out.why = std::move(explained.why);
+      out.plan = std::move(both.plan);
+      out.why = std::move(both.why);
     }
     if (front_)
       out.plan = plan_with_front(field, settings, progress);
-    else if (!explain_)
+    else if (!explained)
       out.plan = plan_field(field, machine_, objective_, settings, threads_, shown(field, progress));
     out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return out;
   }
 
-  static nlohmann::ordered_json json_of(const Planned& planned, const std::vector<Skipped>& skipped) {
+  nlohmann::ordered_json json_of(const Planned& planned, const std::vector<Skipped>& skipped) const {
     nlohmann::ordered_json out = plan_json(planned.plan, skipped, planned.seconds);
-    if (planned.why) out["explain"] = explain_json(*planned.why);
+    if (explain_) out["explain"] = planned.why ? explain_json(*planned.why) : nlohmann::ordered_json();
     return out;
   }
 
-  static std::string explanation_of(const Planned& planned) {
-    return planned.why ? explain_rows(*planned.why, planned.plan.cost) : "";
+  std::string explanation_of(const Planned& planned, const std::vector<Skipped>& skipped) const {
+    if (!explain_) return "";
+    return plan_details(planned.plan, skipped, planned.seconds) +
+           (planned.why ? explain_rows(*planned.why, planned.plan.cost)
+                        : "cost by cause  is known of straight tracks only\n");
   }
 
   static Progress shown(const Field& field, ProgressLine& progress) {
@@ -167,34 +204,15 @@ class PlanCommand : public Command {
     return plan;
   }
 
-  struct Outputs {
-    OutputNames plans;
-    OutputNames pictures;
-    CloseUps close_ups;
-  };
-
-  void write(const Plan& plan, Outputs& outputs) const {
-    if (!output_.empty()) io::write_plan(plan, outputs.plans.next(plan.field.id));
-    if (!picture_.empty()) render::draw_plan(plan, outputs.pictures.next(plan.field.id));
-    outputs.close_ups.write(plan);
-  }
-
-  void report_one_of_many(const Planned& planned) const {
-    if (json_)
-      fmt::print("{}\n", json_line(json_of(planned, {})));
-    else if (!quiet_)
-      fmt::print("{}{}", plan_line(planned.plan, planned.seconds), explanation_of(planned));
-  }
-
   const char* word_;
   const char* about_;
   const char* example_;
   FieldOptions field_options_;
   PlanOptions plan_options_;
   std::optional<GuideLine> guide_;
-  std::string output_, picture_, zoom_;
+  WantedFiles wanted_;
   int threads_ = 0;
-  bool explain_ = false, front_ = false, json_ = false, quiet_ = false;
+  bool explain_ = false, front_ = false, resume_ = false, json_ = false, quiet_ = false;
   Machine machine_;
   Objective objective_;
   PlanSettings settings_;

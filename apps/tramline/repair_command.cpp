@@ -14,7 +14,6 @@
 #include "plan_options.h"
 #include "progress.h"
 #include "report/repair_report.h"
-#include "report/report_parts.h"
 #include "request/gap_fields.h"
 #include "request/output_names.h"
 #include "tramline/geometry/error.h"
@@ -70,14 +69,13 @@ class RepairCommand : public Command {
     const Coverage coverage = io::read_coverage(coverage_file_);
     const std::vector<GapField> fields = gap_fields(coverage, coverage_file_);
     Outputs outputs{{output_, fields.size() > 1}, {picture_, fields.size() > 1}};
-    if (fields.size() == 1) {
-      repair(fields.front(), terms, outputs);
-      return 0;
-    }
+    const ManyFieldsReport report{json_, quiet_, "repaired"};
+    if (fields.size() == 1)
+      return show_single(fields.front().field, repair(fields.front(), terms, outputs), report);
     FieldInput input;
     for (const GapField& field : fields) input.fields.push_back(field.field);
-    return work_on_many_fields(input, {json_, quiet_, "repaired"}, [&](const Field& field) {
-      repair(fields[static_cast<std::size_t>(field.source.part)], terms, outputs);
+    return work_on_many_fields(input, report, [&](const Field& field) {
+      return repair(fields[static_cast<std::size_t>(field.source.part)], terms, outputs);
     });
   }
 
@@ -102,16 +100,15 @@ class RepairCommand : public Command {
     return out;
   }
 
-  void repair(const GapField& part, const RepairTerms& terms, Outputs& outputs) const {
+  FieldResult repair(const GapField& part, const RepairTerms& terms, Outputs& outputs) const {
     const auto start = std::chrono::steady_clock::now();
     const RepairPlan done = repaired(part, terms);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     if (!output_.empty()) io::write_plan(done.plan, outputs.plans.next(part.field.id));
     if (!picture_.empty()) render::draw_plan(done.plan, outputs.pictures.next(part.field.id));
-    if (json_)
-      fmt::print("{}\n", json_line(repair_json(done, min_area_m2_, elapsed.count())));
-    else if (!quiet_)
-      fmt::print("{}", repair_table(done, min_area_m2_, elapsed.count()));
+    return {repair_json(done, min_area_m2_, elapsed.count()),
+            repair_table(done, min_area_m2_, elapsed.count()),
+            {}};
   }
 
   RepairPlan repaired(const GapField& part, const RepairTerms& terms) const {

@@ -145,7 +145,7 @@ LiveFigures WatchRun::figures(bool final) const {
 
 void WatchRun::show() {
   if (output_.json) {
-    fmt::print("{}\n", json_line(live_json(figures(false))));
+    fmt::print("{}\n", json_line(versioned(live_json(figures(false)))));
     std::fflush(stdout);
     return;
   }
@@ -245,7 +245,7 @@ void WatchRun::finish() {
   if (shown_) std::fputs("\r\x1b[K", stdout);
   shown_ = false;
   if (output_.json)
-    fmt::print("{}\n", json_line(live_json(last)));
+    fmt::print("{}\n", json_line(versioned(live_json(last))));
   else if (!output_.quiet)
     fmt::print("{}", evaluation_table(last.evaluation));
   std::fflush(stdout);

@@ -1,0 +1,103 @@
+#include "report/plan_summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "report/report_parts.h"
+#include "tramline/model/plain_zero.h"
+#include "tramline/planner/warnings.h"
+
+namespace tramline::app {
+namespace {
+
+double distance_km(const Plan& plan) {
+  double sum_m = length(plan.headland);
+  for (const TrackPiece& piece : plan.pieces) sum_m += length(piece);
+  return sum_m / 1e3;
+}
+
+std::string share_text(const Plan& plan, double part_m2) {
+  const double land = land_m2(plan);
+  return fmt::format("{:.1f} m² ({:.2f} %)", plain_zero(part_m2), land > 0 ? 100 * part_m2 / land : 0);
+}
+
+std::string counted(std::size_t number, const char* one, const char* several) {
+  return fmt::format("{} {}", number, number == 1 ? one : several);
+}
+
+std::string ground_row(const Plan& plan) {
+  const std::size_t obstacles = plan.field.obstacles.size();
+  const std::string left_out =
+      obstacles == 0 ? "" : " without its " + counted(obstacles, "obstacle", "obstacles");
+  const char* what = is_repair(plan) ? "missed land in field" : "field";
+  return fmt::format("to work      {:.4f} ha, {} {}{}\n", land_m2(plan) / 1e4, what, plan.field.id, left_out);
+}
+
+std::string passes_row(const Plan& plan) {
+  constexpr std::size_t kDirectionsShown = 4;
+  std::vector<Direction> directions;
+  for (const Subfield& subfield : plan.subfields) directions.push_back(subfield.direction);
+  const bool curved = is_curved(plan);
+  const std::string tracks = fmt::format(
+      "{} at {}",
+      counted(plan.pieces.size(), curved ? "curved track" : "track", curved ? "curved tracks" : "tracks"),
+      directions_text(directions, kDirectionsShown));
+  const std::size_t round = plan.headland.passes.size();
+  return fmt::format("passes       {}, each {:g} m wide: {}{}; {}, {}\n", plan.pieces.size() + round,
+                     plan.machine.width_m, tracks,
+                     round == 0 ? "" : " and " + counted(round, "headland pass", "headland passes"),
+                     counted(static_cast<std::size_t>(plan.tally.turns), "turn", "turns"),
+                     counted(static_cast<std::size_t>(plan.tally.stops), "stop", "stops"));
+}
+
+/// What is odd about this plan or its field, the most important first. What holds for every plan is not odd.
+std::vector<std::string> oddities(const Plan& plan, const std::vector<Skipped>& skipped) {
+  std::vector<std::string> out = plan.warnings;
+  std::erase(out, kConnectionsUnplanned);
+  if (!plan.field.repairs.empty())
+    out.push_back(counted(plan.field.repairs.size(), "fault of the field's outline was",
+                          "faults of the field's outline were") +
+                  " repaired");
+  if (!skipped.empty())
+    out.push_back(counted(skipped.size(), "part of the input was", "parts of the input were") +
+                  " left aside");
+  return out;
+}
+
+std::string note_row(const std::vector<std::string>& odd) {
+  if (odd.empty()) return "note         nothing odd\n";
+  const std::string more = odd.size() == 1 ? ""
+                                           : fmt::format(" (and {}: --explain)",
+                                                         counted(odd.size() - 1, "more note", "more notes"));
+  return fmt::format("note         {}{}\n", odd.front(), more);
+}
+
+std::string front_row(const Plan& plan) {
+  if (plan.front.points.empty()) return "";
+  return fmt::format("front        {} plans to choose from: see 'tramline compare'\n",
+                     plan.front.points.size());
+}
+
+}  // namespace
+
+std::string plan_summary(const Plan& plan, const std::vector<Skipped>& skipped) {
+  return ground_row(plan) + passes_row(plan) +
+         fmt::format("distance     {:.3f} km at work\n", distance_km(plan)) +
+         fmt::format("worked twice {}\n", share_text(plan, plan.tally.overlap_m2)) +
+         fmt::format("missed       {}\n", share_text(plan, plan.tally.uncovered_m2)) +
+         note_row(oddities(plan, skipped)) + front_row(plan);
+}
+
+std::string plan_line(const Plan& plan, double seconds) {
+  const std::string unworked = unworked_land_warning(plan);
+  return fmt::format(
+      "{}: {:.4f} ha, {}, {:.3f} km, worked twice {}, missed {}, {}, {}, {:.3f} s{}\n", plan.field.id,
+      land_m2(plan) / 1e4, counted(plan.pieces.size() + plan.headland.passes.size(), "pass", "passes"),
+      distance_km(plan), share_text(plan, plan.tally.overlap_m2), share_text(plan, plan.tally.uncovered_m2),
+      counted(static_cast<std::size_t>(plan.tally.turns), "turn", "turns"),
+      counted(static_cast<std::size_t>(plan.tally.stops), "stop", "stops"), seconds,
+      unworked.empty() ? "" : "; " + unworked);
+}
+
+}  // namespace tramline::app
