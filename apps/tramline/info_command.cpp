@@ -43,7 +43,8 @@ class InfoCommand : public Command {
     // Alone, a refused feature is the result.
     if (!options_.all && !input.refusals.empty()) throw bad_input(input.refusals.front().sentence);
     json_ ? print_json(input) : print_table(input);
-    return input.fields.empty() ? 2 : 0;
+    if (input.fields.empty()) return 2;
+    return input.refusals.empty() ? 0 : 3;
   }
 
  private:

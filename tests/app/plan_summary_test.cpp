@@ -46,7 +46,7 @@ TEST(PlanSummary, SaysWhatIsOddAndHowMuchMoreThereIs) {
   odd.warnings = warnings_about(odd);
   odd.field.repairs.resize(2);
   const std::string text = plan_summary(odd, {{"layer", "x", "y"}});
-  EXPECT_NE(text.find("note         10.0 % of the land stays unworked (590 m² of 5900 m²) (and 2 more notes: "
+  EXPECT_NE(text.find("note         10.0 % of the land, 590 m², stays unworked (and 2 more notes: "
                       "--explain)\n"),
             std::string::npos)
       << text;
@@ -58,7 +58,7 @@ TEST(PlanSummary, TwoPercentOfTheLandAreTheBorder) {
   border.tally.uncovered_m2 = 0.02 * 5900;
   EXPECT_EQ(unworked_land_warning(border), "");
   border.tally.uncovered_m2 += 0.01;
-  EXPECT_EQ(unworked_land_warning(border), "2.0 % of the land stays unworked (118 m² of 5900 m²)");
+  EXPECT_EQ(unworked_land_warning(border), "2.0 % of the land, 118 m², stays unworked");
 }
 
 TEST(PlanSummary, OfManyFieldsIsOneLineThatSaysMuchUnworkedLand) {
@@ -67,7 +67,7 @@ TEST(PlanSummary, OfManyFieldsIsOneLineThatSaysMuchUnworkedLand) {
             "turns, 1 stop, 0.250 s\n");
   Plan odd = plan();
   odd.tally.uncovered_m2 = 590;
-  EXPECT_NE(plan_line(odd, 0.25).find("; 10.0 % of the land stays unworked"), std::string::npos);
+  EXPECT_NE(plan_line(odd, 0.25).find("; 10.0 % of the land, 590 m², stays unworked"), std::string::npos);
 }
 
 }  // namespace

@@ -124,7 +124,7 @@ TEST_F(PlansInOneFile, PlainMetresStayInThePlaneOfTheInput) {
   GDALAllRegister();
   const GDALDatasetUniquePtr file(GDALDataset::Open(whole().c_str(), GDAL_OF_VECTOR));
   OGREnvelope box;
-  file->GetLayerByName("field")->GetExtent(&box, TRUE);
+  ASSERT_EQ(file->GetLayerByName("field")->GetExtent(&box, TRUE), OGRERR_NONE);
   EXPECT_NEAR(box.MinX, 800, 1e-9);
   EXPECT_NEAR(box.MaxX, 1700, 1e-9);
 }
@@ -146,7 +146,7 @@ TEST_F(PlansInOneFile, EveryLayerSaysWhoseItsRowsAre) {
   EXPECT_EQ(file->GetLayerByName("tracks")->GetFeatureCount(), 4);
   // The fields lie where they are: 0.01 degrees of longitude at 52 degrees north are 687 m.
   OGREnvelope box;
-  file->GetLayerByName("field")->GetExtent(&box, TRUE);
+  ASSERT_EQ(file->GetLayerByName("field")->GetExtent(&box, TRUE), OGRERR_NONE);
   EXPECT_NEAR(box.MaxX - box.MinX, 687 + 400, 2);
 }
 

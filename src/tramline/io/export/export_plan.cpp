@@ -1,12 +1,9 @@
 #include "tramline/io/export/export_plan.h"
 
-#include <cpl_conv.h>
-#include <cpl_string.h>
 #include <fmt/format.h>
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -17,6 +14,7 @@
 #include "tramline/io/geopackage/gdal_errors.h"
 #include "tramline/io/geopackage/local_crs.h"
 #include "tramline/io/geopackage/memory_folder.h"
+#include "tramline/io/geopackage/rows.h"
 #include "tramline/io/geopackage/time_stamp.h"
 #include "tramline/io/geopackage/whole_file.h"
 #include "tramline/io/plan/fields_in.h"
@@ -129,11 +127,9 @@ Chosen chosen_from(const ExportRequest& request) {
 
 /// Layers hand out the rows of that field only, from now on.
 void choose_rows(GDALDataset& plan, const std::string& key) {
-  const std::unique_ptr<char, decltype(&CPLFree)> quoted(
-      CPLEscapeString(key.c_str(), static_cast<int>(key.size()), CPLES_SQL), CPLFree);
   for (OGRLayer* layer : plan.GetLayers())
     if (layer->GetLayerDefn()->GetFieldIndex(kFieldKey) >= 0)
-      layer->SetAttributeFilter(fmt::format("{} = '{}'", kFieldKey, quoted.get()).c_str());
+      layer->SetAttributeFilter(filter_for(key).c_str());
 }
 
 }  // namespace

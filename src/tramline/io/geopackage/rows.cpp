@@ -12,7 +12,7 @@
 #include <memory>
 
 #include "tramline/geometry/error.h"
-#include "tramline/io/geopackage/table.h"
+#include "tramline/io/geopackage/field_names.h"
 
 namespace tramline::io {
 namespace {
@@ -150,6 +150,12 @@ Error Row::wrong(const std::string& what) const {
   return bad_input(fmt::format("{} {}; write the {} again", place_, what, kind_.what));
 }
 
+std::string filter_for(const std::string& field_key) {
+  const std::unique_ptr<char, decltype(&CPLFree)> quoted(
+      CPLEscapeString(field_key.c_str(), static_cast<int>(field_key.size()), CPLES_SQL), CPLFree);
+  return fmt::format("{} = '{}'", kFieldKey, quoted.get());
+}
+
 Rows::Rows(const fs::path& path, const FileKind& kind, GdalErrors& errors)
     : path_(path), kind_(kind), errors_(errors) {
   require_whole(path, kind);
@@ -164,11 +170,7 @@ void Rows::each(const char* name, const std::function<void(const Row&)>& take) {
   if (layer == nullptr)
     throw bad_input(fmt::format("{}: there is no layer '{}', so this is no whole {}; give a {} written by {}",
                                 path_.string(), name, kind_.what, kind_.what, kind_.writer));
-  if (key_) {
-    const std::unique_ptr<char, decltype(&CPLFree)> quoted(
-        CPLEscapeString(key_->c_str(), static_cast<int>(key_->size()), CPLES_SQL), CPLFree);
-    layer->SetAttributeFilter(fmt::format("{} = '{}'", kFieldKey, quoted.get()).c_str());
-  }
+  if (key_) layer->SetAttributeFilter(filter_for(*key_).c_str());
   layer->ResetReading();
   while (const OGRFeatureUniquePtr feature{layer->GetNextFeature()})
     take(Row(*feature, fmt::format("{}: layer {}, feature {}", path_.string(), name, feature->GetFID()),

@@ -74,6 +74,9 @@ class Row {
   const FileKind& kind_;
 };
 
+/// An attribute filter for the rows of the field of this key, in a file of several.
+std::string filter_for(const std::string& field_key);
+
 /// A GeoPackage open for reading. Throws Error(kBadInput) where the file is missing, cut off or none.
 class Rows {
  public:

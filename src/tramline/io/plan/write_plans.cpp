@@ -1,7 +1,6 @@
 #include "tramline/io/plan/write_plans.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -67,19 +66,16 @@ void write_all(const std::vector<KeptPlan>& plans, const LocalFrame& common, con
   make_indexes(file.file);
 }
 
-/// A file under way, gone unless it gets its name.
+/// A file under way, gone unless it gets its name. What a killed run has left of one is written over.
 class HalfWritten {
  public:
   explicit HalfWritten(const fs::path& target)
-      : target_(target),
-        name_(target.parent_path() / fmt::format(".{}.{}.part.gpkg", target.stem().string(), getpid())) {}
+      : target_(target), name_(target.parent_path() / fmt::format(".{}.part.gpkg", target.stem().string())) {
+    remove();
+  }
   HalfWritten(const HalfWritten&) = delete;
   HalfWritten& operator=(const HalfWritten&) = delete;
-  ~HalfWritten() {
-    std::error_code ignored;
-    fs::remove(name_, ignored);
-    fs::remove(name_.string() + "-journal", ignored);
-  }
+  ~HalfWritten() { remove(); }
   std::string name() const { return name_.string(); }
   void keep() {
     if (std::rename(name_.c_str(), target_.c_str()) != 0)
@@ -88,6 +84,12 @@ class HalfWritten {
   }
 
  private:
+  void remove() const {
+    std::error_code ignored;
+    fs::remove(name_, ignored);
+    fs::remove(name_.string() + "-journal", ignored);
+  }
+
   fs::path target_, name_;
 };
 
