@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tramline/cost/settled_areas.h"
 #include "tramline/geometry/kinked_line.h"
 #include "tramline/geometry/layered_area.h"
 #include "tramline/geometry/track_frame.h"
@@ -69,8 +70,7 @@ Tally whole_tally(const Tally& tracks, const std::vector<TrackPiece>& pieces, co
   const double covered_m2 = works.area_on(body, headland.ground);
   Tally out = tracks;
   out.worked_m2 = tracks.worked_m2 + headland.worked_m2;
-  out.overlap_m2 = out.worked_m2 - covered_m2;
-  out.uncovered_m2 = area(body) + area(headland.ground) - covered_m2;
+  settle_areas(out, covered_m2, area(body) + area(headland.ground));
   return out;
 }
 
