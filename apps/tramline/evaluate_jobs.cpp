@@ -7,6 +7,7 @@
 
 #include "report/job_report.h"
 #include "report/report_parts.h"
+#include "result_output.h"
 #include "tramline/geometry/error.h"
 
 namespace tramline::app {
@@ -19,10 +20,12 @@ class JobPrinter {
 
   void evaluated(const NumberedJob& job, const Evaluation& evaluation) {
     any_ = true;
-    add(job, how_.json ? json_line(job_json(job, evaluation)) + "\n" : evaluation_table(evaluation));
+    add(job,
+        how_.json ? json_line(versioned(job_json(job, evaluation))) + "\n" : evaluation_table(evaluation));
   }
   void left_out(const NumberedJob& job, const std::string& why) {
-    add(job, how_.json ? json_line(job_json(job, why)) + "\n" : fmt::format("left out     {}\n", why));
+    add(job,
+        how_.json ? json_line(versioned(job_json(job, why))) + "\n" : fmt::format("left out     {}\n", why));
   }
   bool any() const { return any_; }
 
@@ -32,7 +35,7 @@ class JobPrinter {
     if (!how_.json) held_ += job_heading(job, first_);
     first_ = false;
     held_ += text;
-    if (any_) fmt::print("{}", std::exchange(held_, {}));
+    if (any_) print_result(std::exchange(held_, {}));
   }
 
   JobPrint how_;
