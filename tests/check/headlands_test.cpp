@@ -114,7 +114,7 @@ TEST(Headlands, pass_out_of_the_field_or_into_an_obstacle) {
 
   plan = headland_plan(2);
   plan.headland.passes[0].path = shifted(plan.headland.passes[0].path, {0, -200});
-  EXPECT_EQ(found(settled(plan)), Names{"swaths"});
+  EXPECT_EQ(found(settled(plan)), (Names{"headland", "swaths"})) << "nobody asked for it there";
 
   plan = island_plan();
   plan.headland.passes[0].path = shifted(plan.headland.passes[0].path, {0.05, 0.05});
@@ -220,6 +220,82 @@ TEST(Headlands, pass_that_touches_itself) {
   EXPECT_EQ(found(settled(plan)), Names{});
 }
 
+/// A field of 100 m by 60 m without headland, a copse 2 m from two of its edges with one pass of 3 m, and the
+/// path given as that pass. No tracks.
+Plan corner_plan(const Path& path, bool around_field) {
+  Plan plan;
+  plan.field.id = "corner";
+  plan.field.outer = rectangle(0, 0, 100, 60);
+  plan.field.obstacles = {{{rectangle(2, 2, 10, 7), {}}, ObstacleKind::kObstacle, "copse"}};
+  plan.machine.width_m = 3;
+  plan.machine.radius_m = kCorner_m;
+  plan.settings.obstacle_headlands = 1;
+  Ring edge = chords(rounded_rectangle(-1, -1, 13, 10, 3), 1e-4);
+  edge.pop_back();
+  const Region land = difference({{plan.field.outer, {}}}, {plan.field.obstacles[0].shape});
+  plan.headland.ground = intersection(land, {{edge, {}}});
+  plan.headland.obstacle_passes = {1};
+  plan.headland.passes = {{path, 1, around_field, {0}}};
+  plan.body = difference(land, plan.headland.ground);
+  plan.subfields = {{plan.body[0], Direction::along({0, 0}, {1, 0})}};
+  return settled(plan);
+}
+
+constexpr double kWideLeft = 1 / 4.5, kWideRight = -kWideLeft;
+
+/// Along the copse's two free sides from edge to edge: 1.5 m and more off it, round its corner about (9, 6).
+const Path kFreeSides{
+    {{0, 10.5}, {9, 10.5}, 0}, {{9, 10.5}, {13.5, 6}, kWideRight}, {{13.5, 6}, {13.5, 0}, 0}};
+
+TEST(Headlands, open_pass_along_the_free_side_of_an_obstacle) {
+  const Names about_passes{"headland", "swaths", "drivable", "shapes"};
+  const auto faults = [&](const Path& path) {
+    Names out;
+    for (const std::string& name : found(corner_plan(path, false)))
+      if (about_passes.contains(name)) out.insert(name);
+    return out;
+  };
+  EXPECT_EQ(faults(kFreeSides), Names{});
+  EXPECT_EQ(faults(reversed(kFreeSides)), Names{});
+  // Flat ends: 5 cm beyond the edge, and a corner of an oblique end.
+  Path path = kFreeSides;
+  path.front().from.x = -0.05;
+  EXPECT_EQ(faults(path), Names{"swaths"});
+  path = kFreeSides;
+  path.back().to = {15, 0};
+  EXPECT_TRUE(faults(path).contains("swaths"));
+  path = kFreeSides;
+  path.back().to.y = -0.05;
+  EXPECT_EQ(faults(path), Names{"swaths"});
+  // A kink between its parts, and into the obstacle.
+  EXPECT_EQ(faults({{{0, 10.5}, {13.5, 10.5}, 0}, {{13.5, 10.5}, {13.5, 0}, 0}}), Names{"drivable"});
+  EXPECT_EQ(faults(shifted(Path{{{5, 10.5}, {9, 10.5}, 0}}, {0, -3})), Names{"swaths"});
+}
+
+/// The same and on along the edges all round the field, where nobody asked for a pass.
+TEST(Headlands, ring_round_the_field_for_an_obstacle_at_its_edge) {
+  const Path ring{{{6, 10.5}, {9, 10.5}, 0},           {{9, 10.5}, {13.5, 6}, kWideRight},
+                  {{13.5, 6}, {18, 1.5}, kWideLeft},   {{18, 1.5}, {94, 1.5}, 0},
+                  {{94, 1.5}, {98.5, 6}, kWideLeft},   {{98.5, 6}, {98.5, 54}, 0},
+                  {{98.5, 54}, {94, 58.5}, kWideLeft}, {{94, 58.5}, {6, 58.5}, 0},
+                  {{6, 58.5}, {1.5, 54}, kWideLeft},   {{1.5, 54}, {1.5, 15}, 0},
+                  {{1.5, 15}, {6, 10.5}, kWideLeft}};
+  const auto asked_for = [](const Plan& plan) {
+    for (const check::Violation& violation : check::verify(plan).violations)
+      if (violation.rule == "headland" && violation.what.find("which nobody asked for") != std::string::npos)
+        return false;
+    return true;
+  };
+  EXPECT_FALSE(asked_for(corner_plan(ring, true)));
+  EXPECT_FALSE(asked_for(turned(corner_plan(ring, true), Angle::degrees(33.3), {-712.3, 455.1})));
+  EXPECT_TRUE(asked_for(corner_plan(kFreeSides, false)));
+  // A second time round the field.
+  Plan twice = headland_plan(1);
+  EXPECT_TRUE(asked_for(twice));
+  twice.headland.passes.push_back(twice.headland.passes[0]);
+  EXPECT_FALSE(asked_for(settled(twice)));
+}
+
 TEST(Headlands, passes_that_are_none) {
   const auto with = [](auto change) {
     Plan plan = headland_plan(2);
@@ -227,7 +303,6 @@ TEST(Headlands, passes_that_are_none) {
     return found(plan);
   };
   EXPECT_EQ(with([](Plan&) {}), Names{});
-  EXPECT_EQ(with([](Plan& p) { p.headland.passes[1].path.pop_back(); }), Names{"headland"});
   EXPECT_EQ(with([](Plan& p) { p.headland.passes[1].path.erase(p.headland.passes[1].path.begin() + 2); }),
             Names{"headland"});
   EXPECT_EQ(with([](Plan& p) { p.headland.passes[1].path.clear(); }), Names{"headland"});
@@ -299,7 +374,7 @@ TEST(Headlands, body_or_headland_in_the_wrong_place) {
   EXPECT_EQ(found(settled(plan)), Names{"body"});
   plan = headland_plan(2);
   plan.headland.ground = {{rectangle(0, 0, 100, 6), {}}};
-  EXPECT_EQ(found(settled(plan)), Names{"body"});
+  EXPECT_EQ(found(settled(plan)), (Names{"body", "headland"})) << "most of the passes is not on it";
   // With the corners of a buffer that is not round.
   plan = island_plan();
   const Ring square = rectangle(37, 24, 63, 36);

@@ -24,9 +24,9 @@ using coverage::TileCoverage;
 using coverage::WorkedStep;
 using testing::Drive;
 
-constexpr std::array kGrounds = {Ground::kCovered, Ground::kRepeated, Ground::kSliver,
-                                 Ground::kMissed,  Ground::kOutside,  Ground::kOnce,
-                                 Ground::kTwice,   Ground::kOften,    Ground::kAgain};
+constexpr std::array kGrounds = {Ground::kCovered,    Ground::kRepeated, Ground::kSliver, Ground::kMissed,
+                                 Ground::kUnrecorded, Ground::kOutside,  Ground::kOnce,   Ground::kTwice,
+                                 Ground::kOften,      Ground::kAgain};
 
 double area_of(const CoverageAreas& areas, Ground what) {
   switch (what) {
@@ -38,6 +38,8 @@ double area_of(const CoverageAreas& areas, Ground what) {
       return areas.sliver_m2;
     case Ground::kMissed:
       return areas.missed_m2;
+    case Ground::kUnrecorded:
+      return areas.not_recorded_m2;
     case Ground::kOutside:
       return areas.outside_m2;
     case Ground::kOnce:

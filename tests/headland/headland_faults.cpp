@@ -8,6 +8,7 @@
 
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/layered_area.h"
+#include "tramline/headland/path_stretch.h"
 
 namespace tramline::testing {
 namespace {
@@ -18,7 +19,8 @@ double angle_between_units(Point a, Point b) { return std::abs(std::atan2(cross(
 
 void look_at_path(const HeadlandPass& pass, double tightest, Faults& out) {
   const Path& path = pass.path;
-  for (std::size_t i = 0; i < path.size(); ++i) {
+  const std::size_t joints = is_closed(pass) ? path.size() : path.size() - 1;
+  for (std::size_t i = 0; i < joints; ++i) {
     const PathSegment &segment = path[i], &next = path[(i + 1) % path.size()];
     if (!(segment.to == next.from))
       out.push_back(fmt::format("pass {} has a gap of {} m", pass.number, distance(segment.to, next.from)));
@@ -37,12 +39,13 @@ void look_at_path(const HeadlandPass& pass, double tightest, Faults& out) {
 /// Chords that cross one another for certain. Paths that touch themselves are not found.
 void look_at_crossings(const HeadlandPass& pass, Faults& out) {
   std::vector<Point> ring = chords(pass.path, 1e-3);
-  ring.pop_back();
+  if (is_closed(pass)) ring.pop_back();
+  const std::size_t edges = is_closed(pass) ? ring.size() : ring.size() - 1;
   const auto side = [](Point a, Point b, Point c) { return cross(b - a, c - a) / distance(a, b); };
   const auto parts = [&](Point a, Point b, Point c, Point d) {
     return std::min(side(a, b, c), side(a, b, d)) < -1e-3 && std::max(side(a, b, c), side(a, b, d)) > 1e-3;
   };
-  for (std::size_t i = 0; i < ring.size(); ++i)
+  for (std::size_t i = 0; i < edges; ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const Point a = ring[i], b = ring[(i + 1) % ring.size()], c = ring[j], d = ring[(j + 1) % ring.size()];
       if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x)) continue;
@@ -64,7 +67,7 @@ double distance_to_ring(const Path& path, const std::vector<Box>& reaches, const
   return out;
 }
 
-void look_at_place(const Field& field, double width, const HeadlandPass& pass, Faults& out) {
+void look_at_sides(const Field& field, double width, const HeadlandPass& pass, Faults& out) {
   const std::vector<Box> reaches = reaches_of(pass.path, width);
   double nearest = distance_to_ring(pass.path, reaches, field.outer, width);
   bool inside = contains(field.outer, pass.path.front().from);
@@ -78,6 +81,32 @@ void look_at_place(const Field& field, double width, const HeadlandPass& pass, F
   if (!inside) out.push_back(fmt::format("pass {} is not in the field", pass.number));
 }
 
+/// An open pass may run with its end up to a boundary: flat as it ends there its swath is in the field.
+void look_at_ends(const Field& field, double width, const HeadlandPass& pass, Faults& out) {
+  constexpr double kBeside = 2e-4;  // m
+  Region land{{field.outer, {}}};
+  for (const Obstacle& obstacle : field.obstacles)
+    if (obstacle.kind == ObstacleKind::kObstacle) land = difference(land, {obstacle.shape});
+  for (const double end : {0.0, length(pass.path) - 0.5 * width}) {
+    const Path part =
+        stretch_of(pass.path, std::max(0.0, end), std::min(end + 0.5 * width, length(pass.path)));
+    const double beyond = area(difference({{band(part, width), {}}}, land));
+    if (beyond > kBeside * width)
+      out.push_back(fmt::format("pass {} works {} m² beyond a boundary at one end", pass.number, beyond));
+  }
+}
+
+void look_at_place(const Field& field, double width, const HeadlandPass& pass, Faults& out) {
+  if (!is_closed(pass)) {
+    look_at_ends(field, width, pass, out);
+    if (length(pass.path) < 1.01 * width) return;
+    HeadlandPass middle = pass;
+    middle.path = stretch_of(pass.path, 0.5 * width, length(pass.path) - 0.5 * width);
+    look_at_sides(field, width, middle, out);
+    return;
+  }
+  look_at_sides(field, width, pass, out);
+}
 /// Land that two bands share, m².
 double shared(const Path& a, const Path& b, double width) {
   RisingCurves curves;

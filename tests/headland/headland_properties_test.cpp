@@ -93,13 +93,14 @@ Field with_necks(std::mt19937_64& random, double width_m, double radius_m) {
   return field;
 }
 
-/// What passes leave and double of all ground within their width, whether it is left to tracks or not.
+/// What passes leave, five times, and double of all ground within their width, whether it is left to tracks
+/// or not.
 double with_passes(const std::vector<HeadlandPass>& passes, const Region& ground, double width_m) {
   HeadlandAndBody headland;
   headland.ground = ground;
   headland.passes = passes;
   tally_passes({}, width_m, headland);
-  return headland.uncovered_m2 + headland.overlap_m2;
+  return 5 * headland.uncovered_m2 + headland.overlap_m2;
 }
 
 /// One pass where it is driven only in places where the machine could turn.

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "headland/headland_faults.h"
+#include "tramline/geometry/boolean.h"
 
 namespace tramline::testing {
 namespace {
@@ -220,13 +221,14 @@ TEST(Headland, PassesANarrowGapOnBothSides) {
 }
 
 // All around the obstacle a gap where the machine cannot turn. One ring or two: a second works 4 m of 10 and
-// 2 m again, but 2 m of 8 and 4 m again.
+// 2 m again, which is worth it, but 0.9 m of 6.9 and 5.1 m again.
 TEST(Headland, GoesRoundAMoat) {
   const HeadlandAndBody wide = made(field_of(box(0, 0, 100, 100), {box(10, 10, 90, 90)}), {6, 6, 1, {1}});
   ASSERT_EQ(wide.passes.size(), 2u);
   EXPECT_EQ(wide.passes[0].around_field + wide.passes[1].around_field, 1);
   EXPECT_GT(wide.overlap_m2, 4 * 80 * 2);
-  const HeadlandAndBody narrow = made(field_of(box(0, 0, 100, 100), {box(8, 8, 92, 92)}), {6, 6, 1, {1}});
+  const HeadlandAndBody narrow =
+      made(field_of(box(0, 0, 100, 100), {box(6.9, 6.9, 93.1, 93.1)}), {6, 6, 1, {1}});
   ASSERT_EQ(narrow.passes.size(), 1u);
   EXPECT_TRUE(narrow.passes.front().around_field);
 }
@@ -336,20 +338,147 @@ TEST(Headland, LeavesTheMiddleOfAStripToTracks) {
   EXPECT_FALSE(made(field, {6, 6, 2, {}, 87}).body.empty());
 }
 
-// Too narrow for a swath between the two sides of the pass: nothing is left to tracks.
-TEST(Headland, LeavesNothingNarrowerThanASwathToTracks) {
-  const HeadlandAndBody headland = made(field_of(box(0, 0, 100, 17.9)), {6, 5, 2, {}});
-  ASSERT_EQ(headland.passes.size(), 1u);
-  EXPECT_TRUE(headland.body.empty());
-  EXPECT_GT(headland.uncovered_m2, 5.9 * 85);
+// Between the two sides of the pass a strip of 2.1 m, more than a third of a swath, is left to tracks; one of
+// 1.9 m is not.
+TEST(Headland, LeavesNarrowStripsToTracks) {
+  const HeadlandAndBody wide = made(field_of(box(0, 0, 100, 14.1)), {6, 3, 2, {}});
+  ASSERT_EQ(wide.passes.size(), 1u);
+  ASSERT_EQ(wide.body.size(), 1u);
+  EXPECT_NEAR(bounds(wide.body.front().outer).height(), 2.1, 1e-3);
+  const HeadlandAndBody narrow = made(field_of(box(0, 0, 100, 13.9)), {6, 3, 2, {}});
+  ASSERT_EQ(narrow.passes.size(), 1u);
+  EXPECT_TRUE(narrow.body.empty());
+  EXPECT_GT(narrow.uncovered_m2, 1.9 * 85);
 }
 
-// A dead end of 14 m, 9 + 9 m to turn in.
-TEST(Headland, StaysOutOfWhereItCannotTurn) {
+std::vector<HeadlandPass> open_ones(const HeadlandAndBody& headland) {
+  std::vector<HeadlandPass> out;
+  for (const HeadlandPass& pass : headland.passes)
+    if (!is_closed(pass)) out.push_back(pass);
+  return out;
+}
+
+// A dead end of 14 m, 9 + 9 m to turn in: a pass along either side, as far as the wall at its end.
+TEST(Headland, DrivesIntoADeadEndWhereItCannotTurn) {
   const Ring with_arm{{0, 0}, {40, 0}, {40, 13}, {80, 13}, {80, 27}, {40, 27}, {40, 40}, {0, 40}};
   const HeadlandAndBody headland = made(field_of(with_arm), {6, 6, 1, {}});
+  ASSERT_EQ(headland.passes.size(), 3u);
+  const std::vector<HeadlandPass> open = open_ones(headland);
+  ASSERT_EQ(open.size(), 2u);
+  for (const HeadlandPass& pass : open) {
+    EXPECT_TRUE(pass.around_field);
+    EXPECT_EQ(pass.number, 1);
+    EXPECT_NEAR(reach_of(pass.path, 0).max_x, 80, 1e-3);
+    EXPECT_GT(length(pass.path), 33);
+  }
+  // Each has the wall it follows on its right: out of the arm, and into it.
+  EXPECT_NEAR(open[0].path.front().from.y, 24, 1e-6);
+  EXPECT_NEAR(open[1].path.back().to.y, 16, 1e-6);
+  // The corners of the room, and what the wide turns into the arm leave about its mouth. The middle of the
+  // arm, 2 m wide, is body.
+  EXPECT_LT(headland.uncovered_m2, 4 * (1 - kPi / 4) * 81 + 45);
+}
+
+/// A block of 120 m and an arm along its west side, 17 m wide and 440 m long.
+const Ring kWithArm{{0, 0}, {120, 0}, {120, 120}, {17, 120}, {17, 560}, {0, 560}};
+
+// 17 m, and 24 m to turn in. The arm is worked all across, its middle twice, however many passes are asked
+// for.
+TEST(Headland, WorksAnArmTooNarrowToTurnIn) {
+  for (const int passes : {1, 2, 3}) {
+    const HeadlandAndBody headland = made(field_of(kWithArm), {12, 6, passes, {}});
+    EXPECT_EQ(open_ones(headland).size(), 2u) << passes;
+    const Region left = intersection(unworked_ground(headland, 12), {{box(0, 135, 17, 560), {}}});
+    EXPECT_LT(area(left), 1) << passes;
+  }
+}
+
+// Both sides of a neck are driven, by the ring round the field; in one of 6.5 m the second one works 0.5 m.
+TEST(Headland, DrivesThroughNecksAtLeastOnce) {
+  const auto neck = [](double width) {
+    const double low = 60 - 0.5 * width, high = 60 + 0.5 * width;
+    return field_of({{0, 0},
+                     {120, 0},
+                     {120, low},
+                     {200, low},
+                     {200, 0},
+                     {320, 0},
+                     {320, 120},
+                     {200, 120},
+                     {200, high},
+                     {120, high},
+                     {120, 120},
+                     {0, 120}});
+  };
+  for (const double width : {8.0, 9.0, 10.0})
+    for (const int passes : {1, 2}) {
+      const HeadlandAndBody headland = made(neck(width), {6, 6, passes, {}});
+      const Region left = intersection(unworked_ground(headland, 6), {{box(125, 0, 195, 120), {}}});
+      EXPECT_LT(area(left), 1) << width;
+    }
+  const HeadlandAndBody narrow = made(neck(6.5), {6, 6, 1, {}});
+  const Region left = intersection(unworked_ground(narrow, 6), {{box(125, 0, 195, 120), {}}});
+  EXPECT_NEAR(area(left), 70 * 0.5, 1);
+}
+
+// An obstacle 3 m from the edge of a field without headland: nothing fits between the two. The pass is open,
+// along the other three sides, and ends at the edge. Sides of 12 m, one of 15 m, and quarters of a circle
+// that swing wide where the machine turns with 6 m.
+TEST(Headland, PassesAnObstacleNearTheEdgeOnItsFreeSide) {
+  const Field field = field_of(box(0, 0, 440, 320), {box(200, 3, 215, 15)});
+  const HeadlandAndBody headland = made(field, {6, 3, 0, {1}});
   ASSERT_EQ(headland.passes.size(), 1u);
-  EXPECT_LT(reach_of(headland.passes.front().path, 6).max_x, 45);
+  const HeadlandPass& pass = headland.passes.front();
+  EXPECT_FALSE(is_closed(pass));
+  EXPECT_FALSE(pass.around_field);
+  EXPECT_EQ(pass.obstacles, std::vector<int>{0});
+  EXPECT_NEAR(length(pass.path), 2 * 15 + 15 + 3 * kPi, 0.01);
+  EXPECT_NEAR(pass.path.front().from.y, 0, 1e-3);
+  EXPECT_NEAR(pass.path.back().to.y, 0, 1e-3);
+  // The ground ends on circles of 6 m about the two corners at the edge, the swath goes straight on for 3 m.
+  EXPECT_NEAR(headland.overlap_m2, 2 * (6 * 3 - 0.5 * (3 * std::sqrt(27.0) + 36 * kPi / 6)), kChords);
+  // All but the 3 m between obstacle and edge.
+  EXPECT_NEAR(headland.uncovered_m2, 15 * 3, 0.1);
+  const Field in_corner = field_of(box(0, 0, 440, 320), {box(3, 3, 18, 15)});
+  const HeadlandAndBody corner = made(in_corner, {6, 3, 0, {1}});
+  ASSERT_EQ(corner.passes.size(), 1u);
+  EXPECT_NEAR(length(corner.passes.front().path), 18 + 15 + 1.5 * kPi, 0.01);
+}
+
+// There is room for a swath between obstacle and edge, 8 m: it is driven round.
+TEST(Headland, DrivesRoundAnObstacleWithRoomBehindIt) {
+  const HeadlandAndBody headland =
+      made(field_of(box(0, 0, 440, 320), {box(200, 8, 215, 20)}), {6, 3, 0, {1}});
+  ASSERT_EQ(headland.passes.size(), 1u);
+  EXPECT_TRUE(is_closed(headland.passes.front()));
+}
+
+// A wall of 300 m along the edge has no headland: the ring round the field would follow it for as long, on
+// ground that the body has. It ends at the wall instead.
+TEST(Headland, EndsAtALongObstacleWithoutHeadland) {
+  const HeadlandAndBody headland = made(field_of(box(0, 0, 440, 320), {box(70, 2, 370, 8)}), {6, 6, 1, {}});
+  ASSERT_EQ(headland.passes.size(), 1u);
+  EXPECT_FALSE(is_closed(headland.passes.front()));
+  EXPECT_LT(length(headland.passes.front().path), 2 * (440 + 320) - 300);
+  EXPECT_LT(headland.overlap_m2, 300);
+}
+
+// Narrow parcels: one drive, or one along either side. The second one works what is wider than 6 m.
+TEST(Headland, WorksNarrowParcelsByPassesAlone) {
+  const auto strip = [](double width, int passes) {
+    return made(field_of(box(0, 0, 200, width)), {6, 6, passes, {}});
+  };
+  EXPECT_TRUE(strip(5.9, 1).passes.empty());
+  EXPECT_EQ(strip(6, 1).passes.size(), 1u);
+  EXPECT_NEAR(length(strip(6.5, 2).passes.front().path), 200, 0.01);
+  for (const double width : {7.5, 10.0})
+    for (const int passes : {1, 2}) {
+      const HeadlandAndBody headland = strip(width, passes);
+      EXPECT_EQ(headland.passes.size(), 2u) << width;
+      EXPECT_TRUE(headland.body.empty()) << width;
+      EXPECT_NEAR(headland.uncovered_m2, 0, 0.1) << width;
+      EXPECT_NEAR(headland.overlap_m2, 200 * (12 - width), 0.5) << width;
+    }
 }
 
 TEST(Headland, MayTakeTheWholeField) {
@@ -381,11 +510,19 @@ TEST(Headland, IsNotWorkedOnPassableLand) {
   EXPECT_NEAR(headland.uncovered_m2, (4 - kPi) * 36, kArea);
 }
 
-// The obstacle has a second pass; the field has not, and most of the ring would follow the field.
+// The obstacle has a second pass; the field has not, and most of a ring would follow the field. It runs along
+// the other sides, 9 m off, from where it comes to the field's own pass.
 TEST(Headland, DoesNotFollowPassesDrivenAlready) {
   const HeadlandAndBody headland = made(field_of(box(0, 0, 100, 100), {box(45, 10, 55, 20)}), {6, 0, 1, {2}});
-  for (const HeadlandPass& pass : headland.passes) EXPECT_EQ(pass.number, 1);
-  EXPECT_GT(headland.uncovered_m2, (4 - kPi) * 36);
+  ASSERT_EQ(open_ones(headland).size(), 1u);
+  const HeadlandPass second = open_ones(headland).front();
+  EXPECT_EQ(second.number, 2);
+  EXPECT_FALSE(second.around_field);
+  EXPECT_EQ(second.obstacles, std::vector<int>{0});
+  const double all = 3 * 10 + 9 * kPi;
+  EXPECT_GT(length(second.path), all);
+  EXPECT_LT(length(second.path), all + 2 * 5);
+  EXPECT_LT(headland.uncovered_m2, 60);
 }
 
 TEST(Headland, LeavesLandInsideAnObstacleAlone) {

@@ -1,14 +1,19 @@
 // Headlands of every curated real field: drivable, in place and with areas that add up?
 //
-//   headland_sweep
+//   headland_sweep [WIDTH]...
 //
-// Prints a line for everything that is not well and a summary for each working width and number of passes;
-// exit code 1 where something is not well.
+// Prints a line for everything that is not well, and a summary and the ten fields of whose headland most
+// stays unworked for each working width (4, 6 and 12 m without any) and number of passes; exit code 1 where
+// something is not well.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <utility>
 
 #include "headland/headland_faults.h"
 #include "real/real_fields.h"
@@ -23,6 +28,7 @@ constexpr double kRadius = 6;
 struct Spreads {
   std::vector<double> uncovered_pct, overlap_pct, milliseconds;
   double slowest_per_corner_us = 0;
+  std::vector<std::pair<double, std::string>> fields;  ///< by what stays unworked, %
   int failed = 0, without_body = 0, rings = 0;
 };
 
@@ -46,6 +52,7 @@ void look_at(const Field& field, double width_m, int passes, Spreads& out) {
     out.rings += static_cast<int>(headland.passes.size());
     const double ground = std::max(1.0, area(headland.ground));
     out.uncovered_pct.push_back(100 * headland.uncovered_m2 / ground);
+    out.fields.emplace_back(out.uncovered_pct.back(), field.id);
     out.overlap_pct.push_back(100 * headland.overlap_m2 / ground);
     out.milliseconds.push_back(ms);
     out.slowest_per_corner_us =
@@ -56,12 +63,20 @@ void look_at(const Field& field, double width_m, int passes, Spreads& out) {
   }
 }
 
-int run() {
+void print_worst(std::vector<std::pair<double, std::string>> fields) {
+  constexpr std::size_t kShown = 10;
+  std::sort(fields.rbegin(), fields.rend());
+  fields.resize(std::min(fields.size(), kShown));
+  for (const auto& [share_pct, id] : fields) fmt::print("  {:.1f} % {}\n", share_pct, id);
+  std::fflush(stdout);
+}
+
+int run(const std::vector<double>& widths_m) {
   const auto fields = read_or_say();
   if (!fields) return 0;
   const Crs crs(fields->dataset.layers.front().crs);
   int failed = 0;
-  for (const double width_m : {4.0, 6.0, 12.0})
+  for (const double width_m : widths_m)
     for (const int passes : {1, 2}) {
       Spreads spreads;
       for (const RawFeature& feature : fields->features()) {
@@ -85,6 +100,7 @@ int run() {
           median(spreads.milliseconds),
           *std::max_element(spreads.milliseconds.begin(), spreads.milliseconds.end()),
           spreads.slowest_per_corner_us);
+      print_worst(spreads.fields);
       failed += spreads.failed;
     }
   return failed == 0 ? 0 : 1;
@@ -93,4 +109,8 @@ int run() {
 }  // namespace
 }  // namespace tramline::testing
 
-int main() { return tramline::testing::run(); }
+int main(int count, char** words) {
+  std::vector<double> widths_m;
+  for (int i = 1; i < count; ++i) widths_m.push_back(std::atof(words[i]));
+  return tramline::testing::run(widths_m.empty() ? std::vector<double>{4, 6, 12} : widths_m);
+}

@@ -22,21 +22,6 @@ Point place_on(const PathSegment& segment, double along_m) {
   return segment.from + chord_m * Point{d.x * c - d.y * s, d.x * s + d.y * c};
 }
 
-/// Without the first metres.
-Path begun_later(const Path& path, double by_m) {
-  Path out;
-  for (const PathSegment& segment : path) {
-    const double length_m = length(segment);
-    if (by_m >= length_m) {
-      by_m -= length_m;
-      continue;
-    }
-    out.push_back({by_m > 0 ? place_on(segment, by_m) : segment.from, segment.to, segment.curvature});
-    by_m = 0;
-  }
-  return out;
-}
-
 /// The chords of an arc stand at angles that are the same for all arcs about its centre and about as large:
 /// side by side they then share their edges, and overlays of them have no slivers to sort out.
 class AlignedBand {
@@ -106,6 +91,20 @@ Region bands_along(const Path& path, double width_m, double sagitta_m) {
   if (!has_kinks(path)) return flat_bands_along(path, width_m, sagitta_m);
   Region out;
   for (Ring& cell : kinked_cells(path, width_m)) append_ground(std::move(cell), false, out);
+  return out;
+}
+
+Path begun_later(const Path& path, double by_m) {
+  Path out;
+  for (const PathSegment& segment : path) {
+    const double length_m = length(segment);
+    if (by_m >= length_m) {
+      by_m -= length_m;
+      continue;
+    }
+    out.push_back({by_m > 0 ? place_on(segment, by_m) : segment.from, segment.to, segment.curvature});
+    by_m = 0;
+  }
   return out;
 }
 

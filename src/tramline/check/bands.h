@@ -17,6 +17,9 @@ Region bands_along(const Path& path, double width_m, double sagitta_m = kChordSa
 /// The same with every segment by itself and flat ends, kinks or not: what headland passes are counted by.
 Region flat_bands_along(const Path& path, double width_m, double sagitta_m = kChordSagitta);
 
+/// The path without the first metres; empty where nothing is left.
+Path begun_later(const Path& path, double by_m);
+
 /// The path without the first and the last `by_m`; empty where nothing is left.
 Path shortened(const Path& path, double by_m);
 

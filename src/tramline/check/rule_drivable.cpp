@@ -81,7 +81,7 @@ void check_pass(const HeadlandPass& pass, double least_m, const std::string& nam
   check_radii(pass.path, least_m, name, out);
   Joints joints(name, out);
   joints.drive(pass.path);
-  joints.close();
+  if (is_closed(pass)) joints.close();
 }
 
 }  // namespace

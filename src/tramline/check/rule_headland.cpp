@@ -50,7 +50,6 @@ int most_passes(const Plan& plan, const HeadlandPass& pass) {
 /// What is wrong with a pass in itself, or "".
 std::string fault_of(const Plan& plan, const HeadlandPass& pass) {
   if (std::string fault = check::fault_of(pass.path); !fault.empty()) return fault;
-  if (distance(pass.path.back().to, pass.path.front().from) > kJoint_m) return "does not end where it begins";
   if (!exist(plan, pass.obstacles)) return "names an obstacle that there is not";
   if (!std::is_sorted(pass.obstacles.begin(), pass.obstacles.end(), std::less_equal<>()))
     return "does not name its obstacles in order";

@@ -29,14 +29,17 @@ double least_track_m(const Plan& plan) {
   return std::max(min_length_m(plan.machine), 2 * plan.machine.width_m);
 }
 
-/// Parts in which no swath has room, by more than chords and the grid may take of it.
+/// Parts in which no swath has room, by more than chords and the grid may take of it, and which are no strip
+/// of a third of the width, either, twice as long as a track has to be.
 Region without_room(const Region& parts, const Plan& plan) {
   constexpr double kShare = 0.97;
-  const double half_m = 0.5 * kShare * plan.machine.width_m;
+  const double half_m = 0.5 * kShare * plan.machine.width_m, long_m = kShare * least_track_m(plan);
   Region out;
-  for (const Polygon& part : parts)
-    if (extent_m(part) < kShare * least_track_m(plan) || buffered({part}, -half_m).empty())
-      out.push_back(part);
+  for (const Polygon& part : parts) {
+    const double extent = extent_m(part);
+    const bool wide = extent >= long_m && !buffered({part}, -half_m).empty();
+    if (!wide && (extent < 2 * long_m || buffered({part}, -half_m / 3).empty())) out.push_back(part);
+  }
   return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tramline/check/pass_lanes.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 
@@ -17,28 +18,41 @@ class PassCheck {
       : c_(c),
         pass_(c.plan.headland.passes[index]),
         name_(pass_name(index)),
-        lane_(PieceFrame(pass_.path.front().from, pass_.path.front().to), pass_.path,
-              0.5 * c.plan.machine.width_m),
+        lanes_(pass_lanes(pass_, c.plan.machine.width_m)),
         out_(out) {}
 
   void run() const {
-    if (const auto place = lane_.place_outside(c_.plan.field.outer)) {
-      out_.push_back({"swaths", name_ + " leaves the field", *place, 0});
-      return;
-    }
+    for (const Lane& lane : lanes_)
+      if (const auto place = lane.place_outside(c_.plan.field.outer)) {
+        out_.push_back({"swaths", name_ + " leaves the field", *place, 0});
+        return;
+      }
     const double room_m = kept_m(c_.plan.settings.headlands);
-    check_distance(lane_.to_ring(c_.plan.field.outer, room_m), room_m, "the boundary");
+    check_distance(nearest([&](const Lane& lane) { return lane.to_ring(c_.plan.field.outer, room_m); }),
+                   room_m, "the boundary");
     const auto& obstacles = c_.plan.field.obstacles;
     for (std::size_t k = 0; k < obstacles.size(); ++k) {
       if (obstacles[k].kind != ObstacleKind::kObstacle) continue;
       const double kept = kept_m(passes_round(c_.plan, k));
-      if (intersects(c_.obstacle_boxes[k], lane_.field_box(kept)))
-        check_distance(lane_.to_land(obstacles[k].shape, kept), kept, fmt::format("obstacle {}", k + 1));
+      check_distance(nearest([&](const Lane& lane) {
+                       return intersects(c_.obstacle_boxes[k], lane.field_box(kept))
+                                  ? lane.to_land(obstacles[k].shape, kept)
+                                  : Approach{};
+                     }),
+                     kept, fmt::format("obstacle {}", k + 1));
     }
-    check_sense();
+    if (is_closed(pass_)) check_sense();
   }
 
  private:
+  template <class Approaching>
+  Approach nearest(Approaching to) const {
+    Approach out;
+    for (const Lane& lane : lanes_)
+      if (const Approach found = to(lane); found.gap_m < out.gap_m) out = found;
+    return out;
+  }
+
   /// Distance between the swath and a boundary that has so many passes.
   double kept_m(int passes) const {
     return pass_.number > passes ? 0 : (pass_.number - 1) * c_.plan.machine.width_m;
@@ -76,7 +90,7 @@ class PassCheck {
   const Case& c_;
   const HeadlandPass& pass_;
   std::string name_;
-  Lane lane_;
+  std::vector<Lane> lanes_;
   Violations& out_;
 };
 

@@ -51,7 +51,7 @@ void check_shapes(const Plan& plan, Violations& out);
 /// detours are paths on the map that leave and rejoin the line one after the other.
 void check_pieces(const Plan& plan, Violations& out);
 /// No boundary has more passes of headland than were asked for, and passables have none. Every pass is a
-/// closed path on the map that does not cross itself, and one of those that a boundary it names has.
+/// path on the map that does not cross itself, and one of those that a boundary it names has.
 void check_headland(const Plan& plan, Violations& out);
 /// The body is the field less obstacles, passable ones too, and less the ground of headlands; that ground is
 /// what is nearer to a boundary than its passes are wide, but for what is left to tracks
@@ -70,8 +70,12 @@ void check_subfields(const Case& c, Violations& out);
 /// boundary, and no detour leaves the field. Where there is a headland round it, the boundary is hard.
 void check_swaths(const Case& c, Violations& out);
 /// Swaths of headland passes stay in the field and enter no obstacle. Pass i keeps (i − ½)·w off every
-/// boundary that has so many passes, and has the land it goes round on its left.
+/// boundary that has so many passes. A closed one has the land it goes round on its left.
 void check_passes(const Case& c, Violations& out);
+/// No headland pass runs on where nobody asked for it: in no stretch does it work so much ground again, or
+/// beyond the headland, that leaving the stretch out would be better by far.
+/// O(n·k) for n slices of half the width, k of them at one place.
+void check_worth(const Case& c, Violations& out);
 /// Where swaths say by how much they overlap, it is what of them lies outside the body or has been worked
 /// before, by another swath or by the same; and where all do, the sum is the plan's overlap.
 void check_swath_overlaps(const Case& c, Violations& out);

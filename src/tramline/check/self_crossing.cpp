@@ -1,5 +1,6 @@
 #include "tramline/check/self_crossing.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -17,13 +18,18 @@ bool parts(Point a, Point b, Point p, Point q) {
   return (at_p < -least && at_q > least) || (at_p > least && at_q < -least);
 }
 
-/// A closed line of chords: vertices by their number, the first one again after the last one.
+/// A line of chords: vertices by their number. Of one that ends where it begins the first one comes again
+/// after the last one.
 class Chords {
  public:
-  explicit Chords(const Path& closed) : vertices_(chords(closed, kRoundEdge_m)) { vertices_.pop_back(); }
+  explicit Chords(const Path& path)
+      : vertices_(chords(path, kRoundEdge_m)),
+        closed_(distance(vertices_.front(), vertices_.back()) <= kJoint_m) {
+    if (closed_) vertices_.pop_back();
+  }
 
-  std::size_t size() const { return vertices_.size(); }
-  Point operator[](std::size_t i) const { return vertices_[i % size()]; }
+  std::size_t size() const { return closed_ ? vertices_.size() : vertices_.size() - 1; }
+  Point operator[](std::size_t i) const { return vertices_[closed_ ? i % size() : i]; }
 
   std::vector<Box> boxes() const {
     std::vector<Box> out(size());
@@ -35,6 +41,7 @@ class Chords {
   }
 
   bool are_neighbours(std::size_t i, std::size_t j) const {
+    if (!closed_) return i == j || i + 1 == j || j + 1 == i;
     return i == j || (i + 1) % size() == j || (j + 1) % size() == i;
   }
 
@@ -43,20 +50,29 @@ class Chords {
   std::optional<Point> crossing(std::size_t i, std::size_t j) const {
     const Chords& v = *this;
     const auto along = crossing_along(v[i], v[i + 1], v[j], v[j + 1]);
-    if (!along || !parts(v[i], v[i + 1], v[j + size() - 1], v[j + 2]) ||
-        !parts(v[j], v[j + 1], v[i + size() - 1], v[i + 2]))
+    if (!along || !parts(v[i], v[i + 1], before(j), behind(j)) ||
+        !parts(v[j], v[j + 1], before(i), behind(i)))
       return std::nullopt;
     return v[i] + *along * (v[i + 1] - v[i]);
   }
 
  private:
+  /// The vertices next to an edge, or its own ends where the line has none there.
+  Point before(std::size_t i) const {
+    return closed_ ? (*this)[i + size() - 1] : vertices_[i > 0 ? i - 1 : 0];
+  }
+  Point behind(std::size_t i) const {
+    return closed_ ? (*this)[i + 2] : vertices_[std::min(i + 2, vertices_.size() - 1)];
+  }
+
   std::vector<Point> vertices_;
+  bool closed_;
 };
 
 }  // namespace
 
-std::optional<Point> self_crossing_of(const Path& closed) {
-  const Chords line(closed);
+std::optional<Point> self_crossing_of(const Path& path) {
+  const Chords line(path);
   const std::vector<Box> boxes = line.boxes();
   const BoxGrid grid(boxes);
   for (std::size_t i = 0; i < boxes.size(); ++i) {

@@ -159,6 +159,7 @@ Verdict verify(const Plan& plan) {
   check_subfields(c, verdict.violations);
   check_swaths(c, verdict.violations);
   check_passes(c, verdict.violations);
+  check_worth(c, verdict.violations);
   check_clearance(c, verdict.violations);
   check_drivable(c, verdict.violations);
   check_ends(c, verdict.violations);

@@ -37,11 +37,18 @@ void append_piece(const LevelPiece& piece, double radius_m, Path& path) {
   append_arc(piece.centre, radius(piece.segment) - radius_m, -1.0 * out, angle, path);
 }
 
-/// Leaves out what has no length and lets each segment begin where the last one ended.
+/// Leaves out what has no length and lets each segment but the first begin where the last one ended.
 Path linked(Path path) {
   std::erase_if(path, [](const PathSegment& s) { return distance(s.from, s.to) < kNothing; });
-  for (std::size_t i = 0; i < path.size(); ++i) path[i].from = path[i == 0 ? path.size() - 1 : i - 1].to;
+  for (std::size_t i = 1; i < path.size(); ++i) path[i].from = path[i - 1].to;
   return path;
+}
+
+/// A piece, and the turn to the next one.
+void append_piece_and_turn(const LevelPiece& piece, const LevelPiece& next, double radius_m, Path& path) {
+  append_piece(piece, radius_m, path);
+  const Path turn = turn_about(piece.segment.to, radius_m, piece.to_heading, next.from_heading);
+  path.insert(path.end(), turn.begin(), turn.end());
 }
 
 }  // namespace
@@ -56,12 +63,17 @@ Path turn_about(Point centre, double radius_m, Point heading_before, Point headi
 
 Path closed_path(const LevelRing& ring, double radius_m) {
   Path path;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    append_piece(ring[i], radius_m, path);
-    const Path turn = turn_about(ring[i].segment.to, radius_m, ring[i].to_heading,
-                                 ring[(i + 1) % ring.size()].from_heading);
-    path.insert(path.end(), turn.begin(), turn.end());
-  }
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    append_piece_and_turn(ring[i], ring[(i + 1) % ring.size()], radius_m, path);
+  path = linked(std::move(path));
+  if (!path.empty()) path.front().from = path.back().to;
+  return path;
+}
+
+Path open_path(const LevelRing& way, double radius_m) {
+  Path path;
+  for (std::size_t i = 0; i + 1 < way.size(); ++i) append_piece_and_turn(way[i], way[i + 1], radius_m, path);
+  if (!way.empty()) append_piece(way.back(), radius_m, path);
   return linked(std::move(path));
 }
 

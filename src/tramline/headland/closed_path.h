@@ -10,6 +10,10 @@ namespace tramline {
 /// smaller by the radius. Precondition: the ring's arcs are larger than the radius.
 Path closed_path(const LevelRing& ring, double radius_m);
 
+/// The same for a way of the centre that has two ends: the path begins and ends where the disc touches there.
+/// Empty where the way has no length.
+Path open_path(const LevelRing& way, double radius_m);
+
 /// The part of it that the disc draws where its centre turns to the left from one heading, a unit vector, to
 /// another, half a circle at most; empty where that is no turn.
 Path turn_about(Point centre, double radius_m, Point heading_before, Point heading_after);

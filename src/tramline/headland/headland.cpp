@@ -32,16 +32,25 @@ Region body_behind(const Field& field, const Region& land, const std::vector<Bou
   return intersection(land, behind);
 }
 
-/// Where tracks may end in any direction: a width from every boundary that has passes.
-Region clear_of_boundaries(std::vector<Boundary> boundaries, double width_m) {
-  for (Boundary& boundary : boundaries) boundary.passes = std::min(boundary.passes, 1);
-  return land_behind_headlands(boundaries, width_m);
+/// Where tracks may end in any direction: a width from every boundary that has passes; and where they may lie
+/// over the edge of their ground as well: a width from every boundary.
+ClearLand clear_of_boundaries(std::vector<Boundary> boundaries, double width_m) {
+  bool all = true;
+  for (Boundary& boundary : boundaries) {
+    all = all && boundary.passes > 0;
+    boundary.passes = std::min(boundary.passes, 1);
+  }
+  ClearLand out;
+  out.to_end = land_behind_headlands(boundaries, width_m);
+  for (Boundary& boundary : boundaries) boundary.passes = 1;
+  out.to_lie_over = all ? out.to_end : land_behind_headlands(boundaries, width_m);
+  return out;
 }
 
 void leave_to_tracks(const Field& field, const Region& land, const std::vector<Boundary>& boundaries,
                      const HeadlandTerms& terms, HeadlandAndBody& out) {
   const double w = terms.width_m, least_m = std::max(terms.min_length_m, 2 * w);
-  if (out.uncovered_m2 < w * least_m) return;
+  if (out.uncovered_m2 <= 0) return;
   const Region left = left_to_tracks(out, clear_of_boundaries(boundaries, w), w, least_m);
   if (left.empty()) return;
   out.body = unite(out.body, left);
@@ -74,12 +83,14 @@ HeadlandAndBody headland_of(const Field& field, const HeadlandTerms& terms) {
   }
   out.body = body_behind(field, land, boundaries, terms.width_m);
   out.ground = difference(land, out.body);
+  const Region passable = obstacle_shapes(field, ObstacleKind::kPassable);
   for (int number = 1; number <= most; ++number) {
-    std::vector<HeadlandPass> rings = pass_rings(boundaries, terms, number, {out.ground, out.passes});
+    std::vector<HeadlandPass> rings =
+        pass_rings(boundaries, terms, number, {out.ground, passable, terms.width_m}, out.passes);
     out.passes.insert(out.passes.end(), std::make_move_iterator(rings.begin()),
                       std::make_move_iterator(rings.end()));
   }
-  tally_passes(obstacle_shapes(field, ObstacleKind::kPassable), terms.width_m, out);
+  tally_passes(passable, terms.width_m, out);
   leave_to_tracks(field, land, boundaries, terms, out);
   return out;
 }

@@ -15,16 +15,22 @@ double extent_m(const Polygon& polygon) {
   return out;
 }
 
-bool holds_a_track(const Polygon& polygon, double width_m, double least_length_m) {
-  // Strips just as wide as the swath, and as long, shall do in spite of chords and grids.
+/// Strips that tracks are laid in: as wide as a swath, or, at the price of some overlap, narrower and longer.
+struct Strip {
+  double width_m = 0;
+  double least_length_m = 0;
+};
+
+bool holds_a_track(const Polygon& polygon, const Strip& strip) {
+  // Strips just as wide, and as long, shall do in spite of chords and grids.
   constexpr double kAlmost = 0.999;
-  if (area(polygon) < kAlmost * kAlmost * width_m * least_length_m) return false;
-  if (extent_m(polygon) < kAlmost * least_length_m) return false;
-  return !buffered({polygon}, -kAlmost * 0.5 * width_m, JoinStyle::kMitre).empty();
+  if (area(polygon) < kAlmost * kAlmost * strip.width_m * strip.least_length_m) return false;
+  if (extent_m(polygon) < kAlmost * strip.least_length_m) return false;
+  return !buffered({polygon}, -kAlmost * 0.5 * strip.width_m, JoinStyle::kMitre).empty();
 }
 
-void keep_tracks(Region& region, double width_m, double least_length_m) {
-  std::erase_if(region, [&](const Polygon& part) { return !holds_a_track(part, width_m, least_length_m); });
+void keep_tracks(Region& region, const Strip& strip) {
+  std::erase_if(region, [&](const Polygon& part) { return !holds_a_track(part, strip); });
 }
 
 /// Without what is narrower than the width; corners stay.
@@ -36,14 +42,23 @@ Region opened(const Region& region, double width_m) {
 
 }  // namespace
 
-Region left_to_tracks(const HeadlandAndBody& headland, const Region& clear, double width_m,
+Region left_to_tracks(const HeadlandAndBody& headland, const ClearLand& clear, double width_m,
                       double least_length_m) {
-  if (headland.uncovered_m2 < 0.99 * width_m * least_length_m) return {};
-  Region left = intersection(unworked_ground(headland, width_m), clear);
-  keep_tracks(left, width_m, least_length_m);
-  if (left.empty()) return {};
-  Region out = intersection(opened(unite(headland.body, left), width_m), left);
-  keep_tracks(out, width_m, least_length_m);
+  const Strip wide{width_m, least_length_m};
+  const Strip narrow{width_m * kNarrowestStrip, least_length_m * kNarrowStripLength};
+  if (headland.uncovered_m2 <
+      0.99 * std::min(wide.width_m * wide.least_length_m, narrow.width_m * narrow.least_length_m))
+    return {};
+  const Region left = unworked_ground(headland, width_m);
+  Region out;
+  for (const Strip& strip : {wide, narrow}) {
+    Region parts = intersection(left, strip.width_m < width_m ? clear.to_lie_over : clear.to_end);
+    keep_tracks(parts, strip);
+    if (parts.empty()) continue;
+    parts = intersection(opened(unite(headland.body, parts), strip.width_m), parts);
+    keep_tracks(parts, strip);
+    out = unite(out, parts);
+  }
   return out;
 }
 

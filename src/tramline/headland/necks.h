@@ -11,7 +11,7 @@ namespace tramline {
 /// How bad it is to drive rings: where they meet first of all, then what they leave and double.
 struct RingsCost {
   int meetings = 0;
-  double missed_and_doubled_m2 = 0;  ///< up to a constant
+  double missed_and_doubled_m2 = 0;  ///< what they leave kMissedToDoubled times; up to a constant
 };
 using CostOfRings = std::function<RingsCost(const std::vector<LevelRing>&)>;
 

@@ -1,6 +1,7 @@
 #include "tramline/headland/pass_ground.h"
 
 #include "tramline/geometry/layered_area.h"
+#include "tramline/model/headland.h"
 
 namespace tramline {
 namespace {
@@ -18,7 +19,7 @@ bool meets_itself(const Path& path, double width_m) {
 }  // namespace
 
 Region pass_ground_parts(const Path& path, double width_m, double sagitta_m) {
-  if (!meets_itself(path, width_m)) return {closed_band(path, width_m, sagitta_m)};
+  if (!meets_itself(path, width_m)) return {swath({path, 1, false, {}}, width_m, sagitta_m)};
   Region out;
   for (const PathSegment& segment : path) out.push_back({band({segment}, width_m, sagitta_m), {}});
   return out;

@@ -2,165 +2,169 @@
 
 #include <algorithm>
 
-#include "tramline/geometry/layered_area.h"
-#include "tramline/headland/closed_path.h"
-#include "tramline/headland/necks.h"
-#include "tramline/headland/sound_rings.h"
+#include "tramline/headland/clear_stretches.h"
+#include "tramline/headland/level_drives.h"
+#include "tramline/headland/ring_groups.h"
 
 namespace tramline {
 namespace {
 
-/// How much of a ring follows boundaries that have the pass, and boundaries whose passes are used up, m.
-/// Those without headland are on neither side: they have to be gone round in any case.
-bool worth_driving(const LevelRing& ring, const std::vector<Boundary>& boundaries, int number) {
-  double own = 0, used_up = 0;
-  for (const LevelPiece& piece : ring) {
-    const int passes = boundaries[static_cast<std::size_t>(piece.shore)].passes;
-    if (passes >= number)
-      own += length(piece.segment);
-    else if (passes > 0)
-      used_up += length(piece.segment);
-  }
-  return own > 0 && own >= used_up;
-}
+/// All that the passes with one number are made from.
+struct Scene {
+  const std::vector<Boundary>& boundaries;
+  const HeadlandTerms& terms;
+  int number;
+  const GroundToWork& to_work;
 
-HeadlandPass pass_along(const LevelRing& ring, const std::vector<Boundary>& boundaries, int number,
-                        double radius_m) {
-  HeadlandPass pass{closed_path(ring, radius_m), number, false, {}};
-  for (const LevelPiece& piece : ring) {
-    const int obstacle = boundaries[static_cast<std::size_t>(piece.shore)].obstacle;
-    if (obstacle < 0)
-      pass.around_field = true;
-    else
-      pass.obstacles.push_back(obstacle);
-  }
-  if (const std::vector<Point> line = chords(pass.path, 1.0); signed_area(line) < 0)
-    for (const Boundary& boundary : boundaries)
-      if (boundary.obstacle >= 0 && contains(line, boundary.ring.front()))
-        pass.obstacles.push_back(boundary.obstacle);
-  std::sort(pass.obstacles.begin(), pass.obstacles.end());
-  pass.obstacles.erase(std::unique(pass.obstacles.begin(), pass.obstacles.end()), pass.obstacles.end());
-  return pass;
-}
-
-/// How far the centre line of another boundary's pass keeps from this one, m: its swath may touch the swath
-/// here, or the last one, or the obstacle.
-double room_m(const Boundary& boundary, int number, double width_m) {
-  return pass_distance_m(boundary, number, width_m) + (boundary.passes >= number ? width_m : 0);
-}
-
-bool comes_near(const Path& path, const std::vector<Box>& reaches, const Ring& ring, double distance_m) {
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-    Box edge;
-    edge.extend(a);
-    edge.extend(b);
-    for (std::size_t k = 0; k < path.size(); ++k)
-      if (intersects(edge, reaches[k]) && distance_to_edge(path[k], a, b) < distance_m) return true;
-  }
-  return false;
-}
-
-/// Boundaries that are driven round together, and the passes that makes.
-struct Group {
-  std::vector<std::size_t> members;  ///< increasing
-  std::vector<HeadlandPass> passes;
+  bool has_pass(std::size_t boundary) const { return boundaries[boundary].passes >= number; }
+  double least_length_m() const { return std::max(terms.min_length_m, terms.width_m); }
 };
 
-/// What rings leave of the ground and what they work elsewhere or again, but for a constant, m²: Σ w·L less
-/// twice what they are the first to work of it.
-double missed_and_doubled_m2(const std::vector<HeadlandPass>& rings, const Worked& before, double width_m) {
-  if (rings.empty()) return 0;
-  RisingCurves curves;
-  Box window;
-  double worked_m2 = 0;
-  for (const HeadlandPass& ring : rings) {
-    window.extend(reach_of(ring.path, width_m));
-    worked_m2 += width_m * length(ring.path);
-    append_band(ring.path, width_m, Layer::kNew, curves);
-  }
-  for (const HeadlandPass& pass : before.passes)
-    if (intersects(window, reach_of(pass.path, width_m)))
-      append_band(pass.path, width_m, Layer::kTaken, curves);
-  for (const Ring& ring : rings_of(before.ground)) append_ring(ring, Layer::kBody, window, curves);
-  return worked_m2 - 2 * new_area(curves);
+double distance_to(const Path& path, const Ring& ring) {
+  double out = std::numeric_limits<double>::infinity();
+  for (const PathSegment& segment : path)
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      out = std::min(out, distance_to_edge(segment, ring[i], ring[(i + 1) % ring.size()]));
+  return out;
 }
 
-int meetings_of(const std::vector<HeadlandPass>& rings) {
-  std::vector<Path> paths;
-  for (const HeadlandPass& ring : rings) paths.push_back(ring.path);
-  return meeting_places(paths);
-}
-
-void drive_round(Group& group, const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
-                 int number, const Worked& before) {
-  const double radius_m = std::max(terms.radius_m, 0.5 * terms.width_m);
-  std::vector<Boundary> members;
-  for (const std::size_t i : group.members) members.push_back(boundaries[i]);
-  group.passes.clear();
-  if (std::none_of(members.begin(), members.end(), [&](const Boundary& b) { return b.passes >= number; }))
-    return;
-  const auto passes_along = [&](const std::vector<LevelRing>& rings) {
-    std::vector<HeadlandPass> out;
-    for (const LevelRing& ring : rings)
-      if (worth_driving(ring, members, number)) out.push_back(pass_along(ring, members, number, radius_m));
-    return out;
+/// A pass along part of a path, which says what it follows: boundaries that it comes as near to as it would
+/// somewhere in a turn, and at least the nearest that has such a pass.
+HeadlandPass pass_on(const Path& path, const Scene& scene) {
+  HeadlandPass out{path, scene.number, false, {}};
+  const Box reach = reach_of(path, 0);
+  std::size_t nearest = 0;
+  double nearest_m = std::numeric_limits<double>::infinity();
+  const auto name = [&](std::size_t i) {
+    if (scene.boundaries[i].obstacle < 0)
+      out.around_field = true;
+    else
+      out.obstacles.push_back(scene.boundaries[i].obstacle);
   };
-  const TurningLand land = turning_land(members, terms.width_m, number, radius_m);
-  group.passes = passes_along(through_necks(turning_centres(land), land, [&](const auto& rings) {
-    const std::vector<HeadlandPass> passes = passes_along(rings);
-    return RingsCost{meetings_of(passes), missed_and_doubled_m2(passes, before, terms.width_m)};
-  }));
-}
-
-/// Does a pass of the group come too near to the boundary, or is it on its wrong side?
-bool disturbs(const Group& group, const Boundary& boundary, int number, double width_m) {
-  constexpr double kTouch = 1e-6;  // m
-  const double room = room_m(boundary, number, width_m);
-  const Box box = bounds(boundary.ring);
-  const bool land_inside = signed_area(boundary.ring) > 0;
-  return std::any_of(group.passes.begin(), group.passes.end(), [&](const HeadlandPass& pass) {
-    if (contains(boundary.ring, pass.path.front().from) != land_inside) return true;
-    return intersects(reach_of(pass.path, 2 * room), box) &&
-           comes_near(pass.path, reaches_of(pass.path, 2 * room), boundary.ring, room - kTouch);
-  });
-}
-
-/// Puts together the first two groups one of which disturbs the other; false: there are none.
-bool merge_first(std::vector<Group>& groups, const std::vector<Boundary>& boundaries,
-                 const HeadlandTerms& terms, int number, const Worked& before) {
-  for (std::size_t i = 0; i < groups.size(); ++i)
-    for (std::size_t j = 0; j < groups.size(); ++j) {
-      const auto& others = groups[j].members;
-      if (i == j || std::none_of(others.begin(), others.end(), [&](std::size_t k) {
-            return disturbs(groups[i], boundaries[k], number, terms.width_m);
-          }))
-        continue;
-      Group& kept = groups[std::min(i, j)];
-      const Group& gone = groups[std::max(i, j)];
-      kept.members.insert(kept.members.end(), gone.members.begin(), gone.members.end());
-      std::sort(kept.members.begin(), kept.members.end());
-      drive_round(kept, boundaries, terms, number, before);
-      groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(std::max(i, j)));
-      return true;
+  bool any = false;
+  for (std::size_t i = 0; i < scene.boundaries.size(); ++i) {
+    if (!scene.has_pass(i)) continue;
+    const Boundary& boundary = scene.boundaries[i];
+    const double near_m =
+        pass_distance_m(boundary, scene.number, scene.terms.width_m) + tightest_turn_m(scene.terms);
+    if (!intersects(reach.grown(2 * near_m), bounds(boundary.ring))) continue;
+    const double distance_m = distance_to(path, boundary.ring);
+    if (distance_m <= near_m) name(i);
+    any = any || distance_m <= near_m;
+    if (distance_m < nearest_m) {
+      nearest_m = distance_m;
+      nearest = i;
     }
-  return false;
+  }
+  if (!any) name(nearest);
+  return out;
+}
+
+/// Passes that are chosen one after the other, on top of those before.
+class Chosen {
+ public:
+  Chosen(const Scene& scene, std::vector<HeadlandPass> before)
+      : scene_(scene), all_(std::move(before)), first_(all_.size()) {}
+
+  /// The parts of a path that are worth driving, as passes. A ring that is so as a whole keeps its names.
+  void take(const Path& path, const HeadlandPass* ring) {
+    for (const Path& part : worth_driving(path, scene_.to_work, all_, scene_.least_length_m())) {
+      parts_.push_back(part);
+      if (ring != nullptr && part == ring->path) {
+        all_.push_back(*ring);
+      } else {
+        all_.push_back(pass_on(part, scene_));
+        all_whole_ = false;
+      }
+    }
+  }
+  /// A path that nobody asked for as a whole.
+  void take_if_it_pays(const Path& path) {
+    const std::vector<Path> parts = worth_driving(path, scene_.to_work, all_, scene_.least_length_m());
+    if (tramline::worth_m2(parts, scene_.to_work, all_) <= 0) return;
+    for (const Path& part : parts) all_.push_back(pass_on(part, scene_));
+  }
+  void take(const std::vector<HeadlandPass>& rings, const std::vector<Shore>& in_the_way) {
+    for (const HeadlandPass& ring : rings) {
+      if (in_the_way.empty()) {
+        take(ring.path, &ring);
+        continue;
+      }
+      for (const Path& stretch : clear_stretches(ring.path, in_the_way, 0.25 * scene_.terms.width_m))
+        take(stretch == ring.path ? stretch : to_the_end(stretch), &ring);
+    }
+  }
+
+  /// Are they rings, with nothing taken off?
+  bool all_whole() const { return all_whole_; }
+  double worth_m2() const {
+    return tramline::worth_m2(parts_, scene_.to_work, {all_.begin(), begin_of_own()});
+  }
+  std::vector<HeadlandPass> own() const { return {begin_of_own(), all_.end()}; }
+  const std::vector<HeadlandPass>& all() const { return all_; }
+
+ private:
+  std::vector<HeadlandPass>::const_iterator begin_of_own() const {
+    return all_.begin() + static_cast<std::ptrdiff_t>(first_);
+  }
+  Path to_the_end(const Path& path) const {
+    std::vector<Ring> rings;
+    for (const Boundary& boundary : scene_.boundaries) rings.push_back(boundary.ring);
+    return driven_to_the_end(path, rings, scene_.terms.width_m, 0.5 * scene_.terms.width_m);
+  }
+
+  const Scene& scene_;
+  std::vector<HeadlandPass> all_;
+  std::size_t first_;
+  std::vector<Path> parts_;
+  bool all_whole_ = true;
+};
+
+/// Boundaries without such a pass whose distance passes have to keep: the field, and some of the others.
+std::vector<Shore> shores_in_the_way(const Scene& scene, const std::vector<std::size_t>& members) {
+  std::vector<Shore> out;
+  const auto add = [&](const Boundary& boundary) {
+    out.push_back({boundary.ring, pass_distance_m(boundary, scene.number, scene.terms.width_m)});
+  };
+  if (!scene.has_pass(0)) add(scene.boundaries.front());
+  for (const std::size_t i : members)
+    if (i > 0 && !scene.has_pass(i)) add(scene.boundaries[i]);
+  return out;
+}
+
+/// What is worth driving of the group's rings; or of those round the members with such a pass alone, with
+/// ends at the others.
+std::vector<HeadlandPass> passes_round(const RingGroup& group, const Scene& scene,
+                                       const std::vector<HeadlandPass>& before) {
+  Chosen together(scene, before);
+  together.take(group.passes, shores_in_the_way(scene, {}));
+  std::vector<std::size_t> own;
+  for (const std::size_t i : group.members)
+    if (scene.has_pass(i)) own.push_back(i);
+  if (own.size() == group.members.size() || together.all_whole()) return together.own();
+  Chosen alone(scene, before);
+  alone.take(rings_round(own, scene.boundaries, scene.terms, scene.number, scene.to_work, before),
+             shores_in_the_way(scene, group.members));
+  return alone.worth_m2() > together.worth_m2() ? alone.own() : together.own();
 }
 
 }  // namespace
 
 std::vector<HeadlandPass> pass_rings(const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
-                                     int number, const Worked& before) {
-  std::vector<Group> groups(boundaries.size());
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    groups[i].members = {i};
-    drive_round(groups[i], boundaries, terms, number, before);
+                                     int number, const GroundToWork& to_work,
+                                     const std::vector<HeadlandPass>& before) {
+  const Scene scene{boundaries, terms, number, to_work};
+  std::vector<HeadlandPass> all = before;
+  for (const RingGroup& group : ring_groups(boundaries, terms, number, to_work, before)) {
+    if (group.passes.empty()) continue;
+    const std::vector<HeadlandPass> more = passes_round(group, scene, all);
+    all.insert(all.end(), more.begin(), more.end());
   }
-  while (merge_first(groups, boundaries, terms, number, before)) {
-  }
-  std::vector<HeadlandPass> out;
-  for (const Group& group : groups) out.insert(out.end(), group.passes.begin(), group.passes.end());
-  return out;
+  Chosen chosen(scene, std::move(all));
+  // Farther in, what turning leaves is left to tracks.
+  if (number == 1)
+    for (const Path& path : level_drives(boundaries, terms, number)) chosen.take_if_it_pays(path);
+  return {chosen.all().begin() + static_cast<std::ptrdiff_t>(before.size()), chosen.all().end()};
 }
 
 }  // namespace tramline

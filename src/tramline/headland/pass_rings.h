@@ -5,19 +5,18 @@
 
 #include "tramline/headland/headland.h"
 #include "tramline/headland/shores.h"
+#include "tramline/headland/worth_driving.h"
 
 namespace tramline {
 
-/// What headlands are there to work, and what is worked already.
-struct Worked {
-  const Region& ground;
-  const std::vector<HeadlandPass>& passes;
-};
-
-/// Pass `number` round all boundaries that have so many. Boundaries are driven round one by one; where the
-/// swaths would meet those of another boundary, or what they have to keep off, the two are driven round
-/// together. Necks are driven through where that leaves more of the ground worked than worked twice.
+/// Passes `number` round all boundaries that have so many. Boundaries are driven round one by one; where the
+/// swaths would meet those of another boundary, or an obstacle without such a pass, they are driven round
+/// together. Necks are driven through where what is left otherwise is worth what is worked twice. Of rings
+/// that follow what has no such pass the parts worth driving remain (worth_driving), and so they do of rings
+/// round the boundaries that have, with ends where others are in the way, if these are worth more. Where the
+/// field has no such pass none follows its boundary. `before`: the passes with lower numbers.
 std::vector<HeadlandPass> pass_rings(const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
-                                     int number, const Worked& before);
+                                     int number, const GroundToWork& to_work,
+                                     const std::vector<HeadlandPass>& before);
 
 }  // namespace tramline

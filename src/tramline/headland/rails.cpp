@@ -53,12 +53,13 @@ struct Touch {
   Point heading_before, heading_after;
 };
 
-std::vector<Touch> touches(const std::vector<Stage>& stages, std::size_t on, double at) {
+/// On stages before `end`, in the order in which the circle comes to them.
+std::vector<Touch> touches(const std::vector<Stage>& stages, std::size_t on, double at, std::size_t end) {
   // Circles that leave what they touched turn right.
   constexpr double kNoTurn = 1e-9;
   std::vector<Touch> out;
   const OffsetCurve& here = stages[on].rail->curve;
-  for (std::size_t k = on + 1; k < stages.size(); ++k) {
+  for (std::size_t k = on + 1; k < end; ++k) {
     const OffsetCurve& there = stages[k].rail->curve;
     if (!intersects(here.box, there.box)) continue;
     for (const Point p : meetings(here, there)) {
@@ -72,6 +73,70 @@ std::vector<Touch> touches(const std::vector<Stage>& stages, std::size_t on, dou
   std::stable_sort(out.begin(), out.end(), [](const Touch& a, const Touch& b) { return a.here < b.here; });
   return out;
 }
+
+std::optional<Touch> first_that_fits(const std::vector<Touch>& found, const ArcFits& fits) {
+  const auto first = std::find_if(found.begin(), found.end(), [&](const Touch& touch) {
+    return fits(touch.centre, touch.heading_before, touch.heading_after);
+  });
+  return first == found.end() ? std::nullopt : std::optional(*first);
+}
+
+double length_m(const Rail& rail) {
+  return rail.curve.straight() ? rail.curve.extent : rail.curve.extent * rail.curve.radius;
+}
+
+/// A ring's stages, round and round, and a walk along them.
+class Walk {
+ public:
+  Walk(const std::vector<Rail>& rails, std::size_t start, const ArcFits& fits, double most_skipped_m)
+      : fits_(fits), most_skipped_m_(most_skipped_m) {
+    std::size_t rail = start;
+    do {
+      stages_.push_back({&rails[rail], 0, rails[rail].curve.extent});
+      rail = rails[rail].next;
+    } while (rail != start);
+    round_ = stages_.size();
+    for (int i = 0; i < 2; ++i)
+      stages_.insert(stages_.end(), stages_.begin(), stages_.begin() + static_cast<std::ptrdiff_t>(round_));
+  }
+
+  /// Once round from a stage. Gives the ways, and the stage behind the first kink that ended one; nullopt:
+  /// there was none.
+  std::optional<std::size_t> go(std::size_t from, std::vector<LevelRing>& ways) const {
+    std::optional<std::size_t> behind_first;
+    LevelRing now;
+    double at = 0;
+    for (std::size_t on = from; on < from + round_;) {
+      const std::optional<Touch> next = first_that_fits(touches(stages_, on, at, reach_from(on)), fits_);
+      const double end = next ? next->here : stages_[on].last;
+      if (end > at) now.push_back(piece_between(*stages_[on].rail, at, end));
+      if (!next && !stages_[on].rail->straight_on) {
+        if (!behind_first) behind_first = on + 1;
+        ways.push_back(std::move(now));
+        now.clear();
+      }
+      at = next ? next->there : 0;
+      on = next ? next->stage : on + 1;
+    }
+    ways.push_back(std::move(now));
+    std::erase_if(ways, [](const LevelRing& way) { return way.empty(); });
+    return behind_first;
+  }
+
+ private:
+  /// The stage that is too far ahead to be come to from one.
+  std::size_t reach_from(std::size_t on) const {
+    double skipped_m = 0;
+    std::size_t k = on + 1;
+    while (k + 1 < on + round_ && skipped_m <= most_skipped_m_) skipped_m += length_m(*stages_[k++].rail);
+    return k;
+  }
+
+  const ArcFits& fits_;
+  double most_skipped_m_;
+  std::size_t round_ = 0;
+  std::vector<Stage> stages_;
+};
 
 }  // namespace
 
@@ -107,18 +172,32 @@ std::optional<LevelRing> rolled(const std::vector<Rail>& rails, RailPlace from, 
   LevelRing out;
   double at = from.at;
   for (std::size_t on = 0; on + 1 < way.size();) {
-    const std::vector<Touch> found = touches(way, on, at);
-    const auto first = std::find_if(found.begin(), found.end(), [&](const Touch& touch) {
-      return fits(touch.centre, touch.heading_before, touch.heading_after);
-    });
-    if (first == found.end() && !way[on].rail->straight_on) return std::nullopt;
-    const double end = first == found.end() ? way[on].last : first->here;
+    const std::optional<Touch> first = first_that_fits(touches(way, on, at, way.size()), fits);
+    if (!first && !way[on].rail->straight_on) return std::nullopt;
+    const double end = first ? first->here : way[on].last;
     if (end > at) out.push_back(piece_between(*way[on].rail, at, end));
-    at = first == found.end() ? way[on + 1].first : first->there;
-    on = first == found.end() ? on + 1 : first->stage;
+    at = first ? first->there : way[on + 1].first;
+    on = first ? first->stage : on + 1;
   }
   if (at > way.back().last + slack_on(way.back().rail->curve)) return std::nullopt;
   if (way.back().last > at) out.push_back(piece_between(*way.back().rail, at, way.back().last));
+  return out;
+}
+
+LevelWays ways_along(const std::vector<Rail>& rails, std::size_t start, const ArcFits& fits,
+                     double most_skipped_m) {
+  const Walk walk(rails, start, fits, most_skipped_m);
+  LevelWays out;
+  const std::optional<std::size_t> behind_kink = walk.go(0, out.open);
+  if (behind_kink) {
+    out.open.clear();
+    walk.go(*behind_kink, out.open);
+    return out;
+  }
+  out.open.clear();
+  const double extent = rails[start].curve.extent, from = 0.4 * extent, to = 0.6 * extent;
+  out.closed = rolled(rails, {start, to}, {start, from}, fits);
+  if (out.closed) out.closed->push_back(piece_between(rails[start], from, to));
   return out;
 }
 

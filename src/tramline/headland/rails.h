@@ -41,4 +41,16 @@ using ArcFits = std::function<bool(Point centre, Point heading_before, Point hea
 std::optional<LevelRing> rolled(const std::vector<Rail>& rails, RailPlace from, RailPlace to,
                                 const ArcFits& fits);
 
+/// Ways of the centre along a whole ring of the level.
+struct LevelWays {
+  std::optional<LevelRing> closed;  ///< where the circle gets all the way round
+  std::vector<LevelRing> open;      ///< else, from one kink that it cannot get round to the next one
+};
+
+/// Along the ring of rail `start`. From rail to rail the circle goes as rolled() has it, but leaves out no
+/// more than `most_skipped_m` of the level at one place: where there is no such way the path ends at the kink
+/// and the next one begins behind it. O(n²) for n rails of the ring.
+LevelWays ways_along(const std::vector<Rail>& rails, std::size_t start, const ArcFits& fits,
+                     double most_skipped_m);
+
 }  // namespace tramline

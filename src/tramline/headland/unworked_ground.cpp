@@ -8,12 +8,12 @@ namespace {
 
 /// What of the ground the pass leaves. Bands whose inner edge shrinks to points may fold there by rounding,
 /// which the polygon engine does not always digest: a little narrower they do not.
-Region left_by(const Path& path, double width_m, const Region& ground) {
+Region left_by(const HeadlandPass& pass, double width_m, const Region& ground) {
   constexpr int kTries = 4;
   for (int i = 0;; ++i) {
     try {
-      return difference(ground,
-                        unite(pass_ground_parts(path, width_m - i * 0.25 * kLayerSagitta, kBodySagitta)));
+      return difference(
+          ground, unite(pass_ground_parts(pass.path, width_m - i * 0.25 * kLayerSagitta, kBodySagitta)));
     } catch (const Error&) {
       if (i == kTries) throw;
     }
@@ -25,7 +25,7 @@ Region left_by(const Path& path, double width_m, const Region& ground) {
 Region unworked_ground(const Headland& headland, double width_m) {
   constexpr double kHair = 1e-3;  // m²: where bands meet
   Region out = headland.ground;
-  for (const HeadlandPass& pass : headland.passes) out = left_by(pass.path, width_m, out);
+  for (const HeadlandPass& pass : headland.passes) out = left_by(pass, width_m, out);
   std::erase_if(out, [](const Polygon& part) { return area(part) < kHair; });
   return out;
 }

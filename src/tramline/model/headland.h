@@ -8,9 +8,9 @@
 
 namespace tramline {
 
-/// A closed path: it ends where it begins, in the direction it began in. The land that it goes round, or that
-/// is left for further passes, lies on its left: round the field it runs counter-clockwise, round an obstacle
-/// clockwise.
+/// Closed: it ends where it begins, in the direction it began in. The land that it goes round, or that is
+/// left for further passes, lies on its left: round the field it runs counter-clockwise, round an obstacle
+/// clockwise. Or open: from one end to the other, with the boundary that it follows on its right.
 struct HeadlandPass {
   Path path;
   int number = 1;              ///< 1 is the outermost, next to the boundary
@@ -33,6 +33,14 @@ struct Headland {
   double uncovered_m2 = 0;  ///< of `ground`: worked_m2 = area(ground) − uncovered_m2 + overlap_m2
   Region unworked;          ///< `uncovered_m2` as a picture
 };
+
+/// Does the pass end where it begins?
+bool is_closed(const HeadlandPass& pass);
+
+/// The ground that a pass works: a ring where it is closed, with flat ends where it is open. Chords stand for
+/// arcs (`sagitta_m`).
+/// Precondition: the swath does not meet itself.
+Polygon swath(const HeadlandPass& pass, double width_m, double sagitta_m);
 
 /// Length of all passes, m.
 double length(const Headland& headland);

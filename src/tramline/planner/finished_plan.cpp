@@ -80,7 +80,8 @@ Error no_tracks(const SearchTask& task) {
 }  // namespace
 
 void require_tracks(const SearchTask& task, const Tally& tally) {
-  if (tally.pieces == 0) throw no_tracks(task);
+  const bool worked_by_passes = task.headland.worked_m2 > area(task.ground.body);
+  if (tally.pieces == 0 && !worked_by_passes) throw no_tracks(task);
 }
 
 Plan bare_plan(const SearchTask& task) {

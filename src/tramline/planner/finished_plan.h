@@ -5,7 +5,8 @@
 
 namespace tramline {
 
-/// Throws kBadInput where a candidate with this tally has no piece, saying why that may be.
+/// Throws kBadInput where a candidate with this tally has no piece, saying why that may be; unless headland
+/// passes work more than the body: a narrow field is worked by them alone.
 void require_tracks(const SearchTask& task, const Tally& tally);
 
 /// All that a plan has from its task.

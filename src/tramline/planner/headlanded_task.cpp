@@ -68,16 +68,10 @@ SortedGround ground_behind(const SearchTask& task, const HeadlandTerms& terms,
   return ground;
 }
 
-[[noreturn]] void refuse_headlands(const SearchTask& task) {
-  const int most = most_passes(task.field, task.machine.width_m);
-  throw bad_input(fmt::format(
-      "the headlands take the whole field '{}': {} of {} m round the field{} leave no ground for tracks; {}",
-      task.field.id, task.settings.headlands, task.machine.width_m,
-      task.settings.obstacle_headlands > 0
-          ? fmt::format(" and {} round its obstacles", task.settings.obstacle_headlands)
-          : "",
-      most > 0 ? fmt::format("at most {} round the field would leave some", most)
-               : "none would fit; use a narrower machine"));
+Error no_room(const SearchTask& task) {
+  return bad_input(
+      fmt::format("no swath {} m wide fits into the field '{}' of {:.0f} m²: use a narrower machine",
+                  task.machine.width_m, task.field.id, area_m2(task.field)));
 }
 
 /// The chords that round the corners of a body are no corners to divide it at.
@@ -94,10 +88,7 @@ SearchTask task_with(const SearchTask& task, const std::vector<int>& obstacle_pa
   const HeadlandTerms terms{task.machine.width_m, task.machine.radius_m, task.settings.headlands,
                             obstacle_passes, min_length_m(task.machine)};
   HeadlandAndBody headland = headland_of(task.field, terms);
-  // One pass more than fit leaves the middle of a strip to tracks; of more, several would be driven nowhere.
-  const int asked = task.settings.headlands;
-  if (headland.body.empty() || (asked > 2 && asked > 1 + most_passes(task.field, task.machine.width_m)))
-    refuse_headlands(task);
+  if (headland.body.empty() && headland.passes.empty()) throw no_room(task);
   if (task.settings.headlands > 0) out.settings.boundary = EdgeKind::kHard;
   out.short_edge_m = std::max(task.short_edge_m, short_edge_m(terms));
   out.ground = ground_behind(task, terms, headland);

@@ -10,7 +10,8 @@ namespace tramline {
 /// boundary is hard then. Obstacles get their passes unless tracks go round them: those that every track goes
 /// round which meets them, in a plan of the same strategy without their headlands. Under the end rule
 /// `cover`, which leaves nothing, with curved tracks and where all tracks are to be cut, none is gone round.
-/// Throws kBadInput where the headlands leave no body, saying how many passes would.
+/// Where the passes take the whole field there is no body, and so there are no tracks.
+/// Throws kBadInput where not even one pass has room.
 SearchTask headlanded_task(const Field& field, const Machine& machine, const Objective& objective,
                            const PlanSettings& settings, int threads);
 

@@ -101,6 +101,7 @@ Plan plan_field(const Field& field, const Machine& machine, const Objective& obj
   const SearchTask task = headlanded_task(field, machine, objective, settings, threads);
   if (settings.shape == TrackShape::kStraight && !as_in_the_paper(settings))
     return finished_plan(task, straight_search(task, threads, progress));
+  if (area(task.ground.plannable) == 0) return finished_plan(task, SearchResult{});
   if (!settings.guide.empty()) return finished_plan(task, along_guide(task));
   const std::optional<CurvedCandidate> curved = along_best_edge(task, threads);
   if (!curved) throw no_curve(field, as_in_the_paper(settings));

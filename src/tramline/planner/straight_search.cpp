@@ -6,6 +6,7 @@
 namespace tramline {
 
 SearchResult straight_search(const SearchTask& task, int threads, const Progress& progress) {
+  if (area(task.ground.plannable) == 0) return {};
   if (!task.settings.guide.empty()) return guided_search(task);
   const auto search = task.settings.strategy == Strategy::kSweep ? sweep_search : best_search;
   return search(task, threads, progress);

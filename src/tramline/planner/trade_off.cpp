@@ -1,10 +1,13 @@
 #include "tramline/planner/trade_off.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <mutex>
 #include <utility>
 
+#include "tramline/geometry/error.h"
 #include "tramline/planner/dominance.h"
 #include "tramline/planner/finished_plan.h"
 #include "tramline/planner/for_each_index.h"
@@ -126,7 +129,12 @@ TradeOff trade_off(const Field& field, const Machine& machine, const Objective& 
   const Progress progress = pulse.counter();
   TradeOff out;
   out.searches = searches_for(headlanded_task(field, machine, prices, settings, threads), threads, progress);
-  require_tracks(out.searches.front().task, out.searches.front().found.best.avoided.tally);
+  const TradeOff::Search& first = out.searches.front();
+  require_tracks(first.task, first.found.best.avoided.tally);
+  if (!first.found.best.works())
+    throw bad_input(fmt::format(
+        "the field '{}' is worked by its headland passes alone: there are no plans to choose from",
+        field.id));
 
   std::vector<Laid> laid;
   for (std::size_t i = 0; i < out.searches.size(); ++i)

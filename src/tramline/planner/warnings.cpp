@@ -45,6 +45,19 @@ void warn_of_given_up_land(const Plan& plan, std::vector<std::string>& out) {
                   area(plan.given_up)));
 }
 
+/// Passes that were asked for round the field and had no room, and plans that are passes alone.
+void warn_of_narrow_ground(const Plan& plan, std::vector<std::string>& out) {
+  int most = 0;
+  for (const HeadlandPass& pass : plan.headland.passes)
+    if (pass.around_field) most = std::max(most, pass.number);
+  const int asked = plan.settings.headlands;
+  if (most < asked)
+    out.push_back(fmt::format("{} headland passes round the field were asked for, and there is room for {}",
+                              asked, most));
+  if (plan.pieces.empty() && !plan.headland.passes.empty())
+    out.emplace_back("the field is worked by its headland passes alone: they leave no room for tracks");
+}
+
 void warn_of_dropped_pieces(const Plan& plan, std::vector<std::string>& out) {
   if (plan.dropped.empty()) return;
   double total = 0;
@@ -82,6 +95,7 @@ std::vector<std::string> warnings_about(const Plan& plan) {
   out.insert(out.end(), plan.field.warnings.begin(), plan.field.warnings.end());
   warn_of_overrun(plan, out);
   warn_of_given_up_land(plan, out);
+  warn_of_narrow_ground(plan, out);
   warn_of_dropped_pieces(plan, out);
   warn_of_short_pieces(plan, out);
   out.emplace_back(kConnectionsUnplanned);

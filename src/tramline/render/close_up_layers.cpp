@@ -16,7 +16,7 @@ Ring swath_in_view(const Canvas& canvas, const Plan& near, const TrackPiece& pie
 }
 
 Polygon swath_in_view(const Canvas& canvas, const Plan& near, const HeadlandPass& pass) {
-  return closed_band(pass.path, near.machine.width_m, sagitta_m(canvas.view()));
+  return swath(pass, near.machine.width_m, sagitta_m(canvas.view()));
 }
 
 // cairo's coordinates end at some 8 million px; a circle that large is a straight line anyway.

@@ -20,7 +20,7 @@ void draw_headland_swaths(Canvas& canvas, const Plan& plan) {
   if (swath_px(canvas, plan) < kLeastStripe * canvas.scale()) return;
   for (const HeadlandPass& pass : plan.headland.passes)
     if (pass.number % 2 == 0)
-      fill(canvas, {closed_band(pass.path, plan.machine.width_m, sagitta_m(canvas.view()))}, kStripe);
+      fill(canvas, {swath(pass, plan.machine.width_m, sagitta_m(canvas.view()))}, kStripe);
 }
 
 void draw_headland_passes(Canvas& canvas, const Plan& plan, const Box& seen) {

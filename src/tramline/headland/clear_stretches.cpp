@@ -1,0 +1,113 @@
+#include "tramline/headland/clear_stretches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "tramline/headland/path_stretch.h"
+#include "tramline/headland/sound_rings.h"
+
+namespace tramline {
+namespace {
+
+/// A path, and which of its parts are clear of the shores.
+class Clearance {
+ public:
+  Clearance(const Path& path, const std::vector<Shore>& shores) : path_(path), shores_(shores) {}
+
+  bool is_clear(double from_m, double to_m) const {
+    const Path part = stretch_of(path_, from_m, to_m);
+    if (part.empty()) return true;
+    return keeps_off(part, shores_) && std::all_of(shores_.begin(), shores_.end(), [&](const Shore& shore) {
+             return contains(shore.ring, part.front().from) == (signed_area(shore.ring) > 0);
+           });
+  }
+  /// Between a place from or up to which it is clear and one where it is not: the last clear place.
+  double end_of_clear(double clear_m, double other_m) const {
+    constexpr int kHalvings = 24;
+    double good_m = clear_m;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle_m = 0.5 * (good_m + other_m);
+      const auto [from_m, to_m] = std::minmax(clear_m, middle_m);
+      (is_clear(from_m, to_m) ? good_m : other_m) = middle_m;
+    }
+    return good_m;
+  }
+
+ private:
+  const Path& path_;
+  const std::vector<Shore>& shores_;
+};
+
+/// How far a strip may go on from `at` until it meets an edge, m.
+double free_run_m(Point at, Point along, const std::vector<Ring>& rings, double width_m, double most_m) {
+  // What is touched along the sides is not in the way, nor what lies at the end already.
+  constexpr double kBeside_m = 1e-4, kBehind_m = 1e-6;
+  const double half_m = 0.5 * width_m - kBeside_m;
+  double out = most_m;
+  const auto local = [&](Point p) { return Point{dot(p - at, along), cross(along, p - at)}; };
+  for (const Ring& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      Point a = local(ring[i]), b = local(ring[(i + 1) % ring.size()]);
+      if (a.y > b.y) std::swap(a, b);
+      if (b.y < -half_m || a.y > half_m || std::max(a.x, b.x) < -kBehind_m || std::min(a.x, b.x) > out)
+        continue;
+      const auto place = [&](double y) { return a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x); };
+      const double first = a.y < -half_m ? place(-half_m) : a.x, last = b.y > half_m ? place(half_m) : b.x;
+      if (std::max(first, last) < -kBehind_m) continue;
+      out = std::min(out, std::max(0.0, std::min(first, last)));
+    }
+  return out;
+}
+
+void go_on(Path& path, double by_m) {
+  constexpr double kNothing_m = 1e-4;
+  if (by_m < kNothing_m) return;
+  const Point along = direction_at_end(path.back());
+  const Point end = path.back().to + by_m * along;
+  if (path.back().straight())
+    path.back().to = end;
+  else
+    path.push_back({path.back().to, end, 0});
+}
+
+}  // namespace
+
+std::vector<Path> clear_stretches(const Path& path, const std::vector<Shore>& shores, double step_m) {
+  const double length_m = length(path);
+  const Clearance clearance(path, shores);
+  if (clearance.is_clear(0, length_m)) return {path};
+  const int count = std::max(1, static_cast<int>(std::ceil(length_m / step_m)));
+  const auto at = [&](int i) { return length_m * i / count; };
+  std::vector<char> clear;
+  for (int i = 0; i < count; ++i) clear.push_back(clearance.is_clear(at(i), at(i + 1)) ? 1 : 0);
+  std::vector<std::pair<double, double>> runs;
+  for (int i = 0; i < count; ++i) {
+    if (clear[static_cast<std::size_t>(i)] == 0) continue;
+    const int first = i;
+    while (i + 1 < count && clear[static_cast<std::size_t>(i + 1)] != 0) ++i;
+    runs.emplace_back(first == 0 ? 0 : clearance.end_of_clear(at(first), at(first - 1)),
+                      i + 1 == count ? length_m : clearance.end_of_clear(at(i + 1), at(i + 2)));
+  }
+  constexpr double kJoint_m = 1e-6;
+  if (runs.size() > 1 && runs.front().first == 0 && runs.back().second == length_m &&
+      distance(path.front().from, path.back().to) < kJoint_m) {
+    runs.back().second = length_m + runs.front().second;
+    runs.erase(runs.begin());
+  }
+  std::vector<Path> out;
+  for (const auto& [from_m, to_m] : runs)
+    if (Path part = stretch_of(path, from_m, to_m); !part.empty()) out.push_back(std::move(part));
+  return out;
+}
+
+Path driven_to_the_end(Path path, const std::vector<Ring>& rings, double width_m, double most_m) {
+  for (int end = 0; end < 2; ++end) {
+    go_on(path, free_run_m(path.back().to, direction_at_end(path.back()), rings, width_m, most_m));
+    path = reversed(path);
+  }
+  return path;
+}
+
+}  // namespace tramline

@@ -1,0 +1,19 @@
+#pragma once
+// Passes that end where there is something in their way.
+
+#include <vector>
+
+#include "tramline/geometry/level_rings.h"
+
+namespace tramline {
+
+/// The stretches of a path that keep their distance from all shores, on their side: the path itself where it
+/// does so all the way. Ends are found to a micrometre, stretches in steps of `step_m`.
+/// O(s·m) for s steps and m edges of shores.
+std::vector<Path> clear_stretches(const Path& path, const std::vector<Shore>& shores, double step_m);
+
+/// An open path that goes straight on at both ends, as far as its swath, as wide as `width_m` and with flat
+/// ends, keeps off the rings' edges, but no farther than `most_m`. O(n) for n edges.
+Path driven_to_the_end(Path path, const std::vector<Ring>& rings, double width_m, double most_m);
+
+}  // namespace tramline

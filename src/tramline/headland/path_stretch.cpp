@@ -1,0 +1,43 @@
+#include "tramline/headland/path_stretch.h"
+
+#include <cmath>
+
+namespace tramline {
+namespace {
+
+constexpr double kNothing_m = 1e-6;
+
+Point place_on(const PathSegment& segment, double along_m, double length_m) {
+  const double share = along_m / length_m;
+  if (segment.straight()) return segment.from + share * (segment.to - segment.from);
+  const Point middle = centre(segment), spoke = segment.from - middle;
+  const double angle = share * turning(segment), c = std::cos(angle), s = std::sin(angle);
+  return middle + Point{c * spoke.x - s * spoke.y, s * spoke.x + c * spoke.y};
+}
+
+/// Appends what of a segment lies between two lengths along it.
+void append(const PathSegment& segment, double from_m, double to_m, double length_m, Path& out) {
+  if (from_m < kNothing_m) from_m = 0;
+  if (to_m > length_m - kNothing_m) to_m = length_m;
+  if (to_m - from_m < kNothing_m) return;
+  const Point from = from_m > 0 ? place_on(segment, from_m, length_m) : segment.from;
+  const Point to = to_m < length_m ? place_on(segment, to_m, length_m) : segment.to;
+  out.push_back({out.empty() ? from : out.back().to, to, segment.curvature});
+}
+
+}  // namespace
+
+Path stretch_of(const Path& path, double from_m, double to_m) {
+  Path out;
+  double at_m = 0;
+  for (int round = 0; round < 2 && at_m < to_m; ++round)
+    for (const PathSegment& segment : path) {
+      const double length_m = length(segment);
+      if (from_m < at_m + length_m && to_m > at_m)
+        append(segment, std::max(0.0, from_m - at_m), std::min(length_m, to_m - at_m), length_m, out);
+      at_m += length_m;
+    }
+  return out;
+}
+
+}  // namespace tramline

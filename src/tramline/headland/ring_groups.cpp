@@ -1,0 +1,171 @@
+#include "tramline/headland/ring_groups.h"
+
+#include <algorithm>
+
+#include "tramline/geometry/layered_area.h"
+#include "tramline/headland/closed_path.h"
+#include "tramline/headland/necks.h"
+#include "tramline/headland/sound_rings.h"
+
+namespace tramline {
+namespace {
+
+/// Does any of the ring follow a boundary that has the pass?
+bool follows_own(const LevelRing& ring, const std::vector<Boundary>& boundaries, int number) {
+  return std::any_of(ring.begin(), ring.end(), [&](const LevelPiece& piece) {
+    return boundaries[static_cast<std::size_t>(piece.shore)].passes >= number;
+  });
+}
+
+HeadlandPass pass_along(const LevelRing& ring, const std::vector<Boundary>& boundaries, int number,
+                        double radius_m) {
+  HeadlandPass pass{closed_path(ring, radius_m), number, false, {}};
+  for (const LevelPiece& piece : ring) {
+    const int obstacle = boundaries[static_cast<std::size_t>(piece.shore)].obstacle;
+    if (obstacle < 0)
+      pass.around_field = true;
+    else
+      pass.obstacles.push_back(obstacle);
+  }
+  if (const std::vector<Point> line = chords(pass.path, 1.0); signed_area(line) < 0)
+    for (const Boundary& boundary : boundaries)
+      if (boundary.obstacle >= 0 && contains(line, boundary.ring.front()))
+        pass.obstacles.push_back(boundary.obstacle);
+  std::sort(pass.obstacles.begin(), pass.obstacles.end());
+  pass.obstacles.erase(std::unique(pass.obstacles.begin(), pass.obstacles.end()), pass.obstacles.end());
+  return pass;
+}
+
+/// How far the centre line of another boundary's pass keeps from this one, m: its swath may touch the swath
+/// here, or the last one, or the obstacle.
+double room_m(const Boundary& boundary, int number, double width_m) {
+  return pass_distance_m(boundary, number, width_m) + (boundary.passes >= number ? width_m : 0);
+}
+
+bool comes_near(const Path& path, const std::vector<Box>& reaches, const Ring& ring, double distance_m) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+    Box edge;
+    edge.extend(a);
+    edge.extend(b);
+    for (std::size_t k = 0; k < path.size(); ++k)
+      if (intersects(edge, reaches[k]) && distance_to_edge(path[k], a, b) < distance_m) return true;
+  }
+  return false;
+}
+
+/// What rings leave of the ground, kMissedToDoubled times, and what they work elsewhere or again, but for a
+/// constant, m².
+double missed_and_doubled_m2(const std::vector<HeadlandPass>& rings, const GroundToWork& to_work,
+                             const std::vector<HeadlandPass>& before) {
+  const double width_m = to_work.width_m;
+  if (rings.empty()) return 0;
+  RisingCurves curves;
+  Box window;
+  double worked_m2 = 0;
+  for (const HeadlandPass& ring : rings) {
+    window.extend(reach_of(ring.path, width_m));
+    worked_m2 += width_m * length(ring.path);
+    append_band(ring.path, width_m, Layer::kNew, curves);
+  }
+  for (const HeadlandPass& pass : before)
+    if (intersects(window, reach_of(pass.path, width_m)))
+      append_band(pass.path, width_m, Layer::kTaken, curves);
+  for (const Ring& ring : rings_of(to_work.ground)) append_ring(ring, Layer::kBody, window, curves);
+  return worked_m2 - (1 + kMissedToDoubled) * new_area(curves);
+}
+
+int meetings_of(const std::vector<HeadlandPass>& rings) {
+  std::vector<Path> paths;
+  for (const HeadlandPass& ring : rings) paths.push_back(ring.path);
+  return meeting_places(paths);
+}
+
+/// Does a pass of the group come too near to the boundary, or is it on its wrong side?
+bool disturbs(const RingGroup& group, const Boundary& boundary, int number, double width_m) {
+  if (boundary.obstacle < 0 && boundary.passes < number) return false;  // passes end there
+  constexpr double kTouch = 1e-6;                                       // m
+  const double room = room_m(boundary, number, width_m);
+  const Box box = bounds(boundary.ring);
+  const bool land_inside = signed_area(boundary.ring) > 0;
+  return std::any_of(group.passes.begin(), group.passes.end(), [&](const HeadlandPass& pass) {
+    if (contains(boundary.ring, pass.path.front().from) != land_inside) return true;
+    return intersects(reach_of(pass.path, 2 * room), box) &&
+           comes_near(pass.path, reaches_of(pass.path, 2 * room), boundary.ring, room - kTouch);
+  });
+}
+
+/// What groups are made from.
+struct Scene {
+  const std::vector<Boundary>& boundaries;
+  const HeadlandTerms& terms;
+  int number;
+  const GroundToWork& to_work;
+  const std::vector<HeadlandPass>& before;
+
+  std::vector<HeadlandPass> rings(const std::vector<std::size_t>& members) const {
+    return rings_round(members, boundaries, terms, number, to_work, before);
+  }
+};
+
+/// Puts together the first two groups one of which disturbs the other; false: there are none.
+bool merge_first(std::vector<RingGroup>& groups, const Scene& scene) {
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    for (std::size_t j = 0; j < groups.size(); ++j) {
+      const auto& others = groups[j].members;
+      if (i == j || std::none_of(others.begin(), others.end(), [&](std::size_t k) {
+            return disturbs(groups[i], scene.boundaries[k], scene.number, scene.terms.width_m);
+          }))
+        continue;
+      RingGroup& kept = groups[std::min(i, j)];
+      const RingGroup& gone = groups[std::max(i, j)];
+      kept.members.insert(kept.members.end(), gone.members.begin(), gone.members.end());
+      std::sort(kept.members.begin(), kept.members.end());
+      kept.passes = scene.rings(kept.members);
+      groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(std::max(i, j)));
+      return true;
+    }
+  return false;
+}
+
+}  // namespace
+
+double tightest_turn_m(const HeadlandTerms& terms) { return std::max(terms.radius_m, 0.5 * terms.width_m); }
+
+std::vector<HeadlandPass> rings_round(const std::vector<std::size_t>& indices,
+                                      const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
+                                      int number, const GroundToWork& to_work,
+                                      const std::vector<HeadlandPass>& before) {
+  const double radius_m = tightest_turn_m(terms);
+  std::vector<Boundary> members;
+  for (const std::size_t i : indices) members.push_back(boundaries[i]);
+  if (std::none_of(members.begin(), members.end(), [&](const Boundary& b) { return b.passes >= number; }))
+    return {};
+  const auto passes_along = [&](const std::vector<LevelRing>& rings) {
+    std::vector<HeadlandPass> out;
+    for (const LevelRing& ring : rings)
+      if (follows_own(ring, members, number)) out.push_back(pass_along(ring, members, number, radius_m));
+    return out;
+  };
+  const TurningLand land = turning_land(members, terms.width_m, number, radius_m);
+  return passes_along(through_necks(turning_centres(land), land, [&](const auto& rings) {
+    const std::vector<HeadlandPass> passes = passes_along(rings);
+    return RingsCost{meetings_of(passes), missed_and_doubled_m2(passes, to_work, before)};
+  }));
+}
+
+std::vector<RingGroup> ring_groups(const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
+                                   int number, const GroundToWork& to_work,
+                                   const std::vector<HeadlandPass>& before) {
+  const Scene scene{boundaries, terms, number, to_work, before};
+  std::vector<RingGroup> groups(boundaries.size());
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    groups[i].members = {i};
+    groups[i].passes = scene.rings(groups[i].members);
+  }
+  while (merge_first(groups, scene)) {
+  }
+  return groups;
+}
+
+}  // namespace tramline

@@ -1,0 +1,35 @@
+#pragma once
+// Closed passes round boundaries, and which boundaries are driven round together.
+
+#include <vector>
+
+#include "tramline/headland/headland.h"
+#include "tramline/headland/shores.h"
+#include "tramline/headland/worth_driving.h"
+
+namespace tramline {
+
+/// The tightest circle that passes are driven on, m: the machine's, or one that does not fold its swath.
+double tightest_turn_m(const HeadlandTerms& terms);
+
+/// Boundaries that are driven round together, and the passes that makes.
+struct RingGroup {
+  std::vector<std::size_t> members;  ///< indices into the boundaries, increasing
+  std::vector<HeadlandPass> passes;  ///< closed
+};
+
+/// Pass `number` round some of the boundaries, as if there were no others. Rings that follow none that has
+/// such a pass are left out.
+std::vector<HeadlandPass> rings_round(const std::vector<std::size_t>& members,
+                                      const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
+                                      int number, const GroundToWork& to_work,
+                                      const std::vector<HeadlandPass>& before);
+
+/// All boundaries in groups: each by itself, or with those whose swaths with the number, or what these have
+/// to keep off, its own would meet. A field without such a pass is never driven round with its obstacles:
+/// their passes may come too near to it, or leave it.
+std::vector<RingGroup> ring_groups(const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
+                                   int number, const GroundToWork& to_work,
+                                   const std::vector<HeadlandPass>& before);
+
+}  // namespace tramline
