@@ -1,5 +1,5 @@
-// Any bytes as the records of an ISOXML time log: of one with sections, of one with all parts of positions, or
-// of one with two devices, row units without widths and counters.
+// Any bytes as the records of an ISOXML time log: of one with sections, of one with all parts of positions,
+// or of one with two devices, row units without widths and counters.
 
 #include <cstddef>
 #include <cstdint>

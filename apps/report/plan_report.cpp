@@ -137,9 +137,10 @@ std::string tally_rows(const Plan& plan) {
   out += fmt::format("subfields    {} (direction {})\n", plan.subfields.size(),
                      directions_text(directions_of(plan), kDirectionsShown));
   out += headland_rows(plan) + line_rows(plan);
-  out += fmt::format("tracks       {}, {:.1f} m in all; by themselves overlap {:.1f} m², uncovered {:.1f} m²\n",
-                     tally.pieces, tally.track_length_m, plain_zero(plan.track_tally.overlap_m2),
-                     plain_zero(plan.track_tally.uncovered_m2));
+  out +=
+      fmt::format("tracks       {}, {:.1f} m in all; by themselves overlap {:.1f} m², uncovered {:.1f} m²\n",
+                  tally.pieces, tally.track_length_m, plain_zero(plan.track_tally.overlap_m2),
+                  plain_zero(plan.track_tally.uncovered_m2));
   out += fmt::format("turns        {}\n", tally.turns);
   out += fmt::format("stops        {}\n", tally.stops);
   out += obstacle_rows(plan);

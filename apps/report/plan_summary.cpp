@@ -34,20 +34,35 @@ std::string ground_row(const Plan& plan) {
   return fmt::format("to work      {:.4f} ha, {} {}{}\n", land_m2(plan) / 1e4, what, plan.field.id, left_out);
 }
 
-std::string passes_row(const Plan& plan) {
+/// Of the subfields that have tracks, in their order.
+std::vector<Direction> worked_directions(const Plan& plan) {
+  std::vector<bool> worked(plan.subfields.size(), false);
+  for (const TrackPiece& piece : plan.pieces) worked[static_cast<std::size_t>(piece.subfield)] = true;
+  std::vector<Direction> out;
+  for (std::size_t i = 0; i < worked.size(); ++i)
+    if (worked[i]) out.push_back(plan.subfields[i].direction);
+  return out;
+}
+
+/// "74 tracks at 92.53° and 8 headland passes"
+std::string passes_text(const Plan& plan) {
   constexpr std::size_t kDirectionsShown = 4;
-  std::vector<Direction> directions;
-  for (const Subfield& subfield : plan.subfields) directions.push_back(subfield.direction);
   const bool curved = is_curved(plan);
-  const std::string tracks = fmt::format(
-      "{} at {}",
-      counted(plan.pieces.size(), curved ? "curved track" : "track", curved ? "curved tracks" : "tracks"),
-      directions_text(directions, kDirectionsShown));
+  std::string out;
+  if (!plan.pieces.empty())
+    out = fmt::format(
+        "{} at {}",
+        counted(plan.pieces.size(), curved ? "curved track" : "track", curved ? "curved tracks" : "tracks"),
+        directions_text(worked_directions(plan), kDirectionsShown));
   const std::size_t round = plan.headland.passes.size();
-  return fmt::format("passes       {}, each {:g} m wide: {}{}; {}, {}\n", plan.pieces.size() + round,
-                     plan.machine.width_m, tracks,
-                     round == 0 ? "" : " and " + counted(round, "headland pass", "headland passes"),
-                     counted(static_cast<std::size_t>(plan.tally.turns), "turn", "turns"),
+  if (round == 0) return out;
+  return out + (out.empty() ? "" : " and ") + counted(round, "headland pass", "headland passes");
+}
+
+std::string passes_row(const Plan& plan) {
+  return fmt::format("passes       {}, each {:g} m wide: {}; {}, {}\n",
+                     plan.pieces.size() + plan.headland.passes.size(), plan.machine.width_m,
+                     passes_text(plan), counted(static_cast<std::size_t>(plan.tally.turns), "turn", "turns"),
                      counted(static_cast<std::size_t>(plan.tally.stops), "stop", "stops"));
 }
 

@@ -43,7 +43,8 @@ double working_width_m(const WorkLog& log, const DriveSettings& drive);
 /// local metres, oriented; empty: no field, and nothing missed. Field id, frame and what readers skipped are
 /// the caller's. `sink` gets every step too. `further`: work done after the log, on the same ground, in runs
 /// of its own; sink and slices know nothing of it. Throws kBadInput where no width is known, or fewer than
-/// two fixes are left. A log with WorkLog::shapes worked these, and nothing between its fixes. O(fixes) and the regions. Precondition: local positions.
+/// two fixes are left. A log with WorkLog::shapes worked these, and nothing between its fixes. O(fixes) and
+/// the regions. Precondition: local positions.
 Coverage evaluate(WorkLog log, const Region& field, const EvaluateSettings& settings,
                   const FixProgress& progress, const StepSink& sink = {}, const FurtherWork& further = {});
 
