@@ -11,7 +11,7 @@ namespace {
 
 /// Whole phrases first, then the options by themselves.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 52> kWords = {{
-    {"take all with --all or choose one with --where", "choose one of them"},
+    {"take all with --all or choose one with --id", "choose one of them"},
     {"give it a width with --width", "give the working width"},
     {"give the field's CRS with --crs", "say which coordinate reference system the field is in"},
     {"give the right CRS with --crs", "choose the right coordinate reference system"},

@@ -5,6 +5,7 @@
 #include "tramline/headland/clear_stretches.h"
 #include "tramline/headland/level_drives.h"
 #include "tramline/headland/ring_groups.h"
+#include "tramline/headland/sound_rings.h"
 
 namespace tramline {
 namespace {
@@ -148,6 +149,20 @@ std::vector<HeadlandPass> passes_round(const RingGroup& group, const Scene& scen
   return alone.worth_m2() > together.worth_m2() ? alone.own() : together.own();
 }
 
+/// Rings through narrow land may come to cross themselves, which no machine drives: in parts they do not.
+std::vector<HeadlandPass> without_crossings(const std::vector<HeadlandPass>& passes, const Scene& scene) {
+  std::vector<HeadlandPass> out;
+  for (const HeadlandPass& pass : passes) {
+    const std::vector<Path> parts = parted_where_it_meets_itself(pass.path);
+    if (parts.size() == 1)
+      out.push_back(pass);
+    else
+      for (const Path& part : parts)
+        if (length(part) >= scene.least_length_m()) out.push_back(pass_on(part, scene));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<HeadlandPass> pass_rings(const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
@@ -164,7 +179,8 @@ std::vector<HeadlandPass> pass_rings(const std::vector<Boundary>& boundaries, co
   // Farther in, what turning leaves is left to tracks.
   if (number == 1)
     for (const Path& path : level_drives(boundaries, terms, number)) chosen.take_if_it_pays(path);
-  return {chosen.all().begin() + static_cast<std::ptrdiff_t>(before.size()), chosen.all().end()};
+  return without_crossings(
+      {chosen.all().begin() + static_cast<std::ptrdiff_t>(before.size()), chosen.all().end()}, scene);
 }
 
 }  // namespace tramline

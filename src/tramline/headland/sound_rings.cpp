@@ -66,6 +66,24 @@ int meeting_places(const std::vector<Path>& paths) {
   return out;
 }
 
+std::vector<Path> parted_where_it_meets_itself(const Path& path) {
+  if (meeting_places({path}) == 0) return {path};
+  std::vector<Path> out;
+  std::vector<OffsetCurve> driven;  // of the part in hand
+  for (const PathSegment& segment : path) {
+    const OffsetCurve curve = curve_of(segment);
+    bool meets = false;
+    for (std::size_t i = 0; i + 1 < driven.size() && !meets; ++i) meets = !meetings(driven[i], curve).empty();
+    if (meets || out.empty()) {
+      out.emplace_back();
+      driven.clear();
+    }
+    out.back().push_back(segment);
+    driven.push_back(curve);
+  }
+  return out;
+}
+
 bool keeps_off(const Path& path, const std::vector<Shore>& shores) {
   for (const PathSegment& segment : path) {
     const Box reach = reach_of({segment}, 0);

@@ -18,4 +18,8 @@ bool can_be_driven(const Path& path, const TurningLand& land);
 /// O(n²).
 int meeting_places(const std::vector<Path>& paths);
 
+/// The path cut before every segment that meets one driven before, so that no part meets itself; the path
+/// itself where it does not. O(n²).
+std::vector<Path> parted_where_it_meets_itself(const Path& path);
+
 }  // namespace tramline

@@ -138,15 +138,13 @@ TEST(Streams, AreBoundedAndEndWithTheServer) {
 
 TEST_F(ServerTest, AFailedJobSaysWhy) {
   const std::string field = served.post("/fields", {{"name", "small"}, {"geometry", square()}}).json["id"];
-  const Got begun = served.post("/jobs", {{"kind", "plan"},
-                                          {"field", field},
-                                          {"machine", {{"width_m", 3}, {"radius_m", 6}}},
-                                          {"settings", {{"headlands", 90}}}});
+  const Got begun = served.post(
+      "/jobs", {{"kind", "plan"}, {"field", field}, {"machine", {{"width_m", 900}, {"radius_m", 6}}}});
   ASSERT_EQ(begun.status, 202) << begun.text;
   const ordered_json job = served.finished(begun.json);
-  EXPECT_EQ(job["state"], "failed");
+  ASSERT_EQ(job["state"], "failed");
   EXPECT_EQ(job["error"]["code"], "bad_input");
-  EXPECT_NE(std::string(job["error"]["message"]).find("headlands"), std::string::npos);
+  EXPECT_NE(std::string(job["error"]["message"]).find("900 m"), std::string::npos);
 }
 
 TEST_F(ServerTest, RefusesJobsThatMakeNoSense) {
