@@ -67,7 +67,10 @@ int meeting_places(const std::vector<Path>& paths) {
 }
 
 std::vector<Path> parted_where_it_meets_itself(const Path& path) {
-  if (meeting_places({path}) == 0) return {path};
+  // Of a ring the last segment is joined to the first; of a path with two ends these may cross.
+  constexpr double kSamePlace = 1e-6;  // m
+  const bool is_ring = distance(path.front().from, path.back().to) < kSamePlace;
+  if (is_ring && meeting_places({path}) == 0) return {path};
   std::vector<Path> out;
   std::vector<OffsetCurve> driven;  // of the part in hand
   for (const PathSegment& segment : path) {
