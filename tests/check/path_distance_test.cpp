@@ -81,5 +81,14 @@ TEST(Bands, shortened_paths) {
   EXPECT_TRUE(check::shortened(path, 13).empty());
 }
 
+// The first segment is 10 m but for rounding: nothing of it is left, or else the rest would have no
+// direction.
+TEST(Bands, no_segment_without_a_direction_is_left) {
+  const Path path{{{0, 0}, {10 + 1e-13, 0}, 0}, {{10 + 1e-13, 0}, {20, 10}, 0.1}};
+  const Path rest = check::begun_later(path, 10);
+  ASSERT_EQ(rest.size(), 1U);
+  EXPECT_NE(rest.front().curvature, 0);
+}
+
 }  // namespace
 }  // namespace tramline

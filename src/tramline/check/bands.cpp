@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "tramline/check/tolerances.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/kinked_line.h"
 
@@ -98,8 +99,8 @@ Path begun_later(const Path& path, double by_m) {
   Path out;
   for (const PathSegment& segment : path) {
     const double length_m = length(segment);
-    if (by_m >= length_m) {
-      by_m -= length_m;
+    if (by_m >= length_m - kJoint_m) {  // what would be left of it has no direction worth the name
+      by_m = std::max(0.0, by_m - length_m);
       continue;
     }
     out.push_back({by_m > 0 ? place_on(segment, by_m) : segment.from, segment.to, segment.curvature});

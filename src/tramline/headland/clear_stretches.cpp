@@ -40,24 +40,62 @@ class Clearance {
   const std::vector<Shore>& shores_;
 };
 
-/// How far a strip may go on from `at` until it meets an edge, m.
-double free_run_m(Point at, Point along, const std::vector<Ring>& rings, double width_m, double most_m) {
-  // What is touched along the sides is not in the way, nor what lies at the end already.
-  constexpr double kBeside_m = 1e-4, kBehind_m = 1e-6;
-  const double half_m = 0.5 * width_m - kBeside_m;
+// What is touched along the sides is not in the way, nor what lies at the end already.
+constexpr double kBeside_m = 1e-4, kBehind_m = 1e-6;
+
+/// A strip that is to go on from `at`.
+struct Strip {
+  Point at, along;
+  double half_m = 0;
+
+  Point local(Point p) const { return {dot(p - at, along), cross(along, p - at)}; }
+};
+
+/// How far it may go until it meets the ring, m.
+double run_to_edges_m(const Strip& strip, const Ring& ring, double most_m) {
+  const double half_m = strip.half_m - kBeside_m;
   double out = most_m;
-  const auto local = [&](Point p) { return Point{dot(p - at, along), cross(along, p - at)}; };
-  for (const Ring& ring : rings)
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      Point a = local(ring[i]), b = local(ring[(i + 1) % ring.size()]);
-      if (a.y > b.y) std::swap(a, b);
-      if (b.y < -half_m || a.y > half_m || std::max(a.x, b.x) < -kBehind_m || std::min(a.x, b.x) > out)
-        continue;
-      const auto place = [&](double y) { return a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x); };
-      const double first = a.y < -half_m ? place(-half_m) : a.x, last = b.y > half_m ? place(half_m) : b.x;
-      if (std::max(first, last) < -kBehind_m) continue;
-      out = std::min(out, std::max(0.0, std::min(first, last)));
-    }
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    Point a = strip.local(ring[i]), b = strip.local(ring[(i + 1) % ring.size()]);
+    if (a.y > b.y) std::swap(a, b);
+    if (b.y < -half_m || a.y > half_m || std::max(a.x, b.x) < -kBehind_m || std::min(a.x, b.x) > out)
+      continue;
+    const auto place = [&](double y) { return a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x); };
+    const double first = a.y < -half_m ? place(-half_m) : a.x, last = b.y > half_m ? place(half_m) : b.x;
+    if (std::max(first, last) < -kBehind_m) continue;
+    out = std::min(out, std::max(0.0, std::min(first, last)));
+  }
+  return out;
+}
+
+/// How far it may go until its sides or its front come nearer to the ring than `distance_m`, m.
+double run_beside_m(const Strip& strip, const Ring& ring, double distance_m, double most_m) {
+  const auto keeps_off = [&](double run_m) {
+    const Point left{0, strip.half_m}, right{0, -strip.half_m}, on{run_m, 0};
+    const PathSegment sides[] = {{left, left + on, 0}, {right, right + on, 0}, {left + on, right + on, 0}};
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      for (const PathSegment& side : sides)
+        if (distance_to_edge(side, strip.local(ring[i]), strip.local(ring[(i + 1) % ring.size()])) <
+            distance_m - kBeside_m)
+          return false;
+    return true;
+  };
+  if (keeps_off(most_m)) return most_m;
+  constexpr int kHalvings = 24;
+  double clear_m = 0, other_m = most_m;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle_m = 0.5 * (clear_m + other_m);
+    (keeps_off(middle_m) ? clear_m : other_m) = middle_m;
+  }
+  return clear_m;
+}
+
+double free_run_m(const Strip& strip, const std::vector<SwathLimit>& limits, double most_m) {
+  double out = most_m;
+  for (const SwathLimit& limit : limits) {
+    out = run_to_edges_m(strip, limit.ring, out);
+    if (limit.distance_m > 0) out = run_beside_m(strip, limit.ring, limit.distance_m, out);
+  }
   return out;
 }
 
@@ -102,9 +140,9 @@ std::vector<Path> clear_stretches(const Path& path, const std::vector<Shore>& sh
   return out;
 }
 
-Path driven_to_the_end(Path path, const std::vector<Ring>& rings, double width_m, double most_m) {
+Path driven_to_the_end(Path path, const std::vector<SwathLimit>& limits, double width_m, double most_m) {
   for (int end = 0; end < 2; ++end) {
-    go_on(path, free_run_m(path.back().to, direction_at_end(path.back()), rings, width_m, most_m));
+    go_on(path, free_run_m({path.back().to, direction_at_end(path.back()), 0.5 * width_m}, limits, most_m));
     path = reversed(path);
   }
   return path;

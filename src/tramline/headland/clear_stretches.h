@@ -12,8 +12,14 @@ namespace tramline {
 /// O(s·m) for s steps and m edges of shores.
 std::vector<Path> clear_stretches(const Path& path, const std::vector<Shore>& shores, double step_m);
 
+/// A boundary, and how far the edge of a swath has to stay away from it, m: 0 where it may touch it.
+struct SwathLimit {
+  Ring ring;
+  double distance_m = 0;
+};
+
 /// An open path that goes straight on at both ends, as far as its swath, as wide as `width_m` and with flat
-/// ends, keeps off the rings' edges, but no farther than `most_m`. O(n) for n edges.
-Path driven_to_the_end(Path path, const std::vector<Ring>& rings, double width_m, double most_m);
+/// ends, keeps its distance from the boundaries, but no farther than `most_m`. O(n) for n edges.
+Path driven_to_the_end(Path path, const std::vector<SwathLimit>& limits, double width_m, double most_m);
 
 }  // namespace tramline

@@ -64,8 +64,8 @@ std::vector<Path> level_drives(const std::vector<Boundary>& boundaries, const He
   const ArcFits fits = [&](Point centre, Point before, Point after) {
     return keeps_off(turn_about(centre, land.radius_m, before, after), land.shores);
   };
-  std::vector<Ring> rings;
-  for (const Boundary& boundary : boundaries) rings.push_back(boundary.ring);
+  std::vector<SwathLimit> limits;
+  for (const Boundary& boundary : boundaries) limits.push_back({boundary.ring, 0});
   std::vector<Path> out;
   for (const std::size_t start : rings_to_follow(rails, boundaries, number)) {
     const LevelWays ways = ways_along(rails, start, fits, land.radius_m + terms.width_m);
@@ -76,7 +76,7 @@ std::vector<Path> level_drives(const std::vector<Boundary>& boundaries, const He
       if (path.empty() || !keeps_off(path, land.shores)) continue;
       const double hook_m = land.radius_m + terms.width_m;
       path = without_first_hook(without_hook(std::move(path), hook_m), hook_m);
-      out.push_back(driven_to_the_end(std::move(path), rings, terms.width_m, hook_m));
+      out.push_back(driven_to_the_end(std::move(path), limits, terms.width_m, hook_m));
     }
   }
   // What short ones across an end would work the long ones beside it do as well.

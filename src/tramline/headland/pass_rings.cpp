@@ -109,9 +109,11 @@ class Chosen {
     return all_.begin() + static_cast<std::ptrdiff_t>(first_);
   }
   Path to_the_end(const Path& path) const {
-    std::vector<Ring> rings;
-    for (const Boundary& boundary : scene_.boundaries) rings.push_back(boundary.ring);
-    return driven_to_the_end(path, rings, scene_.terms.width_m, 0.5 * scene_.terms.width_m);
+    const double width_m = scene_.terms.width_m;
+    std::vector<SwathLimit> limits;
+    for (std::size_t i = 0; i < scene_.boundaries.size(); ++i)
+      limits.push_back({scene_.boundaries[i].ring, scene_.has_pass(i) ? (scene_.number - 1) * width_m : 0});
+    return driven_to_the_end(path, limits, width_m, 0.5 * width_m);
   }
 
   const Scene& scene_;
