@@ -20,7 +20,8 @@ check::Verdict judge(const io::PlanFile& file, const std::optional<Field>& input
          check::compare_swaths(file.plan, file.track_order, file.swaths, file.swath_order));
   append(verdict.violations, check::compare_lines(file.plan, file.track_lines));
   for (const io::DerivedNumber& number : file.derived)
-    check::compare_number(number.where, number.stored, number.from_shape, number.at, verdict.violations);
+    check::compare_number(number.where, number.stored, number.from_shape, number.rounding, number.at,
+                          verdict.violations);
   for (const io::DerivedText& text : file.derived_texts)
     check::compare_text(text.where, text.stored, text.from_shape, text.at, verdict.violations);
   if (input) append(verdict.violations, check::compare_fields(file.plan.field, *input));

@@ -68,9 +68,11 @@ TEST(CompareLayers, swaths_follow_from_tracks) {
 
 TEST(CompareLayers, numbers_follow_from_shapes) {
   std::vector<check::Violation> out;
-  check::compare_number("layer tracks, feature 1, length_m", 100, 100.00001, {}, out);
+  check::compare_number("layer tracks, feature 1, length_m", 100, 100.00001, 0, {}, out);
   EXPECT_TRUE(out.empty());
-  check::compare_number("layer tracks, feature 1, length_m", 100, 100.001, {}, out);
+  check::compare_number("layer tracks, feature 1, length_m", 100, 100.001, 0, {}, out);
+  EXPECT_EQ(out.size(), 1u);
+  check::compare_number("layer overlap, feature 1, area_m2", 0.000593, 0.000598, 1e-5, {}, out);
   EXPECT_EQ(out.size(), 1u);
 }
 

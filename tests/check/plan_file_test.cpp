@@ -35,7 +35,7 @@ Names judged_from_file(const Plan& plan, const std::string& edit = "") {
   for (const io::DerivedText& t : file.derived_texts)
     check::compare_text(t.where, t.stored, t.from_shape, t.at, verdict.violations);
   for (const io::DerivedNumber& n : file.derived)
-    check::compare_number(n.where, n.stored, n.from_shape, n.at, verdict.violations);
+    check::compare_number(n.where, n.stored, n.from_shape, n.rounding, n.at, verdict.violations);
   return rules(verdict);
 }
 

@@ -37,7 +37,7 @@ void compare_layers(const io::PlanFile& file, std::vector<check::Violation>& out
   append(out, check::compare_swaths(file.plan, file.track_order, file.swaths, file.swath_order));
   append(out, check::compare_lines(file.plan, file.track_lines));
   for (const io::DerivedNumber& number : file.derived)
-    check::compare_number(number.where, number.stored, number.from_shape, number.at, out);
+    check::compare_number(number.where, number.stored, number.from_shape, number.rounding, number.at, out);
   for (const io::DerivedText& text : file.derived_texts)
     check::compare_text(text.where, text.stored, text.from_shape, text.at, out);
 }

@@ -81,9 +81,9 @@ void compare_text(const std::string& where, const std::string& stored, const std
       {kRule, fmt::format("{} is stored as '{}', its shape gives '{}'", where, stored, from_shape), at, 1});
 }
 
-void compare_number(const std::string& where, double stored, double from_shape, Point at,
+void compare_number(const std::string& where, double stored, double from_shape, double rounding, Point at,
                     std::vector<Violation>& out) {
-  const double tolerance = kSame * std::max(1.0, std::abs(from_shape));
+  const double tolerance = rounding + kSame * std::max(1.0, std::abs(from_shape));
   if (std::abs(stored - from_shape) <= tolerance) return;
   out.push_back({kRule,
                  fmt::format("{} is stored as {:.6f}, its shape gives {:.6f}", where, stored, from_shape), at,

@@ -26,8 +26,9 @@ std::vector<Violation> compare_lines(const Plan& plan, const std::vector<std::ve
 void compare_text(const std::string& where, const std::string& stored, const std::string& from_shape,
                   Point at, std::vector<Violation>& out);
 
-/// A stored number against the one its shape gives; equal to 1e-6, absolutely or relatively. Rule "layers".
-void compare_number(const std::string& where, double stored, double from_shape, Point at,
+/// A stored number against the one its shape gives; equal to 1e-6, absolutely or relatively, and to
+/// `rounding`, what rounded corners may make of it. Rule "layers".
+void compare_number(const std::string& where, double stored, double from_shape, double rounding, Point at,
                     std::vector<Violation>& out);
 
 }  // namespace tramline::check

@@ -116,6 +116,18 @@ TEST_F(PlansInOneFile, TheDateLineIsNoBorder) {
   expect_same_plan(read_plan(whole(), "east"), east);
 }
 
+TEST_F(PlansInOneFile, FieldsOnOtherSidesOfTheEarthAreRefused) {
+  try {
+    write_plans({kept("a", plan_at("a", {true, -3.83, 11.22, 0, 0})),
+                 kept("b", plan_at("b", {true, 169, -44, 0, 0}))},
+                whole());
+    FAIL() << "one transverse Mercator holds both";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
+    EXPECT_NE(std::string(error.what()).find("too far apart"), std::string::npos) << error.what();
+  }
+}
+
 TEST_F(PlansInOneFile, PlainMetresStayInThePlaneOfTheInput) {
   const Plan a = plan_at("a", {false, 0, 0, 1000, 2000}), b = plan_at("b", {false, 0, 0, 1500, 2000});
   write_plans({kept("f:1", a), kept("f:2", b)}, whole());

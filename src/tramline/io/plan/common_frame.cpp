@@ -14,6 +14,9 @@ namespace {
 /// Text holds 1e-7 degrees exactly.
 double rounded(double degrees) { return std::round(degrees * 1e7) / 1e7; }
 
+/// A transverse Mercator that leads back to the same place within this is one to keep plans in.
+constexpr double kWayBack_m = 1e-6;
+
 /// From -180 to 180, whatever side of the date line.
 double difference_deg(double lon, double from) { return std::remainder(lon - from, 360.0); }
 
@@ -50,7 +53,9 @@ std::function<Point(Point)> way_between(const LocalFrame& from, const LocalFrame
   const auto back = std::make_shared<const FrameProjection>(to);
   return [away, back](Point p) {
     const std::optional<Point> out = back->from_lonlat(away->to_lonlat(p));
-    if (!out) throw bad_input("the fields lie too far apart for one file; write a file for each");
+    const std::optional<Point> again = out ? away->from_lonlat(back->to_lonlat(*out)) : std::nullopt;
+    if (!again || distance(*again, p) > kWayBack_m)
+      throw bad_input("the fields lie too far apart on earth for one file; write a file for each");
     return *out;
   };
 }

@@ -38,8 +38,13 @@ void derive(PlanFile& out, const Row& row, const char* column, double from_shape
   out.derived.push_back({place_in_file(row, column), row.number(column), from_shape, at});
 }
 
+/// A file of many plans keeps corners in another plane than the one areas were measured in.
 void derive_area(PlanFile& out, const Row& row, const Polygon& polygon) {
+  constexpr double kCornerRounding_m = 1e-7;
   derive(out, row, "area_m2", area(polygon), polygon.outer.front());
+  double edges_m = perimeter(polygon.outer);
+  for (const Ring& hole : polygon.holes) edges_m += perimeter(hole);
+  out.derived.back().rounding = kCornerRounding_m * edges_m;
 }
 
 void read_region(Rows& file, const char* name, Region& into, PlanFile& out) {

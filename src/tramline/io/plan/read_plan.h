@@ -15,6 +15,7 @@ struct DerivedNumber {
   double stored = 0;      ///< as the file has it
   double from_shape = 0;  ///< as it follows from the shape in the file
   Point at;               ///< on the shape, local metres
+  double rounding = 0;    ///< what the rounding of its corners may make of it: of areas
 };
 
 /// A text of a plan file that repeats what a shape in it says already.
