@@ -90,7 +90,7 @@ inline Plan curved_plan() {
   }
   worked = unite(worked);
   plan.overlap = difference(worked, plan.body);
-  plan.uncovered = difference(plan.body, worked);
+  plan.uncovered = unite(difference(plan.body, worked), headland.unworked);
   tally.worked_m2 = 6 * tally.track_length_m;
   tally.pieces = static_cast<int>(plan.pieces.size());
   tally.turns = tally.pieces - 1;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 
+#include "tramline/geometry/boolean.h"
 #include "tramline/model/palette.h"
 #include "tramline/render/close_up.h"
 #include "tramline/render/close_up_content.h"
@@ -92,8 +93,14 @@ TEST_F(CurvedPlan, HeadlandIsTintedAndItsPassesAreDrawn) {
 }
 
 TEST_F(CurvedPlan, UnworkedHeadlandHasTheColourOfUncoveredLand) {
-  EXPECT_EQ(pixels_->at(view_.to_page({0.4, 0.4}) + Point{1, -1}), kUncoveredHex)
-      << "outside the arc of a corner";
+  // Outside the arc of a corner, 3.7 m of it along the diagonal: filled, not just outlined.
+  const Point corner{1.3, 1.3};
+  EXPECT_EQ(pixels_->at(view_.to_page(corner)), kUncoveredHex);
+  plan_.figures = PlanFigures::kTracks;
+  plan_.uncovered = intersection(plan_.uncovered, plan_.body);
+  draw_plan(plan_, folder_ / "older.png");
+  EXPECT_EQ(Pixels(folder_ / "older.png").at(view_.to_page(corner)), kUncoveredHex)
+      << "a plan whose figures are those of its tracks";
 }
 
 TEST_F(CurvedPlan, TheReferenceEndsBesideTheField) {

@@ -87,7 +87,8 @@ void draw_detours(Canvas& canvas, const Plan& plan) {
 void draw_faults(Canvas& canvas, const Plan& plan) {
   const double thin_m = 2 * kSliverWidth * canvas.scale() / canvas.view().px_per_m;
   Region left_out = plan.uncovered;
-  left_out.insert(left_out.end(), plan.headland.unworked.begin(), plan.headland.unworked.end());
+  if (plan.figures == PlanFigures::kTracks)  // older plans count the headland by itself
+    left_out.insert(left_out.end(), plan.headland.unworked.begin(), plan.headland.unworked.end());
   const ByWidth uncovered = by_width(visible_faults(left_out), thin_m);
   const ByWidth overlap = by_width(visible_faults(plan.overlap), thin_m);
   // Slivers last: they would vanish under the rims of the wide ones.
