@@ -70,9 +70,20 @@ export function sentence(message: string): string {
   return /^[a-z]+\b(?![./_])/.test(whole) ? whole[0]!.toUpperCase() + whole.slice(1) : whole;
 }
 
+/** The whole answer; one that breaks off means that the server is away, or that this page is being left. */
+async function textOf(response: Response, signal?: AbortSignal): Promise<string> {
+  try {
+    return await response.text();
+  } catch (error) {
+    if (signal?.aborted) throw error;
+    tell(false);
+    throw new ApiError('away', AWAY, 0);
+  }
+}
+
 async function json<R>(method: string, path: string, body?: unknown, signal?: AbortSignal): Promise<R> {
   const response = await send(method, path, body, signal);
-  const text = await response.text();
+  const text = await textOf(response, signal);
   return (text === '' ? undefined : JSON.parse(text)) as R;
 }
 

@@ -80,7 +80,12 @@ const SEEN_THROUGH = 0.35;
 /** A background that does not come is told of once, until it is switched on anew. */
 function keepTiles(map: GlMap, visible: Shown['visible']): void {
   let told = false;
+  // What the map still asks for while the page is being left fails, and is no fault.
+  let leaving = false;
+  addEventListener('pagehide', () => (leaving = true));
+  addEventListener('pageshow', () => (leaving = false));
   map.on('error', (event) => {
+    if (leaving) return;
     if ((event as { sourceId?: string }).sourceId !== 'tiles') return console.error(event.error);
     if (told || !session.get().tiles) return;
     told = true;
