@@ -1,9 +1,10 @@
 #include "report/report_parts.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
-
 #include <iterator>
 #include <utility>
 
@@ -88,11 +89,14 @@ std::string note_rows(const std::vector<std::string>& warnings) {
 }
 
 std::string directions_text(const std::vector<Direction>& directions, std::size_t most) {
-  std::string out;
-  for (std::size_t i = 0; i < directions.size() && i < most; ++i)
-    out += fmt::format("{}{:.2f}°", i > 0 ? ", " : "", directions[i].degrees());
-  if (directions.size() > most) out += ", …";
-  return out;
+  std::vector<std::string> texts;
+  for (const Direction& direction : directions) {
+    std::string text = fmt::format("{:.2f}°", direction.degrees());
+    if (std::find(texts.begin(), texts.end(), text) == texts.end()) texts.push_back(std::move(text));
+  }
+  const bool all = texts.size() <= most;
+  if (!all) texts.resize(most);
+  return fmt::format("{}{}", fmt::join(texts, ", "), all ? "" : ", …");
 }
 
 std::string prices_text(const Objective& prices) {

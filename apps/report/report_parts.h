@@ -41,7 +41,7 @@ std::string skipped_rows(const std::vector<Skipped>& skipped);
 /// "note         what", a row each.
 std::string note_rows(const std::vector<std::string>& warnings);
 
-/// "95.98°, 12.30°", and "…" for those beyond `most`.
+/// "95.98°, 12.30°": each once, and "…" for those beyond `most`.
 std::string directions_text(const std::vector<Direction>& directions, std::size_t most);
 
 /// "0.02·overlap + 0.1·uncovered + 1·turns + 5·stops + 5·further subfields"

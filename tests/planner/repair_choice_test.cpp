@@ -94,7 +94,7 @@ double cost_of(const Scene& scene, const std::vector<RepairLine>& lines) {
     stops += line.line.stops;
   }
   const double left_m2 = left_of(gaps, swaths);
-  const double turns = std::max(0.0, static_cast<double>(lines.size()) - 1);
+  const double turns = static_cast<double>(lines.size());
   return prices.uncovered * left_m2 + prices.overlap * (worked_m2 - (gaps_m2 - left_m2)) +
          prices.turn * turns + prices.stop * stops;
 }

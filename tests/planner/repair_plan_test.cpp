@@ -68,8 +68,8 @@ double beyond(const Plan& plan, const Box& within) {
                    reach.max_y - within.max_y});
 }
 
-// 12 × 30 m are two swaths of 30 m side by side: nothing is worked in vain, and there is one turn. Left as it
-// is the gap costs 36.00.
+// 12 × 30 m are two swaths of 30 m side by side: nothing is worked in vain; there is one turn, and the way
+// there counts as another. Left as it is the gap costs 36.00.
 TEST(RepairPlan, ARectangleInTheMiddleIsWorkedAlong) {
   const RepairPlan done = repaired(square(), {box(40, 30, 52, 60)});
   const Tally& tally = done.plan.tally;
@@ -84,16 +84,16 @@ TEST(RepairPlan, ARectangleInTheMiddleIsWorkedAlong) {
   EXPECT_EQ(done.taken, 1);
   EXPECT_NEAR(area(done.plan.worked), 1e4 - 360, 1e-3);
   EXPECT_NEAR(done.cost_if_left, 36, 1e-6);
-  EXPECT_NEAR(done.cost_of_passes, 1, 1e-3);
-  EXPECT_NEAR(done.cost_after, 1, 1e-3);
+  EXPECT_NEAR(done.cost_of_passes, 2, 1e-3);
+  EXPECT_NEAR(done.cost_after, 2, 1e-3);
 }
 
 // The same gap lies across the drive: it is worked across, in five swaths of 12 m, because the machine drove
-// so. Four turns cost 4, and along it one would have cost 1.
+// so. The way there and four turns cost 5; along it they would have cost 2.
 TEST(RepairPlan, KeepsToTheDirectionDriven) {
   const RepairPlan done = repaired(square(), {box(40, 30, 52, 60)}, {{}, kPrices}, driven(kEast));
   EXPECT_EQ(done.plan.tally.pieces, 5);
-  EXPECT_NEAR(done.cost_of_passes, 4, 1e-3);
+  EXPECT_NEAR(done.cost_of_passes, 5, 1e-3);
   for (const TrackPiece& piece : done.plan.pieces) EXPECT_NEAR(piece.start.y, piece.end.y, 1e-9);
 }
 
@@ -115,7 +115,7 @@ TEST(RepairPlan, EachGapKeepsToTheDirectionDrivenThere) {
 }
 
 // A strip of 1 × 50 m between two passes costs 5.00 left as it is; the pass over it works 250 m² again, which
-// costs 5.00 too, and a turn. One of 3 × 50 m costs 15.00, and the pass 3.00.
+// costs 5.00 too, and a turn. One of 3 × 50 m costs 15.00, and the pass 4.00.
 TEST(RepairPlan, APassThatCostsMoreThanItsGapIsNotMade) {
   const RepairPlan done = repaired(square(), {box(40, 20, 41, 70), box(80, 20, 83, 70)});
   EXPECT_EQ(done.taken, 1);
@@ -125,8 +125,8 @@ TEST(RepairPlan, APassThatCostsMoreThanItsGapIsNotMade) {
   EXPECT_TRUE(mentions(done.not_worth[0].why, "costs 6.00"));
   EXPECT_TRUE(mentions(done.not_worth[0].why, "wins back 5.00"));
   EXPECT_NEAR(done.cost_if_left, 20, 1e-6);
-  EXPECT_NEAR(done.cost_of_passes, 0.02 * 150, 1e-3);
-  EXPECT_NEAR(done.cost_after, 0.02 * 150 + 0.10 * 50, 1e-3);
+  EXPECT_NEAR(done.cost_of_passes, 0.02 * 150 + 1, 1e-3);
+  EXPECT_NEAR(done.cost_after, 0.02 * 150 + 1 + 0.10 * 50, 1e-3);
 }
 
 TEST(RepairPlan, WhereNoPassIsWorthItThatIsSaidWithThePrices) {
@@ -192,14 +192,14 @@ TEST(RepairPlan, SmallGapsAreIgnoredAndListed) {
 }
 
 // Two squares of 12 m in one line, 30 m apart: each needs two swaths, and each swath goes on from one to the
-// other with the work off. Four pieces, two crossings, one turn.
+// other with the work off. Four pieces, two crossings, one turn, and the way there.
 TEST(RepairPlan, GapsInLineAreJoined) {
   const RepairPlan done = repaired(square(), {box(20, 10, 32, 22), box(20, 52, 32, 64)});
   EXPECT_EQ(done.plan.tally.pieces, 4);
   EXPECT_EQ(done.plan.tally.crossings, 2);
   EXPECT_EQ(done.plan.tally.turns, 1);
   EXPECT_NEAR(done.plan.tally.overlap_m2, 0, 1e-3);
-  EXPECT_NEAR(done.cost_of_passes, 1, 1e-3);
+  EXPECT_NEAR(done.cost_of_passes, 2, 1e-3);
 }
 
 // The second is 3 m to the side. Three lines do for both: those over the second take half of the first along

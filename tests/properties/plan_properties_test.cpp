@@ -83,7 +83,7 @@ class PlanProperties : public ::testing::Test {
 
 /// The other road: the useful area by polygon booleans.
 TEST_F(PlanProperties, TallyAgreesWithPolygonBooleans) {
-  for_random_fields(150, [](const Field& field, const Request& request) {
+  for_random_fields(100, [](const Field& field, const Request& request) {
     const auto plan = try_plan(field, request);
     if (!plan) return false;
     const double tolerance = 1e-6 * area(Polygon{field.outer, {}});
@@ -100,11 +100,11 @@ TEST_F(PlanProperties, TallyAgreesWithPolygonBooleans) {
 }
 
 TEST_F(PlanProperties, OverlapsOfStraightSwathsSumUp) {
-  expect_overlaps_to_sum_up(150, TrackShape::kStraight);
+  expect_overlaps_to_sum_up(100, TrackShape::kStraight);
 }
 
 /// The search along curves takes many times as long.
-TEST_F(PlanProperties, OverlapsOfCurvedSwathsSumUp) { expect_overlaps_to_sum_up(75, TrackShape::kCurved); }
+TEST_F(PlanProperties, OverlapsOfCurvedSwathsSumUp) { expect_overlaps_to_sum_up(50, TrackShape::kCurved); }
 
 /// The other road to what each swath overlaps: what polygon booleans leave of it after those before it. Along
 /// the first edges of the field, by parallel tracks with detours and by S2's own construction.
@@ -151,7 +151,7 @@ TEST_F(PlanProperties, OverlapsOfCurvedSwathsAgreeWithPolygonBooleans) {
 
 /// Hard land is entered by no swath; what the end rule promises holds for whole swaths.
 TEST_F(PlanProperties, SwathsKeepOffHardLandAndWithinTheirRule) {
-  for_random_fields(150, [](const Field& field, const Request& request) {
+  for_random_fields(100, [](const Field& field, const Request& request) {
     const auto plan = try_plan(field, request);
     if (!plan) return false;
     const double tolerance = 1e-3 * (1 + plan->tally.track_length_m * 1e-3);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -118,7 +119,7 @@ TEST_F(RepairProperties, EveryPassWinsBackMoreThanItCosts) {
     const Objective& prices = repair.plan.objective;
     const auto cost_of = [&](const std::vector<TrackPiece>& pieces) {
       Region swaths;
-      double worked_m2 = 0, stops = 0, turns = -1;
+      double worked_m2 = 0, stops = 0, turns = 0;
       for (const TrackPiece& piece : pieces) {
         swaths.push_back(oriented({swath(piece, width_m), {}}));
         worked_m2 += width_m * length(piece);
@@ -128,7 +129,7 @@ TEST_F(RepairProperties, EveryPassWinsBackMoreThanItCosts) {
       double left_m2 = area(missed.missed);
       if (!swaths.empty()) left_m2 = area(difference(missed.missed, unite(swaths)));
       return prices.uncovered * left_m2 + prices.overlap * (worked_m2 - (area(missed.missed) - left_m2)) +
-             prices.stop * stops + prices.turn * std::max(0.0, turns);
+             prices.stop * stops + prices.turn * turns;
     };
     const std::vector<TrackPiece>& pieces = repair.plan.pieces;
     const double cost = cost_of(pieces);
@@ -139,6 +140,21 @@ TEST_F(RepairProperties, EveryPassWinsBackMoreThanItCosts) {
       std::vector<TrackPiece> fewer(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(first));
       fewer.insert(fewer.end(), pieces.begin() + static_cast<std::ptrdiff_t>(last), pieces.end());
       EXPECT_GE(cost_of(fewer), cost - 1e-3) << "without the line of piece " << first + 1;
+    }
+  });
+}
+
+// What is said of a gap that is left is a reason to leave it.
+TEST_F(RepairProperties, NoGapIsLeftThatIsSaidToBeWorthAPass) {
+  for_random_repairs(40, [](const Missed&, const RepairPlan& repair, double) {
+    for (const LeftGap& gap : repair.not_worth) {
+      double worked_m2 = 0, costs = 0, wins = 0;
+      ASSERT_EQ(std::sscanf(gap.why.c_str(),
+                            "a pass over %lf m² of it costs %lf with the turn to it and wins back %lf",
+                            &worked_m2, &costs, &wins),
+                3)
+          << gap.why;
+      EXPECT_GE(costs, wins) << gap.number;
     }
   });
 }

@@ -53,7 +53,7 @@ class Choice {
   void grow(std::size_t most = static_cast<std::size_t>(-1)) {
     for (std::size_t i = 0; i < most; ++i) {
       const RepairLine* line = best();
-      if (line == nullptr || line->worth - turn_to(lines_.size()) <= kLeastGain) return;
+      if (line == nullptr || line->worth - turn() <= kLeastGain) return;
       add(RepairLine(*line));
     }
   }
@@ -72,7 +72,7 @@ class Choice {
   }
 
  private:
-  double turn_to(std::size_t others) const { return others > 0 ? ground_.terms().objective.turn : 0; }
+  double turn() const { return ground_.terms().objective.turn; }
 
   void refresh() {
     std::vector<std::size_t> stale;
@@ -166,7 +166,7 @@ class Choice {
     for (; place.left_m < until_m; place.left_m += ground_.terms().machine.width_m)
       for (RepairLine& line :
            what == RowsOver::kAllGaps ? ground_.lines_at(place) : ground_.lines_at(place, gap)) {
-        const double gain = line.worth - turn_to(lines_.size() + out.size());
+        const double gain = line.worth - turn();
         if (gain <= kLeastGain) continue;
         worth += gain;
         out.push_back(std::move(line));
@@ -230,7 +230,7 @@ double cost_with(const std::vector<RepairLine>& lines, const RepairGround& groun
     covered_by_each_m2 += line.line.covered_m2;
   }
   sum += objective.overlap * (covered_by_each_m2 - (whole_m2 - open_m2));
-  return sum + objective.turn * std::max(0.0, static_cast<double>(lines.size()) - 1);
+  return sum + objective.turn * static_cast<double>(lines.size());
 }
 
 std::vector<RepairLine> chosen_lines(RepairGround& ground, int threads, const RepairProgress& progress) {

@@ -83,8 +83,9 @@ std::vector<RepairLine> RepairGround::lines_at(const LinePlace& place, std::size
                   WantedPieces::kWorthDriving);
 }
 
-std::vector<RepairLine> RepairGround::lines_over(std::size_t gap, const LinePlace& place) const {
-  return lines_at(place, turned_[place.direction].frame.to_track(Region{shapes_[gap]}), EndRule::kCover,
+std::vector<RepairLine> RepairGround::lines_over(std::size_t gap, const LinePlace& place,
+                                                 EndRule end_rule) const {
+  return lines_at(place, turned_[place.direction].frame.to_track(Region{shapes_[gap]}), end_rule,
                   WantedPieces::kAll);
 }
 

@@ -53,8 +53,9 @@ class RepairGround {
   std::vector<RepairLine> lines_at(const LinePlace& place) const;
   /// Those over what is open of one gap.
   std::vector<RepairLine> lines_at(const LinePlace& place, std::size_t gap) const;
-  /// Those over one gap alone, as it is without any line, with all that they meet of it, whatever that costs.
-  std::vector<RepairLine> lines_over(std::size_t gap, const LinePlace& place) const;
+  /// Those over one gap alone, as it is without any line, with all that the end rule finds, whatever that
+  /// costs.
+  std::vector<RepairLine> lines_over(std::size_t gap, const LinePlace& place, EndRule end_rule) const;
 
   /// Ground is covered, or open again, as these lines say. Only gaps that `changed` meets are looked at.
   void cover(const std::vector<RepairLine>& lines, const Region& changed);

@@ -35,16 +35,22 @@ std::vector<Gap> large_ones(const std::vector<Gap>& gaps, double min_area_m2, st
   return out;
 }
 
-/// Why a gap is left: what the pass that works most of it alone wins and costs; nullopt: none gets in.
+/// The pass over one gap alone that comes off best.
+std::optional<RepairLine> best_pass_over(std::size_t gap, const RepairGround& ground, EndRule end_rule) {
+  std::optional<RepairLine> best;
+  for (const LinePlace& place : places_over(gap, ground))
+    for (RepairLine& line : ground.lines_over(gap, place, end_rule))
+      if (!best || line.worth > best->worth) best = std::move(line);
+  return best;
+}
+
+/// Why a gap is left: what the best pass over it alone wins and costs; nullopt: none gets in.
 std::optional<std::string> price_of_pass(std::size_t gap, const RepairGround& ground) {
   const Objective& objective = ground.terms().objective;
-  const RepairLine* best = nullptr;
-  std::vector<std::vector<RepairLine>> found;
-  for (const LinePlace& place : places_over(gap, ground)) found.push_back(ground.lines_over(gap, place));
-  for (const std::vector<RepairLine>& lines : found)
-    for (const RepairLine& line : lines)
-      if (best == nullptr || line.line.covered_m2 > best->line.covered_m2) best = &line;
-  if (best == nullptr) return std::nullopt;
+  std::optional<RepairLine> best = best_pass_over(gap, ground, ground.terms().end_rule);
+  // What is too slim for the end rule to begin a swath at all can be entered nevertheless.
+  if (!best) best = best_pass_over(gap, ground, EndRule::kCover);
+  if (!best) return std::nullopt;
   return fmt::format("a pass over {:.1f} m² of it costs {:.2f} with the turn to it and wins back {:.2f}",
                      best->line.covered_m2, price_of(best->line, ground.terms()) + objective.turn,
                      objective.uncovered * best->line.covered_m2);
@@ -151,7 +157,9 @@ Region all_swaths(const std::vector<RepairLine>& lines) {
 
 void add_prices(RepairPlan& repair) {
   const Objective& objective = repair.plan.objective;
-  repair.cost_of_passes = repair.plan.cost - objective.uncovered * repair.plan.tally.uncovered_m2;
+  const double way_to_the_first = objective.turn;
+  repair.cost_of_passes =
+      way_to_the_first + repair.plan.cost - objective.uncovered * repair.plan.tally.uncovered_m2;
   repair.cost_after = repair.cost_of_passes + objective.uncovered * repair.missed_after_m2;
 }
 

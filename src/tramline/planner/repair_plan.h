@@ -28,8 +28,8 @@ struct RepairPlan {
   double missed_before_m2 = 0;       ///< all that is missed, down to the thinnest sliver
   double missed_after_m2 = 0;        ///< of that, what no swath of the plan covers
   double cost_if_left = 0;           ///< missed_before_m2 at the price of missed land
-  double cost_of_passes = 0;         ///< overlap, turns and stops of the plan
-  double cost_after = 0;             ///< of the passes, and of missed_after_m2
+  double cost_of_passes = 0;  ///< overlap, turns and stops of the plan, and a turn for the way to the first
+  double cost_after = 0;      ///< of the passes, and of missed_after_m2
 };
 
 /// Plans passes over the gaps of at least `min_area_m2`, as far as they win back more than they cost:
