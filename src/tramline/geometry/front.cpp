@@ -75,7 +75,7 @@ class FrontMaker {
     }
   }
 
-  Front make() {
+  OffsetFront make() {
     find_cuts();
     const std::size_t n = contour_.segments;
     if (sides_ != Sides::kLeft) add_feet(0, n);
@@ -281,12 +281,12 @@ class FrontMaker {
   std::vector<Branch> branches_;
   std::vector<Cut> cuts_;
   std::size_t nearer_ = 0;
-  Front out_;
+  OffsetFront out_;
 };
 
 }  // namespace
 
-Front front_at(const Contour& contour, double distance_m, Sides sides) {
+OffsetFront front_at(const Contour& contour, double distance_m, Sides sides) {
   return FrontMaker(contour, distance_m, sides).make();
 }
 

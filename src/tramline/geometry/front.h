@@ -16,7 +16,7 @@ struct FrontCorner {
   double turn_rad = 0;  ///< to the right, in [0, π]
 };
 
-struct Front {
+struct OffsetFront {
   /// Places whose normal reaches out to the distance without coming nearer to any other part of the path.
   Intervals feet;
   std::vector<FrontCorner> corners;  ///< by `before`
@@ -30,6 +30,6 @@ enum class Sides { kRight, kLeft, kBoth };
 /// front is made from another one, and no tolerance but of what counts as nearer (1e-9 m).
 /// Quarter turns about the ends are no feet. About O(n log n) for n segments; n² where the boxes of
 /// all parallels overlap.
-Front front_at(const Contour& contour, double distance_m, Sides sides);
+OffsetFront front_at(const Contour& contour, double distance_m, Sides sides);
 
 }  // namespace tramline

@@ -133,7 +133,7 @@ class CutOff {
 
 TrackLevel track_level(const Contour& contour, double distance_m, const TrackLimits& limits, Sides sides) {
   const double least_radius = limits.least_radius_m(), half_width = 0.5 * limits.width_m;
-  Front far = front_at(contour, distance_m + least_radius, sides);
+  OffsetFront far = front_at(contour, distance_m + least_radius, sides);
   TrackLevel out;
   out.distance_m = distance_m;
   out.wide = std::move(far.feet);

@@ -20,7 +20,7 @@ constexpr double kAnAcre = 1 / kAcre_ha, kGallonsAnAcre = 3.785411784 / kAcre_ha
 
 struct Name {
   std::string_view name;
-  Column column;
+  LogColumn column;
   double factor = 1;
   bool unit_named = false;
   PositionNames positions = PositionNames::kEither;
@@ -30,7 +30,7 @@ struct Name {
 // Commoner names first; "kmh" and the like are units, not words of their own.
 constexpr auto kDegrees = PositionNames::kDegrees, kMetres = PositionNames::kMetres,
                kEither = PositionNames::kEither;
-using enum Column;
+using enum LogColumn;
 constexpr auto kLitres = AmountUnit::kLitres, kKilograms = AmountUnit::kKilograms,
                kSeeds = AmountUnit::kSeeds;
 constexpr Name kNames[] = {
@@ -256,14 +256,14 @@ std::optional<std::size_t> index_of(std::span<const std::string> names, std::str
 
 void use(ColumnMap& map, const Name& name, std::size_t index) {
   map.uses[static_cast<std::size_t>(name.column)] = {index, name.factor, name.unit_named, name.amount};
-  if (name.column == Column::kLon || (name.column == Column::kLat && map.position_names == kEither))
+  if (name.column == LogColumn::kLon || (name.column == LogColumn::kLat && map.position_names == kEither))
     map.position_names = name.positions;
 }
 
 /// Applies "lon=Xcoord,lat=Ycoord"; returns the columns it speaks of.
-std::vector<Column> apply_wanted(ColumnMap& map, std::span<const std::string> names, std::string_view wanted,
+std::vector<LogColumn> apply_wanted(ColumnMap& map, std::span<const std::string> names, std::string_view wanted,
                                  const std::string& place) {
-  std::vector<Column> spoken_of;
+  std::vector<LogColumn> spoken_of;
   while (!wanted.empty()) {
     const std::size_t comma = wanted.find(',');
     const std::string_view part = trimmed(wanted.substr(0, comma));
@@ -285,7 +285,7 @@ std::vector<Column> apply_wanted(ColumnMap& map, std::span<const std::string> na
                                   listed(names)));
     Name as_wanted = *name;
     // x=Xcoord says which column it is, not that it holds metres.
-    if (as_wanted.column == Column::kLon || as_wanted.column == Column::kLat) {
+    if (as_wanted.column == LogColumn::kLon || as_wanted.column == LogColumn::kLat) {
       const std::string word = plain_name(part.substr(0, equals));
       as_wanted.positions = word == "lon" || word == "lat" ? kEither : as_wanted.positions;
     }
@@ -299,7 +299,7 @@ std::vector<Column> apply_wanted(ColumnMap& map, std::span<const std::string> na
 ColumnMap map_columns(std::span<const std::string> names, const std::string& wanted, bool needs_positions,
                       const std::string& place) {
   ColumnMap map;
-  const std::vector<Column> spoken_of = apply_wanted(map, names, wanted, place);
+  const std::vector<LogColumn> spoken_of = apply_wanted(map, names, wanted, place);
   std::vector<std::string> plain;
   for (const std::string& name : names) plain.push_back(plain_name(name));
   // What was given a meaning has no other.
@@ -318,8 +318,8 @@ ColumnMap map_columns(std::span<const std::string> names, const std::string& wan
       use(map, *name, i);
   }
   if (!needs_positions) return map;
-  for (const auto& [column, word, other] : {std::tuple(Column::kLon, "lon", "longitude, x or easting"),
-                                            std::tuple(Column::kLat, "lat", "latitude, y or northing")})
+  for (const auto& [column, word, other] : {std::tuple(LogColumn::kLon, "lon", "longitude, x or easting"),
+                                            std::tuple(LogColumn::kLat, "lat", "latitude, y or northing")})
     if (!map[column])
       throw bad_input(fmt::format("{} has no column '{}' (nor {}); name it with --columns {}=NAME; found {}",
                                   place, word, other, word, listed(names)));

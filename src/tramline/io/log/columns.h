@@ -14,7 +14,7 @@
 namespace tramline::io {
 
 /// What a column can hold.
-enum class Column {
+enum class LogColumn {
   kLon,
   kLat,
   kTime,
@@ -35,7 +35,7 @@ enum class Column {
   kUnit,
   kPass,
 };
-inline constexpr std::size_t kColumns = static_cast<std::size_t>(Column::kPass) + 1;
+inline constexpr std::size_t kColumns = static_cast<std::size_t>(LogColumn::kPass) + 1;
 
 /// One column and its unit.
 struct ColumnUse {
@@ -53,7 +53,7 @@ struct ColumnMap {
   std::array<std::optional<ColumnUse>, kColumns> uses;
   PositionNames position_names = PositionNames::kEither;
 
-  const std::optional<ColumnUse>& operator[](Column column) const {
+  const std::optional<ColumnUse>& operator[](LogColumn column) const {
     return uses[static_cast<std::size_t>(column)];
   }
 };

@@ -134,9 +134,9 @@ std::optional<Fix> CsvLog::row(std::string_view line, std::size_t record) {
 
 OwnColumns CsvLog::own_columns() const {
   if (!rows_) return {};
-  return {rows_->has(Column::kWork) || rows_->has(Column::kSections) ||
-              rows_->has(Column::kSectionsFromRight) || rows_->has(Column::kCondensed),
-          rows_->has(Column::kWidth)};
+  return {rows_->has(LogColumn::kWork) || rows_->has(LogColumn::kSections) ||
+              rows_->has(LogColumn::kSectionsFromRight) || rows_->has(LogColumn::kCondensed),
+          rows_->has(LogColumn::kWidth)};
 }
 
 SkippedRecords CsvLog::skipped() const {

@@ -17,10 +17,10 @@ namespace {
 // No machine is as wide.
 constexpr double kWidest_m = 500;
 // Rows that differ in one of them are of different units.
-constexpr std::array kUnitColumns = {Column::kMachine, Column::kSection, Column::kUnit, Column::kPass};
+constexpr std::array kUnitColumns = {LogColumn::kMachine, LogColumn::kSection, LogColumn::kUnit, LogColumn::kPass};
 
 double time_factor(const ColumnMap& map) {
-  const auto& time = map[Column::kTime];
+  const auto& time = map[LogColumn::kTime];
   return time && time->unit_named ? time->factor : 0;
 }
 
@@ -32,7 +32,7 @@ FixRows::FixRows(std::span<const std::string> names, TableForm form)
       names_(names.begin(), names.end()),
       time_(time_factor(map_)) {}
 
-std::string_view FixRows::cell(Column column) const {
+std::string_view FixRows::cell(LogColumn column) const {
   const auto& use = map_[column];
   return !use || use->index >= cells_.size() ? std::string_view() : trimmed(cells_[use->index]);
 }
@@ -45,21 +45,21 @@ std::optional<double> FixRows::number_of(std::string_view text) const {
   return number_in(with_point);
 }
 
-std::optional<double> FixRows::number(Column column) const {
+std::optional<double> FixRows::number(LogColumn column) const {
   const auto value = number_of(cell(column));
   return value ? std::optional(*value * map_[column]->factor) : std::nullopt;
 }
 
 std::optional<Point> FixRows::position() const {
-  const auto x = number(Column::kLon), y = number(Column::kLat);
+  const auto x = number(LogColumn::kLon), y = number(LogColumn::kLat);
   return x && y ? std::optional(Point{*x, *y}) : std::nullopt;
 }
 
 /// nullopt: the row does not say how wide the machine works.
 std::optional<FixRows::Widths> FixRows::widths() {
-  std::string_view text = cell(Column::kWidth);
+  std::string_view text = cell(LogColumn::kWidth);
   if (text.empty()) return std::nullopt;
-  const double factor = map_[Column::kWidth]->factor;
+  const double factor = map_[LogColumn::kWidth]->factor;
   Widths out;
   bool any = false;
   for (bool more = true; more;) {
@@ -80,22 +80,22 @@ std::optional<FixRows::Widths> FixRows::widths() {
 }
 
 void FixRows::set_motion(Fix& fix) const {
-  fix.speed_mps = number(Column::kSpeed).value_or(fix.speed_mps);
-  if (const auto heading = number(Column::kHeading))
+  fix.speed_mps = number(LogColumn::kSpeed).value_or(fix.speed_mps);
+  if (const auto heading = number(LogColumn::kHeading))
     fix.heading = heading_of_degrees(*heading);
-  else if (const auto course = number(Column::kCourse))
+  else if (const auto course = number(LogColumn::kCourse))
     fix.heading = heading_of_course(*course, fix.speed_mps);
 }
 
 void FixRows::set_work(Fix& fix) {
-  const std::optional<WorkState> work = work_word(cell(Column::kWork));
+  const std::optional<WorkState> work = work_word(cell(LogColumn::kWork));
   if (!work) ++bad_work_;
   fix.work = work.value_or(WorkState::kUnknown);
 }
 
 void FixRows::set_rate(Fix& fix) {
-  if (cell(Column::kRate).empty()) return;
-  const auto rate = number(Column::kRate);
+  if (cell(LogColumn::kRate).empty()) return;
+  const auto rate = number(LogColumn::kRate);
   if (rate && *rate >= 0 && std::isfinite(*rate))
     fix.rate_per_ha = *rate;
   else
@@ -105,11 +105,11 @@ void FixRows::set_rate(Fix& fix) {
 void FixRows::set_sections(Fix& fix, std::optional<Widths> widths) {
   std::optional<SectionText> text;
   bool written = false;
-  for (const Column column : {Column::kSections, Column::kSectionsFromRight, Column::kCondensed}) {
+  for (const LogColumn column : {LogColumn::kSections, LogColumn::kSectionsFromRight, LogColumn::kCondensed}) {
     if (text || cell(column).empty()) continue;
     written = true;
-    text = column == Column::kCondensed ? condensed_sections(cell(column))
-                                        : section_signs(cell(column), column == Column::kSectionsFromRight);
+    text = column == LogColumn::kCondensed ? condensed_sections(cell(column))
+                                        : section_signs(cell(column), column == LogColumn::kSectionsFromRight);
   }
   if (written && !text) ++bad_sections_;
   if (text && text->known) {
@@ -130,7 +130,7 @@ void FixRows::set_sections(Fix& fix, std::optional<Widths> widths) {
 
 int FixRows::unit_of_row() {
   std::string key;
-  for (const Column column : kUnitColumns) {
+  for (const LogColumn column : kUnitColumns) {
     key += cell(column);
     key += '\n';
   }
@@ -150,16 +150,16 @@ std::optional<Fix> FixRows::add(std::span<const std::string_view> cells, std::si
   Fix fix;
   fix.record = record;
   fix.position = *at;
-  fix.time_s = time_.time_s(cell(Column::kTime), cell(Column::kDate));
-  if (std::isnan(fix.time_s) && !cell(Column::kTime).empty()) ++bad_times_;
+  fix.time_s = time_.time_s(cell(LogColumn::kTime), cell(LogColumn::kDate));
+  if (std::isnan(fix.time_s) && !cell(LogColumn::kTime).empty()) ++bad_times_;
   set_motion(fix);
   set_work(fix);
   set_rate(fix);
   set_sections(fix, widths());
   fix.unit = unit_of_row();
-  if (const auto counted = number(Column::kCounterArea))
-    areas_[std::string(cell(Column::kMachine))].add(*counted);
-  last_distance_ = number(Column::kDistance).value_or(std::numeric_limits<double>::quiet_NaN());
+  if (const auto counted = number(LogColumn::kCounterArea))
+    areas_[std::string(cell(LogColumn::kMachine))].add(*counted);
+  last_distance_ = number(LogColumn::kDistance).value_or(std::numeric_limits<double>::quiet_NaN());
   return fix;
 }
 
@@ -175,24 +175,24 @@ MachineCounters FixRows::counters() const {
 }
 
 bool FixRows::width_unit_open() const {
-  const auto& width = map_[Column::kWidth];
+  const auto& width = map_[LogColumn::kWidth];
   return width && !width->unit_named;
 }
 
 std::vector<std::string> FixRows::notes() const {
   std::vector<std::string> out;
-  const auto named = [&](Column column) {
+  const auto named = [&](LogColumn column) {
     const auto& use = map_[column];
     return use ? std::string(trimmed(names_[use->index])) : std::string();
   };
-  const auto count = [&](std::size_t rows, Column column, std::string_view what) {
+  const auto count = [&](std::size_t rows, LogColumn column, std::string_view what) {
     if (rows > 0) out.push_back(fmt::format("{} rows: '{}' {}", rows, named(column), what));
   };
-  count(bad_times_, Column::kTime, "is no time as in the first row and counts as not recorded");
-  count(bad_work_, Column::kWork,
+  count(bad_times_, LogColumn::kTime, "is no time as in the first row and counts as not recorded");
+  count(bad_work_, LogColumn::kWork,
         "is neither on (1, in, down) nor off (0, out, up) and counts as not recorded");
-  count(bad_widths_, Column::kWidth, "is no width and counts as not recorded");
-  count(bad_rates_, Column::kRate, "is no applied rate and counts as not recorded");
+  count(bad_widths_, LogColumn::kWidth, "is no width and counts as not recorded");
+  count(bad_rates_, LogColumn::kRate, "is no applied rate and counts as not recorded");
   if (bad_sections_ > 0)
     out.push_back(fmt::format("{} rows: the states of sections are not understood", bad_sections_));
   if (sections_without_width_ > 0)
@@ -201,7 +201,7 @@ std::vector<std::string> FixRows::notes() const {
                     sections_without_width_));
   if (units_.size() > 1) {
     std::string columns;
-    for (const Column column : kUnitColumns)
+    for (const LogColumn column : kUnitColumns)
       if (map_[column]) columns += (columns.empty() ? "" : ", ") + named(column);
     out.push_back(fmt::format("{} units by {}: each is driven for itself, its positions are its own middle",
                               units_.size(), columns));

@@ -40,14 +40,14 @@ class FixRows {
 
   const std::vector<Boom>& booms() const { return booms_.booms(); }
   BoomList& boom_list() { return booms_; }
-  bool has(Column column) const { return map_[column].has_value(); }
+  bool has(LogColumn column) const { return map_[column].has_value(); }
   const SkippedRecords& skipped() const { return skipped_; }
   Clock clock() const { return time_.clock(); }
   PositionNames position_names() const { return map_.position_names; }
   /// Distance column of the last row, in the unit of the table; NaN: none.
   double last_distance() const { return last_distance_; }
   AmountUnit rate_unit() const {
-    return map_[Column::kRate] ? map_[Column::kRate]->amount : AmountUnit::kUnknown;
+    return map_[LogColumn::kRate] ? map_[LogColumn::kRate]->amount : AmountUnit::kUnknown;
   }
   /// Of all machines together.
   MachineCounters counters() const;
@@ -60,8 +60,8 @@ class FixRows {
   /// Widths of one row, metres.
   using Widths = std::vector<double>;
 
-  std::string_view cell(Column column) const;
-  std::optional<double> number(Column column) const;
+  std::string_view cell(LogColumn column) const;
+  std::optional<double> number(LogColumn column) const;
   std::optional<double> number_of(std::string_view text) const;
   std::optional<Point> position() const;
   std::optional<Widths> widths();
