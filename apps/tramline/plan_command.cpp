@@ -156,24 +156,18 @@ class PlanCommand : public Command {
   Planned plan_one(const Field& field) const {
     ProgressLine progress(quiet_);
     const PlanSettings settings = settings_for(settings_, guide_, field, machine_);
-    if (front_ && settings.tracks == TrackConstruction::kPaper)
-      throw bad_input("--front knows nothing of tracks as in the paper; leave --tracks paper out");
-    if (front_ && settings.shape != TrackShape::kStraight)
-      throw bad_input("--front is about straight tracks; leave --curved out, or give a line without bends");
-    const bool explained =
-        explain_ && settings.tracks != TrackConstruction::kPaper && settings.shape == TrackShape::kStraight;
     const auto start = std::chrono::steady_clock::now();
     Planned out;
-    if (explained) {
+    if (front_) {
+      plan_with_front(field, settings, progress, out);
+    } else if (explain_) {
       ExplainedPlan both =
           plan_and_explain(field, machine_, objective_, settings, threads_, shown(field, progress));
       out.plan = std::move(both.plan);
       out.why = std::move(both.why);
-    }
-    if (front_)
-      out.plan = plan_with_front(field, settings, progress);
-    else if (!explained)
+    } else {
       out.plan = plan_field(field, machine_, objective_, settings, threads_, shown(field, progress));
+    }
     out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return out;
   }
@@ -195,13 +189,15 @@ class PlanCommand : public Command {
     return [&](int done, int total) { progress.show("planning " + field.id, done, total); };
   }
 
-  Plan plan_with_front(const Field& field, const PlanSettings& settings, ProgressLine& progress) const {
+  /// One search for all that is asked for.
+  void plan_with_front(const Field& field, const PlanSettings& settings, ProgressLine& progress,
+                       Planned& out) const {
     TradeOff found = trade_off(field, machine_, objective_, settings, threads_, [&](int done, int total) {
       progress.show("comparing " + field.id, done, total, "searches");
     });
-    Plan plan = given_plan(found);
-    plan.front = std::move(found.front);
-    return plan;
+    out.plan = given_plan(found);
+    if (explain_) out.why = why_given(found, threads_);
+    out.plan.front = std::move(found.front);
   }
 
   const char* word_;

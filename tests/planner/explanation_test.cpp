@@ -2,12 +2,25 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <string>
 
+#include "support/refusals.h"
+#include "tramline/geometry/region.h"
 #include "tramline/planner/plan_field.h"
+#include "tramline/planner/trade_off.h"
 
 namespace tramline {
 namespace {
+
+using testing_support::mentions;
+using testing_support::refusal_of;
+
+Point at_angle(double degrees) {
+  const double radians = degrees * std::numbers::pi / 180;
+  return {std::cos(radians), std::sin(radians)};
+}
 
 /// 100 m from west to east, 60 m from south to north; tracks of 3 m.
 Field rectangle() {
@@ -138,15 +151,15 @@ TEST(PlanAndExplain, GivesTheSamePlanAndSplitsItsCost) {
     EXPECT_EQ(one.plan.cost, plan.cost);
     EXPECT_EQ(one.plan.pieces.size(), plan.pieces.size());
     double sum = 0;
-    for (const CausePart& part : one.why.causes.parts) sum += part.cost;
+    for (const CausePart& part : one.why->causes.parts) sum += part.cost;
     EXPECT_NEAR(sum, plan.cost, 1e-9);
     // Both sweeps of this field end in the same two directions.
-    EXPECT_EQ(one.why.runner_ups.empty(), strategy == Strategy::kSweep);
-    ASSERT_EQ(one.why.runner_ups.size(), two.why.runner_ups.size());
+    EXPECT_EQ(one.why->runner_ups.empty(), strategy == Strategy::kSweep);
+    ASSERT_EQ(one.why->runner_ups.size(), two.why->runner_ups.size());
     double cost = plan.cost;
-    for (std::size_t i = 0; i < one.why.runner_ups.size(); ++i) {
-      const RunnerUp& runner_up = one.why.runner_ups[i];
-      EXPECT_EQ(runner_up.cost, two.why.runner_ups[i].cost) << "threads do not matter";
+    for (std::size_t i = 0; i < one.why->runner_ups.size(); ++i) {
+      const RunnerUp& runner_up = one.why->runner_ups[i];
+      EXPECT_EQ(runner_up.cost, two.why->runner_ups[i].cost) << "threads do not matter";
       EXPECT_GE(runner_up.cost, cost);
       EXPECT_NEAR(runner_up.more.sum(), runner_up.cost - plan.cost, 1e-9);
       cost = runner_up.cost;
@@ -171,10 +184,10 @@ TEST(PlanAndExplain, OnePoleCostsADetour) {
     detours += static_cast<int>(piece.detours.size());
   }
   ASSERT_EQ(detours, 1);
-  const CausePart& detour = out.why.causes.of(Cause::kDetours);
+  const CausePart& detour = out.why->causes.of(Cause::kDetours);
   EXPECT_GT(detour.uncovered_m2, 1);
   EXPECT_NEAR(detour.overlap_m2 - detour.uncovered_m2, 3 * longer_m + 1, 1e-6);
-  EXPECT_NEAR(detour.cost + out.why.causes.of(Cause::kTurns).cost, out.plan.cost, 1e-3);
+  EXPECT_NEAR(detour.cost + out.why->causes.of(Cause::kTurns).cost, out.plan.cost, 1e-3);
 }
 
 TEST(PlanAndExplain, LandGivenUpIsACauseOfItsOwn) {
@@ -186,8 +199,55 @@ TEST(PlanAndExplain, LandGivenUpIsACauseOfItsOwn) {
   PlanSettings settings;
   settings.avoid = Avoidance::kCut;
   const ExplainedPlan out = plan_and_explain(field, {}, {}, settings, 1);
-  EXPECT_NEAR(out.why.causes.of(Cause::kGivenUp).uncovered_m2, 2 * 9, 1e-3);
-  EXPECT_NEAR(out.why.causes.of(Cause::kGivenUp).cost, 0.10 * 2 * 9, 1e-4);
+  EXPECT_NEAR(out.why->causes.of(Cause::kGivenUp).uncovered_m2, 2 * 9, 1e-3);
+  EXPECT_NEAR(out.why->causes.of(Cause::kGivenUp).cost, 0.10 * 2 * 9, 1e-4);
+}
+
+/// A strip 40 m wide that bends along a quarter of a circle, radii 160 and 200 m: tracks along the bend need no
+/// more than ten passes.
+Field bend() {
+  Field field;
+  field.id = "bend";
+  for (int i = 0; i <= 45; ++i) field.outer.push_back(Point{200, 0} + 200.0 * at_angle(180 - 2.0 * i));
+  for (int i = 45; i >= 0; --i) field.outer.push_back(Point{200, 0} + 160.0 * at_angle(180 - 2.0 * i));
+  if (signed_area(field.outer) < 0) field.outer = reversed(field.outer);
+  return field;
+}
+
+TEST(PlanAndExplain, PlansTheShapeThatIsAskedFor) {
+  PlanSettings settings;
+  for (const TrackShape shape : {TrackShape::kCurved, TrackShape::kAuto}) {
+    settings.shape = shape;
+    const Plan plan = plan_field(bend(), {}, {}, settings, 1);
+    const ExplainedPlan out = plan_and_explain(bend(), {}, {}, settings, 1);
+    EXPECT_TRUE(is_curved(out.plan));
+    EXPECT_EQ(out.plan.settings.shape, shape);
+    EXPECT_EQ(out.plan.cost, plan.cost);
+    EXPECT_FALSE(out.why) << "causes are those of straight tracks";
+  }
+  // Nothing is curved about an L: the cheaper shape is the straight one, and can be explained.
+  const ExplainedPlan straight = plan_and_explain(l_shape(), {}, {}, settings, 1);
+  EXPECT_EQ(straight.plan.settings.shape, TrackShape::kAuto);
+  ASSERT_TRUE(straight.why);
+  EXPECT_FALSE(straight.why->runner_ups.empty());
+}
+
+TEST(TradeOff, ExplainsTheGivenPlanWithoutAnotherSearch) {
+  const ExplainedPlan alone = plan_and_explain(l_shape(), {}, {}, {}, 1);
+  const Explanation why = why_given(trade_off(l_shape(), {}, {}, {}, 1), 1);
+  ASSERT_EQ(why.runner_ups.size(), alone.why->runner_ups.size());
+  for (std::size_t i = 0; i < why.runner_ups.size(); ++i)
+    EXPECT_EQ(why.runner_ups[i].cost, alone.why->runner_ups[i].cost);
+  EXPECT_EQ(why.longest_side.cost, alone.why->longest_side.cost);
+}
+
+TEST(TradeOff, RefusesTracksThatAreNotStraight) {
+  PlanSettings settings;
+  settings.shape = TrackShape::kAuto;
+  EXPECT_TRUE(mentions(refusal_of([&] { trade_off(l_shape(), {}, {}, settings, 1); }), "straight tracks"));
+  settings.shape = TrackShape::kStraight;
+  settings.tracks = TrackConstruction::kPaper;
+  EXPECT_TRUE(mentions(refusal_of([&] { trade_off(l_shape(), {}, {}, settings, 1); }), "as in the paper"));
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ void expect_no_part_without_cause(const Plan& plan, const CostCauses& causes) {
 
 void expect_runner_ups_in_order(const ExplainedPlan& explained) {
   double cost = explained.plan.cost;
-  for (const RunnerUp& plan : explained.why.runner_ups) {
+  for (const RunnerUp& plan : explained.why->runner_ups) {
     EXPECT_GE(plan.cost, cost - 1e-9 * std::abs(cost));
     EXPECT_GT(plan.tally.pieces, 0);
     cost = plan.cost;
@@ -101,9 +101,9 @@ void expect_runner_ups_in_order(const ExplainedPlan& explained) {
 bool look_at(const Scene& scene) {
   const std::optional<ExplainedPlan> explained = try_plan(scene);
   if (!explained) return false;
-  expect_partition(explained->plan, explained->why.causes);
-  expect_overlap_beyond_the_field(explained->plan, explained->why.causes);
-  expect_no_part_without_cause(explained->plan, explained->why.causes);
+  expect_partition(explained->plan, explained->why->causes);
+  expect_overlap_beyond_the_field(explained->plan, explained->why->causes);
+  expect_no_part_without_cause(explained->plan, explained->why->causes);
   expect_runner_ups_in_order(*explained);
   return true;
 }

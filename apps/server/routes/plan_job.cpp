@@ -47,11 +47,6 @@ PlanRequest plan_request(App& app, const ordered_json& json) {
   return out;
 }
 
-/// Only the search for straight tracks can say why.
-bool can_be_explained(const PlanSettings& settings) {
-  return settings.shape == TrackShape::kStraight && settings.tracks == TrackConstruction::kParallel;
-}
-
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -67,11 +62,11 @@ ordered_json make_plan(App& app, const PlanRequest& request, JobRun& run) {
                   request.draft};
   Plan plan;
   const Field& field = request.field->field;
-  if (request.explain && can_be_explained(request.settings)) {
+  if (request.explain) {
     ExplainedPlan explained =
         plan_and_explain(field, request.machine, request.objective, request.settings, 0, progress);
     plan = std::move(explained.plan);
-    notes.explain = app::explain_json(explained.why);
+    if (explained.why) notes.explain = app::explain_json(*explained.why);
   } else {
     plan = plan_field(field, request.machine, request.objective, request.settings, 0, progress);
   }
@@ -81,10 +76,8 @@ ordered_json make_plan(App& app, const PlanRequest& request, JobRun& run) {
 }
 
 void require_free_directions(const PlanSettings& settings) {
-  if (settings.tracks == TrackConstruction::kPaper || settings.shape != TrackShape::kStraight ||
-      !settings.guide.empty())
-    throw bad_input(
-        "a comparison looks for directions by itself; choose straight tracks and no line to follow");
+  if (!settings.guide.empty())
+    throw bad_input("a comparison looks for directions by itself; choose no line to follow");
 }
 
 ordered_json compare_plans(App& app, const PlanRequest& request, JobRun& run) {

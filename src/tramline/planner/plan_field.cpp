@@ -64,10 +64,21 @@ std::optional<CurvedChoice> curved_choice(const Field& field, const Machine& mac
   return std::nullopt;
 }
 
+enum class Explain { kNo, kYes };
+
+ExplainedPlan straight_plan(const SearchTask& task, SearchResult found, int threads, Explain explain) {
+  ExplainedPlan out;
+  require_tracks(task, found.best.avoided.tally);
+  if (explain == Explain::kYes) out.why = explanation_of(task, found, threads);
+  out.plan = finished_plan(task, std::move(found));
+  return out;
+}
+
 /// The straight plan, or the curved one where that costs less. Which obstacles have headlands is settled for
-/// either by itself. The curved one comes first, being sooner found: what costs more is then soon told.
-Plan cheaper_shape(const Field& field, const Machine& machine, const Objective& objective,
-                   PlanSettings settings, int threads, const Progress& progress) {
+/// either by itself. The curved one comes first, being sooner found: what costs more is then soon told. To
+/// explain a straight plan that has to be told as well.
+ExplainedPlan cheaper_shape(const Field& field, const Machine& machine, const Objective& objective,
+                            PlanSettings settings, int threads, const Progress& progress, Explain explain) {
   settings.shape = TrackShape::kCurved;
   const std::optional<CurvedChoice> curved = curved_choice(field, machine, objective, settings, threads);
   settings.shape = TrackShape::kStraight;
@@ -75,20 +86,19 @@ Plan cheaper_shape(const Field& field, const Machine& machine, const Objective& 
   SearchTask task = headlanded_task(field, machine, objective, settings, threads);
   const double curved_cost =
       curved ? whole_cost(curved->task, curved->candidate) : std::numeric_limits<double>::infinity();
-  task.no_more_than = curved_cost - least_by_headland(task);
+  if (explain == Explain::kNo) task.no_more_than = curved_cost - least_by_headland(task);
   SearchResult straight = straight_search(task, threads, progress);
   const bool stays_straight =
       !curved || (straight.best.works() && whole_cost(task, straight.best) <= curved_cost);
-  Plan plan = stays_straight ? finished_plan(task, std::move(straight))
-                             : finished_plan(curved->task, curved->candidate);
-  plan.settings.shape = TrackShape::kAuto;
-  return plan;
+  ExplainedPlan out = stays_straight
+                          ? straight_plan(task, std::move(straight), threads, explain)
+                          : ExplainedPlan{finished_plan(curved->task, curved->candidate), std::nullopt};
+  out.plan.settings.shape = TrackShape::kAuto;
+  return out;
 }
 
-}  // namespace
-
-Plan plan_field(const Field& field, const Machine& machine, const Objective& objective,
-                const PlanSettings& settings, int threads, const Progress& given) {
+ExplainedPlan planned(const Field& field, const Machine& machine, const Objective& objective,
+                      const PlanSettings& settings, int threads, const Progress& given, Explain explain) {
   validate_request(machine, objective, settings);
   Pulse pulse(given);
   const Progress progress = pulse.counter();
@@ -97,27 +107,27 @@ Plan plan_field(const Field& field, const Machine& machine, const Objective& obj
         "tracks as in the paper follow a line: with --tracks paper give --ab, --guide or --curved");
   if (as_in_the_paper(settings)) require_paper_ground(field, settings);
   if (settings.shape == TrackShape::kAuto)
-    return cheaper_shape(field, machine, objective, settings, threads, progress);
+    return cheaper_shape(field, machine, objective, settings, threads, progress, explain);
   const SearchTask task = headlanded_task(field, machine, objective, settings, threads);
   if (settings.shape == TrackShape::kStraight && !as_in_the_paper(settings))
-    return finished_plan(task, straight_search(task, threads, progress));
-  if (area(task.ground.plannable) == 0) return finished_plan(task, SearchResult{});
-  if (!settings.guide.empty()) return finished_plan(task, along_guide(task));
+    return straight_plan(task, straight_search(task, threads, progress), threads, explain);
+  if (area(task.ground.plannable) == 0) return {finished_plan(task, SearchResult{}), std::nullopt};
+  if (!settings.guide.empty()) return {finished_plan(task, along_guide(task)), std::nullopt};
   const std::optional<CurvedCandidate> curved = along_best_edge(task, threads);
   if (!curved) throw no_curve(field, as_in_the_paper(settings));
-  return finished_plan(task, *curved);
+  return {finished_plan(task, *curved), std::nullopt};
+}
+
+}  // namespace
+
+Plan plan_field(const Field& field, const Machine& machine, const Objective& objective,
+                const PlanSettings& settings, int threads, const Progress& progress) {
+  return planned(field, machine, objective, settings, threads, progress, Explain::kNo).plan;
 }
 
 ExplainedPlan plan_and_explain(const Field& field, const Machine& machine, const Objective& objective,
-                               const PlanSettings& settings, int threads, const Progress& given) {
-  validate_request(machine, objective, settings);
-  Pulse pulse(given);
-  const Progress progress = pulse.counter();
-  const SearchTask task = headlanded_task(field, machine, objective, settings, threads);
-  SearchResult found = straight_search(task, threads, progress);
-  require_tracks(task, found.best.avoided.tally);
-  Explanation why = explanation_of(task, found, threads);
-  return {finished_plan(task, std::move(found)), std::move(why)};
+                               const PlanSettings& settings, int threads, const Progress& progress) {
+  return planned(field, machine, objective, settings, threads, progress, Explain::kYes);
 }
 
 }  // namespace tramline

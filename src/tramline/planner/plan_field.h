@@ -1,6 +1,8 @@
 #pragma once
 // From a field, a machine and an objective to a plan.
 
+#include <optional>
+
 #include "tramline/model/plan.h"
 #include "tramline/planner/explanation.h"
 
@@ -15,10 +17,11 @@ Plan plan_field(const Field& field, const Machine& machine, const Objective& obj
 
 struct ExplainedPlan {
   Plan plan;
-  Explanation why;
+  std::optional<Explanation> why;  ///< of straight tracks only: curved ones have no causes to tell
 };
 
-/// The same plan, and why it is the one. Takes longer: runner-ups have to be laid out.
+/// The same plan, and why it is the one where it has straight tracks. Takes longer: runner-ups have to be
+/// laid out.
 ExplainedPlan plan_and_explain(const Field& field, const Machine& machine, const Objective& objective,
                                const PlanSettings& settings, int threads = 0, const Progress& progress = {});
 

@@ -30,12 +30,19 @@ struct Laid {
 };
 
 /// The plans the search has met, the one it has chosen first.
-std::vector<Laid> laid_by(std::size_t search, SearchResult& found) {
+std::vector<Laid> laid_by(std::size_t search, const SearchResult& found) {
   std::vector<Laid> out;
   out.push_back({{search, grounds_of(found.best)}, found.best.avoided.tally});
-  for (SeenPlan& seen : found.seen) out.push_back({{search, std::move(seen.grounds)}, seen.tally});
-  found.seen.clear();
+  for (const SeenPlan& seen : found.seen) out.push_back({{search, seen.grounds}, seen.tally});
   return out;
+}
+
+void require_straight_tracks(const PlanSettings& settings) {
+  if (settings.tracks == TrackConstruction::kPaper)
+    throw bad_input("plans to choose from have no tracks as in the paper; leave --tracks paper out");
+  if (settings.shape != TrackShape::kStraight)
+    throw bad_input(
+        "plans to choose from have straight tracks; leave --curved out, or give a line without bends");
 }
 
 /// Without what is dominated, and without plans that have no piece.
@@ -125,6 +132,7 @@ std::vector<Objective> prices_to_search(const Objective& given) {
 TradeOff trade_off(const Field& field, const Machine& machine, const Objective& prices,
                    const PlanSettings& settings, int threads, const Progress& given) {
   validate_request(machine, prices, settings);
+  require_straight_tracks(settings);
   Pulse pulse(given);
   const Progress progress = pulse.counter();
   TradeOff out;
@@ -137,8 +145,10 @@ TradeOff trade_off(const Field& field, const Machine& machine, const Objective& 
         field.id));
 
   std::vector<Laid> laid;
-  for (std::size_t i = 0; i < out.searches.size(); ++i)
+  for (std::size_t i = 0; i < out.searches.size(); ++i) {
     for (Laid& plan : laid_by(i, out.searches[i].found)) laid.push_back(std::move(plan));
+    if (i > 0) out.searches[i].found.seen.clear();  // the first may have to be explained
+  }
   laid = best_of(std::move(laid));
   for (Laid& plan : laid_anew(out.searches, laid, threads)) laid.push_back(std::move(plan));
   laid = with_headland(out.searches, best_of(std::move(laid)), threads);
@@ -159,6 +169,11 @@ Plan plan_of(const TradeOff& trade_off, std::size_t point) {
 Plan given_plan(const TradeOff& trade_off) {
   const TradeOff::Search& given = trade_off.searches.front();
   return finished_plan(given.task, given.found);
+}
+
+Explanation why_given(const TradeOff& trade_off, int threads) {
+  const TradeOff::Search& given = trade_off.searches.front();
+  return explanation_of(given.task, given.found, threads);
 }
 
 }  // namespace tramline

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tramline/model/front.h"
+#include "tramline/planner/explanation.h"
 #include "tramline/planner/search_result.h"
 
 namespace tramline {
@@ -13,7 +14,7 @@ struct TradeOff {
   /// One search: its prices, and what it has proved. The first is that for the given prices.
   struct Search {
     SearchTask task;
-    SearchResult found;  ///< without `seen`, which has gone into the front
+    SearchResult found;  ///< of all but the first without `seen`, which has gone into the front
   };
   /// Of each point of the front.
   struct Origin {
@@ -34,7 +35,8 @@ std::vector<Objective> prices_to_search(const Objective& given);
 /// The plans that none of the others dominates (see dominates()) among all that the searches for
 /// prices_to_search() have laid, and those again with ends of swaths and ways past obstacles after the other
 /// prices. Plans without a piece are left out. A sample: there may be plans that no search has met.
-/// Errors as those of plan_field(). `progress` counts searches. Takes as long as prices_to_search().size()
+/// Errors as those of plan_field(), and kBadInput where the settings ask for other than straight tracks, or
+/// passes alone work the field. `progress` counts searches. Takes as long as prices_to_search().size()
 /// plans, and a little. Deterministic for any number of threads.
 TradeOff trade_off(const Field& field, const Machine& machine, const Objective& prices,
                    const PlanSettings& settings, int threads = 0, const Progress& progress = {});
@@ -44,5 +46,8 @@ Plan plan_of(const TradeOff& trade_off, std::size_t point);
 
 /// The plan that plan_field() makes for the given prices.
 Plan given_plan(const TradeOff& trade_off);
+
+/// Why it is the one: what plan_and_explain() says, without another search.
+Explanation why_given(const TradeOff& trade_off, int threads = 0);
 
 }  // namespace tramline
