@@ -106,9 +106,11 @@ program: packages $(RELEASE)/build.ninja
 # --- the long tests: each part stands alone and takes an hour at most on two cores -----------------
 
 LONG := long-properties long-scenes long-best-bound long-best-brute long-best-real long-best-real-1 \
-  long-best-real-2 long-best-real-3 long-tally-real long-real-1 long-real-2 long-real-3 long-obstacles-3 long-obstacles-6 \
-  long-obstacles-12 long-obstacles-24 long-headlands long-maps long-order long-coverage long-watch long-serve long-kills long-registers long-fuzz-logs long-fuzz-coverage long-asan long-tsan \
-  long-clang
+  long-best-real-2 long-best-real-3 long-tally-real long-real-1 long-real-2 long-real-3 \
+  long-obstacles-3 long-obstacles-6 long-obstacles-12 long-obstacles-24 long-headlands \
+  long-headland-plans-6 long-headland-plans-12 long-headland-plans-24 long-maps long-order \
+  long-coverage long-watch long-serve long-kills long-registers long-fuzz-logs long-fuzz-coverage \
+  long-asan long-tsan long-clang
 
 .PHONY: long $(LONG)
 long: $(LONG) ## all the long tests, one after another; each part below can be run alone
@@ -159,6 +161,15 @@ long-obstacles-24: build ## the same, 24 m wide
 
 long-headlands: build ## headland passes round all real fields: drivable, in place, areas that add up
 	$(LIMIT) $(RELEASE)/tests/real/headland_sweep
+
+# One working width over all real fields, with 0, 1 and 2 passes and with and without one round obstacles.
+HEADLAND_PLANS = $(LIMIT) $(RELEASE)/tests/real/headland_plans
+long-headland-plans-6: build ## plans of all real fields with every number of headland passes, 6 m wide, verified
+	$(HEADLAND_PLANS) 6
+long-headland-plans-12: build ## the same, 12 m wide
+	$(HEADLAND_PLANS) 12
+long-headland-plans-24: build ## the same, 24 m wide
+	$(HEADLAND_PLANS) 24
 
 long-maps: build ## maps of all real fields, straight and curved, with headlands, verified
 	$(LIMIT) $(RELEASE)/tests/real/map_real
