@@ -23,7 +23,7 @@ double percent_of_field(const Plan& plan, double part_m2) { return 100 * part_m2
 ordered_json dropped_json(const Plan& plan) {
   ordered_json out = ordered_json::array();
   for (const DroppedPiece& piece : plan.dropped)
-    out.push_back({{"subfield", piece.subfield},
+    out.push_back({{"subfield", piece.subfield + 1},
                    {"x_m", midpoint(piece.start, piece.end).x},
                    {"y_m", midpoint(piece.start, piece.end).y},
                    {"length_m", distance(piece.start, piece.end)}});

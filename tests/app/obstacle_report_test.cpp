@@ -82,7 +82,7 @@ TEST(ObstacleKeys, AreThoseOfTheDocumentation) {
   EXPECT_NEAR(some["smallest_radius_m"].get<double>(), 6, 1e-12);
   EXPECT_EQ(
       some["encounters"].dump(),
-      R"([{"subfield":1,"track":7,"x_m":2.5,"y_m":3.0,"obstacles":[1,5],"chosen":"right","cost_left":null,)"
+      R"([{"subfield":2,"track":8,"x_m":2.5,"y_m":3.0,"obstacles":[1,5],"chosen":"right","cost_left":null,)"
       R"("cost_right":-1.25,"why_not_left":"too tight","why_not_right":null}])");
 }
 

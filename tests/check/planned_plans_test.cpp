@@ -89,6 +89,27 @@ TEST(PlannedPlans, hold_or_are_refused_whatever_the_lengths) {
   }
 }
 
+// A headland goes round the pole in the west alone: tracks end there. One goes round the pole in the east all
+// the same, and past both: it is met with both.
+TEST(PlannedPlans, hold_where_a_detour_leads_past_an_obstacle_with_a_headland) {
+  Field field;
+  field.id = "two poles";
+  field.outer = {{0, 0}, {200, 0}, {200, 90}, {0, 90}};
+  const Ring west{{62.5, 48.8}, {60.6, 50.6}, {58.1, 49.8}, {57.5, 47.2}, {59.4, 45.4}, {61.9, 46.2}};
+  const Ring east{{73.6, 48.1}, {72.3, 49.3}, {70.7, 48.8}, {70.3, 47.1}, {71.6, 45.9}, {73.2, 46.4}};
+  for (const Ring& ring : {west, east})
+    field.obstacles.push_back({{ring, {}}, ObstacleKind::kObstacle, "pole"});
+  PlanSettings settings;
+  settings.obstacle_headlands = 1;
+  const Plan plan = plan_field(field, {"", 6, 6, -1}, {}, settings, 1);
+  std::size_t past_both = 0;
+  for (const TrackPiece& piece : plan.pieces)
+    for (const Detour& detour : piece.detours) past_both += detour.obstacles.size() == 2 ? 1 : 0;
+  EXPECT_GE(past_both, 1U) << "the scene shows nothing";
+  const check::Verdict verdict = check::verify(plan);
+  for (const check::Violation& each : verdict.violations) ADD_FAILURE() << each.rule << ": " << each.what;
+}
+
 // S2's own tracks have kinks. That is all that is wrong with them where nothing is worked again, and the
 // figures are true: cells of swaths counted one by one against outlines of whole ones.
 TEST(PlannedPlans, with_kinks_are_found_undrivable_and_nothing_else) {

@@ -61,6 +61,7 @@ class DetourDecisions {
 
   // detour_encounters.cpp
   Encounter encounter_at(Decision& decision, std::size_t gap);
+  std::vector<int> obstacles_taken_along(const Decision& decision, const StripDetour& detour) const;
 
   const AvoidanceTask& task_;
   WaysPast ways_;

@@ -38,7 +38,11 @@ Encounter DetourDecisions::encounter_at(Decision& decision, std::size_t gap) {
   for (const StripDetour& detour : decision.chosen)
     if (detour.from <= middle && detour.to >= middle) {
       out.chosen = detour.side;
+      const std::vector<int> taken_along = obstacles_taken_along(decision, detour);
+      out.obstacles.insert(out.obstacles.end(), taken_along.begin(), taken_along.end());
       keep_common(out.obstacles, detour.obstacles);
+      std::sort(out.obstacles.begin(), out.obstacles.end());
+      out.obstacles.erase(std::unique(out.obstacles.begin(), out.obstacles.end()), out.obstacles.end());
     }
   const auto choice = [&](Passing side) {
     return cheapest_choice(decision.track, strip, width_m_, task_.objective, least_m_, Forced{gap, side});
@@ -49,6 +53,26 @@ Encounter DetourDecisions::encounter_at(Decision& decision, std::size_t gap) {
   };
   out.left = past(Passing::kLeft);
   out.right = past(Passing::kRight);
+  return out;
+}
+
+/// A track simply ends at the headland round an obstacle, and there is nothing to decide. Where a detour
+/// about another obstacle leads past it all the same, it is met with that one.
+std::vector<int> DetourDecisions::obstacles_taken_along(const Decision& decision,
+                                                        const StripDetour& detour) const {
+  const Strips& strips = strips_of(decision);
+  const Strip& strip = strip_of(decision);
+  const std::size_t subfield = decision.track.subfield;
+  const std::vector<std::size_t>& decided = decision.track.gaps;
+  std::vector<int> out;
+  for (std::size_t gap = 1; gap < strip.stretches.size(); ++gap) {
+    const Interval between{strip.stretches[gap - 1].to, strip.stretches[gap].from};
+    const bool inside = detour.from <= between.from && detour.to >= between.to;
+    if (!inside || std::find(decided.begin(), decided.end(), gap) != decided.end()) continue;
+    const std::vector<int> there =
+        obstacles_along(subfield, hazards_in(strips.grid, strip, between, around_[subfield]), between);
+    out.insert(out.end(), there.begin(), there.end());
+  }
   return out;
 }
 
