@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "admission/feature.h"
+#include "support/refusals.h"
 #include "tramline/admission/place_obstacles.h"
 #include "tramline/geometry/error.h"
 
@@ -105,7 +106,7 @@ TEST_F(Obstacles, AnObstaclePolygonKeepsTheLandInItsHole) {
 }
 
 TEST_F(Obstacles, CoveringTheWholeFieldIsRefused) {
-  EXPECT_THROW(place({feature({{"-1 -1, 101 -1, 101 51, -1 51, -1 -1"}})}), Error);
+  EXPECT_REFUSED(place({feature({{"-1 -1, 101 -1, 101 51, -1 51, -1 -1"}})}));
 }
 
 TEST(ObstacleFiles, AnyCrsIsBroughtIntoTheFieldsFrame) {
@@ -125,12 +126,10 @@ TEST(ObstacleFiles, AnyCrsIsBroughtIntoTheFieldsFrame) {
 }
 
 TEST(ObstacleFiles, FaultsAreRefusedRatherThanDropped) {
-  EXPECT_THROW(read_obstacles(dataset({point(10, 95)}, "EPSG:4326"), ObstacleKind::kObstacle, false, ""),
-               Error);
-  EXPECT_THROW(read_obstacles(dataset({RawFeature{}}), ObstacleKind::kObstacle, true, ""), Error);
+  EXPECT_REFUSED(read_obstacles(dataset({point(10, 95)}, "EPSG:4326"), ObstacleKind::kObstacle, false, ""));
+  EXPECT_REFUSED(read_obstacles(dataset({RawFeature{}}), ObstacleKind::kObstacle, true, ""));
   // Degrees cannot be placed in a field of plain metres.
-  EXPECT_THROW(read_obstacles(dataset({point(10, 50)}, "EPSG:4326"), ObstacleKind::kObstacle, true, ""),
-               Error);
+  EXPECT_REFUSED(read_obstacles(dataset({point(10, 50)}, "EPSG:4326"), ObstacleKind::kObstacle, true, ""));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // From logs and plans to figures, by hand.
 
 #include "tramline/coverage/evaluate.h"
+#include "support/refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -119,11 +120,11 @@ TEST(Evaluate, TheOrderOfRecordsDoesNotMatter) {
 }
 
 TEST(Evaluate, WhatCannotBeEvaluatedIsRefused) {
-  EXPECT_THROW(evaluate(log({}, 4), {}, {}, {}), Error);
-  EXPECT_THROW(evaluate(log({fix(0, {0, 0})}, 4), {}, {}, {}), Error);
+  EXPECT_REFUSED(evaluate(log({}, 4), {}, {}, {}));
+  EXPECT_REFUSED(evaluate(log({fix(0, {0, 0})}, 4), {}, {}, {}));
   WorkLog nameless = two_passes();
   for (Fix& f : nameless.fixes) f.boom = -1;
-  EXPECT_THROW(evaluate(nameless, {}, {}, {}), Error);
+  EXPECT_REFUSED(evaluate(nameless, {}, {}, {}));
 }
 
 TEST(Evaluate, BothEnginesSeeTheSameDrive) {

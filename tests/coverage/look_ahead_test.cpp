@@ -2,6 +2,7 @@
 // measured one by one.
 
 #include "tramline/coverage/ahead/look_ahead.h"
+#include "support/refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -155,7 +156,7 @@ TEST(LookAhead, BetweenTheThresholdsNothingIsSwitched) {
 
 TEST(LookAhead, RulesThatMakeNoSenseAreRefused) {
   const auto refused = [](double on, double off, double latency_s, double horizon_s) {
-    EXPECT_THROW(coverage::require_sensible({on, off, latency_s, 0, horizon_s}), Error) << on << ' ' << off;
+    EXPECT_REFUSED(coverage::require_sensible({on, off, latency_s, 0, horizon_s})) << on << ' ' << off;
   };
   refused(0.4, 0.5, 0, 5);
   refused(0.5, 0, 0, 5);

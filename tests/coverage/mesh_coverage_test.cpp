@@ -1,4 +1,5 @@
 #include "tramline/coverage/mesh_coverage.h"
+#include "support/refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -80,12 +81,12 @@ TEST(MeshCoverage, WithoutAFieldAllIsOutsideAndNothingMissed) {
 }
 
 TEST(MeshCoverage, WhatItCannotDoIsRefusedAndChangesNothing) {
-  EXPECT_THROW(MeshCoverage({}, 0), Error);
-  EXPECT_THROW(MeshCoverage({}, std::nan("")), Error);
+  EXPECT_REFUSED(MeshCoverage({}, 0));
+  EXPECT_REFUSED(MeshCoverage({}, std::nan("")));
   MeshCoverage engine({}, 0.05);
-  EXPECT_THROW(engine.region(Ground::kTwice), Error);
-  EXPECT_THROW(engine.region(Ground::kOften), Error);
-  EXPECT_THROW(engine.add(step({box(0, 0, 1, 1), box(1e7, 0, 1e7 + 1, 1)})), Error);
+  EXPECT_REFUSED(engine.region(Ground::kTwice));
+  EXPECT_REFUSED(engine.region(Ground::kOften));
+  EXPECT_REFUSED(engine.add(step({box(0, 0, 1, 1), box(1e7, 0, 1e7 + 1, 1)})));
   EXPECT_EQ(engine.areas().gross_m2, 0);
 }
 

@@ -1,4 +1,5 @@
 #include "tramline/coverage/mesh/mesh_line.h"
+#include "support/refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -76,8 +77,8 @@ TEST(MeshLine, ScaleIsTheSideOfAMesh) {
 }
 
 TEST(MeshLine, WhatMeshesDoNotReachIsRefused) {
-  EXPECT_THROW(fine_point({1e6, 0}, 0.05), Error);
-  EXPECT_THROW(fine_point({0, std::nan("")}, 0.05), Error);
+  EXPECT_REFUSED(fine_point({1e6, 0}, 0.05));
+  EXPECT_REFUSED(fine_point({0, std::nan("")}, 0.05));
   EXPECT_NO_THROW(fine_point({5e4, -5e4}, 0.05));
 }
 

@@ -89,7 +89,7 @@ TEST(ShapeDrive, WhatDidNotWorkWorksNothing) {
 TEST(ShapeDrive, ADoseNeedsADrive) {
   DoseSettings settings;
   settings.rates.nominal_per_ha = 100;
-  EXPECT_THROW(dose(there_and_back(), {}, settings, {}), Error);
+  EXPECT_REFUSED(dose(there_and_back(), {}, settings, {}));
 }
 
 CoverageAreas areas(double covered_m2, double repeated_m2) {

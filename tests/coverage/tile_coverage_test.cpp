@@ -1,4 +1,5 @@
 #include "tramline/coverage/tile_coverage.h"
+#include "support/refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -294,7 +295,7 @@ TEST(TileCoverage, WithoutMultiplicityNothingIsCounted) {
 
 TEST(TileCoverage, RefusesSenselessTiles) {
   for (const double tile_m : {0.0, -1.0, 1e-3, 1e6, std::numeric_limits<double>::quiet_NaN()})
-    EXPECT_THROW(TileCoverage({}, {tile_m, true}), Error) << tile_m;
+    EXPECT_REFUSED(TileCoverage({}, {tile_m, true})) << tile_m;
 }
 
 // A hundred thousand fixes of a machine that stands, its antenna within 5 cm and its heading within 3

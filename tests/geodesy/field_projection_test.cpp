@@ -1,4 +1,5 @@
 #include "tramline/geodesy/field_projection.h"
+#include "support/refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -67,7 +68,7 @@ TEST(FrameCentredOn, PlainMetresAreShiftedByWholeMetres) {
   const FieldProjection projection(plain, frame);
   EXPECT_EQ(projection.to_local({1051.5, 2026}), (Point{0.5, 0}));
   EXPECT_EQ(projection.to_input({0.5, 0}), (Point{1051.5, 2026}));
-  EXPECT_THROW(projection.to_lonlat({0, 0}), Error);
+  EXPECT_RUN_FAILURE(projection.to_lonlat({0, 0}));
 }
 
 TEST(FieldProjection, ProjectedInputComesBackToItsOwnCoordinates) {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "support/refusals.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
 #include "tramline/planner/headlanded_task.h"
@@ -255,17 +256,17 @@ TEST(MetricMap, HasKinksByThePapersConstruction) {
 
 TEST(MetricMap, RefusesWhatThePaperDoesNotKnow) {
   const Field pond = field_of(box(0, 0, 100, 50), {box(40, 20, 60, 30)});
-  EXPECT_THROW(as_in_the_paper(pond, 4, along_x(0)), Error) << "no headland round the obstacle";
+  EXPECT_REFUSED(as_in_the_paper(pond, 4, along_x(0))) << "no headland round the obstacle";
   EXPECT_NO_THROW(as_in_the_paper(pond, 4, along_x(0, 0, 1)));
   const Field bare = field_of(box(0, 0, 100, 50));
-  EXPECT_THROW(as_in_the_paper(bare, 4, {}), Error) << "no line";
+  EXPECT_REFUSED(as_in_the_paper(bare, 4, {})) << "no line";
   PlanSettings hard = along_x(0);
   hard.boundary = EdgeKind::kHard;
-  EXPECT_THROW(as_in_the_paper(bare, 4, hard), Error);
+  EXPECT_REFUSED(as_in_the_paper(bare, 4, hard));
   PlanSettings inside = along_x(0);
   inside.tracks = TrackConstruction::kPaper;
   inside.end_rule = EndRule::kInside;
-  EXPECT_THROW(plan_field(bare, {"", 4, 6, 0}, {}, inside, 1), Error);
+  EXPECT_REFUSED(plan_field(bare, {"", 4, 6, 0}, {}, inside, 1));
 }
 
 // An obstacle 2 m from the edge, the strip between them too narrow for anything: 20 by 2 m, all of it in the

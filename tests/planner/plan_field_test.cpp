@@ -1,4 +1,5 @@
 #include "tramline/planner/plan_field.h"
+#include "support/refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -101,18 +102,18 @@ TEST(PlanField, RefusesAMachineWiderThanTheField) {
 TEST(PlanField, RefusesMoreTracksThanAnyFieldHas) {
   Machine narrow;
   narrow.width_m = 1e-4;
-  EXPECT_THROW(plan_field(rectangle(100, 60), narrow, {}, {}), Error);
+  EXPECT_REFUSED(plan_field(rectangle(100, 60), narrow, {}, {}));
 }
 
 TEST(PlanField, RefusesNumbersThatAreNone) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(plan_field(rectangle(100, 60), {"", nan, 6, -1}, {}, {}), Error);
-  EXPECT_THROW(plan_field(rectangle(100, 60), {"", -3, 6, -1}, {}, {}), Error);
-  EXPECT_THROW(plan_field(rectangle(100, 60), {"", 3, -6, -1}, {}, {}), Error);
-  EXPECT_THROW(plan_field(rectangle(100, 60), {}, {nan, 1, 1, 0}, {}), Error);
+  EXPECT_REFUSED(plan_field(rectangle(100, 60), {"", nan, 6, -1}, {}, {}));
+  EXPECT_REFUSED(plan_field(rectangle(100, 60), {"", -3, 6, -1}, {}, {}));
+  EXPECT_REFUSED(plan_field(rectangle(100, 60), {"", 3, -6, -1}, {}, {}));
+  EXPECT_REFUSED(plan_field(rectangle(100, 60), {}, {nan, 1, 1, 0}, {}));
   PlanSettings settings;
   settings.decomposition_threshold = Angle::degrees(90);
-  EXPECT_THROW(plan_field(rectangle(100, 60), {}, {}, settings), Error);
+  EXPECT_REFUSED(plan_field(rectangle(100, 60), {}, {}, settings));
 }
 
 TEST(PlanField, RefusesLengthsAtObstaclesThatAreNone) {
@@ -120,12 +121,12 @@ TEST(PlanField, RefusesLengthsAtObstaclesThatAreNone) {
   for (const double clearance : {nan, inf, -0.1, 1000.1}) {
     PlanSettings settings;
     settings.clearance_m = clearance;
-    EXPECT_THROW(plan_field(rectangle(100, 60), {}, {}, settings), Error) << clearance;
+    EXPECT_REFUSED(plan_field(rectangle(100, 60), {}, {}, settings)) << clearance;
   }
   for (const double threshold : {nan, inf, -inf}) {
     PlanSettings settings;
     settings.avoid_threshold_m = threshold;
-    EXPECT_THROW(plan_field(rectangle(100, 60), {}, {}, settings), Error) << threshold;
+    EXPECT_REFUSED(plan_field(rectangle(100, 60), {}, {}, settings)) << threshold;
   }
 }
 

@@ -1,4 +1,5 @@
 #include "tramline/planner/trade_off.h"
+#include "support/refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -98,8 +99,8 @@ TEST(TradeOff, TellsOfSearchesAsTheyEnd) {
 }
 
 TEST(TradeOff, RefusesWhatPlanFieldRefuses) {
-  EXPECT_THROW(trade_off(field(), {"", 200, 6, -1}, {}, {}), Error);
-  EXPECT_THROW(trade_off(field(), {"", -1, 6, -1}, {}, {}), Error);
+  EXPECT_REFUSED(trade_off(field(), {"", 200, 6, -1}, {}, {}));
+  EXPECT_REFUSED(trade_off(field(), {"", -1, 6, -1}, {}, {}));
 }
 
 }  // namespace

@@ -34,7 +34,8 @@ std::optional<Plan> planned(const Field& field, double width_m, const Objective&
                             const PlanSettings& settings) {
   try {
     return plan_field(field, {"", width_m, 6, -1}, objective, settings, 1);
-  } catch (const Error&) {
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kBadInput) throw;
     return std::nullopt;
   }
 }

@@ -53,7 +53,8 @@ std::optional<Scene> random_scene(std::mt19937_64& random) {
     const Extended whole = extended(path, bounds(out.body).grown(1));
     if (whole.blocked_at_start || whole.blocked_at_end) return std::nullopt;
     out.reference = whole.path;
-  } catch (const Error&) {
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kBadInput) throw;
     return std::nullopt;
   }
   return out;

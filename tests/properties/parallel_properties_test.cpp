@@ -56,7 +56,8 @@ std::optional<Scene> random_scene(std::mt19937_64& random, bool as_wide_as_it_tu
     const Extended whole = extended(path, kWindow.grown(margin));
     if (whole.blocked_at_start || whole.blocked_at_end) return std::nullopt;
     out.reference = whole.path;
-  } catch (const Error&) {
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kBadInput) throw;
     return std::nullopt;
   }
   return out;

@@ -44,7 +44,8 @@ Request random_request(std::mt19937_64& random) {
 std::optional<Plan> try_plan(const Field& field, const Request& request, int threads = 1) {
   try {
     return plan_field(field, request.machine, request.objective, request.settings, threads);
-  } catch (const Error&) {
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kBadInput) throw;
     return std::nullopt;
   }
 }

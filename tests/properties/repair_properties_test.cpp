@@ -72,7 +72,8 @@ std::optional<RepairPlan> try_repair(const Missed& missed, double width_m, int t
   try {
     return repair_plan(missed.field, missed.gaps, missed.missed, missed.driven, terms, kMinArea_m2, threads,
                        {});
-  } catch (const Error&) {
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kBadInput) throw;
     return std::nullopt;
   }
 }

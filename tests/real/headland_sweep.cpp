@@ -82,7 +82,8 @@ int run(const std::vector<double>& widths_m) {
       for (const RawFeature& feature : fields->features()) {
         try {
           for (const Field& field : admitted(*fields, crs, feature)) look_at(field, width_m, passes, spreads);
-        } catch (const Error&) {  // refused: the sweep of plans says so
+        } catch (const Error& error) {  // refused: the sweep of plans says so
+          if (error.kind() != ErrorKind::kBadInput) throw;
         }
       }
       fmt::print(

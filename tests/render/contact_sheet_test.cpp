@@ -1,4 +1,5 @@
 #include "tramline/render/contact_sheet.h"
+#include "support/refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -29,12 +30,12 @@ TEST(ContactSheet, RefusesWhatItCannotShow) {
   std::ofstream(folder / "text.png") << "no picture";
   const std::filesystem::path a = folder / "a.png";
   const std::filesystem::path out = folder / "sheet.png";
-  EXPECT_THROW(contact_sheet({}, {}, out, 2), Error);
-  EXPECT_THROW(contact_sheet({a}, {}, out, 2), Error);
-  EXPECT_THROW(contact_sheet({a}, {"a"}, out, 0), Error);
-  EXPECT_THROW(contact_sheet({a}, {"a"}, folder / "sheet.gif", 1), Error);
-  EXPECT_THROW(contact_sheet({a, folder / "none.png"}, {"a", "b"}, out, 2), Error);
-  EXPECT_THROW(contact_sheet({a, folder / "text.png"}, {"a", "b"}, out, 2), Error);
+  EXPECT_REFUSED(contact_sheet({}, {}, out, 2));
+  EXPECT_REFUSED(contact_sheet({a}, {}, out, 2));
+  EXPECT_REFUSED(contact_sheet({a}, {"a"}, out, 0));
+  EXPECT_REFUSED(contact_sheet({a}, {"a"}, folder / "sheet.gif", 1));
+  EXPECT_REFUSED(contact_sheet({a, folder / "none.png"}, {"a", "b"}, out, 2));
+  EXPECT_REFUSED(contact_sheet({a, folder / "text.png"}, {"a", "b"}, out, 2));
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 

@@ -1,4 +1,5 @@
 #include "tramline/render/draw_trade_off.h"
+#include "support/refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -70,9 +71,9 @@ TEST(DrawTradeOff, OfOnePlanIsDrawn) {
 TEST(DrawTradeOff, RefusesWhatItCannotDraw) {
   const Folder folder;
   const Front front = sample_front();
-  EXPECT_THROW(draw_trade_off({}, {}, folder / "none.png"), Error);
-  EXPECT_THROW(draw_trade_off(front, plans_of(front), folder / "front.bmp"), Error);
-  EXPECT_THROW(draw_trade_off(front, plans_of(front), folder / "front.png", {10}), Error);
+  EXPECT_REFUSED(draw_trade_off({}, {}, folder / "none.png"));
+  EXPECT_REFUSED(draw_trade_off(front, plans_of(front), folder / "front.bmp"));
+  EXPECT_REFUSED(draw_trade_off(front, plans_of(front), folder / "front.png", {10}));
   EXPECT_EQ(folder.entries(), 0);
 }
 

@@ -30,6 +30,15 @@ std::string refusal_of(Call call) {
   return error.what();
 }
 
+/// The statement throws an Error that finds the user's input at fault, or that a run failed: another kind is
+/// not what was expected.
+#define EXPECT_REFUSED(...)                                                     \
+  EXPECT_EQ(::tramline::testing_support::error_of([&] { __VA_ARGS__; }).kind(), \
+            ::tramline::ErrorKind::kBadInput)
+#define EXPECT_RUN_FAILURE(...)                                                 \
+  EXPECT_EQ(::tramline::testing_support::error_of([&] { __VA_ARGS__; }).kind(), \
+            ::tramline::ErrorKind::kFailure)
+
 inline bool mentions(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }

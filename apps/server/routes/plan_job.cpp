@@ -76,6 +76,7 @@ ordered_json make_plan(App& app, const PlanRequest& request, JobRun& run) {
 }
 
 void require_free_directions(const PlanSettings& settings) {
+  require_straight_tracks(settings);
   if (!settings.guide.empty())
     throw bad_input("a comparison looks for directions by itself; choose no line to follow");
 }

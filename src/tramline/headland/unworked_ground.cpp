@@ -14,8 +14,8 @@ Region left_by(const HeadlandPass& pass, double width_m, const Region& ground) {
     try {
       return difference(
           ground, unite(pass_ground_parts(pass.path, width_m - i * 0.25 * kLayerSagitta, kBodySagitta)));
-    } catch (const Error&) {
-      if (i == kTries) throw;
+    } catch (const Error& error) {
+      if (i == kTries || error.kind() != ErrorKind::kFailure) throw;
     }
   }
 }

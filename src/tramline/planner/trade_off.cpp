@@ -37,14 +37,6 @@ std::vector<Laid> laid_by(std::size_t search, const SearchResult& found) {
   return out;
 }
 
-void require_straight_tracks(const PlanSettings& settings) {
-  if (settings.tracks == TrackConstruction::kPaper)
-    throw bad_input("plans to choose from have no tracks as in the paper; leave --tracks paper out");
-  if (settings.shape != TrackShape::kStraight)
-    throw bad_input(
-        "plans to choose from have straight tracks; leave --curved out, or give a line without bends");
-}
-
 /// Without what is dominated, and without plans that have no piece.
 std::vector<Laid> best_of(std::vector<Laid> laid) {
   std::erase_if(laid, [](const Laid& plan) { return plan.tally.pieces == 0; });
@@ -111,6 +103,14 @@ Front front_of(const Objective& prices, const std::vector<TradeOff::Search>& sea
 }
 
 }  // namespace
+
+void require_straight_tracks(const PlanSettings& settings) {
+  if (settings.tracks == TrackConstruction::kPaper)
+    throw bad_input("plans to choose from have no tracks as in the paper; leave --tracks paper out");
+  if (settings.shape != TrackShape::kStraight)
+    throw bad_input(
+        "plans to choose from have straight tracks; leave --curved out, or give a line without bends");
+}
 
 std::vector<Objective> prices_to_search(const Objective& given) {
   std::vector<Objective> out;

@@ -27,6 +27,9 @@ struct TradeOff {
   std::vector<Search> searches;
 };
 
+/// Throws kBadInput where the settings ask for other than straight tracks: others are not compared.
+void require_straight_tracks(const PlanSettings& settings);
+
 /// The prices that trade_off() searches for, no two alike: those given, S1's three scenarios, and those
 /// given with one of the prices of overlap, of uncovered land, and of turns and stops times 1/8, 1/2, 2 and
 /// 8. At most 16.

@@ -2,6 +2,7 @@
 // same coordinates.
 
 #include "tramline/io/export/export_plan.h"
+#include "support/refusals.h"
 #include "support/temporary_folder.h"
 
 #include <cpl_conv.h>
@@ -348,7 +349,7 @@ TEST_F(ExportTest, SliversKeepTheirVertices) {
 
 TEST_F(ExportTest, AToleranceThatIsNoneIsRefused) {
   for (const double tolerance_m : {-0.01, 10.5, std::nan("")})
-    EXPECT_THROW(exported("t.fgb", "", {}, tolerance_m), Error);
+    EXPECT_REFUSED(exported("t.fgb", "", {}, tolerance_m));
   EXPECT_FALSE(fs::exists(folder_ / "t.fgb"));
 }
 

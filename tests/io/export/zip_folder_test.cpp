@@ -1,4 +1,5 @@
 #include "tramline/io/export/zip_folder.h"
+#include "support/refusals.h"
 
 #include <cpl_vsi.h>
 #include <gtest/gtest.h>
@@ -49,10 +50,10 @@ TEST(ZipFolder, TimesBeforeTheFormatBecomeItsFirst) {
 
 TEST(ZipFolder, BytesThatAreNoZipAreAFailure) {
   std::vector<std::byte> noise(100, std::byte{7});
-  EXPECT_THROW(stamp_zip(noise, 0), Error);
+  EXPECT_RUN_FAILURE(stamp_zip(noise, 0));
   std::vector<std::byte> cut = zipped(0);
   cut.erase(cut.begin());
-  EXPECT_THROW(stamp_zip(cut, 0), Error);
+  EXPECT_RUN_FAILURE(stamp_zip(cut, 0));
 }
 
 }  // namespace

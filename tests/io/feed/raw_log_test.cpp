@@ -1,4 +1,5 @@
 #include "tramline/io/feed/raw_log.h"
+#include "support/refusals.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -50,12 +51,12 @@ TEST_F(RawLogs, WhatWasBeingWrittenIsCutOff) {
 TEST_F(RawLogs, OnlyOneAtATime) {
   {
     const RawLog log(path());
-    EXPECT_THROW(RawLog{path()}, Error);
+    EXPECT_REFUSED(RawLog{path()});
   }
   EXPECT_NO_THROW(RawLog{path()});
 }
 
-TEST_F(RawLogs, AFolderThatIsNotThere) { EXPECT_THROW(RawLog((folder_ / "no" / "a.log").string()), Error); }
+TEST_F(RawLogs, AFolderThatIsNotThere) { EXPECT_REFUSED(RawLog((folder_ / "no" / "a.log").string())); }
 
 TEST_F(RawLogs, WhatFindsNoRoomIsWrittenLater) {
   RawLog log(path());

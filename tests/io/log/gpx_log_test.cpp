@@ -1,4 +1,5 @@
 #include "tramline/io/log/gpx_log.h"
+#include "support/refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -42,9 +43,9 @@ TEST(GpxLog, SegmentsAreUnits) {
 }
 
 TEST(GpxLog, DamagedOrWithoutTracks) {
-  EXPECT_THROW(read_gpx_log(kGpx.substr(0, 400), "'t.gpx'"), Error);
-  EXPECT_THROW(read_gpx_log("<gpx><wpt lat='1' lon='1'/></gpx>", "'t.gpx'"), Error);
-  EXPECT_THROW(read_gpx_log("", "'t.gpx'"), Error);
+  EXPECT_REFUSED(read_gpx_log(kGpx.substr(0, 400), "'t.gpx'"));
+  EXPECT_REFUSED(read_gpx_log("<gpx><wpt lat='1' lon='1'/></gpx>", "'t.gpx'"));
+  EXPECT_REFUSED(read_gpx_log("", "'t.gpx'"));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "server/http/gate.h"
+#include "support/refusals.h"
 
 #include "server/served.h"
 #include "tramline/geometry/error.h"
@@ -74,7 +75,7 @@ TEST(Token, OtherHostsAreNotServedWithoutOne) {
   ServerSettings settings;
   settings.folder = folder.path();
   settings.host = "0.0.0.0";
-  EXPECT_THROW(Server server(settings), Error);
+  EXPECT_REFUSED(Server server(settings));
 }
 
 // Every address that is printed opens the page: tried with the address as the Host, over the address itself.

@@ -1,6 +1,7 @@
 // Drives that are worked once more: what a reader has at the end is what evaluate() says.
 
 #include "server/work/replay.h"
+#include "support/refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -173,13 +174,13 @@ TEST(ReleaseClock, NeverGoesBackAndBridgesFixesWithoutTime) {
 TEST(ReadyDrive, RefusesWhatEvaluateRefuses) {
   const testing_support::TemporaryFolder folder;
   const std::string one = written(folder, joined(csv_lines(1)));
-  EXPECT_THROW(ready_drive(io::read_log(one), {}, {}), Error);
+  EXPECT_REFUSED(ready_drive(io::read_log(one), {}, {}));
   const std::string no_width = written(folder, "lon,lat\n10.5,52.3\n10.5001,52.3\n10.5002,52.3\n");
-  EXPECT_THROW(ready_drive(io::read_log(no_width), {}, {}), Error);
+  EXPECT_REFUSED(ready_drive(io::read_log(no_width), {}, {}));
   const std::string elsewhere = written(folder, joined(csv_lines(9)));
   app::WorkGround far = ground_here();
   far.frame.origin_lat_deg += 1;
-  EXPECT_THROW(ready_drive(io::read_log(elsewhere), far, {}), Error);
+  EXPECT_REFUSED(ready_drive(io::read_log(elsewhere), far, {}));
 }
 
 TEST(ReplayCache, KeepsTheLastOnesWithinItsBounds) {
