@@ -16,6 +16,7 @@
 #include "tramline/io/log/worked_shapes.h"
 #include "tramline/io/vector/choose_layers.h"
 #include "tramline/io/vector/flatten_geometry.h"
+#include "tramline/io/vector/gdal_drivers.h"
 #include "tramline/io/vector/gdal_messages.h"
 #include "tramline/io/vector/layer_crs.h"
 #include "tramline/io/vector/open_dataset.h"
@@ -134,6 +135,7 @@ WorkLog read_vector_log(const std::string& path, const std::string& wanted, cons
                         const std::string& crs) {
   register_gdal_drivers();
   GdalMessages messages;
+  const auto connections = connections_for(path);
   const GDALDatasetUniquePtr dataset = open_dataset(path, wanted, messages);
   OGRLayer& layer = choose_layer(*dataset, wanted, path);
   const std::string place = fmt::format("layer '{}' of '{}'", layer.GetName(), path);
