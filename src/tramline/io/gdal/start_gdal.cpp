@@ -20,7 +20,7 @@ namespace {
 
 std::atomic<int> allowed{0};
 
-constexpr std::array<std::pair<const char*, const char*>, 9> kSettings = {{
+constexpr std::array<std::pair<const char*, const char*>, 10> kSettings = {{
     {"GML_DOWNLOAD_SCHEMA", "NO"},
     {"GML_DOWNLOAD_WFS_SCHEMA", "NO"},
     {"GML_SKIP_RESOLVE_ELEMS", "ALL"},
@@ -30,6 +30,8 @@ constexpr std::array<std::pair<const char*, const char*>, 9> kSettings = {{
     {"LIBKML_RESOLVE_STYLE", "NO"},
     // SpatiaLite has virtual tables that read any file of the machine.
     {"SPATIALITE_LOAD", "NO"},
+    // MB: a feature, or a whole file that is one value, takes ten times that of memory.
+    {"OGR_GEOJSON_MAX_OBJ_SIZE", "64"},
     {"OGR_SQLITE_LIST_VIRTUAL_OGR", "NO"},
     {"OGR_SQLITE_STATIC_VIRTUAL_OGR", "NO"},
 }};

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/fixes/most_fixes.h"
 #include "tramline/io/log/fix_rows.h"
 #include "tramline/io/log/settle_positions.h"
 #include "tramline/io/log/width_unit.h"
@@ -114,6 +115,7 @@ class Features {
   bool add_fix(Point at) {
     const auto fix = rows_.add(cells_, record_, at);
     if (!fix) return false;
+    require_room_for_fix(log_.fixes.size(), place_);
     log_.fixes.push_back(*fix);
     const bool once = distances_.empty() || distances_.back().record < record_;
     if (once && std::isfinite(rows_.last_distance())) distances_.push_back({record_, rows_.last_distance()});

@@ -1,5 +1,6 @@
 #include "tramline/io/vector/own_content.h"
 
+#include <cpl_string.h>
 #include <cpl_vsi.h>
 #include <fmt/format.h>
 
@@ -28,6 +29,7 @@ constexpr std::size_t kBlock = std::size_t{1} << 18;
 constexpr std::size_t kHead = std::size_t{1} << 16;
 /// Longer than anything that is looked for.
 constexpr std::size_t kOverlap = 64;
+constexpr std::size_t kMostKml = std::size_t{48} << 20;
 
 File opened(const std::string& name) { return {VSIFOpenL(name.c_str(), "rb"), VSIFCloseL}; }
 
@@ -138,7 +140,15 @@ std::string_view after_prolog(std::string_view text) {
   }
 }
 
-void look_at_xml(const std::string& head, const std::string& shown) {
+/// GDAL keeps all of a KML at once, in twelve times its size.
+void require_readable_kml(const std::string& name, const std::string& shown) {
+  VSIStatBufL status;
+  if (VSIStatL(name.c_str(), &status) != 0 || static_cast<std::size_t>(status.st_size) <= kMostKml) return;
+  throw bad_input(fmt::format("'{}' holds more than {} MiB of KML; save it as a GeoPackage, or split it",
+                              shown, kMostKml >> 20));
+}
+
+void look_at_xml(const std::string& name, const std::string& head, const std::string& shown) {
   const std::string_view root = after_prolog(head);
   if (root.empty() && head.size() > kHead / 4)
     throw bad_input(
@@ -147,12 +157,24 @@ void look_at_xml(const std::string& head, const std::string& shown) {
     throw points_elsewhere(shown,
                            "declares a document type (<!DOCTYPE>), whose entities may stand in other files",
                            "remove that declaration, or export the file again");
+  if (root.starts_with("<kml")) require_readable_kml(name, shown);
   for (const char* description :
        {"<OGRVRT", "<VRTDataset", "<OGRWFS", "<OGCAPI", "<GDAL_WM", "<CSW", "<WMS_", "<WCS_"})
     if (root.starts_with(description))
       throw points_elsewhere(shown,
                              fmt::format("only describes data that are somewhere else ({}…>)", description),
                              "name the file that holds them");
+}
+
+/// A KMZ is a zip that GDAL unpacks by itself.
+void look_at_kmz(const std::string& name, const std::string& shown) {
+  const std::string root = "/vsizip/{" + name + "}";
+  const CPLStringList entries(VSIReadDirRecursive(root.c_str()));
+  for (int i = 0; i < entries.size(); ++i)
+    if (lower(entries[i]).ends_with(".kml")) {
+      const std::string inner = root + "/" + entries[i];
+      look_at_xml(inner, head_of(inner), shown);
+    }
 }
 
 void look_at_table(const std::string& head, const std::string& shown) {
@@ -184,7 +206,8 @@ void require_own_content(const std::string& name, const std::string& shown) {
   const GdalMessages silence;
   const std::string head = head_of(name);
   if (head.starts_with("SQLite format 3")) return look_at_database(name, shown);
-  if (head.starts_with('<')) return look_at_xml(head, shown);
+  if (head.starts_with("PK") && lower(name).ends_with(".kmz")) return look_at_kmz(name, shown);
+  if (head.starts_with('<')) return look_at_xml(name, head, shown);
   if (lower(head.substr(0, 6)) == "!table") return look_at_table(head, shown);
   const bool json = head.starts_with('{') || head.starts_with('[') || head.starts_with('\x1e');
   if (json) look_at_json(name, shown);
