@@ -28,10 +28,11 @@ struct Limits {
 struct ServerSettings {
   std::filesystem::path folder;
   std::string host = "127.0.0.1";
-  int port = 0;                   ///< 0: any that is free
-  std::string token;              ///< empty: none is asked for
-  std::string tiles;              ///< URL of raster tiles; empty: none
-  std::string tiles_attribution;  ///< whom they are from; empty: their host is named
+  int port = 0;                                     ///< 0: any that is free
+  std::string token;                                ///< empty: none is asked for
+  std::string tiles;                                ///< URL of raster tiles; empty: none
+  std::string tiles_attribution;                    ///< whom they are from; empty: their host is named
+  std::vector<std::filesystem::path> feed_folders;  ///< whose files live feeds may read, beside `folder`
   Limits limits;
 };
 
@@ -40,8 +41,8 @@ inline constexpr std::size_t kMostFronts = 8;
 
 /// Drives and live feeds: drives/drive_rooms.h.
 struct DriveRooms;
-/// `folder` and `warnings` as everywhere in App.
-std::shared_ptr<DriveRooms> make_drive_rooms(const StoreFolder& folder, const Limits& limits,
+/// `folder` and `warnings` as everywhere in App. Throws bad_input where a folder of feeds is not there.
+std::shared_ptr<DriveRooms> make_drive_rooms(const StoreFolder& folder, const ServerSettings& settings,
                                              std::vector<std::string>& warnings);
 
 /// Everything a server has while it runs. Members are safe for several threads.
@@ -53,7 +54,7 @@ struct App {
         plans(folder, warnings),
         machines(folder, warnings),
         fronts(kMostFronts),
-        drives(make_drive_rooms(folder, settings.limits, warnings)),
+        drives(make_drive_rooms(folder, settings, warnings)),
         uploads(folder),
         streams(settings.limits.streams),
         jobs(settings.limits.jobs) {}

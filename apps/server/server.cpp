@@ -9,6 +9,7 @@
 #include "server/http/gate.h"
 #include "server/http/http_error.h"
 #include "server/http/own_addresses.h"
+#include "server/http/threads_on_demand.h"
 #include "server/routes/routes.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/vector/foreign_files.h"
@@ -16,8 +17,10 @@
 namespace tramline::server {
 namespace {
 
-/// Threads beside those that open streams hold.
-constexpr int kWorkers = 8;
+/// Connections that are served at once, beside open streams: each has a thread of its own.
+constexpr int kMostConnections = 128;
+/// A client that is silent for so long is given up.
+constexpr int kSilence_s = 10;
 
 /// More than this is not piled up for somebody who reads slowly: a frame of a stream is made when there is
 /// room for it, so that it says what is, and not what was long ago. Connections have it from the port.
@@ -41,11 +44,11 @@ void require_token_where_others_come(const ServerSettings& given) {
 }
 
 void set_up_connections(httplib::Server& http, int threads) {
-  http.new_task_queue = [threads] { return new httplib::ThreadPool(static_cast<std::size_t>(threads)); };
+  http.new_task_queue = [threads] { return new ThreadsOnDemand(static_cast<std::size_t>(threads)); };
   // A connection that waits for its next request would hold a thread; a new one costs next to nothing here.
   http.set_keep_alive_max_count(1);
   http.set_tcp_nodelay(true);
-  http.set_read_timeout(30);
+  http.set_read_timeout(kSilence_s);
   http.set_write_timeout(30);
 }
 
@@ -59,9 +62,18 @@ int bound_port(httplib::Server& http, const ServerSettings& given) {
                   given.port, given.host));
 }
 
+/// Each of many ranges would be a part of the answer, with a head of its own and perhaps the whole file in
+/// it. A server may ignore a Range header (RFC 9110, 14.2): then the answer is the whole, with status 200.
+void answer_one_range_at_most(const httplib::Request& request) {
+  // The library hands its own request to handlers as one that does not change, and reads the ranges from it
+  // afterwards.
+  if (request.ranges.size() > 1) const_cast<httplib::Request&>(request).ranges.clear();
+}
+
 /// Every request goes through the gate, and then to its route. The router is kept by reference.
 void set_handlers(httplib::Server& http, const Gate& gate, const Router& router) {
   http.set_pre_routing_handler([gate, &router](const httplib::Request& request, httplib::Response& response) {
+    answer_one_range_at_most(request);
     const bool has_body = request.method == "POST" || request.method == "PUT" || request.method == "PATCH";
     if (!gate.lets_in(request, response, router.most_bytes(request)))
       return httplib::Server::HandlerResponse::Handled;
@@ -122,7 +134,7 @@ Server::Server(ServerSettings settings) : parts_(std::make_unique<Parts>(std::mo
   const ServerSettings& given = parts_->app.settings;
   require_token_where_others_come(given);
   add_routes(parts_->router, parts_->app);
-  set_up_connections(parts_->http, given.limits.streams + kWorkers);
+  set_up_connections(parts_->http, given.limits.streams + kMostConnections);
   parts_->http.set_socket_options([this](socket_t socket) {
     own_the_port(socket);
     parts_->listening = socket;

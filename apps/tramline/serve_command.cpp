@@ -26,6 +26,7 @@ constexpr const char* kExample =
     "Example:\n"
     "  tramline serve\n"
     "  tramline serve farm --port 9000\n"
+    "  tramline serve --feed-dir /srv/drives\n"
     "  tramline serve --host 0.0.0.0 --tiles \"https://tile.example.org/{z}/{x}/{y}.png\"\n"
     "Fields, machines, plans and drives are kept in DIR as GeoPackages. Nothing leaves this computer unless "
     "--host\n"
@@ -74,6 +75,10 @@ class ServeCommand : public Command {
         "URL of raster tiles to show under the map, with {z}, {x} and {y} (default: none, no network)");
     verb->add_option("--tiles-attribution", settings_.tiles_attribution,
                      "whom the tiles are from, shown on the map with them (default: the host of the URL)");
+    verb->add_option(
+            "--feed-dir", settings_.feed_folders,
+            "folder whose files live feeds may read (file:///...), beside DIR; give it again for more")
+        ->allow_extra_args(false);
     verb->add_option("--threads", threads_, "taken by every verb; here each plan uses all cores")
         ->check(CLI::Range(0, 1024));
     verb->add_flag("--quiet", quiet_, "print nothing but errors");
@@ -90,6 +95,8 @@ class ServeCommand : public Command {
     sigaddset(&signals, SIGINT);
     sigaddset(&signals, SIGTERM);
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+    // A file that grows beyond `ulimit -f` is a full disk, and not the end.
+    std::signal(SIGXFSZ, SIG_IGN);
     server::Server server(settings_);
     for (const std::string& warning : server.warnings())
       fmt::print(stderr, "tramline: left aside: {}\n", warning);
@@ -136,6 +143,7 @@ class ServeCommand : public Command {
                                    .token = {},
                                    .tiles = {},
                                    .tiles_attribution = {},
+                                   .feed_folders = {},
                                    .limits = {}};
   std::string folder_;
   int threads_ = 0;

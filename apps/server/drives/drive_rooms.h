@@ -6,19 +6,23 @@
 #include <cstddef>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "server/feeds/feed_board.h"
 #include "server/store/drive_store.h"
+#include "server/work/feed_source.h"
 #include "server/work/replay_cache.h"
 
 namespace tramline::server {
 
 /// Members are safe for several threads.
 struct DriveRooms {
-  DriveRooms(const StoreFolder& folder, std::size_t most_feeds, std::vector<std::string>& warnings)
-      : store(folder, warnings), feeds(folder, most_feeds) {}
+  DriveRooms(const StoreFolder& folder, std::size_t most_feeds, FeedSources feed_sources,
+             std::vector<std::string>& warnings)
+      : sources(std::move(feed_sources)), store(folder, warnings), feeds(folder, most_feeds) {}
 
+  const FeedSources sources;
   DriveStore store;
   ReplayCache replays;
   FeedBoard feeds;

@@ -1,18 +1,25 @@
 #include "server/http/download.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
-#include <fstream>
-#include <iterator>
+#include <algorithm>
+#include <array>
+#include <memory>
 
 #include "request/output_names.h"
 #include "server/store/scratch_folder.h"
 #include "tramline/geometry/error.h"
+#include "tramline/io/feed/descriptor.h"
 
 namespace tramline::server {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kPiece = std::size_t{1} << 16;
 
 /// As RFC 5987 has names with letters beyond ASCII.
 std::string percent_coded(const std::string& name) {
@@ -29,13 +36,22 @@ std::string percent_coded(const std::string& name) {
 
 void send_file(httplib::Response& response, const fs::path& file, const std::string& name,
                const std::string& extension, const char* type) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream || bytes.empty()) throw failure("the file cannot be read any more; is it still there?");
+  const auto opened = std::make_shared<const io::Descriptor>(open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  struct stat status {};
+  if (!opened->open() || fstat(opened->number(), &status) != 0 || status.st_size == 0)
+    throw failure("the file cannot be read any more; is it still there?");
   response.set_header("Content-Disposition",
                       fmt::format("attachment; filename=\"{}{}\"; filename*=UTF-8''{}{}",
                                   app::as_file_name(name), extension, percent_coded(name), extension));
-  response.set_content(bytes, type);
+  // Piece by piece as the client takes it. What is open stays whole, whatever becomes of its name.
+  response.set_content_provider(static_cast<std::size_t>(status.st_size), type,
+                                [opened](std::size_t from, std::size_t size, httplib::DataSink& sink) {
+                                  std::array<char, kPiece> piece;
+                                  const ssize_t got =
+                                      pread(opened->number(), piece.data(), std::min(size, piece.size()),
+                                            static_cast<off_t>(from));
+                                  return got > 0 && sink.write(piece.data(), static_cast<std::size_t>(got));
+                                });
 }
 
 void send_written(httplib::Response& response, const StoreFolder& folder, const std::string& name,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -64,6 +65,25 @@ HttpError too_large(std::size_t most_bytes) {
           fmt::format("this is more than the {} MB that are taken here; send less", most_bytes >> 20)};
 }
 
+/// A place among the bodies that are being received.
+class BodyRoom {
+ public:
+  explicit BodyRoom(std::counting_semaphore<kMostBodies>* bodies) : bodies_(bodies) {
+    if (bodies_ != nullptr && !bodies_->try_acquire())
+      throw HttpError(Fault::kBusy, fmt::format("{} requests are being received already, which is as many as "
+                                                "there can be; send this one again in a while",
+                                                kMostBodies));
+  }
+  BodyRoom(const BodyRoom&) = delete;
+  BodyRoom& operator=(const BodyRoom&) = delete;
+  ~BodyRoom() {
+    if (bodies_ != nullptr) bodies_->release();
+  }
+
+ private:
+  std::counting_semaphore<kMostBodies>* bodies_;
+};
+
 std::string_view method_of(const httplib::Request& request) {
   return request.method == "HEAD" ? std::string_view("GET") : std::string_view(request.method);
 }
@@ -95,14 +115,21 @@ double Call::query_number(const std::string& name) const {
 
 void Call::read_body(const Bytes& take) const {
   if (reader_ == nullptr || !has_body(request_)) return;
+  const BodyRoom room(bodies_);
+  const auto start = std::chrono::steady_clock::now();
   std::size_t bytes = 0;
-  bool fits = true;
+  bool fits = true, in_time = true;
   const bool whole = (*reader_)([&](const char* data, std::size_t size) {
     bytes += size;
     fits = bytes <= most_bytes_;
-    return fits && take(data, size);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    in_time = seconds < kPatience_s || static_cast<double>(bytes) >= kLeastBytesPer_s * seconds;
+    return fits && in_time && take(data, size);
   });
   if (!fits) throw too_large(most_bytes_);
+  if (!in_time)
+    throw HttpError(Fault::kBadInput,
+                    "the request came more slowly than 1 KB a second; send it again by a better connection");
   if (!whole) throw HttpError(Fault::kBadInput, "the request broke off before its end; send it again");
 }
 
@@ -157,6 +184,7 @@ void Router::serve(const httplib::Request& request, httplib::Response& response,
     return;
   }
   Call call(request, reader, match.route->most_bytes);
+  call.bodies_ = &bodies_;
   call.parts_ = std::move(match.parts);
   try {
     match.route->handler(call, response);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <semaphore>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,11 @@ namespace tramline::server {
 
 /// Bodies that are not uploads.
 inline constexpr std::size_t kMostJsonBytes = std::size_t{4} << 20;
+
+/// Bodies that are being received at once; more are refused, so that some threads never wait for a sender.
+inline constexpr std::ptrdiff_t kMostBodies = 64;
+/// Bodies that come more slowly are given up, once kPatience_s have passed.
+inline constexpr double kLeastBytesPer_s = 1024, kPatience_s = 20;
 
 /// A request on its way to its handler.
 class Call {
@@ -32,7 +38,8 @@ class Call {
   double query_number(const std::string& name) const;
 
   /// Hands on the body as it comes in; once. Throws HttpError(kTooLarge) where it grows beyond the route's
-  /// limit, and kBadInput where it breaks off.
+  /// limit, kBadInput where it breaks off or comes more slowly than kLeastBytesPer_s, and kBusy where
+  /// kMostBodies are being received already.
   void read_body(const Bytes& take) const;
   /// The body as JSON, an object. Throws HttpError.
   nlohmann::ordered_json json() const;
@@ -42,6 +49,7 @@ class Call {
   const httplib::Request& request_;
   const httplib::ContentReader* reader_;
   std::size_t most_bytes_;
+  std::counting_semaphore<kMostBodies>* bodies_ = nullptr;  ///< of the router; none: no limit
   std::vector<std::pair<std::string, std::string>> parts_;
 };
 
@@ -86,6 +94,7 @@ class Router {
   std::vector<std::string> methods_at(std::string_view path) const;
 
   std::vector<Route> routes_;
+  mutable std::counting_semaphore<kMostBodies> bodies_{kMostBodies};
 };
 
 /// An answer in JSON.

@@ -9,7 +9,6 @@
 #include "report/watch_report.h"
 #include "server/drives/work_drive.h"
 #include "server/drives/work_stream.h"
-#include "server/http/gate.h"
 #include "server/http/http_error.h"
 #include "server/http/page_words.h"
 #include "server/input/drive_input.h"
@@ -69,8 +68,7 @@ OpenFeed begin(App& app, const ordered_json& json) {
   const app::WorkGround ground = ground_of(app, note.field);
   std::shared_ptr<void> room = app.drives->feeds.take_room();
   try {
-    return app.drives->feeds.open(note, open_feed(note.source, is_loopback(app.settings.host)), ground,
-                                  std::move(room));
+    return app.drives->feeds.open(note, open_feed(note.source, app.drives->sources), ground, std::move(room));
   } catch (const Error& error) {
     throw Error(error.kind(), for_the_page(error.what()));
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <mutex>
 #include <string>
 #include <utility>
 
@@ -30,7 +31,7 @@ void receive(const Call& call, Upload& upload) {
 
 /// What small files may expand to, so that nobody fills the memory with them.
 void require_bounded(const Upload& upload) {
-  constexpr std::size_t kMostExpanded = std::size_t{1} << 30;
+  constexpr std::size_t kMostExpanded = std::size_t{256} << 20;
   constexpr int kMostFiles = 10'000;
   try {
     io::require_bounded_archive(upload.path, kMostExpanded, kMostFiles);
@@ -46,6 +47,8 @@ ordered_json accept(App& app, const Call& call) {
   try {
     receive(call, upload);
     require_bounded(upload);
+    // One after the other: the memory it takes to read the largest file is taken once.
+    const std::lock_guard reading(app.uploads.reading());
     found = survey(upload);
   } catch (...) {
     app.uploads.discard(upload);

@@ -3,11 +3,15 @@
 #include <system_error>
 
 #include "server/store/new_id.h"
+#include "tramline/geometry/error.h"
 
 namespace tramline::server {
 
-ScratchFolder::ScratchFolder(const StoreFolder& folder) : path_(folder.path() / ".scratch" / new_id()) {
-  std::filesystem::create_directories(path_);
+ScratchFolder::ScratchFolder(const StoreFolder& folder) : path_(folder.part(".scratch") / new_id()) {
+  std::error_code error;
+  if (!std::filesystem::create_directory(path_, error))
+    throw failure("nothing can be written into the folder of the server (" + error.message() +
+                  "); is the disk full?");
 }
 
 ScratchFolder::~ScratchFolder() {

@@ -74,10 +74,23 @@ StoreFolder::StoreFolder(fs::path path) : path_(std::move(path)) {
 
 StoreFolder::~StoreFolder() { close(lock_); }
 
+fs::path StoreFolder::part(const char* name) const {
+  const fs::path out = path_ / name;
+  std::error_code error;
+  if (!fs::is_directory(path_, error))
+    throw failure(fmt::format(
+        "the folder '{}' that everything is kept in is gone; put it back, or start the server again",
+        path_.string()));
+  fs::create_directory(out, error);
+  if (error || !fs::is_directory(out, error))
+    throw failure(fmt::format("'{}' cannot be made ({}); is the disk full, or may nothing be written there?",
+                              out.string(), error ? error.message() : "something else has that name"));
+  return out;
+}
+
 fs::path StoreFolder::file(const char* kind, const std::string& id, const char* extension) const {
   if (!is_id(id)) throw std::logic_error("no id: " + id);
-  make(path_ / kind);
-  return path_ / kind / (id + extension);
+  return part(kind) / (id + extension);
 }
 
 std::vector<std::string> StoreFolder::ids(const char* kind, const char* extension) const {

@@ -33,7 +33,11 @@ class StoreFolder {
   ~StoreFolder();
 
   const std::filesystem::path& path() const { return path_; }
-  /// "plans/20260314-081500-k3f9ab.gpkg", the folder of that kind made. Precondition: is_id(id).
+  /// The folder of that name in this one, made where it is missing. Throws failure where it cannot be made,
+  /// and where this one is gone: another in its place would be nobody's.
+  std::filesystem::path part(const char* name) const;
+  /// "plans/20260314-081500-k3f9ab.gpkg", the folder of that kind made as part() does. Precondition:
+  /// is_id(id).
   std::filesystem::path file(const char* kind, const std::string& id, const char* extension = ".gpkg") const;
   /// Of the files of a kind, ascending.
   std::vector<std::string> ids(const char* kind, const char* extension = ".gpkg") const;

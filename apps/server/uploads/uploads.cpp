@@ -1,5 +1,7 @@
 #include "server/uploads/uploads.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -8,11 +10,14 @@
 
 #include "server/http/http_error.h"
 #include "server/store/new_id.h"
+#include "tramline/geometry/error.h"
 
 namespace tramline::server {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kFolder = ".uploads";
 
 /// Readers look at extensions, so those of files that are read are kept. Longer ones first.
 constexpr std::array<std::string_view, 27> kExtensions = {
@@ -72,10 +77,9 @@ std::string id_in_its_name(const Upload& upload, const std::string& id) {
   return after_the_file ? stem_of(upload.name) + id.substr(upload.id.size()) : id;
 }
 
-Uploads::Uploads(const StoreFolder& folder) : folder_(folder.path() / ".uploads") {
+Uploads::Uploads(const StoreFolder& folder) : store_(folder), folder_(folder.path() / kFolder) {
   std::error_code ignored;
   fs::remove_all(folder_, ignored);
-  fs::create_directories(folder_, ignored);
 }
 
 Uploads::~Uploads() {
@@ -91,8 +95,10 @@ Upload Uploads::begin(const std::string& name) const {
   std::replace_if(
       out.name.begin(), out.name.end(), [](char c) { return c >= 0 && c < ' '; }, ' ');
   if (out.name.empty()) out.name = "file";
-  const fs::path own = folder_ / out.id;
-  fs::create_directories(own);
+  const fs::path own = store_.part(kFolder) / out.id;
+  std::error_code error;
+  if (!fs::create_directory(own, error))
+    throw failure(fmt::format("the file could not be kept ({}); is the disk full?", error.message()));
   // Readers name layers and obstacles after the file: no two are to have the same name.
   out.path = own / (out.id + std::string(extension_of(lower(out.name))));
   return out;

@@ -45,13 +45,17 @@ class Uploads {
   void remove(const std::string& id);
   /// Those that are older than a day go.
   void forget_old();
+  /// Held while a new upload is looked through.
+  std::mutex& reading() { return reading_; }
 
  private:
   struct Entry {
     Upload upload;
     std::chrono::steady_clock::time_point since;
   };
-  std::filesystem::path folder_;
+  const StoreFolder& store_;
+  const std::filesystem::path folder_;
+  std::mutex reading_;
   mutable std::mutex mutex_;
   std::map<std::string, Entry> entries_;
 };

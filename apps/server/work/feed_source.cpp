@@ -24,11 +24,7 @@ int port_in(const std::string& source, std::string_view place) {
 }
 
 /// The path of file:///home/me and of serial:///dev/tty; "localhost" before it is this machine, too.
-std::string path_in(const std::string& source, std::string_view place, bool local) {
-  if (!local)
-    throw bad_input(fmt::format(
-        "{}: files and devices are opened only for pages on the same machine; use tcp://, udp:// or gpsd://",
-        source));
+std::string path_in(const std::string& source, std::string_view place) {
   constexpr std::string_view kHere = "localhost";
   if (place.starts_with(kHere)) place.remove_prefix(kHere.size());
   if (!place.starts_with('/'))
@@ -38,7 +34,7 @@ std::string path_in(const std::string& source, std::string_view place, bool loca
 
 }  // namespace
 
-std::unique_ptr<io::Feed> open_feed(const std::string& source, bool local) {
+std::unique_ptr<io::Feed> open_feed(const std::string& source, const FeedSources& sources) {
   const std::size_t mark = source.find("://");
   if (mark == std::string::npos || source.find('\0') != std::string::npos)
     throw bad_input(fmt::format("'{}' is no source of a live feed: {}", source, kForms));
@@ -46,9 +42,18 @@ std::unique_ptr<io::Feed> open_feed(const std::string& source, bool local) {
   if (kind == "tcp") return io::tcp_feed(place, false);
   if (kind == "udp") return io::udp_feed(port_in(source, place));
   if (kind == "gpsd") return io::gpsd_feed(place, false);
-  if (kind == "file") return io::file_feed(path_in(source, place, local));
+  if (kind == "file") {
+    const std::string file = path_in(source, place);
+    sources.folders.require(file);
+    return io::file_feed(
+        file, [folders = sources.folders](const std::string& opened) { return folders.hold(opened); });
+  }
   if (kind == "serial") {
-    const std::string device = path_in(source, place, local);
+    if (!sources.serial_devices)
+      throw bad_input(fmt::format(
+          "{}: serial devices are opened only for pages on the same machine; use tcp://, udp:// or gpsd://",
+          source));
+    const std::string device = path_in(source, place);
     if (!device.starts_with("/dev/"))
       throw bad_input(fmt::format("{}: serial devices are in /dev, such as serial:///dev/ttyUSB0", source));
     return io::serial_feed(device, false);

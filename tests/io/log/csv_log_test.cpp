@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/fixes/most_fixes.h"
 
 namespace tramline::io {
 namespace {
@@ -274,6 +275,17 @@ TEST(CsvLog, LineByLine) {
   EXPECT_DOUBLE_EQ(fix->time_s, 7);
   EXPECT_FALSE(live.add("8,,"));
   EXPECT_EQ(live.rows()->skipped().count, 1U);
+}
+
+TEST(MostFixes, OneMoreIsRefusedWithTheFigure) {
+  EXPECT_NO_THROW(require_room_for_fix(2, "'a.csv'", 3));
+  try {
+    require_room_for_fix(3, "'a.csv'", 3);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
+    EXPECT_STREQ(error.what(), "'a.csv' holds more than 3 fixes; split it, such as by the day");
+  }
 }
 
 }  // namespace

@@ -125,6 +125,25 @@ TEST_F(Feeds, WhatIsWrongIsSaidInASentence) {
   EXPECT_TRUE(here.get("/drives").json.empty());
 }
 
+TEST_F(Feeds, ReadFilesOnlyBelowTheStoreAndTheFoldersNamed) {
+  const testing_support::TemporaryFolder named, other;
+  for (const std::filesystem::path& folder : {folder_.path(), named.path(), other.path()})
+    std::ofstream(folder / "drive.csv") << joined(csv_lines(5));
+  ServerSettings settings;
+  settings.feed_folders = {named.path()};
+  Served here(folder_.path(), settings);
+  const auto begun = [&](const std::filesystem::path& file) {
+    return here.post("/feeds", {{"source", "file://" + file.string()}});
+  };
+  EXPECT_EQ(begun(folder_ / "drive.csv").status, 201);
+  EXPECT_EQ(begun(named / "drive.csv").status, 201);
+  for (const std::filesystem::path& file : {other / "drive.csv", std::filesystem::path("/etc/passwd")}) {
+    const Got refused = begun(file);
+    EXPECT_EQ(refused.status, 400) << refused.text;
+    EXPECT_TRUE(mentions(refused.message(), "is in no folder that live feeds are read from")) << refused.text;
+  }
+}
+
 TEST_F(Feeds, ThereIsALimit) {
   Served here(folder_.path());
   const std::string followed = (folder_ / "drive.csv").string();

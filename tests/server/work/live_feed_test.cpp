@@ -4,9 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
 #include <algorithm>
 #include <atomic>
+
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -33,7 +37,7 @@ struct Live {
   explicit Live(double save_every_s = 1e6, std::function<void()> save = {}) {
     std::thread dialling([this] { tractor.answer(); });
     FeedOrder order;
-    order.source = open_feed(tractor.address(), true);
+    order.source = open_feed(tractor.address(), {});
     dialling.join();
     order.ground = {"here", field_here(), frame_here()};
     order.raw_log = folder / "live.log";
@@ -249,9 +253,59 @@ TEST(FeedSource, EverythingElseIsRefusedWithASentence) {
   for (const char* source : {"", "tractor", "ftp://tractor:1", "udp://:0", "udp://:99999", "udp://:4x",
                              "tcp://", "tcp://127.0.0.1", "file://drive.csv", "file:///nowhere/drive.csv",
                              "serial:///etc/passwd", "serial:///dev/tramline-none", "tcp://127.0.0.1:1"})
-    EXPECT_FALSE(refusal_of([&] { open_feed(source, true); }).empty()) << source;
-  EXPECT_TRUE(mentions(refusal_of([&] { open_feed("file:///etc/passwd", false); }), "same machine"));
-  EXPECT_TRUE(mentions(refusal_of([&] { open_feed("serial:///dev/ttyS0", false); }), "same machine"));
+    EXPECT_FALSE(refusal_of([&] { open_feed(source, {{}, true}); }).empty()) << source;
+  EXPECT_TRUE(mentions(refusal_of([&] { open_feed("serial:///dev/ttyS0", {}); }), "same machine"));
+}
+
+TEST(FeedSource, FilesAreReadOnlyInTheFoldersThatWereNamed) {
+  namespace fs = std::filesystem;
+  const testing_support::TemporaryFolder all;
+  for (const char* name : {"farm", "farm/deep", "farm-old", "linked"}) fs::create_directories(all / name);
+  for (const char* name : {"farm/a.csv", "farm/deep/b.csv", "farm-old/c.csv"})
+    std::ofstream(all / name) << "x\n";
+  fs::create_symlink(all / "farm-old/c.csv", all / "farm/out.csv");
+  fs::create_symlink(all / "farm/a.csv", all / "linked/in.csv");
+  fs::create_symlink("/dev/zero", all / "farm/zero.csv");
+  ASSERT_EQ(mkfifo((all / "farm/pipe.csv").c_str(), 0600), 0);
+  const FeedSources sources{FeedFolders({all / "farm"}), true};
+  const auto source = [&](const std::string& name) { return "file://" + (all / name).string(); };
+  for (const char* name : {"farm/a.csv", "farm/deep/b.csv", "farm/deep/../a.csv", "linked/in.csv"})
+    EXPECT_TRUE(open_feed(source(name), sources)) << name;
+  for (const char* name :
+       {"farm-old/c.csv", "farm/../farm-old/c.csv", "farm/out.csv", "farm/zero.csv", "farm-old/none.csv"})
+    EXPECT_TRUE(mentions(refusal_of([&] { open_feed(source(name), sources); }),
+                         "is in no folder that live feeds are read from"))
+        << name;
+  for (const char* file : {"file:///etc/passwd", "file:///dev/zero", "file:///proc/self/environ"})
+    EXPECT_TRUE(mentions(refusal_of([&] { open_feed(file, sources); }),
+                         "is in no folder that live feeds are read from"))
+        << file;
+  for (const char* name : {"farm/pipe.csv", "farm/deep"})
+    EXPECT_TRUE(
+        mentions(refusal_of([&] { open_feed(source(name), sources); }), "a folder, a device or a pipe"))
+        << name;
+  EXPECT_TRUE(mentions(refusal_of([&] { FeedFolders({all / "nowhere"}); }), "nowhere"));
+}
+
+TEST(FeedSource, AFileThatIsReplacedByALinkIsReadNoMore) {
+  namespace fs = std::filesystem;
+  const testing_support::TemporaryFolder all;
+  fs::create_directories(all / "farm");
+  std::ofstream(all / "farm/a.csv") << "first\n";
+  std::ofstream(all / "secret") << "secret\n";
+  const auto feed = open_feed("file://" + (all / "farm/a.csv").string(), {FeedFolders({all / "farm"}), true});
+  std::vector<std::string> lines;
+  const auto read = [&] {
+    for (int i = 0; i < 5; ++i) {
+      const io::Received received = feed->receive();
+      lines.insert(lines.end(), received.lines.begin(), received.lines.end());
+    }
+  };
+  read();
+  fs::create_symlink(all / "secret", all / "farm/new");
+  fs::rename(all / "farm/new", all / "farm/a.csv");
+  read();
+  EXPECT_EQ(lines, std::vector<std::string>{"first"});
 }
 
 }  // namespace

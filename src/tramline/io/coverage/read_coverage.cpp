@@ -7,6 +7,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/io/coverage/coverage_layers.h"
 #include "tramline/io/coverage/coverage_metadata.h"
+#include "tramline/io/gdal/start_gdal.h"
 #include "tramline/io/geopackage/gdal_errors.h"
 #include "tramline/io/geopackage/local_crs.h"
 #include "tramline/io/geopackage/rows.h"
@@ -112,9 +113,11 @@ Coverage read_coverage(const std::filesystem::path& path) {
 bool is_coverage_file(const std::filesystem::path& path) {
   if (!EQUAL(path.extension().c_str(), ".gpkg")) return false;
   const GdalErrors errors;
+  start_gdal();
   RegisterOGRGeoPackage();
+  const char* const drivers[] = {"GPKG", nullptr};
   const GDALDatasetUniquePtr file(
-      GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
+      GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers, nullptr, nullptr));
   return file != nullptr && file->GetLayerByName(layers::kMultiplicity) != nullptr &&
          file->GetLayerByName(layers::kMetadata) != nullptr;
 }

@@ -11,6 +11,7 @@
 #include "tramline/io/export/layer_copy.h"
 #include "tramline/io/export/target_crs.h"
 #include "tramline/io/export/zip_folder.h"
+#include "tramline/io/gdal/start_gdal.h"
 #include "tramline/io/geopackage/gdal_errors.h"
 #include "tramline/io/geopackage/local_crs.h"
 #include "tramline/io/geopackage/memory_folder.h"
@@ -63,6 +64,7 @@ void require_something(GDALDataset& plan, const ExportRequest& request,
 }
 
 void register_drivers() {
+  start_gdal();
   RegisterOGRGeoPackage();
   RegisterOGRGeoJSON();
   RegisterOGRFlatGeobuf();

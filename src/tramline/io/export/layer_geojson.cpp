@@ -6,6 +6,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/io/export/layer_copy.h"
 #include "tramline/io/export/target_crs.h"
+#include "tramline/io/gdal/start_gdal.h"
 #include "tramline/io/geopackage/gdal_errors.h"
 #include "tramline/io/geopackage/local_crs.h"
 #include "tramline/io/geopackage/memory_folder.h"
@@ -15,6 +16,7 @@ namespace tramline::io {
 namespace {
 
 GDALDatasetUniquePtr opened(const std::filesystem::path& file) {
+  start_gdal();
   RegisterOGRGeoPackage();
   RegisterOGRGeoJSON();
   const char* const drivers[] = {"GPKG", nullptr};

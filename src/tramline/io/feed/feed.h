@@ -1,6 +1,7 @@
 #pragma once
 // Where the lines of a live log come from.
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,8 +37,10 @@ class Feed {
 /// Standard input; ends with it.
 std::unique_ptr<Feed> stdin_feed();
 /// A file that is being written, from its beginning. It never ends; a file that is written anew, or replaced
-/// by another of its name, is read from its beginning.
-std::unique_ptr<Feed> file_feed(const std::string& path);
+/// by another of its name, is read from its beginning. Only regular files that `may_read` takes are read: it
+/// is given the path, links resolved, of each file that was opened under the name. Without it any file is.
+std::unique_ptr<Feed> file_feed(const std::string& path,
+                                std::function<bool(const std::string& opened)> may_read = {});
 /// What a server sends. `place`: "tractor:5017", "[::1]:5017". A lost connection is made again, with `once`
 /// it is the end. Waits for the first connection, 10 s at most.
 std::unique_ptr<Feed> tcp_feed(const std::string& place, bool once);

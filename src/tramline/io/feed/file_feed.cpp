@@ -6,6 +6,9 @@
 
 #include <array>
 #include <cerrno>
+#include <filesystem>
+#include <system_error>
+#include <utility>
 
 #include "tramline/geometry/error.h"
 #include "tramline/io/feed/descriptor.h"
@@ -18,9 +21,18 @@ namespace {
 /// Changes that are not told of (network file systems), and another file of the name, show so soon.
 constexpr int kLook_ms = 1000;
 
+using MayRead = std::function<bool(const std::string& opened)>;
+
+/// The path of what is open, whatever its name has become since; "" where the system does not tell.
+std::string path_of(const Descriptor& file) {
+  std::error_code fault;
+  return std::filesystem::read_symlink(fmt::format("/proc/self/fd/{}", file.number()), fault).string();
+}
+
 class FileFeed final : public Feed {
  public:
-  explicit FileFeed(const std::string& path) : path_(path), watch_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
+  FileFeed(const std::string& path, MayRead may_read)
+      : path_(path), may_read_(std::move(may_read)), watch_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
     if (!open_file()) throw bad_input(fmt::format("'{}' cannot be followed: {}", path_, words_for(errno)));
   }
 
@@ -51,6 +63,12 @@ class FileFeed final : public Feed {
       errno = EISDIR;
       return false;
     }
+    // Asked of the open file: its name may lead elsewhere by now.
+    if (may_read_ && !(S_ISREG(status.st_mode) && may_read_(path_of(file_)))) {
+      file_.reset();
+      errno = EACCES;
+      return false;
+    }
     inode_ = status.st_ino;
     read_ = 0;
     more_ = true;
@@ -78,6 +96,7 @@ class FileFeed final : public Feed {
   }
 
   std::string path_;
+  MayRead may_read_;
   Descriptor watch_, file_;
   ino_t inode_ = 0;
   std::size_t read_ = 0;
@@ -87,6 +106,9 @@ class FileFeed final : public Feed {
 
 }  // namespace
 
-std::unique_ptr<Feed> file_feed(const std::string& path) { return std::make_unique<FileFeed>(path); }
+std::unique_ptr<Feed> file_feed(const std::string& path,
+                                std::function<bool(const std::string& opened)> may_read) {
+  return std::make_unique<FileFeed>(path, std::move(may_read));
+}
 
 }  // namespace tramline::io

@@ -113,10 +113,10 @@ std::string whole_text(const std::string& path) {
   int got = 0;
   while ((got = gzread(handle, buffer.data(), static_cast<unsigned>(buffer.size()))) > 0) {
     out.append(buffer.data(), static_cast<std::size_t>(got));
-    if (out.size() > kMostExpanded) break;
+    if (out.size() > kMostWholeText) break;
   }
   gzclose(handle);
-  if (out.size() > kMostExpanded) throw too_large(path, kMostExpanded);
+  if (out.size() > kMostWholeText) throw too_large(path, kMostWholeText);
   return out;
 }
 

@@ -10,6 +10,8 @@ namespace tramline::io {
 
 /// Refused beyond this: what a compressed file expands to, or a file that has to be read whole.
 inline constexpr std::size_t kMostExpanded = std::size_t{1} << 30;
+/// Refused beyond this: a text that is held whole, and parsed into a tree several times its size.
+inline constexpr std::size_t kMostWholeText = std::size_t{128} << 20;
 /// No line of a log is as long.
 inline constexpr std::size_t kLongestLine = std::size_t{1} << 20;
 

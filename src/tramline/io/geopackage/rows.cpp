@@ -12,6 +12,7 @@
 #include <memory>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/gdal/start_gdal.h"
 #include "tramline/io/geopackage/field_names.h"
 
 namespace tramline::io {
@@ -159,6 +160,7 @@ std::string filter_for(const std::string& field_key) {
 Rows::Rows(const fs::path& path, const FileKind& kind, GdalErrors& errors)
     : path_(path), kind_(kind), errors_(errors) {
   require_whole(path, kind);
+  start_gdal();
   RegisterOGRGeoPackage();
   const char* const drivers[] = {"GPKG", nullptr};
   file_.reset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers, nullptr, nullptr));

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/gdal/start_gdal.h"
 #include "tramline/io/geopackage/gdal_errors.h"
 #include "tramline/io/geopackage/local_crs.h"
 #include "tramline/io/geopackage/memory_folder.h"
@@ -19,6 +20,7 @@ namespace tramline::io {
 namespace {
 
 GDALDriver& driver() {
+  start_gdal();
   RegisterOGRGeoPackage();
   GDALDriver* found = GetGDALDriverManager()->GetDriverByName("GPKG");
   if (found == nullptr) throw failure("this GDAL has no GeoPackage driver; install one built with SQLite");

@@ -9,7 +9,7 @@
 namespace tramline::io {
 
 /// No file of a task set is as large; what is, is refused.
-inline constexpr std::size_t kLargestTaskFile = std::size_t{256} << 20;
+inline constexpr std::size_t kLargestTaskFile = std::size_t{128} << 20;
 
 /// The folder with TASKDATA.XML, on disk or in a zip. Names are found in any case, as terminals write them.
 class TaskFiles {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/fixes/most_fixes.h"
 #include "tramline/io/fixes/number_text.h"
 #include "tramline/io/log/settle_positions.h"
 #include "tramline/io/log/width_unit.h"
@@ -171,6 +172,7 @@ WorkLog read_csv_log(Lines& lines, const std::string& columns, const std::string
   while (lines.next(line)) {
     const auto fix = csv.add(line);
     if (!fix) continue;
+    require_room_for_fix(fixes.size(), place);
     fixes.push_back(*fix);
     if (std::isfinite(csv.rows()->last_distance()))
       distances.push_back({fix->record, csv.rows()->last_distance()});

@@ -10,6 +10,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/io/fixes/civil_time.h"
 #include "tramline/io/fixes/course_heading.h"
+#include "tramline/io/fixes/most_fixes.h"
 #include "tramline/io/fixes/number_text.h"
 #include "tramline/io/fixes/places.h"
 
@@ -254,8 +255,12 @@ WorkLog read_nmea_log(Lines& lines, const std::string& place) {
   NmeaLog nmea;
   std::vector<Fix> fixes;
   std::string line;
-  while (lines.next(line))
-    if (const auto fix = nmea.add(line)) fixes.push_back(*fix);
+  while (lines.next(line)) {
+    const auto fix = nmea.add(line);
+    if (!fix) continue;
+    require_room_for_fix(fixes.size(), place);
+    fixes.push_back(*fix);
+  }
   if (const auto fix = nmea.finish()) fixes.push_back(*fix);
   if (fixes.empty())
     throw bad_input(

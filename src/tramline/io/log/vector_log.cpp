@@ -10,12 +10,14 @@
 #include <vector>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/fixes/most_fixes.h"
 #include "tramline/io/log/fix_rows.h"
 #include "tramline/io/log/settle_positions.h"
 #include "tramline/io/log/width_unit.h"
 #include "tramline/io/log/worked_shapes.h"
 #include "tramline/io/vector/choose_layers.h"
 #include "tramline/io/vector/flatten_geometry.h"
+#include "tramline/io/vector/gdal_drivers.h"
 #include "tramline/io/vector/gdal_messages.h"
 #include "tramline/io/vector/layer_crs.h"
 #include "tramline/io/vector/open_dataset.h"
@@ -113,6 +115,7 @@ class Features {
   bool add_fix(Point at) {
     const auto fix = rows_.add(cells_, record_, at);
     if (!fix) return false;
+    require_room_for_fix(log_.fixes.size(), place_);
     log_.fixes.push_back(*fix);
     const bool once = distances_.empty() || distances_.back().record < record_;
     if (once && std::isfinite(rows_.last_distance())) distances_.push_back({record_, rows_.last_distance()});
@@ -134,6 +137,7 @@ WorkLog read_vector_log(const std::string& path, const std::string& wanted, cons
                         const std::string& crs) {
   register_gdal_drivers();
   GdalMessages messages;
+  const auto connections = connections_for(path);
   const GDALDatasetUniquePtr dataset = open_dataset(path, wanted, messages);
   OGRLayer& layer = choose_layer(*dataset, wanted, path);
   const std::string place = fmt::format("layer '{}' of '{}'", layer.GetName(), path);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/gdal/start_gdal.h"
 #include "tramline/io/geopackage/gdal_errors.h"
 #include "tramline/io/geopackage/local_crs.h"
 #include "tramline/io/geopackage/memory_folder.h"
@@ -20,6 +21,7 @@ namespace tramline::io {
 namespace {
 
 GDALDriver& driver() {
+  start_gdal();
   GDALRegister_GTiff();
   GDALDriver* found = GetGDALDriverManager()->GetDriverByName("GTiff");
   if (found == nullptr) throw failure("this GDAL has no GeoTIFF driver");

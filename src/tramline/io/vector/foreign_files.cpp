@@ -1,6 +1,5 @@
 #include "tramline/io/vector/foreign_files.h"
 
-#include <cpl_conv.h>
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 #include <fmt/format.h>
@@ -8,22 +7,15 @@
 
 #include <array>
 #include <memory>
-#include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/vector/gdal_drivers.h"
 #include "tramline/io/vector/gdal_messages.h"
 
 namespace tramline::io {
 namespace {
-
-/// What fields and logs come in, and what the project's own files are.
-const std::set<std::string_view> kPlainFormats = {
-    "GPKG",       "GeoJSON", "GeoJSONSeq",   "TopoJSON",    "ESRIJSON", "ESRI Shapefile",
-    "FlatGeobuf", "KML",     "LIBKML",       "GML",         "GPX",      "DXF",
-    "CSV",        "SQLite",  "MapInfo File", "OpenFileGDB", "MEM",      "Memory"};
 
 constexpr int kDeepest = 3;
 
@@ -92,12 +84,8 @@ void open_plain_files_only() {
   register_gdal_drivers();
   GDALDriverManager& manager = *GetGDALDriverManager();
   for (int i = manager.GetDriverCount() - 1; i >= 0; --i)
-    if (GDALDriver* driver = manager.GetDriver(i); !kPlainFormats.contains(driver->GetDescription()))
+    if (GDALDriver* driver = manager.GetDriver(i); !reads_plain_files(driver->GetDescription()))
       manager.DeregisterDriver(driver);
-  CPLSetConfigOption("GML_DOWNLOAD_SCHEMA", "NO");
-  CPLSetConfigOption("GML_SKIP_RESOLVE_ELEMS", "ALL");
-  // No URL ends so.
-  CPLSetConfigOption("CPL_VSIL_CURL_ALLOWED_EXTENSIONS", ".nothing-at-all");
 }
 
 void require_bounded_archive(const std::filesystem::path& file, std::size_t most_bytes, int most_files) {

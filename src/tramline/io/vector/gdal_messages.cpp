@@ -1,10 +1,8 @@
 #include "tramline/io/vector/gdal_messages.h"
 
 #include <cpl_error.h>
-#include <gdal.h>
 
 #include <algorithm>
-#include <mutex>
 
 namespace tramline::io {
 namespace {
@@ -35,11 +33,6 @@ std::string GdalMessages::last() const {
 void GdalMessages::clear() {
   failed_ = false;
   last_.clear();
-}
-
-void register_gdal_drivers() {
-  static std::once_flag once;
-  std::call_once(once, [] { GDALAllRegister(); });
 }
 
 }  // namespace tramline::io

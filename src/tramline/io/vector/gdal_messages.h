@@ -25,7 +25,4 @@ class GdalMessages {
   std::string last_;
 };
 
-/// Registers GDAL's drivers once per process.
-void register_gdal_drivers();
-
 }  // namespace tramline::io

@@ -3,16 +3,24 @@
 
 #include <gdal_priv.h>
 
+#include <memory>
 #include <string>
+
+#include "tramline/io/gdal/start_gdal.h"
 
 namespace tramline::io {
 
 class GdalMessages;
 
+/// To be kept while the dataset is read: connections are allowed for an address or a database that the user
+/// has typed ("PG:dbname=farm", "/vsicurl/https://…"); nothing for the path of a file.
+std::unique_ptr<ConnectionsAllowed> connections_for(const std::string& path);
+
 /// Opens a vector file, a folder of Shapefiles, a database, or the one dataset of a zip; of a zip with
 /// several the one with the wanted layer. Throws bad_input when there is no such file, when it is no vector
-/// file, and when it is not clear which dataset is meant. GDAL's drivers are registered, and `messages`
-/// collects what GDAL says.
+/// file, when it leads to other
+/// files or addresses, and when it is not clear which dataset is meant. GDAL's drivers are registered, and
+/// `messages` collects what GDAL says.
 GDALDatasetUniquePtr open_dataset(const std::string& path, const std::string& wanted_layer,
                                   GdalMessages& messages);
 

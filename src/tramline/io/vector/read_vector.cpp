@@ -7,6 +7,7 @@
 #include "tramline/io/vector/choose_layers.h"
 #include "tramline/io/vector/feature_id.h"
 #include "tramline/io/vector/flatten_geometry.h"
+#include "tramline/io/vector/gdal_drivers.h"
 #include "tramline/io/vector/gdal_messages.h"
 #include "tramline/io/vector/layer_crs.h"
 #include "tramline/io/vector/locate_dataset.h"
@@ -94,6 +95,7 @@ void refuse_empty(const RawDataset& dataset, const VectorQuery& query) {
 RawDataset read_vector(const VectorQuery& query) {
   register_gdal_drivers();
   GdalMessages messages;
+  const auto connections = connections_for(query.file);
   const GDALDatasetUniquePtr dataset = open_dataset(query.file, query.layer, messages);
   RawDataset out;
   out.file = shown_name(query.file);

@@ -1,0 +1,86 @@
+#include "tramline/io/vector/json_crs.h"
+
+#include <cstddef>
+#include <istream>
+#include <nlohmann/json.hpp>
+
+namespace tramline::io {
+namespace {
+
+using nlohmann::json;
+
+using TakeCrs = std::function<void(const std::string&, const std::string&)>;
+
+/// Follows the parser through the values, and keeps only what stands in a "crs".
+class CrsListener final : public nlohmann::json_sax<json> {
+ public:
+  explicit CrsListener(const TakeCrs& take) : take_(take) {}
+
+  bool start_object(std::size_t) override {
+    ++depth_;
+    if (crs_depth_ == 0 && key_ == "crs") {
+      crs_depth_ = depth_;
+      type_.clear();
+      place_.clear();
+    }
+    key_.clear();
+    return true;
+  }
+  bool end_object() override {
+    if (depth_ == crs_depth_) {
+      take_(type_, place_);
+      crs_depth_ = 0;
+    }
+    --depth_;
+    key_.clear();
+    return true;
+  }
+  bool key(std::string& name) override {
+    key_ = name;
+    return true;
+  }
+  bool string(std::string& text) override {
+    if (crs_depth_ > 0 && key_ == "type" && depth_ == crs_depth_) type_ = text;
+    if (crs_depth_ > 0 && (key_ == "href" || key_ == "url" || key_ == "name")) place_ = text;
+    return value();
+  }
+  bool start_array(std::size_t) override { return value(); }
+  bool end_array() override { return value(); }
+  bool null() override { return value(); }
+  bool boolean(bool) override { return value(); }
+  bool number_integer(number_integer_t) override { return value(); }
+  bool number_unsigned(number_unsigned_t) override { return value(); }
+  bool number_float(number_float_t, const string_t&) override { return value(); }
+  bool binary(binary_t&) override { return value(); }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
+    return false;
+  }
+
+ private:
+  bool value() {
+    key_.clear();
+    return true;
+  }
+
+  const TakeCrs& take_;
+  std::string key_, type_, place_;
+  std::size_t depth_ = 0, crs_depth_ = 0;  ///< 0: in no object, in no "crs"
+};
+
+/// Between the values of a sequence: white space and the mark that RFC 8142 puts before each.
+bool skip_to_value(std::istream& text) {
+  constexpr char kRecordSeparator = 0x1e;
+  while ((text >> std::ws) && text.peek() == kRecordSeparator) text.get();
+  return text.good() && text.peek() != std::istream::traits_type::eof();
+}
+
+}  // namespace
+
+void each_json_crs(std::istream& text, const TakeCrs& take) {
+  while (skip_to_value(text)) {
+    CrsListener listener(take);
+    if (!json::sax_parse(text, &listener, json::input_format_t::json, false)) return;
+  }
+}
+
+}  // namespace tramline::io
