@@ -110,13 +110,13 @@ LONG := long-properties long-scenes long-best-bound long-best-brute long-best-re
   long-obstacles-3 long-obstacles-6 long-obstacles-12 long-obstacles-24 long-headlands \
   long-headland-plans-6 long-headland-plans-12 long-headland-plans-24 long-maps long-order \
   long-coverage long-watch long-serve long-kills long-registers long-fuzz-logs long-fuzz-coverage \
-  long-asan long-tsan long-clang
+  long-debug long-asan long-tsan long-clang
 
 .PHONY: long $(LONG)
 long: $(LONG) ## all the long tests, one after another; each part below can be run alone
 
 long-properties: build ## every property with 20,000 random cases
-	TRAMLINE_CASES=20000 RC_PARAMS="max_success=20000" $(LIMIT) $(CTEST) --test-dir $(RELEASE) -L properties
+	TRAMLINE_CASES=20000 $(LIMIT) $(CTEST) --test-dir $(RELEASE) -L properties
 
 long-scenes: build ## 10,000 random scenes full of obstacles, planned in every way and verified
 	TRAMLINE_CASES=10000 $(LIMIT) $(RELEASE)/tests/properties/test_obstacle_scenes
@@ -205,6 +205,10 @@ long-fuzz-coverage: packages-lint build/fuzz/build.ninja ## the exact engine of 
 long-fuzz-logs: packages-lint build/fuzz/build.ninja ## the readers of logs and patterns on bytes gone wrong, ten minutes each, two at a time
 	cmake --build build/fuzz -j $(JOBS) --target fuzz
 	$(LIMIT) tools/fuzz.sh build/fuzz 600 csv_log nmea_log gpx_log time_log task_data spray_pattern
+
+long-debug: packages build/debug/build.ninja ## the fast tests in a build that is not optimised, with the standard library's assertions
+	cmake --build build/debug -j $(JOBS)
+	$(LIMIT) $(CTEST) --test-dir build/debug -LE "properties|search|scenes|real|page|install"
 
 long-asan: packages build/asan-ubsan/build.ninja ## all tests with address and undefined-behaviour sanitizers
 	cmake --build build/asan-ubsan -j $(JOBS)

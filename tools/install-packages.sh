@@ -7,7 +7,7 @@ build_packages=(
   build-essential g++ cmake ninja-build ccache pkg-config
   libgdal-dev gdal-bin libgeos-dev libproj-dev proj-data libcairo2-dev libtbb-dev zlib1g-dev
   libcli11-dev libcpp-httplib-dev libfmt-dev nlohmann-json3-dev libpugixml-dev libtomlplusplus-dev
-  libgtest-dev librapidcheck-dev libbenchmark-dev
+  libgtest-dev libbenchmark-dev
   fonts-dejavu-core python3 sqlite3 zip
 )
 # The page is built by these commands. Looked for as commands: a node from elsewhere brings its own npm, and does not
