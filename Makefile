@@ -18,11 +18,13 @@ LIMIT := timeout --foreground 60m
 # --- for everyone -------------------------------------------------------------------------------
 
 .PHONY: build
-build: packages $(RELEASE)/build.ninja ## build everything, optimised (what plain `make` does)
+build: packages whole ## build everything, optimised (what plain `make` does)
 	cmake --build $(RELEASE) -j $(JOBS)
 
 .PHONY: demo
-demo: program ## plan the example field and check the plan; results in out/
+demo: packages-program ## build the program alone, plan the example field and check the plan; results in out/
+	@test -e $(RELEASE)/build.ninja || cmake --preset demo
+	cmake --build $(RELEASE) -j $(JOBS) --target tramline
 	mkdir -p out
 	$(TRAMLINE) plan examples/riverside.geojson --width 3 --radius 6 -o out/riverside.gpkg --picture out/riverside.png
 	$(TRAMLINE) check out/riverside.gpkg --field examples/riverside.geojson
@@ -30,6 +32,7 @@ demo: program ## plan the example field and check the plan; results in out/
 	@echo "The plan, for a GIS:   out/riverside.gpkg"
 	@echo "The picture:           out/riverside.png"
 	@echo "The program:           $(TRAMLINE) (try --help)"
+	@if $(DEMO_ONLY); then echo "For its page (tramline serve) and everything else: make"; fi
 
 .PHONY: test
 test: packages-test build ## build and run every test; those on real data where TRAMLINE_DATA is found
@@ -86,21 +89,30 @@ help: ## show this list
 
 # --- set-up -------------------------------------------------------------------------------------
 
-.PHONY: packages packages-test packages-lint
+.PHONY: packages packages-program packages-test packages-lint
 packages: ## install the Debian packages that are missing
-	@tools/install-packages.sh build
+	@tools/install-packages.sh program build
+packages-program:
+	@tools/install-packages.sh program
 packages-test:
-	@tools/install-packages.sh build test
+	@tools/install-packages.sh program build test
 packages-lint:
-	@tools/install-packages.sh build lint
+	@tools/install-packages.sh program build lint
 
 # One rule for every preset of CMakePresets.json. Afterwards ninja configures again by itself.
 build/%/build.ninja: CMakePresets.json
 	cmake --preset $*
 	@touch $@
 
+# `make demo` configures without server, tests and benchmarks. What it compiled is kept when the rest is added.
+DEMO_ONLY = grep -qs '^TRAMLINE_SERVER:.*=OFF' $(RELEASE)/CMakeCache.txt
+
+.PHONY: whole
+whole: $(RELEASE)/build.ninja
+	@if $(DEMO_ONLY); then cmake --preset release -DTRAMLINE_SERVER=ON -DTRAMLINE_BUILD_TESTS=ON -DTRAMLINE_BUILD_BENCH=ON; fi
+
 .PHONY: program
-program: packages $(RELEASE)/build.ninja
+program: packages whole
 	cmake --build $(RELEASE) -j $(JOBS) --target tramline
 
 # --- the long tests: each part stands alone and takes an hour at most on two cores -----------------
