@@ -25,12 +25,12 @@ constexpr long long kListed = 20;
 
 class InfoCommand : public Command {
  public:
-  CLI::App* setup(CLI::App& app) override {
-    CLI::App* verb = app.add_subcommand("info", kHelp);
-    add_field_options(*verb, options_);
-    add_unused_threads_option(*verb, threads_);
-    verb->add_flag("--json", json_, "print JSON: one object, with --all one per field and line");
-    verb->footer(kExample);
+  Verb setup(CLI::App& program) override {
+    Verb verb(program, "info", kHelp);
+    add_field_options(verb, options_);
+    add_unused_threads_option(verb, threads_);
+    verb.add_flag("--json", json_, "print JSON: one object, with --all one per field and line");
+    verb.footer(kExample);
     return verb;
   }
 

@@ -8,10 +8,10 @@ namespace {
 
 class NoServeCommand : public Command {
  public:
-  CLI::App* setup(CLI::App& app) override {
-    CLI::App* verb = app.add_subcommand("serve", "Serve a web page: this program was built without it");
+  Verb setup(CLI::App& program) override {
+    Verb verb(program, "serve", "Serve a web page: this program was built without it");
     // Whatever follows, the answer is the same.
-    verb->allow_extras();
+    verb.takes_anything();
     return verb;
   }
 
