@@ -72,8 +72,10 @@ class InfoCommand : public Command {
 
   void print_table(const FieldInput& input) const {
     std::string table = source_rows(options_.file, input);
-    for (const Field& field : input.fields)
-      table += (input.fields.size() > 1 ? "\n" : "") + field_rows(field);
+    for (const Field& field : input.fields) {
+      if (input.fields.size() > 1) table += '\n';
+      table += field_rows(field);
+    }
     for (const Refusal& refusal : input.refusals)
       table += fmt::format("\nrefused      {}\n", refusal.sentence);
     print_result(table + skipped_rows(input.skipped));
