@@ -18,11 +18,13 @@ LIMIT := timeout --foreground 60m
 # --- for everyone -------------------------------------------------------------------------------
 
 .PHONY: build
-build: packages $(RELEASE)/build.ninja ## build everything, optimised (what plain `make` does)
+build: packages whole ## build everything, optimised (what plain `make` does)
 	cmake --build $(RELEASE) -j $(JOBS)
 
 .PHONY: demo
-demo: program ## plan the example field and check the plan; results in out/
+demo: packages-program ## build the program alone, plan the example field and check the plan; results in out/
+	@test -e $(RELEASE)/build.ninja || cmake --preset demo
+	cmake --build $(RELEASE) -j $(JOBS) --target tramline
 	mkdir -p out
 	$(TRAMLINE) plan examples/riverside.geojson --width 3 --radius 6 -o out/riverside.gpkg --picture out/riverside.png
 	$(TRAMLINE) check out/riverside.gpkg --field examples/riverside.geojson
@@ -30,6 +32,7 @@ demo: program ## plan the example field and check the plan; results in out/
 	@echo "The plan, for a GIS:   out/riverside.gpkg"
 	@echo "The picture:           out/riverside.png"
 	@echo "The program:           $(TRAMLINE) (try --help)"
+	@if $(DEMO_ONLY); then echo "For its page (tramline serve) and everything else: make"; fi
 
 .PHONY: test
 test: packages-test build ## build and run every test; those on real data where TRAMLINE_DATA is found
@@ -86,21 +89,30 @@ help: ## show this list
 
 # --- set-up -------------------------------------------------------------------------------------
 
-.PHONY: packages packages-test packages-lint
+.PHONY: packages packages-program packages-test packages-lint
 packages: ## install the Debian packages that are missing
-	@tools/install-packages.sh build
+	@tools/install-packages.sh program build
+packages-program:
+	@tools/install-packages.sh program
 packages-test:
-	@tools/install-packages.sh build test
+	@tools/install-packages.sh program build test
 packages-lint:
-	@tools/install-packages.sh build lint
+	@tools/install-packages.sh program build lint
 
 # One rule for every preset of CMakePresets.json. Afterwards ninja configures again by itself.
 build/%/build.ninja: CMakePresets.json
 	cmake --preset $*
 	@touch $@
 
+# `make demo` configures without server, tests and benchmarks. What it compiled is kept when the rest is added.
+DEMO_ONLY = grep -qs '^TRAMLINE_SERVER:.*=OFF' $(RELEASE)/CMakeCache.txt
+
+.PHONY: whole
+whole: $(RELEASE)/build.ninja
+	@if $(DEMO_ONLY); then cmake --preset release -DTRAMLINE_SERVER=ON -DTRAMLINE_BUILD_TESTS=ON -DTRAMLINE_BUILD_BENCH=ON; fi
+
 .PHONY: program
-program: packages $(RELEASE)/build.ninja
+program: packages whole
 	cmake --build $(RELEASE) -j $(JOBS) --target tramline
 
 # --- the long tests: each part stands alone and takes an hour at most on two cores -----------------
@@ -110,13 +122,13 @@ LONG := long-properties long-scenes long-best-bound long-best-brute long-best-re
   long-obstacles-3 long-obstacles-6 long-obstacles-12 long-obstacles-24 long-headlands \
   long-headland-plans-6 long-headland-plans-12 long-headland-plans-24 long-maps long-order \
   long-coverage long-watch long-serve long-kills long-registers long-fuzz-logs long-fuzz-coverage \
-  long-asan long-tsan long-clang
+  long-debug long-asan long-tsan long-clang
 
 .PHONY: long $(LONG)
 long: $(LONG) ## all the long tests, one after another; each part below can be run alone
 
 long-properties: build ## every property with 20,000 random cases
-	TRAMLINE_CASES=20000 RC_PARAMS="max_success=20000" $(LIMIT) $(CTEST) --test-dir $(RELEASE) -L properties
+	TRAMLINE_CASES=20000 $(LIMIT) $(CTEST) --test-dir $(RELEASE) -L properties
 
 long-scenes: build ## 10,000 random scenes full of obstacles, planned in every way and verified
 	TRAMLINE_CASES=10000 $(LIMIT) $(RELEASE)/tests/properties/test_obstacle_scenes
@@ -205,6 +217,10 @@ long-fuzz-coverage: packages-lint build/fuzz/build.ninja ## the exact engine of 
 long-fuzz-logs: packages-lint build/fuzz/build.ninja ## the readers of logs and patterns on bytes gone wrong, ten minutes each, two at a time
 	cmake --build build/fuzz -j $(JOBS) --target fuzz
 	$(LIMIT) tools/fuzz.sh build/fuzz 600 csv_log nmea_log gpx_log time_log task_data spray_pattern
+
+long-debug: packages build/debug/build.ninja ## the fast tests in a build that is not optimised, with the standard library's assertions
+	cmake --build build/debug -j $(JOBS)
+	$(LIMIT) $(CTEST) --test-dir build/debug -LE "properties|search|scenes|real|page|install"
 
 long-asan: packages build/asan-ubsan/build.ninja ## all tests with address and undefined-behaviour sanitizers
 	cmake --build build/asan-ubsan -j $(JOBS)

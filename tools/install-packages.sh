@@ -1,14 +1,19 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that tramline needs, and only those that are missing.
-# Usage: install-packages.sh [build] [test] [lint]     (default: build)
+# Usage: install-packages.sh [program] [build] [test] [lint]     (default: program build)
 set -euo pipefail
 
+program_packages=(
+  build-essential binutils g++ cmake ninja-build ccache pkg-config
+  libgdal-dev libgeos-dev libproj-dev proj-data libcairo2-dev libtbb-dev zlib1g-dev
+  libcli11-dev libfmt-dev nlohmann-json3-dev libpugixml-dev libtomlplusplus-dev
+  fonts-dejavu-core
+)
+# The rest of what is built: server, page, tests and benchmarks.
 build_packages=(
-  build-essential g++ cmake ninja-build ccache pkg-config
-  libgdal-dev gdal-bin libgeos-dev libproj-dev proj-data libcairo2-dev libtbb-dev zlib1g-dev
-  libcli11-dev libcpp-httplib-dev libfmt-dev nlohmann-json3-dev libpugixml-dev libtomlplusplus-dev
-  libgtest-dev librapidcheck-dev libbenchmark-dev
-  fonts-dejavu-core python3 sqlite3 zip
+  libcpp-httplib-dev
+  libgtest-dev libbenchmark-dev
+  gdal-bin python3 sqlite3 zip
 )
 # The page is built by these commands. Looked for as commands: a node from elsewhere brings its own npm, and does not
 # bear Debian's beside it.
@@ -20,13 +25,15 @@ test_packages=(gpsd gpsd-clients chromium)
 lint_packages=(clang libclang-rt-14-dev clang-tidy clang-format-14 shellcheck)
 
 wanted=()
-for list in "${@:-build}"; do
+(($# > 0)) || set -- program build
+for list in "$@"; do
   case "$list" in
+    program) wanted+=("${program_packages[@]}") ;;
     build) wanted+=("${build_packages[@]}") ;;
     test) wanted+=("${test_packages[@]}") ;;
     lint) wanted+=("${lint_packages[@]}") ;;
     *)
-      echo "install-packages.sh: no list named '$list' (there are: build, test, lint)" >&2
+      echo "install-packages.sh: no list named '$list' (there are: program, build, test, lint)" >&2
       exit 2
       ;;
   esac

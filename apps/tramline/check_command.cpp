@@ -34,19 +34,19 @@ constexpr const char* kExample =
 
 class CheckCommand : public Command {
  public:
-  CLI::App* setup(CLI::App& app) override {
-    CLI::App* verb = app.add_subcommand("check", kHelp);
-    verb->add_option("PLAN", plan_file_, "the plan: a GeoPackage written by tramline plan")->required();
-    CLI::Option* field = verb->add_option(
+  Verb setup(CLI::App& program) override {
+    Verb verb(program, "check", kHelp);
+    verb.add_option("PLAN", plan_file_, "the plan: a GeoPackage written by tramline plan").required();
+    const Option field = verb.add_option(
         "--field", input_.file, "the file the plan was made from: are field and obstacles the same?");
-    add_obstacle_options(*verb, input_);
-    verb->add_option("--id", id_,
-                     "in a file of many plans (plan --one-file): only that of the field of this id or key");
+    add_obstacle_options(verb, input_);
+    verb.add_option("--id", id_,
+                    "in a file of many plans (plan --one-file): only that of the field of this id or key");
     for (const char* option : {"--crs", "--obstacles", "--obstacle-size", "--passable"})
-      verb->get_option(option)->needs(field);
-    add_unused_threads_option(*verb, threads_);
-    verb->add_flag("--json", json_, "print one JSON object instead of the table, of many plans one per line");
-    verb->footer(kExample);
+      verb.option(option).needs(field);
+    add_unused_threads_option(verb, threads_);
+    verb.add_flag("--json", json_, "print one JSON object instead of the table, of many plans one per line");
+    verb.footer(kExample);
     return verb;
   }
 

@@ -3,23 +3,24 @@
 // code (0 success, 1 failed run or failed check, 2 bad input, 3 some of many fields refused). Errors are
 // thrown as tramline::Error.
 
-#include <CLI/CLI.hpp>
 #include <memory>
+
+#include "verb.h"
 
 namespace tramline::app {
 
 class Command {
  public:
   virtual ~Command() = default;
-  /// Declares the verb as a subcommand of `app` and returns it.
-  virtual CLI::App* setup(CLI::App& app) = 0;
+  /// Declares the verb as a subcommand of `program` and returns it.
+  virtual Verb setup(CLI::App& program) = 0;
   virtual int run() = 0;
 };
 
 /// --threads, for a verb whose work is done by one thread: every verb takes the option.
-inline void add_unused_threads_option(CLI::App& verb, int& threads) {
+inline void add_unused_threads_option(Verb& verb, int& threads) {
   verb.add_option("--threads", threads, "taken by every verb; this one uses a single thread")
-      ->check(CLI::Range(0, 1024));
+      .in_range(0, 1024);
 }
 
 std::unique_ptr<Command> make_plan_command();

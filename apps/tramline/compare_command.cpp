@@ -76,28 +76,27 @@ class PointChoice {
 
 class CompareCommand : public Command {
  public:
-  CLI::App* setup(CLI::App& app) override {
-    CLI::App* verb = app.add_subcommand("compare", kAbout);
-    verb->footer(kExample);
-    add_field_options(*verb, field_options_);
-    add_plan_options(*verb, plan_options_);
-    verb->add_option(
+  Verb setup(CLI::App& program) override {
+    Verb verb(program, "compare", kAbout);
+    verb.footer(kExample);
+    add_field_options(verb, field_options_);
+    add_plan_options(verb, plan_options_);
+    verb.add_option(
             "--for", asked_,
             "name the plan that costs least at these prices too: overlap,uncovered,turn[,stop[,subfield]];\n"
             "may be given again and again (prices left out are those of --prices)")
-        ->allow_extra_args(false);
-    verb->add_option("--csv", csv_, "write a table of the plans to this .csv");
-    verb->add_option("--picture", picture_,
-                     "draw the trade-off and the plans that stand out to this .png, .svg or .pdf");
-    verb->add_option("-o,--output", output_, "write one of the plans to this GeoPackage (.gpkg)");
-    verb->add_option(
+        .one_value_each_time();
+    verb.add_option("--csv", csv_, "write a table of the plans to this .csv");
+    verb.add_option("--picture", picture_,
+                    "draw the trade-off and the plans that stand out to this .png, .svg or .pdf");
+    verb.add_option("-o,--output", output_, "write one of the plans to this GeoPackage (.gpkg)");
+    verb.add_option(
         "--point", point_,
         "which one: given (cheapest at the prices given), knee, overlap, uncovered, turns, or its "
         "number (default given)");
-    verb->add_option("--threads", threads_, "threads to use (default: all cores)")
-        ->check(CLI::Range(0, 1024));
-    verb->add_flag("--json", json_, "print one JSON object per field");
-    verb->add_flag("--quiet", quiet_, "no progress, no table");
+    verb.add_option("--threads", threads_, "threads to use (default: all cores)").in_range(0, 1024);
+    verb.add_flag("--json", json_, "print one JSON object per field");
+    verb.add_flag("--quiet", quiet_, "no progress, no table");
     return verb;
   }
 

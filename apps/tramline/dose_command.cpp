@@ -62,26 +62,26 @@ coverage::WindSettings wind_of(const std::string& text, coverage::WindSettings o
 
 class DoseCommand : public Command {
  public:
-  CLI::App* setup(CLI::App& app) override {
-    CLI::App* verb = app.add_subcommand("dose", kHelp);
-    verb->add_option("INPUT", input_,
-                     "a log, in any format that evaluate reads, or a coverage file of tramline evaluate -o");
-    add_field_choice(*verb, field_);
-    verb->add_option("--log", drive_.log.log, "which log of an ISOXML task set, such as TLG00001");
-    add_drive_options(*verb, drive_);
-    verb->remove_option(verb->get_option("--repeat"));  // amounts know nothing of it
-    add_rate_options(*verb);
-    add_wind_options(*verb);
-    verb->add_option("--cell", settings_.cell_m, "side of a cell of the map, m")
-        ->check(CLI::Range(0.01, 1000.0))
-        ->capture_default_str();
-    verb->add_option("-o,--output", output_, "write the map to this GeoTIFF (.tif)");
-    verb->add_option("--picture", picture_, "draw it to this .png, .svg or .pdf");
-    verb->add_option("--threads", settings_.evaluate.threads, "threads to use (default: all cores)")
-        ->check(CLI::Range(0, 1024));
-    verb->add_flag("--json", json_, "print one JSON object instead of the table");
-    verb->add_flag("--quiet", quiet_, "no progress, no table");
-    verb->footer(kExample);
+  Verb setup(CLI::App& program) override {
+    Verb verb(program, "dose", kHelp);
+    verb.add_option("INPUT", input_,
+                    "a log, in any format that evaluate reads, or a coverage file of tramline evaluate -o");
+    add_field_choice(verb, field_);
+    verb.add_option("--log", drive_.log.log, "which log of an ISOXML task set, such as TLG00001");
+    add_drive_options(verb, drive_);
+    verb.remove_option("--repeat");  // amounts know nothing of it
+    add_rate_options(verb);
+    add_wind_options(verb);
+    verb.add_option("--cell", settings_.cell_m, "side of a cell of the map, m")
+        .in_range(0.01, 1000.0)
+        .shows_default();
+    verb.add_option("-o,--output", output_, "write the map to this GeoTIFF (.tif)");
+    verb.add_option("--picture", picture_, "draw it to this .png, .svg or .pdf");
+    verb.add_option("--threads", settings_.evaluate.threads, "threads to use (default: all cores)")
+        .in_range(0, 1024);
+    verb.add_flag("--json", json_, "print one JSON object instead of the table");
+    verb.add_flag("--quiet", quiet_, "no progress, no table");
+    verb.footer(kExample);
     return verb;
   }
 
@@ -103,36 +103,36 @@ class DoseCommand : public Command {
   }
 
  private:
-  void add_rate_options(CLI::App& verb) {
+  void add_rate_options(Verb& verb) {
     verb.add_option("--nominal-rate", settings_.rates.nominal_per_ha,
                     "amount a hectare where the log has none")
-        ->check(CLI::Range(1e-6, 1e9));
+        .in_range(1e-6, 1e9);
     verb.add_option("--unit", unit_, "unit of the amounts, where the log does not say (default: l)")
-        ->check(CLI::IsMember({"l", "kg", "t", "m3", "seeds"}));
+        .one_of({"l", "kg", "t", "m3", "seeds"});
     verb.add_flag("--no-logged-rate", no_logged_, "the nominal rate everywhere, whatever the log says");
     verb.add_option(
             "--nominal-speed", nominal_kmh_,
             "of a machine without rate control: the speed, km/h, at which it applies the nominal rate; "
             "slower applies more")
-        ->check(CLI::Range(0.1, 100.0));
+        .in_range(0.1, 100.0);
     verb.add_option("--pattern", pattern_file_,
                     "a table of offsets, m left of the machine's middle, and relative rates (default: even)");
   }
 
-  void add_wind_options(CLI::App& verb) {
+  void add_wind_options(Verb& verb) {
     verb.add_option("--wind", wind_text_, "SPEED,FROM: m/s, and the degrees it blows from, such as 4,270");
     verb.add_option("--drift-share", wind_.share, "share of the spray that goes with the wind")
-        ->check(CLI::Range(0.0, 1.0))
-        ->capture_default_str();
+        .in_range(0.0, 1.0)
+        .shows_default();
     verb.add_option("--nozzle-height", wind_.height_m, "what drifts falls from this height, m")
-        ->check(CLI::Range(0.01, 20.0))
-        ->capture_default_str();
+        .in_range(0.01, 20.0)
+        .shows_default();
     verb.add_option("--fall-speed", wind_.fall_mps, "at this speed, m/s")
-        ->check(CLI::Range(0.01, 20.0))
-        ->capture_default_str();
+        .in_range(0.01, 20.0)
+        .shows_default();
     verb.add_option("--drift-spread", wind_.spread, "and spreads by this share of its shift")
-        ->check(CLI::Range(0.0, 2.0))
-        ->capture_default_str();
+        .in_range(0.0, 2.0)
+        .shows_default();
   }
 
   coverage::DoseSettings settings() const {

@@ -20,9 +20,9 @@ std::string sensible_width(const std::string& text) {
 
 }  // namespace
 
-void add_drive_options(CLI::App& verb, DriveOptions& options) {
+void add_drive_options(Verb& verb, DriveOptions& options) {
   coverage::DriveSettings& drive = options.drive;
-  verb.add_option("--width", drive.width_m, "working width where the log has none, m")->check(sensible_width);
+  verb.add_option("--width", drive.width_m, "working width where the log has none, m").check(sensible_width);
   verb.add_option("--columns", options.log.columns,
                   "which column is what, where names do not say: \"lon=Xcoord,lat=Ycoord,time=T\"");
   verb.add_option("--log-crs", options.log.crs,
@@ -31,35 +31,33 @@ void add_drive_options(CLI::App& verb, DriveOptions& options) {
           "--quads", options.quads,
           "ground of a step: 'heading', square to the heading at either end, or 'segment', a rectangle "
           "along the step")
-      ->check(CLI::IsMember({"heading", "segment"}))
-      ->capture_default_str();
+      .one_of({"heading", "segment"})
+      .shows_default();
   verb.add_option("--switch", options.switching,
                   "when work and sections switch: 'interpolate', half way between fixes, or 'step', at the "
                   "second")
-      ->check(CLI::IsMember({"interpolate", "step"}))
-      ->capture_default_str();
+      .one_of({"interpolate", "step"})
+      .shows_default();
   verb.add_option("--max-gap-s", drive.max_gap_s, "nothing is worked over longer gaps in time, s")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  verb.add_option("--max-step-m", drive.max_step_m, "nor over longer steps, m")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+      .positive()
+      .shows_default();
+  verb.add_option("--max-step-m", drive.max_step_m, "nor over longer steps, m").positive().shows_default();
   verb.add_option("--antenna-forward", drive.antenna_forward_m, "antenna before the machine's middle, m")
-      ->check(CLI::Range(-100.0, 100.0))
-      ->capture_default_str();
+      .in_range(-100.0, 100.0)
+      .shows_default();
   verb.add_option("--antenna-right", drive.antenna_right_m, "antenna right of it, m")
-      ->check(CLI::Range(-100.0, 100.0))
-      ->capture_default_str();
+      .in_range(-100.0, 100.0)
+      .shows_default();
   verb.add_option("--implement-behind", drive.implement_behind_m,
                   "what works, behind the machine's middle, m")
-      ->check(CLI::Range(-100.0, 100.0))
-      ->capture_default_str();
+      .in_range(-100.0, 100.0)
+      .shows_default();
   verb.add_option(
           "--repeat", options.repeat,
           "what is repeated: 'run', ground worked before the machine's own trail, or 'strict', all ground "
           "worked twice")
-      ->check(CLI::IsMember({"run", "strict"}))
-      ->capture_default_str();
+      .one_of({"run", "strict"})
+      .shows_default();
 }
 
 }  // namespace tramline::app

@@ -47,32 +47,30 @@ constexpr const char* kExample =
 
 class EvaluateCommand : public Command {
  public:
-  CLI::App* setup(CLI::App& app) override {
-    CLI::App* verb = app.add_subcommand("evaluate", kHelp);
-    verb->add_option(
+  Verb setup(CLI::App& program) override {
+    Verb verb(program, "evaluate", kHelp);
+    verb.add_option(
         "LOG", log_file_,
         "the drive: CSV, NMEA 0183, GPX, ISOXML task data (folder, zip or one time log), or points or "
         "worked polygons of a vector file; .gz too");
-    add_field_choice(*verb, field_);
-    auto* plan =
-        verb->add_option("--plan", plan_file_, "a plan file: evaluate its drive, or compare LOG with it");
-    verb->add_option("--with", with_files_,
-                     "a plan file whose drive is taken as done after LOG's, such as a repair; may be given "
-                     "again and again")
-        ->allow_extra_args(false)
-        ->excludes(plan);
-    verb->add_option("--log", drive_.log.log, "which log of an ISOXML task set, such as TLG00001");
-    verb->add_option("--job", job_, "which job, by its number, where a log has several")
-        ->check(CLI::Range(1, 1000000));
-    add_drive_options(*verb, drive_);
-    add_engine_options(*verb);
-    verb->add_option("-o,--output", output_, "write the coverage to this GeoPackage (.gpkg)");
-    verb->add_option("--picture", picture_, "draw it to this .png, .svg or .pdf");
-    verb->add_option("--threads", settings_.threads, "threads to use (default: all cores)")
-        ->check(CLI::Range(0, 1024));
-    verb->add_flag("--json", json_, "print one JSON object instead of the table");
-    verb->add_flag("--quiet", quiet_, "no progress, no table");
-    verb->footer(kExample);
+    add_field_choice(verb, field_);
+    Option plan =
+        verb.add_option("--plan", plan_file_, "a plan file: evaluate its drive, or compare LOG with it");
+    verb.add_option("--with", with_files_,
+                    "a plan file whose drive is taken as done after LOG's, such as a repair; may be given "
+                    "again and again")
+        .one_value_each_time()
+        .excludes(plan);
+    verb.add_option("--log", drive_.log.log, "which log of an ISOXML task set, such as TLG00001");
+    verb.add_option("--job", job_, "which job, by its number, where a log has several").in_range(1, 1000000);
+    add_drive_options(verb, drive_);
+    add_engine_options(verb);
+    verb.add_option("-o,--output", output_, "write the coverage to this GeoPackage (.gpkg)");
+    verb.add_option("--picture", picture_, "draw it to this .png, .svg or .pdf");
+    verb.add_option("--threads", settings_.threads, "threads to use (default: all cores)").in_range(0, 1024);
+    verb.add_flag("--json", json_, "print one JSON object instead of the table");
+    verb.add_flag("--quiet", quiet_, "no progress, no table");
+    verb.footer(kExample);
     return verb;
   }
 
@@ -138,16 +136,16 @@ class EvaluateCommand : public Command {
     return evaluate_jobs(std::move(jobs), work, {json_, quiet_});
   }
 
-  void add_engine_options(CLI::App& verb) {
+  void add_engine_options(Verb& verb) {
     verb.add_option("--engine", engine_,
                     "'exact', or 'mesh' as in the paper (S3): slow, right to some per mille")
-        ->check(CLI::IsMember({"exact", "mesh"}))
-        ->capture_default_str();
+        .one_of({"exact", "mesh"})
+        .shows_default();
     verb.add_option("--mesh", settings_.mesh_m, "side of a mesh with --engine mesh, m")
-        ->check(CLI::Range(0.005, 1.0))
-        ->capture_default_str();
+        .in_range(0.005, 1.0)
+        .shows_default();
     verb.add_option("--slice", settings_.slice, "also give the figures after every so many fixes")
-        ->check(CLI::Range(1, 1000000000));
+        .in_range(1, 1000000000);
   }
 
   coverage::EvaluateSettings settings() const {

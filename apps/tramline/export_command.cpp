@@ -31,29 +31,29 @@ constexpr const char* kExample =
 
 class ExportCommand : public Command {
  public:
-  CLI::App* setup(CLI::App& app) override {
-    CLI::App* verb = app.add_subcommand("export", kAbout);
-    verb->add_option("PLAN", plan_file_, "the plan: a GeoPackage written by tramline plan")->required();
-    verb->add_option("-o,--output", output_,
-                     "write to this file: .geojson, .fgb (FlatGeobuf), .kml or .zip (Shapefiles)")
-        ->required();
-    verb->add_option("--crs", crs_,
-                     "coordinates of the output: 'source' (those of the field's file), 'wgs84', or a "
-                     "coordinate reference system such as EPSG:25832");
-    verb->add_option("--layer", layers_,
-                     "export this layer of the plan; may be given again and again for .zip and .kml")
-        ->allow_extra_args(false);
-    verb->add_option("--tolerance", tolerance_m_,
-                     "how far lines and outlines may run beside the plan's to need fewer points, m; 0 keeps "
-                     "all points")
-        ->capture_default_str();
-    verb->add_option("--id", id_,
-                     "of a file of many plans (plan --one-file): only that of the field of this id or key "
-                     "(default all)");
-    add_unused_threads_option(*verb, threads_);
-    verb->add_flag("--json", json_, "print one JSON object instead of the table");
-    verb->add_flag("--quiet", quiet_, "no table");
-    verb->footer(kExample);
+  Verb setup(CLI::App& program) override {
+    Verb verb(program, "export", kAbout);
+    verb.add_option("PLAN", plan_file_, "the plan: a GeoPackage written by tramline plan").required();
+    verb.add_option("-o,--output", output_,
+                    "write to this file: .geojson, .fgb (FlatGeobuf), .kml or .zip (Shapefiles)")
+        .required();
+    verb.add_option("--crs", crs_,
+                    "coordinates of the output: 'source' (those of the field's file), 'wgs84', or a "
+                    "coordinate reference system such as EPSG:25832");
+    verb.add_option("--layer", layers_,
+                    "export this layer of the plan; may be given again and again for .zip and .kml")
+        .one_value_each_time();
+    verb.add_option("--tolerance", tolerance_m_,
+                    "how far lines and outlines may run beside the plan's to need fewer points, m; 0 keeps "
+                    "all points")
+        .shows_default();
+    verb.add_option("--id", id_,
+                    "of a file of many plans (plan --one-file): only that of the field of this id or key "
+                    "(default all)");
+    add_unused_threads_option(verb, threads_);
+    verb.add_flag("--json", json_, "print one JSON object instead of the table");
+    verb.add_flag("--quiet", quiet_, "no table");
+    verb.footer(kExample);
     return verb;
   }
 

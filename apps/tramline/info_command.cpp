@@ -25,12 +25,12 @@ constexpr long long kListed = 20;
 
 class InfoCommand : public Command {
  public:
-  CLI::App* setup(CLI::App& app) override {
-    CLI::App* verb = app.add_subcommand("info", kHelp);
-    add_field_options(*verb, options_);
-    add_unused_threads_option(*verb, threads_);
-    verb->add_flag("--json", json_, "print JSON: one object, with --all one per field and line");
-    verb->footer(kExample);
+  Verb setup(CLI::App& program) override {
+    Verb verb(program, "info", kHelp);
+    add_field_options(verb, options_);
+    add_unused_threads_option(verb, threads_);
+    verb.add_flag("--json", json_, "print JSON: one object, with --all one per field and line");
+    verb.footer(kExample);
     return verb;
   }
 
@@ -72,8 +72,10 @@ class InfoCommand : public Command {
 
   void print_table(const FieldInput& input) const {
     std::string table = source_rows(options_.file, input);
-    for (const Field& field : input.fields)
-      table += (input.fields.size() > 1 ? "\n" : "") + field_rows(field);
+    for (const Field& field : input.fields) {
+      if (input.fields.size() > 1) table += '\n';
+      table += field_rows(field);
+    }
     for (const Refusal& refusal : input.refusals)
       table += fmt::format("\nrefused      {}\n", refusal.sentence);
     print_result(table + skipped_rows(input.skipped));

@@ -1,5 +1,6 @@
 // The tramline program: parses the command line, runs one verb, turns errors into exit codes.
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -104,7 +105,7 @@ int main(int argc, char** argv) {
   commands.push_back(make_export_command());
   commands.push_back(make_serve_command());
   std::vector<CLI::App*> verbs;
-  for (auto& command : commands) verbs.push_back(command->setup(app));
+  for (auto& command : commands) verbs.push_back(command->setup(app).parser());
   refuse_empty_values(verbs);
   report_closed_pipes();
 

@@ -50,34 +50,33 @@ class PlanCommand : public Command {
   PlanCommand(const char* word, const char* about, const char* example)
       : word_(word), about_(about), example_(example) {}
 
-  CLI::App* setup(CLI::App& app) override {
-    CLI::App* verb = app.add_subcommand(word_, about_);
-    verb->footer(example_);
-    add_field_options(*verb, field_options_);
-    add_plan_options(*verb, plan_options_);
-    CLI::Option* output =
-        verb->add_option("-o,--output", wanted_.plan, "write the plan to this GeoPackage (.gpkg)");
-    verb->add_option("--picture", wanted_.picture, "draw the plan to this .png, .svg or .pdf");
-    verb->add_option("--zoom-obstacles", wanted_.close_ups,
-                     "draw a close-up of every obstacle into this folder, which is made if missing");
-    verb->add_flag("--one-file", wanted_.one_file,
-                   "put the plans of all fields into the one file of --output, instead of a file for each")
-        ->needs(output);
-    verb->add_flag("--resume", resume_,
-                   "go on where a former run of the same command ended: fields that it has finished are "
-                   "not planned again");
-    verb->add_flag("--explain", explain_,
-                   "also say how the plan was found and why this one: its cost and what causes it, how much "
-                   "less any plan "
-                   "could cost, how much more the next best does, repairs and all notes");
-    verb->add_flag(
+  Verb setup(CLI::App& program) override {
+    Verb verb(program, word_, about_);
+    verb.footer(example_);
+    add_field_options(verb, field_options_);
+    add_plan_options(verb, plan_options_);
+    const Option output =
+        verb.add_option("-o,--output", wanted_.plan, "write the plan to this GeoPackage (.gpkg)");
+    verb.add_option("--picture", wanted_.picture, "draw the plan to this .png, .svg or .pdf");
+    verb.add_option("--zoom-obstacles", wanted_.close_ups,
+                    "draw a close-up of every obstacle into this folder, which is made if missing");
+    verb.add_flag("--one-file", wanted_.one_file,
+                  "put the plans of all fields into the one file of --output, instead of a file for each")
+        .needs(output);
+    verb.add_flag("--resume", resume_,
+                  "go on where a former run of the same command ended: fields that it has finished are "
+                  "not planned again");
+    verb.add_flag("--explain", explain_,
+                  "also say how the plan was found and why this one: its cost and what causes it, how much "
+                  "less any plan "
+                  "could cost, how much more the next best does, repairs and all notes");
+    verb.add_flag(
         "--front", front_,
         "look for other plans worth a choice too (see 'tramline compare'), and keep their numbers in "
         "the plan file and in --json");
-    verb->add_option("--threads", threads_, "threads to use (default: all cores)")
-        ->check(CLI::Range(0, 1024));
-    verb->add_flag("--json", json_, "print one JSON object per field");
-    verb->add_flag("--quiet", quiet_, "no progress, no table");
+    verb.add_option("--threads", threads_, "threads to use (default: all cores)").in_range(0, 1024);
+    verb.add_flag("--json", json_, "print one JSON object per field");
+    verb.add_flag("--quiet", quiet_, "no progress, no table");
     return verb;
   }
 

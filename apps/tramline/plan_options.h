@@ -1,16 +1,15 @@
 #pragma once
 // The options of `plan` that shape a plan.
 
-#include <CLI/CLI.hpp>
-
 #include "request/plan_request.h"
+#include "verb.h"
 
 namespace tramline::app {
 
-void add_plan_options(CLI::App& verb, PlanOptions& options);
+void add_plan_options(Verb& verb, PlanOptions& options);
 /// Of those only --width, --radius, --machine and --min-length, whose default is said in words.
-void add_machine_options(CLI::App& verb, PlanOptions& options, const char* least_length);
+void add_machine_options(Verb& verb, PlanOptions& options, const char* least_length);
 /// Only --weights, --prices and --minimise.
-void add_objective_options(CLI::App& verb, PlanOptions& options);
+void add_objective_options(Verb& verb, PlanOptions& options);
 
 }  // namespace tramline::app

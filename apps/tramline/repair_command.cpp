@@ -40,24 +40,23 @@ constexpr const char* kExample =
 
 class RepairCommand : public Command {
  public:
-  CLI::App* setup(CLI::App& app) override {
-    CLI::App* verb = app.add_subcommand("repair", kAbout);
-    verb->footer(kExample);
-    verb->add_option("COVERAGE", coverage_file_, "what a drive has worked: written by tramline evaluate -o")
-        ->required();
-    add_machine_options(*verb, options_, "0");
-    add_objective_options(*verb, options_);
-    verb->add_option("--min-area", min_area_m2_, "missed ground smaller than this is ignored, and listed, m²")
-        ->capture_default_str();
-    verb->add_option("--end-rule", end_rule_,
-                     "where swaths end on worked ground: cheapest, cover, centre or inside")
-        ->capture_default_str();
-    verb->add_option("-o,--output", output_, "write the plan to this GeoPackage (.gpkg)");
-    verb->add_option("--picture", picture_, "draw the plan to this .png, .svg or .pdf");
-    verb->add_option("--threads", threads_, "threads to use (default: all cores)")
-        ->check(CLI::Range(0, 1024));
-    verb->add_flag("--json", json_, "print one JSON object per field");
-    verb->add_flag("--quiet", quiet_, "no progress, no table");
+  Verb setup(CLI::App& program) override {
+    Verb verb(program, "repair", kAbout);
+    verb.footer(kExample);
+    verb.add_option("COVERAGE", coverage_file_, "what a drive has worked: written by tramline evaluate -o")
+        .required();
+    add_machine_options(verb, options_, "0");
+    add_objective_options(verb, options_);
+    verb.add_option("--min-area", min_area_m2_, "missed ground smaller than this is ignored, and listed, m²")
+        .shows_default();
+    verb.add_option("--end-rule", end_rule_,
+                    "where swaths end on worked ground: cheapest, cover, centre or inside")
+        .shows_default();
+    verb.add_option("-o,--output", output_, "write the plan to this GeoPackage (.gpkg)");
+    verb.add_option("--picture", picture_, "draw the plan to this .png, .svg or .pdf");
+    verb.add_option("--threads", threads_, "threads to use (default: all cores)").in_range(0, 1024);
+    verb.add_flag("--json", json_, "print one JSON object per field");
+    verb.add_flag("--quiet", quiet_, "no progress, no table");
     return verb;
   }
 

@@ -59,29 +59,28 @@ class StopAtSignal {
 
 class ServeCommand : public Command {
  public:
-  CLI::App* setup(CLI::App& app) override {
-    CLI::App* verb = app.add_subcommand("serve", kAbout);
-    verb->footer(kExample);
-    verb->add_option("DIR", folder_,
-                     "folder to keep everything in, made if missing (default ~/.local/share/tramline)");
-    verb->add_option("--port", settings_.port, "port to listen on (default 8750); 0 for any that is free")
-        ->check(CLI::Range(0, 65535));
-    verb->add_option(
+  Verb setup(CLI::App& program) override {
+    Verb verb(program, "serve", kAbout);
+    verb.footer(kExample);
+    verb.add_option("DIR", folder_,
+                    "folder to keep everything in, made if missing (default ~/.local/share/tramline)");
+    verb.add_option("--port", settings_.port, "port to listen on (default 8750); 0 for any that is free")
+        .in_range(0, 65535);
+    verb.add_option(
         "--host", settings_.host,
         "address to listen on (default 127.0.0.1: only this computer); another one asks for a token");
-    verb->add_option("--token", settings_.token, "the token to ask for (default: with --host one is made)");
-    verb->add_option(
+    verb.add_option("--token", settings_.token, "the token to ask for (default: with --host one is made)");
+    verb.add_option(
         "--tiles", settings_.tiles,
         "URL of raster tiles to show under the map, with {z}, {x} and {y} (default: none, no network)");
-    verb->add_option("--tiles-attribution", settings_.tiles_attribution,
-                     "whom the tiles are from, shown on the map with them (default: the host of the URL)");
-    verb->add_option(
-            "--feed-dir", settings_.feed_folders,
-            "folder whose files live feeds may read (file:///...), beside DIR; give it again for more")
-        ->allow_extra_args(false);
-    verb->add_option("--threads", threads_, "taken by every verb; here each plan uses all cores")
-        ->check(CLI::Range(0, 1024));
-    verb->add_flag("--quiet", quiet_, "print nothing but errors");
+    verb.add_option("--tiles-attribution", settings_.tiles_attribution,
+                    "whom the tiles are from, shown on the map with them (default: the host of the URL)");
+    verb.add_option("--feed-dir", settings_.feed_folders,
+                    "folder whose files live feeds may read (file:///...), beside DIR; give it again for more")
+        .one_value_each_time();
+    verb.add_option("--threads", threads_, "taken by every verb; here each plan uses all cores")
+        .in_range(0, 1024);
+    verb.add_flag("--quiet", quiet_, "print nothing but errors");
     return verb;
   }
 

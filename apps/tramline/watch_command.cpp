@@ -40,28 +40,27 @@ constexpr const char* kExample =
 
 class WatchCommand : public Command {
  public:
-  CLI::App* setup(CLI::App& app) override {
-    CLI::App* verb = app.add_subcommand("watch", kHelp);
-    verb->add_option("--follow", follow_, "a file that is being written");
-    verb->add_option("--tcp", tcp_, "HOST:PORT of a server that sends the lines");
-    verb->add_option("--udp", udp_, "port that the lines are sent to")->check(CLI::Range(1, 65535));
-    verb->add_option("--serial", serial_, "serial device and speed: /dev/ttyUSB0,38400 (115200 unless told)");
-    verb->add_option("--gpsd", gpsd_, "HOST or HOST:PORT of gpsd (localhost:2947 unless told)")
-        ->expected(0, 1);
-    verb->add_flag("--once", once_, "a connection that is lost is the end, and is not made again");
-    add_field_choice(*verb, field_);
-    add_drive_options(*verb, drive_);
-    verb->add_option("-o,--output", output_.file,
-                     "write the coverage to this GeoPackage (.gpkg), and the lines beside it (.gpkg.log)");
-    verb->add_option("--save-every", output_.save_every_s, "write it so often, s, besides at the end")
-        ->check(CLI::Range(1.0, 86400.0))
-        ->capture_default_str();
-    add_look_ahead_options(*verb);
-    verb->add_option("--threads", threads_, "threads to use (default: all cores)")
-        ->check(CLI::Range(0, 1024));
-    verb->add_flag("--json", output_.json, "print one JSON object a second");
-    verb->add_flag("--quiet", output_.quiet, "no status, no table");
-    verb->footer(kExample);
+  Verb setup(CLI::App& program) override {
+    Verb verb(program, "watch", kHelp);
+    verb.add_option("--follow", follow_, "a file that is being written");
+    verb.add_option("--tcp", tcp_, "HOST:PORT of a server that sends the lines");
+    verb.add_option("--udp", udp_, "port that the lines are sent to").in_range(1, 65535);
+    verb.add_option("--serial", serial_, "serial device and speed: /dev/ttyUSB0,38400 (115200 unless told)");
+    verb.add_option("--gpsd", gpsd_, "HOST or HOST:PORT of gpsd (localhost:2947 unless told)")
+        .value_may_be_left_out();
+    verb.add_flag("--once", once_, "a connection that is lost is the end, and is not made again");
+    add_field_choice(verb, field_);
+    add_drive_options(verb, drive_);
+    verb.add_option("-o,--output", output_.file,
+                    "write the coverage to this GeoPackage (.gpkg), and the lines beside it (.gpkg.log)");
+    verb.add_option("--save-every", output_.save_every_s, "write it so often, s, besides at the end")
+        .in_range(1.0, 86400.0)
+        .shows_default();
+    add_look_ahead_options(verb);
+    verb.add_option("--threads", threads_, "threads to use (default: all cores)").in_range(0, 1024);
+    verb.add_flag("--json", output_.json, "print one JSON object a second");
+    verb.add_flag("--quiet", output_.quiet, "no status, no table");
+    verb.footer(kExample);
     verb_ = verb;
     return verb;
   }
@@ -93,28 +92,28 @@ class WatchCommand : public Command {
   }
 
  private:
-  void add_look_ahead_options(CLI::App& verb) {
+  void add_look_ahead_options(Verb& verb) {
     verb.add_flag("--look-ahead", look_ahead_,
                   "also say what each section comes to at present speed and heading, and when to switch it");
     verb.add_option("--horizon", rule_.horizon_s, "how far to look ahead, s")
-        ->check(CLI::Range(0.1, 60.0))
-        ->capture_default_str();
+        .in_range(0.1, 60.0)
+        .shows_default();
     verb.add_option("--on-latency", rule_.on_latency_s, "from the command to the work of a section, s")
-        ->check(CLI::Range(0.0, 30.0))
-        ->capture_default_str();
+        .in_range(0.0, 30.0)
+        .shows_default();
     verb.add_option("--off-latency", rule_.off_latency_s, "from the command to the end of its work, s")
-        ->check(CLI::Range(0.0, 30.0))
-        ->capture_default_str();
+        .in_range(0.0, 30.0)
+        .shows_default();
     verb.add_option("--on-from", rule_.on_from,
                     "a section goes on where at least this share of its width needs work")
-        ->check(CLI::Range(0.0, 1.0))
-        ->capture_default_str();
+        .in_range(0.0, 1.0)
+        .shows_default();
     verb.add_option("--off-below", rule_.off_below, "and off where less than this share does")
-        ->check(CLI::Range(0.0, 1.0))
-        ->capture_default_str();
+        .in_range(0.0, 1.0)
+        .shows_default();
   }
 
-  bool gpsd_asked() const { return verb_->get_option("--gpsd")->count() > 0; }
+  bool gpsd_asked() const { return verb_->is_given("--gpsd"); }
   int sources() const {
     return static_cast<int>(!follow_.empty()) + static_cast<int>(!tcp_.empty()) +
            static_cast<int>(udp_ != 0) + static_cast<int>(!serial_.empty()) + static_cast<int>(gpsd_asked());
@@ -136,7 +135,7 @@ class WatchCommand : public Command {
     return io::stdin_feed();
   }
 
-  CLI::App* verb_ = nullptr;
+  std::optional<Verb> verb_;
   FieldOptions field_;
   DriveOptions drive_;
   WatchOutput output_;

@@ -1,0 +1,32 @@
+# Reads the built program with readelf: is it hardened as cmake/TramlineHardening.cmake says?
+
+find_program(READELF readelf)
+if(NOT READELF)
+  message("SKIPPED: readelf is missing (Debian: binutils)")
+  return()
+endif()
+
+function(read_program option result)
+  execute_process(COMMAND "${READELF}" --wide ${option} "${PROGRAM}" OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+  set(${result} "${output}" PARENT_SCOPE)
+endfunction()
+
+function(require text pattern meaning)
+  if(NOT text MATCHES "${pattern}")
+    message(SEND_ERROR "${PROGRAM} ${meaning}: nothing in it matches ${pattern}")
+  endif()
+endfunction()
+
+read_program(--file-header header)
+require("${header}" "Type: +DYN" "is not position-independent")
+read_program(--segments segments)
+require("${segments}" "GNU_RELRO" "leaves the tables of the loader writable")
+require("${segments}" "GNU_STACK[^\n]* RW " "does not say that its stack holds no code")
+if(segments MATCHES "LOAD[^\n]* RWE ")
+  message(SEND_ERROR "${PROGRAM} has a segment that is writable and executable")
+endif()
+read_program(--dynamic dynamic)
+require("${dynamic}" "Flags:[^\n]*NOW" "binds functions late, so that RELRO is not full")
+read_program(--symbols symbols)
+require("${symbols}" "__stack_chk_fail" "does not guard its stack")
+require("${symbols}" "__(memcpy|memset|snprintf|vsnprintf|read|pread64|fdelt|memmove|strcpy)_chk" "does not check calls of the C library")
