@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "command.h"
 #include "server/http/gate.h"
@@ -75,8 +76,9 @@ class ServeCommand : public Command {
         "URL of raster tiles to show under the map, with {z}, {x} and {y} (default: none, no network)");
     verb.add_option("--tiles-attribution", settings_.tiles_attribution,
                     "whom the tiles are from, shown on the map with them (default: the host of the URL)");
-    verb.add_option("--feed-dir", settings_.feed_folders,
-                    "folder whose files live feeds may read (file:///...), beside DIR; give it again for more")
+    verb.add_option(
+            "--feed-dir", feed_folders_,
+            "folder whose files live feeds may read (file:///...), beside DIR; give it again for more")
         .one_value_each_time();
     verb.add_option("--threads", threads_, "taken by every verb; here each plan uses all cores")
         .in_range(0, 1024);
@@ -86,6 +88,7 @@ class ServeCommand : public Command {
 
   int run() override {
     require_sensible();
+    settings_.feed_folders.assign(feed_folders_.begin(), feed_folders_.end());
     settings_.folder = folder_.empty() ? server::default_folder() : std::filesystem::path(folder_);
     if (settings_.token.empty() && !server::is_loopback(settings_.host))
       settings_.token = server::new_token();
@@ -145,6 +148,7 @@ class ServeCommand : public Command {
                                    .feed_folders = {},
                                    .limits = {}};
   std::string folder_;
+  std::vector<std::string> feed_folders_;
   int threads_ = 0;
   bool quiet_ = false;
 };
