@@ -80,8 +80,7 @@ std::optional<WithPasses> with_passes_of(const Case& c) {
   out.land = unite(c.plan.body, headland.ground);
   out.parts = c.parts;
   out.parts.insert(out.parts.end(), passes.begin(), passes.end());
-  out.worked =
-      worked_on(out.land, out.parts, c.plan.pieces.size() + headland.passes.size(), c.plan.machine.width_m);
+  out.worked = worked_on(out.land, out.parts, c.plan.pieces.size() + headland.passes.size());
   out.passes_m2 = worked_by_passes_m2(c.plan, passes, c.passables);
   return out;
 }
@@ -104,7 +103,7 @@ Case::Case(const Plan& of)
           std::max(kAreaShare * area(Polygon{of.field.outer, {}}), kGridSize * perimeter(of.field.outer))),
       lines(of),
       parts(worked_parts(of)),
-      worked(worked_on(of.body, parts, of.pieces.size(), of.machine.width_m)) {
+      worked(worked_on(of.body, parts, of.pieces.size())) {
   with_passes = with_passes_of(*this);
   for (const Obstacle& obstacle : of.field.obstacles) obstacle_boxes.push_back(bounds(obstacle.shape));
   const Surroundings surroundings(of, std::numeric_limits<int>::max());
