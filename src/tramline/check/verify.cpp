@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tramline/check/near_land.h"
+#include "tramline/check/not_verified.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 #include "tramline/geometry/boolean.h"
@@ -147,6 +148,7 @@ Point place_on_largest(const Region& region) {
 
 Verdict verify(const Plan& plan) {
   Verdict verdict;
+  verdict.not_verified = not_verified(plan);
   check_shapes(plan, verdict.violations);
   check_pieces(plan, verdict.violations);
   check_headland(plan, verdict.violations);
@@ -177,6 +179,8 @@ Verdict verify(const Plan& plan) {
   verdict.track_tally = tallies.tracks;
   check_swath_overlaps(c, verdict.violations);
   check_headland_tally(c, verdict.violations);
+  check_proof(plan, verdict.violations);
+  check_front(c, verdict.violations);
   verdict.complete = true;
   return verdict;
 }
