@@ -1,6 +1,7 @@
 #include "report/check_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <iterator>
@@ -62,6 +63,26 @@ nlohmann::ordered_json to_json(const Tally& tally) {
           {"tracks", tally.pieces},         {"track_length_m", tally.track_length_m}};
 }
 
+/// "not verified: proof (bound, one_direction_bound), frame, settings (17)": names by what they belong to.
+/// Many of one kind are counted; JSON has them all.
+std::string not_verified_line(const std::vector<std::string>& names) {
+  constexpr std::size_t kMany = 4;
+  const auto group_of = [](const std::string& name) { return name.substr(0, name.find('.')); };
+  std::string out;
+  for (std::size_t i = 0; i < names.size();) {
+    const std::string group = group_of(names[i]);
+    std::vector<std::string> members;
+    for (; i < names.size() && group_of(names[i]) == group; ++i)
+      if (names[i] != group) members.push_back(names[i].substr(group.size() + 1));
+    out += (out.empty() ? "" : ", ") + group;
+    if (members.size() > kMany)
+      out += fmt::format(" ({})", members.size());
+    else if (!members.empty())
+      out += fmt::format(" ({})", fmt::join(members, ", "));
+  }
+  return out.empty() ? out : "not verified: " + out + "\n";
+}
+
 }  // namespace
 
 std::string check_table(const std::string& plan_file, const Plan& plan, const check::Verdict& verdict) {
@@ -71,6 +92,7 @@ std::string check_table(const std::string& plan_file, const Plan& plan, const ch
   for (const check::Violation& violation : verdict.violations)
     fmt::format_to(std::back_inserter(out), "{}: {}, at x {:.3f} m, y {:.3f} m\n", violation.rule,
                    violation.what, violation.at.x, violation.at.y);
+  out += not_verified_line(verdict.not_verified);
   if (verdict.violations.empty()) return out + "plan holds\n";
   return out + fmt::format("{} violation{}\n", verdict.violations.size(),
                            verdict.violations.size() == 1 ? "" : "s");
@@ -82,9 +104,10 @@ nlohmann::ordered_json check_json(const std::string& plan_file, const Plan& plan
   for (const check::Violation& violation : verdict.violations) violations.push_back(to_json(violation));
   nlohmann::ordered_json recomputed;
   if (verdict.complete) recomputed = to_json(verdict.recomputed);
-  return {{"plan", plan_file},        {"field_id", plan.field.id},    {"key", field_key(plan.field)},
-          {"ok", verdict.holds()},    {"complete", verdict.complete}, {"violations", violations},
-          {"recomputed", recomputed}, {"stored", to_json(plan.tally)}};
+  return {
+      {"plan", plan_file},        {"field_id", plan.field.id},     {"key", field_key(plan.field)},
+      {"ok", verdict.holds()},    {"complete", verdict.complete},  {"violations", violations},
+      {"recomputed", recomputed}, {"stored", to_json(plan.tally)}, {"not_verified", verdict.not_verified}};
 }
 
 }  // namespace tramline::app

@@ -1,7 +1,11 @@
 #include "request/judge_plan.h"
 
+#include <utility>
+
 #include "tramline/check/compare_fields.h"
 #include "tramline/check/compare_layers.h"
+#include "tramline/check/compare_warnings.h"
+#include "tramline/check/not_verified.h"
 #include "tramline/check/verify.h"
 
 namespace tramline::app {
@@ -24,7 +28,10 @@ check::Verdict judge(const io::PlanFile& file, const std::optional<Field>& input
                           verdict.violations);
   for (const io::DerivedText& text : file.derived_texts)
     check::compare_text(text.where, text.stored, text.from_shape, text.at, verdict.violations);
-  if (input) append(verdict.violations, check::compare_fields(file.plan.field, *input));
+  append(verdict.violations, check::compare_warnings(file.plan));
+  if (!input) return verdict;
+  append(verdict.violations, check::compare_fields(file.plan.field, *input));
+  verdict.not_verified = check::without_field(std::move(verdict.not_verified));
   return verdict;
 }
 

@@ -70,27 +70,10 @@ TEST(WorkedBody, covers_what_the_union_of_the_swaths_does) {
         plan.pieces.insert(plan.pieces.begin(), more);
       }
       const std::vector<WorkedPart> parts = check::worked_parts(plan);
-      const check::WorkedBody found = worked_on(plan.body, parts, plan.pieces.size(), plan.machine.width_m);
+      const check::WorkedBody found = worked_on(plan.body, parts, plan.pieces.size());
       const Region land = ground_of(parts);
       EXPECT_NEAR(found.covered_m2, area(intersection(land, plan.body)), kTolerance_m2);
-      EXPECT_NEAR(area(unite(found.beyond)), area(difference(land, plan.body)), kTolerance_m2);
     }
-  }
-}
-
-// What is left of a layer, sliver by sliver and where one polygon has all parts near it.
-TEST(WorkedBody, leaves_what_the_union_of_the_swaths_does) {
-  for (Plan plan : plans()) {
-    plan.pieces.erase(plan.pieces.begin() + 2);
-    const std::vector<WorkedPart> parts = check::worked_parts(plan);
-    const Region left = difference(plan.body, ground_of(parts));
-    const double left_m2 = area(left);
-    EXPECT_GT(left_m2, 50);
-    EXPECT_NEAR(check::left_within_m2(left, plan.body, parts), left_m2, kTolerance_m2);
-    EXPECT_NEAR(check::left_within_m2({{plan.field.outer, {}}}, plan.body, parts), left_m2, kTolerance_m2);
-    // Beyond the body nothing is left, and what is worked is not.
-    EXPECT_NEAR(check::left_within_m2({{{{200, 0}, {210, 0}, {210, 10}}, {}}}, plan.body, parts), 0, 1e-9);
-    EXPECT_NEAR(check::left_within_m2(parts[0].ground, plan.body, parts), 0, 1e-2);
   }
 }
 
@@ -113,7 +96,7 @@ TEST(WorkedBody, knows_swaths_that_meet_themselves) {
   const double twice_m2 = 4 * length(piece) - area(land);
   // Legs from 0 to 20 m share a metre of their width, and each what the arcs at its ends bend into it.
   EXPECT_GT(twice_m2, 20);
-  const check::WorkedBody found = worked_on(plan.body, parts, plan.pieces.size(), plan.machine.width_m);
+  const check::WorkedBody found = worked_on(plan.body, parts, plan.pieces.size());
   EXPECT_NEAR(found.covered_m2, area(land), 1e-2);
 }
 

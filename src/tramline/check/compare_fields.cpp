@@ -54,6 +54,22 @@ void compare_regions(const Region& planned, const Region& input, const char* nam
                    place_on_largest(off), amount});
 }
 
+/// What admission did to the field and said of it: the same input is treated the same.
+void compare_reports(const Field& planned, const Field& input, std::vector<Violation>& out) {
+  const auto same = [](const Repair& a, const Repair& b) { return a.what == b.what && a.where == b.where; };
+  if (!std::equal(planned.repairs.begin(), planned.repairs.end(), input.repairs.begin(), input.repairs.end(),
+                  same))
+    out.push_back({kRule,
+                   fmt::format("the plan tells of {} repairs of the field, the input needs {}, or others",
+                               planned.repairs.size(), input.repairs.size()),
+                   planned.outer.front(), 1});
+  if (planned.warnings != input.warnings)
+    out.push_back({kRule,
+                   fmt::format("the plan has {} warnings about the field, the input gives {}, or others",
+                               planned.warnings.size(), input.warnings.size()),
+                   planned.outer.front(), 1});
+}
+
 }  // namespace
 
 std::vector<Violation> compare_fields(const Field& planned, const Field& input) {
@@ -72,6 +88,7 @@ std::vector<Violation> compare_fields(const Field& planned, const Field& input) 
                   obstacles(input, ObstacleKind::kObstacle, shift), "the obstacles", out);
   compare_regions(obstacles(planned, ObstacleKind::kPassable, {}),
                   obstacles(input, ObstacleKind::kPassable, shift), "the passable obstacles", out);
+  compare_reports(planned, input, out);
   return out;
 }
 

@@ -32,7 +32,8 @@ void check_obstacle_passes(const Plan& plan, Violations& out) {
   for (std::size_t i = 0; i < std::min(passes.size(), obstacles.size()); ++i) {
     const bool may_have = obstacles[i].kind == ObstacleKind::kObstacle;
     const int most = may_have ? plan.settings.obstacle_headlands : 0;
-    if (passes[i] >= 0 && passes[i] <= most) continue;
+    // A boundary has all the passes that were asked for, or tracks go round it and it has none.
+    if (passes[i] == 0 || passes[i] == most) continue;
     out.push_back(
         {kRule,
          fmt::format("obstacle {} has {} headland passes, and {} were asked for", i + 1, passes[i], most),

@@ -62,7 +62,7 @@ void check_left_to_tracks(const Case& c, Violations& out) {
   Region bands;
   double all_arcs_m = 0;
   for (const HeadlandPass& pass : c.plan.headland.passes) {
-    Region more = flat_bands_along(pass.path, c.plan.machine.width_m);
+    Region more = flat_bands_along(pass.path, c.plan.machine.width_m, kLayerSagitta);
     bands.insert(bands.end(), more.begin(), more.end());
     all_arcs_m += arcs_m(pass.path);
   }

@@ -36,9 +36,10 @@ class Family {
       for (const Path& part : parts_on_track(c.plan.pieces[i])) {
         const Path path = shortened(part, kLengthTolerance_m);
         if (path.empty()) continue;
-        const std::vector<Box> reaches = reaches_of(path, 0);
-        boxes.insert(boxes.end(), reaches.begin(), reaches.end());
-        for (const PathSegment& segment : path) stretches_.push_back({i, segment});
+        for (const PathSegment& segment : path) {
+          stretches_.push_back({i, segment});
+          index_short_parts(stretches_.back(), boxes);
+        }
       }
     }
     grid_ = BoxGrid(boxes);
@@ -55,6 +56,19 @@ class Family {
   }
 
  private:
+  /// Boxes of long segments that lie across the axes would meet nearly every look.
+  void index_short_parts(const Part& stretch, std::vector<Box>& boxes) {
+    const double length_m = length(stretch.segment), longest_m = 4 * width_m_;
+    const int count = std::max(1, static_cast<int>(std::ceil(length_m / longest_m)));
+    Point from = stretch.segment.from;
+    for (int k = 1; k <= count; ++k) {
+      const Point to = k < count ? place_on(Path{stretch.segment}, length_m * k / count) : stretch.segment.to;
+      short_parts_.push_back({stretch.piece, {from, to, stretch.segment.curvature}});
+      boxes.push_back(reach_of({short_parts_.back().segment}, 0));
+      from = to;
+    }
+  }
+
   /// Across the track in so many places that no swath fits between them.
   void look_beside(const Part& stretch) {
     const double length_m = length(stretch.segment), step_m = std::min(1.0, 0.5 * width_m_);
@@ -80,7 +94,7 @@ class Family {
     window.extend(from);
     window.extend(to);
     grid_.each_meeting(window, [&](std::size_t i) {
-      const Part& other = stretches_[i];
+      const Part& other = short_parts_[i];
       if (other.piece == piece || distance_to_edge(other.segment, from, to) > 0) return;
       const double apart_m = distance_to_edge(other.segment, from, from);
       const auto pieces = std::minmax(piece, other.piece);
@@ -91,6 +105,7 @@ class Family {
 
   double width_m_;
   std::vector<Part> stretches_;
+  std::vector<Part> short_parts_;  ///< those in the grid
   BoxGrid grid_;
   std::map<std::pair<std::size_t, std::size_t>, Nearest> too_near_;
 };

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "tramline/check/bands.h"
-#include "tramline/check/doubled_ground.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 

@@ -8,9 +8,8 @@
 
 #include "tramline/check/bands.h"
 #include "tramline/check/comparison.h"
-#include "tramline/check/doubled_ground.h"
+#include "tramline/check/ground_cells.h"
 #include "tramline/check/rules.h"
-#include "tramline/geometry/boolean.h"
 
 namespace tramline::check {
 namespace {
@@ -70,14 +69,6 @@ Tally recomputed(const Case& c, int stops) {
   return tally;
 }
 
-/// Land that nothing works.
-Region uncovered_land(const Case& c) {
-  Region swaths;
-  for (const WorkedPart& part : counted_parts(c))
-    swaths.insert(swaths.end(), part.ground.begin(), part.ground.end());
-  return difference(counted_land(c), unite(swaths));
-}
-
 void compare_tallies(const Case& c, const Tally& found, double tolerance, Violations& out) {
   const Tally& stored = c.plan.tally;
   Comparison compare(c.with_passes ? "the tracks and headland passes" : "the tracks",
@@ -117,60 +108,102 @@ void compare_track_areas(const Case& c, const Tally& found, double tolerance, Vi
   compare.number("uncovered area of the body", " m²", stored.uncovered_m2, found.uncovered_m2, tolerance);
 }
 
+/// Ground in cells, by what lies over it.
+enum Over : std::size_t { kLand, kLayer, kFirstPart };
+
+/// An amount of ground and the middle of its largest cell.
+class Amount {
+ public:
+  void add(const GroundCell& cell) {
+    sum_m2_ += cell.area_m2;
+    if (cell.area_m2 <= largest_m2_) return;
+    largest_m2_ = cell.area_m2;
+    at_ = cell.middle;
+  }
+  double m2() const { return sum_m2_; }
+  Point at() const { return at_; }
+
+ private:
+  double sum_m2_ = 0, largest_m2_ = 0;
+  Point at_;
+};
+
 /// The stored layers against the land that the swaths leave out, work twice or work beyond the body.
 class LayersOfLand {
  public:
   LayersOfLand(const Case& c, Violations& out)
       : c_(c),
+        parts_(parts_between_detours(c.plan)),
         tolerance_m2_(c.area_tolerance_m2 + chord_tolerance_m2(c.plan, kLayerSagitta) +
                       kLayerSagitta * 2 * pass_arcs_m(c)),
-        out_(out) {}
+        out_(out) {
+    if (!c.with_passes) return;
+    for (WorkedPart& part : pass_parts(c.plan, kLayerSagitta)) parts_.push_back(std::move(part));
+  }
 
   void compare() {
-    const Region uncovered = once(c_.plan.uncovered, "uncovered"), overlap = once(c_.plan.overlap, "overlap");
-    compare_uncovered(uncovered);
-    std::vector<WorkedPart> all = parts_between_detours(c_.plan);
-    if (c_.with_passes)
-      for (WorkedPart& part : pass_parts(c_.plan)) all.push_back(std::move(part));
-    Region parts = doubled_ground(all, c_.plan.machine.width_m);
-    const Region& beyond = counted_work(c_).beyond;
-    parts.insert(parts.end(), beyond.begin(), beyond.end());
-    const Region twice = unite(parts);
-    // What is too thin to be shown may be left out of the layer along all edges.
-    const double thin_m2 = kThinnestShown_m * perimeter_m(twice);
-    report(difference(twice, overlap), tolerance_m2_ + thin_m2,
+    look_at_uncovered();
+    look_at_overlap();
+    report(overlap_repeats_, tolerance_m2_, "the layer overlap repeats itself");
+    report(uncovered_repeats_, tolerance_m2_, "the layer uncovered repeats itself");
+    report(uncovered_off_, tolerance_m2_, "the layer uncovered differs from the land less the swaths");
+    // What is too thin to be shown may be left out of the layer along all its edges.
+    const double thin_m2 = kThinnestShown_m * perimeter_m(c_.plan.overlap);
+    report(overlap_lacks_, tolerance_m2_ + thin_m2,
            "the layer overlap falls short of what is worked twice or beyond the land");
-    report(difference(overlap, twice), tolerance_m2_ + thin_m2,
+    report(overlap_exceeds_, tolerance_m2_ + thin_m2,
            "the layer overlap goes beyond what is worked twice or beyond the land");
   }
 
  private:
-  /// What two regions have one of is the sum of both less twice what they have in common. So the land itself,
-  /// an overlay of all swaths, is only made to say where it differs.
-  void compare_uncovered(const Region& layer) {
-    const double left_m2 = area(counted_land(c_)) - counted_work(c_).covered_m2;
-    const double off_m2 =
-        area(layer) + left_m2 - 2 * left_within_m2(layer, counted_land(c_), counted_parts(c_));
-    if (off_m2 <= tolerance_m2_) return;
-    out_.push_back(
-        {kRule, fmt::format("the layer uncovered differs from the land less the swaths by {:.3f} m²", off_m2),
-         place_on_largest(symmetric_difference(layer, uncovered_land(c_))), off_m2});
+  void look_at_uncovered() {
+    GroundEdges ground;
+    ground.add(counted_land(c_), kLand);
+    ground.add(c_.plan.uncovered, kLayer);
+    for (const WorkedPart& part : counted_parts(c_)) ground.add(part.ground, kFirstPart);
+    each_cell(ground, [this](const GroundCell& cell) {
+      const Cover& last = cell.covers.back();
+      const bool land = cell.covers.front().shape == kLand, worked = last.shape == kFirstPart;
+      int times = 0;
+      for (const Cover& cover : cell.covers)
+        if (cover.shape == kLayer) times = cover.times;
+      if (times > 1) uncovered_repeats_.add(cell);
+      if ((times > 0) != (land && !worked)) uncovered_off_.add(cell);
+    });
   }
 
-  /// A layer as land. Its polygons must not lie over one another: their areas would not add up.
-  Region once(const Region& layer, const char* name) {
-    const Region repeated = doubled_ground(layer);
-    if (repeated.empty()) return layer;
-    if (const double amount = area(repeated); amount > tolerance_m2_)
-      out_.push_back({kRule, fmt::format("the layer {} repeats itself by {:.3f} m²", name, amount),
-                      place_on_largest(repeated), amount});
-    return unite(layer);
+  void look_at_overlap() {
+    GroundEdges ground;
+    ground.add(counted_land(c_), kLand);
+    ground.add(c_.plan.overlap, kLayer);
+    for (std::size_t i = 0; i < parts_.size(); ++i) ground.add(parts_[i].ground, kFirstPart + i);
+    each_cell(ground, [this](const GroundCell& cell) {
+      int times = 0;
+      bool land = false, twice = false;
+      const Cover* first = nullptr;
+      for (const Cover& cover : cell.covers) {
+        if (cover.shape == kLand) land = true;
+        if (cover.shape == kLayer) times = cover.times;
+        if (cover.shape < kFirstPart) continue;
+        twice = twice || (first != nullptr && !follow_one_another(*first, cover));
+        if (first == nullptr) first = &cover;
+      }
+      const bool over = twice || (first != nullptr && !land);
+      if (times > 1) overlap_repeats_.add(cell);
+      if (over && times == 0) overlap_lacks_.add(cell);
+      if (!over && times > 0) overlap_exceeds_.add(cell);
+    });
   }
 
-  void report(const Region& off, double tolerance_m2, const char* what) {
-    const double amount = area(off);
-    if (amount > tolerance_m2)
-      out_.push_back({kRule, fmt::format("{} by {:.3f} m²", what, amount), place_on_largest(off), amount});
+  /// Parts of one swath that may_meet() knows to lie one behind the other.
+  bool follow_one_another(const Cover& a, const Cover& b) const {
+    const WorkedPart &one = parts_[a.shape - kFirstPart], &other = parts_[b.shape - kFirstPart];
+    return one.piece == other.piece && !may_meet(one, other, c_.plan.machine.width_m);
+  }
+
+  void report(const Amount& off, double tolerance_m2, const char* what) {
+    if (off.m2() > tolerance_m2)
+      out_.push_back({kRule, fmt::format("{} by {:.3f} m²", what, off.m2()), off.at(), off.m2()});
   }
 
   static double perimeter_m(const Region& region) {
@@ -180,7 +213,9 @@ class LayersOfLand {
   }
 
   const Case& c_;
+  std::vector<WorkedPart> parts_;
   double tolerance_m2_;
+  Amount overlap_repeats_, uncovered_repeats_, uncovered_off_, overlap_lacks_, overlap_exceeds_;
   Violations& out_;
 };
 

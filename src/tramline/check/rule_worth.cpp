@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "tramline/check/bands.h"
+#include "tramline/check/ground_cells.h"
 #include "tramline/check/rules.h"
-#include "tramline/geometry/box_grid.h"
-#include "tramline/geometry/layered_area.h"
 
 namespace tramline::check {
 namespace {
@@ -43,30 +42,28 @@ std::vector<Slice> slices_of(const Plan& plan) {
   return out;
 }
 
-void append_rings(const Region& region, const Box& window, RisingCurves& out) {
-  for (const Ring& ring : rings_of(region))
-    if (intersects(bounds(ring), window)) append_ring(ring, Layer::kBody, window, out);
-}
-
 void find_worths(const Case& c, std::vector<Slice>& slices) {
+  enum Over : std::size_t { kHeadland, kPassables, kFirstSlice };
   const double width_m = c.plan.machine.width_m;
-  std::vector<Box> boxes;
-  for (const Slice& slice : slices) boxes.push_back(reach_of(slice.path, width_m));
-  const BoxGrid grid(boxes);
-  Region passables;
-  for (const Boxed& land : c.passables) passables.push_back(*land.shape);
+  GroundEdges ground;
+  ground.add(c.plan.headland.ground, kHeadland);
+  for (const Boxed& land : c.passables) ground.add(*land.shape, kPassables);
   for (std::size_t i = 0; i < slices.size(); ++i) {
-    RisingCurves fresh, idle;
-    append_rings(c.plan.headland.ground, boxes[i], fresh);
-    append_band(slices[i].path, width_m, Layer::kNew, fresh);
-    grid.each_meeting(boxes[i], [&](std::size_t k) {
-      if (k < i) append_band(slices[k].path, width_m, Layer::kTaken, fresh);
-    });
-    append_rings(passables, boxes[i], idle);
-    append_band(slices[i].path, width_m, Layer::kNew, idle);
-    const double fresh_m2 = new_area(fresh);
-    slices[i].worth_m2 = kMissed * fresh_m2 - (width_m * length(slices[i].path) - new_area(idle) - fresh_m2);
+    ground.add(flat_bands_along(slices[i].path, width_m, kLayerSagitta), kFirstSlice + i);
+    slices[i].worth_m2 = -width_m * length(slices[i].path);
   }
+  each_cell(ground, [&](const GroundCell& cell) {
+    bool headland = false, passable = false, first = true;
+    for (const Cover& cover : cell.covers) {
+      headland = headland || cover.shape == kHeadland;
+      passable = passable || cover.shape == kPassables;
+      if (cover.shape < kFirstSlice) continue;
+      Slice& slice = slices[cover.shape - kFirstSlice];
+      if (headland && first) slice.worth_m2 += (kMissed + 1) * cell.area_m2;
+      if (passable) slice.worth_m2 += cell.area_m2;
+      first = false;
+    }
+  });
 }
 
 /// The least sum of slices of one pass in a row, and where it begins. A closed pass goes on from its

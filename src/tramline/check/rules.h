@@ -132,6 +132,14 @@ Tallies check_tally(const Case& c, int stops, Violations& out);
 /// The stored tally of the headland and the layer of what it leaves agree with its passes.
 void check_headland_tally(const Case& c, Violations& out);
 
+/// No bound exceeds the cost of a plan that there is: this one, those of the front, and for one direction the
+/// best one found. Bounds, costs and prices are not negative. What a bound is worth beyond that is not
+/// verified.
+void check_proof(const Plan& plan, Violations& out);
+/// The plans of the front ascend in overlap, and none is no better in anything than another. Each costs what
+/// its figures do at the plan's prices, turns between all its tracks, and works the land there is. Marks are where they belong, but for the knee. O(f²) for f plans.
+void check_front(const Case& c, Violations& out);
+
 /// The same for one line and the swath along it, whether it is a plan's or only drawn: it is within
 /// the field but for its ends, and keeps clear of land. Violations call it `name`.
 void check_line_within_field(const Case& c, const Lane& line, const std::string& name, Violations& out);

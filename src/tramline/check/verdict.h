@@ -11,17 +11,20 @@ namespace tramline::check {
 
 /// One way in which a plan is not what it says.
 struct Violation {
-  std::string rule;   ///< shapes, pieces, headland, body, subfields, swaths, clearance, drivable, ends,
-                      ///< parallel, length, stops, crossings, encounters, tally, layers, field
+  std::string
+      rule;  ///< shapes, pieces, headland, body, subfields, swaths, clearance, drivable, ends,
+             ///< parallel, length, stops, crossings, encounters, tally, proof, front, warnings, layers, field
   std::string what;   ///< one sentence with the numbers
   Point at;           ///< a place where it shows, local metres
   double amount = 0;  ///< how much, in the unit named by `what`
 };
 
 struct Verdict {
-  Tally recomputed;   ///< of tracks and headland passes, by polygon booleans
+  Tally recomputed;   ///< of tracks and headland passes, by cells of ground
   Tally track_tally;  ///< the same of the tracks alone, against the body
   std::vector<Violation> violations;
+  /// What else the plan says, by key or column: true or not, `violations` would be the same (not_verified.h).
+  std::vector<std::string> not_verified;
   /// False where shapes or pieces are so wrong that nothing else could be looked at: `recomputed` is
   /// empty then.
   bool complete = false;

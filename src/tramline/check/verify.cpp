@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tramline/check/near_land.h"
+#include "tramline/check/not_verified.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 #include "tramline/geometry/boolean.h"
@@ -80,8 +81,7 @@ std::optional<WithPasses> with_passes_of(const Case& c) {
   out.land = unite(c.plan.body, headland.ground);
   out.parts = c.parts;
   out.parts.insert(out.parts.end(), passes.begin(), passes.end());
-  out.worked =
-      worked_on(out.land, out.parts, c.plan.pieces.size() + headland.passes.size(), c.plan.machine.width_m);
+  out.worked = worked_on(out.land, out.parts, c.plan.pieces.size() + headland.passes.size());
   out.passes_m2 = worked_by_passes_m2(c.plan, passes, c.passables);
   return out;
 }
@@ -104,7 +104,7 @@ Case::Case(const Plan& of)
           std::max(kAreaShare * area(Polygon{of.field.outer, {}}), kGridSize * perimeter(of.field.outer))),
       lines(of),
       parts(worked_parts(of)),
-      worked(worked_on(of.body, parts, of.pieces.size(), of.machine.width_m)) {
+      worked(worked_on(of.body, parts, of.pieces.size())) {
   with_passes = with_passes_of(*this);
   for (const Obstacle& obstacle : of.field.obstacles) obstacle_boxes.push_back(bounds(obstacle.shape));
   const Surroundings surroundings(of, std::numeric_limits<int>::max());
@@ -148,6 +148,7 @@ Point place_on_largest(const Region& region) {
 
 Verdict verify(const Plan& plan) {
   Verdict verdict;
+  verdict.not_verified = not_verified(plan);
   check_shapes(plan, verdict.violations);
   check_pieces(plan, verdict.violations);
   check_headland(plan, verdict.violations);
@@ -178,6 +179,8 @@ Verdict verify(const Plan& plan) {
   verdict.track_tally = tallies.tracks;
   check_swath_overlaps(c, verdict.violations);
   check_headland_tally(c, verdict.violations);
+  check_proof(plan, verdict.violations);
+  check_front(c, verdict.violations);
   verdict.complete = true;
   return verdict;
 }

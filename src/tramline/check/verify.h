@@ -5,7 +5,7 @@
 
 namespace tramline::check {
 
-/// Judges a plan from its tracks: rebuilds the swaths, recomputes every area by polygon booleans (the
+/// Judges a plan from its tracks: rebuilds the swaths, recomputes every area from cells between edges (the
 /// planner adds up closed forms: this is another road) and looks whether each piece obeys the
 /// definitions of the glossary. So it does with headlands: their ground is made again from the boundaries,
 /// and the passes are held against it. Areas may differ by 1e-6 of the field's area, and by what chords take

@@ -12,17 +12,10 @@ struct WorkedBody {
   std::vector<double>
       useful_m2;          ///< by piece: of the body, what neither it nor a piece before has worked yet
   double covered_m2 = 0;  ///< their sum: of the body, what the swaths cover
-  Region beyond;          ///< what of the swaths lies outside the body; parts may overlap
 };
 
-/// What the parts work of land, by piece or headland pass: `owners` in all. By polygon booleans, part by part
-/// and only where an edge of the body or another part is in the way: most swaths lie in the middle of the
-/// body and next to one another. O(n log n + k) for n parts and k overlays.
-WorkedBody worked_on(const Region& land, const std::vector<WorkedPart>& parts, std::size_t owners,
-                     double width_m);
-
-/// How much of a layer is body that no swath works, m². Each of its polygons is held against the parts near
-/// it.
-double left_within_m2(const Region& layer, const Region& body, const std::vector<WorkedPart>& parts);
+/// What the parts work of land, by piece or headland pass: `owners` in all. Ground that several work is that
+/// of the first. By the cells of ground_cells.h. O(n log n) for n edges.
+WorkedBody worked_on(const Region& land, const std::vector<WorkedPart>& parts, std::size_t owners);
 
 }  // namespace tramline::check

@@ -100,13 +100,13 @@ std::vector<WorkedPart> parts_between_detours(const Plan& plan) {
   return parts_of(plan, append_between_detours);
 }
 
-std::vector<WorkedPart> pass_parts(const Plan& plan) {
+std::vector<WorkedPart> pass_parts(const Plan& plan, double sagitta_m) {
   std::vector<WorkedPart> out;
   const double width_m = plan.machine.width_m;
   for (std::size_t k = 0; k < plan.headland.passes.size(); ++k) {
     SwathParts parts(plan.pieces.size() + k, width_m, out);
     for (const PathSegment& segment : plan.headland.passes[k].path)
-      parts.add({segment}, flat_bands_along({segment}, width_m));
+      parts.add({segment}, flat_bands_along({segment}, width_m, sagitta_m));
   }
   return out;
 }
@@ -120,13 +120,6 @@ bool may_meet(const WorkedPart& earlier, const WorkedPart& later, double width_m
     return false;
   const double reach_m = earlier.kinked || later.kinked ? 2 * width_m : width_m;  // mitres are longer
   return distance_between(earlier.line, later.line) < reach_m - kThinnestShown_m;
-}
-
-BoxGrid grid_of(const std::vector<WorkedPart>& parts) {
-  std::vector<Box> boxes;
-  boxes.reserve(parts.size());
-  for (const WorkedPart& part : parts) boxes.push_back(bounds(part.ground));
-  return BoxGrid(boxes);
 }
 
 }  // namespace tramline::check

@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "tramline/geometry/box_grid.h"
 #include "tramline/geometry/path.h"
 #include "tramline/model/plan.h"
 
@@ -29,7 +28,7 @@ struct WorkedPart {
 std::vector<WorkedPart> worked_parts(const Plan& plan);
 /// The ground of headland passes, segment by segment, on to the owners after the pieces: pass k is owner
 /// pieces + k. O(n).
-std::vector<WorkedPart> pass_parts(const Plan& plan);
+std::vector<WorkedPart> pass_parts(const Plan& plan, double sagitta_m = kChordSagitta);
 /// As worked_parts(), and straight ones parted where detours begin and end, which may lie over the rest.
 std::vector<WorkedPart> parts_between_detours(const Plan& plan);
 
@@ -37,8 +36,5 @@ std::vector<WorkedPart> parts_between_detours(const Plan& plan);
 /// lines are too far apart, or follow one another in one swath within a quarter turn. There all headings are
 /// within 45° of one, along which a swath no tighter than half its width only goes forwards.
 bool may_meet(const WorkedPart& earlier, const WorkedPart& later, double width_m);
-
-/// The ground of each part in a box.
-BoxGrid grid_of(const std::vector<WorkedPart>& parts);
 
 }  // namespace tramline::check

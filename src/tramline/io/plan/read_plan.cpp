@@ -215,6 +215,7 @@ void read_front(Rows& file, PlanFile& out) {
   if (!file.has(layers::kFront)) return;
   Front& front = out.plan.front;
   front.prices = out.plan.objective;
+  std::vector<DerivedText> marks;  // they are complete when all rows are read
   file.each(layers::kFront, [&](const Row& row) {
     FrontPoint point;
     Tally& tally = point.tally;
@@ -241,9 +242,28 @@ void read_front(Rows& file, PlanFile& out) {
     derive(out, row, "number", static_cast<double>(front.points.size()), at);
     derive(out, row, "subfields", static_cast<double>(read.directions.size()), at);
     derive(out, row, "cost", cost(front.prices, read.tally), at);
-    derive(out, row, "worked_m2", out.plan.machine.width_m * read.tally.track_length_m, at);
+    // What headland passes work is the same in all plans of a field.
+    const double passes_m2 = out.plan.tally.worked_m2 - out.plan.track_tally.worked_m2;
+    derive(out, row, "worked_m2", out.plan.machine.width_m * read.tally.track_length_m + passes_m2, at);
     derive_text(out, row, "direction_deg", degrees_text(read.directions), at);
+    marks.push_back({place_in_file(row, "marks"), row.text("marks"), "", at});
   });
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    marks[i].from_shape = marks_text(front, i);
+    out.derived_texts.push_back(std::move(marks[i]));
+  }
+}
+
+/// What the table says for people and no reader needs, or in other units.
+void derive_of_metadata(PlanFile& out, const Metadata& metadata) {
+  for (const auto& [key, value] : metadata_of(out.plan)) {
+    const bool repeats =
+        key == "kind" || key.starts_with("edges.") || (key.starts_with("settings.") && key.ends_with("_deg"));
+    const auto stored = metadata.find(key);
+    if (repeats && stored != metadata.end())
+      out.derived_texts.push_back(
+          {"table metadata, " + key, stored->second, value, out.plan.field.outer.front()});
+  }
 }
 
 }  // namespace
@@ -278,6 +298,7 @@ PlanFile read_plan_file(const fs::path& path, const std::string& field) {
   read_dropped(file, out);
   read_encounters(file, out);
   read_front(file, out);
+  derive_of_metadata(out, metadata);
   return out;
 }
 

@@ -1,0 +1,95 @@
+#include "tramline/check/not_verified.h"
+
+#include <algorithm>
+
+#include "tramline/check/rules.h"
+
+namespace tramline::check {
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// Nobody but the search knows a bound. A bound of 0 claims nothing.
+void add_proof(const Plan& plan, Names& out) {
+  if (plan.proof.bound != 0) out.emplace_back("proof.bound");
+  if (plan.proof.one_direction_cost != 0) out.emplace_back("proof.one_direction_cost");
+  if (plan.proof.one_direction_bound != 0) out.emplace_back("proof.one_direction_bound");
+  out.emplace_back("directions_tried");
+}
+
+/// What is counted nowhere is multiplied by nothing in the cost.
+void add_prices(const Plan& plan, Names& out) {
+  if (plan.tally.overlap_m2 == 0) out.emplace_back("objective.overlap");
+  if (plan.tally.uncovered_m2 == 0) out.emplace_back("objective.uncovered");
+  if (plan.tally.turns == 0) out.emplace_back("objective.turn");
+  if (plan.tally.stops == 0) out.emplace_back("objective.stop");
+  if (further_subfields(plan.tally) == 0) out.emplace_back("objective.subfield");
+}
+
+/// Settings that only say how the plan was looked for, and demands that a plan may fulfil by more than it has
+/// to.
+void add_settings(const Plan& plan, Names& out) {
+  for (const char* key :
+       {"machine.radius_m", "machine.min_length_m", "settings.strategy", "settings.end_rule",
+        "settings.boundary", "settings.cell_direction", "settings.direction_tolerance",
+        "settings.merge_threshold", "settings.decomposition_threshold", "settings.short_edge_m",
+        "settings.small_cell_m2", "settings.avoid", "settings.avoid_threshold_m", "settings.clearance_m",
+        "settings.shape", "settings.tracks", "settings.guide"})
+    out.emplace_back(key);
+  const auto& passes = plan.headland.obstacle_passes;
+  if (std::none_of(passes.begin(), passes.end(), [](int n) { return n > 0; }))
+    out.emplace_back("settings.obstacle_headlands");
+  if (!plan.reference.empty()) out.emplace_back("reference");
+}
+
+void add_encounters(const Plan& plan, Names& out) {
+  if (plan.encounters.empty()) return;
+  for (const char* column : {"encounters.cost_left", "encounters.cost_right", "encounters.why_not_left",
+                             "encounters.why_not_right"})
+    out.emplace_back(column);
+}
+
+/// The tracks of other plans are not in the file: their figures only have to agree with one another.
+void add_front(const Plan& plan, Names& out) {
+  if (plan.front.points.empty()) return;
+  for (const char* column : {"front.overlap_m2", "front.uncovered_m2", "front.turns", "front.stops",
+                             "front.crossings", "front.tracks", "front.track_length_m", "front.direction_rad",
+                             "front.knee", "front.laid_for", "front.worked_subfields"})
+    out.emplace_back(column);
+}
+
+void add_swaths(const Plan& plan, Names& out) {
+  if (std::any_of(plan.pieces.begin(), plan.pieces.end(),
+                  [](const TrackPiece& piece) { return !piece.overlap_m2.has_value(); }))
+    out.emplace_back("swaths.overlap_m2");
+}
+
+constexpr const char* kRepairs = "field.repairs";
+constexpr const char* kFieldWarnings = "field.warnings";
+constexpr const char* kFrame = "frame";
+
+}  // namespace
+
+std::vector<std::string> not_verified(const Plan& plan) {
+  Names out;
+  add_proof(plan, out);
+  add_encounters(plan, out);
+  add_front(plan, out);
+  add_swaths(plan, out);
+  if (!plan.given_up.empty()) out.emplace_back("given_up");
+  if (!plan.dropped.empty()) out.emplace_back("dropped");
+  for (const char* key : {kRepairs, kFieldWarnings, kFrame}) out.emplace_back(key);
+  if (plan.figures == PlanFigures::kTracks) out.emplace_back("warnings");
+  add_prices(plan, out);
+  add_settings(plan, out);
+  return out;
+}
+
+std::vector<std::string> without_field(std::vector<std::string> names) {
+  std::erase_if(names, [](const std::string& name) {
+    return name == kRepairs || name == kFieldWarnings || name == kFrame;
+  });
+  return names;
+}
+
+}  // namespace tramline::check

@@ -1,0 +1,86 @@
+// Areas between shapes laid over one another, against what can be said by hand and against GEOS.
+
+#include "tramline/check/ground_cells.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+
+#include "check/plans.h"
+#include "tramline/geometry/boolean.h"
+
+namespace tramline {
+namespace {
+
+using check::Cover;
+using check::GroundCell;
+using check::GroundEdges;
+
+/// The area of all cells that just these shapes hold.
+std::map<std::vector<std::size_t>, double> areas_of(const GroundEdges& ground) {
+  std::map<std::vector<std::size_t>, double> out;
+  check::each_cell(ground, [&out](const GroundCell& cell) {
+    std::vector<std::size_t> shapes;
+    for (const Cover& cover : cell.covers) shapes.push_back(cover.shape);
+    out[shapes] += cell.area_m2;
+  });
+  return out;
+}
+
+TEST(GroundCells, squares_that_share_a_corner_of_themselves) {
+  GroundEdges ground;
+  ground.add(Polygon{testing_plans::rectangle(0, 0, 10, 10), {}}, 0);
+  ground.add(Polygon{testing_plans::rectangle(6, 7, 16, 17), {testing_plans::rectangle(7, 8, 8, 9)}}, 1);
+  auto areas = areas_of(ground);
+  EXPECT_DOUBLE_EQ((areas[{0}]), 100 - 11);
+  EXPECT_DOUBLE_EQ((areas[{0, 1}]), 4 * 3 - 1);
+  EXPECT_DOUBLE_EQ((areas[{1}]), 100 - 12);
+}
+
+TEST(GroundCells, a_shape_that_lies_over_itself_counts_twice_there) {
+  GroundEdges ground;
+  ground.add(Region{{testing_plans::rectangle(0, 0, 4, 4), {}}, {{{2, 2}, {2, 6}, {6, 6}, {6, 2}}, {}}}, 5);
+  double once_m2 = 0, twice_m2 = 0;
+  check::each_cell(ground, [&](const GroundCell& cell) {
+    ASSERT_EQ(cell.covers.size(), 1u);
+    (cell.covers[0].times == 1 ? once_m2 : twice_m2) += cell.area_m2;
+  });
+  EXPECT_DOUBLE_EQ(once_m2, 24);
+  EXPECT_DOUBLE_EQ(twice_m2, 4);
+}
+
+/// Stars of many corners over one another, so many that windows are halved often.
+TEST(GroundCells, areas_are_those_of_overlays) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> radius(40, 100), shift(-60, 60);
+  const auto star = [&](int corners) {
+    const Point centre{shift(random), shift(random)};
+    Ring out;
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * std::numbers::pi * i / corners;
+      out.push_back(centre + radius(random) * Point{std::cos(angle), std::sin(angle)});
+    }
+    return Region{{out, {}}};
+  };
+  for (const int corners : {5, 40, 700}) {
+    const Region a = star(corners), b = star(corners), c = star(3 * corners);
+    GroundEdges ground;
+    ground.add(a, 0);
+    ground.add(b, 1);
+    ground.add(c, 2);
+    auto areas = areas_of(ground);
+    constexpr double kGrid_m2 = 0.1;  // the overlays': a micrometre along some 50 km of edges
+    EXPECT_NEAR((areas[{0, 1, 2}]), area(intersection(intersection(a, b), c)), kGrid_m2);
+    EXPECT_NEAR((areas[{0}]), area(difference(difference(a, b), c)), kGrid_m2);
+    EXPECT_NEAR((areas[{1, 2}]), area(difference(intersection(b, c), a)), kGrid_m2);
+    double all_m2 = 0;
+    for (const auto& [shapes, area_m2] : areas) all_m2 += area_m2 * static_cast<double>(shapes.size());
+    EXPECT_NEAR(all_m2, area(a) + area(b) + area(c), 1e-7);
+  }
+}
+
+}  // namespace
+}  // namespace tramline
