@@ -106,13 +106,13 @@ Outcome outcome_of(const Scene& scene) {
   // Pieces too short to drive may be long enough once a detour joins them, so cheapest fits where others do
   // and S1's way may fit where cutting does not.
   if (again.has_value() != out.planned || paper.has_value() > out.planned || cut.has_value() > out.planned)
-    out.problems.push_back("tracks fit, and cheapest has none");
+    out.problems.emplace_back("tracks fit, and cheapest has none");
   if (!out.problems.empty() || !out.planned) return out;
   for (const auto* plan : {&cheapest, &paper, &cut})
     if (*plan) look_at(**plan, out.problems);
   for (const auto* plan : {&paper, &cut})
     if (*plan) compare(*cheapest, **plan, out.problems);
-  if (!same(*cheapest, *again)) out.problems.push_back("one and two threads give different plans");
+  if (!same(*cheapest, *again)) out.problems.emplace_back("one and two threads give different plans");
   out.with_detours = std::any_of(cheapest->pieces.begin(), cheapest->pieces.end(),
                                  [](const TrackPiece& piece) { return !piece.detours.empty(); });
   return out;
