@@ -55,8 +55,9 @@ double area_of(const CoverageAreas& areas, Ground what) {
 }
 
 std::string name(Ground what) {
-  constexpr std::array kNames = {"covered", "repeated", "sliver", "missed", "outside",
-                                 "once",    "twice",    "often",  "again"};
+  constexpr std::array kNames = {"covered", "repeated", "sliver", "missed", "not recorded",
+                                 "outside", "once",     "twice",  "often",  "again"};
+  static_assert(kNames.size() == kGrounds.size());
   return kNames[static_cast<std::size_t>(what)];
 }
 

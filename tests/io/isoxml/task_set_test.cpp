@@ -141,7 +141,7 @@ TEST_F(TaskSet, AFileThatExpandsWithoutEndIsRefused) {
                                               {"TLG00001.xml", kHeader},
                                               {"TLG00001.bin", std::string(kLargestTaskFile + 1, '\0')}});
   const std::string sentence = refusal(path("bomb.zip"));
-  EXPECT_TRUE(mentions(sentence, "256 MiB")) << sentence;
+  EXPECT_TRUE(mentions(sentence, "128 MiB")) << sentence;
 }
 
 std::string ring(const std::string& type, const std::vector<Point>& lonlat) {

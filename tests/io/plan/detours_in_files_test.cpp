@@ -119,7 +119,8 @@ TEST_F(DetoursInFiles, come_back_to_the_bit) {
   EXPECT_EQ(read.track_lines[1], chords(centre_line(plan.pieces[1])));
   for (const io::DerivedNumber& n : read.derived) EXPECT_NEAR(n.stored, n.from_shape, 1e-9) << n.where;
   for (const io::DerivedText& t : read.derived_texts) EXPECT_EQ(t.stored, t.from_shape) << t.where;
-  EXPECT_EQ(read.derived_texts.size(), 6u);
+  EXPECT_EQ(read.derived_texts.size(), 13u)
+      << "kinds, sides and obstacles of two pieces, and what settings repeat";
 }
 
 TEST_F(DetoursInFiles, encounters_come_back) {
