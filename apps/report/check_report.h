@@ -12,8 +12,8 @@ namespace tramline::app {
 /// Stored against recomputed figures with their units, every violation with its place, the verdict last.
 std::string check_table(const std::string& plan_file, const Plan& plan, const check::Verdict& verdict);
 
-/// {plan, field_id, ok, complete, violations, recomputed, stored, not_verified}; recomputed is null where nothing
-/// could be recomputed.
+/// {plan, field_id, ok, complete, violations, recomputed, stored, not_verified}; recomputed is null where
+/// nothing could be recomputed.
 nlohmann::ordered_json check_json(const std::string& plan_file, const Plan& plan,
                                   const check::Verdict& verdict);
 

@@ -203,8 +203,8 @@ TEST(PlanAndExplain, LandGivenUpIsACauseOfItsOwn) {
   EXPECT_NEAR(out.why->causes.of(Cause::kGivenUp).cost, 0.10 * 2 * 9, 1e-4);
 }
 
-/// A strip 40 m wide that bends along a quarter of a circle, radii 160 and 200 m: tracks along the bend need no
-/// more than ten passes.
+/// A strip 40 m wide that bends along a quarter of a circle, radii 160 and 200 m: tracks along the bend need
+/// no more than ten passes.
 Field bend() {
   Field field;
   field.id = "bend";

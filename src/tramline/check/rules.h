@@ -137,7 +137,8 @@ void check_headland_tally(const Case& c, Violations& out);
 /// verified.
 void check_proof(const Plan& plan, Violations& out);
 /// The plans of the front ascend in overlap, and none is no better in anything than another. Each costs what
-/// its figures do at the plan's prices, turns between all its tracks, and works the land there is. Marks are where they belong, but for the knee. O(f²) for f plans.
+/// its figures do at the plan's prices, turns between all its tracks, and works the land there is. Marks are
+/// where they belong, but for the knee. O(f²) for f plans.
 void check_front(const Case& c, Violations& out);
 
 /// The same for one line and the swath along it, whether it is a plan's or only drawn: it is within

@@ -261,8 +261,8 @@ void use(ColumnMap& map, const Name& name, std::size_t index) {
 }
 
 /// Applies "lon=Xcoord,lat=Ycoord"; returns the columns it speaks of.
-std::vector<LogColumn> apply_wanted(ColumnMap& map, std::span<const std::string> names, std::string_view wanted,
-                                 const std::string& place) {
+std::vector<LogColumn> apply_wanted(ColumnMap& map, std::span<const std::string> names,
+                                    std::string_view wanted, const std::string& place) {
   std::vector<LogColumn> spoken_of;
   while (!wanted.empty()) {
     const std::size_t comma = wanted.find(',');

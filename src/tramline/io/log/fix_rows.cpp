@@ -17,7 +17,8 @@ namespace {
 // No machine is as wide.
 constexpr double kWidest_m = 500;
 // Rows that differ in one of them are of different units.
-constexpr std::array kUnitColumns = {LogColumn::kMachine, LogColumn::kSection, LogColumn::kUnit, LogColumn::kPass};
+constexpr std::array kUnitColumns = {LogColumn::kMachine, LogColumn::kSection, LogColumn::kUnit,
+                                     LogColumn::kPass};
 
 double time_factor(const ColumnMap& map) {
   const auto& time = map[LogColumn::kTime];
@@ -105,11 +106,13 @@ void FixRows::set_rate(Fix& fix) {
 void FixRows::set_sections(Fix& fix, std::optional<Widths> widths) {
   std::optional<SectionText> text;
   bool written = false;
-  for (const LogColumn column : {LogColumn::kSections, LogColumn::kSectionsFromRight, LogColumn::kCondensed}) {
+  for (const LogColumn column :
+       {LogColumn::kSections, LogColumn::kSectionsFromRight, LogColumn::kCondensed}) {
     if (text || cell(column).empty()) continue;
     written = true;
-    text = column == LogColumn::kCondensed ? condensed_sections(cell(column))
-                                        : section_signs(cell(column), column == LogColumn::kSectionsFromRight);
+    text = column == LogColumn::kCondensed
+               ? condensed_sections(cell(column))
+               : section_signs(cell(column), column == LogColumn::kSectionsFromRight);
   }
   if (written && !text) ++bad_sections_;
   if (text && text->known) {

@@ -32,8 +32,8 @@ std::vector<Polygon> worked_shapes(const RawFeature& feature) {
 }
 
 void finish_shapes(WorkLog& log, const FixRows& rows, const std::string& place) {
-  const bool tells = rows.has(LogColumn::kTime) || rows.has(LogColumn::kWork) || rows.has(LogColumn::kWidth) ||
-                     rows.has(LogColumn::kRate);
+  const bool tells = rows.has(LogColumn::kTime) || rows.has(LogColumn::kWork) ||
+                     rows.has(LogColumn::kWidth) || rows.has(LogColumn::kRate);
   if (!tells)
     throw bad_input(
         fmt::format("{} has polygons without a time, work state, width or rate: they look like fields rather "
