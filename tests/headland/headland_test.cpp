@@ -463,6 +463,17 @@ TEST(Headland, EndsAtALongObstacleWithoutHeadland) {
   EXPECT_LT(headland.overlap_m2, 300);
 }
 
+// A block of 32 m by 39 m close to the edge has a recess 12 m wide and 7 m deep on the edge's side, and a
+// post stands in the recess. The pass ends at the block on either side; none goes into the recess, over the
+// post.
+TEST(Headland, KeepsOutOfARecessWithAPostInIt) {
+  const Ring block{{60, 1}, {70, 1}, {70, 7}, {82, 7}, {82, 1}, {92, 1}, {92, 40}, {60, 40}};
+  const HeadlandAndBody headland =
+      made(field_of(box(0, 0, 200, 120), {block, box(75, 1.5, 77, 3)}), {6, 6, 1, {}});
+  ASSERT_EQ(headland.passes.size(), 1u);
+  EXPECT_FALSE(is_closed(headland.passes.front()));
+}
+
 // Narrow parcels: one drive, or one along either side. The second one works what is wider than 6 m.
 TEST(Headland, WorksNarrowParcelsByPassesAlone) {
   const auto strip = [](double width, int passes) {

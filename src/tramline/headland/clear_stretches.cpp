@@ -43,8 +43,8 @@ class Clearance {
 // What is touched along the sides is not in the way, nor what lies at the end already.
 constexpr double kBeside_m = 1e-4, kBehind_m = 1e-6;
 
-/// A strip that is to go on from `at`.
-struct Strip {
+/// The flat end of a swath that is to go on.
+struct SwathEnd {
   Point at, along;
   double half_m = 0;
 
@@ -52,11 +52,11 @@ struct Strip {
 };
 
 /// How far it may go until it meets the ring, m.
-double run_to_edges_m(const Strip& strip, const Ring& ring, double most_m) {
-  const double half_m = strip.half_m - kBeside_m;
+double run_to_edges_m(const SwathEnd& end, const Ring& ring, double most_m) {
+  const double half_m = end.half_m - kBeside_m;
   double out = most_m;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    Point a = strip.local(ring[i]), b = strip.local(ring[(i + 1) % ring.size()]);
+    Point a = end.local(ring[i]), b = end.local(ring[(i + 1) % ring.size()]);
     if (a.y > b.y) std::swap(a, b);
     if (b.y < -half_m || a.y > half_m || std::max(a.x, b.x) < -kBehind_m || std::min(a.x, b.x) > out)
       continue;
@@ -69,13 +69,13 @@ double run_to_edges_m(const Strip& strip, const Ring& ring, double most_m) {
 }
 
 /// How far it may go until its sides or its front come nearer to the ring than `distance_m`, m.
-double run_beside_m(const Strip& strip, const Ring& ring, double distance_m, double most_m) {
+double run_beside_m(const SwathEnd& end, const Ring& ring, double distance_m, double most_m) {
   const auto keeps_off = [&](double run_m) {
-    const Point left{0, strip.half_m}, right{0, -strip.half_m}, on{run_m, 0};
+    const Point left{0, end.half_m}, right{0, -end.half_m}, on{run_m, 0};
     const PathSegment sides[] = {{left, left + on, 0}, {right, right + on, 0}, {left + on, right + on, 0}};
     for (std::size_t i = 0; i < ring.size(); ++i)
       for (const PathSegment& side : sides)
-        if (distance_to_edge(side, strip.local(ring[i]), strip.local(ring[(i + 1) % ring.size()])) <
+        if (distance_to_edge(side, end.local(ring[i]), end.local(ring[(i + 1) % ring.size()])) <
             distance_m - kBeside_m)
           return false;
     return true;
@@ -90,11 +90,11 @@ double run_beside_m(const Strip& strip, const Ring& ring, double distance_m, dou
   return clear_m;
 }
 
-double free_run_m(const Strip& strip, const std::vector<SwathLimit>& limits, double most_m) {
+double free_run_m(const SwathEnd& end, const std::vector<SwathLimit>& limits, double most_m) {
   double out = most_m;
   for (const SwathLimit& limit : limits) {
-    out = run_to_edges_m(strip, limit.ring, out);
-    if (limit.distance_m > 0) out = run_beside_m(strip, limit.ring, limit.distance_m, out);
+    out = run_to_edges_m(end, limit.ring, out);
+    if (limit.distance_m > 0) out = run_beside_m(end, limit.ring, limit.distance_m, out);
   }
   return out;
 }

@@ -123,15 +123,17 @@ class Chosen {
   bool all_whole_ = true;
 };
 
-/// Boundaries without such a pass whose distance passes have to keep: the field, and some of the others.
-std::vector<Shore> shores_in_the_way(const Scene& scene, const std::vector<std::size_t>& members) {
+enum class Reach { kField, kEverything };
+
+/// Boundaries without such a pass whose distance passes have to keep: the field's, and where rings were made
+/// without a look at them those of all obstacles.
+std::vector<Shore> shores_in_the_way(const Scene& scene, Reach reach) {
   std::vector<Shore> out;
-  const auto add = [&](const Boundary& boundary) {
-    out.push_back({boundary.ring, pass_distance_m(boundary, scene.number, scene.terms.width_m)});
-  };
-  if (!scene.has_pass(0)) add(scene.boundaries.front());
-  for (const std::size_t i : members)
-    if (i > 0 && !scene.has_pass(i)) add(scene.boundaries[i]);
+  const std::size_t count = reach == Reach::kField ? 1 : scene.boundaries.size();
+  for (std::size_t i = 0; i < count; ++i)
+    if (!scene.has_pass(i))
+      out.push_back({scene.boundaries[i].ring,
+                     pass_distance_m(scene.boundaries[i], scene.number, scene.terms.width_m)});
   return out;
 }
 
@@ -140,14 +142,14 @@ std::vector<Shore> shores_in_the_way(const Scene& scene, const std::vector<std::
 std::vector<HeadlandPass> passes_round(const RingGroup& group, const Scene& scene,
                                        const std::vector<HeadlandPass>& before) {
   Chosen together(scene, before);
-  together.take(group.passes, shores_in_the_way(scene, {}));
+  together.take(group.passes, shores_in_the_way(scene, Reach::kField));
   std::vector<std::size_t> own;
   for (const std::size_t i : group.members)
     if (scene.has_pass(i)) own.push_back(i);
   if (own.size() == group.members.size() || together.all_whole()) return together.own();
   Chosen alone(scene, before);
   alone.take(rings_round(own, scene.boundaries, scene.terms, scene.number, scene.to_work, before),
-             shores_in_the_way(scene, group.members));
+             shores_in_the_way(scene, Reach::kEverything));
   return alone.worth_m2() > together.worth_m2() ? alone.own() : together.own();
 }
 
