@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -18,13 +19,36 @@
 
 namespace {
 
-bool is_verb(const std::vector<CLI::App*>& verbs, const std::string& word) {
+using tramline::app::Command;
+using Verbs = std::vector<CLI::App*>;
+
+std::vector<std::unique_ptr<Command>> all_commands() {
+  using namespace tramline::app;
+  std::vector<std::unique_ptr<Command>> out;
+  for (const auto make : {make_plan_command, make_map_command, make_compare_command, make_evaluate_command,
+                          make_repair_command, make_watch_command, make_dose_command, make_info_command,
+                          make_check_command, make_export_command, make_serve_command})
+    out.push_back(make());
+  return out;
+}
+
+/// "plan, map or serve".
+std::string listed(const Verbs& verbs, const std::string& last_word) {
+  std::string out = verbs.front()->get_name();
+  for (std::size_t i = 1; i < verbs.size(); ++i)
+    out += (i + 1 < verbs.size() ? ", " : " " + last_word + " ") + verbs[i]->get_name();
+  return out;
+}
+
+bool is_verb(const Verbs& verbs, const std::string& word) {
   return std::any_of(verbs.begin(), verbs.end(),
                      [&](const CLI::App* verb) { return verb->get_name() == word; });
 }
 
-/// One sentence about what the verb did not understand.
-std::string unexpected_argument(const std::vector<CLI::App*>& verbs) {
+/// One sentence about what was not understood.
+std::string unexpected_argument(const Verbs& verbs, const std::string& first) {
+  if (!is_verb(verbs, first))
+    return "there is no verb '" + first + "': the verbs are " + listed(verbs, "and");
   for (const CLI::App* verb : verbs)
     if (!verb->remaining().empty())
       return "'" + verb->remaining().front() + "' was not expected: see 'tramline " + verb->get_name() +
@@ -42,7 +66,7 @@ std::string option_cut_short(const CLI::App& verb, const std::string& argument) 
 
 constexpr const char* kEmpty = "the value is empty; is a shell variable not set?";
 
-void refuse_values_cut_short(const std::vector<CLI::App*>& verbs, const std::vector<std::string>& arguments) {
+void refuse_values_cut_short(const Verbs& verbs, const std::vector<std::string>& arguments) {
   for (const CLI::App* verb : verbs) {
     if (arguments.empty() || arguments.front() != verb->get_name()) continue;
     for (const std::string& argument : arguments) {
@@ -54,7 +78,7 @@ void refuse_values_cut_short(const std::vector<CLI::App*>& verbs, const std::vec
 }
 
 /// An empty text is no value of any option: CLI11 takes it for a zero or for nothing said.
-void refuse_empty_values(const std::vector<CLI::App*>& verbs) {
+void refuse_empty_values(const Verbs& verbs) {
   for (CLI::App* verb : verbs)
     for (CLI::Option* option : verb->get_options({}))
       if (option->get_items_expected_max() > 0)
@@ -68,7 +92,6 @@ int with_output_flushed(int code) {
   return code;
 }
 
-/// One line, whatever a user's names contain.
 std::string one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c >= 0 && c < ' '; }, ' ');
@@ -81,7 +104,26 @@ bool is_closed_pipe(const std::exception& error) {
   return system != nullptr && system->code() == std::errc::broken_pipe && std::ferror(stdout) != 0;
 }
 
-int exit_code(const tramline::Error& error) { return error.kind() == tramline::ErrorKind::kBadInput ? 2 : 1; }
+/// Says in one line of stderr what is wrong, whatever a user's names contain.
+int failed(int code, const std::string& message) {
+  std::fprintf(stderr, "tramline: %s\n", one_line(message).c_str());
+  return code;
+}
+
+int run_verb(CLI::App& app, const std::vector<std::unique_ptr<Command>>& commands, int argc, char** argv) {
+  Verbs verbs;
+  for (const auto& command : commands) verbs.push_back(command->setup(app).parser());
+  refuse_empty_values(verbs);
+  refuse_values_cut_short(verbs, {argv + std::min(argc, 1), argv + argc});
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ExtrasError&) {
+    return failed(2, unexpected_argument(verbs, argc > 1 ? argv[1] : ""));
+  }
+  for (std::size_t i = 0; i < commands.size(); ++i)
+    if (verbs[i]->parsed()) return with_output_flushed(commands[i]->run());
+  return failed(2, "name a verb, " + listed(verbs, "or") + "; see 'tramline --help'");
+}
 
 }  // namespace
 
@@ -91,61 +133,21 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", TRAMLINE_VERSION);
   app.require_subcommand(0, 1);
   app.footer("Run 'tramline VERB --help' for the options and an example of each verb.");
-
-  std::vector<std::unique_ptr<Command>> commands;
-  commands.push_back(make_plan_command());
-  commands.push_back(make_map_command());
-  commands.push_back(make_compare_command());
-  commands.push_back(make_evaluate_command());
-  commands.push_back(make_repair_command());
-  commands.push_back(make_watch_command());
-  commands.push_back(make_dose_command());
-  commands.push_back(make_info_command());
-  commands.push_back(make_check_command());
-  commands.push_back(make_export_command());
-  commands.push_back(make_serve_command());
-  std::vector<CLI::App*> verbs;
-  for (auto& command : commands) verbs.push_back(command->setup(app).parser());
-  refuse_empty_values(verbs);
   report_closed_pipes();
+  const std::vector<std::unique_ptr<Command>> commands = all_commands();
 
   try {
-    refuse_values_cut_short(verbs, {argv + std::min(argc, 1), argv + argc});
-    app.parse(argc, argv);
-    for (std::size_t i = 0; i < commands.size(); ++i)
-      if (verbs[i]->parsed()) return with_output_flushed(commands[i]->run());
-    std::fputs(
-        "tramline: name a verb, plan, map, compare, evaluate, repair, watch, dose, info, check, export or "
-        "serve; "
-        "see 'tramline "
-        "--help'\n",
-        stderr);
-    return 2;
+    return run_verb(app, commands, argc, argv);
   } catch (const CLI::Success& success) {
     return app.exit(success);
-  } catch (const CLI::ExtrasError&) {
-    const std::string verb = argc > 1 ? argv[1] : "";
-    if (!is_verb(verbs, verb)) {
-      std::fprintf(stderr,
-                   "tramline: there is no verb '%s': the verbs are plan, map, compare, evaluate, repair, "
-                   "watch, dose, info, check, "
-                   "export and serve\n",
-                   verb.c_str());
-      return 2;
-    }
-    std::fprintf(stderr, "tramline: %s\n", unexpected_argument(verbs).c_str());
-    return 2;
   } catch (const CLI::ParseError& error) {
-    std::fprintf(stderr, "tramline: %s\n", error.what());
-    return 2;
+    return failed(2, error.what());
   } catch (const tramline::Error& error) {
-    std::fprintf(stderr, "tramline: %s\n", one_line(error.what()).c_str());
-    return exit_code(error);
+    return failed(error.kind() == tramline::ErrorKind::kBadInput ? 2 : 1, error.what());
   } catch (const OutputClosed&) {
     end_as_by_closed_pipe();
   } catch (const std::exception& error) {
     if (is_closed_pipe(error)) end_as_by_closed_pipe();
-    std::fprintf(stderr, "tramline: the run failed: %s\n", error.what());
-    return 1;
+    return failed(1, std::string("the run failed: ") + error.what());
   }
 }
