@@ -39,6 +39,12 @@ TEST(CurvedPlans, arcs_about_one_point_hold_under_every_end_rule) {
   EXPECT_EQ(plan.tally.stops, 0);
 }
 
+TEST(CurvedPlans, follow_a_reference_line) {
+  Plan plan = arcs_plan();
+  plan.reference.clear();
+  EXPECT_TRUE(found(plan).contains("pieces"));
+}
+
 TEST(CurvedPlans, obstacle_across_a_curved_track) {
   const Plan plan = blocked_arc_plan();
   expect_holds(plan);
@@ -371,7 +377,8 @@ TEST(CurvedPlans, large_plans_are_judged) {
     replace_curve(piece, curve);
     plan.pieces.push_back(piece);
   }
-  plan.field.outer = band(plan.pieces[tracks / 2].curve, 3.0 * tracks + 3, kLayerSagitta);
+  plan.reference = plan.pieces[tracks / 2].curve;
+  plan.field.outer = band(plan.reference, 3.0 * tracks + 3, kLayerSagitta);
   plan.body = {{plan.field.outer, {}}};
   plan.subfields = {{plan.body[0], Direction::clockwise_from_north(Angle::degrees(90))}};
   const check::Verdict verdict = check::verify(plan);

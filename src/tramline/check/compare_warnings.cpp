@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
 #include <string>
 
@@ -15,12 +17,21 @@
 namespace tramline::check {
 namespace {
 
+/// A number that a warning has to give. Amounts are rounded in sentences, and found here by other means.
+struct ExpectedFigure {
+  double value = 0;
+  bool is_count = false;
+};
+
+ExpectedFigure amount(double value) { return {value, false}; }
+ExpectedFigure counted(std::ptrdiff_t count) { return {static_cast<double>(count), true}; }
+
 /// A warning, known by some of its words, and whether it has to be there.
 struct Expected {
   const char* words;
   bool due = false;
   bool open = false;  ///< so near to the limit that it may be there or not
-  std::vector<double> figures;
+  std::vector<ExpectedFigure> figures;
 };
 
 /// A number in a sentence, and one in its last digit.
@@ -50,11 +61,13 @@ std::vector<Figure> figures_in(const std::string& sentence) {
   return out;
 }
 
-bool agrees(const std::string& sentence, const std::vector<double>& figures) {
+bool agrees(const std::string& sentence, const std::vector<ExpectedFigure>& figures) {
   const std::vector<Figure> found = figures_in(sentence);
-  return found.size() == figures.size() &&
-         std::equal(found.begin(), found.end(), figures.begin(),
-                    [](const Figure& f, double value) { return std::abs(f.value - value) <= 1.01 * f.step; });
+  return found.size() == figures.size() && std::equal(found.begin(), found.end(), figures.begin(),
+                                                      [](const Figure& said, const ExpectedFigure& expected) {
+                                                        return std::abs(said.value - expected.value) <=
+                                                               (expected.is_count ? 0 : 1.01 * said.step);
+                                                      });
 }
 
 Expected of_unworked_land(const Plan& plan) {
@@ -63,7 +76,7 @@ Expected of_unworked_land(const Plan& plan) {
   return {"stays unworked",
           !is_repair(plan) && share > kMuch,
           std::abs(share - kMuch) < 1e-6,
-          {100 * share, plan.tally.uncovered_m2}};
+          {amount(100 * share), amount(plan.tally.uncovered_m2)}};
 }
 
 double distance_to_outline(const Ring& ring, Point p) {
@@ -90,7 +103,7 @@ Expected of_overrun(const Plan& plan) {
   return {"pass the field boundary by",
           farthest_m >= kWorthSaying_m,
           std::abs(farthest_m - kWorthSaying_m) < 1e-4,
-          {farthest_m, outside_m2}};
+          {amount(farthest_m), amount(outside_m2)}};
 }
 
 Expected of_given_up_land(const Plan& plan) {
@@ -99,7 +112,7 @@ Expected of_given_up_land(const Plan& plan) {
   return {"narrower than the machine and are given up",
           given_up_m2 >= kWorthSaying_m2,
           std::abs(given_up_m2 - kWorthSaying_m2) < 1e-3,
-          {given_up_m2}};
+          {amount(given_up_m2)}};
 }
 
 Expected of_passes_without_room(const Plan& plan) {
@@ -107,10 +120,8 @@ Expected of_passes_without_room(const Plan& plan) {
   for (const HeadlandPass& pass : plan.headland.passes)
     if (pass.around_field) most = std::max(most, pass.number);
   const int asked = plan.settings.headlands;
-  return {"headland passes round the field were asked for",
-          most < asked,
-          false,
-          {static_cast<double>(asked), static_cast<double>(most)}};
+  return {
+      "headland passes round the field were asked for", most < asked, false, {counted(asked), counted(most)}};
 }
 
 Expected of_passes_alone(const Plan& plan) {
@@ -124,7 +135,7 @@ Expected of_dropped_pieces(const Plan& plan) {
   return {"not driven:",
           !plan.dropped.empty(),
           false,
-          {static_cast<double>(plan.dropped.size()), min_length_m(plan.machine), sum_m}};
+          {counted(std::ssize(plan.dropped)), amount(min_length_m(plan.machine)), amount(sum_m)}};
 }
 
 Expected of_short_pieces(const Plan& plan) {
@@ -134,7 +145,7 @@ Expected of_short_pieces(const Plan& plan) {
   return {"hardly worth turning for",
           !is_repair(plan) && count > 0,
           false,
-          {static_cast<double>(count), static_cast<double>(plan.pieces.size()), least_m}};
+          {counted(count), counted(std::ssize(plan.pieces)), amount(least_m)}};
 }
 
 Expected of_connections() { return {"connections between tracks are not planned", true, false, {}}; }

@@ -94,6 +94,8 @@ void check_piece(const Plan& plan, std::size_t index, Violations& out) {
       out.push_back({kRule, name + fault, piece.start, 0});
     else
       check_detours_of_curve(plan, index, out);
+    if (plan.reference.empty() && !is_repair(plan))
+      out.push_back({kRule, name + " follows a curve, and the plan has no reference line", piece.start, 0});
     return;
   }
   check_detours(plan, index, out);
