@@ -58,9 +58,7 @@ double distance_to_ring(const Path& path, const std::vector<Box>& reaches, const
   double out = enough;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-    Box edge;
-    edge.extend(a);
-    edge.extend(b);
+    const Box edge = bounds(a, b);
     for (std::size_t k = 0; k < path.size(); ++k)
       if (intersects(edge, reaches[k])) out = std::min(out, distance_to_edge(path[k], a, b));
   }

@@ -33,10 +33,7 @@ Region bridge(const Ring& ring, const Region& region, double gap_m) {
   Region out;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-    Box edge_box;
-    edge_box.extend(a);
-    edge_box.extend(b);
-    if (a == b || !intersects(edge_box, near_box)) continue;
+    if (a == b || !intersects(bounds(a, b), near_box)) continue;
     const Region near_edge = line_neighbourhood(a, b, reach);
     // One by one: polygons that touch along an edge are no valid input together.
     for (const Polygon& polygon : region)

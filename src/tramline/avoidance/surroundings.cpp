@@ -16,7 +16,7 @@ bool apart(const Box& a, const Box& b) {
 bool any_edge_nearer(const SwathLine& line, const Ring& ring, double reach_m) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
-    const Box edge{std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
+    const Box edge = bounds(a, b);
     if (apart(edge, line.reach)) continue;
     for (std::size_t k = 0; k < line.path.size(); ++k)
       if (!apart(edge, line.reaches[k]) && distance_to_edge(line.path[k], a, b) < reach_m) return true;

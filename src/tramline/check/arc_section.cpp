@@ -29,10 +29,7 @@ class Spokes {
         length_(tramline::length(arc)),
         middle_(spoke(0.5 * length_)),
         half_(half_m) {
-    Box near;
-    near.extend(arc.from);
-    near.extend(arc.to);
-    near = near.grown(0.5 * distance(arc.from, arc.to) + half_m);
+    const Box near = bounds(arc.from, arc.to).grown(0.5 * distance(arc.from, arc.to) + half_m);
     for (const Ring& ring : rings_of({land}))
       for (std::size_t i = 0; i < ring.size(); ++i)
         keep_near(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0], near);
@@ -96,10 +93,7 @@ class Spokes {
 
  private:
   void keep_near(Point a, Point b, const Box& near) {
-    Box box;
-    box.extend(a);
-    box.extend(b);
-    if (!intersects(box, near)) return;
+    if (!intersects(bounds(a, b), near)) return;
     const auto [first, last] = std::minmax({angle_of(a), angle_of(b)});
     // What passes behind the centre meets no spoke, or all of them.
     const bool behind = last - first > std::numbers::pi;

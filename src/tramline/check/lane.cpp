@@ -12,9 +12,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// An arc of at most half a circle leaves its chord by no more than half of that.
 Box box_of(const PathSegment& segment) {
-  Box out;
-  out.extend(segment.from);
-  out.extend(segment.to);
+  const Box out = bounds(segment.from, segment.to);
   return segment.straight() ? out : out.grown(0.5 * distance(segment.from, segment.to));
 }
 
@@ -77,10 +75,7 @@ void Lane::approach(const Edge& edge, double reach_m, Approach& best) const {
     }
   Edge beside = edge;
   if (!cut_to_length(beside)) return;
-  Box box;
-  box.extend(beside.a);
-  box.extend(beside.b);
-  box = box.grown(half_m_ + std::max(0.0, reach_m));
+  const Box box = bounds(beside.a, beside.b).grown(half_m_ + std::max(0.0, reach_m));
   for (std::size_t i = 0; i < path_.size(); ++i)
     if (intersects(box, boxes_[i]))
       keep(distance_to_edge(path_[i], beside.a, beside.b) - half_m_, path_[i], beside);
@@ -93,10 +88,7 @@ std::vector<Lane::Edge> Lane::near_edges(const Ring& ring, double reach_m) const
   Point a = frame_.to_local(ring.back());
   for (const Point vertex : ring) {
     const Point b = frame_.to_local(vertex);
-    Box box;
-    box.extend(a);
-    box.extend(b);
-    if (intersects(box, near)) out.push_back({a, b});
+    if (intersects(bounds(a, b), near)) out.push_back({a, b});
     a = b;
   }
   return out;

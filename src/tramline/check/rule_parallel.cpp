@@ -90,10 +90,7 @@ class Family {
   }
 
   void look_along(std::size_t piece, Point from, Point to) {
-    Box window;
-    window.extend(from);
-    window.extend(to);
-    grid_.each_meeting(window, [&](std::size_t i) {
+    grid_.each_meeting(bounds(from, to), [&](std::size_t i) {
       const Part& other = short_parts_[i];
       if (other.piece == piece || distance_to_edge(other.segment, from, to) > 0) return;
       const double apart_m = distance_to_edge(other.segment, from, from);

@@ -113,10 +113,7 @@ class CurvedSwath {
  private:
   static bool is_met(const Ring& ring, const Box& box) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      Box edge;
-      edge.extend(ring[i]);
-      edge.extend(ring[i + 1 < ring.size() ? i + 1 : 0]);
-      if (intersects(edge, box)) return true;
+      if (intersects(bounds(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]), box)) return true;
     }
     return false;
   }

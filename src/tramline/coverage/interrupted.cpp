@@ -36,10 +36,7 @@ std::vector<Ring> cells_of(const Quad& quad, const Region& region) {
   for (const Ring& ring : rings_of(region))
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
-      Box edge;
-      edge.extend(a);
-      edge.extend(b);
-      if (!intersects(edge, box)) continue;
+      if (!intersects(bounds(a, b), box)) continue;
       std::vector<Ring> cut;
       for (const Ring& cell : cells)
         for (const Ring& part : {left_part(cell, a, b), left_part(cell, b, a)})

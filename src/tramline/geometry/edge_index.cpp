@@ -7,9 +7,7 @@ EdgeIndex::EdgeIndex(const Region& oriented) {
   for (const Ring& ring : rings_of(oriented))
     for (std::size_t i = 0; i < ring.size(); ++i) {
       edges_.push_back({ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]});
-      boxes.emplace_back();
-      boxes.back().extend(edges_.back().from);
-      boxes.back().extend(edges_.back().to);
+      boxes.push_back(bounds(edges_.back().from, edges_.back().to));
     }
   grid_ = BoxGrid(boxes);
 }

@@ -41,16 +41,13 @@ Branch branch_of(const ContourElement& e, double distance) {
   if (e.straight) {
     out.from = e.from - distance * left_of(e.heading);
     out.to = out.from + e.length * e.heading;
-    out.box.extend(out.from);
-    out.box.extend(out.to);
+    out.box = bounds(out.from, out.to);
     return out;
   }
   out.reach = e.reach + distance;
   out.from = e.centre - out.reach * left_of(e.heading);
   out.to = e.centre - out.reach * left_of(e.heading_to);
-  out.box.extend(out.from);
-  out.box.extend(out.to);
-  out.box = out.box.grown(std::abs(out.reach) * (1 - e.half_cosine));
+  out.box = bounds(out.from, out.to).grown(std::abs(out.reach) * (1 - e.half_cosine));
   const Point sum = e.heading + e.heading_to;
   const double norm = length(sum);
   const Point heading = norm > 1e-6 ? (1 / norm) * sum : (e.turn > 0 ? 1.0 : -1.0) * left_of(e.heading);

@@ -71,11 +71,7 @@ double squared_distance(Point p, const Guard& guard) {
 }
 
 void add_guard(Arrangement& to, Point a, Point b, double distance_m) {
-  Guard guard{a, b, distance_m, {}};
-  guard.box.extend(a);
-  guard.box.extend(b);
-  guard.box = guard.box.grown(distance_m);
-  to.guards.push_back(guard);
+  to.guards.push_back({a, b, distance_m, bounds(a, b).grown(distance_m)});
 }
 
 void add_shore(Arrangement& to, const Shore& shore, int index) {

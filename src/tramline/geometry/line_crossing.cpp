@@ -22,18 +22,11 @@ bool have_common_point(Point a, Point b, Point c, Point d) {
          (at_a == 0 && on_segment(a, c, d)) || (at_b == 0 && on_segment(b, c, d));
 }
 
-Box box_of(Point a, Point b) {
-  Box box;
-  box.extend(a);
-  box.extend(b);
-  return box;
-}
-
 }  // namespace
 
 std::optional<std::pair<std::size_t, std::size_t>> self_crossing(const std::vector<Point>& line) {
   std::vector<Box> boxes;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) boxes.push_back(box_of(line[i], line[i + 1]));
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) boxes.push_back(bounds(line[i], line[i + 1]));
   const BoxGrid grid(boxes);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     std::size_t first = boxes.size();

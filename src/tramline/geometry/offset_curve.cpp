@@ -72,9 +72,7 @@ OffsetCurve offset_line(Point from, Point to) {
   out.to = to;
   out.extent = distance(from, to);
   out.along = (1 / out.extent) * (to - from);
-  out.box.extend(from);
-  out.box.extend(to);
-  out.box = out.box.grown(kTouch);
+  out.box = bounds(from, to).grown(kTouch);
   return out;
 }
 
@@ -87,8 +85,7 @@ OffsetCurve offset_arc(Point centre, double radius_m, Point from, Point to) {
   out.centre = centre;
   const Point a = from - centre, b = to - centre;
   out.extent = std::abs(std::atan2(cross(b, a), dot(a, b)));
-  out.box.extend(from);
-  out.box.extend(to);
+  out.box = bounds(from, to);
   for (const Point pole : {Point{1, 0}, Point{0, 1}, Point{-1, 0}, Point{0, -1}})
     if (lies_on(out, centre + radius_m * pole)) out.box.extend(centre + radius_m * pole);
   out.box = out.box.grown(kTouch);

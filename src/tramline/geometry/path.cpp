@@ -63,9 +63,7 @@ bool cross_each_other(Point a, Point b, Point c, Point d) {
 
 /// Of a segment: the chord's box, for an arc grown by its height above the chord.
 Box box_of(const PathSegment& segment) {
-  Box box;
-  box.extend(segment.from);
-  box.extend(segment.to);
+  const Box box = bounds(segment.from, segment.to);
   if (segment.straight()) return box;
   const Point chord = segment.to - segment.from;
   const double half_square = 0.25 * dot(chord, chord), reach = radius(segment);

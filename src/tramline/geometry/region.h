@@ -1,6 +1,7 @@
 #pragma once
 // Rings, polygons with holes and regions, as plain values.
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -39,6 +40,10 @@ struct Box {
 };
 bool intersects(const Box& a, const Box& b);
 
+/// Of the edge between two points.
+inline Box bounds(Point a, Point b) {
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
+}
 Box bounds(const Ring& ring);
 Box bounds(const Polygon& polygon);
 Box bounds(const Region& region);

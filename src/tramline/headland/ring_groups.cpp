@@ -45,9 +45,7 @@ double room_m(const Boundary& boundary, int number, double width_m) {
 bool comes_near(const Path& path, const std::vector<Box>& reaches, const Ring& ring, double distance_m) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-    Box edge;
-    edge.extend(a);
-    edge.extend(b);
+    const Box edge = bounds(a, b);
     for (std::size_t k = 0; k < path.size(); ++k)
       if (intersects(edge, reaches[k]) && distance_to_edge(path[k], a, b) < distance_m) return true;
   }

@@ -100,10 +100,7 @@ class WorkedWay {
         const Way way{line.line[kept[i - 1]], line.line[kept[i]]};
         whole_.add(way, distance(way.from, way.to));
         ways_.push_back(way);
-        Box box;
-        box.extend(way.from);
-        box.extend(way.to);
-        boxes.push_back(box);
+        boxes.push_back(bounds(way.from, way.to));
       }
     }
     grid_ = BoxGrid(boxes);

@@ -13,8 +13,7 @@ using RepairProgress = std::function<void(int done, int total)>;
 
 /// What lines cost with what they leave: the open ground at the price of missed land, their overlap (as
 /// price_of() has it for short ones), stops, and a turn to each line, the first too: the way to it costs
-/// no less. The ground has to be
-/// covered by just these. O(open ground).
+/// no less. The ground has to be covered by just these. O(open ground).
 double cost_with(const std::vector<RepairLine>& lines, const RepairGround& ground);
 
 /// Lines that together cost little, see cost_with(): none may be left out, or exchanged for others of

@@ -74,12 +74,8 @@ Plan part_in(const Plan& plan, const Box& box) {
   for (const TrackPiece& piece : plan.pieces)
     if (!(piece.start == piece.end) && intersects(box_of(centre_line(piece)), reach))
       out.pieces.push_back(piece);
-  for (const DroppedPiece& piece : plan.dropped) {
-    Box around;
-    around.extend(piece.start);
-    around.extend(piece.end);
-    if (intersects(around, reach)) out.dropped.push_back(piece);
-  }
+  for (const DroppedPiece& piece : plan.dropped)
+    if (intersects(bounds(piece.start, piece.end), reach)) out.dropped.push_back(piece);
   for (const HeadlandPass& pass : plan.headland.passes)
     if (shows(reach, pass.path)) out.headland.passes.push_back(pass);
   for (const Polygon& polygon : plan.headland.ground)

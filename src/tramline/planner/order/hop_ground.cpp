@@ -14,13 +14,6 @@ constexpr double kTouch_m = 0.1;
 /// Nor does one along its side, for which the way round is longer by no more than this share.
 constexpr double kAlongSide = 0.01;
 
-Box box_of(Point a, Point b) {
-  Box out;
-  out.extend(a);
-  out.extend(b);
-  return out;
-}
-
 }  // namespace
 
 HopGround::HopGround(const Field& field, double far_m) : far_m_(far_m) {
@@ -30,7 +23,7 @@ HopGround::HopGround(const Field& field, double far_m) : far_m_(far_m) {
   std::vector<Box> boxes;
   for (const auto& [ring, corner] : edges_) {
     const Ring& points = rings_[ring].ring;
-    boxes.push_back(box_of(points[corner], points[(corner + 1) % points.size()]));
+    boxes.push_back(bounds(points[corner], points[(corner + 1) % points.size()]));
   }
   grid_ = BoxGrid(boxes);
 }
@@ -48,7 +41,7 @@ std::vector<HopGround::Meeting> HopGround::meetings(Point from, Point to) const 
   std::vector<Meeting> out;
   const Point way = to - from;
   const double least = kAtEdge_m / length(way);
-  grid_.each_meeting(box_of(from, to), [&](std::size_t edge) {
+  grid_.each_meeting(bounds(from, to), [&](std::size_t edge) {
     const EdgeRing& ring = rings_[edges_[edge].first];
     const std::size_t corner = edges_[edge].second;
     const Point a = ring.ring[corner], b = ring.ring[(corner + 1) % ring.ring.size()];
@@ -127,7 +120,7 @@ Hop HopGround::hop(Point from, Point to) const {
   out.length_m = out.way_round_m = distance(from, to);
   if (out.length_m <= 2 * kAtEdge_m) return out;
   const std::vector<Meeting> met = meetings(from, to);
-  const Box box = box_of(from, to);
+  const Box box = bounds(from, to);
   auto next = met.begin();
   for (std::size_t i = 0; i < rings_.size(); ++i) {
     const auto first = next;
