@@ -116,6 +116,7 @@ ordered_json compare_json(const Comparison& c, const std::vector<Skipped>& skipp
           {"winners", std::move(winners)},
           {"repairs", repairs_json(c.field.repairs)},
           {"skipped", skipped_json(skipped)},
+          {"cut_short", c.cut_short},
           {"seconds", c.seconds}};
 }
 
@@ -129,6 +130,10 @@ std::string compare_table(const Comparison& c, const std::vector<Skipped>& skipp
   out += skipped_rows(skipped);
   out += fmt::format("front        {} plans; of each two, either is better in something\n\n",
                      c.front.points.size());
+  if (c.cut_short)
+    out +=
+        "note         the searches were ended before they were through: longer ones may find better "
+        "plans\n\n";
   out += line_of(head_row());
   const std::vector<std::size_t> shown = points_shown(c);
   for (const std::size_t point : shown) out += line_of(point_row(c.front, point));

@@ -18,6 +18,7 @@ struct Comparison {
   const Front& front;
   const std::vector<Objective>& asked;  ///< further prices whose winners are wanted
   double seconds = 0;
+  bool cut_short = false;  ///< the searches were ended before they were through
 };
 
 /// The keys of docs/json.md.

@@ -193,6 +193,7 @@ ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, do
   out["one_direction_cost"] = proven ? ordered_json(proof.one_direction_cost) : ordered_json();
   out["gap_one_direction"] =
       proven ? ordered_json(gap(proof.one_direction_cost, proof.one_direction_bound)) : ordered_json();
+  out["cut_short"] = proof.cut_short;
   out["weights"] = weights_json(plan.objective);
   add_obstacle_keys(out, plan);
   out["repairs"] = repairs_json(plan.field.repairs);

@@ -15,6 +15,7 @@
 #include "progress.h"
 #include "report/front_report.h"
 #include "request/output_names.h"
+#include "search_end.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/geopackage/whole_file.h"
 #include "tramline/io/plan/write_plan.h"
@@ -94,6 +95,7 @@ class CompareCommand : public Command {
         "--point", point_,
         "which one: given (cheapest at the prices given), knee, overlap, uncovered, turns, or its "
         "number (default given)");
+    add_seconds_option(verb, seconds_);
     verb.add_option("--threads", threads_, "threads to use (default: all cores)").in_range(0, 1024);
     verb.add_flag("--json", json_, "print one JSON object per field");
     verb.add_flag("--quiet", quiet_, "no progress, no table");
@@ -125,6 +127,7 @@ class CompareCommand : public Command {
     const ManyFieldsReport report{json_, quiet_, "compared the plans of"};
     if (single) {
       const Field& field = input.fields.front();
+      const InterruptEndsSearches interruptible;
       return show_single(field, compare(field, input.skipped, outputs), report);
     }
     return work_on_many_fields(input, report,
@@ -142,15 +145,18 @@ class CompareCommand : public Command {
     const TradeOff found = compared(field);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     write(found, field, outputs);
-    const Comparison comparison{field, machine_, settings_, found.front, prices_, elapsed.count()};
+    const Comparison comparison{field,   machine_,        settings_,      found.front,
+                                prices_, elapsed.count(), found.cut_short};
     return {compare_json(comparison, skipped), compare_table(comparison, skipped), {}};
   }
 
   TradeOff compared(const Field& field) const {
     ProgressLine progress(quiet_);
-    return trade_off(field, machine_, objective_, settings_, threads_, [&](int done, int total) {
-      progress.show("comparing " + field.id, done, total, "searches");
-    });
+    return trade_off(field, machine_, objective_, settings_, threads_,
+                     [&field, &progress, end = SearchEnd(seconds_)](int done, int total) {
+                       progress.show("comparing " + field.id, done, total, "searches");
+                       return end.demand();
+                     });
   }
 
   /// What may be refused comes before anything is written.
@@ -175,6 +181,7 @@ class CompareCommand : public Command {
   std::vector<std::string> asked_;
   std::string csv_, picture_, output_, point_ = "given";
   int threads_ = 0;
+  std::optional<double> seconds_;
   bool json_ = false, quiet_ = false;
   Machine machine_;
   Objective objective_;

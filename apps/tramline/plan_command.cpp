@@ -18,6 +18,7 @@
 #include "report/plan_report.h"
 #include "report/plan_summary.h"
 #include "request/field_key.h"
+#include "search_end.h"
 #include "tramline/geometry/error.h"
 #include "tramline/planner/plan_field.h"
 #include "tramline/planner/trade_off.h"
@@ -74,6 +75,7 @@ class PlanCommand : public Command {
         "--front", front_,
         "look for other plans worth a choice too (see 'tramline compare'), and keep their numbers in "
         "the plan file and in --json");
+    add_seconds_option(verb, seconds_);
     verb.add_option("--threads", threads_, "threads to use (default: all cores)").in_range(0, 1024);
     verb.add_flag("--json", json_, "print one JSON object per field");
     verb.add_flag("--quiet", quiet_, "no progress, no table");
@@ -103,6 +105,7 @@ class PlanCommand : public Command {
 
  private:
   int plan_single(const Field& field, const std::vector<Skipped>& skipped, PlanOutputs& outputs) const {
+    const InterruptEndsSearches interruptible;
     const Planned planned = plan_one(field);
     outputs.write(planned.plan);
     return show_single(field,
@@ -141,9 +144,9 @@ class PlanCommand : public Command {
     asked.machine = machine_;
     asked.objective = objective_;
     asked.settings = settings_for(settings_, guide_, field, machine_);
-    return digest_of(
-        made_from_text(asked, fmt::format("{}\n{}\n{}\n{} {} {}", wanted_.plan, wanted_.picture,
-                                          wanted_.close_ups, wanted_.one_file, explain_, front_)));
+    return digest_of(made_from_text(
+        asked, fmt::format("{}\n{}\n{}\n{} {} {} {}", wanted_.plan, wanted_.picture, wanted_.close_ups,
+                           wanted_.one_file, explain_, front_, seconds_.value_or(0))));
   }
 
   struct Planned {
@@ -184,16 +187,21 @@ class PlanCommand : public Command {
                         : "cost by cause  is known of straight tracks only\n");
   }
 
-  static Progress shown(const Field& field, ProgressLine& progress) {
-    return [&](int done, int total) { progress.show("planning " + field.id, done, total); };
+  Progress shown(const Field& field, ProgressLine& progress) const {
+    return [&field, &progress, end = SearchEnd(seconds_)](int done, int total) {
+      progress.show("planning " + field.id, done, total);
+      return end.demand();
+    };
   }
 
   /// One search for all that is asked for.
   void plan_with_front(const Field& field, const PlanSettings& settings, ProgressLine& progress,
                        Planned& out) const {
-    TradeOff found = trade_off(field, machine_, objective_, settings, threads_, [&](int done, int total) {
-      progress.show("comparing " + field.id, done, total, "searches");
-    });
+    TradeOff found = trade_off(field, machine_, objective_, settings, threads_,
+                               [&field, &progress, end = SearchEnd(seconds_)](int done, int total) {
+                                 progress.show("comparing " + field.id, done, total, "searches");
+                                 return end.demand();
+                               });
     out.plan = given_plan(found);
     if (explain_) out.why = why_given(found, threads_);
     out.plan.front = std::move(found.front);
@@ -207,6 +215,7 @@ class PlanCommand : public Command {
   std::optional<GuideLine> guide_;
   WantedFiles wanted_;
   int threads_ = 0;
+  std::optional<double> seconds_;
   bool explain_ = false, front_ = false, resume_ = false, json_ = false, quiet_ = false;
   Machine machine_;
   Objective objective_;

@@ -16,6 +16,7 @@
 #include "report/repair_report.h"
 #include "request/gap_fields.h"
 #include "request/output_names.h"
+#include "search_end.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/coverage/read_coverage.h"
 #include "tramline/io/plan/write_plan.h"
@@ -54,6 +55,7 @@ class RepairCommand : public Command {
         .shows_default();
     verb.add_option("-o,--output", output_, "write the plan to this GeoPackage (.gpkg)");
     verb.add_option("--picture", picture_, "draw the plan to this .png, .svg or .pdf");
+    add_seconds_option(verb, seconds_);
     verb.add_option("--threads", threads_, "threads to use (default: all cores)").in_range(0, 1024);
     verb.add_flag("--json", json_, "print one JSON object per field");
     verb.add_flag("--quiet", quiet_, "no progress, no table");
@@ -69,8 +71,10 @@ class RepairCommand : public Command {
     const std::vector<GapField> fields = gap_fields(coverage, coverage_file_);
     Outputs outputs{{output_, fields.size() > 1}, {picture_, fields.size() > 1}};
     const ManyFieldsReport report{json_, quiet_, "repaired"};
-    if (fields.size() == 1)
+    if (fields.size() == 1) {
+      const InterruptEndsSearches interruptible;
       return show_single(fields.front().field, repair(fields.front(), terms, outputs), report);
+    }
     FieldInput input;
     for (const GapField& field : fields) input.fields.push_back(field.field);
     return work_on_many_fields(input, report, [&](const Field& field) {
@@ -112,15 +116,18 @@ class RepairCommand : public Command {
 
   RepairPlan repaired(const GapField& part, const RepairTerms& terms) const {
     ProgressLine progress(quiet_);
-    return repair_plan(
-        part.field, part.gaps, part.missed, part.driven, terms, min_area_m2_, threads_,
-        [&](int done, int total) { progress.show("repairing " + part.field.id, done, total, "steps"); });
+    return repair_plan(part.field, part.gaps, part.missed, part.driven, terms, min_area_m2_, threads_,
+                       [&, end = SearchEnd(seconds_)](int done, int total) {
+                         progress.show("repairing " + part.field.id, done, total, "steps");
+                         return end.demand();
+                       });
   }
 
   PlanOptions options_;
   std::string coverage_file_, end_rule_ = "cheapest", output_, picture_;
   double min_area_m2_ = 1;
   int threads_ = 0;
+  std::optional<double> seconds_;
   bool json_ = false, quiet_ = false;
 };
 

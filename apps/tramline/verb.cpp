@@ -1,8 +1,18 @@
 #include "verb.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdlib>
 
 namespace tramline::app {
+namespace {
+
+/// CLI11's ranges let NaN through: it is below no limit, and above none.
+std::string fault_of_nan(const std::string& text) {
+  return std::isnan(std::strtod(text.c_str(), nullptr)) ? "'" + text + "' is not a number" : "";
+}
+
+}  // namespace
 
 Option& Option::required() {
   option_->required();
@@ -46,11 +56,13 @@ Option& Option::in_range(int least, int most) {
 
 Option& Option::in_range(double least, double most) {
   option_->check(CLI::Range(least, most));
+  option_->check(fault_of_nan);
   return *this;
 }
 
 Option& Option::positive() {
   option_->check(CLI::PositiveNumber);
+  option_->check(fault_of_nan);
   return *this;
 }
 

@@ -146,6 +146,23 @@ TEST(LiveCoverage, IsEvaluateAfterEveryFixWhereItSaysSoAndWhereItIsAskedTo) {
   EXPECT_GT(rebuilt, 20U) << "nothing in these logs changed a judgement";
 }
 
+TEST(LiveCoverage, DoubtsGroundThatIsWorkedAgainAndAgain) {
+  const Region field = square(60);
+  EvaluateSettings settings;
+  settings.drive.width_m = 5;
+  LiveCoverage live(field, settings);
+  WorkLog log;
+  log.name = "to and fro";
+  log.booms = {boom(1, 5)};
+  for (int i = 0; i <= 60; ++i)
+    log.fixes.push_back(testing_logs::fix(i, {10.0 + (i / 20 % 2 == 0 ? i % 20 : 20 - i % 20), 30}));
+  for (const Fix& fix : log.fixes) live.add(fix, log.booms);
+  live.settle();
+  const std::vector<std::string> warnings = live.figures(head_of(log)).warnings;
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings.front().find("of the covered ground was worked again"), std::string::npos);
+}
+
 /// Somebody who follows a drive by its changes alone.
 struct Reader {
   double asks = 1;  ///< after so many of the fixes, 0 … 1

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 #include <thread>
 
+#include "tramline/check/verify.h"
 #include "tramline/planner/for_each_index.h"
 #include "tramline/planner/plan_field.h"
 #include "tramline/planner/trade_off.h"
@@ -17,6 +19,12 @@ namespace tramline {
 namespace {
 
 struct Stop {};
+
+std::string rules_broken(const Plan& plan) {
+  std::string out;
+  for (const check::Violation& violation : check::verify(plan).violations) out += violation.what + "; ";
+  return out;
+}
 
 /// A wavy disc some 1200 m across: seconds of search.
 Field wavy_field() {
@@ -39,12 +47,13 @@ TEST(Pulse, AProgressThatThrowsEndsASearchWhereverItIs) {
     bool counted = false;
     std::chrono::steady_clock::time_point thrown;
     const Progress progress = [&](int done, int total) {
-      if (done < total || total == 0) return;
+      if (done < total || total == 0) return Demand::kGoOn;
       if (counted) {
         thrown = std::chrono::steady_clock::now();
         throw Stop();
       }
       counted = true;
+      return Demand::kGoOn;
     };
     EXPECT_THROW(plan_field(field, machine, {}, {}, threads, progress), Stop);
     EXPECT_TRUE(counted);
@@ -60,6 +69,7 @@ TEST(Pulse, AComparisonIsStoppedWithinItsFirstSearch) {
                          [&](int done, int) {
                            EXPECT_EQ(done, 0);
                            if (++calls == 3) throw Stop();
+                           return Demand::kGoOn;
                          }),
                Stop);
 }
@@ -68,7 +78,7 @@ TEST(Pulse, AProgressChangesNoPlan) {
   Field field = wavy_field();
   for (Point& p : field.outer) p = 0.2 * p;
   const Plan without = plan_field(field, {}, {}, {});
-  const Plan with = plan_field(field, {}, {}, {}, 0, [](int, int) {});
+  const Plan with = plan_field(field, {}, {}, {}, 0, [](int, int) { return Demand::kGoOn; });
   EXPECT_EQ(without.cost, with.cost);
   ASSERT_EQ(without.pieces.size(), with.pieces.size());
   for (std::size_t i = 0; i < with.pieces.size(); ++i) {
@@ -77,9 +87,59 @@ TEST(Pulse, AProgressChangesNoPlan) {
   }
 }
 
+TEST(SearchEnd, GivesThePlanFoundTillThenAndSaysSo) {
+  const Field field = wavy_field();
+  Machine machine;
+  machine.width_m = 3;
+  for (const int threads : {1, 4}) {
+    std::atomic<int> calls = 0;
+    const Plan early = plan_field(field, machine, {}, {}, threads,
+                                  [&](int, int) { return ++calls >= 3 ? Demand::kEnd : Demand::kGoOn; });
+    EXPECT_TRUE(early.proof.cut_short);
+    ASSERT_FALSE(early.warnings.empty());
+    EXPECT_EQ(early.warnings.front().find("the search was ended"), 0u);
+    EXPECT_EQ(rules_broken(early), "");
+    EXPECT_LE(early.proof.bound, early.cost);
+    EXPECT_LE(early.proof.one_direction_bound, early.proof.one_direction_cost);
+  }
+}
+
+// From its first moment on: one direction is tried all the same, as nothing is no plan.
+TEST(SearchEnd, ComesWithAPlanHoweverSoonItIsWanted) {
+  Field field = wavy_field();
+  for (Point& p : field.outer) p = 0.2 * p;
+  const Progress at_once = [](int, int) { return Demand::kEnd; };
+  const Plan whole = plan_field(field, {}, {}, {});
+  EXPECT_FALSE(whole.proof.cut_short);
+  for (const TrackShape shape : {TrackShape::kStraight, TrackShape::kCurved, TrackShape::kAuto}) {
+    PlanSettings settings;
+    settings.shape = shape;
+    settings.headlands = 1;
+    const Plan early = plan_field(field, {}, {}, settings, 0, at_once);
+    EXPECT_TRUE(early.proof.cut_short);
+    EXPECT_FALSE(early.pieces.empty());
+    EXPECT_EQ(rules_broken(early), "");
+  }
+  const TradeOff few = trade_off(field, {}, {}, {}, 0, at_once);
+  EXPECT_TRUE(few.cut_short);
+  EXPECT_TRUE(given_plan(few).proof.cut_short);
+  // No bound of a search that has hardly begun is above what a whole one has found.
+  EXPECT_LE(plan_field(field, {}, {}, {}, 0, at_once).proof.bound, whole.cost);
+}
+
+TEST(SearchEnd, IsNoneWhereItComesTooLate) {
+  Field field = wavy_field();
+  for (Point& p : field.outer) p = 0.2 * p;
+  const Plan plan = plan_field(field, {}, {}, {}, 0, [](int, int) { return Demand::kGoOn; });
+  EXPECT_FALSE(plan.proof.cut_short);
+}
+
 TEST(Pulse, BeatsOnTheThreadsThatWorkForIt) {
   std::atomic<int> calls = 0;
-  const Progress progress = [&](int, int) { ++calls; };
+  const Progress progress = [&](int, int) {
+    ++calls;
+    return Demand::kGoOn;
+  };
   {
     const Pulse pulse(progress);
     for_each_index(4, 2, [](std::size_t) { std::this_thread::sleep_for(std::chrono::milliseconds(30)); });

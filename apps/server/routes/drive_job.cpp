@@ -12,6 +12,7 @@
 #include "server/input/json_input.h"
 #include "server/input/plan_input.h"
 #include "server/routes/job_kinds.h"
+#include "server/routes/search_progress.h"
 #include "server/store/new_id.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/coverage/read_coverage.h"
@@ -103,7 +104,7 @@ ordered_json make_repair(App& app, const RepairRequest& request, JobRun& run) {
     if (part.gaps.empty()) continue;
     run.step(fmt::format("planning what {} has missed", drive.name));
     const auto start = std::chrono::steady_clock::now();
-    const auto progress = [&run](int done, int total) { run.progress(done, total); };
+    const Progress progress = told_to(run);
     RepairPlan done = repair_plan(part.field, part.gaps, part.missed, part.driven, request.terms,
                                   request.min_area_m2, 0, progress);
     run.check();

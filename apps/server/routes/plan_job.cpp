@@ -9,6 +9,7 @@
 #include "server/input/json_input.h"
 #include "server/input/plan_input.h"
 #include "server/routes/job_kinds.h"
+#include "server/routes/search_progress.h"
 #include "server/store/kept_front.h"
 #include "tramline/geometry/error.h"
 #include "tramline/planner/plan_field.h"
@@ -53,7 +54,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 ordered_json make_plan(App& app, const PlanRequest& request, JobRun& run) {
   const auto start = std::chrono::steady_clock::now();
-  const auto progress = [&run](int done, int total) { run.progress(done, total); };
+  const Progress progress = told_to(run);
   PlanNotes notes{request.name.empty() ? request.field->name : request.name,
                   request.field->id,
                   request.field->skipped,
@@ -83,8 +84,8 @@ void require_free_directions(const PlanSettings& settings) {
 
 ordered_json compare_plans(App& app, const PlanRequest& request, JobRun& run) {
   const auto start = std::chrono::steady_clock::now();
-  TradeOff found = trade_off(request.field->field, request.machine, request.objective, request.settings, 0,
-                             [&run](int done, int total) { run.progress(done, total); });
+  TradeOff found =
+      trade_off(request.field->field, request.machine, request.objective, request.settings, 0, told_to(run));
   run.check();
   const std::string name = request.name.empty() ? request.field->name : request.name;
   return {{"front", app.fronts

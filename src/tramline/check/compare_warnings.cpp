@@ -148,6 +148,10 @@ Expected of_short_pieces(const Plan& plan) {
           {counted(count), counted(std::ssize(plan.pieces)), amount(least_m)}};
 }
 
+Expected of_cut_short(const Plan& plan) {
+  return {"the search was ended before it was through", plan.proof.cut_short, false, {}};
+}
+
 Expected of_connections() { return {"connections between tracks are not planned", true, false, {}}; }
 
 }  // namespace
@@ -160,7 +164,8 @@ std::vector<Violation> compare_warnings(const Plan& plan) {
   };
   for (const Expected& expected :
        {of_unworked_land(plan), of_overrun(plan), of_given_up_land(plan), of_passes_without_room(plan),
-        of_passes_alone(plan), of_dropped_pieces(plan), of_short_pieces(plan), of_connections()}) {
+        of_passes_alone(plan), of_dropped_pieces(plan), of_short_pieces(plan), of_cut_short(plan),
+        of_connections()}) {
     const auto found = std::find_if(
         plan.warnings.begin(), plan.warnings.end(),
         [&](const std::string& sentence) { return sentence.find(expected.words) != std::string::npos; });

@@ -14,6 +14,7 @@ void add_proof(const Plan& plan, Names& out) {
   if (plan.proof.bound != 0) out.emplace_back("proof.bound");
   if (plan.proof.one_direction_cost != 0) out.emplace_back("proof.one_direction_cost");
   if (plan.proof.one_direction_bound != 0) out.emplace_back("proof.one_direction_bound");
+  out.emplace_back("proof.cut_short");
   out.emplace_back("directions_tried");
 }
 

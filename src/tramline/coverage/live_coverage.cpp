@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "tramline/coverage/doubts.h"
 #include "tramline/coverage/step_maker.h"
 #include "tramline/coverage/working_boom.h"
 
@@ -172,10 +173,13 @@ Coverage LiveCoverage::figures(const WorkLog& head) const {
   for (std::string& note : plausible(std::move(mend)).notes) out.warnings.push_back(std::move(note));
   if (trust_.ignored()) out.warnings.emplace_back(kSectionsIgnored);
   if (late_ > 0) out.warnings.push_back(note_on_disorder(late_));
-  if (drive_)
-    drive_->add_figures(out, head.clock);
-  else
+  if (!drive_) {
     out.areas = areas();
+    return out;
+  }
+  drive_->add_figures(out, head.clock);
+  for (std::string& doubt : doubts_on(drive_->areas(), head.counters, width_m_))
+    out.warnings.push_back(std::move(doubt));
   return out;
 }
 

@@ -86,6 +86,7 @@ struct Proof {
   double bound = 0;                ///< no plan costs less (docs/bounds.md: the class of plans)
   double one_direction_cost = 0;   ///< the best plan found with the ground undivided
   double one_direction_bound = 0;  ///< no such plan costs less
+  bool cut_short = false;          ///< the search was ended before it was through
 };
 
 /// What the figures and layers of a plan count: tracks and headland passes against the land, or, in files of

@@ -7,6 +7,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/planner/curved_plan.h"
 #include "tramline/planner/for_each_index.h"
+#include "tramline/planner/pulse.h"
 #include "tramline/planner/reference_chains.h"
 
 namespace tramline {
@@ -64,9 +65,14 @@ class BestCosts {
     const std::lock_guard lock(mutex_);
     return costs_.back();
   }
+  bool any() {
+    const std::lock_guard lock(mutex_);
+    return any_;
+  }
   void offer(const CurvedCandidate& candidate) {
     if (candidate.tally.pieces == 0) return;
     const std::lock_guard lock(mutex_);
+    any_ = true;
     costs_.insert(std::upper_bound(costs_.begin(), costs_.end(), candidate.cost), candidate.cost);
     costs_.pop_back();
   }
@@ -74,13 +80,15 @@ class BestCosts {
  private:
   std::mutex mutex_;
   std::vector<double> costs_;
+  bool any_ = false;
 };
 
 /// All of them, sorted; those that are certain to be none of the best that `costs` holds may have been given
-/// up.
+/// up. A search that has to end leaves off once one of them works.
 void try_all(const SearchTask& task, const CurvedGround& ground, BestCosts& costs, std::vector<Tried>& places,
              int threads) {
   for_each_index(places.size(), threads, [&](std::size_t i) {
+    if (costs.any() && has_to_end()) return;
     places[i].candidate = curved_along(task, ground, *places[i].reference, places[i].right_m, costs.last());
     costs.offer(places[i].candidate);
   });
@@ -132,8 +140,9 @@ std::optional<CurvedCandidate> best_curved(const SearchTask& task, int threads) 
   if (all.empty()) return std::nullopt;
   if (!asks_for_detours(task)) return std::move(all.front().candidate);
   all = promising(task, std::move(all));
-  for_each_index(all.size(), threads,
-                 [&](std::size_t i) { all[i].candidate = with_detours(task, std::move(all[i].candidate)); });
+  for_each_index_until_end(all.size(), threads, [&](std::size_t i) {
+    all[i].candidate = with_detours(task, std::move(all[i].candidate));
+  });
   sort_best_first(all);
   return std::move(all.front().candidate);
 }

@@ -8,6 +8,7 @@
 
 #include "tramline/planner/division.h"
 #include "tramline/planner/for_each_index.h"
+#include "tramline/planner/pulse.h"
 #include "tramline/planner/sweep_search.h"
 
 namespace tramline {
@@ -63,13 +64,7 @@ class BestSearch {
 
   SearchResult run() {
     search_parts();
-    if (hopeful_sweep().grounds.size() > task_.ground.plannable.size())
-      try_plan(regridded(hopeful_sweep().grounds));
-    const double known = best_.works() ? best_.cost() : std::numeric_limits<double>::infinity();
-    if (std::optional<Candidate> sweep = cheapest_swept(task_, swept_, known, threads_)) {
-      if (sweep->subfields.size() == task_.ground.plannable.size()) see_undivided(*sweep);
-      keep(std::move(*sweep));
-    }
+    if (!best_.works() || !has_to_end()) try_swept();
     if (!undivided_) out_.proof.one_direction_cost = best_.cost();
     if (undivided_ && best_.subfields.size() > task_.ground.plannable.size())
       out_.undivided = std::move(*undivided_);
@@ -83,6 +78,16 @@ class BestSearch {
   }
 
  private:
+  void try_swept() {
+    if (hopeful_sweep().grounds.size() > task_.ground.plannable.size())
+      try_plan(regridded(hopeful_sweep().grounds));
+    const double known = best_.works() ? best_.cost() : std::numeric_limits<double>::infinity();
+    if (std::optional<Candidate> sweep = cheapest_swept(task_, swept_, known, threads_)) {
+      if (sweep->subfields.size() == task_.ground.plannable.size()) see_undivided(*sweep);
+      keep(std::move(*sweep));
+    }
+  }
+
   void search_parts() {
     Grounds whole, chosen;
     double bound = beside_the_parts(task_);
@@ -150,7 +155,7 @@ class BestSearch {
       if (divided.size() < 2 || (again.size() > 1 && price(task_, again) < price(task_, divided)))
         divided = std::move(again);
     }
-    if (divided.size() < 2) return out;
+    if (divided.size() < 2 || has_to_end()) return out;
     Grounds apart = gridded(divided);
     if (is_better(candidate_on(task_, apart).avoided, out.whole.candidate.avoided))
       out.divided = std::move(apart);
@@ -197,17 +202,18 @@ class BestSearch {
 
   Tried cheapest_of(std::vector<Grounds> ways) const {
     std::vector<Candidate> candidates(ways.size());
-    for_each_index(ways.size(), threads_,
-                   [&](std::size_t i) { candidates[i] = candidate_on(task_, ways[i]); });
+    const std::vector<bool> made = for_each_index_until_end(
+        ways.size(), threads_, [&](std::size_t i) { candidates[i] = candidate_on(task_, ways[i]); });
     std::size_t best = 0;
     for (std::size_t i = 1; i < ways.size(); ++i)
-      if (is_better(candidates[i].avoided, candidates[best].avoided)) best = i;
+      if (made[i] && is_better(candidates[i].avoided, candidates[best].avoided)) best = i;
     return {std::move(ways[best]), std::move(candidates[best])};
   }
 
   /// The same direction with the grid elsewhere: how tracks lie to an obstacle decides what detours cost.
   void slide(Tried& tried) const {
     constexpr int kSteps = 8;
+    if (has_to_end()) return;
     std::vector<Grounds> ways;
     for (int i = 1; i < kSteps; ++i) {
       ways.push_back(tried.grounds);

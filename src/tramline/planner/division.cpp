@@ -8,6 +8,7 @@
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/bounding_rectangle.h"
 #include "tramline/planner/for_each_index.h"
+#include "tramline/planner/pulse.h"
 
 namespace tramline {
 namespace {
@@ -88,8 +89,9 @@ std::optional<std::vector<PricedSubfield>> best_division(const SearchTask& task,
   std::vector<double> sums;
   const auto keep_cheapest = [&](std::size_t most, double below, const SearchEffort& looking) {
     sums.assign(ways.size(), 0);
-    for_each_index(ways.size(), threads,
-                   [&](std::size_t i) { sums[i] = price(task, priced_parts(task, ways[i], looking)); });
+    for_each_index_until_end(ways.size(), threads, [&](std::size_t i) {
+      sums[i] = price(task, priced_parts(task, ways[i], looking));
+    });
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < ways.size(); ++i)
       if (sums[i] <= below) order.push_back(i);
@@ -101,11 +103,13 @@ std::optional<std::vector<PricedSubfield>> best_division(const SearchTask& task,
     ways = std::move(kept);
   };
   if (ways.size() > kGlancedAt) keep_cheapest(kGlancedAt, kNever, first_glance());
+  if (has_to_end()) return std::nullopt;
   keep_cheapest(kLookedAt, hopeless(ground.grid.cost), glance());
 
   std::vector<std::vector<PricedSubfield>> looked(ways.size());
-  for_each_index(looked.size(), threads,
-                 [&](std::size_t i) { looked[i] = priced_parts(task, ways[i], closer_look()); });
+  for_each_index_until_end(looked.size(), threads,
+                           [&](std::size_t i) { looked[i] = priced_parts(task, ways[i], closer_look()); });
+  if (has_to_end()) return std::nullopt;
   std::optional<std::vector<PricedSubfield>> best;
   double least = ground.grid.cost - kLeastSaving * std::abs(ground.grid.cost);
   for (std::vector<PricedSubfield>& parts : looked) {
@@ -155,7 +159,8 @@ std::vector<PricedSubfield> divide_where_it_pays(const SearchTask& task, const P
     open.pop_back();
     std::optional<std::vector<PricedSubfield>> parts;
     const bool worth_it = next.grid.cost > kLeastShare * ground.grid.cost;
-    if (worth_it && open.size() + done.size() < kMostSubfields) parts = best_division(task, next, threads);
+    if (worth_it && !has_to_end() && open.size() + done.size() < kMostSubfields)
+      parts = best_division(task, next, threads);
     if (parts)
       open.insert(open.end(), parts->begin(), parts->end());
     else
@@ -169,7 +174,7 @@ std::vector<PricedSubfield> join_where_it_pays(const SearchTask& task, std::vect
   std::vector<Pair> pairs;
   const auto look = [&](std::vector<std::pair<std::size_t, std::size_t>> wanted) {
     std::vector<std::optional<Pair>> found(wanted.size());
-    for_each_index(wanted.size(), threads, [&](std::size_t i) {
+    for_each_index_until_end(wanted.size(), threads, [&](std::size_t i) {
       const auto [a, b] = wanted[i];
       const std::optional<Polygon> whole = joined(subfields[a].shape, subfields[b].shape);
       if (!whole) return;

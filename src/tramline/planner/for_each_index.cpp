@@ -1,5 +1,7 @@
 #include "tramline/planner/for_each_index.h"
 
+#include <algorithm>
+
 #include "tramline/planner/pulse.h"
 
 #ifdef __SANITIZE_THREAD__
@@ -74,3 +76,18 @@ void for_each_index(std::size_t count, int threads, const std::function<void(std
 }  // namespace tramline
 
 #endif
+
+namespace tramline {
+
+std::vector<bool> for_each_index_until_end(std::size_t count, int threads,
+                                           const std::function<void(std::size_t)>& body) {
+  std::vector<char> called(count, 0);  // bits of one word may not be set by several threads
+  for_each_index(count, threads, [&](std::size_t i) {
+    if (i > 0 && has_to_end()) return;
+    body(i);
+    called[i] = 1;
+  });
+  return {called.begin(), called.end()};
+}
+
+}  // namespace tramline

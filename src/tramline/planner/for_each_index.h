@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace tramline {
 
@@ -11,5 +12,10 @@ namespace tramline {
 /// on, and calls not yet begun may be left out. Beats before each (pulse.h). `body` must be safe to call
 /// concurrently.
 void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
+
+/// The same where a search that has to end may leave calls out (pulse.h), but for body(0). Gives which calls
+/// were made.
+std::vector<bool> for_each_index_until_end(std::size_t count, int threads,
+                                           const std::function<void(std::size_t)>& body);
 
 }  // namespace tramline

@@ -12,6 +12,7 @@
 #include "tramline/planner/flush_places.h"
 #include "tramline/planner/for_each_index.h"
 #include "tramline/planner/grid_shortlist.h"
+#include "tramline/planner/pulse.h"
 
 namespace tramline {
 namespace {
@@ -68,7 +69,7 @@ class GridSearch {
     for (const FoundGrid& found : list_.list()) out.grids.push_back(priced(found));
     if (hindered_)
       for (const FoundGrid& found : soft_list_.list()) out.unhindered.push_back(priced(found));
-    if (effort_.exact_offset && !hindered_) refine(out.grids.front());
+    if (effort_.exact_offset && !hindered_ && !has_to_end()) refine(out.grids.front());
     return out;
   }
 
@@ -85,7 +86,7 @@ class GridSearch {
     const std::size_t count = effort_.edge_offsets;
     std::vector<GridPlace> places(count * flush.size());
     std::vector<GridPrices> prices(places.size());
-    for_each_index(flush.size(), threads_, [&](std::size_t i) {
+    const std::vector<bool> made = for_each_index_until_end(flush.size(), threads_, [&](std::size_t i) {
       const GridTally tally = pricing_.tally(flush[i].angle);
       const Box& reach = tally.subfield().reach;
       const double pivot = pricing_.origin(tally, 0);
@@ -96,12 +97,13 @@ class GridSearch {
         prices[count * i + k] = pricing_.prices(tally, offsets[k]);
       }
     });
-    for (std::size_t i = 0; i < places.size(); ++i) offer(places[i], prices[i]);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (made[i / count]) offer(places[i], prices[i]);
   }
 
   /// Steps to better neighbours, halved where there is none.
   void polish(GridShortlist& shortlist, bool soft, std::size_t most) {
-    if (most == 0) return;
+    if (most == 0 || has_to_end()) return;
     std::vector<FoundGrid> found = shortlist.list();
     if (found.size() > most) found.resize(most);
     const double worth_it = found.front().cost + kNearBest * std::abs(found.front().cost);
@@ -133,7 +135,7 @@ class GridSearch {
   /// By steps that turn by less and less, from one angle to half the other.
   void improve(FoundGrid& best, bool soft, Angle from, Angle to) const {
     double turn = from.radians(), shift = pricing_.width_m() / 8 * (from.radians() / kFirstTurn.radians());
-    while (turn > 0.5 * to.radians()) {
+    while (turn > 0.5 * to.radians() && !has_to_end()) {
       bool better = false;
       for (const GridPlace& step : steps(turn, shift)) {
         const GridPlace next{best.place.angle + step.angle, best.place.offset_m + step.offset_m};
@@ -184,7 +186,7 @@ class GridSearch {
     const auto directions = static_cast<std::size_t>(effort_.scanned);
     std::vector<GridPlace> places(kOffsets * directions);
     std::vector<GridPrices> prices(places.size());
-    for_each_index(directions, threads_, [&](std::size_t i) {
+    const std::vector<bool> made = for_each_index_until_end(directions, threads_, [&](std::size_t i) {
       const double angle = kHalfTurn * (static_cast<double>(i) + 0.5) / static_cast<double>(directions);
       const GridTally tally = pricing_.tally(angle);
       for (std::size_t k = 0; k < kOffsets; ++k) {
@@ -195,10 +197,12 @@ class GridSearch {
         prices[kOffsets * i + k] = pricing_.prices(tally, places[kOffsets * i + k].offset_m);
       }
     });
-    for (std::size_t i = 0; i < places.size(); ++i) offer(places[i], prices[i]);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (made[i / kOffsets]) offer(places[i], prices[i]);
   }
 
   void branch() {
+    if (has_to_end()) return;
     const int first = static_cast<int>(std::lround(kHalfTurn / (2 * kFirstHalfAngle)));
     std::vector<SearchBox> boxes;
     for (int i = 0; i < first; ++i)
@@ -207,7 +211,7 @@ class GridSearch {
     bound_ = std::numeric_limits<double>::infinity();
     double at_last_look = open_.top().bound;
     int next_look = boxes_ + kLookEvery;
-    while (!open_.empty() && open_.top().bound < target() && boxes_ < effort_.most_boxes) {
+    while (!open_.empty() && open_.top().bound < target() && boxes_ < effort_.most_boxes && !has_to_end()) {
       if (boxes_ >= next_look) {
         if (!makes_headway(open_.top().bound - at_last_look)) break;
         at_last_look = open_.top().bound;

@@ -14,6 +14,7 @@
 #include "tramline/planner/recursive_plan.h"
 #include "tramline/planner/straight_search.h"
 #include "tramline/planner/validate_request.h"
+#include "tramline/planner/warnings.h"
 #include "tramline/planner/whole_figures.h"
 
 namespace tramline {
@@ -97,11 +98,8 @@ ExplainedPlan cheaper_shape(const Field& field, const Machine& machine, const Ob
   return out;
 }
 
-ExplainedPlan planned(const Field& field, const Machine& machine, const Objective& objective,
-                      const PlanSettings& settings, int threads, const Progress& given, Explain explain) {
-  validate_request(machine, objective, settings);
-  Pulse pulse(given);
-  const Progress progress = pulse.counter();
+ExplainedPlan searched(const Field& field, const Machine& machine, const Objective& objective,
+                       const PlanSettings& settings, int threads, const Progress& progress, Explain explain) {
   if (as_in_the_paper(settings) && settings.shape == TrackShape::kStraight && settings.guide.empty())
     throw bad_input(
         "tracks as in the paper follow a line: with --tracks paper give --ab, --guide or --curved");
@@ -116,6 +114,15 @@ ExplainedPlan planned(const Field& field, const Machine& machine, const Objectiv
   const std::optional<CurvedCandidate> curved = along_best_edge(task, threads);
   if (!curved) throw no_curve(field, as_in_the_paper(settings));
   return {finished_plan(task, *curved), std::nullopt};
+}
+
+ExplainedPlan planned(const Field& field, const Machine& machine, const Objective& objective,
+                      const PlanSettings& settings, int threads, const Progress& progress, Explain explain) {
+  validate_request(machine, objective, settings);
+  Pulse pulse(progress);
+  ExplainedPlan out = searched(field, machine, objective, settings, threads, pulse.counter(), explain);
+  if (pulse.cut_short()) mark_cut_short(out.plan);
+  return out;
 }
 
 }  // namespace

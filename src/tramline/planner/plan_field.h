@@ -11,7 +11,8 @@ namespace tramline {
 /// Plans a field by the strategy of the settings. `threads` 0 uses all cores.
 /// Errors: kBadInput where the machine or the objective is not a number or out of range, or where no
 /// piece of the least length fits (the machine is too wide, or the field too small).
-/// Deterministic: the same plan for any number of threads.
+/// Deterministic: the same plan for any number of threads, unless the progress wants an end before the search
+/// is through; the plan then says so (Proof::cut_short, and a warning).
 Plan plan_field(const Field& field, const Machine& machine, const Objective& objective,
                 const PlanSettings& settings, int threads = 0, const Progress& progress = {});
 

@@ -28,14 +28,19 @@ Pulse::~Pulse() {
 
 Progress Pulse::counter() {
   if (!progress_) return {};
-  return [this](int done, int total) { count(done, total); };
+  return [this](int done, int total) { return count(done, total); };
 }
 
-void Pulse::count(int done, int total) {
+Demand Pulse::count(int done, int total) {
   const std::lock_guard lock(mutex_);
   done_ = done;
   total_ = total;
-  progress_(done, total);
+  call();
+  return ending_ ? Demand::kEnd : Demand::kGoOn;
+}
+
+void Pulse::call() {
+  if (progress_(done_, total_) == Demand::kEnd) ending_ = true;
 }
 
 void Pulse::call_if_due() {
@@ -44,12 +49,21 @@ void Pulse::call_if_due() {
   const std::lock_guard lock(mutex_);
   if (now < due_ns_.load(std::memory_order_relaxed)) return;
   // Left as it is by a progress that throws: all others are to stop as well.
-  progress_(done_, total_);
+  call();
   due_ns_.store(now + kBetween_ns, std::memory_order_relaxed);
 }
 
 void beat() {
   if (pulse_of_this_thread != nullptr) pulse_of_this_thread->call_if_due();
+}
+
+bool has_to_end() {
+  Pulse* pulse = pulse_of_this_thread;
+  if (pulse == nullptr) return false;
+  pulse->call_if_due();
+  if (!pulse->ending_) return false;
+  pulse->cut_short_ = true;
+  return true;
 }
 
 PulseOfThread::PulseOfThread() : pulse_(pulse_of_this_thread) {}

@@ -1,5 +1,5 @@
 #pragma once
-// How a search is stopped: whoever asked for it is called again and again, and may throw.
+// How a search is stopped: whoever asked for it is called again and again, and may throw, or want an end.
 
 #include <atomic>
 #include <cstdint>
@@ -22,10 +22,14 @@ class Pulse {
 
   /// To be given to searches in place of the progress: passes on counts at once, and remembers them.
   Progress counter();
+  /// Has something been left out because the progress wanted an end?
+  bool cut_short() const { return cut_short_; }
 
  private:
   friend void beat();
-  void count(int done, int total);
+  friend bool has_to_end();
+  Demand count(int done, int total);
+  void call();
   void call_if_due();
 
   const Progress& progress_;
@@ -33,10 +37,15 @@ class Pulse {
   std::mutex mutex_;
   std::atomic<std::int64_t> due_ns_ = 0;
   int done_ = 0, total_ = 0;
+  std::atomic<bool> ending_ = false, cut_short_ = false;
 };
 
 /// Called now and then by everything that takes long.
 void beat();
+
+/// Is the search to end with what it has? Beats. Whoever is told so has to leave out what could still better
+/// the plan.
+bool has_to_end();
 
 /// The pulse of a thread, for another one that works for it.
 class PulseOfThread {

@@ -182,7 +182,7 @@ class Choice {
 
   /// Leaves these lines out and lays the best ones in their stead, where that costs less.
   bool exchange(const std::vector<std::size_t>& indices) {
-    beat();
+    if (has_to_end()) return false;
     refresh();
     const double before = cost();
     const std::vector<RepairLine> lines = lines_;
@@ -233,7 +233,7 @@ double cost_with(const std::vector<RepairLine>& lines, const RepairGround& groun
   return sum + objective.turn * static_cast<double>(lines.size());
 }
 
-std::vector<RepairLine> chosen_lines(RepairGround& ground, int threads, const RepairProgress& progress) {
+std::vector<RepairLine> chosen_lines(RepairGround& ground, int threads, const Progress& progress) {
   std::vector<Candidate> candidates;
   for (const LinePlace& place : repair_places(ground)) candidates.push_back({place, {}, true});
   const Region everywhere{ground.free()};
@@ -249,6 +249,7 @@ std::vector<RepairLine> chosen_lines(RepairGround& ground, int threads, const Re
       least = choice.cost();
       continue;
     }
+    if (step > 1 && has_to_end()) break;
     if (step > 1) choice.lay_rows(step == 2 ? RowsOver::kAllGaps : RowsOver::kOneGap);
     if (step > 1 && choice.lines().empty()) break;
     choice.grow();

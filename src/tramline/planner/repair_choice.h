@@ -1,15 +1,12 @@
 #pragma once
 // Which lines a repair drives.
 
-#include <functional>
 #include <vector>
 
+#include "tramline/planner/progress.h"
 #include "tramline/planner/repair_ground.h"
 
 namespace tramline {
-
-/// Steps done, and known so far.
-using RepairProgress = std::function<void(int done, int total)>;
 
 /// What lines cost with what they leave: the open ground at the price of missed land, their overlap (as
 /// price_of() has it for short ones), stops, and a turn to each line, the first too: the way to it costs
@@ -21,6 +18,6 @@ double cost_with(const std::vector<RepairLine>& lines, const RepairGround& groun
 /// exchanged for others. Begun once with the line that is worth most, time and again, and twice with the best
 /// rows of lines over wide gaps; the best outcome counts. Covers the ground. Deterministic for any number of
 /// threads. O(lines · places beside them) looks at the ground.
-std::vector<RepairLine> chosen_lines(RepairGround& ground, int threads, const RepairProgress& progress);
+std::vector<RepairLine> chosen_lines(RepairGround& ground, int threads, const Progress& progress);
 
 }  // namespace tramline

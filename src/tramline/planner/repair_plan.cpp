@@ -167,7 +167,7 @@ void add_prices(RepairPlan& repair) {
 
 RepairPlan repair_plan(const Field& field, const std::vector<Gap>& gaps, const Region& missed,
                        const std::vector<DrivenLine>& driven, RepairTerms terms, double min_area_m2,
-                       int threads, const RepairProgress& progress) {
+                       int threads, const Progress& progress) {
   if (terms.machine.min_length_m < 0) terms.machine.min_length_m = 0;
   Pulse pulse(progress);
   RepairPlan out;
@@ -191,6 +191,7 @@ RepairPlan repair_plan(const Field& field, const std::vector<Gap>& gaps, const R
   out.plan.overlap = std::move(worked.overlap);
   out.plan.uncovered = std::move(worked.uncovered);
   out.plan.warnings = warnings_about(out.plan);
+  if (pulse.cut_short()) mark_cut_short(out.plan);
   out.missed_after_m2 = area(difference(missed, unite(swaths)));
   add_prices(out);
   return out;

@@ -42,9 +42,9 @@ struct RepairPlan {
 /// see price_of() for short pieces. The machine's least length counts for lines, with the default 0.
 ///
 /// Throws kBadInput where there is no gap, none large enough, none that can be entered, or none that is worth
-/// a pass. Deterministic for any number of threads.
+/// a pass. Deterministic for any number of threads, unless the progress wants an end (plan_field()).
 RepairPlan repair_plan(const Field& field, const std::vector<Gap>& gaps, const Region& missed,
                        const std::vector<DrivenLine>& driven, RepairTerms terms, double min_area_m2,
-                       int threads, const RepairProgress& progress);
+                       int threads, const Progress& progress);
 
 }  // namespace tramline

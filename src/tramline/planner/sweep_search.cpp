@@ -8,6 +8,7 @@
 #include "tramline/decomposition/events.h"
 #include "tramline/decomposition/sweep_directions.h"
 #include "tramline/planner/for_each_index.h"
+#include "tramline/planner/pulse.h"
 
 namespace tramline {
 namespace {
@@ -46,13 +47,16 @@ std::vector<SweptGround> swept_grounds(const SearchTask& task, int threads, cons
   }
   std::mutex mutex;
   int done = 0;
-  for_each_index(directions.size(), threads, [&](std::size_t i) {
+  const std::vector<bool> made = for_each_index_until_end(directions.size(), threads, [&](std::size_t i) {
     out[i] = swept_ground(task, directions[i]);
     if (!progress) return;
     const std::lock_guard lock(mutex);
     progress(++done, static_cast<int>(directions.size()));
   });
-  return out;
+  std::vector<SweptGround> kept;
+  for (std::size_t i = 0; i < out.size(); ++i)
+    if (made[i]) kept.push_back(std::move(out[i]));
+  return kept;
 }
 
 std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vector<SweptGround>& swept,
@@ -73,7 +77,7 @@ std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vecto
     std::vector<std::size_t> batch;
     for (std::size_t place = first; place < first + kAtOnce && hopeful(place); ++place)
       batch.push_back(order[place]);
-    if (batch.empty()) break;
+    if (batch.empty() || (any_works && has_to_end())) break;
     std::vector<Candidate> candidates(batch.size());
     for_each_index(batch.size(), threads,
                    [&](std::size_t i) { candidates[i] = candidate_on(task, swept[batch[i]].grounds); });

@@ -16,6 +16,7 @@
 #include "tramline/planner/pulse.h"
 #include "tramline/planner/straight_search.h"
 #include "tramline/planner/validate_request.h"
+#include "tramline/planner/warnings.h"
 #include "tramline/planner/whole_figures.h"
 
 namespace tramline {
@@ -50,10 +51,10 @@ std::vector<Laid> best_of(std::vector<Laid> laid) {
 std::vector<TradeOff::Search> searches_for(const SearchTask& task, int threads, const Progress& progress) {
   const std::vector<Objective> prices = prices_to_search(task.objective);
   std::vector<TradeOff::Search> out(prices.size(), {task, {}});
+  for (std::size_t i = 0; i < prices.size(); ++i) out[i].task.objective = prices[i];
   std::mutex mutex;
   int done = 0;
-  for_each_index(prices.size(), threads, [&](std::size_t i) {
-    out[i].task.objective = prices[i];
+  for_each_index_until_end(prices.size(), threads, [&](std::size_t i) {
     out[i].found = straight_search(out[i].task, threads, {});
     if (!progress) return;
     const std::lock_guard lock(mutex);
@@ -68,7 +69,7 @@ std::vector<Laid> laid_anew(const std::vector<TradeOff::Search>& searches, const
                             int threads) {
   const std::size_t count = searches.size();
   std::vector<Laid> out(laid.size() * count);
-  for_each_index(out.size(), threads, [&](std::size_t i) {
+  for_each_index_until_end(out.size(), threads, [&](std::size_t i) {
     const TradeOff::Origin& origin = laid[i / count].origin;
     const std::size_t search = i % count;
     if (search == origin.search) return;
@@ -100,6 +101,11 @@ Front front_of(const Objective& prices, const std::vector<TradeOff::Search>& sea
   }
   front.marks = marks_for(front);
   return front;
+}
+
+Plan marked(const TradeOff& trade_off, Plan plan) {
+  if (trade_off.cut_short) mark_cut_short(plan);
+  return plan;
 }
 
 }  // namespace
@@ -155,6 +161,7 @@ TradeOff trade_off(const Field& field, const Machine& machine, const Objective& 
 
   out.front = front_of(prices, out.searches, laid);
   for (Laid& plan : laid) out.origins.push_back(std::move(plan.origin));
+  out.cut_short = pulse.cut_short();
   return out;
 }
 
@@ -163,12 +170,12 @@ Plan plan_of(const TradeOff& trade_off, std::size_t point) {
   const TradeOff::Search& search = trade_off.searches[origin.search];
   SearchResult laid = search.found;
   laid.best = candidate_on(search.task, origin.grounds);
-  return finished_plan(search.task, std::move(laid));
+  return marked(trade_off, finished_plan(search.task, std::move(laid)));
 }
 
 Plan given_plan(const TradeOff& trade_off) {
   const TradeOff::Search& given = trade_off.searches.front();
-  return finished_plan(given.task, given.found);
+  return marked(trade_off, finished_plan(given.task, given.found));
 }
 
 Explanation why_given(const TradeOff& trade_off, int threads) {

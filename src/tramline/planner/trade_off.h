@@ -25,6 +25,7 @@ struct TradeOff {
   Front front;
   std::vector<Origin> origins;
   std::vector<Search> searches;
+  bool cut_short = false;  ///< the progress wanted an end before all searches were through
 };
 
 /// Throws kBadInput where the settings ask for other than straight tracks: others are not compared.

@@ -88,6 +88,14 @@ std::string unworked_land_warning(const Plan& plan) {
   return fmt::format("{:.1f} % of the land, {:.0f} m², stays unworked", 100 * unworked / land, unworked);
 }
 
+void mark_cut_short(Plan& plan) {
+  plan.proof.cut_short = true;
+  std::vector<std::string> all{
+      "the search was ended before it was through: a longer one may find a cheaper plan"};
+  all.insert(all.end(), plan.warnings.begin(), plan.warnings.end());
+  plan.warnings = std::move(all);
+}
+
 std::vector<std::string> warnings_about(const Plan& plan) {
   std::vector<std::string> out;
   if (std::string unworked = unworked_land_warning(plan); !unworked.empty())

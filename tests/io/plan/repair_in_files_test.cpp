@@ -35,9 +35,9 @@ TEST(RepairInFiles, WorkedGroundComesBackToTheBit) {
 
 TEST(RepairInFiles, HaveTheVersionOfAllPlans) {
   Plan plan = repair();
-  EXPECT_EQ(io::metadata_of(plan).at("format_version"), "5");
+  EXPECT_EQ(io::metadata_of(plan).at("format_version"), "6");
   plan.worked.clear();
-  EXPECT_EQ(io::metadata_of(plan).at("format_version"), "5");
+  EXPECT_EQ(io::metadata_of(plan).at("format_version"), "6");
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace tramline::io {
 namespace {
 
 constexpr const char* kFormat = "tramline plan";
-constexpr int kNewestVersion = kVersionWithWholeFigures, kOldestVersion = 2;
+constexpr int kNewestVersion = kVersionWithSearchEnd, kOldestVersion = 2;
 constexpr const char* kTracks = "settings.tracks";
 constexpr const char* kKind = "kind";
 constexpr const char* kRepair = "repair";
@@ -87,6 +87,8 @@ void each_value_since_whole_figures(PlanOrConst& plan, Visitor&& visit) {
   visit("track_tally.overlap_m2", plan.track_tally.overlap_m2);
   visit("track_tally.uncovered_m2", plan.track_tally.uncovered_m2);
 }
+
+constexpr const char* kCutShort = "proof.cut_short";
 
 /// Counts and lengths are the same for tracks alone; the areas are read or, in older files, are all there is.
 void complete_track_tally(int version, Plan& plan) {
@@ -203,10 +205,11 @@ Metadata metadata_of(const Plan& plan) {
   each_value(plan, writer);
   each_value_since_headlands(plan, writer);
   each_value_since_whole_figures(plan, writer);
+  writer(kCutShort, plan.proof.cut_short);
   out[kInputCrsKey] = plan.field.source.input_crs;
   writer(kTracks, plan.settings.tracks);
   out["format"] = kFormat;
-  out["format_version"] = std::to_string(kVersionWithWholeFigures);
+  out["format_version"] = std::to_string(kVersionWithSearchEnd);
   out[kKind] = is_repair(plan) ? kRepair : "plan";
   leave_folders_out(out);
   // The kinds that no setting changes are written all the same: the file explains itself.
@@ -222,7 +225,7 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   int version = 0;
   reader("format_version", version);
   if (version < kOldestVersion || version > kNewestVersion)
-    throw reader.wrong("format_version", "from 2 to 5: read it with the tramline that wrote it");
+    throw reader.wrong("format_version", "from 2 to 6: read it with the tramline that wrote it");
   each_value(plan, reader);
   reader.shift_by(offset_of(plan.field.frame));
   if (version >= kVersionWithHeadlands) each_value_since_headlands(plan, reader);
@@ -232,6 +235,7 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
     plan.objective.subfield = 0;  // it had no price
     plan.figures = PlanFigures::kTracks;
   }
+  if (version >= kVersionWithSearchEnd) reader(kCutShort, plan.proof.cut_short);
   complete_track_tally(version, plan);
   // Files from before there were these keys are as good plans.
   if (metadata.contains(kInputCrsKey)) plan.field.source.input_crs = reader.text(kInputCrsKey);

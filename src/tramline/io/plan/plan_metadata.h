@@ -14,8 +14,10 @@ inline constexpr int kVersionWithHeadlands = 3;
 /// The version of repairs, which have a layer of worked ground.
 inline constexpr int kVersionWithRepairs = 4;
 /// The first version whose tally, cost and layers are those of tracks and headland passes together, and with
-/// a price for each subfield after the first. All plans are written so.
+/// a price for each subfield after the first.
 inline constexpr int kVersionWithWholeFigures = 5;
+/// The first version that says whether the search was ended early. All plans are written so.
+inline constexpr int kVersionWithSearchEnd = 6;
 
 /// Machine, objective, settings, tally, local frame, source and remarks of a plan. The source file is
 /// named without its folder: a plan does not carry the paths of the machine it was made on. Guide line and
