@@ -70,9 +70,9 @@ class Served {
     return call(
         [&](httplib::Client& client) { return client.Put(whole(path), headers, body.dump(), kJson); });
   }
-  Got patch(const std::string& path, const ordered_json& body) const {
-    return call(
-        [&](httplib::Client& client) { return client.Patch(whole(path), headers, body.dump(), kJson); });
+  Got patch(const std::string& path, const ordered_json& body) const { return patch_text(path, body.dump()); }
+  Got patch_text(const std::string& path, const std::string& body) const {
+    return call([&](httplib::Client& client) { return client.Patch(whole(path), headers, body, kJson); });
   }
   Got remove(const std::string& path) const {
     return call([&](httplib::Client& client) { return client.Delete(whole(path), headers); });

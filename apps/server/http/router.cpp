@@ -88,6 +88,16 @@ std::string_view method_of(const httplib::Request& request) {
   return request.method == "HEAD" ? std::string_view("GET") : std::string_view(request.method);
 }
 
+/// Values are copied and written by a call for each level of nesting, so that there must not be a million.
+bool not_too_deep(int depth, nlohmann::ordered_json::parse_event_t, nlohmann::ordered_json&) {
+  if (depth > kDeepestJson)
+    throw HttpError(
+        Fault::kBadInput,
+        fmt::format("the body of the request is nested deeper than the {} levels that are taken here",
+                    kDeepestJson));
+  return true;
+}
+
 /// Without a length there is no body, unless it comes in chunks.
 bool has_body(const httplib::Request& request) {
   return request.has_header("Content-Length") || request.has_header("Transfer-Encoding");
@@ -139,7 +149,7 @@ nlohmann::ordered_json Call::json() const {
     body.append(data, size);
     return true;
   });
-  nlohmann::ordered_json out = nlohmann::ordered_json::parse(body, nullptr, false);
+  nlohmann::ordered_json out = nlohmann::ordered_json::parse(body, not_too_deep, false);
   if (out.is_discarded())
     throw HttpError(Fault::kBadInput, "the body of the request is no JSON; send an object in braces");
   if (!out.is_object())

@@ -16,6 +16,9 @@ namespace tramline::server {
 /// Bodies that are not uploads.
 inline constexpr std::size_t kMostJsonBytes = std::size_t{4} << 20;
 
+/// Lists and objects within one another, in the JSON of a body.
+inline constexpr int kDeepestJson = 32;
+
 /// Bodies that are being received at once; more are refused, so that some threads never wait for a sender.
 inline constexpr std::ptrdiff_t kMostBodies = 64;
 /// Bodies that come more slowly are given up, once kPatience_s have passed.
@@ -41,7 +44,8 @@ class Call {
   /// limit, kBadInput where it breaks off or comes more slowly than kLeastBytesPer_s, and kBusy where
   /// kMostBodies are being received already.
   void read_body(const Bytes& take) const;
-  /// The body as JSON, an object. Throws HttpError.
+  /// The body as JSON, an object. Throws HttpError(kBadInput) for other JSON, what is none, and what is
+  /// nested deeper than kDeepestJson, and like read_body().
   nlohmann::ordered_json json() const;
 
  private:

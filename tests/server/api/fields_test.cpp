@@ -122,6 +122,22 @@ TEST_F(ServerTest, ObstaclesAreDrawnAndTakenAway) {
   EXPECT_NE(outside.message().find("does not meet the field"), std::string::npos) << outside.message();
 }
 
+TEST_F(ServerTest, ListsWithinListsWithoutEndAreRefused) {
+  const std::string id = served.field_of("riverside.geojson");
+  const std::string open(500'000, '['), close(500'000, ']');
+  for (const std::string& body : {"{\"remove\":" + open + close + "}", "{\"add\":" + open}) {
+    const Got got = served.patch_text("/fields/" + id, body);
+    EXPECT_EQ(got.status, 400);
+    EXPECT_NE(got.message().find("nested deeper than the 32 levels"), std::string::npos) << got.text;
+  }
+  EXPECT_EQ(served.get("/fields/" + id).status, 200);
+  // The deepest that there is: a multipolygon to be added, seven levels.
+  const Got taken =
+      served.patch("/fields/" + id, ordered_json::parse(R"({"add":[{"kind":"obstacle","geometry":
+      {"type":"MultiPolygon","coordinates":[[[[0,0],[1,0],[1,1],[0,0]]]]}}]})"));
+  EXPECT_NE(taken.message().find("does not meet the field"), std::string::npos) << taken.text;
+}
+
 TEST_F(ServerTest, AFieldInPlainMetresIsShownAboutNowhere) {
   const std::string id = served.field_of("plain-metres.gpkg");
   const Got field = served.get("/fields/" + id);
