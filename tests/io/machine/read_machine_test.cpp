@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "tramline/geometry/error.h"
 
@@ -51,6 +52,17 @@ TEST_F(MachineFile, WidthIsEnough) {
   EXPECT_EQ(machine.width_m, 3.5);
   EXPECT_EQ(machine.radius_m, Machine{}.radius_m);
   EXPECT_EQ(min_length_m(machine), 7);
+}
+
+TEST_F(MachineFile, TablesDeepWithinTablesAreRefused) {
+  // A parser that goes down a call for each dot comes to the end of its stack.
+  std::string key = "a";
+  for (int i = 0; i < 100'000; ++i) key += ".a";
+  const std::vector<std::string> texts = {key + " = 1", "[" + key + "]", "name = {" + key + " = 1}"};
+  for (const std::string& text : texts)
+    expect_says(refusal("width_m = 3\r\n" + text), {"m.toml", "line 2", "64 dots"});
+  const std::string dots(500, '.');
+  EXPECT_EQ(read("  # " + dots + "\nwidth_m = 3\n").width_m, 3);
 }
 
 TEST_F(MachineFile, UnknownKeyListsTheKnownOnes) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <toml++/toml.h>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -20,6 +21,8 @@ constexpr std::array<std::string_view, 4> kKeys = {"name", "width_m", "turning_r
                                                    "min_track_length_m"};
 // Far above any machine file: what is longer is something else.
 constexpr std::size_t kLargestFile = 1 << 20;
+// Each dot of a key is a table within a table, and tables are taken apart by a call for each.
+constexpr std::ptrdiff_t kMostDots = 64;
 
 struct Source {
   std::string file;
@@ -38,8 +41,23 @@ std::string text_of(const std::filesystem::path& path) {
   return text;
 }
 
+/// Looked at before the text is parsed. Lines end where TOML++ ends them; a comment may be full of dots.
+void refuse_deep_keys(std::string_view text, const std::filesystem::path& path) {
+  for (int line = 1; !text.empty(); ++line) {
+    const std::size_t end = std::min(text.find_first_of("\n\v\f\r"), text.size());
+    const std::string_view row = text.substr(0, end);
+    const bool comment = row.substr(std::min(row.find_first_not_of(" \t"), row.size())).starts_with('#');
+    if (!comment && std::count(row.begin(), row.end(), '.') > kMostDots)
+      throw bad_input(
+          fmt::format("machine file {}, line {}: it has more than {} dots; a machine has no tables in tables",
+                      path.string(), line, kMostDots));
+    text.remove_prefix(std::min(end + (text.substr(end).starts_with("\r\n") ? 2 : 1), text.size()));
+  }
+}
+
 Source parse(const std::filesystem::path& path) {
   const std::string text = text_of(path);
+  refuse_deep_keys(text, path);
   try {
     return {path.string(), toml::parse(text)};
   } catch (const toml::parse_error& error) {
