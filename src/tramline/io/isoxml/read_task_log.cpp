@@ -10,6 +10,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/io/fixes/boom_list.h"
 #include "tramline/io/fixes/job_groups.h"
+#include "tramline/io/fixes/most_fixes.h"
 #include "tramline/io/fixes/number_text.h"
 #include "tramline/io/fixes/places.h"
 #include "tramline/io/isoxml/logged_counters.h"
@@ -88,6 +89,7 @@ DecodedLog decode_bytes(std::string_view header_xml, std::string_view bytes,
       log.skipped.add(record->number, std::move(fault));
       continue;
     }
+    require_room_for_fix(log.fixes.size(), place);
     Fix fix;
     fix.record = record->number;
     fix.time_s = record->time_s;
@@ -164,12 +166,16 @@ DecodedLogs decoded(const TaskFiles& files, const TaskData& tasks, const std::st
   const std::vector<LogEntry> entries = chosen(files, tasks, wanted);
   DecodedLogs out;
   std::vector<std::string> left_out;
+  std::size_t fixes = 0;
   for (const LogEntry& entry : entries) {
     const LogFiles log = files_of(files, entry);
-    if ((log.xml && log.bin) || entries.size() == 1)
-      out.logs.push_back(decode(files, log, entry, tasks));
-    else
+    if ((!log.xml || !log.bin) && entries.size() > 1) {
       left_out.push_back(entry.name);
+      continue;
+    }
+    out.logs.push_back(decode(files, log, entry, tasks));
+    fixes += out.logs.back().log.fixes.size();
+    if (fixes > 0) require_room_for_fix(fixes - 1, fmt::format("'{}'", files.path()));
   }
   if (!left_out.empty())
     out.notes.push_back(fmt::format("{} logs have no .xml or no .bin and were left out: {}", left_out.size(),

@@ -10,6 +10,7 @@
 
 #include "tramline/geometry/error.h"
 #include "tramline/io/fixes/number_text.h"
+#include "tramline/io/fixes/xml_budget.h"
 #include "tramline/io/isoxml/partfield_rings.h"
 
 namespace tramline::io {
@@ -18,6 +19,7 @@ namespace {
 constexpr std::size_t kMostExternalFiles = 10000;
 
 std::unique_ptr<pugi::xml_document> parse(std::string_view xml, const std::string& place) {
+  require_bounded_xml(xml, place);
   auto document = std::make_unique<pugi::xml_document>();
   const pugi::xml_parse_result parsed = document->load_buffer(xml.data(), xml.size());
   if (!parsed)

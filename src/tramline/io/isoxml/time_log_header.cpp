@@ -7,6 +7,7 @@
 
 #include "tramline/geometry/error.h"
 #include "tramline/io/fixes/number_text.h"
+#include "tramline/io/fixes/xml_budget.h"
 
 namespace tramline::io {
 namespace {
@@ -36,6 +37,7 @@ void read_position(const pugi::xml_node& position, TimeLogHeader& header) {
 }  // namespace
 
 TimeLogHeader read_time_log_header(std::string_view xml, const std::string& place) {
+  require_bounded_xml(xml, place);
   pugi::xml_document document;
   const pugi::xml_parse_result parsed = document.load_buffer(xml.data(), xml.size());
   if (!parsed)

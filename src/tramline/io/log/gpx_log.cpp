@@ -12,8 +12,10 @@
 #include "tramline/io/fixes/civil_time.h"
 #include "tramline/io/fixes/course_heading.h"
 #include "tramline/io/fixes/job_groups.h"
+#include "tramline/io/fixes/most_fixes.h"
 #include "tramline/io/fixes/number_text.h"
 #include "tramline/io/fixes/places.h"
+#include "tramline/io/fixes/xml_budget.h"
 
 namespace tramline::io {
 namespace {
@@ -70,6 +72,7 @@ struct Track {
 };
 
 std::vector<Track> tracks_of(std::string_view text, const std::string& place) {
+  require_bounded_xml(text, place);
   pugi::xml_document document;
   const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size());
   if (!parsed)
@@ -87,8 +90,11 @@ std::vector<Track> tracks_of(std::string_view text, const std::string& place) {
     WorkLog& log = out.back().log;
     for (const pugi::xml_node segment : track.children()) {
       if (local_name(segment) != "trkseg") continue;
-      for (const pugi::xml_node point : segment.children())
-        if (local_name(point) == "trkpt") add_point(point, unit, ++record, log);
+      for (const pugi::xml_node point : segment.children()) {
+        if (local_name(point) != "trkpt") continue;
+        require_room_for_fix(fixes + log.fixes.size(), place);
+        add_point(point, unit, ++record, log);
+      }
       ++unit;
     }
     skip_strays(log);

@@ -67,17 +67,16 @@ class CrsListener final : public nlohmann::json_sax<json> {
   std::size_t depth_ = 0, crs_depth_ = 0;  ///< 0: in no object, in no "crs"
 };
 
-/// Between the values of a sequence: white space and the mark that RFC 8142 puts before each.
-bool skip_to_value(std::istream& text) {
+}  // namespace
+
+bool skip_to_json_value(std::istream& text) {
   constexpr char kRecordSeparator = 0x1e;
   while ((text >> std::ws) && text.peek() == kRecordSeparator) text.get();
   return text.good() && text.peek() != std::istream::traits_type::eof();
 }
 
-}  // namespace
-
 void each_json_crs(std::istream& text, const TakeCrs& take) {
-  while (skip_to_value(text)) {
+  while (skip_to_json_value(text)) {
     CrsListener listener(take);
     if (!json::sax_parse(text, &listener, json::input_format_t::json, false)) return;
   }

@@ -13,4 +13,8 @@ namespace tramline::io {
 void each_json_crs(std::istream& text,
                    const std::function<void(const std::string& type, const std::string& place)>& take);
 
+/// Between the values of a sequence: passes by white space and the mark that RFC 8142 puts before each. False
+/// at the end.
+bool skip_to_json_value(std::istream& text);
+
 }  // namespace tramline::io

@@ -48,10 +48,10 @@ std::vector<std::string> members(const std::string& zip) {
   return out;
 }
 
-/// A compressed file is expanded whole by most drivers.
-void refuse_endless(const std::string& file) {
-  const std::unique_ptr<VSILFILE, int (*)(VSILFILE*)> expanded(VSIFOpenL(("/vsigzip/" + file).c_str(), "rb"),
-                                                               VSIFCloseL);
+/// A compressed file is expanded whole by most drivers. `name` is GDAL's for the packed one, `file` the
+/// user's. Gives its size.
+std::size_t expanded_size(const std::string& name, const std::string& file) {
+  const std::unique_ptr<VSILFILE, int (*)(VSILFILE*)> expanded(VSIFOpenL(name.c_str(), "rb"), VSIFCloseL);
   if (!expanded) throw bad_input(fmt::format("'{}' cannot be opened", file));
   std::vector<char> buffer(std::size_t{1} << 20);
   std::size_t size = 0;
@@ -59,6 +59,13 @@ void refuse_endless(const std::string& file) {
     if ((size += got) > kMostExpandedDataset)
       throw bad_input(
           fmt::format("'{}' expands to more than {} MiB; unpack it first", file, kMostExpandedDataset >> 20));
+  return size;
+}
+
+/// The members of a zip that are vector datasets, each by itself: what a directory says of them may be wrong.
+void refuse_endless(const std::string& zip, const std::set<std::string>& datasets, const std::string& file) {
+  for (const std::string& name : datasets)
+    if (const std::string full = zip + "/" + name; is_vector_file(name)) expanded_size(full, file);
 }
 
 /// Names inside the zip to open: a folder of Shapefiles counts once, a file geodatabase is its folder.
@@ -123,7 +130,7 @@ std::vector<std::string> locate_datasets(const std::string& file) {
   const GdalMessages silence;
   if (!exists(file)) throw bad_input(fmt::format("there is no file '{}'; check the path", file));
   if (extension(file) == "gz") {
-    refuse_endless(file);
+    expanded_size("/vsigzip/" + file, file);
     return {"/vsigzip/" + file};
   }
   if (extension(file) != "zip") return {file};
@@ -133,8 +140,10 @@ std::vector<std::string> locate_datasets(const std::string& file) {
   if (names.empty())
     throw bad_input(fmt::format(
         "'{}' cannot be read as a zip file; it is empty or was cut off, so fetch it again", file));
+  const std::set<std::string> datasets = datasets_among(names);
+  refuse_endless(zip, datasets, file);
   std::vector<std::string> out;
-  for (const std::string& name : datasets_among(names))
+  for (const std::string& name : datasets)
     out.push_back(name.empty() ? zip : fmt::format("{}/{}", zip, name));
   if (out.empty())
     throw bad_input(fmt::format(

@@ -16,13 +16,13 @@ bool is_folder(const std::string& name);
 /// The string with any password masked, for messages.
 std::string shown_name(const std::string& file);
 
-/// Refused beyond this: what a gzipped file expands to.
+/// Refused beyond this: what a gzipped file, or a vector file in a zip, expands to.
 inline constexpr std::size_t kMostExpandedDataset = std::size_t{1} << 30;
 
 /// The names GDAL can open for `file`: the file itself (expanded where it is a .gz), or for a .zip each
 /// vector dataset inside, in any folder (the Shapefiles of one folder are one dataset). Throws bad_input when
-/// the file does not exist, or when the zip cannot be read or holds no vector file, and for a .gz that
-/// expands beyond kMostExpandedDataset.
+/// the file does not exist, or when the zip cannot be read or holds no vector file, and where
+/// a .gz, or a vector file in the zip, expands beyond kMostExpandedDataset.
 std::vector<std::string> locate_datasets(const std::string& file);
 
 }  // namespace tramline::io

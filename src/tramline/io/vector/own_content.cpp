@@ -17,6 +17,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/io/vector/gdal_messages.h"
 #include "tramline/io/vector/json_crs.h"
+#include "tramline/io/vector/json_size.h"
 #include "tramline/io/vector/locate_dataset.h"
 
 namespace tramline::io {
@@ -30,8 +31,15 @@ constexpr std::size_t kHead = std::size_t{1} << 16;
 /// Longer than anything that is looked for.
 constexpr std::size_t kOverlap = 64;
 constexpr std::size_t kMostKml = std::size_t{48} << 20;
+/// As OGR_GEOJSON_MAX_OBJ_SIZE, which GDAL keeps to in collections only.
+constexpr std::size_t kMostJsonValue = std::size_t{64} << 20;
 
 File opened(const std::string& name) { return {VSIFOpenL(name.c_str(), "rb"), VSIFCloseL}; }
+
+std::size_t size_of(const std::string& name) {
+  VSIStatBufL status;
+  return VSIStatL(name.c_str(), &status) == 0 ? static_cast<std::size_t>(status.st_size) : 0;
+}
 
 std::string lower(std::string_view text) {
   std::string out(text);
@@ -44,11 +52,14 @@ std::string lower(std::string_view text) {
 class FileBuffer final : public std::streambuf {
  public:
   explicit FileBuffer(VSILFILE* file) : file_(file), block_(kBlock) {}
+  /// Read so far, to a block.
+  std::size_t bytes() const { return bytes_; }
 
  protected:
   int_type underflow() override {
     const std::size_t got = VSIFReadL(block_.data(), 1, block_.size(), file_);
     if (got == 0) return traits_type::eof();
+    bytes_ += got;
     setg(block_.data(), block_.data(), block_.data() + got);
     return traits_type::to_int_type(block_.front());
   }
@@ -56,6 +67,7 @@ class FileBuffer final : public std::streambuf {
  private:
   VSILFILE* file_;
   std::vector<char> block_;
+  std::size_t bytes_ = 0;
 };
 
 /// The first bytes, letters only: without the zeros that UTF-16 and UTF-32 have between them, a mark of the
@@ -107,7 +119,22 @@ bool is_address_or_path(const std::string& place) {
   return starts || place.ends_with(".prj") || place.ends_with(".wkt");
 }
 
+/// GDAL keeps a value that is no collection of features whole, in twenty-five times its size.
+void require_readable_json(const std::string& name, const std::string& shown) {
+  const std::size_t size = size_of(name);
+  if (size <= kMostJsonValue) return;
+  const File file = opened(name);
+  FileBuffer buffer(file.get());
+  std::istream text(&buffer);
+  if (has_large_json_value(
+          text, [&] { return buffer.bytes(); }, size, kMostJsonValue))
+    throw bad_input(fmt::format(
+        "'{}' holds JSON of more than {} MB that is no collection of features; save it as a GeoPackage",
+        shown, kMostJsonValue >> 20));
+}
+
 void look_at_json(const std::string& name, const std::string& shown) {
+  require_readable_json(name, shown);
   // An escaped letter may hide the word.
   if (!any_piece(name, [](std::string_view piece) {
         return piece.find("crs\"") != std::string_view::npos || piece.find("\\u") != std::string_view::npos;
@@ -142,8 +169,7 @@ std::string_view after_prolog(std::string_view text) {
 
 /// GDAL keeps all of a KML at once, in twelve times its size.
 void require_readable_kml(const std::string& name, const std::string& shown) {
-  VSIStatBufL status;
-  if (VSIStatL(name.c_str(), &status) != 0 || static_cast<std::size_t>(status.st_size) <= kMostKml) return;
+  if (size_of(name) <= kMostKml) return;
   throw bad_input(fmt::format("'{}' holds more than {} MiB of KML; save it as a GeoPackage, or split it",
                               shown, kMostKml >> 20));
 }
