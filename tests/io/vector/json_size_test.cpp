@@ -35,6 +35,8 @@ TEST(JsonSize, TheTypeIsThatOfTheValueItself) {
   EXPECT_TRUE(large(R"({"type":"Feature","properties":{"type":"FeatureCollection"},"a":)" + kLong + "}"));
   EXPECT_TRUE(large(R"({"x":"FeatureCollection","type":"Polygon","a":)" + kLong + "}"));
   EXPECT_TRUE(large(R"({"type":["FeatureCollection"],"a":)" + kLong + "}"));
+  // GDAL goes by the last of two.
+  EXPECT_TRUE(large(R"({"type":"FeatureCollection","features":[],"type":"Polygon","a":)" + kLong + "}"));
 }
 
 TEST(JsonSize, EachValueOfASequenceCountsForItself) {
