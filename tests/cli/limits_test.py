@@ -153,6 +153,12 @@ class Limits(unittest.TestCase):
         self.gzip("g.csv.gz", b"lon,lat,time\n9,54,", b"0" * 64, 1100 * MB)
         self.refused_log("has a line longer than 1048576 bytes", "g.csv.gz")
 
+    def test_a_quoted_field_without_end(self):
+        self.write("f.csv", b'lon,lat,time\n9,54,"', b'""\n', MB)
+        self.refused_log("has no row with a position", "f.csv")
+        self.write("g.csv", b'lon,lat,time\n9,54,"', b'""\n', 2 * MB)
+        self.refused_log("line 2: a quoted field is never closed", "g.csv")
+
     def task_set(self, logs, size, record=RECORD, header=TIME_LOG):
         names = [f"TLG{i:05d}" for i in range(1, logs + 1)]
         listed = b"".join(b'<TLG A="%s"/>' % name.encode() for name in names)

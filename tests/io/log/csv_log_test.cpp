@@ -32,6 +32,17 @@ bool notes_mention(const WorkLog& log, const std::string& part) {
   return false;
 }
 
+TEST(CsvLog, AQuotedFieldMayHoldManyLines) {
+  // The second line opens and closes a pair of quotes, the third has a separator, the fourth ends the field.
+  const WorkLog log =
+      csv("note,lon,lat\n\"one\n\"\"two\"\", \"\"\n9,54\nend\",10.5,52.25\n\"x\"\"\n\",10.6,52.35\n");
+  ASSERT_EQ(log.fixes.size(), 2U);
+  EXPECT_EQ(log.fixes[0].position, (Point{10.5, 52.25}));
+  EXPECT_EQ(log.fixes[0].record, 2U);
+  EXPECT_EQ(log.fixes[1].position, (Point{10.6, 52.35}));
+  EXPECT_EQ(log.fixes[1].record, 6U);
+}
+
 // Two rows of one way in all the ways of writing them.
 void expect_two_fixes(const WorkLog& log) {
   ASSERT_EQ(log.fixes.size(), 2U);

@@ -26,11 +26,15 @@ void split_plain(std::string_view line, char separator, std::vector<std::string_
   }
 }
 
-/// A row with quotes; "" within them is a quote. Returns whether a quoted field is left open at the end.
-bool split_quoted(std::string_view line, char separator, std::vector<std::string>& cells) {
+enum class RowPart { kBegin, kWithinQuotes };
+
+/// A row with quotes, or what follows in one that was left open; "" within them is a quote. Returns whether a
+/// quoted field is left open at the end.
+bool split_quoted(std::string_view line, char separator, std::vector<std::string>& cells,
+                  RowPart part = RowPart::kBegin) {
   cells.clear();
   cells.emplace_back();
-  bool quoted = false, at_start = true;
+  bool quoted = part == RowPart::kWithinQuotes, at_start = !quoted;
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];
     if (quoted) {
@@ -87,6 +91,8 @@ std::optional<Fix> CsvLog::add(std::string_view line) {
       throw bad_input(fmt::format("{}, line {}: a quoted field is never closed", place_, open_line_));
     open_row_ += '\n';
     open_row_ += line;
+    // The line alone tells: a row of many lines would be split as often.
+    if (split_quoted(line, separator_, quoted_cells_, RowPart::kWithinQuotes)) return std::nullopt;
     const std::string whole = std::exchange(open_row_, {});
     return row(whole, open_line_);
   }
