@@ -24,8 +24,9 @@ JsonInput::JsonInput(const ordered_json& json, std::string place, std::initializ
     : json_(json), place_(std::move(place)) {
   if (!json.is_object())
     throw bad_input(fmt::format("{} has to be an object in braces", place_.empty() ? "the request" : place_));
-  for (const auto& [key, value] : json.items())
-    if (std::none_of(known.begin(), known.end(), [&](const char* name) { return key == name; }))
+  for (const auto& item : json.items())
+    if (const std::string& key = item.key();
+        std::none_of(known.begin(), known.end(), [&](const char* name) { return key == name; }))
       throw bad_input(fmt::format("'{}' is not known here; known are {}", place_of(key.c_str()),
                                   fmt::join(known.begin(), known.end(), ", ")));
 }
