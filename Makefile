@@ -121,8 +121,8 @@ LONG := long-properties long-scenes long-best-bound long-best-brute long-best-re
   long-best-real-2 long-best-real-3 long-tally-real long-real-1 long-real-2 long-real-3 \
   long-obstacles-3 long-obstacles-6 long-obstacles-12 long-obstacles-24 long-headlands \
   long-headland-plans-6 long-headland-plans-12 long-headland-plans-24 long-maps long-order \
-  long-coverage long-watch long-serve long-kills long-registers long-fuzz-logs long-fuzz-coverage \
-  long-debug long-asan long-tsan long-clang
+  long-coverage long-watch long-serve long-kills long-registers long-fuzz-logs long-fuzz-readers \
+  long-fuzz-coverage long-debug long-asan long-tsan long-clang
 
 .PHONY: long $(LONG)
 long: $(LONG) ## all the long tests, one after another; each part below can be run alone
@@ -217,6 +217,10 @@ long-fuzz-coverage: packages-lint build/fuzz/build.ninja ## the exact engine of 
 long-fuzz-logs: packages-lint build/fuzz/build.ninja ## the readers of logs and patterns on bytes gone wrong, ten minutes each, two at a time
 	cmake --build build/fuzz -j $(JOBS) --target fuzz
 	$(LIMIT) tools/fuzz.sh build/fuzz 600 csv_log nmea_log gpx_log time_log task_data spray_pattern
+
+long-fuzz-readers: packages-lint build/fuzz/build.ninja ## the readers of fields, machines, plans and requests likewise, twelve minutes each, two at a time
+	cmake --build build/fuzz -j $(JOBS) --target fuzz
+	$(LIMIT) tools/fuzz.sh build/fuzz 720 field_file machine_file plan_text plan_file request_body
 
 long-debug: packages build/debug/build.ninja ## the fast tests in a build that is not optimised, with the standard library's assertions
 	cmake --build build/debug -j $(JOBS)
