@@ -1,11 +1,14 @@
 #include "tramline/io/fixes/job_groups.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
 
+#include "tramline/geometry/error.h"
 #include "tramline/io/fixes/civil_time.h"
 
 namespace tramline::io {
@@ -46,6 +49,11 @@ bool follow_in_days(const JobFacts& a, const JobFacts& b) {
 }
 
 }  // namespace
+
+void require_room_for_log(std::size_t already, const char* what, const std::string& place, std::size_t most) {
+  if (already < most) return;
+  throw bad_input(fmt::format("{} holds more than {} {}; split it", place, most, what));
+}
 
 JobFacts facts_of(const WorkLog& log) {
   JobFacts out;

@@ -10,6 +10,13 @@
 
 namespace tramline::io {
 
+/// Refused beyond this: logs of one file, or tracks of one, since each is held against every other.
+inline constexpr std::size_t kMostLogs = 10'000;
+
+/// Throws bad_input where there would be more than `most` of them at `place`; `what`: "tracks".
+void require_room_for_log(std::size_t already, const char* what, const std::string& place,
+                          std::size_t most = kMostLogs);
+
 /// What tells one job from another.
 struct JobFacts {
   std::string field_id;              ///< empty: not named

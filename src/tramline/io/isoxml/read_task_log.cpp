@@ -173,6 +173,7 @@ DecodedLogs decoded(const TaskFiles& files, const TaskData& tasks, const std::st
       left_out.push_back(entry.name);
       continue;
     }
+    require_room_for_log(out.logs.size(), "logs", fmt::format("'{}'", files.path()));
     out.logs.push_back(decode(files, log, entry, tasks));
     fixes += out.logs.back().log.fixes.size();
     if (fixes > 0) require_room_for_fix(fixes - 1, fmt::format("'{}'", files.path()));

@@ -84,6 +84,7 @@ std::vector<Track> tracks_of(std::string_view text, const std::string& place) {
   const pugi::xml_node root = child_called(document, "gpx");
   for (const pugi::xml_node track : root.children()) {
     if (local_name(track) != "trk") continue;
+    require_room_for_log(out.size(), "tracks", place);
     out.emplace_back();
     const std::string name(trimmed(child_called(track, "name").child_value()));
     out.back().entry.name = name.empty() ? fmt::format("track {}", out.size()) : name;
