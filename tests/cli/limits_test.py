@@ -208,6 +208,8 @@ class Limits(unittest.TestCase):
                 copy = self.folder / f"{column}.gpkg"
                 copy.write_bytes((self.folder / "p.gpkg").read_bytes())
                 with sqlite3.connect(copy) as database:
+                    database.execute("pragma journal_mode = off")
+                    database.execute("pragma synchronous = off")
                     for (trigger,) in database.execute("select name from sqlite_master where type = 'trigger'").fetchall():
                         database.execute(f'drop trigger "{trigger}"')
                     value = "zeroblob(250000000)" if column == "geom" else "replace(hex(zeroblob(60000000)), '00', '1 1; ')"
