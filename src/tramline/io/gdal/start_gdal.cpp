@@ -20,7 +20,7 @@ namespace {
 
 std::atomic<int> allowed{0};
 
-constexpr std::array<std::pair<const char*, const char*>, 10> kSettings = {{
+constexpr std::array<std::pair<const char*, const char*>, 11> kSettings = {{
     {"GML_DOWNLOAD_SCHEMA", "NO"},
     {"GML_DOWNLOAD_WFS_SCHEMA", "NO"},
     {"GML_SKIP_RESOLVE_ELEMS", "ALL"},
@@ -32,6 +32,8 @@ constexpr std::array<std::pair<const char*, const char*>, 10> kSettings = {{
     {"SPATIALITE_LOAD", "NO"},
     // MB: a feature, or a whole file that is one value, takes ten times that of memory.
     {"OGR_GEOJSON_MAX_OBJ_SIZE", "64"},
+    // Nothing is written beside a file that is read.
+    {"CPL_VSIL_GZIP_WRITE_PROPERTIES", "NO"},
     {"OGR_SQLITE_LIST_VIRTUAL_OGR", "NO"},
     {"OGR_SQLITE_STATIC_VIRTUAL_OGR", "NO"},
 }};
