@@ -31,8 +31,9 @@ std::string field_id(const RawFeature& feature, const std::string& layer);
 /// the id "…#2". Field coordinates are local metres. In every field the outer ring is simple and
 /// counter-clockwise, the obstacles are valid, lie within it and share no land.
 /// Throws bad_input, one sentence that names file and feature, for: no polygon, coordinates that are not
-/// finite or not on the globe, a CRS that cannot be right, no area, and rings that leave open what they
-/// enclose. O(n log n) per ring, and O(holes²) box tests.
+/// finite or not on the globe, a CRS that cannot be right, no area, rings that leave open what they
+/// enclose or are one tangle, and boundaries with more corners than kMostCorners once thinned (thin_rings.h).
+/// O(n log n) per ring, and O(holes²) box tests.
 Admission admit(const RawFeature& feature, const AdmissionContext& context);
 
 }  // namespace tramline

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tramline/admission/disputed_land.h"
+#include "tramline/admission/ring_crossings.h"
 #include "tramline/admission/tolerances.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/interior_point.h"
@@ -13,8 +14,18 @@
 namespace tramline {
 namespace {
 
-void refuse_guessing(const WorkRing& ring, double enclosed_m2, const Ledger& ledger) {
-  Region disputed = disputed_land(ring.points);
+/// More crossings than this are no slip of the hand, and each takes time with every other to sort out.
+constexpr std::size_t kMostCrossings = 2000;
+
+void refuse_tangles(const WorkRing& ring, Point first, const Ledger& ledger) {
+  if (ring_crossings(ring.points, kMostCrossings) > kMostCrossings)
+    throw ledger.refusal(
+        fmt::format("the {} crosses itself more than {} times, at {} and elsewhere; redraw or "
+                    "smooth it so that it goes round the field once",
+                    ring.name, kMostCrossings, ledger.shown(first)));
+}
+
+void refuse_guessing(const WorkRing& ring, const Region& disputed, double enclosed_m2, const Ledger& ledger) {
   const double disputed_m2 = area(disputed);
   if (disputed_m2 <= guess_limit_m2(enclosed_m2)) return;
   const auto largest = std::max_element(disputed.begin(), disputed.end(),
@@ -43,12 +54,13 @@ Region repair_crossings(const WorkRing& ring, bool is_hole, Ledger& ledger) {
   if (!fault) return {oriented({ring.points, {}})};
   const double sign = is_hole ? -1 : 1;
   const double drawn_m2 = std::abs(signed_area(ring.points));
+  refuse_tangles(ring, fault->place, ledger);
   Region lobes = made_valid({ring.points, {}});
   std::erase_if(lobes, [](const Polygon& lobe) { return area(lobe) <= 0; });
   std::stable_sort(lobes.begin(), lobes.end(),
                    [](const Polygon& a, const Polygon& b) { return area(a) > area(b); });
   const double enclosed_m2 = area(lobes);
-  refuse_guessing(ring, enclosed_m2, ledger);
+  refuse_guessing(ring, disputed_land(ring.points), enclosed_m2, ledger);
   ledger.repair(
       fmt::format("{} touched or crossed itself; the land it goes round an odd number of times was kept",
                   ring.name),

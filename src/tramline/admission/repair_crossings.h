@@ -11,6 +11,7 @@ namespace tramline {
 /// lobes of an outer ring below guess_limit_m2 too, each noted. The repair's area change is measured against
 /// the ring's shoelace area, and counts the other way for a hole (`is_hole`). Throws a refusal naming the
 /// place where even-odd and non-zero rule differ by more than guess_limit_m2: deciding would be guessing.
+/// A ring that crosses itself more than 2,000 times is refused before anything is made of it.
 /// Precondition: at least three points.
 Region repair_crossings(const WorkRing& ring, bool is_hole, Ledger& ledger);
 

@@ -10,6 +10,7 @@
 #include "tramline/admission/remove_duplicate_points.h"
 #include "tramline/admission/remove_spikes.h"
 #include "tramline/admission/repair_crossings.h"
+#include "tramline/admission/thin_rings.h"
 #include "tramline/admission/tolerances.h"
 #include "tramline/admission/unite_obstacles.h"
 
@@ -18,11 +19,12 @@ namespace {
 
 std::vector<WorkRing> cleaned_rings(const RawPolygon& part, Ledger& ledger) {
   std::vector<WorkRing> rings;
-  for (std::size_t r = 0; r < part.rings.size(); ++r) {
-    WorkRing ring = project_ring(part.rings[r], ring_name(r), ledger);
+  for (std::size_t r = 0; r < part.rings.size(); ++r)
+    rings.push_back(project_ring(part.rings[r], ring_name(r), ledger));
+  thin_rings(rings, ledger);
+  for (WorkRing& ring : rings) {
     remove_duplicate_points(ring, ledger);
     remove_spikes(ring, ledger);
-    rings.push_back(std::move(ring));
   }
   return rings;
 }

@@ -1,0 +1,25 @@
+#pragma once
+// Step 2: boundaries with far more corners than their shape has.
+
+#include <cstddef>
+#include <vector>
+
+#include "tramline/admission/ledger.h"
+#include "tramline/admission/work_ring.h"
+
+namespace tramline {
+
+/// A polygon with no more corners than this, holes included, keeps every one of them.
+inline constexpr std::size_t kManyCorners = 5000;
+
+/// No field has more than this.
+inline constexpr std::size_t kMostCorners = 2 * kManyCorners;
+
+/// Where the rings together have more than kManyCorners corners, leaves corners out so that each ring keeps
+/// within 1 cm of all that it loses, or within 2, 5 or 10 cm, whichever first leaves no more than
+/// kManyCorners; noted once for each ring that changes, with the change of its area. Throws a refusal that
+/// names the numbers where even 10 cm leave more than kMostCorners. Time in proportion to the corners, memory
+/// that of the rings.
+void thin_rings(std::vector<WorkRing>& rings, Ledger& ledger);
+
+}  // namespace tramline
