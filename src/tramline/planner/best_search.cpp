@@ -16,6 +16,10 @@ namespace {
 
 constexpr std::size_t kHinderedTries = 5;  ///< grids of either ranking that are tried with detours
 
+/// Cells of a sweep that are given the best grid each, and joined where that pays: every pair of them is
+/// looked at. More are tried as the sweep leaves them.
+constexpr std::size_t kMostRegridded = 64;
+
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 GriddedSubfield gridded(const Polygon& shape, const PricedGrid& grid) {
@@ -79,7 +83,8 @@ class BestSearch {
 
  private:
   void try_swept() {
-    if (hopeful_sweep().grounds.size() > task_.ground.plannable.size())
+    const std::size_t cells = hopeful_sweep().grounds.size();
+    if (cells > task_.ground.plannable.size() && cells <= kMostRegridded)
       try_plan(regridded(hopeful_sweep().grounds));
     const double known = best_.works() ? best_.cost() : std::numeric_limits<double>::infinity();
     if (std::optional<Candidate> sweep = cheapest_swept(task_, swept_, known, threads_)) {
@@ -169,16 +174,29 @@ class BestSearch {
     return out;
   }
 
-  /// A grid takes time in proportion to corners and tracks: the more there are, the fewer are looked at.
+  /// A grid takes time in proportion to corners, tracks and how often the boundary meets tracks: the more
+  /// there are, the fewer are looked at. A boundary that goes round the part a few times at most counts with
+  /// the tracks.
   SearchEffort effort_for(const Polygon& part) const {
     constexpr double kCornersAndTracks = 2e6;  // of all grids that are bounded
     const Box box = bounds(part);
-    const double one = static_cast<double>(vertex_count({part})) +
-                       std::hypot(box.width(), box.height()) / task_.machine.width_m;
+    constexpr double kPlainRounds = 8;  // boundary to diagonal
+    constexpr double kWinding = 2000;   // widths; more is no field's, but a comb's or a star's
+    const double across_m = std::hypot(box.width(), box.height());
+    double boundary_m = perimeter(part.outer);
+    for (const Ring& hole : part.holes) boundary_m += perimeter(hole);
+    const double winding_m = std::max(0.0, boundary_m - kPlainRounds * across_m);
+    const double one =
+        static_cast<double>(vertex_count({part})) + (across_m + winding_m) / task_.machine.width_m;
     SearchEffort effort;
     effort.tolerance = task_.settings.direction_tolerance;
     effort.most_boxes = std::min(effort.most_boxes, 200 + static_cast<int>(kCornersAndTracks / one));
     effort.scanned = std::min(effort.scanned, 20 + static_cast<int>(0.1 * kCornersAndTracks / one));
+    if (winding_m > kWinding * task_.machine.width_m) {
+      effort.most_edges = 16;
+      effort.polished = 1;
+      effort.exact_offset = false;
+    }
     return effort;
   }
 
