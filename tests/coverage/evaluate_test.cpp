@@ -96,6 +96,22 @@ TEST(Evaluate, SlicesSumUpToTheWhole) {
   EXPECT_EQ(done.slices[2].missed_regions, 1U);
 }
 
+TEST(Evaluate, MoreSlicesThanAreMadeAreRefusedWithTheNumberThatGoes) {
+  std::vector<Fix> fixes;
+  for (int i = 0; i < 2002; ++i) fixes.push_back(fix(i, {0.01 * i, 0}));
+  const WorkLog long_log = log(std::move(fixes), 4);
+  EvaluateSettings settings = by_steps();
+  settings.slice = 2;
+  const Error refused = testing_support::error_of([&] { evaluate(long_log, {}, settings, {}); });
+  EXPECT_EQ(refused.kind(), ErrorKind::kBadInput);
+  const std::string sentence = refused.what();
+  EXPECT_NE(sentence.find("2002 fixes"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("1001 slices, and the most are 1000; give --slice 3 or more"), std::string::npos)
+      << sentence;
+  settings.slice = 3;
+  EXPECT_EQ(evaluate(long_log, {}, settings, {}).slices.size(), 668U);
+}
+
 // A right-angled bend of rectangles 4 m wide: the kite on its inside is (w/2)²·tan(45°) = 4 m² and lies
 // within the last w of travel: a sliver, and repeated only for the strict.
 TEST(Evaluate, TheInsideOfABendIsASliver) {

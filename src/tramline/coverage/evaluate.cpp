@@ -83,6 +83,16 @@ void finish(Coverage& out, WorkedDrive& drive, WorkLog& log, const EvaluateSetti
   if (settings.strict) count_slivers(out);
 }
 
+void require_few_slices(const WorkLog& log, std::size_t slice) {
+  const std::size_t fixes = log.fixes.size();
+  if (slice == 0 || fixes <= kMostSlices * slice) return;
+  throw bad_input(
+      fmt::format("{} has {} fixes: a slice after every {} would make {} slices, and the most are {}; "
+                  "give --slice {} or more",
+                  log.name, fixes, slice, (fixes + slice - 1) / slice, kMostSlices,
+                  (fixes + kMostSlices - 1) / kMostSlices));
+}
+
 /// Of a log that has its ground as polygons.
 Coverage evaluate_shapes(PreparedLog ready, const Region& field, const EvaluateSettings& settings,
                          const StepSink& sink, const FurtherWork& further) {
@@ -115,6 +125,7 @@ Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& se
   const ThreadLimit limit(settings.threads);
   PreparedLog ready = prepared(std::move(given), settings.drive);
   if (!ready.log.shapes.empty()) return evaluate_shapes(std::move(ready), field, settings, sink, further);
+  require_few_slices(ready.log, settings.slice);
   Coverage out;
   WorkLog& log = ready.log;
   out.warnings = ready.warnings;

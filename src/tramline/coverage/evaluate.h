@@ -12,12 +12,15 @@
 
 namespace tramline::coverage {
 
+/// Slices of one log: for each, the rings of all ground worked so far are put together.
+inline constexpr std::size_t kMostSlices = 1000;
+
 struct EvaluateSettings {
   DriveSettings drive;
   EngineKind engine = EngineKind::kExact;
   double mesh_m = 0.05;   ///< S3.3
   bool strict = false;    ///< slivers count as repeated, as in S3
-  std::size_t slice = 0;  ///< figures after every so many fixes; 0: none
+  std::size_t slice = 0;  ///< figures after every so many fixes; 0: none. At most kMostSlices slices
   bool shapes = true;     ///< covered and repeated ground and how often it was worked, as regions too
   bool covered = false;   ///< covered ground as a region where shapes are not asked for
   int threads = 0;        ///< 0: all; the result is the same
@@ -42,9 +45,9 @@ double working_width_m(const WorkLog& log, const DriveSettings& drive);
 /// What a log's drive worked of the field. Fixes are taken in order of time. `field`: what was to be worked,
 /// local metres, oriented; empty: no field, and nothing missed. Field id, frame and what readers skipped are
 /// the caller's. `sink` gets every step too. `further`: work done after the log, on the same ground, in runs
-/// of its own; sink and slices know nothing of it. Throws kBadInput where no width is known, or fewer than
-/// two fixes are left. A log with WorkLog::shapes worked these, and nothing between its fixes. O(fixes) and
-/// the regions. Precondition: local positions.
+/// of its own; sink and slices know nothing of it. Throws kBadInput where no width is known, the slices are
+/// too many, or fewer than two fixes are left. A log with WorkLog::shapes worked these, and nothing between
+/// its fixes. O(fixes) and the regions. Precondition: local positions.
 Coverage evaluate(WorkLog log, const Region& field, const EvaluateSettings& settings,
                   const FixProgress& progress, const StepSink& sink = {}, const FurtherWork& further = {});
 
