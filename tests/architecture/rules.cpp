@@ -29,6 +29,14 @@ const std::map<std::string, Names, std::less<>> kBeside = {
 // The exceptions, each with its reason: admission measures faults in metres, so it projects first.
 const std::set<std::pair<std::string, std::string>> kAlongAFloor = {{"admission", "geodesy"}};
 
+// Of a room that may be used, what else is out of bounds: the verifier finds lines, bands and areas by roads
+// of its own, so of geometry it takes shapes and measures, and nothing that plans are made with.
+const std::map<std::pair<std::string, std::string>, Names> kOnlyHeaders = {
+    {{"check", "geometry"},
+     {"angle.h", "boolean.h", "box_grid.h", "convex_clip.h", "line_crossing.h", "path.h", "point.h",
+      "region.h"}},
+};
+
 struct ThirdParty {
   std::string_view header_prefix;
   Names rooms;  ///< empty: everywhere
@@ -128,6 +136,10 @@ std::optional<std::string> fault_of_own(const std::string& header, const std::st
   const std::string target = header.substr(kPrefix.size(), header.find('/', kPrefix.size()) - kPrefix.size());
   if (!is_room(target)) return "there is no room named '" + target + "'";
   if (!may_use(room, target)) return room + " may not use " + target;
+  const auto only = kOnlyHeaders.find({room, target});
+  const std::string file = header.substr(header.rfind('/') + 1);
+  if (only != kOnlyHeaders.end() && !only->second.contains(file))
+    return room + " may use of " + target + " only " + list(only->second);
   return std::nullopt;
 }
 

@@ -87,7 +87,7 @@ TEST(CurvedPlans, crossings) {
   EXPECT_EQ(found(settled(backwards)), Names{"crossings"});
   Plan other = plan;
   other.pieces[1].track = 7;
-  EXPECT_EQ(found(other), Names{"crossings"});
+  EXPECT_EQ(found(other), (Names{"crossings", "parallel"}));
 }
 
 TEST(CurvedPlans, crossing_without_a_passable) {
@@ -110,6 +110,7 @@ TEST(CurvedPlans, piece_moved_onto_its_neighbour) {
   };
   EXPECT_EQ(with_radius(37.5), Names{});
   EXPECT_EQ(with_radius(37.5005), Names{});
+  EXPECT_EQ(with_radius(37.502), Names{"parallel"});
   EXPECT_EQ(with_radius(37.6), Names{"parallel"});
   EXPECT_EQ(with_radius(37.4), Names{"parallel"});
   Plan moved = plan;
@@ -125,6 +126,42 @@ TEST(CurvedPlans, piece_moved_onto_its_neighbour) {
   Plan twice = plan;
   twice.pieces.push_back(twice.pieces[2]);
   EXPECT_EQ(found(settled(twice)), Names{"parallel"});
+}
+
+/// Away from its only neighbour: no two pieces are too near to one another.
+TEST(CurvedPlans, outermost_piece_off_its_distance) {
+  const auto with = [](const Path& curve) {
+    Plan plan = arcs_plan();
+    plan.settings.end_rule = EndRule::kCentre;
+    replace_curve(plan.pieces[4], curve);
+    return found(settled(plan));
+  };
+  const auto about_origin = [](double radius_m) {
+    return Path{{{radius_m, 0}, {0, radius_m}, 1 / radius_m}};
+  };
+  EXPECT_EQ(with(about_origin(43.5)), Names{});
+  EXPECT_EQ(with(about_origin(43.5005)), Names{});
+  EXPECT_EQ(with(about_origin(43.502)), Names{"parallel"});
+  // Its ends are where they were: with h = 43.5/√2 the arc stands out by 4 mm more, r − √(r² − h²).
+  EXPECT_EQ(with({{{43.5, 0}, {0, 43.5}, 1 / 43.49}}), Names{"parallel"});
+  // In one stretch only.
+  const Point sixty{21.75, 21.75 * std::numbers::sqrt3};
+  const Path bent{{{43.5, 0}, sixty, 1 / 43.5}, {sixty, {0, 43.5}, 1 / 42.0}};
+  EXPECT_TRUE(with(bent).contains("parallel"));
+}
+
+TEST(CurvedPlans, tracks_of_other_numbers) {
+  Plan plan = arcs_plan();
+  std::swap(plan.pieces[1].track, plan.pieces[3].track);
+  EXPECT_EQ(found(plan), Names{"parallel"});
+  plan = arcs_plan();
+  for (TrackPiece& piece : plan.pieces) ++piece.track;
+  EXPECT_EQ(found(plan), Names{"parallel"});
+  plan = arcs_plan();
+  for (TrackPiece& piece : plan.pieces) piece.track = -1 - piece.track;  // on the reference's other side
+  EXPECT_EQ(found(plan), Names{"parallel"});
+  plan.reference = reversed(plan.reference);
+  EXPECT_EQ(found(plan), Names{});
 }
 
 TEST(CurvedPlans, moved_piece_with_the_old_tally) {
@@ -355,14 +392,13 @@ TEST(CurvedPlans, large_plans_are_judged) {
   Plan plan;
   plan.machine.width_m = 3;
   const int tracks = 100, waves = 6;
-  for (int i = 0; i < tracks; ++i) {
-    // Arcs to the left and to the right of 45° each, about points on two rows.
-    const double base = 400, off = -1.5 * (tracks - 1) + 3 * i;
+  // Arcs to the left and to the right of 15° each, about points on two rows.
+  const auto line = [](double off) {
     Path curve;
     Point at{0, off}, heading{1, 0};
     for (int k = 0; k < waves; ++k)
       for (const double side : {1.0, -1.0}) {
-        const double radius_m = base - side * off, angle = side * std::numbers::pi / 12;
+        const double base = 400, radius_m = base - side * off, angle = side * std::numbers::pi / 12;
         const Point left{-heading.y, heading.x};
         const Point centre = at + side * radius_m * left;
         const Point spoke = at - centre;
@@ -372,13 +408,16 @@ TEST(CurvedPlans, large_plans_are_judged) {
         heading = direction_at_end(curve.back());
         at = to;
       }
+    return curve;
+  };
+  plan.reference = line(1.5 * tracks);
+  for (int i = 0; i < tracks; ++i) {
     TrackPiece piece;
     piece.track = i;
-    replace_curve(piece, curve);
+    replace_curve(piece, line(1.5 * tracks - 3 * (i + 0.5)));
     plan.pieces.push_back(piece);
   }
-  plan.reference = plan.pieces[tracks / 2].curve;
-  plan.field.outer = band(plan.reference, 3.0 * tracks + 3, kLayerSagitta);
+  plan.field.outer = band(plan.pieces[tracks / 2].curve, 3.0 * tracks + 3, kLayerSagitta);
   plan.body = {{plan.field.outer, {}}};
   plan.subfields = {{plan.body[0], Direction::clockwise_from_north(Angle::degrees(90))}};
   const check::Verdict verdict = check::verify(plan);

@@ -9,6 +9,7 @@
 
 #include "tramline/check/bands.h"
 #include "tramline/check/path_distance.h"
+#include "tramline/geometry/kinked_line.h"
 
 namespace tramline {
 namespace {
@@ -70,6 +71,49 @@ TEST(Bands, side_by_side_share_their_edges) {
     EXPECT_GT(on_edge, 100);
     EXPECT_EQ(shared, on_edge);
   }
+}
+
+/// East, then north: what the first gains outside the kink it loses inside.
+TEST(Bands, meet_on_the_bisectors_of_kinks) {
+  const Region bands = check::bands_along({{{0, 0}, {10, 0}, 0}, {{10, 0}, {10, 10}, 0}}, 2);
+  ASSERT_EQ(bands.size(), 2u);
+  EXPECT_EQ(bands[0].outer, (Ring{{0, -1}, {11, -1}, {9, 1}, {0, 1}}));
+  EXPECT_EQ(bands[1].outer, (Ring{{11, -1}, {11, 10}, {9, 10}, {9, 1}}));
+  // Back at an angle of more than 120°, and a step between two kinks too short for both bisectors.
+  const Region sharp = check::bands_along({{{0, 0}, {10, 0}, 0}, {{10, 0}, {0, 4}, 0}}, 2);
+  EXPECT_EQ(sharp[0].outer, (Ring{{0, -1}, {10, -1}, {10, 1}, {0, 1}}));
+  const Region step =
+      check::bands_along({{{0, 0}, {10, 0}, 0}, {{10, 0}, {10, 1}, 0}, {{10, 1}, {0, 1}, 0}}, 2);
+  EXPECT_EQ(step[0].outer, (Ring{{0, -1}, {10, -1}, {10, 1}, {0, 1}}));
+  EXPECT_EQ(step[1].outer, (Ring{{11, 0}, {11, 1}, {9, 1}, {9, 0}}));
+}
+
+/// As plans are made of.
+TEST(Bands, at_kinks_are_those_of_plans) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> turn(-2.6, 2.6), step_m(0.5, 12);
+  int flat = 0;
+  for (int i = 0; i < 400; ++i) {
+    std::vector<Point> points{{0, 0}};
+    double angle = 0;
+    for (int k = 0; k < 7; ++k) {
+      points.push_back(points.back() + step_m(random) * Point{std::cos(angle), std::sin(angle)});
+      angle += turn(random) * (k % 2 == 0 ? 0.3 : 1);
+    }
+    const Path path = polyline_path(points);
+    const Region bands = check::bands_along(path, 3);
+    const std::vector<Ring> cells = kinked_cells(path, 3);
+    ASSERT_EQ(bands.size(), cells.size());
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      ASSERT_EQ(bands[k].outer.size(), 4u);
+      for (std::size_t corner = 0; corner < 4; ++corner)
+        EXPECT_LT(distance(bands[k].outer[corner], cells[k][corner]), 1e-9) << i << ' ' << k;
+      EXPECT_NEAR(area(bands[k]), 3 * length(path[k]), 1e-9);
+      const Point end = bands[k].outer[1] - bands[k].outer[2];
+      flat += std::abs(dot(end, direction_at_start(path[k]))) < 1e-9 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(flat, 400 + 100);
 }
 
 TEST(Bands, shortened_paths) {

@@ -357,7 +357,8 @@ Plan arcs_plan() {
   plan.machine.width_m = 3;
   plan.body = {{plan.field.outer, {}}};
   plan.subfields = {{plan.body[0], kEast}};
-  plan.reference = arc_about_origin(30, 0, 90);
+  // As far as the land and beyond, as planners make it.
+  plan.reference = {{{30, -60}, {30, 0}, 0}, arc_about_origin(30, 0, 90)[0], {{0, 30}, {-60, 30}, 0}};
   for (int i = 0; i < 5; ++i) plan.pieces.push_back(arc_piece(i, 0, 90));
   return settled(plan);
 }

@@ -8,20 +8,9 @@
 
 #include "tramline/check/tolerances.h"
 #include "tramline/geometry/boolean.h"
-#include "tramline/geometry/kinked_line.h"
 
 namespace tramline::check {
 namespace {
-
-Point place_on(const PathSegment& segment, double along_m) {
-  if (segment.straight())
-    return segment.from + (along_m / distance(segment.from, segment.to)) * (segment.to - segment.from);
-  const double half_angle = 0.5 * along_m * segment.curvature;
-  const double chord_m = 2 * std::abs(std::sin(half_angle) / segment.curvature);
-  const Point d = direction_at_start(segment);
-  const double c = std::cos(half_angle), s = std::sin(half_angle);
-  return segment.from + chord_m * Point{d.x * c - d.y * s, d.x * s + d.y * c};
-}
 
 /// The chords of an arc stand at angles that are the same for all arcs about its centre and about as large:
 /// side by side they then share their edges, and overlays of them have no slivers to sort out.
@@ -65,7 +54,97 @@ class AlignedBand {
   Ring ring_;
 };
 
+/// A line to which bands are cut: what lies against its normal is within.
+struct Cut {
+  Point through;
+  Point normal;
+
+  bool has(Point p) const { return dot(p - through, normal) <= 0; }
+  /// Where a line along a direction meets it.
+  Point on(Point p, Point direction) const {
+    return p + (dot(through - p, normal) / dot(direction, normal)) * direction;
+  }
+};
+
+/// The band of each straight segment between the cuts at its ends.
+class CutBands {
+ public:
+  CutBands(const Path& path, double width_m) : path_(path), half_m_(0.5 * width_m) {
+    for (const PathSegment& segment : path) along_.push_back(direction_at_start(segment));
+    flat_.assign(path.size() + 1, false);
+    for (std::size_t joint = 1; joint < path.size(); ++joint)
+      flat_[joint] = dot(along_[joint - 1], along_[joint]) < kCosineOfSharpest;
+    flat_.front() = flat_.back() = true;
+    // An end made flat may reach over the other end's cut of the segment behind it.
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::size_t i = 0; i < path.size(); ++i) {
+        if ((flat_[i] && flat_[i + 1]) || !cuts_meet(i)) continue;
+        flat_[i] = flat_[i + 1] = true;
+        changed = true;
+      }
+    }
+  }
+
+  /// Counter-clockwise.
+  Ring of(std::size_t i) const {
+    const Cut start = start_of(i), end = end_of(i);
+    const Point right = beside(i, -half_m_), left = beside(i, half_m_), along = along_[i];
+    return {start.on(right, along), end.on(right, along), end.on(left, along), start.on(left, along)};
+  }
+
+ private:
+  static constexpr double kCosineOfSharpest = -0.5;
+
+  Point beside(std::size_t i, double left_m) const {
+    return path_[i].from + left_m * Point{-along_[i].y, along_[i].x};
+  }
+  /// Both segments at a kink make the same angle with its bisector.
+  Point across(std::size_t joint, std::size_t segment) const {
+    return flat_[joint] ? along_[segment] : along_[joint - 1] + along_[joint];
+  }
+  Cut start_of(std::size_t i) const { return {path_[i].from, -1 * across(i, i)}; }
+  Cut end_of(std::size_t i) const { return {path_[i].to, across(i + 1, i)}; }
+  bool cuts_meet(std::size_t i) const {
+    const Cut start = start_of(i), end = end_of(i);
+    return !end.has(start.on(beside(i, -half_m_), along_[i])) ||
+           !end.has(start.on(beside(i, half_m_), along_[i]));
+  }
+
+  const Path& path_;
+  double half_m_;
+  std::vector<Point> along_;
+  std::vector<bool> flat_;  ///< by joint: before segment i, and after the last
+};
+
 }  // namespace
+
+Point heading_on(const PathSegment& segment, double along_m) {
+  const Point first = direction_at_start(segment);
+  const double angle = along_m * segment.curvature, c = std::cos(angle), s = std::sin(angle);
+  return {first.x * c - first.y * s, first.x * s + first.y * c};
+}
+
+Point place_on(const PathSegment& segment, double along_m) {
+  if (segment.straight())
+    return segment.from + (along_m / distance(segment.from, segment.to)) * (segment.to - segment.from);
+  const double half_angle = 0.5 * along_m * segment.curvature;
+  const double chord_m = 2 * std::abs(std::sin(half_angle) / segment.curvature);
+  const Point d = direction_at_start(segment);
+  const double c = std::cos(half_angle), s = std::sin(half_angle);
+  return segment.from + chord_m * Point{d.x * c - d.y * s, d.x * s + d.y * c};
+}
+
+bool is_kinked(const Path& path) {
+  constexpr double kLeastTurn = 1e-9;
+  bool turns = false;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (!path[i].straight()) return false;
+    turns =
+        turns || (i > 0 && distance(direction_at_end(path[i - 1]), direction_at_start(path[i])) > kLeastTurn);
+  }
+  return turns;
+}
 
 void append_ground(Ring ring, bool may_fold, Region& out) {
   const Polygon ground{std::move(ring), {}};
@@ -89,9 +168,10 @@ Region flat_bands_along(const Path& path, double width_m, double sagitta_m) {
 }
 
 Region bands_along(const Path& path, double width_m, double sagitta_m) {
-  if (!has_kinks(path)) return flat_bands_along(path, width_m, sagitta_m);
+  if (!is_kinked(path)) return flat_bands_along(path, width_m, sagitta_m);
+  const CutBands bands(path, width_m);
   Region out;
-  for (Ring& cell : kinked_cells(path, width_m)) append_ground(std::move(cell), false, out);
+  for (std::size_t i = 0; i < path.size(); ++i) append_ground(bands.of(i), false, out);
   return out;
 }
 

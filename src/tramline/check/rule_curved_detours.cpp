@@ -44,7 +44,7 @@ class CurvedDetour {
         reach_m_(0.5 * c.plan.machine.width_m + c.plan.settings.clearance_m) {}
 
   void run(Violations& out) const {
-    const std::optional<OnLine> left = line_left(c_, piece_, detour_);
+    const std::optional<Path> left = line_left(c_, piece_, detour_);
     const auto report = [&](const std::string& what) {
       out.push_back({kRule, name_ + what, detour_.path.front().from, 1});
     };
@@ -52,7 +52,7 @@ class CurvedDetour {
       report(" does not lead from the line of its track back to it");
       return;
     }
-    const Path line = c_.lines.path_of(*left);
+    const Path& line = *left;
     if (goes_left(detour_.path, line) != (detour_.side == Passing::kLeft))
       report(fmt::format(" does not pass {}", tramline::name(detour_.side)));
     const std::vector<const Encounter*> encounters = encounters_at(c_, piece_, detour_);
@@ -84,7 +84,7 @@ class CurvedDetour {
 
 }  // namespace
 
-std::optional<OnLine> line_left(const Case& c, const TrackPiece& piece, const Detour& detour) {
+std::optional<Path> line_left(const Case& c, const TrackPiece& piece, const Detour& detour) {
   return c.lines.between(piece.track, detour.path.front().from, direction_at_start(detour.path.front()),
                          detour.path.back().to);
 }

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "tramline/check/bands.h"
 #include "tramline/check/rules.h"
@@ -11,29 +13,63 @@
 namespace tramline::check {
 namespace {
 
-/// All that was laid along one line: pieces, and what was too short to be one.
-class LineMeetings {
- public:
-  LineMeetings(const Case& c, std::size_t line, Violations& out) : c_(c), line_(line), out_(out) {}
+/// A piece, or what was too short to be one, along the line of its track: from the place that comes first in
+/// the line's heading.
+struct Laid {
+  TrackPlace from;
+  TrackPlace to;
+};
 
-  void add(const OnLine& part) { laid_.push_back(part); }
+/// All that was laid along the lines of one track.
+class TrackMeetings {
+ public:
+  TrackMeetings(const Case& c, int track, Violations& out)
+      : c_(c), track_(track), line_(c.lines.line(track)), out_(out) {}
+
+  void add(const TrackPiece& piece) {
+    const auto start = line_.place_of(piece.start), end = line_.place_of(piece.end);
+    if (!start || !end) return;
+    const bool back = dot(direction_at_start(piece.curve.front()), start->heading) < 0;
+    laid_.push_back(back ? Laid{*end, *start} : Laid{*start, *end});
+  }
+  void add(const DroppedPiece& dropped) {
+    const auto start = line_.place_of(dropped.start), end = line_.place_of(dropped.end);
+    if (!start || !end) return;
+    laid_.push_back(before(*end, *start) ? Laid{*end, *start} : Laid{*start, *end});
+  }
 
   void check() {
-    if (laid_.empty()) return;
     std::sort(laid_.begin(), laid_.end(),
-              [](const OnLine& a, const OnLine& b) { return a.from_m < b.from_m; });
-    double done_m = laid_.front().to_m;
-    for (const OnLine& part : laid_) {
-      if (part.from_m > done_m) check_gap({line_, done_m, part.from_m});
-      done_m = std::max(done_m, part.to_m);
-    }
-    const double round_m = laid_.front().from_m + c_.lines.length_m(line_);
-    if (c_.lines.closed(line_) && round_m > done_m) check_gap({line_, done_m, round_m});
+              [](const Laid& a, const Laid& b) { return before(a.from, b.from); });
+    for (std::size_t i = 0; i < laid_.size(); ++i) check_behind(i);
   }
 
  private:
-  void check_gap(const OnLine& gap) {
-    const Path path = shortened(c_.lines.path_of(gap), kLengthTolerance_m);
+  /// Up to what comes next on the same line: other lines of the track may lie between.
+  void check_behind(std::size_t i) {
+    const TrackPlace& end = laid_[i].to;
+    if (before(end, laid_[i].from)) return;  // across the beginning of a closed line
+    const bool overlaid = std::any_of(laid_.begin(), laid_.end(), [&](const Laid& other) {
+      return before(other.from, end) && before(end, other.to);
+    });
+    if (overlaid) return;
+    for (std::size_t next = i + 1; next < laid_.size(); ++next)
+      if (before(end, laid_[next].from) && !goes_on_beyond(end, laid_[next].from)) return;
+    // What lies across the beginning of a closed line leaves no gap there.
+    const bool round = std::any_of(laid_.begin(), laid_.end(),
+                                   [](const Laid& other) { return before(other.to, other.from); });
+    if (c_.lines.may_close() && !round) goes_on_beyond(end, laid_.front().from);
+  }
+
+  /// Judges the gap between two places; false where it leads from the one to the other, or ends.
+  bool goes_on_beyond(const TrackPlace& from, const TrackPlace& to) {
+    const Walk walk = line_.walk(from, to);
+    if (walk.end == WalkEnd::kReached && !walk.path.empty()) check_gap(walk.path);
+    return walk.end == WalkEnd::kPassed;
+  }
+
+  void check_gap(const Path& gap) {
+    const Path path = shortened(gap, kLengthTolerance_m);
     const double width_m = c_.plan.machine.width_m - 2 * kLengthTolerance_m;
     if (path.empty() || width_m <= 0) return;
     const Region core = bands_along(path, width_m);
@@ -41,10 +77,9 @@ class LineMeetings {
     if (blocked_m2 + common_m2(core, c_.given_up) <= kTouch_m2) return;
     std::vector<const Encounter*> there;
     for (const Encounter& encounter : c_.plan.encounters)
-      if (encounter.track == c_.lines.track(line_) && holds(c_.lines, gap, encounter.at))
-        there.push_back(&encounter);
+      if (encounter.track == track_ && holds(gap, encounter.at)) there.push_back(&encounter);
     const Point at = place_on(path, 0.5 * length(path));
-    const std::string name = fmt::format("track {}", c_.lines.track(line_) + 1);
+    const std::string name = fmt::format("track {}", track_ + 1);
     if (there.empty()) {
       out_.push_back(
           {"encounters", name + " is cut by an obstacle or land given up, and no encounter is there", at, 1});
@@ -75,30 +110,25 @@ class LineMeetings {
   }
 
   const Case& c_;
-  std::size_t line_;
+  int track_;
+  TrackLine line_;
   Violations& out_;
-  std::vector<OnLine> laid_;
+  std::vector<Laid> laid_;
 };
 
 }  // namespace
 
 void check_curved_meetings(const Case& c, Violations& out) {
-  std::vector<LineMeetings> meetings;
-  for (std::size_t i = 0; i < c.lines.size(); ++i) meetings.emplace_back(c, i, out);
-  for (const TrackPiece& piece : c.plan.pieces) {
-    if (piece.curve.empty()) continue;
-    const auto part =
-        c.lines.between(piece.track, piece.start, direction_at_start(piece.curve.front()), piece.end);
-    if (part) meetings[part->line].add(*part);
-  }
+  if (!c.lines.known()) return;
+  std::map<int, TrackMeetings> tracks;
+  const auto of = [&](int track) -> TrackMeetings& {
+    return tracks.try_emplace(track, c, track, out).first->second;
+  };
+  for (const TrackPiece& piece : c.plan.pieces)
+    if (!piece.curve.empty()) of(piece.track).add(piece);
   for (const DroppedPiece& dropped : c.plan.dropped)
-    for (std::size_t i = 0; i < c.lines.size(); ++i) {
-      const auto from = c.lines.place_on(i, dropped.start);
-      if (!from) continue;
-      const auto to = c.lines.place_on(i, dropped.end);
-      if (to) meetings[i].add({i, std::min(*from, *to), std::max(*from, *to)});
-    }
-  for (LineMeetings& line : meetings) line.check();
+    for (const int track : c.lines.tracks_near(dropped.start)) of(track).add(dropped);
+  for (auto& [track, meetings] : tracks) meetings.check();
 }
 
 }  // namespace tramline::check

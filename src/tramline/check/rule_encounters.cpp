@@ -27,8 +27,8 @@ Tracks tracks_of(const Plan& plan) {
 
 bool extends_over(const Case& c, const TrackPiece& piece, const Detour& detour, Point at) {
   if (!piece.curve.empty()) {
-    const std::optional<OnLine> left = line_left(c, piece, detour);
-    return left && holds(c.lines, *left, at);
+    const std::optional<Path> left = line_left(c, piece, detour);
+    return left && holds(*left, at);
   }
   const PieceFrame frame(piece);
   const Point p = frame.to_local(at);

@@ -62,7 +62,7 @@ class Family {
     const int count = std::max(1, static_cast<int>(std::ceil(length_m / longest_m)));
     Point from = stretch.segment.from;
     for (int k = 1; k <= count; ++k) {
-      const Point to = k < count ? place_on(Path{stretch.segment}, length_m * k / count) : stretch.segment.to;
+      const Point to = k < count ? place_on(stretch.segment, length_m * k / count) : stretch.segment.to;
       short_parts_.push_back({stretch.piece, {from, to, stretch.segment.curvature}});
       boxes.push_back(reach_of({short_parts_.back().segment}, 0));
       from = to;
@@ -75,18 +75,12 @@ class Family {
     const int looks = static_cast<int>(std::ceil(length_m / step_m));
     for (int i = 0; i <= looks; ++i) {
       const double along_m = length_m * i / std::max(1, looks);
-      const Point at = place_on(Path{stretch.segment}, along_m);
-      const Point heading = heading_at(stretch.segment, along_m / length_m);
+      const Point at = place_on(stretch.segment, along_m);
+      const Point heading = heading_on(stretch.segment, along_m);
       const Point across = (width_m_ - kLengthTolerance_m) * Point{-heading.y, heading.x};
       look_along(stretch.piece, at, at + across);
       look_along(stretch.piece, at, at - across);
     }
-  }
-
-  static Point heading_at(const PathSegment& segment, double share) {
-    const Point first = direction_at_start(segment);
-    const double angle = share * turning(segment), c = std::cos(angle), s = std::sin(angle);
-    return {first.x * c - first.y * s, first.x * s + first.y * c};
   }
 
   void look_along(std::size_t piece, Point from, Point to) {

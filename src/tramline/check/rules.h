@@ -90,6 +90,10 @@ void check_ends(const Case& c, Violations& out);
 /// Where tracks follow a curve, no two pieces of a subfield lie less than the working width apart, across
 /// either of them.
 void check_parallel(const Case& c, Violations& out);
+/// Where tracks follow a curve, every piece lies on the line of its track but for its detours: in places a
+/// width apart and less, it is (k + ½) widths from the reference on its side, or rolls round a corner.
+/// Nothing is asked of a repair, nor along a reference that no machine could follow.
+void check_track_lines(const Case& c, Violations& out);
 /// No piece is too short to drive, but for those between crossings.
 void check_length(const Case& c, Violations& out);
 /// A piece is flagged as ending in a stop where the first millimetre beyond it meets an obstacle without
@@ -159,7 +163,7 @@ bool follows_curve(const Plan& plan, int subfield);
 
 /// The stretch of the line of its curved track that a detour takes the place of, nullopt where it does not
 /// lead from the line back to it.
-std::optional<OnLine> line_left(const Case& c, const TrackPiece& piece, const Detour& detour);
+std::optional<Path> line_left(const Case& c, const TrackPiece& piece, const Detour& detour);
 /// The encounters on the stretch of its track that a detour takes the place of. O(e).
 std::vector<const Encounter*> encounters_at(const Case& c, const TrackPiece& piece, const Detour& detour);
 /// Does any of the encounters name the obstacle?

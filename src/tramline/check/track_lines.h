@@ -4,52 +4,41 @@
 #include <optional>
 #include <vector>
 
-#include "tramline/geometry/parallel.h"
+#include "tramline/check/track_line.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::check {
 
-/// A stretch of one line: positions along it, the second ahead of the first. On a closed line it may lie
-/// across the beginning; then it ends beyond the line's length.
-struct OnLine {
-  std::size_t line = 0;
-  double from_m = 0;
-  double to_m = 0;
-};
-
-/// Parallels of the plan's reference at the distances of all tracks that its pieces and encounters name; none
-/// where no piece is curved.
+/// The plan's reference from both sides, and the lines at (k + ½) working widths from it, k being the track's
+/// number; none where no piece is curved, or where the reference is nothing that tracks can follow.
 class TrackLines {
  public:
   explicit TrackLines(const Plan& plan);
 
-  std::size_t size() const { return lines_.size(); }
-  int track(std::size_t line) const { return lines_[line].index; }
-  bool closed(std::size_t line) const { return lines_[line].track.closed; }
-  double length_m(std::size_t line) const { return lengths_m_[line]; }
+  bool known() const { return !sides_.empty(); }
+  /// Of a track's number. Precondition: known().
+  TrackLine line(int track) const;
+  /// The reference seen so that the track lies to its right. Precondition: known().
+  const ReferenceSide& side_of(int track) const { return sides_[track < 0 ? 1 : 0]; }
+  /// How far from the reference a track runs, m.
+  double off_m(int track) const;
+  /// Could the line of a track come back to where it began? Precondition: known().
+  bool may_close() const { return sides_.front().touches_itself(); }
+  /// Numbers of tracks on whose lines a place may be, nearest first. Precondition: known().
+  std::vector<int> tracks_near(Point p) const;
 
-  /// From one place of a track's line to another, leaving in this heading, or against it; nullopt where no
-  /// line of the track leads from the one to the other. Places may be a millimetre off.
-  std::optional<OnLine> between(int track, Point from, Point heading, Point to) const;
-  /// Where on a line a place is; nullopt where it is a millimetre off.
-  std::optional<double> place_on(std::size_t line, Point p) const;
-  Path path_of(const OnLine& stretch) const;
+  /// What a track follows from one place to another, in the heading or against it; nullopt where its
+  /// line does not lead from the one to the other. Places may be a millimetre off.
+  std::optional<Path> between(int track, Point from, Point heading, Point to) const;
 
  private:
-  std::optional<OnLine> stretch(std::size_t line, double from_m, double to_m) const;
-
-  struct Segment {
-    double from_m = 0;  ///< along the line
-    Box reach;
-  };
-
-  std::vector<FamilyTrack> lines_;
-  std::vector<double> lengths_m_;
-  std::vector<Box> boxes_;
-  std::vector<std::vector<Segment>> segments_;  ///< of each line
+  double width_m_ = 0;
+  double least_radius_m_ = 0;
+  std::vector<ReferenceSide> sides_;          ///< its right, and its left looking back
+  std::vector<std::vector<double>> looks_m_;  ///< along each
 };
 
-/// Does the stretch hold a place of the line, up to a millimetre?
-bool holds(const TrackLines& lines, const OnLine& stretch, Point p);
+/// Is a place on the path, up to a millimetre?
+bool holds(const Path& path, Point p);
 
 }  // namespace tramline::check

@@ -165,6 +165,7 @@ Verdict verify(const Plan& plan) {
   check_drivable(c, verdict.violations);
   check_ends(c, verdict.violations);
   check_parallel(c, verdict.violations);
+  check_track_lines(c, verdict.violations);
   check_length(c, verdict.violations);
   const int stops = check_stops(c, verdict.violations);
   check_crossings(c, verdict.violations);

@@ -7,7 +7,6 @@
 #include "tramline/check/bands.h"
 #include "tramline/check/path_distance.h"
 #include "tramline/geometry/convex_clip.h"
-#include "tramline/geometry/kinked_line.h"
 
 namespace tramline::check {
 namespace {
@@ -76,7 +75,7 @@ std::vector<WorkedPart> parts_of(const Plan& plan, AppendStraight append_straigh
   for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
     const TrackPiece& piece = plan.pieces[i];
     SwathParts parts(i, width_m, out);
-    if (has_kinks(piece.curve)) {
+    if (is_kinked(piece.curve)) {
       const Region cells = bands_along(piece.curve, width_m);
       for (std::size_t k = 0; k < cells.size(); ++k) parts.add({piece.curve[k]}, {cells[k]}, true);
     } else if (piece.curve.empty()) {
