@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <map>
 #include <vector>
@@ -69,6 +70,7 @@ ordered_json encounter_json(const Encounter& encounter) {
 }  // namespace
 
 std::string reason_for_cut(const Encounter& encounter, Avoidance avoid) {
+  assert(encounter.chosen == Passing::kCut);
   if (avoid == Avoidance::kCut) return "as --avoid cut asks";
   const WayPast& left = encounter.left;
   const WayPast& right = encounter.right;

@@ -1,5 +1,6 @@
 #include "request/watch_session.h"
 
+#include <cassert>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -103,6 +104,7 @@ Coverage WatchSession::figures() const {
 }
 
 Coverage WatchSession::coverage() const {
+  assert(settled());
   Coverage out = live_.coverage(head());
   describe(out);
   return out;

@@ -1,6 +1,7 @@
 #include "server/work/replay.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <thread>
 
@@ -32,7 +33,9 @@ Replay::Replay(std::shared_ptr<const ReadyDrive> drive, double from_s, double sp
       speed_(speed),
       worked_(drive_->ground.ground, drive_->settings, drive_->ready.drive, drive_->ready.width_m,
               coverage::most_sections(drive_->ready.log.booms)),
-      rate_(drive_->settings.drive.max_gap_s) {}
+      rate_(drive_->settings.drive.max_gap_s) {
+  assert(kSlowest <= speed && speed <= kFastest);
+}
 
 void Replay::work(const Fix& fix) {
   worked_.add(fix, drive_->ready.log.booms);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -143,6 +144,7 @@ std::string EventWriter::frame_text(const WorkFrame& frame) {
 }
 
 NamedEvent EventWriter::named(const WorkEvent& event) {
+  assert(!std::holds_alternative<std::monostate>(event));
   const auto text = [](const ordered_json& json) { return app::json_line(json); };
   if (const auto* state = std::get_if<FeedState>(&event))
     return {"state", text({{"message", in_page_words(state->message)}, {"connected", state->connected}})};

@@ -1,5 +1,7 @@
 #include "tramline/admission/disputed_land.h"
 
+#include <cassert>
+
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/interior_point.h"
 
@@ -18,6 +20,7 @@ int winding_number(const Ring& ring, Point p) {
 }
 
 Region disputed_land(const Ring& ring) {
+  assert(ring.size() >= 3);
   const Box frame = bounds(ring).grown(1);
   const Polygon sheet{{{frame.min_x, frame.min_y},
                        {frame.max_x, frame.min_y},

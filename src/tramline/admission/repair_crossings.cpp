@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "tramline/admission/disputed_land.h"
@@ -50,6 +51,7 @@ void drop_small_lobes(Region& lobes, const WorkRing& ring, double limit_m2, doub
 }  // namespace
 
 Region repair_crossings(const WorkRing& ring, bool is_hole, Ledger& ledger) {
+  assert(ring.points.size() >= 3);
   const auto fault = find_invalidity({ring.points, {}});
   if (!fault) return {oriented({ring.points, {}})};
   const double sign = is_hole ? -1 : 1;

@@ -1,6 +1,7 @@
 #include "tramline/avoidance/curved_detour_path.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -149,6 +150,8 @@ bool goes_ahead(const PathPlaces& places, double from, double to) {
 
 std::optional<CurvedDetourPath> curved_detour_path(const std::vector<KeepOut>& discs, double radius_m,
                                                    const TrackLine& track) {
+  assert(!discs.empty());
+  assert(radius_m > 0);
   const Hull hull = pressed(discs, std::max(radius_m, largest_radius(discs)));
   if (!reaches_over(hull, track)) return std::nullopt;
   const Hull other_way = mirrored(hull);

@@ -1,6 +1,7 @@
 #include "tramline/avoidance/detour_hull.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -99,6 +100,7 @@ SteepLine steepest_line(const Hull& hull) {
 }
 
 Path drawn(const Hull& hull, const Approach& in, const Approach& out, double arc) {
+  assert(in.vertex <= out.vertex);
   Pen pen(in.on_track);
   pen.draw_to(in.arc_centre - arc * in.normal, 1 / arc);
   for (std::size_t i = in.vertex; i <= out.vertex; ++i) {

@@ -1,6 +1,7 @@
 #include "tramline/avoidance/detour_path.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -81,6 +82,8 @@ std::optional<Path> path_round(const Hull& hull, double arc) {
 }  // namespace
 
 std::optional<Path> detour_path(const std::vector<KeepOut>& discs, double radius_m) {
+  assert(!discs.empty());
+  assert(radius_m > 0);
   return path_round(pressed(discs, std::max(radius_m, largest_radius(discs))), radius_m);
 }
 

@@ -1,6 +1,9 @@
 #include "tramline/check/pass_lanes.h"
 
+#include <cassert>
+
 #include "tramline/check/bands.h"
+#include "tramline/check/sound_path.h"
 
 namespace tramline::check {
 namespace {
@@ -17,6 +20,7 @@ Lane end_lane(const Path& path, double half_width_m) {
 }  // namespace
 
 std::vector<Lane> pass_lanes(const HeadlandPass& pass, double width_m) {
+  assert(fault_of(pass.path).empty());
   const Path& path = pass.path;
   const double half_m = 0.5 * width_m;
   const auto as_a_whole = [&](const Path& part) {

@@ -1,6 +1,8 @@
 #pragma once
 // The plane as seen from a piece, and areas of land within a rectangle lying along it.
 
+#include <cassert>
+
 #include "tramline/geometry/region.h"
 #include "tramline/model/track.h"
 
@@ -12,7 +14,9 @@ class PieceFrame {
  public:
   /// Precondition: start != end.
   PieceFrame(Point start, Point end)
-      : origin_(start), up_((1 / distance(start, end)) * (end - start)), length_(distance(start, end)) {}
+      : origin_(start), up_((1 / distance(start, end)) * (end - start)), length_(distance(start, end)) {
+    assert(start != end);
+  }
   explicit PieceFrame(const TrackPiece& piece) : PieceFrame(piece.start, piece.end) {}
 
   double length() const { return length_; }

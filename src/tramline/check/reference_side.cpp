@@ -1,10 +1,12 @@
 #include "tramline/check/reference_side.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
 #include "tramline/check/bands.h"
+#include "tramline/check/sound_path.h"
 #include "tramline/check/tolerances.h"
 
 namespace tramline::check {
@@ -48,6 +50,7 @@ bool end_touches(const Path& line) {
 }  // namespace
 
 ReferenceSide::ReferenceSide(Path line) : line_(std::move(line)) {
+  assert(fault_of(line_).empty());
   double from_m = 0;
   for (std::size_t i = 0; i < line_.size(); ++i) {
     starts_m_.push_back(from_m);

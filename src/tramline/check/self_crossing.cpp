@@ -1,9 +1,11 @@
 #include "tramline/check/self_crossing.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <vector>
 
+#include "tramline/check/sound_path.h"
 #include "tramline/check/tolerances.h"
 #include "tramline/geometry/box_grid.h"
 #include "tramline/geometry/line_crossing.h"
@@ -72,6 +74,7 @@ class Chords {
 }  // namespace
 
 std::optional<Point> self_crossing_of(const Path& path) {
+  assert(fault_of(path).empty());
   const Chords line(path);
   const std::vector<Box> boxes = line.boxes();
   const BoxGrid grid(boxes);

@@ -1,6 +1,7 @@
 #include "tramline/check/track_lines.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -50,10 +51,12 @@ TrackLines::TrackLines(const Plan& plan)
 double TrackLines::off_m(int track) const { return std::abs(track + 0.5) * width_m_; }
 
 TrackLine TrackLines::line(int track) const {
+  assert(known());
   return {side_of(track), looks_m_[track < 0 ? 1 : 0], off_m(track), width_m_, least_radius_m_};
 }
 
 std::vector<int> TrackLines::tracks_near(Point p) const {
+  assert(known());
   const Foot foot = sides_.front().foot_of(p);
   // In the middle of the sharpest corner the arc is half its radius farther off.
   const double least_m = foot.off_m - 0.5 * least_radius_m_ - kLengthTolerance_m;

@@ -1,6 +1,7 @@
 #pragma once
 // The lines of tracks that follow a curve: where a track would be if nothing stood in its way.
 
+#include <cassert>
 #include <optional>
 #include <vector>
 
@@ -19,11 +20,17 @@ class TrackLines {
   /// Of a track's number. Precondition: known().
   TrackLine line(int track) const;
   /// The reference seen so that the track lies to its right. Precondition: known().
-  const ReferenceSide& side_of(int track) const { return sides_[track < 0 ? 1 : 0]; }
+  const ReferenceSide& side_of(int track) const {
+    assert(known());
+    return sides_[track < 0 ? 1 : 0];
+  }
   /// How far from the reference a track runs, m.
   double off_m(int track) const;
   /// Could the line of a track come back to where it began? Precondition: known().
-  bool may_close() const { return sides_.front().touches_itself(); }
+  bool may_close() const {
+    assert(known());
+    return sides_.front().touches_itself();
+  }
   /// Numbers of tracks on whose lines a place may be, nearest first. Precondition: known().
   std::vector<int> tracks_near(Point p) const;
 

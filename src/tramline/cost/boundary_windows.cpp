@@ -1,6 +1,7 @@
 #include "tramline/cost/boundary_windows.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -54,6 +55,7 @@ void gather_windows(std::span<BoundaryPart> parts, double width_m, double margin
 }
 
 double passage_cost(const BoundaryWindow& window, double width_m, double over_price, double under_price) {
+  assert(window.passes);
   if (over_price + under_price <= 0) return 0;
   const double left_m = width_m * over_price / (over_price + under_price);
   double along = 0;

@@ -1,6 +1,7 @@
 #include "tramline/cost/piece_overlap.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "tramline/geometry/layered_area.h"
@@ -40,6 +41,10 @@ bool may_meet(const TrackPiece& a, const TrackPiece& b, double width_m) {
 
 std::vector<double> overlap_by_piece(const Region& body, const std::vector<Subfield>& subfields,
                                      const std::vector<TrackPiece>& pieces, double width_m) {
+  assert(std::all_of(pieces.begin(), pieces.end(), [&subfields](const TrackPiece& piece) {
+    return piece.curve.empty() && piece.subfield >= 0 &&
+           static_cast<std::size_t>(piece.subfield) < subfields.size();
+  }));
   const std::vector<TurnedBody> bodies = turned_bodies(body, subfields);
   std::vector<Path> lines;
   std::vector<Box> reaches;

@@ -1,6 +1,8 @@
 #include "tramline/cost/recursive_tally.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "tramline/cost/settled_areas.h"
@@ -27,6 +29,8 @@ Region kinked_swaths(const std::vector<CurvedPiece>& pieces, double width_m) {
 }
 
 RecursiveTally recursive_tally(const CurvedTracks& tracks, double width_m, const Region& body) {
+  assert(std::all_of(tracks.pieces.begin(), tracks.pieces.end(),
+                     [](const CurvedPiece& piece) { return std::isinf(smallest_radius(piece.path)); }));
   RecursiveTally out;
   Region swaths;
   for (const CurvedPiece& piece : tracks.pieces) {

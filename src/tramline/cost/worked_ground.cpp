@@ -1,6 +1,7 @@
 #include "tramline/cost/worked_ground.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace tramline {
@@ -64,6 +65,7 @@ void WorkedGround::add_subfield(const StripGrid& grid, StripRange range) {
 }
 
 void WorkedGround::set(std::size_t subfield, int strip, StripWork work) {
+  assert(strip >= subfields_[subfield].range.first && strip <= subfields_[subfield].range.last);
   Subfield& owner = subfields_[subfield];
   Worked worked{std::move(work), {}};
   const double left = owner.grid.line(strip), right = owner.grid.line(strip + 1);

@@ -1,6 +1,7 @@
 #include "tramline/coverage/cell_ring.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -24,6 +25,7 @@ bool on_border(TilePoint p, std::int64_t side) {
 
 /// Rounded. Precondition: not negative.
 std::int32_t nearest(double value) {
+  assert(value >= 0);
   constexpr double kHalf = 0.5;  // and cut off: lround is a call, and this is the innermost loop
   return static_cast<std::int32_t>(value + kHalf);
 }

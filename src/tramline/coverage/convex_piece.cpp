@@ -1,6 +1,7 @@
 #include "tramline/coverage/convex_piece.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -48,6 +49,7 @@ void keep(const ConvexPiece& piece, const std::vector<double>& distance, double 
 }  // namespace
 
 GridLine line_through(GridPoint from, GridPoint to) {
+  assert(from != to);
   const auto dx = static_cast<double>(to.x - from.x), dy = static_cast<double>(to.y - from.y);
   const double length = std::sqrt(dx * dx + dy * dy);
   return {from, -dy / length, dx / length};

@@ -1,6 +1,7 @@
 #include "tramline/coverage/deviation.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -72,6 +73,7 @@ class Tracks {
 
   /// However far it is. Precondition: not empty.
   Seen nearest_anywhere(Point p, Direction course, double first_look_m) const {
+    assert(!empty());
     Box everything = all_;
     everything.extend(p);
     const double most_m = std::hypot(everything.width(), everything.height());

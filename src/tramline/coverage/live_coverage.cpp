@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -184,6 +185,7 @@ Coverage LiveCoverage::figures(const WorkLog& head) const {
 }
 
 Coverage LiveCoverage::coverage(const WorkLog& head) const {
+  assert(settled());
   Coverage out = figures(head);
   if (drive_) drive_->add_regions(out);
   return out;

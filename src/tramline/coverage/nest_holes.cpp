@@ -1,6 +1,7 @@
 #include "tramline/coverage/nest_holes.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -96,6 +97,8 @@ Int128 twice_area(const GridRing& ring) {
 // The first edge that one meets there belongs to the same ground: its outer ring, or another hole. That
 // hole's own such corner lies further west, so that the way ends.
 std::vector<std::size_t> parents_of(const std::vector<GridRing>& holes, const std::vector<GridRing>& outer) {
+  assert(std::all_of(outer.begin(), outer.end(), [](const GridRing& ring) { return twice_area(ring) > 0; }));
+  assert(std::all_of(holes.begin(), holes.end(), [](const GridRing& ring) { return twice_area(ring) < 0; }));
   std::vector<std::size_t> parents(holes.size(), outer.size());
   if (holes.empty()) return parents;
   std::vector<RingEdge> edges;

@@ -1,6 +1,7 @@
 #include "tramline/coverage/own_trail.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "tramline/coverage/tile_frame.h"
@@ -72,6 +73,7 @@ bool OwnTrails::Octagon::apart(const Octagon& other) const {
 }
 
 void OwnTrails::add(int run, double travel_m, const ConvexPiece& piece) {
+  assert(piece.sides.size() == 3 || piece.sides.size() == 4);
   Trail& trail = trails_[run];
   trail.used = ++uses_;
   Worked worked;

@@ -1,6 +1,7 @@
 #include "tramline/coverage/shape_drive.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -134,6 +135,7 @@ class ShapesInTurn {
 }  // namespace
 
 ShapeDrive shape_drive(const WorkLog& log, const DriveSettings& drive) {
+  assert(log.positions == Positions::kLocal);
   ShapesInTurn shapes(log, drive);
   for (const Fix& fix : log.fixes) shapes.add(fix);
   return shapes.finish();

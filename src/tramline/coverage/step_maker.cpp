@@ -1,6 +1,7 @@
 #include "tramline/coverage/step_maker.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -146,6 +147,7 @@ std::optional<WorkedStep> StepMaker::step(Unit& unit, const End& to) {
 }
 
 std::optional<WorkedStep> StepMaker::add(const Fix& fix, const std::vector<Boom>& booms) {
+  assert(std::isfinite(fix.position.x) && std::isfinite(fix.position.y));
   ++fixes_;
   Unit& unit = units_[fix.unit];
   End to{fix.time_s, fix.position, std::nullopt, working_at(fix, booms), fix.rate_per_ha};

@@ -2,6 +2,8 @@
 
 #include <tbb/parallel_for.h>
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -13,6 +15,7 @@
 #include "tramline/coverage/tile_map.h"
 #include "tramline/coverage/tiles_met.h"
 #include "tramline/coverage/untouched_ground.h"
+#include "tramline/model/limits.h"
 
 namespace tramline::coverage {
 namespace {
@@ -172,6 +175,10 @@ TileCoverage& TileCoverage::operator=(TileCoverage&&) noexcept = default;
 TileCoverage::~TileCoverage() = default;
 
 void TileCoverage::add(const WorkedStep& step) {
+  assert(std::all_of(step.quads.begin(), step.quads.end(), [](const Quad& quad) {
+    return std::all_of(quad.begin(), quad.end(),
+                       [](Point p) { return std::abs(p.x) <= kFarthest_m && std::abs(p.y) <= kFarthest_m; });
+  }));
   Impl& impl = *impl_;
   impl.pieces.clear();
   impl.changed = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <iterator>
 
 #include "tramline/geometry/faces.h"
@@ -60,6 +61,9 @@ MergeGraph merge_graph(std::vector<Cell> cells) {
 }
 
 void merge(MergeGraph& graph, std::size_t a, std::size_t b, Remember remember) {
+  assert(a < b && b < graph.nodes.size());
+  assert(graph.nodes[a].alive && graph.nodes[b].alive);
+  assert(graph.nodes[a].shared.contains(b));
   MergeNode &into = graph.nodes[a], &gone = graph.nodes[b];
   const bool gone_is_larger = gone.area_m2 > into.area_m2;
   if (remember == Remember::kBoth)

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <cmath>
 
 #include "tramline/geodesy/proj_handle.h"
@@ -183,12 +184,14 @@ bool Crs::is_near(Point lonlat_deg) const {
 }
 
 std::optional<Point> Crs::to_lonlat(Point input) const {
+  assert(!plain());
   if (impl_->no_op)
     return std::isfinite(input.x) && std::isfinite(input.y) ? std::optional(input) : std::nullopt;
   return transformed(impl_->to_wgs84.get(), PJ_FWD, input);
 }
 
 std::optional<Point> Crs::from_lonlat(Point lonlat_deg) const {
+  assert(!plain());
   if (impl_->no_op) return lonlat_deg;
   PJ* operation = impl_->to_wgs84.get();
   const std::optional<Point> near = transformed(operation, PJ_INV, lonlat_deg);

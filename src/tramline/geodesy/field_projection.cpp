@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <cmath>
 #include <string>
 
@@ -16,6 +17,7 @@ struct FrameProjection::Impl {
 };
 
 FrameProjection::FrameProjection(const LocalFrame& frame) : impl_(std::make_unique<Impl>()) {
+  assert(frame.geodetic);
   impl_->context = proj::make_context();
   const std::string pipeline = fmt::format(
       "+proj=pipeline +step +proj=unitconvert +xy_in=deg +xy_out=rad "
@@ -67,6 +69,7 @@ LocalFrame frame_centred_on(const Crs& crs, const Box& bounds) {
 }
 
 FieldProjection::FieldProjection(const Crs& crs, const LocalFrame& frame) : crs_(&crs), frame_(frame) {
+  assert(frame.geodetic == !crs.plain());
   if (frame.geodetic) projection_.emplace(frame);
 }
 

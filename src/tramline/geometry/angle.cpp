@@ -1,6 +1,7 @@
 #include "tramline/geometry/angle.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace tramline {
 namespace {
@@ -19,6 +20,7 @@ Direction Direction::clockwise_from_north(Angle angle) {
 }
 
 Direction Direction::along(Point a, Point b) {
+  assert(a != b);
   return clockwise_from_north(Angle::radians(std::atan2(b.x - a.x, b.y - a.y)));
 }
 
@@ -32,6 +34,7 @@ Heading Heading::clockwise_from_north(Angle angle) {
 }
 
 Heading Heading::from_to(Point from, Point to) {
+  assert(from != to);
   return clockwise_from_north(Angle::radians(std::atan2(to.x - from.x, to.y - from.y)));
 }
 

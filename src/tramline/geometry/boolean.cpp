@@ -2,6 +2,8 @@
 
 #include <geos_c.h>
 
+#include <algorithm>
+#include <cassert>
 #include <cstdarg>
 #include <cstdio>
 #include <memory>
@@ -164,6 +166,7 @@ Region buffered(const Region& region, double distance_m, JoinStyle join, int seg
 }
 
 Region buffered_line(const std::vector<Point>& line, double distance_m) {
+  assert(std::any_of(line.begin(), line.end(), [&line](Point p) { return p != line.front(); }));
   return from_geos(
       checked(GEOSBufferWithStyle_r(geos(), to_line(line, false).get(), distance_m, kRoundSegments,
                                     GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, kMitreLimit),

@@ -1,6 +1,7 @@
 #include "tramline/geometry/bounding_rectangle.h"
 
 #include <algorithm>
+#include <cassert>
 #include <tuple>
 
 namespace tramline {
@@ -73,12 +74,14 @@ Ring hull_of(std::vector<Point> points) {
 }
 
 Direction long_side_of_smallest_rectangle(const Ring& ring) {
+  assert(signed_area(ring) != 0);
   return least(
       extents_by_hull_edge(ring), [](const Extents& e) { return e.along * e.across; },
       [](const Extents& e) { return e.along >= e.across ? e.direction : e.direction.perpendicular(); });
 }
 
 Direction across_least_width(const Ring& ring) {
+  assert(signed_area(ring) != 0);
   return least(
       extents_by_hull_edge(ring), [](const Extents& e) { return e.across; },
       [](const Extents& e) { return e.direction; });

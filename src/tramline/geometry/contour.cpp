@@ -1,6 +1,7 @@
 #include "tramline/geometry/contour.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -99,6 +100,7 @@ bool reaches_into(Point p, double distance_m, const Box& box) {
 }  // namespace
 
 Contour contour_of(const Path& path) {
+  assert(std::all_of(path.begin(), path.end(), [](const PathSegment& s) { return s.from != s.to; }));
   Contour out;
   out.segments = path.size();
   const auto add = [&out](ContourElement element) {

@@ -3,6 +3,7 @@
 // Whoever walks it has the path to the left and sees the plane to the right: one side to work on instead
 // of two, and the fronts of both sides may meet.
 
+#include <cassert>
 #include <cstddef>
 #include <vector>
 
@@ -66,6 +67,8 @@ inline bool reaches(const ContourElement& element, double distance_m) {
 /// Curvature of the parallel, left positive, 1/m. Precondition: reaches(), and not a quarter turn of radius
 /// 0.
 inline double curvature_beside(const ContourElement& element, double distance_m) {
+  assert(reaches(element, distance_m));
+  assert(!element.cap || distance_m != 0);
   return element.straight ? 0 : 1 / (element.reach + distance_m);
 }
 

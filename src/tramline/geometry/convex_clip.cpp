@@ -1,6 +1,7 @@
 #include "tramline/geometry/convex_clip.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace tramline {
 namespace {
@@ -37,6 +38,7 @@ Ring clipped_by_set(Ring ring, const ConvexSet& set) {
 }  // namespace
 
 ConvexSet convex_set(const Ring& ring) {
+  assert(signed_area(ring) > 0);
   ConvexSet set;
   set.box = bounds(ring);
   for (std::size_t i = 0; i < ring.size(); ++i) set.edges.push_back({ring[i], ring[(i + 1) % ring.size()]});

@@ -1,6 +1,7 @@
 #include "tramline/geometry/extended.h"
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 
 #include "tramline/geometry/line_crossing.h"
@@ -42,6 +43,7 @@ bool shorten(Point a, Point& b, const Path& path) {
 }  // namespace
 
 Extended extended(const Path& path, double at_start_m, double at_end_m) {
+  assert(!path.empty());
   Extended out{path};
   const Point begin = path.front().from, end = path.back().to;
   const Point ahead = direction_at_end(path.back());
@@ -60,6 +62,7 @@ Extended extended(const Path& path, double at_start_m, double at_end_m) {
 }
 
 Extended extended(const Path& path, const Box& box) {
+  assert(!path.empty());
   const double at_start = reach_ahead(path.front().from, -1 * direction_at_start(path.front()), box);
   const double at_end = reach_ahead(path.back().to, direction_at_end(path.back()), box);
   return extended(path, at_start, at_end);

@@ -1,6 +1,7 @@
 #include "tramline/geometry/faces.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numbers>
 #include <tuple>
 
@@ -138,6 +139,9 @@ struct Undirected {
 }  // namespace
 
 std::vector<DirectedEdge> edges_of(const Polygon& polygon) {
+  assert(signed_area(polygon.outer) >= 0);
+  assert(std::all_of(polygon.holes.begin(), polygon.holes.end(),
+                     [](const Ring& hole) { return signed_area(hole) <= 0; }));
   std::vector<DirectedEdge> out;
   const auto append = [&out](const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) out.push_back({ring[i], ring[(i + 1) % ring.size()]});

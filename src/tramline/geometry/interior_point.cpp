@@ -1,6 +1,7 @@
 #include "tramline/geometry/interior_point.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace tramline {
@@ -29,6 +30,7 @@ double clear_height(const Polygon& polygon) {
 }  // namespace
 
 Point interior_point(const Polygon& polygon) {
+  assert(polygon.outer.size() >= 3);
   const double y = clear_height(polygon);
   std::vector<double> xs;
   for (const Ring& ring : rings_of({polygon})) add_crossings(ring, y, xs);

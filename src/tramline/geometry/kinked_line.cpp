@@ -1,6 +1,7 @@
 #include "tramline/geometry/kinked_line.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace tramline {
@@ -61,12 +62,14 @@ class Mitres {
 }  // namespace
 
 Path polyline_path(const std::vector<Point>& points) {
+  assert(std::adjacent_find(points.begin(), points.end()) == points.end());
   Path out;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) out.push_back({points[i], points[i + 1], 0});
   return out;
 }
 
 std::vector<Point> vertices_of(const Path& path) {
+  assert(std::all_of(path.begin(), path.end(), [](const PathSegment& s) { return s.straight(); }));
   std::vector<Point> out;
   if (!path.empty()) out.push_back(path.front().from);
   for (const PathSegment& segment : path) out.push_back(segment.to);

@@ -1,6 +1,7 @@
 #include "tramline/geometry/kinked_offset.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -239,6 +240,8 @@ class Trimmer {
 }  // namespace
 
 std::vector<Point> kinked_offset(const std::vector<Point>& line, double offset_m) {
+  assert(line.size() >= 2);
+  assert(std::adjacent_find(line.begin(), line.end()) == line.end());
   Front front(line, offset_m > 0);
   front.move_to(std::abs(offset_m));
   std::vector<Point> out = front.points();

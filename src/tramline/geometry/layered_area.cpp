@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -21,6 +22,7 @@ struct Headings {
 /// As direction_at_start and direction_at_end of a path's segment, without angles: this is called for
 /// every shape that a search looks at. Precondition: from != to.
 Headings headings(Point from, Point to, double curvature) {
+  assert(from != to);
   const Point chord = to - from;
   const double along = std::sqrt(dot(chord, chord));
   const double sine = std::clamp(0.5 * along * curvature, -1.0, 1.0);
@@ -347,6 +349,7 @@ void append_box(const Box& box, Layer layer, const Box& window, RisingCurves& ou
 }
 
 void append_band(const Path& path, double width_m, Layer layer, RisingCurves& out) {
+  assert(2 * smallest_radius(path) >= width_m * (1 - 1e-6));
   const double half = 0.5 * width_m;
   Point left, right;
   bool begun = false;

@@ -1,6 +1,7 @@
 #include "tramline/geometry/line_crossing.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "tramline/geometry/box_grid.h"
 
@@ -25,6 +26,7 @@ bool have_common_point(Point a, Point b, Point c, Point d) {
 }  // namespace
 
 std::optional<std::pair<std::size_t, std::size_t>> self_crossing(const std::vector<Point>& line) {
+  assert(std::adjacent_find(line.begin(), line.end()) == line.end());
   std::vector<Box> boxes;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) boxes.push_back(bounds(line[i], line[i + 1]));
   const BoxGrid grid(boxes);

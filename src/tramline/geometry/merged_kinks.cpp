@@ -1,6 +1,7 @@
 #include "tramline/geometry/merged_kinks.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -164,10 +165,15 @@ class Merger {
 
 }  // namespace
 
-double turn_at(Point a, Point b, Point c) { return std::atan2(cross(b - a, c - b), dot(b - a, c - b)); }
+double turn_at(Point a, Point b, Point c) {
+  assert(a != b && b != c);
+  return std::atan2(cross(b - a, c - b), dot(b - a, c - b));
+}
 
 std::vector<Point> merged_kinks(const std::vector<Point>& line, const std::vector<std::size_t>& names,
                                 double radius_m) {
+  assert(line.size() >= 2);
+  assert(std::adjacent_find(line.begin(), line.end()) == line.end());
   return Merger(line, names, radius_m).run();
 }
 

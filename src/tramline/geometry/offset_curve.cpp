@@ -1,6 +1,7 @@
 #include "tramline/geometry/offset_curve.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -67,6 +68,7 @@ void circles(const OffsetCurve& a, const OffsetCurve& b, std::vector<Point>& out
 }  // namespace
 
 OffsetCurve offset_line(Point from, Point to) {
+  assert(from != to);
   OffsetCurve out;
   out.from = from;
   out.to = to;
@@ -77,6 +79,8 @@ OffsetCurve offset_line(Point from, Point to) {
 }
 
 OffsetCurve offset_arc(Point centre, double radius_m, Point from, Point to) {
+  assert(std::abs(distance(centre, from) - radius_m) <= 1e-6 * (1 + radius_m));
+  assert(std::abs(distance(centre, to) - radius_m) <= 1e-6 * (1 + radius_m));
   OffsetCurve out;
   out.from = from;
   out.to = to;

@@ -1,6 +1,7 @@
 #include "tramline/geometry/parallel.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <deque>
 
@@ -167,6 +168,8 @@ Sides sides_for(bool right, bool left) {
 }  // namespace
 
 std::vector<ParallelTrack> parallel(const Path& reference, double offset_m, const TrackLimits& limits) {
+  assert(std::abs(offset_m) >= 0.5 * limits.width_m * (1 - 1e-9));
+  assert(smallest_radius(reference) >= limits.least_radius_m() * (1 - 1e-6));
   Levels levels(reference, limits, sides_for(offset_m > 0, offset_m < 0));
   return tracks_at(levels, offset_m);
 }

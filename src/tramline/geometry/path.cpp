@@ -1,6 +1,7 @@
 #include "tramline/geometry/path.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -128,6 +129,7 @@ double radius(const PathSegment& segment) {
 }
 
 Point centre(const PathSegment& arc) {
+  assert(!arc.straight());
   const Point chord = arc.to - arc.from;
   const double half = 0.5 * length(chord), reach = radius(arc);
   const double height = std::sqrt(std::max(0.0, (reach - half) * (reach + half)));
@@ -146,11 +148,13 @@ double length(const PathSegment& segment) {
 }
 
 Point direction_at_start(const PathSegment& segment) {
+  assert(segment.from != segment.to);
   const Point chord = segment.to - segment.from;
   return turned((1 / length(chord)) * chord, -0.5 * turning(segment));
 }
 
 Point direction_at_end(const PathSegment& segment) {
+  assert(segment.from != segment.to);
   const Point chord = segment.to - segment.from;
   return turned((1 / length(chord)) * chord, 0.5 * turning(segment));
 }

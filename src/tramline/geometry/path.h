@@ -61,8 +61,8 @@ std::vector<Point> chords(const Path& path, double sagitta_m = kChordSagitta);
 
 /// The ground within half the width on both sides, with flat ends; counter-clockwise. Arcs are
 /// replaced by chords, off the true edge by at most `sagitta_m`.
-/// Precondition: tangents are continuous and radii at least half the width, so that it does not fold;
-/// then its area is width · length.
+/// Where tangents are continuous and radii at least half the width it does not fold, and its area is
+/// width · length.
 Ring band(const Path& path, double width_m, double sagitta_m = kChordSagitta);
 
 /// The same for a path that ends where it begins, in the direction it began in: a ring of ground, without a

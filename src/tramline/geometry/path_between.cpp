@@ -1,6 +1,7 @@
 #include "tramline/geometry/path_between.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "tramline/geometry/segment_frame.h"
 
@@ -21,6 +22,8 @@ PathSegment part_of(const PathSegment& segment, double from, double to) {
 }  // namespace
 
 Path path_between(const Path& path, double from, double to) {
+  assert(from < to);
+  assert(from >= -1e-3 && to <= length(path) + 1e-3);
   Path out;
   double start = 0;
   for (const PathSegment& segment : path) {

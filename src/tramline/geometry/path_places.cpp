@@ -1,6 +1,7 @@
 #include "tramline/geometry/path_places.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -15,6 +16,7 @@ Point turned(Point direction, double angle) {
 }  // namespace
 
 PathPlaces::PathPlaces(Path path) : path_(std::move(path)), starts_{0} {
+  assert(std::all_of(path_.begin(), path_.end(), [](const PathSegment& s) { return s.from != s.to; }));
   for (const PathSegment& segment : path_) starts_.push_back(starts_.back() + tramline::length(segment));
 }
 

@@ -1,5 +1,6 @@
 #include "tramline/geometry/path_profile.h"
 
+#include <cassert>
 #include <utility>
 
 #include "tramline/geometry/section_parts.h"
@@ -8,6 +9,7 @@
 namespace tramline {
 
 PathProfile path_profile(const EdgeIndex& region, const Path& path, double width_m) {
+  assert(2 * smallest_radius(path) >= width_m * (1 - 1e-6));
   PathProfile out{width_m, {}};
   out.segments.reserve(path.size());
   std::vector<std::size_t> near;

@@ -1,5 +1,6 @@
 #include "tramline/geometry/smallest_disc.h"
 
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -25,6 +26,7 @@ Disc through(Point a, Point b, Point c) {
 }  // namespace
 
 Disc smallest_disc(const std::vector<Point>& points) {
+  assert(!points.empty());
   Disc disc{points.front(), 0};
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (contains(disc, points[i])) continue;

@@ -1,5 +1,6 @@
 #include "tramline/headland/path_stretch.h"
 
+#include <cassert>
 #include <cmath>
 
 namespace tramline {
@@ -28,6 +29,7 @@ void append(const PathSegment& segment, double from_m, double to_m, double lengt
 }  // namespace
 
 Path stretch_of(const Path& path, double from_m, double to_m) {
+  assert(0 <= from_m && from_m < to_m);
   Path out;
   double at_m = 0;
   for (int round = 0; round < 2 && at_m < to_m; ++round)

@@ -1,6 +1,7 @@
 #include "tramline/model/track.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "tramline/geometry/kinked_line.h"
 
@@ -13,6 +14,7 @@ constexpr double kDust = 1e-9;
 }  // namespace
 
 Path centre_line(const TrackPiece& piece) {
+  assert(!piece.curve.empty() || piece.start != piece.end);
   if (!piece.curve.empty()) return piece.curve;
   Path out;
   Point at = piece.start;
@@ -34,6 +36,7 @@ double length(const TrackPiece& piece) {
 }
 
 Ring swath(const TrackPiece& piece, double width_m) {
+  assert(!piece.curve.empty() || piece.start != piece.end);
   if (has_kinks(piece.curve)) return kinked_band(piece.curve, width_m);
   if (!piece.detours.empty() || !piece.curve.empty()) return band(centre_line(piece), width_m);
   const Point along = piece.end - piece.start;

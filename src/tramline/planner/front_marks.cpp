@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -59,6 +60,7 @@ std::size_t least_by(const Front& front, Key key) {
 }  // namespace
 
 std::size_t cheapest_for(const Front& front, const Objective& prices) {
+  assert(!front.points.empty());
   std::size_t best = 0;
   for (std::size_t i = 1; i < front.points.size(); ++i)
     if (cost(prices, front.points[i].tally) < cost(prices, front.points[best].tally)) best = i;
@@ -66,6 +68,7 @@ std::size_t cheapest_for(const Front& front, const Objective& prices) {
 }
 
 std::size_t knee_of(const Front& front) {
+  assert(!front.points.empty());
   const std::vector<Scaled> points = scaled_points(front);
   const Scaled& corner = points[front.marks.least_overlap];
   const Scaled normal =
@@ -98,6 +101,7 @@ std::vector<std::size_t> points_to_show(const Front& front, double step) {
 }
 
 FrontMarks marks_for(const Front& front) {
+  assert(!front.points.empty());
   Front marked = front;
   FrontMarks& marks = marked.marks;
   marks.least_overlap =

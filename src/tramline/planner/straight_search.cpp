@@ -1,11 +1,14 @@
 #include "tramline/planner/straight_search.h"
 
+#include <cassert>
+
 #include "tramline/planner/best_search.h"
 #include "tramline/planner/sweep_search.h"
 
 namespace tramline {
 
 SearchResult straight_search(const SearchTask& task, int threads, const Progress& progress) {
+  assert(task.settings.guide.empty() || task.settings.guide.size() == 2);
   if (area(task.ground.plannable) == 0) return {};
   if (!task.settings.guide.empty()) return guided_search(task);
   const auto search = task.settings.strategy == Strategy::kSweep ? sweep_search : best_search;

@@ -1,6 +1,7 @@
 #include "tramline/render/arrow_places.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace tramline::render {
@@ -46,6 +47,7 @@ std::optional<PlaceOnLine> on_curve(const Path& curve, double room_m, const Box&
 }  // namespace
 
 std::optional<PlaceOnLine> arrow_place(const TrackPiece& piece, double room_m, const Box& seen) {
+  assert(!piece.curve.empty() || piece.start != piece.end);
   if (!piece.curve.empty()) return on_curve(piece.curve, room_m, seen);
   const std::optional<Point> place = on_straight_part(piece, room_m, seen);
   if (!place) return std::nullopt;

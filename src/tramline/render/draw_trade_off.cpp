@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "tramline/geometry/error.h"
@@ -181,6 +182,7 @@ std::string subtitle_of(const Front& front, const Plan& plan) {
 
 void draw_trade_off(const Front& front, const std::vector<Plan>& plans, const std::filesystem::path& path,
                     const PictureOptions& options) {
+  assert(plans.size() == marked_points(front).size());
   const PictureFormat format = format_of(path);
   require_picture_width(options);
   if (front.points.empty() || plans.empty()) throw bad_input("the trade-off has no plan to draw");

@@ -1,6 +1,7 @@
 #include "tramline/render/labels.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -89,6 +90,7 @@ Attempt label_every(std::size_t stride, const Plan& plan, const MapView& view, d
 
 // The roomiest of a grid of places; any inside where the polygon slips through the grid.
 RoomyPlace roomiest_place(const Polygon& polygon, const MapView& view) {
+  assert(polygon.outer.size() >= 3);
   const Box box = bounds(polygon);
   RoomyPlace best{view.to_page(interior_point(polygon)), 0};
   for (int row = 0; row < kBadgeGrid; ++row) {

@@ -1,5 +1,7 @@
 #include "tramline/render/page_headings.h"
 
+#include <cassert>
+
 namespace tramline::render {
 namespace {
 
@@ -11,6 +13,7 @@ Point heading_of_line(const TrackPiece& piece) {
 }  // namespace
 
 Point heading_at_start(const TrackPiece& piece) {
+  assert(!piece.curve.empty() || piece.start != piece.end);
   return piece.curve.empty() ? heading_of_line(piece) : on_page(direction_at_start(piece.curve.front()));
 }
 

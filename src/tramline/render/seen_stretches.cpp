@@ -1,6 +1,7 @@
 #include "tramline/render/seen_stretches.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace tramline::render {
 
@@ -42,6 +43,7 @@ double length_of(const std::vector<Point>& line) {
 }
 
 PlaceOnLine place_along(const std::vector<Point>& line, double run) {
+  assert(line.size() >= 2);
   PlaceOnLine out{line.front(), {}};
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const double chord = distance(line[i], line[i + 1]);

@@ -1,6 +1,7 @@
 #include "tramline/tracks/recursive_tracks.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -85,6 +86,9 @@ Path extended_over(const std::vector<Point>& line, double width_m, const Region&
 
 CurvedTracks recursive_tracks(const std::vector<Point>& line, double width_m, const Region& body,
                               double min_length_m) {
+  assert(line.size() >= 2);
+  assert(std::adjacent_find(line.begin(), line.end()) == line.end());
+  assert(!body.empty());
   const Recursion recursion(width_m, body);
   const std::vector<Point> whole = vertices_of(extended_over(line, width_m, body));
   std::vector<CurvedPiece> pieces;

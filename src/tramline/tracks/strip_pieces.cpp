@@ -1,9 +1,17 @@
 #include "tramline/tracks/strip_pieces.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace tramline {
 namespace {
+
+/// One after the other along the track.
+[[maybe_unused]] bool sorted_and_apart(const std::vector<StripDetour>& detours) {
+  for (std::size_t i = 0; i + 1 < detours.size(); ++i)
+    if (detours[i].to > detours[i + 1].from + 1e-9) return false;
+  return true;
+}
 
 double length_of(const Interval& whole, const std::vector<StripDetour>& detours) {
   double sum = whole.length();
@@ -57,6 +65,7 @@ Intervals straight_parts(const StripPiece& piece) {
 
 std::vector<JoinedStretch> joined_stretches(const Intervals& stretches,
                                             const std::vector<StripDetour>& detours) {
+  assert(sorted_and_apart(detours));
   std::vector<JoinedStretch> out;
   auto detour = detours.begin();
   for (std::size_t i = 0; i < stretches.size(); ++i) {
@@ -96,6 +105,7 @@ void append_joined(const Strip& strip, const JoinedStretch& joined, double min_l
 
 void append_pieces(const Strip& strip, const std::vector<StripDetour>& detours, double min_length_m,
                    SubfieldTracks& out) {
+  assert(sorted_and_apart(detours));
   for (const JoinedStretch& joined : joined_stretches(strip.stretches, detours))
     append_joined(strip, joined, min_length_m, out);
 }

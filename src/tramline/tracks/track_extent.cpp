@@ -1,6 +1,7 @@
 #include "tramline/tracks/track_extent.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 #include "tramline/geometry/boolean.h"
@@ -60,6 +61,7 @@ class Projection {
 }  // namespace
 
 Intervals track_extent(const Path& path, double width_m, const Polygon& body) {
+  assert(std::all_of(path.begin(), path.end(), [](const PathSegment& s) { return s.straight(); }));
   if (!intersects(reach_of(path, width_m), bounds(body))) return {};
   const Projection projection(path);
   std::vector<Interval> pieces;

@@ -1,6 +1,7 @@
 #include "tramline/coverage/ahead/need_ahead.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "tramline/geometry/convex_clip.h"
@@ -99,6 +100,7 @@ double NeedStretch::at(double ahead_m) const {
 
 std::vector<Need> need_ahead(const TileCoverage& coverage, const Motion& motion, const Boom& boom,
                              double reach_m) {
+  assert(reach_m > 0);
   const MachineFrame frame(motion);
   double left_m = 0, right_m = 0;
   for (const Section& section : boom) {

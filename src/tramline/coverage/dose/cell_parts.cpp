@@ -1,6 +1,7 @@
 #include "tramline/coverage/dose/cell_parts.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace tramline::coverage {
@@ -73,6 +74,7 @@ double integral(const SmallPolygon& polygon, const EvenDensity& density) {
 
 void append_cell_parts(const SmallPolygon& polygon, const EvenDensity& density, double cell_m,
                        std::vector<CellPart>& out) {
+  assert(polygon.size <= 8);
   slices(polygon, &Point::y, cell_m, [&](const SmallPolygon& in_row, std::int64_t row) {
     slices(in_row, &Point::x, cell_m, [&](const SmallPolygon& in_cell, std::int64_t column) {
       out.push_back({column, row, integral(in_cell, density)});

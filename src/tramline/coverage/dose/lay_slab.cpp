@@ -1,6 +1,7 @@
 #include "tramline/coverage/dose/lay_slab.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace tramline::coverage {
@@ -43,6 +44,7 @@ EvenDensity density_of(const Slab& slab, const Quad& q) {
 }  // namespace
 
 void append_laid(const Slab& slab, double cell_m, std::vector<CellPart>& out) {
+  assert(slab.amount > 0);
   Quad ground = slab.corners;
   std::vector<SmallPolygon> parts = convex_parts(ground);
   double area_m2 = 0;

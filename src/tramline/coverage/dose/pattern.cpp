@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "tramline/geometry/error.h"
@@ -71,6 +72,7 @@ double TransversePattern::right_m() const { return stretches_.empty() ? 0 : stre
 double TransversePattern::left_m() const { return stretches_.empty() ? 0 : stretches_.back().left_m; }
 
 std::vector<PatternStretch> TransversePattern::within(double right_m, double left_m) const {
+  assert(right_m < left_m);
   if (even()) return {{right_m, left_m, 1, 1}};
   std::vector<PatternStretch> out;
   for (const PatternStretch& stretch : stretches_) {

@@ -1,6 +1,7 @@
 #include "tramline/coverage/dose/region_in_cells.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace tramline::coverage {
@@ -61,6 +62,8 @@ class EdgeNotes {
 }  // namespace
 
 std::vector<double> area_in_cells(const Region& region, const CellGrid& grid) {
+  assert(std::all_of(region.begin(), region.end(),
+                     [](const Polygon& part) { return signed_area(part.outer) >= 0; }));
   constexpr double kNone = 1e-9;
   std::vector<double> out(grid.size(), 0.0);
   EdgeNotes notes(grid, out);

@@ -1,6 +1,7 @@
 #include "tramline/coverage/dose/slabs.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace tramline::coverage {
@@ -69,6 +70,7 @@ std::vector<double> ends_of(const Sweep& sweep, const PatternStretch& stretch, d
 
 void append_slabs(const Quad& quad, const Section& section, double per_m, const TransversePattern& pattern,
                   double half_width_m, double cell_m, std::vector<Slab>& out) {
+  assert(section.left_m > section.right_m);
   const Sweep sweep(quad, section);
   Section laid = section;
   if (!pattern.even()) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cassert>
 #include <utility>
 
 #include "tramline/io/plan/plan_layers.h"
@@ -51,6 +52,7 @@ std::string shapefile_name(std::string_view column) {
 bool stays_in_plan_file(std::string_view column) { return column == "path" || column == "detours"; }
 
 std::string title_of(std::string_view layer, int number) {
+  assert(number > 0);
   const std::string_view title = found(kTitles, layer);
   if (!title.empty()) return fmt::format("{} {}", title, number);
   std::string name(layer);

@@ -1,6 +1,7 @@
 #include "tramline/io/export/projected_shapes.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 
@@ -54,6 +55,7 @@ void project_line(const OGRSimpleCurve& from, Point offset, const TargetCrs& tar
 
 std::unique_ptr<OGRGeometry> projected(const OGRGeometry& shape, Point offset, const TargetCrs& target,
                                        double most_aside_m) {
+  assert(most_aside_m > 0);
   switch (wkbFlatten(shape.getGeometryType())) {
     case wkbPoint: {
       const Point p = target.from_local(Point{shape.toPoint()->getX(), shape.toPoint()->getY()} - offset);

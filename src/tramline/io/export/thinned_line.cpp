@@ -1,6 +1,7 @@
 #include "tramline/io/export/thinned_line.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <utility>
 
@@ -32,6 +33,7 @@ Farthest farthest(const std::vector<Point>& line, std::size_t first, std::size_t
 }  // namespace
 
 std::vector<Point> thinned(const std::vector<Point>& line, double tolerance_m) {
+  assert(tolerance_m >= 0);
   if (line.size() < 3 || tolerance_m <= 0) return line;
   std::vector<char> kept(line.size(), 0);
   kept.front() = kept.back() = 1;

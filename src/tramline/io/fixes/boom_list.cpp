@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <numeric>
 
 namespace tramline::io {
@@ -17,6 +19,7 @@ int BoomList::number_of(const Boom& boom) {
 }
 
 Boom side_by_side(std::span<const double> widths_m) {
+  assert(std::all_of(widths_m.begin(), widths_m.end(), [](double w) { return std::isfinite(w) && w >= 0; }));
   double left = 0.5 * std::accumulate(widths_m.begin(), widths_m.end(), 0.0);
   Boom out;
   for (const double width : widths_m) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -56,6 +57,7 @@ void require_room_for_log(std::size_t already, const char* what, const std::stri
 }
 
 JobFacts facts_of(const WorkLog& log) {
+  assert(log.positions == Positions::kLonLat);
   JobFacts out;
   out.from_s = out.to_s = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> lon, lat;

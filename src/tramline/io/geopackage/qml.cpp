@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <cmath>
 #include <pugixml.hpp>
 #include <sstream>
@@ -203,7 +204,10 @@ SymbolLayer simple_marker(const char* name, Colour fill, Colour edge, double siz
            {"angle", "0"}}};
 }
 
-std::string document(Shape shape, const std::vector<Rule>& rules) { return text_of(shape, rules, nullptr); }
+std::string document(Shape shape, const std::vector<Rule>& rules) {
+  assert(!rules.empty());
+  return text_of(shape, rules, nullptr);
+}
 
 std::string document(Shape shape, const std::vector<Rule>& rules, const Labels& labels) {
   return text_of(shape, rules, &labels);

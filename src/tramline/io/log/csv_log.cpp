@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -154,6 +155,7 @@ SkippedRecords CsvLog::skipped() const {
 
 WorkLog work_log_of(const CsvLog& csv, std::vector<Fix> fixes, std::span<const RecordedDistance> distances,
                     const std::string& crs, const std::string& place, double* width_unit_m) {
+  assert(csv.rows() != nullptr);
   WorkLog log;
   log.fixes = std::move(fixes);
   log.booms = csv.rows()->booms();

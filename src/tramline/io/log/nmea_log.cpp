@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -239,6 +240,7 @@ std::optional<Fix> NmeaLog::add(std::string_view line) {
 }
 
 WorkLog work_log_of(const NmeaLog& nmea, std::vector<Fix> fixes) {
+  assert(!fixes.empty());
   WorkLog log;
   log.fixes = std::move(fixes);
   log.booms = nmea.booms();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -61,6 +62,9 @@ std::optional<LengthUnit> unit_of(const WorkLog& log, std::span<const RecordedDi
 }  // namespace
 
 double settle_width_unit(WorkLog& log, std::span<const RecordedDistance> distances) {
+  assert(std::is_sorted(
+      distances.begin(), distances.end(),
+      [](const RecordedDistance& a, const RecordedDistance& b) { return a.record < b.record; }));
   const auto unit = unit_of(log, distances);
   if (!unit) {
     log.notes.emplace_back(

@@ -1,6 +1,7 @@
 #include "tramline/io/plan/common_frame.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -23,6 +24,7 @@ double difference_deg(double lon, double from) { return std::remainder(lon - fro
 }  // namespace
 
 LocalFrame common_frame(const std::vector<LocalFrame>& frames) {
+  assert(!frames.empty());
   const LocalFrame& first = frames.front();
   if (std::any_of(frames.begin(), frames.end(),
                   [&](const LocalFrame& frame) { return frame.geodetic != first.geodetic; }))

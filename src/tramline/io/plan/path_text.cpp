@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <iterator>
@@ -69,6 +70,7 @@ std::string written(Point p, Point offset) {
 }  // namespace
 
 std::string path_text(const Path& path, Point offset) {
+  assert(!path.empty());
   std::string out = written(path.front().from, offset);
   for (const PathSegment& segment : path)
     fmt::format_to(std::back_inserter(out), "; {} {}", written(segment.to, offset),

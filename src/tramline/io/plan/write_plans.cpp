@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cerrno>
 #include <cstdio>
 #include <system_error>
@@ -96,6 +97,7 @@ class HalfWritten {
 }  // namespace
 
 void write_plans(const std::vector<KeptPlan>& plans, const fs::path& path) {
+  assert(!plans.empty());
   const LocalFrame common = frame_for(plans);
   HalfWritten file(path);
   GdalErrors errors;
