@@ -38,6 +38,16 @@ TEST(Extended, EndsWhereItMeetsWhatExtendsTheOtherEnd) {
   EXPECT_NEAR(distance(out.path.back().to, {60, 20}), 0, 1e-9);
 }
 
+// Lines that end on the border of a box but for rounding: a segment of no length would have no heading.
+TEST(Extended, HasNoSegmentsWithoutADirection) {
+  const Path path{{{0, 50}, {100, 50}, 0}};
+  for (const double by_m : {0.0, 4e-16, 2e-14, 1e-10}) {
+    const Extended out = extended(path, by_m, by_m);
+    EXPECT_EQ(out.path, path) << by_m;
+  }
+  EXPECT_EQ(extended(path, 1, 1).path.size(), 3U);
+}
+
 // A hook whose end points at its own shaft.
 TEST(Extended, EndsWhereItMeetsThePath) {
   const Path path{{{10, 30}, {60, 30}, 0}, {{60, 30}, {60, 50}, 0.1}, {{60, 50}, {50, 40}, 0.1}};

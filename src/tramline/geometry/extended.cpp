@@ -18,6 +18,9 @@ double reach_ahead(Point p, Point direction, const Box& box) {
   return out;
 }
 
+/// An extension that is shorter has no direction, m.
+constexpr double kNothing_m = 1e-9;
+
 /// Share of the way from a to b at which the segment is first met. The path that begins at a does not count
 /// within a nanometre of it.
 std::optional<double> first_meeting(Point a, Point b, const PathSegment& segment) {
@@ -48,15 +51,15 @@ Extended extended(const Path& path, double at_start_m, double at_end_m) {
   const Point begin = path.front().from, end = path.back().to;
   const Point ahead = direction_at_end(path.back());
   const Point behind = -1 * direction_at_start(path.front());
-  if (at_start_m > 0) {
+  if (at_start_m > kNothing_m) {
     Point to = begin + at_start_m * behind;
     out.blocked_at_start = shorten(begin, to, path);
-    out.path.insert(out.path.begin(), {to, begin, 0});
+    if (distance(to, begin) > 0) out.path.insert(out.path.begin(), {to, begin, 0});
   }
-  if (at_end_m > 0) {
+  if (at_end_m > kNothing_m) {
     Point to = end + at_end_m * ahead;
     out.blocked_at_end = shorten(end, to, out.path);
-    out.path.push_back({end, to, 0});
+    if (distance(end, to) > 0) out.path.push_back({end, to, 0});
   }
   return out;
 }
