@@ -45,7 +45,7 @@ const char* name(Over over) {
 std::vector<SectionAhead> look_ahead(const TileCoverage& coverage, const Region& field, const Motion& motion,
                                      const Boom& boom, const std::vector<SectionState>& states,
                                      const SwitchRule& rule) {
-  assert(states.size() == boom.sections.size());
+  assert(states.size() == boom.size());
   const double reach_m = std::max(kLeastReach_m, motion.speed_mps * rule.horizon_s);
   const std::vector<Need> needs = need_ahead(coverage, motion, boom, reach_m);
   const Point ahead = motion.heading.unit(), left{-ahead.y, ahead.x};
