@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -122,7 +121,6 @@ double working_width_m(const WorkLog& log, const DriveSettings& drive) {
 
 Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& settings,
                   const FixProgress& progress, const StepSink& sink, const FurtherWork& further) {
-  assert(given.positions == Positions::kLocal);
   require_ground(given);
   const ThreadLimit limit(settings.threads);
   PreparedLog ready = prepared(std::move(given), settings.drive);

@@ -1,7 +1,6 @@
 #include "tramline/coverage/shape_drive.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -135,7 +134,6 @@ class ShapesInTurn {
 }  // namespace
 
 ShapeDrive shape_drive(const WorkLog& log, const DriveSettings& drive) {
-  assert(log.positions == Positions::kLocal);
   ShapesInTurn shapes(log, drive);
   for (const Fix& fix : log.fixes) shapes.add(fix);
   return shapes.finish();

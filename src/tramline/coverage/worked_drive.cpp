@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -73,7 +72,6 @@ std::string note_on_disorder(std::size_t fixes) {
 }
 
 PreparedLog prepared(WorkLog log, const DriveSettings& drive) {
-  assert(log.positions == Positions::kLocal);
   PreparedLog out{plausible(std::move(log)), drive, 0, {}};
   out.warnings = out.log.notes;
   if (const std::size_t disorder = out_of_order(out.log); disorder > 0) {

@@ -22,7 +22,6 @@ struct Headings {
 /// As direction_at_start and direction_at_end of a path's segment, without angles: this is called for
 /// every shape that a search looks at. Precondition: from != to.
 Headings headings(Point from, Point to, double curvature) {
-  assert(from != to);
   const Point chord = to - from;
   const double along = std::sqrt(dot(chord, chord));
   const double sine = std::clamp(0.5 * along * curvature, -1.0, 1.0);
