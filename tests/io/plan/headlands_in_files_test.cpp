@@ -237,7 +237,7 @@ TEST_F(HeadlandsInFiles, files_of_the_version_before_are_read) {
 }
 
 TEST_F(HeadlandsInFiles, other_versions_are_refused) {
-  for (const char* version : {"1", "6", "-3", "3.0", ""})
+  for (const char* version : {"1", "7", "-3", "3.0", ""})
     EXPECT_TRUE(says(metadata("format_version", version), {"format_version", "metadata"}));
 }
 
