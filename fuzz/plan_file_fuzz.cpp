@@ -10,6 +10,7 @@
 #include <string>
 
 #include "memory_file.h"
+#include "support/small_plan.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/plan/read_plan.h"
 #include "tramline/io/plan/write_plan.h"
@@ -24,14 +25,7 @@ const fuzz::MemoryFolder& folder() {
 }
 
 std::string sound_file() {
-  Plan plan;
-  plan.field.id = "small";
-  plan.field.outer = {{0, 0}, {100, 0}, {100, 6}, {0, 6}};
-  plan.field.frame = {true, 13, 52, 0, 0};
-  plan.body = {{plan.field.outer, {}}};
-  plan.subfields = {{plan.body[0], Direction::clockwise_from_north(Angle::degrees(90))}};
-  plan.pieces = {{{0, 1.5}, {100, 1.5}, 0, 0}, {{100, 4.5}, {0, 4.5}, 0, 1}};
-  io::write_plan(plan, folder().at("sound.gpkg"));
+  io::write_plan(testing_support::small_plan(), folder().at("sound.gpkg"));
   std::ifstream file(folder().at("sound.gpkg"), std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }

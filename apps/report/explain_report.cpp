@@ -62,22 +62,14 @@ bool is_worth_a_row(const CausePart& part) {
   return std::abs(part.overlap_m2) >= kShown_m2 || std::abs(part.uncovered_m2) >= kShown_m2 || part.count > 0;
 }
 
-std::string directions_text(const std::vector<Direction>& directions) {
-  constexpr std::size_t kShown = 4;
-  std::string out;
-  for (std::size_t i = 0; i < directions.size() && i < kShown; ++i)
-    out += fmt::format("{}{:.2f}°", i > 0 ? ", " : "", directions[i].degrees());
-  if (directions.size() > kShown) out += ", …";
-  return out;
-}
-
 std::string runner_up_row(std::size_t place, const RunnerUp& plan, double cost) {
+  constexpr std::size_t kShown = 4;
   const CostDifference& more = plan.more;
   return fmt::format("  {:<14}{:>12.2f}{:>12}{:>8.1f} %  {:<10}{:>10}{:>11}{:>10}{:>10}  {} ({})\n", place,
                      plan.cost, difference_text(more.sum()), shown(percent(more.sum(), cost), 0.05),
                      main_reason(more), difference_text(more.overlap), difference_text(more.uncovered),
                      difference_text(more.turns), difference_text(more.stops), plan.directions.size(),
-                     directions_text(plan.directions));
+                     directions_text(plan.directions, kShown));
 }
 
 std::string runner_up_rows(const Explanation& why, double cost) {

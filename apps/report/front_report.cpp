@@ -52,13 +52,12 @@ std::string head_row() {
 }
 
 std::string point_row(const Front& front, std::size_t index) {
-  constexpr std::size_t kDirectionsShown = 2;
+  constexpr std::size_t kShown = 2;
   const FrontPoint& point = front.points[index];
   return fmt::format(kRow, index + 1, fmt::format("{:.1f} m²", plain_zero(point.tally.overlap_m2)),
                      fmt::format("{:.1f} m²", plain_zero(point.tally.uncovered_m2)), point.tally.turns,
-                     point.tally.stops, point.directions.size(),
-                     directions_text(point.directions, kDirectionsShown), fmt::format("{:.2f}", point.cost),
-                     fmt::join(marks_of(front, index), ", "));
+                     point.tally.stops, point.directions.size(), directions_text(point.directions, kShown),
+                     fmt::format("{:.2f}", point.cost), fmt::join(marks_of(front, index), ", "));
 }
 
 /// The winners for the prices asked for, and what stands apart.

@@ -132,10 +132,10 @@ std::string line_rows(const Plan& plan) {
 
 std::string tally_rows(const Plan& plan) {
   const Tally& tally = plan.tally;
-  constexpr std::size_t kDirectionsShown = 8;
+  constexpr std::size_t kShown = 8;
   std::string out;
   out += fmt::format("subfields    {} (direction {})\n", plan.subfields.size(),
-                     directions_text(directions_of(plan), kDirectionsShown));
+                     directions_text(directions_of(plan), kShown));
   out += headland_rows(plan) + line_rows(plan);
   out +=
       fmt::format("tracks       {}, {:.1f} m in all; by themselves overlap {:.1f} m², uncovered {:.1f} m²\n",

@@ -46,14 +46,14 @@ std::vector<Direction> worked_directions(const Plan& plan) {
 
 /// "74 tracks at 92.53° and 8 headland passes"
 std::string passes_text(const Plan& plan) {
-  constexpr std::size_t kDirectionsShown = 4;
+  constexpr std::size_t kShown = 4;
   const bool curved = is_curved(plan);
   std::string out;
   if (!plan.pieces.empty())
     out = fmt::format(
         "{} at {}",
         counted(plan.pieces.size(), curved ? "curved track" : "track", curved ? "curved tracks" : "tracks"),
-        directions_text(worked_directions(plan), kDirectionsShown));
+        directions_text(worked_directions(plan), kShown));
   const std::size_t round = plan.headland.passes.size();
   if (round == 0) return out;
   return out + (out.empty() ? "" : " and ") + counted(round, "headland pass", "headland passes");

@@ -13,8 +13,6 @@ namespace {
 
 using namespace testing_plans;
 
-Names found(const Plan& plan) { return rules(check::verify(plan)); }
-
 TEST(Blindness, swath_moved_into_an_obstacle) {
   Plan plan = obstacle_plan();
   // From behind the obstacle's edge to 10 cm before its other side.
@@ -143,6 +141,24 @@ TEST(Blindness, layers_of_land_that_are_not_so) {
   const Plan missed = triangle_plan(EndRule::kInside, 1);
   EXPECT_EQ(with(missed, [](Plan& p) { p.uncovered.pop_back(); }), Names{"tally"});
   EXPECT_EQ(with(missed, [](Plan& p) { p.uncovered.push_back(p.uncovered.front()); }), Names{"tally"});
+}
+
+/// A track beside the land, whose swath's side runs along its edge from one end to the other but for a slant.
+TEST(Blindness, land_along_the_side_of_a_swath) {
+  const auto slanted_by = [](double slant_m) {
+    Plan plan = rectangle_plan();  // 30 m high, 3 m wide
+    plan.settings.end_rule = EndRule::kCover;
+    plan.field.outer = {{0, 0}, {100, 0}, {100, 30 + slant_m}, {0, 30 - slant_m}};
+    plan.body = {{plan.field.outer, {}}};
+    plan.subfields[0].shape = plan.body[0];
+    TrackPiece beside = plan.pieces.back();
+    beside.start.y = beside.end.y = 31.5;
+    beside.track += 1;
+    plan.pieces.push_back(beside);
+    return found(settled(plan)).count("ends");
+  };
+  EXPECT_EQ(slanted_by(4e-7), 0u);  // as much as rounding moves an edge
+  EXPECT_EQ(slanted_by(1e-3), 1u);
 }
 
 TEST(Blindness, piece_prolonged_past_its_end_rule) {

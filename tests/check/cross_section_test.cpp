@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 #include "check/plans.h"
 
 namespace tramline {
@@ -39,6 +42,27 @@ TEST(CrossSection, holes_count_as_outside) {
   EXPECT_NEAR(below.from_m, 8, 1e-9);
   EXPECT_NEAR(below.length(), 1, 1e-9);
   EXPECT_NEAR(below.least_m, 2, 1e-9);
+}
+
+/// An arc of 85 km that ends along an edge of the land, half a width beside it: all but a sliver is inside.
+TEST(CrossSection, land_that_ends_along_the_left_of_an_arc) {
+  constexpr double kRadius_m = 85e3, kLength_m = 800, kHalf_m = 6;
+  const double turn = kLength_m / kRadius_m;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place_m(-2000, 2000), angle(-3, 3), off_m(-3e-7, 3e-7);
+  for (int i = 0; i < 300; ++i) {
+    const Point end{place_m(random), place_m(random)}, heading = turned({1, 0}, angle(random)),
+                                                       left = left_of(heading);
+    const Point start = end - 2 * kRadius_m * std::sin(turn / 2) * tramline::turned(heading, -turn / 2);
+    const Point beside = end + (kHalf_m + off_m(random)) * left;
+    const Polygon land{{beside - 900 * heading, beside - 900 * heading - 100 * left,
+                        beside + 500 * heading - 100 * left, beside + 500 * heading},
+                       {}};
+    // It bows out by 800² / (2 · 85,000) = 3.8 m: 8.2 of 12 m are left.
+    const Path arc{{start, end, 1 / kRadius_m}};
+    EXPECT_EQ(longest_below(land, arc, kHalf_m, 8).length(), 0) << i;
+    EXPECT_NEAR(longest_below(land, arc, kHalf_m, 11).to_m, kLength_m - std::sqrt(2 * kRadius_m), 0.1) << i;
+  }
 }
 
 TEST(CrossSection, clipped_areas_are_right_down_to_a_square_micrometre) {

@@ -16,12 +16,23 @@ namespace {
 
 using namespace testing_plans;
 
-Names found(const Plan& plan) { return rules(check::verify(plan)); }
-
 void replace_curve(TrackPiece& piece, const Path& curve) {
   piece.curve = curve;
   piece.start = curve.front().from;
   piece.end = curve.back().to;
+}
+
+/// Both halves of the land are subfields, and every track is in both.
+TEST(CurvedPlans, tracks_go_through_parts_that_lie_side_by_side) {
+  Plan plan = arcs_plan();
+  const Polygon first{ring_sector(30, 45, 0, 45), {}}, second{ring_sector(30, 45, 45, 90), {}};
+  const Direction direction = plan.subfields[0].direction;
+  plan.body = {first, second};
+  plan.subfields = {{first, direction}, {second, direction}};
+  EXPECT_EQ(found(settled(plan)).count("ends"), 0u);
+  plan.body = {first};
+  plan.subfields.pop_back();
+  EXPECT_EQ(found(settled(plan)).count("ends"), 1u);
 }
 
 TEST(CurvedPlans, arcs_about_one_point_hold_under_every_end_rule) {

@@ -19,8 +19,6 @@ using namespace testing_plans;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-Names found(const Plan& plan) { return rules(check::verify(plan)); }
-
 /// The east-going piece with the detour on its left, after a change; with the figures that follow.
 Plan changed(const std::function<void(TrackPiece&)>& change) {
   Plan plan = poles_plan();

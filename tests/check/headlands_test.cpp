@@ -18,8 +18,6 @@ using namespace testing_plans;
 /// Between a right angle and a rounding of 1 m.
 const double kCornerShare = 1 - std::numbers::pi / 4;
 
-Names found(const Plan& plan) { return rules(check::verify(plan)); }
-
 Ring shifted(Ring ring, Point by) {
   for (Point& p : ring) p = p + by;
   return ring;

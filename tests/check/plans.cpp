@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tramline/check/bands.h"
+#include "tramline/check/verify.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/track_frame.h"
 
@@ -59,12 +60,6 @@ Point on_circle(double radius_m, double degrees) {
 
 Path arc_about_origin(double radius_m, double from_deg, double to_deg) {
   return {{on_circle(radius_m, from_deg), on_circle(radius_m, to_deg), 1 / radius_m}};
-}
-
-/// Between two circles about the origin and two angles.
-Ring ring_sector(double inner_m, double outer_m, double from_deg, double to_deg) {
-  const Path middle = arc_about_origin(0.5 * (inner_m + outer_m), from_deg, to_deg);
-  return check::bands_along(middle, outer_m - inner_m, kLayerSagitta)[0].outer;
 }
 
 }  // namespace
@@ -350,6 +345,11 @@ TrackPiece arc_piece(int track, double from_deg, double to_deg) {
   return piece;
 }
 
+Ring ring_sector(double inner_m, double outer_m, double from_deg, double to_deg) {
+  const Path middle = arc_about_origin(0.5 * (inner_m + outer_m), from_deg, to_deg);
+  return check::bands_along(middle, outer_m - inner_m, kLayerSagitta)[0].outer;
+}
+
 Plan arcs_plan() {
   Plan plan;
   plan.field.id = "arcs";
@@ -415,6 +415,8 @@ std::set<std::string> rules(const check::Verdict& verdict) {
   for (const check::Violation& violation : verdict.violations) out.insert(violation.rule);
   return out;
 }
+
+Names found(const Plan& plan) { return rules(check::verify(plan)); }
 
 void expect_holds(const Plan& plan) {
   const check::Verdict verdict = check::verify(plan);

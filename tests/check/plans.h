@@ -77,6 +77,8 @@ Plan island_plan();
 /// By how much the pass of 3 m keeps off the sides of that obstacle, if it is to keep 1.5 m off its corners.
 double wide_corner_m();
 
+/// Between two circles about the origin and two angles.
+Ring ring_sector(double inner_m, double outer_m, double from_deg, double to_deg);
 /// A quarter of a ring between circles of 30 m and 45 m about the origin, from east to north, with five
 /// tracks of 3 m along arcs about the same point, driven to and fro.
 Plan arcs_plan();
@@ -92,6 +94,8 @@ Plan turned(Plan plan, Angle by, Point move);
 /// The names of the rules violated.
 std::set<std::string> rules(const check::Verdict& verdict);
 using Names = std::set<std::string>;
+/// Names of the rules that a plan breaks.
+Names found(const Plan& plan);
 
 /// Fails the running test with every violation.
 void expect_holds(const Plan& plan);

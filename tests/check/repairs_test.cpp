@@ -9,8 +9,6 @@ namespace {
 
 using namespace testing_plans;
 
-Names found(const Plan& plan) { return rules(check::verify(plan)); }
-
 /// Two gaps of 4 × 20 m in line, 30 m apart, in a square of 100 m, worked by one line along x = 50 with
 /// w = 4: two pieces of 20 m, nothing in vain.
 Plan repair() {

@@ -66,6 +66,16 @@ TEST(TrackLines, roll_round_corners) {
   EXPECT_TRUE(check::holds(*path, on_arc));
   EXPECT_FALSE(check::holds(*path, on_arc + Point{0.002, -0.002}));
 
+  // 8 cm round the corner the arc is half a millimetre off the side that it leaves: on the line both ways.
+  const double turned = 0.08 / 6;
+  const Point early{10.5 - 6 * std::cos(turned), -0.5 + 6 * std::sin(turned)};
+  const auto rest = lines.between(1, early, {0, 1}, {20, 5.5}),
+             before = lines.between(1, {4.5, -20}, {0, 1}, early);
+  ASSERT_TRUE(rest);
+  EXPECT_NEAR(length(*rest), 6 * (std::numbers::pi / 2 - turned) + 9.5, 1e-5);
+  ASSERT_TRUE(before);
+  EXPECT_NEAR(length(*before), 19.5 + 0.08, 1e-5);
+
   const check::TrackLine line = lines.line(1);
   EXPECT_TRUE(line.rolls_round_corner(arc, on_arc));
   EXPECT_FALSE(line.rolls_round_corner({arc.from, arc.to, -1 / 6.01}, on_arc));

@@ -25,7 +25,7 @@ namespace {
 
 using namespace testing_logs;
 
-Region square(double side_m) { return {{{{0, 0}, {side_m, 0}, {side_m, side_m}, {0, side_m}}, {}}}; }
+Region square_field(double side_m) { return {{{{0, 0}, {side_m, 0}, {side_m, side_m}, {0, side_m}}, {}}}; }
 
 /// Up and down over about 60 m, and whatever goes wrong in logs: each fault in some of them only.
 WorkLog random_log(std::mt19937_64& random) {
@@ -107,7 +107,7 @@ void for_random_rounds(int rounds, const std::function<void(const Round&, std::m
 }
 
 TEST(LiveCoverage, IsEvaluateAfterEveryFixWhereItSaysSoAndWhereItIsAskedTo) {
-  const Region field = square(60);
+  const Region field = square_field(60);
   std::size_t settled = 0, rebuilt = 0;
   for_random_rounds(60, [&](const Round& round, std::mt19937_64&) {
     const auto& [log, settings] = round;
@@ -147,7 +147,7 @@ TEST(LiveCoverage, IsEvaluateAfterEveryFixWhereItSaysSoAndWhereItIsAskedTo) {
 }
 
 TEST(LiveCoverage, DoubtsGroundThatIsWorkedAgainAndAgain) {
-  const Region field = square(60);
+  const Region field = square_field(60);
   EvaluateSettings settings;
   settings.drive.width_m = 5;
   LiveCoverage live(field, settings);
@@ -192,7 +192,7 @@ void expect_same_ground(const Region& tiles, const Region& whole, double toleran
 // However seldom somebody asks, and whatever was worked anew meanwhile: what changed, tile by tile, adds up
 // to the whole of it.
 TEST(LiveCoverage, WhoFollowsTheChangesHasAllGround) {
-  const Region field = square(60);
+  const Region field = square_field(60);
   std::size_t afresh = 0, compared = 0;
   for_random_rounds(40, [&](const Round& round, std::mt19937_64& random) {
     const auto& [log, settings] = round;
@@ -289,7 +289,7 @@ LiveCoverage driven_north(const Region& field, double speed_mps, int fixes, doub
   return out;
 }
 
-// 20 m square, at y = 16 after four fixes: 4 m to its end at 2 m/s.
+// 20 m square_field, at y = 16 after four fixes: 4 m to its end at 2 m/s.
 TEST(LiveCoverage, LooksAheadFromTheLastFix) {
   const Region field{{{{40, 0}, {60, 0}, {60, 20}, {40, 20}}, {}}};
   for (const double logged_mps : {std::nan(""), 2.0, 4.0}) {
@@ -310,7 +310,7 @@ TEST(LiveCoverage, LooksAheadFromTheLastFix) {
 }
 
 TEST(LiveCoverage, DoesNotLookAheadOfAnUnknownWay) {
-  const Region field = square(20);
+  const Region field = square_field(20);
   EXPECT_FALSE(LiveCoverage(field, {}).look_ahead({}));
   EXPECT_FALSE(driven_north(field, 2, 1, std::nan("")).look_ahead({})) << "one fix has no course";
 }

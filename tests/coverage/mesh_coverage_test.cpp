@@ -22,7 +22,7 @@ using testing_meshes::together;
 using testing_routes::pentagon;
 using testing_routes::PentagonRoute;
 
-Quad box(double min_x, double min_y, double max_x, double max_y) {
+Quad quad_box(double min_x, double min_y, double max_x, double max_y) {
   return {Point{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
 }
 Ring ring(const Quad& quad) { return {quad.begin(), quad.end()}; }
@@ -45,11 +45,11 @@ Bar bar(Point at, double heading_rad, double width_m) {
 Quad between(const Bar& rear, const Bar& front) { return {rear.left, rear.right, front.right, front.left}; }
 
 TEST(MeshCoverage, TwoRowsByHand) {
-  const Region field{{ring(box(0, 0, 10, 10)), {}}};
+  const Region field{{ring(quad_box(0, 0, 10, 10)), {}}};
   MeshCoverage engine(field, 0.5);
   EXPECT_DOUBLE_EQ(engine.areas().missed_m2, 100);
-  engine.add(step({box(-2, 0, 4, 12)}));
-  engine.add(step({box(3, 5, 7, 10), box(7, 5, 8, 10)}));
+  engine.add(step({quad_box(-2, 0, 4, 12)}));
+  engine.add(step({quad_box(3, 5, 7, 10), quad_box(7, 5, 8, 10)}));
   const CoverageAreas areas = engine.areas();
   EXPECT_DOUBLE_EQ(areas.gross_m2, 72 + 25);
   EXPECT_DOUBLE_EQ(areas.covered_m2, 72 + 20);
@@ -63,7 +63,7 @@ TEST(MeshCoverage, TwoRowsByHand) {
   EXPECT_TRUE(std::isnan(areas.worked_times_m2[2]) && std::isnan(areas.worked_times_m2[3]));
   const double half = 0.25;  // centres of meshes lie half a mesh beyond lines of the grid
   EXPECT_EQ(engine.region(Ground::kRepeated),
-            (Region{{ring(box(3 + half, 5 + half, 4 + half, 10 + half)), {}}}));
+            (Region{{ring(quad_box(3 + half, 5 + half, 4 + half, 10 + half)), {}}}));
   EXPECT_DOUBLE_EQ(area(engine.region(Ground::kOutside)), 32);
   EXPECT_DOUBLE_EQ(area(engine.region(Ground::kMissed)), 40);
   EXPECT_DOUBLE_EQ(area(engine.region(Ground::kOnce)), 87);
@@ -72,7 +72,7 @@ TEST(MeshCoverage, TwoRowsByHand) {
 
 TEST(MeshCoverage, WithoutAFieldAllIsOutsideAndNothingMissed) {
   MeshCoverage engine({}, 0.5);
-  engine.add(step({box(1, 1, 3, 5)}));
+  engine.add(step({quad_box(1, 1, 3, 5)}));
   const CoverageAreas areas = engine.areas();
   EXPECT_DOUBLE_EQ(areas.covered_m2, 8);
   EXPECT_DOUBLE_EQ(areas.outside_m2, 8);
@@ -86,20 +86,20 @@ TEST(MeshCoverage, WhatItCannotDoIsRefusedAndChangesNothing) {
   MeshCoverage engine({}, 0.05);
   EXPECT_REFUSED(engine.region(Ground::kTwice));
   EXPECT_REFUSED(engine.region(Ground::kOften));
-  EXPECT_REFUSED(engine.add(step({box(0, 0, 1, 1), box(1e7, 0, 1e7 + 1, 1)})));
+  EXPECT_REFUSED(engine.add(step({quad_box(0, 0, 1, 1), quad_box(1e7, 0, 1e7 + 1, 1)})));
   EXPECT_EQ(engine.areas().gross_m2, 0);
 }
 
 TEST(MeshCoverage, RandomQuadsCornerByCorner) {
-  constexpr int kLow = -24, kHigh = 24;
+  constexpr int kBottom = -24, kTop = 24;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937_64 random(seed);
     const std::vector<Ring> field = testing_meshes::random_rings(random, 17, 0.25);
     Region region{{field[0], {}}};
     MeshCoverage engine(region, 1);
-    const CornerSet wanted = corners_of({field[0]}, kLow, kHigh);
-    CornerSet covered(kLow, kHigh), repeated(kLow, kHigh);
+    const CornerSet wanted = corners_of({field[0]}, kBottom, kTop);
+    CornerSet covered(kBottom, kTop), repeated(kBottom, kTop);
     std::int64_t gross = 0;
     std::uniform_real_distribution<double> place(-15, 15), off(-7, 7);
     for (int i = 0; i < 25; ++i) {
@@ -107,9 +107,9 @@ TEST(MeshCoverage, RandomQuadsCornerByCorner) {
       Quad quad;
       for (Point& corner : quad) corner = rounded(at + Point{off(random), off(random)});
       if (i % 5 == 4)
-        quad = box(std::round(at.x), std::round(at.y), std::round(at.x) + 5, std::round(at.y) + 3);
+        quad = quad_box(std::round(at.x), std::round(at.y), std::round(at.x) + 5, std::round(at.y) + 3);
       engine.add(step({quad}));
-      const CornerSet ground = corners_of({ring(quad)}, kLow, kHigh);
+      const CornerSet ground = corners_of({ring(quad)}, kBottom, kTop);
       gross += ground.count();
       const CornerSet again = together(ground, covered, [](bool a, bool b) { return a && b; });
       repeated = together(repeated, again, [](bool a, bool b) { return a || b; });

@@ -27,7 +27,7 @@ std::vector<WorkedStep> steps_of(const std::vector<Fix>& fixes, const DriveSetti
 
 double area_of(const Quad& quad) { return std::abs(signed_area(Ring(quad.begin(), quad.end()))); }
 
-double gross_m2(const std::vector<WorkedStep>& steps) {
+double quads_m2(const std::vector<WorkedStep>& steps) {
   double sum = 0;
   for (const WorkedStep& step : steps)
     for (const Quad& quad : step.quads) sum += area_of(quad);
@@ -108,10 +108,10 @@ TEST(StepMaker, WidthChangesHalfWayToo) {
   fixes[1].boom = 1;
   const std::vector<Boom> booms = {boom(1, 4), boom(1, 2)};
   const std::vector<WorkedStep> half_way = steps_of(fixes, {}, booms);
-  EXPECT_NEAR(gross_m2(half_way), 1 * 4 + 1 * 2, 1e-9);
+  EXPECT_NEAR(quads_m2(half_way), 1 * 4 + 1 * 2, 1e-9);
   DriveSettings settings;
   settings.switching = Switching::kStep;
-  EXPECT_NEAR(gross_m2(steps_of(fixes, settings, booms)), 2 * 4, 1e-9);
+  EXPECT_NEAR(quads_m2(steps_of(fixes, settings, booms)), 2 * 4, 1e-9);
 }
 
 TEST(StepMaker, AdjacentSectionsAreOneQuad) {
@@ -175,10 +175,10 @@ TEST(StepMaker, TheImplementIsWhereTheMachineCarriesIt) {
 TEST(StepMaker, SlowWorkIsNotLost) {
   std::vector<Fix> fixes;
   for (int i = 0; i <= 1000; ++i) fixes.push_back(fix(i / 50.0, {i * 0.01, 0}));
-  EXPECT_NEAR(gross_m2(steps_of(fixes)), 10 * 4, 0.1);
+  EXPECT_NEAR(quads_m2(steps_of(fixes)), 10 * 4, 0.1);
   DriveSettings settings;
   settings.quads = QuadShape::kSegment;
-  EXPECT_NEAR(gross_m2(steps_of(fixes, settings)), 10 * 4, 0.1);
+  EXPECT_NEAR(quads_m2(steps_of(fixes, settings)), 10 * 4, 0.1);
 }
 
 // Standing with the receiver's noise of a centimetre, the course stays what it was.
@@ -220,7 +220,7 @@ TEST(StepMaker, WithoutAWidthNothingIsWorked) {
   EXPECT_EQ(maker.breaks().without_width, 2U);
   DriveSettings settings;
   settings.width_m = 3;
-  EXPECT_NEAR(gross_m2(steps_of({a, b}, settings, {})), 6, 1e-9);
+  EXPECT_NEAR(quads_m2(steps_of({a, b}, settings, {})), 6, 1e-9);
 }
 
 }  // namespace

@@ -140,16 +140,6 @@ TEST(LayeredArea, OfABandIsItsWidthTimesItsLength) {
 }
 
 // Slanting ends, arcs of which y turns on the outer side only, a whole turn, a point instead of an arc.
-// Where stretches of a path meet there may be a segment of rounding, that heads anywhere: the band goes on
-// past it.
-TEST(LayeredArea, OfABandWithASegmentOfRounding) {
-  for (const Point stray : {Point{0, 1e-13}, Point{1e-13, 0}, Point{2e-7, -3e-6}}) {
-    RisingCurves curves = boxed();
-    append_band({{{0, -3}, {0, 0}, 0}, {{0, 0}, stray, 0}, {stray, {0, 9}, 0}}, 2, Layer::kNew, curves);
-    EXPECT_NEAR(new_area(curves), 2 * 12, 1e-5);
-  }
-}
-
 TEST(LayeredArea, OfABandInAnyDirection) {
   for (int i = 0; i < 24; ++i) {
     const double angle = i * kPi / 12 + 0.01, c = std::cos(angle), s = std::sin(angle);

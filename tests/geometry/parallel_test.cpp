@@ -161,6 +161,34 @@ TEST(Parallel, ReachesEveryLobe) {
   EXPECT_NEAR(area(unite(all)), area(all), 1e-5 * area(all));
 }
 
+/// 50 m straight on, 10 m along an arc to the right, 50 m straight on. Half way along the arc stand 0.1 µm
+/// that head 1 nrad further to the left than the arc does, as where stretches meet that are joined in
+/// floating point.
+Path arc_with_a_joint() {
+  constexpr double kRadius_m = 30, kHalf_rad = 5 / kRadius_m, kJoint_m = 1e-7, kTurned_rad = 1e-9;
+  const auto ahead = [](Point from, double heading_rad, double length_m) {
+    return from + length_m * Point{std::cos(heading_rad), std::sin(heading_rad)};
+  };
+  const auto along_arc = [&](Point from, double heading_rad) {
+    return ahead(from, heading_rad - 0.5 * kHalf_rad, 2 * kRadius_m * std::sin(0.5 * kHalf_rad));
+  };
+  const Point a{50, 0}, b = along_arc(a, 0), c = ahead(b, -kHalf_rad + kTurned_rad, kJoint_m),
+                        d = along_arc(c, -kHalf_rad), e = ahead(d, -2 * kHalf_rad, 50);
+  return {{{0, 0}, a, 0}, {a, b, -1 / kRadius_m}, {b, c, 0}, {c, d, -1 / kRadius_m}, {d, e, 0}};
+}
+
+// 300 m to the left of the joint, 1 nrad is 0.3 µm: three times the joint, and backwards. The heading of such
+// a step back is that of the track turned round, and so would its band be.
+TEST(Parallel, NeverStepsBackWhereHeadingsMeetButForRounding) {
+  const std::vector<ParallelTrack> tracks = parallel(arc_with_a_joint(), -300.5, {6, 3});
+  ASSERT_EQ(tracks.size(), 1u);
+  const Path& path = tracks.front().path;
+  ASSERT_GE(path.size(), 4u);
+  for (std::size_t i = 1; i < path.size(); ++i)
+    EXPECT_GT(dot(path[i].to - path[i].from, path[i - 1].to - path[i - 1].from), 0) << i;
+  EXPECT_NEAR(length(path), 100 + 10 * (30 + 300.5) / 30, 1e-4);
+}
+
 TEST(Parallel, FamilyIsWhatTheTracksAreOneByOne) {
   const Path reference = extended(kinked(1.2, 6), Box{-100, -100, 150, 150}).path;
   const TrackLimits limits{6, 3};

@@ -127,13 +127,6 @@ TEST(SearchEnd, ComesWithAPlanHoweverSoonItIsWanted) {
   EXPECT_LE(plan_field(field, {}, {}, {}, 0, at_once).proof.bound, whole.cost);
 }
 
-TEST(SearchEnd, IsNoneWhereItComesTooLate) {
-  Field field = wavy_field();
-  for (Point& p : field.outer) p = 0.2 * p;
-  const Plan plan = plan_field(field, {}, {}, {}, 0, [](int, int) { return Demand::kGoOn; });
-  EXPECT_FALSE(plan.proof.cut_short);
-}
-
 TEST(Pulse, BeatsOnTheThreadsThatWorkForIt) {
   std::atomic<int> calls = 0;
   const Progress progress = [&](int, int) {

@@ -18,7 +18,6 @@ namespace {
 using std::chrono::duration;
 using std::chrono::milliseconds;
 
-constexpr auto kFrameEvery = milliseconds(static_cast<int>(kFrameEvery_s * 1000));
 /// No fix waits longer than this for others to be shown with, and no two frames are closer together than
 /// that: what is left of a tenth of a second is for making, sending and drawing the frame.
 constexpr auto kLongestWait = milliseconds(50), kFrameApart = milliseconds(30);
@@ -28,8 +27,6 @@ constexpr std::size_t kTimesKept = 64;
 constexpr double kStalled_s = 3;
 /// States that somebody who reads late may still get.
 constexpr std::size_t kStatesKept = 100;
-/// Places of a whole way that are closer together than this are one for the eye, m.
-constexpr double kEye_m = 0.25;
 
 }  // namespace
 

@@ -13,11 +13,8 @@ namespace {
 using std::chrono::duration;
 using std::chrono::milliseconds;
 
-constexpr auto kFrameEvery = milliseconds(static_cast<int>(kFrameEvery_s * 1000));
 /// So many fixes between two looks at the clock.
 constexpr std::size_t kBetweenLooks = 64;
-/// Places of a whole way that are closer together than this are one for the eye, m.
-constexpr double kEye_m = 0.25;
 
 bool works(const Fix& fix, const coverage::PreparedLog& ready) {
   const Boom one{{1, -1}};

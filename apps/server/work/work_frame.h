@@ -1,6 +1,7 @@
 #pragma once
 // What is new of a drive, for somebody who follows it.
 
+#include <chrono>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -15,8 +16,10 @@
 
 namespace tramline::server {
 
-/// Frames are this far apart at least, s.
-inline constexpr double kFrameEvery_s = 0.1;
+/// Places of a whole way that are closer together than this are one for the eye, m.
+inline constexpr double kEye_m = 0.25;
+/// Frames are this far apart at least.
+inline constexpr std::chrono::milliseconds kFrameEvery{100};
 
 /// How far the work is.
 struct WorkFigures {

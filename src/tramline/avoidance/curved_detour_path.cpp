@@ -15,7 +15,7 @@ namespace {
 constexpr double kStep = 1e-2;
 constexpr double kNear = 1e-12;
 /// Places that are looked at where something is in the way, this far apart at most, m.
-constexpr double kLook = 0.25;
+constexpr double kLookEvery_m = 0.25;
 
 struct Nearest {
   double distance_m = std::numeric_limits<double>::infinity();
@@ -82,7 +82,7 @@ class WayBack {
   template <class Missing>
   bool begin_where_lacking(Missing missing, double& place) const {
     const double from = track_.blocked_from, to = track_.blocked_to;
-    const int looks = 1 + static_cast<int>((to - from) / kLook);
+    const int looks = 1 + static_cast<int>((to - from) / kLookEvery_m);
     for (int i = looks; i >= 0; --i) {
       place = from + (to - from) * i / looks;
       if (missing(place) >= 0) return true;
@@ -129,7 +129,7 @@ TrackLine mirrored(const Path& track, const TrackLine& line) {
 /// Does any disc reach over the track?
 bool reaches_over(const Hull& hull, const TrackLine& track) {
   const double from = track.blocked_from, to = track.blocked_to;
-  const int looks = 1 + static_cast<int>((to - from) / kLook);
+  const int looks = 1 + static_cast<int>((to - from) / kLookEvery_m);
   for (int i = 0; i <= looks; ++i) {
     const Point p = track.places.at(from + (to - from) * i / looks).at;
     const Nearest nearest = nearest_on(hull, p);
@@ -140,7 +140,7 @@ bool reaches_over(const Hull& hull, const TrackLine& track) {
 
 /// Its headings stay so near to the frame's x that "up" is the side of passing.
 bool goes_ahead(const PathPlaces& places, double from, double to) {
-  const int looks = 1 + static_cast<int>((to - from) / kLook);
+  const int looks = 1 + static_cast<int>((to - from) / kLookEvery_m);
   for (int i = 0; i <= looks; ++i)
     if (places.at(from + (to - from) * i / looks).heading.x < std::cos(kSteepest)) return false;
   return true;

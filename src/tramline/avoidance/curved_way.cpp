@@ -115,9 +115,9 @@ class Search {
 
   /// What the swath takes between two positions: how far along in the frame, and how low.
   Box reach_between(Interval range) const {
-    constexpr double kLook = 1;
+    constexpr double kEvery_m = 1;
     const double half = 0.5 * o_.width_m;
-    const int looks = 1 + static_cast<int>(range.length() / kLook);
+    const int looks = 1 + static_cast<int>(range.length() / kEvery_m);
     Box out;
     for (int i = 0; i <= looks; ++i) {
       const PathPlace on = line_.places.at(range.from + range.length() * i / looks);

@@ -10,18 +10,22 @@ namespace tramline::check {
 namespace {
 
 /// An edge of the land, and the spokes that meet it: between two angles from the arc's middle.
-struct Edge {
+struct ArcEdge {
   Point a;
   Point b;
   double first = 0;
   double last = 0;
 };
 
+/// Inside and outside are told this far left of the cross-section, and followed from there. Its own end will
+/// not do: an edge of the land may run along it from one end of the arc to the other.
+constexpr double kBeyond_m = 1.37e-3;
+
 /// One arc of a path over a piece of land.
 class Spokes {
  public:
   Spokes(const Polygon& land, const PathSegment& arc, double half_m)
-      : land_(land),
+      : rings_(rings_of({land})),
         centre_(tramline::centre(arc)),
         radius_(radius(arc)),
         sense_(arc.curvature > 0 ? 1 : -1),
@@ -29,27 +33,31 @@ class Spokes {
         length_(tramline::length(arc)),
         middle_(spoke(0.5 * length_)),
         half_(half_m) {
-    const Box near = bounds(arc.from, arc.to).grown(0.5 * distance(arc.from, arc.to) + half_m);
-    for (const Ring& ring : rings_of({land}))
+    const Box near = bounds(arc.from, arc.to).grown(0.5 * distance(arc.from, arc.to) + half_m + kBeyond_m);
+    for (const Ring& ring : rings_)
       for (std::size_t i = 0; i < ring.size(); ++i)
         keep_near(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0], near);
   }
 
-  /// Between two neighbouring places the same edges meet the swath, and the near end of the cross-section is
-  /// inside all the way or not at all.
+  /// Between two neighbouring places the same edges meet the swath, and what lies just beyond its left side
+  /// is inside all the way or not at all.
   void look_between(double from_m, double to_m) {
     const double first = angle_at(from_m), last = angle_at(to_m);
     met_.clear();
-    for (const Edge& edge : edges_)
+    for (const ArcEdge& edge : edges_)
       if (edge.last >= first && edge.first <= last) met_.push_back(edge);
-    left_inside_ = contains(land_, place(0.5 * (from_m + to_m), -half_));
+    const Point beyond = place(0.5 * (from_m + to_m), -half_ - kBeyond_m);
+    inside_beyond_ = false;
+    for (const Ring& ring : rings_)
+      if (contains(ring, beyond)) inside_beyond_ = !inside_beyond_;
   }
 
   /// Length of the cross-section at s, between these places, that lies inside.
   double inside_at(double s) const {
-    const Point from = place(s, -half_), along = place(s, half_) - from;
+    const double whole_m = 2 * half_ + kBeyond_m;
+    const Point from = place(s, -half_ - kBeyond_m), along = place(s, half_) - from;
     cuts_.clear();
-    for (const Edge& edge : met_) {
+    for (const ArcEdge& edge : met_) {
       const double side_a = cross(along, edge.a - from), side_b = cross(along, edge.b - from);
       if ((side_a > 0) == (side_b > 0)) continue;
       const Point at = edge.a + (side_a / (side_a - side_b)) * (edge.b - edge.a);
@@ -57,21 +65,21 @@ class Spokes {
       if (t > 0 && t < 1) cuts_.push_back(t);
     }
     std::sort(cuts_.begin(), cuts_.end());
-    double share = 0, begin = 0;
-    bool inside = left_inside_;
+    double share = 0, begin = kBeyond_m / whole_m;
+    bool inside = inside_beyond_;
     for (const double cut : cuts_) {
-      if (inside) share += cut - begin;
+      if (inside) share += std::max(0.0, cut - begin);
       inside = !inside;
-      begin = cut;
+      begin = std::max(begin, cut);
     }
     if (inside) share += 1 - begin;
-    return 2 * half_ * share;
+    return whole_m * share;
   }
 
   /// Where the length inside may bend or jump, sorted, with both ends of the arc.
   std::vector<double> places() const {
     std::vector<double> out{0, length_};
-    for (const Edge& edge : edges_) {
+    for (const ArcEdge& edge : edges_) {
       keep(edge.a, out);
       keep(edge.b, out);
       const Point along = edge.b - edge.a;
@@ -80,7 +88,7 @@ class Spokes {
       const double foot = dot(centre_ - edge.a, along) / square;
       keep_on(edge, foot, out);
       const Point nearest = edge.a + foot * along - centre_;
-      for (const double reach : {radius_ - half_, radius_ + half_}) {
+      for (const double reach : {radius_ - half_, radius_ + half_, radius_ - sense_ * (half_ + kBeyond_m)}) {
         const double rest = (reach * reach - dot(nearest, nearest)) / square;
         if (rest <= 0) continue;
         keep_on(edge, foot - std::sqrt(rest), out);
@@ -113,18 +121,18 @@ class Spokes {
   Point place(double s, double right_m) const {
     return centre_ + (1 + sense_ * right_m / radius_) * spoke(s);
   }
-  void keep_on(const Edge& edge, double share, std::vector<double>& out) const {
+  void keep_on(const ArcEdge& edge, double share, std::vector<double>& out) const {
     if (share > 0 && share < 1) keep(edge.a + share * (edge.b - edge.a), out);
   }
   void keep(Point p, std::vector<double>& out) const {
     const Point d = p - centre_;
     constexpr double kRounding_m = 1e-6;
-    if (std::abs(tramline::length(d) - radius_) > half_ + kRounding_m) return;
+    if (std::abs(tramline::length(d) - radius_) > half_ + kBeyond_m + kRounding_m) return;
     const double s = 0.5 * length_ + radius_ * angle_of(p);
     if (s > 0 && s < length_) out.push_back(s);
   }
 
-  const Polygon& land_;
+  std::vector<Ring> rings_;  ///< what lies in an odd number of them is inside
   Point centre_;
   double radius_;
   double sense_;  ///< 1: turns left, the centre lies on the left
@@ -132,9 +140,9 @@ class Spokes {
   double length_;
   Point middle_;  ///< from the centre to the arc's middle
   double half_;
-  std::vector<Edge> edges_;
-  std::vector<Edge> met_;
-  bool left_inside_ = false;
+  std::vector<ArcEdge> edges_;
+  std::vector<ArcEdge> met_;
+  bool inside_beyond_ = false;
   mutable std::vector<double> cuts_;  ///< scratch
 };
 

@@ -1,4 +1,5 @@
 #include "tramline/check/comparison.h"
+#include "tramline/check/rule_names.h"
 
 #include <fmt/format.h>
 
@@ -6,18 +7,14 @@
 #include <cmath>
 
 namespace tramline::check {
-namespace {
-
-constexpr const char* kRule = "tally";
-
-}  // namespace
+namespace {}  // namespace
 
 double rounding_of(double value) { return 1e-9 * std::max(1.0, std::abs(value)); }
 
 void Comparison::number(const char* what, const char* unit, double stored, double found, double tolerance) {
   // Written so that a stored NaN is a violation too.
   if (std::abs(stored - found) <= tolerance) return;
-  out_.push_back({kRule,
+  out_.push_back({rule::kTally,
                   fmt::format("the plan says {} {:.6f}{}, {} amount to {:.6f}{}", what, stored, unit,
                               of_what_, found, unit),
                   at_, stored - found});
@@ -25,7 +22,8 @@ void Comparison::number(const char* what, const char* unit, double stored, doubl
 
 void Comparison::count(const char* what, int stored, int found) {
   if (stored == found) return;
-  out_.push_back({kRule, fmt::format("the plan counts {} {}, {} have {}", stored, what, of_what_, found), at_,
+  out_.push_back({rule::kTally,
+                  fmt::format("the plan counts {} {}, {} have {}", stored, what, of_what_, found), at_,
                   static_cast<double>(stored - found)});
 }
 

@@ -6,14 +6,14 @@
 namespace tramline::check {
 namespace {
 
-struct Edge {
+struct SectionEdge {
   Point a;
   Point b;
 };
 
 /// The land's edges that a cross-section of the piece can meet, in the piece's frame.
-std::vector<Edge> edges_beside(const Polygon& land, const PieceFrame& frame) {
-  std::vector<Edge> out;
+std::vector<SectionEdge> edges_beside(const Polygon& land, const PieceFrame& frame) {
+  std::vector<SectionEdge> out;
   const auto append = [&](const Ring& ring) {
     if (ring.empty()) return;
     Point a = frame.to_local(ring.back());
@@ -29,12 +29,12 @@ std::vector<Edge> edges_beside(const Polygon& land, const PieceFrame& frame) {
 }
 
 /// Where along the piece the length inside may bend or jump, sorted, with both ends of the piece.
-std::vector<double> breakpoints(const std::vector<Edge>& edges, double length_m, double half_m) {
+std::vector<double> breakpoints(const std::vector<SectionEdge>& edges, double length_m, double half_m) {
   std::vector<double> out{0, length_m};
   const auto keep = [&](double s) {
     if (s > 0 && s < length_m) out.push_back(s);
   };
-  for (const Edge& edge : edges) {
+  for (const SectionEdge& edge : edges) {
     if (std::min(edge.a.x, edge.b.x) > half_m || std::max(edge.a.x, edge.b.x) < -half_m) continue;
     if (std::abs(edge.a.x) <= half_m) keep(edge.a.y);
     if (std::abs(edge.b.x) <= half_m) keep(edge.b.y);
@@ -47,9 +47,10 @@ std::vector<double> breakpoints(const std::vector<Edge>& edges, double length_m,
 }
 
 /// Length of the cross-section at s that lies inside, even-odd. `crossings` is scratch.
-double inside_at(const std::vector<Edge>& edges, double s, double half_m, std::vector<double>& crossings) {
+double inside_at(const std::vector<SectionEdge>& edges, double s, double half_m,
+                 std::vector<double>& crossings) {
   crossings.clear();
-  for (const Edge& edge : edges)
+  for (const SectionEdge& edge : edges)
     if ((edge.a.y > s) != (edge.b.y > s))
       crossings.push_back(edge.a.x + (edge.b.x - edge.a.x) * (s - edge.a.y) / (edge.b.y - edge.a.y));
   std::sort(crossings.begin(), crossings.end());
@@ -74,7 +75,7 @@ void LongestStretch::add(const Stretch& stretch) {
 
 void add_below(const Polygon& land, const PieceFrame& frame, double half_m, double required_m, double begin_m,
                LongestStretch& out) {
-  const std::vector<Edge> edges = edges_beside(land, frame);
+  const std::vector<SectionEdge> edges = edges_beside(land, frame);
   const std::vector<double> places = breakpoints(edges, frame.length(), half_m);
   std::vector<double> scratch;
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {

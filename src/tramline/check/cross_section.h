@@ -18,9 +18,9 @@ struct Stretch {
 };
 
 /// The longest stretch of the piece on which the cross-section of half width `half_m` has less than
-/// `required_m` metres inside the land. Exact: the length inside is linear between the places where
-/// the land's edges meet the swath, and is looked at between all of them. Zero length where there is
-/// none. O(v·k) for v vertices of the land, k of them within the swath.
+/// `required_m` metres inside the land: in an odd number of its rings. Exact: the length inside is linear
+/// between the places where the land's edges meet the swath, and is looked at between all of them. Zero
+/// length where there is none. O(v·k) for v vertices of the land, k of them within the swath.
 Stretch longest_below(const Polygon& land, const PieceFrame& frame, double half_m, double required_m);
 
 /// The same along a path of lines and arcs, about which cross-sections stand like the spokes of a wheel;

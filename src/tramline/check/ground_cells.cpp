@@ -8,26 +8,26 @@
 namespace tramline::check {
 namespace {
 
-using Edge = GroundEdges::Edge;
-using Edges = std::vector<Edge>;
+using GroundEdge = GroundEdges::Edge;
+using Edges = std::vector<GroundEdge>;
 
 /// Windows with no more edges are cut into slabs.
 constexpr std::size_t kFewEdges = 24;
 /// Edges that meet in one place do not become fewer by halving.
 constexpr int kMostHalvings = 48;
 
-double x_at(const Edge& edge, double y) {
+double x_at(const GroundEdge& edge, double y) {
   if (y <= edge.low.y) return edge.low.x;
   if (y >= edge.high.y) return edge.high.x;
   return edge.low.x + (y - edge.low.y) / (edge.high.y - edge.low.y) * (edge.high.x - edge.low.x);
 }
 
-double y_at(const Edge& edge, double x) {
+double y_at(const GroundEdge& edge, double x) {
   const double y = edge.low.y + (x - edge.low.x) / (edge.high.x - edge.low.x) * (edge.high.y - edge.low.y);
   return std::clamp(y, edge.low.y, edge.high.y);
 }
 
-void append(Edge edge, Point low, Point high, Edges& out) {
+void append(GroundEdge edge, Point low, Point high, Edges& out) {
   if (!(high.y > low.y)) return;
   edge.low = low;
   edge.high = high;
@@ -37,7 +37,7 @@ void append(Edge edge, Point low, Point high, Edges& out) {
 /// Edges along the left side of a window stand for all there is to the left of it. Those of one shape become
 /// one for each stretch of one count.
 void merge_along(double left, Edges& edges) {
-  const auto first = std::partition(edges.begin(), edges.end(), [left](const Edge& edge) {
+  const auto first = std::partition(edges.begin(), edges.end(), [left](const GroundEdge& edge) {
     return edge.low.x != left || edge.high.x != left;
   });
   if (edges.end() - first < 2) return;
@@ -72,21 +72,21 @@ void merge_along(double left, Edges& edges) {
 
 Edges below(const Edges& edges, double y) {
   Edges out;
-  for (const Edge& edge : edges)
+  for (const GroundEdge& edge : edges)
     if (edge.low.y < y) append(edge, edge.low, edge.high.y <= y ? edge.high : Point{x_at(edge, y), y}, out);
   return out;
 }
 
 Edges above(const Edges& edges, double y) {
   Edges out;
-  for (const Edge& edge : edges)
+  for (const GroundEdge& edge : edges)
     if (edge.high.y > y) append(edge, edge.low.y >= y ? edge.low : Point{x_at(edge, y), y}, edge.high, out);
   return out;
 }
 
 Edges left_of(const Edges& edges, double x) {
   Edges out;
-  for (const Edge& edge : edges) {
+  for (const GroundEdge& edge : edges) {
     const bool low_in = edge.low.x <= x, high_in = edge.high.x <= x;
     if (low_in && high_in) {
       out.push_back(edge);
@@ -100,7 +100,7 @@ Edges left_of(const Edges& edges, double x) {
 
 Edges right_of(const Edges& edges, double x) {
   Edges out;
-  for (const Edge& edge : edges) {
+  for (const GroundEdge& edge : edges) {
     const bool low_in = edge.low.x >= x, high_in = edge.high.x >= x;
     if (low_in && high_in) {
       out.push_back(edge);
@@ -117,7 +117,7 @@ Edges right_of(const Edges& edges, double x) {
 }
 
 /// Appends the height at which two edges cross.
-void append_crossing(const Edge& a, const Edge& b, std::vector<double>& heights) {
+void append_crossing(const GroundEdge& a, const GroundEdge& b, std::vector<double>& heights) {
   const double from = std::max(a.low.y, b.low.y), to = std::min(a.high.y, b.high.y);
   if (!(from < to)) return;
   const double before = x_at(a, from) - x_at(b, from), behind = x_at(a, to) - x_at(b, to);
@@ -126,7 +126,7 @@ void append_crossing(const Edge& a, const Edge& b, std::vector<double>& heights)
 }
 
 /// The counts of all shapes, ascending, on the way through a slab.
-void count_in(const Edge& edge, std::vector<Cover>& covers) {
+void count_in(const GroundEdge& edge, std::vector<Cover>& covers) {
   const auto at = std::lower_bound(covers.begin(), covers.end(), edge.shape,
                                    [](const Cover& cover, std::size_t shape) { return cover.shape < shape; });
   if (at == covers.end() || at->shape != edge.shape) {
@@ -162,7 +162,7 @@ class Halving {
 
  private:
   static std::size_t inner(const Edges& edges, double left) {
-    return static_cast<std::size_t>(std::count_if(edges.begin(), edges.end(), [left](const Edge& edge) {
+    return static_cast<std::size_t>(std::count_if(edges.begin(), edges.end(), [left](const GroundEdge& edge) {
       return edge.low.x != left || edge.high.x != left;
     }));
   }
@@ -183,13 +183,13 @@ class Halving {
   struct Wall {
     double bottom;
     double top;
-    const Edge* edge;
+    const GroundEdge* edge;
   };
 
   void visit_slab(const Edges& edges, double bottom, double top, const Box& window) {
     walls_.clear();
     covers_.clear();
-    for (const Edge& edge : edges)
+    for (const GroundEdge& edge : edges)
       if (edge.low.y <= bottom && edge.high.y >= top)
         walls_.push_back({x_at(edge, bottom), x_at(edge, top), &edge});
     std::stable_sort(walls_.begin(), walls_.end(),

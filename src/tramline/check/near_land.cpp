@@ -9,16 +9,16 @@
 namespace tramline::check {
 namespace {
 
-struct Edge {
+struct RingEdge {
   Point from;
   Point to;
   Point left;  ///< unit vector across
 };
 
 /// The edges of a ring that have a direction.
-std::vector<Edge> edges_of(const Ring& ring) {
+std::vector<RingEdge> edges_of(const Ring& ring) {
   constexpr double kShortest_m = 1e-9;
-  std::vector<Edge> out;
+  std::vector<RingEdge> out;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point from = ring[i], to = ring[i + 1 < ring.size() ? i + 1 : 0];
     const double length_m = distance(from, to);
@@ -30,16 +30,16 @@ std::vector<Edge> edges_of(const Ring& ring) {
 
 /// By how much the ring turns to the right between two edges, rad; 0 where it turns to the left: what is
 /// left of it there is near to the edges.
-double turn_out(const Edge& before, const Edge& behind) {
+double turn_out(const RingEdge& before, const RingEdge& behind) {
   return std::max(0.0, -std::atan2(cross(before.left, behind.left), dot(before.left, behind.left)));
 }
 
-Ring strip(const Edge& edge, double width_m) {
+Ring strip(const RingEdge& edge, double width_m) {
   return {edge.from, edge.to, edge.to + width_m * edge.left, edge.from + width_m * edge.left};
 }
 
 /// Between the strips of two edges, about the corner where the second begins.
-Ring fan(const Edge& before, const Edge& behind, double radius_m) {
+Ring fan(const RingEdge& before, const RingEdge& behind, double radius_m) {
   const double turn = turn_out(before, behind);
   const double step = 2 * std::acos(std::max(0.0, 1 - kFanSagitta_m / radius_m));
   const int chords = std::max(1, static_cast<int>(std::ceil(turn / step)));
@@ -58,10 +58,10 @@ Ring fan(const Edge& before, const Edge& behind, double radius_m) {
 Region land_near(const Ring& ring, double distance_m) {
   // A fan of less is a needle that rounding may turn over.
   constexpr double kLeastTurn = 1e-7;
-  const std::vector<Edge> edges = edges_of(ring);
+  const std::vector<RingEdge> edges = edges_of(ring);
   Region parts;
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    const Edge& behind = edges[i + 1 < edges.size() ? i + 1 : 0];
+    const RingEdge& behind = edges[i + 1 < edges.size() ? i + 1 : 0];
     parts.push_back({strip(edges[i], distance_m), {}});
     if (turn_out(edges[i], behind) > kLeastTurn) parts.push_back({fan(edges[i], behind, distance_m), {}});
   }
@@ -69,7 +69,7 @@ Region land_near(const Ring& ring, double distance_m) {
 }
 
 double arcs_about_corners_m(const Ring& ring, double distance_m) {
-  const std::vector<Edge> edges = edges_of(ring);
+  const std::vector<RingEdge> edges = edges_of(ring);
   double sum = 0;
   for (std::size_t i = 0; i < edges.size(); ++i)
     sum += distance_m * turn_out(edges[i], edges[i + 1 < edges.size() ? i + 1 : 0]);

@@ -34,8 +34,6 @@ double along_of(const PathSegment& segment, Point p) {
   return std::min(along_m, whole_m);
 }
 
-Point right_of(Point heading) { return {heading.y, -heading.x}; }
-
 /// Does an end of the line lie on a segment that does not lead to it?
 bool end_touches(const Path& line) {
   for (std::size_t i = 0; i < line.size(); ++i) {

@@ -4,13 +4,12 @@
 #include <string>
 
 #include "tramline/check/bands.h"
+#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 
 namespace tramline::check {
 namespace {
-
-constexpr const char* kRule = "encounters";
 
 /// From land to a line; 0 where they meet or it lies within.
 double distance_between(const Path& line, const Polygon& land) {
@@ -46,7 +45,7 @@ class CurvedDetour {
   void run(Violations& out) const {
     const std::optional<Path> left = line_left(c_, piece_, detour_);
     const auto report = [&](const std::string& what) {
-      out.push_back({kRule, name_ + what, detour_.path.front().from, 1});
+      out.push_back({rule::kEncounters, name_ + what, detour_.path.front().from, 1});
     };
     if (!left) {
       report(" does not lead from the line of its track back to it");

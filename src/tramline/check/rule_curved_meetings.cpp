@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tramline/check/bands.h"
+#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 #include "tramline/geometry/boolean.h"
@@ -81,8 +82,8 @@ class TrackMeetings {
     const Point at = place_on(path, 0.5 * length(path));
     const std::string name = fmt::format("track {}", track_ + 1);
     if (there.empty()) {
-      out_.push_back(
-          {"encounters", name + " is cut by an obstacle or land given up, and no encounter is there", at, 1});
+      out_.push_back({rule::kEncounters,
+                      name + " is cut by an obstacle or land given up, and no encounter is there", at, 1});
       return;
     }
     if (blocked_m2 > kTouch_m2) check_names(core, there, name, at);
@@ -95,7 +96,7 @@ class TrackMeetings {
       if (obstacles[k].kind != ObstacleKind::kObstacle || passes_round(c_.plan, k) > 0) continue;
       const BoxedRegion one{{&obstacles[k].shape, c_.obstacle_boxes[k]}};
       if (common_m2(core, one) <= kTouch_m2 || names(there, static_cast<int>(k))) continue;
-      out_.push_back({"encounters",
+      out_.push_back({rule::kEncounters,
                       fmt::format("{} is cut by obstacle {}, which no encounter there names", name, k + 1),
                       at, static_cast<double>(k + 1)});
     }

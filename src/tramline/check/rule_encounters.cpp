@@ -7,13 +7,12 @@
 #include <utility>
 
 #include "tramline/check/bands.h"
+#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 
 namespace tramline::check {
 namespace {
-
-constexpr const char* kRule = "encounters";
 
 /// The pieces of each track, by subfield and track.
 using Tracks = std::map<std::pair<int, int>, std::vector<std::size_t>>;
@@ -191,7 +190,8 @@ class DetourCheck {
 
   void run(Violations& out) const {
     if (encounters_.empty())
-      out.push_back({kRule, name_ + " is where the plan has no encounter", detour_.path.front().from, 1});
+      out.push_back(
+          {rule::kEncounters, name_ + " is where the plan has no encounter", detour_.path.front().from, 1});
     const Box near = course_.line_box(reach_m_);
     const auto& obstacles = c_.plan.field.obstacles;
     for (std::size_t k = 0; k < obstacles.size(); ++k) {
@@ -200,7 +200,7 @@ class DetourCheck {
       if (!named && (may_be_entered || !intersects(c_.obstacle_boxes[k], near))) continue;
       const std::string fault = fault_about(static_cast<int>(k), obstacles[k].shape, named);
       if (fault.empty()) continue;
-      out.push_back({kRule, fmt::format("{}: obstacle {} {}", name_, k + 1, fault),
+      out.push_back({rule::kEncounters, fmt::format("{}: obstacle {} {}", name_, k + 1, fault),
                      obstacles[k].shape.outer.front(), static_cast<double>(k + 1)});
     }
   }
@@ -249,7 +249,8 @@ void check_encounters(const Case& c, Violations& out) {
   for (std::size_t i = 0; i < c.plan.encounters.size(); ++i) {
     const std::string fault = contradiction(c, tracks, c.plan.encounters[i]);
     if (!fault.empty())
-      out.push_back({kRule, fmt::format("encounter {} {}", i + 1, fault), c.plan.encounters[i].at, 1});
+      out.push_back(
+          {rule::kEncounters, fmt::format("encounter {} {}", i + 1, fault), c.plan.encounters[i].at, 1});
   }
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i)
     for (std::size_t k = 0; k < c.plan.pieces[i].detours.size() && c.plan.pieces[i].curve.empty(); ++k)

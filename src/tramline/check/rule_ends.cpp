@@ -4,6 +4,7 @@
 
 #include "tramline/check/bands.h"
 #include "tramline/check/cross_section.h"
+#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 
@@ -18,11 +19,16 @@ struct Demand {
 
 /// Anything above nothing: as long as rounding can make a length that is none.
 constexpr double kSome_m = 1e-9;
+/// Land so near beside a swath touches it: an edge along the swath's may be off by rounding over its whole
+/// length.
+constexpr double kTouching_m = 1e-6;
 
 Demand demand(const Plan& plan) {
   const double width = plan.machine.width_m;
   const auto share = [&](double s) {
-    return Demand{0.5 * width, std::max(s * width - kLengthTolerance_m, kSome_m)};
+    const double required_m = s * width - kLengthTolerance_m;
+    return required_m > kSome_m ? Demand{0.5 * width, required_m}
+                                : Demand{0.5 * width + kTouching_m, kSome_m};
   };
   switch (plan.settings.end_rule) {
     // The centre line may run along an edge: it is inside where either side of it is.
@@ -38,27 +44,28 @@ Demand demand(const Plan& plan) {
   return {};
 }
 
-/// The rings of all gaps near a straight part as those of one polygon: what lies inside counts even-odd, and
-/// gaps lie apart.
-Polygon gaps_near(const Case& c, const PieceFrame& frame, double half_m) {
-  const Box near = frame.field_box({-half_m, 0, half_m, frame.length()});
+/// The rings of all polygons that reach into the box as those of one: what lies inside counts even-odd, and
+/// the polygons lie apart.
+Polygon land_within(const Box& box, const Region& land) {
   Polygon out;
-  for (const Polygon& gap : c.plan.body) {
-    if (!intersects(bounds(gap), near)) continue;
-    out.holes.push_back(gap.outer);
-    out.holes.insert(out.holes.end(), gap.holes.begin(), gap.holes.end());
+  for (const Polygon& polygon : land) {
+    if (!intersects(bounds(polygon), box)) continue;
+    out.holes.push_back(polygon.outer);
+    out.holes.insert(out.holes.end(), polygon.holes.begin(), polygon.holes.end());
   }
   return out;
 }
 
 std::string describe(const Plan& plan, std::size_t index, const Stretch& stretch) {
   const char* rule = name(plan.settings.end_rule);
+  const char* land = plan.pieces[index].curve.empty() ? "its subfield" : "the land to work";
   if (plan.settings.end_rule == EndRule::kCentre)
-    return fmt::format("the centre line of {} leaves its subfield for {:.3f} m, against the end rule {}",
-                       piece_name(index), stretch.length(), rule);
+    return fmt::format("the centre line of {} leaves {} for {:.3f} m, against the end rule {}",
+                       piece_name(index), land, stretch.length(), rule);
   return fmt::format(
-      "{} has, for {:.3f} m, as little as {:.1f} % of its width inside its subfield, against the end rule {}",
-      piece_name(index), stretch.length(), 100 * std::max(0.0, stretch.least_m) / plan.machine.width_m, rule);
+      "{} has, for {:.3f} m, as little as {:.1f} % of its width inside {}, against the end rule {}",
+      piece_name(index), stretch.length(), 100 * std::max(0.0, stretch.least_m) / plan.machine.width_m, land,
+      rule);
 }
 
 }  // namespace
@@ -67,13 +74,15 @@ void check_ends(const Case& c, Violations& out) {
   const Demand asked = demand(c.plan);
   const double allowed_m = kLengthTolerance_m + (is_repair(c.plan) ? kLeastBreak_m : 0);
   const auto report = [&](std::size_t i, const Stretch& below, Point at) {
-    if (below.length() > allowed_m) out.push_back({"ends", describe(c.plan, i, below), at, below.length()});
+    if (below.length() > allowed_m)
+      out.push_back({rule::kEnds, describe(c.plan, i, below), at, below.length()});
   };
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
     const TrackPiece& piece = c.plan.pieces[i];
-    const Polygon& land = c.plan.subfields[static_cast<std::size_t>(piece.subfield)].shape;
     if (!piece.curve.empty()) {
+      // Tracks along one curve go through all parts of the body.
       for (const Path& part : parts_on_track(piece)) {
+        const Polygon land = land_within(reach_of(part, 2 * asked.half_m), c.plan.body);
         const Stretch below = longest_below(land, part, asked.half_m, asked.required_m);
         report(i, below, place_on(part, 0.5 * (below.from_m + below.to_m)));
       }
@@ -81,9 +90,12 @@ void check_ends(const Case& c, Violations& out) {
     }
     for (const PathSegment& part : straight_parts(piece)) {
       const PieceFrame frame(part.from, part.to);
-      const Stretch below = is_repair(c.plan) ? longest_below(gaps_near(c, frame, asked.half_m), frame,
-                                                              asked.half_m, asked.required_m)
-                                              : longest_below(land, frame, asked.half_m, asked.required_m);
+      const Box reach = frame.field_box({-asked.half_m, 0, asked.half_m, frame.length()});
+      const Stretch below =
+          is_repair(c.plan)
+              ? longest_below(land_within(reach, c.plan.body), frame, asked.half_m, asked.required_m)
+              : longest_below(c.plan.subfields[static_cast<std::size_t>(piece.subfield)].shape, frame,
+                              asked.half_m, asked.required_m);
       report(i, below, frame.to_field({0, 0.5 * (below.from_m + below.to_m)}));
     }
   }

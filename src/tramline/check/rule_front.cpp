@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "tramline/check/comparison.h"
+#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 
 namespace tramline::check {
 namespace {
 
-constexpr const char* kRule = "front";
 /// Plans that differ by less in an area are one in it, m².
 constexpr double kSameArea_m2 = 1e-3;
 
@@ -96,8 +96,8 @@ class FrontCheck {
   }
 
   void report(std::size_t index, const std::string& fault) {
-    out_.push_back(
-        {kRule, fmt::format("plan {} of the front {}", index + 1, fault), c_.plan.field.outer.front(), 1});
+    out_.push_back({rule::kFront, fmt::format("plan {} of the front {}", index + 1, fault),
+                    c_.plan.field.outer.front(), 1});
   }
 
   const Case& c_;

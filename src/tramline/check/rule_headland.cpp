@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/self_crossing.h"
 #include "tramline/check/sound_path.h"
@@ -10,11 +11,9 @@
 namespace tramline::check {
 namespace {
 
-constexpr const char* kRule = "headland";
-
 void check_depth(const Plan& plan, int passes, const char* round_what, Violations& out) {
   if (passes >= 0 && passes * plan.machine.width_m <= kFarthest_m) return;
-  out.push_back({kRule,
+  out.push_back({rule::kHeadland,
                  fmt::format("{} passes round {} are asked for", passes, round_what),
                  {},
                  static_cast<double>(passes)});
@@ -25,7 +24,7 @@ void check_obstacle_passes(const Plan& plan, Violations& out) {
   const auto& obstacles = plan.field.obstacles;
   if (passes.size() > obstacles.size())
     out.push_back(
-        {kRule,
+        {rule::kHeadland,
          fmt::format("{} obstacles have headlands, and there are {}", passes.size(), obstacles.size()),
          {},
          static_cast<double>(passes.size())});
@@ -35,7 +34,7 @@ void check_obstacle_passes(const Plan& plan, Violations& out) {
     // A boundary has all the passes that were asked for, or tracks go round it and it has none.
     if (passes[i] == 0 || passes[i] == most) continue;
     out.push_back(
-        {kRule,
+        {rule::kHeadland,
          fmt::format("obstacle {} has {} headland passes, and {} were asked for", i + 1, passes[i], most),
          obstacles[i].shape.outer.front(), static_cast<double>(passes[i])});
   }
@@ -69,9 +68,9 @@ void check_headland(const Plan& plan, Violations& out) {
   for (std::size_t i = 0; i < passes.size(); ++i) {
     if (const std::string fault = fault_of(plan, passes[i]); !fault.empty()) {
       const Point at = passes[i].path.empty() ? Point{} : passes[i].path.front().from;
-      out.push_back({kRule, pass_name(i) + " " + fault, at, 0});
+      out.push_back({rule::kHeadland, pass_name(i) + " " + fault, at, 0});
     } else if (const auto place = self_crossing_of(passes[i].path)) {
-      out.push_back({kRule, pass_name(i) + " crosses itself", *place, 0});
+      out.push_back({rule::kHeadland, pass_name(i) + " crosses itself", *place, 0});
     }
   }
 }

@@ -6,14 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/sound_path.h"
 #include "tramline/check/tolerances.h"
 
 namespace tramline::check {
 namespace {
-
-constexpr const char* kRule = "encounters";
 
 /// What was laid along a line of a subfield: a piece, or what was too short to be one. In the frame of the
 /// subfield's direction.
@@ -83,7 +82,7 @@ class Meetings {
     if (blocked.area_m2 + left_out.area_m2 <= kTouch_m2) return;
     const std::vector<const Encounter*> there = encounters_in(gap);
     if (there.empty())
-      out_.push_back({kRule,
+      out_.push_back({rule::kEncounters,
                       describe(gap) + " is cut by an obstacle or land given up, and no encounter is there",
                       frame_.to_field({across, core.centre().y}), 1});
     else if (blocked.area_m2 > kTouch_m2)
@@ -116,7 +115,7 @@ class Meetings {
       const Clipped part = clipped(obstacles[k].shape, frame_, core);
       if (part.area_m2 <= kTouch_m2 || names(there, static_cast<int>(k))) continue;
       out_.push_back(
-          {kRule,
+          {rule::kEncounters,
            fmt::format("{} is cut by obstacle {}, which no encounter there names", describe(gap), k + 1),
            part.at, static_cast<double>(k + 1)});
     }

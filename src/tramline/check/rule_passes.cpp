@@ -3,13 +3,12 @@
 #include <algorithm>
 
 #include "tramline/check/pass_lanes.h"
+#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 
 namespace tramline::check {
 namespace {
-
-constexpr const char* kRule = "headland";
 
 /// One pass against the boundaries of the field.
 class PassCheck {
@@ -24,7 +23,7 @@ class PassCheck {
   void run() const {
     for (const Lane& lane : lanes_)
       if (const auto place = lane.place_outside(c_.plan.field.outer)) {
-        out_.push_back({"swaths", name_ + " leaves the field", *place, 0});
+        out_.push_back({rule::kSwaths, name_ + " leaves the field", *place, 0});
         return;
       }
     const double room_m = kept_m(c_.plan.settings.headlands);
@@ -61,11 +60,11 @@ class PassCheck {
   void check_distance(const Approach& found, double kept_m, const std::string& of_what) const {
     if (found.gap_m >= kept_m - kLengthTolerance_m) return;
     if (found.gap_m < -kLengthTolerance_m)
-      out_.push_back({"swaths",
+      out_.push_back({rule::kSwaths,
                       fmt::format("the swath of {} reaches {:.4f} m beyond {}", name_, -found.gap_m, of_what),
                       found.at, -found.gap_m});
     else
-      out_.push_back({kRule,
+      out_.push_back({rule::kHeadland,
                       fmt::format("{} is number {} and comes {:.4f} m nearer to {} than it may", name_,
                                   pass_.number, kept_m - found.gap_m, of_what),
                       found.at, kept_m - found.gap_m});
@@ -84,7 +83,8 @@ class PassCheck {
       right = right && contains(ring, outer.front()) != counter_clockwise;
     }
     if (!right)
-      out_.push_back({kRule, name_ + " does not have the land on its left", pass_.path.front().from, 1});
+      out_.push_back(
+          {rule::kHeadland, name_ + " does not have the land on its left", pass_.path.front().from, 1});
   }
 
   const Case& c_;

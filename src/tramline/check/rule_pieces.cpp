@@ -5,14 +5,13 @@
 #include <limits>
 #include <string>
 
+#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/sound_path.h"
 #include "tramline/check/tolerances.h"
 
 namespace tramline::check {
 namespace {
-
-constexpr const char* kRule = "pieces";
 
 /// What is wrong with how a detour lies on its piece, or "". `free_from_m`: where the one before ended.
 std::string fault_on_line(const Detour& detour, const PieceFrame& frame, double free_from_m) {
@@ -36,7 +35,7 @@ void check_detours(const Plan& plan, std::size_t index, Violations& out) {
     if (fault.empty() && detour.side == Passing::kCut) fault = "passes its obstacles on no side";
     if (fault.empty() && !exist(plan, detour.obstacles)) fault = "names an obstacle that there is not";
     if (!fault.empty()) {
-      out.push_back({kRule, detour_name(index, k) + " " + fault, piece.start, 0});
+      out.push_back({rule::kPieces, detour_name(index, k) + " " + fault, piece.start, 0});
       return;
     }
     free_from_m = frame.to_local(detour.path.back().to).y;
@@ -64,7 +63,7 @@ void check_detours_of_curve(const Plan& plan, std::size_t index, Violations& out
     if (fault.empty() && detour.side == Passing::kCut) fault = "passes its obstacles on no side";
     if (fault.empty() && !exist(plan, detour.obstacles)) fault = "names an obstacle that there is not";
     if (!fault.empty()) {
-      out.push_back({kRule, detour_name(index, k) + " " + fault, piece.start, 0});
+      out.push_back({rule::kPieces, detour_name(index, k) + " " + fault, piece.start, 0});
       return;
     }
     free_from = found + static_cast<std::ptrdiff_t>(detour.path.size());
@@ -75,15 +74,15 @@ void check_piece(const Plan& plan, std::size_t index, Violations& out) {
   const TrackPiece& piece = plan.pieces[index];
   const std::string name = piece_name(index);
   if (!on_the_map(piece.start) || !on_the_map(piece.end)) {
-    out.push_back({kRule, name + " has an end off the map", {}, 0});
+    out.push_back({rule::kPieces, name + " has an end off the map", {}, 0});
     return;
   }
   if (distance(piece.start, piece.end) <= kShortest_m) {
-    out.push_back({kRule, name + " has no length", piece.start, 0});
+    out.push_back({rule::kPieces, name + " has no length", piece.start, 0});
     return;
   }
   if (piece.subfield < 0 || static_cast<std::size_t>(piece.subfield) >= plan.subfields.size()) {
-    out.push_back({kRule,
+    out.push_back({rule::kPieces,
                    fmt::format("{} belongs to subfield {}, and there are {}", name, piece.subfield + 1,
                                plan.subfields.size()),
                    piece.start, static_cast<double>(piece.subfield + 1)});
@@ -91,11 +90,12 @@ void check_piece(const Plan& plan, std::size_t index, Violations& out) {
   }
   if (!piece.curve.empty()) {
     if (const std::string fault = fault_of_curve(piece); !fault.empty())
-      out.push_back({kRule, name + fault, piece.start, 0});
+      out.push_back({rule::kPieces, name + fault, piece.start, 0});
     else
       check_detours_of_curve(plan, index, out);
     if (plan.reference.empty() && !is_repair(plan))
-      out.push_back({kRule, name + " follows a curve, and the plan has no reference line", piece.start, 0});
+      out.push_back(
+          {rule::kPieces, name + " follows a curve, and the plan has no reference line", piece.start, 0});
     return;
   }
   check_detours(plan, index, out);
@@ -104,14 +104,15 @@ void check_piece(const Plan& plan, std::size_t index, Violations& out) {
   const double off_m = std::abs(cross(piece.end - piece.start, direction.unit()));
   // Written so that an undefined direction (NaN) is a violation too.
   if (!(off_m <= kLengthTolerance_m))
-    out.push_back({kRule, fmt::format("{} ends {:.3f} m off the direction of its subfield", name, off_m),
-                   piece.end, off_m});
+    out.push_back({rule::kPieces,
+                   fmt::format("{} ends {:.3f} m off the direction of its subfield", name, off_m), piece.end,
+                   off_m});
 }
 
 void check_size(double metres, double least_m, const char* what, Violations& out) {
   // Written so that NaN is no size.
   if (metres >= least_m && metres <= kFarthest_m) return;
-  out.push_back({kRule, fmt::format("{} is {} m", what, metres), {}, metres});
+  out.push_back({rule::kPieces, fmt::format("{} is {} m", what, metres), {}, metres});
 }
 
 }  // namespace

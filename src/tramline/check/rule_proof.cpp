@@ -3,26 +3,25 @@
 #include <cmath>
 
 #include "tramline/check/comparison.h"
+#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 
 namespace tramline::check {
 namespace {
-
-constexpr const char* kRule = "proof";
 
 /// A bound and a cost it must not exceed: the cost is one of a plan that there is.
 void check_below(const char* bound_name, double bound, const char* cost_name, double cost, Point at,
                  Violations& out) {
   // Written so that NaN is a violation too.
   if (bound <= cost + rounding_of(cost)) return;
-  out.push_back({kRule,
+  out.push_back({rule::kProof,
                  fmt::format("the {} is {:.6f}, above the {} of {:.6f}", bound_name, bound, cost_name, cost),
                  at, bound - cost});
 }
 
 void check_amount(const char* name, double amount, Point at, Violations& out) {
   if (amount >= 0 && std::isfinite(amount)) return;
-  out.push_back({kRule, fmt::format("the {} is {:.6f}", name, amount), at, amount});
+  out.push_back({rule::kProof, fmt::format("the {} is {:.6f}", name, amount), at, amount});
 }
 
 }  // namespace

@@ -2,14 +2,13 @@
 
 #include <cmath>
 
+#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 #include "tramline/geometry/boolean.h"
 
 namespace tramline::check {
 namespace {
-
-constexpr const char* kRule = "shapes";
 
 bool usable(const Ring& ring) {
   if (ring.size() < 3) return false;
@@ -22,11 +21,13 @@ void check_polygon(const Polygon& polygon, const std::string& name, Violations& 
   bool all_usable = usable(polygon.outer);
   for (const Ring& hole : polygon.holes) all_usable = all_usable && usable(hole);
   if (!all_usable) {
-    out.push_back({kRule, name + " has a ring of fewer than three vertices or a vertex off the map", {}, 0});
+    out.push_back(
+        {rule::kShapes, name + " has a ring of fewer than three vertices or a vertex off the map", {}, 0});
     return;
   }
   if (const auto fault = find_invalidity(polygon))
-    out.push_back({kRule, fmt::format("{} is no valid polygon: {}", name, fault->reason), fault->place, 0});
+    out.push_back(
+        {rule::kShapes, fmt::format("{} is no valid polygon: {}", name, fault->reason), fault->place, 0});
 }
 
 void check_region(const Region& region, const char* name, Violations& out) {

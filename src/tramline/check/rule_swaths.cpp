@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tramline/check/bands.h"
+#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 #include "tramline/geometry/boolean.h"
@@ -25,7 +26,7 @@ void check_clear(const BoxedRegion& land, const char* of_what, const PieceFrame&
   const Clipped entered = clipped(land, frame, core);
   if (entered.area_m2 > kTouch_m2 + kThinnest_m * core.height())
     out.push_back(
-        {"swaths",
+        {rule::kSwaths,
          fmt::format("the swath of {} works {:.6f} m² of {}", piece_name(index), entered.area_m2, of_what),
          entered.at, entered.area_m2});
 }
@@ -45,7 +46,7 @@ void check_inside(const Ring& outer, const PieceFrame& frame, const Box& core, s
   // A difference of large areas: rounding grows with them.
   if (outside > std::max(kTouch_m2, 1e-12 * whole))
     out.push_back(
-        {"swaths",
+        {rule::kSwaths,
          fmt::format("the swath of {} works {:.6f} m² beyond the hard boundary", piece_name(index), outside),
          place_outside(outer, frame, core), outside});
 }
@@ -66,14 +67,14 @@ void check_within_boundary(const Case& c, const Lane& lane, const std::string& n
   const Approach found = lane.to_ring(c.plan.field.outer, 0);
   if (found.gap_m < -kLengthTolerance_m)
     out.push_back(
-        {"swaths",
+        {rule::kSwaths,
          fmt::format("the swath of {} reaches {:.4f} m beyond the hard boundary", name, -found.gap_m),
          found.at, -found.gap_m});
 }
 
 void check_detour(const Case& c, const Lane& lane, const std::string& name, Violations& out) {
   if (const auto place = lane.place_outside(c.plan.field.outer))
-    out.push_back({"swaths", name + " leaves the field", *place, 0});
+    out.push_back({rule::kSwaths, name + " leaves the field", *place, 0});
   else
     check_within_boundary(c, lane, name, out);
 }
@@ -95,7 +96,8 @@ class CurvedSwath {
         if (intersects(boxes_[i], polygon.box))
           for (Polygon& part : intersection({core_[i]}, {*polygon.shape})) entered.push_back(std::move(part));
     if (const double amount = area(entered); amount > kTouch_m2)
-      out.push_back({"swaths", fmt::format("the swath of {} works {:.6f} m² of {}", name_, amount, of_what),
+      out.push_back({rule::kSwaths,
+                     fmt::format("the swath of {} works {:.6f} m² of {}", name_, amount, of_what),
                      place_on_largest(entered), amount});
   }
 
@@ -105,7 +107,7 @@ class CurvedSwath {
       if (!contains(outer, core_[i].outer.front()) || is_met(outer, boxes_[i]))
         for (Polygon& part : difference({core_[i]}, {{outer, {}}})) beyond.push_back(std::move(part));
     if (const double amount = area(beyond); amount > kTouch_m2)
-      out.push_back({"swaths",
+      out.push_back({rule::kSwaths,
                      fmt::format("the swath of {} works {:.6f} m² beyond the hard boundary", name_, amount),
                      place_on_largest(beyond), amount});
   }
@@ -135,7 +137,7 @@ void check_curved(const Case& c, std::size_t index, Violations& out) {
 
 void check_line_within_field(const Case& c, const Lane& line, const std::string& name, Violations& out) {
   if (const auto place = line.place_pushed_outside(c.plan.field.outer))
-    out.push_back({"swaths", name + " leaves the field", *place, 0});
+    out.push_back({rule::kSwaths, name + " leaves the field", *place, 0});
   else
     check_within_boundary(c, line, name, out);
 }
@@ -150,7 +152,7 @@ void check_swaths(const Case& c, Violations& out) {
         const Path& path = piece.detours[k].path;
         const Lane lane(PieceFrame(path.front().from, path.back().to), path, half);
         if (const auto place = lane.place_outside(c.plan.field.outer))
-          out.push_back({"swaths", detour_name(i, k) + " leaves the field", *place, 0});
+          out.push_back({rule::kSwaths, detour_name(i, k) + " leaves the field", *place, 0});
       }
       continue;
     }

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 
 namespace tramline::check {
 namespace {
-
-constexpr const char* kRule = "encounters";
 
 /// Costs of ways are differences of what whole tracks cost: they carry the rounding of those.
 double rounding_of_costs(const Plan& plan) { return 1e-6 + 1e-9 * std::abs(plan.cost); }
@@ -65,7 +64,8 @@ void check_ways(const Case& c, Violations& out) {
   for (std::size_t i = 0; i < c.plan.encounters.size(); ++i) {
     const std::string fault = fault_of(c.plan, c.plan.encounters[i]);
     if (!fault.empty())
-      out.push_back({kRule, fmt::format("encounter {} {}", i + 1, fault), c.plan.encounters[i].at, 1});
+      out.push_back(
+          {rule::kEncounters, fmt::format("encounter {} {}", i + 1, fault), c.plan.encounters[i].at, 1});
   }
 }
 

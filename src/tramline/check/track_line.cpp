@@ -194,9 +194,13 @@ std::optional<TrackPlace> TrackLine::place_of(Point p) const {
   const Foot foot = reference_.foot_of(p, off_m_ + least_radius_m_ + kLengthTolerance_m);
   if (std::isinf(foot.off_m) || !foot.on_right || foot.off_m < off_m_ - kLengthTolerance_m)
     return std::nullopt;
-  if (foot.off_m <= off_m_ + kLengthTolerance_m)
-    return foot.square ? std::optional(settled(foot)) : std::nullopt;
+  const bool beside_it = foot.off_m <= off_m_ + kLengthTolerance_m;
+  if (beside_it && !foot.square) return std::nullopt;
+  if (beside_it && fits(settled(foot).along_m)) return settled(foot);
   const auto corner = corner_with(p, foot.along_m);
+  // The first decimetre of an arc is hardly off the side that it leaves.
+  if (beside_it && !(corner && corner->from_m < foot.along_m && foot.along_m < corner->to_m))
+    return settled(foot);
   if (!corner) return std::nullopt;
   const Point outwards = (1 / distance(p, corner->centre)) * (p - corner->centre);
   return TrackPlace{p, clockwise(outwards), corner->from_m, round_of(corner->arc.front(), corner->centre, p),

@@ -11,9 +11,7 @@ namespace tramline::check {
 
 /// One way in which a plan is not what it says.
 struct Violation {
-  std::string
-      rule;  ///< shapes, pieces, headland, body, subfields, swaths, clearance, drivable, ends,
-             ///< parallel, length, stops, crossings, encounters, tally, proof, front, warnings, layers, field
+  std::string rule;   ///< of rule_names.h
   std::string what;   ///< one sentence with the numbers
   Point at;           ///< a place where it shows, local metres
   double amount = 0;  ///< how much, in the unit named by `what`

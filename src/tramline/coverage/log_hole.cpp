@@ -34,11 +34,6 @@ Boom in_both(const Boom& a, const Boom& b) {
   return out;
 }
 
-Point left_of(Heading heading) {
-  const Point forward = heading.unit();
-  return {-forward.y, forward.x};
-}
-
 }  // namespace
 
 void UsualSpeed::add(double way_m, double seconds) {
@@ -58,7 +53,7 @@ std::vector<Quad> hole_strip(const HoleEnd& from, const HoleEnd& to, double usua
   if (!is_plausible(from, to, way, usual_mps)) return {};
   const auto across = [&](const HoleEnd& end) {
     const bool fits = square_to_headings && end.heading && leads_along(end.heading, way);
-    return left_of(fits ? *end.heading : way);
+    return left_of((fits ? *end.heading : way).unit());
   };
   const Point rear = across(from), front = across(to);
   std::vector<Quad> out;

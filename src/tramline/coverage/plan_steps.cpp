@@ -17,10 +17,6 @@ struct Pose {
   Point direction;  ///< unit vector
 };
 
-Point turned(Point v, double angle) {
-  return {std::cos(angle) * v.x - std::sin(angle) * v.y, std::sin(angle) * v.x + std::cos(angle) * v.y};
-}
-
 /// Of the chords of an arc: π over a power of two, so that concentric arcs side by side share their corners,
 /// and neither gaps nor overlaps of a chord's height come between their swaths.
 double step_of(const PathSegment& arc, double width_m) {

@@ -9,7 +9,7 @@
 namespace tramline::coverage {
 namespace {
 
-using Corners = std::array<GridPoint, 4>;
+using GridCorners = std::array<GridPoint, 4>;
 
 int side_of(GridPoint a, GridPoint b, GridPoint p) {
   const Int128 size = turn(a, b, p);
@@ -33,7 +33,7 @@ void append_triangle(GridPoint a, GridPoint b, GridPoint c, std::vector<ConvexPi
 }
 
 /// A quad that does not cross itself.
-void append_simple(const Corners& q, std::vector<ConvexPiece>& out) {
+void append_simple(const GridCorners& q, std::vector<ConvexPiece>& out) {
   std::array<int, 4> side{};
   for (std::size_t i = 0; i < 4; ++i) side[i] = side_of(q[(i + 3) % 4], q[i], q[(i + 1) % 4]);
   const auto left = std::count(side.begin(), side.end(), 1);
@@ -53,7 +53,7 @@ void append_simple(const Corners& q, std::vector<ConvexPiece>& out) {
 }  // namespace
 
 void append_pieces(const Quad& quad, const TileFrame& frame, std::vector<ConvexPiece>& out) {
-  Corners q;
+  GridCorners q;
   std::transform(quad.begin(), quad.end(), q.begin(), [&](Point p) { return frame.rounded(p); });
   if (const auto ends = proper_crossing(q[0], q[1], q[2], q[3])) {
     append_triangle(*ends, q[1], q[2], out);

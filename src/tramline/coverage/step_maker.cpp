@@ -5,32 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "tramline/coverage/worked_drive.h"
 #include "tramline/coverage/working_boom.h"
 
 namespace tramline::coverage {
 namespace {
-
-Point left_of(Heading heading) {
-  const Point forward = heading.unit();
-  return {-forward.y, forward.x};
-}
-
-/// The line across the machine at one end of a step.
-struct Bar {
-  Point middle;
-  Point left;  ///< unit vector
-
-  Point at(double offset_m) const { return middle + offset_m * left; }
-};
-
-/// What a section works between two shares of the way from one bar to the other.
-Quad between(const Bar& rear, const Bar& front, const Section& section, double from, double to) {
-  const auto place = [&](double offset_m, double share) {
-    return (1 - share) * rear.at(offset_m) + share * front.at(offset_m);
-  };
-  return {place(section.left_m, from), place(section.right_m, from), place(section.right_m, to),
-          place(section.left_m, to)};
-}
 
 bool has(const Boom& boom, const Section& section) {
   return std::find(boom.begin(), boom.end(), section) != boom.end();
@@ -44,8 +23,6 @@ std::vector<QuadOrigin> switched_half_way(const Boom& before, const Boom& after)
     if (!has(before, section)) out.push_back({section, 0.5, 1});
   return out;
 }
-
-double span_m(const Boom& boom) { return boom.empty() ? 0 : boom.front().left_m - boom.back().right_m; }
 
 }  // namespace
 
@@ -70,7 +47,7 @@ bool StepMaker::joins(const End& from, const End& to) {
 }
 
 Point StepMaker::middle(const End& end, Heading heading) const {
-  const Point left = left_of(heading);
+  const Point left = left_of(heading.unit());
   return end.antenna - (settings_.antenna_forward_m + settings_.implement_behind_m) * heading.unit() +
          settings_.antenna_right_m * left;
 }
@@ -98,11 +75,6 @@ void StepMaker::close_hole(Unit& unit) {
   unit.hole.reset();
 }
 
-struct StepMaker::Bars {
-  Bar rear;
-  Bar front;
-};
-
 StepMaker::Bars StepMaker::bars(const End& from, const End& to) const {
   Heading rear = from.heading ? *from.heading : *to.heading;
   Heading front = *to.heading;
@@ -111,7 +83,7 @@ StepMaker::Bars StepMaker::bars(const End& from, const End& to) const {
     const bool back = reverses(front, course);
     rear = front = back ? Heading::from_to(to.antenna, from.antenna) : course;
   }
-  return {{middle(from, rear), left_of(rear)}, {middle(to, front), left_of(front)}};
+  return {{middle(from, rear), left_of(rear.unit())}, {middle(to, front), left_of(front.unit())}};
 }
 
 std::optional<WorkedStep> StepMaker::step(Unit& unit, const End& to) {
@@ -122,8 +94,12 @@ std::optional<WorkedStep> StepMaker::step(Unit& unit, const End& to) {
   if (out.origins.empty()) return std::nullopt;
   const Bars ends = bars(from, to);
   out.quads.reserve(out.origins.size());
-  for (const QuadOrigin& origin : out.origins)
-    out.quads.push_back(between(ends.rear, ends.front, origin.section, origin.from, origin.until));
+  const auto place = [&ends](double offset_m, double share) {
+    return (1 - share) * ends.rear.at(offset_m) + share * ends.front.at(offset_m);
+  };
+  for (const auto& [section, begin, until] : out.origins)
+    out.quads.push_back({place(section.left_m, begin), place(section.right_m, begin),
+                         place(section.right_m, until), place(section.left_m, until)});
   out.way_m = distance(ends.rear.middle, ends.front.middle);
   out.seconds = from.stood_s + to.time_s - from.time_s;
   unit.usual.add(out.way_m, to.time_s - from.time_s);

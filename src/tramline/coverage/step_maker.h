@@ -108,7 +108,17 @@ class StepMaker {
   void begin_anew(Unit& unit, const End& to);
   void close_hole(Unit& unit);
   Point middle(const End& end, Heading heading) const;
-  struct Bars;
+  /// The line across the machine at one end of a step.
+  struct Bar {
+    Point middle;
+    Point left;  ///< unit vector
+
+    Point at(double offset_m) const { return middle + offset_m * left; }
+  };
+  struct Bars {
+    Bar rear;
+    Bar front;
+  };
   Bars bars(const End& from, const End& to) const;
   std::optional<WorkedStep> step(Unit& unit, const End& to);
 

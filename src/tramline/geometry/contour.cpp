@@ -8,13 +8,6 @@
 namespace tramline {
 namespace {
 
-Point left_of(Point direction) { return {-direction.y, direction.x}; }
-
-Point turned(Point direction, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * direction.x - s * direction.y, s * direction.x + c * direction.y};
-}
-
 ContourElement element_of(const PathSegment& segment) {
   ContourElement out;
   out.from = segment.from;
@@ -152,7 +145,9 @@ void append_parallel(const Contour& contour, double from, double to, double dist
     if (!going_on) at = beside(e, low, distance_m);
     going_on = true;
     const Point end = beside(e, high, distance_m);
-    if (distance(at, end) <= kNoLength) continue;
+    // Where headings meet but for rounding, what is short comes to end behind where the one before ended.
+    const bool ahead = dot(end - at, heading_at(e, 0.5 * (low + high))) > 0;
+    if (!ahead || distance(at, end) <= kNoLength) continue;
     out.push_back({at, end, curvature_beside(e, distance_m)});
     at = end;
   }

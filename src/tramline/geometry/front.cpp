@@ -22,8 +22,6 @@ constexpr double kMeeting = 1e-5;
 /// A branch that meets another's end meets it, m.
 constexpr double kTouch = 1e-9;
 
-Point left_of(Point direction) { return {-direction.y, direction.x}; }
-
 /// The parallel of one element.
 struct Branch {
   Box box;

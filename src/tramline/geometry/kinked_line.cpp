@@ -10,8 +10,6 @@ namespace {
 /// tan(60°): half of the sharpest kink that is mitred.
 constexpr double kSteepest = 1.7320508075688772;
 
-Point right_of(Point unit) { return {unit.y, -unit.x}; }
-
 /// tan(τ/2) for a turn of τ, right positive.
 double half_turn_tangent(Point before, Point after) {
   return -cross(before, after) / (1 + dot(before, after));

@@ -9,8 +9,6 @@
 namespace tramline {
 namespace {
 
-Point left_of(Point direction) { return {-direction.y, direction.x}; }
-
 // --- Shapes to curves --------------------------------------------------------------------------
 
 /// Unit vectors in driving direction at both ends.
@@ -58,13 +56,6 @@ void append_edge(const PathSegment& edge, Layer layer, RisingCurves& out) {
 double offset_curvature(double curvature, double offset_m) {
   const double shrunk = 1 - curvature * offset_m;
   return shrunk > 1e-9 ? curvature / shrunk : 0;
-}
-
-/// Where two stretches of a path meet there may be a short segment of what they are apart, which may head
-/// anywhere.
-bool is_step_back(const PathSegment& segment, Point heading, Point heading_before) {
-  constexpr double kShort_m = 1e-4;
-  return distance(segment.from, segment.to) < kShort_m && dot(heading, heading_before) < 0.5;
 }
 
 /// The point of the line ab at the height y, the very end point where it is at that height.
@@ -357,13 +348,11 @@ void append_box(const Box& box, Layer layer, const Box& window, RisingCurves& ou
 void append_band(const Path& path, double width_m, Layer layer, RisingCurves& out) {
   assert(2 * smallest_radius(path) >= width_m * (1 - 1e-6));
   const double half = 0.5 * width_m;
-  Point left, right, heading;
+  Point left, right;
   bool begun = false;
   for (const PathSegment& segment : path) {
     if (segment.from == segment.to) continue;
     const Headings at = headings(segment.from, segment.to, segment.curvature);
-    if (begun && is_step_back(segment, at.start, heading)) continue;
-    heading = at.end;
     if (!begun) {
       left = segment.from + half * left_of(at.start);
       right = segment.from - half * left_of(at.start);

@@ -39,7 +39,6 @@ void append_box(const Box& box, Layer layer, const Box& window, RisingCurves& ou
 
 /// Adds the ground within half the width on both sides of a path, with flat ends: the shape that band()
 /// has with chords for arcs. Any path will do; none of its curves is left out or cut.
-/// Segments shorter than 0.1 mm that head elsewhere than the one before, by 60° or more, are left out.
 /// Precondition: tangents are continuous and radii at least half the width (up to rounding). O(n).
 void append_band(const Path& path, double width_m, Layer layer, RisingCurves& out);
 

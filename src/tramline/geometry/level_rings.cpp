@@ -19,8 +19,6 @@ constexpr double kSureMargin = 1e-9;   // m: more than rounding
 constexpr double kSameHeading = 1e-7;  // rad
 constexpr double kNoCorner = 5e-7;     // rad: where edges turn less, the lines along them just go on
 
-Point left_of(Point direction) { return {-direction.y, direction.x}; }
-
 /// An edge of a shore, or a disc (from == to).
 struct Guard {
   Point from;

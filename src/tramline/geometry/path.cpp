@@ -9,13 +9,6 @@
 namespace tramline {
 namespace {
 
-Point left_of(Point direction) { return {-direction.y, direction.x}; }
-
-Point turned(Point direction, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * direction.x - s * direction.y, s * direction.x + c * direction.y};
-}
-
 /// Chords needed for an arc of this radius to stay within the sagitta r·(1 − cos(step/2)).
 int chord_count(double turning_rad, double radius_m, double sagitta_m) {
   const double step = 2 * std::acos(std::max(0.0, 1 - std::min(1.0, sagitta_m / radius_m)));
@@ -47,13 +40,6 @@ std::vector<Point> offset_chords(const Path& path, double offset_m, double half_
   out.erase(std::unique(out.begin(), out.end(), [](Point a, Point b) { return distance(a, b) < kSame; }),
             out.end());
   return out;
-}
-
-double distance_to_segment(Point p, Point a, Point b) {
-  const Point along = b - a;
-  const double square = dot(along, along);
-  if (square == 0) return distance(p, a);
-  return distance(p, a + std::clamp(dot(p - a, along) / square, 0.0, 1.0) * along);
 }
 
 bool cross_each_other(Point a, Point b, Point c, Point d) {

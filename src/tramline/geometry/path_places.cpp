@@ -6,14 +6,6 @@
 #include <utility>
 
 namespace tramline {
-namespace {
-
-Point turned(Point direction, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * direction.x - s * direction.y, s * direction.x + c * direction.y};
-}
-
-}  // namespace
 
 PathPlaces::PathPlaces(Path path) : path_(std::move(path)), starts_{0} {
   assert(std::all_of(path_.begin(), path_.end(), [](const PathSegment& s) { return s.from != s.to; }));

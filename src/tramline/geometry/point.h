@@ -1,6 +1,7 @@
 #pragma once
 // A point (or vector) of the plane: x east, y north, metres in the field's local frame.
 
+#include <algorithm>
 #include <cmath>
 
 namespace tramline {
@@ -21,5 +22,19 @@ constexpr double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 inline double length(Point a) { return std::hypot(a.x, a.y); }
 inline double distance(Point a, Point b) { return length(b - a); }
 constexpr Point midpoint(Point a, Point b) { return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}; }
+constexpr Point left_of(Point direction) { return {-direction.y, direction.x}; }
+constexpr Point right_of(Point direction) { return {direction.y, -direction.x}; }
+/// Anticlockwise.
+inline Point turned(Point direction, double angle_rad) {
+  const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+  return {c * direction.x - s * direction.y, s * direction.x + c * direction.y};
+}
+/// From a point to the nearest of the segment from a to b, which may be a point itself.
+inline double distance_to_segment(Point p, Point a, Point b) {
+  const Point along = b - a;
+  const double square = dot(along, along);
+  const double share = square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0;
+  return distance(p, a + share * along);
+}
 
 }  // namespace tramline

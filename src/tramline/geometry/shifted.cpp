@@ -8,8 +8,6 @@ namespace {
 /// An arc just as tight as allowed has lost a little in becoming a curvature and back.
 constexpr double kRounding = 1e-9;
 
-Point right_of(Point along) { return {along.y, -along.x}; }
-
 }  // namespace
 
 std::optional<Path> shifted(const Path& path, double right_m, double least_radius_m) {

@@ -6,14 +6,6 @@
 namespace tramline {
 namespace {
 
-double distance_to_segment(Point p, Point a, Point b) {
-  const Point along = b - a;
-  const double length2 = dot(along, along);
-  const double share = length2 > 0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0;
-  const Point off = p - Point{a.x + share * along.x, a.y + share * along.y};
-  return std::hypot(off.x, off.y);
-}
-
 /// Between the kept vertices first and last, counted on beyond the ring's end.
 void keep_between(const Ring& ring, std::size_t first, std::size_t last, double tolerance_m,
                   std::vector<bool>& kept) {

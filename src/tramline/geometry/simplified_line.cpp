@@ -19,13 +19,6 @@ std::vector<std::size_t> distinct_points(const std::vector<Point>& line) {
 
 }  // namespace
 
-double distance_to_segment(Point p, Point a, Point b) {
-  const Point along = b - a;
-  const double square = dot(along, along);
-  const double share = square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0;
-  return distance(p, a + share * along);
-}
-
 std::vector<std::size_t> simplified_line(const std::vector<Point>& line, double tolerance_m) {
   std::vector<std::size_t> distinct = distinct_points(line);
   if (tolerance_m <= 0 || distinct.size() < 3) return distinct;

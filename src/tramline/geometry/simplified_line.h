@@ -13,6 +13,4 @@ namespace tramline {
 /// within 1 µm of the vertex kept before it. O(n²) at worst, mostly O(n log n).
 std::vector<std::size_t> simplified_line(const std::vector<Point>& line, double tolerance_m);
 
-double distance_to_segment(Point p, Point a, Point b);
-
 }  // namespace tramline

@@ -10,18 +10,11 @@ namespace {
 constexpr double kStraightOn = 1e-7;  // rad: less is no turn
 constexpr double kNothing = 1e-7;     // m: shorter segments are left out
 
-Point right_of(Point direction) { return {direction.y, -direction.x}; }
-
-Point turned_left(Point p, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * p.x - s * p.y, s * p.x + c * p.y};
-}
-
 /// An arc about `centre` from the unit vector `out` on, in parts that know their centre well.
 void append_arc(Point centre, double radius_m, Point out, double angle, Path& path) {
   constexpr double kMost = 2;
   const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(angle) / kMost)));
-  const auto at = [&](int i) { return centre + radius_m * turned_left(out, angle * i / parts); };
+  const auto at = [&](int i) { return centre + radius_m * turned(out, angle * i / parts); };
   for (int i = 0; i < parts; ++i) path.push_back({at(i), at(i + 1), std::copysign(1 / radius_m, angle)});
 }
 

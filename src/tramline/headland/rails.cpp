@@ -10,8 +10,6 @@ constexpr double kShortest = 1e-7;    // m
 constexpr double kStraightOn = 1e-7;  // rad
 constexpr double kSlack = 1e-7;       // m: by how much places may lie beyond ends
 
-Point left_of(Point direction) { return {-direction.y, direction.x}; }
-
 Rail rail_along(const LevelPiece& piece, double radius_m) {
   const Point from = piece.segment.from + radius_m * left_of(piece.from_heading);
   const Point to = piece.segment.to + radius_m * left_of(piece.to_heading);

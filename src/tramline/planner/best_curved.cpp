@@ -19,13 +19,13 @@ constexpr int kPlaces = 8;
 constexpr std::ptrdiff_t kLookedAt = 3;  ///< families whose detours are looked for, by either order
 
 /// A reference in one place, and what its tracks cost.
-struct Tried {
+struct TriedCurve {
   const Reference* reference = nullptr;
   double right_m = 0;
   CurvedCandidate candidate;
 };
 
-bool is_better(const Tried& a, const Tried& b) {
+bool is_better(const TriedCurve& a, const TriedCurve& b) {
   const bool a_works = a.candidate.tally.pieces > 0, b_works = b.candidate.tally.pieces > 0;
   return a_works != b_works ? a_works : a.candidate.cost < b.candidate.cost;
 }
@@ -52,7 +52,9 @@ std::vector<Reference> references_of(const SearchTask& task, int threads) {
   return out;
 }
 
-void sort_best_first(std::vector<Tried>& tried) { std::stable_sort(tried.begin(), tried.end(), is_better); }
+void sort_best_first(std::vector<TriedCurve>& tried) {
+  std::stable_sort(tried.begin(), tried.end(), is_better);
+}
 
 /// What the best so many have cost: what is certain to cost more need not be looked at to its end. Families
 /// that are given up for the last of them would not have been among them, whichever came first.
@@ -85,8 +87,8 @@ class BestCosts {
 
 /// All of them, sorted; those that are certain to be none of the best that `costs` holds may have been given
 /// up. A search that has to end leaves off once one of them works.
-void try_all(const SearchTask& task, const CurvedGround& ground, BestCosts& costs, std::vector<Tried>& places,
-             int threads) {
+void try_all(const SearchTask& task, const CurvedGround& ground, BestCosts& costs,
+             std::vector<TriedCurve>& places, int threads) {
   for_each_index(places.size(), threads, [&](std::size_t i) {
     if (costs.any() && has_to_end()) return;
     places[i].candidate = curved_along(task, ground, *places[i].reference, places[i].right_m, costs.last());
@@ -96,7 +98,7 @@ void try_all(const SearchTask& task, const CurvedGround& ground, BestCosts& cost
 }
 
 /// With a stop no dearer than a turn: as if most obstacles had a way round.
-double soft_cost(const SearchTask& task, const Tried& tried) {
+double soft_cost(const SearchTask& task, const TriedCurve& tried) {
   Objective prices = task.objective;
   prices.stop = std::min(prices.stop, prices.turn);
   return cost(prices, tried.candidate.tally);
@@ -104,11 +106,12 @@ double soft_cost(const SearchTask& task, const Tried& tried) {
 
 /// Those worth a look at detours: the cheapest as they are, and the cheapest of the rest if stops were cheap.
 /// Precondition: sorted.
-std::vector<Tried> promising(const SearchTask& task, std::vector<Tried> tried) {
+std::vector<TriedCurve> promising(const SearchTask& task, std::vector<TriedCurve> tried) {
   if (std::ssize(tried) > kLookedAt)
-    std::stable_sort(tried.begin() + kLookedAt, tried.end(), [&task](const Tried& a, const Tried& b) {
-      return soft_cost(task, a) < soft_cost(task, b);
-    });
+    std::stable_sort(tried.begin() + kLookedAt, tried.end(),
+                     [&task](const TriedCurve& a, const TriedCurve& b) {
+                       return soft_cost(task, a) < soft_cost(task, b);
+                     });
   if (std::ssize(tried) > 2 * kLookedAt) tried.erase(tried.begin() + 2 * kLookedAt, tried.end());
   return tried;
 }
@@ -118,7 +121,7 @@ std::vector<Tried> promising(const SearchTask& task, std::vector<Tried> tried) {
 std::optional<CurvedCandidate> best_curved(const SearchTask& task, int threads) {
   const std::vector<Reference> references = references_of(task, threads);
   const CurvedGround ground = curved_ground(task);
-  std::vector<Tried> all;
+  std::vector<TriedCurve> all;
   for (const Reference& reference : references) {
     all.push_back({&reference, 0, {}});
     // The land lies to the left of a boundary: so far out the first swath takes all of its bends.
@@ -127,7 +130,7 @@ std::optional<CurvedCandidate> best_curved(const SearchTask& task, int threads) 
   BestCosts best_few(kMoved);
   try_all(task, ground, best_few, all, threads);
   if (all.empty()) return std::nullopt;
-  std::vector<Tried> moved;
+  std::vector<TriedCurve> moved;
   for (std::size_t i = 0; i < std::min(all.size(), kMoved); ++i)
     for (int k = 1; k < kPlaces; ++k)
       moved.push_back({all[i].reference, all[i].right_m + task.machine.width_m * k / kPlaces, {}});
@@ -136,7 +139,7 @@ std::optional<CurvedCandidate> best_curved(const SearchTask& task, int threads) 
   try_all(task, ground, best, moved, threads);
   all.insert(all.end(), std::make_move_iterator(moved.begin()), std::make_move_iterator(moved.end()));
   sort_best_first(all);
-  std::erase_if(all, [](const Tried& tried) { return tried.candidate.tally.pieces == 0; });
+  std::erase_if(all, [](const TriedCurve& tried) { return tried.candidate.tally.pieces == 0; });
   if (all.empty()) return std::nullopt;
   if (!asks_for_detours(task)) return std::move(all.front().candidate);
   all = promising(task, std::move(all));

@@ -14,7 +14,7 @@ struct Edges {
 };
 
 /// By their angles, each by itself.
-std::vector<Edges> edges_of(const Polygon& part) {
+std::vector<Edges> edges_by_ring(const Polygon& part) {
   std::vector<Edges> out;
   for (const Ring& ring : rings_of({part}))
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -47,7 +47,7 @@ std::vector<Edges> by_direction(const std::vector<Edges>& edges) {
 }  // namespace
 
 std::vector<GridPlace> flush_places(const Polygon& part, Point pivot, std::size_t most) {
-  std::vector<Edges> groups = by_direction(edges_of(part));
+  std::vector<Edges> groups = by_direction(edges_by_ring(part));
   std::stable_sort(groups.begin(), groups.end(),
                    [](const Edges& a, const Edges& b) { return a.length > b.length; });
   if (groups.size() > most) groups.resize(most);

@@ -10,12 +10,6 @@
 namespace tramline {
 namespace {
 
-double distance_to_segment(Point p, Point a, Point b) {
-  const Point along = b - a;
-  const double t = std::clamp(dot(p - a, along) / dot(along, along), 0.0, 1.0);
-  return distance(p, a + t * along);
-}
-
 double distance_to(const Ring& ring, Point p) {
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ring.size(); ++i)

@@ -38,7 +38,7 @@ void draw_lines(Canvas& canvas, const Plan& near, int obstacle, const Box& seen)
 }
 
 // Lines come above the faults: here the eye asks why land is worked twice or not at all.
-void draw_map(Canvas& canvas, const Plan& near, int obstacle, const CloseUpLayout& layout) {
+void draw_window(Canvas& canvas, const Plan& near, int obstacle, const CloseUpLayout& layout) {
   const Box& map = layout.page.map;
   cairo_save(canvas.cr());
   clip_to(canvas, map);
@@ -88,7 +88,7 @@ void draw_close_up(const Plan& plan, int obstacle, const std::filesystem::path& 
   const PageLayout& page = layout.page;
   Canvas canvas(format, page.width_px, page.height_px);
   canvas.use(page.view, page.text_scale);
-  draw_map(canvas, part_in(plan, layout.seen), obstacle, layout);
+  draw_window(canvas, part_in(plan, layout.seen), obstacle, layout);
   draw_title(canvas, page.title, close_up_title(plan, obstacle), close_up_subtitle(plan));
   draw_scale_strip(canvas, page.scale_strip);
   draw_legend(canvas, page, legend_of_close_up(plan, obstacle, layout.legend_for));

@@ -29,7 +29,7 @@ std::string subtitle_of(const Coverage& coverage) {
   return coverage.log.empty() ? width : fmt::format("{}, {}", coverage.log, width);
 }
 
-void draw_map(Canvas& canvas, const Coverage& coverage, const Box& map) {
+void draw_coverage_map(Canvas& canvas, const Coverage& coverage, const Box& map) {
   cairo_save(canvas.cr());
   clip_to(canvas, map);
   draw_covered(canvas, coverage);
@@ -67,7 +67,7 @@ void draw_coverage(const Coverage& coverage, const std::filesystem::path& path,
   const PageLayout page = layout_of(coverage, options);
   Canvas canvas(format, page.width_px, page.height_px);
   canvas.use(page.view, page.text_scale);
-  draw_map(canvas, coverage, page.map);
+  draw_coverage_map(canvas, coverage, page.map);
   draw_title(canvas, page.title, title_of(coverage), subtitle_of(coverage));
   draw_scale_strip(canvas, page.scale_strip);
   draw_legend(canvas, page, legend_of(coverage));

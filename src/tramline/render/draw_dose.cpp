@@ -14,7 +14,7 @@ namespace tramline::render {
 namespace {
 
 /// Ground, and cells that got a hundredth of the reference or more.
-Box drawn_box(const DoseMap& map) {
+Box dose_box(const DoseMap& map) {
   constexpr double kSeen = 0.01;
   Box box;
   for (int row = 0; row < map.grid.rows; ++row)
@@ -42,7 +42,7 @@ std::string subtitle_of(const DoseMap& map) {
 
 PageLayout layout_of(const DoseMap& map, const PictureOptions& options) {
   require_picture_width(options);
-  const Box drawn = drawn_box(map);
+  const Box drawn = dose_box(map);
   if (drawn.empty()) throw bad_input(fmt::format("{}: there is nothing to draw", map.log));
   return lay_out_page(drawn, options.width_px, heights_of(legend_of(map)));
 }

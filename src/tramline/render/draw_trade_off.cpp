@@ -21,8 +21,8 @@ constexpr double kMargin = 28;
 constexpr double kTitleHeight = 62;
 constexpr double kPanelWidth = 340;
 constexpr double kChartHeight = 560;
-constexpr double kCaptionHeight = 62;  ///< without its heading
-constexpr double kHeadingHeight = 22;  ///< of one line
+constexpr double kCaptionHeight = 62;      ///< without its heading
+constexpr double kHeadingLineHeight = 22;  ///< of one line
 constexpr double kHeadingIndent = 36;
 constexpr double kHeadingLetter = 10.6;  ///< room for one, on average
 constexpr double kGap = 28;
@@ -117,7 +117,7 @@ Layout lay_out(const Box& drawn_m, const Front& front, int width_px, double lege
   out.columns = maps > 4 ? 3 : std::max(3, static_cast<int>(maps));
   out.cell_width = (right - left - (out.columns - 1) * kGap * k) / out.columns;
   const auto headings = static_cast<double>(most_heading_lines(front, out.cell_width, k));
-  out.caption_height = (kCaptionHeight + headings * kHeadingHeight) * k;
+  out.caption_height = (kCaptionHeight + headings * kHeadingLineHeight) * k;
   const double shape = std::max(drawn_m.height(), 0.01) / std::max(drawn_m.width(), 0.01);
   out.map_height = std::clamp(shape, 0.2, kTallestMap) * out.cell_width;
   out.maps_top = out.chart.max_y + kGap * k;
@@ -158,7 +158,7 @@ void draw_caption(Canvas& canvas, const Box& box, const Front& front, std::size_
   for (const std::string& line : heading_lines(front, index, box.width(), k)) {
     const double room = box.width() - kHeadingIndent * k;
     draw_text(canvas, {box.min_x + kHeadingIndent * k, y}, fitted(canvas, line, bold, room), bold);
-    y += kHeadingHeight * k;
+    y += kHeadingLineHeight * k;
   }
   const auto row = [&](const std::string& text) {
     draw_text(canvas, {box.min_x, y + 6 * k}, fitted(canvas, text, plain, box.width()), plain);

@@ -3,7 +3,7 @@
 namespace tramline::render {
 namespace {
 
-constexpr double kHeadingHeight = 34;
+constexpr double kTableHeadingHeight = 34;
 constexpr double kRowHeight = 25;
 constexpr double kTrackColumn = 80;
 constexpr double kChosenColumn = 140;
@@ -44,7 +44,7 @@ std::array<std::string, 4> cells_of(Canvas& canvas, const Box& box, const Encoun
 
 double height_of_table(const std::vector<EncounterRow>& rows) {
   const std::size_t lines = rows.empty() ? 1 : rows.size();
-  return kHeadingHeight + kRowHeight * static_cast<double>(lines);
+  return kTableHeadingHeight + kRowHeight * static_cast<double>(lines);
 }
 
 void draw_encounter_table(Canvas& canvas, const Box& box, const std::vector<EncounterRow>& rows) {
@@ -53,7 +53,7 @@ void draw_encounter_table(Canvas& canvas, const Box& box, const std::vector<Enco
   draw_cells(canvas, box, box.min_y + 10 * k, heading, {kTextSize, true});
   const double rule = box.min_y + 26 * k;
   stroke_line(canvas, {{box.min_x, rule}, {box.max_x, rule}}, {kRule, 1.2 * k});
-  double middle = box.min_y + (kHeadingHeight + 0.5 * kRowHeight) * k;
+  double middle = box.min_y + (kTableHeadingHeight + 0.5 * kRowHeight) * k;
   if (rows.empty())
     draw_text(canvas, {box.min_x, middle}, "no meeting of a track with this obstacle is recorded",
               {kTextSize, false, Align::kLeft, kFaintInk});

@@ -19,7 +19,7 @@ constexpr double kTopRoom = 44;     ///< for its name
 constexpr double kBottomRoom = 66;  ///< for numbers and name of the other
 constexpr double kInset = 22;       ///< from the axes to the least values
 constexpr double kPointRadius = 6.5;
-constexpr double kBadgeRadius = 13;
+constexpr double kPointBadgeRadius = 13;
 constexpr double kTickApart = 58;
 
 /// Dark for few, light for many; ordered in lightness too, so that it can be read without hues.
@@ -95,13 +95,13 @@ void draw_letters(Canvas& canvas, const Front& front, const Axes& axes, const Bo
   for (const FrontPoint& point : front.points) all.push_back(axes.at(point.tally));
   const std::vector<std::size_t> points = marked_points(front);
   for (const std::size_t point : points) marked.push_back(all[point]);
-  const std::vector<Point> badges = place_badges_at(marked, all, kBadgeRadius * k, plot);
+  const std::vector<Point> badges = place_badges_at(marked, all, kPointBadgeRadius * k, plot);
   for (std::size_t i = 0; i < marked.size(); ++i)
     stroke_line(canvas, {marked[i], badges[i]}, {kInk, 1.6 * k});
   for (std::size_t i = 0; i < marked.size(); ++i) {
     disc(canvas, marked[i], (kPointRadius + 3) * k, kInk);
     draw_point(canvas, marked[i], colour_of(front, turns_and_stops(front.points[points[i]].tally)));
-    disc(canvas, badges[i], kBadgeRadius * k, kInk);
+    disc(canvas, badges[i], kPointBadgeRadius * k, kInk);
     draw_text(canvas, badges[i], letter_of(i), {kTextSize, true, Align::kCentre, kBackgroundColour});
   }
 }

@@ -16,18 +16,11 @@ namespace {
 
 constexpr double kDigitWidth = 0.637;  // of the size, DejaVu Sans
 constexpr double kLabelGap = 5;
-constexpr double kBadgeRadius = 14;
+constexpr double kTrackBadgeRadius = 14;
 constexpr double kLongestArrow = 130;
 constexpr int kBadgeGrid = 28;
 // Share of labels that may find no room before the next stride is tried.
 constexpr double kToleratedMisses = 0.04;
-
-double distance_to_segment(Point p, Point a, Point b) {
-  const Point ab = b - a;
-  const double squared = dot(ab, ab);
-  const double t = squared > 0 ? std::clamp(dot(p - a, ab) / squared, 0.0, 1.0) : 0.0;
-  return distance(p, a + t * ab);
-}
 
 double distance_to_edge(Point p, const Polygon& polygon) {
   double least = std::numeric_limits<double>::infinity();
@@ -110,7 +103,7 @@ std::vector<SubfieldBadge> place_badges(const Plan& plan, const MapView& view, d
   std::vector<SubfieldBadge> out;
   for (std::size_t i = 0; i < plan.subfields.size(); ++i) {
     const RoomyPlace place = roomiest_place(plan.subfields[i].shape, view);
-    if (place.room_px >= 0.6 * kBadgeRadius * scale)
+    if (place.room_px >= 0.6 * kTrackBadgeRadius * scale)
       out.push_back({static_cast<int>(i), place.centre, place.room_px});
   }
   return out;
@@ -120,7 +113,7 @@ std::vector<Box> boxes_of(const std::vector<SubfieldBadge>& badges, double scale
   std::vector<Box> out;
   for (const SubfieldBadge& badge : badges)
     out.push_back(
-        Box{badge.centre.x, badge.centre.y, badge.centre.x, badge.centre.y}.grown(kBadgeRadius * scale));
+        Box{badge.centre.x, badge.centre.y, badge.centre.x, badge.centre.y}.grown(kTrackBadgeRadius * scale));
   return out;
 }
 
@@ -137,7 +130,7 @@ std::vector<TrackLabel> place_track_labels(const Plan& plan, const MapView& view
 
 void draw_badges(Canvas& canvas, const Plan& plan, const std::vector<SubfieldBadge>& badges) {
   const double k = canvas.scale();
-  const double r = kBadgeRadius * k;
+  const double r = kTrackBadgeRadius * k;
   const bool curved = is_curved(plan);
   for (const SubfieldBadge& badge : badges) {
     const Point axis = plan.subfields[static_cast<std::size_t>(badge.subfield)].direction.unit();

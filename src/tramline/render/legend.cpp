@@ -11,7 +11,7 @@
 namespace tramline::render {
 namespace {
 
-constexpr double kHeadingHeight = 34;
+constexpr double kLegendHeadingHeight = 34;
 constexpr double kRowHeight = 27;
 constexpr double kBlockGap = 20;
 constexpr double kSwatchWidth = 34;
@@ -151,7 +151,7 @@ void draw_row(Canvas& canvas, const Box& box, const LegendRow& row) {
 }
 
 double height_of(const LegendBlock& block) {
-  return kHeadingHeight + kRowHeight * static_cast<double>(block.rows.size()) + kBlockGap;
+  return kLegendHeadingHeight + kRowHeight * static_cast<double>(block.rows.size()) + kBlockGap;
 }
 
 void draw_block(Canvas& canvas, Point corner, double width, const LegendBlock& block) {
@@ -159,7 +159,7 @@ void draw_block(Canvas& canvas, Point corner, double width, const LegendBlock& b
   draw_text(canvas, {corner.x, corner.y + 10 * k}, block.heading, {kTextSize, true, Align::kLeft, kInk});
   const double rule = corner.y + 26 * k;
   stroke_line(canvas, {{corner.x, rule}, {corner.x + width, rule}}, {kRule, 1.2 * k});
-  double top = corner.y + kHeadingHeight * k;
+  double top = corner.y + kLegendHeadingHeight * k;
   for (const LegendRow& row : block.rows) {
     draw_row(canvas, {corner.x, top, corner.x + width, top + kRowHeight * k}, row);
     top += kRowHeight * k;
@@ -185,7 +185,7 @@ std::vector<Box> rows_of_blocks(const PageLayout& page, const std::vector<Legend
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     double& y = top[static_cast<std::size_t>(column[i])];
     const double left = page.panel.min_x + column[i] * (width + gap);
-    out.push_back({left, y + kHeadingHeight * k, left + width, y + (heights[i] - kBlockGap) * k});
+    out.push_back({left, y + kLegendHeadingHeight * k, left + width, y + (heights[i] - kBlockGap) * k});
     y += heights[i] * k;
   }
   return out;
@@ -194,8 +194,8 @@ std::vector<Box> rows_of_blocks(const PageLayout& page, const std::vector<Legend
 void draw_legend(Canvas& canvas, const PageLayout& page, const std::vector<LegendBlock>& blocks) {
   const std::vector<Box> rows = rows_of_blocks(page, blocks);
   for (std::size_t i = 0; i < blocks.size(); ++i)
-    draw_block(canvas, {rows[i].min_x, rows[i].min_y - kHeadingHeight * canvas.scale()}, rows[i].width(),
-               blocks[i]);
+    draw_block(canvas, {rows[i].min_x, rows[i].min_y - kLegendHeadingHeight * canvas.scale()},
+               rows[i].width(), blocks[i]);
 }
 
 }  // namespace tramline::render

@@ -11,6 +11,7 @@
 #include <random>
 
 #include "support/refusals.h"
+#include "support/small_plan.h"
 #include "support/temporary_folder.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/plan/read_plan.h"
@@ -22,19 +23,9 @@ namespace {
 using testing_support::bytes_of;
 using testing_support::damaged;
 using testing_support::mentions;
+using testing_support::small_plan;
 
 namespace fs = std::filesystem;
-
-Plan small_plan() {
-  Plan plan;
-  plan.field.id = "small";
-  plan.field.outer = {{0, 0}, {100, 0}, {100, 6}, {0, 6}};
-  plan.field.frame = {true, 13, 52, 0, 0};
-  plan.body = {{plan.field.outer, {}}};
-  plan.subfields = {{plan.body[0], Direction::clockwise_from_north(Angle::degrees(90))}};
-  plan.pieces = {{{0, 1.5}, {100, 1.5}, 0, 0}, {{100, 4.5}, {0, 4.5}, 0, 1}};
-  return plan;
-}
 
 class DamagedPlan : public testing::Test {
  protected:

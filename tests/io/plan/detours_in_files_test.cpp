@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "support/temporary_folder.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/plan/detour_text.h"
 #include "tramline/io/plan/path_text.h"
@@ -17,6 +18,8 @@
 
 namespace tramline {
 namespace {
+
+using testing_support::bytes_of;
 
 namespace fs = std::filesystem;
 
@@ -52,11 +55,6 @@ Plan detour_plan() {
       {0, 0, {50.1, third}, {}, Passing::kCut, {false, 0, "too near to the edge"}, {true, 1 + third, ""}},
       {0, 1, {15.2, 4.5}, {0, 1}, Passing::kLeft, {true, -third, ""}, {false, 0, "too wide"}}};
   return plan;
-}
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 class DetoursInFiles : public testing::Test {

@@ -11,12 +11,15 @@
 #include <initializer_list>
 #include <iterator>
 
+#include "support/temporary_folder.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/plan/read_plan.h"
 #include "tramline/io/plan/write_plan.h"
 
 namespace tramline {
 namespace {
+
+using testing_support::bytes_of;
 
 namespace fs = std::filesystem;
 
@@ -64,11 +67,6 @@ Plan headland_plan() {
   plan.pieces[1].curve = {{{20, 30}, {80, 60 + third}, -1 / 88.8}};
   plan.pieces[2].curve = straight_path({9, 85}, {99, 86});
   return plan;
-}
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 class HeadlandsInFiles : public testing::Test {

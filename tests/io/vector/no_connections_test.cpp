@@ -19,7 +19,7 @@
 namespace tramline::testing_files {
 namespace {
 
-constexpr const char* kSquare =
+constexpr const char* kGeoSquare =
     R"({"type": "Polygon", "coordinates": [[[9, 50], [9.01, 50], [9.01, 50.01], [9, 50.01], [9, 50]]]})";
 
 /// Takes connections in the kernel only: whoever connects is not answered, and would wait.
@@ -80,7 +80,7 @@ class NoConnections : public Files {
   }
   std::string geojson(const std::string& crs) const {
     return R"({"type": "FeatureCollection", "crs": )" + crs +
-           R"(, "features": [{"type": "Feature", "properties": {}, "geometry": )" + kSquare + "}]}";
+           R"(, "features": [{"type": "Feature", "properties": {}, "geometry": )" + kGeoSquare + "}]}";
   }
   std::string linked() const {
     return geojson(R"({"type": "link", "properties": {"href": ")" + listener_.url("crs") +
@@ -129,7 +129,7 @@ TEST_F(NoConnections, CrsOfGeoJsonHiddenByEscapesOrInAGeometry) {
   std::string hidden = linked();
   hidden.replace(hidden.find("\"crs\""), 5, R"("\u0063rs")");
   expect_refused(write("hidden.geojson", hidden), listener_.url("crs"));
-  std::string inner = std::string(R"({"type": "Feature", "properties": {}, "geometry": )") + kSquare + "}";
+  std::string inner = std::string(R"({"type": "Feature", "properties": {}, "geometry": )") + kGeoSquare + "}";
   inner.insert(inner.rfind("]]]") + 3,
                R"(, "crs": {"type": "link", "properties": {"href": ")" + listener_.url("crs") + R"("}})");
   expect_refused(write("inner.geojson", inner), listener_.url("crs"));

@@ -78,11 +78,11 @@ CellGrid LaidCells::grid(const Box& box, const Box& reach) const {
          all.max_x + std::max(0.0, reach.max_x), all.max_y + std::max(0.0, reach.max_y)};
   require_few_cells(all.width(), all.height(), cell_m_);
   // A corner on a line of the grid, but for rounding, opens no cell beyond it.
-  constexpr double kOnLine = 1e-6;
-  const double left = std::floor(all.min_x / cell_m_ + kOnLine),
-               right = std::ceil(all.max_x / cell_m_ - kOnLine);
-  const double bottom = std::floor(all.min_y / cell_m_ + kOnLine),
-               top = std::ceil(all.max_y / cell_m_ - kOnLine);
+  constexpr double kRounding = 1e-6;
+  const double left = std::floor(all.min_x / cell_m_ + kRounding),
+               right = std::ceil(all.max_x / cell_m_ - kRounding);
+  const double bottom = std::floor(all.min_y / cell_m_ + kRounding),
+               top = std::ceil(all.max_y / cell_m_ - kRounding);
   return {{left * cell_m_, bottom * cell_m_},
           cell_m_,
           std::max(1, static_cast<int>(right - left)),

@@ -78,7 +78,7 @@ GDALDriver& driver_for(ExportFormat format) {
   return *found;
 }
 
-GDALDatasetUniquePtr opened(const std::filesystem::path& plan) {
+GDALDatasetUniquePtr opened_plan(const std::filesystem::path& plan) {
   const char* const drivers[] = {"GPKG", nullptr};
   GDALDatasetUniquePtr out(
       GDALDataset::Open(plan.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers, nullptr, nullptr));
@@ -143,7 +143,7 @@ ExportReport export_plan(const ExportRequest& request) {
   const Chosen plan = chosen_from(request);
   register_drivers();
   GdalErrors errors;
-  const GDALDatasetUniquePtr from = opened(request.plan);
+  const GDALDatasetUniquePtr from = opened_plan(request.plan);
   if (plan.key) choose_rows(*from, *plan.key);
   const std::vector<std::string> layers = chosen_layers(*from, request, report.format);
   require_something(*from, request, layers);

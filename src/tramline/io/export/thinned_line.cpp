@@ -8,13 +8,6 @@
 namespace tramline::io {
 namespace {
 
-double distance_to_segment(Point p, Point a, Point b) {
-  const Point along = b - a;
-  const double square = dot(along, along);
-  const double t = square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0;
-  return distance(p, a + t * along);
-}
-
 struct Farthest {
   std::size_t at = 0;
   double off_m = 0;

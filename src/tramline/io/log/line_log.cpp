@@ -9,13 +9,11 @@
 #include "tramline/geometry/error.h"
 #include "tramline/io/fixes/boom_list.h"
 #include "tramline/io/fixes/places.h"
+#include "tramline/io/log/log_format.h"
 #include "tramline/io/log/settle_positions.h"
 
 namespace tramline::io {
 namespace {
-
-/// As many bytes as log_format() looks at.
-constexpr std::size_t kLooked = 8192;
 
 bool wider_than_a_log(const Box& box) {
   return !box.empty() && (box.max_x - box.min_x > kWidestLog_deg || box.max_y - box.min_y > kWidestLog_deg);
@@ -52,7 +50,7 @@ void LineLog::recognise(std::string_view line, std::vector<Fix>& out) {
     try {
       for (const std::string& held : held_) table.add(held);
     } catch (const Error&) {
-      if (held_bytes_ > kLooked) throw;
+      if (held_bytes_ > kFirstBytes) throw;
     }
     if (table.rows() == nullptr) return;
     kind_ = Kind::kCsv;

@@ -17,8 +17,6 @@
 namespace tramline::io {
 namespace {
 
-constexpr std::size_t kLooked = 8192;
-
 bool is_vector_name(const std::string& name) {
   constexpr std::array kEndings = {".geojson",     ".json",   ".geojsonl", ".gpkg",       ".shp",
                                    ".fgb",         ".kml",    ".kmz",      ".gml",        ".sqlite",
@@ -46,7 +44,7 @@ LogFormat log_format(const std::string& path) {
   if (std::filesystem::is_directory(path, error) || name.ends_with(".zip"))
     return TaskFiles::looks_like_one(path) ? LogFormat::kIsoxml : LogFormat::kVector;
   if (is_vector_name(name)) return LogFormat::kVector;
-  const std::string start = first_bytes(path, kLooked);
+  const std::string start = first_bytes(path, kFirstBytes);
   if (start.empty()) throw bad_input(fmt::format("'{}' is empty; give a log with records", path));
   const std::string head = lower_case(start);
   if (head.find("<iso11783_taskdata") != std::string::npos) return LogFormat::kIsoxml;

@@ -1,9 +1,13 @@
 #pragma once
 // Which kind of log a file is.
 
+#include <cstddef>
 #include <string>
 
 namespace tramline::io {
+
+/// Bytes at the start of a file that tell what it is.
+inline constexpr std::size_t kFirstBytes = 8192;
 
 enum class LogFormat { kCsv, kNmea, kGpx, kIsoxml, kVector };
 

@@ -165,10 +165,10 @@ class Reader : public FieldKeyReader {
     value = Angle::radians(radians);
   }
   void operator()(const std::string& key, std::vector<int>& values) {
-    parse(key, [&](const nlohmann::json& json) {
+    parse(key, [&](const nlohmann::json& list) {
       // A loop over a number runs once.
-      if (!json.is_array()) throw nlohmann::json::other_error::create(0, "no list", nullptr);
-      for (const nlohmann::json& item : json) values.push_back(count(item));
+      if (!list.is_array()) throw nlohmann::json::other_error::create(0, "no list", nullptr);
+      for (const nlohmann::json& item : list) values.push_back(count(item));
     });
   }
   void operator()(const std::string& key, std::vector<Point>& line) {

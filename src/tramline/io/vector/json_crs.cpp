@@ -4,6 +4,8 @@
 #include <istream>
 #include <nlohmann/json.hpp>
 
+#include "tramline/io/vector/json_listener.h"
+
 namespace tramline::io {
 namespace {
 
@@ -12,7 +14,7 @@ using nlohmann::json;
 using TakeCrs = std::function<void(const std::string&, const std::string&)>;
 
 /// Follows the parser through the values, and keeps only what stands in a "crs".
-class CrsListener final : public nlohmann::json_sax<json> {
+class CrsListener final : public JsonListener {
  public:
   explicit CrsListener(const TakeCrs& take) : take_(take) {}
 
@@ -44,20 +46,9 @@ class CrsListener final : public nlohmann::json_sax<json> {
     if (crs_depth_ > 0 && (key_ == "href" || key_ == "url" || key_ == "name")) place_ = text;
     return value();
   }
-  bool start_array(std::size_t) override { return value(); }
-  bool end_array() override { return value(); }
-  bool null() override { return value(); }
-  bool boolean(bool) override { return value(); }
-  bool number_integer(number_integer_t) override { return value(); }
-  bool number_unsigned(number_unsigned_t) override { return value(); }
-  bool number_float(number_float_t, const string_t&) override { return value(); }
-  bool binary(binary_t&) override { return value(); }
-  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
-    return false;
-  }
 
  private:
-  bool value() {
+  bool value() override {
     key_.clear();
     return true;
   }

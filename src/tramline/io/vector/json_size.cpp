@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tramline/io/vector/json_crs.h"
+#include "tramline/io/vector/json_listener.h"
 
 namespace tramline::io {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 using nlohmann::json;
 
 /// Keeps the "type" of the value itself, and nothing else.
-class TypeListener final : public nlohmann::json_sax<json> {
+class TypeListener final : public JsonListener {
  public:
   bool is_collection() const { return is_collection_; }
 
@@ -28,15 +29,6 @@ class TypeListener final : public nlohmann::json_sax<json> {
     if (at_type_) is_collection_ = text == "FeatureCollection";
     return value();
   }
-  bool null() override { return value(); }
-  bool boolean(bool) override { return value(); }
-  bool number_integer(number_integer_t) override { return value(); }
-  bool number_unsigned(number_unsigned_t) override { return value(); }
-  bool number_float(number_float_t, const string_t&) override { return value(); }
-  bool binary(binary_t&) override { return value(); }
-  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
-    return false;
-  }
 
  private:
   bool down() {
@@ -47,7 +39,7 @@ class TypeListener final : public nlohmann::json_sax<json> {
     --depth_;
     return value();
   }
-  bool value() {
+  bool value() override {
     at_type_ = false;
     return true;
   }

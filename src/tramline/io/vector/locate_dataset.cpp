@@ -12,19 +12,14 @@
 
 #include "tramline/geometry/error.h"
 #include "tramline/io/vector/gdal_messages.h"
+#include "tramline/io/vector/lower_case.h"
 
 namespace tramline::io {
 namespace {
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 std::string extension(const std::string& path) {
   const std::size_t dot = path.find_last_of("./");
-  return dot == std::string::npos || path[dot] == '/' ? "" : lower(path.substr(dot + 1));
+  return dot == std::string::npos || path[dot] == '/' ? "" : lower_case(path.substr(dot + 1));
 }
 
 bool exists(const std::string& path) {
@@ -108,8 +103,8 @@ bool is_folder(const std::string& name) {
 std::string shown_name(const std::string& file) {
   std::string out = file;
   const std::string key = "password=";
-  for (std::size_t at = lower(out).find(key); at != std::string::npos;
-       at = lower(out).find(key, at + key.size())) {
+  for (std::size_t at = lower_case(out).find(key); at != std::string::npos;
+       at = lower_case(out).find(key, at + key.size())) {
     const std::size_t start = at + key.size();
     const char closing = start < out.size() && out[start] == '\'' ? '\'' : ' ';
     const std::size_t end = out.find(closing, start + 1);

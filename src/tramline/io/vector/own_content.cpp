@@ -19,6 +19,7 @@
 #include "tramline/io/vector/json_crs.h"
 #include "tramline/io/vector/json_size.h"
 #include "tramline/io/vector/locate_dataset.h"
+#include "tramline/io/vector/lower_case.h"
 
 namespace tramline::io {
 namespace {
@@ -39,13 +40,6 @@ File opened(const std::string& name) { return {VSIFOpenL(name.c_str(), "rb"), VS
 std::size_t size_of(const std::string& name) {
   VSIStatBufL status;
   return VSIStatL(name.c_str(), &status) == 0 ? static_cast<std::size_t>(status.st_size) : 0;
-}
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  std::transform(out.begin(), out.end(), out.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
 }
 
 /// A file of GDAL's as a stream.
@@ -144,7 +138,7 @@ void look_at_json(const std::string& name, const std::string& shown) {
   FileBuffer buffer(file.get());
   std::istream text(&buffer);
   each_json_crs(text, [&](const std::string& type, const std::string& place) {
-    const std::string kind = lower(type), at = lower(place);
+    const std::string kind = lower_case(type), at = lower_case(place);
     const bool link = kind == "link" || kind == "url";
     if (!link && (is_well_known(at) || !is_address_or_path(at))) return;
     throw points_elsewhere(
@@ -179,7 +173,7 @@ void look_at_xml(const std::string& name, const std::string& head, const std::st
   if (root.empty() && head.size() > kHead / 4)
     throw bad_input(
         fmt::format("'{}' has no element in its first {} KiB; export it again", shown, kHead >> 10));
-  if (lower(root.substr(0, 9)) == "<!doctype")
+  if (lower_case(root.substr(0, 9)) == "<!doctype")
     throw points_elsewhere(shown,
                            "declares a document type (<!DOCTYPE>), whose entities may stand in other files",
                            "remove that declaration, or export the file again");
@@ -197,14 +191,14 @@ void look_at_kmz(const std::string& name, const std::string& shown) {
   const std::string root = "/vsizip/{" + name + "}";
   const CPLStringList entries(VSIReadDirRecursive(root.c_str()));
   for (int i = 0; i < entries.size(); ++i)
-    if (lower(entries[i]).ends_with(".kml")) {
+    if (lower_case(entries[i]).ends_with(".kml")) {
       const std::string inner = root + "/" + entries[i];
       look_at_xml(inner, head_of(inner), shown);
     }
 }
 
 void look_at_table(const std::string& head, const std::string& shown) {
-  const std::string text = lower(head);
+  const std::string text = lower_case(head);
   if (text.find("isseamless") != std::string::npos || text.find("create view") != std::string::npos)
     throw points_elsewhere(shown, "is a MapInfo table made of other tables", "name the tables themselves");
 }
@@ -214,7 +208,7 @@ void look_at_database(const std::string& name, const std::string& shown) {
                                                         "virtualxl",   "virtualgeojson", "virtualogr"};
   std::string found;
   any_piece(name, [&](std::string_view piece) {
-    const std::string text = lower(piece);
+    const std::string text = lower_case(piece);
     for (const std::string_view reader : kReaders)
       if (text.find(reader) != std::string::npos && text.find("virtual table") != std::string::npos)
         found = reader;
@@ -232,9 +226,9 @@ void require_own_content(const std::string& name, const std::string& shown) {
   const GdalMessages silence;
   const std::string head = head_of(name);
   if (head.starts_with("SQLite format 3")) return look_at_database(name, shown);
-  if (head.starts_with("PK") && lower(name).ends_with(".kmz")) return look_at_kmz(name, shown);
+  if (head.starts_with("PK") && lower_case(name).ends_with(".kmz")) return look_at_kmz(name, shown);
   if (head.starts_with('<')) return look_at_xml(name, head, shown);
-  if (lower(head.substr(0, 6)) == "!table") return look_at_table(head, shown);
+  if (lower_case(head.substr(0, 6)) == "!table") return look_at_table(head, shown);
   const bool json = head.starts_with('{') || head.starts_with('[') || head.starts_with('\x1e');
   if (json) look_at_json(name, shown);
 }
