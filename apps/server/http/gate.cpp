@@ -5,30 +5,24 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdint>
 #include <utility>
 
 #include "server/http/http_error.h"
 #include "server/http/router.h"
 #include "server/routes/routes.h"
+#include "tramline/io/vector/lower_case.h"
 
 namespace tramline::server {
 namespace {
 
 constexpr const char* kCookie = "tramline_token=";
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 bool is_version_6(const std::string& host) { return host.find(':') != std::string::npos; }
 
 std::string with_port(const std::string& host, int port) {
-  return is_version_6(host) ? fmt::format("[{}]:{}", lower(host), port)
-                            : fmt::format("{}:{}", lower(host), port);
+  return is_version_6(host) ? fmt::format("[{}]:{}", io::lower_case(host), port)
+                            : fmt::format("{}:{}", io::lower_case(host), port);
 }
 
 /// An address in numbers: nobody else's name can be led to it.
@@ -90,7 +84,7 @@ Gate::Gate(const std::string& host, int port, std::string token) : port_(port), 
 }
 
 bool Gate::knows_host(const std::string& host) const {
-  const std::string own = lower(host);
+  const std::string own = io::lower_case(host);
   if (hosts_.contains(own) || (port_ == 80 && hosts_.contains(own + ":80"))) return true;
   const std::string port = fmt::format(":{}", port_);
   return any_address_ && own.ends_with(port) && is_numeric(own.substr(0, own.size() - port.size()));
@@ -111,7 +105,8 @@ bool Gate::lets_in(const httplib::Request& request, httplib::Response& response,
         "this server is not known under that name; open it by the address that was printed when it started");
     return false;
   }
-  if (request.has_header("Origin") && lower(request.get_header_value("Origin")) != "http://" + lower(host)) {
+  if (request.has_header("Origin") &&
+      io::lower_case(request.get_header_value("Origin")) != "http://" + io::lower_case(host)) {
     refuse(response, Fault::kForbidden, "another page may not use this server; open its own page");
     return false;
   }

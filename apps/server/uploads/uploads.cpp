@@ -2,15 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
 #include <system_error>
 
 #include "server/http/http_error.h"
 #include "server/store/new_id.h"
 #include "tramline/geometry/error.h"
+#include "tramline/io/vector/lower_case.h"
 
 namespace tramline::server {
 namespace {
@@ -24,12 +23,6 @@ constexpr std::array<std::string_view, 27> kExtensions = {
     ".csv.gz", ".txt.gz", ".log.gz", ".nmea.gz", ".geojsonl", ".geojson", ".gpkg", ".json", ".nmea",
     ".sqlite", ".shp",    ".zip",    ".fgb",     ".kml",      ".kmz",     ".gml",  ".gpx",  ".csv",
     ".txt",    ".log",    ".tsv",    ".xml",     ".bin",      ".dxf",     ".mif",  ".shz",  ".toml"};
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 std::string_view extension_of(const std::string& lower_name) {
   for (const std::string_view extension : kExtensions)
@@ -68,7 +61,7 @@ std::string Upload::in_its_name(std::string sentence) const {
 
 std::string stem_of(const std::string& name) {
   const std::string file = without_folders(name);
-  const std::string stem = file.substr(0, file.size() - extension_of(lower(file)).size());
+  const std::string stem = file.substr(0, file.size() - extension_of(io::lower_case(file)).size());
   return stem.empty() ? "field" : stem;
 }
 
@@ -100,7 +93,7 @@ Upload Uploads::begin(const std::string& name) const {
   if (!fs::create_directory(own, error))
     throw failure(fmt::format("the file could not be kept ({}); is the disk full?", error.message()));
   // Readers name layers and obstacles after the file: no two are to have the same name.
-  out.path = own / (out.id + std::string(extension_of(lower(out.name))));
+  out.path = own / (out.id + std::string(extension_of(io::lower_case(out.name))));
   return out;
 }
 

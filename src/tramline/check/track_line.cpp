@@ -17,8 +17,6 @@ constexpr double kSharpestCorner = 2 * std::numbers::pi / 3;
 /// How far headings may be off in a path without kinks, rad.
 constexpr double kFlatTurn = 1e-3;
 
-Point clockwise(Point direction) { return {direction.y, -direction.x}; }
-
 /// How far the heading turns to the right, rad; in (−π, π].
 double right_turn(Point from, Point to) { return std::atan2(-cross(from, to), dot(from, to)); }
 
@@ -203,7 +201,7 @@ std::optional<TrackPlace> TrackLine::place_of(Point p) const {
     return settled(foot);
   if (!corner) return std::nullopt;
   const Point outwards = (1 / distance(p, corner->centre)) * (p - corner->centre);
-  return TrackPlace{p, clockwise(outwards), corner->from_m, round_of(corner->arc.front(), corner->centre, p),
+  return TrackPlace{p, right_of(outwards), corner->from_m, round_of(corner->arc.front(), corner->centre, p),
                     true};
 }
 

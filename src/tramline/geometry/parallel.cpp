@@ -11,7 +11,7 @@ namespace tramline {
 namespace {
 
 /// Stretches that are shorter are nothing, m.
-constexpr double kShortestTrack_m = 1e-3;
+constexpr double kShortestStretch_m = 1e-3;
 
 /// Levels of one family; those computed last are kept.
 class Levels {
@@ -141,7 +141,7 @@ class TrackMaker {
   }
 
   bool flush(Path& path, bool left, bool wanted, double from, std::vector<Placed>& out) const {
-    const bool any = !path.empty() && length(path) > kShortestTrack_m;
+    const bool any = !path.empty() && length(path) > kShortestStretch_m;
     if (any && wanted) out.push_back({from, {left ? reversed(path) : path, false}});
     path.clear();
     return any;

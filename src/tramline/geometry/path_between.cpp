@@ -9,7 +9,7 @@ namespace tramline {
 namespace {
 
 /// What is shorter is no part of a path, m.
-constexpr double kSamePlace_m = 1e-9;
+constexpr double kShortestPart_m = 1e-9;
 
 PathSegment part_of(const PathSegment& segment, double from, double to) {
   const double whole = length(segment);
@@ -30,7 +30,7 @@ Path path_between(const Path& path, double from, double to) {
     const double whole = length(segment), low = std::max(0.0, from - start),
                  high = std::min(whole, to - start);
     start += whole;
-    if (high - low <= kSamePlace_m) continue;
+    if (high - low <= kShortestPart_m) continue;
     PathSegment part = part_of(segment, low, high);
     if (!out.empty()) part.from = out.back().to;
     out.push_back(part);

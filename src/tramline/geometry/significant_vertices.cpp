@@ -1,7 +1,6 @@
 #include "tramline/geometry/significant_vertices.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace tramline {
 namespace {

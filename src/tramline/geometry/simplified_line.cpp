@@ -1,6 +1,5 @@
 #include "tramline/geometry/simplified_line.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace tramline {

@@ -16,7 +16,7 @@ namespace {
 
 /// Kinks that turn less are none, rad; straight parts that are shorter are none, m.
 constexpr double kStraight = 1e-9;
-constexpr double kShortestPart_m = 1e-7;
+constexpr double kShortestStraight_m = 1e-7;
 
 /// Wider arcs have centres so far away that distances from them lose digits, m.
 constexpr double kWidest = 1e5;
@@ -63,14 +63,14 @@ Path rounded(const std::vector<Point>& line, double radius, double tolerance) {
     Point from = line[i] + (tangents[i] / length(back)) * back;
     const Point to = line[i] + (tangents[i] / length(on)) * on;
     // Tangents may overlap by rounding: then the straight part between them would run backwards.
-    if (dot(at - from, back) < kShortestPart_m * length(back))
+    if (dot(at - from, back) < kShortestStraight_m * length(back))
       from = at;
     else
       path.push_back({at, from, 0});
     path.push_back({from, to, std::tan(0.5 * turn) / tangents[i]});
     at = to;
   }
-  if (distance(at, line.back()) >= kShortestPart_m || path.empty())
+  if (distance(at, line.back()) >= kShortestStraight_m || path.empty())
     path.push_back({at, line.back(), 0});
   else
     path.back().to = line.back();

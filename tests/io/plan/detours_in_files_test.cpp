@@ -6,8 +6,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "support/temporary_folder.h"
 #include "tramline/geometry/error.h"

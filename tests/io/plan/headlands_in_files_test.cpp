@@ -7,9 +7,7 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <initializer_list>
-#include <iterator>
 
 #include "support/temporary_folder.h"
 #include "tramline/geometry/error.h"

@@ -1,6 +1,5 @@
 #include "tramline/io/export/thinned_line.h"
 
-#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <utility>
