@@ -224,7 +224,7 @@ long-fuzz-readers: packages-lint build/fuzz/build.ninja ## the readers of fields
 
 long-debug: packages build/debug/build.ninja ## the fast tests in a build that is not optimised, with the standard library's assertions
 	cmake --build build/debug -j $(JOBS)
-	$(LIMIT) $(CTEST) --test-dir build/debug -LE "properties|search|scenes|real|page|install"
+	$(LIMIT) $(CTEST) --test-dir build/debug -LE "properties|search|scenes|real|page|install|slow"
 
 long-asan: packages build/asan-ubsan/build.ninja ## all tests with address and undefined-behaviour sanitizers
 	cmake --build build/asan-ubsan -j $(JOBS)

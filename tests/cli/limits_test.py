@@ -119,8 +119,13 @@ class Limits(unittest.TestCase):
             self.refused("JSON of more than 64 MB that is no collection", "info", name)
 
     def test_one_huge_feature_of_a_collection(self):
-        self.write("f.geojson", GEOJSON + FEATURE[:-3], b",[9.00001,54.00001]", 100 * MB, b"]]}}]}")
-        self.refused("cannot be read as a vector file", "info", "f.geojson")
+        self.write("f.geojson", GEOJSON + FEATURE[:-4], b",[9.00001,54.00001]", 100 * MB, b"]]}}]}")
+        self.refused("has a feature of more than a million corners", "info", "f.geojson")
+
+    def test_a_feature_of_a_million_corners_is_read(self):
+        self.write("f.geojson", GEOJSON + FEATURE[:-4], b",[9.00001,54.00001]", 19_000_000, b"]]}}]}")
+        done = self.run_program("info", "f.geojson", "--json", "--id", "nobody")
+        self.assertIn(b"has no field that is called 'nobody'", done.stderr)
 
     def test_packed_geojson(self):
         self.gzip("f.geojson.gz", GEOJSON + FEATURE, b",\n" + FEATURE, 1100 * MB)
@@ -156,6 +161,10 @@ class Limits(unittest.TestCase):
         self.refused_log("holds more than 3000000 fixes", "f.csv.gz")
         self.gzip("g.csv.gz", b"lon,lat,time\n9,54,", b"0" * 64, 1100 * MB)
         self.refused_log("has a line longer than 1048576 bytes", "g.csv.gz")
+
+    def test_lines_without_end(self):
+        self.gzip("f.csv.gz", b"lon,lat,time\n", b"x\n", 1000 * MB)
+        self.refused_log("has more than 50000000 lines", "f.csv.gz")
 
     def test_a_quoted_field_without_end(self):
         (self.folder / "f.csv").write_bytes(b'lon,lat,time\n9,54,"' + b'""\n' * 300_000)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <optional>
 #include <utility>
 
 #include "report/explain_report.h"
@@ -28,12 +29,13 @@ struct PlanRequest {
   PlanSettings settings;
   bool explain = false;
   bool draft = false;
+  std::optional<double> seconds;  ///< for the search; without: until it is through
   std::string name;
 };
 
 PlanRequest plan_request(App& app, const ordered_json& json) {
-  const JsonInput input(json, "",
-                        {"kind", "field", "machine", "objective", "settings", "explain", "draft", "name"});
+  const JsonInput input(
+      json, "", {"kind", "field", "machine", "objective", "settings", "explain", "draft", "seconds", "name"});
   PlanRequest out;
   out.field = app.fields.get(input.text("field"));
   out.machine = machine_in(input.value("machine"), "machine");
@@ -43,6 +45,9 @@ PlanRequest plan_request(App& app, const ordered_json& json) {
   out.settings = settings_on(settings, out.field->field, out.machine);
   out.explain = input.flag("explain", false);
   out.draft = input.flag("draft", false);
+  out.seconds = input.number_if("seconds");
+  if (out.seconds && *out.seconds <= 0)
+    throw bad_input(fmt::format("seconds has to be a number above 0, not {:g}", *out.seconds));
   out.name = name_of(input, "name");
   if (out.draft && !out.name.empty()) throw bad_input("a plan with a name is kept; leave out name or draft");
   return out;
@@ -54,7 +59,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 ordered_json make_plan(App& app, const PlanRequest& request, JobRun& run) {
   const auto start = std::chrono::steady_clock::now();
-  const Progress progress = told_to(run);
+  const Progress progress = told_to(run, request.seconds);
   PlanNotes notes{request.name.empty() ? request.field->name : request.name,
                   request.field->id,
                   request.field->skipped,
@@ -84,8 +89,8 @@ void require_free_directions(const PlanSettings& settings) {
 
 ordered_json compare_plans(App& app, const PlanRequest& request, JobRun& run) {
   const auto start = std::chrono::steady_clock::now();
-  TradeOff found =
-      trade_off(request.field->field, request.machine, request.objective, request.settings, 0, told_to(run));
+  TradeOff found = trade_off(request.field->field, request.machine, request.objective, request.settings, 0,
+                             told_to(run, request.seconds));
   run.check();
   const std::string name = request.name.empty() ? request.field->name : request.name;
   return {{"front", app.fronts

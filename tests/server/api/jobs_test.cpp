@@ -147,6 +147,23 @@ TEST_F(ServerTest, AFailedJobSaysWhy) {
   EXPECT_NE(std::string(job["error"]["message"]).find("900 m"), std::string::npos);
 }
 
+TEST_F(ServerTest, ASearchEndsAfterTheSecondsItIsGiven) {
+  const std::string field = served.field_of("riverside.geojson");
+  const auto planned = [&](const ordered_json& seconds) {
+    const ordered_json job =
+        served.job_of(served.post("/jobs", {{"kind", "plan"},
+                                            {"field", field},
+                                            {"machine", {{"width_m", 1}, {"radius_m", 6}}},
+                                            {"seconds", seconds}}));
+    EXPECT_EQ(job["state"], "done") << job.dump();
+    return served.get("/plans/" + std::string(job["result"]["plan"])).json["summary"];
+  };
+  const ordered_json soon = planned(1e-6), late = planned(nullptr);
+  EXPECT_TRUE(soon["cut_short"]);
+  EXPECT_FALSE(late["cut_short"]);
+  EXPECT_GE(soon["cost"], late["cost"]);
+}
+
 TEST_F(ServerTest, RefusesJobsThatMakeNoSense) {
   const std::string field = served.post("/fields", {{"name", "square"}, {"geometry", square()}}).json["id"];
   const ordered_json good{{"kind", "plan"}, {"field", field}, {"machine", {{"width_m", 3}, {"radius_m", 6}}}};
@@ -170,6 +187,7 @@ TEST_F(ServerTest, RefusesJobsThatMakeNoSense) {
   refused("objective", ordered_json::object());
   EXPECT_NE(refused("settings", {{"strategy", "guess"}}).find("strategy takes best or sweep"),
             std::string::npos);
+  EXPECT_NE(refused("seconds", 0).find("seconds has to be a number above 0"), std::string::npos);
   refused("settings", {{"headlands", 1.5}});
   refused("settings", {{"headlands", 101}});
   refused("settings", {{"line", {{9, 50}}}});

@@ -33,7 +33,7 @@ struct FileLines::File {
   std::string path;
   gzFile handle = nullptr;
   std::vector<char> buffer = std::vector<char>(kBuffer);
-  std::size_t at = 0, filled = 0, total = 0, most = kMostExpanded;
+  std::size_t at = 0, filled = 0, total = 0, most = kMostExpanded, lines = 0;
   bool ended = false;
   std::string cut_off;
 
@@ -72,6 +72,9 @@ FileLines::~FileLines() {
 bool FileLines::next(std::string& line) {
   File& file = *file_;
   line.clear();
+  if (++file.lines > kMostLines)
+    throw bad_input(fmt::format("'{}' has more than {} lines; split it, or check that it is a log", file.path,
+                                kMostLines));
   bool any = false;
   while (true) {
     if (file.at == file.filled) {

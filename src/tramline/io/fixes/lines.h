@@ -15,6 +15,9 @@ inline constexpr std::size_t kMostWholeText = std::size_t{128} << 20;
 /// No line of a log is as long.
 inline constexpr std::size_t kLongestLine = std::size_t{1} << 20;
 
+/// No log has as many: 3 million fixes of NMEA come with up to 16 sentences each.
+inline constexpr std::size_t kMostLines = 50'000'000;
+
 /// Where lines come from.
 class Lines {
  public:
@@ -36,8 +39,8 @@ class TextLines final : public Lines {
 };
 
 /// Lines of a file, plain or gzipped. Throws bad_input when it cannot be opened, when a gzipped file expands
-/// to more than `most_expanded` bytes and when a line is longer than kLongestLine. Memory does not grow with
-/// the file.
+/// to more than `most_expanded` bytes, when a line is longer than kLongestLine and beyond kMostLines. Memory
+/// does not grow with the file.
 class FileLines final : public Lines {
  public:
   explicit FileLines(const std::string& path, std::size_t most_expanded = kMostExpanded);

@@ -30,8 +30,9 @@ constexpr std::array<std::pair<const char*, const char*>, 11> kSettings = {{
     {"LIBKML_RESOLVE_STYLE", "NO"},
     // SpatiaLite has virtual tables that read any file of the machine.
     {"SPATIALITE_LOAD", "NO"},
-    // MB: a feature, or a whole file that is one value, takes ten times that of memory.
-    {"OGR_GEOJSON_MAX_OBJ_SIZE", "64"},
+    // MB of memory for a feature, by the driver's own estimate: some 1.2 million corners. It takes four times
+    // that.
+    {"OGR_GEOJSON_MAX_OBJ_SIZE", "200"},
     // Nothing is written beside a file that is read.
     {"CPL_VSIL_GZIP_WRITE_PROPERTIES", "NO"},
     {"OGR_SQLITE_LIST_VIRTUAL_OGR", "NO"},

@@ -20,6 +20,8 @@ void GdalMessages::add(int error_class, const char* text) {
   if (error_class < CE_Failure) return;
   failed_ = true;
   last_ = text != nullptr ? text : "";
+  // Further errors follow on this one.
+  feature_too_large_ = feature_too_large_ || last_.find("OGR_GEOJSON_MAX_OBJ_SIZE") != std::string::npos;
 }
 
 std::string GdalMessages::last() const {
@@ -31,7 +33,7 @@ std::string GdalMessages::last() const {
 }
 
 void GdalMessages::clear() {
-  failed_ = false;
+  failed_ = feature_too_large_ = false;
   last_.clear();
 }
 

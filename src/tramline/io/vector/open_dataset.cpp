@@ -68,6 +68,9 @@ GDALDatasetUniquePtr open_dataset(const std::string& path, const std::string& wa
   if (dataset) return dataset;
   if (is_folder(names.front()))
     throw bad_input(fmt::format("'{}' is a folder without Shapefiles; name a file in it", file));
+  if (messages.feature_too_large())
+    throw bad_input(fmt::format(
+        "'{}' has a feature of more than a million corners, more than is read; thin its outline", file));
   throw bad_input(
       fmt::format("'{}' cannot be read as a vector file{}; give an undamaged GeoJSON, GeoPackage, Shapefile, "
                   "FlatGeobuf, KML or GML file",

@@ -31,7 +31,8 @@ constexpr std::size_t kHead = std::size_t{1} << 16;
 /// Longer than anything that is looked for.
 constexpr std::size_t kOverlap = 64;
 constexpr std::size_t kMostKml = std::size_t{48} << 20;
-/// As OGR_GEOJSON_MAX_OBJ_SIZE, which GDAL keeps to in collections only.
+/// Kept whole, in ten times the memory: GDAL's own limit, OGR_GEOJSON_MAX_OBJ_SIZE, is for the features of
+/// collections only.
 constexpr std::size_t kMostJsonValue = std::size_t{64} << 20;
 
 File opened(const std::string& name) { return {VSIFOpenL(name.c_str(), "rb"), VSIFCloseL}; }
