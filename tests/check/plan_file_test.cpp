@@ -23,7 +23,7 @@ Names judged_from_file(const Plan& plan, const std::string& edit = "") {
   io::write_plan(plan, path);
   if (!edit.empty()) {
     const GDALDatasetUniquePtr data(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
-    data->ExecuteSQL(edit.c_str(), nullptr, nullptr);
+    data->ReleaseResultSet(data->ExecuteSQL(edit.c_str(), nullptr, nullptr));
   }
   const io::PlanFile file = io::read_plan_file(path);
   fs::remove(path);
