@@ -10,6 +10,7 @@
 #include "support/refusals.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
+#include "tramline/planner/curved_family.h"
 #include "tramline/planner/headlanded_task.h"
 #include "tramline/planner/plan_field.h"
 
@@ -279,6 +280,18 @@ TEST(MetricMap, LandGivenUpInAHeadlandIsNoObstacle) {
   EXPECT_NEAR(area(task.ground.hard), 200, 1e-6);
   EXPECT_NEAR(area(task.ground.beyond), 40, 1e-6);
   EXPECT_NEAR(area(task.ground.given_up), 0, 1e-6);
+}
+
+/// Round so small a part of the ground no curve is wide enough for the machine.
+TEST(MetricMap, a_line_all_round_that_smoothing_leaves_nothing_of_is_refused) {
+  const Machine machine{"", 12, 6, 0};
+  PlanSettings settings;
+  settings.shape = TrackShape::kCurved;
+  const SearchTask task = search_task(field_of(box(0, 0, 100, 100)), machine, {}, settings);
+  const std::vector<Point> round{{20.000, 24.6690}, {18.307, 18.9730}, {12.523, 20.7820}, {12.495, 24.2460},
+                                 {12.456, 30.3060}, {21.870, 30.3660}, {20.0003, 24.6700}};
+  EXPECT_REFUSED(reference_along(task, round, 6));
+  EXPECT_FALSE(reference_along(task, {{0, 0}, {60, 20}, {100, 0}}, 6).round);
 }
 
 }  // namespace

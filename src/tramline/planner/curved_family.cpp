@@ -1,5 +1,7 @@
 #include "tramline/planner/curved_family.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -8,6 +10,7 @@
 
 #include "tramline/cost/curved_tally.h"
 #include "tramline/geometry/boolean.h"
+#include "tramline/geometry/error.h"
 #include "tramline/geometry/extended.h"
 #include "tramline/geometry/shifted.h"
 #include "tramline/geometry/smoothed.h"
@@ -108,8 +111,12 @@ std::optional<CurvedTracks> laid_plainly(const SearchTask& task, const CurvedGro
 
 Reference reference_along(const SearchTask& task, const std::vector<Point>& line, double tolerance_m) {
   Smoothed smooth = smoothed(line, limits_of(task.machine).least_radius_m(), tolerance_m);
-  return {line, std::move(smooth.path), smooth.deviation_m,
-          distance(line.front(), line.back()) <= 2 * kSeam_m};
+  const bool round = distance(line.front(), line.back()) <= 2 * kSeam_m;
+  // From one side of the seam to the other.
+  if (round && smooth.path.size() == 1)
+    throw bad_input(
+        fmt::format("smoothed to {} m, the reference line all round shrinks to a point", tolerance_m));
+  return {line, std::move(smooth.path), smooth.deviation_m, round};
 }
 
 CurvedGround curved_ground(const SearchTask& task) {

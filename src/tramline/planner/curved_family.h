@@ -31,7 +31,7 @@ struct Reference {
 };
 
 /// The line smoothed to what the machine drives and to `tolerance_m`. Throws kBadInput for a line that
-/// smoothed() refuses.
+/// smoothed() refuses, and where a line all the way round shrinks to a point.
 Reference reference_along(const SearchTask& task, const std::vector<Point>& line, double tolerance_m);
 
 /// Tracks parallel to the reference, which is moved `right_m` to the right and extended along its end
