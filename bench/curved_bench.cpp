@@ -11,7 +11,7 @@
 #include "tramline/geometry/extended.h"
 #include "tramline/geometry/smoothed.h"
 #include "tramline/model/objective.h"
-#include "tramline/tracks/curved_pieces.h"
+#include "tramline/tracks/curved_tracks.h"
 #include "tramline/tracks/recursive_tracks.h"
 
 namespace tramline::bench {
@@ -68,8 +68,8 @@ std::vector<Point> western_border(int vertices) {
 Tally family_to_tally(const std::vector<Point>& line, const Region& body, double width, EndRule rule,
                       double min_length) {
   const Path reference = extended(smoothed(line, 6, 0.1).path, bounds(body)).path;
-  const TrackRange range = tracks_over(reference, bounds(body), width);
-  const CurvedTracks tracks =
+  const StripRange range = tracks_over(reference, bounds(body), width);
+  const LaidTracks tracks =
       curved_pieces(parallel_family(reference, range.first, range.last, {6, width}), width, {EdgeIndex(body)},
                     end_criterion(rule, Objective{}, width), min_length);
   return curved_tally(tracks, width, area(body));
@@ -147,7 +147,7 @@ BENCHMARK(tracks_alone_as_in_the_paper)->Arg(4)->Arg(2)->Arg(1)->Unit(benchmark:
 void families_tracks_alone(benchmark::State& state) {
   const Region body = field(60);
   const Path reference = extended(smoothed(western_border(60), 6, 0.1).path, bounds(body)).path;
-  const TrackRange range = tracks_over(reference, bounds(body), 2);
+  const StripRange range = tracks_over(reference, bounds(body), 2);
   for (auto _ : state) benchmark::DoNotOptimize(parallel_family(reference, range.first, range.last, {6, 2}));
   state.counters["elements"] = static_cast<double>(reference.size());
   state.counters["tracks"] = range.last - range.first + 1;

@@ -45,27 +45,27 @@ void one_decision_at_a_pole(benchmark::State& state) {
   const SearchTask task = search_task(field, {}, {}, {});
   const Candidate candidate =
       candidate_on(task, swept(task, Direction::clockwise_from_north(Angle::degrees(90))));
-  const Strips& strips = candidate.strips.front();
-  const Surroundings around = turned_surroundings(task.ground, field.outer, false, strips.grid.frame);
+  const TrackFamily& family = candidate.families.front();
+  const Surroundings around = turned_surroundings(task.ground, field.outer, false, family.grid.frame);
   std::vector<Ring> body;
-  for (const Ring& ring : rings_of(task.ground.body)) body.push_back(strips.grid.frame.to_track(ring));
+  for (const Ring& ring : rings_of(task.ground.body)) body.push_back(family.grid.frame.to_track(ring));
   WorkedGround ground;
-  ground.add_subfield(strips.grid, {strips.strips.front().index, strips.strips.back().index});
+  ground.add_subfield(family.grid, {family.tracks.front().index, family.tracks.back().index});
   std::size_t blocked = 0;
-  for (std::size_t i = 0; i < strips.strips.size(); ++i) {
-    ground.set(0, strips.strips[i].index, {strips.strips[i].stretches, {}});
-    if (!hard_gaps(strips.strips[i]).empty()) blocked = i;
+  for (std::size_t i = 0; i < family.tracks.size(); ++i) {
+    ground.set(0, family.tracks[i].index, {family.tracks[i].stretches, {}});
+    if (!hard_gaps(family.tracks[i]).empty()) blocked = i;
   }
-  const Strip& strip = strips.strips[blocked];
+  const Track& strip = family.tracks[blocked];
   for (auto _ : state) {
     BlockedTrack track;
     track.strip = blocked;
     track.gaps = hard_gaps(strip);
     for (const Passing side : {Passing::kLeft, Passing::kRight}) {
-      WayRound way = way_round({strips.grid, strip, track.gaps.front(), 3, 6}, side, around);
-      track.options.push_back(option_of(std::move(way), strips.grid, strip.index));
+      WayRound way = way_round({family.grid, strip, track.gaps.front(), 3, 6}, side, around);
+      track.options.push_back(option_of(std::move(way), family.grid, strip.index));
     }
-    value_options(track, strips, body, ground, 6);
+    value_options(track, family, body, ground, 6);
     benchmark::DoNotOptimize(cheapest_choice(track, strip, 3, task.objective, 6));
   }
 }
@@ -76,11 +76,11 @@ void decisions_at_pylons(benchmark::State& state) {
   const SearchTask task = search_task(pylon_field(), {}, {}, {});
   const Direction sweep = Direction::clockwise_from_north(Angle::degrees(90));
   const Candidate candidate = candidate_on(task, swept(task, sweep));
-  const AvoidanceTask avoidance{task.field,    task.ground,         task.machine,     task.objective,
-                                task.settings, candidate.subfields, candidate.strips, task.body_m2};
+  const AvoidanceTask avoidance{task.field,    task.ground,         task.machine,       task.objective,
+                                task.settings, candidate.subfields, candidate.families, task.body_m2};
   std::size_t meetings = 0;
-  for (const Strips& strips : candidate.strips)
-    for (const Strip& strip : strips.strips) meetings += hard_gaps(strip).size();
+  for (const TrackFamily& family : candidate.families)
+    for (const Track& strip : family.tracks) meetings += hard_gaps(strip).size();
   for (auto _ : state) {
     DetourDecisions decisions(avoidance, WaysPast::kOwn);
     benchmark::DoNotOptimize(decisions.improve());

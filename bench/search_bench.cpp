@@ -60,11 +60,11 @@ BENCHMARK(tally_by_obstacles)->Arg(0)->Arg(2)->Arg(4)->Arg(8)->Arg(16)->Unit(ben
 void boolean_tally(benchmark::State& state) {
   const OneGrid grid(large_field(200, 0), kTracks);
   const TrackFrame& frame = grid.tally.subfield().frame;
-  const Strips strips = strips_of(grid.tally.grid(grid.origin()), grid.tally.subfield().shape,
-                                  grid.tally.subfield().ground, grid.tally.terms().criterion);
+  const TrackFamily strips = straight_tracks(grid.tally.grid(grid.origin()), grid.tally.subfield().shape,
+                                             grid.tally.subfield().ground, grid.tally.terms().criterion);
   Region swaths;
-  for (const StripPiece& piece : cut_pieces(strips, grid.tally.terms().min_length_m).pieces) {
-    const double left = strips.grid.line(piece.strip), right = strips.grid.line(piece.strip + 1);
+  for (const LaidPiece& piece : cut_pieces(strips, grid.tally.terms().min_length_m).pieces) {
+    const double left = strips.grid.line(piece.track), right = strips.grid.line(piece.track + 1);
     Ring ring;
     for (const Point corner :
          {Point{left, piece.from}, {right, piece.from}, {right, piece.to}, {left, piece.to}})

@@ -40,7 +40,7 @@ const std::map<std::string, std::string> kNotAsserted = {
     {"src/tramline/planner/order/tours.h", "places along tracks would have to be found again"},
     {"src/tramline/planner/recursive_plan.h", "require_paper_ground() throws in every build"},
     {"src/tramline/planner/worked_layers.h", "the plan would have to be verified"},
-    {"src/tramline/tracks/curved_pieces.h", "regions are indexed: their rings are gone"},
+    {"src/tramline/tracks/curved_tracks.h", "regions are indexed: their rings are gone"},
 };
 
 bool says(const std::string& text, const char* pattern) {

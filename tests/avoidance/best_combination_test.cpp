@@ -10,16 +10,16 @@ namespace {
 
 using namespace testing_poles;
 
-std::vector<StripPiece> joined(std::vector<StripPiece> a, const std::vector<StripPiece>& b) {
+std::vector<LaidPiece> joined(std::vector<LaidPiece> a, const std::vector<LaidPiece>& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
 }
 
 /// Every combination of the strips' ways.
-std::vector<std::vector<StripPiece>> combinations(const PoleField& field) {
-  std::vector<std::vector<StripPiece>> out{{}};
-  for (const Strip& strip : field.strips().strips) {
-    std::vector<std::vector<StripPiece>> longer;
+std::vector<std::vector<LaidPiece>> combinations(const PoleField& field) {
+  std::vector<std::vector<LaidPiece>> out{{}};
+  for (const Track& strip : field.family().tracks) {
+    std::vector<std::vector<LaidPiece>> longer;
     const StripWays ways = ways_along(field, strip);
     for (const auto& begun : out)
       for (const auto& way : ways.ways) longer.push_back(joined(begun, way));
@@ -28,7 +28,7 @@ std::vector<std::vector<StripPiece>> combinations(const PoleField& field) {
   return out;
 }
 
-double cost_by_booleans(const PoleField& field, const std::vector<StripPiece>& pieces) {
+double cost_by_booleans(const PoleField& field, const std::vector<LaidPiece>& pieces) {
   return cost(field.objective(), field.by_booleans(pieces));
 }
 
@@ -61,16 +61,16 @@ TEST(BestCombination, EncounterCostsAreDifferencesOfPlans) {
                           {});
     const Avoided found = field.plan();
     for (const Encounter& encounter : encounters_in(field.task(), found)) {
-      std::vector<StripPiece> others;
-      for (const StripPiece& other : found.tracks.front().pieces)
-        if (other.strip != encounter.track) others.push_back(other);
-      const Strip& strip = field.strips().strips[static_cast<std::size_t>(encounter.track)];
+      std::vector<LaidPiece> others;
+      for (const LaidPiece& other : found.tracks.front().pieces)
+        if (other.track != encounter.track) others.push_back(other);
+      const Track& strip = field.family().tracks[static_cast<std::size_t>(encounter.track)];
       ASSERT_EQ(strip.index, encounter.track);
       const StripWays ways = ways_along(field, strip);
       const double cost_of_cut = cost_by_booleans(field, joined(others, ways.ways[0]));
       for (std::size_t i = 1; i < ways.ways.size(); ++i) {
         const WayPast& way = ways.names[i] == Passing::kLeft ? encounter.left : encounter.right;
-        const std::vector<StripPiece> pieces = joined(others, ways.ways[i]);
+        const std::vector<LaidPiece> pieces = joined(others, ways.ways[i]);
         const double more = cost_by_booleans(field, pieces) - cost_of_cut;
         // What is left out as far too dear is dearer than a cut.
         if (!way.possible) {

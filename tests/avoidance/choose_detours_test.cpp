@@ -84,7 +84,7 @@ TEST(ChooseDetours, NothingIsCutWhereTurnsAreWorthMoreThanTheField) {
                           {0.04, 0.10, 99999, 5});
     const Avoided found = field.plan();
     int never_passed = 0;
-    for (const Strip& strip : field.strips().strips) {
+    for (const Track& strip : field.family().tracks) {
       const StripWays ways = ways_along(field, strip);
       never_passed += ways.ways.size() == 1 && ways.ways[0].size() == 2 ? 1 : 0;
     }
@@ -265,7 +265,7 @@ TEST(ChooseDetours, NoThresholdMakesTheCheapestDearer) {
   }
 }
 
-/// Strips of 3 m, 50 m long; those in `long_strips` are 100 m long, and a pole of 16 corners and 0.25 m
+/// TrackFamily of 3 m, 50 m long; those in `long_strips` are 100 m long, and a pole of 16 corners and 0.25 m
 /// radius stands in the middle of each: cut in two, they are no longer than the others.
 Ring with_long_strips(int strips, const std::vector<int>& long_strips) {
   Ring out;
@@ -382,8 +382,8 @@ TEST(ChooseDetours, OnlyTheObstaclesOfAClusterBesideADetourAreNamed) {
   ASSERT_EQ(field.ground().hard.size(), 1u);
   const Avoided found = field.plan();
   int looked_at = 0;
-  for (const StripPiece& piece : found.tracks.front().pieces)
-    for (const StripDetour& detour : piece.detours) {
+  for (const LaidPiece& piece : found.tracks.front().pieces)
+    for (const TrackDetour& detour : piece.detours) {
       ++looked_at;
       for (std::size_t i = 0; i < chain.size(); ++i) {
         const bool named =

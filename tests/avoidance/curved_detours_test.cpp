@@ -46,17 +46,17 @@ class Laid {
         EdgeIndex(ground_.plannable), EdgeIndex(ground_.hard),
         EdgeIndex(settings.boundary == EdgeKind::kHard ? Region{{outer, {}}} : Region{}),
         EdgeIndex(ground_.passable), EdgeIndex(ground_.beyond)};
-    tracks_ = curved_tracks(family, machine.width_m, ground,
+    family_ = curved_tracks(family, machine.width_m, ground,
                             end_criterion(settings.end_rule, objective, machine.width_m));
   }
   Laid(const Laid&) = delete;
   Laid& operator=(const Laid&) = delete;
 
   CurvedAvoidanceTask task() const {
-    return {field_, ground_, machine_, objective_, settings_, tracks_, area(ground_.body)};
+    return {field_, ground_, machine_, objective_, settings_, family_, area(ground_.body)};
   }
-  const std::vector<CurvedTrack>& tracks() const { return tracks_; }
-  double cost_by_booleans(const CurvedTracks& laid) const {
+  const std::vector<Track>& tracks() const { return family_.tracks; }
+  double cost_by_booleans(const LaidTracks& laid) const {
     return cost(objective_, curved_tally_by_booleans(laid, machine_.width_m, ground_.body));
   }
 
@@ -66,7 +66,7 @@ class Laid {
   Objective objective_;
   PlanSettings settings_;
   SortedGround ground_;
-  std::vector<CurvedTrack> tracks_;
+  TrackFamily family_;
 };
 
 // Tracks about the origin, driven anticlockwise: radius 75 + (k + ½)·3, in a rectangle well within their
@@ -81,7 +81,7 @@ const Machine kMachine{"", kWidth, kRadius, 0};
 
 int detours_in(const CurvedAvoided& avoided) {
   int out = 0;
-  for (const CurvedPiece& piece : avoided.tracks.pieces) out += static_cast<int>(piece.detours.size());
+  for (const LaidPiece& piece : avoided.tracks.pieces) out += static_cast<int>(piece.detours.size());
   return out;
 }
 
@@ -126,7 +126,7 @@ TEST(CurvedDetourPath, round_a_pole_on_a_circle) {
     for (const Passing side : {Passing::kLeft, Passing::kRight}) {
       const Laid laid(kOuter, {regular(64, pole, {0, 76.5})}, arcs(0, 0), kMachine);
       ASSERT_EQ(laid.tracks().size(), 1u);
-      const CurvedTrack& track = laid.tracks().front();
+      const Track& track = laid.tracks().front();
       const auto task = laid.task();
       const WayRound way = curved_way_round({track, 1, kWidth, kRadius}, side,
                                             field_surroundings(task.ground, task.field.outer, false));
@@ -164,13 +164,13 @@ TEST(CurvedDetours, cost_what_the_plan_costs) {
     for (const Passing side : {Passing::kLeft, Passing::kRight}) {
       const WayPast& way = side == Passing::kLeft ? first.left : first.right;
       ASSERT_TRUE(way.possible);
-      std::vector<std::vector<StripDetour>> detours(laid.tracks().size());
+      std::vector<std::vector<TrackDetour>> detours(laid.tracks().size());
       std::size_t at = 0;
       while (laid.tracks()[at].index != first.track) ++at;
       const WayRound round = curved_way_round({laid.tracks()[at], 1, kWidth, kRadius}, side,
                                               field_surroundings(task.ground, task.field.outer, false));
       detours[at] = {round.detour};
-      CurvedTracks with;
+      LaidTracks with;
       for (std::size_t i = 0; i < laid.tracks().size(); ++i)
         append_pieces(laid.tracks()[i], detours[i], 0, with);
       EXPECT_NEAR(way.cost, laid.cost_by_booleans(with) - laid.cost_by_booleans(cut.tracks), 2e-3)
@@ -246,7 +246,7 @@ TEST(CurvedDetours, keep_within_hard_boundaries_and_their_clearance) {
   const Laid clear(kOuter, {box(-1, 75.5, 1, 77.5)}, arcs(-5, 4), kMachine, {}, {}, settings);
   const CurvedAvoided best = choose_detours(clear.task());
   ASSERT_GT(detours_in(best), 0);
-  for (const CurvedPiece& piece : best.tracks.pieces)
+  for (const LaidPiece& piece : best.tracks.pieces)
     EXPECT_GE(distance_between({{band(piece.path, kWidth), {}}}, {{box(-1, 75.5, 1, 77.5), {}}}), 0.8 - 2e-5);
 }
 
@@ -261,7 +261,7 @@ TEST(CurvedTracksAndPassables, are_crossed) {
   EXPECT_EQ(laid_out.tally.stops, 0);
   // The middle piece of track 0 is as long as its swath keeps off both ditches: from x = −10 at its inner
   // edge of radius 75, or the outer of 78, to x = 8.
-  const CurvedPiece& middle = laid_out.tracks.pieces[3 * 3 + 1];
+  const LaidPiece& middle = laid_out.tracks.pieces[3 * 3 + 1];
   ASSERT_EQ(middle.track, 0);
   EXPECT_TRUE(middle.after_crossing);
   EXPECT_NEAR(middle.length_m, 76.5 * (std::asin(8 / 78.0) + std::asin(10 / 78.0)), 1e-3);

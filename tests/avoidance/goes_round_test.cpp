@@ -17,8 +17,8 @@ Ring box(double min_x, double min_y, double max_x, double max_y) {
   return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
 }
 
-StripDetour detour(Passing side) {
-  StripDetour out;
+TrackDetour detour(Passing side) {
+  TrackDetour out;
   out.side = side;
   out.path = DetourFrame{0, side}.to_strip(detour_path({{{50, 1}, 1}}, 10).value());
   out.from = 50 - std::sqrt(76);
@@ -27,7 +27,7 @@ StripDetour detour(Passing side) {
 }
 
 TEST(GoesRound, WhatLiesRightOfADetourToTheLeft) {
-  const StripDetour left = detour(Passing::kLeft);
+  const TrackDetour left = detour(Passing::kLeft);
   EXPECT_TRUE(goes_round(left, box(-1.9, 49.9, -1.8, 50.1))) << "just below the peak";
   EXPECT_FALSE(goes_round(left, box(-2.2, 49.9, -2.1, 50.1))) << "just above it";
   EXPECT_TRUE(goes_round(left, box(3, 45, 4, 46)));
@@ -36,7 +36,7 @@ TEST(GoesRound, WhatLiesRightOfADetourToTheLeft) {
 
 // The outer arcs are 10 − √(10² − 2²) = 0.202 m off the track 2 m from their ends.
 TEST(GoesRound, FollowsTheArcs) {
-  const StripDetour left = detour(Passing::kLeft);
+  const TrackDetour left = detour(Passing::kLeft);
   for (const double y : {left.from + 2, left.to - 2}) {
     EXPECT_TRUE(goes_round(left, box(-0.19, y - 0.01, 0, y + 0.01)));
     EXPECT_FALSE(goes_round(left, box(-1, y - 0.01, -0.21, y + 0.01)));
@@ -44,14 +44,14 @@ TEST(GoesRound, FollowsTheArcs) {
 }
 
 TEST(GoesRound, NothingBeforeOrBehindIt) {
-  const StripDetour left = detour(Passing::kLeft);
+  const TrackDetour left = detour(Passing::kLeft);
   EXPECT_FALSE(goes_round(left, box(3, 30, 4, 41.2)));
   EXPECT_FALSE(goes_round(left, box(3, 58.8, 4, 70)));
   EXPECT_TRUE(goes_round(left, box(3, 30, 4, 41.4))) << "it reaches past the beginning";
 }
 
 TEST(GoesRound, MirroredToTheRight) {
-  const StripDetour right = detour(Passing::kRight);
+  const TrackDetour right = detour(Passing::kRight);
   EXPECT_TRUE(goes_round(right, box(1.8, 49.9, 1.9, 50.1)));
   EXPECT_FALSE(goes_round(right, box(2.1, 49.9, 2.2, 50.1)));
   EXPECT_TRUE(goes_round(right, box(-4, 45, -3, 46)));

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tramline/geometry/boolean.h"
+#include "tramline/tracks/straight_tracks.h"
 
 namespace tramline::testing_poles {
 namespace {
@@ -17,14 +18,14 @@ const Direction kNorth = Direction::clockwise_from_north(Angle::degrees(0));
 constexpr double kSagitta = 1e-4;
 
 /// The swath of a piece in parts that touch.
-Region swath_parts(const StripPiece& piece, const StripGrid& grid) {
+Region swath_parts(const LaidPiece& piece, const StripGrid& grid) {
   Region out;
-  const double left = grid.line(piece.strip), right = grid.line(piece.strip + 1);
+  const double left = grid.line(piece.track), right = grid.line(piece.track + 1);
   double at = piece.from;
   const auto add_straight = [&](double to) {
     if (to > at) out.push_back({rectangle(left, at, right, to), {}});
   };
-  for (const StripDetour& detour : piece.detours) {
+  for (const TrackDetour& detour : piece.detours) {
     add_straight(detour.from);
     out.push_back({band(detour.path, grid.width_m, kSagitta), {}});
     at = detour.to;
@@ -33,15 +34,15 @@ Region swath_parts(const StripPiece& piece, const StripGrid& grid) {
   return out;
 }
 
-double driven_m(const StripPiece& piece) {
+double driven_m(const LaidPiece& piece) {
   double sum = piece.to - piece.from;
-  for (const StripDetour& detour : piece.detours) sum += length(detour.path) - (detour.to - detour.from);
+  for (const TrackDetour& detour : piece.detours) sum += length(detour.path) - (detour.to - detour.from);
   return sum;
 }
 
-StripPiece piece(int strip, double from, double to) {
-  StripPiece out;
-  out.strip = strip;
+LaidPiece piece(int track, double from, double to) {
+  LaidPiece out;
+  out.track = track;
   out.from = from;
   out.to = to;
   return out;
@@ -79,27 +80,27 @@ PoleField::PoleField(Ring outer, std::vector<Ring> poles, const Machine& machine
   subfields_ = {{ground_.plannable.front(), kNorth}};
   TurnedGround turned{ground_.hard, ground_.passable, {}, ground_.beyond};
   if (settings.boundary == EdgeKind::kHard) turned.field = {{field_.outer, {}}};
-  strips_ = {strips_of({TrackFrame(kNorth), 0, machine.width_m}, ground_.plannable.front(), turned,
-                       end_criterion(settings.end_rule, objective, machine.width_m))};
+  families_ = {straight_tracks({TrackFrame(kNorth), 0, machine.width_m}, ground_.plannable.front(), turned,
+                               end_criterion(settings.end_rule, objective, machine.width_m))};
 }
 
 AvoidanceTask PoleField::task(Avoidance avoid) const {
-  return {field_,     ground_, machine_,          objective_, settings_[static_cast<std::size_t>(avoid)],
-          subfields_, strips_, area(ground_.body)};
+  return {field_,     ground_,   machine_,          objective_, settings_[static_cast<std::size_t>(avoid)],
+          subfields_, families_, area(ground_.body)};
 }
 
-WayRound PoleField::way(const Strip& strip, std::size_t gap, Passing side) const {
+WayRound PoleField::way(const Track& strip, std::size_t gap, Passing side) const {
   const bool hard = settings_[0].boundary == EdgeKind::kHard;
-  return way_round({strips().grid, strip, gap, machine_.width_m, machine_.radius_m}, side,
-                   turned_surroundings(ground_, field_.outer, hard, strips().grid.frame));
+  return way_round({family().grid, strip, gap, machine_.width_m, machine_.radius_m}, side,
+                   turned_surroundings(ground_, field_.outer, hard, family().grid.frame));
 }
 
-Tally PoleField::by_booleans(const std::vector<StripPiece>& pieces) const {
+Tally PoleField::by_booleans(const std::vector<LaidPiece>& pieces) const {
   constexpr double kAtEdge = 1e-3;
   Tally tally;
   Region parts;
-  for (const StripPiece& piece : pieces) {
-    for (Polygon& part : swath_parts(piece, strips().grid)) parts.push_back(std::move(part));
+  for (const LaidPiece& piece : pieces) {
+    for (Polygon& part : swath_parts(piece, family().grid)) parts.push_back(std::move(part));
     tally.track_length_m += driven_m(piece);
     tally.stops += piece.from > reach_.min_y + kAtEdge ? 1 : 0;
     tally.stops += piece.to < reach_.max_y - kAtEdge ? 1 : 0;
@@ -113,25 +114,25 @@ Tally PoleField::by_booleans(const std::vector<StripPiece>& pieces) const {
   return tally;
 }
 
-double PoleField::area_tolerance(const std::vector<StripPiece>& pieces) const {
+double PoleField::area_tolerance(const std::vector<LaidPiece>& pieces) const {
   double edges = perimeter(field_.outer), ends = 0;
-  for (const StripPiece& piece : pieces) {
+  for (const LaidPiece& piece : pieces) {
     edges += 2 * (driven_m(piece) + machine_.width_m);
     ends += 2 * machine_.width_m;
   }
   double bent = 0;
-  for (const StripPiece& piece : pieces)
-    for (const StripDetour& detour : piece.detours) bent += 2 * length(detour.path);
+  for (const LaidPiece& piece : pieces)
+    for (const TrackDetour& detour : piece.detours) bent += 2 * length(detour.path);
   return kSagitta * bent + 3 * kGridSize * edges + 3 * kWidthTolerance * ends;
 }
 
-double PoleField::cost_tolerance(const std::vector<StripPiece>& pieces) const {
+double PoleField::cost_tolerance(const std::vector<LaidPiece>& pieces) const {
   return (objective_.overlap + objective_.uncovered) * area_tolerance(pieces);
 }
 
 Machine machine(double width_m, double radius_m) { return {"", width_m, radius_m, 0}; }
 
-StripWays ways_along(const PoleField& field, const Strip& strip) {
+StripWays ways_along(const PoleField& field, const Track& strip) {
   const Intervals& at = strip.stretches;
   if (at.size() != 2) return {{{piece(strip.index, at.front().from, at.back().to)}}, {Passing::kCut}};
   StripWays out{{{piece(strip.index, at[0].from, at[0].to), piece(strip.index, at[1].from, at[1].to)}},
@@ -139,7 +140,7 @@ StripWays ways_along(const PoleField& field, const Strip& strip) {
   for (const Passing side : {Passing::kLeft, Passing::kRight}) {
     const WayRound way = field.way(strip, 1, side);
     if (!way.possible()) continue;
-    StripPiece whole = piece(strip.index, at[0].from, at[1].to);
+    LaidPiece whole = piece(strip.index, at[0].from, at[1].to);
     whole.detours = {way.detour};
     out.ways.push_back({whole});
     out.names.push_back(side);
@@ -148,7 +149,7 @@ StripWays ways_along(const PoleField& field, const Strip& strip) {
 }
 
 void expect_own_tally(const PoleField& field, const Avoided& avoided) {
-  const std::vector<StripPiece>& pieces = avoided.tracks.front().pieces;
+  const std::vector<LaidPiece>& pieces = avoided.tracks.front().pieces;
   const Tally other = field.by_booleans(pieces);
   const double tolerance = field.area_tolerance(pieces);
   EXPECT_NEAR(avoided.tally.overlap_m2, other.overlap_m2, tolerance);
@@ -162,9 +163,9 @@ void expect_own_tally(const PoleField& field, const Avoided& avoided) {
 }
 
 void expect_off_poles(const PoleField& field, const Avoided& avoided) {
-  for (const StripPiece& piece : avoided.tracks.front().pieces) {
+  for (const LaidPiece& piece : avoided.tracks.front().pieces) {
     double at = piece.from;
-    for (const StripDetour& detour : piece.detours) {
+    for (const TrackDetour& detour : piece.detours) {
       EXPECT_GE(detour.from, at - 1e-9) << "detours overlap";
       at = detour.to;
       const Region swath{{band(detour.path, field.width_m()), {}}};
@@ -176,7 +177,7 @@ void expect_off_poles(const PoleField& field, const Avoided& avoided) {
 
 int detours_in(const Avoided& avoided) {
   std::size_t sum = 0;
-  for (const StripPiece& piece : avoided.tracks.front().pieces) sum += piece.detours.size();
+  for (const LaidPiece& piece : avoided.tracks.front().pieces) sum += piece.detours.size();
   return static_cast<int>(sum);
 }
 

@@ -13,7 +13,7 @@ Ring rectangle(double min_x, double min_y, double max_x, double max_y);
 /// Regular, with its corners on the circle, the first one due east.
 Ring regular(int corners, double radius, Point centre);
 
-/// Strips lie from x = 0 eastwards. Copies refer to themselves, so there are none.
+/// TrackFamily lie from x = 0 eastwards. Copies refer to themselves, so there are none.
 class PoleField {
  public:
   PoleField(Ring outer, std::vector<Ring> poles, const Machine& machine, const Objective& objective,
@@ -23,21 +23,21 @@ class PoleField {
 
   AvoidanceTask task(Avoidance avoid = Avoidance::kCheapest) const;
   Avoided plan(Avoidance avoid = Avoidance::kCheapest) const { return choose_detours(task(avoid)); }
-  const Strips& strips() const { return strips_.front(); }
+  const TrackFamily& family() const { return families_.front(); }
   const SortedGround& ground() const { return ground_; }
   double width_m() const { return machine_.width_m; }
   const Objective& objective() const { return objective_; }
   /// How the detour goes on one side of what makes the gap.
-  WayRound way(const Strip& strip, std::size_t gap, Passing side) const;
+  WayRound way(const Track& strip, std::size_t gap, Passing side) const;
 
   /// What tracks amount to: swaths united and cut with the body, arcs as chords; pieces and their ends
   /// counted. An end that does not lie on the outer ring's southern or northern edge is a stop.
-  Tally by_booleans(const std::vector<StripPiece>& pieces) const;
+  Tally by_booleans(const std::vector<LaidPiece>& pieces) const;
   /// By how much such an area may be off, m²: chords lie up to the sagitta off either edge of a band, the
   /// precision grid moves every edge, and gaps begin where an obstacle is a width tolerance wide.
-  double area_tolerance(const std::vector<StripPiece>& pieces) const;
+  double area_tolerance(const std::vector<LaidPiece>& pieces) const;
   /// The same of a cost.
-  double cost_tolerance(const std::vector<StripPiece>& pieces) const;
+  double cost_tolerance(const std::vector<LaidPiece>& pieces) const;
 
  private:
   Field field_;
@@ -46,7 +46,7 @@ class PoleField {
   PlanSettings settings_[3];  ///< one for each way of avoiding
   SortedGround ground_;
   std::vector<Subfield> subfields_;
-  std::vector<Strips> strips_;
+  std::vector<TrackFamily> families_;
   Box reach_;
 };
 
@@ -55,11 +55,11 @@ Machine machine(double width_m, double radius_m);
 
 /// All ways to drive one strip of a field whose strips are all as long.
 struct StripWays {
-  std::vector<std::vector<StripPiece>> ways;
+  std::vector<std::vector<LaidPiece>> ways;
   std::vector<Passing> names;
 };
 /// Cut, left and right of the one pole in the strip, as far as they are possible.
-StripWays ways_along(const PoleField& field, const Strip& strip);
+StripWays ways_along(const PoleField& field, const Track& strip);
 
 /// The areas of a plan's tally against those of its own tracks by booleans, its counts against counting.
 void expect_own_tally(const PoleField& field, const Avoided& avoided);

@@ -25,8 +25,8 @@ struct Laid {
   EndRule rule = EndRule::kCheapest;
   double min_length_m = 0;
 
-  std::vector<Strips> strips{};
-  std::vector<SubfieldTracks> tracks{};
+  std::vector<TrackFamily> families{};
+  std::vector<LaidTracks> tracks{};
   Region body{};
   Tally tally{};
 
@@ -35,13 +35,14 @@ struct Laid {
     for (const Subfield& subfield : subfields) {
       const StripGrid grid = strip_grids(subfield, kWidth).front();
       const Polygon turned = grid.frame.to_track(Region{subfield.shape}).front();
-      strips.push_back(strips_of(grid, turned, {grid.frame.to_track(hard), grid.frame.to_track(passable), {}},
-                                 end_criterion(rule, objective, kWidth)));
-      tracks.push_back(cut_pieces(strips.back(), min_length_m));
+      families.push_back(straight_tracks(grid, turned,
+                                         {grid.frame.to_track(hard), grid.frame.to_track(passable), {}},
+                                         end_criterion(rule, objective, kWidth)));
+      tracks.push_back(cut_pieces(families.back(), min_length_m));
       body_m2 += area(subfield.shape);
     }
     tally = tally_of(subfields, tracks, body_m2);
-    return causes_of({subfields, strips, tracks, body, {}, passable, tally}, objective);
+    return causes_of({subfields, families, tracks, body, {}, passable, tally}, objective);
   }
 };
 

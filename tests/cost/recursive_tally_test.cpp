@@ -7,8 +7,8 @@
 namespace tramline {
 namespace {
 
-CurvedPiece piece_along(const std::vector<Point>& line) {
-  CurvedPiece out;
+LaidPiece piece_along(const std::vector<Point>& line) {
+  LaidPiece out;
   out.path = polyline_path(line);
   out.length_m = out.to = length(out.path);
   return out;
@@ -23,7 +23,7 @@ void expect_identity(const Tally& tally, double body_m2) {
 // of these in the body, 1 m of either end of the second lying beyond it.
 TEST(RecursiveTally, CountsGroundOnce) {
   const Region body{{{{0, 0}, {10, 0}, {10, 8}, {0, 8}}, {}}};
-  CurvedTracks tracks;
+  LaidTracks tracks;
   tracks.pieces = {piece_along({{0, 4}, {10, 4}}), piece_along({{5, -1}, {5, 9}})};
   const Tally tally = recursive_tally(tracks, 2, body).tally;
   EXPECT_NEAR(tally.worked_m2, 40, 1e-9);
@@ -37,7 +37,7 @@ TEST(RecursiveTally, CountsGroundOnce) {
 // A right angle is mitred: as an L of 2 m wide, both legs 10 m, it has the area 40 and no overlap.
 TEST(RecursiveTally, KnowsMitres) {
   const Region body{{{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}, {}}};
-  CurvedTracks tracks;
+  LaidTracks tracks;
   tracks.pieces = {piece_along({{0, 0}, {10, 0}, {10, 10}})};
   const Tally tally = recursive_tally(tracks, 2, body).tally;
   EXPECT_NEAR(tally.overlap_m2, 0, 1e-4);
@@ -48,7 +48,7 @@ TEST(RecursiveTally, KnowsMitres) {
 // leg is too short for two mitres on one side): 10 × 3 m and 2 × 1 less what the legs have of it: 1 × 1.
 TEST(RecursiveTally, CountsWhatOneSwathWorksTwice) {
   const Region body{{{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}, {}}};
-  CurvedTracks tracks;
+  LaidTracks tracks;
   tracks.pieces = {piece_along({{0, 0}, {10, 0}, {10, 1}, {0, 1}})};
   const Tally tally = recursive_tally(tracks, 2, body).tally;
   EXPECT_NEAR(tally.worked_m2, 42, 1e-9);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tramline/cost/worked_regions.h"
+#include "tramline/tracks/straight_tracks.h"
 #include "tramline/tracks/strip_origin.h"
 
 namespace tramline {
@@ -14,10 +15,10 @@ Polygon box(double x0, double y0, double x1, double y1) {
   return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}};
 }
 
-SubfieldTracks tracks_in(const Subfield& subfield, EndRule rule) {
+LaidTracks tracks_in(const Subfield& subfield, EndRule rule) {
   const StripGrid grid = strip_grids(subfield, kWidth).front();
   const Polygon turned = grid.frame.to_track(Region{subfield.shape}).front();
-  return cut_pieces(strips_of(grid, turned, {}, end_criterion(rule, Objective{}, kWidth)), 0);
+  return cut_pieces(straight_tracks(grid, turned, {}, end_criterion(rule, Objective{}, kWidth)), 0);
 }
 
 // Two trapezia share a 45° border from (30, 0) to (60, 30); both are driven north. With the rule
@@ -28,7 +29,7 @@ TEST(Tally, CountsOverlapAcrossABorderOnce) {
   const Direction north = Direction::clockwise_from_north(Angle::degrees(0));
   const std::vector<Subfield> subfields{{{{{0, 0}, {30, 0}, {60, 30}, {60, 90}, {0, 90}}, {}}, north},
                                         {{{{30, 0}, {60, 0}, {60, 30}}, {}}, north}};
-  std::vector<SubfieldTracks> tracks;
+  std::vector<LaidTracks> tracks;
   for (const Subfield& subfield : subfields) tracks.push_back(tracks_in(subfield, EndRule::kCover));
   const double body = 60 * 90;
   const Tally tally = tally_of(subfields, tracks, body);
@@ -55,7 +56,7 @@ TEST(Tally, CountsOverlapAcrossABorderOnce) {
 TEST(Tally, OfOneRectangleIsExact) {
   const std::vector<Subfield> subfields{
       {box(0, 0, 31, 100), Direction::clockwise_from_north(Angle::degrees(0))}};
-  const std::vector<SubfieldTracks> tracks{tracks_in(subfields[0], EndRule::kCentre)};
+  const std::vector<LaidTracks> tracks{tracks_in(subfields[0], EndRule::kCentre)};
   // 31 = 10·3 + 1: the eleventh strip's centre lies outside, 1 × 100 m stay uncovered.
   const Tally tally = tally_of(subfields, tracks, 3100);
   EXPECT_EQ(tally.pieces, 10);
@@ -63,7 +64,7 @@ TEST(Tally, OfOneRectangleIsExact) {
   EXPECT_NEAR(tally.uncovered_m2, 100, 1e-9);
   EXPECT_NEAR(tally.track_length_m, 1000, 1e-9);
 
-  const std::vector<SubfieldTracks> covering{tracks_in(subfields[0], EndRule::kCover)};
+  const std::vector<LaidTracks> covering{tracks_in(subfields[0], EndRule::kCover)};
   const Tally full = tally_of(subfields, covering, 3100);
   EXPECT_EQ(full.pieces, 11);
   EXPECT_NEAR(full.overlap_m2, 200, 1e-9);

@@ -11,17 +11,17 @@ namespace tramline {
 namespace {
 
 /// Pieces anywhere in ten strips, apart, touching, and side by side; every one as a rectangle as well.
-SubfieldTracks random_tracks(std::mt19937_64& random, Region& rectangles) {
+LaidTracks random_tracks(std::mt19937_64& random, Region& rectangles) {
   const auto between = [&random](double a, double b) {
     return std::uniform_real_distribution<double>(a, b)(random);
   };
   const TrackFrame frame(Direction::clockwise_from_north(Angle::degrees(between(0, 180))));
-  SubfieldTracks out{{frame, between(-5, 5), 4}, {}, {}};
+  LaidTracks out{{frame, between(-5, 5), 4}, {}, {}};
   for (int strip = -3; strip < 7; ++strip) {
     double at = between(0, 20);
     while (at < 100) {
-      StripPiece piece;
-      piece.strip = strip;
+      LaidPiece piece;
+      piece.track = strip;
       piece.from = at;
       piece.to = at + (random() % 3 == 0 ? 10 : between(1, 40));
       at = piece.to + (random() % 4 == 0 ? 0 : between(1, 30));

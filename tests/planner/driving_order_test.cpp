@@ -207,10 +207,10 @@ TEST(DrivingOrder, TakesTheNearestSubfieldNext) {
   const StripGrid grid{TrackFrame(Direction::clockwise_from_north(Angle::degrees(0))), 0, 3};
   for (const int strip : {0, 20, 10}) {
     candidate.subfields.emplace_back();
-    candidate.strips.push_back({grid, {}});
+    candidate.families.push_back({grid, {}});
     candidate.avoided.tracks.push_back({grid, {}, {}});
-    StripPiece only;
-    only.strip = strip;
+    LaidPiece only;
+    only.track = strip;
     only.to = 50;
     candidate.avoided.tracks.back().pieces.push_back(only);
   }

@@ -14,7 +14,7 @@
 #include "tramline/geometry/extended.h"
 #include "tramline/geometry/smoothed.h"
 #include "tramline/planner/curved_plan.h"
-#include "tramline/tracks/curved_pieces.h"
+#include "tramline/tracks/curved_tracks.h"
 
 namespace tramline {
 namespace {
@@ -106,7 +106,7 @@ void for_random_scenes(int standard, Check check) {
 }
 
 std::vector<FamilyTrack> family_of(const Scene& scene) {
-  const TrackRange range = tracks_over(scene.reference, bounds(scene.body), scene.limits.width_m);
+  const StripRange range = tracks_over(scene.reference, bounds(scene.body), scene.limits.width_m);
   return parallel_family(scene.reference, range.first, range.last, scene.limits);
 }
 
@@ -120,7 +120,7 @@ TEST(CurvedPiecesProperties, AgreeWithAScanOfCrossSections) {
     const CurvedGround ground{EdgeIndex(scene.body), EdgeIndex(scene.hard)};
     for (const EndRule rule : {EndRule::kCentre, EndRule::kCover, EndRule::kInside, EndRule::kCheapest}) {
       const EndCriterion criterion = end_criterion(rule, Objective{}, width);
-      const CurvedTracks tracks = curved_pieces(family, width, ground, criterion, 0);
+      const LaidTracks tracks = curved_pieces(family, width, ground, criterion, 0);
       for (int times = 0; times < 40; ++times) {
         const auto pick = static_cast<std::size_t>(any_of(random, 0, static_cast<int>(family.size()) - 1));
         const Path& path = family[pick].track.path;
@@ -136,7 +136,7 @@ TEST(CurvedPiecesProperties, AgreeWithAScanOfCrossSections) {
                                                           scene.body[0].outer) < 1e-4) ||
             std::abs(inside - criterion.least_width_m) < kSlack || (hard > 0 && hard < kSlack);
         bool near_end = false, driven = false;
-        for (const CurvedPiece& piece : tracks.pieces) {
+        for (const LaidPiece& piece : tracks.pieces) {
           if (piece.track != family[pick].index) continue;
           double least = 1e9;
           for (const PathSegment& segment : piece.path)
@@ -161,7 +161,7 @@ TEST(CurvedPiecesProperties, InsideAreasAreThoseOfPolygonBooleans) {
   for_random_scenes(8, [&](const Scene& scene, std::mt19937_64& random) {
     const double width = scene.limits.width_m;
     const std::vector<FamilyTrack> family = family_of(scene);
-    const CurvedTracks tracks = curved_pieces(
+    const LaidTracks tracks = curved_pieces(
         family, width, {EdgeIndex(scene.body), EdgeIndex(scene.hard)},
         end_criterion(any_of(random, 0, 1) == 0 ? EndRule::kCover : EndRule::kCheapest, Objective{}, width),
         2 * width);

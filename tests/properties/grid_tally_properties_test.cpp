@@ -44,8 +44,8 @@ TEST(GridTally, AgreesWithThePiecesOfEveryStrip) {
                      origin_m = scene.between(0, width_m);
         const TurnedGround around = turned(ground, scene.field, frame, hard_boundary);
         const GridTally quick(frame, part, around, {width_m, least_m, criterion});
-        const Strips strips =
-            strips_of({frame, origin_m, width_m}, frame.to_track(Region{part}).front(), around, criterion);
+        const TrackFamily strips = straight_tracks({frame, origin_m, width_m},
+                                                   frame.to_track(Region{part}).front(), around, criterion);
         expect_same(quick.at(origin_m),
                     tally_of({{part, frame.direction()}}, {cut_pieces(strips, least_m)}, area(part)),
                     area(part));

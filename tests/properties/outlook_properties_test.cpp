@@ -74,7 +74,7 @@ void look_at(const SearchTask& task, Seen& seen) {
     for (std::size_t i = 0; i < found->subfields.size(); ++i) {
       EXPECT_EQ(found->subfields[i].direction, cheapest.subfields[i].direction);
       EXPECT_EQ(found->subfields[i].shape, cheapest.subfields[i].shape);
-      EXPECT_EQ(found->strips[i].grid.origin_m, cheapest.strips[i].grid.origin_m);
+      EXPECT_EQ(found->families[i].grid.origin_m, cheapest.families[i].grid.origin_m);
     }
   }
   // What is known already has to be undercut.

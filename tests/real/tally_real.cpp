@@ -27,10 +27,10 @@ constexpr double kWidth = 6;
 constexpr double kTolerance = 1e-6;
 
 /// Useful area of all swaths by cutting each out of the polygon.
-double useful_m2(const Polygon& turned, const SubfieldTracks& tracks) {
+double useful_m2(const Polygon& turned, const LaidTracks& tracks) {
   Region swaths;
-  for (const StripPiece& piece : tracks.pieces) {
-    const double left = tracks.grid.line(piece.strip), right = tracks.grid.line(piece.strip + 1);
+  for (const LaidPiece& piece : tracks.pieces) {
+    const double left = tracks.grid.line(piece.track), right = tracks.grid.line(piece.track + 1);
     swaths.push_back({{{left, piece.from}, {right, piece.from}, {right, piece.to}, {left, piece.to}}, {}});
   }
   return swaths.empty() ? 0 : area(intersection(unite(swaths), {turned}));
@@ -49,8 +49,8 @@ double difference(const SortedGround& ground, const Polygon& part, int direction
       const double origin_m = std::uniform_real_distribution<double>(0, kWidth)(random);
       const GridTally quick(frame, part, around, {kWidth, 2 * kWidth, criterion});
       const Polygon& turned = quick.subfield().shape;
-      const SubfieldTracks tracks =
-          cut_pieces(strips_of({frame, origin_m, kWidth}, turned, around, criterion), 2 * kWidth);
+      const LaidTracks tracks =
+          cut_pieces(straight_tracks({frame, origin_m, kWidth}, turned, around, criterion), 2 * kWidth);
       const Tally sum = quick.at(origin_m);
       const double useful = useful_m2(turned, tracks);
       most = std::max({most, std::abs(sum.worked_m2 - sum.overlap_m2 - useful) / area(part),

@@ -9,7 +9,8 @@
 
 #include "tramline/geometry/kinked_line.h"
 #include "tramline/model/objective.h"
-#include "tramline/tracks/strip_pieces.h"
+#include "tramline/tracks/laid_pieces.h"
+#include "tramline/tracks/straight_tracks.h"
 
 namespace tramline {
 namespace {
@@ -32,10 +33,10 @@ std::vector<Point> bend(double turn, double leg_m) {
 TEST(RecursiveTracks, GrowOutsideAKink) {
   for (const double degrees : {20.0, 60.0, 100.0}) {
     const double turn = degrees * kPi / 180, width = 4;
-    const CurvedTracks tracks = recursive_tracks(bend(turn, 100), width, {right_of_bend(turn, 100, 20)}, 0);
+    const LaidTracks tracks = recursive_tracks(bend(turn, 100), width, {right_of_bend(turn, 100, 20)}, 0);
     ASSERT_EQ(tracks.pieces.size(), 5u) << degrees;
     for (int k = 0; k < 5; ++k) {
-      const CurvedPiece& piece = tracks.pieces[static_cast<std::size_t>(k)];
+      const LaidPiece& piece = tracks.pieces[static_cast<std::size_t>(k)];
       EXPECT_EQ(piece.track, k);
       EXPECT_NEAR(piece.length_m, 200 + 2 * (k + 0.5) * width * std::tan(0.5 * turn), 1e-3) << degrees;
       ASSERT_EQ(piece.path.size(), 2u);
@@ -50,10 +51,10 @@ TEST(RecursiveTracks, ShrinkInsideAKink) {
   const double turn = 60 * kPi / 180, width = 4, more = 20 * std::tan(0.5 * turn);
   const Polygon body = right_of_bend(turn, 100, 20);
   const std::vector<Point> line{body.outer[1], body.outer[2], body.outer[3]};
-  const CurvedTracks tracks = recursive_tracks(line, width, {body}, 0);
+  const LaidTracks tracks = recursive_tracks(line, width, {body}, 0);
   ASSERT_EQ(tracks.pieces.size(), 5u);
   for (int k = 0; k < 5; ++k) {
-    const CurvedPiece& piece = tracks.pieces[static_cast<std::size_t>(4 - k)];
+    const LaidPiece& piece = tracks.pieces[static_cast<std::size_t>(4 - k)];
     EXPECT_EQ(piece.track, -1 - k);
     EXPECT_NEAR(piece.length_m, 200 + 2 * more - 2 * (k + 0.5) * width * std::tan(0.5 * turn), 1e-3);
   }
@@ -63,17 +64,17 @@ TEST(RecursiveTracks, ShrinkInsideAKink) {
 // and into the next track (case 2: goes on), across (case 3: two pieces).
 TEST(RecursiveTracks, KnowTheThreeCasesOfObstacles) {
   Polygon body{{{0, 0}, {100, 0}, {100, 12}, {0, 12}}, {{{40, 4}, {40, 9}, {60, 9}, {60, 4}}}};
-  const CurvedTracks tracks = recursive_tracks({{0, 0}, {100, 0}}, 4, {body}, 0);
+  const LaidTracks tracks = recursive_tracks({{0, 0}, {100, 0}}, 4, {body}, 0);
   ASSERT_EQ(tracks.pieces.size(), 4u);
   const auto on_track = [&](int track) {
     return std::count_if(tracks.pieces.begin(), tracks.pieces.end(),
-                         [track](const CurvedPiece& piece) { return piece.track == track; });
+                         [track](const LaidPiece& piece) { return piece.track == track; });
   };
   EXPECT_EQ(on_track(-1), 1);
   EXPECT_EQ(on_track(-2), 2);
   EXPECT_EQ(on_track(-3), 1);
   double whole = 0;
-  for (const CurvedPiece& piece : tracks.pieces) whole += piece.length_m;
+  for (const LaidPiece& piece : tracks.pieces) whole += piece.length_m;
   EXPECT_NEAR(whole, 100 + 80 + 100, 1e-3);
 }
 
@@ -81,7 +82,7 @@ TEST(RecursiveTracks, KnowTheThreeCasesOfObstacles) {
 TEST(RecursiveTracks, GoOnBeyondLandThatIsNotTheirs) {
   const Region body{{{{0, 0}, {100, 0}, {100, 8}, {0, 8}}, {}},
                     {{{0, 20}, {100, 20}, {100, 28}, {0, 28}}, {}}};
-  const CurvedTracks tracks = recursive_tracks({{0, 0}, {100, 0}}, 4, body, 0);
+  const LaidTracks tracks = recursive_tracks({{0, 0}, {100, 0}}, 4, body, 0);
   ASSERT_EQ(tracks.pieces.size(), 4u);
   EXPECT_EQ(tracks.pieces.front().track, -7);
   EXPECT_EQ(tracks.pieces.back().track, -1);
@@ -92,7 +93,7 @@ TEST(RecursiveTracks, GoOnBeyondLandThatIsNotTheirs) {
 // straight into the first arm, across which the remaining tracks work it again, all 108 × 8 m of it.
 TEST(RecursiveTracks, WorkAnArmAgainOnceItsEdgeIsGone) {
   const Polygon body{{{-100, 0}, {-100, -8}, {8, -8}, {8, -100}, {28, -100}, {28, 0}}, {}};
-  const CurvedTracks tracks = recursive_tracks({{-100, 0}, {28, 0}, {28, -100}}, 4, {body}, 0);
+  const LaidTracks tracks = recursive_tracks({{-100, 0}, {28, 0}, {28, -100}}, 4, {body}, 0);
   ASSERT_EQ(tracks.pieces.size(), 5u + 27u);
   const double lengths[] = {126 + 98, 122 + 94, 10 + 90, 6 + 86, 2 + 82};
   for (std::size_t k = 0; k < tracks.pieces.size(); ++k)
@@ -114,17 +115,18 @@ TEST(RecursiveTracks, OfAStraightLineAreStraightStrips) {
     field.holes.push_back({{-12, -9}, {-10, 9}, {11, 12}, {14, -8}});
     const double heading = angle(random), width = 5;
     const Point along{std::cos(heading), std::sin(heading)};
-    const CurvedTracks recursive = recursive_tracks({{1, 2}, Point{1, 2} + 30 * along}, width, {field}, 0);
+    const LaidTracks recursive = recursive_tracks({{1, 2}, Point{1, 2} + 30 * along}, width, {field}, 0);
     const StripGrid grid{TrackFrame(Direction::along({0, 0}, along)),
                          TrackFrame(Direction::along({0, 0}, along)).to_track(Point{1, 2}).x, width};
-    const SubfieldTracks straight = cut_pieces(strips_of(grid, grid.frame.to_track(Region{field}).front(), {},
-                                                         end_criterion(EndRule::kCover, Objective{}, width)),
-                                               0);
+    const LaidTracks straight =
+        cut_pieces(straight_tracks(grid, grid.frame.to_track(Region{field}).front(), {},
+                                   end_criterion(EndRule::kCover, Objective{}, width)),
+                   0);
     ASSERT_EQ(recursive.pieces.size(), straight.pieces.size());
     double a_m = 0, b_m = 0;
     for (std::size_t i = 0; i < straight.pieces.size(); ++i) {
       a_m += recursive.pieces[i].length_m;
-      b_m += length(straight.pieces[i]);
+      b_m += straight.pieces[i].length_m;
       ++compared;
     }
     EXPECT_NEAR(a_m, b_m, 0.01);

@@ -8,30 +8,31 @@
 namespace tramline {
 namespace {
 
-CurvedAvoided tallied(const CurvedAvoidanceTask& task, std::vector<std::vector<StripDetour>> detours) {
+CurvedAvoided tallied(const CurvedAvoidanceTask& task, std::vector<std::vector<TrackDetour>> detours) {
   const double width_m = task.machine.width_m, least_m = min_length_m(task.machine);
   CurvedAvoided out;
   out.detours = std::move(detours);
-  for (std::size_t i = 0; i < task.tracks.size(); ++i)
-    append_pieces(task.tracks[i], out.detours[i], least_m, out.tracks);
-  const double by_detours_m2 = covered_by_detours_m2(task.ground.body, task.tracks, out.tracks, width_m);
+  out.tracks.grid = task.family.grid;
+  for (std::size_t i = 0; i < task.family.tracks.size(); ++i)
+    append_pieces(task.family.tracks[i], out.detours[i], least_m, out.tracks);
+  const double by_detours_m2 = covered_by_detours_m2(task.ground.body, task.family, out.tracks, width_m);
   out.tally = curved_tally(out.tracks, width_m, task.body_m2, by_detours_m2);
   out.cost = cost(task.objective, out.tally);
   return out;
 }
 
-bool is_blocked(const CurvedTrack& track) { return !hard_gaps(track).empty(); }
+bool is_blocked(const Track& track) { return !hard_gaps(track).empty(); }
 
 }  // namespace
 
 CurvedAvoided all_cut(const CurvedAvoidanceTask& task) {
-  return tallied(task, std::vector<std::vector<StripDetour>>(task.tracks.size()));
+  return tallied(task, std::vector<std::vector<TrackDetour>>(task.family.tracks.size()));
 }
 
 CurvedAvoided choose_detours(const CurvedAvoidanceTask& task) {
   CurvedAvoided cut = all_cut(task);
   if (task.settings.avoid != Avoidance::kCheapest) return cut;
-  if (std::none_of(task.tracks.begin(), task.tracks.end(), is_blocked)) return cut;
+  if (std::none_of(task.family.tracks.begin(), task.family.tracks.end(), is_blocked)) return cut;
   CurvedDecisions decisions(task);
   if (!decisions.improve()) return cut;
   CurvedAvoided out = tallied(task, decisions.detours());

@@ -4,7 +4,7 @@
 #include "tramline/avoidance/ground.h"
 #include "tramline/model/machine.h"
 #include "tramline/model/plan.h"
-#include "tramline/tracks/curved_pieces.h"
+#include "tramline/tracks/curved_tracks.h"
 
 namespace tramline {
 
@@ -15,13 +15,13 @@ struct CurvedAvoidanceTask {
   const Machine& machine;
   const Objective& objective;
   const PlanSettings& settings;
-  const std::vector<CurvedTrack>& tracks;
+  const TrackFamily& family;
   double body_m2 = 0;
 };
 
 struct CurvedAvoided {
-  CurvedTracks tracks;
-  std::vector<std::vector<StripDetour>> detours;  ///< by track of the task
+  LaidTracks tracks;
+  std::vector<std::vector<TrackDetour>> detours;  ///< by track of the task
   Tally tally;
   double cost = 0;
 };

@@ -8,7 +8,7 @@
 namespace tramline {
 namespace {
 
-Avoided tallied(const AvoidanceTask& task, std::vector<SubfieldTracks> tracks, WaysPast ways) {
+Avoided tallied(const AvoidanceTask& task, std::vector<LaidTracks> tracks, WaysPast ways) {
   Avoided out{std::move(tracks), {}, 0, ways};
   const double by_detours_m2 = covered_by_detours_m2(task.ground.body, out.tracks);
   out.tally = tally_of(task.subfields, out.tracks, task.body_m2, by_detours_m2);

@@ -18,7 +18,7 @@ struct AvoidanceTask {
   const Objective& objective;
   const PlanSettings& settings;
   const std::vector<Subfield>& subfields;
-  const std::vector<Strips>& strips;  ///< by subfield
+  const std::vector<TrackFamily>& families;  ///< by subfield
   double body_m2 = 0;
 };
 
@@ -26,7 +26,7 @@ struct AvoidanceTask {
 enum class WaysPast : std::uint8_t { kOwn, kPaper, kBoth };
 
 struct Avoided {
-  std::vector<SubfieldTracks> tracks;  ///< by subfield
+  std::vector<LaidTracks> tracks;  ///< by subfield
   Tally tally;
   double cost = 0;
   WaysPast ways = WaysPast::kOwn;  ///< those the tracks were chosen from

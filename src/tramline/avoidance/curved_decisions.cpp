@@ -16,15 +16,15 @@ constexpr double kAtSeam = 1e-3;
 /// What driving pieces of a curved track costs.
 class CurvedCosts : public PieceCosts {
  public:
-  CurvedCosts(const BlockedTrack& blocked, const CurvedTrack& track, const Objective& objective,
-              double width_m, double least_m)
+  CurvedCosts(const BlockedTrack& blocked, const Track& track, const Objective& objective, double width_m,
+              double least_m)
       : blocked_(blocked), track_(track), objective_(objective), width_m_(width_m), least_m_(least_m) {}
 
   StretchCost of(const JoinedStretch& joined) const override {
-    CurvedTracks laid;
+    LaidTracks laid;
     append_joined(track_, joined, least_m_, laid);
     StretchCost out;
-    for (const CurvedPiece& piece : laid.pieces) out.sum += of_piece(piece);
+    for (const LaidPiece& piece : laid.pieces) out.sum += of_piece(piece);
     out.driven = !laid.pieces.empty();
     // It goes on behind the seam: one piece with what ends there.
     if (track_.closed && out.driven && joined.whole.from <= kAtSeam &&
@@ -42,15 +42,15 @@ class CurvedCosts : public PieceCosts {
   double counted_too_often() const override { return blocked_.only_one_driven ? objective_.turn : 0; }
 
  private:
-  double of_piece(const CurvedPiece& piece) const {
+  double of_piece(const LaidPiece& piece) const {
     double useful = piece.inside_m2;
-    for (const StripDetour& detour : piece.detours) useful += useful_of(detour);
+    for (const TrackDetour& detour : piece.detours) useful += useful_of(detour);
     const int stops = (piece.stop_at_from ? 1 : 0) + (piece.stop_at_to ? 1 : 0);
     return objective_.overlap * (width_m_ * piece.length_m - useful) - objective_.uncovered * useful +
            objective_.turn * (piece.after_crossing ? 0 : 1) + objective_.stop * stops;
   }
 
-  double useful_of(const StripDetour& detour) const {
+  double useful_of(const TrackDetour& detour) const {
     for (const TrackOption& option : blocked_.options)
       if (option.way.detour.path == detour.path) return option.gain_m2() + option.profile_m2;
     return 0;
@@ -63,7 +63,7 @@ class CurvedCosts : public PieceCosts {
   }
 
   const BlockedTrack& blocked_;
-  const CurvedTrack& track_;
+  const Track& track_;
   const Objective& objective_;
   double width_m_;
   double least_m_;
@@ -78,25 +78,17 @@ std::size_t part_with(const Region& ground, Point p) {
 }
 
 /// A piece belongs to one part of the ground.
-bool leads_to_another_part(const Region& ground, const StripDetour& detour) {
+bool leads_to_another_part(const Region& ground, const TrackDetour& detour) {
   const std::size_t first = part_with(ground, detour.path.front().from);
   const std::size_t last = part_with(ground, detour.path.back().to);
   return first != last && first != kNoPart && last != kNoPart;
 }
 
-Box reach_between(const CurvedTrack& track, const Interval& range, double width_m) {
+Box reach_between(const Track& track, const Interval& range, double width_m) {
   return reach_of(path_between(track.path, range.from, range.to), width_m);
 }
 
 }  // namespace
-
-std::vector<std::size_t> hard_gaps(const CurvedTrack& track) {
-  std::vector<std::size_t> out;
-  for (std::size_t gap = 1; gap < track.stretches.size(); ++gap)
-    if (!common(track.by_hard, {{track.stretches[gap - 1].to, track.stretches[gap].from}}).empty())
-      out.push_back(gap);
-  return out;
-}
 
 CurvedDecisions::CurvedDecisions(const CurvedAvoidanceTask& task)
     : task_(task),
@@ -104,13 +96,13 @@ CurvedDecisions::CurvedDecisions(const CurvedAvoidanceTask& task)
       least_m_(min_length_m(task.machine)),
       around_(field_surroundings(task.ground, task.field.outer, task.settings.boundary == EdgeKind::kHard)),
       body_(rings_of(task.ground.body)),
-      cover_(task.tracks.size()),
-      driven_(task.tracks.size(), false) {
-  for (std::size_t i = 0; i < task.tracks.size(); ++i) {
+      cover_(task.family.tracks.size()),
+      driven_(task.family.tracks.size(), false) {
+  for (std::size_t i = 0; i < task.family.tracks.size(); ++i) {
     work(i, {});
     BlockedTrack blocked;
     blocked.strip = i;
-    blocked.gaps = hard_gaps(task.tracks[i]);
+    blocked.gaps = hard_gaps(task.family.tracks[i]);
     if (blocked.gaps.empty()) continue;
     add_options(blocked);
     decisions_.push_back({std::move(blocked), {}});
@@ -127,7 +119,7 @@ void CurvedDecisions::add_options(BlockedTrack& blocked) {
         blocked.refused.push_back({gap, side, why});
     return;
   }
-  const CurvedTrack& track = task_.tracks[blocked.strip];
+  const Track& track = task_.family.tracks[blocked.strip];
   for (const Passing side : {Passing::kLeft, Passing::kRight}) {
     std::vector<WayRound> alone;
     for (const std::size_t gap : blocked.gaps) {
@@ -146,7 +138,7 @@ void CurvedDecisions::add_options(BlockedTrack& blocked) {
       [](const TrackOption& a, const TrackOption& b) { return a.way.first_gap < b.way.first_gap; });
 }
 
-WayRound CurvedDecisions::way_past_gaps(const CurvedTrack& track, std::size_t first, std::size_t last,
+WayRound CurvedDecisions::way_past_gaps(const Track& track, std::size_t first, std::size_t last,
                                         Passing side) const {
   WayRound way = curved_way_round({track, first, width_m_, task_.machine.radius_m, last}, side, around_);
   if (way.possible() && leads_to_another_part(task_.ground.plannable, way.detour))
@@ -156,7 +148,7 @@ WayRound CurvedDecisions::way_past_gaps(const CurvedTrack& track, std::size_t fi
 
 void CurvedDecisions::add_option(BlockedTrack& blocked, WayRound way) {
   if (!way.possible() || has_option(blocked, way)) return;
-  const CurvedTrack& track = task_.tracks[blocked.strip];
+  const Track& track = task_.family.tracks[blocked.strip];
   TrackOption option;
   option.straight = {way.detour.from, way.detour.to};
   way.detour.obstacles = obstacles_near(track, option.straight);
@@ -168,7 +160,7 @@ void CurvedDecisions::add_option(BlockedTrack& blocked, WayRound way) {
 }
 
 /// Those in the way of the track itself, seen from the field: nearer to it than its swath and the clearance.
-std::vector<int> CurvedDecisions::obstacles_near(const CurvedTrack& track, Interval range) const {
+std::vector<int> CurvedDecisions::obstacles_near(const Track& track, Interval range) const {
   const Path line = path_between(track.path, range.from, range.to);
   const SwathLine reaching(line, width_m_ + 2 * task_.settings.clearance_m);
   std::vector<int> out;
@@ -181,14 +173,14 @@ std::vector<int> CurvedDecisions::obstacles_near(const CurvedTrack& track, Inter
   return out;
 }
 
-void CurvedDecisions::work(std::size_t track, const std::vector<StripDetour>& detours) {
-  CurvedTracks laid;
-  append_pieces(task_.tracks[track], detours, least_m_, laid);
+void CurvedDecisions::work(std::size_t track, const std::vector<TrackDetour>& detours) {
+  LaidTracks laid;
+  append_pieces(task_.family.tracks[track], detours, least_m_, laid);
   std::vector<Path> kept;
-  std::vector<StripDetour> driven;
-  for (const CurvedPiece& piece : laid.pieces) {
+  std::vector<TrackDetour> driven;
+  for (const LaidPiece& piece : laid.pieces) {
     for (const Interval& part : parts_on_track(piece))
-      kept.push_back(path_along(task_.tracks[track], part.from, part.to));
+      kept.push_back(path_along(task_.family.tracks[track], part.from, part.to));
     driven.insert(driven.end(), piece.detours.begin(), piece.detours.end());
   }
   cover_.set(track, kept, driven, width_m_);
@@ -197,11 +189,11 @@ void CurvedDecisions::work(std::size_t track, const std::vector<StripDetour>& de
   for (Decision& decision : decisions_) decision.track.stale = true;
 }
 
-void CurvedDecisions::choose(Decision& decision, std::vector<StripDetour> detours) {
+void CurvedDecisions::choose(Decision& decision, std::vector<TrackDetour> detours) {
   if (same_detours(decision.chosen, detours)) return;
-  const CurvedTrack& track = track_of(decision);
-  for (const std::vector<StripDetour>* some : {&std::as_const(decision.chosen), &std::as_const(detours)})
-    for (const StripDetour& detour : *some) {
+  const Track& track = track_of(decision);
+  for (const std::vector<TrackDetour>* some : {&std::as_const(decision.chosen), &std::as_const(detours)})
+    for (const TrackDetour& detour : *some) {
       Box changed = reach_of(detour.path, width_m_);
       changed.extend(reach_between(track, {detour.from, detour.to}, width_m_));
       for (const Interval& stretch : track.stretches)
@@ -218,7 +210,7 @@ void CurvedDecisions::choose(Decision& decision, std::vector<StripDetour> detour
 
 /// What the track covers alone where it keeps to its line.
 double CurvedDecisions::kept_alone(const Decision& decision, const Interval& range) const {
-  const CurvedTrack& track = track_of(decision);
+  const Track& track = track_of(decision);
   double sum = 0;
   for (const Interval& part : common(track.stretches, {range})) {
     const Path path = path_between(track.path, part.from, part.to);
@@ -234,7 +226,7 @@ void CurvedDecisions::value(Decision& decision) {
   BlockedTrack& blocked = decision.track;
   const auto others = std::count(driven_.begin(), driven_.end(), true) - (driven_[blocked.strip] ? 1 : 0);
   blocked.only_one_driven = others == 0;
-  const CurvedTrack& track = track_of(decision);
+  const Track& track = track_of(decision);
   for (TrackOption& option : blocked.options) {
     if (!option.stale) continue;
     option.useful_m2 = new_area_of(option.way.detour.path, width_m_, body_, cover_, blocked.strip);
@@ -247,9 +239,9 @@ void CurvedDecisions::value(Decision& decision) {
   blocked.stale = false;
 }
 
-double CurvedDecisions::saving_of(Decision& decision, std::vector<StripDetour>* best_detours) {
+double CurvedDecisions::saving_of(Decision& decision, std::vector<TrackDetour>* best_detours) {
   value(decision);
-  const CurvedTrack& track = track_of(decision);
+  const Track& track = track_of(decision);
   const CurvedCosts costs(decision.track, track, task_.objective, width_m_, least_m_);
   const auto best = cheapest_choice(decision.track, track.stretches, costs);
   if (!best || same_detours(best->detours, decision.chosen)) return 0;
@@ -258,21 +250,21 @@ double CurvedDecisions::saving_of(Decision& decision, std::vector<StripDetour>* 
 }
 
 bool CurvedDecisions::improve() {
-  const auto saving = [this](Decision& decision, std::vector<StripDetour>* best) {
+  const auto saving = [this](Decision& decision, std::vector<TrackDetour>* best) {
     return saving_of(decision, best);
   };
-  const auto chosen = [this](Decision& decision, std::vector<StripDetour> detours) {
+  const auto chosen = [this](Decision& decision, std::vector<TrackDetour> detours) {
     choose(decision, std::move(detours));
   };
   return improve_one_by_one(by_saving(decisions_, saving), saving, chosen);
 }
 
-void CurvedDecisions::take(const std::vector<std::vector<StripDetour>>& detours) {
+void CurvedDecisions::take(const std::vector<std::vector<TrackDetour>>& detours) {
   for (Decision& decision : decisions_) choose(decision, detours[decision.track.strip]);
 }
 
-std::vector<std::vector<StripDetour>> CurvedDecisions::detours() const {
-  std::vector<std::vector<StripDetour>> out(task_.tracks.size());
+std::vector<std::vector<TrackDetour>> CurvedDecisions::detours() const {
+  std::vector<std::vector<TrackDetour>> out(task_.family.tracks.size());
   for (const Decision& decision : decisions_) out[decision.track.strip] = decision.chosen;
   return out;
 }
@@ -287,7 +279,7 @@ std::vector<CurvedEncounter> CurvedDecisions::encounters() {
 }
 
 CurvedEncounter CurvedDecisions::encounter_at(Decision& decision, std::size_t gap) {
-  const CurvedTrack& track = track_of(decision);
+  const Track& track = track_of(decision);
   CurvedEncounter out;
   out.branch = track.branch;
   out.between = {track.stretches[gap - 1].to, track.stretches[gap].from};
@@ -296,7 +288,7 @@ CurvedEncounter CurvedDecisions::encounter_at(Decision& decision, std::size_t ga
   encounter.track = track.index;
   encounter.at = path_between(track.path, 0, middle).back().to;
   encounter.obstacles = obstacles_near(track, out.between);
-  for (const StripDetour& detour : decision.chosen)
+  for (const TrackDetour& detour : decision.chosen)
     if (detour.from <= middle && detour.to >= middle) encounter.chosen = detour.side;
   const CurvedCosts costs(decision.track, track, task_.objective, width_m_, least_m_);
   const auto choice = [&](Passing side) {

@@ -149,7 +149,7 @@ class Search {
     if (keep_out.empty()) return give_up("the track's end is no obstacle's doing");
     const auto found = curved_detour_path(keep_out, std::max(o_.radius_m, 0.5 * o_.width_m), line_);
     if (!found) return give_up("no way on this side comes back to the track");
-    StripDetour& detour = way_.detour;
+    TrackDetour& detour = way_.detour;
     detour.path = frame_.to_field(found->path);
     detour.from = found->from;
     detour.to = found->to;
@@ -198,7 +198,7 @@ class Search {
 
 }  // namespace
 
-std::vector<std::size_t> hazards_in(const CurvedTrack& track, double width_m, Interval range,
+std::vector<std::size_t> hazards_in(const Track& track, double width_m, Interval range,
                                     const Surroundings& around) {
   const Path part =
       path_between(track.path, std::max(0.0, range.from - kTip), std::min(track.length_m, range.to + kTip));

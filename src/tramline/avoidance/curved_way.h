@@ -2,13 +2,13 @@
 // One way past what stands in a curved track: a detour on one side, or the reason why there is none.
 
 #include "tramline/avoidance/way_round.h"
-#include "tramline/tracks/curved_pieces.h"
+#include "tramline/tracks/curved_tracks.h"
 
 namespace tramline {
 
 /// A curved track, and a gap in it that hard land makes.
 struct CurvedObstruction {
-  const CurvedTrack& track;
+  const Track& track;
   std::size_t gap = 1;  ///< between stretches gap − 1 and gap
   double width_m = 0;
   double radius_m = 0;       ///< the machine's turning radius
@@ -16,7 +16,7 @@ struct CurvedObstruction {
 };
 
 /// The hazards that reach into the swath of the track between two positions along it.
-std::vector<std::size_t> hazards_in(const CurvedTrack& track, double width_m, Interval range,
+std::vector<std::size_t> hazards_in(const Track& track, double width_m, Interval range,
                                     const Surroundings& around);
 
 /// As way_round() for straight tracks: round what reaches into the swath in the gaps and everything the

@@ -6,10 +6,10 @@
 
 namespace tramline {
 
-bool same_detours(const std::vector<StripDetour>& a, const std::vector<StripDetour>& b) {
+bool same_detours(const std::vector<TrackDetour>& a, const std::vector<TrackDetour>& b) {
   return a.size() == b.size() &&
          std::equal(a.begin(), a.end(), b.begin(),
-                    [](const StripDetour& x, const StripDetour& y) { return x.path == y.path; });
+                    [](const TrackDetour& x, const TrackDetour& y) { return x.path == y.path; });
 }
 
 bool same_drive(const WayRound& a, const WayRound& b) {

@@ -15,11 +15,11 @@ inline constexpr double kWorthIt = 1e-9;
 /// A track that obstacles block, its options, and what is chosen so far.
 struct Decision {
   BlockedTrack track;
-  std::vector<StripDetour> chosen;
+  std::vector<TrackDetour> chosen;
 };
 
 /// Do both sets of detours drive the same?
-bool same_detours(const std::vector<StripDetour>& a, const std::vector<StripDetour>& b);
+bool same_detours(const std::vector<TrackDetour>& a, const std::vector<TrackDetour>& b);
 /// Are two ways past the same gaps one, up to rounding?
 bool same_drive(const WayRound& a, const WayRound& b);
 /// Is the way, up to rounding, an option of the track already?

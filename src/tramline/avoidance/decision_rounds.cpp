@@ -22,7 +22,7 @@ bool improve_one_by_one(const std::vector<Decision*>& order, const SavingOf& sav
     changed = false;
     for (Decision* decision : order) {
       if (!first_round && !decision->track.stale) continue;
-      std::vector<StripDetour> detours;
+      std::vector<TrackDetour> detours;
       if (saving_of(*decision, &detours) <= kWorthIt) continue;
       choose(*decision, std::move(detours));
       changed = true;

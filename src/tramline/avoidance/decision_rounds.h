@@ -9,8 +9,8 @@
 namespace tramline {
 
 /// What the best choice for a track saves against what it does now, and, where asked for, that choice.
-using SavingOf = std::function<double(Decision&, std::vector<StripDetour>* best)>;
-using Choose = std::function<void(Decision&, std::vector<StripDetour> detours)>;
+using SavingOf = std::function<double(Decision&, std::vector<TrackDetour>* best)>;
+using Choose = std::function<void(Decision&, std::vector<TrackDetour> detours)>;
 
 /// Those that save most come first: an order that does not depend on how the field lies in its frame.
 std::vector<Decision*> by_saving(std::vector<Decision>& decisions, const SavingOf& saving_of);

@@ -6,18 +6,18 @@
 namespace tramline {
 namespace {
 
-StripRange range_of(const Strips& strips) {
-  if (strips.strips.empty()) return {};
-  return {strips.strips.front().index, strips.strips.back().index};
+StripRange range_of(const TrackFamily& family) {
+  if (family.tracks.empty()) return {};
+  return {family.tracks.front().index, family.tracks.back().index};
 }
 
-StripWork work_of(const Strip& strip, const std::vector<StripDetour>& detours, double least_m) {
-  SubfieldTracks out{{TrackFrame(Direction::clockwise_from_north(Angle::degrees(0))), 0, 1}, {}, {}};
+StripWork work_of(const Track& strip, const std::vector<TrackDetour>& detours, double least_m) {
+  LaidTracks out{{TrackFrame(Direction::clockwise_from_north(Angle::degrees(0))), 0, 1}, {}, {}};
   append_pieces(strip, detours, least_m, out);
   StripWork work;
-  for (const StripPiece& piece : out.pieces) {
-    for (const Interval& part : straight_parts(piece)) work.straight.push_back(part);
-    for (const StripDetour& detour : piece.detours) work.detours.push_back(detour);
+  for (const LaidPiece& piece : out.pieces) {
+    for (const Interval& part : parts_on_track(piece)) work.straight.push_back(part);
+    for (const TrackDetour& detour : piece.detours) work.detours.push_back(detour);
   }
   return work;
 }
@@ -37,21 +37,21 @@ std::vector<Interval> extents_along(const Field& field, const TrackFrame& frame)
 DetourDecisions::DetourDecisions(const AvoidanceTask& task, WaysPast ways)
     : task_(task), ways_(ways), width_m_(task.machine.width_m), least_m_(min_length_m(task.machine)) {
   const bool hard = task.settings.boundary == EdgeKind::kHard;
-  for (std::size_t i = 0; i < task.strips.size(); ++i) {
-    const Strips& strips = task.strips[i];
-    around_.push_back(turned_surroundings(task.ground, task.field.outer, hard, strips.grid.frame));
-    obstacles_.push_back(extents_along(task.field, strips.grid.frame));
+  for (std::size_t i = 0; i < task.families.size(); ++i) {
+    const TrackFamily& family = task.families[i];
+    around_.push_back(turned_surroundings(task.ground, task.field.outer, hard, family.grid.frame));
+    obstacles_.push_back(extents_along(task.field, family.grid.frame));
     body_.emplace_back();
     for (const Ring& ring : rings_of(task.ground.body))
-      body_.back().push_back(strips.grid.frame.to_track(ring));
-    ground_.add_subfield(strips.grid, range_of(strips));
-    for (const Strip& strip : strips.strips) work(i, strip, {});
+      body_.back().push_back(family.grid.frame.to_track(ring));
+    ground_.add_subfield(family.grid, range_of(family));
+    for (const Track& strip : family.tracks) work(i, strip, {});
   }
-  for (std::size_t i = 0; i < task.strips.size(); ++i) add_tracks(i);
+  for (std::size_t i = 0; i < task.families.size(); ++i) add_tracks(i);
 }
 
-void DetourDecisions::work(std::size_t subfield, const Strip& strip,
-                           const std::vector<StripDetour>& detours) {
+void DetourDecisions::work(std::size_t subfield, const Track& strip,
+                           const std::vector<TrackDetour>& detours) {
   const bool was_driven = is_driven(ground_.at(subfield, strip.index));
   ground_.set(subfield, strip.index, work_of(strip, detours, least_m_));
   const int change = (is_driven(ground_.at(subfield, strip.index)) ? 1 : 0) - (was_driven ? 1 : 0);
@@ -61,7 +61,7 @@ void DetourDecisions::work(std::size_t subfield, const Strip& strip,
   for (Decision& decision : tracks_) decision.track.stale = true;
 }
 
-void DetourDecisions::choose(Decision& decision, std::vector<StripDetour> detours) {
+void DetourDecisions::choose(Decision& decision, std::vector<TrackDetour> detours) {
   if (same_detours(decision.chosen, detours)) return;
   mark_stale_near(decision, decision.chosen);
   mark_stale_near(decision, detours);
@@ -71,9 +71,9 @@ void DetourDecisions::choose(Decision& decision, std::vector<StripDetour> detour
 
 /// What others are worth depends on where this track's detours are, and on what they leave of its
 /// straight parts.
-void DetourDecisions::mark_stale_near(const Decision& decision, const std::vector<StripDetour>& detours) {
-  const StripGrid& grid = strips_of(decision).grid;
-  for (const StripDetour& detour : detours) {
+void DetourDecisions::mark_stale_near(const Decision& decision, const std::vector<TrackDetour>& detours) {
+  const StripGrid& grid = family_of(decision).grid;
+  for (const TrackDetour& detour : detours) {
     Box changed = detour_box(detour, grid.width_m);
     changed.extend(straight_box(grid, strip_of(decision).index, {detour.from, detour.to}));
     // A short stretch may be driven only because the detour joins it to another.
@@ -83,7 +83,7 @@ void DetourDecisions::mark_stale_near(const Decision& decision, const std::vecto
     for (Decision& other : tracks_) {
       if (&other == &decision) continue;
       if (other.track.subfield == decision.track.subfield)
-        mark_stale(other.track, strips_of(other), changed);
+        mark_stale(other.track, family_of(other), changed);
       else
         mark_all_stale(other.track);
     }
@@ -93,7 +93,7 @@ void DetourDecisions::mark_stale_near(const Decision& decision, const std::vecto
 bool DetourDecisions::take_paper_ways() {
   bool any = false;
   for (Decision& decision : tracks_) {
-    std::vector<StripDetour> detours;
+    std::vector<TrackDetour> detours;
     for (const TrackOption& option : decision.track.options) {
       if (!option.of_paper) continue;
       // Two that run into each other on one track: the first is driven, S1 knows no more.
@@ -106,26 +106,26 @@ bool DetourDecisions::take_paper_ways() {
   return any;
 }
 
-void DetourDecisions::take_from(const std::vector<SubfieldTracks>& tracks) {
+void DetourDecisions::take_from(const std::vector<LaidTracks>& tracks) {
   for (Decision& decision : tracks_) {
-    std::vector<StripDetour> detours;
-    for (const StripPiece& piece : tracks[decision.track.subfield].pieces)
-      if (piece.strip == strip_of(decision).index)
+    std::vector<TrackDetour> detours;
+    for (const LaidPiece& piece : tracks[decision.track.subfield].pieces)
+      if (piece.track == strip_of(decision).index)
         detours.insert(detours.end(), piece.detours.begin(), piece.detours.end());
     choose(decision, std::move(detours));
   }
 }
 
-std::vector<SubfieldTracks> DetourDecisions::tracks() const {
-  std::vector<SubfieldTracks> out;
+std::vector<LaidTracks> DetourDecisions::tracks() const {
+  std::vector<LaidTracks> out;
   std::size_t next = 0;
-  for (std::size_t i = 0; i < task_.strips.size(); ++i) {
-    const Strips& strips = task_.strips[i];
-    SubfieldTracks laid{strips.grid, {}, {}};
-    for (std::size_t k = 0; k < strips.strips.size(); ++k) {
+  for (std::size_t i = 0; i < task_.families.size(); ++i) {
+    const TrackFamily& family = task_.families[i];
+    LaidTracks laid{family.grid, {}, {}};
+    for (std::size_t k = 0; k < family.tracks.size(); ++k) {
       const bool decided =
           next < tracks_.size() && tracks_[next].track.subfield == i && tracks_[next].track.strip == k;
-      append_pieces(strips.strips[k], decided ? tracks_[next].chosen : std::vector<StripDetour>{}, least_m_,
+      append_pieces(family.tracks[k], decided ? tracks_[next].chosen : std::vector<TrackDetour>{}, least_m_,
                     laid);
       if (decided) ++next;
     }

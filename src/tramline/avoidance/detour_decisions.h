@@ -17,22 +17,24 @@ class DetourDecisions {
   /// Chooses S1's way at every gap that has one. False where none has.
   bool take_paper_ways();
   /// Chooses the detours that these tracks have.
-  void take_from(const std::vector<SubfieldTracks>& tracks);
+  void take_from(const std::vector<LaidTracks>& tracks);
   /// Gives every track the choice that costs least while the others stay, until none changes. False
   /// where nothing changed.
   bool improve();
 
-  std::vector<SubfieldTracks> tracks() const;
+  std::vector<LaidTracks> tracks() const;
   std::vector<Encounter> encounters();
 
  private:
-  const Strips& strips_of(const Decision& decision) const { return task_.strips[decision.track.subfield]; }
-  const Strip& strip_of(const Decision& decision) const {
-    return strips_of(decision).strips[decision.track.strip];
+  const TrackFamily& family_of(const Decision& decision) const {
+    return task_.families[decision.track.subfield];
   }
-  void work(std::size_t subfield, const Strip& strip, const std::vector<StripDetour>& detours);
-  void choose(Decision& decision, std::vector<StripDetour> detours);
-  void mark_stale_near(const Decision& decision, const std::vector<StripDetour>& detours);
+  const Track& strip_of(const Decision& decision) const {
+    return family_of(decision).tracks[decision.track.strip];
+  }
+  void work(std::size_t subfield, const Track& strip, const std::vector<TrackDetour>& detours);
+  void choose(Decision& decision, std::vector<TrackDetour> detours);
+  void mark_stale_near(const Decision& decision, const std::vector<TrackDetour>& detours);
 
   // detour_options.cpp
   void add_tracks(std::size_t subfield);
@@ -48,11 +50,11 @@ class DetourDecisions {
 
   // detour_improvement.cpp
   void value(Decision& decision);
-  double saving_of(Decision& decision, std::vector<StripDetour>* best_detours);
+  double saving_of(Decision& decision, std::vector<TrackDetour>* best_detours);
   /// Tracks first to end − 1 that meet one obstacle, tried with one another.
   struct Group {
     std::size_t first = 0, end = 0;
-    std::vector<std::vector<StripDetour>> best;  ///< empty: nothing saves more than most_saved
+    std::vector<std::vector<TrackDetour>> best;  ///< empty: nothing saves more than most_saved
     double most_saved = 0;
   };
   bool improve_groups();
@@ -61,7 +63,7 @@ class DetourDecisions {
 
   // detour_encounters.cpp
   Encounter encounter_at(Decision& decision, std::size_t gap);
-  std::vector<int> obstacles_taken_along(const Decision& decision, const StripDetour& detour) const;
+  std::vector<int> obstacles_taken_along(const Decision& decision, const TrackDetour& detour) const;
 
   const AvoidanceTask& task_;
   WaysPast ways_;

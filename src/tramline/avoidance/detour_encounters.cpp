@@ -24,18 +24,18 @@ std::vector<Encounter> DetourDecisions::encounters() {
 }
 
 Encounter DetourDecisions::encounter_at(Decision& decision, std::size_t gap) {
-  const Strips& strips = strips_of(decision);
-  const Strip& strip = strip_of(decision);
+  const TrackFamily& family = family_of(decision);
+  const Track& strip = strip_of(decision);
   const Interval between{strip.stretches[gap - 1].to, strip.stretches[gap].from};
   const double middle = 0.5 * (between.from + between.to);
   Encounter out;
   out.subfield = static_cast<int>(decision.track.subfield);
   out.track = strip.index;
-  out.at = strips.grid.frame.to_field({strips.grid.centre(strip.index), middle});
+  out.at = family.grid.frame.to_field({family.grid.centre(strip.index), middle});
   const std::size_t subfield = decision.track.subfield;
   out.obstacles =
-      obstacles_along(subfield, hazards_in(strips.grid, strip, between, around_[subfield]), between);
-  for (const StripDetour& detour : decision.chosen)
+      obstacles_along(subfield, hazards_in(family.grid, strip, between, around_[subfield]), between);
+  for (const TrackDetour& detour : decision.chosen)
     if (detour.from <= middle && detour.to >= middle) {
       out.chosen = detour.side;
       const std::vector<int> taken_along = obstacles_taken_along(decision, detour);
@@ -59,9 +59,9 @@ Encounter DetourDecisions::encounter_at(Decision& decision, std::size_t gap) {
 /// A track simply ends at the headland round an obstacle, and there is nothing to decide. Where a detour
 /// about another obstacle leads past it all the same, it is met with that one.
 std::vector<int> DetourDecisions::obstacles_taken_along(const Decision& decision,
-                                                        const StripDetour& detour) const {
-  const Strips& strips = strips_of(decision);
-  const Strip& strip = strip_of(decision);
+                                                        const TrackDetour& detour) const {
+  const TrackFamily& family = family_of(decision);
+  const Track& strip = strip_of(decision);
   const std::size_t subfield = decision.track.subfield;
   const std::vector<std::size_t>& decided = decision.track.gaps;
   std::vector<int> out;
@@ -70,7 +70,7 @@ std::vector<int> DetourDecisions::obstacles_taken_along(const Decision& decision
     const bool inside = detour.from <= between.from && detour.to >= between.to;
     if (!inside || std::find(decided.begin(), decided.end(), gap) != decided.end()) continue;
     const std::vector<int> there =
-        obstacles_along(subfield, hazards_in(strips.grid, strip, between, around_[subfield]), between);
+        obstacles_along(subfield, hazards_in(family.grid, strip, between, around_[subfield]), between);
     out.insert(out.end(), there.begin(), there.end());
   }
   return out;

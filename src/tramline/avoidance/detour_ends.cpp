@@ -4,7 +4,7 @@ namespace tramline {
 
 Look look_at_ends(const Intervals& stretches, std::size_t gap, std::size_t last_gap,
                   const std::function<bool(const Interval&)>& add_gap, WayRound& way) {
-  const StripDetour& detour = way.detour;
+  const TrackDetour& detour = way.detour;
   const std::size_t first = stretch_at(stretches, detour.from), last = stretch_at(stretches, detour.to);
   if (first < gap && last >= last_gap && last < stretches.size()) {
     way.first_gap = first + 1;

@@ -26,13 +26,13 @@ bool share_a_hazard(const BlockedTrack& a, const BlockedTrack& b) {
 void DetourDecisions::value(Decision& decision) {
   const StripWork& own = ground_.at(decision.track.subfield, strip_of(decision).index);
   decision.track.only_one_driven = driven_ == (is_driven(own) ? 1 : 0);
-  value_options(decision.track, strips_of(decision), body_[decision.track.subfield], ground_, least_m_);
+  value_options(decision.track, family_of(decision), body_[decision.track.subfield], ground_, least_m_);
 }
 
 /// What the track's best choice saves against what it does now.
-double DetourDecisions::saving_of(Decision& decision, std::vector<StripDetour>* best_detours) {
+double DetourDecisions::saving_of(Decision& decision, std::vector<TrackDetour>* best_detours) {
   value(decision);
-  const Strip& strip = strip_of(decision);
+  const Track& strip = strip_of(decision);
   const auto best = cheapest_choice(decision.track, strip, width_m_, task_.objective, least_m_);
   if (!best || same_detours(best->detours, decision.chosen)) return 0;
   if (best_detours != nullptr) *best_detours = best->detours;
@@ -40,10 +40,10 @@ double DetourDecisions::saving_of(Decision& decision, std::vector<StripDetour>* 
 }
 
 bool DetourDecisions::improve() {
-  const auto saving = [this](Decision& decision, std::vector<StripDetour>* best) {
+  const auto saving = [this](Decision& decision, std::vector<TrackDetour>* best) {
     return saving_of(decision, best);
   };
-  const auto chosen = [this](Decision& decision, std::vector<StripDetour> detours) {
+  const auto chosen = [this](Decision& decision, std::vector<TrackDetour> detours) {
     choose(decision, std::move(detours));
   };
   const std::vector<Decision*> order = by_saving(tracks_, saving);
@@ -83,8 +83,8 @@ bool DetourDecisions::improve_group(std::size_t first, std::size_t end) {
 /// from there on as they were.
 void DetourDecisions::try_choices(Group& group, std::size_t at, double saved) {
   Decision& decision = tracks_[at];
-  const std::vector<StripDetour> now = decision.chosen;
-  const auto cost_of = [&](const std::vector<StripDetour>& detours) {
+  const std::vector<TrackDetour> now = decision.chosen;
+  const auto cost_of = [&](const std::vector<TrackDetour>& detours) {
     return track_cost(decision.track, strip_of(decision), width_m_, detours, task_.objective, least_m_);
   };
   value(decision);
@@ -99,7 +99,7 @@ void DetourDecisions::try_choices(Group& group, std::size_t at, double saved) {
     group.best.push_back(answer->detours);
     return;
   }
-  std::vector<std::pair<std::vector<StripDetour>, double>> choices{{{}, 0}};
+  std::vector<std::pair<std::vector<TrackDetour>, double>> choices{{{}, 0}};
   for (const TrackOption& option : decision.track.options) choices.push_back({{option.way.detour}, 0});
   for (auto& [detours, cost] : choices) cost = cost_of(detours);
   for (auto& [detours, cost] : choices) {

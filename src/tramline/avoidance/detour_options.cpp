@@ -12,21 +12,22 @@ namespace {
 
 constexpr const char* kFarTooDear = "it would cost far more than a cut";
 
-Obstruction obstruction(const Strips& strips, const Strip& strip, std::size_t gap, const Machine& machine) {
-  return {strips.grid, strip, gap, machine.width_m, machine.radius_m};
+Obstruction obstruction(const TrackFamily& family, const Track& strip, std::size_t gap,
+                        const Machine& machine) {
+  return {family.grid, strip, gap, machine.width_m, machine.radius_m};
 }
 
 }  // namespace
 
 void DetourDecisions::add_tracks(std::size_t subfield) {
-  const Strips& strips = task_.strips[subfield];
-  for (std::size_t i = 0; i < strips.strips.size(); ++i) {
+  const TrackFamily& family = task_.families[subfield];
+  for (std::size_t i = 0; i < family.tracks.size(); ++i) {
     BlockedTrack track;
     track.subfield = subfield;
     track.strip = i;
-    track.gaps = hard_gaps(strips.strips[i]);
+    track.gaps = hard_gaps(family.tracks[i]);
     if (track.gaps.empty()) continue;
-    track.correction_m2.assign(strips.strips[i].stretches.size(), 0);
+    track.correction_m2.assign(family.tracks[i].stretches.size(), 0);
     add_options(track);
     tracks_.push_back({std::move(track), {}});
     if (ways_ != WaysPast::kPaper) drop_dear_options(tracks_.back());
@@ -34,7 +35,7 @@ void DetourDecisions::add_tracks(std::size_t subfield) {
 }
 
 TrackTerms DetourDecisions::terms_of(const BlockedTrack& track) const {
-  return {track.subfield, task_.strips[track.subfield].strips[track.strip], task_.objective, width_m_,
+  return {track.subfield, task_.families[track.subfield].tracks[track.strip], task_.objective, width_m_,
           least_m_};
 }
 
@@ -74,8 +75,8 @@ void DetourDecisions::add_options(BlockedTrack& track) {
 
 WayRound DetourDecisions::way_past_gaps(const BlockedTrack& track, std::size_t first, std::size_t last,
                                         Passing side) const {
-  const Strips& strips = task_.strips[track.subfield];
-  Obstruction gaps = obstruction(strips, strips.strips[track.strip], first, task_.machine);
+  const TrackFamily& family = task_.families[track.subfield];
+  Obstruction gaps = obstruction(family, family.tracks[track.strip], first, task_.machine);
   gaps.last_gap = last;
   return way_round(gaps, side, around_[track.subfield]);
 }
@@ -83,9 +84,9 @@ WayRound DetourDecisions::way_past_gaps(const BlockedTrack& track, std::size_t f
 /// Unless it is known, cannot be driven, or cannot pay.
 void DetourDecisions::add_option(BlockedTrack& track, const WayRound& way) {
   if (!way.possible() || has_option(track, way)) return;
-  const Strips& strips = task_.strips[track.subfield];
-  TrackOption option = option_of(named(track.subfield, way), strips.grid, strips.strips[track.strip].index);
-  if (!hopeless(option, terms_of(track), task_.strips, ground_)) {
+  const TrackFamily& family = task_.families[track.subfield];
+  TrackOption option = option_of(named(track.subfield, way), family.grid, family.tracks[track.strip].index);
+  if (!hopeless(option, terms_of(track), task_.families, ground_)) {
     track.options.push_back(std::move(option));
     return;
   }
@@ -94,9 +95,9 @@ void DetourDecisions::add_option(BlockedTrack& track, const WayRound& way) {
 }
 
 void DetourDecisions::add_paper_option(BlockedTrack& track, std::size_t gap) {
-  const Strips& strips = task_.strips[track.subfield];
+  const TrackFamily& family = task_.families[track.subfield];
   const double threshold = task_.settings.avoid_threshold_m;
-  WayRound way = paper_way(obstruction(strips, strips.strips[track.strip], gap, task_.machine),
+  WayRound way = paper_way(obstruction(family, family.tracks[track.strip], gap, task_.machine),
                            threshold < 0 ? width_m_ : threshold, around_[track.subfield]);
   if (!way.possible()) {
     if (ways_ == WaysPast::kPaper)
@@ -110,12 +111,12 @@ void DetourDecisions::add_paper_option(BlockedTrack& track, std::size_t gap) {
       return;
     }
   track.options.push_back(
-      option_of(named(track.subfield, way), strips.grid, strips.strips[track.strip].index));
+      option_of(named(track.subfield, way), family.grid, family.tracks[track.strip].index));
   track.options.back().of_paper = true;
 }
 
 WayRound DetourDecisions::named(std::size_t subfield, WayRound way) const {
-  const TrackFrame& frame = task_.strips[subfield].grid.frame;
+  const TrackFrame& frame = task_.families[subfield].grid.frame;
   way.detour.obstacles = obstacles_along(subfield, way.hazards, {way.detour.from, way.detour.to});
   std::erase_if(way.detour.obstacles, [&](int obstacle) {
     const Polygon& shape = task_.field.obstacles[static_cast<std::size_t>(obstacle)].shape;

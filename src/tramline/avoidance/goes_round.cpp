@@ -22,7 +22,7 @@ double across_at(const Path& path, double along) {
 
 }  // namespace
 
-bool goes_round(const StripDetour& detour, const Ring& ring) {
+bool goes_round(const TrackDetour& detour, const Ring& ring) {
   constexpr double kRounding = 1e-6;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     Point a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];

@@ -20,26 +20,26 @@ double length_near_strip(const Path& path, double centre, double width_m) {
   return sum;
 }
 
-double area_of(const StripProfile& profile, const Intervals& parts) {
+double area_of(const TrackProfile& profile, const Intervals& parts) {
   double sum = 0;
-  for (const Interval& part : parts) sum += area_between(profile, part.from, part.to);
+  for (const Interval& part : parts) sum += profile.area_between(part.from, part.to);
   return sum;
 }
 
 /// Ground of a subfield's strips in the window (in the plane of its grid) that they do not work straight.
-double free_m2(const Strips& strips, std::size_t subfield, const WorkedGround& ground, const Box& window,
-               const Strip* except) {
+double free_m2(const TrackFamily& family, std::size_t subfield, const WorkedGround& ground, const Box& window,
+               const Track* except) {
   double sum = 0;
-  const double width = strips.grid.width_m;
-  const int first = strips.strips.empty() ? 0 : strips.strips.front().index;
+  const double width = family.grid.width_m;
+  const int first = family.tracks.empty() ? 0 : family.tracks.front().index;
   const auto place = [&](double across) {
-    return std::floor((across - strips.grid.origin_m) / width) - first;
+    return std::floor((across - family.grid.origin_m) / width) - first;
   };
-  const double count = static_cast<double>(strips.strips.size());
+  const double count = static_cast<double>(family.tracks.size());
   const auto from = static_cast<std::size_t>(std::clamp(place(window.min_x), 0.0, count));
   const auto to = static_cast<std::size_t>(std::clamp(place(window.max_x) + 1, 0.0, count));
   for (std::size_t i = from; i < to; ++i) {
-    const Strip& strip = strips.strips[i];
+    const Track& strip = family.tracks[i];
     if (&strip == except) continue;
     const Intervals worked = ground.at(subfield, strip.index).straight;
     sum += area_of(strip.subfield, without({{window.min_y, window.max_y}}, worked));
@@ -91,12 +91,12 @@ Box turned_box(const Box& window, const TrackFrame& from, const TrackFrame& to) 
 
 }  // namespace
 
-bool hopeless(const TrackOption& option, const TrackTerms& terms, const std::vector<Strips>& strips,
+bool hopeless(const TrackOption& option, const TrackTerms& terms, const std::vector<TrackFamily>& families,
               const WorkedGround& ground) {
-  const Strip& strip = terms.strip;
+  const Track& strip = terms.strip;
   const Objective& prices = terms.objective;
-  const StripGrid& grid = strips[terms.subfield].grid;
-  const StripDetour& detour = option.way.detour;
+  const StripGrid& grid = families[terms.subfield].grid;
+  const TrackDetour& detour = option.way.detour;
   const Intervals replaced = common(strip.stretches, {option.straight});
   const double replaced_m2 = area_of(strip.subfield, replaced);
   const double longer = terms.width_m * (detour.length_m - length_of(replaced));
@@ -109,8 +109,9 @@ bool hopeless(const TrackOption& option, const TrackTerms& terms, const std::vec
   };
   if (pays()) return false;
   for (const Box& box : boxes_along(detour.path, terms.width_m)) {
-    for (std::size_t i = 0; i < strips.size(); ++i)
-      useful_m2 += free_m2(strips[i], i, ground, turned_box(box, grid.frame, strips[i].grid.frame), &strip);
+    for (std::size_t i = 0; i < families.size(); ++i)
+      useful_m2 +=
+          free_m2(families[i], i, ground, turned_box(box, grid.frame, families[i].grid.frame), &strip);
     if (pays()) return false;
   }
   return true;

@@ -9,7 +9,7 @@ namespace tramline {
 /// The track an option belongs to, and what decisions on it are made by.
 struct TrackTerms {
   std::size_t subfield = 0;
-  const Strip& strip;
+  const Track& strip;
   const Objective& objective;
   double width_m = 0;
   double min_length_m = 0;
@@ -18,7 +18,7 @@ struct TrackTerms {
 /// Would the detour cost several times what the cuts at its gaps do, even if all ground near it that no
 /// straight swath works were gained by it? Other tracks taken as cut. Looks at profiles only: O(strips near
 /// the detour). `ground` holds the straight swaths of all strips.
-bool hopeless(const TrackOption& option, const TrackTerms& terms, const std::vector<Strips>& strips,
+bool hopeless(const TrackOption& option, const TrackTerms& terms, const std::vector<TrackFamily>& families,
               const WorkedGround& ground);
 
 /// The same of an option that has been valued with all other tracks cut: does it cost so much more than

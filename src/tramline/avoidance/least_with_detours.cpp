@@ -108,14 +108,14 @@ struct Sums {
   std::vector<Saving> savings;
 };
 
-bool lies_in(const StripPiece& piece, const Interval& stretch) {
+bool lies_in(const LaidPiece& piece, const Interval& stretch) {
   return piece.from >= stretch.from - kNoPiece_m && piece.to <= stretch.to + kNoPiece_m;
 }
 
 /// How much longer than the track detours past the gaps of a strip are at least. One detour may bridge
 /// several gaps of the same ground, and is there for one of them: so each counts for a share of the least
 /// that any of them asks for.
-std::vector<double> longer_past_gaps(const Strip& strip, double left, const Intervals& near,
+std::vector<double> longer_past_gaps(const Track& strip, double left, const Intervals& near,
                                      const DetourZones& zones) {
   std::vector<double> out(strip.stretches.size(), kNever);
   for (const Interval& ground : near) {
@@ -135,7 +135,7 @@ std::vector<double> longer_past_gaps(const Strip& strip, double left, const Inte
 
 /// What is between the stretches of one strip that are driven when all tracks are cut. A detour that changes
 /// anything there bridges a gap whole, where detours come.
-void append_savings(const Strip& strip, const std::vector<const StripPiece*>& pieces,
+void append_savings(const Track& strip, const std::vector<const LaidPiece*>& pieces,
                     const std::vector<double>& longer_m, const Objective& price, std::vector<Saving>& out) {
   const Intervals& stretches = strip.stretches;
   double least_m = kNever, stop_before = 0;
@@ -156,18 +156,18 @@ void append_savings(const Strip& strip, const std::vector<const StripPiece*>& pi
 }
 
 /// What one strip costs at least.
-void add_strip(const Strip& strip, const std::vector<const StripPiece*>& pieces, double left,
+void add_strip(const Track& strip, const std::vector<const LaidPiece*>& pieces, double left,
                const Interval& whole, const DetourZones& zones, const AvoidanceTask& task, Sums& sums) {
   const double width_m = task.machine.width_m;
   const Intervals far = zones.far_from(left, left + width_m, whole), near = complement(far, whole);
   Intervals driven;
-  for (const StripPiece* piece : pieces) append_joining(driven, {piece->from, piece->to});
+  for (const LaidPiece* piece : pieces) append_joining(driven, {piece->from, piece->to});
   for (const Interval& worked : common(driven, far))
-    sums.over_m2 += width_m * worked.length() - area_between(strip.subfield, worked.from, worked.to);
+    sums.over_m2 += width_m * worked.length() - strip.subfield.area_between(worked.from, worked.to);
   for (const Interval& left_over : without(far, driven))
-    sums.under_m2 += area_between(strip.subfield, left_over.from, left_over.to);
+    sums.under_m2 += strip.subfield.area_between(left_over.from, left_over.to);
   for (const Interval& worked : without(driven, far)) sums.worked_m2 += width_m * worked.length();
-  for (const Interval& ground : near) sums.body_m2 += area_between(strip.subfield, ground.from, ground.to);
+  for (const Interval& ground : near) sums.body_m2 += strip.subfield.area_between(ground.from, ground.to);
   sums.pieces += pieces.empty() ? 0 : 1;
   append_savings(strip, pieces, longer_past_gaps(strip, left, near, zones), task.objective, sums.savings);
 }
@@ -195,17 +195,17 @@ double least_near(const Sums& sums, double width_m, const Objective& price) {
 
 Avoided all_cut(const AvoidanceTask& task) {
   Avoided out;
-  for (const Strips& strips : task.strips)
-    out.tracks.push_back(cut_pieces(strips, min_length_m(task.machine)));
+  for (const TrackFamily& family : task.families)
+    out.tracks.push_back(cut_pieces(family, min_length_m(task.machine)));
   out.tally = tally_of(task.subfields, out.tracks, task.body_m2);
   out.cost = cost(task.objective, out.tally);
   return out;
 }
 
 bool meets_obstacles(const AvoidanceTask& task) {
-  return std::any_of(task.strips.begin(), task.strips.end(), [](const Strips& strips) {
-    return std::any_of(strips.strips.begin(), strips.strips.end(),
-                       [](const Strip& strip) { return !hard_gaps(strip).empty(); });
+  return std::any_of(task.families.begin(), task.families.end(), [](const TrackFamily& family) {
+    return std::any_of(family.tracks.begin(), family.tracks.end(),
+                       [](const Track& strip) { return !hard_gaps(strip).empty(); });
   });
 }
 
@@ -215,16 +215,16 @@ double least_with_detours(const AvoidanceTask& task, const Avoided& cut) {
   double subfields_m2 = 0, own_m2 = 0;
   std::size_t dropped = 0;
   for (std::size_t i = 0; i < task.subfields.size(); ++i) {
-    const StripGrid& grid = task.strips[i].grid;
+    const StripGrid& grid = task.families[i].grid;
     const DetourZones zones(task, grid.frame);
     const Box reach = bounds(grid.frame.to_track(Region{task.subfields[i].shape}));
     const Interval whole{reach.min_y - 2 * width_m, reach.max_y + 2 * width_m};
     subfields_m2 += area(task.subfields[i].shape);
     dropped += cut.tracks[i].dropped.size();
     auto piece = cut.tracks[i].pieces.begin();
-    for (const Strip& strip : task.strips[i].strips) {
-      std::vector<const StripPiece*> pieces;
-      for (; piece != cut.tracks[i].pieces.end() && piece->strip == strip.index; ++piece) {
+    for (const Track& strip : task.families[i].tracks) {
+      std::vector<const LaidPiece*> pieces;
+      for (; piece != cut.tracks[i].pieces.end() && piece->track == strip.index; ++piece) {
         pieces.push_back(&*piece);
         own_m2 += piece->inside_m2;
       }

@@ -38,7 +38,7 @@ std::vector<KeepOut> buffer_of(const TurnedHazard& hazard, const DetourFrame& fr
 }
 
 /// Why the path, fitted into the track, cannot be driven; empty where it can.
-std::string fault_in_track(const Obstruction& o, const StripDetour& detour, const Surroundings& around) {
+std::string fault_in_track(const Obstruction& o, const TrackDetour& detour, const Surroundings& around) {
   const Intervals& stretches = o.strip.stretches;
   if (stretch_at(stretches, detour.from) != o.gap - 1 || stretch_at(stretches, detour.to) != o.gap)
     return "the track ends before the detour could";

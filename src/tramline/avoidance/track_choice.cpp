@@ -13,16 +13,15 @@ constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 /// What driving pieces costs; `correct` is added to the area they cover alone.
 class PieceCost : public PieceCosts {
  public:
-  PieceCost(const BlockedTrack& track, const Strip& strip, double width_m, const Objective& objective,
+  PieceCost(const BlockedTrack& track, const Track& strip, double width_m, const Objective& objective,
             double min_length_m)
       : track_(track), strip_(strip), width_m_(width_m), objective_(objective), min_length_m_(min_length_m) {}
 
   StretchCost of(const JoinedStretch& joined) const override {
-    SubfieldTracks laid{
-        {TrackFrame(Direction::clockwise_from_north(Angle::degrees(0))), 0, width_m_}, {}, {}};
+    LaidTracks laid{{TrackFrame(Direction::clockwise_from_north(Angle::degrees(0))), 0, width_m_}, {}, {}};
     append_joined(strip_, joined, min_length_m_, laid);
     StretchCost out;
-    for (const StripPiece& piece : laid.pieces) out.sum += of_piece(piece);
+    for (const LaidPiece& piece : laid.pieces) out.sum += of_piece(piece);
     out.driven = !laid.pieces.empty();
     return out;
   }
@@ -36,18 +35,18 @@ class PieceCost : public PieceCosts {
   }
 
  private:
-  double of_piece(const StripPiece& piece) const {
+  double of_piece(const LaidPiece& piece) const {
     double useful = piece.inside_m2;
-    for (const StripDetour& detour : piece.detours) useful += useful_of(detour);
+    for (const TrackDetour& detour : piece.detours) useful += useful_of(detour);
     for (std::size_t i = 0; i < strip_.stretches.size(); ++i)
       if (strip_.stretches[i].from >= piece.from && strip_.stretches[i].to <= piece.to)
         useful += track_.correction_m2[i];
     const int stops = (piece.stop_at_from ? 1 : 0) + (piece.stop_at_to ? 1 : 0);
-    return objective_.overlap * (width_m_ * length(piece) - useful) - objective_.uncovered * useful +
+    return objective_.overlap * (width_m_ * piece.length_m - useful) - objective_.uncovered * useful +
            objective_.turn * (piece.after_crossing ? 0 : 1) + objective_.stop * stops;
   }
 
-  double useful_of(const StripDetour& detour) const {
+  double useful_of(const TrackDetour& detour) const {
     for (const TrackOption& option : track_.options)
       if (option.way.detour.from == detour.from && option.way.detour.to == detour.to &&
           option.way.detour.side == detour.side && option.way.detour.path == detour.path)
@@ -62,7 +61,7 @@ class PieceCost : public PieceCosts {
   }
 
   const BlockedTrack& track_;
-  const Strip& strip_;
+  const Track& strip_;
   double width_m_;
   const Objective& objective_;
   double min_length_m_;
@@ -81,13 +80,13 @@ class Chains {
   }
 
   /// The cheapest chain that ends with stretch `last`; empty where there is none.
-  std::vector<StripDetour> to(std::size_t last) const {
+  std::vector<TrackDetour> to(std::size_t last) const {
     std::size_t best = kNone;
     for (std::size_t i = 0; i < sums_.size(); ++i)
       if (sums_[i] < kNever && track_.options[i].way.last_gap == last &&
           (best == kNone || sums_[i] < sums_[best]))
         best = i;
-    std::vector<StripDetour> out;
+    std::vector<TrackDetour> out;
     for (std::size_t i = best; i != kNone; i = before_[i]) out.push_back(track_.options[i].way.detour);
     std::reverse(out.begin(), out.end());
     return out;
@@ -121,7 +120,7 @@ class Chains {
 /// The best choices for the first stretches of a track: those that drive none of them, and those that do.
 using Choices = std::array<TrackChoice, 2>;
 
-void add(Choices& choices, const Choices& before, const std::vector<StripDetour>& detours,
+void add(Choices& choices, const Choices& before, const std::vector<TrackDetour>& detours,
          const StretchCost& cost) {
   for (const bool driven_before : {false, true}) {
     const TrackChoice& start = before[driven_before ? 1 : 0];
@@ -135,7 +134,7 @@ void add(Choices& choices, const Choices& before, const std::vector<StripDetour>
 }  // namespace
 
 double track_cost(const Intervals& stretches, const PieceCosts& cost,
-                  const std::vector<StripDetour>& detours) {
+                  const std::vector<TrackDetour>& detours) {
   StretchCost all;
   for (const JoinedStretch& joined : joined_stretches(stretches, detours)) {
     const StretchCost one = cost.of(joined);
@@ -145,8 +144,8 @@ double track_cost(const Intervals& stretches, const PieceCosts& cost,
   return all.driven ? all.sum - cost.counted_too_often() : all.sum;
 }
 
-double track_cost(const BlockedTrack& track, const Strip& strip, double width_m,
-                  const std::vector<StripDetour>& detours, const Objective& objective, double min_length_m) {
+double track_cost(const BlockedTrack& track, const Track& strip, double width_m,
+                  const std::vector<TrackDetour>& detours, const Objective& objective, double min_length_m) {
   return track_cost(strip.stretches, PieceCost(track, strip, width_m, objective, min_length_m), detours);
 }
 
@@ -161,7 +160,7 @@ std::optional<TrackChoice> cheapest_choice(const BlockedTrack& track, const Inte
     if (!may_cut || std::min(best[i][0].cost, best[i][1].cost) == kNever) continue;
     const Chains chains(track, cost, i, forced);
     for (std::size_t last = i; last < count; ++last) {
-      const std::vector<StripDetour> detours = last == i ? std::vector<StripDetour>{} : chains.to(last);
+      const std::vector<TrackDetour> detours = last == i ? std::vector<TrackDetour>{} : chains.to(last);
       if (last > i && detours.empty()) continue;
       add(best[last + 1], best[i], detours, cost.of({{stretches[i].from, stretches[last].to}, detours}));
     }
@@ -173,7 +172,7 @@ std::optional<TrackChoice> cheapest_choice(const BlockedTrack& track, const Inte
   return std::move(least);
 }
 
-std::optional<TrackChoice> cheapest_choice(const BlockedTrack& track, const Strip& strip, double width_m,
+std::optional<TrackChoice> cheapest_choice(const BlockedTrack& track, const Track& strip, double width_m,
                                            const Objective& objective, double min_length_m,
                                            std::optional<Forced> forced) {
   return cheapest_choice(track, strip.stretches, PieceCost(track, strip, width_m, objective, min_length_m),

@@ -15,7 +15,7 @@ struct Forced {
 };
 
 struct TrackChoice {
-  std::vector<StripDetour> detours;  ///< along the strip
+  std::vector<TrackDetour> detours;  ///< along the strip
   double cost = 0;  ///< of the track's pieces, all ground that nothing else covers counted as gain:
                     ///< comparable between choices for one track
 };
@@ -42,19 +42,19 @@ class PieceCosts {
 
 /// The same for any track with these stretches.
 double track_cost(const Intervals& stretches, const PieceCosts& cost,
-                  const std::vector<StripDetour>& detours);
+                  const std::vector<TrackDetour>& detours);
 std::optional<TrackChoice> cheapest_choice(const BlockedTrack& track, const Intervals& stretches,
                                            const PieceCosts& cost, std::optional<Forced> forced = {});
 
 /// What the pieces of a track cost when it is driven with these detours (a subset of its options).
-double track_cost(const BlockedTrack& track, const Strip& strip, double width_m,
-                  const std::vector<StripDetour>& detours, const Objective& objective, double min_length_m);
+double track_cost(const BlockedTrack& track, const Track& strip, double width_m,
+                  const std::vector<TrackDetour>& detours, const Objective& objective, double min_length_m);
 
 /// The cheapest set of detours by dynamic programming along the track: the pieces between two cuts are
 /// independent of the rest, and so are the areas of detours that follow one another. Ties go to
 /// fewer cuts. nullopt where what is forced cannot be done. O(g²·(o + pieces)) for g gaps and
 /// o options at each.
-std::optional<TrackChoice> cheapest_choice(const BlockedTrack& track, const Strip& strip, double width_m,
+std::optional<TrackChoice> cheapest_choice(const BlockedTrack& track, const Track& strip, double width_m,
                                            const Objective& objective, double min_length_m,
                                            std::optional<Forced> forced = {});
 

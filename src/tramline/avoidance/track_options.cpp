@@ -17,20 +17,20 @@ Box box_round(const std::vector<Box>& boxes) {
 /// What a shape of one strip covers alone.
 class Valuer {
  public:
-  Valuer(const BlockedTrack& track, const Strips& strips, const std::vector<Ring>& body,
+  Valuer(const BlockedTrack& track, const TrackFamily& family, const std::vector<Ring>& body,
          const WorkedGround& ground)
-      : track_(track), strips_(strips), body_(body), ground_(ground) {}
+      : track_(track), family_(family), body_(body), ground_(ground) {}
 
   double of_detour(const TrackOption& option) const {
     RisingCurves curves = surroundings(box_round(option.reaches), option.reaches);
-    append_band(option.way.detour.path, strips_.grid.width_m, Layer::kNew, curves);
+    append_band(option.way.detour.path, family_.grid.width_m, Layer::kNew, curves);
     return new_area(curves);
   }
 
   double of_straight(const Interval& part) const {
-    const Box box = straight_box(strips_.grid, strip().index, part);
+    const Box box = straight_box(family_.grid, strip().index, part);
     if (ground_.straight_alone(track_.subfield, box, strip().index))
-      return area_between(strip().subfield, part.from, part.to);
+      return strip().subfield.area_between(part.from, part.to);
     RisingCurves curves = surroundings(box, {box});
     append_box(box, Layer::kNew, box, curves);
     return new_area(curves);
@@ -46,12 +46,12 @@ class Valuer {
   double profile_of(const Interval& range) const {
     double sum = 0;
     for (const Interval& part : common(strip().stretches, {range}))
-      sum += area_between(strip().subfield, part.from, part.to);
+      sum += strip().subfield.area_between(part.from, part.to);
     return sum;
   }
 
  private:
-  const Strip& strip() const { return strips_.strips[track_.strip]; }
+  const Track& strip() const { return family_.tracks[track_.strip]; }
 
   RisingCurves surroundings(const Box& window, const std::vector<Box>& boxes) const {
     RisingCurves out;
@@ -61,7 +61,7 @@ class Valuer {
   }
 
   const BlockedTrack& track_;
-  const Strips& strips_;
+  const TrackFamily& family_;
   const std::vector<Ring>& body_;
   const WorkedGround& ground_;
 };
@@ -72,7 +72,7 @@ bool is_short(const Interval& stretch, double min_length_m) {
 
 }  // namespace
 
-std::vector<std::size_t> hard_gaps(const Strip& strip) {
+std::vector<std::size_t> hard_gaps(const Track& strip) {
   std::vector<std::size_t> out;
   for (std::size_t gap = 1; gap < strip.stretches.size(); ++gap)
     if (!common(strip.by_hard, {{strip.stretches[gap - 1].to, strip.stretches[gap].from}}).empty())
@@ -90,10 +90,10 @@ TrackOption option_of(WayRound way, const StripGrid& grid, int strip) {
   return out;
 }
 
-void value_options(BlockedTrack& track, const Strips& strips, const std::vector<Ring>& body,
+void value_options(BlockedTrack& track, const TrackFamily& family, const std::vector<Ring>& body,
                    const WorkedGround& ground, double min_length_m) {
   if (!track.stale) return;
-  const Valuer valuer(track, strips, body, ground);
+  const Valuer valuer(track, family, body, ground);
   for (TrackOption& option : track.options) {
     if (!option.stale) continue;
     option.useful_m2 = valuer.of_detour(option);
@@ -101,7 +101,7 @@ void value_options(BlockedTrack& track, const Strips& strips, const std::vector<
     option.profile_m2 = valuer.profile_of(option.straight);
     option.stale = false;
   }
-  const Intervals& stretches = strips.strips[track.strip].stretches;
+  const Intervals& stretches = family.tracks[track.strip].stretches;
   track.correction_m2.assign(stretches.size(), 0);
   for (std::size_t i = 0; i < stretches.size(); ++i)
     if (is_short(stretches[i], min_length_m))
@@ -109,12 +109,12 @@ void value_options(BlockedTrack& track, const Strips& strips, const std::vector<
   track.stale = false;
 }
 
-void mark_stale(BlockedTrack& track, const Strips& strips, const Box& changed) {
-  const int strip = strips.strips[track.strip].index;
+void mark_stale(BlockedTrack& track, const TrackFamily& family, const Box& changed) {
+  const int strip = family.tracks[track.strip].index;
   for (TrackOption& option : track.options)
     if (intersects(option.reach, changed)) option.stale = track.stale = true;
-  for (const Interval& stretch : strips.strips[track.strip].stretches)
-    if (intersects(straight_box(strips.grid, strip, stretch), changed)) track.stale = true;
+  for (const Interval& stretch : family.tracks[track.strip].stretches)
+    if (intersects(straight_box(family.grid, strip, stretch), changed)) track.stale = true;
 }
 
 void mark_all_stale(BlockedTrack& track) {

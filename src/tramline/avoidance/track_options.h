@@ -33,7 +33,7 @@ struct RefusedWay {
 /// One track with gaps that hard land makes.
 struct BlockedTrack {
   std::size_t subfield = 0;
-  std::size_t strip = 0;             ///< place in Strips::strips
+  std::size_t strip = 0;             ///< place in TrackFamily::tracks
   std::vector<std::size_t> gaps;     ///< those made by hazards: between stretches gap − 1 and gap
   std::vector<TrackOption> options;  ///< possible ones, by first gap
   std::vector<RefusedWay> refused;
@@ -45,18 +45,18 @@ struct BlockedTrack {
 };
 
 /// The gaps of a strip that hard land makes.
-std::vector<std::size_t> hard_gaps(const Strip& strip);
+std::vector<std::size_t> hard_gaps(const Track& strip);
 
 /// Values the stale options (and short stretches) of a track against the ground as worked by the others.
 /// `body` holds the body's rings in the plane of the strip's grid.
-void value_options(BlockedTrack& track, const Strips& strips, const std::vector<Ring>& body,
+void value_options(BlockedTrack& track, const TrackFamily& family, const std::vector<Ring>& body,
                    const WorkedGround& ground, double min_length_m);
 
 /// An option that has not been valued. `way` with its obstacles filled in.
 TrackOption option_of(WayRound way, const StripGrid& grid, int strip);
 
 /// Marks as stale what depends on the ground within a box of the grid's plane.
-void mark_stale(BlockedTrack& track, const Strips& strips, const Box& changed);
+void mark_stale(BlockedTrack& track, const TrackFamily& family, const Box& changed);
 void mark_all_stale(BlockedTrack& track);
 
 }  // namespace tramline

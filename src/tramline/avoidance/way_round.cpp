@@ -105,7 +105,7 @@ class Search {
     if (discs.empty()) return give_up("the track's end is no obstacle's doing");
     const std::optional<Path> path = detour_path(discs, radius);
     if (!path) return give_up("the obstacle has no side to pass on");
-    StripDetour& detour = way_.detour;
+    TrackDetour& detour = way_.detour;
     detour.path = frame_.to_strip(*path);
     detour.from = detour.path.front().from.y;
     detour.to = detour.path.back().to.y;
@@ -137,7 +137,7 @@ std::size_t stretch_at(const Intervals& stretches, double along) {
   return stretches.size();
 }
 
-std::vector<std::size_t> hazards_in(const StripGrid& grid, const Strip& strip, Interval range,
+std::vector<std::size_t> hazards_in(const StripGrid& grid, const Track& strip, Interval range,
                                     const Surroundings& around) {
   const Box window{grid.line(strip.index), range.from, grid.line(strip.index + 1), range.to};
   std::vector<std::size_t> out;

@@ -4,14 +4,14 @@
 #include <string>
 
 #include "tramline/avoidance/surroundings.h"
-#include "tramline/tracks/strip_pieces.h"
+#include "tramline/tracks/laid_pieces.h"
 
 namespace tramline {
 
 /// A track, and a gap in it that hard land makes.
 struct Obstruction {
   const StripGrid& grid;
-  const Strip& strip;
+  const Track& strip;
   std::size_t gap = 1;  ///< between stretches gap − 1 and gap
   double width_m = 0;
   double radius_m = 0;       ///< the machine's turning radius
@@ -19,7 +19,7 @@ struct Obstruction {
 };
 
 struct WayRound {
-  StripDetour detour;                ///< obstacles are not filled in
+  TrackDetour detour;                ///< obstacles are not filled in
   std::vector<std::size_t> hazards;  ///< driven round, ascending
   std::size_t first_gap = 1;         ///< the detour bridges first_gap … last_gap
   std::size_t last_gap = 1;
@@ -31,7 +31,7 @@ struct WayRound {
 std::size_t stretch_at(const Intervals& stretches, double along);
 
 /// The hazards that reach into the strip between two positions along.
-std::vector<std::size_t> hazards_in(const StripGrid& grid, const Strip& strip, Interval range,
+std::vector<std::size_t> hazards_in(const StripGrid& grid, const Track& strip, Interval range,
                                     const Surroundings& around);
 
 /// The drivable detour on one side (left or right of the direction along): round what reaches into the

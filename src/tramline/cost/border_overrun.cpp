@@ -12,29 +12,29 @@ ConvexSet swath_of(const StripGrid& grid, int strip, const Interval& part) {
                      grid.frame.to_field({right, part.to}), grid.frame.to_field({left, part.to})});
 }
 
-void append_swaths(const StripPiece& piece, const StripGrid& grid, std::vector<ConvexSet>& out) {
-  for (const Interval& part : straight_parts(piece)) out.push_back(swath_of(grid, piece.strip, part));
+void append_swaths(const LaidPiece& piece, const StripGrid& grid, std::vector<ConvexSet>& out) {
+  for (const Interval& part : parts_on_track(piece)) out.push_back(swath_of(grid, piece.track, part));
 }
 
-double straight_length(const StripPiece& piece) {
+double straight_length(const LaidPiece& piece) {
   double sum = 0;
-  for (const Interval& part : straight_parts(piece)) sum += part.length();
+  for (const Interval& part : parts_on_track(piece)) sum += part.length();
   return sum;
 }
 
 /// The swaths that leave their own subfield.
-std::vector<ConvexSet> overrunning(const SubfieldTracks& tracks) {
+std::vector<ConvexSet> overrunning(const LaidTracks& tracks) {
   constexpr double kLeastArea = 1e-9;
   std::vector<ConvexSet> out;
-  for (const StripPiece& piece : tracks.pieces)
+  for (const LaidPiece& piece : tracks.pieces)
     if (tracks.grid.width_m * straight_length(piece) - piece.inside_m2 > kLeastArea)
       append_swaths(piece, tracks.grid, out);
   return out;
 }
 
-std::vector<ConvexSet> all_swaths(const SubfieldTracks& tracks) {
+std::vector<ConvexSet> all_swaths(const LaidTracks& tracks) {
   std::vector<ConvexSet> out;
-  for (const StripPiece& piece : tracks.pieces) append_swaths(piece, tracks.grid, out);
+  for (const LaidPiece& piece : tracks.pieces) append_swaths(piece, tracks.grid, out);
   return out;
 }
 
@@ -65,10 +65,10 @@ double covered_in(const Polygon& host, const std::vector<ConvexSet>& own,
 }  // namespace
 
 double covered_by_neighbours_m2(const std::vector<Subfield>& subfields,
-                                const std::vector<SubfieldTracks>& tracks) {
+                                const std::vector<LaidTracks>& tracks) {
   if (subfields.size() < 2) return 0;
   std::vector<std::vector<ConvexSet>> leaving;
-  for (const SubfieldTracks& subfield : tracks) leaving.push_back(overrunning(subfield));
+  for (const LaidTracks& subfield : tracks) leaving.push_back(overrunning(subfield));
   double sum = 0;
   for (std::size_t host = 0; host < subfields.size(); ++host) {
     const Box reach = bounds(subfields[host].shape);

@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "tramline/model/plan.h"
-#include "tramline/tracks/strip_pieces.h"
+#include "tramline/tracks/laid_pieces.h"
 
 namespace tramline {
 
 /// Land of all subfields that straight swaths of other subfields cover and their own do not, m².
 double covered_by_neighbours_m2(const std::vector<Subfield>& subfields,
-                                const std::vector<SubfieldTracks>& tracks);
+                                const std::vector<LaidTracks>& tracks);
 
 }  // namespace tramline

@@ -48,17 +48,17 @@ struct StripRows {
   Intervals in_short_pieces;
 };
 
-std::vector<StripRows> rows_by_strip(const Strips& strips, const SubfieldTracks& tracks) {
-  std::vector<StripRows> out(strips.strips.size());
-  const auto rows_of = [&](const StripPiece& piece) -> StripRows& {
-    return out[static_cast<std::size_t>(piece.strip - strips.strips.front().index)];
+std::vector<StripRows> rows_by_strip(const TrackFamily& family, const LaidTracks& tracks) {
+  std::vector<StripRows> out(family.tracks.size());
+  const auto rows_of = [&](const LaidPiece& piece) -> StripRows& {
+    return out[static_cast<std::size_t>(piece.track - family.tracks.front().index)];
   };
-  for (const StripPiece& piece : tracks.pieces) {
+  for (const LaidPiece& piece : tracks.pieces) {
     StripRows& rows = rows_of(piece);
-    for (const Interval& straight : straight_parts(piece)) rows.driven.push_back(straight);
-    for (const StripDetour& detour : piece.detours) rows.in_detours.push_back({detour.from, detour.to});
+    for (const Interval& straight : parts_on_track(piece)) rows.driven.push_back(straight);
+    for (const TrackDetour& detour : piece.detours) rows.in_detours.push_back({detour.from, detour.to});
   }
-  for (const StripPiece& piece : tracks.dropped)
+  for (const LaidPiece& piece : tracks.dropped)
     rows_of(piece).in_short_pieces.push_back({piece.from, piece.to});
   return out;
 }
@@ -67,21 +67,21 @@ std::vector<StripRows> rows_by_strip(const Strips& strips, const SubfieldTracks&
 class SubfieldAccount {
  public:
   SubfieldAccount(const LaidPlan& plan, std::size_t subfield, const WorkedGround& worked)
-      : subfield_(subfield), strips_(plan.strips[subfield]), worked_(worked) {
-    const TrackFrame& frame = strips_.grid.frame;
+      : subfield_(subfield), family_(plan.families[subfield]), worked_(worked) {
+    const TrackFrame& frame = family_.grid.frame;
     shape_ = rings_of(frame.to_track(Region{plan.subfields[subfield].shape}));
     passable_ = rings_of(frame.to_track(plan.passable));
-    if (strips_.strips.empty()) return;
+    if (family_.tracks.empty()) return;
     Region others;
     for (std::size_t i = 0; i < plan.subfields.size(); ++i)
       if (i != subfield) others.push_back(plan.subfields[i].shape);
-    others_ = cross_sections(frame.to_track(others), strips_.grid,
-                             {strips_.strips.front().index, strips_.strips.back().index});
-    rows_ = rows_by_strip(strips_, plan.tracks[subfield]);
+    others_ = cross_sections(frame.to_track(others), family_.grid,
+                             {family_.tracks.front().index, family_.tracks.back().index});
+    rows_ = rows_by_strip(family_, plan.tracks[subfield]);
   }
 
   void add_to(Parts& parts) const {
-    for (std::size_t i = 0; i < strips_.strips.size(); ++i) {
+    for (std::size_t i = 0; i < family_.tracks.size(); ++i) {
       add_overlap(i, parts);
       add_uncovered(i, parts);
     }
@@ -90,22 +90,22 @@ class SubfieldAccount {
  private:
   /// What straight swaths work outside the subfield; within others, all of it.
   void add_overlap(std::size_t i, Parts& parts) const {
-    const StripProfile &own = strips_.strips[i].subfield, &others = others_[i];
+    const StripProfile &own = family_.tracks[i].subfield.straight(), &others = others_[i];
     const Intervals& driven = rows_[i].driven;
     const auto beyond = [&](const Intervals& rows) {
-      return strips_.grid.width_m * length_of(rows) - area_over(own, rows) - area_over(others, rows);
+      return family_.grid.width_m * length_of(rows) - area_over(own, rows) - area_over(others, rows);
     };
-    const Intervals ends = passages(own, strips_.grid.width_m);
+    const Intervals ends = passages(own, family_.grid.width_m);
     part(parts, Cause::kRowEnds).overlap_m2 += beyond(common(driven, ends));
     part(parts, Cause::kSides).overlap_m2 += beyond(without(driven, ends));
     part(parts, Cause::kSeams).overlap_m2 += area_over(others, driven);
   }
 
   void add_uncovered(std::size_t i, Parts& parts) const {
-    const Strip& strip = strips_.strips[i];
+    const Track& strip = family_.tracks[i];
     if (strip.subfield.empty()) return;
-    Intervals left =
-        without({{strip.subfield.slabs.front().from, strip.subfield.slabs.back().to}}, rows_[i].driven);
+    const StripProfile& profile = strip.subfield.straight();
+    Intervals left = without({{profile.slabs.front().from, profile.slabs.back().to}}, rows_[i].driven);
     const auto take = [&](Cause cause, const Intervals& rows) {
       part(parts, cause).uncovered_m2 += bare_m2(strip, common(left, rows));
       left = without(left, rows);
@@ -115,16 +115,16 @@ class SubfieldAccount {
     take(Cause::kShortPieces, rows_[i].in_short_pieces);
     take(Cause::kRowEnds, strip.by_passable);
     take(Cause::kSeams, where_at_least(others_[i], kWidthTolerance));
-    take(Cause::kRowEnds, passages(strip.subfield, strips_.grid.width_m));
+    take(Cause::kRowEnds, passages(profile, family_.grid.width_m));
     part(parts, Cause::kSides).uncovered_m2 += bare_m2(strip, left);
   }
 
   /// What of the subfield in these rows of a strip no swath covers, passable obstacles apart.
-  double bare_m2(const Strip& strip, const Intervals& rows) const {
+  double bare_m2(const Track& strip, const Intervals& rows) const {
     double sum = 0;
     for (const Interval& stretch : rows) {
-      if (area_between(strip.subfield, stretch.from, stretch.to) == 0) continue;
-      const Box box = straight_box(strips_.grid, strip.index, stretch);
+      if (strip.subfield.area_between(stretch.from, stretch.to) == 0) continue;
+      const Box box = straight_box(family_.grid, strip.index, stretch);
       RisingCurves curves;
       for (const Ring& ring : shape_) append_ring(ring, Layer::kBody, box, curves);
       for (const Ring& ring : passable_) append_ring(ring, Layer::kTaken, box, curves);
@@ -136,18 +136,18 @@ class SubfieldAccount {
   }
 
   std::size_t subfield_;
-  const Strips& strips_;
+  const TrackFamily& family_;
   const WorkedGround& worked_;
   std::vector<Ring> shape_, passable_;
   std::vector<StripProfile> others_;  ///< the other subfields, by strip
   std::vector<StripRows> rows_;       ///< by strip
 };
 
-double worked_by_detours_m2(const std::vector<SubfieldTracks>& tracks) {
+double worked_by_detours_m2(const std::vector<LaidTracks>& tracks) {
   double sum = 0;
-  for (const SubfieldTracks& subfield : tracks)
-    for (const StripPiece& piece : subfield.pieces)
-      for (const StripDetour& detour : piece.detours) sum += subfield.grid.width_m * detour.length_m;
+  for (const LaidTracks& subfield : tracks)
+    for (const LaidPiece& piece : subfield.pieces)
+      for (const TrackDetour& detour : piece.detours) sum += subfield.grid.width_m * detour.length_m;
   return sum;
 }
 

@@ -7,8 +7,8 @@
 
 #include "tramline/model/objective.h"
 #include "tramline/model/plan.h"
-#include "tramline/tracks/strip_pieces.h"
-#include "tramline/tracks/strips.h"
+#include "tramline/tracks/laid_pieces.h"
+#include "tramline/tracks/straight_tracks.h"
 
 namespace tramline {
 
@@ -64,8 +64,8 @@ struct CostCauses {
 /// A plan that has been laid out, and the ground it was laid on. Refers to its parts.
 struct LaidPlan {
   const std::vector<Subfield>& subfields;
-  const std::vector<Strips>& strips;          ///< by subfield, all of each
-  const std::vector<SubfieldTracks>& tracks;  ///< by subfield, on these strips
+  const std::vector<TrackFamily>& families;  ///< by subfield, all of each
+  const std::vector<LaidTracks>& tracks;     ///< by subfield, on these strips
   const Region& body;
   const Region& given_up;  ///< of the body; in no subfield
   const Region& passable;

@@ -5,11 +5,11 @@
 namespace tramline {
 namespace {
 
-std::size_t place_of(const std::vector<CurvedTrack>& tracks, const CurvedPiece& piece) {
-  const auto found = std::find_if(tracks.begin(), tracks.end(), [&piece](const CurvedTrack& track) {
+std::size_t place_of(const TrackFamily& family, const LaidPiece& piece) {
+  const auto found = std::find_if(family.tracks.begin(), family.tracks.end(), [&piece](const Track& track) {
     return track.index == piece.track && track.branch == piece.branch;
   });
-  return static_cast<std::size_t>(found - tracks.begin());
+  return static_cast<std::size_t>(found - family.tracks.begin());
 }
 
 double new_area_of(const Path& path, double width_m, const std::vector<Ring>& body, RisingCurves curves) {
@@ -32,10 +32,10 @@ void CurvedCover::add(std::size_t track, const Path& path, double width_m) {
 }
 
 void CurvedCover::set(std::size_t track, const std::vector<Path>& kept,
-                      const std::vector<StripDetour>& detours, double width_m) {
+                      const std::vector<TrackDetour>& detours, double width_m) {
   tracks_[track] = {};
   for (const Path& path : kept) add(track, path, width_m);
-  for (const StripDetour& detour : detours) {
+  for (const TrackDetour& detour : detours) {
     add(track, detour.path, width_m);
     tracks_[track].detours.push_back(reach_of(detour.path, width_m));
   }
@@ -71,23 +71,23 @@ double new_area_of(const Path& path, double width_m, const std::vector<Ring>& bo
   return new_area_of(path, width_m, body, std::move(taken));
 }
 
-double covered_by_detours_m2(const Region& body, const std::vector<CurvedTrack>& tracks,
-                             const CurvedTracks& laid, double width_m) {
-  CurvedCover cover(tracks.size());
+double covered_by_detours_m2(const Region& body, const TrackFamily& family, const LaidTracks& laid,
+                             double width_m) {
+  CurvedCover cover(family.tracks.size());
   bool any = false;
-  for (const CurvedPiece& piece : laid.pieces) {
-    const std::size_t track = place_of(tracks, piece);
+  for (const LaidPiece& piece : laid.pieces) {
+    const std::size_t track = place_of(family, piece);
     any = any || !piece.detours.empty();
     for (const Interval& kept : parts_on_track(piece))
-      cover.add(track, path_along(tracks[track], kept.from, kept.to), width_m);
+      cover.add(track, path_along(family.tracks[track], kept.from, kept.to), width_m);
   }
   if (!any) return 0;
   const std::vector<Ring> rings = rings_of(body);
   double sum = 0;
-  for (const CurvedPiece& piece : laid.pieces)
-    for (const StripDetour& detour : piece.detours) {
-      sum += new_area_of(detour.path, width_m, rings, cover, tracks.size());
-      cover.add(place_of(tracks, piece), detour.path, width_m);
+  for (const LaidPiece& piece : laid.pieces)
+    for (const TrackDetour& detour : piece.detours) {
+      sum += new_area_of(detour.path, width_m, rings, cover, family.tracks.size());
+      cover.add(place_of(family, piece), detour.path, width_m);
     }
   return sum;
 }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tramline/geometry/layered_area.h"
-#include "tramline/tracks/curved_pieces.h"
+#include "tramline/tracks/curved_tracks.h"
 
 namespace tramline {
 
@@ -13,7 +13,7 @@ class CurvedCover {
  public:
   explicit CurvedCover(std::size_t tracks) : tracks_(tracks) {}
   /// Replaces what is worked of one track: where it keeps to its line, and its detours.
-  void set(std::size_t track, const std::vector<Path>& kept, const std::vector<StripDetour>& detours,
+  void set(std::size_t track, const std::vector<Path>& kept, const std::vector<TrackDetour>& detours,
            double width_m);
   void add(std::size_t track, const Path& path, double width_m);
 
@@ -46,7 +46,7 @@ double new_area_of(const Path& path, double width_m, const std::vector<Ring>& bo
 
 /// Body that detours cover and no part of a track outside its detours does, m². O(d·m) for d detours and m
 /// edges of the body.
-double covered_by_detours_m2(const Region& body, const std::vector<CurvedTrack>& tracks,
-                             const CurvedTracks& laid, double width_m);
+double covered_by_detours_m2(const Region& body, const TrackFamily& family, const LaidTracks& laid,
+                             double width_m);
 
 }  // namespace tramline

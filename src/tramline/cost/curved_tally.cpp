@@ -8,9 +8,9 @@
 namespace tramline {
 namespace {
 
-Tally counts(const CurvedTracks& tracks, double width_m) {
+Tally counts(const LaidTracks& tracks, double width_m) {
   Tally out;
-  for (const CurvedPiece& piece : tracks.pieces) {
+  for (const LaidPiece& piece : tracks.pieces) {
     out.worked_m2 += width_m * piece.length_m;
     out.track_length_m += piece.length_m;
     out.stops += (piece.stop_at_from ? 1 : 0) + (piece.stop_at_to ? 1 : 0);
@@ -23,19 +23,19 @@ Tally counts(const CurvedTracks& tracks, double width_m) {
 
 }  // namespace
 
-Tally curved_tally(const CurvedTracks& tracks, double width_m, double body_m2, double by_detours_m2) {
+Tally curved_tally(const LaidTracks& tracks, double width_m, double body_m2, double by_detours_m2) {
   Tally out = counts(tracks, width_m);
   double inside = by_detours_m2;
-  for (const CurvedPiece& piece : tracks.pieces) inside += piece.inside_m2;
+  for (const LaidPiece& piece : tracks.pieces) inside += piece.inside_m2;
   settle_areas(out, inside, body_m2);
   return out;
 }
 
-Tally curved_tally_by_booleans(const CurvedTracks& tracks, double width_m, const Region& body,
+Tally curved_tally_by_booleans(const LaidTracks& tracks, double width_m, const Region& body,
                                double sagitta_m) {
   Tally out = counts(tracks, width_m);
   Region swaths;
-  for (const CurvedPiece& piece : tracks.pieces)
+  for (const LaidPiece& piece : tracks.pieces)
     for (const PathSegment& segment : piece.path) swaths.push_back({band({segment}, width_m, sagitta_m), {}});
   const double useful = area(intersection(unite(swaths), body));
   settle_areas(out, useful, area(body));

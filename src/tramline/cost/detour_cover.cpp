@@ -5,13 +5,13 @@
 namespace tramline {
 namespace {
 
-bool has_detours(const SubfieldTracks& tracks) {
+bool has_detours(const LaidTracks& tracks) {
   return std::any_of(tracks.pieces.begin(), tracks.pieces.end(),
-                     [](const StripPiece& piece) { return !piece.detours.empty(); });
+                     [](const LaidPiece& piece) { return !piece.detours.empty(); });
 }
 
 /// One detour's share; the ground counts it as taken afterwards.
-double take(const std::vector<Ring>& body, std::size_t subfield, int strip, const StripDetour& detour,
+double take(const std::vector<Ring>& body, std::size_t subfield, int strip, const TrackDetour& detour,
             WorkedGround& ground) {
   const double width_m = ground.grid(subfield).width_m;
   const Box window = detour_box(detour, width_m);
@@ -27,7 +27,7 @@ double take(const std::vector<Ring>& body, std::size_t subfield, int strip, cons
 
 }  // namespace
 
-double covered_by_detours_m2(const Region& body, const std::vector<SubfieldTracks>& tracks) {
+double covered_by_detours_m2(const Region& body, const std::vector<LaidTracks>& tracks) {
   if (std::none_of(tracks.begin(), tracks.end(), has_detours)) return 0;
   WorkedGround ground = worked_straight(tracks);
   double sum = 0;
@@ -35,8 +35,8 @@ double covered_by_detours_m2(const Region& body, const std::vector<SubfieldTrack
     if (!has_detours(tracks[i])) continue;
     std::vector<Ring> turned;
     for (const Ring& ring : rings_of(body)) turned.push_back(tracks[i].grid.frame.to_track(ring));
-    for (const StripPiece& piece : tracks[i].pieces)
-      for (const StripDetour& detour : piece.detours) sum += take(turned, i, piece.strip, detour, ground);
+    for (const LaidPiece& piece : tracks[i].pieces)
+      for (const TrackDetour& detour : piece.detours) sum += take(turned, i, piece.track, detour, ground);
   }
   return sum;
 }

@@ -8,6 +8,6 @@
 namespace tramline {
 
 /// Body that detours cover and no straight swath does, m². O(d·m) for d detours and m edges of the body.
-double covered_by_detours_m2(const Region& body, const std::vector<SubfieldTracks>& tracks);
+double covered_by_detours_m2(const Region& body, const std::vector<LaidTracks>& tracks);
 
 }  // namespace tramline

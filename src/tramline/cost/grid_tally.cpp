@@ -67,25 +67,25 @@ void GridTally::add_obstructed_strips(StripFold& fold, const StripGrid& grid, St
   std::vector<StripProfile> profiles(obstructed.size());
   for (std::size_t i = 0; i < obstructed.size(); ++i)
     if (obstructed[i]) profiles[i] = fold.profile(i);
-  const Strips strips =
-      strips_of(grid, range, obstructed, std::move(profiles), subfield_.ground, terms_.criterion);
-  for (const Strip& strip : strips.strips) add_obstructed_strip(strip, grid, sums);
+  const TrackFamily family =
+      straight_tracks(grid, range, obstructed, std::move(profiles), subfield_.ground, terms_.criterion);
+  for (const Track& strip : family.tracks) add_obstructed_strip(strip, grid, sums);
 }
 
 /// As cut_pieces() has them; most strips have no passable land, and need no pieces made.
-void GridTally::add_obstructed_strip(const Strip& strip, const StripGrid& grid, Sums& sums) const {
+void GridTally::add_obstructed_strip(const Track& strip, const StripGrid& grid, Sums& sums) const {
   if (strip.by_passable.empty()) {
     for (const Interval& whole : strip.stretches) {
       if (whole.length() < least_length_m()) continue;
-      sums.add(whole.length(), area_between(strip.subfield, whole.from, whole.to), terms_.width_m);
+      sums.add(whole.length(), strip.subfield.area_between(whole.from, whole.to), terms_.width_m);
       sums.tally.stops += (stops_at(strip, whole.from, -1) ? 1 : 0) + (stops_at(strip, whole.to, +1) ? 1 : 0);
     }
     return;
   }
-  SubfieldTracks tracks{grid, {}, {}};
+  LaidTracks tracks{grid, {}, {}};
   append_pieces(strip, {}, terms_.min_length_m, tracks);
-  for (const StripPiece& piece : tracks.pieces) {
-    sums.add(length(piece), piece.inside_m2, terms_.width_m);
+  for (const LaidPiece& piece : tracks.pieces) {
+    sums.add(piece.length_m, piece.inside_m2, terms_.width_m);
     sums.tally.crossings += piece.after_crossing ? 1 : 0;
     sums.tally.stops += (piece.stop_at_from ? 1 : 0) + (piece.stop_at_to ? 1 : 0);
   }

@@ -7,7 +7,8 @@
 #include "tramline/cost/plain_ends.h"
 #include "tramline/geometry/strip_fold.h"
 #include "tramline/model/tally.h"
-#include "tramline/tracks/strip_pieces.h"
+#include "tramline/tracks/laid_pieces.h"
+#include "tramline/tracks/straight_tracks.h"
 
 namespace tramline {
 
@@ -29,7 +30,7 @@ struct TurnedSubfield {
   double area_m2 = 0;
 };
 
-/// One subfield in the turned plane of one direction. Tracks are cut at obstacles. Strips that the
+/// One subfield in the turned plane of one direction. Tracks are cut at obstacles. TrackFamily that the
 /// boundary crosses plainly and that no obstacle comes near are summed in closed form (ALGORITHMS §0.1);
 /// the others through their profiles, and only those that obstacles come near piece by piece.
 class GridTally {
@@ -55,12 +56,12 @@ class GridTally {
 
   /// Those that obstacles come near. Are there any?
   bool mark_obstructed(const StripGrid& grid, StripRange range, StripMask& out) const;
-  /// Strips that no obstacle comes near, and that the boundary does not cross plainly. The fold holds them,
-  /// as it does those that obstacles come near.
+  /// TrackFamily that no obstacle comes near, and that the boundary does not cross plainly. The fold holds
+  /// them, as it does those that obstacles come near.
   void add_open_strips(StripFold& fold, const StripMask& open, Sums& sums) const;
   void add_obstructed_strips(StripFold& fold, const StripGrid& grid, StripRange range,
                              const StripMask& obstructed, Sums& sums) const;
-  void add_obstructed_strip(const Strip& strip, const StripGrid& grid, Sums& sums) const;
+  void add_obstructed_strip(const Track& strip, const StripGrid& grid, Sums& sums) const;
   double least_length_m() const { return std::max(terms_.min_length_m, kNoPiece_m); }
 
   TurnedSubfield subfield_;

@@ -13,7 +13,7 @@ namespace tramline {
 namespace {
 
 /// One polygon where the swath does not fold: its cells would be many times as many.
-Region swath_of(const CurvedPiece& piece, double width_m) {
+Region swath_of(const LaidPiece& piece, double width_m) {
   Polygon outline{kinked_band(piece.path, width_m), {}};
   if (!find_invalidity(outline)) return {std::move(outline)};
   return kinked_swaths({piece}, width_m);
@@ -21,19 +21,19 @@ Region swath_of(const CurvedPiece& piece, double width_m) {
 
 }  // namespace
 
-Region kinked_swaths(const std::vector<CurvedPiece>& pieces, double width_m) {
+Region kinked_swaths(const std::vector<LaidPiece>& pieces, double width_m) {
   Region out;
-  for (const CurvedPiece& piece : pieces)
+  for (const LaidPiece& piece : pieces)
     for (Ring& cell : kinked_cells(piece.path, width_m)) out.push_back({std::move(cell), {}});
   return out;
 }
 
-RecursiveTally recursive_tally(const CurvedTracks& tracks, double width_m, const Region& body) {
+RecursiveTally recursive_tally(const LaidTracks& tracks, double width_m, const Region& body) {
   assert(std::all_of(tracks.pieces.begin(), tracks.pieces.end(),
-                     [](const CurvedPiece& piece) { return std::isinf(smallest_radius(piece.path)); }));
+                     [](const LaidPiece& piece) { return std::isinf(smallest_radius(piece.path)); }));
   RecursiveTally out;
   Region swaths;
-  for (const CurvedPiece& piece : tracks.pieces) {
+  for (const LaidPiece& piece : tracks.pieces) {
     for (Polygon& part : swath_of(piece, width_m)) swaths.push_back(std::move(part));
     out.tally.track_length_m += piece.length_m;
     out.tally.stops += (piece.stop_at_from ? 1 : 0) + (piece.stop_at_to ? 1 : 0);

@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "tramline/model/tally.h"
-#include "tramline/tracks/curved_pieces.h"
+#include "tramline/tracks/curved_tracks.h"
 
 namespace tramline {
 
 /// The swaths of the pieces in parts of the area width · length (kinked_line.h).
-Region kinked_swaths(const std::vector<CurvedPiece>& pieces, double width_m);
+Region kinked_swaths(const std::vector<LaidPiece>& pieces, double width_m);
 
 struct RecursiveTally {
   Tally tally;
@@ -22,6 +22,6 @@ struct RecursiveTally {
 /// overlap whatever the tracks are (S2.15). No part of a swath is larger than w times its length, so no
 /// overlap is negative but for the grid that booleans are computed on.
 /// Precondition: paths of straight segments.
-RecursiveTally recursive_tally(const CurvedTracks& tracks, double width_m, const Region& body);
+RecursiveTally recursive_tally(const LaidTracks& tracks, double width_m, const Region& body);
 
 }  // namespace tramline

@@ -7,15 +7,15 @@
 
 namespace tramline {
 
-Tally tally_of(const std::vector<Subfield>& subfields, const std::vector<SubfieldTracks>& tracks,
-               double body_m2, double by_detours_m2) {
+Tally tally_of(const std::vector<Subfield>& subfields, const std::vector<LaidTracks>& tracks, double body_m2,
+               double by_detours_m2) {
   Tally tally;
   double useful_m2 = by_detours_m2;
-  for (const SubfieldTracks& subfield : tracks) {
+  for (const LaidTracks& subfield : tracks) {
     tally.subfields += subfield.pieces.empty() ? 0 : 1;
-    for (const StripPiece& piece : subfield.pieces) {
-      tally.track_length_m += length(piece);
-      tally.worked_m2 += subfield.grid.width_m * length(piece);
+    for (const LaidPiece& piece : subfield.pieces) {
+      tally.track_length_m += piece.length_m;
+      tally.worked_m2 += subfield.grid.width_m * piece.length_m;
       useful_m2 += piece.inside_m2;
       tally.pieces += 1;
       tally.crossings += piece.after_crossing ? 1 : 0;

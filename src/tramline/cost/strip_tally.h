@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tramline/model/plan.h"
-#include "tramline/tracks/strip_pieces.h"
+#include "tramline/tracks/laid_pieces.h"
 
 namespace tramline {
 
@@ -15,7 +15,7 @@ namespace tramline {
 /// land, so nothing outside the subfields is useful.
 /// `subfields` and `tracks` correspond. `body_m2` is the area of the body, `by_detours_m2` what detours
 /// cover of it besides (covered_by_detours_m2).
-Tally tally_of(const std::vector<Subfield>& subfields, const std::vector<SubfieldTracks>& tracks,
-               double body_m2, double by_detours_m2 = 0);
+Tally tally_of(const std::vector<Subfield>& subfields, const std::vector<LaidTracks>& tracks, double body_m2,
+               double by_detours_m2 = 0);
 
 }  // namespace tramline

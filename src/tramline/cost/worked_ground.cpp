@@ -14,7 +14,7 @@ Box box_in(const Box& window, const TrackFrame& from, const TrackFrame& to) {
   return out;
 }
 
-/// Strips whose swaths, or whose detours, can reach into the window.
+/// TrackFamily whose swaths, or whose detours, can reach into the window.
 StripRange strips_near(const StripGrid& grid, StripRange range, const Box& window, double bulge_m) {
   const double first = std::floor((window.min_x - bulge_m - grid.origin_m) / grid.width_m);
   const double last = std::floor((window.max_x + bulge_m - grid.origin_m) / grid.width_m);
@@ -49,12 +49,12 @@ bool meets_any(const Box& box, const std::vector<Box>& others) {
   return std::any_of(others.begin(), others.end(), [&](const Box& other) { return intersects(box, other); });
 }
 
-StripRange range_of(const SubfieldTracks& tracks) {
+StripRange range_of(const LaidTracks& tracks) {
   StripRange range;
   if (tracks.pieces.empty()) return range;
-  range = {tracks.pieces.front().strip, tracks.pieces.front().strip};
-  for (const StripPiece& piece : tracks.pieces)
-    range = {std::min(range.first, piece.strip), std::max(range.last, piece.strip)};
+  range = {tracks.pieces.front().track, tracks.pieces.front().track};
+  for (const LaidPiece& piece : tracks.pieces)
+    range = {std::min(range.first, piece.track), std::max(range.last, piece.track)};
   return range;
 }
 
@@ -69,7 +69,7 @@ void WorkedGround::set(std::size_t subfield, int strip, StripWork work) {
   Subfield& owner = subfields_[subfield];
   Worked worked{std::move(work), {}};
   const double left = owner.grid.line(strip), right = owner.grid.line(strip + 1);
-  for (const StripDetour& detour : worked.work.detours) {
+  for (const TrackDetour& detour : worked.work.detours) {
     worked.reach.push_back(detour_box(detour, owner.grid.width_m));
     owner.bulge_m =
         std::max({owner.bulge_m, left - worked.reach.back().min_x, worked.reach.back().max_x - right});
@@ -144,27 +144,27 @@ void WorkedGround::append_foreign(const Subfield& from, const Subfield& to, cons
   }
 }
 
-WorkedGround worked_straight(const std::vector<SubfieldTracks>& tracks) {
+WorkedGround worked_straight(const std::vector<LaidTracks>& tracks) {
   WorkedGround ground;
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     ground.add_subfield(tracks[i].grid, range_of(tracks[i]));
-    for (const StripPiece& piece : tracks[i].pieces) {
-      StripWork work = ground.at(i, piece.strip);
-      for (const Interval& part : straight_parts(piece)) work.straight.push_back(part);
-      ground.set(i, piece.strip, std::move(work));
+    for (const LaidPiece& piece : tracks[i].pieces) {
+      StripWork work = ground.at(i, piece.track);
+      for (const Interval& part : parts_on_track(piece)) work.straight.push_back(part);
+      ground.set(i, piece.track, std::move(work));
     }
   }
   return ground;
 }
 
-WorkedGround worked_by(const std::vector<SubfieldTracks>& tracks) {
+WorkedGround worked_by(const std::vector<LaidTracks>& tracks) {
   WorkedGround ground = worked_straight(tracks);
   for (std::size_t i = 0; i < tracks.size(); ++i)
-    for (const StripPiece& piece : tracks[i].pieces) {
+    for (const LaidPiece& piece : tracks[i].pieces) {
       if (piece.detours.empty()) continue;
-      StripWork work = ground.at(i, piece.strip);
+      StripWork work = ground.at(i, piece.track);
       work.detours.insert(work.detours.end(), piece.detours.begin(), piece.detours.end());
-      ground.set(i, piece.strip, std::move(work));
+      ground.set(i, piece.track, std::move(work));
     }
   return ground;
 }
@@ -173,6 +173,6 @@ Box straight_box(const StripGrid& grid, int strip, const Interval& part) {
   return {grid.line(strip), part.from, grid.line(strip + 1), part.to};
 }
 
-Box detour_box(const StripDetour& detour, double width_m) { return reach_of(detour.path, width_m); }
+Box detour_box(const TrackDetour& detour, double width_m) { return reach_of(detour.path, width_m); }
 
 }  // namespace tramline

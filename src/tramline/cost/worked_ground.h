@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "tramline/geometry/layered_area.h"
-#include "tramline/tracks/strip_pieces.h"
+#include "tramline/tracks/laid_pieces.h"
 
 namespace tramline {
 
 /// What the tracks of one strip work: positions along, in its subfield's grid.
 struct StripWork {
   Intervals straight;  ///< ascending, apart
-  std::vector<StripDetour> detours;
+  std::vector<TrackDetour> detours;
 };
 inline bool is_driven(const StripWork& work) { return !work.straight.empty() || !work.detours.empty(); }
 
@@ -53,12 +53,12 @@ class WorkedGround {
 };
 
 /// What the straight parts of tracks work, and what whole tracks do.
-WorkedGround worked_straight(const std::vector<SubfieldTracks>& tracks);
-WorkedGround worked_by(const std::vector<SubfieldTracks>& tracks);
+WorkedGround worked_straight(const std::vector<LaidTracks>& tracks);
+WorkedGround worked_by(const std::vector<LaidTracks>& tracks);
 
 /// The rectangle a straight part works, in the grid's plane.
 Box straight_box(const StripGrid& grid, int strip, const Interval& part);
 /// A box that the swath of a detour does not leave, in the grid's plane.
-Box detour_box(const StripDetour& detour, double width_m);
+Box detour_box(const TrackDetour& detour, double width_m);
 
 }  // namespace tramline

@@ -6,10 +6,10 @@ namespace tramline {
 namespace {
 
 /// What is worked of each strip.
-std::map<int, Intervals> worked_by_strip(const SubfieldTracks& tracks) {
+std::map<int, Intervals> worked_by_strip(const LaidTracks& tracks) {
   std::map<int, Intervals> out;
-  for (const StripPiece& piece : tracks.pieces)
-    for (const Interval& part : straight_parts(piece)) append_joining(out[piece.strip], part);
+  for (const LaidPiece& piece : tracks.pieces)
+    for (const Interval& part : parts_on_track(piece)) append_joining(out[piece.track], part);
   return out;
 }
 
@@ -27,7 +27,7 @@ void append_edges_along(double line, const Intervals& left, const Intervals& rig
   for (const Interval& bare : without(right, left)) out.push_back({{line, bare.to}, {line, bare.from}});
 }
 
-Region worked_rows(const SubfieldTracks& tracks) {
+Region worked_rows(const LaidTracks& tracks) {
   const std::map<int, Intervals> worked = worked_by_strip(tracks);
   const StripGrid& grid = tracks.grid;
   std::vector<DirectedEdge> edges;

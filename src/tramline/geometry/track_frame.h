@@ -10,6 +10,8 @@ namespace tramline {
 /// plane x is the coordinate across the tracks and y the coordinate along them.
 class TrackFrame {
  public:
+  /// The field's own frame, not turned.
+  TrackFrame() : TrackFrame(Direction::clockwise_from_north({})) {}
   explicit TrackFrame(Direction direction) : direction_(direction), up_(direction.unit()) {}
   Direction direction() const { return direction_; }
   Point to_track(Point p) const { return {p.x * up_.y - p.y * up_.x, p.x * up_.x + p.y * up_.y}; }

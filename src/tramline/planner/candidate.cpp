@@ -19,7 +19,7 @@ namespace tramline {
 namespace {
 
 /// What a subfield's tracks cost by themselves, borders with other subfields taken as plain edges.
-double own_cost(const SearchTask& task, const Subfield& subfield, const SubfieldTracks& tracks) {
+double own_cost(const SearchTask& task, const Subfield& subfield, const LaidTracks& tracks) {
   return cost(task.objective, tally_of({subfield}, {tracks}, area(subfield.shape)));
 }
 
@@ -30,8 +30,8 @@ double best_origin(const SearchTask& task, const Subfield& subfield) {
   if (grids.size() == 1) return grids.front().origin_m;
   double origin_m = grids.front().origin_m, least = std::numeric_limits<double>::infinity();
   for (const StripGrid& grid : grids) {
-    const Strips strips = strips_on(task, {subfield, grid.origin_m});
-    const SubfieldTracks tracks = cut_pieces(strips, min_length_m(task.machine));
+    const TrackFamily family = tracks_on(task, {subfield, grid.origin_m});
+    const LaidTracks tracks = cut_pieces(family, min_length_m(task.machine));
     if (tracks.pieces.empty()) continue;
     const double own = own_cost(task, subfield, tracks);
     if (own >= least) continue;
@@ -42,8 +42,8 @@ double best_origin(const SearchTask& task, const Subfield& subfield) {
 }
 
 AvoidanceTask avoidance_task(const SearchTask& task, const Candidate& candidate) {
-  return {task.field,    task.ground,         task.machine,     task.objective,
-          task.settings, candidate.subfields, candidate.strips, task.body_m2};
+  return {task.field,    task.ground,         task.machine,       task.objective,
+          task.settings, candidate.subfields, candidate.families, task.body_m2};
 }
 
 /// The strips alone.
@@ -51,7 +51,7 @@ Candidate laid_on(const SearchTask& task, const std::vector<GriddedSubfield>& gr
   Candidate out;
   for (const GriddedSubfield& ground : grounds) {
     out.subfields.push_back(ground.subfield);
-    out.strips.push_back(strips_on(task, ground));
+    out.families.push_back(tracks_on(task, ground));
   }
   return out;
 }
@@ -88,12 +88,12 @@ SearchTask search_task(const Field& field, const Machine& machine, const Objecti
   return task;
 }
 
-Strips strips_on(const SearchTask& task, const GriddedSubfield& ground) {
+TrackFamily tracks_on(const SearchTask& task, const GriddedSubfield& ground) {
   const TrackFrame frame(ground.subfield.direction);
   const EndCriterion criterion = end_criterion(task.settings.end_rule, task.objective, task.machine.width_m);
-  return strips_of({frame, ground.origin_m, task.machine.width_m},
-                   frame.to_track(Region{ground.subfield.shape}).front(), turned_ground(task, frame),
-                   criterion);
+  return straight_tracks({frame, ground.origin_m, task.machine.width_m},
+                         frame.to_track(Region{ground.subfield.shape}).front(), turned_ground(task, frame),
+                         criterion);
 }
 
 Outlook outlook_on(const SearchTask& task, const std::vector<GriddedSubfield>& grounds) {
@@ -116,7 +116,7 @@ Candidate candidate_on(const SearchTask& task, const std::vector<GriddedSubfield
 std::vector<GriddedSubfield> grounds_of(const Candidate& candidate) {
   std::vector<GriddedSubfield> out;
   for (std::size_t i = 0; i < candidate.subfields.size(); ++i)
-    out.push_back({candidate.subfields[i], candidate.strips[i].grid.origin_m});
+    out.push_back({candidate.subfields[i], candidate.families[i].grid.origin_m});
   return out;
 }
 
@@ -135,9 +135,9 @@ std::vector<Encounter> encounters_of(const SearchTask& task, const Candidate& ca
 
 int first_track(const Candidate& candidate, std::size_t subfield) {
   if (candidate.numbered_from_line_0) return 0;
-  const std::vector<StripPiece>& pieces = candidate.avoided.tracks[subfield].pieces;
-  int first = pieces.empty() ? std::numeric_limits<int>::max() : pieces.front().strip;
-  for (const Strip& strip : candidate.strips[subfield].strips)
+  const std::vector<LaidPiece>& pieces = candidate.avoided.tracks[subfield].pieces;
+  int first = pieces.empty() ? std::numeric_limits<int>::max() : pieces.front().track;
+  for (const Track& strip : candidate.families[subfield].tracks)
     if (!hard_gaps(strip).empty()) first = std::min(first, strip.index);
   return first;
 }

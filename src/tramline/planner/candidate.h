@@ -6,7 +6,7 @@
 #include "tramline/avoidance/choose_detours.h"
 #include "tramline/avoidance/ground.h"
 #include "tramline/model/plan.h"
-#include "tramline/tracks/strip_pieces.h"
+#include "tramline/tracks/laid_pieces.h"
 
 namespace tramline {
 
@@ -26,7 +26,7 @@ struct SearchTask {
 
 struct Candidate {
   std::vector<Subfield> subfields;
-  std::vector<Strips> strips;         ///< by subfield
+  std::vector<TrackFamily> families;  ///< by subfield
   Avoided avoided;                    ///< the tracks, their tally and cost
   bool numbered_from_line_0 = false;  ///< tracks carry the numbers of their strips
 
@@ -44,7 +44,7 @@ struct GriddedSubfield {
 };
 
 /// All strips of a grid over a subfield.
-Strips strips_on(const SearchTask& task, const GriddedSubfield& ground);
+TrackFamily tracks_on(const SearchTask& task, const GriddedSubfield& ground);
 
 /// What candidate_on() makes the candidate of again.
 std::vector<GriddedSubfield> grounds_of(const Candidate& candidate);

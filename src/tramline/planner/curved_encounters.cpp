@@ -13,7 +13,7 @@ namespace {
 constexpr double kNearer_m = 1e-3;
 
 /// How far the piece is from what blocks its track.
-double off_by(const CurvedPiece& piece, const Interval& between) {
+double off_by(const LaidPiece& piece, const Interval& between) {
   return std::max({0.0, piece.from - between.to, between.from - piece.to});
 }
 
@@ -26,7 +26,7 @@ std::vector<Encounter> encounters_as_driven(const SearchTask& task, const Curved
     Encounter encounter = one.encounter;
     double nearest = std::numeric_limits<double>::infinity();
     bool back = false;
-    const auto look_at = [&](const CurvedPiece& piece, auto subfield, bool driven_back) {
+    const auto look_at = [&](const LaidPiece& piece, auto subfield, bool driven_back) {
       if (piece.track != encounter.track || piece.branch != one.branch) return;
       const double off = off_by(piece, one.between);
       if (off >= nearest - kNearer_m) return;
@@ -37,7 +37,7 @@ std::vector<Encounter> encounters_as_driven(const SearchTask& task, const Curved
     for (std::size_t i = 0; i < candidate.tracks.pieces.size(); ++i)
       look_at(
           candidate.tracks.pieces[i], [&] { return driven.subfields[i]; }, driven.back[i]);
-    for (const CurvedPiece& piece : candidate.tracks.dropped)
+    for (const LaidPiece& piece : candidate.tracks.dropped)
       look_at(
           piece, [&] { return subfield_of(task.ground.plannable, piece, task.machine.width_m); }, back);
     if (back) {

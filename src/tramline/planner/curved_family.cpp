@@ -36,7 +36,7 @@ Region fence(const SearchTask& task) {
 }
 
 /// Of a reference that goes round the ground, anticlockwise as outer rings do.
-TrackRange tracks_inside(const Box& reach, double width_m) {
+StripRange tracks_inside(const Box& reach, double width_m) {
   const double across = std::hypot(reach.width(), reach.height());
   return {-static_cast<int>(std::ceil(0.5 * across / width_m)) - 1, 0};
 }
@@ -59,7 +59,7 @@ HardLand hard_land(const SearchTask& task) {
 }
 
 /// The numbers of the tracks that may reach the ground.
-TrackRange range_of(const SearchTask& task, const CurvedCandidate& candidate) {
+StripRange range_of(const SearchTask& task, const CurvedCandidate& candidate) {
   const Box reach = bounds(task.ground.plannable);
   const double width_m = task.machine.width_m;
   return candidate.round ? tracks_inside(reach, width_m) : tracks_over(candidate.reference, reach, width_m);
@@ -70,29 +70,28 @@ EndCriterion criterion_of(const SearchTask& task) {
 }
 
 /// Of a candidate's reference.
-std::vector<CurvedTrack> tracks_of(const SearchTask& task, const CurvedGround& ground,
-                                   const CurvedCandidate& candidate) {
-  const TrackRange range = range_of(task, candidate);
+TrackFamily tracks_of(const SearchTask& task, const CurvedGround& ground, const CurvedCandidate& candidate) {
+  const StripRange range = range_of(task, candidate);
   return curved_tracks(parallel_family(candidate.reference, range.first, range.last, limits_of(task.machine)),
                        task.machine.width_m, ground, criterion_of(task));
 }
 
-CurvedAvoidanceTask avoidance_task(const SearchTask& task, const std::vector<CurvedTrack>& tracks) {
+CurvedAvoidanceTask avoidance_task(const SearchTask& task, const TrackFamily& tracks) {
   return {task.field, task.ground, task.machine, task.objective, task.settings, tracks, task.body_m2};
 }
 
 /// The pieces of a family without detours, laid track by track outwards from the reference; nullopt as soon
 /// as it is certain to cost more than `no_more_than`.
-std::optional<CurvedTracks> laid_plainly(const SearchTask& task, const CurvedGround& ground,
-                                         const CurvedCandidate& candidate, double no_more_than) {
-  const TrackRange range = range_of(task, candidate);
+std::optional<LaidTracks> laid_plainly(const SearchTask& task, const CurvedGround& ground,
+                                       const CurvedCandidate& candidate, double no_more_than) {
+  const StripRange range = range_of(task, candidate);
   FamilyBound bound(task, candidate.reference, range);
-  CurvedTracks out;
+  LaidTracks out;
   bool hopeful = true;
   const auto lay = [&](int index, std::vector<ParallelTrack> tracks) {
     std::vector<FamilyTrack> family;
     for (ParallelTrack& track : tracks) family.push_back({index, std::move(track)});
-    CurvedTracks more =
+    LaidTracks more =
         curved_pieces(family, task.machine.width_m, ground, criterion_of(task), min_length_m(task.machine));
     std::move(more.pieces.begin(), more.pieces.end(), std::back_inserter(out.pieces));
     std::move(more.dropped.begin(), more.dropped.end(), std::back_inserter(out.dropped));
@@ -101,9 +100,9 @@ std::optional<CurvedTracks> laid_plainly(const SearchTask& task, const CurvedGro
   };
   visit_family(candidate.reference, range.first, range.last, limits_of(task.machine), lay);
   if (!hopeful) return std::nullopt;
-  for (std::vector<CurvedPiece>* pieces : {&out.pieces, &out.dropped})
+  for (std::vector<LaidPiece>* pieces : {&out.pieces, &out.dropped})
     std::stable_sort(pieces->begin(), pieces->end(),
-                     [](const CurvedPiece& a, const CurvedPiece& b) { return a.track < b.track; });
+                     [](const LaidPiece& a, const LaidPiece& b) { return a.track < b.track; });
   return out;
 }
 
@@ -127,7 +126,7 @@ CurvedGround curved_ground(const SearchTask& task) {
 
 void count_subfields(const SearchTask& task, CurvedCandidate& candidate) {
   std::vector<bool> worked(task.ground.plannable.size(), false);
-  for (const CurvedPiece& piece : candidate.tracks.pieces)
+  for (const LaidPiece& piece : candidate.tracks.pieces)
     worked[static_cast<std::size_t>(subfield_of(task.ground.plannable, piece, task.machine.width_m))] = true;
   candidate.tally.subfields = static_cast<int>(std::count(worked.begin(), worked.end(), true));
   candidate.cost = cost(task.objective, candidate.tally);
@@ -151,12 +150,12 @@ CurvedCandidate curved_along(const SearchTask& task, const CurvedGround& ground,
   out.reference = reference.round ? *line : extended(*line, reach).path;
   out.round = reference.round;
   if (asks_for_detours(task)) {
-    const std::vector<CurvedTrack> tracks = tracks_of(task, ground, out);
+    const TrackFamily tracks = tracks_of(task, ground, out);
     CurvedAvoided cut = all_cut(avoidance_task(task, tracks));
     out.tracks = std::move(cut.tracks);
     out.tally = cut.tally;
     count_subfields(task, out);
-  } else if (std::optional<CurvedTracks> tracks = laid_plainly(task, ground, out, no_more_than)) {
+  } else if (std::optional<LaidTracks> tracks = laid_plainly(task, ground, out, no_more_than)) {
     out.tracks = std::move(*tracks);
     out.tally = curved_tally(out.tracks, task.machine.width_m, task.body_m2);
     count_subfields(task, out);
@@ -167,7 +166,7 @@ CurvedCandidate curved_along(const SearchTask& task, const CurvedGround& ground,
 CurvedCandidate with_detours(const SearchTask& task, CurvedCandidate candidate) {
   beat();
   if (candidate.tally.pieces == 0 || !asks_for_detours(task)) return candidate;
-  const std::vector<CurvedTrack> tracks = tracks_of(task, curved_ground(task), candidate);
+  const TrackFamily tracks = tracks_of(task, curved_ground(task), candidate);
   const CurvedAvoidanceTask avoidance = avoidance_task(task, tracks);
   CurvedAvoided avoided = choose_detours(avoidance);
   candidate.encounters = encounters_in(avoidance, avoided);

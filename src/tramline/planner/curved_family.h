@@ -6,7 +6,7 @@
 
 #include "tramline/avoidance/choose_curved_detours.h"
 #include "tramline/planner/candidate.h"
-#include "tramline/tracks/curved_pieces.h"
+#include "tramline/tracks/curved_tracks.h"
 
 namespace tramline {
 
@@ -15,7 +15,7 @@ struct CurvedCandidate {
   std::vector<Point> line;  ///< what the reference was made of
   Path reference;      ///< smoothed for the machine, extended across the ground; with S2's tracks as it is
   bool round = false;  ///< goes all the way round the ground
-  CurvedTracks tracks;
+  LaidTracks tracks;
   Tally tally;
   double cost = 0;
   Region worked{};                            ///< with S2's tracks: the union of their swaths

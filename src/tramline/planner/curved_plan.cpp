@@ -28,7 +28,7 @@ Plan finished_plan(const SearchTask& task, const CurvedCandidate& candidate) {
   plan.encounters = encounters_as_driven(task, candidate, driven);
   plan.pieces = std::move(driven.pieces);
   add_overlaps(plan);
-  for (const CurvedPiece& piece : candidate.tracks.dropped)
+  for (const LaidPiece& piece : candidate.tracks.dropped)
     plan.dropped.push_back({piece.path.front().from, piece.path.back().to,
                             subfield_of(task.ground.plannable, piece, task.machine.width_m)});
   set_figures(plan, candidate.tally);

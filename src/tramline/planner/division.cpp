@@ -54,8 +54,9 @@ double least_width(const Ring& ring) {
 
 bool is_workable(const SearchTask& task, const PricedSubfield& subfield) {
   if (least_width(subfield.shape.outer) < task.machine.width_m) return false;
-  const Strips strips = strips_on(task, {{subfield.shape, subfield.grid.direction}, subfield.grid.origin_m});
-  return !cut_pieces(strips, min_length_m(task.machine)).pieces.empty();
+  const TrackFamily family =
+      tracks_on(task, {{subfield.shape, subfield.grid.direction}, subfield.grid.origin_m});
+  return !cut_pieces(family, min_length_m(task.machine)).pieces.empty();
 }
 
 /// Nobody drives two directions that differ by less than the merge threshold.

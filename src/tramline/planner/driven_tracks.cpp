@@ -10,7 +10,7 @@
 namespace tramline {
 namespace {
 
-TrackPiece forwards(const CurvedPiece& piece, int subfield, const Writing& writing) {
+TrackPiece forwards(const LaidPiece& piece, int subfield, const Writing& writing) {
   TrackPiece out;
   out.start = piece.path.front().from;
   out.end = piece.path.back().to;
@@ -19,7 +19,7 @@ TrackPiece forwards(const CurvedPiece& piece, int subfield, const Writing& writi
   out.stop_at_start = piece.stop_at_from;
   out.stop_at_end = piece.stop_at_to;
   out.after_crossing = piece.after_crossing;
-  for (const StripDetour& detour : piece.detours)
+  for (const TrackDetour& detour : piece.detours)
     out.detours.push_back({detour.path, detour.side, detour.obstacles});
   if (writing.curved) out.curve = piece.path;
   // Where they keep to their tracks swaths of one family have no ground in common; add_overlaps() looks at
@@ -29,16 +29,16 @@ TrackPiece forwards(const CurvedPiece& piece, int subfield, const Writing& writi
 }
 
 /// The part of the ground each piece lies in. What crossings join lies in one.
-std::vector<int> subfields_of(const Region& parts, const std::vector<CurvedPiece>& pieces, double width_m) {
+std::vector<int> subfields_of(const Region& parts, const std::vector<LaidPiece>& pieces, double width_m) {
   std::vector<int> out;
-  for (const CurvedPiece& piece : pieces)
+  for (const LaidPiece& piece : pieces)
     out.push_back(piece.after_crossing ? out.back() : subfield_of(parts, piece, width_m));
   return out;
 }
 
 }  // namespace
 
-int subfield_of(const Region& parts, const CurvedPiece& piece, double width_m) {
+int subfield_of(const Region& parts, const LaidPiece& piece, double width_m) {
   if (parts.size() == 1) return 0;
   const Path half = path_between(piece.path, 0, 0.5 * piece.length_m);
   for (std::size_t i = 0; i < parts.size(); ++i)
@@ -56,8 +56,7 @@ int subfield_of(const Region& parts, const CurvedPiece& piece, double width_m) {
   return best;
 }
 
-std::vector<TrackPiece> track_pieces(const CurvedTracks& tracks, const Region& parts,
-                                     const Writing& writing) {
+std::vector<TrackPiece> track_pieces(const LaidTracks& tracks, const Region& parts, const Writing& writing) {
   const std::vector<int> subfields = subfields_of(parts, tracks.pieces, writing.width_m);
   std::vector<TrackPiece> out;
   for (std::size_t i = 0; i < tracks.pieces.size(); ++i)
@@ -65,7 +64,7 @@ std::vector<TrackPiece> track_pieces(const CurvedTracks& tracks, const Region& p
   return out;
 }
 
-Driven driven_tracks(const CurvedTracks& tracks, const Region& parts, const Field& field,
+Driven driven_tracks(const LaidTracks& tracks, const Region& parts, const Field& field,
                      const Writing& writing) {
   Driven out{{},
              subfields_of(parts, tracks.pieces, writing.width_m),

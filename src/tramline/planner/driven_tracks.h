@@ -5,7 +5,7 @@
 
 #include "tramline/model/field.h"
 #include "tramline/model/track.h"
-#include "tramline/tracks/curved_pieces.h"
+#include "tramline/tracks/curved_tracks.h"
 
 namespace tramline {
 
@@ -24,14 +24,14 @@ struct Driven {
 };
 
 /// The tracks as they are laid, each the same way: not in driving order.
-std::vector<TrackPiece> track_pieces(const CurvedTracks& tracks, const Region& parts, const Writing& writing);
+std::vector<TrackPiece> track_pieces(const LaidTracks& tracks, const Region& parts, const Writing& writing);
 
 /// In the order and the way round of order::best_tour(); each part of the ground is a subfield. What a piece
 /// is said to overlap is what it would without detours (add_overlaps()).
-Driven driven_tracks(const CurvedTracks& tracks, const Region& parts, const Field& field,
+Driven driven_tracks(const LaidTracks& tracks, const Region& parts, const Field& field,
                      const Writing& writing);
 
 /// The part of the ground a piece lies in.
-int subfield_of(const Region& parts, const CurvedPiece& piece, double width_m);
+int subfield_of(const Region& parts, const LaidPiece& piece, double width_m);
 
 }  // namespace tramline

@@ -5,21 +5,21 @@
 namespace tramline {
 namespace {
 
-Detour detour_on_field(const StripDetour& detour, const StripGrid& grid) {
+Detour detour_on_field(const TrackDetour& detour, const StripGrid& grid) {
   return {moved(detour.path, [&](Point p) { return grid.frame.to_field(p); }), detour.side, detour.obstacles};
 }
 
-TrackPiece piece_on_field(const StripPiece& piece, const StripGrid& grid, int subfield, int first_strip) {
-  const double across = grid.centre(piece.strip);
+TrackPiece piece_on_field(const LaidPiece& piece, const StripGrid& grid, int subfield, int first_strip) {
+  const double across = grid.centre(piece.track);
   TrackPiece out;
   out.start = grid.frame.to_field({across, piece.from});
   out.end = grid.frame.to_field({across, piece.to});
   out.subfield = subfield;
-  out.track = piece.strip - first_strip;
+  out.track = piece.track - first_strip;
   out.stop_at_start = piece.stop_at_from;
   out.stop_at_end = piece.stop_at_to;
   out.after_crossing = piece.after_crossing;
-  for (const StripDetour& detour : piece.detours) out.detours.push_back(detour_on_field(detour, grid));
+  for (const TrackDetour& detour : piece.detours) out.detours.push_back(detour_on_field(detour, grid));
   return out;
 }
 
@@ -28,8 +28,8 @@ TrackPiece piece_on_field(const StripPiece& piece, const StripGrid& grid, int su
 std::vector<TrackPiece> track_pieces(const Candidate& candidate) {
   std::vector<TrackPiece> pieces;
   for (std::size_t i = 0; i < candidate.avoided.tracks.size(); ++i) {
-    const SubfieldTracks& tracks = candidate.avoided.tracks[i];
-    for (const StripPiece& piece : tracks.pieces)
+    const LaidTracks& tracks = candidate.avoided.tracks[i];
+    for (const LaidPiece& piece : tracks.pieces)
       pieces.push_back(piece_on_field(piece, tracks.grid, static_cast<int>(i), first_track(candidate, i)));
   }
   return pieces;

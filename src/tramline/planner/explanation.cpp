@@ -144,7 +144,7 @@ Explanation explanation_of(const SearchTask& task, const SearchResult& found, in
   const Candidate& best = found.best;
   const Tally& tracks = best.avoided.tally;
   const Tally tally = whole_tally_of(task, best);
-  Explanation out{causes_of({best.subfields, best.strips, best.avoided.tracks, task.ground.body,
+  Explanation out{causes_of({best.subfields, best.families, best.avoided.tracks, task.ground.body,
                              task.ground.given_up, task.ground.passable, tracks},
                             task.objective),
                   {},

@@ -13,9 +13,9 @@ constexpr double kLonger = 1.5;
 
 }  // namespace
 
-double FamilyBound::after(int index, const CurvedTracks& tracks) {
+double FamilyBound::after(int index, const LaidTracks& tracks) {
   for (; seen_ < tracks.pieces.size(); ++seen_) {
-    const CurvedPiece& piece = tracks.pieces[seen_];
+    const LaidPiece& piece = tracks.pieces[seen_];
     inside_m2_ += piece.inside_m2;
     overlap_m2_ += task_.machine.width_m * piece.length_m - piece.inside_m2;
     stops_ += (piece.stop_at_from ? 1 : 0) + (piece.stop_at_to ? 1 : 0);

@@ -2,7 +2,7 @@
 // What a family of curved tracks costs at least, while it is laid.
 
 #include "tramline/planner/candidate.h"
-#include "tramline/tracks/curved_pieces.h"
+#include "tramline/tracks/curved_tracks.h"
 
 namespace tramline {
 
@@ -11,19 +11,19 @@ namespace tramline {
 class FamilyBound {
  public:
   /// Of tracks parallel to the reference with the numbers of the range.
-  FamilyBound(const SearchTask& task, const Path& reference, const TrackRange& range)
+  FamilyBound(const SearchTask& task, const Path& reference, const StripRange& range)
       : task_(task), reference_(reference), range_(range) {}
 
   /// With the tracks up to this number, in the order of visit_family(): what these cost for certain, and the
   /// least the rest of the body can. A little less for rounding. O(new pieces + segments of the reference).
-  double after(int index, const CurvedTracks& tracks);
+  double after(int index, const LaidTracks& tracks);
 
  private:
   double least_for_the_rest(int index) const;
 
   const SearchTask& task_;
   const Path& reference_;
-  TrackRange range_;
+  StripRange range_;
   std::size_t seen_ = 0;
   double inside_m2_ = 0, overlap_m2_ = 0;
   int stops_ = 0;

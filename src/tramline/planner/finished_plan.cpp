@@ -25,8 +25,8 @@ std::vector<DroppedPiece> dropped_pieces(const Candidate& candidate) {
   std::vector<DroppedPiece> out;
   for (std::size_t i = 0; i < candidate.avoided.tracks.size(); ++i) {
     const StripGrid& grid = candidate.avoided.tracks[i].grid;
-    for (const StripPiece& piece : candidate.avoided.tracks[i].dropped) {
-      const double across = grid.centre(piece.strip);
+    for (const LaidPiece& piece : candidate.avoided.tracks[i].dropped) {
+      const double across = grid.centre(piece.track);
       out.push_back({grid.frame.to_field({across, piece.from}), grid.frame.to_field({across, piece.to}),
                      static_cast<int>(i)});
     }
@@ -38,7 +38,7 @@ std::vector<DroppedPiece> dropped_pieces(const Candidate& candidate) {
 std::vector<Region> worked_grounds(const Candidate& candidate, const std::vector<TrackPiece>& pieces,
                                    double width_m) {
   std::vector<Region> out;
-  for (const SubfieldTracks& tracks : candidate.avoided.tracks) out.push_back(worked_rows(tracks));
+  for (const LaidTracks& tracks : candidate.avoided.tracks) out.push_back(worked_rows(tracks));
   Region detours;
   for (const TrackPiece& piece : pieces)
     for (const Detour& detour : piece.detours)

@@ -9,7 +9,7 @@ namespace tramline {
 namespace {
 
 /// What it wins back less what it costs, on a line with others.
-double worth_of_piece(const StripPiece& piece, const RepairTerms& terms) {
+double worth_of_piece(const LaidPiece& piece, const RepairTerms& terms) {
   const Objective& objective = terms.objective;
   const double width_m = terms.machine.width_m;
   const double overlap_m2 = width_m * std::max(piece.to - piece.from, width_m) - piece.inside_m2;
@@ -30,18 +30,19 @@ Intervals stretches_in(const Interval& room, const Intervals& wanted) {
   return out;
 }
 
-StripPiece piece_over(const Strip& strip, const Interval& stretch) {
-  StripPiece out;
-  out.strip = strip.index;
+LaidPiece piece_over(const Track& strip, const Interval& stretch) {
+  LaidPiece out;
+  out.track = strip.index;
   out.from = stretch.from;
   out.to = stretch.to;
+  out.length_m = stretch.length();
   out.stop_at_from = stops_at(strip, stretch.from, -1);
   out.stop_at_to = stops_at(strip, stretch.to, +1);
-  out.inside_m2 = area_between(strip.subfield, stretch.from, stretch.to);
+  out.inside_m2 = strip.subfield.area_between(stretch.from, stretch.to);
   return out;
 }
 
-void append(StripPiece piece, GapLine& line) {
+void append(LaidPiece piece, GapLine& line) {
   piece.after_crossing = !line.pieces.empty();
   line.length_m += piece.to - piece.from;
   line.covered_m2 += piece.inside_m2;
@@ -51,7 +52,7 @@ void append(StripPiece piece, GapLine& line) {
 
 }  // namespace
 
-std::vector<GapLine> lines_on(const Strip& strip, const Intervals& open, const RepairTerms& terms,
+std::vector<GapLine> lines_on(const Track& strip, const Intervals& open, const RepairTerms& terms,
                               WantedPieces wanted) {
   const double width_m = terms.machine.width_m;
   EndCriterion criterion = end_criterion(terms.end_rule, terms.objective, width_m);
@@ -62,7 +63,7 @@ std::vector<GapLine> lines_on(const Strip& strip, const Intervals& open, const R
     if (room.length() < width_m) continue;
     GapLine line;
     for (const Interval& stretch : stretches_in(room, allowed)) {
-      const StripPiece piece = piece_over(strip, stretch);
+      const LaidPiece piece = piece_over(strip, stretch);
       if (wanted == WantedPieces::kAll || worth_of_piece(piece, terms) > 0) append(piece, line);
     }
     if (!line.pieces.empty() && line.length_m >= terms.machine.min_length_m) out.push_back(std::move(line));
@@ -73,7 +74,7 @@ std::vector<GapLine> lines_on(const Strip& strip, const Intervals& open, const R
 double price_of(const GapLine& line, const RepairTerms& terms) {
   const double width_m = terms.machine.width_m;
   double priced_m = 0;
-  for (const StripPiece& piece : line.pieces) priced_m += std::max(piece.to - piece.from, width_m);
+  for (const LaidPiece& piece : line.pieces) priced_m += std::max(piece.to - piece.from, width_m);
   priced_m = std::max(priced_m, 2 * width_m);
   return terms.objective.stop * line.stops + terms.objective.overlap * (width_m * priced_m - line.covered_m2);
 }

@@ -5,8 +5,8 @@
 
 #include "tramline/model/machine.h"
 #include "tramline/model/plan.h"
-#include "tramline/tracks/strip_pieces.h"
-#include "tramline/tracks/strips.h"
+#include "tramline/tracks/laid_pieces.h"
+#include "tramline/tracks/straight_tracks.h"
 
 namespace tramline {
 
@@ -19,9 +19,9 @@ struct RepairTerms {
 
 /// One uninterrupted drive along a strip. Between its pieces the work is off, on ground that may be driven.
 struct GapLine {
-  std::vector<StripPiece> pieces;  ///< along the strip; those after the first are after a crossing
-  double length_m = 0;             ///< of the pieces
-  double covered_m2 = 0;           ///< of the gaps
+  std::vector<LaidPiece> pieces;  ///< along the strip; those after the first are after a crossing
+  double length_m = 0;            ///< of the pieces
+  double covered_m2 = 0;          ///< of the gaps
   int stops = 0;
 };
 
@@ -36,10 +36,10 @@ enum class WantedPieces {
 };
 
 /// The lines on a strip, one at most for each stretch of open ground at least as long as the swath is wide.
-/// Their pieces lie where the end rule finds gaps (Strip::subfield), breaks shorter than kLeastBreak_m are
+/// Their pieces lie where the end rule finds gaps (Track::subfield), breaks shorter than kLeastBreak_m are
 /// worked through, and every piece is wanted. Lines shorter than the machine's least length
 /// are left out. `open`: where a whole swath may lie. O(breaks of the profile).
-std::vector<GapLine> lines_on(const Strip& strip, const Intervals& open, const RepairTerms& terms,
+std::vector<GapLine> lines_on(const Track& strip, const Intervals& open, const RepairTerms& terms,
                               WantedPieces wanted);
 
 /// What a line costs, but for the turn to it: its stops and its overlap, where a piece shorter than w counts

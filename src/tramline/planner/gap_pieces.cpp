@@ -7,7 +7,7 @@ namespace tramline {
 std::vector<TrackPiece> pieces_of(const GapLine& line, const StripGrid& grid, int subfield, int track) {
   std::vector<TrackPiece> out;
   const double across = grid.centre(0);
-  for (const StripPiece& piece : line.pieces) {
+  for (const LaidPiece& piece : line.pieces) {
     TrackPiece driven;
     driven.start = grid.frame.to_field({across, piece.from});
     driven.end = grid.frame.to_field({across, piece.to});

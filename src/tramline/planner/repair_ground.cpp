@@ -17,7 +17,7 @@ Region all_oriented(Region region) {
 Region swaths_of(const GapLine& line, const StripGrid& grid) {
   Region out;
   const double left = grid.line(0), right = grid.line(1);
-  for (const StripPiece& piece : line.pieces)
+  for (const LaidPiece& piece : line.pieces)
     out.push_back(
         oriented({{grid.frame.to_field({left, piece.from}), grid.frame.to_field({right, piece.from}),
                    grid.frame.to_field({right, piece.to}), grid.frame.to_field({left, piece.to})},
@@ -95,10 +95,10 @@ std::vector<RepairLine> RepairGround::lines_at(const LinePlace& place, const Reg
   const Turned& turned = turned_[place.direction];
   const StripGrid grid{turned.frame, place.left_m, terms_.machine.width_m};
   constexpr StripRange kOne{0, 0};
-  Strip strip;
-  strip.subfield = cross_sections(turned_gaps, grid, kOne).front();
+  Track strip;
+  strip.subfield = TrackProfile(cross_sections(turned_gaps, grid, kOne).front());
   if (strip.subfield.empty()) return {};
-  strip.hard = cross_sections(turned.obstacles, grid, kOne).front();
+  strip.hard = TrackProfile(cross_sections(turned.obstacles, grid, kOne).front());
   const Intervals open = where_at_least(cross_sections(turned.free, grid, kOne).front(),
                                         terms_.machine.width_m - kWidthTolerance);
   std::vector<RepairLine> out;

@@ -2,6 +2,7 @@
 // The ground of a search in the plane of one direction.
 
 #include "tramline/planner/candidate.h"
+#include "tramline/tracks/straight_tracks.h"
 
 namespace tramline {
 

@@ -19,6 +19,11 @@ EndCriterion end_criterion(EndRule rule, const Objective& objective, double widt
   return {};
 }
 
+Intervals allowed_by(const EndCriterion& criterion, const TrackProfile& subfield) {
+  return criterion.by_centre_line ? subfield.centre_inside()
+                                  : subfield.where_at_least(criterion.least_width_m);
+}
+
 Intervals allowed_by(const EndCriterion& criterion, const StripProfile& subfield) {
   return criterion.by_centre_line ? subfield.centre_line : where_at_least(subfield, criterion.least_width_m);
 }

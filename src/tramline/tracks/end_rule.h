@@ -1,9 +1,9 @@
 #pragma once
 // Which cross-sections of a strip may be driven, under each end rule (DESIGN: end rule).
 
-#include "tramline/geometry/cross_section.h"
 #include "tramline/model/objective.h"
 #include "tramline/model/plan.h"
+#include "tramline/tracks/track_profile.h"
 
 namespace tramline {
 
@@ -23,7 +23,9 @@ struct EndCriterion {
 /// λo/(λo+λu) at which running on stops to pay, since dS/dy = λo(w − m) − λu·m (ALGORITHMS §0.1).
 EndCriterion end_criterion(EndRule rule, const Objective& objective, double width_m);
 
-/// Where a strip may be driven by the end rule alone.
+/// Where a track may be driven by the end rule alone.
+Intervals allowed_by(const EndCriterion& criterion, const TrackProfile& subfield);
+/// The same for a strip of which no track is made.
 Intervals allowed_by(const EndCriterion& criterion, const StripProfile& subfield);
 
 }  // namespace tramline

@@ -19,7 +19,7 @@ class Recursion {
   Recursion(double width_m, const Region& body) : width_m_(width_m), body_(body), box_(bounds(body)) {}
 
   /// The tracks to one side (+1: right) of the extended line, from it outwards.
-  void add_side(const std::vector<Point>& line, int side, std::vector<CurvedPiece>& out) const {
+  void add_side(const std::vector<Point>& line, int side, std::vector<LaidPiece>& out) const {
     std::vector<Point> next = kinked_offset(line, 0.5 * side * width_m_);
     bool entered = false;  // a line may begin before the box
     for (int i = 0; i < most_tracks() && next.size() > 1; ++i) {
@@ -35,7 +35,7 @@ class Recursion {
 
  private:
   /// From the first piece to the last: the final track t′. Empty without a piece.
-  Interval add_pieces(const Path& track, int number, std::vector<CurvedPiece>& out) const {
+  Interval add_pieces(const Path& track, int number, std::vector<LaidPiece>& out) const {
     Interval whole{};
     for (std::size_t part = 0; part < body_.size(); ++part)
       for (const Interval& reach : track_extent(track, width_m_, body_[part])) {
@@ -84,20 +84,20 @@ Path extended_over(const std::vector<Point>& line, double width_m, const Region&
   return out;
 }
 
-CurvedTracks recursive_tracks(const std::vector<Point>& line, double width_m, const Region& body,
-                              double min_length_m) {
+LaidTracks recursive_tracks(const std::vector<Point>& line, double width_m, const Region& body,
+                            double min_length_m) {
   assert(line.size() >= 2);
   assert(std::adjacent_find(line.begin(), line.end()) == line.end());
   assert(!body.empty());
   const Recursion recursion(width_m, body);
   const std::vector<Point> whole = vertices_of(extended_over(line, width_m, body));
-  std::vector<CurvedPiece> pieces;
+  std::vector<LaidPiece> pieces;
   for (const int side : {-1, 1}) recursion.add_side(whole, side, pieces);
-  std::stable_sort(pieces.begin(), pieces.end(), [](const CurvedPiece& a, const CurvedPiece& b) {
+  std::stable_sort(pieces.begin(), pieces.end(), [](const LaidPiece& a, const LaidPiece& b) {
     return a.track != b.track ? a.track < b.track : a.from < b.from;
   });
-  CurvedTracks out;
-  for (CurvedPiece& piece : pieces)
+  LaidTracks out{{TrackFrame(), 0, width_m}, {}, {}};
+  for (LaidPiece& piece : pieces)
     (piece.length_m >= min_length_m ? out.pieces : out.dropped).push_back(std::move(piece));
   return out;
 }

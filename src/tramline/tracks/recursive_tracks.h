@@ -1,9 +1,9 @@
 #pragma once
 // S2's own construction of tracks along a line (S2.6 to S2.9 straight, S2.11 to S2.13 with bends): each track
 // is made from the one before. Here to be compared with; tracks that a machine can follow are made by
-// parallel.h and curved_pieces.h.
+// parallel.h and curved_tracks.h.
 
-#include "tramline/tracks/curved_pieces.h"
+#include "tramline/tracks/curved_tracks.h"
 
 namespace tramline {
 
@@ -17,8 +17,8 @@ namespace tramline {
 /// Pieces shorter than `min_length_m` (S2: 0) are dropped. Preconditions: two distinct points at least; no
 /// point twice in a row; the body is not empty. For each track a polygon boolean, and O(n²) where it crosses
 /// itself.
-CurvedTracks recursive_tracks(const std::vector<Point>& line, double width_m, const Region& body,
-                              double min_length_m);
+LaidTracks recursive_tracks(const std::vector<Point>& line, double width_m, const Region& body,
+                            double min_length_m);
 
 /// The line with straight ends on which the body's box lies behind; shorter where they would meet the line.
 Path extended_over(const std::vector<Point>& line, double width_m, const Region& body);

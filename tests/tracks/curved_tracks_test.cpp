@@ -1,4 +1,5 @@
-#include "tramline/tracks/curved_pieces.h"
+#include "tramline/tracks/curved_tracks.h"
+#include "tramline/tracks/straight_tracks.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +8,7 @@
 
 #include "tramline/geometry/extended.h"
 #include "tramline/model/objective.h"
-#include "tramline/tracks/strip_pieces.h"
+#include "tramline/tracks/laid_pieces.h"
 
 namespace tramline {
 namespace {
@@ -19,10 +20,10 @@ Polygon box(double x0, double y0, double x1, double y1) {
   return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}};
 }
 
-CurvedTracks lay(const Path& reference, const CurvedGround& ground, EndRule rule, double min_length = 0) {
+LaidTracks lay(const Path& reference, const CurvedGround& ground, EndRule rule, double min_length = 0) {
   const Box reach = ground.body.grid().bounds();
   const Path whole = extended(reference, reach.grown(1)).path;
-  const TrackRange range = tracks_over(whole, reach, kWidth);
+  const StripRange range = tracks_over(whole, reach, kWidth);
   return curved_pieces(parallel_family(whole, range.first, range.last, {6, kWidth}), kWidth, ground,
                        end_criterion(rule, Objective{}, kWidth), min_length);
 }
@@ -32,16 +33,16 @@ TEST(CurvedPieces, OfAStraightReferenceAreStraightStrips) {
   const Polygon field{{{0, 0}, {31, 11}, {28, 120}, {-4, 90}}, {}};
   const Path reference = straight_path({1, 20}, {1, 60});
   for (const EndRule rule : {EndRule::kCentre, EndRule::kCover, EndRule::kInside, EndRule::kCheapest}) {
-    const CurvedTracks curved = lay(reference, {EdgeIndex({field})}, rule);
+    const LaidTracks curved = lay(reference, {EdgeIndex({field})}, rule);
     const StripGrid grid{TrackFrame(Direction::along({0, 0}, {0, 1})), 1, kWidth};
-    const SubfieldTracks straight = cut_pieces(
-        strips_of(grid, {grid.frame.to_track(field.outer), {}}, {}, end_criterion(rule, Objective{}, kWidth)),
-        0);
+    const LaidTracks straight = cut_pieces(straight_tracks(grid, {grid.frame.to_track(field.outer), {}}, {},
+                                                           end_criterion(rule, Objective{}, kWidth)),
+                                           0);
     ASSERT_EQ(curved.pieces.size(), straight.pieces.size()) << name(rule);
     for (std::size_t i = 0; i < curved.pieces.size(); ++i) {
-      const CurvedPiece& a = curved.pieces[i];
-      const StripPiece& b = straight.pieces[i];
-      EXPECT_EQ(a.track, b.strip);
+      const LaidPiece& a = curved.pieces[i];
+      const LaidPiece& b = straight.pieces[i];
+      EXPECT_EQ(a.track, b.track);
       EXPECT_NEAR(a.path.front().from.y, b.from, 1e-9) << name(rule);
       EXPECT_NEAR(a.path.back().to.y, b.to, 1e-9) << name(rule);
       EXPECT_NEAR(a.path.front().from.x, 1 + (a.track + 0.5) * kWidth, 1e-9);
@@ -55,9 +56,9 @@ TEST(CurvedPieces, OfAStraightReferenceAreStraightStrips) {
 TEST(CurvedPieces, EndWhereArcsMeetStraightEdges) {
   const Path reference{{{100, 0}, {0, 100}, 0.01}};
   const CurvedGround ground{EdgeIndex({box(0, 1, 40, 140)})};
-  const CurvedTracks tracks = lay(reference, ground, EndRule::kCentre);
+  const LaidTracks tracks = lay(reference, ground, EndRule::kCentre);
   int checked = 0;
-  for (const CurvedPiece& piece : tracks.pieces) {
+  for (const LaidPiece& piece : tracks.pieces) {
     const double q = 100 + (piece.track + 0.5) * kWidth;
     if (q < 60 || q > 135) continue;
     ++checked;
@@ -69,7 +70,7 @@ TEST(CurvedPieces, EndWhereArcsMeetStraightEdges) {
 TEST(CurvedPieces, StopBeforeAnythingHard) {
   const Path reference = straight_path({0, 0}, {0, 100});
   CurvedGround ground{EdgeIndex({box(0, 0, 12, 100)}), EdgeIndex({box(4, 40, 5, 50)})};
-  const CurvedTracks tracks = lay(reference, ground, EndRule::kCentre, 45);
+  const LaidTracks tracks = lay(reference, ground, EndRule::kCentre, 45);
   ASSERT_EQ(tracks.pieces.size(), 4u);
   EXPECT_NEAR(tracks.pieces[1].path.front().from.y, 50, 1e-9);
   EXPECT_TRUE(tracks.pieces[1].stop_at_from);
@@ -86,8 +87,8 @@ TEST(CurvedPieces, GoRoundAClosedTrackInOnePiece) {
       {{r, 0}, {0, r}, 1 / r}, {{0, r}, {-r, 0}, 1 / r}, {{-r, 0}, {0, -r}, 1 / r}, {{0, -r}, {r, 0}, 1 / r}};
   const std::vector<FamilyTrack> family{{0, {circle, true}}};
   // Without its left part.
-  const CurvedTracks tracks = curved_pieces(family, kWidth, {EdgeIndex({box(0, -50, 50, 50)})},
-                                            end_criterion(EndRule::kCentre, Objective{}, kWidth), 0);
+  const LaidTracks tracks = curved_pieces(family, kWidth, {EdgeIndex({box(0, -50, 50, 50)})},
+                                          end_criterion(EndRule::kCentre, Objective{}, kWidth), 0);
   ASSERT_EQ(tracks.pieces.size(), 1u);
   EXPECT_NEAR(tracks.pieces[0].length_m, kPi * r, 1e-6);
   EXPECT_NEAR(tracks.pieces[0].path.front().from.y, -r, 1e-6);
@@ -98,9 +99,8 @@ TEST(CurvedPieces, AllRoundEndBeforeTheyBegin) {
   const double r = 30;
   Path circle{
       {{r, 0}, {0, r}, 1 / r}, {{0, r}, {-r, 0}, 1 / r}, {{-r, 0}, {0, -r}, 1 / r}, {{0, -r}, {r, 0}, 1 / r}};
-  const CurvedTracks tracks =
-      curved_pieces({{0, {circle, true}}}, kWidth, {EdgeIndex({box(-50, -50, 50, 50)})},
-                    end_criterion(EndRule::kCentre, Objective{}, kWidth), 0);
+  const LaidTracks tracks = curved_pieces({{0, {circle, true}}}, kWidth, {EdgeIndex({box(-50, -50, 50, 50)})},
+                                          end_criterion(EndRule::kCentre, Objective{}, kWidth), 0);
   ASSERT_EQ(tracks.pieces.size(), 1u);
   EXPECT_NEAR(tracks.pieces[0].length_m, 2 * kPi * r, 1e-4);
   const double apart_m = distance(tracks.pieces[0].path.front().from, tracks.pieces[0].path.back().to);

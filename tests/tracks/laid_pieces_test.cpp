@@ -1,7 +1,8 @@
 // End rules, hard edges, crossings and short pieces on scenes with areas known by hand.
 // Tracks run north, strips start at x = 0.
 
-#include "tramline/tracks/strip_pieces.h"
+#include "tramline/tracks/laid_pieces.h"
+#include "tramline/tracks/straight_tracks.h"
 
 #include <gtest/gtest.h>
 
@@ -21,10 +22,10 @@ struct Sums {
   int pieces = 0;
 };
 
-Sums sums_of(const SubfieldTracks& tracks, const Polygon& subfield) {
+Sums sums_of(const LaidTracks& tracks, const Polygon& subfield) {
   Sums out;
   double inside = 0;
-  for (const StripPiece& piece : tracks.pieces) {
+  for (const LaidPiece& piece : tracks.pieces) {
     out.overlap += kWidth * (piece.to - piece.from) - piece.inside_m2;
     inside += piece.inside_m2;
     ++out.pieces;
@@ -33,9 +34,9 @@ Sums sums_of(const SubfieldTracks& tracks, const Polygon& subfield) {
   return out;
 }
 
-SubfieldTracks lay(const Polygon& subfield, EndRule rule, const TurnedGround& ground = {},
-                   double min_length = 6, const Objective& objective = {}) {
-  return cut_pieces(strips_of(north_grid(), subfield, ground, end_criterion(rule, objective, kWidth)),
+LaidTracks lay(const Polygon& subfield, EndRule rule, const TurnedGround& ground = {}, double min_length = 6,
+               const Objective& objective = {}) {
+  return cut_pieces(straight_tracks(north_grid(), subfield, ground, end_criterion(rule, objective, kWidth)),
                     min_length);
 }
 
@@ -72,7 +73,7 @@ TEST(EndRules, CheapestHalvesTheRunWhenNothingCosts) {
 // their land, a triangle with legs of 6 m, stays uncovered.
 TEST(EndRules, OnATriangleWithTheShortRowsDropped) {
   const Polygon triangle{{{0, 0}, {60, 0}, {0, 60}}, {}};
-  const SubfieldTracks tracks = lay(triangle, EndRule::kCentre);
+  const LaidTracks tracks = lay(triangle, EndRule::kCentre);
   const Sums sums = sums_of(tracks, triangle);
   EXPECT_EQ(sums.pieces, 18);
   EXPECT_EQ(tracks.dropped.size(), 2u);
@@ -86,7 +87,7 @@ TEST(HardEdges, CutTheWholeWidthOverTheObstaclesExtent) {
   const Ring diamond{{4.5, 48}, {5.5, 50}, {4.5, 52}, {3.5, 50}};
   field.holes = {reversed(diamond)};
   for (const EndRule rule : {EndRule::kCentre, EndRule::kCover, EndRule::kInside, EndRule::kCheapest}) {
-    const SubfieldTracks tracks = lay(field, rule, {{{diamond, {}}}, {}, {}});
+    const LaidTracks tracks = lay(field, rule, {{{diamond, {}}}, {}, {}});
     ASSERT_EQ(tracks.pieces.size(), 4u) << name(rule);
     EXPECT_NEAR(tracks.pieces[1].to, 48, 1e-4);
     EXPECT_NEAR(tracks.pieces[2].from, 52, 1e-4);
@@ -110,7 +111,7 @@ TEST(HardEdges, KeepEverySwathInsideAHardBoundary) {
 TEST(HardEdges, CutSwathsThatStickOutIntoLandKeptClear) {
   TurnedGround ground;
   ground.beyond = {box(8, 40, 12, 45)};
-  const SubfieldTracks tracks = lay(box(0, 0, 8, 100), EndRule::kCentre, ground);
+  const LaidTracks tracks = lay(box(0, 0, 8, 100), EndRule::kCentre, ground);
   ASSERT_EQ(tracks.pieces.size(), 4u);
   EXPECT_NEAR(tracks.pieces[2].to, 40, 1e-9);
   EXPECT_NEAR(tracks.pieces[3].from, 45, 1e-9);
@@ -121,7 +122,7 @@ TEST(HardEdges, CutSwathsThatStickOutIntoLandKeptClear) {
 TEST(PassableObstacles, InterruptTheWorkWithoutAStop) {
   const Polygon field = box(0, 0, 6, 100);
   const TurnedGround ground{{}, {box(-5, 40, 20, 45)}, {}};
-  const SubfieldTracks tracks = lay(field, EndRule::kCentre, ground);
+  const LaidTracks tracks = lay(field, EndRule::kCentre, ground);
   ASSERT_EQ(tracks.pieces.size(), 4u);
   EXPECT_NEAR(tracks.pieces[0].to, 40, 1e-9);
   EXPECT_NEAR(tracks.pieces[1].from, 45, 1e-9);
@@ -135,7 +136,7 @@ TEST(PassableObstacles, ExemptWhatLiesBetweenTwoCrossings) {
   // Two waterways 2 m apart: the 2 m between them are driven although 2w = 6 m.
   const Polygon field = box(0, 0, 3, 100);
   const TurnedGround ground{{}, {box(-5, 10, 20, 12), box(-5, 14, 20, 16)}, {}};
-  const SubfieldTracks tracks = lay(field, EndRule::kCentre, ground);
+  const LaidTracks tracks = lay(field, EndRule::kCentre, ground);
   ASSERT_EQ(tracks.pieces.size(), 3u);
   EXPECT_NEAR(tracks.pieces[1].from, 12, 1e-9);
   EXPECT_NEAR(tracks.pieces[1].to, 14, 1e-9);
@@ -147,7 +148,7 @@ TEST(PassableObstacles, ExemptWhatLiesBetweenTwoCrossings) {
 TEST(PassableObstacles, DoNotExemptWhatLiesBetweenTheEdgeAndACrossing) {
   const Polygon field = box(0, 0, 3, 100);
   const TurnedGround ground{{}, {box(-5, 4, 20, 6)}, {}};
-  const SubfieldTracks tracks = lay(field, EndRule::kCentre, ground);
+  const LaidTracks tracks = lay(field, EndRule::kCentre, ground);
   ASSERT_EQ(tracks.pieces.size(), 1u);
   EXPECT_NEAR(tracks.pieces[0].from, 6, 1e-9);
   EXPECT_FALSE(tracks.pieces[0].after_crossing);
@@ -158,7 +159,7 @@ TEST(PassableObstacles, DoNotExemptWhatLiesBetweenTheEdgeAndACrossing) {
 TEST(PassableObstacles, LeaveNothingBetweenPiecesThatAreNotDriven) {
   const Polygon field = box(0, 0, 3, 20);
   const TurnedGround ground{{}, {box(-5, 5, 20, 8), box(-5, 12, 20, 15)}, {}};
-  const SubfieldTracks tracks = lay(field, EndRule::kCentre, ground);
+  const LaidTracks tracks = lay(field, EndRule::kCentre, ground);
   EXPECT_TRUE(tracks.pieces.empty());
   EXPECT_EQ(tracks.dropped.size(), 3u);
 }
@@ -166,7 +167,7 @@ TEST(PassableObstacles, LeaveNothingBetweenPiecesThatAreNotDriven) {
 TEST(PassableObstacles, MakeNoPiecesOfDust) {
   const Polygon field = box(0, 0, 3, 100);
   const TurnedGround ground{{}, {box(-5, 40, 20, 45), box(-5, 45.0000001, 20, 50)}, {}};
-  const SubfieldTracks tracks = lay(field, EndRule::kCentre, ground, 0);
+  const LaidTracks tracks = lay(field, EndRule::kCentre, ground, 0);
   EXPECT_EQ(tracks.pieces.size(), 2u);
   EXPECT_TRUE(tracks.dropped.empty());
 }
@@ -174,7 +175,7 @@ TEST(PassableObstacles, MakeNoPiecesOfDust) {
 TEST(PassableObstacles, DoNotExcuseAnObstacleInTheGap) {
   const Polygon field = box(0, 0, 3, 100);
   const TurnedGround ground{{box(1, 44, 2, 50)}, {box(-5, 40, 20, 45)}, {}};
-  const SubfieldTracks tracks = lay(field, EndRule::kCentre, ground);
+  const LaidTracks tracks = lay(field, EndRule::kCentre, ground);
   ASSERT_EQ(tracks.pieces.size(), 2u);
   EXPECT_FALSE(tracks.pieces[1].after_crossing);
   EXPECT_TRUE(tracks.pieces[1].stop_at_from);

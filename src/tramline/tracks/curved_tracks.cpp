@@ -1,0 +1,133 @@
+#include "tramline/tracks/curved_tracks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "tramline/geometry/path_between.h"
+
+namespace tramline {
+namespace {
+
+class Laying {
+ public:
+  Laying(double width, const CurvedGround& ground, const EndCriterion& criterion)
+      : width_(width), ground_(ground), criterion_(criterion) {}
+
+  /// False where the track may be driven nowhere.
+  bool lay(Track& track) const {
+    if (!intersects(reach_of(track.path, width_), ground_.body.grid().bounds())) return false;
+    profile(track);
+    if (track.stretches.empty()) return false;
+    if (!track.closed || track.by_hard.empty()) return true;
+    begin_at(middle_of_longest(track), track);
+    profile(track);
+    return !track.stretches.empty();
+  }
+
+ private:
+  void profile(Track& track) const {
+    PathProfile body = path_profile(ground_.body, track.path, width_);
+    track.length_m = body.length();
+    track.subfield = TrackProfile(std::move(body));
+    track.stretches = allowed_by(criterion_, track.subfield);
+    if (track.stretches.empty()) return;
+    if (!ground_.hard.edges().empty()) {
+      track.hard = TrackProfile(path_profile(ground_.hard, track.path, width_));
+      track.by_hard = track.hard.where_at_least(kWidthTolerance);
+      track.stretches = without(track.stretches, track.by_hard);
+    }
+    track.by_passable = met(ground_.passable, track.path);
+    track.stretches = without(track.stretches, met(ground_.beyond, track.path));
+    if (!ground_.field.edges().empty())
+      track.stretches =
+          common(track.stretches,
+                 where_at_least(path_profile(ground_.field, track.path, width_), width_ - kWidthTolerance));
+    std::erase_if(track.stretches, [](const Interval& s) { return s.length() < kNoPiece_m; });
+  }
+
+  Intervals met(const EdgeIndex& region, const Path& path) const {
+    if (region.edges().empty()) return {};
+    return where_at_least(path_profile(region, path, width_), kWidthTolerance);
+  }
+
+  static double middle_of_longest(const Track& track) {
+    Interval longest = track.stretches.front();
+    for (const Interval& s : track.stretches)
+      if (s.length() > longest.length()) longest = s;
+    return 0.5 * (longest.from + longest.to);
+  }
+
+  static void begin_at(double place, Track& track) {
+    Path path = path_between(track.path, place, track.length_m);
+    const Path rest = path_between(track.path, 0, place);
+    path.insert(path.end(), rest.begin(), rest.end());
+    track.path = std::move(path);
+  }
+
+  double width_;
+  const CurvedGround& ground_;
+  const EndCriterion& criterion_;
+};
+
+/// Which side of the path the point is on, and how far off: right positive.
+double signed_distance(const Path& path, Point p) {
+  double least = std::numeric_limits<double>::infinity(), out = 0;
+  for (const PathSegment& segment : path) {
+    const double off = distance_to_edge(segment, p, p);
+    if (off >= least) continue;
+    least = off;
+    const Point chord = segment.to - segment.from;
+    bool right = cross(chord, p - segment.from) < 0;
+    if (!segment.straight()) {
+      const bool outside = distance(p, centre(segment)) > radius(segment);
+      right = (segment.curvature > 0) == outside;
+    }
+    out = right ? off : -off;
+  }
+  return out;
+}
+
+}  // namespace
+
+TrackFamily curved_tracks(const std::vector<FamilyTrack>& parallel, double width_m,
+                          const CurvedGround& ground, const EndCriterion& criterion) {
+  const Laying laying(width_m, ground, criterion);
+  TrackFamily out{{TrackFrame(), 0, width_m}, {}};
+  int branch = 0;
+  for (std::size_t i = 0; i < parallel.size(); ++i) {
+    branch = i > 0 && parallel[i].index == parallel[i - 1].index ? branch + 1 : 0;
+    Track track;
+    track.index = parallel[i].index;
+    track.branch = branch;
+    track.closed = parallel[i].track.closed;
+    track.path = parallel[i].track.path;
+    if (laying.lay(track)) out.tracks.push_back(std::move(track));
+  }
+  return out;
+}
+
+LaidTracks curved_pieces(const std::vector<FamilyTrack>& parallel, double width_m, const CurvedGround& ground,
+                         const EndCriterion& criterion, double min_length_m) {
+  return cut_pieces(curved_tracks(parallel, width_m, ground, criterion), min_length_m);
+}
+
+StripRange tracks_over(const Path& reference, const Box& box, double width_m) {
+  // Points of the box are no farther off than its corners but for a bend between them: the distance to
+  // the path changes by no more than the way.
+  constexpr int kSteps = 16;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (int i = 0; i <= kSteps; ++i)
+    for (int j = 0; j <= kSteps; ++j) {
+      const Point p{box.min_x + box.width() * i / kSteps, box.min_y + box.height() * j / kSteps};
+      const double off = signed_distance(reference, p);
+      low = std::min(low, off);
+      high = std::max(high, off);
+    }
+  const double slack = 0.5 * std::hypot(box.width(), box.height()) / kSteps;
+  return {static_cast<int>(std::floor((low - slack) / width_m)),
+          static_cast<int>(std::floor((high + slack) / width_m))};
+}
+
+}  // namespace tramline

@@ -1,0 +1,75 @@
+#pragma once
+// The pieces driven on tracks.
+
+#include <vector>
+
+#include "tramline/model/detour.h"
+#include "tramline/tracks/track.h"
+
+namespace tramline {
+
+/// A stretch shorter than this is nothing: a detour may begin where its stretch does, and two passable
+/// obstacles may all but touch.
+inline constexpr double kNoPiece_m = 1e-3;
+
+/// A detour of a track. Its path lies in the frame of the family's grid and runs the way the track does.
+struct TrackDetour {
+  double from = 0;  ///< positions along the track, of the two ends
+  double to = 0;
+  Path path;
+  double length_m = 0;  ///< of the path
+  Passing side = Passing::kLeft;
+  std::vector<int> obstacles;  ///< indices into Field::obstacles
+};
+
+/// A piece of one track, driven the way the track runs: positions along it, from < to.
+struct LaidPiece {
+  int track = 0;    ///< Track::index
+  int branch = 0;   ///< Track::branch
+  double from = 0;  ///< beyond the length of a closed track where it goes on behind its beginning
+  double to = 0;
+  Path path{};           ///< what is driven on a curved track, detours included; empty on a straight one
+  double length_m = 0;   ///< of what is driven, detours included
+  double inside_m2 = 0;  ///< area of the swath inside the subfield where the piece keeps to its track
+  bool stop_at_from = false;
+  bool stop_at_to = false;
+  bool after_crossing = false;         ///< a passable obstacle, and nothing else, lies before `from`
+  std::vector<TrackDetour> detours{};  ///< along the track, not overlapping
+};
+
+/// Where the piece keeps to its track: before, between and after its detours.
+Intervals parts_on_track(const LaidPiece& piece);
+
+/// What is driven on the tracks of one family.
+struct LaidTracks {
+  StripGrid grid;
+  std::vector<LaidPiece> pieces;   ///< by track, then along
+  std::vector<LaidPiece> dropped;  ///< shorter than the machine's least length (S1.14)
+};
+
+/// A stretch of a track, or several that detours join.
+struct JoinedStretch {
+  Interval whole;
+  std::vector<TrackDetour> detours{};
+};
+
+/// The stretches of a track as the detours join them. Preconditions as for append_pieces.
+std::vector<JoinedStretch> joined_stretches(const Intervals& stretches,
+                                            const std::vector<TrackDetour>& detours);
+
+/// The pieces of one joined stretch, which may lie across the beginning of a closed track; see append_pieces.
+void append_joined(const Track& track, const JoinedStretch& joined, double min_length_m, LaidTracks& out);
+
+/// The pieces of one track, whose stretches the detours join; passable obstacles interrupt them. What is
+/// shorter than the least length is dropped, from both ends of a joined stretch inwards: what lies
+/// between two pieces that are driven is driven. A stretch across the place where a closed track begins comes
+/// as one piece. Appended to `pieces` and `dropped`.
+/// Preconditions: detours are sorted and do not overlap; each begins and ends within a stretch and lies
+/// clear of passable obstacles.
+void append_pieces(const Track& track, const std::vector<TrackDetour>& detours, double min_length_m,
+                   LaidTracks& out);
+
+/// All tracks without detours: every stretch ends before anything hard (S1.40).
+LaidTracks cut_pieces(const TrackFamily& family, double min_length_m);
+
+}  // namespace tramline

@@ -1,0 +1,34 @@
+#pragma once
+// The tracks in the strips of one subfield.
+
+#include <vector>
+
+#include "tramline/geometry/cross_section.h"
+#include "tramline/tracks/end_rule.h"
+#include "tramline/tracks/track.h"
+
+namespace tramline {
+
+/// The ground of a field in the turned plane of one grid.
+struct TurnedGround {
+  Region hard;  ///< obstacles and given-up land
+  Region passable;
+  Region field;     ///< the field's outer ring where it is hard, else empty
+  Region beyond{};  ///< entered by no swath, and no stop either: it is not of the field
+};
+
+/// A track for each strip that the subfield reaches into. `turned` is the subfield in the grid's plane.
+/// O(n + K log K) for n edges and K incidences of edges and strips.
+TrackFamily straight_tracks(const StripGrid& grid, const Polygon& turned, const TurnedGround& ground,
+                            const EndCriterion& criterion);
+
+/// Only those of the range that are wanted.
+TrackFamily straight_tracks(const StripGrid& grid, StripRange range, const StripMask& wanted,
+                            const Polygon& turned, const TurnedGround& ground, const EndCriterion& criterion);
+
+/// The same from the subfield's profiles, by k − range.first; those not wanted are not looked at.
+TrackFamily straight_tracks(const StripGrid& grid, StripRange range, const StripMask& wanted,
+                            std::vector<StripProfile> subfield, const TurnedGround& ground,
+                            const EndCriterion& criterion);
+
+}  // namespace tramline

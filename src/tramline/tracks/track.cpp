@@ -1,0 +1,53 @@
+#include "tramline/tracks/track.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "tramline/geometry/path_between.h"
+#include "tramline/tracks/end_rule.h"
+
+namespace tramline {
+namespace {
+
+/// Calls `visit(from, to)` for the parts before and behind the place where a closed track begins.
+template <class Visit>
+void visit_parts(const Track& track, double from, double to, Visit visit) {
+  const double length_m = track.length_m;
+  if (!track.closed || to <= length_m) {
+    visit(from, to);
+  } else if (from >= length_m) {
+    visit(from - length_m, to - length_m);
+  } else {
+    visit(from, length_m);
+    visit(0, to - length_m);
+  }
+}
+
+}  // namespace
+
+double inside_between(const Track& track, double from, double to) {
+  double sum = 0;
+  visit_parts(track, from, to,
+              [&](double start, double end) { sum += track.subfield.area_between(start, end); });
+  return sum;
+}
+
+Path path_along(const Track& track, double from, double to) {
+  assert(!track.path.empty());
+  Path out;
+  visit_parts(track, from, to, [&](double start, double end) {
+    const Path part = path_between(track.path, start, end);
+    out.insert(out.end(), part.begin(), part.end());
+  });
+  return out;
+}
+
+bool stops_at(const Track& track, double end, int sense) {
+  constexpr double kLookAhead = 1e-3;
+  constexpr double kLeastArea = 0.5 * kLookAhead * kWidthTolerance;
+  const double at = track.closed && end > track.length_m ? end - track.length_m : end;
+  const double beyond = at + sense * kLookAhead;
+  return track.hard.area_between(std::min(at, beyond), std::max(at, beyond)) > kLeastArea;
+}
+
+}  // namespace tramline

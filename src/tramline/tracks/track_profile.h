@@ -1,0 +1,34 @@
+#pragma once
+// How much of a region lies in the cross-sections of a track's swath, be the track straight or curved.
+
+#include <utility>
+#include <variant>
+
+#include "tramline/geometry/cross_section.h"
+#include "tramline/geometry/path_profile.h"
+
+namespace tramline {
+
+/// Positions are those of the track (track.h). Without anything: nothing of the region lies in the swath.
+class TrackProfile {
+ public:
+  TrackProfile() = default;
+  explicit TrackProfile(StripProfile straight) : profile_(std::move(straight)) {}
+  explicit TrackProfile(PathProfile curved) : profile_(std::move(curved)) {}
+
+  bool empty() const;
+  /// Precondition: of a straight track.
+  const StripProfile& straight() const;
+
+  /// Where at least `least_m` (> 0) of the cross-section is inside.
+  Intervals where_at_least(double least_m) const;
+  /// Where the track itself is inside.
+  Intervals centre_inside() const;
+  /// Area of the region within the swath between two positions, m².
+  double area_between(double from, double to) const;
+
+ private:
+  std::variant<StripProfile, PathProfile> profile_;
+};
+
+}  // namespace tramline
