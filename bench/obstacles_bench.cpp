@@ -62,7 +62,7 @@ void one_decision_at_a_pole(benchmark::State& state) {
     track.strip = blocked;
     track.gaps = hard_gaps(strip);
     for (const Passing side : {Passing::kLeft, Passing::kRight}) {
-      WayRound way = way_round({family.grid, strip, track.gaps.front(), 3, 6}, side, around);
+      WayRound way = way_round({family.grid, strip, track.gaps.front(), 6}, side, around);
       track.options.push_back(option_of(std::move(way), family.grid, strip.index));
     }
     value_options(track, family, body, ground, 6);

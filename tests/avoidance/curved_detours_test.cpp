@@ -10,7 +10,7 @@
 
 #include "tramline/avoidance/choose_curved_detours.h"
 #include "tramline/avoidance/curved_detour_path.h"
-#include "tramline/avoidance/curved_way.h"
+#include "tramline/avoidance/way_round.h"
 #include "tramline/cost/curved_tally.h"
 #include "tramline/geometry/boolean.h"
 
@@ -128,8 +128,8 @@ TEST(CurvedDetourPath, round_a_pole_on_a_circle) {
       ASSERT_EQ(laid.tracks().size(), 1u);
       const Track& track = laid.tracks().front();
       const auto task = laid.task();
-      const WayRound way = curved_way_round({track, 1, kWidth, kRadius}, side,
-                                            field_surroundings(task.ground, task.field.outer, false));
+      const WayRound way = way_round({task.family.grid, track, 1, kRadius}, side,
+                                     turned_surroundings(task.ground, task.field.outer, false, TrackFrame()));
       ASSERT_EQ(way.why_not, "");
       const double h = pole + 0.5 * kWidth, rho = std::max(h, kRadius);
       // Driven anticlockwise, the left is inwards.
@@ -167,8 +167,9 @@ TEST(CurvedDetours, cost_what_the_plan_costs) {
       std::vector<std::vector<TrackDetour>> detours(laid.tracks().size());
       std::size_t at = 0;
       while (laid.tracks()[at].index != first.track) ++at;
-      const WayRound round = curved_way_round({laid.tracks()[at], 1, kWidth, kRadius}, side,
-                                              field_surroundings(task.ground, task.field.outer, false));
+      const WayRound round =
+          way_round({task.family.grid, laid.tracks()[at], 1, kRadius}, side,
+                    turned_surroundings(task.ground, task.field.outer, false, TrackFrame()));
       detours[at] = {round.detour};
       LaidTracks with;
       for (std::size_t i = 0; i < laid.tracks().size(); ++i)

@@ -145,7 +145,7 @@ TEST(UnroundedDetourPath, RoundOnePassRadiusIsS1s) {
         for (const double off : {-1.0, -0.4, 0.0, 0.3, 0.9}) {
           const double c = off * obstacle, rho = std::max(obstacle + width / 2, r);
           if (c > r) continue;  // the paper's arcs would turn by more than a right angle
-          const auto path = unrounded_detour_path({{{-7, c}, rho}}, r);
+          const auto path = detour_path({{{-7, c}, rho}}, r, HullCorners::kAsTheyAre);
           ASSERT_TRUE(path);
           const double arm = c < 0 ? r + std::abs(c) : r - std::abs(c);
           const double half = std::sqrt((rho + r) * (rho + r) - arm * arm);
@@ -159,7 +159,7 @@ TEST(UnroundedDetourPath, RoundOnePassRadiusIsS1s) {
 // It keeps the disc's own radius where that is below r, which detour_path() does not.
 TEST(UnroundedDetourPath, MayBeTooTightInTheMiddle) {
   const std::vector<KeepOut> discs{{{0, -0.5}, 2}};
-  EXPECT_NEAR(smallest_radius(unrounded_detour_path(discs, 6).value()), 2, 1e-9);
+  EXPECT_NEAR(smallest_radius(detour_path(discs, 6, HullCorners::kAsTheyAre).value()), 2, 1e-9);
   EXPECT_NEAR(smallest_radius(detour_path(discs, 6).value()), 6, 1e-9);
 }
 
@@ -181,7 +181,7 @@ TEST(DetourPath, IsNotNeededWhereNothingReachesOverTheTrack) {
   EXPECT_FALSE(detour_path({{{0, -5.1}, 5}}, 6));
   EXPECT_FALSE(detour_path({{{0, -5}, 5}}, 6)) << "it touches";
   EXPECT_FALSE(detour_path({{{0, -5.1}, 5}, {{3, -2}, 1}, {{9, -40}, 20}}, 6));
-  EXPECT_FALSE(unrounded_detour_path({{{0, -5.1}, 5}, {{3, -2}, 1}}, 6));
+  EXPECT_FALSE(detour_path({{{0, -5.1}, 5}, {{3, -2}, 1}}, 6, HullCorners::kAsTheyAre));
   EXPECT_TRUE(detour_path({{{0, -5.1}, 5}, {{3, -0.9}, 1}}, 6)) << "one of them does";
 }
 

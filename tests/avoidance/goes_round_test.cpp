@@ -20,7 +20,7 @@ Ring box(double min_x, double min_y, double max_x, double max_y) {
 TrackDetour detour(Passing side) {
   TrackDetour out;
   out.side = side;
-  out.path = DetourFrame{0, side}.to_strip(detour_path({{{50, 1}, 1}}, 10).value());
+  out.path = DetourFrame(0, side).to_plane(detour_path({{{50, 1}, 1}}, 10).value());
   out.from = 50 - std::sqrt(76);
   out.to = 50 + std::sqrt(76);
   return out;

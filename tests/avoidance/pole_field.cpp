@@ -91,7 +91,7 @@ AvoidanceTask PoleField::task(Avoidance avoid) const {
 
 WayRound PoleField::way(const Track& strip, std::size_t gap, Passing side) const {
   const bool hard = settings_[0].boundary == EdgeKind::kHard;
-  return way_round({family().grid, strip, gap, machine_.width_m, machine_.radius_m}, side,
+  return way_round({family().grid, strip, gap, machine_.radius_m}, side,
                    turned_surroundings(ground_, field_.outer, hard, family().grid.frame));
 }
 

@@ -94,7 +94,8 @@ CurvedDecisions::CurvedDecisions(const CurvedAvoidanceTask& task)
     : task_(task),
       width_m_(task.machine.width_m),
       least_m_(min_length_m(task.machine)),
-      around_(field_surroundings(task.ground, task.field.outer, task.settings.boundary == EdgeKind::kHard)),
+      around_(turned_surroundings(task.ground, task.field.outer, task.settings.boundary == EdgeKind::kHard,
+                                  task.family.grid.frame)),
       body_(rings_of(task.ground.body)),
       cover_(task.family.tracks.size()),
       driven_(task.family.tracks.size(), false) {
@@ -140,7 +141,7 @@ void CurvedDecisions::add_options(BlockedTrack& blocked) {
 
 WayRound CurvedDecisions::way_past_gaps(const Track& track, std::size_t first, std::size_t last,
                                         Passing side) const {
-  WayRound way = curved_way_round({track, first, width_m_, task_.machine.radius_m, last}, side, around_);
+  WayRound way = way_round({task_.family.grid, track, first, task_.machine.radius_m, last}, side, around_);
   if (way.possible() && leads_to_another_part(task_.ground.plannable, way.detour))
     way.why_not = "it would lead to another part of the ground";
   return way;

@@ -2,7 +2,6 @@
 // The state of all decisions about one family of curved tracks while they are being made.
 
 #include "tramline/avoidance/choose_curved_detours.h"
-#include "tramline/avoidance/curved_way.h"
 #include "tramline/avoidance/decision.h"
 #include "tramline/cost/curved_cover.h"
 

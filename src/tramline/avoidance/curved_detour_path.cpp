@@ -149,10 +149,10 @@ bool goes_ahead(const PathPlaces& places, double from, double to) {
 }  // namespace
 
 std::optional<CurvedDetourPath> curved_detour_path(const std::vector<KeepOut>& discs, double radius_m,
-                                                   const TrackLine& track) {
+                                                   const TrackLine& track, HullCorners corners) {
   assert(!discs.empty());
   assert(radius_m > 0);
-  const Hull hull = pressed(discs, std::max(radius_m, largest_radius(discs)));
+  const Hull hull = hull_round(discs, radius_m, corners);
   if (!reaches_over(hull, track)) return std::nullopt;
   const Hull other_way = mirrored(hull);
   const TrackLine back = mirrored(track.places.path(), track);

@@ -32,6 +32,7 @@ struct CurvedDetourPath {
 /// from the frame's x by more than 75 degrees on the way.
 /// Preconditions: at least one disc; arcs of the track have radii of at least radius_m > 0.
 std::optional<CurvedDetourPath> curved_detour_path(const std::vector<KeepOut>& discs, double radius_m,
-                                                   const TrackLine& track);
+                                                   const TrackLine& track,
+                                                   HullCorners corners = HullCorners::kDrivable);
 
 }  // namespace tramline

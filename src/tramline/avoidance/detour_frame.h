@@ -1,33 +1,54 @@
 #pragma once
-// The frame detours are built in: x along the track, y to the side of passing, the track at y = 0.
+// The frame detours are made in: x along the track, y to the side of passing.
 
 #include "tramline/geometry/path.h"
 #include "tramline/model/detour.h"
 
 namespace tramline {
 
-/// For a track at x = centre of a grid's plane, driven up; left is towards smaller x. Passing on the
-/// right mirrors the plane.
-struct DetourFrame {
-  double centre = 0;
-  Passing side = Passing::kLeft;
+/// x runs along the track's tangent at one place of it. Passing on the right mirrors the plane. Ground is
+/// moved to and from the plane the track lies in.
+class DetourFrame {
+ public:
+  /// `along`: a unit vector in the track's direction.
+  DetourFrame(Point origin, Point along, Passing side)
+      : origin_(origin), along_(along), sense_(side == Passing::kLeft ? 1 : -1) {}
+  /// For a track at x = `centre` that runs towards +y; x of the frame is y of the plane.
+  DetourFrame(double centre, Passing side) : DetourFrame({centre, 0}, {0, 1}, side) {}
 
-  double sense() const { return side == Passing::kLeft ? 1 : -1; }
-  Point to_detour(Point p) const { return {p.y, sense() * (centre - p.x)}; }
-  Point to_strip(Point p) const { return {centre - sense() * p.y, p.x}; }
+  Point to_detour(Point p) const {
+    const Point off = p - origin_;
+    return {dot(off, along_), sense_ * cross(along_, off)};
+  }
+  Point to_plane(Point p) const {
+    const double left = sense_ * p.y;
+    return {origin_.x + p.x * along_.x - left * along_.y, origin_.y + p.x * along_.y + left * along_.x};
+  }
   Ring to_detour(const Ring& ring) const {
     Ring out;
     out.reserve(ring.size());
     for (const Point p : ring) out.push_back(to_detour(p));
     return out;
   }
-  Path to_strip(const Path& path) const {
+  Path to_detour(const Path& path) const {
     Path out;
     out.reserve(path.size());
     for (const PathSegment& segment : path)
-      out.push_back({to_strip(segment.from), to_strip(segment.to), sense() * segment.curvature});
+      out.push_back({to_detour(segment.from), to_detour(segment.to), sense_ * segment.curvature});
     return out;
   }
+  Path to_plane(const Path& path) const {
+    Path out;
+    out.reserve(path.size());
+    for (const PathSegment& segment : path)
+      out.push_back({to_plane(segment.from), to_plane(segment.to), sense_ * segment.curvature});
+    return out;
+  }
+
+ private:
+  Point origin_;
+  Point along_;
+  double sense_;
 };
 
 }  // namespace tramline

@@ -59,17 +59,14 @@ void draw_round(Pen& pen, Point centre, double radius, Point from, Point to) {
 
 }  // namespace
 
-Hull pressed(const std::vector<KeepOut>& discs, double common_radius) {
+Hull hull_round(const std::vector<KeepOut>& discs, double radius_m, HullCorners corners) {
+  assert(!discs.empty());
+  double common = corners == HullCorners::kDrivable ? radius_m : 0;
+  for (const KeepOut& disc : discs) common = std::max(common, disc.radius);
   std::vector<Point> centres;
   for (const KeepOut& disc : discs)
-    centres.push_back({disc.centre.x, disc.centre.y - (common_radius - disc.radius)});
-  return {upper_hull(std::move(centres)), common_radius};
-}
-
-double largest_radius(const std::vector<KeepOut>& discs) {
-  double largest = 0;
-  for (const KeepOut& disc : discs) largest = std::max(largest, disc.radius);
-  return largest;
+    centres.push_back({disc.centre.x, disc.centre.y - (common - disc.radius)});
+  return {upper_hull(std::move(centres)), common};
 }
 
 Hull mirrored(Hull hull) {

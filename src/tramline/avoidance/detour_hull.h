@@ -14,9 +14,10 @@ struct Hull {
   double radius = 0;
 };
 
-/// Every disc lies within one of the common radius that touches it at its highest point. O(n log n).
-Hull pressed(const std::vector<KeepOut>& discs, double common_radius);
-double largest_radius(const std::vector<KeepOut>& discs);
+/// The hull a path with arcs of at least `radius_m` takes. All its discs have the largest of the radii, and
+/// that of the path where corners are to be drivable: every disc lies within one of those, which touches it
+/// at its highest point. Precondition: at least one disc. O(n log n).
+Hull hull_round(const std::vector<KeepOut>& discs, double radius_m, HullCorners corners);
 /// Left and right exchanged.
 Hull mirrored(Hull hull);
 

@@ -14,7 +14,7 @@ constexpr const char* kFarTooDear = "it would cost far more than a cut";
 
 Obstruction obstruction(const TrackFamily& family, const Track& strip, std::size_t gap,
                         const Machine& machine) {
-  return {family.grid, strip, gap, machine.width_m, machine.radius_m};
+  return {family.grid, strip, gap, machine.radius_m};
 }
 
 }  // namespace

@@ -81,14 +81,10 @@ std::optional<Path> path_round(const Hull& hull, double arc) {
 
 }  // namespace
 
-std::optional<Path> detour_path(const std::vector<KeepOut>& discs, double radius_m) {
+std::optional<Path> detour_path(const std::vector<KeepOut>& discs, double radius_m, HullCorners corners) {
   assert(!discs.empty());
   assert(radius_m > 0);
-  return path_round(pressed(discs, std::max(radius_m, largest_radius(discs))), radius_m);
-}
-
-std::optional<Path> unrounded_detour_path(const std::vector<KeepOut>& discs, double radius_m) {
-  return path_round(pressed(discs, largest_radius(discs)), radius_m);
+  return path_round(hull_round(discs, radius_m, corners), radius_m);
 }
 
 }  // namespace tramline

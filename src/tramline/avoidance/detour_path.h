@@ -16,6 +16,13 @@ struct KeepOut {
   double radius = 0;
 };
 
+/// What a path may make of a hull's corners.
+enum class HullCorners {
+  kDrivable,   ///< room is made for arcs of the path's radius
+  kAsTheyAre,  ///< discs keep their own radii, all the same, as in S1.34 and S1.38: the path may be tighter
+               ///< there
+};
+
 /// The detour with the least displacement and the earliest return: arcs and lines with radii of at least
 /// `radius_m`, leaving and rejoining y = 0 tangentially, outside all discs. In the detour's frame.
 ///
@@ -28,10 +35,8 @@ struct KeepOut {
 /// nullopt where no disc reaches over the track (there is nothing to drive round).
 /// Where the hull rises so steeply that an arc to it would turn by more than a right angle, a line leads
 /// up to it. Precondition: at least one disc, radius_m > 0. O(n log n).
-std::optional<Path> detour_path(const std::vector<KeepOut>& discs, double radius_m);
-
-/// The same hull without making room for the radius: discs keep their own, as in S1.34 and S1.38, all of
-/// one radius. May be tighter than `radius_m` in the middle (S1.61): look at smallest_radius().
-std::optional<Path> unrounded_detour_path(const std::vector<KeepOut>& discs, double radius_m);
+/// With kAsTheyAre it may be tighter than `radius_m` in the middle (S1.61): look at smallest_radius().
+std::optional<Path> detour_path(const std::vector<KeepOut>& discs, double radius_m,
+                                HullCorners corners = HullCorners::kDrivable);
 
 }  // namespace tramline

@@ -1,21 +1,23 @@
 #include "tramline/avoidance/paper_way.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "tramline/avoidance/detour_frame.h"
-#include "tramline/avoidance/detour_path.h"
+#include "tramline/avoidance/track_side.h"
 
 namespace tramline {
 namespace {
 
-/// How far the hazard's own outline lies to the left of the track, at most.
-double farthest_left(const TurnedHazard& hazard, double centre) {
-  if (hazard.round) return centre - hazard.round->centre.x + hazard.round->radius;
-  return centre - hazard.box.min_x;
+/// How far the hazard's own outline lies to the side of a frame, at most.
+double farthest(const TurnedHazard& hazard, const DetourFrame& frame) {
+  if (hazard.round) return frame.to_detour(hazard.round->centre).y + hazard.round->radius;
+  return bounds(frame.to_detour(hazard.outline)).max_y;
 }
-double farthest_right(const TurnedHazard& hazard, double centre) {
-  if (hazard.round) return hazard.round->centre.x - centre + hazard.round->radius;
-  return hazard.box.max_x - centre;
+
+/// Across the track.
+double extent_across(const TurnedHazard& hazard, const TrackSide& track) {
+  if (!track.curve) return hazard.box.width();
+  return bounds(track.frame.to_detour(hazard.outline)).height();
 }
 
 bool convex(const Ring& ring) {
@@ -39,12 +41,12 @@ std::vector<KeepOut> buffer_of(const TurnedHazard& hazard, const DetourFrame& fr
 
 /// Why the path, fitted into the track, cannot be driven; empty where it can.
 std::string fault_in_track(const Obstruction& o, const TrackDetour& detour, const Surroundings& around) {
-  const Intervals& stretches = o.strip.stretches;
+  const Intervals& stretches = o.track.stretches;
   if (stretch_at(stretches, detour.from) != o.gap - 1 || stretch_at(stretches, detour.to) != o.gap)
     return "the track ends before the detour could";
-  const double least = std::max(o.radius_m, 0.5 * o.width_m);
+  const double width_m = o.grid.width_m, least = std::max(o.radius_m, 0.5 * width_m);
   if (smallest_radius(detour.path) < least * (1 - 1e-9)) return "it is too tight in the middle";
-  const SwathLine line(detour.path, o.width_m);
+  const SwathLine line(detour.path, width_m);
   for (const TurnedHazard& hazard : around.hazards)
     if (runs_into(line, hazard)) return "it would meet an obstacle";
   return fault_of(line, around);
@@ -55,28 +57,28 @@ std::string fault_in_track(const Obstruction& o, const TrackDetour& detour, cons
 WayRound paper_way(const Obstruction& o, double threshold_m, const Surroundings& around) {
   WayRound out;
   out.first_gap = out.last_gap = o.gap;
-  const Intervals& stretches = o.strip.stretches;
-  out.hazards = hazards_in(o.grid, o.strip, {stretches[o.gap - 1].to, stretches[o.gap].from}, around);
+  const Interval gap{o.track.stretches[o.gap - 1].to, o.track.stretches[o.gap].from};
+  out.hazards = hazards_in(o.grid, o.track, gap, around);
   const auto refuse = [&out](std::string why) {
     out.why_not = std::move(why);
     return out;
   };
   if (out.hazards.size() != 1) return refuse("there are several obstacles");
   const TurnedHazard& hazard = around.hazards[out.hazards.front()];
-  if (!(hazard.box.width() < threshold_m)) return refuse("the obstacle is too wide across the track");
+  const TrackSide to_the_left = track_side(o.grid, o.track, gap, Passing::kLeft);
+  const TrackSide to_the_right = track_side(o.grid, o.track, gap, Passing::kRight);
+  if (!(extent_across(hazard, to_the_left) < threshold_m))
+    return refuse("the obstacle is too wide across the track");
   if (!hazard.round && !convex(hazard.outline)) return refuse("the obstacle's buffer has a kink");
 
-  const double half = 0.5 * o.width_m, radius = std::max(o.radius_m, half);
-  const double centre = o.grid.centre(o.strip.index);
-  const bool left = farthest_left(hazard, centre) <= farthest_right(hazard, centre);
-  const DetourFrame frame{centre, left ? Passing::kLeft : Passing::kRight};
-  const std::optional<Path> path = unrounded_detour_path(buffer_of(hazard, frame, half, radius), radius);
-  out.detour.side = frame.side;
-  if (!path) return refuse("the obstacle has no side to pass on");
-  out.detour.path = frame.to_strip(*path);
-  out.detour.from = out.detour.path.front().from.y;
-  out.detour.to = out.detour.path.back().to.y;
-  out.detour.length_m = length(out.detour.path);
+  const bool left = farthest(hazard, to_the_left.frame) <= farthest(hazard, to_the_right.frame);
+  const TrackSide& track = left ? to_the_left : to_the_right;
+  const double half = 0.5 * o.grid.width_m, radius = std::max(o.radius_m, half);
+  std::optional<TrackDetour> found =
+      detour_beside(track, buffer_of(hazard, track.frame, half, radius), radius, HullCorners::kAsTheyAre);
+  out.detour.side = track.side;
+  if (!found) return refuse("the obstacle has no side to pass on");
+  out.detour = std::move(*found);
   return refuse(fault_in_track(o, out.detour, around));
 }
 

@@ -1,6 +1,7 @@
 #include "tramline/avoidance/surroundings.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace tramline {
 namespace {
@@ -24,37 +25,21 @@ bool any_edge_nearer(const SwathLine& line, const Ring& ring, double reach_m) {
   return false;
 }
 
-template <class Motion>
-Surroundings moved_surroundings(const SortedGround& ground, const Ring& field, bool hard_boundary,
-                                Motion move) {
-  const auto moved_ring = [&move](const Ring& ring) {
-    Ring out;
-    out.reserve(ring.size());
-    for (const Point p : ring) out.push_back(move(p));
-    return out;
-  };
-  Surroundings out;
-  for (const Hazard& hazard : ground.hazards) {
-    TurnedHazard turned{moved_ring(hazard.shape.outer), {}, hazard.round};
-    turned.box = bounds(turned.outline);
-    if (turned.round) turned.round->centre = move(turned.round->centre);
-    out.hazards.push_back(std::move(turned));
-  }
-  for (const Ring& ring : rings_of(ground.passable)) out.passable.push_back(moved_ring(ring));
-  out.field = moved_ring(field);
-  out.hard_boundary = hard_boundary;
-  return out;
-}
-
 }  // namespace
 
 Surroundings turned_surroundings(const SortedGround& ground, const Ring& field, bool hard_boundary,
                                  const TrackFrame& frame) {
-  return moved_surroundings(ground, field, hard_boundary, [&frame](Point p) { return frame.to_track(p); });
-}
-
-Surroundings field_surroundings(const SortedGround& ground, const Ring& field, bool hard_boundary) {
-  return moved_surroundings(ground, field, hard_boundary, [](Point p) { return p; });
+  Surroundings out;
+  for (const Hazard& hazard : ground.hazards) {
+    TurnedHazard turned{frame.to_track(hazard.shape.outer), {}, hazard.round};
+    turned.box = bounds(turned.outline);
+    if (turned.round) turned.round->centre = frame.to_track(turned.round->centre);
+    out.hazards.push_back(std::move(turned));
+  }
+  for (const Ring& ring : rings_of(ground.passable)) out.passable.push_back(frame.to_track(ring));
+  out.field = frame.to_track(field);
+  out.hard_boundary = hard_boundary;
+  return out;
 }
 
 std::string fault_of(const SwathLine& line, const Surroundings& around) {

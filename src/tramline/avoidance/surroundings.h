@@ -1,5 +1,5 @@
 #pragma once
-// The ground as detours meet it, in the turned plane of one grid or in the field's own frame.
+// The ground as detours meet it, in the plane of one family of tracks.
 
 #include <optional>
 #include <string>
@@ -26,9 +26,6 @@ struct Surroundings {
 
 Surroundings turned_surroundings(const SortedGround& ground, const Ring& field, bool hard_boundary,
                                  const TrackFrame& frame);
-
-/// The same in the field's frame, for curved tracks.
-Surroundings field_surroundings(const SortedGround& ground, const Ring& field, bool hard_boundary);
 
 /// A path as the centre line of a swath. Refers to the path.
 struct SwathLine {

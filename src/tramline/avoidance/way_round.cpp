@@ -2,86 +2,61 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "tramline/avoidance/corners_in_way.h"
 #include "tramline/avoidance/detour_ends.h"
-#include "tramline/avoidance/detour_frame.h"
-#include "tramline/avoidance/detour_path.h"
+#include "tramline/avoidance/track_side.h"
+#include "tramline/geometry/path_between.h"
 
 namespace tramline {
 namespace {
 
-std::vector<KeepOut> discs_round(const Parts& parts, const Surroundings& around, const DetourFrame& frame,
-                                 double half_width) {
-  std::vector<KeepOut> out;
-  if (parts.size() == 1) {
-    const TurnedHazard& only = around.hazards[parts.begin()->first];
-    if (only.round) return {{frame.to_detour(only.round->centre), only.round->radius + half_width}};
-  }
-  for (const auto& [hazard, range] : parts)
-    append_corners(frame.to_detour(around.hazards[hazard].outline), range, -half_width, half_width, out);
-  return out;
-}
-
-/// Adds what the swath along the path runs into. False where all of it has been taken into account
-/// before, so that another look would change nothing.
-bool add_what_is_met(const SwathLine& line, Interval extent, const Surroundings& around, Parts& parts,
-                     bool& met) {
-  bool grown = false;
-  for (std::size_t i = 0; i < around.hazards.size(); ++i) {
-    const TurnedHazard& hazard = around.hazards[i];
-    const auto known = parts.find(i);
-    const bool whole = known != parts.end() &&
-                       ((parts.size() == 1 && hazard.round) ||
-                        (known->second.from <= hazard.box.min_y && known->second.to >= hazard.box.max_y));
-    if (whole || !runs_into(line, hazard)) continue;
-    met = true;
-    grown = extend(parts, i, extent) || grown;
-  }
-  return grown;
-}
+/// Tips of hazards thinner than the width tolerance lie outside the gap, m.
+constexpr double kTip_m = 0.01;
 
 class Search {
  public:
   Search(const Obstruction& obstruction, Passing side, const Surroundings& around)
-      : o_(obstruction), around_(around), frame_{obstruction.grid.centre(obstruction.strip.index), side} {
+      : o_(obstruction),
+        around_(around),
+        track_(track_side(obstruction.grid, obstruction.track, gap(obstruction.gap, last_gap()), side)) {
     way_.detour.side = side;
   }
 
   WayRound run() {
-    const Intervals& stretches = o_.strip.stretches;
-    for (std::size_t gap = o_.gap; gap <= last_gap(); ++gap)
-      add_gap({stretches[gap - 1].to, stretches[gap].from});
+    for (std::size_t i = o_.gap; i <= last_gap(); ++i) add_gap(gap(i, i));
     constexpr int kMostRounds = 12;
     for (int round = 0; round < kMostRounds; ++round) {
       const Look step = look();
       if (step == Look::kDone) break;
       if (step == Look::kGaveUp) return std::move(way_);
-      if (round + 1 == kMostRounds) return refuse("there is no room between the obstacles");
+      if (round + 1 == kMostRounds) {
+        give_up("there is no room between the obstacles");
+        return std::move(way_);
+      }
     }
-    way_.why_not = fault_of({way_.detour.path, o_.width_m}, around_);
+    way_.why_not = fault_of({way_.detour.path, track_.width_m}, around_);
     name_hazards();
     return std::move(way_);
   }
 
  private:
   std::size_t last_gap() const { return std::max(o_.gap, o_.last_gap); }
-
-  WayRound refuse(const char* why) {
-    way_.why_not = why;
-    return std::move(way_);
+  /// What cannot be driven, from one gap to another.
+  Interval gap(std::size_t first, std::size_t last) const {
+    return {o_.track.stretches[first - 1].to, o_.track.stretches[last].from};
   }
+
   Look give_up(const char* why) {
     way_.why_not = why;
     return Look::kGaveUp;
   }
 
-  /// Tips of hazards thinner than the width tolerance lie outside the gap.
   bool add_gap(Interval gap) {
-    constexpr double kTip = 0.01;
     bool grown = false;
-    for (const std::size_t hazard : hazards_in(o_.grid, o_.strip, gap, around_))
-      grown = extend(parts_, hazard, {gap.from - kTip, gap.to + kTip}) || grown;
+    for (const std::size_t hazard : hazards_in(o_.grid, o_.track, gap, around_))
+      grown = extend(parts_, hazard, {gap.from - kTip_m, gap.to + kTip_m}) || grown;
     return grown;
   }
 
@@ -89,44 +64,105 @@ class Search {
   void name_hazards() {
     std::set<std::size_t> all;
     for (const auto& part : parts_) all.insert(part.first);
-    const Intervals& stretches = o_.strip.stretches;
-    for (std::size_t gap = way_.first_gap; gap <= way_.last_gap; ++gap) {
-      const Interval between{stretches[gap - 1].to, stretches[gap].from};
-      const std::vector<std::size_t> there = hazards_in(o_.grid, o_.strip, between, around_);
+    for (std::size_t i = way_.first_gap; i <= way_.last_gap; ++i) {
+      const std::vector<std::size_t> there = hazards_in(o_.grid, o_.track, gap(i, i), around_);
       all.insert(there.begin(), there.end());
     }
     way_.hazards.assign(all.begin(), all.end());
   }
 
+  std::vector<KeepOut> discs() const {
+    const double half = 0.5 * track_.width_m;
+    if (parts_.size() == 1) {
+      const TurnedHazard& only = around_.hazards[parts_.begin()->first];
+      if (only.round) return {{track_.frame.to_detour(only.round->centre), only.round->radius + half}};
+    }
+    std::vector<KeepOut> out;
+    for (const auto& [hazard, range] : parts_) {
+      const Box reach = reach_between(track_, range);
+      append_corners(track_.frame.to_detour(around_.hazards[hazard].outline), {reach.min_x, reach.max_x},
+                     reach.min_y, half, out);
+    }
+    return out;
+  }
+
   /// Makes a path round the parts known so far and sees where it gets.
   Look look() {
-    const double half = 0.5 * o_.width_m, radius = std::max(o_.radius_m, half);
-    const std::vector<KeepOut> discs = discs_round(parts_, around_, frame_, half);
-    if (discs.empty()) return give_up("the track's end is no obstacle's doing");
-    const std::optional<Path> path = detour_path(discs, radius);
-    if (!path) return give_up("the obstacle has no side to pass on");
-    TrackDetour& detour = way_.detour;
-    detour.path = frame_.to_strip(*path);
-    detour.from = detour.path.front().from.y;
-    detour.to = detour.path.back().to.y;
-    detour.length_m = length(detour.path);
+    const std::vector<KeepOut> keep_out = discs();
+    if (keep_out.empty()) return give_up("the track's end is no obstacle's doing");
+    const double radius = std::max(o_.radius_m, 0.5 * track_.width_m);
+    std::optional<TrackDetour> found = detour_beside(track_, keep_out, radius, HullCorners::kDrivable);
+    if (!found)
+      return give_up(track_.curve ? "no way on this side comes back to the track"
+                                  : "the obstacle has no side to pass on");
+    way_.detour = std::move(*found);
     const auto add = [this](const Interval& gap) { return add_gap(gap); };
-    if (const Look ends = look_at_ends(o_.strip.stretches, o_.gap, last_gap(), add, way_);
+    if (const Look ends = look_at_ends(o_.track.stretches, o_.gap, last_gap(), add, way_);
         ends != Look::kDone)
       return ends;
     bool met = false;
-    const bool grown =
-        add_what_is_met({detour.path, o_.width_m}, {detour.from, detour.to}, around_, parts_, met);
+    const bool grown = add_what_is_met(met);
     if (!met) return Look::kDone;
     return grown ? Look::kLookAgain : give_up("there is no room between the obstacles");
   }
 
+  /// Adds what the swath along the path runs into. False where all of it has been taken into account
+  /// before, so that another look would change nothing.
+  bool add_what_is_met(bool& met) {
+    const SwathLine line(way_.detour.path, track_.width_m);
+    const Interval extent{way_.detour.from, way_.detour.to};
+    bool grown = false;
+    for (std::size_t i = 0; i < around_.hazards.size(); ++i) {
+      if (is_known_as_a_whole(i) || !runs_into(line, around_.hazards[i])) continue;
+      met = true;
+      grown = extend(parts_, i, extent) || grown;
+    }
+    return grown;
+  }
+
+  bool is_known_as_a_whole(std::size_t hazard) const {
+    const auto known = parts_.find(hazard);
+    if (known == parts_.end()) return false;
+    if (parts_.size() == 1 && around_.hazards[hazard].round) return true;
+    const Box reach = reach_between(track_, known->second);
+    const Box box = bounds(track_.frame.to_detour(around_.hazards[hazard].outline));
+    return reach.min_x <= box.min_x && reach.max_x >= box.max_x;
+  }
+
   const Obstruction& o_;
   const Surroundings& around_;
-  DetourFrame frame_;
+  TrackSide track_;
   Parts parts_;
   WayRound way_;
 };
+
+std::vector<std::size_t> hazards_in_strip(const StripGrid& grid, int strip, Interval range,
+                                          const Surroundings& around) {
+  const Box window{grid.line(strip), range.from, grid.line(strip + 1), range.to};
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < around.hazards.size(); ++i) {
+    if (!intersects(around.hazards[i].box, window)) continue;
+    std::vector<KeepOut> corners;
+    append_corners(DetourFrame(window.max_x, Passing::kLeft).to_detour(around.hazards[i].outline), range, 0,
+                   0, corners);
+    const bool reaches_in = std::any_of(corners.begin(), corners.end(), [&](const KeepOut& corner) {
+      return corner.centre.y < grid.width_m;
+    });
+    if (reaches_in) out.push_back(i);
+  }
+  return out;
+}
+
+std::vector<std::size_t> hazards_along(const Track& curved, double width_m, Interval range,
+                                       const Surroundings& around) {
+  const Path part = path_between(curved.path, std::max(0.0, range.from - kTip_m),
+                                 std::min(curved.length_m, range.to + kTip_m));
+  const SwathLine line(part, width_m);
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < around.hazards.size(); ++i)
+    if (runs_into(line, around.hazards[i])) out.push_back(i);
+  return out;
+}
 
 }  // namespace
 
@@ -137,21 +173,10 @@ std::size_t stretch_at(const Intervals& stretches, double along) {
   return stretches.size();
 }
 
-std::vector<std::size_t> hazards_in(const StripGrid& grid, const Track& strip, Interval range,
+std::vector<std::size_t> hazards_in(const StripGrid& grid, const Track& track, Interval range,
                                     const Surroundings& around) {
-  const Box window{grid.line(strip.index), range.from, grid.line(strip.index + 1), range.to};
-  std::vector<std::size_t> out;
-  for (std::size_t i = 0; i < around.hazards.size(); ++i) {
-    if (!intersects(around.hazards[i].box, window)) continue;
-    std::vector<KeepOut> corners;
-    append_corners(DetourFrame{window.max_x, Passing::kLeft}.to_detour(around.hazards[i].outline), range, 0,
-                   0, corners);
-    const bool reaches_in = std::any_of(corners.begin(), corners.end(), [&](const KeepOut& corner) {
-      return corner.centre.y < grid.width_m;
-    });
-    if (reaches_in) out.push_back(i);
-  }
-  return out;
+  return track.path.empty() ? hazards_in_strip(grid, track.index, range, around)
+                            : hazards_along(track, grid.width_m, range, around);
 }
 
 WayRound way_round(const Obstruction& obstruction, Passing side, const Surroundings& around) {

@@ -8,12 +8,11 @@
 
 namespace tramline {
 
-/// A track, and a gap in it that hard land makes.
+/// A track, and a gap in it that hard land makes. Refers to its arguments.
 struct Obstruction {
-  const StripGrid& grid;
-  const Track& strip;
-  std::size_t gap = 1;  ///< between stretches gap − 1 and gap
-  double width_m = 0;
+  const StripGrid& grid;  ///< of the track's family
+  const Track& track;
+  std::size_t gap = 1;       ///< between stretches gap − 1 and gap
   double radius_m = 0;       ///< the machine's turning radius
   std::size_t last_gap = 0;  ///< where one detour is to bridge several gaps, the last; 0: just `gap`
 };
@@ -30,12 +29,14 @@ struct WayRound {
 /// The stretch that contains a position along, or as many as there are stretches.
 std::size_t stretch_at(const Intervals& stretches, double along);
 
-/// The hazards that reach into the strip between two positions along.
-std::vector<std::size_t> hazards_in(const StripGrid& grid, const Track& strip, Interval range,
+/// The hazards that reach into the track's swath between two positions along. `around` in the plane of the
+/// grid.
+std::vector<std::size_t> hazards_in(const StripGrid& grid, const Track& track, Interval range,
                                     const Surroundings& around);
 
 /// The drivable detour on one side (left or right of the direction along): round what reaches into the
-/// strip in the gaps and everything the detour would meet on its way. Radius max(r, w/2) at least.
+/// swath in the gaps and everything the detour would meet on its way. `around` in the plane of the grid.
+/// Radius max(r, w/2) at least.
 WayRound way_round(const Obstruction& obstruction, Passing side, const Surroundings& around);
 
 }  // namespace tramline

@@ -11,7 +11,7 @@ namespace tramline {
 class TrackFrame {
  public:
   /// The field's own frame, not turned.
-  TrackFrame() : TrackFrame(Direction::clockwise_from_north({})) {}
+  TrackFrame() : TrackFrame(Direction::clockwise_from_north(Angle::radians(0))) {}
   explicit TrackFrame(Direction direction) : direction_(direction), up_(direction.unit()) {}
   Direction direction() const { return direction_; }
   Point to_track(Point p) const { return {p.x * up_.y - p.y * up_.x, p.x * up_.x + p.y * up_.y}; }
