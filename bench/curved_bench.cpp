@@ -6,8 +6,8 @@
 #include <chrono>
 #include <cmath>
 
-#include "tramline/cost/curved_tally.h"
 #include "tramline/cost/recursive_tally.h"
+#include "tramline/cost/strip_tally.h"
 #include "tramline/geometry/extended.h"
 #include "tramline/geometry/smoothed.h"
 #include "tramline/model/objective.h"
@@ -72,7 +72,7 @@ Tally family_to_tally(const std::vector<Point>& line, const Region& body, double
   const LaidTracks tracks =
       curved_pieces(parallel_family(reference, range.first, range.last, {6, width}), width, {EdgeIndex(body)},
                     end_criterion(rule, Objective{}, width), min_length);
-  return curved_tally(tracks, width, area(body));
+  return tally_of({}, {tracks}, area(body));
 }
 
 void count(benchmark::State& state, const Tally& tally) {

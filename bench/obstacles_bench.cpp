@@ -49,21 +49,20 @@ void one_decision_at_a_pole(benchmark::State& state) {
   const Surroundings around = turned_surroundings(task.ground, field.outer, false, family.grid.frame);
   std::vector<Ring> body;
   for (const Ring& ring : rings_of(task.ground.body)) body.push_back(family.grid.frame.to_track(ring));
-  WorkedGround ground;
-  ground.add_subfield(family.grid, {family.tracks.front().index, family.tracks.back().index});
+  WorkedGround ground(candidate.families);
   std::size_t blocked = 0;
   for (std::size_t i = 0; i < family.tracks.size(); ++i) {
-    ground.set(0, family.tracks[i].index, {family.tracks[i].stretches, {}});
+    ground.set(0, i, {family.tracks[i].stretches, {}});
     if (!hard_gaps(family.tracks[i]).empty()) blocked = i;
   }
   const Track& strip = family.tracks[blocked];
   for (auto _ : state) {
     BlockedTrack track;
-    track.strip = blocked;
+    track.place = blocked;
     track.gaps = hard_gaps(strip);
     for (const Passing side : {Passing::kLeft, Passing::kRight}) {
       WayRound way = way_round({family.grid, strip, track.gaps.front(), 6}, side, around);
-      track.options.push_back(option_of(std::move(way), family.grid, strip.index));
+      track.options.push_back(option_of(std::move(way), family.grid, strip));
     }
     value_options(track, family, body, ground, 6);
     benchmark::DoNotOptimize(cheapest_choice(track, strip, 3, task.objective, 6));

@@ -24,7 +24,7 @@ TEST(ChooseDetours, ASymmetricPoleCostsTheSameOnBothSides) {
         const Pole pole{width, radius, 0.6, 0, corners};
         SCOPED_TRACE(description(pole));
         const PoleField field(field_ring(width), {ring_of(pole)}, machine(width, radius), {});
-        const std::vector<Encounter> found = encounters_in(field.task(), field.plan());
+        const std::vector<PlacedEncounter> found = encounters_in(field.task(), field.plan());
         ASSERT_EQ(found.size(), 1u);
         ASSERT_TRUE(found[0].left.possible && found[0].right.possible);
         EXPECT_NEAR(found[0].left.cost, found[0].right.cost, 1e-6);
@@ -42,8 +42,8 @@ TEST(ChooseDetours, MirroredPolesCostTheSame) {
       const PoleField a(field_ring(width), {ring_of(right)}, machine(width, 6), {});
       const PoleField b(field_ring(width), {ring_of(left)}, machine(width, 6), {});
       EXPECT_NEAR(a.plan().cost, b.plan().cost, 1e-6);
-      std::vector<Encounter> there = encounters_in(a.task(), a.plan()),
-                             back = encounters_in(b.task(), b.plan());
+      std::vector<PlacedEncounter> there = encounters_in(a.task(), a.plan()),
+                                   back = encounters_in(b.task(), b.plan());
       ASSERT_EQ(there.size(), back.size());
       std::reverse(back.begin(), back.end());
       for (std::size_t i = 0; i < there.size(); ++i) {
@@ -122,7 +122,7 @@ TEST(ChooseDetours, ATrackThatEndsBeforeTheDetourWouldIsCut) {
   const PoleField near(rectangle(0, 0, 21, 100), {pole_at(95)}, machine(3, 12), kDearStops);
   EXPECT_EQ(detours_in(near.plan()), 0);
   EXPECT_EQ(near.plan().tally.stops, 2);
-  const std::vector<Encounter> found = encounters_in(near.task(), near.plan());
+  const std::vector<PlacedEncounter> found = encounters_in(near.task(), near.plan());
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].chosen, Passing::kCut);
   EXPECT_FALSE(found[0].left.possible || found[0].right.possible);
@@ -172,8 +172,8 @@ TEST(ChooseDetours, PolesOnAlternateSidesArePassedWithoutOverlap) {
 /// track at x = 10.5, so 3.75 m from the pole's corners. There the path west of the pole has moved by
 /// 1.75 − (12 − √(12² − 3.75²)) = 1.15 m, its centre line to x = 9.35; its swath's edge, on an arc of 13.5 m,
 /// by 3.25 − (13.5 − √(13.5² − 3.75²)) = 2.72 m, to x = 7.78. Half a metre nearer the edge is at x = 7.65.
-std::vector<Encounter> encounters_by_a_spike(double tip_x, EdgeKind boundary,
-                                             const std::vector<Ring>& passable = {}) {
+std::vector<PlacedEncounter> encounters_by_a_spike(double tip_x, EdgeKind boundary,
+                                                   const std::vector<Ring>& passable = {}) {
   PlanSettings settings;
   settings.end_rule = EndRule::kCentre;
   settings.boundary = boundary;
@@ -181,13 +181,13 @@ std::vector<Encounter> encounters_by_a_spike(double tip_x, EdgeKind boundary,
   if (tip_x > 0) outer.insert(outer.end(), {{0, 54.05}, {tip_x, 54}, {0, 53.95}});
   const PoleField field(outer, {rectangle(10.25, 49.75, 10.75, 50.25)}, machine(3, 12), kDearStops, settings,
                         passable);
-  std::vector<Encounter> out;
-  for (Encounter& encounter : encounters_in(field.task(), field.plan()))
+  std::vector<PlacedEncounter> out;
+  for (PlacedEncounter& encounter : encounters_in(field.task(), field.plan()))
     if (encounter.track == 3) out.push_back(std::move(encounter));
   return out;
 }
 
-void expect_only_right(const std::vector<Encounter>& found, const char* why_not_left) {
+void expect_only_right(const std::vector<PlacedEncounter>& found, const char* why_not_left) {
   ASSERT_EQ(found.size(), 1u);
   EXPECT_FALSE(found[0].left.possible);
   EXPECT_EQ(found[0].left.why_not, why_not_left);
@@ -195,7 +195,7 @@ void expect_only_right(const std::vector<Encounter>& found, const char* why_not_
   EXPECT_EQ(found[0].chosen, Passing::kRight);
 }
 
-void expect_both(const std::vector<Encounter>& found) {
+void expect_both(const std::vector<PlacedEncounter>& found) {
   ASSERT_EQ(found.size(), 1u);
   EXPECT_TRUE(found[0].left.possible && found[0].right.possible);
 }
@@ -265,7 +265,7 @@ TEST(ChooseDetours, NoThresholdMakesTheCheapestDearer) {
   }
 }
 
-/// TrackFamily of 3 m, 50 m long; those in `long_strips` are 100 m long, and a pole of 16 corners and 0.25 m
+/// Strips of 3 m, 50 m long; those in `long_strips` are 100 m long, and a pole of 16 corners and 0.25 m
 /// radius stands in the middle of each: cut in two, they are no longer than the others.
 Ring with_long_strips(int strips, const std::vector<int>& long_strips) {
   Ring out;
@@ -303,7 +303,7 @@ struct LongStrips {
   }
   std::optional<PoleField> field;
   Avoided found;
-  std::vector<Encounter> encounters;
+  std::vector<PlacedEncounter> encounters;
 };
 
 /// What driving a long strip past its pole saves, turns left aside: it works only ground that nothing else
@@ -363,7 +363,7 @@ TEST(ChooseDetours, APlanOfS1IsComparedWithAllOtherWays) {
   const PoleField field(with_long_strips(7, {5}), {pole_in(5)}, with_least, {});
   const Avoided found = field.plan();
   EXPECT_EQ(found.cost, field.plan(Avoidance::kPaper).cost);
-  const std::vector<Encounter> encounters = encounters_in(field.task(), found);
+  const std::vector<PlacedEncounter> encounters = encounters_in(field.task(), found);
   ASSERT_EQ(encounters.size(), 1u);
   EXPECT_EQ(encounters[0].chosen, Passing::kLeft);
   EXPECT_LT(encounters[0].left.cost, -saved_by_driving() - 0.01);

@@ -8,11 +8,13 @@
 #include <numbers>
 #include <random>
 
-#include "tramline/avoidance/choose_curved_detours.h"
+#include "tramline/avoidance/choose_detours.h"
 #include "tramline/avoidance/curved_detour_path.h"
+#include "tramline/avoidance/least_with_detours.h"
 #include "tramline/avoidance/way_round.h"
-#include "tramline/cost/curved_tally.h"
+#include "tramline/cost/tally_by_booleans.h"
 #include "tramline/geometry/boolean.h"
+#include "tramline/tracks/curved_tracks.h"
 
 namespace tramline {
 namespace {
@@ -46,18 +48,19 @@ class Laid {
         EdgeIndex(ground_.plannable), EdgeIndex(ground_.hard),
         EdgeIndex(settings.boundary == EdgeKind::kHard ? Region{{outer, {}}} : Region{}),
         EdgeIndex(ground_.passable), EdgeIndex(ground_.beyond)};
-    family_ = curved_tracks(family, machine.width_m, ground,
-                            end_criterion(settings.end_rule, objective, machine.width_m));
+    families_ = {curved_tracks(family, machine.width_m, ground,
+                               end_criterion(settings.end_rule, objective, machine.width_m))};
   }
   Laid(const Laid&) = delete;
   Laid& operator=(const Laid&) = delete;
 
-  CurvedAvoidanceTask task() const {
-    return {field_, ground_, machine_, objective_, settings_, family_, area(ground_.body)};
+  AvoidanceTask task() const {
+    static const std::vector<Subfield> kNoBorders;
+    return {field_, ground_, machine_, objective_, settings_, kNoBorders, families_, area(ground_.body)};
   }
-  const std::vector<Track>& tracks() const { return family_.tracks; }
+  const std::vector<Track>& tracks() const { return families_.front().tracks; }
   double cost_by_booleans(const LaidTracks& laid) const {
-    return cost(objective_, curved_tally_by_booleans(laid, machine_.width_m, ground_.body));
+    return cost(objective_, tally_by_booleans(laid, ground_.body));
   }
 
  private:
@@ -66,7 +69,7 @@ class Laid {
   Objective objective_;
   PlanSettings settings_;
   SortedGround ground_;
-  TrackFamily family_;
+  std::vector<TrackFamily> families_;
 };
 
 // Tracks about the origin, driven anticlockwise: radius 75 + (k + ½)·3, in a rectangle well within their
@@ -79,9 +82,9 @@ std::vector<FamilyTrack> arcs(int first, int last) {
 const Ring kOuter = box(-45, 55, 45, 95);
 const Machine kMachine{"", kWidth, kRadius, 0};
 
-int detours_in(const CurvedAvoided& avoided) {
+int detours_in(const Avoided& avoided) {
   int out = 0;
-  for (const LaidPiece& piece : avoided.tracks.pieces) out += static_cast<int>(piece.detours.size());
+  for (const LaidPiece& piece : avoided.tracks.front().pieces) out += static_cast<int>(piece.detours.size());
   return out;
 }
 
@@ -128,7 +131,7 @@ TEST(CurvedDetourPath, round_a_pole_on_a_circle) {
       ASSERT_EQ(laid.tracks().size(), 1u);
       const Track& track = laid.tracks().front();
       const auto task = laid.task();
-      const WayRound way = way_round({task.family.grid, track, 1, kRadius}, side,
+      const WayRound way = way_round({task.families.front().grid, track, 1, kRadius}, side,
                                      turned_surroundings(task.ground, task.field.outer, false, TrackFrame()));
       ASSERT_EQ(way.why_not, "");
       const double h = pole + 0.5 * kWidth, rho = std::max(h, kRadius);
@@ -156,10 +159,10 @@ TEST(CurvedDetours, cost_what_the_plan_costs) {
   for (const double off : {0.0, 0.7, 1.4}) {
     const Laid laid(box(-30, 70, 30, 84), {regular(12, 1, {3, 76.5 + off})}, arcs(-3, 2), kMachine);
     const auto task = laid.task();
-    const CurvedAvoided cut = all_cut(task), best = choose_detours(task);
-    const std::vector<CurvedEncounter> encounters = encounters_in(task, cut);
+    const Avoided cut = all_cut(task), best = choose_detours(task);
+    const std::vector<PlacedEncounter> encounters = encounters_in(task, cut);
     ASSERT_FALSE(encounters.empty());
-    const Encounter& first = encounters.front().encounter;
+    const Encounter& first = encounters.front();
     EXPECT_EQ(first.chosen, Passing::kCut);
     for (const Passing side : {Passing::kLeft, Passing::kRight}) {
       const WayPast& way = side == Passing::kLeft ? first.left : first.right;
@@ -168,18 +171,18 @@ TEST(CurvedDetours, cost_what_the_plan_costs) {
       std::size_t at = 0;
       while (laid.tracks()[at].index != first.track) ++at;
       const WayRound round =
-          way_round({task.family.grid, laid.tracks()[at], 1, kRadius}, side,
+          way_round({task.families.front().grid, laid.tracks()[at], 1, kRadius}, side,
                     turned_surroundings(task.ground, task.field.outer, false, TrackFrame()));
       detours[at] = {round.detour};
-      LaidTracks with;
+      LaidTracks with{task.families.front().grid, {}, {}};
       for (std::size_t i = 0; i < laid.tracks().size(); ++i)
         append_pieces(laid.tracks()[i], detours[i], 0, with);
-      EXPECT_NEAR(way.cost, laid.cost_by_booleans(with) - laid.cost_by_booleans(cut.tracks), 2e-3)
+      EXPECT_NEAR(way.cost, laid.cost_by_booleans(with) - laid.cost_by_booleans(cut.tracks.front()), 2e-3)
           << off << name(side);
     }
     EXPECT_EQ(detours_in(best), static_cast<int>(encounters_in(task, best).size()));
     EXPECT_LT(best.cost, cut.cost - 5) << "two stops and a turn, less the bulge";
-    EXPECT_NEAR(best.cost, laid.cost_by_booleans(best.tracks), 2e-3);
+    EXPECT_NEAR(best.cost, laid.cost_by_booleans(best.tracks.front()), 2e-3);
     EXPECT_NEAR(best.tally.worked_m2, task.body_m2 - best.tally.uncovered_m2 + best.tally.overlap_m2, 1e-6);
     EXPECT_EQ(best.tally.stops, 0);
   }
@@ -194,10 +197,12 @@ TEST(CurvedDetours, cost_the_same_on_both_sides_of_a_symmetric_curve) {
   for (const int k : {-1, 1})
     for (const ParallelTrack& track : parallel(s, k * kWidth, {kRadius, kWidth}))
       family.push_back({k, track});
-  const Laid laid(box(-30, -60, 30, 60), {regular(16, 1, {0, 0})}, family, kMachine);
+  PlanSettings settings;
+  settings.avoid_threshold_m = 0;  // S1 passes on one side only
+  const Laid laid(box(-30, -60, 30, 60), {regular(16, 1, {0, 0})}, family, kMachine, {}, {}, settings);
   const auto encounters = encounters_in(laid.task(), choose_detours(laid.task()));
   ASSERT_EQ(encounters.size(), 1u);
-  const Encounter& only = encounters.front().encounter;
+  const Encounter& only = encounters.front();
   ASSERT_TRUE(only.left.possible && only.right.possible);
   EXPECT_NEAR(only.left.cost, only.right.cost, 1e-7);
   EXPECT_LT(only.left.cost, -8);
@@ -207,26 +212,52 @@ TEST(CurvedDetours, cost_the_same_on_both_sides_of_a_symmetric_curve) {
 
 TEST(CurvedDetours, too_large_an_obstacle_is_cut) {
   const Laid laid(kOuter, {box(-14, 62, 14, 90)}, arcs(-7, 6), kMachine, {0.04, 0.10, 0.45, 0.2});
-  const CurvedAvoided best = choose_detours(laid.task());
+  const Avoided best = choose_detours(laid.task());
   int cut = 0;
-  for (const CurvedEncounter& encounter : encounters_in(laid.task(), best))
-    if (encounter.encounter.chosen == Passing::kCut) ++cut;
+  for (const PlacedEncounter& encounter : encounters_in(laid.task(), best))
+    if (encounter.chosen == Passing::kCut) ++cut;
   EXPECT_GE(cut, 5);
   EXPECT_LE(best.cost, all_cut(laid.task()).cost);
 }
 
 TEST(CurvedDetours, are_driven_where_the_settings_allow_them) {
   PlanSettings settings;
-  for (const Avoidance avoid : {Avoidance::kCut, Avoidance::kPaper}) {
-    settings.avoid = avoid;
-    const Laid laid(kOuter, {regular(12, 1, {0, 76.5})}, arcs(-5, 4), kMachine, {}, {}, settings);
-    const CurvedAvoided avoided = choose_detours(laid.task());
-    EXPECT_EQ(detours_in(avoided), 0);
-    const auto encounters = encounters_in(laid.task(), avoided);
-    ASSERT_EQ(encounters.size(), 1u);
-    EXPECT_FALSE(encounters.front().encounter.left.possible);
-    EXPECT_NE(encounters.front().encounter.left.why_not, "");
-  }
+  settings.avoid = Avoidance::kCut;
+  const Laid laid(kOuter, {regular(12, 1, {0, 76.5})}, arcs(-5, 4), kMachine, {}, {}, settings);
+  const Avoided avoided = choose_detours(laid.task());
+  EXPECT_EQ(detours_in(avoided), 0);
+  const auto encounters = encounters_in(laid.task(), avoided);
+  ASSERT_EQ(encounters.size(), 1u);
+  EXPECT_EQ(encounters.front().chosen, Passing::kCut);
+}
+
+/// A pole 2 m wide, 0.1 m to the outside of the track's line, is passed on the inside: that is the smaller
+/// displacement. Driven anticlockwise the inside is left.
+TEST(CurvedDetours, by_s1_go_round_what_is_narrower_than_the_threshold) {
+  PlanSettings settings;
+  settings.avoid = Avoidance::kPaper;
+  for (const double threshold_m : {-1.0, 2.5, 1.5})
+    for (const double off : {0.1, -0.1}) {
+      settings.avoid_threshold_m = threshold_m;
+      const Laid laid(kOuter, {regular(12, 1, {0, 76.5 + off})}, arcs(-5, 4), kMachine, {}, {}, settings);
+      const Avoided avoided = choose_detours(laid.task());
+      const auto encounters = encounters_in(laid.task(), avoided);
+      ASSERT_EQ(encounters.size(), 1u);
+      const PlacedEncounter& only = encounters.front();
+      if (threshold_m == 1.5) {
+        EXPECT_EQ(detours_in(avoided), 0);
+        EXPECT_EQ(only.left.why_not, "the obstacle is too wide across the track");
+        continue;
+      }
+      ASSERT_EQ(detours_in(avoided), 1);
+      EXPECT_EQ(only.chosen, off > 0 ? Passing::kLeft : Passing::kRight);
+      // S1's pass radius: that of the pole and half the width are less than the machine needs.
+      for (const LaidPiece& piece : avoided.tracks.front().pieces)
+        for (const TrackDetour& detour : piece.detours) {
+          EXPECT_NEAR(smallest_radius(detour.path), kRadius, 1e-9);
+          EXPECT_NEAR(distance(centre(detour.path[1]), {0, 76.5 + off}), 0, 1e-4);
+        }
+    }
 }
 
 /// Beside a hard edge there is room on one side only; and a clearance moves the detour out by as much.
@@ -236,18 +267,18 @@ TEST(CurvedDetours, keep_within_hard_boundaries_and_their_clearance) {
   const Laid laid(box(-45, 55, 45, 81), {regular(12, 0.5, {0, 79.2})}, arcs(-5, 2), kMachine, {}, {},
                   settings);
   int left = 0;
-  for (const CurvedEncounter& one : encounters_in(laid.task(), choose_detours(laid.task()))) {
-    EXPECT_FALSE(one.encounter.right.possible);
-    left += one.encounter.chosen == Passing::kLeft ? 1 : 0;
+  for (const PlacedEncounter& one : encounters_in(laid.task(), choose_detours(laid.task()))) {
+    EXPECT_FALSE(one.right.possible);
+    left += one.chosen == Passing::kLeft ? 1 : 0;
   }
   EXPECT_GT(left, 0);
 
   settings = {};
   settings.clearance_m = 0.8;
   const Laid clear(kOuter, {box(-1, 75.5, 1, 77.5)}, arcs(-5, 4), kMachine, {}, {}, settings);
-  const CurvedAvoided best = choose_detours(clear.task());
+  const Avoided best = choose_detours(clear.task());
   ASSERT_GT(detours_in(best), 0);
-  for (const LaidPiece& piece : best.tracks.pieces)
+  for (const LaidPiece& piece : best.tracks.front().pieces)
     EXPECT_GE(distance_between({{band(piece.path, kWidth), {}}}, {{box(-1, 75.5, 1, 77.5), {}}}), 0.8 - 2e-5);
 }
 
@@ -255,14 +286,14 @@ TEST(CurvedDetours, keep_within_hard_boundaries_and_their_clearance) {
 TEST(CurvedTracksAndPassables, are_crossed) {
   const std::vector<Ring> ditches{box(-12, 50, -10, 100), box(8, 50, 11, 100)};
   const Laid laid(kOuter, {}, arcs(-3, 2), kMachine, {}, ditches);
-  const CurvedAvoided laid_out = choose_detours(laid.task());
+  const Avoided laid_out = choose_detours(laid.task());
   EXPECT_EQ(laid_out.tally.pieces, 18);
   EXPECT_EQ(laid_out.tally.crossings, 12);
   EXPECT_EQ(laid_out.tally.turns, 5);
   EXPECT_EQ(laid_out.tally.stops, 0);
   // The middle piece of track 0 is as long as its swath keeps off both ditches: from x = −10 at its inner
   // edge of radius 75, or the outer of 78, to x = 8.
-  const LaidPiece& middle = laid_out.tracks.pieces[3 * 3 + 1];
+  const LaidPiece& middle = laid_out.tracks.front().pieces[3 * 3 + 1];
   ASSERT_EQ(middle.track, 0);
   EXPECT_TRUE(middle.after_crossing);
   EXPECT_NEAR(middle.length_m, 76.5 * (std::asin(8 / 78.0) + std::asin(10 / 78.0)), 1e-3);

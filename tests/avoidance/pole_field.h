@@ -13,7 +13,7 @@ Ring rectangle(double min_x, double min_y, double max_x, double max_y);
 /// Regular, with its corners on the circle, the first one due east.
 Ring regular(int corners, double radius, Point centre);
 
-/// TrackFamily lie from x = 0 eastwards. Copies refer to themselves, so there are none.
+/// Strips lie from x = 0 eastwards. Copies refer to themselves, so there are none.
 class PoleField {
  public:
   PoleField(Ring outer, std::vector<Ring> poles, const Machine& machine, const Objective& objective,

@@ -102,7 +102,7 @@ TEST(MetricMap, OfAnL) {
 }
 
 // A block of 20 × 20 m in the middle with a headland of 4 m, so that tracks keep off a square of 28 m with
-// round corners of radius 4, y from 16 to 44. TrackFamily from y = 0 in fours:
+// round corners of radius 4, y from 16 to 44. Strips from y = 0 in fours:
 // - 0 to 3 and 11 to 14 do not meet it (S2.8, case 1): 8 tracks of 120 m;
 // - 5 to 9 lie within y = 20 … 40, where it is 28 m long: split (case 3) in two pieces of 46 m;
 // - 4 and 10 lie in the rounded bands: up to 50 m from either end some of the strip is body (S2.9), beyond

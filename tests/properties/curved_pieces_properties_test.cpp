@@ -8,7 +8,8 @@
 
 #include "properties/random_field.h"
 #include "properties/seeds.h"
-#include "tramline/cost/curved_tally.h"
+#include "tramline/cost/strip_tally.h"
+#include "tramline/cost/tally_by_booleans.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/extended.h"
@@ -166,8 +167,8 @@ TEST(CurvedPiecesProperties, InsideAreasAreThoseOfPolygonBooleans) {
         end_criterion(any_of(random, 0, 1) == 0 ? EndRule::kCover : EndRule::kCheapest, Objective{}, width),
         2 * width);
     const double whole = area(scene.body);
-    const Tally closed = curved_tally(tracks, width, whole);
-    const Tally booleans = curved_tally_by_booleans(tracks, width, scene.body, 1e-4);
+    const Tally closed = tally_of({}, {tracks}, whole);
+    const Tally booleans = tally_by_booleans(tracks, scene.body, 1e-4);
     EXPECT_NEAR(closed.overlap_m2, booleans.overlap_m2, 2e-6 * closed.worked_m2 + 0.05);
     EXPECT_NEAR(closed.uncovered_m2, booleans.uncovered_m2, 2e-6 * closed.worked_m2 + 0.05);
     EXPECT_NEAR(closed.worked_m2, whole - closed.uncovered_m2 + closed.overlap_m2, 1e-9 * whole);

@@ -10,7 +10,7 @@ namespace {
 
 Avoided tallied(const AvoidanceTask& task, std::vector<LaidTracks> tracks, WaysPast ways) {
   Avoided out{std::move(tracks), {}, 0, ways};
-  const double by_detours_m2 = covered_by_detours_m2(task.ground.body, out.tracks);
+  const double by_detours_m2 = covered_by_detours_m2(task.ground.body, task.families, out.tracks);
   out.tally = tally_of(task.subfields, out.tracks, task.body_m2, by_detours_m2);
   out.cost = cost(task.objective, out.tally);
   return out;
@@ -53,7 +53,7 @@ Avoided choose_detours(const AvoidanceTask& task) {
   return is_better(paper, own) ? improved(task, std::move(paper), WaysPast::kBoth) : own;
 }
 
-std::vector<Encounter> encounters_in(const AvoidanceTask& task, const Avoided& avoided) {
+std::vector<PlacedEncounter> encounters_in(const AvoidanceTask& task, const Avoided& avoided) {
   DetourDecisions decisions(task, avoided.ways);
   decisions.take_from(avoided.tracks);
   return decisions.encounters();

@@ -18,7 +18,7 @@ struct AvoidanceTask {
   const Objective& objective;
   const PlanSettings& settings;
   const std::vector<Subfield>& subfields;
-  const std::vector<TrackFamily>& families;  ///< by subfield
+  const std::vector<TrackFamily>& families;  ///< by subfield; or one along a curve over all of them
   double body_m2 = 0;
 };
 
@@ -26,7 +26,7 @@ struct AvoidanceTask {
 enum class WaysPast : std::uint8_t { kOwn, kPaper, kBoth };
 
 struct Avoided {
-  std::vector<LaidTracks> tracks;  ///< by subfield
+  std::vector<LaidTracks> tracks;  ///< by family
   Tally tally;
   double cost = 0;
   WaysPast ways = WaysPast::kOwn;  ///< those the tracks were chosen from
@@ -44,9 +44,16 @@ bool is_better(const Avoided& a, const Avoided& b);
 /// Costs are exact: every area is cut by lines and arcs. Deterministic.
 Avoided choose_detours(const AvoidanceTask& task);
 
-/// What was decided where, for tracks that choose_detours laid: by subfield, track and place.
-/// Encounter::track is the strip's index, sides are seen along the subfield's direction, and costs are
-/// those of the best choice for the track with that way at this place, above the best one with a cut.
-std::vector<Encounter> encounters_in(const AvoidanceTask& task, const Avoided& avoided);
+/// An encounter with its place on the track.
+struct PlacedEncounter : Encounter {
+  int branch = 0;    ///< Track::branch
+  Interval between;  ///< the stretch that cannot be driven, along the track
+};
+
+/// What was decided where, for tracks that choose_detours laid: by family, track and place.
+/// Encounter::subfield is the family, Encounter::track is Track::index, sides are seen along the track, and
+/// costs are those of the best choice for the track with that way at this place, above the best one with a
+/// cut.
+std::vector<PlacedEncounter> encounters_in(const AvoidanceTask& task, const Avoided& avoided);
 
 }  // namespace tramline

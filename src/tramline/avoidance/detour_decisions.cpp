@@ -6,17 +6,12 @@
 namespace tramline {
 namespace {
 
-StripRange range_of(const TrackFamily& family) {
-  if (family.tracks.empty()) return {};
-  return {family.tracks.front().index, family.tracks.back().index};
-}
-
-StripWork work_of(const Track& strip, const std::vector<TrackDetour>& detours, double least_m) {
-  LaidTracks out{{TrackFrame(Direction::clockwise_from_north(Angle::degrees(0))), 0, 1}, {}, {}};
-  append_pieces(strip, detours, least_m, out);
-  StripWork work;
+TrackWork work_of(const Track& track, const std::vector<TrackDetour>& detours, double least_m) {
+  LaidTracks out;
+  append_pieces(track, detours, least_m, out);
+  TrackWork work;
   for (const LaidPiece& piece : out.pieces) {
-    for (const Interval& part : parts_on_track(piece)) work.straight.push_back(part);
+    for (const Interval& part : parts_on_track(piece)) work.on_track.push_back(part);
     for (const TrackDetour& detour : piece.detours) work.detours.push_back(detour);
   }
   return work;
@@ -32,10 +27,21 @@ std::vector<Interval> extents_along(const Field& field, const TrackFrame& frame)
   return out;
 }
 
+/// The option a detour was made of: a piece may have it with positions beyond the length of a closed track.
+const TrackDetour& as_option(const BlockedTrack& track, const TrackDetour& detour) {
+  for (const TrackOption& option : track.options)
+    if (option.way.detour.path == detour.path) return option.way.detour;
+  return detour;
+}
+
 }  // namespace
 
 DetourDecisions::DetourDecisions(const AvoidanceTask& task, WaysPast ways)
-    : task_(task), ways_(ways), width_m_(task.machine.width_m), least_m_(min_length_m(task.machine)) {
+    : task_(task),
+      ways_(ways),
+      width_m_(task.machine.width_m),
+      least_m_(min_length_m(task.machine)),
+      ground_(task.families) {
   const bool hard = task.settings.boundary == EdgeKind::kHard;
   for (std::size_t i = 0; i < task.families.size(); ++i) {
     const TrackFamily& family = task.families[i];
@@ -44,17 +50,15 @@ DetourDecisions::DetourDecisions(const AvoidanceTask& task, WaysPast ways)
     body_.emplace_back();
     for (const Ring& ring : rings_of(task.ground.body))
       body_.back().push_back(family.grid.frame.to_track(ring));
-    ground_.add_subfield(family.grid, range_of(family));
-    for (const Track& strip : family.tracks) work(i, strip, {});
+    for (std::size_t k = 0; k < family.tracks.size(); ++k) work(i, k, {});
   }
   for (std::size_t i = 0; i < task.families.size(); ++i) add_tracks(i);
 }
 
-void DetourDecisions::work(std::size_t subfield, const Track& strip,
-                           const std::vector<TrackDetour>& detours) {
-  const bool was_driven = is_driven(ground_.at(subfield, strip.index));
-  ground_.set(subfield, strip.index, work_of(strip, detours, least_m_));
-  const int change = (is_driven(ground_.at(subfield, strip.index)) ? 1 : 0) - (was_driven ? 1 : 0);
+void DetourDecisions::work(std::size_t family, std::size_t place, const std::vector<TrackDetour>& detours) {
+  const bool was_driven = is_driven(ground_.at(family, place));
+  ground_.set(family, place, work_of(task_.families[family].tracks[place], detours, least_m_));
+  const int change = (is_driven(ground_.at(family, place)) ? 1 : 0) - (was_driven ? 1 : 0);
   driven_ += change;
   // From none to one or from one to two, or back: another track may now be the only one.
   if (change == 0 || std::max(driven_, driven_ - change) > 2) return;
@@ -66,23 +70,24 @@ void DetourDecisions::choose(Decision& decision, std::vector<TrackDetour> detour
   mark_stale_near(decision, decision.chosen);
   mark_stale_near(decision, detours);
   decision.chosen = std::move(detours);
-  work(decision.track.subfield, strip_of(decision), decision.chosen);
+  work(decision.track.family, decision.track.place, decision.chosen);
 }
 
 /// What others are worth depends on where this track's detours are, and on what they leave of its
-/// straight parts.
+/// parts on its line.
 void DetourDecisions::mark_stale_near(const Decision& decision, const std::vector<TrackDetour>& detours) {
   const StripGrid& grid = family_of(decision).grid;
+  const Track& track = track_of(decision);
   for (const TrackDetour& detour : detours) {
-    Box changed = detour_box(detour, grid.width_m);
-    changed.extend(straight_box(grid, strip_of(decision).index, {detour.from, detour.to}));
+    Box changed = reach_of(detour.path, grid.width_m);
+    changed.extend(swath_box(grid, track, {detour.from, detour.to}));
     // A short stretch may be driven only because the detour joins it to another.
-    for (const Interval& stretch : strip_of(decision).stretches)
+    for (const Interval& stretch : track.stretches)
       if (stretch.length() < least_m_ && stretch.to >= detour.from && stretch.from <= detour.to)
-        changed.extend(straight_box(grid, strip_of(decision).index, stretch));
+        changed.extend(swath_box(grid, track, stretch));
     for (Decision& other : tracks_) {
       if (&other == &decision) continue;
-      if (other.track.subfield == decision.track.subfield)
+      if (other.track.family == decision.track.family)
         mark_stale(other.track, family_of(other), changed);
       else
         mark_all_stale(other.track);
@@ -109,9 +114,13 @@ bool DetourDecisions::take_paper_ways() {
 void DetourDecisions::take_from(const std::vector<LaidTracks>& tracks) {
   for (Decision& decision : tracks_) {
     std::vector<TrackDetour> detours;
-    for (const LaidPiece& piece : tracks[decision.track.subfield].pieces)
-      if (piece.track == strip_of(decision).index)
-        detours.insert(detours.end(), piece.detours.begin(), piece.detours.end());
+    const Track& track = track_of(decision);
+    for (const LaidPiece& piece : tracks[decision.track.family].pieces)
+      if (piece.track == track.index && piece.branch == track.branch)
+        for (const TrackDetour& detour : piece.detours) detours.push_back(as_option(decision.track, detour));
+    // What goes on behind the beginning of a closed track comes last in its piece.
+    std::stable_sort(detours.begin(), detours.end(),
+                     [](const TrackDetour& a, const TrackDetour& b) { return a.from < b.from; });
     choose(decision, std::move(detours));
   }
 }
@@ -124,7 +133,7 @@ std::vector<LaidTracks> DetourDecisions::tracks() const {
     LaidTracks laid{family.grid, {}, {}};
     for (std::size_t k = 0; k < family.tracks.size(); ++k) {
       const bool decided =
-          next < tracks_.size() && tracks_[next].track.subfield == i && tracks_[next].track.strip == k;
+          next < tracks_.size() && tracks_[next].track.family == i && tracks_[next].track.place == k;
       append_pieces(family.tracks[k], decided ? tracks_[next].chosen : std::vector<TrackDetour>{}, least_m_,
                     laid);
       if (decided) ++next;

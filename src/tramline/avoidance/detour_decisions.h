@@ -23,29 +23,32 @@ class DetourDecisions {
   bool improve();
 
   std::vector<LaidTracks> tracks() const;
-  std::vector<Encounter> encounters();
+  std::vector<PlacedEncounter> encounters();
 
  private:
   const TrackFamily& family_of(const Decision& decision) const {
-    return task_.families[decision.track.subfield];
+    return task_.families[decision.track.family];
   }
-  const Track& strip_of(const Decision& decision) const {
-    return family_of(decision).tracks[decision.track.strip];
+  const Track& track_of(const BlockedTrack& blocked) const {
+    return task_.families[blocked.family].tracks[blocked.place];
   }
-  void work(std::size_t subfield, const Track& strip, const std::vector<TrackDetour>& detours);
+  const Track& track_of(const Decision& decision) const { return track_of(decision.track); }
+  void work(std::size_t family, std::size_t place, const std::vector<TrackDetour>& detours);
   void choose(Decision& decision, std::vector<TrackDetour> detours);
   void mark_stale_near(const Decision& decision, const std::vector<TrackDetour>& detours);
 
   // detour_options.cpp
-  void add_tracks(std::size_t subfield);
+  void add_tracks(std::size_t family);
   TrackTerms terms_of(const BlockedTrack& track) const;
   void add_options(BlockedTrack& track);
   void add_option(BlockedTrack& track, const WayRound& way);
   WayRound way_past_gaps(const BlockedTrack& track, std::size_t first, std::size_t last, Passing side) const;
   void add_paper_option(BlockedTrack& track, std::size_t gap);
-  WayRound named(std::size_t subfield, WayRound way) const;
-  std::vector<int> obstacles_along(std::size_t subfield, const std::vector<std::size_t>& hazards,
+  WayRound named(const BlockedTrack& track, WayRound way) const;
+  std::vector<int> obstacles_in(const BlockedTrack& track, Interval gap) const;
+  std::vector<int> obstacles_along(const BlockedTrack& track, const std::vector<std::size_t>& hazards,
                                    Interval range) const;
+  std::vector<int> obstacles_near(const Track& curved, Interval range) const;
   void drop_dear_options(Decision& decision);
 
   // detour_improvement.cpp
@@ -62,18 +65,19 @@ class DetourDecisions {
   void try_choices(Group& group, std::size_t at, double saved);
 
   // detour_encounters.cpp
-  Encounter encounter_at(Decision& decision, std::size_t gap);
+  PlacedEncounter encounter_at(Decision& decision, std::size_t gap);
   std::vector<int> obstacles_taken_along(const Decision& decision, const TrackDetour& detour) const;
 
   const AvoidanceTask& task_;
   WaysPast ways_;
   double width_m_;
   double least_m_;
-  std::vector<Surroundings> around_;              ///< by subfield
-  std::vector<std::vector<Interval>> obstacles_;  ///< by subfield and obstacle: where it lies along
-  std::vector<std::vector<Ring>> body_;           ///< its rings in the plane of each subfield's grid
+  std::vector<Surroundings> around_;  ///< by family
+  std::vector<std::vector<Interval>>
+      obstacles_;                        ///< by family of straight tracks and obstacle: where it lies along
+  std::vector<std::vector<Ring>> body_;  ///< its rings in the plane of each family
   WorkedGround ground_;
-  int driven_ = 0;  ///< strips with a piece
+  int driven_ = 0;  ///< tracks with a piece
   std::vector<Decision> tracks_;
 };
 

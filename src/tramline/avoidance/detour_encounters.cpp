@@ -12,10 +12,16 @@ void keep_common(std::vector<int>& some, const std::vector<int>& others) {
   std::erase_if(some, [&](int x) { return !std::binary_search(others.begin(), others.end(), x); });
 }
 
+/// The place on the line of a track, in the field's frame.
+Point place_on(const TrackFamily& family, const Track& track, double along) {
+  if (track.path.empty()) return family.grid.frame.to_field({family.grid.centre(track.index), along});
+  return path_along(track, 0, along).back().to;
+}
+
 }  // namespace
 
-std::vector<Encounter> DetourDecisions::encounters() {
-  std::vector<Encounter> out;
+std::vector<PlacedEncounter> DetourDecisions::encounters() {
+  std::vector<PlacedEncounter> out;
   for (Decision& decision : tracks_) {
     value(decision);
     for (const std::size_t gap : decision.track.gaps) out.push_back(encounter_at(decision, gap));
@@ -23,18 +29,16 @@ std::vector<Encounter> DetourDecisions::encounters() {
   return out;
 }
 
-Encounter DetourDecisions::encounter_at(Decision& decision, std::size_t gap) {
-  const TrackFamily& family = family_of(decision);
-  const Track& strip = strip_of(decision);
-  const Interval between{strip.stretches[gap - 1].to, strip.stretches[gap].from};
-  const double middle = 0.5 * (between.from + between.to);
-  Encounter out;
-  out.subfield = static_cast<int>(decision.track.subfield);
-  out.track = strip.index;
-  out.at = family.grid.frame.to_field({family.grid.centre(strip.index), middle});
-  const std::size_t subfield = decision.track.subfield;
-  out.obstacles =
-      obstacles_along(subfield, hazards_in(family.grid, strip, between, around_[subfield]), between);
+PlacedEncounter DetourDecisions::encounter_at(Decision& decision, std::size_t gap) {
+  const Track& track = track_of(decision);
+  PlacedEncounter out;
+  out.between = {track.stretches[gap - 1].to, track.stretches[gap].from};
+  const double middle = 0.5 * (out.between.from + out.between.to);
+  out.subfield = static_cast<int>(decision.track.family);
+  out.track = track.index;
+  out.branch = track.branch;
+  out.at = place_on(family_of(decision), track, middle);
+  out.obstacles = obstacles_in(decision.track, out.between);
   for (const TrackDetour& detour : decision.chosen)
     if (detour.from <= middle && detour.to >= middle) {
       out.chosen = detour.side;
@@ -45,11 +49,13 @@ Encounter DetourDecisions::encounter_at(Decision& decision, std::size_t gap) {
       out.obstacles.erase(std::unique(out.obstacles.begin(), out.obstacles.end()), out.obstacles.end());
     }
   const auto choice = [&](Passing side) {
-    return cheapest_choice(decision.track, strip, width_m_, task_.objective, least_m_, Forced{gap, side});
+    return cheapest_choice(decision.track, track, width_m_, task_.objective, least_m_, Forced{gap, side});
   };
   const double cost_of_cut = choice(Passing::kCut)->cost;
   const auto past = [&](Passing side) {
-    return way_past(decision.track, {gap, side}, choice(side), cost_of_cut, "S1 passes on the other side");
+    return way_past(
+        decision.track, {gap, side}, choice(side), cost_of_cut,
+        ways_ == WaysPast::kPaper ? "S1 passes on the other side" : "detours beside it are in the way");
   };
   out.left = past(Passing::kLeft);
   out.right = past(Passing::kRight);
@@ -60,17 +66,14 @@ Encounter DetourDecisions::encounter_at(Decision& decision, std::size_t gap) {
 /// about another obstacle leads past it all the same, it is met with that one.
 std::vector<int> DetourDecisions::obstacles_taken_along(const Decision& decision,
                                                         const TrackDetour& detour) const {
-  const TrackFamily& family = family_of(decision);
-  const Track& strip = strip_of(decision);
-  const std::size_t subfield = decision.track.subfield;
+  const Track& track = track_of(decision);
   const std::vector<std::size_t>& decided = decision.track.gaps;
   std::vector<int> out;
-  for (std::size_t gap = 1; gap < strip.stretches.size(); ++gap) {
-    const Interval between{strip.stretches[gap - 1].to, strip.stretches[gap].from};
+  for (std::size_t gap = 1; gap < track.stretches.size(); ++gap) {
+    const Interval between{track.stretches[gap - 1].to, track.stretches[gap].from};
     const bool inside = detour.from <= between.from && detour.to >= between.to;
     if (!inside || std::find(decided.begin(), decided.end(), gap) != decided.end()) continue;
-    const std::vector<int> there =
-        obstacles_along(subfield, hazards_in(family.grid, strip, between, around_[subfield]), between);
+    const std::vector<int> there = obstacles_in(decision.track, between);
     out.insert(out.end(), there.begin(), there.end());
   }
   return out;

@@ -24,19 +24,19 @@ bool share_a_hazard(const BlockedTrack& a, const BlockedTrack& b) {
 }  // namespace
 
 void DetourDecisions::value(Decision& decision) {
-  const StripWork& own = ground_.at(decision.track.subfield, strip_of(decision).index);
+  const TrackWork& own = ground_.at(decision.track.family, decision.track.place);
   decision.track.only_one_driven = driven_ == (is_driven(own) ? 1 : 0);
-  value_options(decision.track, family_of(decision), body_[decision.track.subfield], ground_, least_m_);
+  value_options(decision.track, family_of(decision), body_[decision.track.family], ground_, least_m_);
 }
 
 /// What the track's best choice saves against what it does now.
 double DetourDecisions::saving_of(Decision& decision, std::vector<TrackDetour>* best_detours) {
   value(decision);
-  const Track& strip = strip_of(decision);
-  const auto best = cheapest_choice(decision.track, strip, width_m_, task_.objective, least_m_);
+  const Track& track = track_of(decision);
+  const auto best = cheapest_choice(decision.track, track, width_m_, task_.objective, least_m_);
   if (!best || same_detours(best->detours, decision.chosen)) return 0;
   if (best_detours != nullptr) *best_detours = best->detours;
-  return track_cost(decision.track, strip, width_m_, decision.chosen, task_.objective, least_m_) - best->cost;
+  return track_cost(decision.track, track, width_m_, decision.chosen, task_.objective, least_m_) - best->cost;
 }
 
 bool DetourDecisions::improve() {
@@ -57,7 +57,7 @@ bool DetourDecisions::improve() {
 bool DetourDecisions::improve_groups() {
   const auto one_pole = [this](std::size_t i, std::size_t j) {
     const BlockedTrack &a = tracks_[i].track, &b = tracks_[j].track;
-    return a.subfield == b.subfield && b.strip == a.strip + 1 && a.gaps.size() == 1 && b.gaps.size() == 1 &&
+    return a.family == b.family && b.place == a.place + 1 && a.gaps.size() == 1 && b.gaps.size() == 1 &&
            share_a_hazard(a, b);
   };
   bool any = false;
@@ -85,13 +85,13 @@ void DetourDecisions::try_choices(Group& group, std::size_t at, double saved) {
   Decision& decision = tracks_[at];
   const std::vector<TrackDetour> now = decision.chosen;
   const auto cost_of = [&](const std::vector<TrackDetour>& detours) {
-    return track_cost(decision.track, strip_of(decision), width_m_, detours, task_.objective, least_m_);
+    return track_cost(decision.track, track_of(decision), width_m_, detours, task_.objective, least_m_);
   };
   value(decision);
   const double cost_now = cost_of(now);
   if (at + 1 == group.end) {
     const auto answer =
-        cheapest_choice(decision.track, strip_of(decision), width_m_, task_.objective, least_m_);
+        cheapest_choice(decision.track, track_of(decision), width_m_, task_.objective, least_m_);
     if (!answer || saved + cost_now - answer->cost <= group.most_saved) return;
     group.most_saved = saved + cost_now - answer->cost;
     group.best.clear();

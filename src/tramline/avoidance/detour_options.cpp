@@ -12,22 +12,42 @@ namespace {
 
 constexpr const char* kFarTooDear = "it would cost far more than a cut";
 
-Obstruction obstruction(const TrackFamily& family, const Track& strip, std::size_t gap,
+Obstruction obstruction(const TrackFamily& family, const Track& track, std::size_t gap,
                         const Machine& machine) {
-  return {family.grid, strip, gap, machine.radius_m};
+  return {family.grid, track, gap, machine.radius_m};
+}
+
+constexpr std::size_t kNoPart = static_cast<std::size_t>(-1);
+
+std::size_t part_with(const Region& ground, Point p) {
+  for (std::size_t i = 0; i < ground.size(); ++i)
+    if (contains(ground[i], p)) return i;
+  return kNoPart;
+}
+
+/// A piece belongs to one part of the ground.
+bool leads_to_another_part(const Region& ground, const TrackDetour& detour) {
+  const std::size_t first = part_with(ground, detour.path.front().from);
+  const std::size_t last = part_with(ground, detour.path.back().to);
+  return first != last && first != kNoPart && last != kNoPart;
+}
+
+void refuse_gaps(BlockedTrack& track, const WayRound& way, const std::string& why) {
+  for (std::size_t gap = way.first_gap; gap <= way.last_gap; ++gap)
+    track.refused.push_back({gap, way.detour.side, why});
 }
 
 }  // namespace
 
-void DetourDecisions::add_tracks(std::size_t subfield) {
-  const TrackFamily& family = task_.families[subfield];
-  for (std::size_t i = 0; i < family.tracks.size(); ++i) {
+void DetourDecisions::add_tracks(std::size_t family) {
+  const std::vector<Track>& tracks = task_.families[family].tracks;
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
     BlockedTrack track;
-    track.subfield = subfield;
-    track.strip = i;
-    track.gaps = hard_gaps(family.tracks[i]);
+    track.family = family;
+    track.place = i;
+    track.gaps = hard_gaps(tracks[i]);
     if (track.gaps.empty()) continue;
-    track.correction_m2.assign(family.tracks[i].stretches.size(), 0);
+    track.correction_m2.assign(tracks[i].stretches.size(), 0);
     add_options(track);
     tracks_.push_back({std::move(track), {}});
     if (ways_ != WaysPast::kPaper) drop_dear_options(tracks_.back());
@@ -35,8 +55,7 @@ void DetourDecisions::add_tracks(std::size_t subfield) {
 }
 
 TrackTerms DetourDecisions::terms_of(const BlockedTrack& track) const {
-  return {track.subfield, task_.families[track.subfield].tracks[track.strip], task_.objective, width_m_,
-          least_m_};
+  return {track.family, track_of(track), task_.objective, width_m_, least_m_};
 }
 
 /// While all tracks are cut. S1's ways stay: its plan is to be compared with.
@@ -45,8 +64,7 @@ void DetourDecisions::drop_dear_options(Decision& decision) {
   BlockedTrack& track = decision.track;
   std::erase_if(track.options, [&](const TrackOption& option) {
     if (option.of_paper || !far_too_dear(option, terms_of(track))) return false;
-    for (std::size_t gap = option.way.first_gap; gap <= option.way.last_gap; ++gap)
-      track.refused.push_back({gap, option.way.detour.side, kFarTooDear});
+    refuse_gaps(track, option.way, kFarTooDear);
     return true;
   });
 }
@@ -75,30 +93,30 @@ void DetourDecisions::add_options(BlockedTrack& track) {
 
 WayRound DetourDecisions::way_past_gaps(const BlockedTrack& track, std::size_t first, std::size_t last,
                                         Passing side) const {
-  const TrackFamily& family = task_.families[track.subfield];
-  Obstruction gaps = obstruction(family, family.tracks[track.strip], first, task_.machine);
+  Obstruction gaps = obstruction(task_.families[track.family], track_of(track), first, task_.machine);
   gaps.last_gap = last;
-  return way_round(gaps, side, around_[track.subfield]);
+  WayRound way = way_round(gaps, side, around_[track.family]);
+  const bool over_all_parts = !track_of(track).path.empty();
+  if (over_all_parts && way.possible() && leads_to_another_part(task_.ground.plannable, way.detour))
+    way.why_not = "it would lead to another part of the ground";
+  return way;
 }
 
 /// Unless it is known, cannot be driven, or cannot pay.
 void DetourDecisions::add_option(BlockedTrack& track, const WayRound& way) {
   if (!way.possible() || has_option(track, way)) return;
-  const TrackFamily& family = task_.families[track.subfield];
-  TrackOption option = option_of(named(track.subfield, way), family.grid, family.tracks[track.strip].index);
-  if (!hopeless(option, terms_of(track), task_.families, ground_)) {
+  TrackOption option = option_of(named(track, way), task_.families[track.family].grid, track_of(track));
+  if (hopeless(option, terms_of(track), task_.families, ground_))
+    refuse_gaps(track, way, kFarTooDear);
+  else
     track.options.push_back(std::move(option));
-    return;
-  }
-  for (std::size_t gap = way.first_gap; gap <= way.last_gap; ++gap)
-    track.refused.push_back({gap, way.detour.side, kFarTooDear});
 }
 
 void DetourDecisions::add_paper_option(BlockedTrack& track, std::size_t gap) {
-  const TrackFamily& family = task_.families[track.subfield];
+  const TrackFamily& family = task_.families[track.family];
   const double threshold = task_.settings.avoid_threshold_m;
-  WayRound way = paper_way(obstruction(family, family.tracks[track.strip], gap, task_.machine),
-                           threshold < 0 ? width_m_ : threshold, around_[track.subfield]);
+  WayRound way = paper_way(obstruction(family, track_of(track), gap, task_.machine),
+                           threshold < 0 ? width_m_ : threshold, around_[track.family]);
   if (!way.possible()) {
     if (ways_ == WaysPast::kPaper)
       for (const Passing side : {Passing::kLeft, Passing::kRight})
@@ -110,14 +128,14 @@ void DetourDecisions::add_paper_option(BlockedTrack& track, std::size_t gap) {
       option.of_paper = true;
       return;
     }
-  track.options.push_back(
-      option_of(named(track.subfield, way), family.grid, family.tracks[track.strip].index));
+  track.options.push_back(option_of(named(track, way), family.grid, track_of(track)));
   track.options.back().of_paper = true;
 }
 
-WayRound DetourDecisions::named(std::size_t subfield, WayRound way) const {
-  const TrackFrame& frame = task_.families[subfield].grid.frame;
-  way.detour.obstacles = obstacles_along(subfield, way.hazards, {way.detour.from, way.detour.to});
+WayRound DetourDecisions::named(const BlockedTrack& track, WayRound way) const {
+  way.detour.obstacles = obstacles_along(track, way.hazards, {way.detour.from, way.detour.to});
+  if (!track_of(track).path.empty()) return way;
+  const TrackFrame& frame = task_.families[track.family].grid.frame;
   std::erase_if(way.detour.obstacles, [&](int obstacle) {
     const Polygon& shape = task_.field.obstacles[static_cast<std::size_t>(obstacle)].shape;
     return !goes_round(way.detour, frame.to_track(shape.outer));
@@ -125,20 +143,41 @@ WayRound DetourDecisions::named(std::size_t subfield, WayRound way) const {
   return way;
 }
 
-/// Land given up may join a hazard's obstacles to others far away: those are neither met nor passed here.
-std::vector<int> DetourDecisions::obstacles_along(std::size_t subfield,
+/// Of those that the hazards are made of, the ones that lie along the track there. Land given up may join a
+/// hazard's obstacles to others far away: those are neither met nor passed here.
+std::vector<int> DetourDecisions::obstacles_along(const BlockedTrack& track,
                                                   const std::vector<std::size_t>& hazards,
                                                   Interval range) const {
   constexpr double kRounding = 1e-6;
+  if (!track_of(track).path.empty()) return obstacles_near(track_of(track), range);
   std::vector<int> out;
   for (const std::size_t hazard : hazards)
     for (const int obstacle : task_.ground.hazards[hazard].obstacles) {
-      const Interval extent = obstacles_[subfield][static_cast<std::size_t>(obstacle)];
+      const Interval extent = obstacles_[track.family][static_cast<std::size_t>(obstacle)];
       if (extent.from < range.to - kRounding && extent.to > range.from + kRounding) out.push_back(obstacle);
     }
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
+}
+
+/// Those nearer to a curved track than its swath and the clearance.
+std::vector<int> DetourDecisions::obstacles_near(const Track& curved, Interval range) const {
+  const Path line = path_along(curved, range.from, range.to);
+  const SwathLine reaching(line, width_m_ + 2 * task_.settings.clearance_m);
+  std::vector<int> out;
+  for (std::size_t i = 0; i < task_.field.obstacles.size(); ++i) {
+    const Obstacle& obstacle = task_.field.obstacles[i];
+    if (obstacle.kind != ObstacleKind::kObstacle) continue;
+    if (runs_into(reaching, {obstacle.shape.outer, bounds(obstacle.shape), {}}))
+      out.push_back(static_cast<int>(i));
+  }
+  return out;
+}
+
+std::vector<int> DetourDecisions::obstacles_in(const BlockedTrack& track, Interval gap) const {
+  const StripGrid& grid = task_.families[track.family].grid;
+  return obstacles_along(track, hazards_in(grid, track_of(track), gap, around_[track.family]), gap);
 }
 
 }  // namespace tramline

@@ -27,8 +27,8 @@ double area_of(const TrackProfile& profile, const Intervals& parts) {
 }
 
 /// Ground of a subfield's strips in the window (in the plane of its grid) that they do not work straight.
-double free_m2(const TrackFamily& family, std::size_t subfield, const WorkedGround& ground, const Box& window,
-               const Track* except) {
+double free_m2(const TrackFamily& family, std::size_t place_of_family, const WorkedGround& ground,
+               const Box& window, const Track* except) {
   double sum = 0;
   const double width = family.grid.width_m;
   const int first = family.tracks.empty() ? 0 : family.tracks.front().index;
@@ -41,7 +41,7 @@ double free_m2(const TrackFamily& family, std::size_t subfield, const WorkedGrou
   for (std::size_t i = from; i < to; ++i) {
     const Track& strip = family.tracks[i];
     if (&strip == except) continue;
-    const Intervals worked = ground.at(subfield, strip.index).straight;
+    const Intervals worked = ground.at(place_of_family, i).on_track;
     sum += area_of(strip.subfield, without({{window.min_y, window.max_y}}, worked));
   }
   return sum;
@@ -60,7 +60,7 @@ double saved_at_most(const TrackOption& option, const TrackTerms& terms) {
   const double gaps = static_cast<double>(option.way.last_gap - option.way.first_gap + 1);
   double sum = gaps * (prices.turn + 2 * prices.stop);
   for (std::size_t i = option.way.first_gap - 1; i <= option.way.last_gap; ++i) {
-    const double length_m = terms.strip.stretches[i].length();
+    const double length_m = terms.track.stretches[i].length();
     if (length_m < terms.min_length_m) sum += (prices.overlap + prices.uncovered) * terms.width_m * length_m;
   }
   return sum;
@@ -93,9 +93,10 @@ Box turned_box(const Box& window, const TrackFrame& from, const TrackFrame& to) 
 
 bool hopeless(const TrackOption& option, const TrackTerms& terms, const std::vector<TrackFamily>& families,
               const WorkedGround& ground) {
-  const Track& strip = terms.strip;
+  const Track& strip = terms.track;
+  if (!strip.path.empty()) return false;
   const Objective& prices = terms.objective;
-  const StripGrid& grid = families[terms.subfield].grid;
+  const StripGrid& grid = families[terms.family].grid;
   const TrackDetour& detour = option.way.detour;
   const Intervals replaced = common(strip.stretches, {option.straight});
   const double replaced_m2 = area_of(strip.subfield, replaced);
@@ -119,7 +120,7 @@ bool hopeless(const TrackOption& option, const TrackTerms& terms, const std::vec
 
 bool far_too_dear(const TrackOption& option, const TrackTerms& terms) {
   const Objective& prices = terms.objective;
-  const double replaced_m = length_of(common(terms.strip.stretches, {option.straight}));
+  const double replaced_m = length_of(common(terms.track.stretches, {option.straight}));
   const double areas = prices.overlap * terms.width_m * (option.way.detour.length_m - replaced_m) -
                        (prices.overlap + prices.uncovered) * option.gain_m2();
   return areas > kDoubt * saved_at_most(option, terms);

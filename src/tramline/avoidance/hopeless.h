@@ -8,8 +8,8 @@ namespace tramline {
 
 /// The track an option belongs to, and what decisions on it are made by.
 struct TrackTerms {
-  std::size_t subfield = 0;
-  const Track& strip;
+  std::size_t family = 0;
+  const Track& track;
   const Objective& objective;
   double width_m = 0;
   double min_length_m = 0;
@@ -17,7 +17,8 @@ struct TrackTerms {
 
 /// Would the detour cost several times what the cuts at its gaps do, even if all ground near it that no
 /// straight swath works were gained by it? Other tracks taken as cut. Looks at profiles only: O(strips near
-/// the detour). `ground` holds the straight swaths of all strips.
+/// the detour). `ground` holds what all tracks work where they are kept to. Only straight tracks are asked
+/// for ground near by: along curves the answer is no.
 bool hopeless(const TrackOption& option, const TrackTerms& terms, const std::vector<TrackFamily>& families,
               const WorkedGround& ground);
 

@@ -7,29 +7,45 @@
 namespace tramline {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kImpossible = std::numeric_limits<double>::infinity();
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-/// What driving pieces costs; `correct` is added to the area they cover alone.
-class PieceCost : public PieceCosts {
- public:
-  PieceCost(const BlockedTrack& track, const Track& strip, double width_m, const Objective& objective,
-            double min_length_m)
-      : track_(track), strip_(strip), width_m_(width_m), objective_(objective), min_length_m_(min_length_m) {}
+/// What one stretch, or several joined, costs.
+struct StretchCost {
+  double sum = 0;
+  bool driven = false;  ///< too short a stretch is not
+};
 
-  StretchCost of(const JoinedStretch& joined) const override {
-    LaidTracks laid{{TrackFrame(Direction::clockwise_from_north(Angle::degrees(0))), 0, width_m_}, {}, {}};
-    append_joined(strip_, joined, min_length_m_, laid);
+/// What driving pieces of one track costs.
+class PieceCost {
+ public:
+  PieceCost(const BlockedTrack& blocked, const Track& track, double width_m, const Objective& objective,
+            double min_length_m)
+      : blocked_(blocked),
+        track_(track),
+        width_m_(width_m),
+        objective_(objective),
+        min_length_m_(min_length_m) {}
+
+  StretchCost of(const JoinedStretch& joined) const {
+    LaidTracks laid{{TrackFrame(), 0, width_m_}, {}, {}};
+    append_joined(track_, joined, min_length_m_, laid);
     StretchCost out;
     for (const LaidPiece& piece : laid.pieces) out.sum += of_piece(piece);
     out.driven = !laid.pieces.empty();
+    // A closed track goes on behind the place where it begins: one piece with what ends there.
+    if (track_.closed && out.driven && joined.whole.from <= kNoPiece_m &&
+        joined.whole.to < track_.length_m - kNoPiece_m)
+      out.sum -= objective_.turn;
     return out;
   }
 
-  double counted_too_often() const override { return track_.only_one_driven ? objective_.turn : 0; }
+  /// A turn is counted for every piece, and there is one fewer in a plan that has any.
+  double counted_too_often() const { return blocked_.only_one_driven ? objective_.turn : 0; }
 
-  double of_option(const TrackOption& option) const override {
-    const double longer = option.way.detour.length_m - straight_length(option.straight);
+  /// What an option adds to the cost of a piece that is driven in any case.
+  double of_option(const TrackOption& option) const {
+    const double longer = option.way.detour.length_m - kept_length(option.straight);
     return objective_.overlap * width_m_ * longer -
            (objective_.overlap + objective_.uncovered) * option.gain_m2();
   }
@@ -38,30 +54,30 @@ class PieceCost : public PieceCosts {
   double of_piece(const LaidPiece& piece) const {
     double useful = piece.inside_m2;
     for (const TrackDetour& detour : piece.detours) useful += useful_of(detour);
-    for (std::size_t i = 0; i < strip_.stretches.size(); ++i)
-      if (strip_.stretches[i].from >= piece.from && strip_.stretches[i].to <= piece.to)
-        useful += track_.correction_m2[i];
+    for (std::size_t i = 0; i < track_.stretches.size(); ++i)
+      if (track_.stretches[i].from >= piece.from && track_.stretches[i].to <= piece.to)
+        useful += blocked_.correction_m2[i];
     const int stops = (piece.stop_at_from ? 1 : 0) + (piece.stop_at_to ? 1 : 0);
     return objective_.overlap * (width_m_ * piece.length_m - useful) - objective_.uncovered * useful +
            objective_.turn * (piece.after_crossing ? 0 : 1) + objective_.stop * stops;
   }
 
   double useful_of(const TrackDetour& detour) const {
-    for (const TrackOption& option : track_.options)
+    for (const TrackOption& option : blocked_.options)
       if (option.way.detour.from == detour.from && option.way.detour.to == detour.to &&
           option.way.detour.side == detour.side && option.way.detour.path == detour.path)
         return option.gain_m2() + option.profile_m2;
     return 0;
   }
 
-  double straight_length(const Interval& range) const {
+  double kept_length(const Interval& range) const {
     double sum = 0;
-    for (const Interval& part : common(strip_.stretches, {range})) sum += part.length();
+    for (const Interval& part : common(track_.stretches, {range})) sum += part.length();
     return sum;
   }
 
-  const BlockedTrack& track_;
-  const Track& strip_;
+  const BlockedTrack& blocked_;
+  const Track& track_;
   double width_m_;
   const Objective& objective_;
   double min_length_m_;
@@ -70,10 +86,10 @@ class PieceCost : public PieceCosts {
 /// Chains of options that join the stretches first … last without a cut.
 class Chains {
  public:
-  Chains(const BlockedTrack& track, const PieceCosts& cost, std::size_t first, std::optional<Forced> forced)
+  Chains(const BlockedTrack& track, const PieceCost& cost, std::size_t first, std::optional<Forced> forced)
       : track_(track),
         first_(first),
-        sums_(track.options.size(), kNever),
+        sums_(track.options.size(), kImpossible),
         before_(track.options.size(), kNone) {
     for (std::size_t i = 0; i < track.options.size(); ++i)
       if (allowed(track.options[i], forced)) extend_to(i, cost.of_option(track.options[i]));
@@ -83,7 +99,7 @@ class Chains {
   std::vector<TrackDetour> to(std::size_t last) const {
     std::size_t best = kNone;
     for (std::size_t i = 0; i < sums_.size(); ++i)
-      if (sums_[i] < kNever && track_.options[i].way.last_gap == last &&
+      if (sums_[i] < kImpossible && track_.options[i].way.last_gap == last &&
           (best == kNone || sums_[i] < sums_[best]))
         best = i;
     std::vector<TrackDetour> out;
@@ -133,10 +149,11 @@ void add(Choices& choices, const Choices& before, const std::vector<TrackDetour>
 
 }  // namespace
 
-double track_cost(const Intervals& stretches, const PieceCosts& cost,
-                  const std::vector<TrackDetour>& detours) {
+double track_cost(const BlockedTrack& blocked, const Track& track, double width_m,
+                  const std::vector<TrackDetour>& detours, const Objective& objective, double min_length_m) {
+  const PieceCost cost(blocked, track, width_m, objective, min_length_m);
   StretchCost all;
-  for (const JoinedStretch& joined : joined_stretches(stretches, detours)) {
+  for (const JoinedStretch& joined : joined_stretches(track.stretches, detours)) {
     const StretchCost one = cost.of(joined);
     all.sum += one.sum;
     all.driven = all.driven || one.driven;
@@ -144,21 +161,19 @@ double track_cost(const Intervals& stretches, const PieceCosts& cost,
   return all.driven ? all.sum - cost.counted_too_often() : all.sum;
 }
 
-double track_cost(const BlockedTrack& track, const Track& strip, double width_m,
-                  const std::vector<TrackDetour>& detours, const Objective& objective, double min_length_m) {
-  return track_cost(strip.stretches, PieceCost(track, strip, width_m, objective, min_length_m), detours);
-}
-
-std::optional<TrackChoice> cheapest_choice(const BlockedTrack& track, const Intervals& stretches,
-                                           const PieceCosts& cost, std::optional<Forced> forced) {
+std::optional<TrackChoice> cheapest_choice(const BlockedTrack& blocked, const Track& track, double width_m,
+                                           const Objective& objective, double min_length_m,
+                                           std::optional<Forced> forced) {
+  const PieceCost cost(blocked, track, width_m, objective, min_length_m);
+  const Intervals& stretches = track.stretches;
   const std::size_t count = stretches.size();
   // best[j]: stretches before j are decided, and the track is cut before stretch j.
-  std::vector<Choices> best(count + 1, {TrackChoice{{}, kNever}, TrackChoice{{}, kNever}});
+  std::vector<Choices> best(count + 1, {TrackChoice{{}, kImpossible}, TrackChoice{{}, kImpossible}});
   best[0][0].cost = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const bool may_cut = i == 0 || !forced || forced->gap != i || forced->way == Passing::kCut;
-    if (!may_cut || std::min(best[i][0].cost, best[i][1].cost) == kNever) continue;
-    const Chains chains(track, cost, i, forced);
+    if (!may_cut || std::min(best[i][0].cost, best[i][1].cost) == kImpossible) continue;
+    const Chains chains(blocked, cost, i, forced);
     for (std::size_t last = i; last < count; ++last) {
       const std::vector<TrackDetour> detours = last == i ? std::vector<TrackDetour>{} : chains.to(last);
       if (last > i && detours.empty()) continue;
@@ -168,15 +183,8 @@ std::optional<TrackChoice> cheapest_choice(const BlockedTrack& track, const Inte
   auto& [not_driven, driven] = best[count];
   driven.cost -= cost.counted_too_often();
   TrackChoice& least = not_driven.cost < driven.cost ? not_driven : driven;
-  if (least.cost == kNever) return std::nullopt;
+  if (least.cost == kImpossible) return std::nullopt;
   return std::move(least);
-}
-
-std::optional<TrackChoice> cheapest_choice(const BlockedTrack& track, const Track& strip, double width_m,
-                                           const Objective& objective, double min_length_m,
-                                           std::optional<Forced> forced) {
-  return cheapest_choice(track, strip.stretches, PieceCost(track, strip, width_m, objective, min_length_m),
-                         forced);
 }
 
 }  // namespace tramline

@@ -15,46 +15,20 @@ struct Forced {
 };
 
 struct TrackChoice {
-  std::vector<TrackDetour> detours;  ///< along the strip
+  std::vector<TrackDetour> detours;  ///< along the track
   double cost = 0;  ///< of the track's pieces, all ground that nothing else covers counted as gain:
                     ///< comparable between choices for one track
 };
 
-/// What one stretch, or several joined, costs.
-struct StretchCost {
-  double sum = 0;
-  bool driven = false;  ///< too short a stretch is not
-};
-
-/// What the pieces of one track cost.
-class PieceCosts {
- public:
-  PieceCosts() = default;
-  PieceCosts(const PieceCosts&) = delete;
-  PieceCosts& operator=(const PieceCosts&) = delete;
-  virtual ~PieceCosts() = default;
-  virtual StretchCost of(const JoinedStretch& joined) const = 0;
-  /// What an option adds to the cost of a piece that is driven in any case.
-  virtual double of_option(const TrackOption& option) const = 0;
-  /// A turn is counted for every piece, and there is one fewer in a plan that has any.
-  virtual double counted_too_often() const = 0;
-};
-
-/// The same for any track with these stretches.
-double track_cost(const Intervals& stretches, const PieceCosts& cost,
-                  const std::vector<TrackDetour>& detours);
-std::optional<TrackChoice> cheapest_choice(const BlockedTrack& track, const Intervals& stretches,
-                                           const PieceCosts& cost, std::optional<Forced> forced = {});
-
 /// What the pieces of a track cost when it is driven with these detours (a subset of its options).
-double track_cost(const BlockedTrack& track, const Track& strip, double width_m,
+double track_cost(const BlockedTrack& blocked, const Track& track, double width_m,
                   const std::vector<TrackDetour>& detours, const Objective& objective, double min_length_m);
 
 /// The cheapest set of detours by dynamic programming along the track: the pieces between two cuts are
 /// independent of the rest, and so are the areas of detours that follow one another. Ties go to
 /// fewer cuts. nullopt where what is forced cannot be done. O(g²·(o + pieces)) for g gaps and
 /// o options at each.
-std::optional<TrackChoice> cheapest_choice(const BlockedTrack& track, const Track& strip, double width_m,
+std::optional<TrackChoice> cheapest_choice(const BlockedTrack& blocked, const Track& track, double width_m,
                                            const Objective& objective, double min_length_m,
                                            std::optional<Forced> forced = {});
 

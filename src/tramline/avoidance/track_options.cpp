@@ -14,54 +14,63 @@ Box box_round(const std::vector<Box>& boxes) {
   return out;
 }
 
-/// What a shape of one strip covers alone.
+/// What a shape covers alone.
 class Valuer {
  public:
-  Valuer(const BlockedTrack& track, const TrackFamily& family, const std::vector<Ring>& body,
+  Valuer(const BlockedTrack& blocked, const TrackFamily& family, const std::vector<Ring>& body,
          const WorkedGround& ground)
-      : track_(track), family_(family), body_(body), ground_(ground) {}
+      : blocked_(blocked),
+        grid_(family.grid),
+        track_(family.tracks[blocked.place]),
+        body_(body),
+        ground_(ground) {}
 
   double of_detour(const TrackOption& option) const {
     RisingCurves curves = surroundings(box_round(option.reaches), option.reaches);
-    append_band(option.way.detour.path, family_.grid.width_m, Layer::kNew, curves);
+    append_band(option.way.detour.path, grid_.width_m, Layer::kNew, curves);
     return new_area(curves);
   }
 
-  double of_straight(const Interval& part) const {
-    const Box box = straight_box(family_.grid, strip().index, part);
-    if (ground_.straight_alone(track_.subfield, box, strip().index))
-      return strip().subfield.area_between(part.from, part.to);
+  /// Where the track is kept to.
+  double of_part(const Interval& part) const {
+    const Path path = track_.path.empty() ? Path{} : path_along(track_, part.from, part.to);
+    if (path.empty() && !track_.path.empty()) return 0;
+    const Box box = path.empty() ? swath_box(grid_, track_, part) : reach_of(path, grid_.width_m);
+    if (ground_.is_alone(blocked_.family, box, blocked_.place))
+      return inside_between(track_, part.from, part.to);
     RisingCurves curves = surroundings(box, {box});
-    append_box(box, Layer::kNew, box, curves);
+    if (path.empty())
+      append_box(box, Layer::kNew, box, curves);
+    else
+      append_band(path, grid_.width_m, Layer::kNew, curves);
     return new_area(curves);
   }
 
-  /// Straight parts of the strip within a range.
+  /// Where the track may be driven within a range.
   double of_stretches(const Interval& range) const {
     double sum = 0;
-    for (const Interval& part : common(strip().stretches, {range})) sum += of_straight(part);
+    for (const Interval& part : common(track_.stretches, {range})) sum += of_part(part);
     return sum;
   }
 
   double profile_of(const Interval& range) const {
     double sum = 0;
-    for (const Interval& part : common(strip().stretches, {range}))
-      sum += strip().subfield.area_between(part.from, part.to);
+    for (const Interval& part : common(track_.stretches, {range}))
+      sum += inside_between(track_, part.from, part.to);
     return sum;
   }
 
  private:
-  const Track& strip() const { return family_.tracks[track_.strip]; }
-
   RisingCurves surroundings(const Box& window, const std::vector<Box>& boxes) const {
     RisingCurves out;
     for (const Ring& ring : body_) append_ring(ring, Layer::kBody, window, out);
-    ground_.append_taken(track_.subfield, window, boxes, strip().index, out);
+    ground_.append_taken(blocked_.family, window, boxes, blocked_.place, out);
     return out;
   }
 
-  const BlockedTrack& track_;
-  const TrackFamily& family_;
+  const BlockedTrack& blocked_;
+  const StripGrid& grid_;
+  const Track& track_;
   const std::vector<Ring>& body_;
   const WorkedGround& ground_;
 };
@@ -72,20 +81,20 @@ bool is_short(const Interval& stretch, double min_length_m) {
 
 }  // namespace
 
-std::vector<std::size_t> hard_gaps(const Track& strip) {
+std::vector<std::size_t> hard_gaps(const Track& track) {
   std::vector<std::size_t> out;
-  for (std::size_t gap = 1; gap < strip.stretches.size(); ++gap)
-    if (!common(strip.by_hard, {{strip.stretches[gap - 1].to, strip.stretches[gap].from}}).empty())
+  for (std::size_t gap = 1; gap < track.stretches.size(); ++gap)
+    if (!common(track.by_hard, {{track.stretches[gap - 1].to, track.stretches[gap].from}}).empty())
       out.push_back(gap);
   return out;
 }
 
-TrackOption option_of(WayRound way, const StripGrid& grid, int strip) {
+TrackOption option_of(WayRound way, const StripGrid& grid, const Track& track) {
   TrackOption out;
   out.reaches = reaches_of(way.detour.path, grid.width_m);
   out.straight = {way.detour.from, way.detour.to};
   out.reach = box_round(out.reaches);
-  out.reach.extend(straight_box(grid, strip, out.straight));
+  out.reach.extend(swath_box(grid, track, out.straight));
   out.way = std::move(way);
   return out;
 }
@@ -101,20 +110,20 @@ void value_options(BlockedTrack& track, const TrackFamily& family, const std::ve
     option.profile_m2 = valuer.profile_of(option.straight);
     option.stale = false;
   }
-  const Intervals& stretches = family.tracks[track.strip].stretches;
+  const Intervals& stretches = family.tracks[track.place].stretches;
   track.correction_m2.assign(stretches.size(), 0);
   for (std::size_t i = 0; i < stretches.size(); ++i)
     if (is_short(stretches[i], min_length_m))
-      track.correction_m2[i] = valuer.of_straight(stretches[i]) - valuer.profile_of(stretches[i]);
+      track.correction_m2[i] = valuer.of_part(stretches[i]) - valuer.profile_of(stretches[i]);
   track.stale = false;
 }
 
 void mark_stale(BlockedTrack& track, const TrackFamily& family, const Box& changed) {
-  const int strip = family.tracks[track.strip].index;
+  const Track& own = family.tracks[track.place];
   for (TrackOption& option : track.options)
     if (intersects(option.reach, changed)) option.stale = track.stale = true;
-  for (const Interval& stretch : family.tracks[track.strip].stretches)
-    if (intersects(straight_box(family.grid, strip, stretch), changed)) track.stale = true;
+  for (const Interval& stretch : own.stretches)
+    if (intersects(swath_box(family.grid, own, stretch), changed)) track.stale = true;
 }
 
 void mark_all_stale(BlockedTrack& track) {

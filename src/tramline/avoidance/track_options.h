@@ -12,11 +12,11 @@ namespace tramline {
 struct TrackOption {
   WayRound way;
   std::vector<Box> reaches;  ///< of the detour's parts
-  Box reach;                 ///< of the detour and the straight part it replaces
-  Interval straight;         ///< what the detour replaces, gaps included
+  Box reach;                 ///< of the detour and the part of the track it replaces
+  Interval straight;         ///< what of the track the detour replaces, gaps included
   double useful_m2 = 0;      ///< body that its swath alone covers
-  double replaced_m2 = 0;    ///< body that the straight swath it replaces alone covers
-  double profile_m2 = 0;     ///< the same by the strip's own profile
+  double replaced_m2 = 0;    ///< body that the swath along the track it replaces alone covers
+  double profile_m2 = 0;     ///< the same by the track's own profile
   bool of_paper = false;     ///< S1 would choose it
   bool stale = true;         ///< something near has changed since it was valued
   /// How much more body is covered when the detour takes the place of the straight parts.
@@ -32,8 +32,8 @@ struct RefusedWay {
 
 /// One track with gaps that hard land makes.
 struct BlockedTrack {
-  std::size_t subfield = 0;
-  std::size_t strip = 0;             ///< place in TrackFamily::tracks
+  std::size_t family = 0;
+  std::size_t place = 0;             ///< in TrackFamily::tracks
   std::vector<std::size_t> gaps;     ///< those made by hazards: between stretches gap − 1 and gap
   std::vector<TrackOption> options;  ///< possible ones, by first gap
   std::vector<RefusedWay> refused;
@@ -44,18 +44,18 @@ struct BlockedTrack {
   bool only_one_driven = false;  ///< no other track has a piece: the first one here adds no turn to the plan
 };
 
-/// The gaps of a strip that hard land makes.
-std::vector<std::size_t> hard_gaps(const Track& strip);
+/// The gaps of a track that hard land makes.
+std::vector<std::size_t> hard_gaps(const Track& track);
 
 /// Values the stale options (and short stretches) of a track against the ground as worked by the others.
-/// `body` holds the body's rings in the plane of the strip's grid.
+/// `body` holds the body's rings in the plane of the family.
 void value_options(BlockedTrack& track, const TrackFamily& family, const std::vector<Ring>& body,
                    const WorkedGround& ground, double min_length_m);
 
 /// An option that has not been valued. `way` with its obstacles filled in.
-TrackOption option_of(WayRound way, const StripGrid& grid, int strip);
+TrackOption option_of(WayRound way, const StripGrid& grid, const Track& track);
 
-/// Marks as stale what depends on the ground within a box of the grid's plane.
+/// Marks as stale what depends on the ground within a box of the family's plane.
 void mark_stale(BlockedTrack& track, const TrackFamily& family, const Box& changed);
 void mark_all_stale(BlockedTrack& track);
 

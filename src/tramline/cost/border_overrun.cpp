@@ -66,7 +66,7 @@ double covered_in(const Polygon& host, const std::vector<ConvexSet>& own,
 
 double covered_by_neighbours_m2(const std::vector<Subfield>& subfields,
                                 const std::vector<LaidTracks>& tracks) {
-  if (subfields.size() < 2) return 0;
+  if (tracks.size() < 2) return 0;
   std::vector<std::vector<ConvexSet>> leaving;
   for (const LaidTracks& subfield : tracks) leaving.push_back(overrunning(subfield));
   double sum = 0;

@@ -8,7 +8,8 @@
 
 namespace tramline {
 
-/// Land of all subfields that straight swaths of other subfields cover and their own do not, m².
+/// `tracks` by subfield, or of all of them together. Land of all subfields that straight swaths of other
+/// subfields cover and their own do not, m².
 double covered_by_neighbours_m2(const std::vector<Subfield>& subfields,
                                 const std::vector<LaidTracks>& tracks);
 

@@ -124,7 +124,7 @@ class SubfieldAccount {
     double sum = 0;
     for (const Interval& stretch : rows) {
       if (strip.subfield.area_between(stretch.from, stretch.to) == 0) continue;
-      const Box box = straight_box(family_.grid, strip.index, stretch);
+      const Box box = swath_box(family_.grid, strip, stretch);
       RisingCurves curves;
       for (const Ring& ring : shape_) append_ring(ring, Layer::kBody, box, curves);
       for (const Ring& ring : passable_) append_ring(ring, Layer::kTaken, box, curves);
@@ -159,11 +159,11 @@ double without_rounding(double area_m2) {
 
 Parts measured(const LaidPlan& plan) {
   Parts parts{};
-  const WorkedGround worked = worked_by(plan.tracks);
+  const WorkedGround worked = worked_by(plan.families, plan.tracks);
   for (std::size_t i = 0; i < plan.subfields.size(); ++i) SubfieldAccount(plan, i, worked).add_to(parts);
   part(parts, Cause::kSeams).overlap_m2 -= covered_by_neighbours_m2(plan.subfields, plan.tracks);
   part(parts, Cause::kDetours).overlap_m2 =
-      worked_by_detours_m2(plan.tracks) - covered_by_detours_m2(plan.body, plan.tracks);
+      worked_by_detours_m2(plan.tracks) - covered_by_detours_m2(plan.body, plan.families, plan.tracks);
   part(parts, Cause::kGivenUp).uncovered_m2 = area(plan.given_up);
   part(parts, Cause::kTurns).count = plan.tally.turns;
   part(parts, Cause::kStops).count = plan.tally.stops;

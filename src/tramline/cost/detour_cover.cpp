@@ -11,32 +11,34 @@ bool has_detours(const LaidTracks& tracks) {
 }
 
 /// One detour's share; the ground counts it as taken afterwards.
-double take(const std::vector<Ring>& body, std::size_t subfield, int strip, const TrackDetour& detour,
-            WorkedGround& ground) {
-  const double width_m = ground.grid(subfield).width_m;
-  const Box window = detour_box(detour, width_m);
+double take(const std::vector<Ring>& body, double width_m, std::size_t family, std::size_t track,
+            const TrackDetour& detour, WorkedGround& ground) {
+  const Box window = reach_of(detour.path, width_m);
   RisingCurves curves;
   for (const Ring& ring : body) append_ring(ring, Layer::kBody, window, curves);
-  ground.append_taken(subfield, window, reaches_of(detour.path, width_m), {}, curves);
+  ground.append_taken(family, window, reaches_of(detour.path, width_m), {}, curves);
   append_band(detour.path, width_m, Layer::kNew, curves);
-  StripWork work = ground.at(subfield, strip);
+  TrackWork work = ground.at(family, track);
   work.detours.push_back(detour);
-  ground.set(subfield, strip, std::move(work));
+  ground.set(family, track, std::move(work));
   return new_area(curves);
 }
 
 }  // namespace
 
-double covered_by_detours_m2(const Region& body, const std::vector<LaidTracks>& tracks) {
+double covered_by_detours_m2(const Region& body, const std::vector<TrackFamily>& families,
+                             const std::vector<LaidTracks>& tracks) {
   if (std::none_of(tracks.begin(), tracks.end(), has_detours)) return 0;
-  WorkedGround ground = worked_straight(tracks);
+  WorkedGround ground = worked_on_tracks(families, tracks);
   double sum = 0;
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     if (!has_detours(tracks[i])) continue;
+    const StripGrid& grid = families[i].grid;
     std::vector<Ring> turned;
-    for (const Ring& ring : rings_of(body)) turned.push_back(tracks[i].grid.frame.to_track(ring));
+    for (const Ring& ring : rings_of(body)) turned.push_back(grid.frame.to_track(ring));
     for (const LaidPiece& piece : tracks[i].pieces)
-      for (const TrackDetour& detour : piece.detours) sum += take(turned, i, piece.track, detour, ground);
+      for (const TrackDetour& detour : piece.detours)
+        sum += take(turned, grid.width_m, i, place_of(families[i], piece), detour, ground);
   }
   return sum;
 }

@@ -7,7 +7,9 @@
 
 namespace tramline {
 
-/// Body that detours cover and no straight swath does, m². O(d·m) for d detours and m edges of the body.
-double covered_by_detours_m2(const Region& body, const std::vector<LaidTracks>& tracks);
+/// Body that detours cover and no part of a track outside its detours does, m². `tracks` by family. O(d·m)
+/// for d detours and m edges of the body.
+double covered_by_detours_m2(const Region& body, const std::vector<TrackFamily>& families,
+                             const std::vector<LaidTracks>& tracks);
 
 }  // namespace tramline

@@ -30,7 +30,7 @@ struct TurnedSubfield {
   double area_m2 = 0;
 };
 
-/// One subfield in the turned plane of one direction. Tracks are cut at obstacles. TrackFamily that the
+/// One subfield in the turned plane of one direction. Tracks are cut at obstacles. Strips that the
 /// boundary crosses plainly and that no obstacle comes near are summed in closed form (ALGORITHMS §0.1);
 /// the others through their profiles, and only those that obstacles come near piece by piece.
 class GridTally {
@@ -56,7 +56,7 @@ class GridTally {
 
   /// Those that obstacles come near. Are there any?
   bool mark_obstructed(const StripGrid& grid, StripRange range, StripMask& out) const;
-  /// TrackFamily that no obstacle comes near, and that the boundary does not cross plainly. The fold holds
+  /// Strips that no obstacle comes near, and that the boundary does not cross plainly. The fold holds
   /// them, as it does those that obstacles come near.
   void add_open_strips(StripFold& fold, const StripMask& open, Sums& sums) const;
   void add_obstructed_strips(StripFold& fold, const StripGrid& grid, StripRange range,

@@ -14,7 +14,8 @@ namespace tramline {
 /// the second sum by inclusion and exclusion over convex pieces. No swath enters hard or passable
 /// land, so nothing outside the subfields is useful.
 /// `subfields` and `tracks` correspond. `body_m2` is the area of the body, `by_detours_m2` what detours
-/// cover of it besides (covered_by_detours_m2).
+/// cover of it besides (covered_by_detours_m2). Curved tracks are one family over all subfields, and their
+/// swaths have no ground in common where they keep to their tracks (parallel.h): then the second sum is 0.
 Tally tally_of(const std::vector<Subfield>& subfields, const std::vector<LaidTracks>& tracks, double body_m2,
                double by_detours_m2 = 0);
 

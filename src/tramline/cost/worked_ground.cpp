@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
+
+#include "tramline/geometry/path_between.h"
 
 namespace tramline {
 namespace {
@@ -14,12 +17,16 @@ Box box_in(const Box& window, const TrackFrame& from, const TrackFrame& to) {
   return out;
 }
 
-/// TrackFamily whose swaths, or whose detours, can reach into the window.
-StripRange strips_near(const StripGrid& grid, StripRange range, const Box& window, double bulge_m) {
+/// Places of the tracks whose swaths, or whose detours, can reach into the window. Precondition: one track
+/// for each strip from the first on.
+StripRange tracks_near(const TrackFamily& family, const Box& window, double bulge_m) {
+  if (family.tracks.empty()) return {};
+  const StripGrid& grid = family.grid;
+  const int lowest = family.tracks.front().index, highest = family.tracks.back().index;
   const double first = std::floor((window.min_x - bulge_m - grid.origin_m) / grid.width_m);
   const double last = std::floor((window.max_x + bulge_m - grid.origin_m) / grid.width_m);
-  return {static_cast<int>(std::clamp<double>(first, range.first, range.last + 1.0)),
-          static_cast<int>(std::clamp<double>(last, range.first - 1.0, range.last))};
+  return {static_cast<int>(std::clamp<double>(first, lowest, highest + 1.0)) - lowest,
+          static_cast<int>(std::clamp<double>(last, lowest - 1.0, highest)) - lowest};
 }
 
 Ring corners(const Box& box) {
@@ -49,130 +56,186 @@ bool meets_any(const Box& box, const std::vector<Box>& others) {
   return std::any_of(others.begin(), others.end(), [&](const Box& other) { return intersects(box, other); });
 }
 
-StripRange range_of(const LaidTracks& tracks) {
-  StripRange range;
-  if (tracks.pieces.empty()) return range;
-  range = {tracks.pieces.front().track, tracks.pieces.front().track};
-  for (const LaidPiece& piece : tracks.pieces)
-    range = {std::min(range.first, piece.track), std::max(range.last, piece.track)};
-  return range;
-}
-
 }  // namespace
 
-void WorkedGround::add_subfield(const StripGrid& grid, StripRange range) {
-  subfields_.push_back({grid, range, std::vector<Worked>(static_cast<std::size_t>(range.size())), 0});
-}
-
-void WorkedGround::set(std::size_t subfield, int strip, StripWork work) {
-  assert(strip >= subfields_[subfield].range.first && strip <= subfields_[subfield].range.last);
-  Subfield& owner = subfields_[subfield];
-  Worked worked{std::move(work), {}};
-  const double left = owner.grid.line(strip), right = owner.grid.line(strip + 1);
-  for (const TrackDetour& detour : worked.work.detours) {
-    worked.reach.push_back(detour_box(detour, owner.grid.width_m));
-    owner.bulge_m =
-        std::max({owner.bulge_m, left - worked.reach.back().min_x, worked.reach.back().max_x - right});
+WorkedGround::WorkedGround(const std::vector<TrackFamily>& families) {
+  for (const TrackFamily& family : families) {
+    const bool curved = !family.tracks.empty() && !family.tracks.front().path.empty();
+    assert(curved || family.tracks.empty() ||
+           family.tracks.back().index - family.tracks.front().index + 1 == std::ssize(family.tracks));
+    families_.push_back({family, curved, std::vector<Worked>(family.tracks.size()), 0});
   }
-  owner.strips[static_cast<std::size_t>(strip - owner.range.first)] = std::move(worked);
 }
 
-const StripWork& WorkedGround::at(std::size_t subfield, int strip) const {
-  const Subfield& owner = subfields_[subfield];
-  return owner.strips[static_cast<std::size_t>(strip - owner.range.first)].work;
+void WorkedGround::set(std::size_t family, std::size_t track, TrackWork work) {
+  Family& owner = families_[family];
+  const StripGrid& grid = owner.tracks.grid;
+  const Track& of = owner.tracks.tracks[track];
+  Worked worked{std::move(work), {}};
+  for (const TrackDetour& detour : worked.work.detours)
+    worked.reach.push_back(reach_of(detour.path, grid.width_m));
+  if (owner.curved) {
+    for (const Interval& part : worked.work.on_track) {
+      const Path path = path_along(of, part.from, part.to);
+      const std::vector<Box> reaches = reaches_of(path, grid.width_m);
+      for (std::size_t i = 0; i < path.size(); ++i) {
+        worked.along.push_back({path[i], reaches[i]});
+        worked.whole.extend(reaches[i]);
+      }
+    }
+  } else {
+    const double left = grid.line(of.index), right = grid.line(of.index + 1);
+    for (const Box& reach : worked.reach)
+      owner.bulge_m = std::max({owner.bulge_m, left - reach.min_x, reach.max_x - right});
+  }
+  owner.worked[track] = std::move(worked);
 }
 
-void WorkedGround::append_taken(std::size_t subfield, const Box& window, const std::vector<Box>& boxes,
-                                std::optional<int> except, RisingCurves& out) const {
-  const Subfield& home = subfields_[subfield];
-  append_own(home, window, boxes, except, out);
-  for (std::size_t other = 0; other < subfields_.size(); ++other)
-    if (other != subfield) append_foreign(subfields_[other], home, window, out);
+const TrackWork& WorkedGround::at(std::size_t family, std::size_t track) const {
+  return families_[family].worked[track].work;
 }
 
-bool WorkedGround::straight_alone(std::size_t subfield, const Box& box, int strip) const {
-  if (subfields_.size() > 1) return false;
-  const Subfield& own = subfields_[subfield];
-  const StripRange near = strips_near(own.grid, own.range, box, own.bulge_m);
-  for (int k = near.first; k <= near.last; ++k)
-    if (k != strip && meets_any(box, own.strips[static_cast<std::size_t>(k - own.range.first)].reach))
-      return false;
+void WorkedGround::append_taken(std::size_t family, const Box& window, const std::vector<Box>& boxes,
+                                std::optional<std::size_t> except, RisingCurves& out) const {
+  const Family& home = families_[family];
+  append_detours(home, window, boxes, except, out);
+  if (home.curved)
+    append_along(home, window, except, out);
+  else
+    append_rows(home, window, except, out);
+  for (std::size_t other = 0; other < families_.size(); ++other)
+    if (other != family) append_foreign(families_[other], home, window, out);
+}
+
+bool WorkedGround::is_alone(std::size_t family, const Box& box, std::size_t track) const {
+  if (families_.size() > 1) return false;
+  const Family& own = families_[family];
+  const StripRange near = own.curved ? StripRange{0, static_cast<int>(own.worked.size()) - 1}
+                                     : tracks_near(own.tracks, box, own.bulge_m);
+  for (int k = near.first; k <= near.last; ++k) {
+    const auto place = static_cast<std::size_t>(k);
+    if (place != track && meets_any(box, own.worked[place].reach)) return false;
+  }
   return true;
 }
 
-void WorkedGround::append_own(const Subfield& from, const Box& window, const std::vector<Box>& boxes,
-                              std::optional<int> except, RisingCurves& out) {
-  const StripRange near = strips_near(from.grid, from.range, window, from.bulge_m);
+void WorkedGround::append_detours(const Family& from, const Box& window, const std::vector<Box>& boxes,
+                                  std::optional<std::size_t> except, RisingCurves& out) {
+  const StripRange near = from.curved ? StripRange{0, static_cast<int>(from.worked.size()) - 1}
+                                      : tracks_near(from.tracks, window, from.bulge_m);
+  for (int k = near.first; k <= near.last; ++k) {
+    const auto place = static_cast<std::size_t>(k);
+    if (except && *except == place) continue;
+    const Worked& track = from.worked[place];
+    for (std::size_t i = 0; i < track.reach.size(); ++i)
+      if (meets_any(track.reach[i], boxes))
+        append_band(track.work.detours[i].path, from.tracks.grid.width_m, Layer::kTaken, out);
+  }
+}
+
+void WorkedGround::append_rows(const Family& from, const Box& window, std::optional<std::size_t> except,
+                               RisingCurves& out) {
+  if (from.worked.empty()) return;
+  const StripRange near = tracks_near(from.tracks, window, from.bulge_m);
+  const StripGrid& grid = from.tracks.grid;
+  const int first_index = from.tracks.tracks.front().index;
   static const Intervals kNothing;
   const Intervals* left = &kNothing;
-  for (int k = near.first; k <= near.last; ++k) {
-    if (except && *except == k) continue;
-    const Worked& strip = from.strips[static_cast<std::size_t>(k - from.range.first)];
-    for (std::size_t i = 0; i < strip.reach.size(); ++i)
-      if (meets_any(strip.reach[i], boxes))
-        append_band(strip.work.detours[i].path, from.grid.width_m, Layer::kTaken, out);
-  }
   for (int k = near.first; k <= near.last + 1; ++k) {
-    const bool worked = k <= near.last && !(except && *except == k) && from.grid.line(k + 1) > window.min_x;
-    const Intervals* right =
-        worked ? &from.strips[static_cast<std::size_t>(k - from.range.first)].work.straight : &kNothing;
-    const double x = from.grid.line(k);
+    const auto place = static_cast<std::size_t>(k);
+    const double x = grid.line(first_index + k);
+    const bool worked =
+        k <= near.last && !(except && *except == place) && grid.line(first_index + k + 1) > window.min_x;
+    const Intervals* right = worked ? &from.worked[place].work.on_track : &kNothing;
     if (x > window.max_x) break;
     append_border(*left, *right, x < window.min_x ? window.min_x - 1 : x, window, out);
     left = right;
   }
 }
 
-void WorkedGround::append_foreign(const Subfield& from, const Subfield& to, const Box& window,
+void WorkedGround::append_along(const Family& from, const Box& window, std::optional<std::size_t> except,
+                                RisingCurves& out) {
+  for (std::size_t k = 0; k < from.worked.size(); ++k) {
+    const Worked& track = from.worked[k];
+    if ((except && *except == k) || !intersects(track.whole, window)) continue;
+    for (const Swath& swath : track.along)
+      if (intersects(swath.reach, window))
+        append_band({swath.line}, from.tracks.grid.width_m, Layer::kTaken, out);
+  }
+}
+
+void WorkedGround::append_foreign(const Family& from, const Family& to, const Box& window,
                                   RisingCurves& out) {
-  const TrackFrame &theirs = from.grid.frame, &ours = to.grid.frame;
+  const TrackFrame &theirs = from.tracks.grid.frame, &ours = to.tracks.grid.frame;
+  const double width_m = from.tracks.grid.width_m;
   const Box seen = box_in(window, ours, theirs);
   const auto move = [&](Point p) { return ours.to_track(theirs.to_field(p)); };
-  const StripRange near = strips_near(from.grid, from.range, seen, from.bulge_m);
+  const StripRange near = from.curved ? StripRange{0, static_cast<int>(from.worked.size()) - 1}
+                                      : tracks_near(from.tracks, seen, from.bulge_m);
   for (int k = near.first; k <= near.last; ++k) {
-    const Worked& strip = from.strips[static_cast<std::size_t>(k - from.range.first)];
-    for (const Interval& part : strip.work.straight) {
-      const Box box = straight_box(from.grid, k, part);
-      if (!intersects(box, seen)) continue;
-      Ring ring = corners(box);
-      for (Point& p : ring) p = move(p);
-      append_ring(ring, Layer::kTaken, window, out);
-    }
-    for (std::size_t i = 0; i < strip.reach.size(); ++i)
-      if (intersects(strip.reach[i], seen))
-        append_band(moved(strip.work.detours[i].path, move), from.grid.width_m, Layer::kTaken, out);
+    const auto place = static_cast<std::size_t>(k);
+    const Worked& track = from.worked[place];
+    if (!from.curved)
+      for (const Interval& part : track.work.on_track) {
+        const Box box = swath_box(from.tracks.grid, from.tracks.tracks[place], part);
+        if (!intersects(box, seen)) continue;
+        Ring ring = corners(box);
+        for (Point& p : ring) p = move(p);
+        append_ring(ring, Layer::kTaken, window, out);
+      }
+    for (const Swath& swath : track.along)
+      if (intersects(swath.reach, seen)) append_band(moved({swath.line}, move), width_m, Layer::kTaken, out);
+    for (std::size_t i = 0; i < track.reach.size(); ++i)
+      if (intersects(track.reach[i], seen))
+        append_band(moved(track.work.detours[i].path, move), width_m, Layer::kTaken, out);
   }
 }
 
-WorkedGround worked_straight(const std::vector<LaidTracks>& tracks) {
-  WorkedGround ground;
+namespace {
+
+enum class Parts { kOnTrack, kAll };
+
+WorkedGround ground_worked(const std::vector<TrackFamily>& families, const std::vector<LaidTracks>& tracks,
+                           Parts parts) {
+  assert(families.size() == tracks.size());
+  WorkedGround ground(families);
   for (std::size_t i = 0; i < tracks.size(); ++i) {
-    ground.add_subfield(tracks[i].grid, range_of(tracks[i]));
+    std::vector<TrackWork> works(families[i].tracks.size());
     for (const LaidPiece& piece : tracks[i].pieces) {
-      StripWork work = ground.at(i, piece.track);
-      for (const Interval& part : parts_on_track(piece)) work.straight.push_back(part);
-      ground.set(i, piece.track, std::move(work));
+      TrackWork& work = works[place_of(families[i], piece)];
+      for (const Interval& part : parts_on_track(piece)) work.on_track.push_back(part);
+      if (parts == Parts::kAll)
+        work.detours.insert(work.detours.end(), piece.detours.begin(), piece.detours.end());
     }
+    for (std::size_t k = 0; k < works.size(); ++k) ground.set(i, k, std::move(works[k]));
   }
   return ground;
 }
 
-WorkedGround worked_by(const std::vector<LaidTracks>& tracks) {
-  WorkedGround ground = worked_straight(tracks);
-  for (std::size_t i = 0; i < tracks.size(); ++i)
-    for (const LaidPiece& piece : tracks[i].pieces) {
-      if (piece.detours.empty()) continue;
-      StripWork work = ground.at(i, piece.track);
-      work.detours.insert(work.detours.end(), piece.detours.begin(), piece.detours.end());
-      ground.set(i, piece.track, std::move(work));
-    }
-  return ground;
+}  // namespace
+
+WorkedGround worked_on_tracks(const std::vector<TrackFamily>& families,
+                              const std::vector<LaidTracks>& tracks) {
+  return ground_worked(families, tracks, Parts::kOnTrack);
 }
 
-Box straight_box(const StripGrid& grid, int strip, const Interval& part) {
-  return {grid.line(strip), part.from, grid.line(strip + 1), part.to};
+WorkedGround worked_by(const std::vector<TrackFamily>& families, const std::vector<LaidTracks>& tracks) {
+  return ground_worked(families, tracks, Parts::kAll);
 }
 
-Box detour_box(const TrackDetour& detour, double width_m) { return reach_of(detour.path, width_m); }
+std::size_t place_of(const TrackFamily& family, const LaidPiece& piece) {
+  // Strips follow one another without a gap.
+  if (piece.path.empty() && !family.tracks.empty())
+    return static_cast<std::size_t>(piece.track - family.tracks.front().index);
+  const auto found = std::find_if(family.tracks.begin(), family.tracks.end(), [&piece](const Track& track) {
+    return track.index == piece.track && track.branch == piece.branch;
+  });
+  return static_cast<std::size_t>(found - family.tracks.begin());
+}
+
+Box swath_box(const StripGrid& grid, const Track& track, const Interval& part) {
+  if (track.path.empty()) return {grid.line(track.index), part.from, grid.line(track.index + 1), part.to};
+  return reach_of(path_along(track, part.from, part.to), grid.width_m);
+}
 
 }  // namespace tramline

@@ -130,7 +130,9 @@ std::vector<GriddedSubfield> swept(const SearchTask& task, Direction sweep) {
 }
 
 std::vector<Encounter> encounters_of(const SearchTask& task, const Candidate& candidate) {
-  return encounters_in(avoidance_task(task, candidate), candidate.avoided);
+  const std::vector<PlacedEncounter> found =
+      encounters_in(avoidance_task(task, candidate), candidate.avoided);
+  return {found.begin(), found.end()};
 }
 
 int first_track(const Candidate& candidate, std::size_t subfield) {

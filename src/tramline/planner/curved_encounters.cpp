@@ -22,8 +22,8 @@ double off_by(const LaidPiece& piece, const Interval& between) {
 std::vector<Encounter> encounters_as_driven(const SearchTask& task, const CurvedCandidate& candidate,
                                             const Driven& driven) {
   std::vector<Encounter> out;
-  for (const CurvedEncounter& one : candidate.encounters) {
-    Encounter encounter = one.encounter;
+  for (const PlacedEncounter& one : candidate.encounters) {
+    Encounter encounter = one;
     double nearest = std::numeric_limits<double>::infinity();
     bool back = false;
     const auto look_at = [&](const LaidPiece& piece, auto subfield, bool driven_back) {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-#include "tramline/cost/curved_tally.h"
+#include "tramline/cost/strip_tally.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/extended.h"
@@ -76,8 +76,11 @@ TrackFamily tracks_of(const SearchTask& task, const CurvedGround& ground, const 
                        task.machine.width_m, ground, criterion_of(task));
 }
 
-CurvedAvoidanceTask avoidance_task(const SearchTask& task, const TrackFamily& tracks) {
-  return {task.field, task.ground, task.machine, task.objective, task.settings, tracks, task.body_m2};
+/// Refers to its arguments. One family lies over all subfields, which have no borders to look at.
+AvoidanceTask avoidance_task(const SearchTask& task, const std::vector<TrackFamily>& one_family) {
+  static const std::vector<Subfield> kNoBorders;
+  return {task.field,    task.ground, task.machine, task.objective,
+          task.settings, kNoBorders,  one_family,   task.body_m2};
 }
 
 /// The pieces of a family without detours, laid track by track outwards from the reference; nullopt as soon
@@ -86,7 +89,7 @@ std::optional<LaidTracks> laid_plainly(const SearchTask& task, const CurvedGroun
                                        const CurvedCandidate& candidate, double no_more_than) {
   const StripRange range = range_of(task, candidate);
   FamilyBound bound(task, candidate.reference, range);
-  LaidTracks out;
+  LaidTracks out{{TrackFrame(), 0, task.machine.width_m}, {}, {}};
   bool hopeful = true;
   const auto lay = [&](int index, std::vector<ParallelTrack> tracks) {
     std::vector<FamilyTrack> family;
@@ -150,14 +153,16 @@ CurvedCandidate curved_along(const SearchTask& task, const CurvedGround& ground,
   out.reference = reference.round ? *line : extended(*line, reach).path;
   out.round = reference.round;
   if (asks_for_detours(task)) {
-    const TrackFamily tracks = tracks_of(task, ground, out);
-    CurvedAvoided cut = all_cut(avoidance_task(task, tracks));
-    out.tracks = std::move(cut.tracks);
+    const std::vector<TrackFamily> one_family{tracks_of(task, ground, out)};
+    Avoided cut = all_cut(avoidance_task(task, one_family));
+    out.tracks = std::move(cut.tracks.front());
     out.tally = cut.tally;
     count_subfields(task, out);
   } else if (std::optional<LaidTracks> tracks = laid_plainly(task, ground, out, no_more_than)) {
-    out.tracks = std::move(*tracks);
-    out.tally = curved_tally(out.tracks, task.machine.width_m, task.body_m2);
+    std::vector<LaidTracks> one_family;
+    one_family.push_back(std::move(*tracks));
+    out.tally = tally_of({}, one_family, task.body_m2);
+    out.tracks = std::move(one_family.front());
     count_subfields(task, out);
   }
   return out;
@@ -166,11 +171,11 @@ CurvedCandidate curved_along(const SearchTask& task, const CurvedGround& ground,
 CurvedCandidate with_detours(const SearchTask& task, CurvedCandidate candidate) {
   beat();
   if (candidate.tally.pieces == 0 || !asks_for_detours(task)) return candidate;
-  const TrackFamily tracks = tracks_of(task, curved_ground(task), candidate);
-  const CurvedAvoidanceTask avoidance = avoidance_task(task, tracks);
-  CurvedAvoided avoided = choose_detours(avoidance);
+  const std::vector<TrackFamily> one_family{tracks_of(task, curved_ground(task), candidate)};
+  const AvoidanceTask avoidance = avoidance_task(task, one_family);
+  Avoided avoided = choose_detours(avoidance);
   candidate.encounters = encounters_in(avoidance, avoided);
-  candidate.tracks = std::move(avoided.tracks);
+  candidate.tracks = std::move(avoided.tracks.front());
   candidate.tally = avoided.tally;
   count_subfields(task, candidate);
   return candidate;

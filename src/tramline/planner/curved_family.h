@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "tramline/avoidance/choose_curved_detours.h"
+#include "tramline/avoidance/choose_detours.h"
 #include "tramline/planner/candidate.h"
 #include "tramline/tracks/curved_tracks.h"
 
@@ -19,7 +19,7 @@ struct CurvedCandidate {
   Tally tally;
   double cost = 0;
   Region worked{};                            ///< with S2's tracks: the union of their swaths
-  std::vector<CurvedEncounter> encounters{};  ///< where detours have been looked for
+  std::vector<PlacedEncounter> encounters{};  ///< where detours have been looked for
 };
 
 /// What tracks run parallel to.
