@@ -228,7 +228,7 @@ long-debug: packages build/debug/build.ninja ## the fast tests in a build that i
 
 long-asan: packages build/asan-ubsan/build.ninja ## all tests with address and undefined-behaviour sanitizers
 	cmake --build build/asan-ubsan -j $(JOBS)
-	UBSAN_OPTIONS=print_stacktrace=1 $(LIMIT) $(CTEST) --test-dir build/asan-ubsan
+	UBSAN_OPTIONS=print_stacktrace=1 $(LIMIT) $(CTEST) --test-dir build/asan-ubsan -LE slow
 
 long-tsan: packages build/tsan/build.ninja ## the tests labelled `threads` with the thread sanitizer
 	cmake --build build/tsan -j $(JOBS)
