@@ -84,8 +84,10 @@ void open_plain_files_only() {
   register_gdal_drivers();
   GDALDriverManager& manager = *GetGDALDriverManager();
   for (int i = manager.GetDriverCount() - 1; i >= 0; --i)
-    if (GDALDriver* driver = manager.GetDriver(i); !reads_plain_files(driver->GetDescription()))
+    if (GDALDriver* driver = manager.GetDriver(i); !reads_plain_files(driver->GetDescription())) {
       manager.DeregisterDriver(driver);
+      GDALDestroyDriver(driver);  // the manager deletes at its end what is registered then
+    }
 }
 
 void require_bounded_archive(const std::filesystem::path& file, std::size_t most_bytes, int most_files) {
