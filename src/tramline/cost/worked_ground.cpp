@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "tramline/geometry/path_between.h"
-
 namespace tramline {
 namespace {
 
@@ -54,6 +52,25 @@ void append_border(const Intervals& left, const Intervals& right, double x, cons
 
 bool meets_any(const Box& box, const std::vector<Box>& others) {
   return std::any_of(others.begin(), others.end(), [&](const Box& other) { return intersects(box, other); });
+}
+
+enum class Parts { kOnTrack, kAll };
+
+WorkedGround ground_worked(const std::vector<TrackFamily>& families, const std::vector<LaidTracks>& tracks,
+                           Parts parts) {
+  assert(families.size() == tracks.size());
+  WorkedGround ground(families);
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    std::vector<TrackWork> works(families[i].tracks.size());
+    for (const LaidPiece& piece : tracks[i].pieces) {
+      TrackWork& work = works[place_of(families[i], piece)];
+      for (const Interval& part : parts_on_track(piece)) work.on_track.push_back(part);
+      if (parts == Parts::kAll)
+        work.detours.insert(work.detours.end(), piece.detours.begin(), piece.detours.end());
+    }
+    for (std::size_t k = 0; k < works.size(); ++k) ground.set(i, k, std::move(works[k]));
+  }
+  return ground;
 }
 
 }  // namespace
@@ -190,29 +207,6 @@ void WorkedGround::append_foreign(const Family& from, const Family& to, const Bo
         append_band(moved(track.work.detours[i].path, move), width_m, Layer::kTaken, out);
   }
 }
-
-namespace {
-
-enum class Parts { kOnTrack, kAll };
-
-WorkedGround ground_worked(const std::vector<TrackFamily>& families, const std::vector<LaidTracks>& tracks,
-                           Parts parts) {
-  assert(families.size() == tracks.size());
-  WorkedGround ground(families);
-  for (std::size_t i = 0; i < tracks.size(); ++i) {
-    std::vector<TrackWork> works(families[i].tracks.size());
-    for (const LaidPiece& piece : tracks[i].pieces) {
-      TrackWork& work = works[place_of(families[i], piece)];
-      for (const Interval& part : parts_on_track(piece)) work.on_track.push_back(part);
-      if (parts == Parts::kAll)
-        work.detours.insert(work.detours.end(), piece.detours.begin(), piece.detours.end());
-    }
-    for (std::size_t k = 0; k < works.size(); ++k) ground.set(i, k, std::move(works[k]));
-  }
-  return ground;
-}
-
-}  // namespace
 
 WorkedGround worked_on_tracks(const std::vector<TrackFamily>& families,
                               const std::vector<LaidTracks>& tracks) {
