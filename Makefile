@@ -226,7 +226,7 @@ long-debug: packages build/debug/build.ninja ## the fast tests in a build that i
 	cmake --build build/debug -j $(JOBS)
 	$(LIMIT) $(CTEST) --test-dir build/debug -LE "properties|search|scenes|real|page|install|slow"
 
-long-asan: packages build/asan-ubsan/build.ninja ## all tests with address and undefined-behaviour sanitizers
+long-asan: packages build/asan-ubsan/build.ninja ## all tests but the slowest with address and undefined-behaviour sanitizers
 	cmake --build build/asan-ubsan -j $(JOBS)
 	UBSAN_OPTIONS=print_stacktrace=1 $(LIMIT) $(CTEST) --test-dir build/asan-ubsan -LE slow
 
