@@ -14,7 +14,7 @@ void keep_common(std::vector<int>& some, const std::vector<int>& others) {
 
 /// The place on the line of a track, in the field's frame.
 Point place_on(const TrackFamily& family, const Track& track, double along) {
-  if (track.path.empty()) return family.grid.frame.to_field({family.grid.centre(track.index), along});
+  if (is_straight(track)) return family.grid.frame.to_field({family.grid.centre(track.index), along});
   return path_along(track, 0, along).back().to;
 }
 

@@ -31,21 +31,19 @@ class DetourFrame {
     return out;
   }
   Path to_detour(const Path& path) const {
-    Path out;
-    out.reserve(path.size());
-    for (const PathSegment& segment : path)
-      out.push_back({to_detour(segment.from), to_detour(segment.to), sense_ * segment.curvature});
-    return out;
+    return mirrored(moved(path, [this](Point p) { return to_detour(p); }));
   }
   Path to_plane(const Path& path) const {
-    Path out;
-    out.reserve(path.size());
-    for (const PathSegment& segment : path)
-      out.push_back({to_plane(segment.from), to_plane(segment.to), sense_ * segment.curvature});
-    return out;
+    return mirrored(moved(path, [this](Point p) { return to_plane(p); }));
   }
 
  private:
+  /// Seen from the other side of the plane a left turn is a right one.
+  Path mirrored(Path path) const {
+    for (PathSegment& segment : path) segment.curvature *= sense_;
+    return path;
+  }
+
   Point origin_;
   Point along_;
   double sense_;

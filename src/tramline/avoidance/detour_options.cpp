@@ -96,7 +96,7 @@ WayRound DetourDecisions::way_past_gaps(const BlockedTrack& track, std::size_t f
   Obstruction gaps = obstruction(task_.families[track.family], track_of(track), first, task_.machine);
   gaps.last_gap = last;
   WayRound way = way_round(gaps, side, around_[track.family]);
-  const bool over_all_parts = !track_of(track).path.empty();
+  const bool over_all_parts = !is_straight(track_of(track));
   if (over_all_parts && way.possible() && leads_to_another_part(task_.ground.plannable, way.detour))
     way.why_not = "it would lead to another part of the ground";
   return way;
@@ -134,7 +134,7 @@ void DetourDecisions::add_paper_option(BlockedTrack& track, std::size_t gap) {
 
 WayRound DetourDecisions::named(const BlockedTrack& track, WayRound way) const {
   way.detour.obstacles = obstacles_along(track, way.hazards, {way.detour.from, way.detour.to});
-  if (!track_of(track).path.empty()) return way;
+  if (!is_straight(track_of(track))) return way;
   const TrackFrame& frame = task_.families[track.family].grid.frame;
   std::erase_if(way.detour.obstacles, [&](int obstacle) {
     const Polygon& shape = task_.field.obstacles[static_cast<std::size_t>(obstacle)].shape;
@@ -149,7 +149,7 @@ std::vector<int> DetourDecisions::obstacles_along(const BlockedTrack& track,
                                                   const std::vector<std::size_t>& hazards,
                                                   Interval range) const {
   constexpr double kRounding = 1e-6;
-  if (!track_of(track).path.empty()) return obstacles_near(track_of(track), range);
+  if (!is_straight(track_of(track))) return obstacles_near(track_of(track), range);
   std::vector<int> out;
   for (const std::size_t hazard : hazards)
     for (const int obstacle : task_.ground.hazards[hazard].obstacles) {

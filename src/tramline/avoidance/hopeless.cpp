@@ -94,7 +94,7 @@ Box turned_box(const Box& window, const TrackFrame& from, const TrackFrame& to) 
 bool hopeless(const TrackOption& option, const TrackTerms& terms, const std::vector<TrackFamily>& families,
               const WorkedGround& ground) {
   const Track& strip = terms.track;
-  if (!strip.path.empty()) return false;
+  if (!is_straight(strip)) return false;
   const Objective& prices = terms.objective;
   const StripGrid& grid = families[terms.family].grid;
   const TrackDetour& detour = option.way.detour;

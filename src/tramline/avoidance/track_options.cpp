@@ -33,13 +33,13 @@ class Valuer {
 
   /// Where the track is kept to.
   double of_part(const Interval& part) const {
-    const Path path = track_.path.empty() ? Path{} : path_along(track_, part.from, part.to);
-    if (path.empty() && !track_.path.empty()) return 0;
-    const Box box = path.empty() ? swath_box(grid_, track_, part) : reach_of(path, grid_.width_m);
+    const Path path = is_straight(track_) ? Path{} : path_along(track_, part.from, part.to);
+    if (!is_straight(track_) && path.empty()) return 0;
+    const Box box = is_straight(track_) ? swath_box(grid_, track_, part) : reach_of(path, grid_.width_m);
     if (ground_.is_alone(blocked_.family, box, blocked_.place))
       return inside_between(track_, part.from, part.to);
     RisingCurves curves = surroundings(box, {box});
-    if (path.empty())
+    if (is_straight(track_))
       append_box(box, Layer::kNew, box, curves);
     else
       append_band(path, grid_.width_m, Layer::kNew, curves);

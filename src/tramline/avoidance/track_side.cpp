@@ -5,7 +5,7 @@
 namespace tramline {
 
 TrackSide track_side(const StripGrid& grid, const Track& track, Interval blocked, Passing side) {
-  if (track.path.empty())
+  if (is_straight(track))
     return {grid.width_m, side, DetourFrame(grid.centre(track.index), side), std::nullopt};
   const PathPlace middle = PathPlaces(track.path).at(0.5 * (blocked.from + blocked.to));
   const DetourFrame frame(middle.at, middle.heading, side);

@@ -175,7 +175,7 @@ std::size_t stretch_at(const Intervals& stretches, double along) {
 
 std::vector<std::size_t> hazards_in(const StripGrid& grid, const Track& track, Interval range,
                                     const Surroundings& around) {
-  return track.path.empty() ? hazards_in_strip(grid, track.index, range, around)
+  return is_straight(track) ? hazards_in_strip(grid, track.index, range, around)
                             : hazards_along(track, grid.width_m, range, around);
 }
 

@@ -15,10 +15,15 @@ Box box_in(const Box& window, const TrackFrame& from, const TrackFrame& to) {
   return out;
 }
 
-/// Places of the tracks whose swaths, or whose detours, can reach into the window. Precondition: one track
-/// for each strip from the first on.
+bool is_curved(const TrackFamily& family) {
+  return !family.tracks.empty() && !is_straight(family.tracks.front());
+}
+
+/// Places of the tracks whose swaths, or whose detours, can reach into the window; of curved ones all.
+/// Precondition: one track for each strip from the first on.
 StripRange tracks_near(const TrackFamily& family, const Box& window, double bulge_m) {
   if (family.tracks.empty()) return {};
+  if (is_curved(family)) return {0, static_cast<int>(family.tracks.size()) - 1};
   const StripGrid& grid = family.grid;
   const int lowest = family.tracks.front().index, highest = family.tracks.back().index;
   const double first = std::floor((window.min_x - bulge_m - grid.origin_m) / grid.width_m);
@@ -77,10 +82,9 @@ WorkedGround ground_worked(const std::vector<TrackFamily>& families, const std::
 
 WorkedGround::WorkedGround(const std::vector<TrackFamily>& families) {
   for (const TrackFamily& family : families) {
-    const bool curved = !family.tracks.empty() && !family.tracks.front().path.empty();
-    assert(curved || family.tracks.empty() ||
+    assert(is_curved(family) || family.tracks.empty() ||
            family.tracks.back().index - family.tracks.front().index + 1 == std::ssize(family.tracks));
-    families_.push_back({family, curved, std::vector<Worked>(family.tracks.size()), 0});
+    families_.push_back({family, std::vector<Worked>(family.tracks.size()), 0});
   }
 }
 
@@ -91,7 +95,7 @@ void WorkedGround::set(std::size_t family, std::size_t track, TrackWork work) {
   Worked worked{std::move(work), {}};
   for (const TrackDetour& detour : worked.work.detours)
     worked.reach.push_back(reach_of(detour.path, grid.width_m));
-  if (owner.curved) {
+  if (is_curved(owner.tracks)) {
     for (const Interval& part : worked.work.on_track) {
       const Path path = path_along(of, part.from, part.to);
       const std::vector<Box> reaches = reaches_of(path, grid.width_m);
@@ -116,7 +120,7 @@ void WorkedGround::append_taken(std::size_t family, const Box& window, const std
                                 std::optional<std::size_t> except, RisingCurves& out) const {
   const Family& home = families_[family];
   append_detours(home, window, boxes, except, out);
-  if (home.curved)
+  if (is_curved(home.tracks))
     append_along(home, window, except, out);
   else
     append_rows(home, window, except, out);
@@ -127,8 +131,7 @@ void WorkedGround::append_taken(std::size_t family, const Box& window, const std
 bool WorkedGround::is_alone(std::size_t family, const Box& box, std::size_t track) const {
   if (families_.size() > 1) return false;
   const Family& own = families_[family];
-  const StripRange near = own.curved ? StripRange{0, static_cast<int>(own.worked.size()) - 1}
-                                     : tracks_near(own.tracks, box, own.bulge_m);
+  const StripRange near = tracks_near(own.tracks, box, own.bulge_m);
   for (int k = near.first; k <= near.last; ++k) {
     const auto place = static_cast<std::size_t>(k);
     if (place != track && meets_any(box, own.worked[place].reach)) return false;
@@ -138,8 +141,7 @@ bool WorkedGround::is_alone(std::size_t family, const Box& box, std::size_t trac
 
 void WorkedGround::append_detours(const Family& from, const Box& window, const std::vector<Box>& boxes,
                                   std::optional<std::size_t> except, RisingCurves& out) {
-  const StripRange near = from.curved ? StripRange{0, static_cast<int>(from.worked.size()) - 1}
-                                      : tracks_near(from.tracks, window, from.bulge_m);
+  const StripRange near = tracks_near(from.tracks, window, from.bulge_m);
   for (int k = near.first; k <= near.last; ++k) {
     const auto place = static_cast<std::size_t>(k);
     if (except && *except == place) continue;
@@ -187,12 +189,11 @@ void WorkedGround::append_foreign(const Family& from, const Family& to, const Bo
   const double width_m = from.tracks.grid.width_m;
   const Box seen = box_in(window, ours, theirs);
   const auto move = [&](Point p) { return ours.to_track(theirs.to_field(p)); };
-  const StripRange near = from.curved ? StripRange{0, static_cast<int>(from.worked.size()) - 1}
-                                      : tracks_near(from.tracks, seen, from.bulge_m);
+  const StripRange near = tracks_near(from.tracks, seen, from.bulge_m);
   for (int k = near.first; k <= near.last; ++k) {
     const auto place = static_cast<std::size_t>(k);
     const Worked& track = from.worked[place];
-    if (!from.curved)
+    if (!is_curved(from.tracks))
       for (const Interval& part : track.work.on_track) {
         const Box box = swath_box(from.tracks.grid, from.tracks.tracks[place], part);
         if (!intersects(box, seen)) continue;
@@ -228,7 +229,7 @@ std::size_t place_of(const TrackFamily& family, const LaidPiece& piece) {
 }
 
 Box swath_box(const StripGrid& grid, const Track& track, const Interval& part) {
-  if (track.path.empty()) return {grid.line(track.index), part.from, grid.line(track.index + 1), part.to};
+  if (is_straight(track)) return {grid.line(track.index), part.from, grid.line(track.index + 1), part.to};
   return reach_of(path_along(track, part.from, part.to), grid.width_m);
 }
 

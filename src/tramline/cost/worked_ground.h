@@ -46,7 +46,6 @@ class WorkedGround {
   };
   struct Family {
     const TrackFamily& tracks;
-    bool curved = false;
     std::vector<Worked> worked;  ///< by track
     double bulge_m = 0;          ///< how far any detour has ever left its strip
   };

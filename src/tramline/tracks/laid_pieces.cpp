@@ -81,7 +81,7 @@ LaidPiece piece_of(LaidPart part, const Track& track) {
   piece.stop_at_from = stops_at(track, part.whole.from, -1);
   piece.stop_at_to = stops_at(track, part.whole.to, +1);
   piece.detours = std::move(part.detours);
-  if (!track.path.empty()) piece.path = driven_path(track, piece);
+  if (!is_straight(track)) piece.path = driven_path(track, piece);
   for (const Interval& kept : parts_on_track(piece))
     piece.inside_m2 += inside_between(track, kept.from, kept.to);
   return piece;

@@ -33,7 +33,7 @@ double inside_between(const Track& track, double from, double to) {
 }
 
 Path path_along(const Track& track, double from, double to) {
-  assert(!track.path.empty());
+  assert(!is_straight(track));
   Path out;
   visit_parts(track, from, to, [&](double start, double end) {
     const Path part = path_between(track.path, start, end);

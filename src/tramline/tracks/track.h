@@ -23,6 +23,8 @@ struct Track {
   Intervals stretches;    ///< what the end rule allows, less what is hard or beyond a hard boundary
 };
 
+inline bool is_straight(const Track& track) { return track.path.empty(); }
+
 /// The tracks of one grid of strips, or those parallel to a curve.
 struct TrackFamily {
   /// Line k lies k·w right of line 0: of straight tracks in the grid's turned plane; of curved ones line 0 is
