@@ -72,7 +72,7 @@ std::string proof_rows(const Plan& plan) {
 
 /// Was there a search that tells what no plan undercuts?
 bool is_proven(const Plan& plan) {
-  return plan.settings.strategy == Strategy::kBest && plan.reference.empty() && !is_repair(plan);
+  return plan.settings.strategy == Strategy::kBest && references(plan).empty() && !is_repair(plan);
 }
 
 /// Of tracks and headland passes; infinite where all is straight, and 0 at a kink, m.
@@ -84,9 +84,9 @@ double least_radius_m(const Plan& plan) {
   return least;
 }
 
-ordered_json reference_json(const Plan& plan) {
-  if (plan.reference.empty()) return {};
-  const std::vector<Point> line = chords(plan.reference, 0.1);
+ordered_json reference_json(const Plan& plan, const Path& reference) {
+  if (reference.empty()) return {};
+  const std::vector<Point> line = chords(reference, 0.1);
   ordered_json points = ordered_json::array();
   for (const Point p : line) points.push_back({p.x, p.y});
   return {{"source", plan.settings.guide.empty() ? "edge" : "line"},
@@ -99,7 +99,11 @@ void add_map_keys(ordered_json& out, const Plan& plan) {
   const double radius_m = least_radius_m(plan);
   out["kind"] = is_curved(plan) ? "curved" : "straight";
   if (plan.settings.tracks != TrackConstruction::kParallel) out["construction"] = name(plan.settings.tracks);
-  out["reference"] = reference_json(plan);
+  const std::optional<Path> common = common_reference(plan);
+  out["reference"] = common ? reference_json(plan, *common) : ordered_json();
+  if (!common && !references(plan).empty())
+    for (const Subfield& subfield : plan.subfields)
+      out["references"].push_back(reference_json(plan, subfield.reference));
   out["min_radius_m"] = std::isfinite(radius_m) ? ordered_json(radius_m) : ordered_json();
   out["identity_error_m2"] = std::abs(identity_error_m2(plan));
   out["headland_passes"] = headland.passes.size();
@@ -124,9 +128,10 @@ std::string radius_remark(double radius_m) {
 }
 
 std::string line_rows(const Plan& plan) {
-  if (plan.reference.empty()) return "";
-  return fmt::format("reference    {}, tracks {}{}\n",
-                     plan.settings.guide.empty() ? "an edge of the field" : "the line given",
+  const std::size_t lines = references(plan).size();
+  if (lines == 0) return "";
+  const std::string edges = lines == 1 ? "an edge of the field" : fmt::format("{} edges of the field", lines);
+  return fmt::format("reference    {}, tracks {}{}\n", plan.settings.guide.empty() ? edges : "the line given",
                      is_curved(plan) ? "curved" : "straight", radius_remark(least_radius_m(plan)));
 }
 

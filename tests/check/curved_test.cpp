@@ -28,7 +28,8 @@ TEST(CurvedPlans, tracks_go_through_parts_that_lie_side_by_side) {
   const Polygon first{ring_sector(30, 45, 0, 45), {}}, second{ring_sector(30, 45, 45, 90), {}};
   const Direction direction = plan.subfields[0].direction;
   plan.body = {first, second};
-  plan.subfields = {{first, direction}, {second, direction}};
+  const Path reference = plan.subfields[0].reference;
+  plan.subfields = {{first, direction, reference}, {second, direction, reference}};
   EXPECT_EQ(found(settled(plan)).count("ends"), 0u);
   plan.body = {first};
   plan.subfields.pop_back();
@@ -52,7 +53,7 @@ TEST(CurvedPlans, arcs_about_one_point_hold_under_every_end_rule) {
 
 TEST(CurvedPlans, follow_a_reference_line) {
   Plan plan = arcs_plan();
-  plan.reference.clear();
+  plan.subfields[0].reference.clear();
   EXPECT_TRUE(found(plan).contains("pieces"));
 }
 
@@ -171,7 +172,7 @@ TEST(CurvedPlans, tracks_of_other_numbers) {
   plan = arcs_plan();
   for (TrackPiece& piece : plan.pieces) piece.track = -1 - piece.track;  // on the reference's other side
   EXPECT_EQ(found(plan), Names{"parallel"});
-  plan.reference = reversed(plan.reference);
+  plan.subfields[0].reference = reversed(plan.subfields[0].reference);
   EXPECT_EQ(found(plan), Names{});
 }
 
@@ -336,7 +337,7 @@ TEST(CurvedPlans, unsound_curves) {
   // Straight tracks still lie in the direction of their subfield.
   Plan plan = rectangle_plan();
   plan.pieces[4].end.y += 0.01;
-  plan.reference = straight_path({0, 0}, {100, 0});
+  plan.subfields[0].reference = straight_path({0, 0}, {100, 0});
   EXPECT_EQ(found(plan), Names{"pieces"});
 }
 
@@ -421,7 +422,6 @@ TEST(CurvedPlans, large_plans_are_judged) {
       }
     return curve;
   };
-  plan.reference = line(1.5 * tracks);
   for (int i = 0; i < tracks; ++i) {
     TrackPiece piece;
     piece.track = i;
@@ -430,7 +430,7 @@ TEST(CurvedPlans, large_plans_are_judged) {
   }
   plan.field.outer = band(plan.pieces[tracks / 2].curve, 3.0 * tracks + 3, kLayerSagitta);
   plan.body = {{plan.field.outer, {}}};
-  plan.subfields = {{plan.body[0], Direction::clockwise_from_north(Angle::degrees(90))}};
+  plan.subfields = {{plan.body[0], Direction::clockwise_from_north(Angle::degrees(90)), line(1.5 * tracks)}};
   const check::Verdict verdict = check::verify(plan);
   EXPECT_TRUE(verdict.complete);
   EXPECT_FALSE(rules(verdict).contains("parallel"));

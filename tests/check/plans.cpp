@@ -358,7 +358,8 @@ Plan arcs_plan() {
   plan.body = {{plan.field.outer, {}}};
   plan.subfields = {{plan.body[0], kEast}};
   // As far as the land and beyond, as planners make it.
-  plan.reference = {{{30, -60}, {30, 0}, 0}, arc_about_origin(30, 0, 90)[0], {{0, 30}, {-60, 30}, 0}};
+  plan.subfields[0].reference = {
+      {{30, -60}, {30, 0}, 0}, arc_about_origin(30, 0, 90)[0], {{0, 30}, {-60, 30}, 0}};
   for (int i = 0; i < 5; ++i) plan.pieces.push_back(arc_piece(i, 0, 90));
   return settled(plan);
 }
@@ -397,6 +398,7 @@ Plan turned(Plan plan, Angle by, Point move) {
     polygon(subfield.shape);
     subfield.direction =
         Direction::clockwise_from_north(Angle::radians(subfield.direction.angle().radians() + by.radians()));
+    subfield.reference = moved(subfield.reference, point);
   }
   for (TrackPiece& piece : plan.pieces) {
     piece.start = point(piece.start);
@@ -405,7 +407,6 @@ Plan turned(Plan plan, Angle by, Point move) {
     piece.curve = moved(piece.curve, point);
   }
   for (HeadlandPass& pass : plan.headland.passes) pass.path = moved(pass.path, point);
-  plan.reference = moved(plan.reference, point);
   for (Encounter& encounter : plan.encounters) encounter.at = point(encounter.at);
   return plan;
 }

@@ -19,21 +19,18 @@ namespace {
 
 using namespace testing_plans;
 
-/// A plan with nothing but a reference and one curved piece, so that its tracks have lines.
-Plan along(const Path& reference, double width_m, double radius_m) {
-  Plan plan;
-  plan.machine.width_m = width_m;
-  plan.machine.radius_m = radius_m;
-  plan.reference = reference;
-  plan.pieces.emplace_back().curve = {{{0, 0}, {1, 1}, 1}};
-  return plan;
+check::TrackLines along(const Path& reference, double width_m, double radius_m) {
+  Machine machine;
+  machine.width_m = width_m;
+  machine.radius_m = radius_m;
+  return {reference, machine};
 }
 
 /// North, a quarter turn to the right of 10 m, east: x = 0 up to the origin, y = 10 from x = 10.
 Path elbow() { return {{{0, -60}, {0, 0}, 0}, {{0, 0}, {10, 10}, -0.1}, {{10, 10}, {70, 10}, 0}}; }
 
 TEST(TrackLines, follow_bends_that_have_room_for_the_machine) {
-  const check::TrackLines lines(along(elbow(), 3, 6));
+  const check::TrackLines lines = along(elbow(), 3, 6);
   // 1.5 m to the right the bend has 8.5 m left, 1.5 m to the left 11.5 m.
   const auto inner = lines.between(0, {1.5, -20}, {0, 1}, {20, 8.5});
   ASSERT_TRUE(inner);
@@ -50,7 +47,7 @@ TEST(TrackLines, follow_bends_that_have_room_for_the_machine) {
 /// 4.5 m to the right 5.5 m are left, which is too tight: a disc of 6 m that touches both sides has its
 /// centre 10.5 m from both lines.
 TEST(TrackLines, roll_round_corners) {
-  const check::TrackLines lines(along(elbow(), 3, 6));
+  const check::TrackLines lines = along(elbow(), 3, 6);
   const auto path = lines.between(1, {4.5, -20}, {0, 1}, {20, 5.5});
   ASSERT_TRUE(path);
   ASSERT_EQ(path->size(), 3u);
@@ -89,7 +86,7 @@ TEST(TrackLines, roll_round_corners) {
 
 /// Places off the line, of another track, or beyond the ends of the reference.
 TEST(TrackLines, do_not_lead_where_they_do_not_run) {
-  const check::TrackLines lines(along(elbow(), 3, 6));
+  const check::TrackLines lines = along(elbow(), 3, 6);
   EXPECT_FALSE(lines.between(1, {4.502, -20}, {0, 1}, {20, 5.5}));
   EXPECT_TRUE(lines.between(1, {4.5005, -20}, {0, 1}, {20, 5.5}));
   EXPECT_FALSE(lines.between(2, {4.5, -20}, {0, 1}, {20, 5.5}));
@@ -99,8 +96,8 @@ TEST(TrackLines, do_not_lead_where_they_do_not_run) {
   // One nearer to the reference, too: on its arc the place might be.
   EXPECT_EQ(lines.tracks_near({4.5, -20}), (std::vector<int>{1, 0}));
   EXPECT_EQ(lines.tracks_near({-4.5, -20}), (std::vector<int>{-2, -1}));
-  Plan tight = along(elbow(), 3, 10.2);
-  EXPECT_FALSE(check::TrackLines(tight).between(0, {1.5, -20}, {0, 1}, {20, 8.5}));
+  const check::TrackLines tight = along(elbow(), 3, 10.2);
+  EXPECT_FALSE(tight.between(0, {1.5, -20}, {0, 1}, {20, 8.5}));
 }
 
 /// A turn of 135° is not driven round: both sides are lines of their own.
@@ -109,7 +106,7 @@ TEST(TrackLines, end_in_sharp_corners) {
   const Point turned{10 + 10 * half, 10 * half};  // the arc's end, heading south-east; the centre is (10, 0)
   const Path reference{
       {{0, -60}, {0, 0}, 0}, {{0, 0}, turned, -0.1}, {turned, turned + 60 * Point{half, -half}, 0}};
-  const check::TrackLines lines(along(reference, 3, 6));
+  const check::TrackLines lines = along(reference, 3, 6);
   EXPECT_NEAR(turning(reference[1]), -3 * std::numbers::pi / 4, 1e-12);
   EXPECT_TRUE(lines.between(0, {1.5, -20}, {0, 1}, {1.5, -1}));
   const Point right{-half, -half};
@@ -121,14 +118,14 @@ TEST(TrackLines, end_in_sharp_corners) {
 /// Round a circle of 40 m, anticlockwise: the tracks on its left are closed.
 TEST(TrackLines, come_back_to_where_they_began) {
   const Path circle{{{40, 0}, {-40, 0}, 1 / 40.0}, {{-40, 0}, {40, 0}, 1 / 40.0}};
-  const check::TrackLines lines(along(circle, 4, 6));
+  const check::TrackLines lines = along(circle, 4, 6);
   EXPECT_TRUE(lines.may_close());
   const auto over_the_seam = lines.between(-2, {0, -34}, {1, 0}, {0, 34});
   ASSERT_TRUE(over_the_seam);
   EXPECT_NEAR(length(*over_the_seam), 34 * std::numbers::pi, 1e-3);
   EXPECT_TRUE(check::holds(*over_the_seam, {34, 0}));
   EXPECT_FALSE(check::holds(*over_the_seam, {-34, 0}));
-  EXPECT_FALSE(check::TrackLines(along(elbow(), 3, 6)).may_close());
+  EXPECT_FALSE(along(elbow(), 3, 6).may_close());
 }
 
 /// A line that wanders east, without kinks.
@@ -154,7 +151,7 @@ TEST(TrackLines, agree_with_parallels) {
     box.extend(Point{-20, -150});
     box.extend(Point{450, 150});
     const Path reference = extended(wandering(random, limits.least_radius_m()), box).path;
-    const check::TrackLines lines(along(reference, limits.width_m, limits.radius_m));
+    const check::TrackLines lines = along(reference, limits.width_m, limits.radius_m);
     ASSERT_TRUE(lines.known()) << seed;
     for (const FamilyTrack& each : parallel_family(reference, -20, 19, limits)) {
       const Path path = check::shortened(each.track.path, 0.01);

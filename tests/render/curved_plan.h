@@ -66,7 +66,7 @@ inline Plan curved_plan() {
   headland.uncovered_m2 = area(headland.unworked);
   headland.overlap_m2 = headland.worked_m2 - area(headland.ground) + headland.uncovered_m2;
   plan.subfields.push_back({plan.body[0], Direction::clockwise_from_north(Angle::degrees(75))});
-  plan.reference = parallel_bend(0, -200, 600, 12, 1000);
+  plan.subfields[0].reference = parallel_bend(0, -200, 600, 12, 1000);
   for (int track = -20; track < 18; ++track) {
     const Path path = parallel_bend(6 * track + 3, 12, 308, 12, 188);
     if (path.empty()) continue;

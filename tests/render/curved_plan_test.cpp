@@ -106,7 +106,7 @@ TEST_F(CurvedPlan, UnworkedHeadlandHasTheColourOfUncoveredLand) {
 TEST_F(CurvedPlan, TheReferenceEndsBesideTheField) {
   const Plan without = [&] {
     Plan out = plan_;
-    out.reference.clear();
+    for (Subfield& subfield : out.subfields) subfield.reference.clear();
     return out;
   }();
   EXPECT_EQ(drawn_box(without).max_x, drawn_box(plan_).max_x) << "it makes no page wider";

@@ -84,8 +84,9 @@ class CurvedDetour {
 }  // namespace
 
 std::optional<Path> line_left(const Case& c, const TrackPiece& piece, const Detour& detour) {
-  return c.lines.between(piece.track, detour.path.front().from, direction_at_start(detour.path.front()),
-                         detour.path.back().to);
+  return c.lines.of(piece.subfield)
+      .between(piece.track, detour.path.front().from, direction_at_start(detour.path.front()),
+               detour.path.back().to);
 }
 
 void check_curved_detours(const Case& c, Violations& out) {

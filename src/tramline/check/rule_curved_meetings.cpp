@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tramline/check/bands.h"
@@ -24,8 +25,13 @@ struct Laid {
 /// All that was laid along the lines of one track.
 class TrackMeetings {
  public:
-  TrackMeetings(const Case& c, int track, Violations& out)
-      : c_(c), track_(track), line_(c.lines.line(track)), out_(out) {}
+  TrackMeetings(const Case& c, int subfield, int track, Violations& out)
+      : c_(c),
+        subfield_(subfield),
+        track_(track),
+        lines_(c.lines.of(subfield)),
+        line_(lines_.line(track)),
+        out_(out) {}
 
   void add(const TrackPiece& piece) {
     const auto start = line_.place_of(piece.start), end = line_.place_of(piece.end);
@@ -59,7 +65,7 @@ class TrackMeetings {
     // What lies across the beginning of a closed line leaves no gap there.
     const bool round = std::any_of(laid_.begin(), laid_.end(),
                                    [](const Laid& other) { return before(other.to, other.from); });
-    if (c_.lines.may_close() && !round) goes_on_beyond(end, laid_.front().from);
+    if (lines_.may_close() && !round) goes_on_beyond(end, laid_.front().from);
   }
 
   /// Judges the gap between two places; false where it leads from the one to the other, or ends.
@@ -78,7 +84,8 @@ class TrackMeetings {
     if (blocked_m2 + common_m2(core, c_.given_up) <= kTouch_m2) return;
     std::vector<const Encounter*> there;
     for (const Encounter& encounter : c_.plan.encounters)
-      if (encounter.track == track_ && holds(gap, encounter.at)) there.push_back(&encounter);
+      if (encounter.subfield == subfield_ && encounter.track == track_ && holds(gap, encounter.at))
+        there.push_back(&encounter);
     const Point at = place_on(path, 0.5 * length(path));
     const std::string name = fmt::format("track {}", track_ + 1);
     if (there.empty()) {
@@ -111,7 +118,9 @@ class TrackMeetings {
   }
 
   const Case& c_;
+  int subfield_;
   int track_;
+  const TrackLines& lines_;
   TrackLine line_;
   Violations& out_;
   std::vector<Laid> laid_;
@@ -120,16 +129,17 @@ class TrackMeetings {
 }  // namespace
 
 void check_curved_meetings(const Case& c, Violations& out) {
-  if (!c.lines.known()) return;
-  std::map<int, TrackMeetings> tracks;
-  const auto of = [&](int track) -> TrackMeetings& {
-    return tracks.try_emplace(track, c, track, out).first->second;
+  std::map<std::pair<int, int>, TrackMeetings> tracks;  // by subfield and track
+  const auto of = [&](int subfield, int track) -> TrackMeetings& {
+    return tracks.try_emplace({subfield, track}, c, subfield, track, out).first->second;
   };
   for (const TrackPiece& piece : c.plan.pieces)
-    if (!piece.curve.empty()) of(piece.track).add(piece);
+    if (!piece.curve.empty() && c.lines.of(piece.subfield).known())
+      of(piece.subfield, piece.track).add(piece);
   for (const DroppedPiece& dropped : c.plan.dropped)
-    for (const int track : c.lines.tracks_near(dropped.start)) of(track).add(dropped);
-  for (auto& [track, meetings] : tracks) meetings.check();
+    if (const TrackLines& lines = c.lines.of(dropped.subfield); lines.known())
+      for (const int track : lines.tracks_near(dropped.start)) of(dropped.subfield, track).add(dropped);
+  for (auto& [place, meetings] : tracks) meetings.check();
 }
 
 }  // namespace tramline::check

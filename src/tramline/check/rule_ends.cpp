@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "tramline/check/bands.h"
 #include "tramline/check/cross_section.h"
@@ -56,6 +57,15 @@ Polygon land_within(const Box& box, const Region& land) {
   return out;
 }
 
+/// Tracks along one curve may go through several subfields.
+Region along_same_line(const Plan& plan, int subfield) {
+  const Path& line = plan.subfields[static_cast<std::size_t>(subfield)].reference;
+  Region out;
+  for (const Subfield& other : plan.subfields)
+    if (other.reference == line) out.push_back(other.shape);
+  return out;
+}
+
 std::string describe(const Plan& plan, std::size_t index, const Stretch& stretch) {
   const char* rule = name(plan.settings.end_rule);
   const char* land = plan.pieces[index].curve.empty() ? "its subfield" : "the land to work";
@@ -77,12 +87,20 @@ void check_ends(const Case& c, Violations& out) {
     if (below.length() > allowed_m)
       out.push_back({rule::kEnds, describe(c.plan, i, below), at, below.length()});
   };
+  std::map<int, Region> lands;  // of curved tracks, by subfield
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
     const TrackPiece& piece = c.plan.pieces[i];
     if (!piece.curve.empty()) {
-      // Tracks along one curve go through all parts of the body.
+      const auto known = lands.find(piece.subfield);
+      const Region& asked_for =
+          known != lands.end()
+              ? known->second
+              : lands
+                    .emplace(piece.subfield,
+                             is_repair(c.plan) ? c.plan.body : along_same_line(c.plan, piece.subfield))
+                    .first->second;
       for (const Path& part : parts_on_track(piece)) {
-        const Polygon land = land_within(reach_of(part, 2 * asked.half_m), c.plan.body);
+        const Polygon land = land_within(reach_of(part, 2 * asked.half_m), asked_for);
         const Stretch below = longest_below(land, part, asked.half_m, asked.required_m);
         report(i, below, place_on(part, 0.5 * (below.from_m + below.to_m)));
       }

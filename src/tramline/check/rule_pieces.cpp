@@ -88,19 +88,20 @@ void check_piece(const Plan& plan, std::size_t index, Violations& out) {
                    piece.start, static_cast<double>(piece.subfield + 1)});
     return;
   }
+  const Subfield& subfield = plan.subfields[static_cast<std::size_t>(piece.subfield)];
   if (!piece.curve.empty()) {
     if (const std::string fault = fault_of_curve(piece); !fault.empty())
       out.push_back({rule::kPieces, name + fault, piece.start, 0});
     else
       check_detours_of_curve(plan, index, out);
-    if (plan.reference.empty() && !is_repair(plan))
+    if (subfield.reference.empty() && !is_repair(plan))
       out.push_back(
-          {rule::kPieces, name + " follows a curve, and the plan has no reference line", piece.start, 0});
+          {rule::kPieces, name + " follows a curve, and its subfield has no reference line", piece.start, 0});
     return;
   }
   check_detours(plan, index, out);
   if (follows_curve(plan, piece.subfield)) return;
-  const Direction direction = plan.subfields[static_cast<std::size_t>(piece.subfield)].direction;
+  const Direction direction = subfield.direction;
   const double off_m = std::abs(cross(piece.end - piece.start, direction.unit()));
   // Written so that an undefined direction (NaN) is a violation too.
   if (!(off_m <= kLengthTolerance_m))

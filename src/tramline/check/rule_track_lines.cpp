@@ -19,16 +19,17 @@ struct Off {
   bool other_side;     ///< of the reference
 };
 
-std::optional<Off> off_line(const Case& c, const TrackLine& line, int track, const PathSegment& segment) {
-  const double length_m = length(segment), due_m = c.lines.off_m(track);
-  const int looks = 2 * std::max(1, static_cast<int>(std::ceil(0.5 * length_m / c.plan.machine.width_m)));
+std::optional<Off> off_line(const TrackLines& lines, const TrackLine& line, int track,
+                            const PathSegment& segment, double width_m) {
+  const double length_m = length(segment), due_m = lines.off_m(track);
+  const int looks = 2 * std::max(1, static_cast<int>(std::ceil(0.5 * length_m / width_m)));
   for (int i = 0; i <= looks; ++i) {
     const Point at = i < looks ? place_on(segment, length_m * i / looks) : segment.to;
-    const Foot near = c.lines.side_of(track).foot_of(at, due_m + kLengthTolerance_m);
+    const Foot near = lines.side_of(track).foot_of(at, due_m + kLengthTolerance_m);
     if (std::isfinite(near.off_m) && near.on_right && near.square && near.off_m >= due_m - kLengthTolerance_m)
       continue;
     if (std::isinf(near.off_m) && line.rolls_round_corner(segment, at)) continue;
-    const Foot foot = c.lines.side_of(track).foot_of(at);
+    const Foot foot = lines.side_of(track).foot_of(at);
     return Off{at, foot.off_m, !foot.on_right};
   }
   return std::nullopt;
@@ -37,16 +38,18 @@ std::optional<Off> off_line(const Case& c, const TrackLine& line, int track, con
 }  // namespace
 
 void check_track_lines(const Case& c, Violations& out) {
-  if (!c.lines.known() || is_repair(c.plan)) return;
+  if (is_repair(c.plan)) return;
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
     const TrackPiece& piece = c.plan.pieces[i];
-    const TrackLine line = c.lines.line(piece.track);
+    const TrackLines& lines = c.lines.of(piece.subfield);
+    if (!lines.known()) continue;
+    const TrackLine line = lines.line(piece.track);
     std::optional<Off> worst;
-    const double due_m = c.lines.off_m(piece.track);
+    const double due_m = lines.off_m(piece.track);
     const auto by_m = [due_m](const Off& off) { return std::abs(off.reference_m - due_m); };
     for (const Path& part : parts_on_track(piece))
       for (const PathSegment& segment : part) {
-        const std::optional<Off> found = off_line(c, line, piece.track, segment);
+        const std::optional<Off> found = off_line(lines, line, piece.track, segment, c.plan.machine.width_m);
         if (found && (!worst || by_m(*found) > by_m(*worst))) worst = found;
       }
     if (!worst) continue;

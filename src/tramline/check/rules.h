@@ -38,7 +38,7 @@ struct Case {
   Region along_boundaries;          ///< the same with one pass for each boundary that has any
   std::vector<Box> obstacle_boxes;  ///< of all obstacles of the field, in their order
   double area_tolerance_m2;         ///< 1e-6 of the field's area, not below what the precision grid can do
-  TrackLines lines;                 ///< of tracks that follow a curve
+  PlanLines lines;                  ///< of tracks that follow a curve
   std::vector<WorkedPart> parts;    ///< of the swaths
   WorkedBody worked;                ///< what they work of the body
   std::optional<WithPasses> with_passes;  ///< where figures count headland passes, too, and there are any
@@ -115,7 +115,7 @@ void check_encounters(const Case& c, Violations& out);
 /// does not say what would have followed: nothing is asked there, nor of a repair, which decides nothing at
 /// obstacles. O(g·e) for g such gaps and e encounters.
 void check_meetings(const Case& c, Violations& out);
-/// The same along curved tracks, whose lines are those of the plan's reference.
+/// The same along curved tracks, whose lines are those of their subfield's reference.
 void check_curved_meetings(const Case& c, Violations& out);
 /// Each way past an encounter has either a cost or a reason why not, and the chosen one a cost. Where the
 /// cheapest ways were asked for, the chosen one costs least: no other, nor a cut, is cheaper by more
@@ -158,7 +158,7 @@ bool exist(const Plan& plan, const std::vector<int>& obstacles);
 /// How many passes of headland an obstacle has.
 int passes_round(const Plan& plan, std::size_t obstacle);
 /// Are the tracks of a subfield parallel to a curve, so that they need not lie in its direction? They are
-/// where one of them is curved, or where the plan's reference is.
+/// where one of them is curved, or where the subfield's reference is.
 bool follows_curve(const Plan& plan, int subfield);
 
 /// The stretch of the line of its curved track that a detour takes the place of, nullopt where it does not

@@ -39,10 +39,10 @@ std::vector<double> looks_along(const Path& reference, double width_m) {
 
 }  // namespace
 
-TrackLines::TrackLines(const Plan& plan)
-    : width_m_(plan.machine.width_m), least_radius_m_(check::least_radius_m(plan.machine)) {
-  if (plan.reference.empty() || !is_curved(plan) || !can_be_followed(plan.reference, least_radius_m_)) return;
-  for (const Path& line : {plan.reference, reversed(plan.reference)}) {
+TrackLines::TrackLines(const Path& reference, const Machine& machine)
+    : width_m_(machine.width_m), least_radius_m_(check::least_radius_m(machine)) {
+  if (reference.empty() || !can_be_followed(reference, least_radius_m_)) return;
+  for (const Path& line : {reference, reversed(reference)}) {
     sides_.emplace_back(line);
     looks_m_.push_back(looks_along(line, width_m_));
   }
@@ -76,6 +76,28 @@ std::optional<Path> TrackLines::between(int track, Point from, Point heading, Po
   Walk walk = back ? line.walk(*last, *first) : line.walk(*first, *last);
   if (walk.end != WalkEnd::kReached || walk.path.empty()) return std::nullopt;
   return std::move(walk.path);
+}
+
+PlanLines::PlanLines(const Plan& plan) : lines_(1), by_subfield_(plan.subfields.size(), 0) {
+  std::vector<bool> curved(plan.subfields.size(), false);
+  for (const TrackPiece& piece : plan.pieces)
+    if (!piece.curve.empty() && piece.subfield >= 0 && piece.subfield < std::ssize(plan.subfields))
+      curved[static_cast<std::size_t>(piece.subfield)] = true;
+  for (std::size_t i = 0; i < plan.subfields.size(); ++i) {
+    if (!curved[i]) continue;
+    const Path& reference = plan.subfields[i].reference;
+    for (std::size_t before = 0; before < i && by_subfield_[i] == 0; ++before)
+      if (curved[before] && plan.subfields[before].reference == reference)
+        by_subfield_[i] = by_subfield_[before];
+    if (by_subfield_[i] != 0) continue;
+    by_subfield_[i] = lines_.size();
+    lines_.emplace_back(reference, plan.machine);
+  }
+}
+
+const TrackLines& PlanLines::of(int subfield) const {
+  const bool known = subfield >= 0 && subfield < std::ssize(by_subfield_);
+  return lines_[known ? by_subfield_[static_cast<std::size_t>(subfield)] : 0];
 }
 
 bool holds(const Path& path, Point p) {

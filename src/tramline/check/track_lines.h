@@ -10,11 +10,12 @@
 
 namespace tramline::check {
 
-/// The plan's reference from both sides, and the lines at (k + ½) working widths from it, k being the track's
-/// number; none where no piece is curved, or where the reference is nothing that tracks can follow.
+/// A reference from both sides, and the lines at (k + ½) working widths from it, k being the track's number;
+/// none where the reference is nothing that tracks can follow.
 class TrackLines {
  public:
-  explicit TrackLines(const Plan& plan);
+  TrackLines() = default;
+  TrackLines(const Path& reference, const Machine& machine);
 
   bool known() const { return !sides_.empty(); }
   /// Of a track's number. Precondition: known().
@@ -43,6 +44,19 @@ class TrackLines {
   double least_radius_m_ = 0;
   std::vector<ReferenceSide> sides_;          ///< its right, and its left looking back
   std::vector<std::vector<double>> looks_m_;  ///< along each
+};
+
+/// Those of a plan, by subfield.
+class PlanLines {
+ public:
+  explicit PlanLines(const Plan& plan);
+
+  /// None where no piece of the subfield is curved, or where there is no such subfield.
+  const TrackLines& of(int subfield) const;
+
+ private:
+  std::vector<TrackLines> lines_;         ///< of each reference; the first are none
+  std::vector<std::size_t> by_subfield_;  ///< index into lines_
 };
 
 /// Is a place on the path, up to a millimetre?

@@ -132,7 +132,9 @@ int passes_round(const Plan& plan, std::size_t obstacle) {
 }
 
 bool follows_curve(const Plan& plan, int subfield) {
-  if (std::any_of(plan.reference.begin(), plan.reference.end(),
+  const auto place = static_cast<std::size_t>(subfield);
+  if (place < plan.subfields.size() &&
+      std::any_of(plan.subfields[place].reference.begin(), plan.subfields[place].reference.end(),
                   [](const PathSegment& segment) { return !segment.straight(); }))
     return true;
   return std::any_of(plan.pieces.begin(), plan.pieces.end(), [subfield](const TrackPiece& piece) {

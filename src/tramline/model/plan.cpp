@@ -118,6 +118,23 @@ bool is_curved(const Plan& plan) {
                      [](const TrackPiece& piece) { return !piece.curve.empty(); });
 }
 
+std::vector<Path> references(const Plan& plan) {
+  std::vector<Path> out;
+  for (const Subfield& subfield : plan.subfields)
+    if (!subfield.reference.empty() && std::find(out.begin(), out.end(), subfield.reference) == out.end())
+      out.push_back(subfield.reference);
+  return out;
+}
+
+std::optional<Path> common_reference(const Plan& plan) {
+  const auto differs = [&plan](const Subfield& subfield) {
+    return subfield.reference.empty() || subfield.reference != plan.subfields.front().reference;
+  };
+  if (plan.subfields.empty() || std::any_of(plan.subfields.begin(), plan.subfields.end(), differs))
+    return std::nullopt;
+  return plan.subfields.front().reference;
+}
+
 Region swaths(const Plan& plan) {
   Region out;
   out.reserve(plan.pieces.size());

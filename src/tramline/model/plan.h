@@ -97,8 +97,9 @@ enum class PlanFigures { kTracksAndPasses, kTracks };
 double gap(double cost, double bound);
 
 struct Subfield {
-  Polygon shape;  ///< may contain passable obstacles
-  Direction direction;
+  Polygon shape;        ///< may contain passable obstacles
+  Direction direction;  ///< of its tracks; where they follow a curve, that of the curve as a whole
+  Path reference{};     ///< what its tracks run parallel to, where they follow a line or a curve; else empty
 };
 
 /// A piece that was too short to drive (S1.14); reported, its land counts as uncovered.
@@ -120,9 +121,8 @@ struct Plan {
   Headland headland;
   Region given_up;  ///< body between clustered obstacles (b), between obstacle and edge (c), and nearer
                     ///< to an obstacle than the clearance; hard
-  std::vector<Subfield> subfields;  ///< with curved tracks: each with the reference's direction as a whole
-  Path reference;                   ///< what all tracks run parallel to, where they follow a line; else empty
-  std::vector<TrackPiece> pieces;   ///< in driving order
+  std::vector<Subfield> subfields;
+  std::vector<TrackPiece> pieces;  ///< in driving order
   std::vector<DroppedPiece> dropped;
   std::vector<Encounter> encounters;  ///< by subfield, track and place along it
   PlanFigures figures = PlanFigures::kTracksAndPasses;
@@ -151,8 +151,14 @@ double identity_error_m2(const Plan& plan);
 /// Is it a plan for what another drive has missed?
 inline bool is_repair(const Plan& plan) { return !plan.worked.empty(); }
 
-/// Does any track?
+/// Does any track follow a curve?
 bool is_curved(const Plan& plan);
+
+/// The lines that tracks follow, each once, in the order of the subfields. O(subfields²).
+std::vector<Path> references(const Plan& plan);
+
+/// The line that the tracks of all subfields follow; nullopt where some follow another one, or none.
+std::optional<Path> common_reference(const Plan& plan);
 
 /// All swaths, in driving order.
 Region swaths(const Plan& plan);

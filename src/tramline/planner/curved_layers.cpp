@@ -34,7 +34,8 @@ std::vector<Region> worked_grounds(const Plan& plan) {
     }
     for (const Detour& detour : piece.detours) append_swath(detour.path, width_m, by_detours);
   }
-  std::vector<Region> out = worked_bands(plan.reference, on_track, width_m, kLayerSagitta);
+  if (plan.pieces.empty()) return {};
+  std::vector<Region> out = worked_bands(plan.subfields.front().reference, on_track, width_m, kLayerSagitta);
   if (!by_detours.empty()) out.push_back(unite(by_detours));
   return out;
 }

@@ -19,8 +19,7 @@ Plan finished_plan(const SearchTask& task, const CurvedCandidate& candidate) {
   const Path& line = candidate.reference;
   const Point half_way = path_between(line, 0, 0.5 * length(line)).back().to;
   const Direction whole = Direction::along(line.front().from, half_way);
-  for (const Polygon& part : task.ground.plannable) plan.subfields.push_back({part, whole});
-  plan.reference = candidate.reference;
+  for (const Polygon& part : task.ground.plannable) plan.subfields.push_back({part, whole, line});
   const bool curved = line.size() > 1 || !line.front().straight();
   const bool paper = task.settings.tracks == TrackConstruction::kPaper;
   const Writing writing{task.machine.width_m, curved || !paper};

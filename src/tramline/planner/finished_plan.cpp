@@ -113,7 +113,8 @@ Plan finished_plan(const SearchTask& task, SearchResult found) {
   std::vector<Region> grounds = worked_grounds(found.best, plan.pieces, plan.machine.width_m);
   plan.subfields = std::move(found.best.subfields);
   if (!task.settings.guide.empty())
-    plan.reference = straight_path(task.settings.guide.front(), task.settings.guide.back());
+    for (Subfield& subfield : plan.subfields)
+      subfield.reference = straight_path(task.settings.guide.front(), task.settings.guide.back());
   set_figures(plan, found.best.avoided.tally);
   plan.directions_tried = found.directions_tried;
   plan.proof = whole_proof(task, found, plan);

@@ -30,7 +30,7 @@ void draw_lines(Canvas& canvas, const Plan& near, int obstacle, const Box& seen)
   draw_outlines(canvas, near);
   draw_headland_passes(canvas, near, seen);
   draw_track_lines(canvas, near);
-  draw_reference(canvas, near, seen);
+  draw_references(canvas, near, seen);
   draw_tightest_arcs(canvas, near, obstacle);
   draw_detours(canvas, near);
   draw_arrow_heads(canvas, near, seen);

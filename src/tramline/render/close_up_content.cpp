@@ -152,7 +152,7 @@ LegendBlock symbols(const Plan& near, const Box& seen, const DetoursRound& detou
   const bool several = near.subfields.size() > 1;
   add(!near.pieces.empty(), Symbol::kTrack, several ? "track: subfield/number" : "track and its number");
   add(shows_detour(near, seen), Symbol::kDetour, "detour round an obstacle");
-  add(!near.reference.empty(), Symbol::kReference, "line that tracks follow");
+  add(!references(near).empty(), Symbol::kReference, "line that tracks follow");
   add(detours.left + detours.right > 0, Symbol::kTightestArc, "tightest arc of a detour");
   add(!near.dropped.empty(), Symbol::kDropped, "dropped: too short to drive");
   add(shows_stop(near, seen), Symbol::kStop, "stop: the machine backs out");

@@ -70,6 +70,8 @@ Plan part_in(const Plan& plan, const Box& box) {
   out.objective = plan.objective;
   out.settings = plan.settings;
   out.subfields = plan.subfields;
+  for (Subfield& subfield : out.subfields)
+    if (!subfield.reference.empty() && !shows(box, subfield.reference)) subfield.reference.clear();
   const Box reach = box.grown(0.5 * plan.machine.width_m);
   for (const TrackPiece& piece : plan.pieces)
     if (!(piece.start == piece.end) && intersects(box_of(centre_line(piece)), reach))
@@ -81,7 +83,6 @@ Plan part_in(const Plan& plan, const Box& box) {
   for (const Polygon& polygon : plan.headland.ground)
     if (shows(box, polygon)) out.headland.ground.push_back(polygon);
   out.headland.unworked = parts_in(plan.headland.unworked, box);
-  if (!plan.reference.empty() && shows(box, plan.reference)) out.reference = plan.reference;
   out.given_up = parts_in(plan.given_up, box);
   out.overlap = parts_in(plan.overlap, box);
   out.uncovered = parts_in(plan.uncovered, box);

@@ -28,7 +28,7 @@ void draw_map(Canvas& canvas, const Plan& plan) {
   draw_track_lines(canvas, plan);
   draw_arrow_heads(canvas, plan, drawn);
   draw_outlines(canvas, plan);
-  draw_reference(canvas, plan, drawn);
+  draw_references(canvas, plan, drawn);
   // Marks that stand close together would hide the faults between them.
   const bool apart = stops_stand_apart(canvas, plan);
   if (!apart) draw_stops(canvas, plan);

@@ -43,16 +43,17 @@ void draw_headland_passes(Canvas& canvas, const Plan& plan, const Box& seen) {
   }
 }
 
-void draw_reference(Canvas& canvas, const Plan& plan, const Box& seen) {
-  if (plan.reference.empty()) return;
+void draw_references(Canvas& canvas, const Plan& plan, const Box& seen) {
   const double k = canvas.scale();
   const Point low = canvas.view().to_page({seen.min_x, seen.max_y});
   const Point high = canvas.view().to_page({seen.max_x, seen.min_y});
   cairo_save(canvas.cr());
   // The line is as long as any track could need it, and no part of the field.
   clip_to(canvas, Box{low.x, low.y, high.x, high.y}.grown(kReferenceBeyond * k));
-  curve(canvas, plan.reference, {kReferenceRim, (kReferenceLine + 2 * kDetourRimWidth) * k});
-  curve(canvas, plan.reference, {kReferenceColour, kReferenceLine * k, reference_dashes(k)});
+  for (const Path& reference : references(plan)) {
+    curve(canvas, reference, {kReferenceRim, (kReferenceLine + 2 * kDetourRimWidth) * k});
+    curve(canvas, reference, {kReferenceColour, kReferenceLine * k, reference_dashes(k)});
+  }
   cairo_restore(canvas.cr());
 }
 

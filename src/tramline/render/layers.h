@@ -17,7 +17,7 @@ void draw_headland_swaths(Canvas& canvas, const Plan& plan);
 /// Headland passes, with arrow heads where they are inside `seen`, m.
 void draw_headland_passes(Canvas& canvas, const Plan& plan, const Box& seen);
 /// What the tracks run parallel to, as far as it is inside `seen`, m, or a little beyond.
-void draw_reference(Canvas& canvas, const Plan& plan, const Box& seen);
+void draw_references(Canvas& canvas, const Plan& plan, const Box& seen);
 /// Every second swath of a subfield a shade darker, as far as the scale lets swaths be told apart.
 void draw_swaths(Canvas& canvas, const Plan& plan);
 /// Passable obstacles, then obstacles.

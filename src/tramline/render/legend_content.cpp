@@ -50,7 +50,7 @@ LegendBlock symbols(const Plan& plan) {
   add(!plan.given_up.empty(), Symbol::kGivenUp, "given up on purpose (uncovered)");
   add(!plan.pieces.empty(), Symbol::kTrack, "track, number at its start");
   add(summary_of_detours(plan).count() > 0, Symbol::kDetour, "detour round an obstacle");
-  add(!plan.reference.empty(), Symbol::kReference, "line that tracks follow");
+  add(!references(plan).empty(), Symbol::kReference, "line that tracks follow");
   add(!plan.dropped.empty(), Symbol::kDropped, "dropped: too short to drive");
   add(has_stops(plan), Symbol::kStop, "stop: the machine backs out");
   add(!visible_faults(plan.overlap).empty(), Symbol::kOverlap, "overlap");

@@ -57,7 +57,7 @@ Plan headland_plan() {
   plan.headland.overlap_m2 = 0.1;
   plan.headland.uncovered_m2 = 0.7;
   plan.subfields = {{plan.body[0], Direction::clockwise_from_north(Angle::degrees(80.3))}};
-  plan.reference = {{{-300, 20}, {60, 20 + third}, 0}, {{60, 20 + third}, {120, 50}, 1 / 77.7}};
+  plan.subfields[0].reference = {{{-300, 20}, {60, 20 + third}, 0}, {{60, 20 + third}, {120, 50}, 1 / 77.7}};
   plan.pieces = {
       {{10, 20}, {120.1, 70}, 0, 0}, {{20, 30}, {80, 60 + third}, 0, -1}, {{9, 85}, {99, 86}, 0, 2}};
   plan.pieces[0].curve = {
@@ -82,8 +82,8 @@ class HeadlandsInFiles : public testing::Test {
     CPLPopErrorHandler();
   }
   /// What reading says after a change; "" when it says nothing.
-  std::string after(const std::string& statement) const {
-    io::write_plan(headland_plan(), file_);
+  std::string after(const std::string& statement, const Plan& plan = headland_plan()) const {
+    io::write_plan(plan, file_);
     change(statement);
     try {
       io::read_plan_file(file_);
@@ -95,9 +95,9 @@ class HeadlandsInFiles : public testing::Test {
     return "";
   }
   /// Does reading name all these words after the change?
-  testing::AssertionResult says(const std::string& statement,
-                                std::initializer_list<const char*> words) const {
-    const std::string sentence = after(statement);
+  testing::AssertionResult says(const std::string& statement, std::initializer_list<const char*> words,
+                                const Plan& plan = headland_plan()) const {
+    const std::string sentence = after(statement, plan);
     for (const char* word : words)
       if (sentence.find(word) == std::string::npos)
         return testing::AssertionFailure() << statement << ": '" << sentence << "' does not name " << word;
@@ -125,7 +125,7 @@ TEST_F(HeadlandsInFiles, come_back_to_the_bit) {
   EXPECT_EQ(read.plan.settings.shape, TrackShape::kAuto);
   EXPECT_EQ(read.plan.settings.tracks, TrackConstruction::kPaper);
   EXPECT_EQ(read.plan.settings.guide, plan.settings.guide);
-  EXPECT_EQ(read.plan.reference, plan.reference);
+  EXPECT_EQ(read.plan.subfields[0].reference, plan.subfields[0].reference);
   ASSERT_EQ(read.headland_lines.size(), 3u);
   EXPECT_EQ(read.headland_lines[2], chords(plan.headland.passes[2].path));
 }
@@ -167,7 +167,7 @@ TEST_F(HeadlandsInFiles, a_plain_frame_moves_all_of_it) {
       EXPECT_EQ(a[i].curvature, b[i].curvature);
     }
   };
-  expect_near(read.reference, plan.reference);
+  expect_near(read.subfields[0].reference, plan.subfields[0].reference);
   expect_near(read.pieces[0].curve, plan.pieces[0].curve);
   expect_near(read.headland.passes[1].path, plan.headland.passes[1].path);
   EXPECT_EQ(read.headland.passes[1].path.front().from, read.headland.passes[1].path.back().to) << "closed";
@@ -206,7 +206,7 @@ TEST_F(HeadlandsInFiles, plans_without_have_the_layers_and_nothing_in_them) {
   const Plan read = io::read_plan(file_);
   EXPECT_TRUE(read.headland.passes.empty());
   EXPECT_TRUE(read.headland.ground.empty());
-  EXPECT_TRUE(read.reference.empty());
+  EXPECT_TRUE(references(read).empty());
   EXPECT_TRUE(read.settings.guide.empty());
   const GDALDatasetUniquePtr data(GDALDataset::Open(file_.c_str(), GDAL_OF_VECTOR));
   for (const char* layer : {"headland", "headland_passes", "headland_unworked"})
@@ -229,11 +229,28 @@ TEST_F(HeadlandsInFiles, files_of_the_version_before_are_read) {
   EXPECT_EQ(read.settings.headlands, 0);
   EXPECT_EQ(read.settings.shape, TrackShape::kStraight);
   EXPECT_TRUE(read.headland.passes.empty());
-  EXPECT_TRUE(read.reference.empty());
+  EXPECT_TRUE(references(read).empty());
+}
+
+TEST_F(HeadlandsInFiles, subfields_may_follow_lines_of_their_own) {
+  Plan plan = headland_plan();
+  plan.subfields.push_back(
+      {{{{20, 20}, {30, 20}, {30, 30}}, {}}, Direction::clockwise_from_north(Angle::degrees(0)), {}});
+  plan.subfields.push_back({{{{40, 20}, {50, 20}, {50, 30}}, {}},
+                            Direction::clockwise_from_north(Angle::degrees(90)),
+                            {{{0, 25}, {90, 25}, 0}}});
+  io::write_plan(plan, file_);
+  const Plan read = io::read_plan(file_);
+  ASSERT_EQ(read.subfields.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(read.subfields[i].reference, plan.subfields[i].reference);
+  EXPECT_EQ(references(read).size(), 2u);
+  EXPECT_FALSE(common_reference(read));
+  for (const char* lines : {"", "1", "[]", "[\"\",\"\"]", "[1,2,3]", "[\"\",\"\",\"1 2\"]"})
+    EXPECT_TRUE(says(metadata("references", lines), {"references", "metadata"}, plan));
 }
 
 TEST_F(HeadlandsInFiles, other_versions_are_refused) {
-  for (const char* version : {"1", "7", "-3", "3.0", ""})
+  for (const char* version : {"1", "8", "-3", "3.0", ""})
     EXPECT_TRUE(says(metadata("format_version", version), {"format_version", "metadata"}));
 }
 

@@ -19,8 +19,10 @@ namespace tramline::io {
 namespace {
 
 constexpr const char* kFormat = "tramline plan";
-constexpr int kNewestVersion = kVersionWithSearchEnd, kOldestVersion = 2;
+constexpr int kNewestVersion = kVersionWithOwnLines, kOldestVersion = 2;
 constexpr const char* kTracks = "settings.tracks";
+constexpr const char* kReference = "reference";    // of all subfields
+constexpr const char* kReferences = "references";  // by subfield, where they have not all the same
 constexpr const char* kKind = "kind";
 constexpr const char* kRepair = "repair";
 
@@ -71,7 +73,6 @@ void each_value_since_headlands(PlanOrConst& plan, Visitor&& visit) {
   visit("settings.obstacle_headlands", plan.settings.obstacle_headlands);
   visit("settings.shape", plan.settings.shape);
   visit("settings.guide", plan.settings.guide);
-  visit("reference", plan.reference);
   visit("headland.obstacle_passes", plan.headland.obstacle_passes);
   visit("headland.worked_m2", plan.headland.worked_m2);
   visit("headland.overlap_m2", plan.headland.overlap_m2);
@@ -137,6 +138,11 @@ class Writer : public FieldKeyWriter {
   void operator()(const std::string& key, const Path& path) const {
     out()[key] = path_text_if_any(path, offset_);
   }
+  void operator()(const std::string& key, const std::vector<Path>& paths) const {
+    nlohmann::json texts = nlohmann::json::array();
+    for (const Path& path : paths) texts.push_back(path_text_if_any(path, offset_));
+    out()[key] = dumped(texts);
+  }
 
  private:
   Point offset_;
@@ -177,6 +183,13 @@ class Reader : public FieldKeyReader {
   void operator()(const std::string& key, Path& path) {
     path = path_from_text_if_any(text(key), offset_, place_of(key));
   }
+  void operator()(const std::string& key, std::vector<Path>& paths) {
+    parse(key, [&](const nlohmann::json& list) {
+      if (!list.is_array()) throw nlohmann::json::other_error::create(0, "no list", nullptr);
+      for (const nlohmann::json& item : list)
+        paths.push_back(path_from_text_if_any(item.get<std::string>(), offset_, place_of(key)));
+    });
+  }
 
   /// What is taken off all coordinates from now on.
   void shift_by(Point offset) { offset_ = offset; }
@@ -197,6 +210,17 @@ class Reader : public FieldKeyReader {
   Point offset_{};
 };
 
+/// Is there a line that some of the tracks follow and others do not?
+bool has_own_lines(const Plan& plan) { return !common_reference(plan) && !references(plan).empty(); }
+
+void write_references(const Plan& plan, const Writer& writer) {
+  writer(kReference, common_reference(plan).value_or(Path{}));
+  if (!has_own_lines(plan)) return;
+  std::vector<Path> lines;
+  for (const Subfield& subfield : plan.subfields) lines.push_back(subfield.reference);
+  writer(kReferences, lines);
+}
+
 }  // namespace
 
 Metadata metadata_of(const Plan& plan) {
@@ -208,8 +232,9 @@ Metadata metadata_of(const Plan& plan) {
   writer(kCutShort, plan.proof.cut_short);
   out[kInputCrsKey] = plan.field.source.input_crs;
   writer(kTracks, plan.settings.tracks);
+  write_references(plan, writer);
   out["format"] = kFormat;
-  out["format_version"] = std::to_string(kVersionWithSearchEnd);
+  out["format_version"] = std::to_string(has_own_lines(plan) ? kVersionWithOwnLines : kVersionWithSearchEnd);
   out[kKind] = is_repair(plan) ? kRepair : "plan";
   leave_folders_out(out);
   // The kinds that no setting changes are written all the same: the file explains itself.
@@ -225,7 +250,7 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   int version = 0;
   reader("format_version", version);
   if (version < kOldestVersion || version > kNewestVersion)
-    throw reader.wrong("format_version", "from 2 to 6: read it with the tramline that wrote it");
+    throw reader.wrong("format_version", "from 2 to 7: read it with the tramline that wrote it");
   each_value(plan, reader);
   reader.shift_by(offset_of(plan.field.frame));
   if (version >= kVersionWithHeadlands) each_value_since_headlands(plan, reader);
@@ -241,6 +266,21 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   if (metadata.contains(kInputCrsKey)) plan.field.source.input_crs = reader.text(kInputCrsKey);
   if (metadata.contains(kTracks)) reader(kTracks, plan.settings.tracks);
   return version;
+}
+
+void apply_references(const Metadata& metadata, const std::filesystem::path& file, int version, Plan& plan) {
+  if (version < kVersionWithHeadlands) return;
+  Reader reader(metadata, file, kPlanFile);
+  reader.shift_by(offset_of(plan.field.frame));
+  Path common;
+  reader(kReference, common);
+  for (Subfield& subfield : plan.subfields) subfield.reference = common;
+  if (version < kVersionWithOwnLines) return;
+  std::vector<Path> own;
+  reader(kReferences, own);
+  if (own.size() != plan.subfields.size())
+    throw reader.wrong(kReferences, "a path, which may be empty, for each subfield");
+  for (std::size_t i = 0; i < own.size(); ++i) plan.subfields[i].reference = std::move(own[i]);
 }
 
 bool is_repair(const Metadata& metadata, int version) {

@@ -16,18 +16,24 @@ inline constexpr int kVersionWithRepairs = 4;
 /// The first version whose tally, cost and layers are those of tracks and headland passes together, and with
 /// a price for each subfield after the first.
 inline constexpr int kVersionWithWholeFigures = 5;
-/// The first version that says whether the search was ended early. All plans are written so.
+/// The first version that says whether the search was ended early.
 inline constexpr int kVersionWithSearchEnd = 6;
+/// The version of plans whose subfields follow lines of their own. All others are written as the one before.
+inline constexpr int kVersionWithOwnLines = 7;
 
 /// Machine, objective, settings, tally, local frame, source and remarks of a plan. The source file is
 /// named without its folder: a plan does not carry the paths of the machine it was made on. Guide line and
-/// reference are in the coordinates of the file, as paths of tracks are.
+/// references are in the coordinates of the file, as paths of tracks are.
 Metadata metadata_of(const Plan& plan);
 
 /// The inverse: fills those parts of `plan`, and gives the version of the format. Throws Error(kBadInput)
 /// naming `file` and the key where a key is missing, a word unknown, a number not finite or the version one
 /// that cannot be read.
 int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, Plan& plan);
+
+/// The lines that the tracks of the subfields follow. Precondition: the subfields are there. Throws as
+/// apply_metadata().
+void apply_references(const Metadata& metadata, const std::filesystem::path& file, int version, Plan& plan);
 
 /// Whether the plan of a file of this version is a repair, told without its layers.
 bool is_repair(const Metadata& metadata, int version);

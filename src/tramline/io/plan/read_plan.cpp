@@ -291,6 +291,7 @@ PlanFile read_plan_file(const fs::path& path, const std::string& field) {
   if (version >= kVersionWithHeadlands) read_headland(file, out);
   read_region(file, layers::kGivenUp, out.plan.given_up, out);
   read_subfields(file, out);
+  apply_references(metadata, path, version, out.plan);
   read_tracks(file, out);
   read_swaths(file, out);
   read_region(file, layers::kOverlap, out.plan.overlap, out);
