@@ -60,7 +60,7 @@ class Laid {
   }
   const std::vector<Track>& tracks() const { return families_.front().tracks; }
   double cost_by_booleans(const LaidTracks& laid) const {
-    return cost(objective_, tally_by_booleans(laid, ground_.body));
+    return cost(objective_, tally_by_booleans({laid}, ground_.body));
   }
 
  private:

@@ -1,7 +1,7 @@
 // In which order and which way round pieces are driven: scenes by hand, every order of a few pieces, random
 // scenes against a nearest-neighbour tour.
 
-#include "tramline/planner/driving_order.h"
+#include "tramline/planner/driven_tracks.h"
 
 #include <gtest/gtest.h>
 
@@ -214,7 +214,7 @@ TEST(DrivingOrder, TakesTheNearestSubfieldNext) {
     only.to = 50;
     candidate.avoided.tracks.back().pieces.push_back(only);
   }
-  const std::vector<TrackPiece> pieces = driving_order(task, candidate);
+  const std::vector<TrackPiece> pieces = driven_tracks(task, candidate).pieces;
   ASSERT_EQ(pieces.size(), 3U);
   EXPECT_EQ(pieces[0].subfield, 0);
   EXPECT_EQ(pieces[1].subfield, 2);

@@ -38,7 +38,7 @@ Field l_shape() {
   return field;
 }
 
-std::vector<GriddedSubfield> driven(double degrees, double origin_m = 0) {
+std::vector<LinedSubfield> driven(double degrees, double origin_m = 0) {
   return {{{{rectangle().outer, {}}, Direction::clockwise_from_north(Angle::degrees(degrees))}, origin_m}};
 }
 
@@ -47,7 +47,7 @@ struct Search {
   SearchTask task = search_task(rectangle(), {}, {}, {});
   SearchResult found{candidate_on(task, driven(90)), 0, {}, {}, {}, {}, {}};
 
-  void see(const std::vector<GriddedSubfield>& grounds) {
+  void see(const std::vector<LinedSubfield>& grounds) {
     found.seen.push_back(seen_plan(candidate_on(task, grounds)));
   }
   Explanation explanation() const { return explanation_of(task, found, 1); }
@@ -105,7 +105,7 @@ TEST(Explanation, NamesTheFiveCheapestOnly) {
 
 TEST(Explanation, AnotherNumberOfSubfieldsIsAnotherPlan) {
   Search search;
-  std::vector<GriddedSubfield> halves = driven(90);
+  std::vector<LinedSubfield> halves = driven(90);
   halves.push_back(halves.front());
   halves[0].subfield.shape.outer = {{0, 0}, {50, 0}, {50, 60}, {0, 60}};
   halves[1].subfield.shape.outer = {{50, 0}, {100, 0}, {100, 60}, {50, 60}};

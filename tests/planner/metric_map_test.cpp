@@ -10,7 +10,7 @@
 #include "support/refusals.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
-#include "tramline/planner/curved_family.h"
+#include "tramline/planner/curved_candidate.h"
 #include "tramline/planner/headlanded_task.h"
 #include "tramline/planner/plan_field.h"
 

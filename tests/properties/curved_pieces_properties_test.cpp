@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "properties/random_field.h"
@@ -14,8 +15,10 @@
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/extended.h"
 #include "tramline/geometry/smoothed.h"
-#include "tramline/planner/curved_plan.h"
+#include "tramline/planner/curved_candidate.h"
+#include "tramline/planner/parallel_tracks.h"
 #include "tramline/tracks/curved_tracks.h"
+#include "tramline/tracks/straight_tracks.h"
 
 namespace tramline {
 namespace {
@@ -168,13 +171,58 @@ TEST(CurvedPiecesProperties, InsideAreasAreThoseOfPolygonBooleans) {
         2 * width);
     const double whole = area(scene.body);
     const Tally closed = tally_of({}, {tracks}, whole);
-    const Tally booleans = tally_by_booleans(tracks, scene.body, 1e-4);
+    const Tally booleans = tally_by_booleans({tracks}, scene.body, 1e-4);
     EXPECT_NEAR(closed.overlap_m2, booleans.overlap_m2, 2e-6 * closed.worked_m2 + 0.05);
     EXPECT_NEAR(closed.uncovered_m2, booleans.uncovered_m2, 2e-6 * closed.worked_m2 + 0.05);
     EXPECT_NEAR(closed.worked_m2, whole - closed.uncovered_m2 + closed.overlap_m2, 1e-9 * whole);
     EXPECT_GE(closed.uncovered_m2, -1e-6 * whole);
     EXPECT_GE(closed.overlap_m2, -1e-6 * whole);
   });
+}
+
+// The ground cut in two by a straight line: curved tracks of one side run on into the other, straight ones of
+// that back into it, or curved ones moved aside. What either works for the other is worked once.
+TEST(CurvedPiecesProperties, SubfieldsWorkGroundForOneAnother) {
+  int shared = 0;
+  for_random_scenes(24, [&](const Scene& scene, std::mt19937_64& random) {
+    const double width = scene.limits.width_m;
+    const Box box = bounds(scene.body);
+    const Point at = box.centre();
+    const TrackFrame frame(Direction::clockwise_from_north(Angle::degrees(uniform(random, 0, 180))));
+    const double far = box.width() + box.height();
+    Ring half;
+    for (const Point p : {Point{-far, -far}, Point{0, -far}, Point{0, far}, Point{-far, far}})
+      half.push_back(frame.to_field(p) + at);
+    const Region one = intersection(scene.body, {{half, {}}}), other = difference(scene.body, {{half, {}}});
+    if (one.empty() || other.empty()) return;
+    const EndCriterion criterion = end_criterion(EndRule::kCover, Objective{}, width);
+    std::vector<Subfield> subfields;
+    std::vector<LaidTracks> tracks;
+    for (const Polygon& part : one) {
+      subfields.push_back({oriented(part), frame.direction(), scene.reference});
+      tracks.push_back(curved_pieces(family_of(scene), width,
+                                     {EdgeIndex(Region{oriented(part)}), EdgeIndex(scene.hard)}, criterion,
+                                     2 * width));
+    }
+    for (const Polygon& part : other) {
+      const TrackFrame grid(Direction::clockwise_from_north(Angle::degrees(uniform(random, 0, 180))));
+      subfields.push_back({oriented(part), grid.direction(), {}});
+      tracks.push_back(cut_pieces(straight_tracks({grid, uniform(random, 0, width), width},
+                                                  grid.to_track(Region{oriented(part)}).front(),
+                                                  {grid.to_track(scene.hard), {}, {}}, criterion),
+                                  2 * width));
+    }
+    const double whole = area(scene.body);
+    const Tally closed = tally_of(subfields, tracks, whole);
+    const Tally booleans = tally_by_booleans(tracks, scene.body, 1e-4);
+    EXPECT_NEAR(closed.overlap_m2, booleans.overlap_m2, 2e-6 * closed.worked_m2 + 0.05);
+    EXPECT_NEAR(closed.uncovered_m2, booleans.uncovered_m2, 2e-6 * closed.worked_m2 + 0.05);
+    double own = 0;
+    for (const LaidTracks& family : tracks)
+      for (const LaidPiece& piece : family.pieces) own += piece.inside_m2;
+    shared += closed.worked_m2 - closed.overlap_m2 > own + 1 ? 1 : 0;
+  });
+  EXPECT_GT(shared, 0);
 }
 
 // A family is given up only where it costs more than was asked for, and else it is what it is: whatever the
@@ -190,23 +238,26 @@ TEST(CurvedPiecesProperties, AreGivenUpOnlyWhereTheyCostMore) {
     PlanSettings settings;
     settings.end_rule = static_cast<EndRule>(any_of(random, 0, 3));
     const SearchTask task = search_task(field, {"", uniform(random, 2, 8), 6, -1}, prices, settings);
-    const CurvedGround ground = curved_ground(task);
+    const Polygon& part = task.ground.plannable.front();
+    const CurvedGround ground = curved_ground(task, part);
     std::vector<Point> line(field.outer.begin(), field.outer.begin() + 3);
     try {
       const Reference reference = reference_along(task, line, 0.1);
-      const CurvedCandidate whole = curved_along(task, reference);
-      if (whole.tally.pieces == 0) continue;
+      const Subfield subfield = *subfield_along(task, part, reference);
+      const Candidate whole =
+          plain_candidate(task, ground, subfield, std::numeric_limits<double>::infinity());
+      if (!whole.works()) continue;
       ++families;
       plain += asks_for_detours(task) ? 0 : 1;
-      const CurvedCandidate again = curved_along(task, ground, reference, 0, whole.cost);
-      EXPECT_EQ(again.cost, whole.cost);
-      EXPECT_EQ(again.tally.pieces, whole.tally.pieces);
-      const CurvedCandidate dearer = curved_along(task, ground, reference, 0, 0.5 * whole.cost);
-      if (dearer.tally.pieces == 0) {
+      const Candidate again = plain_candidate(task, ground, subfield, whole.cost());
+      EXPECT_EQ(again.cost(), whole.cost());
+      EXPECT_EQ(again.avoided.tally.pieces, whole.avoided.tally.pieces);
+      const Candidate dearer = plain_candidate(task, ground, subfield, 0.5 * whole.cost());
+      if (!dearer.works()) {
         ++given_up;
         EXPECT_FALSE(asks_for_detours(task));
       } else {
-        EXPECT_EQ(dearer.cost, whole.cost);
+        EXPECT_EQ(dearer.cost(), whole.cost());
       }
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::kBadInput) throw;

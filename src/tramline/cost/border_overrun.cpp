@@ -1,6 +1,9 @@
 #include "tramline/cost/border_overrun.h"
 
+#include <algorithm>
+
 #include "tramline/geometry/convex_clip.h"
+#include "tramline/geometry/layered_area.h"
 
 namespace tramline {
 namespace {
@@ -62,11 +65,63 @@ double covered_in(const Polygon& host, const std::vector<ConvexSet>& own,
   return sum;
 }
 
+bool follow_curve(const LaidTracks& tracks) {
+  return std::any_of(tracks.pieces.begin(), tracks.pieces.end(),
+                     [](const LaidPiece& piece) { return !piece.path.empty(); });
+}
+
+/// Where the pieces keep to their tracks, in the field's frame.
+std::vector<Path> paths_of(const LaidTracks& tracks) {
+  const StripGrid& grid = tracks.grid;
+  const auto on_field = [&grid](Point p) { return grid.frame.to_field(p); };
+  std::vector<Path> out;
+  for (const LaidPiece& piece : tracks.pieces) {
+    if (!piece.path.empty()) {
+      for (const Path& part : paths_on_track(piece)) out.push_back(moved(part, on_field));
+      continue;
+    }
+    const double across = grid.centre(piece.track);
+    for (const Interval& part : parts_on_track(piece))
+      out.push_back(straight_path(on_field({across, part.from}), on_field({across, part.to})));
+  }
+  return out;
+}
+
+/// Of every subfield, what the swaths of all others cover of it and its own do not.
+double covered_along_curves(const std::vector<Subfield>& subfields, const std::vector<LaidTracks>& tracks) {
+  const double width_m = tracks.front().grid.width_m;
+  std::vector<std::vector<Path>> lines;
+  for (const LaidTracks& subfield : tracks) lines.push_back(paths_of(subfield));
+  double sum = 0;
+  for (std::size_t host = 0; host < subfields.size(); ++host) {
+    const Box land = bounds(subfields[host].shape);
+    RisingCurves curves;
+    Box window;
+    for (std::size_t other = 0; other < subfields.size(); ++other) {
+      if (other == host) continue;
+      for (const Path& line : lines[other])
+        for (const Path& run : runs_near(line, width_m, land)) {
+          append_band(run, width_m, Layer::kNew, curves);
+          window.extend(reach_of(run, width_m));
+        }
+    }
+    if (curves.empty()) continue;
+    for (const Path& line : lines[host])
+      for (const Path& run : runs_near(line, width_m, window))
+        append_band(run, width_m, Layer::kTaken, curves);
+    for (const Ring& ring : rings_of({subfields[host].shape}))
+      append_ring(ring, Layer::kBody, window, curves);
+    sum += new_area(curves);
+  }
+  return sum;
+}
+
 }  // namespace
 
 double covered_by_neighbours_m2(const std::vector<Subfield>& subfields,
                                 const std::vector<LaidTracks>& tracks) {
   if (tracks.size() < 2) return 0;
+  if (std::any_of(tracks.begin(), tracks.end(), follow_curve)) return covered_along_curves(subfields, tracks);
   std::vector<std::vector<ConvexSet>> leaving;
   for (const LaidTracks& subfield : tracks) leaving.push_back(overrunning(subfield));
   double sum = 0;

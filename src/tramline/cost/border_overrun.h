@@ -8,8 +8,9 @@
 
 namespace tramline {
 
-/// `tracks` by subfield, or of all of them together. Land of all subfields that straight swaths of other
-/// subfields cover and their own do not, m².
+/// `tracks` by subfield. Land of all subfields that swaths of other subfields, detours left aside, cover and
+/// their own do not, m². Straight ones are cut by convex clipping, curved ones by lines and arcs
+/// (new_area()).
 double covered_by_neighbours_m2(const std::vector<Subfield>& subfields,
                                 const std::vector<LaidTracks>& tracks);
 

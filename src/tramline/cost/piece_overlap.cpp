@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "tramline/geometry/kinked_line.h"
 #include "tramline/geometry/layered_area.h"
 #include "tramline/geometry/track_frame.h"
 
@@ -26,10 +27,11 @@ std::vector<TurnedBody> turned_bodies(const Region& body, const std::vector<Subf
 }
 
 /// Straight swaths of one grid lie beside or behind one another; lines over gaps may lie half over each
-/// other.
+/// other. Swaths along curves of one family have no ground in common where they keep to their tracks.
 bool may_meet(const TrackPiece& a, const TrackPiece& b, double width_m) {
   constexpr double kTouch_m = 1e-6;
   if (a.subfield != b.subfield || !a.detours.empty() || !b.detours.empty()) return true;
+  if (!a.curve.empty() || !b.curve.empty()) return false;
   const double length_m = distance(b.start, b.end);
   const Point along = (1 / length_m) * (b.end - b.start);
   if (std::abs(cross(along, a.start - b.start)) > width_m - kTouch_m) return false;
@@ -37,32 +39,84 @@ bool may_meet(const TrackPiece& a, const TrackPiece& b, double width_m) {
   return std::max(one, other) > kTouch_m && std::min(one, other) < length_m - kTouch_m;
 }
 
+/// A piece with the line it drives.
+struct DrivenLine {
+  const TrackPiece& piece;
+  Path line;
+  std::vector<Box> reaches;  ///< by segment
+  Box reach;
+};
+
+DrivenLine driven_line(const TrackPiece& piece, double width_m) {
+  DrivenLine out{piece, centre_line(piece), {}, {}};
+  out.reaches = reaches_of(out.line, width_m);
+  for (const Box& box : out.reaches) out.reach.extend(box);
+  return out;
+}
+
+bool meets_any(const Box& box, const std::vector<Box>& others) {
+  return std::any_of(others.begin(), others.end(),
+                     [&box](const Box& other) { return intersects(box, other); });
+}
+
+/// Adds the runs of a line, whose segments reach so far, that may reach one of the boxes.
+void append_runs(const Path& line, const std::vector<Box>& reaches, const std::vector<Box>& boxes,
+                 std::vector<Path>& out) {
+  bool goes_on = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool is_near = meets_any(reaches[i], boxes);
+    if (is_near && !goes_on) out.emplace_back();
+    if (is_near) out.back().push_back(line[i]);
+    goes_on = is_near;
+  }
+}
+
+/// Adds what a piece before may have worked of the ground of one now, in the field's frame: parts may come
+/// twice.
+void append_taken(const DrivenLine& before, const DrivenLine& now, double width_m, std::vector<Path>& out) {
+  if (!may_meet(before.piece, now.piece, width_m) || !intersects(before.reach, now.reach)) return;
+  if (before.piece.curve.empty() && now.piece.curve.empty()) {
+    out.push_back(before.line);
+  } else if (before.piece.subfield != now.piece.subfield) {
+    append_runs(before.line, before.reaches, now.reaches, out);
+  } else {
+    // But for detours they have no ground in common.
+    for (const Detour& detour : before.piece.detours)
+      append_runs(detour.path, reaches_of(detour.path, width_m), now.reaches, out);
+    for (const Detour& detour : now.piece.detours)
+      append_runs(before.line, before.reaches, reaches_of(detour.path, width_m), out);
+  }
+}
+
 }  // namespace
 
 std::vector<double> overlap_by_piece(const Region& body, const std::vector<Subfield>& subfields,
                                      const std::vector<TrackPiece>& pieces, double width_m) {
   assert(std::all_of(pieces.begin(), pieces.end(), [&subfields](const TrackPiece& piece) {
-    return piece.curve.empty() && piece.subfield >= 0 &&
+    return (piece.curve.empty() || (piece.overlap_m2 && !has_kinks(piece.curve))) && piece.subfield >= 0 &&
            static_cast<std::size_t>(piece.subfield) < subfields.size();
   }));
   const std::vector<TurnedBody> bodies = turned_bodies(body, subfields);
-  std::vector<Path> lines;
-  std::vector<Box> reaches;
+  std::vector<DrivenLine> driven;
   std::vector<double> out;
   for (const TrackPiece& piece : pieces) {
-    lines.push_back(centre_line(piece));
-    reaches.push_back(reach_of(lines.back(), width_m));
+    driven.push_back(driven_line(piece, width_m));
+    std::vector<Path> taken;
+    for (std::size_t i = 0; i + 1 < driven.size(); ++i)
+      append_taken(driven[i], driven.back(), width_m, taken);
+    if (!piece.curve.empty() && piece.detours.empty() && taken.empty()) {
+      out.push_back(*piece.overlap_m2);
+      continue;
+    }
     const TurnedBody& turned = bodies[static_cast<std::size_t>(piece.subfield)];
     const auto in_frame = [&turned](const Path& line) {
       return moved(line, [&turned](Point p) { return turned.frame.to_track(p); });
     };
-    const Path own = in_frame(lines.back());
+    const Path own = in_frame(driven.back().line);
     const Box window = reach_of(own, width_m);
     RisingCurves curves;
     for (const Ring& ring : turned.rings) append_ring(ring, Layer::kBody, window, curves);
-    for (std::size_t i = 0; i + 1 < lines.size(); ++i)
-      if (may_meet(pieces[i], piece, width_m) && intersects(reaches[i], reaches.back()))
-        append_band(in_frame(lines[i]), width_m, Layer::kTaken, curves);
+    for (const Path& line : taken) append_band(in_frame(line), width_m, Layer::kTaken, curves);
     append_band(own, width_m, Layer::kNew, curves);
     out.push_back(std::max(0.0, width_m * length(own) - new_area(curves)));
   }

@@ -202,6 +202,18 @@ std::vector<Box> reaches_of(const Path& path, double width_m) {
   return out;
 }
 
+std::vector<Path> runs_near(const Path& path, double width_m, const Box& window) {
+  std::vector<Path> out;
+  bool goes_on = false;
+  for (const PathSegment& segment : path) {
+    const bool is_near = intersects(box_of(segment).grown(0.5 * width_m), window);
+    if (is_near && !goes_on) out.emplace_back();
+    if (is_near) out.back().push_back(segment);
+    goes_on = is_near;
+  }
+  return out;
+}
+
 double distance_to_edge(const PathSegment& segment, Point a, Point b) {
   if (segment.straight()) {
     if (cross_each_other(segment.from, segment.to, a, b)) return 0;

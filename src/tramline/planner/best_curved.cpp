@@ -1,3 +1,5 @@
+#include "tramline/planner/best_curved.h"
+
 #include <algorithm>
 #include <iterator>
 #include <limits>
@@ -5,8 +7,9 @@
 #include <optional>
 
 #include "tramline/geometry/error.h"
-#include "tramline/planner/curved_plan.h"
+#include "tramline/planner/curved_candidate.h"
 #include "tramline/planner/for_each_index.h"
+#include "tramline/planner/parallel_tracks.h"
 #include "tramline/planner/pulse.h"
 #include "tramline/planner/reference_chains.h"
 
@@ -16,19 +19,14 @@ namespace {
 constexpr std::size_t kMostChains = 8;
 constexpr std::size_t kMoved = 3;  ///< references that are tried in other places
 constexpr int kPlaces = 8;
-constexpr std::ptrdiff_t kLookedAt = 3;  ///< families whose detours are looked for, by either order
+constexpr std::ptrdiff_t kDetoursTried = 3;  ///< families whose detours are looked for, by either order
 
 /// A reference in one place, and what its tracks cost.
 struct TriedCurve {
   const Reference* reference = nullptr;
   double right_m = 0;
-  CurvedCandidate candidate;
+  Candidate candidate;
 };
-
-bool is_better(const TriedCurve& a, const TriedCurve& b) {
-  const bool a_works = a.candidate.tally.pieces > 0, b_works = b.candidate.tally.pieces > 0;
-  return a_works != b_works ? a_works : a.candidate.cost < b.candidate.cost;
-}
 
 std::vector<Reference> references_of(const SearchTask& task, int threads) {
   const double width_m = task.machine.width_m;
@@ -53,7 +51,9 @@ std::vector<Reference> references_of(const SearchTask& task, int threads) {
 }
 
 void sort_best_first(std::vector<TriedCurve>& tried) {
-  std::stable_sort(tried.begin(), tried.end(), is_better);
+  std::stable_sort(tried.begin(), tried.end(), [](const TriedCurve& a, const TriedCurve& b) {
+    return is_better(a.candidate.avoided, b.candidate.avoided);
+  });
 }
 
 /// What the best so many have cost: what is certain to cost more need not be looked at to its end. Families
@@ -71,11 +71,11 @@ class BestCosts {
     const std::lock_guard lock(mutex_);
     return any_;
   }
-  void offer(const CurvedCandidate& candidate) {
-    if (candidate.tally.pieces == 0) return;
+  void offer(const Candidate& candidate) {
+    if (!candidate.works()) return;
     const std::lock_guard lock(mutex_);
     any_ = true;
-    costs_.insert(std::upper_bound(costs_.begin(), costs_.end(), candidate.cost), candidate.cost);
+    costs_.insert(std::upper_bound(costs_.begin(), costs_.end(), candidate.cost()), candidate.cost());
     costs_.pop_back();
   }
 
@@ -87,11 +87,14 @@ class BestCosts {
 
 /// All of them, sorted; those that are certain to be none of the best that `costs` holds may have been given
 /// up. A search that has to end leaves off once one of them works.
-void try_all(const SearchTask& task, const CurvedGround& ground, BestCosts& costs,
-             std::vector<TriedCurve>& places, int threads) {
+void try_all(const SearchTask& task, const Polygon& part, BestCosts& costs, std::vector<TriedCurve>& places,
+             int threads) {
+  const CurvedGround ground = curved_ground(task, part);
   for_each_index(places.size(), threads, [&](std::size_t i) {
     if (costs.any() && has_to_end()) return;
-    places[i].candidate = curved_along(task, ground, *places[i].reference, places[i].right_m, costs.last());
+    const auto subfield = subfield_along(task, part, *places[i].reference, places[i].right_m);
+    if (!subfield) return;
+    places[i].candidate = plain_candidate(task, ground, *subfield, costs.last());
     costs.offer(places[i].candidate);
   });
   sort_best_first(places);
@@ -101,26 +104,24 @@ void try_all(const SearchTask& task, const CurvedGround& ground, BestCosts& cost
 double soft_cost(const SearchTask& task, const TriedCurve& tried) {
   Objective prices = task.objective;
   prices.stop = std::min(prices.stop, prices.turn);
-  return cost(prices, tried.candidate.tally);
+  return cost(prices, tried.candidate.avoided.tally);
 }
 
 /// Those worth a look at detours: the cheapest as they are, and the cheapest of the rest if stops were cheap.
 /// Precondition: sorted.
 std::vector<TriedCurve> promising(const SearchTask& task, std::vector<TriedCurve> tried) {
-  if (std::ssize(tried) > kLookedAt)
-    std::stable_sort(tried.begin() + kLookedAt, tried.end(),
+  if (std::ssize(tried) > kDetoursTried)
+    std::stable_sort(tried.begin() + kDetoursTried, tried.end(),
                      [&task](const TriedCurve& a, const TriedCurve& b) {
                        return soft_cost(task, a) < soft_cost(task, b);
                      });
-  if (std::ssize(tried) > 2 * kLookedAt) tried.erase(tried.begin() + 2 * kLookedAt, tried.end());
+  if (std::ssize(tried) > 2 * kDetoursTried) tried.erase(tried.begin() + 2 * kDetoursTried, tried.end());
   return tried;
 }
 
-}  // namespace
-
-std::optional<CurvedCandidate> best_curved(const SearchTask& task, int threads) {
-  const std::vector<Reference> references = references_of(task, threads);
-  const CurvedGround ground = curved_ground(task);
+/// The best curve for one part of the ground; nullopt where no track of any fits.
+std::optional<TriedCurve> best_on(const SearchTask& task, const Polygon& part,
+                                  const std::vector<Reference>& references, int threads) {
   std::vector<TriedCurve> all;
   for (const Reference& reference : references) {
     all.push_back({&reference, 0, {}});
@@ -128,7 +129,7 @@ std::optional<CurvedCandidate> best_curved(const SearchTask& task, int threads) 
     if (reference.deviation_m > 0) all.push_back({&reference, reference.deviation_m, {}});
   }
   BestCosts best_few(kMoved);
-  try_all(task, ground, best_few, all, threads);
+  try_all(task, part, best_few, all, threads);
   if (all.empty()) return std::nullopt;
   std::vector<TriedCurve> moved;
   for (std::size_t i = 0; i < std::min(all.size(), kMoved); ++i)
@@ -136,18 +137,47 @@ std::optional<CurvedCandidate> best_curved(const SearchTask& task, int threads) 
       moved.push_back({all[i].reference, all[i].right_m + task.machine.width_m * k / kPlaces, {}});
   BestCosts best(1);
   best.offer(all.front().candidate);
-  try_all(task, ground, best, moved, threads);
+  try_all(task, part, best, moved, threads);
   all.insert(all.end(), std::make_move_iterator(moved.begin()), std::make_move_iterator(moved.end()));
   sort_best_first(all);
-  std::erase_if(all, [](const TriedCurve& tried) { return tried.candidate.tally.pieces == 0; });
+  std::erase_if(all, [](const TriedCurve& tried) { return !tried.candidate.works(); });
   if (all.empty()) return std::nullopt;
-  if (!asks_for_detours(task)) return std::move(all.front().candidate);
+  if (!asks_for_detours(task)) return std::move(all.front());
   all = promising(task, std::move(all));
   for_each_index_until_end(all.size(), threads, [&](std::size_t i) {
-    all[i].candidate = with_detours(task, std::move(all[i].candidate));
+    all[i].candidate = candidate_on(task, grounds_of(all[i].candidate));
   });
   sort_best_first(all);
-  return std::move(all.front().candidate);
+  return std::move(all.front());
+}
+
+/// A part that no curve suits is left, along any.
+Subfield left_along(const SearchTask& task, const Polygon& part, const Reference& reference) {
+  return *subfield_along(task, part, reference);
+}
+
+}  // namespace
+
+std::optional<BestCurve> best_curved(const SearchTask& task, int threads) {
+  const std::vector<Reference> references = references_of(task, threads);
+  const Region& parts = task.ground.plannable;
+  std::vector<LinedSubfield> grounds;
+  BestCurve out;
+  double largest_m2 = 0;
+  for (const Polygon& part : parts) {
+    std::optional<TriedCurve> best = best_on(task, part, references, threads);
+    if (!best) {
+      if (!references.empty()) grounds.push_back({left_along(task, part, references.front()), 0});
+      continue;
+    }
+    grounds.push_back({best->candidate.subfields.front(), 0});
+    if (area(part) > largest_m2) out.line = best->reference->line;
+    largest_m2 = std::max(largest_m2, area(part));
+    if (parts.size() == 1) out.candidate = std::move(best->candidate);
+  }
+  if (out.line.empty()) return std::nullopt;
+  if (parts.size() > 1) out.candidate = candidate_on(task, grounds);
+  return out;
 }
 
 }  // namespace tramline

@@ -20,14 +20,14 @@ constexpr std::size_t kHinderedTries = 5;  ///< grids of either ranking that are
 /// looked at. More are tried as the sweep leaves them.
 constexpr std::size_t kMostRegridded = 64;
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kNoPrice = std::numeric_limits<double>::infinity();
 
-GriddedSubfield gridded(const Polygon& shape, const PricedGrid& grid) {
+LinedSubfield gridded(const Polygon& shape, const PricedGrid& grid) {
   return {{shape, grid.direction}, grid.origin_m};
 }
 
-std::vector<GriddedSubfield> gridded(const std::vector<PricedSubfield>& subfields) {
-  std::vector<GriddedSubfield> out;
+std::vector<LinedSubfield> gridded(const std::vector<PricedSubfield>& subfields) {
+  std::vector<LinedSubfield> out;
   for (const PricedSubfield& subfield : subfields) out.push_back(gridded(subfield.shape, subfield.grid));
   return out;
 }
@@ -45,7 +45,7 @@ double least_of_part(const SearchTask& task, const Polygon& part, double bound) 
   return std::min(bound + task.objective.subfield, std::max(bound, task.objective.uncovered * area(part)));
 }
 
-using Grounds = std::vector<GriddedSubfield>;
+using Grounds = std::vector<LinedSubfield>;
 
 struct Tried {
   Grounds grounds;
@@ -139,7 +139,7 @@ class BestSearch {
       along = best.direction;
       divided = divided_from({part, best});
       // With detours in sight, what the parts cost with all tracks cut says little.
-      return divided.size() < 2 || !task_.ground.hazards.empty() ? kNever : price(task_, divided);
+      return divided.size() < 2 || !task_.ground.hazards.empty() ? kNoPrice : price(task_, divided);
     };
     const GridSearchResult found = search_grids(task_, part, effort, threads_, divide);
     const bool hindered = !found.unhindered.empty();
@@ -251,7 +251,7 @@ class BestSearch {
   /// Its subfields, each with the best grid, and joined where that pays.
   Grounds regridded(const Grounds& grounds) const {
     Region shapes;
-    for (const GriddedSubfield& ground : grounds) shapes.push_back(ground.subfield.shape);
+    for (const LinedSubfield& ground : grounds) shapes.push_back(ground.subfield.shape);
     std::vector<PricedSubfield> joined = join_where_it_pays(task_, priced(task_, shapes, threads_), threads_);
     return gridded(joined);
   }

@@ -10,6 +10,7 @@
 #include "tramline/cost/strip_tally.h"
 #include "tramline/decomposition/decompose.h"
 #include "tramline/geometry/error.h"
+#include "tramline/planner/parallel_tracks.h"
 #include "tramline/planner/pulse.h"
 #include "tramline/planner/turned_ground.h"
 #include "tramline/tracks/end_rule.h"
@@ -47,9 +48,9 @@ AvoidanceTask avoidance_task(const SearchTask& task, const Candidate& candidate)
 }
 
 /// The strips alone.
-Candidate laid_on(const SearchTask& task, const std::vector<GriddedSubfield>& grounds) {
+Candidate laid_on(const SearchTask& task, const std::vector<LinedSubfield>& grounds) {
   Candidate out;
-  for (const GriddedSubfield& ground : grounds) {
+  for (const LinedSubfield& ground : grounds) {
     out.subfields.push_back(ground.subfield);
     out.families.push_back(tracks_on(task, ground));
   }
@@ -88,7 +89,9 @@ SearchTask search_task(const Field& field, const Machine& machine, const Objecti
   return task;
 }
 
-TrackFamily tracks_on(const SearchTask& task, const GriddedSubfield& ground) {
+TrackFamily tracks_on(const SearchTask& task, const LinedSubfield& ground) {
+  if (!ground.subfield.reference.empty())
+    return parallel_tracks(task, curved_ground(task, ground.subfield.shape), ground.subfield);
   const TrackFrame frame(ground.subfield.direction);
   const EndCriterion criterion = end_criterion(task.settings.end_rule, task.objective, task.machine.width_m);
   return straight_tracks({frame, ground.origin_m, task.machine.width_m},
@@ -96,7 +99,7 @@ TrackFamily tracks_on(const SearchTask& task, const GriddedSubfield& ground) {
                          criterion);
 }
 
-Outlook outlook_on(const SearchTask& task, const std::vector<GriddedSubfield>& grounds) {
+Outlook outlook_on(const SearchTask& task, const std::vector<LinedSubfield>& grounds) {
   const Candidate laid = laid_on(task, grounds);
   const AvoidanceTask avoidance = avoidance_task(task, laid);
   const Avoided cut = all_cut(avoidance);
@@ -106,22 +109,22 @@ Outlook outlook_on(const SearchTask& task, const std::vector<GriddedSubfield>& g
   return {cut.cost, cost(soft, cut.tally), decided ? cut.cost : least_with_detours(avoidance, cut)};
 }
 
-Candidate candidate_on(const SearchTask& task, const std::vector<GriddedSubfield>& grounds) {
+Candidate candidate_on(const SearchTask& task, const std::vector<LinedSubfield>& grounds) {
   beat();
   Candidate out = laid_on(task, grounds);
   out.avoided = choose_detours(avoidance_task(task, out));
   return out;
 }
 
-std::vector<GriddedSubfield> grounds_of(const Candidate& candidate) {
-  std::vector<GriddedSubfield> out;
+std::vector<LinedSubfield> grounds_of(const Candidate& candidate) {
+  std::vector<LinedSubfield> out;
   for (std::size_t i = 0; i < candidate.subfields.size(); ++i)
     out.push_back({candidate.subfields[i], candidate.families[i].grid.origin_m});
   return out;
 }
 
-std::vector<GriddedSubfield> swept(const SearchTask& task, Direction sweep) {
-  std::vector<GriddedSubfield> out;
+std::vector<LinedSubfield> swept(const SearchTask& task, Direction sweep) {
+  std::vector<LinedSubfield> out;
   PlanSettings settings = task.settings;
   settings.short_edge_m = task.short_edge_m;
   for (const Subfield& subfield : decompose(task.ground.plannable, sweep, settings))
@@ -129,14 +132,12 @@ std::vector<GriddedSubfield> swept(const SearchTask& task, Direction sweep) {
   return out;
 }
 
-std::vector<Encounter> encounters_of(const SearchTask& task, const Candidate& candidate) {
-  const std::vector<PlacedEncounter> found =
-      encounters_in(avoidance_task(task, candidate), candidate.avoided);
-  return {found.begin(), found.end()};
+std::vector<PlacedEncounter> encounters_of(const SearchTask& task, const Candidate& candidate) {
+  return encounters_in(avoidance_task(task, candidate), candidate.avoided);
 }
 
 int first_track(const Candidate& candidate, std::size_t subfield) {
-  if (candidate.numbered_from_line_0) return 0;
+  if (candidate.numbered_from_line_0 || !candidate.subfields[subfield].reference.empty()) return 0;
   const std::vector<LaidPiece>& pieces = candidate.avoided.tracks[subfield].pieces;
   int first = pieces.empty() ? std::numeric_limits<int>::max() : pieces.front().track;
   for (const Track& strip : candidate.families[subfield].tracks)

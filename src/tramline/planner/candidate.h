@@ -2,6 +2,7 @@
 // One candidate of the search: a decomposition with its tracks and what it costs.
 
 #include <limits>
+#include <optional>
 
 #include "tramline/avoidance/choose_detours.h"
 #include "tramline/avoidance/ground.h"
@@ -28,7 +29,8 @@ struct Candidate {
   std::vector<Subfield> subfields;
   std::vector<TrackFamily> families;  ///< by subfield
   Avoided avoided;                    ///< the tracks, their tally and cost
-  bool numbered_from_line_0 = false;  ///< tracks carry the numbers of their strips
+  bool numbered_from_line_0 = false;  ///< straight tracks carry the numbers of their strips
+  std::optional<Region> worked{};     ///< with S2's tracks: the union of their swaths
 
   double cost() const { return avoided.cost; }
   bool works() const { return avoided.tally.pieces > 0; }
@@ -37,17 +39,18 @@ struct Candidate {
 SearchTask search_task(const Field& field, const Machine& machine, const Objective& objective,
                        const PlanSettings& settings);
 
-/// A subfield with the grid its tracks lie on.
-struct GriddedSubfield {
+/// A subfield with the lines that its tracks lie along: the parallels of its reference or, where it has none,
+/// the strips of a grid.
+struct LinedSubfield {
   Subfield subfield;
-  double origin_m = 0;  ///< coordinate across of line 0, in the turned plane
+  double origin_m = 0;  ///< of a grid: coordinate across of line 0, in the turned plane
 };
 
-/// All strips of a grid over a subfield.
-TrackFamily tracks_on(const SearchTask& task, const GriddedSubfield& ground);
+/// All tracks of a subfield.
+TrackFamily tracks_on(const SearchTask& task, const LinedSubfield& ground);
 
 /// What candidate_on() makes the candidate of again.
-std::vector<GriddedSubfield> grounds_of(const Candidate& candidate);
+std::vector<LinedSubfield> grounds_of(const Candidate& candidate);
 
 /// What is known of a candidate before the ways past the obstacles are looked for.
 struct Outlook {
@@ -55,18 +58,19 @@ struct Outlook {
   double soft = 0;   ///< the same with a stop no dearer than a turn: as if most obstacles had a way round
   double least = 0;  ///< whatever is done about obstacles, it costs no less
 };
-Outlook outlook_on(const SearchTask& task, const std::vector<GriddedSubfield>& grounds);
+Outlook outlook_on(const SearchTask& task, const std::vector<LinedSubfield>& grounds);
 
 /// Tracks on the given grids, got past the obstacles and tallied. Pure.
-Candidate candidate_on(const SearchTask& task, const std::vector<GriddedSubfield>& grounds);
+Candidate candidate_on(const SearchTask& task, const std::vector<LinedSubfield>& grounds);
 
 /// S1.19: decompose, merge, lay tracks. Pure; safe to call from several threads, as is all of this.
-std::vector<GriddedSubfield> swept(const SearchTask& task, Direction sweep);
+std::vector<LinedSubfield> swept(const SearchTask& task, Direction sweep);
 
 /// What was decided where its tracks meet obstacles; as encounters_in gives it.
-std::vector<Encounter> encounters_of(const SearchTask& task, const Candidate& candidate);
+std::vector<PlacedEncounter> encounters_of(const SearchTask& task, const Candidate& candidate);
 
-/// The strip that is track 0 of a subfield: the first that is driven or meets an obstacle.
+/// The number, among the tracks of its family, of the one that is track 0 of a subfield: the first that is
+/// driven or meets an obstacle; along curves, and where strips keep their numbers, that at the line itself.
 int first_track(const Candidate& candidate, std::size_t subfield);
 
 }  // namespace tramline

@@ -1,37 +1,36 @@
 #pragma once
-// Curved tracks as a plan has them: in driving order.
+// The pieces of a candidate in the order in which they are driven.
 
+#include <cstddef>
 #include <vector>
 
-#include "tramline/model/field.h"
-#include "tramline/model/track.h"
-#include "tramline/tracks/curved_tracks.h"
+#include "tramline/planner/candidate.h"
 
 namespace tramline {
 
-/// How pieces are written down.
-struct Writing {
-  double width_m = 0;
-  bool curved = true;  ///< with their path, even where it is straight
+/// A piece as it was laid.
+struct LaidPlace {
+  std::size_t subfield = 0;
+  std::size_t piece = 0;  ///< of LaidTracks::pieces
 };
 
-/// The tracks as driven, and of every piece of them the part of the ground it lies in and whether it is
-/// driven against the reference.
+/// The tracks as driven.
 struct Driven {
-  std::vector<TrackPiece> pieces;  ///< in driving order
-  std::vector<int> subfields;      ///< by piece of the tracks
-  std::vector<bool> back;          ///< by piece of the tracks
+  std::vector<TrackPiece> pieces;
+  std::vector<LaidPlace> laid;  ///< by piece
+  std::vector<bool> back;       ///< by piece: driven against its track
 };
 
-/// The tracks as they are laid, each the same way: not in driving order.
-std::vector<TrackPiece> track_pieces(const LaidTracks& tracks, const Region& parts, const Writing& writing);
+/// The pieces of a candidate by subfield, track and place along it: not in driving order. Curved ones say
+/// what they would overlap by themselves, without detours (overlap_by_piece()).
+std::vector<TrackPiece> track_pieces(const SearchTask& task, const Candidate& candidate);
 
-/// In the order and the way round of order::best_tour(); each part of the ground is a subfield. What a piece
-/// is said to overlap is what it would without detours (add_overlaps()).
-Driven driven_tracks(const LaidTracks& tracks, const Region& parts, const Field& field,
-                     const Writing& writing);
+/// The same in the order and the way round in which they are driven (order::best_tour()).
+/// Connections between pieces are not planned.
+Driven driven_tracks(const SearchTask& task, const Candidate& candidate);
 
-/// The part of the ground a piece lies in.
-int subfield_of(const Region& parts, const LaidPiece& piece, double width_m);
+/// The path of a piece in the field's frame, from one end to the other; of a straight one without its
+/// detours.
+Path line_of(const LaidPiece& piece, const StripGrid& grid);
 
 }  // namespace tramline

@@ -1,48 +1,61 @@
 #include "tramline/planner/encounters_as_driven.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <utility>
-#include <vector>
 
 #include "tramline/planner/order/lines.h"
 
 namespace tramline {
 namespace {
 
-/// How far off the piece lies from a place on the line of its track, m.
-double off_by(const TrackPiece& piece, Point at) {
-  const Point along = piece.end - piece.start;
-  const double place = dot(at - piece.start, along) / dot(along, along);
-  return length(along) * std::max({0.0, -place, place - 1});
-}
-
-/// An encounter lies in the middle between two pieces that end before it: less is rounding, m.
+/// Pieces on both sides of what blocks a track are as near: less is rounding, m.
 constexpr double kNearer_m = 1e-3;
 
-const TrackPiece& nearest_of(const std::vector<const TrackPiece*>& pieces, Point at) {
-  const TrackPiece* nearest = pieces.front();
-  for (const TrackPiece* piece : pieces)
-    if (off_by(*piece, at) < off_by(*nearest, at) - kNearer_m) nearest = piece;
-  return *nearest;
+/// How far the piece is from what blocks its track.
+double off_by(const LaidPiece& piece, const Interval& between) {
+  return std::max({0.0, piece.from - between.to, between.from - piece.to});
+}
+
+using Track = std::pair<int, int>;  // by subfield and number in its family
+
+/// The driven pieces of each track, in driving order.
+std::map<Track, std::vector<std::size_t>> by_track(const Candidate& candidate, const Driven& driven) {
+  std::map<Track, std::vector<std::size_t>> out;
+  for (std::size_t i = 0; i < driven.laid.size(); ++i) {
+    const LaidPlace& laid = driven.laid[i];
+    const LaidPiece& piece = candidate.avoided.tracks[laid.subfield].pieces[laid.piece];
+    out[{static_cast<int>(laid.subfield), piece.track}].push_back(i);
+  }
+  return out;
 }
 
 }  // namespace
 
 std::vector<Encounter> encounters_as_driven(const SearchTask& task, const Candidate& candidate,
-                                            const std::vector<TrackPiece>& pieces) {
-  std::map<std::pair<int, int>, std::vector<const TrackPiece*>> driven;  // by subfield and track
-  for (const TrackPiece& piece : pieces) driven[{piece.subfield, piece.track}].push_back(&piece);
-  std::vector<Encounter> out = encounters_of(task, candidate);
-  for (Encounter& encounter : out) {
+                                            const Driven& driven) {
+  const auto tracks = by_track(candidate, driven);
+  std::vector<Encounter> out;
+  for (PlacedEncounter& encounter : encounters_of(task, candidate)) {
+    double nearest_m = std::numeric_limits<double>::infinity();
+    bool back = false;
+    if (const auto found = tracks.find({encounter.subfield, encounter.track}); found != tracks.end())
+      for (const std::size_t i : found->second) {
+        const LaidPlace& laid = driven.laid[i];
+        const LaidPiece& piece = candidate.avoided.tracks[laid.subfield].pieces[laid.piece];
+        if (piece.branch != encounter.branch) continue;
+        const double off_m = off_by(piece, encounter.between);
+        if (off_m >= nearest_m - kNearer_m) continue;
+        nearest_m = off_m;
+        back = driven.back[i];
+      }
     encounter.track -= first_track(candidate, static_cast<std::size_t>(encounter.subfield));
-    const auto found = driven.find({encounter.subfield, encounter.track});
-    if (found == driven.end()) continue;
-    const TrackPiece& nearest = nearest_of(found->second, encounter.at);
-    const Point along = candidate.subfields[static_cast<std::size_t>(encounter.subfield)].direction.unit();
-    if (dot(nearest.end - nearest.start, along) >= 0) continue;
-    encounter.chosen = order::other_side(encounter.chosen);
-    std::swap(encounter.left, encounter.right);
+    if (back) {
+      encounter.chosen = order::other_side(encounter.chosen);
+      std::swap(encounter.left, encounter.right);
+    }
+    out.push_back(std::move(encounter));
   }
   return out;
 }

@@ -16,7 +16,7 @@ constexpr double kAlike_deg = 1;       ///< directions no farther apart are one
 constexpr std::size_t kAtOnce = 8;     ///< plans that are laid out together, for any number of threads
 constexpr std::size_t kMostLaid = 64;  ///< of the sweep's
 
-using Grounds = std::vector<GriddedSubfield>;
+using Grounds = std::vector<LinedSubfield>;
 using Directions = std::vector<Direction>;
 
 bool each_has_like(const Directions& directions, const Directions& others) {
@@ -33,7 +33,7 @@ bool alike(const Directions& a, const Directions& b) {
 
 Directions directions_of(const Grounds& grounds) {
   Directions out;
-  for (const GriddedSubfield& ground : grounds) out.push_back(ground.subfield.direction);
+  for (const LinedSubfield& ground : grounds) out.push_back(ground.subfield.direction);
   return out;
 }
 

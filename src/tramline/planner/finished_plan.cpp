@@ -4,19 +4,17 @@
 
 #include <utility>
 
+#include "tramline/cost/kinked_overlap.h"
 #include "tramline/cost/piece_overlap.h"
-#include "tramline/cost/worked_regions.h"
-#include "tramline/cost/worked_rows.h"
-#include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
 #include "tramline/headland/body.h"
 #include "tramline/headland/headland.h"
-#include "tramline/planner/driving_order.h"
+#include "tramline/planner/driven_tracks.h"
 #include "tramline/planner/encounters_as_driven.h"
 #include "tramline/planner/pulse.h"
+#include "tramline/planner/track_ground.h"
 #include "tramline/planner/warnings.h"
 #include "tramline/planner/whole_figures.h"
-#include "tramline/planner/worked_layers.h"
 
 namespace tramline {
 namespace {
@@ -24,35 +22,28 @@ namespace {
 std::vector<DroppedPiece> dropped_pieces(const Candidate& candidate) {
   std::vector<DroppedPiece> out;
   for (std::size_t i = 0; i < candidate.avoided.tracks.size(); ++i) {
-    const StripGrid& grid = candidate.avoided.tracks[i].grid;
-    for (const LaidPiece& piece : candidate.avoided.tracks[i].dropped) {
-      const double across = grid.centre(piece.track);
-      out.push_back({grid.frame.to_field({across, piece.from}), grid.frame.to_field({across, piece.to}),
-                     static_cast<int>(i)});
+    const LaidTracks& tracks = candidate.avoided.tracks[i];
+    for (const LaidPiece& piece : tracks.dropped) {
+      const Path line = line_of(piece, tracks.grid);
+      out.push_back({line.front().from, line.back().to, static_cast<int>(i)});
     }
   }
   return out;
 }
 
-/// The ground of all swaths in few regions.
-std::vector<Region> worked_grounds(const Candidate& candidate, const std::vector<TrackPiece>& pieces,
-                                   double width_m) {
-  std::vector<Region> out;
-  for (const LaidTracks& tracks : candidate.avoided.tracks) out.push_back(worked_rows(tracks));
-  Region detours;
-  for (const TrackPiece& piece : pieces)
-    for (const Detour& detour : piece.detours)
-      detours.push_back({band(detour.path, width_m, kLayerSagitta), {}});
-  out.push_back(unite(detours));
-  return out;
+void settle_overlaps(Plan& plan, const std::vector<Subfield>& subfields) {
+  const double width_m = plan.machine.width_m;
+  const bool kinked = plan.settings.tracks == TrackConstruction::kPaper;
+  const std::vector<double> overlaps = kinked ? overlap_by_kinked_piece(plan.body, plan.pieces, width_m)
+                                              : overlap_by_piece(plan.body, subfields, plan.pieces, width_m);
+  for (std::size_t i = 0; i < overlaps.size(); ++i) plan.pieces[i].overlap_m2 = overlaps[i];
 }
 
-Region swath_parts(const Plan& plan) {
-  Region out;
-  for (const TrackPiece& piece : plan.pieces)
-    for (Ring& part : swath_parts(piece, plan.machine.width_m, kLayerSagitta))
-      out.push_back({std::move(part), {}});
-  return out;
+/// Straight tracks along a line that was given follow it.
+void add_guide(const std::vector<Point>& guide, std::vector<Subfield>& subfields) {
+  if (guide.empty()) return;
+  for (Subfield& subfield : subfields)
+    if (subfield.reference.empty()) subfield.reference = straight_path(guide.front(), guide.back());
 }
 
 /// Is there ground to work without the clearance, and none with it?
@@ -101,25 +92,22 @@ Plan bare_plan(const SearchTask& task) {
 Plan finished_plan(const SearchTask& task, SearchResult found) {
   require_tracks(task, found.best.avoided.tally);
   Plan plan = bare_plan(task);
-  plan.pieces = driving_order(task, found.best);
+  Driven driven = driven_tracks(task, found.best);
+  plan.pieces = std::move(driven.pieces);
   plan.dropped = dropped_pieces(found.best);
   beat();
-  const std::vector<double> overlaps =
-      overlap_by_piece(plan.body, found.best.subfields, plan.pieces, plan.machine.width_m);
-  for (std::size_t i = 0; i < overlaps.size(); ++i) plan.pieces[i].overlap_m2 = overlaps[i];
+  settle_overlaps(plan, found.best.subfields);
   beat();
-  plan.encounters = encounters_as_driven(task, found.best, plan.pieces);
+  plan.encounters = encounters_as_driven(task, found.best, driven);
   beat();
-  std::vector<Region> grounds = worked_grounds(found.best, plan.pieces, plan.machine.width_m);
-  plan.subfields = std::move(found.best.subfields);
-  if (!task.settings.guide.empty())
-    for (Subfield& subfield : plan.subfields)
-      subfield.reference = straight_path(task.settings.guide.front(), task.settings.guide.back());
+  plan.subfields = found.best.subfields;
+  TrackGround ground = track_ground(plan, found.best);
+  add_guide(task.settings.guide, plan.subfields);
   set_figures(plan, found.best.avoided.tally);
   plan.directions_tried = found.directions_tried;
   plan.proof = whole_proof(task, found, plan);
   beat();
-  add_layers(plan, {std::move(grounds), common_to_two(swath_parts(plan))});
+  add_layers(plan, std::move(ground));
   plan.warnings = warnings_about(plan);
   return plan;
 }

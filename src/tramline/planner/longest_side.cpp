@@ -35,12 +35,12 @@ Direction longest_side(const Field& field, double width_m) {
 
 Candidate along_longest_side(const SearchTask& task, int threads) {
   const Direction along = longest_side(task.field, task.machine.width_m);
-  std::vector<std::vector<GriddedSubfield>> ways;
+  std::vector<std::vector<LinedSubfield>> ways;
   for (const Polygon& shape : task.ground.plannable) {
     const Subfield part{shape, along};
     const std::vector<double> origins = origins_of(part, task.machine.width_m);
     if (ways.size() < origins.size())
-      ways.resize(origins.size(), ways.empty() ? std::vector<GriddedSubfield>{} : ways.front());
+      ways.resize(origins.size(), ways.empty() ? std::vector<LinedSubfield>{} : ways.front());
     for (std::size_t i = 0; i < ways.size(); ++i)
       ways[i].push_back({part, origins[i < origins.size() ? i : 0]});
   }

@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "tramline/geometry/error.h"
-#include "tramline/planner/curved_plan.h"
+#include "tramline/planner/best_curved.h"
+#include "tramline/planner/curved_candidate.h"
 #include "tramline/planner/finished_plan.h"
 #include "tramline/planner/headlanded_task.h"
 #include "tramline/planner/pulse.h"
@@ -34,21 +35,26 @@ Error no_curve(const Field& field, bool from_end_to_end) {
 
 bool as_in_the_paper(const PlanSettings& settings) { return settings.tracks == TrackConstruction::kPaper; }
 
-CurvedCandidate along_guide(const SearchTask& task) {
+Candidate along_guide(const SearchTask& task) {
   const std::vector<Point>& guide = task.settings.guide;
-  return as_in_the_paper(task.settings)
-             ? recursive_along(task, guide)
-             : with_detours(task, curved_along(task, reference_along(task, guide, 0)));
+  if (as_in_the_paper(task.settings)) return recursive_along(task, guide);
+  const Reference reference = reference_along(task, guide, 0);
+  std::vector<LinedSubfield> grounds;
+  for (const Polygon& part : task.ground.plannable)
+    grounds.push_back({*subfield_along(task, part, reference), 0});
+  return candidate_on(task, grounds);
 }
 
-std::optional<CurvedCandidate> along_best_edge(const SearchTask& task, int threads) {
-  return as_in_the_paper(task.settings) ? recursive_along_best(task, threads) : best_curved(task, threads);
+std::optional<Candidate> along_best_edge(const SearchTask& task, int threads) {
+  if (as_in_the_paper(task.settings)) return recursive_along_best(task, threads);
+  if (std::optional<BestCurve> best = best_curved(task, threads)) return std::move(best->candidate);
+  return std::nullopt;
 }
 
 /// The best family of curved tracks, with what it was looked for on.
 struct CurvedChoice {
   SearchTask task;
-  CurvedCandidate candidate;
+  Candidate candidate;
 };
 
 /// nullopt where no edge is curved, or headlands round all obstacles leave nothing.
@@ -57,7 +63,7 @@ std::optional<CurvedChoice> curved_choice(const Field& field, const Machine& mac
                                           int threads) {
   try {
     SearchTask task = headlanded_task(field, machine, objective, settings, threads);
-    if (std::optional<CurvedCandidate> best = along_best_edge(task, threads))
+    if (std::optional<Candidate> best = along_best_edge(task, threads))
       return CurvedChoice{std::move(task), std::move(*best)};
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::kBadInput) throw;
@@ -66,6 +72,14 @@ std::optional<CurvedChoice> curved_choice(const Field& field, const Machine& mac
 }
 
 enum class Explain { kNo, kYes };
+
+/// Of a candidate that stands by itself.
+Plan plan_of(const SearchTask& task, Candidate candidate) {
+  SearchResult found;
+  found.best = std::move(candidate);
+  found.directions_tried = 1;
+  return finished_plan(task, std::move(found));
+}
 
 ExplainedPlan straight_plan(const SearchTask& task, SearchResult found, int threads, Explain explain) {
   ExplainedPlan out;
@@ -91,9 +105,8 @@ ExplainedPlan cheaper_shape(const Field& field, const Machine& machine, const Ob
   SearchResult straight = straight_search(task, threads, progress);
   const bool stays_straight =
       !curved || (straight.best.works() && whole_cost(task, straight.best) <= curved_cost);
-  ExplainedPlan out = stays_straight
-                          ? straight_plan(task, std::move(straight), threads, explain)
-                          : ExplainedPlan{finished_plan(curved->task, curved->candidate), std::nullopt};
+  ExplainedPlan out = stays_straight ? straight_plan(task, std::move(straight), threads, explain)
+                                     : ExplainedPlan{plan_of(curved->task, curved->candidate), std::nullopt};
   out.plan.settings.shape = TrackShape::kAuto;
   return out;
 }
@@ -110,10 +123,10 @@ ExplainedPlan searched(const Field& field, const Machine& machine, const Objecti
   if (settings.shape == TrackShape::kStraight && !as_in_the_paper(settings))
     return straight_plan(task, straight_search(task, threads, progress), threads, explain);
   if (area(task.ground.plannable) == 0) return {finished_plan(task, SearchResult{}), std::nullopt};
-  if (!settings.guide.empty()) return {finished_plan(task, along_guide(task)), std::nullopt};
-  const std::optional<CurvedCandidate> curved = along_best_edge(task, threads);
+  if (!settings.guide.empty()) return {plan_of(task, along_guide(task)), std::nullopt};
+  std::optional<Candidate> curved = along_best_edge(task, threads);
   if (!curved) throw no_curve(field, as_in_the_paper(settings));
-  return {finished_plan(task, *curved), std::nullopt};
+  return {plan_of(task, std::move(*curved)), std::nullopt};
 }
 
 ExplainedPlan planned(const Field& field, const Machine& machine, const Objective& objective,

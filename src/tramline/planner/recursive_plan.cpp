@@ -4,6 +4,7 @@
 
 #include "tramline/cost/recursive_tally.h"
 #include "tramline/geometry/error.h"
+#include "tramline/geometry/path_between.h"
 #include "tramline/headland/body.h"
 #include "tramline/tracks/recursive_tracks.h"
 
@@ -21,22 +22,34 @@ void require_paper_ground(const Field& field, const PlanSettings& settings) {
                     field.id));
 }
 
-CurvedCandidate recursive_along(const SearchTask& task, const std::vector<Point>& line) {
+Candidate recursive_along(const SearchTask& task, const std::vector<Point>& line) {
   const double width_m = task.machine.width_m;
   const Region& body = task.ground.plannable;
-  CurvedCandidate out;
-  out.line = line;
-  out.reference = extended_over(line, width_m, body);
-  out.tracks = recursive_tracks(line, width_m, body, min_length_m(task.machine));
-  RecursiveTally found = recursive_tally(out.tracks, width_m, task.ground.body);
-  out.tally = found.tally;
+  const Path reference = extended_over(line, width_m, body);
+  const Point half_way = path_between(reference, 0, 0.5 * length(reference)).back().to;
+  const Direction whole = Direction::along(reference.front().from, half_way);
+  LaidTracks tracks = recursive_tracks(line, width_m, body, min_length_m(task.machine));
+  RecursiveTally found = recursive_tally(tracks, width_m, task.ground.body);
+  Candidate out;
+  for (const Polygon& part : body) {
+    out.subfields.push_back({part, whole, reference});
+    out.families.push_back({tracks.grid, {}});
+    out.avoided.tracks.push_back({tracks.grid, {}, {}});
+  }
+  // A piece's branch is the part of the body it lies in.
+  for (LaidPiece& piece : tracks.pieces)
+    out.avoided.tracks[static_cast<std::size_t>(piece.branch)].pieces.push_back(std::move(piece));
+  for (LaidPiece& piece : tracks.dropped)
+    out.avoided.tracks[static_cast<std::size_t>(piece.branch)].dropped.push_back(std::move(piece));
+  for (const LaidTracks& part : out.avoided.tracks) found.tally.subfields += part.pieces.empty() ? 0 : 1;
+  out.avoided.tally = found.tally;
+  out.avoided.cost = cost(task.objective, found.tally);
   out.worked = std::move(found.worked);
-  count_subfields(task, out);
   return out;
 }
 
-std::optional<CurvedCandidate> recursive_along_best(const SearchTask& task, int threads) {
-  const std::optional<CurvedCandidate> found = best_curved(task, threads);
+std::optional<Candidate> recursive_along_best(const SearchTask& task, int threads) {
+  const std::optional<BestCurve> found = best_curved(task, threads);
   if (!found) return std::nullopt;
   return recursive_along(task, found->line);
 }

@@ -1,7 +1,7 @@
 #pragma once
 // Plans with S2's own construction of tracks.
 
-#include "tramline/planner/curved_plan.h"
+#include "tramline/planner/best_curved.h"
 
 namespace tramline {
 
@@ -12,9 +12,9 @@ void require_paper_ground(const Field& field, const PlanSettings& settings);
 /// The tracks that S2 makes along the line (recursive_tracks.h), as a candidate for finished_plan(): the
 /// reference is the line, extended across the ground, unsmoothed.
 /// Precondition: require_paper_ground(), so that nothing hard is left on the task's ground.
-CurvedCandidate recursive_along(const SearchTask& task, const std::vector<Point>& line);
+Candidate recursive_along(const SearchTask& task, const std::vector<Point>& line);
 
 /// The same along the chain of edges that best_curved() follows; nullopt where it finds none.
-std::optional<CurvedCandidate> recursive_along_best(const SearchTask& task, int threads);
+std::optional<Candidate> recursive_along_best(const SearchTask& task, int threads);
 
 }  // namespace tramline

@@ -22,7 +22,7 @@ constexpr std::size_t kManyLines = 80;
 enum class RowsOver { kAllGaps, kOneGap };
 
 /// A place with the lines there over what is open.
-struct Candidate {
+struct CandidateLine {
   LinePlace place;
   std::vector<RepairLine> lines;
   bool stale = true;
@@ -30,12 +30,12 @@ struct Candidate {
 
 class Choice {
  public:
-  Choice(RepairGround& ground, std::vector<Candidate> candidates, int threads)
+  Choice(RepairGround& ground, std::vector<CandidateLine> candidates, int threads)
       : ground_(ground), candidates_(std::move(candidates)), threads_(threads) {
     refresh();
   }
 
-  const std::vector<Candidate>& candidates() const { return candidates_; }
+  const std::vector<CandidateLine>& candidates() const { return candidates_; }
   const std::vector<RepairLine>& lines() const { return lines_; }
   double cost() const { return cost_with(lines_, ground_); }
 
@@ -79,7 +79,7 @@ class Choice {
     for (std::size_t i = 0; i < candidates_.size(); ++i)
       if (candidates_[i].stale) stale.push_back(i);
     for_each_index(stale.size(), threads_, [&](std::size_t k) {
-      Candidate& candidate = candidates_[stale[k]];
+      CandidateLine& candidate = candidates_[stale[k]];
       candidate.lines = ground_.lines_at(candidate.place);
       candidate.stale = false;
     });
@@ -89,7 +89,7 @@ class Choice {
   const RepairLine* best() {
     refresh();
     const RepairLine* out = nullptr;
-    for (const Candidate& candidate : candidates_)
+    for (const CandidateLine& candidate : candidates_)
       for (const RepairLine& line : candidate.lines)
         if (out == nullptr || line.worth > out->worth + kLeastGain ||
             (line.worth > out->worth - kLeastGain &&
@@ -104,10 +104,11 @@ class Choice {
     changed(lines_.back().swaths);
     const double width_m = ground_.terms().machine.width_m;
     for (const double left_m : {place.left_m - width_m, place.left_m + width_m}) {
-      const bool known = std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
-        return candidate.place.direction == place.direction &&
-               std::abs(candidate.place.left_m - left_m) < 1e-6;
-      });
+      const bool known =
+          std::any_of(candidates_.begin(), candidates_.end(), [&](const CandidateLine& candidate) {
+            return candidate.place.direction == place.direction &&
+                   std::abs(candidate.place.left_m - left_m) < 1e-6;
+          });
       if (!known) candidates_.push_back({{place.direction, left_m}, {}, true});
     }
   }
@@ -120,7 +121,7 @@ class Choice {
     for (std::size_t d = 0; d < ground_.directions(); ++d)
       boxes.push_back(bounds(ground_.frame(d).to_track(swaths)));
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
-      Candidate& candidate = candidates_[i];
+      CandidateLine& candidate = candidates_[i];
       const Box& box = boxes[candidate.place.direction];
       if (candidate.stale || candidate.place.left_m >= box.max_x ||
           candidate.place.left_m + width_m <= box.min_x)
@@ -187,7 +188,7 @@ class Choice {
     const double before = cost();
     const std::vector<RepairLine> lines = lines_;
     const std::size_t known = candidates_.size();
-    std::vector<std::pair<std::size_t, Candidate>> saved;
+    std::vector<std::pair<std::size_t, CandidateLine>> saved;
     saved_ = &saved;
     Region swaths;
     for (auto i = indices.rbegin(); i != indices.rend(); ++i) {
@@ -211,10 +212,10 @@ class Choice {
   }
 
   RepairGround& ground_;
-  std::vector<Candidate> candidates_;
+  std::vector<CandidateLine> candidates_;
   std::vector<RepairLine> lines_;
   int threads_;
-  std::vector<std::pair<std::size_t, Candidate>>* saved_ = nullptr;  ///< as they were, during an exchange
+  std::vector<std::pair<std::size_t, CandidateLine>>* saved_ = nullptr;  ///< as they were, during an exchange
 };
 
 }  // namespace
@@ -234,7 +235,7 @@ double cost_with(const std::vector<RepairLine>& lines, const RepairGround& groun
 }
 
 std::vector<RepairLine> chosen_lines(RepairGround& ground, int threads, const Progress& progress) {
-  std::vector<Candidate> candidates;
+  std::vector<CandidateLine> candidates;
   for (const LinePlace& place : repair_places(ground)) candidates.push_back({place, {}, true});
   const Region everywhere{ground.free()};
   constexpr int kSteps = 4;

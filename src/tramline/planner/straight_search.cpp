@@ -19,7 +19,7 @@ SearchResult guided_search(const SearchTask& task) {
   const std::vector<Point>& guide = task.settings.guide;
   const Direction along = Direction::along(guide.front(), guide.back());
   const double origin_m = TrackFrame(along).to_track(guide.front()).x;
-  std::vector<GriddedSubfield> grounds;
+  std::vector<LinedSubfield> grounds;
   for (const Polygon& part : task.ground.plannable) grounds.push_back({{part, along}, origin_m});
   SearchResult out;
   out.best = candidate_on(task, grounds);

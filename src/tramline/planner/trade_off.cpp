@@ -22,7 +22,7 @@
 namespace tramline {
 namespace {
 
-using Grounds = std::vector<GriddedSubfield>;
+using Grounds = std::vector<LinedSubfield>;
 
 /// A plan that may be of the front.
 struct Laid {
@@ -95,7 +95,7 @@ Front front_of(const Objective& prices, const std::vector<TradeOff::Search>& sea
   front.prices = prices;
   for (const Laid& plan : laid) {
     FrontPoint point{plan.tally, {}, searches[plan.origin.search].task.objective, cost(prices, plan.tally)};
-    for (const GriddedSubfield& ground : plan.origin.grounds)
+    for (const LinedSubfield& ground : plan.origin.grounds)
       point.directions.push_back(ground.subfield.direction);
     front.points.push_back(std::move(point));
   }

@@ -19,7 +19,7 @@ struct TradeOff {
   /// Of each point of the front.
   struct Origin {
     std::size_t search = 0;
-    std::vector<GriddedSubfield> grounds;
+    std::vector<LinedSubfield> grounds;
   };
 
   Front front;

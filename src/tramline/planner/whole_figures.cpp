@@ -5,7 +5,6 @@
 #include "tramline/cost/whole_tally.h"
 #include "tramline/geometry/layered_area.h"
 #include "tramline/planner/driven_tracks.h"
-#include "tramline/planner/driving_order.h"
 
 namespace tramline {
 namespace {
@@ -37,19 +36,12 @@ double undivided_cost(const SearchTask& task, const SearchResult& found, const P
 Tally whole_tally_of(const SearchTask& task, const Candidate& candidate) {
   const Tally& tracks = candidate.avoided.tally;
   if (!has_headland(task)) return tracks;
-  return whole_tally(tracks, track_pieces(candidate), task.ground.body, task.headland, task.machine.width_m);
+  return whole_tally(tracks, track_pieces(task, candidate), task.ground.body, task.headland,
+                     task.machine.width_m);
 }
 
 double whole_cost(const SearchTask& task, const Candidate& candidate) {
   return cost(task.objective, whole_tally_of(task, candidate));
-}
-
-double whole_cost(const SearchTask& task, const CurvedCandidate& candidate) {
-  if (!has_headland(task)) return candidate.cost;
-  const std::vector<TrackPiece> pieces =
-      track_pieces(candidate.tracks, task.ground.plannable, {task.machine.width_m, true});
-  return cost(task.objective,
-              whole_tally(candidate.tally, pieces, task.ground.body, task.headland, task.machine.width_m));
 }
 
 void set_figures(Plan& plan, const Tally& tracks) {

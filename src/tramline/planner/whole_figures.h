@@ -1,7 +1,6 @@
 #pragma once
 // The figures of a plan with its headland: what searches compare are tracks on the body alone.
 
-#include "tramline/planner/curved_family.h"
 #include "tramline/planner/search_result.h"
 
 namespace tramline {
@@ -11,7 +10,6 @@ Tally whole_tally_of(const SearchTask& task, const Candidate& candidate);
 
 /// What a candidate costs with the headland of its task.
 double whole_cost(const SearchTask& task, const Candidate& candidate);
-double whole_cost(const SearchTask& task, const CurvedCandidate& candidate);
 
 /// Tallies and cost of a plan whose pieces are settled, from the tally of its tracks.
 void set_figures(Plan& plan, const Tally& tracks);

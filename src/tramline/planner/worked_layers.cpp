@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "tramline/cost/doubled_along_curves.h"
 #include "tramline/cost/worked_regions.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/path_profile.h"
@@ -44,8 +45,6 @@ Region reaching_out(const Region& parts, const EdgeIndex& land) {
 }
 
 }  // namespace
-
-bool is_sliver(const Polygon& part) { return area(part) < 0.5 * kLayerSagitta * perimeter(part.outer); }
 
 void add_layers(Plan& plan, TrackGround tracks) {
   add_passes(plan, tracks);

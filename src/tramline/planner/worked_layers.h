@@ -18,7 +18,4 @@ struct TrackGround {
 /// tally, cost and warnings is there.
 void add_layers(Plan& plan, TrackGround tracks);
 
-/// Is a polygon no more than what chords of neighbouring swaths leave open or share?
-bool is_sliver(const Polygon& part);
-
 }  // namespace tramline

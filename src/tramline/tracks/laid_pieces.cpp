@@ -139,6 +139,20 @@ Intervals parts_on_track(const LaidPiece& piece) {
   return out;
 }
 
+std::vector<Path> paths_on_track(const LaidPiece& piece) {
+  assert(!piece.path.empty());
+  std::vector<Path> out;
+  auto at = piece.path.begin();
+  for (const TrackDetour& detour : piece.detours) {
+    const auto first = std::find(at, piece.path.end(), detour.path.front());
+    assert(first != piece.path.end());
+    if (first != at) out.emplace_back(at, first);
+    at = first + static_cast<std::ptrdiff_t>(detour.path.size());
+  }
+  if (at != piece.path.end()) out.emplace_back(at, piece.path.end());
+  return out;
+}
+
 std::vector<JoinedStretch> joined_stretches(const Intervals& stretches,
                                             const std::vector<TrackDetour>& detours) {
   assert(sorted_and_apart(detours));

@@ -40,6 +40,9 @@ struct LaidPiece {
 /// Where the piece keeps to its track: before, between and after its detours.
 Intervals parts_on_track(const LaidPiece& piece);
 
+/// The same as paths in the frame of the grid. Precondition: the piece is one of a curved track.
+std::vector<Path> paths_on_track(const LaidPiece& piece);
+
 /// What is driven on the tracks of one family.
 struct LaidTracks {
   StripGrid grid;

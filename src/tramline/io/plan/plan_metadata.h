@@ -31,7 +31,7 @@ Metadata metadata_of(const Plan& plan);
 /// that cannot be read.
 int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, Plan& plan);
 
-/// The lines that the tracks of the subfields follow. Precondition: the subfields are there. Throws as
+/// The lines that the tracks of the subfields follow, once these have been read. Throws as
 /// apply_metadata().
 void apply_references(const Metadata& metadata, const std::filesystem::path& file, int version, Plan& plan);
 

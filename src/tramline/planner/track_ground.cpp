@@ -1,0 +1,80 @@
+#include "tramline/planner/track_ground.h"
+
+#include <cassert>
+#include <utility>
+
+#include "tramline/cost/doubled_along_curves.h"
+#include "tramline/cost/recursive_tally.h"
+#include "tramline/cost/worked_bands.h"
+#include "tramline/cost/worked_regions.h"
+#include "tramline/cost/worked_rows.h"
+#include "tramline/geometry/boolean.h"
+
+namespace tramline {
+namespace {
+
+/// The pieces of a subfield where they keep to their tracks, each part a piece.
+std::vector<TrackPiece> kept_to_tracks(const Plan& plan, std::size_t subfield) {
+  std::vector<TrackPiece> out;
+  for (const TrackPiece& piece : plan.pieces) {
+    if (piece.subfield != static_cast<int>(subfield)) continue;
+    for (Path& part : parts_on_track(piece)) {
+      TrackPiece alone{part.front().from, part.back().to};
+      alone.track = piece.track;
+      alone.curve = std::move(part);
+      out.push_back(std::move(alone));
+    }
+  }
+  return out;
+}
+
+Region detours_of(const Plan& plan) {
+  Region out;
+  for (const TrackPiece& piece : plan.pieces)
+    for (const Detour& detour : piece.detours) append_swath(detour.path, plan.machine.width_m, out);
+  return unite(out);
+}
+
+std::vector<Region> worked_grounds(const Plan& plan, const Candidate& candidate) {
+  std::vector<Region> out;
+  for (std::size_t i = 0; i < candidate.avoided.tracks.size(); ++i) {
+    const Path& reference = plan.subfields[i].reference;
+    if (candidate.subfields[i].reference.empty()) {
+      out.push_back(worked_rows(candidate.avoided.tracks[i]));
+      continue;
+    }
+    for (Region& ground :
+         worked_bands(reference, kept_to_tracks(plan, i), plan.machine.width_m, kLayerSagitta))
+      out.push_back(std::move(ground));
+  }
+  out.push_back(detours_of(plan));
+  return out;
+}
+
+Region straight_swaths(const Plan& plan) {
+  Region out;
+  for (const TrackPiece& piece : plan.pieces) {
+    if (!piece.curve.empty()) continue;
+    for (Ring& part : swath_parts(piece, plan.machine.width_m, kLayerSagitta))
+      out.push_back({std::move(part), {}});
+  }
+  return out;
+}
+
+}  // namespace
+
+TrackGround track_ground(const Plan& plan, const Candidate& candidate) {
+  assert(plan.subfields.size() == candidate.subfields.size());
+  if (candidate.worked) {
+    Region swaths;
+    for (const LaidTracks& tracks : candidate.avoided.tracks)
+      for (Polygon& part : kinked_swaths(tracks.pieces, plan.machine.width_m))
+        swaths.push_back(std::move(part));
+    return {{*candidate.worked}, common_to_two(swaths)};
+  }
+  TrackGround out{worked_grounds(plan, candidate), common_to_two(straight_swaths(plan))};
+  for (Polygon& both : doubled_along_curves(plan)) out.doubled.push_back(std::move(both));
+  return out;
+}
+
+}  // namespace tramline
