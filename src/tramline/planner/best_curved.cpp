@@ -156,6 +156,26 @@ Subfield left_along(const SearchTask& task, const Polygon& part, const Reference
   return *subfield_along(task, part, reference);
 }
 
+/// Each part along its own curve, or all along that of one of them: what swaths work beyond their own part
+/// may decide.
+Candidate best_together(const SearchTask& task, const std::vector<LinedSubfield>& grounds) {
+  Candidate best = candidate_on(task, grounds);
+  std::vector<Path> tried;
+  for (const LinedSubfield& one : grounds) {
+    const Path& reference = one.subfield.reference;
+    if (has_to_end() || std::find(tried.begin(), tried.end(), reference) != tried.end()) continue;
+    tried.push_back(reference);
+    std::vector<LinedSubfield> along = grounds;
+    for (LinedSubfield& ground : along) {
+      ground.subfield.direction = one.subfield.direction;
+      ground.subfield.reference = reference;
+    }
+    Candidate other = candidate_on(task, along);
+    if (is_better(other.avoided, best.avoided)) best = std::move(other);
+  }
+  return best;
+}
+
 }  // namespace
 
 std::optional<BestCurve> best_curved(const SearchTask& task, int threads) {
@@ -176,7 +196,7 @@ std::optional<BestCurve> best_curved(const SearchTask& task, int threads) {
     if (parts.size() == 1) out.candidate = std::move(best->candidate);
   }
   if (out.line.empty()) return std::nullopt;
-  if (parts.size() > 1) out.candidate = candidate_on(task, grounds);
+  if (parts.size() > 1) out.candidate = best_together(task, grounds);
   return out;
 }
 
