@@ -40,7 +40,7 @@ void add_settings(const Plan& plan, Names& out) {
   const auto& passes = plan.headland.obstacle_passes;
   if (std::none_of(passes.begin(), passes.end(), [](int n) { return n > 0; }))
     out.emplace_back("settings.obstacle_headlands");
-  if (!references(plan).empty()) out.emplace_back("reference");
+  if (!references(plan).empty()) out.emplace_back(common_reference(plan) ? "reference" : "references");
 }
 
 void add_encounters(const Plan& plan, Names& out) {
