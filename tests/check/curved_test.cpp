@@ -36,6 +36,25 @@ TEST(CurvedPlans, tracks_go_through_parts_that_lie_side_by_side) {
   EXPECT_EQ(found(settled(plan)).count("ends"), 1u);
 }
 
+/// The inner two tracks are a subfield along the inner edge, the outer three one along the line between.
+TEST(CurvedPlans, subfields_follow_lines_of_their_own) {
+  Plan plan = arcs_plan();
+  const Direction direction = plan.subfields[0].direction;
+  const Path inner = plan.subfields[0].reference,
+             middle = {{{36, -60}, {36, 0}, 0}, {{36, 0}, {0, 36}, 1.0 / 36}, {{0, 36}, {-60, 36}, 0}};
+  plan.subfields = {{{ring_sector(30, 36, 0, 90), {}}, direction, inner},
+                    {{ring_sector(36, 45, 0, 90), {}}, direction, middle}};
+  for (int i = 2; i < 5; ++i) {
+    plan.pieces[i].subfield = 1;
+    plan.pieces[i].track -= 2;
+  }
+  plan = settled(plan);
+  expect_holds(plan);
+  // Numbered along the other's line, the tracks lie two widths off where they should.
+  std::swap(plan.subfields[0].reference, plan.subfields[1].reference);
+  EXPECT_TRUE(found(settled(plan)).contains("parallel"));
+}
+
 TEST(CurvedPlans, arcs_about_one_point_hold_under_every_end_rule) {
   Plan plan = arcs_plan();
   for (const EndRule rule : {EndRule::kCentre, EndRule::kCover, EndRule::kInside, EndRule::kCheapest})

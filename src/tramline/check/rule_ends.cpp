@@ -91,14 +91,9 @@ void check_ends(const Case& c, Violations& out) {
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
     const TrackPiece& piece = c.plan.pieces[i];
     if (!piece.curve.empty()) {
-      const auto known = lands.find(piece.subfield);
-      const Region& asked_for =
-          known != lands.end()
-              ? known->second
-              : lands
-                    .emplace(piece.subfield,
-                             is_repair(c.plan) ? c.plan.body : along_same_line(c.plan, piece.subfield))
-                    .first->second;
+      Region& asked_for = lands[piece.subfield];
+      if (asked_for.empty())
+        asked_for = is_repair(c.plan) ? c.plan.body : along_same_line(c.plan, piece.subfield);
       for (const Path& part : parts_on_track(piece)) {
         const Polygon land = land_within(reach_of(part, 2 * asked.half_m), asked_for);
         const Stretch below = longest_below(land, part, asked.half_m, asked.required_m);

@@ -100,14 +100,14 @@ double covered_along_curves(const std::vector<Subfield>& subfields, const std::v
     for (std::size_t other = 0; other < subfields.size(); ++other) {
       if (other == host) continue;
       for (const Path& line : lines[other])
-        for (const Path& run : runs_near(line, width_m, land)) {
+        for (const Path& run : runs_near(line, reaches_of(line, width_m), {land})) {
           append_band(run, width_m, Layer::kNew, curves);
           window.extend(reach_of(run, width_m));
         }
     }
     if (curves.empty()) continue;
     for (const Path& line : lines[host])
-      for (const Path& run : runs_near(line, width_m, window))
+      for (const Path& run : runs_near(line, reaches_of(line, width_m), {window}))
         append_band(run, width_m, Layer::kTaken, curves);
     for (const Ring& ring : rings_of({subfields[host].shape}))
       append_ring(ring, Layer::kBody, window, curves);

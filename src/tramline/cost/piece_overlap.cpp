@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "tramline/geometry/kinked_line.h"
 #include "tramline/geometry/layered_area.h"
@@ -54,37 +56,23 @@ DrivenLine driven_line(const TrackPiece& piece, double width_m) {
   return out;
 }
 
-bool meets_any(const Box& box, const std::vector<Box>& others) {
-  return std::any_of(others.begin(), others.end(),
-                     [&box](const Box& other) { return intersects(box, other); });
-}
-
-/// Adds the runs of a line, whose segments reach so far, that may reach one of the boxes.
-void append_runs(const Path& line, const std::vector<Box>& reaches, const std::vector<Box>& boxes,
-                 std::vector<Path>& out) {
-  bool goes_on = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const bool is_near = meets_any(reaches[i], boxes);
-    if (is_near && !goes_on) out.emplace_back();
-    if (is_near) out.back().push_back(line[i]);
-    goes_on = is_near;
-  }
-}
-
 /// Adds what a piece before may have worked of the ground of one now, in the field's frame: parts may come
 /// twice.
 void append_taken(const DrivenLine& before, const DrivenLine& now, double width_m, std::vector<Path>& out) {
   if (!may_meet(before.piece, now.piece, width_m) || !intersects(before.reach, now.reach)) return;
+  const auto append = [&out](std::vector<Path> runs) {
+    std::move(runs.begin(), runs.end(), std::back_inserter(out));
+  };
   if (before.piece.curve.empty() && now.piece.curve.empty()) {
     out.push_back(before.line);
   } else if (before.piece.subfield != now.piece.subfield) {
-    append_runs(before.line, before.reaches, now.reaches, out);
+    append(runs_near(before.line, before.reaches, now.reaches));
   } else {
     // But for detours they have no ground in common.
     for (const Detour& detour : before.piece.detours)
-      append_runs(detour.path, reaches_of(detour.path, width_m), now.reaches, out);
+      append(runs_near(detour.path, reaches_of(detour.path, width_m), now.reaches));
     for (const Detour& detour : now.piece.detours)
-      append_runs(before.line, before.reaches, reaches_of(detour.path, width_m), out);
+      append(runs_near(before.line, before.reaches, reaches_of(detour.path, width_m)));
   }
 }
 

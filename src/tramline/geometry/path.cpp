@@ -202,13 +202,15 @@ std::vector<Box> reaches_of(const Path& path, double width_m) {
   return out;
 }
 
-std::vector<Path> runs_near(const Path& path, double width_m, const Box& window) {
+std::vector<Path> runs_near(const Path& path, const std::vector<Box>& reaches,
+                            const std::vector<Box>& windows) {
   std::vector<Path> out;
   bool goes_on = false;
-  for (const PathSegment& segment : path) {
-    const bool is_near = intersects(box_of(segment).grown(0.5 * width_m), window);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const bool is_near = std::any_of(windows.begin(), windows.end(),
+                                     [&](const Box& window) { return intersects(reaches[i], window); });
     if (is_near && !goes_on) out.emplace_back();
-    if (is_near) out.back().push_back(segment);
+    if (is_near) out.back().push_back(path[i]);
     goes_on = is_near;
   }
   return out;

@@ -75,8 +75,10 @@ Box reach_of(const Path& path, double width_m);
 /// The same, one for each segment's part of the band.
 std::vector<Box> reaches_of(const Path& path, double width_m);
 
-/// The runs of segments whose part of the band may reach into the window, along the path. O(n).
-std::vector<Path> runs_near(const Path& path, double width_m, const Box& window);
+/// The runs of segments that may reach into one of the windows, along the path. `reaches`: those of its
+/// segments (reaches_of()). O(n·k) for k windows.
+std::vector<Path> runs_near(const Path& path, const std::vector<Box>& reaches,
+                            const std::vector<Box>& windows);
 
 /// Shortest distance between a segment of a path and the straight edge ab; 0 where they meet, m.
 double distance_to_edge(const PathSegment& segment, Point a, Point b);

@@ -151,11 +151,6 @@ std::optional<TriedCurve> best_on(const SearchTask& task, const Polygon& part,
   return std::move(all.front());
 }
 
-/// A part that no curve suits is left, along any.
-Subfield left_along(const SearchTask& task, const Polygon& part, const Reference& reference) {
-  return *subfield_along(task, part, reference);
-}
-
 /// Each part along its own curve, or all along that of one of them: what swaths work beyond their own part
 /// may decide.
 Candidate best_together(const SearchTask& task, const std::vector<LinedSubfield>& grounds) {
@@ -183,19 +178,23 @@ std::optional<BestCurve> best_curved(const SearchTask& task, int threads) {
   const Region& parts = task.ground.plannable;
   std::vector<LinedSubfield> grounds;
   BestCurve out;
+  Subfield largest;
   double largest_m2 = 0;
   for (const Polygon& part : parts) {
     std::optional<TriedCurve> best = best_on(task, part, references, threads);
-    if (!best) {
-      if (!references.empty()) grounds.push_back({left_along(task, part, references.front()), 0});
-      continue;
+    grounds.push_back({best ? best->candidate.subfields.front() : Subfield{part, {}, {}}, 0});
+    if (best && area(part) > largest_m2) {
+      out.line = best->reference->line;
+      largest = grounds.back().subfield;
+      largest_m2 = area(part);
     }
-    grounds.push_back({best->candidate.subfields.front(), 0});
-    if (area(part) > largest_m2) out.line = best->reference->line;
-    largest_m2 = std::max(largest_m2, area(part));
-    if (parts.size() == 1) out.candidate = std::move(best->candidate);
+    if (best && parts.size() == 1) out.candidate = std::move(best->candidate);
   }
-  if (out.line.empty()) return std::nullopt;
+  if (largest_m2 == 0) return std::nullopt;
+  // A part that no curve suits by itself goes with the largest.
+  for (LinedSubfield& ground : grounds)
+    if (ground.subfield.reference.empty())
+      ground.subfield = {ground.subfield.shape, largest.direction, largest.reference};
   if (parts.size() > 1) out.candidate = best_together(task, grounds);
   return out;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -40,8 +41,11 @@ Candidate along_guide(const SearchTask& task) {
   if (as_in_the_paper(task.settings)) return recursive_along(task, guide);
   const Reference reference = reference_along(task, guide, 0);
   std::vector<LinedSubfield> grounds;
-  for (const Polygon& part : task.ground.plannable)
-    grounds.push_back({*subfield_along(task, part, reference), 0});
+  for (const Polygon& part : task.ground.plannable) {
+    const auto subfield = subfield_along(task, part, reference);
+    assert(subfield);  // Unmoved, the reference keeps the radii it was smoothed to.
+    grounds.push_back({*subfield, 0});
+  }
   return candidate_on(task, grounds);
 }
 

@@ -3,7 +3,7 @@
 #include <cassert>
 #include <utility>
 
-#include "tramline/cost/doubled_along_curves.h"
+#include "tramline/cost/doubled_ground.h"
 #include "tramline/cost/recursive_tally.h"
 #include "tramline/cost/worked_bands.h"
 #include "tramline/cost/worked_regions.h"
@@ -51,16 +51,6 @@ std::vector<Region> worked_grounds(const Plan& plan, const Candidate& candidate)
   return out;
 }
 
-Region straight_swaths(const Plan& plan) {
-  Region out;
-  for (const TrackPiece& piece : plan.pieces) {
-    if (!piece.curve.empty()) continue;
-    for (Ring& part : swath_parts(piece, plan.machine.width_m, kLayerSagitta))
-      out.push_back({std::move(part), {}});
-  }
-  return out;
-}
-
 }  // namespace
 
 TrackGround track_ground(const Plan& plan, const Candidate& candidate) {
@@ -72,9 +62,7 @@ TrackGround track_ground(const Plan& plan, const Candidate& candidate) {
         swaths.push_back(std::move(part));
     return {{*candidate.worked}, common_to_two(swaths)};
   }
-  TrackGround out{worked_grounds(plan, candidate), common_to_two(straight_swaths(plan))};
-  for (Polygon& both : doubled_along_curves(plan)) out.doubled.push_back(std::move(both));
-  return out;
+  return {worked_grounds(plan, candidate), doubled_ground(plan)};
 }
 
 }  // namespace tramline

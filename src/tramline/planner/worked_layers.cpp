@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "tramline/cost/doubled_along_curves.h"
+#include "tramline/cost/doubled_ground.h"
 #include "tramline/cost/worked_regions.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/path_profile.h"

@@ -1,10 +1,13 @@
-#include "tramline/cost/doubled_along_curves.h"
+#include "tramline/cost/doubled_ground.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
+#include "tramline/cost/worked_regions.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/box_grid.h"
+#include "tramline/geometry/kinked_line.h"
 
 namespace tramline {
 namespace {
@@ -95,13 +98,15 @@ void append_swath(const Path& path, double width_m, Region& out) {
     for (Polygon& part : made_valid(swath)) out.push_back(std::move(part));
 }
 
-Region doubled_along_curves(const Plan& plan) {
+Region doubled_ground(const Plan& plan) {
+  assert(std::none_of(plan.pieces.begin(), plan.pieces.end(),
+                      [](const TrackPiece& piece) { return has_kinks(piece.curve); }));
   const double width_m = plan.machine.width_m;
-  const CurvedSwaths curved(plan);
-  if (curved.all().empty()) return {};
-  constexpr int kAll = 0;
   const Region straight = straight_swaths(plan);
-  Region out, before;
+  Region out = common_to_two(straight), before;
+  const CurvedSwaths curved(plan);
+  if (curved.all().empty()) return out;
+  constexpr int kAll = 0;
   for (const TrackPiece& piece : plan.pieces) {
     if (piece.curve.empty()) continue;
     for (const Detour& detour : piece.detours) {
