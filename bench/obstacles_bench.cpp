@@ -81,7 +81,7 @@ void decisions_at_pylons(benchmark::State& state) {
   for (const TrackFamily& family : candidate.families)
     for (const Track& strip : family.tracks) meetings += hard_gaps(strip).size();
   for (auto _ : state) {
-    DetourDecisions decisions(avoidance, WaysPast::kOwn);
+    DetourDecisions decisions(avoidance);
     benchmark::DoNotOptimize(decisions.improve());
   }
   state.counters["meetings"] = static_cast<double>(meetings);

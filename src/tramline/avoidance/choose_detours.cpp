@@ -1,5 +1,7 @@
 #include "tramline/avoidance/choose_detours.h"
 
+#include <utility>
+
 #include "tramline/avoidance/detour_decisions.h"
 #include "tramline/avoidance/least_with_detours.h"
 #include "tramline/cost/detour_cover.h"
@@ -8,32 +10,34 @@
 namespace tramline {
 namespace {
 
-Avoided tallied(const AvoidanceTask& task, std::vector<LaidTracks> tracks, WaysPast ways) {
-  Avoided out{std::move(tracks), {}, 0, ways};
+/// The tracks as they are decided now.
+Avoided as_decided(const AvoidanceTask& task, const DetourDecisions& decisions) {
+  Avoided out{decisions.tracks(), {}, {}, 0};
   const double by_detours_m2 = covered_by_detours_m2(task.ground.body, task.families, out.tracks);
   out.tally = tally_of(task.subfields, out.tracks, task.body_m2, by_detours_m2);
   out.cost = cost(task.objective, out.tally);
   return out;
 }
 
-Avoided the_papers(const AvoidanceTask& task, Avoided cut) {
-  DetourDecisions decisions(task, WaysPast::kPaper);
-  if (!decisions.take_paper_ways()) {
-    cut.ways = WaysPast::kPaper;
-    return cut;
-  }
-  return tallied(task, decisions.tracks(), WaysPast::kPaper);
+Avoided the_papers(const AvoidanceTask& task, const Avoided& cut, DetourDecisions& decisions) {
+  decisions.allow(WaysPast::kPaper);
+  return decisions.take_paper_ways() ? as_decided(task, decisions) : cut;
 }
 
 /// The better of a plan and what comes of it track by track.
-Avoided improved(const AvoidanceTask& task, Avoided start, WaysPast ways) {
-  // What stays as it was has been chosen from them, too.
-  start.ways = ways;
-  DetourDecisions decisions(task, ways);
+Avoided improved(const AvoidanceTask& task, Avoided start, WaysPast ways, DetourDecisions& decisions) {
+  decisions.allow(ways);
   decisions.take_from(start.tracks);
   if (!decisions.improve()) return start;
-  Avoided out = tallied(task, decisions.tracks(), ways);
+  Avoided out = as_decided(task, decisions);
   return is_better(out, start) ? out : start;
+}
+
+Avoided decided(const AvoidanceTask& task, Avoided cut, DetourDecisions& decisions) {
+  Avoided paper = the_papers(task, cut, decisions);
+  if (task.settings.avoid == Avoidance::kPaper) return paper;
+  Avoided own = improved(task, std::move(cut), WaysPast::kOwn, decisions);
+  return is_better(paper, own) ? improved(task, std::move(paper), WaysPast::kBoth, decisions) : own;
 }
 
 }  // namespace
@@ -45,18 +49,17 @@ bool is_better(const Avoided& a, const Avoided& b) {
 
 Avoided choose_detours(const AvoidanceTask& task) {
   Avoided cut = all_cut(task);
-  if (task.settings.avoid == Avoidance::kCut) return cut;
-  if (!meets_obstacles(task)) return cut;
-  Avoided paper = the_papers(task, cut);
-  if (task.settings.avoid == Avoidance::kPaper) return paper;
-  Avoided own = improved(task, std::move(cut), WaysPast::kOwn);
-  return is_better(paper, own) ? improved(task, std::move(paper), WaysPast::kBoth) : own;
+  if (task.settings.avoid == Avoidance::kCut || !meets_obstacles(task)) return cut;
+  DetourDecisions decisions(task);
+  Avoided out = decided(task, std::move(cut), decisions);
+  // A detour that was decided on, but whose piece is too short to be driven, is none.
+  decisions.take_from(out.tracks);
+  out.encounters = decisions.encounters();
+  return out;
 }
 
-std::vector<PlacedEncounter> encounters_in(const AvoidanceTask& task, const Avoided& avoided) {
-  DetourDecisions decisions(task, avoided.ways);
-  decisions.take_from(avoided.tracks);
-  return decisions.encounters();
+std::vector<PlacedEncounter> encounters_of_cut_tracks(const AvoidanceTask& task) {
+  return DetourDecisions(task).encounters();
 }
 
 }  // namespace tramline

@@ -25,11 +25,14 @@ bool has_option(const BlockedTrack& track, const WayRound& way) {
 }
 
 WayPast way_past(const BlockedTrack& track, const Forced& forced, const std::optional<TrackChoice>& choice,
-                 double cost_of_cut, const char* otherwise) {
+                 double cost_of_cut, WaysPast ways) {
   if (choice) return {true, choice->cost - cost_of_cut, ""};
+  const Construction by = ways == WaysPast::kPaper ? Construction::kPaper : Construction::kOwn;
   for (const RefusedWay& refused : track.refused)
-    if (refused.gap == forced.gap && refused.side == forced.way) return {false, 0, refused.why};
-  return {false, 0, otherwise};
+    if (refused.by == by && refused.gap == forced.gap && refused.side == forced.way)
+      return {false, 0, refused.why};
+  return {false, 0,
+          by == Construction::kPaper ? "S1 passes on the other side" : "detours beside it are in the way"};
 }
 
 std::vector<GapRow> rows_to_join(const std::vector<WayRound>& alone) {

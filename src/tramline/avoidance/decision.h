@@ -26,9 +26,9 @@ bool same_drive(const WayRound& a, const WayRound& b);
 bool has_option(const BlockedTrack& track, const WayRound& way);
 
 /// A way past one gap at the price of the whole track, against that of a cut there; where no choice has it,
-/// with the reason it was refused for, or `otherwise`.
+/// with the reason it was refused for.
 WayPast way_past(const BlockedTrack& track, const Forced& forced, const std::optional<TrackChoice>& choice,
-                 double cost_of_cut, const char* otherwise);
+                 double cost_of_cut, WaysPast ways);
 
 /// The gaps to pass in one go, from the first to the last, besides one by one.
 struct GapRow {

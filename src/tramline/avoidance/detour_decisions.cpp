@@ -1,6 +1,7 @@
 #include "tramline/avoidance/detour_decisions.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace tramline {
@@ -36,9 +37,8 @@ const TrackDetour& as_option(const BlockedTrack& track, const TrackDetour& detou
 
 }  // namespace
 
-DetourDecisions::DetourDecisions(const AvoidanceTask& task, WaysPast ways)
+DetourDecisions::DetourDecisions(const AvoidanceTask& task)
     : task_(task),
-      ways_(ways),
       width_m_(task.machine.width_m),
       least_m_(min_length_m(task.machine)),
       ground_(task.families) {
@@ -53,6 +53,12 @@ DetourDecisions::DetourDecisions(const AvoidanceTask& task, WaysPast ways)
     for (std::size_t k = 0; k < family.tracks.size(); ++k) work(i, k, {});
   }
   for (std::size_t i = 0; i < task.families.size(); ++i) add_tracks(i);
+  allow(WaysPast::kOwn);
+}
+
+void DetourDecisions::allow(WaysPast ways) {
+  ways_ = ways;
+  for (Decision& decision : tracks_) tramline::allow(decision.track, ways);
 }
 
 void DetourDecisions::work(std::size_t family, std::size_t place, const std::vector<TrackDetour>& detours) {
@@ -96,11 +102,11 @@ void DetourDecisions::mark_stale_near(const Decision& decision, const std::vecto
 }
 
 bool DetourDecisions::take_paper_ways() {
+  assert(ways_ == WaysPast::kPaper);
   bool any = false;
   for (Decision& decision : tracks_) {
     std::vector<TrackDetour> detours;
     for (const TrackOption& option : decision.track.options) {
-      if (!option.of_paper) continue;
       // Two that run into each other on one track: the first is driven, S1 knows no more.
       if (!detours.empty() && detours.back().to > option.way.detour.from) continue;
       detours.push_back(option.way.detour);

@@ -9,12 +9,14 @@
 namespace tramline {
 
 /// All tracks that obstacles block, their options, and what is chosen so far. Starts with every track
-/// cut. Refers to the task.
+/// cut, and our own ways to choose from. Refers to the task.
 class DetourDecisions {
  public:
-  DetourDecisions(const AvoidanceTask& task, WaysPast ways);
+  explicit DetourDecisions(const AvoidanceTask& task);
 
-  /// Chooses S1's way at every gap that has one. False where none has.
+  /// From now on these are chosen from. What is chosen stays.
+  void allow(WaysPast ways);
+  /// Chooses S1's way at every gap that has one. False where none has. Precondition: they are allowed.
   bool take_paper_ways();
   /// Chooses the detours that these tracks have.
   void take_from(const std::vector<LaidTracks>& tracks);
@@ -23,6 +25,7 @@ class DetourDecisions {
   bool improve();
 
   std::vector<LaidTracks> tracks() const;
+  /// What is decided where, and what the other ways that are allowed would cost.
   std::vector<PlacedEncounter> encounters();
 
  private:
@@ -41,7 +44,9 @@ class DetourDecisions {
   void add_tracks(std::size_t family);
   TrackTerms terms_of(const BlockedTrack& track) const;
   void add_options(BlockedTrack& track);
+  void add_own_options(BlockedTrack& track, Passing side);
   void add_option(BlockedTrack& track, const WayRound& way);
+  void add(BlockedTrack& track, const WayRound& way, Construction by);
   WayRound way_past_gaps(const BlockedTrack& track, std::size_t first, std::size_t last, Passing side) const;
   void add_paper_option(BlockedTrack& track, std::size_t gap);
   WayRound named(const BlockedTrack& track, WayRound way) const;
@@ -49,7 +54,7 @@ class DetourDecisions {
   std::vector<int> obstacles_along(const BlockedTrack& track, const std::vector<std::size_t>& hazards,
                                    Interval range) const;
   std::vector<int> obstacles_near(const Track& curved, Interval range) const;
-  void drop_dear_options(Decision& decision);
+  void mark_dear_options(Decision& decision);
 
   // detour_improvement.cpp
   void value(Decision& decision);
@@ -69,7 +74,7 @@ class DetourDecisions {
   std::vector<int> obstacles_taken_along(const Decision& decision, const TrackDetour& detour) const;
 
   const AvoidanceTask& task_;
-  WaysPast ways_;
+  WaysPast ways_ = WaysPast::kOwn;
   double width_m_;
   double least_m_;
   std::vector<Surroundings> around_;  ///< by family

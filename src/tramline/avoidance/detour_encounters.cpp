@@ -53,9 +53,7 @@ PlacedEncounter DetourDecisions::encounter_at(Decision& decision, std::size_t ga
   };
   const double cost_of_cut = choice(Passing::kCut)->cost;
   const auto past = [&](Passing side) {
-    return way_past(
-        decision.track, {gap, side}, choice(side), cost_of_cut,
-        ways_ == WaysPast::kPaper ? "S1 passes on the other side" : "detours beside it are in the way");
+    return way_past(decision.track, {gap, side}, choice(side), cost_of_cut, ways_);
   };
   out.left = past(Passing::kLeft);
   out.right = past(Passing::kRight);

@@ -17,24 +17,9 @@ Obstruction obstruction(const TrackFamily& family, const Track& track, std::size
   return {family.grid, track, gap, machine.radius_m};
 }
 
-constexpr std::size_t kNoPart = static_cast<std::size_t>(-1);
-
-std::size_t part_with(const Region& ground, Point p) {
-  for (std::size_t i = 0; i < ground.size(); ++i)
-    if (contains(ground[i], p)) return i;
-  return kNoPart;
-}
-
-/// A piece belongs to one part of the ground.
-bool leads_to_another_part(const Region& ground, const TrackDetour& detour) {
-  const std::size_t first = part_with(ground, detour.path.front().from);
-  const std::size_t last = part_with(ground, detour.path.back().to);
-  return first != last && first != kNoPart && last != kNoPart;
-}
-
 void refuse_gaps(BlockedTrack& track, const WayRound& way, const std::string& why) {
   for (std::size_t gap = way.first_gap; gap <= way.last_gap; ++gap)
-    track.refused.push_back({gap, way.detour.side, why});
+    track.refused.push_back({Construction::kOwn, gap, way.detour.side, why});
 }
 
 }  // namespace
@@ -50,7 +35,7 @@ void DetourDecisions::add_tracks(std::size_t family) {
     track.correction_m2.assign(tracks[i].stretches.size(), 0);
     add_options(track);
     tracks_.push_back({std::move(track), {}});
-    if (ways_ != WaysPast::kPaper) drop_dear_options(tracks_.back());
+    mark_dear_options(tracks_.back());
   }
 }
 
@@ -58,58 +43,59 @@ TrackTerms DetourDecisions::terms_of(const BlockedTrack& track) const {
   return {track.family, track_of(track), task_.objective, width_m_, least_m_};
 }
 
-/// While all tracks are cut. S1's ways stay: its plan is to be compared with.
-void DetourDecisions::drop_dear_options(Decision& decision) {
-  value(decision);
+/// While all tracks are cut.
+void DetourDecisions::mark_dear_options(Decision& decision) {
   BlockedTrack& track = decision.track;
-  std::erase_if(track.options, [&](const TrackOption& option) {
-    if (option.of_paper || !far_too_dear(option, terms_of(track))) return false;
-    refuse_gaps(track, option.way, kFarTooDear);
-    return true;
-  });
+  tramline::allow(track, WaysPast::kOwn);
+  value(decision);
+  for (TrackOption& option : track.options) {
+    option.far_too_dear = far_too_dear(option, terms_of(track));
+    if (option.far_too_dear) refuse_gaps(track, option.way, kFarTooDear);
+  }
 }
 
 void DetourDecisions::add_options(BlockedTrack& track) {
-  if (ways_ != WaysPast::kPaper)
-    for (const Passing side : {Passing::kLeft, Passing::kRight}) {
-      std::vector<WayRound> alone;
-      for (const std::size_t gap : track.gaps) {
-        WayRound way = way_past_gaps(track, gap, gap, side);
-        if (way.possible())
-          alone.push_back(way);
-        else
-          track.refused.push_back({gap, side, way.why_not});
-        add_option(track, way);
-      }
-      for (const GapRow& row : rows_to_join(alone))
-        add_option(track, way_past_gaps(track, row.first, row.last, side));
-    }
-  if (ways_ != WaysPast::kOwn)
+  if (task_.settings.avoid != Avoidance::kPaper)
+    for (const Passing side : {Passing::kLeft, Passing::kRight}) add_own_options(track, side);
+  if (task_.settings.avoid != Avoidance::kCut)
     for (const std::size_t gap : track.gaps) add_paper_option(track, gap);
-  std::stable_sort(
-      track.options.begin(), track.options.end(),
-      [](const TrackOption& a, const TrackOption& b) { return a.way.first_gap < b.way.first_gap; });
+}
+
+void DetourDecisions::add_own_options(BlockedTrack& track, Passing side) {
+  std::vector<WayRound> alone;
+  for (const std::size_t gap : track.gaps) {
+    WayRound way = way_past_gaps(track, gap, gap, side);
+    if (way.possible())
+      alone.push_back(way);
+    else
+      track.refused.push_back({Construction::kOwn, gap, side, way.why_not});
+    add_option(track, way);
+  }
+  for (const GapRow& row : rows_to_join(alone))
+    add_option(track, way_past_gaps(track, row.first, row.last, side));
 }
 
 WayRound DetourDecisions::way_past_gaps(const BlockedTrack& track, std::size_t first, std::size_t last,
                                         Passing side) const {
   Obstruction gaps = obstruction(task_.families[track.family], track_of(track), first, task_.machine);
   gaps.last_gap = last;
-  WayRound way = way_round(gaps, side, around_[track.family]);
-  const bool over_all_parts = !is_straight(track_of(track));
-  if (over_all_parts && way.possible() && leads_to_another_part(task_.ground.plannable, way.detour))
-    way.why_not = "it would lead to another part of the ground";
-  return way;
+  return way_round(gaps, side, around_[track.family]);
+}
+
+void DetourDecisions::add(BlockedTrack& track, const WayRound& way, Construction by) {
+  TrackOption option = option_of(named(track, way), task_.families[track.family].grid, track_of(track));
+  option.by = by;
+  option.found = track.options.size();
+  track.options.push_back(std::move(option));
 }
 
 /// Unless it is known, cannot be driven, or cannot pay.
 void DetourDecisions::add_option(BlockedTrack& track, const WayRound& way) {
   if (!way.possible() || has_option(track, way)) return;
-  TrackOption option = option_of(named(track, way), task_.families[track.family].grid, track_of(track));
-  if (hopeless(option, terms_of(track), task_.families, ground_))
-    refuse_gaps(track, way, kFarTooDear);
-  else
-    track.options.push_back(std::move(option));
+  add(track, way, Construction::kOwn);
+  if (!hopeless(track.options.back(), terms_of(track), task_.families, ground_)) return;
+  track.options.pop_back();
+  refuse_gaps(track, way, kFarTooDear);
 }
 
 void DetourDecisions::add_paper_option(BlockedTrack& track, std::size_t gap) {
@@ -118,18 +104,18 @@ void DetourDecisions::add_paper_option(BlockedTrack& track, std::size_t gap) {
   WayRound way = paper_way(obstruction(family, track_of(track), gap, task_.machine),
                            threshold < 0 ? width_m_ : threshold, around_[track.family]);
   if (!way.possible()) {
-    if (ways_ == WaysPast::kPaper)
-      for (const Passing side : {Passing::kLeft, Passing::kRight})
-        track.refused.push_back({gap, side, way.why_not});
+    for (const Passing side : {Passing::kLeft, Passing::kRight})
+      track.refused.push_back({Construction::kPaper, gap, side, way.why_not});
     return;
   }
-  for (TrackOption& option : track.options)
-    if (same_drive(option.way, way)) {
-      option.of_paper = true;
-      return;
-    }
-  track.options.push_back(option_of(named(track, way), family.grid, track_of(track)));
-  track.options.back().of_paper = true;
+  const auto twin =
+      std::find_if(track.options.begin(), track.options.end(), [&way](const TrackOption& option) {
+        return option.by == Construction::kOwn && same_drive(option.way, way);
+      });
+  const bool has_twin = twin != track.options.end();
+  if (has_twin) twin->has_twin = true;
+  add(track, way, Construction::kPaper);
+  track.options.back().has_twin = has_twin;
 }
 
 WayRound DetourDecisions::named(const BlockedTrack& track, WayRound way) const {

@@ -1,6 +1,9 @@
 #include "tramline/avoidance/track_options.h"
 
 #include <algorithm>
+#include <iterator>
+#include <tuple>
+#include <utility>
 
 namespace tramline {
 namespace {
@@ -75,6 +78,24 @@ class Valuer {
   const WorkedGround& ground_;
 };
 
+bool may_be_chosen(const TrackOption& option, WaysPast ways) {
+  const bool own = option.by == Construction::kOwn;
+  switch (ways) {
+    case WaysPast::kOwn:
+      return own && !option.far_too_dear;
+    case WaysPast::kPaper:
+      return !own;
+    case WaysPast::kBoth:
+      break;
+  }
+  return own ? option.has_twin || !option.far_too_dear : !option.has_twin;
+}
+
+/// In the order of the gaps they begin at; from one gap ours first, as they were found.
+bool comes_before(const TrackOption& a, const TrackOption& b) {
+  return std::tuple(a.way.first_gap, a.by, a.found) < std::tuple(b.way.first_gap, b.by, b.found);
+}
+
 bool is_short(const Interval& stretch, double min_length_m) {
   return stretch.length() < kShort * min_length_m;
 }
@@ -118,17 +139,34 @@ void value_options(BlockedTrack& track, const TrackFamily& family, const std::ve
   track.stale = false;
 }
 
+void allow(BlockedTrack& track, WaysPast ways) {
+  std::vector<TrackOption> all = std::move(track.options);
+  all.insert(all.end(), std::make_move_iterator(track.aside.begin()),
+             std::make_move_iterator(track.aside.end()));
+  std::sort(all.begin(), all.end(), comes_before);
+  track.options.clear();
+  track.aside.clear();
+  for (TrackOption& option : all) {
+    const bool open = may_be_chosen(option, ways);
+    if (open && option.stale) track.stale = true;
+    (open ? track.options : track.aside).push_back(std::move(option));
+  }
+}
+
 void mark_stale(BlockedTrack& track, const TrackFamily& family, const Box& changed) {
   const Track& own = family.tracks[track.place];
   for (TrackOption& option : track.options)
     if (intersects(option.reach, changed)) option.stale = track.stale = true;
+  for (TrackOption& option : track.aside)
+    if (intersects(option.reach, changed)) option.stale = true;
   for (const Interval& stretch : own.stretches)
     if (intersects(swath_box(family.grid, own, stretch), changed)) track.stale = true;
 }
 
 void mark_all_stale(BlockedTrack& track) {
   track.stale = true;
-  for (TrackOption& option : track.options) option.stale = true;
+  for (std::vector<TrackOption>* options : {&track.options, &track.aside})
+    for (TrackOption& option : *options) option.stale = true;
 }
 
 }  // namespace tramline

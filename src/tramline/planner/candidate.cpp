@@ -133,7 +133,9 @@ std::vector<LinedSubfield> swept(const SearchTask& task, Direction sweep) {
 }
 
 std::vector<PlacedEncounter> encounters_of(const SearchTask& task, const Candidate& candidate) {
-  return encounters_in(avoidance_task(task, candidate), candidate.avoided);
+  if (task.settings.avoid == Avoidance::kCut)
+    return encounters_of_cut_tracks(avoidance_task(task, candidate));
+  return candidate.avoided.encounters;
 }
 
 int first_track(const Candidate& candidate, std::size_t subfield) {
