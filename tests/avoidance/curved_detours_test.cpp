@@ -133,7 +133,7 @@ TEST(CurvedDetourPath, round_a_pole_on_a_circle) {
       const auto task = laid.task();
       const WayRound way = way_round({task.families.front().grid, track, 1, kRadius}, side,
                                      turned_surroundings(task.ground, task.field.outer, false, TrackFrame()));
-      ASSERT_EQ(way.why_not, "");
+      ASSERT_TRUE(way.possible()) << sentence(way.why_not);
       const double h = pole + 0.5 * kWidth, rho = std::max(h, kRadius);
       // Driven anticlockwise, the left is inwards.
       const double turn = half_turn(76.5, h, rho, kRadius, side == Passing::kLeft ? -1 : 1);

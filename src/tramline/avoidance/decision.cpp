@@ -30,9 +30,8 @@ WayPast way_past(const BlockedTrack& track, const Forced& forced, const std::opt
   const Construction by = ways == WaysPast::kPaper ? Construction::kPaper : Construction::kOwn;
   for (const RefusedWay& refused : track.refused)
     if (refused.by == by && refused.gap == forced.gap && refused.side == forced.way)
-      return {false, 0, refused.why};
-  return {false, 0,
-          by == Construction::kPaper ? "S1 passes on the other side" : "detours beside it are in the way"};
+      return {false, 0, sentence(refused.why)};
+  return {false, 0, sentence(by == Construction::kPaper ? Refusal::kPaperOtherSide : Refusal::kBesideOthers)};
 }
 
 std::vector<GapRow> rows_to_join(const std::vector<WayRound>& alone) {

@@ -17,7 +17,7 @@ Look look_at_ends(const Intervals& stretches, std::size_t gap, std::size_t last_
     if (between.from <= detour.to && between.to >= detour.from) grown = add_gap(between) || grown;
   }
   if (grown) return Look::kLookAgain;
-  way.why_not = "the track ends before a detour could";
+  way.why_not = Refusal::kEndsBefore;
   return Look::kGaveUp;
 }
 

@@ -10,14 +10,12 @@
 namespace tramline {
 namespace {
 
-constexpr const char* kFarTooDear = "it would cost far more than a cut";
-
 Obstruction obstruction(const TrackFamily& family, const Track& track, std::size_t gap,
                         const Machine& machine) {
   return {family.grid, track, gap, machine.radius_m};
 }
 
-void refuse_gaps(BlockedTrack& track, const WayRound& way, const std::string& why) {
+void refuse_gaps(BlockedTrack& track, const WayRound& way, Refusal why) {
   for (std::size_t gap = way.first_gap; gap <= way.last_gap; ++gap)
     track.refused.push_back({Construction::kOwn, gap, way.detour.side, why});
 }
@@ -50,7 +48,7 @@ void DetourDecisions::mark_dear_options(Decision& decision) {
   value(decision);
   for (TrackOption& option : track.options) {
     option.far_too_dear = far_too_dear(option, terms_of(track));
-    if (option.far_too_dear) refuse_gaps(track, option.way, kFarTooDear);
+    if (option.far_too_dear) refuse_gaps(track, option.way, Refusal::kFarTooDear);
   }
 }
 
@@ -95,7 +93,7 @@ void DetourDecisions::add_option(BlockedTrack& track, const WayRound& way) {
   add(track, way, Construction::kOwn);
   if (!hopeless(track.options.back(), terms_of(track), task_.families, ground_)) return;
   track.options.pop_back();
-  refuse_gaps(track, way, kFarTooDear);
+  refuse_gaps(track, way, Refusal::kFarTooDear);
 }
 
 void DetourDecisions::add_paper_option(BlockedTrack& track, std::size_t gap) {

@@ -39,16 +39,16 @@ std::vector<KeepOut> buffer_of(const TurnedHazard& hazard, const DetourFrame& fr
   return out;
 }
 
-/// Why the path, fitted into the track, cannot be driven; empty where it can.
-std::string fault_in_track(const Obstruction& o, const TrackDetour& detour, const Surroundings& around) {
+/// Why the path, fitted into the track, cannot be driven.
+Refusal fault_in_track(const Obstruction& o, const TrackDetour& detour, const Surroundings& around) {
   const Intervals& stretches = o.track.stretches;
   if (stretch_at(stretches, detour.from) != o.gap - 1 || stretch_at(stretches, detour.to) != o.gap)
-    return "the track ends before the detour could";
+    return Refusal::kPaperEndsBefore;
   const double width_m = o.grid.width_m, least = std::max(o.radius_m, 0.5 * width_m);
-  if (smallest_radius(detour.path) < least * (1 - 1e-9)) return "it is too tight in the middle";
+  if (smallest_radius(detour.path) < least * (1 - 1e-9)) return Refusal::kTooTight;
   const SwathLine line(detour.path, width_m);
   for (const TurnedHazard& hazard : around.hazards)
-    if (runs_into(line, hazard)) return "it would meet an obstacle";
+    if (runs_into(line, hazard)) return Refusal::kMeetsObstacle;
   return fault_of(line, around);
 }
 
@@ -59,17 +59,16 @@ WayRound paper_way(const Obstruction& o, double threshold_m, const Surroundings&
   out.first_gap = out.last_gap = o.gap;
   const Interval gap{o.track.stretches[o.gap - 1].to, o.track.stretches[o.gap].from};
   out.hazards = hazards_in(o.grid, o.track, gap, around);
-  const auto refuse = [&out](std::string why) {
-    out.why_not = std::move(why);
+  const auto refuse = [&out](Refusal why) {
+    out.why_not = why;
     return out;
   };
-  if (out.hazards.size() != 1) return refuse("there are several obstacles");
+  if (out.hazards.size() != 1) return refuse(Refusal::kSeveralObstacles);
   const TurnedHazard& hazard = around.hazards[out.hazards.front()];
   const TrackSide to_the_left = track_side(o.grid, o.track, gap, Passing::kLeft);
   const TrackSide to_the_right = track_side(o.grid, o.track, gap, Passing::kRight);
-  if (!(extent_across(hazard, to_the_left) < threshold_m))
-    return refuse("the obstacle is too wide across the track");
-  if (!hazard.round && !convex(hazard.outline)) return refuse("the obstacle's buffer has a kink");
+  if (!(extent_across(hazard, to_the_left) < threshold_m)) return refuse(Refusal::kTooWide);
+  if (!hazard.round && !convex(hazard.outline)) return refuse(Refusal::kKinkedBuffer);
 
   const bool left = farthest(hazard, to_the_left.frame) <= farthest(hazard, to_the_right.frame);
   const TrackSide& track = left ? to_the_left : to_the_right;
@@ -77,7 +76,7 @@ WayRound paper_way(const Obstruction& o, double threshold_m, const Surroundings&
   std::optional<TrackDetour> found =
       detour_beside(track, buffer_of(hazard, track.frame, half, radius), radius, HullCorners::kAsTheyAre);
   out.detour.side = track.side;
-  if (!found) return refuse("the obstacle has no side to pass on");
+  if (!found) return refuse(Refusal::kNoSide);
   out.detour = std::move(*found);
   return refuse(fault_in_track(o, out.detour, around));
 }

@@ -42,15 +42,14 @@ Surroundings turned_surroundings(const SortedGround& ground, const Ring& field, 
   return out;
 }
 
-std::string fault_of(const SwathLine& line, const Surroundings& around) {
+Refusal fault_of(const SwathLine& line, const Surroundings& around) {
   const double half = 0.5 * line.width_m - kSlack;
   if (any_edge_nearer(line, around.field, 1e-9) || !contains(around.field, line.path.front().from))
-    return "it would leave the field";
-  if (around.hard_boundary && any_edge_nearer(line, around.field, half))
-    return "its swath would pass the hard boundary";
+    return Refusal::kLeavesField;
+  if (around.hard_boundary && any_edge_nearer(line, around.field, half)) return Refusal::kPassesHardBoundary;
   for (const Ring& ring : around.passable)
-    if (any_edge_nearer(line, ring, half)) return "its swath would enter a passable obstacle";
-  return "";
+    if (any_edge_nearer(line, ring, half)) return Refusal::kEntersPassable;
+  return Refusal::kNone;
 }
 
 bool runs_into(const SwathLine& line, const TurnedHazard& hazard) {

@@ -2,10 +2,10 @@
 // The ground as detours meet it, in the plane of one family of tracks.
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "tramline/avoidance/ground.h"
+#include "tramline/avoidance/refusal.h"
 #include "tramline/geometry/path.h"
 #include "tramline/geometry/track_frame.h"
 
@@ -37,10 +37,10 @@ struct SwathLine {
   std::vector<Box> reaches;  ///< … nor that of any segment these
 };
 
-/// What is wrong with a swath, in a few words; empty where nothing is: its centre line must not leave the
+/// What is wrong with a swath: its centre line must not leave the
 /// field, nor the swath a hard boundary, nor may it enter passable obstacles. Hazards are not looked at.
 /// O(edges) boxes.
-std::string fault_of(const SwathLine& line, const Surroundings& around);
+Refusal fault_of(const SwathLine& line, const Surroundings& around);
 
 /// Does the swath enter the hazard? Never one that its edge only touches.
 bool runs_into(const SwathLine& line, const TurnedHazard& hazard);

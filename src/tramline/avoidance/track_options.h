@@ -35,7 +35,7 @@ struct RefusedWay {
   Construction by = Construction::kOwn;
   std::size_t gap = 1;
   Passing side = Passing::kLeft;
-  std::string why;
+  Refusal why = Refusal::kNone;
 };
 
 /// One track with gaps that hard land makes.

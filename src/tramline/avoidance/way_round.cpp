@@ -32,7 +32,7 @@ class Search {
       if (step == Look::kDone) break;
       if (step == Look::kGaveUp) return std::move(way_);
       if (round + 1 == kMostRounds) {
-        give_up("there is no room between the obstacles");
+        give_up(Refusal::kNoRoomBetween);
         return std::move(way_);
       }
     }
@@ -48,7 +48,7 @@ class Search {
     return {o_.track.stretches[first - 1].to, o_.track.stretches[last].from};
   }
 
-  Look give_up(const char* why) {
+  Look give_up(Refusal why) {
     way_.why_not = why;
     return Look::kGaveUp;
   }
@@ -89,12 +89,10 @@ class Search {
   /// Makes a path round the parts known so far and sees where it gets.
   Look look() {
     const std::vector<KeepOut> keep_out = discs();
-    if (keep_out.empty()) return give_up("the track's end is no obstacle's doing");
+    if (keep_out.empty()) return give_up(Refusal::kNotBlocked);
     const double radius = std::max(o_.radius_m, 0.5 * track_.width_m);
     std::optional<TrackDetour> found = detour_beside(track_, keep_out, radius, HullCorners::kDrivable);
-    if (!found)
-      return give_up(track_.curve ? "no way on this side comes back to the track"
-                                  : "the obstacle has no side to pass on");
+    if (!found) return give_up(track_.curve ? Refusal::kNoWayBack : Refusal::kNoSide);
     way_.detour = std::move(*found);
     const auto add = [this](const Interval& gap) { return add_gap(gap); };
     if (const Look ends = look_at_ends(o_.track.stretches, o_.gap, last_gap(), add, way_);
@@ -103,7 +101,7 @@ class Search {
     bool met = false;
     const bool grown = add_what_is_met(met);
     if (!met) return Look::kDone;
-    return grown ? Look::kLookAgain : give_up("there is no room between the obstacles");
+    return grown ? Look::kLookAgain : give_up(Refusal::kNoRoomBetween);
   }
 
   /// Adds what the swath along the path runs into. False where all of it has been taken into account

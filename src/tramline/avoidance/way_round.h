@@ -1,8 +1,7 @@
 #pragma once
 // One way past what stands in a track: a detour on one side, or the reason why there is none.
 
-#include <string>
-
+#include "tramline/avoidance/refusal.h"
 #include "tramline/avoidance/surroundings.h"
 #include "tramline/tracks/laid_pieces.h"
 
@@ -22,8 +21,8 @@ struct WayRound {
   std::vector<std::size_t> hazards;  ///< driven round, ascending
   std::size_t first_gap = 1;         ///< the detour bridges first_gap … last_gap
   std::size_t last_gap = 1;
-  std::string why_not;  ///< empty where the detour can be driven
-  bool possible() const { return why_not.empty(); }
+  Refusal why_not = Refusal::kNone;
+  bool possible() const { return why_not == Refusal::kNone; }
 };
 
 /// The stretch that contains a position along, or as many as there are stretches.
