@@ -97,7 +97,7 @@ void sweep_of_pylon_field(benchmark::State& state) {
   settings.avoid = static_cast<Avoidance>(state.range(0));
   const SearchTask task = search_task(pylon_field(), {}, {}, settings);
   int directions = 0;
-  for (auto _ : state) directions = sweep_search(task, 1, {}).directions_tried;
+  for (auto _ : state) directions = sweep_search(task, SearchContext(1)).directions_tried;
   state.SetLabel(name(settings.avoid));
   state.counters["directions"] = directions;
 }

@@ -36,7 +36,7 @@ void count_directions(benchmark::State& state, int directions) {
 void sweep_of_papers_field(benchmark::State& state) {
   const SearchTask task = search_task(papers_field(), {}, kFewestTurns, papers_settings());
   int directions = 0;
-  for (auto _ : state) directions = sweep_search(task, 1, {}).directions_tried;
+  for (auto _ : state) directions = sweep_search(task, SearchContext(1)).directions_tried;
   count_directions(state, directions);
 }
 BENCHMARK(sweep_of_papers_field)->Unit(benchmark::kMillisecond);
@@ -46,7 +46,7 @@ void sweep_of_papers_field_in_convex_cells(benchmark::State& state) {
   settings.decomposition_threshold = Angle::degrees(180);
   const SearchTask task = search_task(papers_field(), {}, kFewestTurns, settings);
   int directions = 0;
-  for (auto _ : state) directions = sweep_search(task, 1, {}).directions_tried;
+  for (auto _ : state) directions = sweep_search(task, SearchContext(1)).directions_tried;
   count_directions(state, directions);
 }
 BENCHMARK(sweep_of_papers_field_in_convex_cells)->Unit(benchmark::kMillisecond);
@@ -54,7 +54,7 @@ BENCHMARK(sweep_of_papers_field_in_convex_cells)->Unit(benchmark::kMillisecond);
 void sweep_of_large_field(benchmark::State& state) {
   const SearchTask task = search_task(large_field(1300, 19), {}, kFewestTurns, papers_settings());
   int directions = 0;
-  for (auto _ : state) directions = sweep_search(task, 1, {}).directions_tried;
+  for (auto _ : state) directions = sweep_search(task, SearchContext(1)).directions_tried;
   count_directions(state, directions);
 }
 BENCHMARK(sweep_of_large_field)->Unit(benchmark::kMillisecond);

@@ -88,7 +88,7 @@ void best(benchmark::State& state, const Field& field, double width_m) {
   machine.width_m = width_m;
   const SearchTask task = search_task(field, machine, {}, {});
   SearchResult result;
-  for (auto _ : state) result = best_search(task, 1, {});
+  for (auto _ : state) result = best_search(task, SearchContext(1));
   state.counters["looked_at"] = result.directions_tried;
   state.counters["gap_one_direction_%"] =
       100 * gap(result.proof.one_direction_cost, result.proof.one_direction_bound);

@@ -50,7 +50,7 @@ struct Search {
   void see(const std::vector<LinedSubfield>& grounds) {
     found.seen.push_back(seen_plan(candidate_on(task, grounds)));
   }
-  Explanation explanation() const { return explanation_of(task, found, 1); }
+  Explanation explanation() const { return explanation_of(task, found, SearchContext(1)); }
 };
 
 // Driven north the last of 34 strips has 1 of 3 m on the field: 2 × 60 m² of overlap, and fourteen turns

@@ -14,7 +14,7 @@ namespace {
 TEST(ForEachIndex, CallsEveryIndexOnceOnAnyNumberOfThreads) {
   for (const int threads : {0, 1, 2, 7}) {
     std::vector<int> calls(1000, 0);
-    for_each_index(calls.size(), threads, [&](std::size_t i) { ++calls[i]; });
+    for_each_index(calls.size(), SearchContext(threads), [&](std::size_t i) { ++calls[i]; });
     EXPECT_EQ(calls, std::vector<int>(calls.size(), 1)) << threads << " threads";
   }
 }
@@ -25,7 +25,7 @@ TEST(ForEachIndex, OnOneThreadLeavesTheOthersToTheirCallers) {
     return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   };
   const std::size_t before = threads_of_the_process();
-  for_each_index(3, 1, [&](std::size_t) { EXPECT_EQ(threads_of_the_process(), before); });
+  for_each_index(3, SearchContext(1), [&](std::size_t) { EXPECT_EQ(threads_of_the_process(), before); });
 }
 #endif
 
@@ -36,7 +36,7 @@ TEST(ForEachIndex, HandsDataToTheBodiesAndBack) {
     std::vector<std::vector<double>> out(in.size());
     double sum = 0;
     std::mutex mutex;
-    for_each_index(in.size(), 4, [&](std::size_t i) {
+    for_each_index(in.size(), SearchContext(4), [&](std::size_t i) {
       out[i] = {in[i], in[in.size() - 1 - i]};
       const std::lock_guard lock(mutex);
       sum += in[i];
@@ -47,14 +47,14 @@ TEST(ForEachIndex, HandsDataToTheBodiesAndBack) {
 }
 
 TEST(ForEachIndex, DoesNothingForNothing) {
-  for_each_index(0, 0, [](std::size_t) { FAIL(); });
+  for_each_index(0, SearchContext(0), [](std::size_t) { FAIL(); });
 }
 
 TEST(ForEachIndex, ThrowsOnWhatABodyThrows) {
   const auto body = [](std::size_t i) {
     if (i == 17) throw std::runtime_error("seventeen");
   };
-  EXPECT_THROW(for_each_index(100, 2, body), std::runtime_error);
+  EXPECT_THROW(for_each_index(100, SearchContext(2), body), std::runtime_error);
 }
 
 }  // namespace

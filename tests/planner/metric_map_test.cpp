@@ -276,7 +276,7 @@ TEST(MetricMap, LandGivenUpInAHeadlandIsNoObstacle) {
   PlanSettings settings;
   settings.headlands = 1;
   const Field field = field_of(box(0, 0, 100, 60), {box(2, 20, 12, 40)});
-  const SearchTask task = headlanded_task(field, {"", 6, 6, 0}, {}, settings, 1);
+  const SearchTask task = headlanded_task(field, {"", 6, 6, 0}, {}, settings, SearchContext(1));
   EXPECT_NEAR(area(task.ground.hard), 200, 1e-6);
   EXPECT_NEAR(area(task.ground.beyond), 40, 1e-6);
   EXPECT_NEAR(area(task.ground.given_up), 0, 1e-6);

@@ -144,7 +144,7 @@ TEST(RepairChoice, IsAsGoodAsAnyOfThreeLines) {
     const Scene small = scene(random);
     RepairGround ground = small.ground();
     const double least = least_cost(small, all_lines(ground));
-    const std::vector<RepairLine> chosen = chosen_lines(ground, 1, {});
+    const std::vector<RepairLine> chosen = chosen_lines(ground, SearchContext(1));
     EXPECT_NEAR(cost_with(chosen, ground), cost_of(small, chosen), 1e-4);
     EXPECT_LE(cost_of(small, chosen), 1.01 * least) << "no further than a per cent from the best";
     best += cost_of(small, chosen) <= least + 1e-4 ? 1 : 0;
@@ -159,7 +159,8 @@ TEST(RepairChoice, TheNumberOfThreadsChangesNothing) {
   std::mt19937_64 random(7);
   const Scene small = scene(random);
   RepairGround one = small.ground(), four = small.ground();
-  const std::vector<RepairLine> a = chosen_lines(one, 1, {}), b = chosen_lines(four, 4, {});
+  const std::vector<RepairLine> a = chosen_lines(one, SearchContext(1)),
+                                b = chosen_lines(four, SearchContext(4));
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].swaths, b[i].swaths);
 }

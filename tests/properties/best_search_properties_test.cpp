@@ -60,7 +60,8 @@ TEST(BestSearchProperties, NoGridCostsLessThanTheBound) {
     if (task.ground.plannable.size() != 1) return;
     SearchEffort effort;
     effort.most_boxes = 1000;
-    const GridSearchResult found = search_grids(task, task.ground.plannable.front(), effort, 1);
+    const GridSearchResult found =
+        search_grids(task, task.ground.plannable.front(), effort, SearchContext(1));
     const PricedGrid& best = found.grids.front();
     const Candidate laid = candidate_at(task, best.direction, best.origin_m);
     const bool hindered = !found.unhindered.empty();
@@ -93,7 +94,7 @@ TEST(BestSearchProperties, BruteForceFindsNothingBetterThanTheGapAllows) {
     const SearchTask task = task_of(field, width_m, Objective{});
     const GridTerms terms{width_m, min_length_m(task.machine),
                           end_criterion(task.settings.end_rule, task.objective, width_m)};
-    const GridSearchResult found = search_grids(task, task.ground.plannable.front(), {}, 1);
+    const GridSearchResult found = search_grids(task, task.ground.plannable.front(), {}, SearchContext(1));
     double least = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 1800; ++k) {
       const TrackFrame frame(Direction::clockwise_from_north(Angle::degrees(0.1 * k)));

@@ -39,7 +39,7 @@ Scene scene_of(std::mt19937_64& random) {
 
 /// Candidates of the sweep, evenly taken where there are many, in order.
 std::vector<SweptGround> some_swept(const SearchTask& task) {
-  const std::vector<SweptGround> all = swept_grounds(task, 1, {});
+  const std::vector<SweptGround> all = swept_grounds(task, SearchContext(1));
   std::vector<SweptGround> out;
   const std::size_t step = (all.size() + kMostDirections - 1) / kMostDirections;
   for (std::size_t i = 0; i < all.size(); i += step) out.push_back(all[i]);
@@ -66,7 +66,8 @@ void look_at(const SearchTask& task, Seen& seen) {
   const auto cheaper = [](const Candidate& a, const Candidate& b) { return is_better(a.avoided, b.avoided); };
   const Candidate& cheapest = *std::min_element(candidates.begin(), candidates.end(), cheaper);
   for (const int threads : {1, 2}) {
-    const auto found = cheapest_swept(task, swept, std::numeric_limits<double>::infinity(), threads);
+    const auto found =
+        cheapest_swept(task, swept, std::numeric_limits<double>::infinity(), SearchContext(threads));
     ASSERT_EQ(found.has_value(), cheapest.works());
     if (!found) continue;
     EXPECT_EQ(found->cost(), cheapest.cost());
@@ -78,7 +79,7 @@ void look_at(const SearchTask& task, Seen& seen) {
     }
   }
   // What is known already has to be undercut.
-  EXPECT_FALSE(cheapest_swept(task, swept, cheapest.cost(), 1));
+  EXPECT_FALSE(cheapest_swept(task, swept, cheapest.cost(), SearchContext(1)));
   for (const SweptGround& one : swept) seen.left_out += one.outlook.least > cheapest.cost() ? 1 : 0;
 }
 

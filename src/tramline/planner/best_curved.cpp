@@ -10,7 +10,6 @@
 #include "tramline/planner/curved_candidate.h"
 #include "tramline/planner/for_each_index.h"
 #include "tramline/planner/parallel_tracks.h"
-#include "tramline/planner/pulse.h"
 #include "tramline/planner/reference_chains.h"
 
 namespace tramline {
@@ -28,13 +27,13 @@ struct TriedCurve {
   Candidate candidate;
 };
 
-std::vector<Reference> references_of(const SearchTask& task, int threads) {
+std::vector<Reference> references_of(const SearchTask& task, const SearchContext& context) {
   const double width_m = task.machine.width_m;
   const double corner_m = 2 * std::max(task.machine.radius_m, 0.5 * width_m);
   const double smoothing[] = {0.002 * width_m, 0.02 * width_m, 0.1 * width_m, 0.5 * width_m};
   const auto chains = reference_chains(task.ground.plannable, corner_m, 0.1 * width_m, kMostChains);
   std::vector<std::optional<Reference>> found(chains.size() * std::size(smoothing));
-  for_each_index(found.size(), threads, [&](std::size_t i) {
+  for_each_index(found.size(), context, [&](std::size_t i) {
     try {
       found[i] = reference_along(task, chains[i / std::size(smoothing)], smoothing[i % std::size(smoothing)]);
     } catch (const Error& error) {
@@ -88,10 +87,10 @@ class BestCosts {
 /// All of them, sorted; those that are certain to be none of the best that `costs` holds may have been given
 /// up. A search that has to end leaves off once one of them works.
 void try_all(const SearchTask& task, const Polygon& part, BestCosts& costs, std::vector<TriedCurve>& places,
-             int threads) {
+             const SearchContext& context) {
   const CurvedGround ground = curved_ground(task, part);
-  for_each_index(places.size(), threads, [&](std::size_t i) {
-    if (costs.any() && has_to_end()) return;
+  for_each_index(places.size(), context, [&](std::size_t i) {
+    if (costs.any() && context.has_to_end()) return;
     const auto subfield = subfield_along(task, part, *places[i].reference, places[i].right_m);
     if (!subfield) return;
     places[i].candidate = plain_candidate(task, ground, *subfield, costs.last());
@@ -121,7 +120,7 @@ std::vector<TriedCurve> promising(const SearchTask& task, std::vector<TriedCurve
 
 /// The best curve for one part of the ground; nullopt where no track of any fits.
 std::optional<TriedCurve> best_on(const SearchTask& task, const Polygon& part,
-                                  const std::vector<Reference>& references, int threads) {
+                                  const std::vector<Reference>& references, const SearchContext& context) {
   std::vector<TriedCurve> all;
   for (const Reference& reference : references) {
     all.push_back({&reference, 0, {}});
@@ -129,7 +128,7 @@ std::optional<TriedCurve> best_on(const SearchTask& task, const Polygon& part,
     if (reference.deviation_m > 0) all.push_back({&reference, reference.deviation_m, {}});
   }
   BestCosts best_few(kMoved);
-  try_all(task, part, best_few, all, threads);
+  try_all(task, part, best_few, all, context);
   if (all.empty()) return std::nullopt;
   std::vector<TriedCurve> moved;
   for (std::size_t i = 0; i < std::min(all.size(), kMoved); ++i)
@@ -137,14 +136,14 @@ std::optional<TriedCurve> best_on(const SearchTask& task, const Polygon& part,
       moved.push_back({all[i].reference, all[i].right_m + task.machine.width_m * k / kPlaces, {}});
   BestCosts best(1);
   best.offer(all.front().candidate);
-  try_all(task, part, best, moved, threads);
+  try_all(task, part, best, moved, context);
   all.insert(all.end(), std::make_move_iterator(moved.begin()), std::make_move_iterator(moved.end()));
   sort_best_first(all);
   std::erase_if(all, [](const TriedCurve& tried) { return !tried.candidate.works(); });
   if (all.empty()) return std::nullopt;
   if (!asks_for_detours(task)) return std::move(all.front());
   all = promising(task, std::move(all));
-  for_each_index_until_end(all.size(), threads, [&](std::size_t i) {
+  for_each_index_until_end(all.size(), context, [&](std::size_t i) {
     all[i].candidate = candidate_on(task, grounds_of(all[i].candidate));
   });
   sort_best_first(all);
@@ -153,12 +152,14 @@ std::optional<TriedCurve> best_on(const SearchTask& task, const Polygon& part,
 
 /// Each part along its own curve, or all along that of one of them: what swaths work beyond their own part
 /// may decide.
-Candidate best_together(const SearchTask& task, const std::vector<LinedSubfield>& grounds) {
+Candidate best_together(const SearchTask& task, const std::vector<LinedSubfield>& grounds,
+                        const SearchContext& context) {
+  context.report();
   Candidate best = candidate_on(task, grounds);
   std::vector<Path> tried;
   for (const LinedSubfield& one : grounds) {
     const Path& reference = one.subfield.reference;
-    if (has_to_end() || std::find(tried.begin(), tried.end(), reference) != tried.end()) continue;
+    if (context.has_to_end() || std::find(tried.begin(), tried.end(), reference) != tried.end()) continue;
     tried.push_back(reference);
     std::vector<LinedSubfield> along = grounds;
     for (LinedSubfield& ground : along) {
@@ -173,15 +174,15 @@ Candidate best_together(const SearchTask& task, const std::vector<LinedSubfield>
 
 }  // namespace
 
-std::optional<BestCurve> best_curved(const SearchTask& task, int threads) {
-  const std::vector<Reference> references = references_of(task, threads);
+std::optional<BestCurve> best_curved(const SearchTask& task, const SearchContext& context) {
+  const std::vector<Reference> references = references_of(task, context);
   const Region& parts = task.ground.plannable;
   std::vector<LinedSubfield> grounds;
   BestCurve out;
   Subfield largest;
   double largest_m2 = 0;
   for (const Polygon& part : parts) {
-    std::optional<TriedCurve> best = best_on(task, part, references, threads);
+    std::optional<TriedCurve> best = best_on(task, part, references, context);
     grounds.push_back({best ? best->candidate.subfields.front() : Subfield{part, {}, {}}, 0});
     if (best && area(part) > largest_m2) {
       out.line = best->reference->line;
@@ -195,7 +196,7 @@ std::optional<BestCurve> best_curved(const SearchTask& task, int threads) {
   for (LinedSubfield& ground : grounds)
     if (ground.subfield.reference.empty())
       ground.subfield = {ground.subfield.shape, largest.direction, largest.reference};
-  if (parts.size() > 1) out.candidate = best_together(task, grounds);
+  if (parts.size() > 1) out.candidate = best_together(task, grounds, context);
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tramline/planner/candidate.h"
+#include "tramline/planner/search_context.h"
 
 namespace tramline {
 
@@ -19,6 +20,6 @@ struct BestCurve {
 /// is curved, or none has a track. Deterministic for any number of threads. O(parts · chains) families. With
 /// S2's tracks to be made from the line chosen, which has to have ends, chains all the way round are left
 /// out, and detours are not looked for.
-std::optional<BestCurve> best_curved(const SearchTask& task, int threads);
+std::optional<BestCurve> best_curved(const SearchTask& task, const SearchContext& context);
 
 }  // namespace tramline

@@ -8,7 +8,6 @@
 
 #include "tramline/planner/division.h"
 #include "tramline/planner/for_each_index.h"
-#include "tramline/planner/pulse.h"
 #include "tramline/planner/sweep_search.h"
 
 namespace tramline {
@@ -63,12 +62,12 @@ struct PartResult {
 
 class BestSearch {
  public:
-  BestSearch(const SearchTask& task, int threads, const Progress& progress)
-      : task_(task), threads_(threads), swept_(swept_grounds(task, threads, progress)) {}
+  BestSearch(const SearchTask& task, const SearchContext& context)
+      : task_(task), context_(context), swept_(swept_grounds(task, context)) {}
 
   SearchResult run() {
     search_parts();
-    if (!best_.works() || !has_to_end()) try_swept();
+    if (!best_.works() || !context_.has_to_end()) try_swept();
     if (!undivided_) out_.proof.one_direction_cost = best_.cost();
     if (undivided_ && best_.subfields.size() > task_.ground.plannable.size())
       out_.undivided = std::move(*undivided_);
@@ -87,7 +86,7 @@ class BestSearch {
     if (cells > task_.ground.plannable.size() && cells <= kMostRegridded)
       try_plan(regridded(hopeful_sweep().grounds));
     const double known = best_.works() ? best_.cost() : std::numeric_limits<double>::infinity();
-    if (std::optional<Candidate> sweep = cheapest_swept(task_, swept_, known, threads_)) {
+    if (std::optional<Candidate> sweep = cheapest_swept(task_, swept_, known, context_)) {
       if (sweep->subfields.size() == task_.ground.plannable.size()) see_undivided(*sweep);
       keep(std::move(*sweep));
     }
@@ -111,7 +110,7 @@ class BestSearch {
       shortlists.push_back(std::move(found.shortlist));
       if (parts == 1) best_ = std::move(found.whole.candidate);
     }
-    if (parts != 1) best_ = candidate_on(task_, whole);
+    if (parts != 1) best_ = laid_out(whole);
     see(best_);
     see_undivided(best_);
     out_.proof.one_direction_bound = bound;
@@ -141,7 +140,7 @@ class BestSearch {
       // With detours in sight, what the parts cost with all tracks cut says little.
       return divided.size() < 2 || !task_.ground.hazards.empty() ? kNoPrice : price(task_, divided);
     };
-    const GridSearchResult found = search_grids(task_, part, effort, threads_, divide);
+    const GridSearchResult found = search_grids(task_, part, effort, context_, divide);
     const bool hindered = !found.unhindered.empty();
     std::vector<Grounds> ways{{gridded(part, found.grids.front())}};
     if (hindered) append_hindered_ways(index, found, ways);
@@ -160,17 +159,16 @@ class BestSearch {
       if (divided.size() < 2 || (again.size() > 1 && price(task_, again) < price(task_, divided)))
         divided = std::move(again);
     }
-    if (divided.size() < 2 || has_to_end()) return out;
+    if (divided.size() < 2 || context_.has_to_end()) return out;
     Grounds apart = gridded(divided);
-    if (is_better(candidate_on(task_, apart).avoided, out.whole.candidate.avoided))
-      out.divided = std::move(apart);
+    if (is_better(laid_out(apart).avoided, out.whole.candidate.avoided)) out.divided = std::move(apart);
     return out;
   }
 
   /// The ground divided, each part with its best grid; one part where that does not pay.
   std::vector<PricedSubfield> divided_from(const PricedSubfield& ground) const {
-    std::vector<PricedSubfield> out = divide_where_it_pays(task_, ground, threads_);
-    if (out.size() > 1) out = join_where_it_pays(task_, std::move(out), threads_);
+    std::vector<PricedSubfield> out = divide_where_it_pays(task_, ground, context_);
+    if (out.size() > 1) out = join_where_it_pays(task_, std::move(out), context_);
     return out;
   }
 
@@ -221,7 +219,7 @@ class BestSearch {
   Tried cheapest_of(std::vector<Grounds> ways) const {
     std::vector<Candidate> candidates(ways.size());
     const std::vector<bool> made = for_each_index_until_end(
-        ways.size(), threads_, [&](std::size_t i) { candidates[i] = candidate_on(task_, ways[i]); });
+        ways.size(), context_, [&](std::size_t i) { candidates[i] = candidate_on(task_, ways[i]); });
     std::size_t best = 0;
     for (std::size_t i = 1; i < ways.size(); ++i)
       if (made[i] && is_better(candidates[i].avoided, candidates[best].avoided)) best = i;
@@ -231,7 +229,7 @@ class BestSearch {
   /// The same direction with the grid elsewhere: how tracks lie to an obstacle decides what detours cost.
   void slide(Tried& tried) const {
     constexpr int kSteps = 8;
-    if (has_to_end()) return;
+    if (context_.has_to_end()) return;
     std::vector<Grounds> ways;
     for (int i = 1; i < kSteps; ++i) {
       ways.push_back(tried.grounds);
@@ -252,11 +250,16 @@ class BestSearch {
   Grounds regridded(const Grounds& grounds) const {
     Region shapes;
     for (const LinedSubfield& ground : grounds) shapes.push_back(ground.subfield.shape);
-    std::vector<PricedSubfield> joined = join_where_it_pays(task_, priced(task_, shapes, threads_), threads_);
+    std::vector<PricedSubfield> joined = join_where_it_pays(task_, priced(task_, shapes, context_), context_);
     return gridded(joined);
   }
 
-  void try_plan(const Grounds& grounds) { keep(candidate_on(task_, grounds)); }
+  Candidate laid_out(const Grounds& grounds) const {
+    context_.report();
+    return candidate_on(task_, grounds);
+  }
+
+  void try_plan(const Grounds& grounds) { keep(laid_out(grounds)); }
 
   void keep(Candidate candidate) {
     see(candidate);
@@ -274,7 +277,7 @@ class BestSearch {
   void see(const Candidate& candidate) { out_.seen.push_back(seen_plan(candidate)); }
 
   const SearchTask& task_;
-  int threads_;
+  SearchContext context_;
   std::vector<SweptGround> swept_;
   SearchResult out_;
   Candidate best_;
@@ -300,8 +303,8 @@ double least_cost_of_any_plan(const SearchTask& task) {
   return price.uncovered * given_up_m2 + std::min(by_tracks, price.uncovered * ground_m2);
 }
 
-SearchResult best_search(const SearchTask& task, int threads, const Progress& progress) {
-  return BestSearch(task, threads, progress).run();
+SearchResult best_search(const SearchTask& task, const SearchContext& context) {
+  return BestSearch(task, context).run();
 }
 
 }  // namespace tramline

@@ -1,6 +1,7 @@
 #pragma once
 // The cheapest plan over all directions, offsets and divisions of the ground.
 
+#include "tramline/planner/search_context.h"
 #include "tramline/planner/search_result.h"
 
 namespace tramline {
@@ -9,7 +10,7 @@ namespace tramline {
 /// divided where that pays (divide_where_it_pays); S1's sweep, and its subfields with better grids and
 /// joined where that pays; all with detours. The cheapest is kept: never costlier than sweep_search() for the
 /// same task. Deterministic for any number of threads.
-SearchResult best_search(const SearchTask& task, int threads, const Progress& progress);
+SearchResult best_search(const SearchTask& task, const SearchContext& context);
 
 /// No plan in which every piece that fits is driven costs less, whatever the subfields, directions, offsets
 /// and detours: a track works at most w times the length it can have, so that many are needed, or land is

@@ -11,7 +11,6 @@
 #include "tramline/decomposition/decompose.h"
 #include "tramline/geometry/error.h"
 #include "tramline/planner/parallel_tracks.h"
-#include "tramline/planner/pulse.h"
 #include "tramline/planner/turned_ground.h"
 #include "tramline/tracks/end_rule.h"
 #include "tramline/tracks/strip_origin.h"
@@ -110,7 +109,6 @@ Outlook outlook_on(const SearchTask& task, const std::vector<LinedSubfield>& gro
 }
 
 Candidate candidate_on(const SearchTask& task, const std::vector<LinedSubfield>& grounds) {
-  beat();
   Candidate out = laid_on(task, grounds);
   out.avoided = choose_detours(avoidance_task(task, out));
   return out;

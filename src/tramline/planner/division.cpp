@@ -8,7 +8,6 @@
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/bounding_rectangle.h"
 #include "tramline/planner/for_each_index.h"
-#include "tramline/planner/pulse.h"
 
 namespace tramline {
 namespace {
@@ -39,8 +38,8 @@ SearchEffort glance() { return effort(4, 4, 0); }
 SearchEffort closer_look() { return effort(16, 4, 2); }
 
 PricedSubfield priced_with(const SearchTask& task, const Polygon& shape, const SearchEffort& effort,
-                           int threads) {
-  const GridSearchResult found = search_grids(task, shape, effort, threads);
+                           const SearchContext& context) {
+  const GridSearchResult found = search_grids(task, shape, effort, context);
   return {shape, found.unhindered.empty() ? found.grids.front() : found.unhindered.front()};
 }
 
@@ -65,9 +64,9 @@ bool too_alike(const SearchTask& task, const PricedSubfield& a, const PricedSubf
 }
 
 std::vector<PricedSubfield> priced_parts(const SearchTask& task, const Region& parts,
-                                         const SearchEffort& effort) {
+                                         const SearchEffort& effort, const SearchContext& context) {
   std::vector<PricedSubfield> out;
-  for (const Polygon& part : parts) out.push_back(priced_with(task, part, effort, 1));
+  for (const Polygon& part : parts) out.push_back(priced_with(task, part, effort, context));
   return out;
 }
 
@@ -80,8 +79,9 @@ bool too_alike(const SearchTask& task, const std::vector<PricedSubfield>& parts)
 
 /// The division that saves most, or nothing.
 std::optional<std::vector<PricedSubfield>> best_division(const SearchTask& task, const PricedSubfield& ground,
-                                                         int threads) {
+                                                         const SearchContext& context) {
   const double width_m = task.machine.width_m;
+  const SearchContext each = context.on_one_thread();
   std::vector<Region> ways = divisions(ground.shape, {0.5 * width_m, 8, 4, ground.grid.direction});
   std::erase_if(ways, [&](const Region& parts) {
     return std::any_of(parts.begin(), parts.end(),
@@ -90,8 +90,8 @@ std::optional<std::vector<PricedSubfield>> best_division(const SearchTask& task,
   std::vector<double> sums;
   const auto keep_cheapest = [&](std::size_t most, double below, const SearchEffort& looking) {
     sums.assign(ways.size(), 0);
-    for_each_index_until_end(ways.size(), threads, [&](std::size_t i) {
-      sums[i] = price(task, priced_parts(task, ways[i], looking));
+    for_each_index_until_end(ways.size(), context, [&](std::size_t i) {
+      sums[i] = price(task, priced_parts(task, ways[i], looking, each));
     });
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < ways.size(); ++i)
@@ -104,13 +104,14 @@ std::optional<std::vector<PricedSubfield>> best_division(const SearchTask& task,
     ways = std::move(kept);
   };
   if (ways.size() > kGlancedAt) keep_cheapest(kGlancedAt, kNever, first_glance());
-  if (has_to_end()) return std::nullopt;
+  if (context.has_to_end()) return std::nullopt;
   keep_cheapest(kLookedAt, hopeless(ground.grid.cost), glance());
 
   std::vector<std::vector<PricedSubfield>> looked(ways.size());
-  for_each_index_until_end(looked.size(), threads,
-                           [&](std::size_t i) { looked[i] = priced_parts(task, ways[i], closer_look()); });
-  if (has_to_end()) return std::nullopt;
+  for_each_index_until_end(looked.size(), context, [&](std::size_t i) {
+    looked[i] = priced_parts(task, ways[i], closer_look(), each);
+  });
+  if (context.has_to_end()) return std::nullopt;
   std::optional<std::vector<PricedSubfield>> best;
   double least = ground.grid.cost - kLeastSaving * std::abs(ground.grid.cost);
   for (std::vector<PricedSubfield>& parts : looked) {
@@ -139,10 +140,12 @@ struct Pair {
 
 }  // namespace
 
-std::vector<PricedSubfield> priced(const SearchTask& task, const Region& shapes, int threads) {
+std::vector<PricedSubfield> priced(const SearchTask& task, const Region& shapes,
+                                   const SearchContext& context) {
+  const SearchContext each = context.on_one_thread();
   std::vector<PricedSubfield> out(shapes.size());
-  for_each_index(out.size(), threads,
-                 [&](std::size_t i) { out[i] = priced_with(task, shapes[i], closer_look(), 1); });
+  for_each_index(out.size(), context,
+                 [&](std::size_t i) { out[i] = priced_with(task, shapes[i], closer_look(), each); });
   return out;
 }
 
@@ -153,15 +156,15 @@ double price(const SearchTask& task, const std::vector<PricedSubfield>& subfield
 }
 
 std::vector<PricedSubfield> divide_where_it_pays(const SearchTask& task, const PricedSubfield& ground,
-                                                 int threads) {
+                                                 const SearchContext& context) {
   std::vector<PricedSubfield> open{ground}, done;
   while (!open.empty()) {
     const PricedSubfield next = std::move(open.back());
     open.pop_back();
     std::optional<std::vector<PricedSubfield>> parts;
     const bool worth_it = next.grid.cost > kLeastShare * ground.grid.cost;
-    if (worth_it && !has_to_end() && open.size() + done.size() < kMostSubfields)
-      parts = best_division(task, next, threads);
+    if (worth_it && !context.has_to_end() && open.size() + done.size() < kMostSubfields)
+      parts = best_division(task, next, context);
     if (parts)
       open.insert(open.end(), parts->begin(), parts->end());
     else
@@ -171,19 +174,20 @@ std::vector<PricedSubfield> divide_where_it_pays(const SearchTask& task, const P
 }
 
 std::vector<PricedSubfield> join_where_it_pays(const SearchTask& task, std::vector<PricedSubfield> subfields,
-                                               int threads) {
+                                               const SearchContext& context) {
+  const SearchContext each = context.on_one_thread();
   std::vector<Pair> pairs;
   const auto look = [&](std::vector<std::pair<std::size_t, std::size_t>> wanted) {
     std::vector<std::optional<Pair>> found(wanted.size());
-    for_each_index_until_end(wanted.size(), threads, [&](std::size_t i) {
+    for_each_index_until_end(wanted.size(), context, [&](std::size_t i) {
       const auto [a, b] = wanted[i];
       const std::optional<Polygon> whole = joined(subfields[a].shape, subfields[b].shape);
       if (!whole) return;
       const double apart = price(task, {subfields[a], subfields[b]});
       const bool needed = !is_workable(task, subfields[a]) || !is_workable(task, subfields[b]) ||
                           too_alike(task, subfields[a], subfields[b]);
-      if (!needed && priced_with(task, *whole, glance(), 1).grid.cost > hopeless(apart)) return;
-      PricedSubfield one = priced_with(task, *whole, closer_look(), 1);
+      if (!needed && priced_with(task, *whole, glance(), each).grid.cost > hopeless(apart)) return;
+      PricedSubfield one = priced_with(task, *whole, closer_look(), each);
       const double saving = needed ? kNever : apart - one.grid.cost;
       found[i] = Pair{a, b, std::move(one), saving};
     });

@@ -15,7 +15,8 @@ struct PricedSubfield {
 };
 
 /// A grid for each shape, by edges and small steps alone.
-std::vector<PricedSubfield> priced(const SearchTask& task, const Region& shapes, int threads);
+std::vector<PricedSubfield> priced(const SearchTask& task, const Region& shapes,
+                                   const SearchContext& context);
 
 /// The sum over the subfields, and the price of each after the first.
 double price(const SearchTask& task, const std::vector<PricedSubfield>& subfields);
@@ -24,12 +25,12 @@ double price(const SearchTask& task, const std::vector<PricedSubfield>& subfield
 /// further subfield costs. Every subfield has a track, and is no narrower than w. One subfield where nothing
 /// pays.
 std::vector<PricedSubfield> divide_where_it_pays(const SearchTask& task, const PricedSubfield& ground,
-                                                 int threads);
+                                                 const SearchContext& context);
 
 /// Joins neighbours whose union costs no more than the two, the pair that saves most first; also those
 /// that have no track, are narrower than w, or whose directions are nearer to one another than the merge
 /// threshold, whatever it costs.
 std::vector<PricedSubfield> join_where_it_pays(const SearchTask& task, std::vector<PricedSubfield> subfields,
-                                               int threads);
+                                               const SearchContext& context);
 
 }  // namespace tramline

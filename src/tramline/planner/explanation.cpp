@@ -40,8 +40,8 @@ Directions directions_of(const Grounds& grounds) {
 /// Every plan that may be a runner-up.
 class Contest {
  public:
-  Contest(const SearchTask& task, const Candidate& best, int threads)
-      : task_(task), best_(seen_plan(best).directions), threads_(threads) {}
+  Contest(const SearchTask& task, const Candidate& best, const SearchContext& context)
+      : task_(task), best_(seen_plan(best).directions), context_(context) {}
 
   void enter(SeenPlan plan) {
     if (plan.tally.pieces == 0 || alike(plan.directions, best_)) return;
@@ -52,7 +52,7 @@ class Contest {
 
   void lay_and_enter(const std::vector<const Grounds*>& plans) {
     std::vector<SeenPlan> laid(plans.size());
-    for_each_index(plans.size(), threads_,
+    for_each_index(plans.size(), context_,
                    [&](std::size_t i) { laid[i] = seen_plan(candidate_on(task_, *plans[i])); });
     for (SeenPlan& plan : laid) enter(std::move(plan));
   }
@@ -84,7 +84,7 @@ class Contest {
  private:
   const SearchTask& task_;
   Directions best_;
-  int threads_;
+  SearchContext context_;
   std::vector<SeenPlan> plans_;  ///< cheapest first
 };
 
@@ -140,7 +140,7 @@ const char* main_reason(const CostDifference& more) {
       ->second;
 }
 
-Explanation explanation_of(const SearchTask& task, const SearchResult& found, int threads) {
+Explanation explanation_of(const SearchTask& task, const SearchResult& found, const SearchContext& context) {
   const Candidate& best = found.best;
   const Tally& tracks = best.avoided.tally;
   const Tally tally = whole_tally_of(task, best);
@@ -150,15 +150,17 @@ Explanation explanation_of(const SearchTask& task, const SearchResult& found, in
                   {},
                   {}};
   add_headland(task.objective, tally, tracks, out.causes);
-  Contest contest(task, best, threads);
+  Contest contest(task, best, context);
   for (const SeenPlan& plan : found.seen) contest.enter(plan);
   std::vector<const Grounds*> shortlist;
   for (const Grounds& grounds : found.shortlist) shortlist.push_back(&grounds);
   contest.lay_and_enter(shortlist);
   enter_swept(found.swept, contest);
-  for (const SeenPlan* plan : contest.runner_ups())
+  for (const SeenPlan* plan : contest.runner_ups()) {
+    context.report();
     out.runner_ups.push_back(runner_up(task, plan->directions, candidate_on(task, plan->grounds), tally));
-  const Candidate expected = along_longest_side(task, threads);
+  }
+  const Candidate expected = along_longest_side(task, context);
   out.longest_side = runner_up(task, {longest_side(task.field, task.machine.width_m)}, expected, tally);
   return out;
 }

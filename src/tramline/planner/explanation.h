@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tramline/cost/cost_causes.h"
+#include "tramline/planner/search_context.h"
 #include "tramline/planner/search_result.h"
 
 namespace tramline {
@@ -42,6 +43,6 @@ struct Explanation {
 /// on its shortlists; of the latter, those that may be cheap enough are laid out here. From the best plan and
 /// from one another they differ in the number of subfields, or by more than a degree in a direction.
 /// Deterministic for any number of threads.
-Explanation explanation_of(const SearchTask& task, const SearchResult& found, int threads);
+Explanation explanation_of(const SearchTask& task, const SearchResult& found, const SearchContext& context);
 
 }  // namespace tramline

@@ -11,7 +11,6 @@
 #include "tramline/headland/headland.h"
 #include "tramline/planner/driven_tracks.h"
 #include "tramline/planner/encounters_as_driven.h"
-#include "tramline/planner/pulse.h"
 #include "tramline/planner/track_ground.h"
 #include "tramline/planner/warnings.h"
 #include "tramline/planner/whole_figures.h"
@@ -89,24 +88,25 @@ Plan bare_plan(const SearchTask& task) {
   return plan;
 }
 
-Plan finished_plan(const SearchTask& task, SearchResult found) {
+Plan finished_plan(const SearchTask& task, SearchResult found, const SearchContext& context) {
   require_tracks(task, found.best.avoided.tally);
   Plan plan = bare_plan(task);
   Driven driven = driven_tracks(task, found.best);
   plan.pieces = std::move(driven.pieces);
   plan.dropped = dropped_pieces(found.best);
-  beat();
+  context.report();
   settle_overlaps(plan, found.best.subfields);
-  beat();
+  context.report();
   plan.encounters = encounters_as_driven(task, found.best, driven);
-  beat();
+  context.report();
   plan.subfields = found.best.subfields;
   TrackGround ground = track_ground(plan, found.best);
   add_guide(task.settings.guide, plan.subfields);
   set_figures(plan, found.best.avoided.tally);
+  context.report();
   plan.directions_tried = found.directions_tried;
   plan.proof = whole_proof(task, found, plan);
-  beat();
+  context.report();
   add_layers(plan, std::move(ground));
   plan.warnings = warnings_about(plan);
   return plan;

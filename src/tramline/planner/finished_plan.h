@@ -1,6 +1,7 @@
 #pragma once
 // From what a search has found to a plan that can be driven, written and drawn.
 
+#include "tramline/planner/search_context.h"
 #include "tramline/planner/search_result.h"
 
 namespace tramline {
@@ -14,6 +15,6 @@ Plan bare_plan(const SearchTask& task);
 
 /// The best candidate as a plan: its pieces in driving order, what was decided at obstacles, the land worked
 /// twice or left, warnings. Throws as require_tracks().
-Plan finished_plan(const SearchTask& task, SearchResult found);
+Plan finished_plan(const SearchTask& task, SearchResult found, const SearchContext& context);
 
 }  // namespace tramline

@@ -1,9 +1,5 @@
 #include "tramline/planner/for_each_index.h"
 
-#include <algorithm>
-
-#include "tramline/planner/pulse.h"
-
 #ifdef __SANITIZE_THREAD__
 // Debian's TBB is not built for the thread sanitizer, which therefore does not see that TBB hands work
 // from thread to thread in good order, and reports every use of a task's data as a race. Plain threads
@@ -17,19 +13,19 @@
 
 namespace tramline {
 
-void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
-  const PulseOfThread pulse;
-  const auto body = [&](std::size_t i) {
-    const PulseOfThread::Borrowed borrowed(pulse);
-    beat();
-    work(i);
+void for_each_index(std::size_t count, const SearchContext& context,
+                    const std::function<void(std::size_t)>& body) {
+  const int threads = context.threads();
+  const auto report_and_call = [&](std::size_t i) {
+    context.report();
+    body(i);
   };
   std::atomic<std::size_t> next{0};
   std::exception_ptr first;
   std::mutex first_mutex;
   const auto take_part = [&] {
     try {
-      for (std::size_t i = next++; i < count; i = next++) body(i);
+      for (std::size_t i = next++; i < count; i = next++) report_and_call(i);
     } catch (...) {
       const std::lock_guard lock(first_mutex);
       if (!first) first = std::current_exception();
@@ -56,12 +52,12 @@ void for_each_index(std::size_t count, int threads, const std::function<void(std
 
 namespace tramline {
 
-void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
-  const PulseOfThread pulse;
-  const auto body = [&](std::size_t i) {
-    const PulseOfThread::Borrowed borrowed(pulse);
-    beat();
-    work(i);
+void for_each_index(std::size_t count, const SearchContext& context,
+                    const std::function<void(std::size_t)>& body) {
+  const int threads = context.threads();
+  const auto report_and_call = [&](std::size_t i) {
+    context.report();
+    body(i);
   };
   // More threads than cores are the caller's wish; without this TBB warns on stderr. Fewer are the arena's
   // business alone: the limit holds for the whole process, and would slow callers that plan several fields
@@ -70,7 +66,7 @@ void for_each_index(std::size_t count, int threads, const std::function<void(std
   if (threads > tbb::info::default_concurrency())
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-  arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, body); });
+  arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, report_and_call); });
 }
 
 }  // namespace tramline
@@ -79,11 +75,11 @@ void for_each_index(std::size_t count, int threads, const std::function<void(std
 
 namespace tramline {
 
-std::vector<bool> for_each_index_until_end(std::size_t count, int threads,
+std::vector<bool> for_each_index_until_end(std::size_t count, const SearchContext& context,
                                            const std::function<void(std::size_t)>& body) {
   std::vector<char> called(count, 0);  // bits of one word may not be set by several threads
-  for_each_index(count, threads, [&](std::size_t i) {
-    if (i > 0 && has_to_end()) return;
+  for_each_index(count, context, [&](std::size_t i) {
+    if (i > 0 && context.has_to_end()) return;
     body(i);
     called[i] = 1;
   });

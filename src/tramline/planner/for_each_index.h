@@ -5,17 +5,18 @@
 #include <functional>
 #include <vector>
 
+#include "tramline/planner/search_context.h"
+
 namespace tramline {
 
-/// Calls body(0) … body(count − 1), each once, in any order and on up to `threads` threads (0: as many
-/// as there are cores), and returns when all are done. If calls throw, one of the exceptions is thrown
-/// on, and calls not yet begun may be left out. Beats before each (pulse.h). `body` must be safe to call
-/// concurrently.
-void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
+/// Calls body(0) … body(count − 1), each once, in any order and on up to as many threads as the context
+/// allows, and returns when all are done. If calls throw, one of the exceptions is thrown on, and calls not
+/// yet begun may be left out. Reports before each. `body` must be safe to call concurrently.
+void for_each_index(std::size_t count, const SearchContext& context,
+                    const std::function<void(std::size_t)>& body);
 
-/// The same where a search that has to end may leave calls out (pulse.h), but for body(0). Gives which calls
-/// were made.
-std::vector<bool> for_each_index_until_end(std::size_t count, int threads,
+/// The same where a search that has to end may leave calls out, but for body(0). Gives which calls were made.
+std::vector<bool> for_each_index_until_end(std::size_t count, const SearchContext& context,
                                            const std::function<void(std::size_t)>& body);
 
 }  // namespace tramline

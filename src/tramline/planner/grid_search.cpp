@@ -12,7 +12,6 @@
 #include "tramline/planner/flush_places.h"
 #include "tramline/planner/for_each_index.h"
 #include "tramline/planner/grid_shortlist.h"
-#include "tramline/planner/pulse.h"
 
 namespace tramline {
 namespace {
@@ -44,10 +43,11 @@ struct LaterBox {
 
 class GridSearch {
  public:
-  GridSearch(const SearchTask& task, const Polygon& part, const SearchEffort& effort, int threads)
+  GridSearch(const SearchTask& task, const Polygon& part, const SearchEffort& effort,
+             const SearchContext& context)
       : pricing_(task, part),
         effort_(effort),
-        threads_(threads),
+        context_(context),
         hindered_(!pricing_.tally(0).subfield().obstacles.empty()),
         list_(pricing_.width_m()),
         soft_list_(pricing_.width_m()) {}
@@ -69,7 +69,7 @@ class GridSearch {
     for (const FoundGrid& found : list_.list()) out.grids.push_back(priced(found));
     if (hindered_)
       for (const FoundGrid& found : soft_list_.list()) out.unhindered.push_back(priced(found));
-    if (effort_.exact_offset && !hindered_ && !has_to_end()) refine(out.grids.front());
+    if (effort_.exact_offset && !hindered_ && !context_.has_to_end()) refine(out.grids.front());
     return out;
   }
 
@@ -86,7 +86,7 @@ class GridSearch {
     const std::size_t count = effort_.edge_offsets;
     std::vector<GridPlace> places(count * flush.size());
     std::vector<GridPrices> prices(places.size());
-    const std::vector<bool> made = for_each_index_until_end(flush.size(), threads_, [&](std::size_t i) {
+    const std::vector<bool> made = for_each_index_until_end(flush.size(), context_, [&](std::size_t i) {
       const GridTally tally = pricing_.tally(flush[i].angle);
       const Box& reach = tally.subfield().reach;
       const double pivot = pricing_.origin(tally, 0);
@@ -103,18 +103,18 @@ class GridSearch {
 
   /// Steps to better neighbours, halved where there is none.
   void polish(GridShortlist& shortlist, bool soft, std::size_t most) {
-    if (most == 0 || has_to_end()) return;
+    if (most == 0 || context_.has_to_end()) return;
     std::vector<FoundGrid> found = shortlist.list();
     if (found.size() > most) found.resize(most);
     const double worth_it = found.front().cost + kNearBest * std::abs(found.front().cost);
     std::erase_if(found, [&](const FoundGrid& one) { return one.polished || one.cost > worth_it; });
-    for_each_index(found.size(), threads_,
+    for_each_index(found.size(), context_,
                    [&](std::size_t i) { improve(found[i], soft, kFirstTurn, kCoarse); });
     // Coarse steps tell which hollows are deep.
     std::stable_sort(found.begin(), found.end(), ranks_before);
     const bool finer = effort_.tolerance.radians() < kCoarse.radians();
     const std::size_t deep = finer ? std::min(found.size(), kFollowed) : 0;
-    for_each_index(deep, threads_, [&](std::size_t i) {
+    for_each_index(deep, context_, [&](std::size_t i) {
       improve(found[i], soft, kCoarse, effort_.tolerance);
       found[i].polished = true;
     });
@@ -135,7 +135,7 @@ class GridSearch {
   /// By steps that turn by less and less, from one angle to half the other.
   void improve(FoundGrid& best, bool soft, Angle from, Angle to) const {
     double turn = from.radians(), shift = pricing_.width_m() / 8 * (from.radians() / kFirstTurn.radians());
-    while (turn > 0.5 * to.radians() && !has_to_end()) {
+    while (turn > 0.5 * to.radians() && !context_.has_to_end()) {
       bool better = false;
       for (const GridPlace& step : steps(turn, shift)) {
         const GridPlace next{best.place.angle + step.angle, best.place.offset_m + step.offset_m};
@@ -164,7 +164,7 @@ class GridSearch {
   void look_at_all(std::vector<SearchBox>& boxes) {
     std::vector<std::optional<GridPrices>> prices(boxes.size());
     const double target = this->target();
-    for_each_index(boxes.size(), threads_, [&](std::size_t i) { prices[i] = look(boxes[i], target); });
+    for_each_index(boxes.size(), context_, [&](std::size_t i) { prices[i] = look(boxes[i], target); });
     boxes_ += static_cast<int>(boxes.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       if (prices[i]) offer(boxes[i].middle, *prices[i]);
@@ -186,7 +186,7 @@ class GridSearch {
     const auto directions = static_cast<std::size_t>(effort_.scanned);
     std::vector<GridPlace> places(kOffsets * directions);
     std::vector<GridPrices> prices(places.size());
-    const std::vector<bool> made = for_each_index_until_end(directions, threads_, [&](std::size_t i) {
+    const std::vector<bool> made = for_each_index_until_end(directions, context_, [&](std::size_t i) {
       const double angle = kHalfTurn * (static_cast<double>(i) + 0.5) / static_cast<double>(directions);
       const GridTally tally = pricing_.tally(angle);
       for (std::size_t k = 0; k < kOffsets; ++k) {
@@ -202,7 +202,7 @@ class GridSearch {
   }
 
   void branch() {
-    if (has_to_end()) return;
+    if (context_.has_to_end()) return;
     const int first = static_cast<int>(std::lround(kHalfTurn / (2 * kFirstHalfAngle)));
     std::vector<SearchBox> boxes;
     for (int i = 0; i < first; ++i)
@@ -211,7 +211,8 @@ class GridSearch {
     bound_ = std::numeric_limits<double>::infinity();
     double at_last_look = open_.top().bound;
     int next_look = boxes_ + kLookEvery;
-    while (!open_.empty() && open_.top().bound < target() && boxes_ < effort_.most_boxes && !has_to_end()) {
+    while (!open_.empty() && open_.top().bound < target() && boxes_ < effort_.most_boxes &&
+           !context_.has_to_end()) {
       if (boxes_ >= next_look) {
         if (!makes_headway(open_.top().bound - at_last_look)) break;
         at_last_look = open_.top().bound;
@@ -266,7 +267,7 @@ class GridSearch {
 
   GridPricing pricing_;
   SearchEffort effort_;
-  int threads_;
+  SearchContext context_;
   bool hindered_;
   double rival_ = std::numeric_limits<double>::infinity();
   GridShortlist list_, soft_list_;
@@ -278,8 +279,8 @@ class GridSearch {
 }  // namespace
 
 GridSearchResult search_grids(const SearchTask& task, const Polygon& part, const SearchEffort& effort,
-                              int threads, const Rival& rival) {
-  return GridSearch(task, part, effort, threads).run(rival);
+                              const SearchContext& context, const Rival& rival) {
+  return GridSearch(task, part, effort, context).run(rival);
 }
 
 }  // namespace tramline

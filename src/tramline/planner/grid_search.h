@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tramline/planner/grid_pricing.h"
+#include "tramline/planner/search_context.h"
 
 namespace tramline {
 
@@ -40,6 +41,6 @@ using Rival = std::function<double(const PricedGrid& best)>;
 /// `rival`, where given, is asked once: boxes that cannot hold anything cheaper than that are not looked
 /// into either, so that the bound of grids that do not win may stay further from their cost.
 GridSearchResult search_grids(const SearchTask& task, const Polygon& part, const SearchEffort& effort,
-                              int threads, const Rival& rival = {});
+                              const SearchContext& context, const Rival& rival = {});
 
 }  // namespace tramline

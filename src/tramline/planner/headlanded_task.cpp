@@ -103,9 +103,9 @@ bool may_go_round(const PlanSettings& settings) {
 }
 
 /// The obstacles that some track meets and all go round.
-std::vector<bool> gone_round(const SearchTask& task, int threads) {
+std::vector<bool> gone_round(const SearchTask& task, const SearchContext& context) {
   std::vector<bool> met(task.field.obstacles.size(), false), cut = met;
-  const SearchResult found = straight_search(task, threads, {});
+  const SearchResult found = straight_search(task, context.uncounted());
   for (const Encounter& encounter : encounters_of(task, found.best))
     for (const int obstacle : encounter.obstacles) {
       met[static_cast<std::size_t>(obstacle)] = true;
@@ -118,7 +118,7 @@ std::vector<bool> gone_round(const SearchTask& task, int threads) {
 }  // namespace
 
 SearchTask headlanded_task(const Field& field, const Machine& machine, const Objective& objective,
-                           const PlanSettings& settings, int threads) {
+                           const PlanSettings& settings, const SearchContext& context) {
   SearchTask task = search_task(field, machine, objective, settings);
   if (settings.headlands == 0 && settings.obstacle_headlands == 0) return task;
   const bool any = !obstacle_shapes(field, ObstacleKind::kObstacle).empty();
@@ -126,7 +126,7 @@ SearchTask headlanded_task(const Field& field, const Machine& machine, const Obj
   if (settings.obstacle_headlands == 0 || !any) return task_with(task, passes);
   std::vector<bool> round(passes.size(), false);
   if (may_go_round(settings))
-    round = gone_round(settings.headlands > 0 ? task_with(task, passes) : task, threads);
+    round = gone_round(settings.headlands > 0 ? task_with(task, passes) : task, context);
   for (std::size_t i = 0; i < passes.size(); ++i)
     if (field.obstacles[i].kind == ObstacleKind::kObstacle && !round[i])
       passes[i] = settings.obstacle_headlands;

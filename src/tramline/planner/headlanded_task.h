@@ -2,6 +2,7 @@
 // What a search works on once headlands are taken off the field (S2.5).
 
 #include "tramline/planner/candidate.h"
+#include "tramline/planner/search_context.h"
 #include "tramline/planner/search_result.h"
 
 namespace tramline {
@@ -13,6 +14,6 @@ namespace tramline {
 /// Where the passes take the whole field there is no body, and so there are no tracks.
 /// Throws kBadInput where not even one pass has room.
 SearchTask headlanded_task(const Field& field, const Machine& machine, const Objective& objective,
-                           const PlanSettings& settings, int threads);
+                           const PlanSettings& settings, const SearchContext& context);
 
 }  // namespace tramline

@@ -33,7 +33,7 @@ Direction longest_side(const Field& field, double width_m) {
   return Direction::along({0, 0}, longest);
 }
 
-Candidate along_longest_side(const SearchTask& task, int threads) {
+Candidate along_longest_side(const SearchTask& task, const SearchContext& context) {
   const Direction along = longest_side(task.field, task.machine.width_m);
   std::vector<std::vector<LinedSubfield>> ways;
   for (const Polygon& shape : task.ground.plannable) {
@@ -45,7 +45,7 @@ Candidate along_longest_side(const SearchTask& task, int threads) {
       ways[i].push_back({part, origins[i < origins.size() ? i : 0]});
   }
   std::vector<Candidate> candidates(ways.size());
-  for_each_index(ways.size(), threads, [&](std::size_t i) { candidates[i] = candidate_on(task, ways[i]); });
+  for_each_index(ways.size(), context, [&](std::size_t i) { candidates[i] = candidate_on(task, ways[i]); });
   std::size_t best = 0;
   for (std::size_t i = 1; i < candidates.size(); ++i)
     if (is_better(candidates[i].avoided, candidates[best].avoided)) best = i;

@@ -2,6 +2,7 @@
 // The plan that most people would expect: all tracks along the longest side of the field.
 
 #include "tramline/planner/candidate.h"
+#include "tramline/planner/search_context.h"
 
 namespace tramline {
 
@@ -11,6 +12,6 @@ Direction longest_side(const Field& field, double width_m);
 
 /// The ground undivided with tracks along the longest side, on the cheapest of some grids: flush with either
 /// edge of the ground, and in eight places across a track. Deterministic for any number of threads.
-Candidate along_longest_side(const SearchTask& task, int threads);
+Candidate along_longest_side(const SearchTask& task, const SearchContext& context);
 
 }  // namespace tramline

@@ -11,7 +11,7 @@ enum class Demand {
 };
 
 /// How far a search has come. Called from worker threads, one at a time, also when nothing has changed. What
-/// it throws ends the search without a plan (pulse.h).
+/// it throws ends the search without a plan.
 using Progress = std::function<Demand(int done, int total)>;
 
 }  // namespace tramline

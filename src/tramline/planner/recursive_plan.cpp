@@ -48,8 +48,8 @@ Candidate recursive_along(const SearchTask& task, const std::vector<Point>& line
   return out;
 }
 
-std::optional<Candidate> recursive_along_best(const SearchTask& task, int threads) {
-  const std::optional<BestCurve> found = best_curved(task, threads);
+std::optional<Candidate> recursive_along_best(const SearchTask& task, const SearchContext& context) {
+  const std::optional<BestCurve> found = best_curved(task, context);
   if (!found) return std::nullopt;
   return recursive_along(task, found->line);
 }

@@ -15,6 +15,6 @@ void require_paper_ground(const Field& field, const PlanSettings& settings);
 Candidate recursive_along(const SearchTask& task, const std::vector<Point>& line);
 
 /// The same along the chain of edges that best_curved() follows; nullopt where it finds none.
-std::optional<Candidate> recursive_along_best(const SearchTask& task, int threads);
+std::optional<Candidate> recursive_along_best(const SearchTask& task, const SearchContext& context);
 
 }  // namespace tramline

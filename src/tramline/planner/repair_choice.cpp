@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "tramline/planner/for_each_index.h"
-#include "tramline/planner/pulse.h"
 #include "tramline/planner/repair_places.h"
 
 namespace tramline {
@@ -30,8 +29,8 @@ struct CandidateLine {
 
 class Choice {
  public:
-  Choice(RepairGround& ground, std::vector<CandidateLine> candidates, int threads)
-      : ground_(ground), candidates_(std::move(candidates)), threads_(threads) {
+  Choice(RepairGround& ground, std::vector<CandidateLine> candidates, const SearchContext& context)
+      : ground_(ground), candidates_(std::move(candidates)), context_(context) {
     refresh();
   }
 
@@ -78,7 +77,7 @@ class Choice {
     std::vector<std::size_t> stale;
     for (std::size_t i = 0; i < candidates_.size(); ++i)
       if (candidates_[i].stale) stale.push_back(i);
-    for_each_index(stale.size(), threads_, [&](std::size_t k) {
+    for_each_index(stale.size(), context_, [&](std::size_t k) {
       CandidateLine& candidate = candidates_[stale[k]];
       candidate.lines = ground_.lines_at(candidate.place);
       candidate.stale = false;
@@ -183,7 +182,7 @@ class Choice {
 
   /// Leaves these lines out and lays the best ones in their stead, where that costs less.
   bool exchange(const std::vector<std::size_t>& indices) {
-    if (has_to_end()) return false;
+    if (context_.has_to_end()) return false;
     refresh();
     const double before = cost();
     const std::vector<RepairLine> lines = lines_;
@@ -214,7 +213,7 @@ class Choice {
   RepairGround& ground_;
   std::vector<CandidateLine> candidates_;
   std::vector<RepairLine> lines_;
-  int threads_;
+  SearchContext context_;
   std::vector<std::pair<std::size_t, CandidateLine>>* saved_ = nullptr;  ///< as they were, during an exchange
 };
 
@@ -234,7 +233,7 @@ double cost_with(const std::vector<RepairLine>& lines, const RepairGround& groun
   return sum + objective.turn * static_cast<double>(lines.size());
 }
 
-std::vector<RepairLine> chosen_lines(RepairGround& ground, int threads, const Progress& progress) {
+std::vector<RepairLine> chosen_lines(RepairGround& ground, const SearchContext& context) {
   std::vector<CandidateLine> candidates;
   for (const LinePlace& place : repair_places(ground)) candidates.push_back({place, {}, true});
   const Region everywhere{ground.free()};
@@ -242,15 +241,15 @@ std::vector<RepairLine> chosen_lines(RepairGround& ground, int threads, const Pr
   std::vector<RepairLine> best;
   double least = 0;
   for (int step = 0; step < kSteps; ++step) {
-    if (progress) progress(step, kSteps);
+    context.count(step, kSteps);
     ground.cover({}, everywhere);
-    Choice choice(ground, candidates, threads);
+    Choice choice(ground, candidates, context);
     if (step == 0) {  // looks at all places: the next ones begin with what it found
       candidates = choice.candidates();
       least = choice.cost();
       continue;
     }
-    if (step > 1 && has_to_end()) break;
+    if (step > 1 && context.has_to_end()) break;
     if (step > 1) choice.lay_rows(step == 2 ? RowsOver::kAllGaps : RowsOver::kOneGap);
     if (step > 1 && choice.lines().empty()) break;
     choice.grow();

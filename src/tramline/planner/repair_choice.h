@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "tramline/planner/progress.h"
 #include "tramline/planner/repair_ground.h"
+#include "tramline/planner/search_context.h"
 
 namespace tramline {
 
@@ -18,6 +18,6 @@ double cost_with(const std::vector<RepairLine>& lines, const RepairGround& groun
 /// exchanged for others. Begun once with the line that is worth most, time and again, and twice with the best
 /// rows of lines over wide gaps; the best outcome counts. Covers the ground. Deterministic for any number of
 /// threads. O(lines · places beside them) looks at the ground.
-std::vector<RepairLine> chosen_lines(RepairGround& ground, int threads, const Progress& progress);
+std::vector<RepairLine> chosen_lines(RepairGround& ground, const SearchContext& context);
 
 }  // namespace tramline

@@ -11,7 +11,6 @@
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
 #include "tramline/planner/for_each_index.h"
-#include "tramline/planner/pulse.h"
 #include "tramline/planner/repair_pieces.h"
 #include "tramline/planner/repair_places.h"
 #include "tramline/planner/warnings.h"
@@ -65,13 +64,13 @@ std::string why_unreachable(const RepairGround& ground) {
 }
 
 /// Indices of the gaps that the lines work; the others are listed.
-std::vector<std::size_t> taken_on(const std::vector<Gap>& gaps, const RepairGround& ground, int threads,
-                                  RepairPlan& out) {
+std::vector<std::size_t> taken_on(const std::vector<Gap>& gaps, const RepairGround& ground,
+                                  const SearchContext& context, RepairPlan& out) {
   std::vector<std::size_t> taken, left;
   for (std::size_t i = 0; i < gaps.size(); ++i)
     (area(ground.gap(i)) - area(ground.open(i)) > kByChance_m2 ? taken : left).push_back(i);
   std::vector<std::optional<std::string>> prices(left.size());
-  for_each_index(left.size(), threads, [&](std::size_t k) { prices[k] = price_of_pass(left[k], ground); });
+  for_each_index(left.size(), context, [&](std::size_t k) { prices[k] = price_of_pass(left[k], ground); });
   for (std::size_t k = 0; k < left.size(); ++k) {
     const Gap& gap = gaps[left[k]];
     if (prices[k])
@@ -169,14 +168,14 @@ RepairPlan repair_plan(const Field& field, const std::vector<Gap>& gaps, const R
                        const std::vector<DrivenLine>& driven, RepairTerms terms, double min_area_m2,
                        int threads, const Progress& progress) {
   if (terms.machine.min_length_m < 0) terms.machine.min_length_m = 0;
-  Pulse pulse(progress);
+  const SearchContext context(threads, progress);
   RepairPlan out;
   const std::vector<Gap> large = large_ones(gaps, min_area_m2, out.ignored);
   require_gaps(gaps, large, field, min_area_m2);
   const double width_m = terms.machine.width_m;
   RepairGround ground(field, large, driven_directions(large, driven, width_m), std::move(terms));
-  const std::vector<RepairLine> lines = chosen_lines(ground, threads, pulse.counter());
-  const std::vector<std::size_t> taken = taken_on(large, ground, threads, out);
+  const std::vector<RepairLine> lines = chosen_lines(ground, context);
+  const std::vector<std::size_t> taken = taken_on(large, ground, context, out);
   out.gaps = static_cast<int>(gaps.size());
   out.taken = static_cast<int>(taken.size());
   out.missed_before_m2 = area(missed);
@@ -191,7 +190,7 @@ RepairPlan repair_plan(const Field& field, const std::vector<Gap>& gaps, const R
   out.plan.overlap = std::move(worked.overlap);
   out.plan.uncovered = std::move(worked.uncovered);
   out.plan.warnings = warnings_about(out.plan);
-  if (pulse.cut_short()) mark_cut_short(out.plan);
+  if (context.cut_short()) mark_cut_short(out.plan);
   out.missed_after_m2 = area(difference(missed, unite(swaths)));
   add_prices(out);
   return out;

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "tramline/planner/candidate.h"
-#include "tramline/planner/progress.h"
 
 namespace tramline {
 

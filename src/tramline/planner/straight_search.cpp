@@ -7,12 +7,13 @@
 
 namespace tramline {
 
-SearchResult straight_search(const SearchTask& task, int threads, const Progress& progress) {
+SearchResult straight_search(const SearchTask& task, const SearchContext& context) {
   assert(task.settings.guide.empty() || task.settings.guide.size() == 2);
   if (area(task.ground.plannable) == 0) return {};
+  context.report();
   if (!task.settings.guide.empty()) return guided_search(task);
   const auto search = task.settings.strategy == Strategy::kSweep ? sweep_search : best_search;
-  return search(task, threads, progress);
+  return search(task, context);
 }
 
 SearchResult guided_search(const SearchTask& task) {

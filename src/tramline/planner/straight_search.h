@@ -1,12 +1,13 @@
 #pragma once
 // Straight tracks: the search of the task's strategy, or tracks along a line that was given.
 
+#include "tramline/planner/search_context.h"
 #include "tramline/planner/search_result.h"
 
 namespace tramline {
 
 /// Precondition: the guide is empty or one straight line.
-SearchResult straight_search(const SearchTask& task, int threads, const Progress& progress);
+SearchResult straight_search(const SearchTask& task, const SearchContext& context);
 
 /// All parts undivided, with strips along the guide: line 0 of the grid lies on it (S2.6).
 SearchResult guided_search(const SearchTask& task);

@@ -8,7 +8,6 @@
 #include "tramline/decomposition/events.h"
 #include "tramline/decomposition/sweep_directions.h"
 #include "tramline/planner/for_each_index.h"
-#include "tramline/planner/pulse.h"
 
 namespace tramline {
 namespace {
@@ -37,21 +36,20 @@ SweptGround swept_ground(const SearchTask& task, Direction sweep) {
 
 }  // namespace
 
-std::vector<SweptGround> swept_grounds(const SearchTask& task, int threads, const Progress& progress) {
+std::vector<SweptGround> swept_grounds(const SearchTask& task, const SearchContext& context) {
   const std::vector<Direction> directions = sweep_directions(task.field);
   std::vector<SweptGround> out(directions.size());
   if (!directions.empty() && !is_cut_anywhere(task)) {
     std::fill(out.begin(), out.end(), swept_ground(task, directions.front()));
-    if (progress) progress(static_cast<int>(out.size()), static_cast<int>(out.size()));
+    context.count(static_cast<int>(out.size()), static_cast<int>(out.size()));
     return out;
   }
   std::mutex mutex;
   int done = 0;
-  const std::vector<bool> made = for_each_index_until_end(directions.size(), threads, [&](std::size_t i) {
+  const std::vector<bool> made = for_each_index_until_end(directions.size(), context, [&](std::size_t i) {
     out[i] = swept_ground(task, directions[i]);
-    if (!progress) return;
     const std::lock_guard lock(mutex);
-    progress(++done, static_cast<int>(directions.size()));
+    context.count(++done, static_cast<int>(directions.size()));
   });
   std::vector<SweptGround> kept;
   for (std::size_t i = 0; i < out.size(); ++i)
@@ -60,7 +58,7 @@ std::vector<SweptGround> swept_grounds(const SearchTask& task, int threads, cons
 }
 
 std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vector<SweptGround>& swept,
-                                        double known, int threads) {
+                                        double known, const SearchContext& context) {
   std::vector<std::size_t> order(swept.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -77,9 +75,9 @@ std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vecto
     std::vector<std::size_t> batch;
     for (std::size_t place = first; place < first + kAtOnce && hopeful(place); ++place)
       batch.push_back(order[place]);
-    if (batch.empty() || (any_works && has_to_end())) break;
+    if (batch.empty() || (any_works && context.has_to_end())) break;
     std::vector<Candidate> candidates(batch.size());
-    for_each_index(batch.size(), threads,
+    for_each_index(batch.size(), context,
                    [&](std::size_t i) { candidates[i] = candidate_on(task, swept[batch[i]].grounds); });
     for (std::size_t i = 0; i < batch.size(); ++i) {
       any_works = any_works || candidates[i].works();
@@ -93,11 +91,11 @@ std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vecto
   return best;
 }
 
-SearchResult sweep_search(const SearchTask& task, int threads, const Progress& progress) {
+SearchResult sweep_search(const SearchTask& task, const SearchContext& context) {
   SearchResult out;
-  out.swept = swept_grounds(task, threads, progress);
+  out.swept = swept_grounds(task, context);
   out.directions_tried = static_cast<int>(out.swept.size());
-  if (auto best = cheapest_swept(task, out.swept, std::numeric_limits<double>::infinity(), threads))
+  if (auto best = cheapest_swept(task, out.swept, std::numeric_limits<double>::infinity(), context))
     out.best = std::move(*best);
   return out;
 }

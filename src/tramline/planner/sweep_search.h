@@ -3,22 +3,23 @@
 
 #include <optional>
 
+#include "tramline/planner/search_context.h"
 #include "tramline/planner/search_result.h"
 
 namespace tramline {
 
-/// S1.19 for every direction, in the order of candidate_directions(). Parallel by `threads` threads (0: all
-/// cores).
-std::vector<SweptGround> swept_grounds(const SearchTask& task, int threads, const Progress& progress);
+/// S1.19 for every direction, in the order of candidate_directions(); those left out
+/// where the search has to end are missing. Counts them.
+std::vector<SweptGround> swept_grounds(const SearchTask& task, const SearchContext& context);
 
 /// The cheapest of them with its detours; among equals that of the smallest sweep direction. Ways past
 /// obstacles are looked for where the outlook leaves hope only, the best outlook first. The result depends
 /// neither on that nor on the number of threads. nullopt where none that works anything costs less than
 /// `known`, nor as little as the task's `no_more_than`.
 std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vector<SweptGround>& swept,
-                                        double known, int threads);
+                                        double known, const SearchContext& context);
 
 /// Both.
-SearchResult sweep_search(const SearchTask& task, int threads, const Progress& progress);
+SearchResult sweep_search(const SearchTask& task, const SearchContext& context);
 
 }  // namespace tramline

@@ -13,7 +13,6 @@
 #include "tramline/planner/for_each_index.h"
 #include "tramline/planner/front_marks.h"
 #include "tramline/planner/headlanded_task.h"
-#include "tramline/planner/pulse.h"
 #include "tramline/planner/straight_search.h"
 #include "tramline/planner/validate_request.h"
 #include "tramline/planner/warnings.h"
@@ -48,17 +47,16 @@ std::vector<Laid> best_of(std::vector<Laid> laid) {
   return out;
 }
 
-std::vector<TradeOff::Search> searches_for(const SearchTask& task, int threads, const Progress& progress) {
+std::vector<TradeOff::Search> searches_for(const SearchTask& task, const SearchContext& context) {
   const std::vector<Objective> prices = prices_to_search(task.objective);
   std::vector<TradeOff::Search> out(prices.size(), {task, {}});
   for (std::size_t i = 0; i < prices.size(); ++i) out[i].task.objective = prices[i];
   std::mutex mutex;
   int done = 0;
-  for_each_index_until_end(prices.size(), threads, [&](std::size_t i) {
-    out[i].found = straight_search(out[i].task, threads, {});
-    if (!progress) return;
+  for_each_index_until_end(prices.size(), context, [&](std::size_t i) {
+    out[i].found = straight_search(out[i].task, context.uncounted());
     const std::lock_guard lock(mutex);
-    progress(++done, static_cast<int>(prices.size()));
+    context.count(++done, static_cast<int>(prices.size()));
   });
   return out;
 }
@@ -66,10 +64,10 @@ std::vector<TradeOff::Search> searches_for(const SearchTask& task, int threads, 
 /// Each plan after the prices of every search but its own: the same tracks may end elsewhere, and pass
 /// obstacles in another way.
 std::vector<Laid> laid_anew(const std::vector<TradeOff::Search>& searches, const std::vector<Laid>& laid,
-                            int threads) {
+                            const SearchContext& context) {
   const std::size_t count = searches.size();
   std::vector<Laid> out(laid.size() * count);
-  for_each_index_until_end(out.size(), threads, [&](std::size_t i) {
+  for_each_index_until_end(out.size(), context, [&](std::size_t i) {
     const TradeOff::Origin& origin = laid[i / count].origin;
     const std::size_t search = i % count;
     if (search == origin.search) return;
@@ -80,9 +78,9 @@ std::vector<Laid> laid_anew(const std::vector<TradeOff::Search>& searches, const
 
 /// With the tallies of tracks and headland passes together, and without what is dominated by these.
 std::vector<Laid> with_headland(const std::vector<TradeOff::Search>& searches, std::vector<Laid> laid,
-                                int threads) {
+                                const SearchContext& context) {
   if (searches.front().task.headland.passes.empty()) return laid;
-  for_each_index(laid.size(), threads, [&](std::size_t i) {
+  for_each_index(laid.size(), context, [&](std::size_t i) {
     const SearchTask& task = searches[laid[i].origin.search].task;
     laid[i].tally = whole_tally_of(task, candidate_on(task, laid[i].origin.grounds));
   });
@@ -136,13 +134,12 @@ std::vector<Objective> prices_to_search(const Objective& given) {
 }
 
 TradeOff trade_off(const Field& field, const Machine& machine, const Objective& prices,
-                   const PlanSettings& settings, int threads, const Progress& given) {
+                   const PlanSettings& settings, int threads, const Progress& progress) {
   validate_request(machine, prices, settings);
   require_straight_tracks(settings);
-  Pulse pulse(given);
-  const Progress progress = pulse.counter();
+  const SearchContext context(threads, progress);
   TradeOff out;
-  out.searches = searches_for(headlanded_task(field, machine, prices, settings, threads), threads, progress);
+  out.searches = searches_for(headlanded_task(field, machine, prices, settings, context), context);
   const TradeOff::Search& first = out.searches.front();
   require_tracks(first.task, first.found.best.avoided.tally);
   if (!first.found.best.works())
@@ -156,12 +153,12 @@ TradeOff trade_off(const Field& field, const Machine& machine, const Objective& 
     if (i > 0) out.searches[i].found.seen.clear();  // the first may have to be explained
   }
   laid = best_of(std::move(laid));
-  for (Laid& plan : laid_anew(out.searches, laid, threads)) laid.push_back(std::move(plan));
-  laid = with_headland(out.searches, best_of(std::move(laid)), threads);
+  for (Laid& plan : laid_anew(out.searches, laid, context)) laid.push_back(std::move(plan));
+  laid = with_headland(out.searches, best_of(std::move(laid)), context);
 
   out.front = front_of(prices, out.searches, laid);
   for (Laid& plan : laid) out.origins.push_back(std::move(plan.origin));
-  out.cut_short = pulse.cut_short();
+  out.cut_short = context.cut_short();
   return out;
 }
 
@@ -170,17 +167,17 @@ Plan plan_of(const TradeOff& trade_off, std::size_t point) {
   const TradeOff::Search& search = trade_off.searches[origin.search];
   SearchResult laid = search.found;
   laid.best = candidate_on(search.task, origin.grounds);
-  return marked(trade_off, finished_plan(search.task, std::move(laid)));
+  return marked(trade_off, finished_plan(search.task, std::move(laid), SearchContext()));
 }
 
 Plan given_plan(const TradeOff& trade_off) {
   const TradeOff::Search& given = trade_off.searches.front();
-  return marked(trade_off, finished_plan(given.task, given.found));
+  return marked(trade_off, finished_plan(given.task, given.found, SearchContext()));
 }
 
 Explanation why_given(const TradeOff& trade_off, int threads) {
   const TradeOff::Search& given = trade_off.searches.front();
-  return explanation_of(given.task, given.found, threads);
+  return explanation_of(given.task, given.found, SearchContext(threads));
 }
 
 }  // namespace tramline

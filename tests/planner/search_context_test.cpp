@@ -1,4 +1,4 @@
-#include "tramline/planner/pulse.h"
+#include "tramline/planner/search_context.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "tramline/check/verify.h"
 #include "tramline/planner/for_each_index.h"
@@ -39,7 +41,7 @@ Field wavy_field() {
 }
 
 // Long after the last direction has been counted a search goes on, and is stopped all the same.
-TEST(Pulse, AProgressThatThrowsEndsASearchWhereverItIs) {
+TEST(SearchContext, AProgressThatThrowsEndsASearchWhereverItIs) {
   const Field field = wavy_field();
   Machine machine;
   machine.width_m = 3;
@@ -61,7 +63,7 @@ TEST(Pulse, AProgressThatThrowsEndsASearchWhereverItIs) {
   }
 }
 
-TEST(Pulse, AComparisonIsStoppedWithinItsFirstSearch) {
+TEST(SearchContext, AComparisonIsStoppedWithinItsFirstSearch) {
   Machine machine;
   machine.width_m = 3;
   int calls = 0;
@@ -74,7 +76,7 @@ TEST(Pulse, AComparisonIsStoppedWithinItsFirstSearch) {
                Stop);
 }
 
-TEST(Pulse, AProgressChangesNoPlan) {
+TEST(SearchContext, AProgressChangesNoPlan) {
   Field field = wavy_field();
   for (Point& p : field.outer) p = 0.2 * p;
   const Plan without = plan_field(field, {}, {}, {});
@@ -127,21 +129,42 @@ TEST(SearchEnd, ComesWithAPlanHoweverSoonItIsWanted) {
   EXPECT_LE(plan_field(field, {}, {}, {}, 0, at_once).proof.bound, whole.cost);
 }
 
-TEST(Pulse, BeatsOnTheThreadsThatWorkForIt) {
+TEST(SearchContext, ReportsFromTheThreadsThatWorkForIt) {
   std::atomic<int> calls = 0;
   const Progress progress = [&](int, int) {
     ++calls;
     return Demand::kGoOn;
   };
-  {
-    const Pulse pulse(progress);
-    for_each_index(4, 2, [](std::size_t) { std::this_thread::sleep_for(std::chrono::milliseconds(30)); });
-  }
+  const SearchContext context(2, progress);
+  for_each_index(4, context, [](std::size_t) { std::this_thread::sleep_for(std::chrono::milliseconds(30)); });
   EXPECT_GE(calls, 2);
   const int before = calls;
-  for_each_index(4, 2, [](std::size_t) {});
-  beat();
-  EXPECT_EQ(calls, before) << "a pulse that is over beats no more";
+  for_each_index(100, context, [](std::size_t) {});
+  EXPECT_LE(calls, before + 1) << "no more than some fifty times a second";
+}
+
+TEST(SearchContext, OfASearchWithinCountsForNobodyAndReportsForAll) {
+  std::vector<std::pair<int, int>> told;
+  const SearchContext context(1, [&](int done, int total) {
+    told.emplace_back(done, total);
+    return Demand::kEnd;
+  });
+  context.count(1, 2);
+  const SearchContext within = context.uncounted().on_one_thread();
+  within.count(7, 8);
+  ASSERT_FALSE(context.cut_short());
+  EXPECT_TRUE(within.has_to_end());
+  EXPECT_TRUE(context.cut_short());
+  EXPECT_EQ(told, (std::vector<std::pair<int, int>>(2, {1, 2})));
+}
+
+TEST(SearchContext, WithoutAProgressGoesOn) {
+  const SearchContext context(3);
+  EXPECT_EQ(context.threads(), 3);
+  context.count(1, 2);
+  context.report();
+  EXPECT_FALSE(context.has_to_end());
+  EXPECT_FALSE(context.cut_short());
 }
 
 }  // namespace
