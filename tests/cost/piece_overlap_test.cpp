@@ -162,5 +162,24 @@ TEST(PieceOverlap, OfACurveMeetsOtherSubfields) {
   EXPECT_NEAR(overlap_by_piece(kField, subfields, {down, away, curved}, kWidth)[2], 4, 1e-9);
 }
 
+// Two subfields along curves that meet at x = 50. The first swath ends 2 m beyond the border: where nobody
+// has been before that is no overlap, but the other subfield's swath comes and loses it.
+TEST(PieceOverlap, OfACurveBeyondItsSubfieldGoesToTheLaterOneToo) {
+  const Region body{{{{0, -2}, {100, -2}, {100, 2}, {0, 2}}, {}}};
+  const Path line = straight_path({-1, 0}, {101, 0});
+  const std::vector<Subfield> subfields{{{{{0, -2}, {50, -2}, {50, 2}, {0, 2}}, {}}, kEast, line},
+                                        {{{{50, -2}, {100, -2}, {100, 2}, {50, 2}}, {}}, kEast, line}};
+  TrackPiece first{{0, 0}, {52, 0}, 0, 0}, second{{50, 0}, {100, 0}, 1, 0};
+  for (TrackPiece* piece : {&first, &second}) piece->curve = straight_path(piece->start, piece->end);
+  first.overlap_m2 = 8;
+  second.overlap_m2 = 0;
+  const std::vector<double> there = overlap_by_piece(body, subfields, {first, second}, kWidth),
+                            back = overlap_by_piece(body, subfields, {second, first}, kWidth);
+  EXPECT_NEAR(there[0], 0, 1e-9);
+  EXPECT_NEAR(there[1], 8, 1e-9);
+  EXPECT_NEAR(back[0], 0, 1e-9);
+  EXPECT_NEAR(back[1], 8, 1e-9);
+}
+
 }  // namespace
 }  // namespace tramline

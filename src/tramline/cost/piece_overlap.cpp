@@ -76,6 +76,14 @@ void append_taken(const DrivenLine& before, const DrivenLine& now, double width_
   }
 }
 
+/// A curved piece without detours has said what of its swath lies outside its own subfield. That is its
+/// overlap where there is no other subfield to work in.
+bool has_its_own_overlap(const TrackPiece& piece, const std::vector<Subfield>& subfields) {
+  constexpr double kNothing_m2 = 1e-9;
+  return !piece.curve.empty() && piece.detours.empty() &&
+         (subfields.size() == 1 || *piece.overlap_m2 < kNothing_m2);
+}
+
 }  // namespace
 
 std::vector<double> overlap_by_piece(const Region& body, const std::vector<Subfield>& subfields,
@@ -92,7 +100,7 @@ std::vector<double> overlap_by_piece(const Region& body, const std::vector<Subfi
     std::vector<Path> taken;
     for (std::size_t i = 0; i + 1 < driven.size(); ++i)
       append_taken(driven[i], driven.back(), width_m, taken);
-    if (!piece.curve.empty() && piece.detours.empty() && taken.empty()) {
+    if (has_its_own_overlap(piece, subfields) && taken.empty()) {
       out.push_back(*piece.overlap_m2);
       continue;
     }
