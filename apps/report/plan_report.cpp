@@ -97,7 +97,7 @@ ordered_json reference_json(const Plan& plan, const Path& reference) {
 void add_map_keys(ordered_json& out, const Plan& plan) {
   const Headland& headland = plan.headland;
   const double radius_m = least_radius_m(plan);
-  out["kind"] = is_curved(plan) ? "curved" : "straight";
+  out["kind"] = kind_of_tracks(plan);
   if (plan.settings.tracks != TrackConstruction::kParallel) out["construction"] = name(plan.settings.tracks);
   const std::optional<Path> common = common_reference(plan);
   out["reference"] = common ? reference_json(plan, *common) : ordered_json();
@@ -132,7 +132,7 @@ std::string line_rows(const Plan& plan) {
   if (lines == 0) return "";
   const std::string edges = lines == 1 ? "an edge of the field" : fmt::format("{} edges of the field", lines);
   return fmt::format("reference    {}, tracks {}{}\n", plan.settings.guide.empty() ? edges : "the line given",
-                     is_curved(plan) ? "curved" : "straight", radius_remark(least_radius_m(plan)));
+                     kind_of_tracks(plan), radius_remark(least_radius_m(plan)));
 }
 
 std::string tally_rows(const Plan& plan) {

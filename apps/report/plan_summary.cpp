@@ -22,7 +22,7 @@ std::string share_text(const Plan& plan, double part_m2) {
   return fmt::format("{:.1f} m² ({:.2f} %)", plain_zero(part_m2), land > 0 ? 100 * part_m2 / land : 0);
 }
 
-std::string counted(std::size_t number, const char* one, const char* several) {
+std::string counted(std::size_t number, std::string_view one, std::string_view several) {
   return fmt::format("{} {}", number, number == 1 ? one : several);
 }
 
@@ -47,13 +47,11 @@ std::vector<Direction> worked_directions(const Plan& plan) {
 /// "74 tracks at 92.53° and 8 headland passes"
 std::string passes_text(const Plan& plan) {
   constexpr std::size_t kShown = 4;
-  const bool curved = is_curved(plan);
+  const std::string kind = is_curved(plan) ? fmt::format("{} ", kind_of_tracks(plan)) : "";
   std::string out;
   if (!plan.pieces.empty())
-    out = fmt::format(
-        "{} at {}",
-        counted(plan.pieces.size(), curved ? "curved track" : "track", curved ? "curved tracks" : "tracks"),
-        directions_text(worked_directions(plan), kShown));
+    out = fmt::format("{} at {}", counted(plan.pieces.size(), kind + "track", kind + "tracks"),
+                      directions_text(worked_directions(plan), kShown));
   const std::size_t round = plan.headland.passes.size();
   if (round == 0) return out;
   return out + (out.empty() ? "" : " and ") + counted(round, "headland pass", "headland passes");

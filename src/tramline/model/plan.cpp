@@ -118,6 +118,20 @@ bool is_curved(const Plan& plan) {
                      [](const TrackPiece& piece) { return !piece.curve.empty(); });
 }
 
+std::vector<int> curved_tracks_by_subfield(const Plan& plan) {
+  std::vector<int> out(plan.subfields.size(), 0);
+  for (const TrackPiece& piece : plan.pieces)
+    if (!piece.curve.empty()) ++out[static_cast<std::size_t>(piece.subfield)];
+  return out;
+}
+
+const char* kind_of_tracks(const Plan& plan) {
+  if (!is_curved(plan)) return "straight";
+  const bool all = std::none_of(plan.pieces.begin(), plan.pieces.end(),
+                                [](const TrackPiece& piece) { return piece.curve.empty(); });
+  return all ? "curved" : "straight and curved";
+}
+
 std::vector<Path> references(const Plan& plan) {
   std::vector<Path> out;
   for (const Subfield& subfield : plan.subfields)

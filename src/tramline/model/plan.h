@@ -154,6 +154,12 @@ inline bool is_repair(const Plan& plan) { return !plan.worked.empty(); }
 /// Does any track follow a curve?
 bool is_curved(const Plan& plan);
 
+/// How many tracks follow a curve, by subfield. Precondition: every piece belongs to a subfield.
+std::vector<int> curved_tracks_by_subfield(const Plan& plan);
+
+/// "straight", "curved" or, where there are both, "straight and curved".
+const char* kind_of_tracks(const Plan& plan);
+
 /// The lines that tracks follow, each once, in the order of the subfields. O(subfields²).
 std::vector<Path> references(const Plan& plan);
 

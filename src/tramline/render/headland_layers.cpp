@@ -43,18 +43,34 @@ void draw_headland_passes(Canvas& canvas, const Plan& plan, const Box& seen) {
   }
 }
 
+namespace {
+
+/// Of what is seen, where tracks follow the line.
+Box followed_in(const Plan& plan, const Path& reference, const Box& seen) {
+  Box box;
+  for (const Subfield& subfield : plan.subfields)
+    if (subfield.reference == reference) box.extend(bounds(subfield.shape));
+  return {std::max(box.min_x, seen.min_x), std::max(box.min_y, seen.min_y), std::min(box.max_x, seen.max_x),
+          std::min(box.max_y, seen.max_y)};
+}
+
+}  // namespace
+
 void draw_references(Canvas& canvas, const Plan& plan, const Box& seen) {
   const double k = canvas.scale();
-  const Point low = canvas.view().to_page({seen.min_x, seen.max_y});
-  const Point high = canvas.view().to_page({seen.max_x, seen.min_y});
-  cairo_save(canvas.cr());
-  // The line is as long as any track could need it, and no part of the field.
-  clip_to(canvas, Box{low.x, low.y, high.x, high.y}.grown(kReferenceBeyond * k));
-  for (const Path& reference : references(plan)) {
+  const std::vector<Path> lines = references(plan);
+  for (const Path& reference : lines) {
+    // The line is as long as any track could need it, and no part of the field.
+    const Box box = lines.size() == 1 ? seen : followed_in(plan, reference, seen);
+    if (box.empty()) continue;
+    const Point low = canvas.view().to_page({box.min_x, box.max_y});
+    const Point high = canvas.view().to_page({box.max_x, box.min_y});
+    cairo_save(canvas.cr());
+    clip_to(canvas, Box{low.x, low.y, high.x, high.y}.grown(kReferenceBeyond * k));
     curve(canvas, reference, {kReferenceRim, (kReferenceLine + 2 * kDetourRimWidth) * k});
     curve(canvas, reference, {kReferenceColour, kReferenceLine * k, reference_dashes(k)});
+    cairo_restore(canvas.cr());
   }
-  cairo_restore(canvas.cr());
 }
 
 std::vector<double> reference_dashes(double scale) { return {12 * scale, 3 * scale, 2 * scale, 3 * scale}; }

@@ -131,13 +131,14 @@ std::vector<TrackLabel> place_track_labels(const Plan& plan, const MapView& view
 void draw_badges(Canvas& canvas, const Plan& plan, const std::vector<SubfieldBadge>& badges) {
   const double k = canvas.scale();
   const double r = kTrackBadgeRadius * k;
-  const bool curved = is_curved(plan);
+  const std::vector<int> curved = curved_tracks_by_subfield(plan);
   for (const SubfieldBadge& badge : badges) {
     const Point axis = plan.subfields[static_cast<std::size_t>(badge.subfield)].direction.unit();
     const Point along{axis.x, -axis.y};
     const double reach = std::min(0.5 * kLongestArrow * k, badge.room_px);
     // A straight arrow would cross tracks that bend.
-    const bool arrow = std::isfinite(along.x) && reach > 2 * r && !curved;
+    const bool arrow =
+        std::isfinite(along.x) && reach > 2 * r && curved[static_cast<std::size_t>(badge.subfield)] == 0;
     if (arrow) {
       const Point a = badge.centre - reach * along;
       const Point b = badge.centre + reach * along;

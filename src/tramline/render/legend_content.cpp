@@ -102,7 +102,7 @@ LegendBlock numbers(const Plan& plan) {
   if (!plan.pieces.empty()) {
     add("tracks", std::to_string(tally.pieces));
     if (is_curved(plan)) {
-      add("kind of tracks", "curved");
+      add("kind of tracks", kind_of_tracks(plan));
       add("smallest radius", radius_text(plan));
     }
     add("track length", length_text(tally.track_length_m));
@@ -121,12 +121,13 @@ LegendBlock numbers(const Plan& plan) {
 LegendBlock directions(const Plan& plan) {
   LegendBlock block{plan.subfields.size() == 1 ? "Direction" : "Subfields", {}};
   // Curved tracks have a direction as a whole only.
-  const char* const about = is_curved(plan) ? "about " : "";
+  const std::vector<int> curved = curved_tracks_by_subfield(plan);
   const std::size_t n = plan.subfields.size();
   const std::size_t shown = n > kMostSubfieldRows ? kMostSubfieldRows - 1 : n;
   for (std::size_t i = 0; i < shown; ++i) {
     const Subfield& subfield = plan.subfields[i];
     const double degrees = subfield.direction.degrees();
+    const char* const about = curved[i] > 0 ? "about " : "";
     block.rows.push_back({Symbol::kSubfield, static_cast<int>(i),
                           std::isfinite(degrees) ? fmt::format("{}{:.1f}° from north", about, degrees)
                                                  : std::string("no direction"),
