@@ -7,6 +7,7 @@
 
 #include "tramline/avoidance/detour_decisions.h"
 #include "tramline/planner/candidate.h"
+#include "tramline/planner/prepare_field.h"
 #include "tramline/planner/sweep_search.h"
 
 namespace tramline::bench {
@@ -42,7 +43,9 @@ void one_decision_at_a_pole(benchmark::State& state) {
   Field field;
   field.outer = {{0, 0}, {400, 0}, {400, 300}, {0, 300}};
   field.obstacles = {{{pole({200, 154.2}, 1, 16), {}}, ObstacleKind::kObstacle, "hole"}};
-  const SearchTask task = search_task(field, {}, {}, {});
+  const PlanningProblem problem{field, {}, {}, {}};
+  const PreparedField prepared = field_without_headlands(problem);
+  const SearchTask task(problem, prepared);
   const Candidate candidate =
       candidate_on(task, swept(task, Direction::clockwise_from_north(Angle::degrees(90))));
   const TrackFamily& family = candidate.families.front();
@@ -72,7 +75,9 @@ BENCHMARK(one_decision_at_a_pole)->Unit(benchmark::kMicrosecond);
 
 /// All meetings of tracks with the pylons, for one direction of the tracks: options, areas, choice.
 void decisions_at_pylons(benchmark::State& state) {
-  const SearchTask task = search_task(pylon_field(), {}, {}, {});
+  const PlanningProblem problem{pylon_field(), {}, {}, {}};
+  const PreparedField prepared = field_without_headlands(problem);
+  const SearchTask task(problem, prepared);
   const Direction sweep = Direction::clockwise_from_north(Angle::degrees(90));
   const Candidate candidate = candidate_on(task, swept(task, sweep));
   const AvoidanceTask avoidance{task.field,    task.ground,         task.machine,       task.objective,
@@ -95,7 +100,9 @@ void sweep_of_pylon_field(benchmark::State& state) {
   PlanSettings settings;
   settings.strategy = Strategy::kSweep;
   settings.avoid = static_cast<Avoidance>(state.range(0));
-  const SearchTask task = search_task(pylon_field(), {}, {}, settings);
+  const PlanningProblem problem{pylon_field(), {}, {}, settings};
+  const PreparedField prepared = field_without_headlands(problem);
+  const SearchTask task(problem, prepared);
   int directions = 0;
   for (auto _ : state) directions = sweep_search(task, SearchContext(1)).directions_tried;
   state.SetLabel(name(settings.avoid));

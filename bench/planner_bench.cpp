@@ -10,6 +10,7 @@
 #include "tramline/decomposition/decompose.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/planner/plan_field.h"
+#include "tramline/planner/prepare_field.h"
 #include "tramline/planner/sweep_search.h"
 
 namespace tramline::bench {
@@ -34,7 +35,9 @@ void count_directions(benchmark::State& state, int directions) {
 
 /// S1's whole search on one core; its aim is 20 ms, S1 took 84.34 s for as many directions.
 void sweep_of_papers_field(benchmark::State& state) {
-  const SearchTask task = search_task(papers_field(), {}, kFewestTurns, papers_settings());
+  const PlanningProblem problem{papers_field(), {}, kFewestTurns, papers_settings()};
+  const PreparedField prepared = field_without_headlands(problem);
+  const SearchTask task(problem, prepared);
   int directions = 0;
   for (auto _ : state) directions = sweep_search(task, SearchContext(1)).directions_tried;
   count_directions(state, directions);
@@ -44,7 +47,9 @@ BENCHMARK(sweep_of_papers_field)->Unit(benchmark::kMillisecond);
 void sweep_of_papers_field_in_convex_cells(benchmark::State& state) {
   PlanSettings settings = papers_settings();
   settings.decomposition_threshold = Angle::degrees(180);
-  const SearchTask task = search_task(papers_field(), {}, kFewestTurns, settings);
+  const PlanningProblem problem{papers_field(), {}, kFewestTurns, settings};
+  const PreparedField prepared = field_without_headlands(problem);
+  const SearchTask task(problem, prepared);
   int directions = 0;
   for (auto _ : state) directions = sweep_search(task, SearchContext(1)).directions_tried;
   count_directions(state, directions);
@@ -52,7 +57,9 @@ void sweep_of_papers_field_in_convex_cells(benchmark::State& state) {
 BENCHMARK(sweep_of_papers_field_in_convex_cells)->Unit(benchmark::kMillisecond);
 
 void sweep_of_large_field(benchmark::State& state) {
-  const SearchTask task = search_task(large_field(1300, 19), {}, kFewestTurns, papers_settings());
+  const PlanningProblem problem{large_field(1300, 19), {}, kFewestTurns, papers_settings()};
+  const PreparedField prepared = field_without_headlands(problem);
+  const SearchTask task(problem, prepared);
   int directions = 0;
   for (auto _ : state) directions = sweep_search(task, SearchContext(1)).directions_tried;
   count_directions(state, directions);
@@ -66,7 +73,9 @@ void whole_plan_of_papers_field(benchmark::State& state) {
 BENCHMARK(whole_plan_of_papers_field)->Unit(benchmark::kMillisecond);
 
 void decomposition_of_one_direction(benchmark::State& state) {
-  const SearchTask task = search_task(papers_field(), {}, kFewestTurns, papers_settings());
+  const PlanningProblem problem{papers_field(), {}, kFewestTurns, papers_settings()};
+  const PreparedField prepared = field_without_headlands(problem);
+  const SearchTask task(problem, prepared);
   const Direction sweep = candidate_directions(task.field).front();
   for (auto _ : state) benchmark::DoNotOptimize(decompose(task.ground.plannable, sweep, task.settings));
 }
@@ -89,7 +98,9 @@ void tally_of_one_direction(benchmark::State& state) {
 BENCHMARK(tally_of_one_direction)->Arg(0)->Arg(8)->Unit(benchmark::kMicrosecond);
 
 void closed_form_tally_of_one_candidate(benchmark::State& state) {
-  const SearchTask task = search_task(papers_field(), {}, kFewestTurns, papers_settings());
+  const PlanningProblem problem{papers_field(), {}, kFewestTurns, papers_settings()};
+  const PreparedField prepared = field_without_headlands(problem);
+  const SearchTask task(problem, prepared);
   const Candidate candidate = candidate_on(task, swept(task, candidate_directions(task.field).front()));
   for (auto _ : state)
     benchmark::DoNotOptimize(tally_of(candidate.subfields, candidate.avoided.tracks, task.body_m2));

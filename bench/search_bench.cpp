@@ -6,6 +6,7 @@
 #include "tramline/geometry/boolean.h"
 #include "tramline/planner/best_search.h"
 #include "tramline/planner/grid_search.h"
+#include "tramline/planner/prepare_field.h"
 
 namespace tramline::bench {
 namespace {
@@ -86,7 +87,9 @@ BENCHMARK(bound_of_a_box)->RangeMultiplier(2)->Range(50, 1600)->Complexity()->Un
 void best(benchmark::State& state, const Field& field, double width_m) {
   Machine machine;
   machine.width_m = width_m;
-  const SearchTask task = search_task(field, machine, {}, {});
+  const PlanningProblem problem{field, machine, {}, {}};
+  const PreparedField prepared = field_without_headlands(problem);
+  const SearchTask task(problem, prepared);
   SearchResult result;
   for (auto _ : state) result = best_search(task, SearchContext(1));
   state.counters["looked_at"] = result.directions_tried;

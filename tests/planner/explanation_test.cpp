@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "planner/prepared.h"
 #include "support/refusals.h"
 #include "tramline/geometry/region.h"
 #include "tramline/planner/plan_field.h"
@@ -44,13 +45,13 @@ std::vector<LinedSubfield> driven(double degrees, double origin_m = 0) {
 
 /// A search that has found the rectangle driven east, at no cost but nineteen turns.
 struct Search {
-  SearchTask task = search_task(rectangle(), {}, {}, {});
-  SearchResult found{candidate_on(task, driven(90)), 0, {}, {}, {}, {}, {}};
+  testing::Prepared prepared{{rectangle(), {}, {}, {}}};
+  SearchResult found{candidate_on(prepared.task(), driven(90)), 0, {}, {}, {}, {}, {}};
 
   void see(const std::vector<LinedSubfield>& grounds) {
-    found.seen.push_back(seen_plan(candidate_on(task, grounds)));
+    found.seen.push_back(seen_plan(candidate_on(prepared.task(), grounds)));
   }
-  Explanation explanation() const { return explanation_of(task, found, SearchContext(1)); }
+  Explanation explanation() const { return explanation_of(prepared.task(), found, SearchContext(1)); }
 };
 
 // Driven north the last of 34 strips has 1 of 3 m on the field: 2 × 60 m² of overlap, and fourteen turns
@@ -86,8 +87,8 @@ TEST(Explanation, PlansOnTheShortlistsAreLaidOut) {
   expect_driven_north(shortlisted.explanation().runner_ups[0]);
 
   Search swept;
-  swept.found.swept = {{driven(90), outlook_on(swept.task, driven(90))},
-                       {driven(0), outlook_on(swept.task, driven(0))}};
+  swept.found.swept = {{driven(90), outlook_on(swept.prepared.task(), driven(90))},
+                       {driven(0), outlook_on(swept.prepared.task(), driven(0))}};
   ASSERT_EQ(swept.explanation().runner_ups.size(), 1U);
   expect_driven_north(swept.explanation().runner_ups[0]);
 }
@@ -121,9 +122,10 @@ TEST(Explanation, AnotherNumberOfSubfieldsIsAnotherPlan) {
 // 59 m of the lower one take 20 more from one end of it.
 TEST(Explanation, SaysWhatTheLongestSideWouldCost) {
   Search search;
-  search.task = search_task(l_shape(), {}, {}, {});
-  search.found.best = candidate_on(
-      search.task, {{{{l_shape().outer, {}}, Direction::clockwise_from_north(Angle::degrees(90))}, 0}});
+  search.prepared = {{l_shape(), {}, {}, {}}};
+  search.found.best =
+      candidate_on(search.prepared.task(),
+                   {{{{l_shape().outer, {}}, Direction::clockwise_from_north(Angle::degrees(90))}, 0}});
   const Explanation out = search.explanation();
   ASSERT_EQ(out.longest_side.directions.size(), 1U);
   EXPECT_NEAR(out.longest_side.directions[0].degrees(), 0, 1e-9);

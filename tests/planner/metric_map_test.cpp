@@ -7,12 +7,13 @@
 #include <numbers>
 #include <set>
 
+#include "planner/prepared.h"
 #include "support/refusals.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
 #include "tramline/planner/curved_candidate.h"
-#include "tramline/planner/headlanded_task.h"
 #include "tramline/planner/plan_field.h"
+#include "tramline/planner/prepare_field.h"
 
 namespace tramline {
 namespace {
@@ -276,10 +277,11 @@ TEST(MetricMap, LandGivenUpInAHeadlandIsNoObstacle) {
   PlanSettings settings;
   settings.headlands = 1;
   const Field field = field_of(box(0, 0, 100, 60), {box(2, 20, 12, 40)});
-  const SearchTask task = headlanded_task(field, {"", 6, 6, 0}, {}, settings, SearchContext(1));
-  EXPECT_NEAR(area(task.ground.hard), 200, 1e-6);
-  EXPECT_NEAR(area(task.ground.beyond), 40, 1e-6);
-  EXPECT_NEAR(area(task.ground.given_up), 0, 1e-6);
+  const PlanningProblem problem = planning_problem(field, {"", 6, 6, 0}, {}, settings);
+  const SortedGround ground = prepare_field(problem, SearchContext(1)).value().ground;
+  EXPECT_NEAR(area(ground.hard), 200, 1e-6);
+  EXPECT_NEAR(area(ground.beyond), 40, 1e-6);
+  EXPECT_NEAR(area(ground.given_up), 0, 1e-6);
 }
 
 /// Round so small a part of the ground no curve is wide enough for the machine.
@@ -287,7 +289,8 @@ TEST(MetricMap, a_line_all_round_that_smoothing_leaves_nothing_of_is_refused) {
   const Machine machine{"", 12, 6, 0};
   PlanSettings settings;
   settings.shape = TrackShape::kCurved;
-  const SearchTask task = search_task(field_of(box(0, 0, 100, 100)), machine, {}, settings);
+  const testing::Prepared prepared{{field_of(box(0, 0, 100, 100)), machine, {}, settings}};
+  const SearchTask task = prepared.task();
   const std::vector<Point> round{{20.000, 24.6690}, {18.307, 18.9730}, {12.523, 20.7820}, {12.495, 24.2460},
                                  {12.456, 30.3060}, {21.870, 30.3660}, {20.0003, 24.6700}};
   EXPECT_REFUSED(reference_along(task, round, 6));

@@ -7,6 +7,7 @@
 #include <optional>
 #include <random>
 
+#include "planner/prepared.h"
 #include "properties/random_field.h"
 #include "properties/seeds.h"
 #include "tramline/cost/best_offset.h"
@@ -22,11 +23,10 @@ double between(std::mt19937_64& random, double a, double b) {
   return std::uniform_real_distribution<double>(a, b)(random);
 }
 
-SearchTask task_of(const Field& field, double width_m, const Objective& objective,
-                   const PlanSettings& settings = {}) {
+testing::Prepared prepared(const Field& field, double width_m, const Objective& objective) {
   Machine machine;
   machine.width_m = width_m;
-  return search_task(field, machine, objective, settings);
+  return {{field, machine, objective, {}}};
 }
 
 /// nullopt where no track fits.
@@ -56,7 +56,8 @@ TEST(BestSearchProperties, NoGridCostsLessThanTheBound) {
     Objective objective{between(random, 0, 1), between(random, 0, 1), between(random, 0, 3), 5};
     // As under S1's scenarios.
     if (random() % 4 == 0) (random() % 2 == 0 ? objective.overlap : objective.uncovered) = 99999;
-    const SearchTask task = task_of(field, width_m, objective);
+    const testing::Prepared whole = prepared(field, width_m, objective);
+    const SearchTask task = whole.task();
     if (task.ground.plannable.size() != 1) return;
     SearchEffort effort;
     effort.most_boxes = 1000;
@@ -91,7 +92,8 @@ TEST(BestSearchProperties, BruteForceFindsNothingBetterThanTheGapAllows) {
   testing::for_each_seed(2, [](std::mt19937_64& random, int) {
     const Field field = testing::random_field(random, 0);
     const double width_m = between(random, 5, 12);
-    const SearchTask task = task_of(field, width_m, Objective{});
+    const testing::Prepared whole = prepared(field, width_m, Objective{});
+    const SearchTask task = whole.task();
     const GridTerms terms{width_m, min_length_m(task.machine),
                           end_criterion(task.settings.end_rule, task.objective, width_m)};
     const GridSearchResult found = search_grids(task, task.ground.plannable.front(), {}, SearchContext(1));

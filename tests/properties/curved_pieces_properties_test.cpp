@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "planner/prepared.h"
 #include "properties/random_field.h"
 #include "properties/seeds.h"
 #include "tramline/cost/strip_tally.h"
@@ -237,7 +238,8 @@ TEST(CurvedPiecesProperties, AreGivenUpOnlyWhereTheyCostMore) {
                            uniform(random, 0, 5)};
     PlanSettings settings;
     settings.end_rule = static_cast<EndRule>(any_of(random, 0, 3));
-    const SearchTask task = search_task(field, {"", uniform(random, 2, 8), 6, -1}, prices, settings);
+    const testing::Prepared prepared{{field, {"", uniform(random, 2, 8), 6, -1}, prices, settings}};
+    const SearchTask task = prepared.task();
     const Polygon& part = task.ground.plannable.front();
     const CurvedGround ground = curved_ground(task, part);
     std::vector<Point> line(field.outer.begin(), field.outer.begin() + 3);

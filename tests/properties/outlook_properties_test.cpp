@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "planner/prepared.h"
 #include "properties/random_field.h"
 #include "properties/random_scene.h"
 #include "properties/seeds.h"
@@ -90,7 +91,8 @@ TEST(OutlookProperties, NoCandidateCostsLessThanItsOutlookAndTheCheapestIsFound)
     testing::SeededRandom random(i);
     try {
       const Scene scene = scene_of(random);
-      look_at(search_task(scene.field, scene.machine, scene.objective, scene.settings), seen);
+      const testing::Prepared prepared{{scene.field, scene.machine, scene.objective, scene.settings}};
+      look_at(prepared.task(), seen);
     } catch (const Error& error) {
       // A scene without land left is none.
       EXPECT_NE(std::string(error.what()).find("cover the whole field"), std::string::npos) << error.what();
@@ -109,7 +111,8 @@ TEST(Outlook, CountsTheTracksThatAPondCuts) {
   Field field;
   field.outer = {{0, 0}, {300, 0}, {300, 200}, {0, 200}};
   field.obstacles = {{{{{100, 50}, {200, 50}, {200, 150}, {100, 150}}, {}}, ObstacleKind::kObstacle, "pond"}};
-  const SearchTask task = search_task(field, {"", 6, 6, -1}, {}, {});
+  const testing::Prepared prepared{{field, {"", 6, 6, -1}, {}, {}}};
+  const SearchTask task = prepared.task();
   const Subfield whole{task.ground.plannable.front(), Direction::clockwise_from_north(Angle::degrees(0))};
   const Outlook outlook = outlook_on(task, {{whole, 0}});
   EXPECT_GE(outlook.least, 16 * (2 * 5 + 0.45));

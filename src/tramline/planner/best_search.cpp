@@ -62,8 +62,8 @@ struct PartResult {
 
 class BestSearch {
  public:
-  BestSearch(const SearchTask& task, const SearchContext& context)
-      : task_(task), context_(context), swept_(swept_grounds(task, context)) {}
+  BestSearch(const SearchTask& task, const SearchContext& context, double no_more_than)
+      : task_(task), context_(context), no_more_than_(no_more_than), swept_(swept_grounds(task, context)) {}
 
   SearchResult run() {
     search_parts();
@@ -85,7 +85,8 @@ class BestSearch {
     const std::size_t cells = hopeful_sweep().grounds.size();
     if (cells > task_.ground.plannable.size() && cells <= kMostRegridded)
       try_plan(regridded(hopeful_sweep().grounds));
-    const double known = best_.works() ? best_.cost() : std::numeric_limits<double>::infinity();
+    const double known =
+        best_.works() ? std::min(best_.cost(), just_above(no_more_than_)) : just_above(no_more_than_);
     if (std::optional<Candidate> sweep = cheapest_swept(task_, swept_, known, context_)) {
       if (sweep->subfields.size() == task_.ground.plannable.size()) see_undivided(*sweep);
       keep(std::move(*sweep));
@@ -278,6 +279,7 @@ class BestSearch {
 
   const SearchTask& task_;
   SearchContext context_;
+  double no_more_than_;
   std::vector<SweptGround> swept_;
   SearchResult out_;
   Candidate best_;
@@ -303,8 +305,8 @@ double least_cost_of_any_plan(const SearchTask& task) {
   return price.uncovered * given_up_m2 + std::min(by_tracks, price.uncovered * ground_m2);
 }
 
-SearchResult best_search(const SearchTask& task, const SearchContext& context) {
-  return BestSearch(task, context).run();
+SearchResult best_search(const SearchTask& task, const SearchContext& context, double no_more_than) {
+  return BestSearch(task, context, no_more_than).run();
 }
 
 }  // namespace tramline

@@ -1,15 +1,11 @@
 #include "tramline/planner/candidate.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "tramline/avoidance/least_with_detours.h"
 #include "tramline/cost/strip_tally.h"
 #include "tramline/decomposition/decompose.h"
-#include "tramline/geometry/error.h"
 #include "tramline/planner/parallel_tracks.h"
 #include "tramline/planner/turned_ground.h"
 #include "tramline/tracks/end_rule.h"
@@ -56,37 +52,7 @@ Candidate laid_on(const SearchTask& task, const std::vector<LinedSubfield>& grou
   return out;
 }
 
-/// More tracks than this no field has; the search would never end.
-void require_feasible_size(const Field& field, const Machine& machine) {
-  constexpr double kMostTracks = 1e5;
-  const Box box = bounds(field.outer);
-  const double across = std::hypot(box.width(), box.height());
-  if (across > kMostTracks * machine.width_m)
-    throw bad_input(
-        fmt::format("field '{}' is {:.0f} m across, which would take more than {:.0f} tracks of {} m: check "
-                    "the coordinates and "
-                    "--width",
-                    field.id, across, kMostTracks, machine.width_m));
-}
-
 }  // namespace
-
-SearchTask search_task(const Field& field, const Machine& machine, const Objective& objective,
-                       const PlanSettings& settings) {
-  require_feasible_size(field, machine);
-  SearchTask task{field,
-                  machine,
-                  objective,
-                  settings,
-                  sort_obstacles(field, machine.width_m, settings.clearance_m),
-                  0,
-                  0,
-                  {},
-                  std::numeric_limits<double>::infinity()};
-  task.body_m2 = area(task.ground.body);
-  task.short_edge_m = settings.short_edge_m;
-  return task;
-}
 
 TrackFamily tracks_on(const SearchTask& task, const LinedSubfield& ground) {
   if (!ground.subfield.reference.empty())

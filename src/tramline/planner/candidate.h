@@ -1,29 +1,13 @@
 #pragma once
 // One candidate of the search: a decomposition with its tracks and what it costs.
 
-#include <limits>
 #include <optional>
 
 #include "tramline/avoidance/choose_detours.h"
-#include "tramline/avoidance/ground.h"
-#include "tramline/model/plan.h"
+#include "tramline/planner/search_task.h"
 #include "tramline/tracks/laid_pieces.h"
 
 namespace tramline {
-
-/// What every candidate of one search shares.
-struct SearchTask {
-  Field field;
-  Machine machine;
-  Objective objective;
-  PlanSettings settings;
-  SortedGround ground;
-  double body_m2 = 0;
-  double short_edge_m = 0;  ///< corners between edges that are both shorter split nothing
-  Headland headland;
-  /// What there is already: of dearer plans nobody asks which is the cheapest.
-  double no_more_than = std::numeric_limits<double>::infinity();
-};
 
 struct Candidate {
   std::vector<Subfield> subfields;
@@ -35,9 +19,6 @@ struct Candidate {
   double cost() const { return avoided.cost; }
   bool works() const { return avoided.tally.pieces > 0; }
 };
-
-SearchTask search_task(const Field& field, const Machine& machine, const Objective& objective,
-                       const PlanSettings& settings);
 
 /// A subfield with the lines that its tracks lie along: the parallels of its reference or, where it has none,
 /// the strips of a grid.

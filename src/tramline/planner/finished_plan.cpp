@@ -45,15 +45,9 @@ void add_guide(const std::vector<Point>& guide, std::vector<Subfield>& subfields
     if (subfield.reference.empty()) subfield.reference = straight_path(guide.front(), guide.back());
 }
 
-/// Is there ground to work without the clearance, and none with it?
-bool clearance_takes_all(const SearchTask& task) {
-  return task.settings.clearance_m > 0 && area(task.ground.plannable) == 0 &&
-         area(sort_obstacles(task.field, task.machine.width_m).plannable) > 0;
-}
-
 Error no_tracks(const SearchTask& task) {
   const double clearance_m = task.settings.clearance_m;
-  if (clearance_takes_all(task))
+  if (task.clearance_takes_all)
     return bad_input(
         fmt::format("no track fits into field '{}' of {:.0f} m²: the clearance of {} m from obstacles leaves "
                     "no ground to work; use a smaller --clearance",

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cassert>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -11,10 +10,9 @@
 #include "tramline/planner/best_curved.h"
 #include "tramline/planner/curved_candidate.h"
 #include "tramline/planner/finished_plan.h"
-#include "tramline/planner/headlanded_task.h"
+#include "tramline/planner/prepare_field.h"
 #include "tramline/planner/recursive_plan.h"
 #include "tramline/planner/straight_search.h"
-#include "tramline/planner/validate_request.h"
 #include "tramline/planner/warnings.h"
 #include "tramline/planner/whole_figures.h"
 
@@ -54,26 +52,6 @@ std::optional<Candidate> along_best_edge(const SearchTask& task, const SearchCon
   return std::nullopt;
 }
 
-/// The best family of curved tracks, with what it was looked for on.
-struct CurvedChoice {
-  SearchTask task;
-  Candidate candidate;
-};
-
-/// nullopt where no edge is curved, or headlands round all obstacles leave nothing.
-std::optional<CurvedChoice> curved_choice(const Field& field, const Machine& machine,
-                                          const Objective& objective, const PlanSettings& settings,
-                                          const SearchContext& context) {
-  try {
-    SearchTask task = headlanded_task(field, machine, objective, settings, context);
-    if (std::optional<Candidate> best = along_best_edge(task, context))
-      return CurvedChoice{std::move(task), std::move(*best)};
-  } catch (const Error& error) {
-    if (error.kind() != ErrorKind::kBadInput) throw;
-  }
-  return std::nullopt;
-}
-
 enum class Explain { kNo, kYes };
 
 /// Of a candidate that stands by itself.
@@ -93,52 +71,64 @@ ExplainedPlan straight_plan(const SearchTask& task, SearchResult found, const Se
   return out;
 }
 
+/// The problem with tracks of this shape. S2's own construction is for curved ones.
+PlanningProblem with_shape(PlanningProblem problem, TrackShape shape) {
+  problem.settings.shape = shape;
+  if (shape == TrackShape::kStraight) problem.settings.tracks = TrackConstruction::kParallel;
+  return problem;
+}
+
 /// The straight plan, or the curved one where that costs less. Which obstacles have headlands is settled for
 /// either by itself. The curved one comes first, being sooner found: what costs more is then soon told. To
 /// explain a straight plan that has to be told as well.
-ExplainedPlan cheaper_shape(const Field& field, const Machine& machine, const Objective& objective,
-                            PlanSettings settings, const SearchContext& context, Explain explain) {
-  settings.shape = TrackShape::kCurved;
-  const std::optional<CurvedChoice> curved = curved_choice(field, machine, objective, settings, context);
-  settings.shape = TrackShape::kStraight;
-  settings.tracks = TrackConstruction::kParallel;
-  SearchTask task = headlanded_task(field, machine, objective, settings, context);
-  const double curved_cost =
-      curved ? whole_cost(curved->task, curved->candidate) : std::numeric_limits<double>::infinity();
-  if (explain == Explain::kNo) task.no_more_than = curved_cost - least_by_headland(task);
-  SearchResult straight = straight_search(task, context);
+ExplainedPlan cheaper_shape(const PlanningProblem& problem, const SearchContext& context, Explain explain) {
+  const PlanningProblem curved = with_shape(problem, TrackShape::kCurved);
+  const PlanningProblem straight = with_shape(problem, TrackShape::kStraight);
+  const std::optional<PreparedField> for_curves = prepare_field(curved, context);
+  std::optional<Candidate> along_edge;
+  if (for_curves) along_edge = along_best_edge(SearchTask(curved, *for_curves), context);
+  const double curved_cost = along_edge ? whole_cost(SearchTask(curved, *for_curves), *along_edge) : kAnyCost;
+
+  const bool shared = settings_decide_headlands(straight);
+  const std::optional<PreparedField> own = shared ? std::nullopt : prepare_field(straight, context);
+  const std::optional<PreparedField>& for_straight = shared ? for_curves : own;
+  if (!for_straight) throw no_room(problem);
+  const SearchTask task(straight, *for_straight);
+  const double no_more_than = explain == Explain::kYes ? kAnyCost : curved_cost - least_by_headland(task);
+  SearchResult found = straight_search(task, context, no_more_than);
   const bool stays_straight =
-      !curved || (straight.best.works() && whole_cost(task, straight.best) <= curved_cost);
-  ExplainedPlan out = stays_straight
-                          ? straight_plan(task, std::move(straight), context, explain)
-                          : ExplainedPlan{plan_of(curved->task, curved->candidate, context), std::nullopt};
+      !along_edge || (found.best.works() && whole_cost(task, found.best) <= curved_cost);
+  ExplainedPlan out;
+  if (stays_straight)
+    out = straight_plan(task, std::move(found), context, explain);
+  else
+    out.plan = plan_of(SearchTask(curved, *for_curves), std::move(*along_edge), context);
   out.plan.settings.shape = TrackShape::kAuto;
   return out;
 }
 
-ExplainedPlan searched(const Field& field, const Machine& machine, const Objective& objective,
-                       const PlanSettings& settings, const SearchContext& context, Explain explain) {
+ExplainedPlan searched(const PlanningProblem& problem, const SearchContext& context, Explain explain) {
+  const PlanSettings& settings = problem.settings;
   if (as_in_the_paper(settings) && settings.shape == TrackShape::kStraight && settings.guide.empty())
     throw bad_input(
         "tracks as in the paper follow a line: with --tracks paper give --ab, --guide or --curved");
-  if (as_in_the_paper(settings)) require_paper_ground(field, settings);
-  if (settings.shape == TrackShape::kAuto)
-    return cheaper_shape(field, machine, objective, settings, context, explain);
-  const SearchTask task = headlanded_task(field, machine, objective, settings, context);
+  if (as_in_the_paper(settings)) require_paper_ground(problem.field, settings);
+  if (settings.shape == TrackShape::kAuto) return cheaper_shape(problem, context, explain);
+  const std::optional<PreparedField> prepared = prepare_field(problem, context);
+  if (!prepared) throw no_room(problem);
+  const SearchTask task(problem, *prepared);
   if (settings.shape == TrackShape::kStraight && !as_in_the_paper(settings))
     return straight_plan(task, straight_search(task, context), context, explain);
   if (area(task.ground.plannable) == 0) return {finished_plan(task, SearchResult{}, context), std::nullopt};
   context.report();
   if (!settings.guide.empty()) return {plan_of(task, along_guide(task), context), std::nullopt};
   std::optional<Candidate> curved = along_best_edge(task, context);
-  if (!curved) throw no_curve(field, as_in_the_paper(settings));
+  if (!curved) throw no_curve(problem.field, as_in_the_paper(settings));
   return {plan_of(task, std::move(*curved), context), std::nullopt};
 }
 
-ExplainedPlan planned(const Field& field, const Machine& machine, const Objective& objective,
-                      const PlanSettings& settings, const SearchContext& context, Explain explain) {
-  validate_request(machine, objective, settings);
-  ExplainedPlan out = searched(field, machine, objective, settings, context, explain);
+ExplainedPlan planned(const PlanningProblem& problem, const SearchContext& context, Explain explain) {
+  ExplainedPlan out = searched(problem, context, explain);
   if (context.cut_short()) mark_cut_short(out.plan);
   return out;
 }
@@ -147,14 +137,14 @@ ExplainedPlan planned(const Field& field, const Machine& machine, const Objectiv
 
 Plan plan_field(const Field& field, const Machine& machine, const Objective& objective,
                 const PlanSettings& settings, int threads, const Progress& progress) {
-  const SearchContext context(threads, progress);
-  return planned(field, machine, objective, settings, context, Explain::kNo).plan;
+  const PlanningProblem problem = planning_problem(field, machine, objective, settings);
+  return planned(problem, SearchContext(threads, progress), Explain::kNo).plan;
 }
 
 ExplainedPlan plan_and_explain(const Field& field, const Machine& machine, const Objective& objective,
                                const PlanSettings& settings, int threads, const Progress& progress) {
-  const SearchContext context(threads, progress);
-  return planned(field, machine, objective, settings, context, Explain::kYes);
+  const PlanningProblem problem = planning_problem(field, machine, objective, settings);
+  return planned(problem, SearchContext(threads, progress), Explain::kYes);
 }
 
 }  // namespace tramline

@@ -1,11 +1,15 @@
 #pragma once
 // What a search hands to the planner.
 
+#include <limits>
 #include <vector>
 
 #include "tramline/planner/candidate.h"
 
 namespace tramline {
+
+/// As the most that plans may cost: no limit.
+inline constexpr double kAnyCost = std::numeric_limits<double>::infinity();
 
 /// A plan the search has laid out and tallied on its way.
 struct SeenPlan {

@@ -7,13 +7,13 @@
 
 namespace tramline {
 
-SearchResult straight_search(const SearchTask& task, const SearchContext& context) {
+SearchResult straight_search(const SearchTask& task, const SearchContext& context, double no_more_than) {
   assert(task.settings.guide.empty() || task.settings.guide.size() == 2);
   if (area(task.ground.plannable) == 0) return {};
   context.report();
   if (!task.settings.guide.empty()) return guided_search(task);
   const auto search = task.settings.strategy == Strategy::kSweep ? sweep_search : best_search;
-  return search(task, context);
+  return search(task, context, no_more_than);
 }
 
 SearchResult guided_search(const SearchTask& task) {

@@ -6,8 +6,10 @@
 
 namespace tramline {
 
+/// What costs more than `no_more_than` need not be found: there is a cheaper plan already.
 /// Precondition: the guide is empty or one straight line.
-SearchResult straight_search(const SearchTask& task, const SearchContext& context);
+SearchResult straight_search(const SearchTask& task, const SearchContext& context,
+                             double no_more_than = kAnyCost);
 
 /// All parts undivided, with strips along the guide: line 0 of the grid lies on it (S2.6).
 SearchResult guided_search(const SearchTask& task);

@@ -64,7 +64,6 @@ std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vecto
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return swept[a].outlook.least < swept[b].outlook.least;
   });
-  known = std::min(known, std::nextafter(task.no_more_than, std::numeric_limits<double>::infinity()));
   std::optional<Candidate> best;
   std::size_t best_index = 0;
   bool any_works = false;
@@ -91,13 +90,15 @@ std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vecto
   return best;
 }
 
-SearchResult sweep_search(const SearchTask& task, const SearchContext& context) {
+SearchResult sweep_search(const SearchTask& task, const SearchContext& context, double no_more_than) {
   SearchResult out;
   out.swept = swept_grounds(task, context);
   out.directions_tried = static_cast<int>(out.swept.size());
-  if (auto best = cheapest_swept(task, out.swept, std::numeric_limits<double>::infinity(), context))
+  if (auto best = cheapest_swept(task, out.swept, just_above(no_more_than), context))
     out.best = std::move(*best);
   return out;
 }
+
+double just_above(double most) { return std::nextafter(most, std::numeric_limits<double>::infinity()); }
 
 }  // namespace tramline

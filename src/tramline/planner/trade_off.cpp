@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include "tramline/geometry/error.h"
@@ -12,9 +13,8 @@
 #include "tramline/planner/finished_plan.h"
 #include "tramline/planner/for_each_index.h"
 #include "tramline/planner/front_marks.h"
-#include "tramline/planner/headlanded_task.h"
+#include "tramline/planner/prepare_field.h"
 #include "tramline/planner/straight_search.h"
-#include "tramline/planner/validate_request.h"
 #include "tramline/planner/warnings.h"
 #include "tramline/planner/whole_figures.h"
 
@@ -22,6 +22,10 @@ namespace tramline {
 namespace {
 
 using Grounds = std::vector<LinedSubfield>;
+
+SearchTask task_of(const TradeOff& trade_off, std::size_t search) {
+  return {trade_off.problem, trade_off.prepared, trade_off.searches[search].prices};
+}
 
 /// A plan that may be of the front.
 struct Laid {
@@ -47,52 +51,51 @@ std::vector<Laid> best_of(std::vector<Laid> laid) {
   return out;
 }
 
-std::vector<TradeOff::Search> searches_for(const SearchTask& task, const SearchContext& context) {
-  const std::vector<Objective> prices = prices_to_search(task.objective);
-  std::vector<TradeOff::Search> out(prices.size(), {task, {}});
-  for (std::size_t i = 0; i < prices.size(); ++i) out[i].task.objective = prices[i];
+void run_searches(TradeOff& trade_off, const SearchContext& context) {
+  const std::vector<Objective> prices = prices_to_search(trade_off.problem.objective);
+  for (const Objective& one : prices) trade_off.searches.push_back({one, {}});
   std::mutex mutex;
   int done = 0;
   for_each_index_until_end(prices.size(), context, [&](std::size_t i) {
-    out[i].found = straight_search(out[i].task, context.uncounted());
+    trade_off.searches[i].found = straight_search(task_of(trade_off, i), context.uncounted());
     const std::lock_guard lock(mutex);
     context.count(++done, static_cast<int>(prices.size()));
   });
-  return out;
 }
 
 /// Each plan after the prices of every search but its own: the same tracks may end elsewhere, and pass
 /// obstacles in another way.
-std::vector<Laid> laid_anew(const std::vector<TradeOff::Search>& searches, const std::vector<Laid>& laid,
+std::vector<Laid> laid_anew(const TradeOff& trade_off, const std::vector<Laid>& laid,
                             const SearchContext& context) {
-  const std::size_t count = searches.size();
+  const std::size_t count = trade_off.searches.size();
   std::vector<Laid> out(laid.size() * count);
   for_each_index_until_end(out.size(), context, [&](std::size_t i) {
     const TradeOff::Origin& origin = laid[i / count].origin;
     const std::size_t search = i % count;
     if (search == origin.search) return;
-    out[i] = {{search, origin.grounds}, candidate_on(searches[search].task, origin.grounds).avoided.tally};
+    out[i] = {{search, origin.grounds},
+              candidate_on(task_of(trade_off, search), origin.grounds).avoided.tally};
   });
   return out;
 }
 
 /// With the tallies of tracks and headland passes together, and without what is dominated by these.
-std::vector<Laid> with_headland(const std::vector<TradeOff::Search>& searches, std::vector<Laid> laid,
+std::vector<Laid> with_headland(const TradeOff& trade_off, std::vector<Laid> laid,
                                 const SearchContext& context) {
-  if (searches.front().task.headland.passes.empty()) return laid;
+  if (trade_off.prepared.headland.passes.empty()) return laid;
   for_each_index(laid.size(), context, [&](std::size_t i) {
-    const SearchTask& task = searches[laid[i].origin.search].task;
+    const SearchTask task = task_of(trade_off, laid[i].origin.search);
     laid[i].tally = whole_tally_of(task, candidate_on(task, laid[i].origin.grounds));
   });
   return best_of(std::move(laid));
 }
 
-Front front_of(const Objective& prices, const std::vector<TradeOff::Search>& searches,
-               const std::vector<Laid>& laid) {
+Front front_of(const TradeOff& trade_off, const std::vector<Laid>& laid) {
+  const Objective& prices = trade_off.problem.objective;
   Front front;
   front.prices = prices;
   for (const Laid& plan : laid) {
-    FrontPoint point{plan.tally, {}, searches[plan.origin.search].task.objective, cost(prices, plan.tally)};
+    FrontPoint point{plan.tally, {}, trade_off.searches[plan.origin.search].prices, cost(prices, plan.tally)};
     for (const LinedSubfield& ground : plan.origin.grounds)
       point.directions.push_back(ground.subfield.direction);
     front.points.push_back(std::move(point));
@@ -135,14 +138,17 @@ std::vector<Objective> prices_to_search(const Objective& given) {
 
 TradeOff trade_off(const Field& field, const Machine& machine, const Objective& prices,
                    const PlanSettings& settings, int threads, const Progress& progress) {
-  validate_request(machine, prices, settings);
+  TradeOff out;
+  out.problem = planning_problem(field, machine, prices, settings);
   require_straight_tracks(settings);
   const SearchContext context(threads, progress);
-  TradeOff out;
-  out.searches = searches_for(headlanded_task(field, machine, prices, settings, context), context);
-  const TradeOff::Search& first = out.searches.front();
-  require_tracks(first.task, first.found.best.avoided.tally);
-  if (!first.found.best.works())
+  std::optional<PreparedField> prepared = prepare_field(out.problem, context);
+  if (!prepared) throw no_room(out.problem);
+  out.prepared = std::move(*prepared);
+  run_searches(out, context);
+  const Candidate& first = out.searches.front().found.best;
+  require_tracks(task_of(out, 0), first.avoided.tally);
+  if (!first.works())
     throw bad_input(fmt::format(
         "the field '{}' is worked by its headland passes alone: there are no plans to choose from",
         field.id));
@@ -153,10 +159,10 @@ TradeOff trade_off(const Field& field, const Machine& machine, const Objective& 
     if (i > 0) out.searches[i].found.seen.clear();  // the first may have to be explained
   }
   laid = best_of(std::move(laid));
-  for (Laid& plan : laid_anew(out.searches, laid, context)) laid.push_back(std::move(plan));
-  laid = with_headland(out.searches, best_of(std::move(laid)), context);
+  for (Laid& plan : laid_anew(out, laid, context)) laid.push_back(std::move(plan));
+  laid = with_headland(out, best_of(std::move(laid)), context);
 
-  out.front = front_of(prices, out.searches, laid);
+  out.front = front_of(out, laid);
   for (Laid& plan : laid) out.origins.push_back(std::move(plan.origin));
   out.cut_short = context.cut_short();
   return out;
@@ -164,20 +170,19 @@ TradeOff trade_off(const Field& field, const Machine& machine, const Objective& 
 
 Plan plan_of(const TradeOff& trade_off, std::size_t point) {
   const TradeOff::Origin& origin = trade_off.origins[point];
-  const TradeOff::Search& search = trade_off.searches[origin.search];
-  SearchResult laid = search.found;
-  laid.best = candidate_on(search.task, origin.grounds);
-  return marked(trade_off, finished_plan(search.task, std::move(laid), SearchContext()));
+  const SearchTask task = task_of(trade_off, origin.search);
+  SearchResult laid = trade_off.searches[origin.search].found;
+  laid.best = candidate_on(task, origin.grounds);
+  return marked(trade_off, finished_plan(task, std::move(laid), SearchContext()));
 }
 
 Plan given_plan(const TradeOff& trade_off) {
-  const TradeOff::Search& given = trade_off.searches.front();
-  return marked(trade_off, finished_plan(given.task, given.found, SearchContext()));
+  return marked(trade_off,
+                finished_plan(task_of(trade_off, 0), trade_off.searches.front().found, SearchContext()));
 }
 
 Explanation why_given(const TradeOff& trade_off, int threads) {
-  const TradeOff::Search& given = trade_off.searches.front();
-  return explanation_of(given.task, given.found, SearchContext(threads));
+  return explanation_of(task_of(trade_off, 0), trade_off.searches.front().found, SearchContext(threads));
 }
 
 }  // namespace tramline

@@ -13,7 +13,7 @@ namespace tramline {
 struct TradeOff {
   /// One search: its prices, and what it has proved. The first is that for the given prices.
   struct Search {
-    SearchTask task;
+    Objective prices;
     SearchResult found;  ///< of all but the first without `seen`, which has gone into the front
   };
   /// Of each point of the front.
@@ -24,6 +24,8 @@ struct TradeOff {
 
   Front front;
   std::vector<Origin> origins;
+  PlanningProblem problem;
+  PreparedField prepared;  ///< whatever the prices
   std::vector<Search> searches;
   bool cut_short = false;  ///< the progress wanted an end before all searches were through
 };

@@ -6,7 +6,7 @@
 namespace tramline::order {
 namespace {
 
-TrackPiece backwards(TrackPiece piece) {
+TrackPiece piece_backwards(TrackPiece piece) {
   std::swap(piece.start, piece.end);
   std::swap(piece.stop_at_start, piece.stop_at_end);
   piece.curve = reversed(piece.curve);
@@ -23,7 +23,7 @@ TrackPiece backwards(TrackPiece piece) {
 WorkedLine backwards(WorkedLine line) {
   std::reverse(line.begin(), line.end());
   for (std::size_t i = 0; i < line.size(); ++i) {
-    line[i] = backwards(std::move(line[i]));
+    line[i] = piece_backwards(std::move(line[i]));
     line[i].after_crossing = i > 0;
   }
   return line;

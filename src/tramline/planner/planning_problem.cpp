@@ -1,0 +1,37 @@
+#include "tramline/planner/planning_problem.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "tramline/geometry/error.h"
+#include "tramline/planner/validate_request.h"
+
+namespace tramline {
+namespace {
+
+/// More tracks than this no field has; the search would never end.
+void require_feasible_size(const Field& field, const Machine& machine) {
+  constexpr double kMostTracks = 1e5;
+  const Box box = bounds(field.outer);
+  const double across = std::hypot(box.width(), box.height());
+  if (across > kMostTracks * machine.width_m)
+    throw bad_input(
+        fmt::format("field '{}' is {:.0f} m across, which would take more than {:.0f} tracks of {} m: check "
+                    "the coordinates and "
+                    "--width",
+                    field.id, across, kMostTracks, machine.width_m));
+}
+
+}  // namespace
+
+PlanningProblem planning_problem(const Field& field, const Machine& machine, const Objective& objective,
+                                 const PlanSettings& settings) {
+  validate_request(machine, objective, settings);
+  require_feasible_size(field, machine);
+  PlanningProblem out{field, machine, objective, settings};
+  if (settings.headlands > 0) out.settings.boundary = EdgeKind::kHard;
+  return out;
+}
+
+}  // namespace tramline

@@ -1,0 +1,175 @@
+#include "tramline/planner/prepare_field.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tramline/geometry/boolean.h"
+#include "tramline/headland/body.h"
+#include "tramline/headland/headland.h"
+#include "tramline/planner/straight_search.h"
+
+namespace tramline {
+namespace {
+
+bool has_headland(const std::vector<int>& passes, std::size_t obstacle) {
+  return obstacle < passes.size() && passes[obstacle] > 0;
+}
+
+/// Those obstacles that may stay when headlands are looked for, by index.
+template <class Keep>
+Field with_obstacles(const Field& field, Keep keep, std::vector<int>& indices) {
+  Field out = field;
+  out.obstacles.clear();
+  indices.clear();
+  for (std::size_t i = 0; i < field.obstacles.size(); ++i) {
+    if (!keep(i)) continue;
+    out.obstacles.push_back(field.obstacles[i]);
+    indices.push_back(static_cast<int>(i));
+  }
+  return out;
+}
+
+/// The body with passable land still in it, as SortedGround::plannable has it.
+Region body_with_passable(const Field& field, const HeadlandTerms& terms, const HeadlandAndBody& headland) {
+  if (obstacle_shapes(field, ObstacleKind::kPassable).empty()) return headland.body;
+  std::vector<int> indices;
+  const auto solid = [&](std::size_t i) { return field.obstacles[i].kind == ObstacleKind::kObstacle; };
+  const Field bare = with_obstacles(field, solid, indices);
+  HeadlandTerms bare_terms = terms;
+  bare_terms.obstacle_passes.clear();
+  for (const int i : indices)
+    bare_terms.obstacle_passes.push_back(terms.obstacle_passes[static_cast<std::size_t>(i)]);
+  return headland_of(bare, bare_terms).body;
+}
+
+/// The obstacles without a headland, sorted. The others do not meet tracks, but detours have to keep off
+/// them.
+SortedGround sorted_bare_obstacles(const PlanningProblem& problem, const std::vector<int>& passes) {
+  const Field& field = problem.field;
+  std::vector<int> indices;
+  const auto bare = [&](std::size_t i) { return !has_headland(passes, i); };
+  const Field met = with_obstacles(field, bare, indices);
+  SortedGround ground = sort_obstacles(met, problem.machine.width_m, problem.settings.clearance_m);
+  for (Hazard& hazard : ground.hazards)
+    for (int& obstacle : hazard.obstacles) obstacle = indices[static_cast<std::size_t>(obstacle)];
+  for (std::size_t i = 0; i < field.obstacles.size(); ++i)
+    if (!bare(i)) ground.hazards.push_back({field.obstacles[i].shape, {static_cast<int>(i)}, {}});
+  return ground;
+}
+
+/// What headlands leave of ground on which the bare obstacles are sorted.
+SortedGround ground_behind(const PlanningProblem& problem, const HeadlandTerms& terms,
+                           const HeadlandAndBody& headland, SortedGround ground) {
+  ground.body = headland.body;
+  // Land given up is the body's affair; what of it is headland no swath enters either, but to end there is no
+  // stop.
+  const Region in_headland = difference(ground.given_up, headland.body);
+  if (!in_headland.empty()) {
+    ground.beyond = unite(ground.beyond, in_headland);
+    ground.hard = difference(ground.hard, in_headland);
+  }
+  ground.given_up = intersection(ground.given_up, headland.body);
+  ground.plannable = intersection(ground.plannable, body_with_passable(problem.field, terms, headland));
+  return ground;
+}
+
+bool clearance_takes_all(const PlanningProblem& problem, const SortedGround& ground) {
+  return problem.settings.clearance_m > 0 && area(ground.plannable) == 0 &&
+         area(sort_obstacles(problem.field, problem.machine.width_m).plannable) > 0;
+}
+
+/// The chords that round the corners of a body are no corners to divide it at.
+double short_edge_m(const HeadlandTerms& terms) {
+  int most = terms.field_passes;
+  for (const int passes : terms.obstacle_passes) most = std::max(most, passes);
+  // Edges of what passes leave lie about the turns of these.
+  const double widest_m = std::max(most * terms.width_m, terms.radius_m + 0.5 * terms.width_m);
+  return 2 * std::sqrt(8 * widest_m * kBodySagitta);
+}
+
+/// With the field's own passes, and with these round its obstacles; nullopt where none has room. `bare`:
+/// sorted_bare_obstacles().
+std::optional<PreparedField> behind_headlands(const PlanningProblem& problem,
+                                              const std::vector<int>& obstacle_passes,
+                                              const SortedGround& bare) {
+  const HeadlandTerms terms{problem.machine.width_m, problem.machine.radius_m, problem.settings.headlands,
+                            obstacle_passes, min_length_m(problem.machine)};
+  HeadlandAndBody headland = headland_of(problem.field, terms);
+  if (headland.body.empty() && headland.passes.empty()) return std::nullopt;
+  PreparedField out;
+  out.ground = ground_behind(problem, terms, headland, bare);
+  out.body_m2 = area(out.ground.body);
+  out.headland = std::move(headland);
+  out.short_edge_m = std::max(problem.settings.short_edge_m, short_edge_m(terms));
+  out.clearance_takes_all = clearance_takes_all(problem, out.ground);
+  return out;
+}
+
+/// By obstacle; none for those that tracks go round.
+std::vector<int> obstacle_passes(const PlanningProblem& problem, const std::vector<bool>& gone_round) {
+  std::vector<int> out(problem.field.obstacles.size(), 0);
+  for (std::size_t i = 0; i < out.size(); ++i)
+    if (problem.field.obstacles[i].kind == ObstacleKind::kObstacle && !gone_round[i])
+      out[i] = problem.settings.obstacle_headlands;
+  return out;
+}
+
+/// The obstacles that some track meets and all go round.
+std::vector<bool> gone_round(const SearchTask& task, const Candidate& best) {
+  std::vector<bool> met(task.field.obstacles.size(), false), cut = met;
+  for (const Encounter& encounter : encounters_of(task, best))
+    for (const int obstacle : encounter.obstacles) {
+      met[static_cast<std::size_t>(obstacle)] = true;
+      if (encounter.chosen == Passing::kCut) cut[static_cast<std::size_t>(obstacle)] = true;
+    }
+  for (std::size_t i = 0; i < met.size(); ++i) met[i] = met[i] && !cut[i];
+  return met;
+}
+
+}  // namespace
+
+PreparedField field_without_headlands(const PlanningProblem& problem) {
+  PreparedField out;
+  out.ground = sort_obstacles(problem.field, problem.machine.width_m, problem.settings.clearance_m);
+  out.body_m2 = area(out.ground.body);
+  out.short_edge_m = problem.settings.short_edge_m;
+  out.clearance_takes_all = clearance_takes_all(problem, out.ground);
+  return out;
+}
+
+bool settings_decide_headlands(const PlanningProblem& problem) {
+  const PlanSettings& settings = problem.settings;
+  return settings.obstacle_headlands == 0 || settings.avoid == Avoidance::kCut ||
+         settings.end_rule == EndRule::kCover || settings.shape != TrackShape::kStraight ||
+         obstacle_shapes(problem.field, ObstacleKind::kObstacle).empty();
+}
+
+std::optional<PreparedField> prepare_field(const PlanningProblem& problem, const SearchContext& context) {
+  const PlanSettings& settings = problem.settings;
+  if (settings.headlands == 0 && settings.obstacle_headlands == 0) return field_without_headlands(problem);
+  const std::vector<bool> none(problem.field.obstacles.size(), false);
+  if (settings_decide_headlands(problem)) {
+    const std::vector<int> passes = obstacle_passes(problem, none);
+    return behind_headlands(problem, passes, sorted_bare_obstacles(problem, passes));
+  }
+  const std::vector<int> no_passes(none.size(), 0);
+  const PreparedField bare = field_without_headlands(problem);
+  const std::optional<PreparedField> before =
+      settings.headlands > 0 ? behind_headlands(problem, no_passes, bare.ground) : bare;
+  if (!before) return std::nullopt;
+  const SearchTask task(problem, *before);
+  const SearchResult found = straight_search(task, context.uncounted());
+  context.report();
+  const std::vector<int> passes = obstacle_passes(problem, gone_round(task, found.best));
+  if (passes == no_passes) return behind_headlands(problem, no_passes, bare.ground);
+  return behind_headlands(problem, passes, sorted_bare_obstacles(problem, passes));
+}
+
+Error no_room(const PlanningProblem& problem) {
+  return bad_input(
+      fmt::format("no swath {} m wide fits into the field '{}' of {:.0f} m²: use a narrower machine",
+                  problem.machine.width_m, problem.field.id, area_m2(problem.field)));
+}
+
+}  // namespace tramline

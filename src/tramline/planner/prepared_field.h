@@ -1,0 +1,20 @@
+#pragma once
+// What is derived from a problem once, before any search.
+
+#include "tramline/avoidance/ground.h"
+#include "tramline/model/headland.h"
+
+namespace tramline {
+
+/// A field ready to be searched: its obstacles sorted, its headlands taken off. Local metres.
+struct PreparedField {
+  SortedGround ground;  ///< where there are headlands: what they leave
+  double body_m2 = 0;   ///< area of the ground's body
+  Headland headland;    ///< empty without any
+  /// Corners between edges that are both shorter split nothing: PlanSettings::short_edge_m, or more where
+  /// headlands have rounded corners.
+  double short_edge_m = 0;
+  bool clearance_takes_all = false;  ///< there is ground to work without the clearance, and none with it
+};
+
+}  // namespace tramline

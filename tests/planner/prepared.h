@@ -1,0 +1,18 @@
+#pragma once
+// A problem prepared for its searches, in one value.
+
+#include "tramline/planner/prepare_field.h"
+#include "tramline/planner/search_task.h"
+
+namespace tramline::testing {
+
+/// Without headlands.
+struct Prepared {
+  PlanningProblem problem;
+  PreparedField field = field_without_headlands(problem);
+
+  /// Refers to this.
+  SearchTask task() const { return {problem, field}; }
+};
+
+}  // namespace tramline::testing
