@@ -6,10 +6,8 @@
 #include <limits>
 #include <optional>
 #include <queue>
-#include <string>
 #include <tuple>
-
-#include "tramline/geometry/error.h"
+#include <utility>
 
 namespace tramline {
 namespace {
@@ -25,24 +23,23 @@ using Entry = std::tuple<double, std::size_t, unsigned>;
 
 class Merger {
  public:
-  Merger(const std::vector<Point>& line, const std::vector<std::size_t>& names, double radius)
-      : at_(line), names_(names), radius_(radius), version_(line.size(), 0) {
+  Merger(const std::vector<Point>& line, double radius)
+      : at_(line), radius_(radius), version_(line.size(), 0) {
     for (std::size_t i = 0; i < line.size(); ++i) {
       before_.push_back(i == 0 ? kNone : i - 1);
       after_.push_back(i + 1 == line.size() ? kNone : i + 1);
     }
   }
 
-  std::vector<Point> run() {
+  MergedKinks run() {
     for (std::size_t i = 0; i != kNone; i = after_[i]) queue_edge(i);
-    while (!queue_.empty()) {
+    while (!queue_.empty() && !out_.hairpin) {
       const auto [length, i, version] = queue_.top();
       queue_.pop();
       if (version == version_[i] && after_[i] != kNone && lacks_room(i)) mend(i);
     }
-    std::vector<Point> out;
-    for (std::size_t i = 0; i != kNone; i = after_[i]) out.push_back(at_[i]);
-    return out;
+    for (std::size_t i = 0; i != kNone; i = after_[i]) out_.line.push_back(at_[i]);
+    return std::move(out_);
   }
 
  private:
@@ -99,13 +96,13 @@ class Merger {
     if (same_way && std::abs(together) < kSharpestTurn) return unite(i, meeting_of_neighbours(i));
     if (!same_way && draw_apart(i)) return;
     const bool noise = edge(i) <= (same_way ? 0.25 : 2) * radius_;
-    if (!noise) refuse(i);
+    if (!noise) return refuse(i);
     unite(i, midpoint(at_[i], at_[j]));
   }
 
   /// An end of the line stays, and the kink next to it goes.
   void mend_end(std::size_t i) {
-    if (edge(i) > 2 * radius_) refuse(i);
+    if (edge(i) > 2 * radius_) return refuse(i);
     const std::size_t kink = inner(i) ? i : after_[i];
     const std::size_t around = before_[kink];
     remove(kink);
@@ -147,20 +144,19 @@ class Merger {
     return true;
   }
 
-  [[noreturn]] void refuse(std::size_t i) const {
+  /// Of the ends of edge i the sharper is what cannot be driven.
+  void refuse(std::size_t i) {
     const std::size_t j = after_[i];
-    const std::size_t sharper = tangent(j) > tangent(i) ? j : i;
-    throw bad_input("the reference line turns more sharply than the machine can at its vertex " +
-                    std::to_string(names_[sharper]) + " (numbered from 0): leave the hairpin out");
+    out_.hairpin = tangent(j) > tangent(i) ? j : i;
   }
 
   std::vector<Point> at_;
-  const std::vector<std::size_t>& names_;
   double radius_;
   std::vector<std::size_t> before_;
   std::vector<std::size_t> after_;
   std::vector<unsigned> version_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+  MergedKinks out_;
 };
 
 }  // namespace
@@ -170,11 +166,10 @@ double turn_at(Point a, Point b, Point c) {
   return std::atan2(cross(b - a, c - b), dot(b - a, c - b));
 }
 
-std::vector<Point> merged_kinks(const std::vector<Point>& line, const std::vector<std::size_t>& names,
-                                double radius_m) {
+MergedKinks merged_kinks(const std::vector<Point>& line, double radius_m) {
   assert(line.size() >= 2);
   assert(std::adjacent_find(line.begin(), line.end()) == line.end());
-  return Merger(line, names, radius_m).run();
+  return Merger(line, radius_m).run();
 }
 
 }  // namespace tramline

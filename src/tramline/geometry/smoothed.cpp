@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "tramline/geometry/box_grid.h"
 #include "tramline/geometry/error.h"
@@ -126,27 +127,38 @@ void measure_deviation(const std::vector<Point>& polyline, const std::vector<Poi
 
 }  // namespace
 
-Smoothed smoothed(const std::vector<Point>& polyline, double radius_m, double tolerance_m) {
+SmoothedOrRefused try_smoothed(const std::vector<Point>& polyline, double radius_m, double tolerance_m) {
+  const auto refused = [](std::string why) { return SmoothedOrRefused{std::nullopt, std::move(why)}; };
   const std::vector<std::size_t> names = simplified_line(polyline, tolerance_m);
-  if (names.size() < 2) throw bad_input("a reference line needs two points that differ");
+  if (names.size() < 2) return refused("a reference line needs two points that differ");
   std::vector<Point> kept, distinct;
   for (const std::size_t i : names) kept.push_back(polyline[i]);
   for (const std::size_t i : simplified_line(polyline, 0)) distinct.push_back(polyline[i]);
   if (const auto edges = self_crossing(kept))
-    throw bad_input("the reference line crosses or touches itself: the edges after its vertices " +
-                    std::to_string(names[edges->first]) + " and " + std::to_string(names[edges->second]) +
-                    " (numbered from 0) meet");
-  Smoothed out{rounded(merged_kinks(kept, names, radius_m), radius_m, tolerance_m)};
+    return refused("the reference line crosses or touches itself: the edges after its vertices " +
+                   std::to_string(names[edges->first]) + " and " + std::to_string(names[edges->second]) +
+                   " (numbered from 0) meet");
+  const MergedKinks merged = merged_kinks(kept, radius_m);
+  if (merged.hairpin)
+    return refused("the reference line turns more sharply than the machine can at its vertex " +
+                   std::to_string(names[*merged.hairpin]) + " (numbered from 0): leave the hairpin out");
+  Smoothed out{rounded(merged.line, radius_m, tolerance_m)};
   const std::vector<Point> driven = chords(out.path, 1e-3);
   if (const auto edges = self_crossing(driven)) {
     const auto near = std::min_element(names.begin(), names.end(), [&](std::size_t a, std::size_t b) {
       return distance(polyline[a], driven[edges->first]) < distance(polyline[b], driven[edges->first]);
     });
-    throw bad_input("rounded for the machine, the reference line crosses itself near its vertex " +
-                    std::to_string(*near) + " (numbered from 0)");
+    return refused("rounded for the machine, the reference line crosses itself near its vertex " +
+                   std::to_string(*near) + " (numbered from 0)");
   }
   measure_deviation(polyline, distinct, out);
-  return out;
+  return {std::move(out), ""};
+}
+
+Smoothed smoothed(const std::vector<Point>& polyline, double radius_m, double tolerance_m) {
+  SmoothedOrRefused out = try_smoothed(polyline, radius_m, tolerance_m);
+  if (!out.smoothed) throw bad_input(out.refusal);
+  return std::move(*out.smoothed);
 }
 
 }  // namespace tramline

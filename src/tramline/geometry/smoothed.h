@@ -1,6 +1,8 @@
 #pragma once
 // A reference line that a machine can drive (S2.21): what S2 offsets is a polyline with kinks.
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "tramline/geometry/path.h"
@@ -29,5 +31,14 @@ struct Smoothed {
 /// crosses or touches itself, a hairpin tighter than can be driven, or a path that crosses itself where the
 /// polyline all but does. O(n log n) for lines whose edges do not crowd.
 Smoothed smoothed(const std::vector<Point>& polyline, double radius_m, double tolerance_m = 0);
+
+/// A smoothed line, or why there is none, in a sentence for whoever gave it.
+struct SmoothedOrRefused {
+  std::optional<Smoothed> smoothed;
+  std::string refusal;  ///< empty where there is one
+};
+
+/// The same for lines that nobody asked for: what smoothed() throws is a result.
+SmoothedOrRefused try_smoothed(const std::vector<Point>& polyline, double radius_m, double tolerance_m = 0);
 
 }  // namespace tramline

@@ -6,7 +6,6 @@
 #include <mutex>
 #include <optional>
 
-#include "tramline/geometry/error.h"
 #include "tramline/planner/curved_candidate.h"
 #include "tramline/planner/for_each_index.h"
 #include "tramline/planner/parallel_tracks.h"
@@ -34,11 +33,8 @@ std::vector<Reference> references_of(const SearchTask& task, const SearchContext
   const auto chains = reference_chains(task.ground.plannable, corner_m, 0.1 * width_m, kMostChains);
   std::vector<std::optional<Reference>> found(chains.size() * std::size(smoothing));
   for_each_index(found.size(), context, [&](std::size_t i) {
-    try {
-      found[i] = reference_along(task, chains[i / std::size(smoothing)], smoothing[i % std::size(smoothing)]);
-    } catch (const Error& error) {
-      if (error.kind() != ErrorKind::kBadInput) throw;  // no line to drive along
-    }
+    found[i] =
+        try_reference_along(task, chains[i / std::size(smoothing)], smoothing[i % std::size(smoothing)]);
   });
   std::vector<Reference> out;
   // Where a chain is smooth enough, less smoothing changes nothing.

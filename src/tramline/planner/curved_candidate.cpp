@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 #include <utility>
 
 #include "tramline/cost/strip_tally.h"
@@ -51,16 +52,34 @@ std::optional<LaidTracks> laid(const SearchTask& task, const CurvedGround& groun
   return cut_pieces(parallel_tracks(task, ground, subfield), min_length_m(task.machine));
 }
 
-}  // namespace
+struct ReferenceOrRefused {
+  std::optional<Reference> reference;
+  std::string refusal;
+};
 
-Reference reference_along(const SearchTask& task, const std::vector<Point>& line, double tolerance_m) {
-  Smoothed smooth = smoothed(line, track_limits(task.machine).least_radius_m(), tolerance_m);
+ReferenceOrRefused found_along(const SearchTask& task, const std::vector<Point>& line, double tolerance_m) {
+  SmoothedOrRefused found = try_smoothed(line, track_limits(task.machine).least_radius_m(), tolerance_m);
+  if (!found.smoothed) return {std::nullopt, std::move(found.refusal)};
+  Smoothed& smooth = *found.smoothed;
   const bool round = distance(line.front(), line.back()) <= 2 * kSeam_m;
   // From one side of the seam to the other.
   if (round && smooth.path.size() == 1)
-    throw bad_input(
-        fmt::format("smoothed to {} m, the reference line all round shrinks to a point", tolerance_m));
-  return {line, std::move(smooth.path), smooth.deviation_m, round};
+    return {std::nullopt,
+            fmt::format("smoothed to {} m, the reference line all round shrinks to a point", tolerance_m)};
+  return {Reference{line, std::move(smooth.path), smooth.deviation_m, round}, ""};
+}
+
+}  // namespace
+
+Reference reference_along(const SearchTask& task, const std::vector<Point>& line, double tolerance_m) {
+  ReferenceOrRefused out = found_along(task, line, tolerance_m);
+  if (!out.reference) throw bad_input(out.refusal);
+  return std::move(*out.reference);
+}
+
+std::optional<Reference> try_reference_along(const SearchTask& task, const std::vector<Point>& line,
+                                             double tolerance_m) {
+  return found_along(task, line, tolerance_m).reference;
 }
 
 std::optional<Subfield> subfield_along(const SearchTask& task, const Polygon& shape,

@@ -21,6 +21,10 @@ struct Reference {
 /// smoothed() refuses, and where a line all the way round shrinks to a point.
 Reference reference_along(const SearchTask& task, const std::vector<Point>& line, double tolerance_m);
 
+/// The same for a line that nobody asked for; nullopt where reference_along() throws.
+std::optional<Reference> try_reference_along(const SearchTask& task, const std::vector<Point>& line,
+                                             double tolerance_m);
+
 /// The subfield along the reference, which is moved `right_m` to the right and extended along its end
 /// tangents across all the ground. nullopt where it cannot be moved so far.
 std::optional<Subfield> subfield_along(const SearchTask& task, const Polygon& shape,
