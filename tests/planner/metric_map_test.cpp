@@ -278,7 +278,7 @@ TEST(MetricMap, LandGivenUpInAHeadlandIsNoObstacle) {
   settings.headlands = 1;
   const Field field = field_of(box(0, 0, 100, 60), {box(2, 20, 12, 40)});
   const PlanningProblem problem = planning_problem(field, {"", 6, 6, 0}, {}, settings);
-  const SortedGround ground = prepare_field(problem, SearchContext(1)).value().ground;
+  const SortedGround ground = prepare_field(problem, SearchContext(1)).value().field.ground;
   EXPECT_NEAR(area(ground.hard), 200, 1e-6);
   EXPECT_NEAR(area(ground.beyond), 40, 1e-6);
   EXPECT_NEAR(area(ground.given_up), 0, 1e-6);

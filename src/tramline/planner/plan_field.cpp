@@ -78,31 +78,41 @@ PlanningProblem with_shape(PlanningProblem problem, TrackShape shape) {
   return problem;
 }
 
+/// The straight search, unless preparing the field took it. What is found is taken out of `prepared`.
+SearchResult found_on(const SearchTask& task, Preparation& prepared, const SearchContext& context,
+                      double no_more_than = kAnyCost) {
+  if (!prepared.found) return straight_search(task, context, no_more_than);
+  const int directions = static_cast<int>(prepared.found->swept.size());
+  context.count(directions, directions);
+  return std::move(*prepared.found);
+}
+
 /// The straight plan, or the curved one where that costs less. Which obstacles have headlands is settled for
 /// either by itself. The curved one comes first, being sooner found: what costs more is then soon told. To
 /// explain a straight plan that has to be told as well.
 ExplainedPlan cheaper_shape(const PlanningProblem& problem, const SearchContext& context, Explain explain) {
   const PlanningProblem curved = with_shape(problem, TrackShape::kCurved);
   const PlanningProblem straight = with_shape(problem, TrackShape::kStraight);
-  const std::optional<PreparedField> for_curves = prepare_field(curved, context);
+  std::optional<Preparation> for_curves = prepare_field(curved, context);
   std::optional<Candidate> along_edge;
-  if (for_curves) along_edge = along_best_edge(SearchTask(curved, *for_curves), context);
-  const double curved_cost = along_edge ? whole_cost(SearchTask(curved, *for_curves), *along_edge) : kAnyCost;
+  if (for_curves) along_edge = along_best_edge(SearchTask(curved, for_curves->field), context);
+  const double curved_cost =
+      along_edge ? whole_cost(SearchTask(curved, for_curves->field), *along_edge) : kAnyCost;
 
   const bool shared = settings_decide_headlands(straight);
-  const std::optional<PreparedField> own = shared ? std::nullopt : prepare_field(straight, context);
-  const std::optional<PreparedField>& for_straight = shared ? for_curves : own;
+  std::optional<Preparation> own = shared ? std::nullopt : prepare_field(straight, context);
+  std::optional<Preparation>& for_straight = shared ? for_curves : own;
   if (!for_straight) throw no_room(problem);
-  const SearchTask task(straight, *for_straight);
+  const SearchTask task(straight, for_straight->field);
   const double no_more_than = explain == Explain::kYes ? kAnyCost : curved_cost - least_by_headland(task);
-  SearchResult found = straight_search(task, context, no_more_than);
+  SearchResult found = found_on(task, *for_straight, context, no_more_than);
   const bool stays_straight =
       !along_edge || (found.best.works() && whole_cost(task, found.best) <= curved_cost);
   ExplainedPlan out;
   if (stays_straight)
     out = straight_plan(task, std::move(found), context, explain);
   else
-    out.plan = plan_of(SearchTask(curved, *for_curves), std::move(*along_edge), context);
+    out.plan = plan_of(SearchTask(curved, for_curves->field), std::move(*along_edge), context);
   out.plan.settings.shape = TrackShape::kAuto;
   return out;
 }
@@ -114,11 +124,11 @@ ExplainedPlan searched(const PlanningProblem& problem, const SearchContext& cont
         "tracks as in the paper follow a line: with --tracks paper give --ab, --guide or --curved");
   if (as_in_the_paper(settings)) require_paper_ground(problem.field, settings);
   if (settings.shape == TrackShape::kAuto) return cheaper_shape(problem, context, explain);
-  const std::optional<PreparedField> prepared = prepare_field(problem, context);
+  std::optional<Preparation> prepared = prepare_field(problem, context);
   if (!prepared) throw no_room(problem);
-  const SearchTask task(problem, *prepared);
+  const SearchTask task(problem, prepared->field);
   if (settings.shape == TrackShape::kStraight && !as_in_the_paper(settings))
-    return straight_plan(task, straight_search(task, context), context, explain);
+    return straight_plan(task, found_on(task, *prepared, context), context, explain);
   if (area(task.ground.plannable) == 0) return {finished_plan(task, SearchResult{}, context), std::nullopt};
   context.report();
   if (!settings.guide.empty()) return {plan_of(task, along_guide(task), context), std::nullopt};

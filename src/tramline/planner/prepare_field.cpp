@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "tramline/geometry/boolean.h"
 #include "tramline/headland/body.h"
@@ -106,6 +107,11 @@ std::optional<PreparedField> behind_headlands(const PlanningProblem& problem,
   return out;
 }
 
+std::optional<Preparation> only_prepared(std::optional<PreparedField> field) {
+  if (!field) return std::nullopt;
+  return Preparation{std::move(*field), std::nullopt};
+}
+
 /// By obstacle; none for those that tracks go round.
 std::vector<int> obstacle_passes(const PlanningProblem& problem, const std::vector<bool>& gone_round) {
   std::vector<int> out(problem.field.obstacles.size(), 0);
@@ -127,6 +133,26 @@ std::vector<bool> gone_round(const SearchTask& task, const Candidate& best) {
   return met;
 }
 
+/// With a headland round those obstacles that tracks do not go round in the best plan without.
+std::optional<Preparation> prepared_by_search(const PlanningProblem& problem, const SearchContext& context) {
+  const std::vector<int> no_passes(problem.field.obstacles.size(), 0);
+  const bool field_has_passes = problem.settings.headlands > 0;
+  const PreparedField bare = field_without_headlands(problem);
+  std::optional<PreparedField> before =
+      field_has_passes ? behind_headlands(problem, no_passes, bare.ground) : bare;
+  if (!before) return std::nullopt;
+  const SearchTask task(problem, *before);
+  SearchResult found = straight_search(task, context.uncounted());
+  context.report();
+  const std::vector<int> passes = obstacle_passes(problem, gone_round(task, found.best));
+  if (passes != no_passes)
+    return only_prepared(behind_headlands(problem, passes, sorted_bare_obstacles(problem, passes)));
+  if (field_has_passes) return Preparation{std::move(*before), std::move(found)};
+  // The search was of the bare field: the same ground, but for the rounding of booleans, and for the corners
+  // that split it.
+  return only_prepared(behind_headlands(problem, no_passes, bare.ground));
+}
+
 }  // namespace
 
 PreparedField field_without_headlands(const PlanningProblem& problem) {
@@ -145,25 +171,14 @@ bool settings_decide_headlands(const PlanningProblem& problem) {
          obstacle_shapes(problem.field, ObstacleKind::kObstacle).empty();
 }
 
-std::optional<PreparedField> prepare_field(const PlanningProblem& problem, const SearchContext& context) {
+std::optional<Preparation> prepare_field(const PlanningProblem& problem, const SearchContext& context) {
   const PlanSettings& settings = problem.settings;
-  if (settings.headlands == 0 && settings.obstacle_headlands == 0) return field_without_headlands(problem);
+  if (settings.headlands == 0 && settings.obstacle_headlands == 0)
+    return Preparation{field_without_headlands(problem), std::nullopt};
+  if (!settings_decide_headlands(problem)) return prepared_by_search(problem, context);
   const std::vector<bool> none(problem.field.obstacles.size(), false);
-  if (settings_decide_headlands(problem)) {
-    const std::vector<int> passes = obstacle_passes(problem, none);
-    return behind_headlands(problem, passes, sorted_bare_obstacles(problem, passes));
-  }
-  const std::vector<int> no_passes(none.size(), 0);
-  const PreparedField bare = field_without_headlands(problem);
-  const std::optional<PreparedField> before =
-      settings.headlands > 0 ? behind_headlands(problem, no_passes, bare.ground) : bare;
-  if (!before) return std::nullopt;
-  const SearchTask task(problem, *before);
-  const SearchResult found = straight_search(task, context.uncounted());
-  context.report();
-  const std::vector<int> passes = obstacle_passes(problem, gone_round(task, found.best));
-  if (passes == no_passes) return behind_headlands(problem, no_passes, bare.ground);
-  return behind_headlands(problem, passes, sorted_bare_obstacles(problem, passes));
+  const std::vector<int> passes = obstacle_passes(problem, none);
+  return only_prepared(behind_headlands(problem, passes, sorted_bare_obstacles(problem, passes)));
 }
 
 Error no_room(const PlanningProblem& problem) {

@@ -51,13 +51,15 @@ std::vector<Laid> best_of(std::vector<Laid> laid) {
   return out;
 }
 
-void run_searches(TradeOff& trade_off, const SearchContext& context) {
+/// `first`: what the first of them finds, where that is known.
+void run_searches(TradeOff& trade_off, std::optional<SearchResult> first, const SearchContext& context) {
   const std::vector<Objective> prices = prices_to_search(trade_off.problem.objective);
   for (const Objective& one : prices) trade_off.searches.push_back({one, {}});
   std::mutex mutex;
   int done = 0;
   for_each_index_until_end(prices.size(), context, [&](std::size_t i) {
-    trade_off.searches[i].found = straight_search(task_of(trade_off, i), context.uncounted());
+    trade_off.searches[i].found =
+        i == 0 && first ? std::move(*first) : straight_search(task_of(trade_off, i), context.uncounted());
     const std::lock_guard lock(mutex);
     context.count(++done, static_cast<int>(prices.size()));
   });
@@ -142,10 +144,10 @@ TradeOff trade_off(const Field& field, const Machine& machine, const Objective& 
   out.problem = planning_problem(field, machine, prices, settings);
   require_straight_tracks(settings);
   const SearchContext context(threads, progress);
-  std::optional<PreparedField> prepared = prepare_field(out.problem, context);
+  std::optional<Preparation> prepared = prepare_field(out.problem, context);
   if (!prepared) throw no_room(out.problem);
-  out.prepared = std::move(*prepared);
-  run_searches(out, context);
+  out.prepared = std::move(prepared->field);
+  run_searches(out, std::move(prepared->found), context);
   const Candidate& first = out.searches.front().found.best;
   require_tracks(task_of(out, 0), first.avoided.tally);
   if (!first.works())
