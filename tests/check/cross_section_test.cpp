@@ -11,24 +11,23 @@ namespace tramline {
 namespace {
 
 using check::longest_below;
-using check::PieceFrame;
 
 const Polygon kTriangle{{{0, 0}, {100, 0}, {0, 40}}, {}};
 
 TEST(CrossSection, linear_share_at_an_oblique_edge) {
   // Width 4 about y = 2: all inside up to x = 90, none from x = 100.
-  const PieceFrame frame({0, 2}, {120, 2});
-  EXPECT_NEAR(longest_below(kTriangle, frame, 2, 4).from_m, 90, 1e-9);
-  EXPECT_NEAR(longest_below(kTriangle, frame, 2, 2).from_m, 95, 1e-9);
-  EXPECT_NEAR(longest_below(kTriangle, frame, 2, 1).from_m, 97.5, 1e-9);
-  EXPECT_NEAR(longest_below(kTriangle, frame, 2, 1e-9).from_m, 100, 1e-6);
-  EXPECT_NEAR(longest_below(kTriangle, frame, 2, 1).to_m, 120, 1e-12);
+  const Path line = straight_path({0, 2}, {120, 2});
+  EXPECT_NEAR(longest_below(kTriangle, line, 2, 4).from_m, 90, 1e-9);
+  EXPECT_NEAR(longest_below(kTriangle, line, 2, 2).from_m, 95, 1e-9);
+  EXPECT_NEAR(longest_below(kTriangle, line, 2, 1).from_m, 97.5, 1e-9);
+  EXPECT_NEAR(longest_below(kTriangle, line, 2, 1e-9).from_m, 100, 1e-6);
+  EXPECT_NEAR(longest_below(kTriangle, line, 2, 1).to_m, 120, 1e-12);
 }
 
 TEST(CrossSection, jumps_where_an_edge_lies_across) {
   const Polygon step{{{0, 0}, {10, 0}, {10, 2}, {20, 2}, {20, 4}, {0, 4}}, {}};
-  const PieceFrame frame({0, 2}, {20, 2});
-  const check::Stretch below = longest_below(step, frame, 2, 3);
+  const Path line = straight_path({0, 2}, {20, 2});
+  const check::Stretch below = longest_below(step, line, 2, 3);
   EXPECT_NEAR(below.from_m, 10, 1e-9);
   EXPECT_NEAR(below.to_m, 20, 1e-9);
   EXPECT_NEAR(below.least_m, 2, 1e-9);
@@ -37,8 +36,8 @@ TEST(CrossSection, jumps_where_an_edge_lies_across) {
 TEST(CrossSection, holes_count_as_outside) {
   const Polygon holed{testing_plans::rectangle(0, 0, 20, 4),
                       {reversed(testing_plans::rectangle(8, 1, 9, 3))}};
-  const PieceFrame frame({0, 2}, {20, 2});
-  const check::Stretch below = longest_below(holed, frame, 2, 4);
+  const Path line = straight_path({0, 2}, {20, 2});
+  const check::Stretch below = longest_below(holed, line, 2, 4);
   EXPECT_NEAR(below.from_m, 8, 1e-9);
   EXPECT_NEAR(below.length(), 1, 1e-9);
   EXPECT_NEAR(below.least_m, 2, 1e-9);
@@ -67,7 +66,7 @@ TEST(CrossSection, land_that_ends_along_the_left_of_an_arc) {
 
 TEST(CrossSection, clipped_areas_are_right_down_to_a_square_micrometre) {
   const Polygon far{{{5000, 5000}, {5000 + 1e-3, 5000}, {5000, 5000 + 1e-3}}, {}};
-  const PieceFrame frame({5000, 4990}, {5000, 5000});
+  const check::PieceFrame frame({5000, 4990}, {5000, 5000});
   EXPECT_NEAR(check::clipped(far, frame, {-1, 10, 1, 11}).area_m2, 0.5e-6, 1e-14);
   EXPECT_NEAR(check::clipped(far, frame, {-1, 10, 1, 10 + 1e-5}).area_m2, 1e-8 - 0.5e-10, 1e-13);
 }
@@ -76,7 +75,7 @@ TEST(CrossSection, clipped_areas_are_right_down_to_a_square_micrometre) {
 TEST(CrossSection, clipping_a_comb_adds_up) {
   const Polygon comb{
       {{0, 10}, {0, 0}, {1, 0}, {1, 8}, {2, 8}, {2, 0}, {3, 0}, {3, 8}, {4, 8}, {4, 0}, {5, 0}, {5, 10}}, {}};
-  const PieceFrame frame({-5, 2}, {15, 2});
+  const check::PieceFrame frame({-5, 2}, {15, 2});
   EXPECT_NEAR(check::clipped(comb, frame, {-1, 0, 1, 20}).area_m2, 3 * 2, 1e-12);
 }
 

@@ -62,7 +62,8 @@ TEST(OtherRoads, stretches_short_of_a_demand_are_those_of_sampling) {
   for (int i = 0; i < 40; ++i) {
     const Polygon land = random_land(random);
     const PieceFrame frame = random_piece(random);
-    const check::Stretch found = check::longest_below(land, frame, kHalf, kRequired);
+    const check::Stretch found = check::longest_below(
+        land, straight_path(frame.to_field({0, 0}), frame.to_field({0, frame.length()})), kHalf, kRequired);
     double run = 0, longest = 0;
     for (double s = 0.5 * kStep; s < frame.length(); s += kStep) {
       const double inside = length_inside({land}, frame.to_field({-kHalf, s}), frame.to_field({kHalf, s}));

@@ -93,10 +93,4 @@ void add_below(const Polygon& land, const PieceFrame& frame, double half_m, doub
   }
 }
 
-Stretch longest_below(const Polygon& land, const PieceFrame& frame, double half_m, double required_m) {
-  LongestStretch longest;
-  add_below(land, frame, half_m, required_m, 0, longest);
-  return longest.best();
-}
-
 }  // namespace tramline::check

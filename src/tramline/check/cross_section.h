@@ -8,7 +8,7 @@
 
 namespace tramline::check {
 
-/// A stretch of a piece, m from its start.
+/// A stretch of a path, m from its start.
 struct Stretch {
   double from_m = 0;
   double to_m = 0;
@@ -17,16 +17,14 @@ struct Stretch {
   double length() const { return to_m - from_m; }
 };
 
-/// The longest stretch of the piece on which the cross-section of half width `half_m` has less than
-/// `required_m` metres inside the land: in an odd number of its rings. Exact: the length inside is linear
-/// between the places where the land's edges meet the swath, and is looked at between all of them. Zero
-/// length where there is none. O(v·k) for v vertices of the land, k of them within the swath.
-Stretch longest_below(const Polygon& land, const PieceFrame& frame, double half_m, double required_m);
-
-/// The same along a path of lines and arcs, about which cross-sections stand like the spokes of a wheel;
-/// stretches may go on from one segment to the next. On arcs the length inside is looked at in eight places
-/// between those where an edge of the land meets the swath, its sides, or its foot from the arc's centre, and
-/// where that falls below what is required, by bisection.
+/// The longest stretch of a path of lines and arcs on which the cross-section of half width `half_m` has less
+/// than `required_m` metres inside the land: in an odd number of its rings. Stretches may go on from one
+/// segment to the next. Along straight segments it is exact: the length inside is linear between the places
+/// where the land's edges meet the swath, and is looked at between all of them. About arcs cross-sections
+/// stand like the spokes of a wheel; there the length inside is looked at in eight places between those where
+/// an edge of the land meets the swath, its sides, or its foot from the arc's centre, and where that falls
+/// below what is required, by bisection. Zero length where there is none. O(v·k) for v vertices of the land,
+/// k of them within the swath.
 Stretch longest_below(const Polygon& land, const Path& path, double half_m, double required_m);
 
 /// Joins stretches that touch and keeps the longest. They come in their order along the piece.

@@ -44,6 +44,10 @@ Box PieceFrame::field_box(const Box& local) const {
   return out;
 }
 
+PieceFrame frame_of_detour(const TrackPiece& piece, const Path& detour) {
+  return piece.curve.empty() ? PieceFrame(piece) : PieceFrame(detour.front().from, detour.back().to);
+}
+
 Clipped clipped(const Polygon& polygon, const PieceFrame& frame, const Box& rectangle) {
   Clipped out;
   const Ring outer = clipped_ring(polygon.outer, frame, rectangle);

@@ -36,6 +36,10 @@ class PieceFrame {
   double length_;
 };
 
+/// The frame in which a detour is looked at: that of its straight piece, or along its own chord where the
+/// piece is curved.
+PieceFrame frame_of_detour(const TrackPiece& piece, const Path& detour);
+
 /// Land within a rectangle.
 struct Clipped {
   double area_m2 = 0;

@@ -1,10 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
+#include "tramline/check/swath_core.h"
 #include "tramline/check/tolerances.h"
 
 namespace tramline::check {
@@ -22,7 +26,7 @@ void check_all_cut(const Case& c, Violations& out) {
                      c.plan.encounters[i].at, 1});
 }
 
-/// How far a polygon reaches across the piece.
+/// How far a polygon reaches across a heading.
 double extent_across_m(const Polygon& shape, const PieceFrame& frame) {
   Box box;
   for (const Point p : shape.outer) box.extend(frame.to_local(p));
@@ -32,16 +36,18 @@ double extent_across_m(const Polygon& shape, const PieceFrame& frame) {
 /// S1 passes one obstacle at a time, and none as wide as the threshold.
 class PaperDetour {
  public:
-  PaperDetour(const Case& c, std::size_t index, std::size_t number)
+  /// `line`: the stretch of its track's line that the detour takes the place of.
+  PaperDetour(const Case& c, const Detour& detour, std::string name, const Path& line,
+              std::vector<const Encounter*> encounters)
       : c_(c),
-        piece_(c.plan.pieces[index]),
-        detour_(piece_.detours[number]),
-        name_(detour_name(index, number)),
-        frame_(is_curved() ? PieceFrame(detour_.path.front().from, detour_.path.back().to)
-                           : PieceFrame(piece_)) {}
+        detour_(detour),
+        name_(std::move(name)),
+        encounters_(std::move(encounters)),
+        replaced_(line, c.plan.machine.width_m),
+        frame_(frame_where_met(line)) {}
 
   void run(Violations& out) const {
-    if (const auto met = encounters_at(c_, piece_, detour_).size(); met > 1)
+    if (const auto met = encounters_.size(); met > 1)
       out.push_back({rule::kEncounters,
                      fmt::format("{} passes {} encounters at once, against S1's rule", name_, met),
                      detour_.path.front().from, static_cast<double>(met)});
@@ -49,7 +55,7 @@ class PaperDetour {
     for (std::size_t k = 0; k < obstacles.size(); ++k) {
       if (obstacles[k].kind != ObstacleKind::kObstacle || !on_its_track(k)) continue;
       const double across_m = extent_across_m(obstacles[k].shape, frame_);
-      if (across_m < threshold_m() + slack_m(across_m)) continue;
+      if (across_m < threshold_m() + kLengthTolerance_m) continue;
       out.push_back({rule::kEncounters,
                      fmt::format("{}: obstacle {} is {:.3f} m across, and S1's rule cuts from {:.3f} m on",
                                  name_, k + 1, across_m, threshold_m()),
@@ -58,29 +64,30 @@ class PaperDetour {
   }
 
  private:
-  bool is_curved() const { return !piece_.curve.empty(); }
-  /// A curved track is seen along the chord of the detour, which all but has the track's direction beside the
-  /// obstacle.
-  double slack_m(double across_m) const { return kLengthTolerance_m + (is_curved() ? 0.05 * across_m : 0); }
+  /// Along the line as it runs where the obstacle is met, which is in the middle of what cannot be driven. S1
+  /// knows straight tracks only: a curved one is seen along its tangent there.
+  PieceFrame frame_where_met(const Path& line) const {
+    const ReferenceSide side(line);
+    const double along_m =
+        encounters_.empty() ? 0.5 * side.length_m() : side.foot_of(encounters_.front()->at).along_m;
+    const Point at = side.beside(along_m, 0);
+    return {at, at + side.heading_at(along_m)};
+  }
   double threshold_m() const {
     const double given = c_.plan.settings.avoid_threshold_m;
     return given < 0 ? c_.plan.machine.width_m : given;
   }
   /// Not only beside it: then it is not for its sake that the detour is driven.
   bool on_its_track(std::size_t obstacle) const {
-    const double half = 0.5 * c_.plan.machine.width_m;
-    const Box replaced{-half, frame_.to_local(detour_.path.front().from).y, half,
-                       frame_.to_local(detour_.path.back().to).y};
-    const Box core = replaced.grown(-kLengthTolerance_m);
-    if (core.width() <= 0 || core.height() <= 0) return false;
-    return intersects(c_.obstacle_boxes[obstacle], frame_.field_box(core)) &&
-           clipped(c_.plan.field.obstacles[obstacle].shape, frame_, core).area_m2 > kTouch_m2;
+    const Boxed boxed{&c_.plan.field.obstacles[obstacle].shape, c_.obstacle_boxes[obstacle]};
+    return replaced_.part_on({boxed}).area_m2 > kTouch_m2;
   }
 
   const Case& c_;
-  const TrackPiece& piece_;
   const Detour& detour_;
   std::string name_;
+  std::vector<const Encounter*> encounters_;
+  SwathCore replaced_;
   PieceFrame frame_;
 };
 
@@ -109,8 +116,15 @@ std::string paper_fault(const Plan& plan, const Encounter& encounter) {
 }
 
 void check_paper(const Case& c, Violations& out) {
-  for (std::size_t i = 0; i < c.plan.pieces.size(); ++i)
-    for (std::size_t k = 0; k < c.plan.pieces[i].detours.size(); ++k) PaperDetour(c, i, k).run(out);
+  for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
+    const TrackPiece& piece = c.plan.pieces[i];
+    for (std::size_t k = 0; k < piece.detours.size(); ++k) {
+      const Detour& detour = piece.detours[k];
+      // A detour that replaces nothing is a fault by itself (check_detours).
+      if (const std::optional<Path> line = line_left(c, piece, detour))
+        PaperDetour(c, detour, detour_name(i, k), *line, encounters_at(c, piece, detour)).run(out);
+    }
+  }
   for (std::size_t i = 0; i < c.plan.encounters.size(); ++i) {
     const std::string fault = paper_fault(c.plan, c.plan.encounters[i]);
     if (!fault.empty())

@@ -57,8 +57,7 @@ void check_clearance(const Case& c, Violations& out) {
     const PieceFrame frame(piece);
     for (std::size_t k = 0; k < piece.detours.size(); ++k) {
       const Path& path = piece.detours[k].path;
-      const PieceFrame along = piece.curve.empty() ? frame : PieceFrame(path.front().from, path.back().to);
-      check_clearance_of(c, Lane(along, path, half), detour_name(i, k), out);
+      check_clearance_of(c, Lane(frame_of_detour(piece, path), path, half), detour_name(i, k), out);
     }
     // Where nothing has to be kept clear the rule about swaths says all.
     if (clearance_m <= 0) continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "tramline/check/bands.h"
 #include "tramline/check/cross_section.h"
@@ -57,12 +58,15 @@ Polygon land_within(const Box& box, const Region& land) {
   return out;
 }
 
-/// Tracks along one curve may go through several subfields.
-Region along_same_line(const Plan& plan, int subfield) {
-  const Path& line = plan.subfields[static_cast<std::size_t>(subfield)].reference;
+/// What a piece is asked to work: its subfield; of a repair, any gap. Tracks along one curve may go through
+/// several subfields.
+Region land_asked_for(const Plan& plan, const TrackPiece& piece) {
+  if (is_repair(plan)) return plan.body;
+  const Subfield& own = plan.subfields[static_cast<std::size_t>(piece.subfield)];
+  if (piece.curve.empty()) return {own.shape};
   Region out;
   for (const Subfield& other : plan.subfields)
-    if (other.reference == line) out.push_back(other.shape);
+    if (other.reference == own.reference) out.push_back(other.shape);
   return out;
 }
 
@@ -87,29 +91,15 @@ void check_ends(const Case& c, Violations& out) {
     if (below.length() > allowed_m)
       out.push_back({rule::kEnds, describe(c.plan, i, below), at, below.length()});
   };
-  std::map<int, Region> lands;  // of curved tracks, by subfield
+  std::map<std::pair<int, bool>, Region> lands;  // by subfield, of straight and of curved pieces
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
     const TrackPiece& piece = c.plan.pieces[i];
-    if (!piece.curve.empty()) {
-      Region& asked_for = lands[piece.subfield];
-      if (asked_for.empty())
-        asked_for = is_repair(c.plan) ? c.plan.body : along_same_line(c.plan, piece.subfield);
-      for (const Path& part : parts_on_track(piece)) {
-        const Polygon land = land_within(reach_of(part, 2 * asked.half_m), asked_for);
-        const Stretch below = longest_below(land, part, asked.half_m, asked.required_m);
-        report(i, below, place_on(part, 0.5 * (below.from_m + below.to_m)));
-      }
-      continue;
-    }
-    for (const PathSegment& part : straight_parts(piece)) {
-      const PieceFrame frame(part.from, part.to);
-      const Box reach = frame.field_box({-asked.half_m, 0, asked.half_m, frame.length()});
-      const Stretch below =
-          is_repair(c.plan)
-              ? longest_below(land_within(reach, c.plan.body), frame, asked.half_m, asked.required_m)
-              : longest_below(c.plan.subfields[static_cast<std::size_t>(piece.subfield)].shape, frame,
-                              asked.half_m, asked.required_m);
-      report(i, below, frame.to_field({0, 0.5 * (below.from_m + below.to_m)}));
+    Region& asked_for = lands[{piece.subfield, piece.curve.empty()}];
+    if (asked_for.empty()) asked_for = land_asked_for(c.plan, piece);
+    for (const Path& part : parts_on_track(piece)) {
+      const Polygon land = land_within(reach_of(part, 2 * asked.half_m), asked_for);
+      const Stretch below = longest_below(land, part, asked.half_m, asked.required_m);
+      report(i, below, place_on(part, 0.5 * (below.from_m + below.to_m)));
     }
   }
 }

@@ -13,35 +13,6 @@
 namespace tramline::check {
 namespace {
 
-/// What is wrong with how a detour lies on its piece, or "". `free_from_m`: where the one before ended.
-std::string fault_on_line(const Detour& detour, const PieceFrame& frame, double free_from_m) {
-  const Point begin = frame.to_local(detour.path.front().from), end = frame.to_local(detour.path.back().to);
-  if (std::abs(begin.x) > kLengthTolerance_m || std::abs(end.x) > kLengthTolerance_m)
-    return "does not begin and end on the line of its piece";
-  if (begin.y < free_from_m - kJoint_m) return "begins before its piece or the detour before";
-  if (end.y <= begin.y || end.y > frame.length() + kJoint_m) return "does not end ahead on its piece";
-  return "";
-}
-
-/// Precondition: the piece is sound but for its detours.
-void check_detours(const Plan& plan, std::size_t index, Violations& out) {
-  const TrackPiece& piece = plan.pieces[index];
-  const PieceFrame frame(piece);
-  double free_from_m = 0;
-  for (std::size_t k = 0; k < piece.detours.size(); ++k) {
-    const Detour& detour = piece.detours[k];
-    std::string fault = fault_of(detour.path);
-    if (fault.empty()) fault = fault_on_line(detour, frame, free_from_m);
-    if (fault.empty() && detour.side == Passing::kCut) fault = "passes its obstacles on no side";
-    if (fault.empty() && !exist(plan, detour.obstacles)) fault = "names an obstacle that there is not";
-    if (!fault.empty()) {
-      out.push_back({rule::kPieces, detour_name(index, k) + " " + fault, piece.start, 0});
-      return;
-    }
-    free_from_m = frame.to_local(detour.path.back().to).y;
-  }
-}
-
 /// What is wrong with how a curve lies between the ends of its piece, or "". Precondition: a path.
 std::string fault_of_curve(const TrackPiece& piece) {
   if (const std::string fault = fault_of(piece.curve); !fault.empty()) return "'s curve: " + fault;
@@ -51,22 +22,55 @@ std::string fault_of_curve(const TrackPiece& piece) {
   return "";
 }
 
-/// The detours of a curved piece are parts of its curve, one after the other. Precondition: a sound curve.
-void check_detours_of_curve(const Plan& plan, std::size_t index, Violations& out) {
+/// What of a piece no detour has taken yet. Those of a straight piece begin and end on its line; those of a
+/// curved one are parts of its curve.
+class FreeLine {
+ public:
+  explicit FreeLine(const TrackPiece& piece)
+      : piece_(piece), frame_(piece), free_from_(piece.curve.begin()) {}
+
+  /// What is wrong with how the next detour lies on it, or "". Precondition: a sound path.
+  std::string take(const Path& detour) {
+    return piece_.curve.empty() ? take_from_line(detour) : take_from_curve(detour);
+  }
+
+ private:
+  std::string take_from_line(const Path& detour) {
+    const Point begin = frame_.to_local(detour.front().from), end = frame_.to_local(detour.back().to);
+    if (std::abs(begin.x) > kLengthTolerance_m || std::abs(end.x) > kLengthTolerance_m)
+      return "does not begin and end on the line of its piece";
+    if (begin.y < free_from_m_ - kJoint_m) return "begins before its piece or the detour before";
+    if (end.y <= begin.y || end.y > frame_.length() + kJoint_m) return "does not end ahead on its piece";
+    free_from_m_ = end.y;
+    return "";
+  }
+  std::string take_from_curve(const Path& detour) {
+    const auto found = std::search(free_from_, piece_.curve.end(), detour.begin(), detour.end());
+    if (found == piece_.curve.end()) return "is no part of the curve of its piece";
+    free_from_ = found + static_cast<std::ptrdiff_t>(detour.size());
+    return "";
+  }
+
+  const TrackPiece& piece_;
+  PieceFrame frame_;
+  double free_from_m_ = 0;
+  Path::const_iterator free_from_;
+};
+
+/// Precondition: the piece is sound but for its detours.
+void check_detours_of(const Plan& plan, std::size_t index, Violations& out) {
   const TrackPiece& piece = plan.pieces[index];
-  auto free_from = piece.curve.begin();
+  FreeLine free(piece);
   for (std::size_t k = 0; k < piece.detours.size(); ++k) {
     const Detour& detour = piece.detours[k];
     std::string fault = fault_of(detour.path);
-    const auto found = std::search(free_from, piece.curve.end(), detour.path.begin(), detour.path.end());
-    if (fault.empty() && found == piece.curve.end()) fault = "is no part of the curve of its piece";
+    if (fault.empty()) fault = free.take(detour.path);
     if (fault.empty() && detour.side == Passing::kCut) fault = "passes its obstacles on no side";
     if (fault.empty() && !exist(plan, detour.obstacles)) fault = "names an obstacle that there is not";
     if (!fault.empty()) {
       out.push_back({rule::kPieces, detour_name(index, k) + " " + fault, piece.start, 0});
       return;
     }
-    free_from = found + static_cast<std::ptrdiff_t>(detour.path.size());
   }
 }
 
@@ -93,13 +97,13 @@ void check_piece(const Plan& plan, std::size_t index, Violations& out) {
     if (const std::string fault = fault_of_curve(piece); !fault.empty())
       out.push_back({rule::kPieces, name + fault, piece.start, 0});
     else
-      check_detours_of_curve(plan, index, out);
+      check_detours_of(plan, index, out);
     if (subfield.reference.empty() && !is_repair(plan))
       out.push_back(
           {rule::kPieces, name + " follows a curve, and its subfield has no reference line", piece.start, 0});
     return;
   }
-  check_detours(plan, index, out);
+  check_detours_of(plan, index, out);
   if (follows_curve(plan, piece.subfield)) return;
   const Direction direction = subfield.direction;
   const double off_m = std::abs(cross(piece.end - piece.start, direction.unit()));

@@ -108,7 +108,7 @@ void compare_track_areas(const Case& c, const Tally& found, double tolerance, Vi
 }
 
 /// Ground in cells, by what lies over it.
-enum Over : std::size_t { kLand, kLayer, kFirstPart };
+enum TalliedShape : std::size_t { kLand, kLayer, kFirstPart };
 
 /// An amount of ground and the middle of its largest cell.
 class Amount {

@@ -19,7 +19,7 @@ struct Off {
   bool other_side;     ///< of the reference
 };
 
-std::optional<Off> off_line(const TrackLines& lines, const TrackLine& line, int track,
+std::optional<Off> off_line(const TrackLines& lines, const ParallelLine& line, int track,
                             const PathSegment& segment, double width_m) {
   const double length_m = length(segment), due_m = lines.off_m(track);
   const int looks = 2 * std::max(1, static_cast<int>(std::ceil(0.5 * length_m / width_m)));
@@ -43,7 +43,7 @@ void check_track_lines(const Case& c, Violations& out) {
     const TrackPiece& piece = c.plan.pieces[i];
     const TrackLines& lines = c.lines.of(piece.subfield);
     if (!lines.known()) continue;
-    const TrackLine line = lines.line(piece.track);
+    const ParallelLine line = lines.line(piece.track);
     std::optional<Off> worst;
     const double due_m = lines.off_m(piece.track);
     const auto by_m = [due_m](const Off& off) { return std::abs(off.reference_m - due_m); };

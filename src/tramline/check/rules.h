@@ -103,20 +103,19 @@ int check_stops(const Case& c, Violations& out);
 /// follow a curve the line between two pieces is not known: the second begins ahead. In a repair what is
 /// crossed is worked ground, within the field.
 void check_crossings(const Case& c, Violations& out);
-/// Detours of curved tracks leave the line of their track and come back to it, on the side they say. They
-/// name the obstacles that are nearer to that line than half the width and the clearance, no others, and so
-/// do the encounters there.
-void check_curved_detours(const Case& c, Violations& out);
-/// What was decided where tracks meet obstacles is what they do, and detours name the obstacles they
-/// pass and the side. Every detour is where an encounter is, and what is in its way is named there too.
+/// Detours leave the line of their track, come back to it, and pass on the side they say. They name the
+/// obstacles that lie beside that line, nearer than half the width and the clearance, and so do the
+/// encounters there, of which there is one; no others, but for those between which and them no swath fits.
+void check_detours(const Case& c, Violations& out);
+/// What was decided where tracks meet obstacles is what they do: where a way past was chosen a detour takes
+/// it and names the obstacles met, where a cut was the track does not go on.
 void check_encounters(const Case& c, Violations& out);
-/// Wherever an obstacle without headland or land given up lies across a straight track, between two of its
+/// Wherever an obstacle without headland or land given up lies across the line of a track, between two of its
 /// pieces, dropped ones included, there is an encounter that names it. Where a track ends for good the file
 /// does not say what would have followed: nothing is asked there, nor of a repair, which decides nothing at
-/// obstacles. O(g·e) for g such gaps and e encounters.
+/// obstacles, nor where the lines are not known. O(g·e + k²) for g such gaps, e encounters and k pieces along
+/// one line.
 void check_meetings(const Case& c, Violations& out);
-/// The same along curved tracks, whose lines are those of their subfield's reference.
-void check_curved_meetings(const Case& c, Violations& out);
 /// Each way past an encounter has either a cost or a reason why not, and the chosen one a cost. Where the
 /// cheapest ways were asked for, the chosen one costs least: no other, nor a cut, is cheaper by more
 /// than rounding.
@@ -161,8 +160,8 @@ int passes_round(const Plan& plan, std::size_t obstacle);
 /// where one of them is curved, or where the subfield's reference is.
 bool follows_curve(const Plan& plan, int subfield);
 
-/// The stretch of the line of its curved track that a detour takes the place of, nullopt where it does not
-/// lead from the line back to it.
+/// The stretch of the line of its track that a detour takes the place of, in its heading; nullopt where it
+/// does not lead from the line back to it, or the line is not known.
 std::optional<Path> line_left(const Case& c, const TrackPiece& piece, const Detour& detour);
 /// The encounters on the stretch of its track that a detour takes the place of. O(e).
 std::vector<const Encounter*> encounters_at(const Case& c, const TrackPiece& piece, const Detour& detour);

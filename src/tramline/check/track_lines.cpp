@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <utility>
 
 #include "tramline/check/rules.h"
 #include "tramline/check/sound_path.h"
@@ -50,7 +49,7 @@ TrackLines::TrackLines(const Path& reference, const Machine& machine)
 
 double TrackLines::off_m(int track) const { return std::abs(track + 0.5) * width_m_; }
 
-TrackLine TrackLines::line(int track) const {
+ParallelLine TrackLines::line(int track) const {
   assert(known());
   return {side_of(track), looks_m_[track < 0 ? 1 : 0], off_m(track), width_m_, least_radius_m_};
 }
@@ -65,17 +64,6 @@ std::vector<int> TrackLines::tracks_near(Point p) const {
        k >= 0 && (k + 0.5) * width_m_ >= least_m; --k)
     out.push_back(foot.on_right ? k : -1 - k);
   return out;
-}
-
-std::optional<Path> TrackLines::between(int track, Point from, Point heading, Point to) const {
-  if (!known()) return std::nullopt;
-  const TrackLine line = this->line(track);
-  const std::optional<TrackPlace> first = line.place_of(from), last = line.place_of(to);
-  if (!first || !last) return std::nullopt;
-  const bool back = dot(heading, first->heading) < 0;
-  Walk walk = back ? line.walk(*last, *first) : line.walk(*first, *last);
-  if (walk.end != WalkEnd::kReached || walk.path.empty()) return std::nullopt;
-  return std::move(walk.path);
 }
 
 PlanLines::PlanLines(const Plan& plan) : lines_(1), by_subfield_(plan.subfields.size(), 0) {
@@ -98,6 +86,15 @@ PlanLines::PlanLines(const Plan& plan) : lines_(1), by_subfield_(plan.subfields.
 const TrackLines& PlanLines::of(int subfield) const {
   const bool known = subfield >= 0 && subfield < std::ssize(by_subfield_);
   return lines_[known ? by_subfield_[static_cast<std::size_t>(subfield)] : 0];
+}
+
+std::optional<TrackLine> PlanLines::along(const TrackPiece& piece) const {
+  if (piece.curve.empty()) {
+    const Point way = piece.end - piece.start;
+    return TrackLine(StraightLine(piece.start, (1 / length(way)) * way));
+  }
+  const TrackLines& lines = of(piece.subfield);
+  return lines.known() ? std::optional(TrackLine(lines.line(piece.track))) : std::nullopt;
 }
 
 bool holds(const Path& path, Point p) {

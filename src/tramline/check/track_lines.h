@@ -19,7 +19,7 @@ class TrackLines {
 
   bool known() const { return !sides_.empty(); }
   /// Of a track's number. Precondition: known().
-  TrackLine line(int track) const;
+  ParallelLine line(int track) const;
   /// The reference seen so that the track lies to its right. Precondition: known().
   const ReferenceSide& side_of(int track) const {
     assert(known());
@@ -27,17 +27,8 @@ class TrackLines {
   }
   /// How far from the reference a track runs, m.
   double off_m(int track) const;
-  /// Could the line of a track come back to where it began? Precondition: known().
-  bool may_close() const {
-    assert(known());
-    return sides_.front().touches_itself();
-  }
   /// Numbers of tracks on whose lines a place may be, nearest first. Precondition: known().
   std::vector<int> tracks_near(Point p) const;
-
-  /// What a track follows from one place to another, in the heading or against it; nullopt where its
-  /// line does not lead from the one to the other. Places may be a millimetre off.
-  std::optional<Path> between(int track, Point from, Point heading, Point to) const;
 
  private:
   double width_m_ = 0;
@@ -53,6 +44,9 @@ class PlanLines {
 
   /// None where no piece of the subfield is curved, or where there is no such subfield.
   const TrackLines& of(int subfield) const;
+  /// The line that a piece keeps to but for its detours: the straight one through its ends, or that of its
+  /// curved track, nullopt where that is not known. Precondition: the piece is sound (check_pieces).
+  std::optional<TrackLine> along(const TrackPiece& piece) const;
 
  private:
   std::vector<TrackLines> lines_;         ///< of each reference; the first are none

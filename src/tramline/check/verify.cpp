@@ -172,9 +172,8 @@ Verdict verify(const Plan& plan) {
   const int stops = check_stops(c, verdict.violations);
   check_crossings(c, verdict.violations);
   check_encounters(c, verdict.violations);
-  check_curved_detours(c, verdict.violations);
+  check_detours(c, verdict.violations);
   check_meetings(c, verdict.violations);
-  check_curved_meetings(c, verdict.violations);
   check_ways(c, verdict.violations);
   check_avoidance(c, verdict.violations);
   const Tallies tallies = check_tally(c, stops, verdict.violations);
