@@ -49,7 +49,7 @@ std::string figures(const Plan& plan, const check::Verdict& verdict) {
 }
 
 nlohmann::ordered_json to_json(const check::Violation& violation) {
-  return {{"rule", violation.rule},
+  return {{"rule", name(violation.rule)},
           {"what", violation.what},
           {"x_m", violation.at.x},
           {"y_m", violation.at.y},
@@ -90,7 +90,7 @@ std::string check_table(const std::string& plan_file, const Plan& plan, const ch
                                 plan.subfields.size(), plan.pieces.size());
   out += figures(plan, verdict);
   for (const check::Violation& violation : verdict.violations)
-    fmt::format_to(std::back_inserter(out), "{}: {}, at x {:.3f} m, y {:.3f} m\n", violation.rule,
+    fmt::format_to(std::back_inserter(out), "{}: {}, at x {:.3f} m, y {:.3f} m\n", name(violation.rule),
                    violation.what, violation.at.x, violation.at.y);
   out += not_verified_line(verdict.not_verified);
   if (verdict.violations.empty()) return out + "plan holds\n";

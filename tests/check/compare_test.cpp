@@ -22,7 +22,7 @@ TEST(CompareFields, a_deleted_corner_is_found_where_it_was) {
   planned.outer.erase(planned.outer.begin() + 2);
   const auto violations = check::compare_fields(planned, input);
   ASSERT_EQ(violations.size(), 1u);
-  EXPECT_EQ(violations[0].rule, "field");
+  EXPECT_EQ(violations[0].rule, check::Rule::kField);
   EXPECT_NEAR(violations[0].amount, 1500, 1e-3);
 }
 

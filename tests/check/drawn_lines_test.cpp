@@ -26,7 +26,7 @@ Names after(Change change) {
   Lines lines = drawn(plan);
   change(lines[4]);
   Names out;
-  for (const check::Violation& v : check::compare_lines(plan, lines)) out.insert(v.rule);
+  for (const check::Violation& v : check::compare_lines(plan, lines)) out.emplace(name(v.rule));
   return out;
 }
 
@@ -103,7 +103,7 @@ TEST(DrawnLines, leaving_the_field) {
   other.detours = {bulge(other, 50, 1.9, 6, Passing::kRight, {})};
   lines[9] = chords(centre_line(other));
   Names names;
-  for (const check::Violation& v : check::compare_lines(plan, lines)) names.insert(v.rule);
+  for (const check::Violation& v : check::compare_lines(plan, lines)) names.emplace(name(v.rule));
   EXPECT_EQ(names, (Names{"layers", "swaths"}));
 }
 
@@ -128,7 +128,7 @@ TEST(DrawnLines, words_follow_from_paths) {
   EXPECT_TRUE(out.empty());
   check::compare_text("layer tracks, feature 1, sides", "left", "right", {}, out);
   ASSERT_EQ(out.size(), 1u);
-  EXPECT_EQ(out[0].rule, "layers");
+  EXPECT_EQ(out[0].rule, check::Rule::kLayers);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ struct PlantedChange {
 bool reports(const std::vector<check::Violation>& violations, const std::string& rule,
              const std::string& words) {
   return std::any_of(violations.begin(), violations.end(), [&](const check::Violation& violation) {
-    return violation.rule == rule && violation.what.find(words) != std::string::npos;
+    return name(violation.rule) == rule && violation.what.find(words) != std::string::npos;
   });
 }
 

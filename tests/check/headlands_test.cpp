@@ -280,7 +280,8 @@ TEST(Headlands, ring_round_the_field_for_an_obstacle_at_its_edge) {
                   {{1.5, 15}, {6, 10.5}, kWideLeft}};
   const auto asked_for = [](const Plan& plan) {
     for (const check::Violation& violation : check::verify(plan).violations)
-      if (violation.rule == "headland" && violation.what.find("which nobody asked for") != std::string::npos)
+      if (violation.rule == check::Rule::kHeadland &&
+          violation.what.find("which nobody asked for") != std::string::npos)
         return false;
     return true;
   };
@@ -393,7 +394,7 @@ TEST(Headlands, ground_left_to_tracks) {
     plan.headland.ground = {{plan.field.outer, {reversed(body)}}};
     std::string out;
     for (const check::Violation& violation : check::verify(plan).violations)
-      if (violation.rule == "body") out += violation.what + "\n";
+      if (violation.rule == check::Rule::kBody) out += violation.what + "\n";
     return out;
   };
   const Ring behind_one{{3, 5}, {5, 3}, {95, 3}, {97, 5}, {97, 55}, {95, 57}, {5, 57}, {3, 55}};

@@ -39,7 +39,7 @@ TEST(PlannedPlans, hold_on_random_fields) {
     try {
       const check::Verdict verdict = check::verify(plan_field(field, machine, Objective{}, settings, 1));
       EXPECT_TRUE(verdict.complete);
-      for (const check::Violation& v : verdict.violations) ADD_FAILURE() << v.rule << ": " << v.what;
+      for (const check::Violation& v : verdict.violations) ADD_FAILURE() << name(v.rule) << ": " << v.what;
       ++planned;
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::kBadInput) << error.what();  // no track fits
@@ -107,7 +107,8 @@ TEST(PlannedPlans, hold_where_a_detour_leads_past_an_obstacle_with_a_headland) {
     for (const Detour& detour : piece.detours) past_both += detour.obstacles.size() == 2 ? 1 : 0;
   EXPECT_GE(past_both, 1U) << "the scene shows nothing";
   const check::Verdict verdict = check::verify(plan);
-  for (const check::Violation& each : verdict.violations) ADD_FAILURE() << each.rule << ": " << each.what;
+  for (const check::Violation& each : verdict.violations)
+    ADD_FAILURE() << name(each.rule) << ": " << each.what;
 }
 
 // S2's own tracks have kinks. That is all that is wrong with them where nothing is worked again, and the
@@ -128,7 +129,8 @@ TEST(PlannedPlans, with_kinks_are_found_undrivable_and_nothing_else) {
   const check::Verdict verdict = check::verify(plan);
   EXPECT_TRUE(verdict.complete);
   EXPECT_FALSE(verdict.violations.empty());
-  for (const check::Violation& each : verdict.violations) EXPECT_EQ(each.rule, "drivable") << each.what;
+  for (const check::Violation& each : verdict.violations)
+    EXPECT_EQ(each.rule, check::Rule::kDrivable) << each.what;
 }
 
 }  // namespace

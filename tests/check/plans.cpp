@@ -413,7 +413,7 @@ Plan turned(Plan plan, Angle by, Point move) {
 
 std::set<std::string> rules(const check::Verdict& verdict) {
   std::set<std::string> out;
-  for (const check::Violation& violation : verdict.violations) out.insert(violation.rule);
+  for (const check::Violation& violation : verdict.violations) out.emplace(name(violation.rule));
   return out;
 }
 
@@ -422,7 +422,7 @@ Names found(const Plan& plan) { return rules(check::verify(plan)); }
 void expect_holds(const Plan& plan) {
   const check::Verdict verdict = check::verify(plan);
   EXPECT_TRUE(verdict.holds());
-  for (const check::Violation& v : verdict.violations) ADD_FAILURE() << v.rule << ": " << v.what;
+  for (const check::Violation& v : verdict.violations) ADD_FAILURE() << name(v.rule) << ": " << v.what;
 }
 
 }  // namespace tramline::testing_plans

@@ -64,7 +64,7 @@ void add(Field& field, Ring ring, ObstacleKind kind) {
 std::string said(const check::Verdict& verdict) {
   std::string out;
   for (const check::Violation& violation : verdict.violations)
-    out += violation.rule + ": " + violation.what + "\n";
+    out += fmt::format("{}: {}\n", name(violation.rule), violation.what);
   return out;
 }
 
@@ -147,7 +147,8 @@ TEST(CurvedDetours, falsified_are_found_out) {
     change(changed, changed.pieces[with], changed.pieces[with].detours.front());
     std::string rules;
     for (const check::Violation& violation : check::verify(changed).violations)
-      if (rules.find(violation.rule) == std::string::npos) rules += violation.rule + " ";
+      if (rules.find(name(violation.rule)) == std::string::npos)
+        rules += fmt::format("{} ", name(violation.rule));
     return rules;
   };
   EXPECT_EQ(found([](Plan&, TrackPiece&, Detour& d) {

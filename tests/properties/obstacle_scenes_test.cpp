@@ -46,7 +46,8 @@ void look_at(const Plan& plan, Problems& problems) {
   const check::Verdict verdict = check::verify(plan);
   if (!verdict.complete) problems.push_back(fmt::format("{}: the verifier gave up", way));
   for (const check::Violation& v : verdict.violations)
-    problems.push_back(fmt::format("{}: {}: {} at ({:.6f}, {:.6f})", way, v.rule, v.what, v.at.x, v.at.y));
+    problems.push_back(
+        fmt::format("{}: {}: {} at ({:.6f}, {:.6f})", way, name(v.rule), v.what, v.at.x, v.at.y));
   const double off = identity_error_m2(plan);
   if (!(std::abs(off) <= 1e-6)) problems.push_back(fmt::format("{}: the identity is off by {} m²", way, off));
 }

@@ -99,7 +99,7 @@ TEST_F(RepairProperties, CheckHoldsAndTheIdentityToo) {
   for_random_repairs(40, [](const Missed& missed, const RepairPlan& repair, double) {
     const check::Verdict verdict = check::verify(repair.plan);
     for (const check::Violation& violation : verdict.violations)
-      ADD_FAILURE() << violation.rule << ": " << violation.what;
+      ADD_FAILURE() << name(violation.rule) << ": " << violation.what;
     EXPECT_NEAR(identity_error_m2(repair.plan), 0, 1e-3);
     EXPECT_NEAR(area(repair.plan.body) + area(repair.plan.worked), area(body_of(missed.field)), 0.05);
   });

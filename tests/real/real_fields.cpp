@@ -45,8 +45,8 @@ void compare_layers(const io::PlanFile& file, std::vector<check::Violation>& out
 std::vector<std::string> in_words(const check::Verdict& verdict) {
   std::vector<std::string> out;
   for (const check::Violation& violation : verdict.violations)
-    out.push_back(fmt::format("{}: {} at ({:.3f}, {:.3f})", violation.rule, violation.what, violation.at.x,
-                              violation.at.y));
+    out.push_back(fmt::format("{}: {} at ({:.3f}, {:.3f})", name(violation.rule), violation.what,
+                              violation.at.x, violation.at.y));
   if (!verdict.complete) out.emplace_back("the verifier could not look at everything");
   return out;
 }

@@ -54,7 +54,7 @@ TEST_F(RealRepairs, LogAndRepairTogetherLeaveWhatThePlanSays) {
           repair_plan(field, before.gaps, before.missed, before.lines, terms, kMinArea_m2, 0, {});
       const check::Verdict verdict = check::verify(repair.plan);
       for (const check::Violation& violation : verdict.violations)
-        ADD_FAILURE() << violation.rule << ": " << violation.what;
+        ADD_FAILURE() << name(violation.rule) << ": " << violation.what;
 
       const coverage::FurtherWork drive{coverage::plan_steps(repair.plan), {}};
       const Coverage after = coverage::evaluate(log, ground, settings, {}, {}, drive);

@@ -146,9 +146,9 @@ bool is_kinked(const Path& path) {
   return turns;
 }
 
-void append_ground(Ring ring, bool may_fold, Region& out) {
+void append_ground(Ring ring, Folds folds, Region& out) {
   const Polygon ground{std::move(ring), {}};
-  if (!may_fold || !find_invalidity(ground)) {
+  if (folds == Folds::kNever || !find_invalidity(ground)) {
     out.push_back(ground);
     return;
   }
@@ -162,7 +162,7 @@ Region flat_bands_along(const Path& path, double width_m, double sagitta_m) {
     const bool aligned = !segment.straight() && !folds;
     append_ground(
         aligned ? AlignedBand(segment, 0.5 * width_m, sagitta_m).take() : band({segment}, width_m, sagitta_m),
-        folds, out);
+        folds ? Folds::kPerhaps : Folds::kNever, out);
   }
   return out;
 }
@@ -171,7 +171,7 @@ Region bands_along(const Path& path, double width_m, double sagitta_m) {
   if (!is_kinked(path)) return flat_bands_along(path, width_m, sagitta_m);
   const CutBands bands(path, width_m);
   Region out;
-  for (std::size_t i = 0; i < path.size(); ++i) append_ground(bands.of(i), false, out);
+  for (std::size_t i = 0; i < path.size(); ++i) append_ground(bands.of(i), Folds::kNever, out);
   return out;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 // The ground along paths, segment by segment: a path that comes back to itself has one, too.
 
+#include <cstdint>
+
 #include "tramline/geometry/path.h"
 #include "tramline/geometry/region.h"
 
@@ -9,9 +11,11 @@ namespace tramline::check {
 /// Straight segments only, of which two meet at an angle of more than 1e-9 rad.
 bool is_kinked(const Path& path);
 
-/// A polygon of worked ground. One whose path is too tight or has kinks folds over itself; what it encloses
-/// counts.
-void append_ground(Ring ring, bool may_fold, Region& out);
+/// Does ground lie flat for certain? Where its path is too tight or has kinks it folds over itself.
+enum class Folds : std::uint8_t { kNever, kPerhaps };
+
+/// A polygon of worked ground. Of one that folds over itself what it encloses counts.
+void append_ground(Ring ring, Folds folds, Region& out);
 
 /// The band of every segment, one after the other; they touch, and overlap where the path comes back. At
 /// kinks of straight segments they are cut or lengthened to the kink's bisector, so that each has the area

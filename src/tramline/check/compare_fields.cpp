@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 #include "tramline/geometry/boolean.h"
@@ -49,7 +48,7 @@ void compare_regions(const Region& planned, const Region& input, const char* nam
   const double tolerance = std::max(kAreaShare * std::max(area(planned), area(input)),
                                     kGridSize * (total_perimeter(planned) + total_perimeter(input)));
   if (amount > tolerance)
-    out.push_back({rule::kField,
+    out.push_back({Rule::kField,
                    fmt::format("{} of the plan and of the input differ by {:.3f} m²", name, amount),
                    place_on_largest(off), amount});
 }
@@ -59,12 +58,12 @@ void compare_reports(const Field& planned, const Field& input, std::vector<Viola
   const auto same = [](const Repair& a, const Repair& b) { return a.what == b.what && a.where == b.where; };
   if (!std::equal(planned.repairs.begin(), planned.repairs.end(), input.repairs.begin(), input.repairs.end(),
                   same))
-    out.push_back({rule::kField,
+    out.push_back({Rule::kField,
                    fmt::format("the plan tells of {} repairs of the field, the input needs {}, or others",
                                planned.repairs.size(), input.repairs.size()),
                    planned.outer.front(), 1});
   if (planned.warnings != input.warnings)
-    out.push_back({rule::kField,
+    out.push_back({Rule::kField,
                    fmt::format("the plan has {} warnings about the field, the input gives {}, or others",
                                planned.warnings.size(), input.warnings.size()),
                    planned.outer.front(), 1});
@@ -73,11 +72,9 @@ void compare_reports(const Field& planned, const Field& input, std::vector<Viola
 }  // namespace
 
 std::vector<Violation> compare_fields(const Field& planned, const Field& input) {
+  if (!same_frame(planned.frame, input.frame))
+    return {{Rule::kField, "the plan lies in another local frame than the input", {}, 0}};
   std::vector<Violation> out;
-  if (!same_frame(planned.frame, input.frame)) {
-    out.push_back({rule::kField, "the plan lies in another local frame than the input", {}, 0});
-    return out;
-  }
   Point shift;
   if (!planned.frame.geodetic)
     shift = {input.frame.origin_x_m - planned.frame.origin_x_m,

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 
 namespace tramline::check {
@@ -18,7 +17,7 @@ void check_order(const std::vector<int>& order, const char* layer, Violations& o
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (order[i] == static_cast<int>(i) + 1) continue;
     out.push_back(
-        {rule::kLayers,
+        {Rule::kLayers,
          fmt::format("the layer {} numbers its feature {} in driving order as {}", layer, i + 1, order[i]),
          {},
          static_cast<double>(order[i])});
@@ -55,7 +54,7 @@ std::vector<Violation> compare_swaths(const Plan& plan, const std::vector<int>& 
   check_order(track_order, "tracks", out);
   check_order(swath_order, "swaths", out);
   if (swaths.size() != plan.pieces.size()) {
-    out.push_back({rule::kLayers,
+    out.push_back({Rule::kLayers,
                    fmt::format("there are {} swaths for {} tracks", swaths.size(), plan.pieces.size()),
                    {},
                    static_cast<double>(swaths.size()) - static_cast<double>(plan.pieces.size())});
@@ -66,7 +65,7 @@ std::vector<Violation> compare_swaths(const Plan& plan, const std::vector<int>& 
     const double off = swaths[i].holes.empty() ? apart(swath(piece, plan.machine.width_m), swaths[i].outer)
                                                : std::numeric_limits<double>::infinity();
     if (!(off <= kSame))
-      out.push_back({rule::kLayers,
+      out.push_back({Rule::kLayers,
                      fmt::format("the swath stored for {} is not the one its track works: {:.6f} m apart",
                                  piece_name(i), off),
                      midpoint(piece.start, piece.end), off});
@@ -77,7 +76,7 @@ std::vector<Violation> compare_swaths(const Plan& plan, const std::vector<int>& 
 void compare_text(const std::string& where, const std::string& stored, const std::string& from_shape,
                   Point at, std::vector<Violation>& out) {
   if (stored == from_shape) return;
-  out.push_back({rule::kLayers,
+  out.push_back({Rule::kLayers,
                  fmt::format("{} is stored as '{}', its shape gives '{}'", where, stored, from_shape), at,
                  1});
 }
@@ -86,7 +85,7 @@ void compare_number(const std::string& where, double stored, double from_shape, 
                     std::vector<Violation>& out) {
   const double tolerance = rounding + kSame * std::max(1.0, std::abs(from_shape));
   if (std::abs(stored - from_shape) <= tolerance) return;
-  out.push_back({rule::kLayers,
+  out.push_back({Rule::kLayers,
                  fmt::format("{} is stored as {:.6f}, its shape gives {:.6f}", where, stored, from_shape), at,
                  stored - from_shape});
 }

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "tramline/check/compare_layers.h"
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 
@@ -133,7 +132,7 @@ void judge_line(const Case& c, std::size_t index, const std::vector<Point>& line
   const Bend bend = worst_bend(path, curvature);
   if (bend.excess_deg > kHeadingTolerance_deg)
     out.push_back(
-        {rule::kDrivable,
+        {Rule::kDrivable,
          fmt::format("{} turns {:.2f}° more than a machine of this radius can", name, bend.excess_deg),
          bend.at, bend.excess_deg});
 }
@@ -143,7 +142,7 @@ void judge_line(const Case& c, std::size_t index, const std::vector<Point>& line
 std::vector<Violation> compare_lines(const Plan& plan, const std::vector<std::vector<Point>>& lines) {
   std::vector<Violation> out;
   if (lines.size() != plan.pieces.size()) {
-    out.push_back({rule::kLayers,
+    out.push_back({Rule::kLayers,
                    fmt::format("there are {} lines for {} tracks", lines.size(), plan.pieces.size()),
                    {},
                    static_cast<double>(lines.size()) - static_cast<double>(plan.pieces.size())});
@@ -158,7 +157,7 @@ std::vector<Violation> compare_lines(const Plan& plan, const std::vector<std::ve
     const auto astray = first_astray(line, moved(centre_line(plan.pieces[i]), to_local));
     if (!astray) continue;
     out.push_back(
-        {rule::kLayers,
+        {Rule::kLayers,
          fmt::format("the line stored for {} is not its path from vertex {} on", piece_name(i), *astray + 1),
          line.empty() ? plan.pieces[i].start : lines[i][*astray], 0});
     if (!c) c.emplace(plan);

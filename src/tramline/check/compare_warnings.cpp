@@ -12,7 +12,6 @@
 #include <string>
 
 #include "tramline/check/ground_cells.h"
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 
 namespace tramline::check {
@@ -161,7 +160,7 @@ std::vector<Violation> compare_warnings(const Plan& plan) {
   std::vector<Violation> out;
   if (plan.figures == PlanFigures::kTracks) return out;
   const auto report = [&](const std::string& what) {
-    out.push_back({rule::kWarnings, what, plan.field.outer.front(), 1});
+    out.push_back({Rule::kWarnings, what, plan.field.outer.front(), 1});
   };
   for (const Expected& expected :
        {of_unworked_land(plan), of_overrun(plan), of_given_up_land(plan), of_passes_without_room(plan),

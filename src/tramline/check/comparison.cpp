@@ -1,5 +1,4 @@
 #include "tramline/check/comparison.h"
-#include "tramline/check/rule_names.h"
 
 #include <fmt/format.h>
 
@@ -7,14 +6,12 @@
 #include <cmath>
 
 namespace tramline::check {
-namespace {}  // namespace
-
 double rounding_of(double value) { return 1e-9 * std::max(1.0, std::abs(value)); }
 
 void Comparison::number(const char* what, const char* unit, double stored, double found, double tolerance) {
   // Written so that a stored NaN is a violation too.
   if (std::abs(stored - found) <= tolerance) return;
-  out_.push_back({rule::kTally,
+  out_.push_back({Rule::kTally,
                   fmt::format("the plan says {} {:.6f}{}, {} amount to {:.6f}{}", what, stored, unit,
                               of_what_, found, unit),
                   at_, stored - found});
@@ -22,7 +19,7 @@ void Comparison::number(const char* what, const char* unit, double stored, doubl
 
 void Comparison::count(const char* what, int stored, int found) {
   if (stored == found) return;
-  out_.push_back({rule::kTally,
+  out_.push_back({Rule::kTally,
                   fmt::format("the plan counts {} {}, {} have {}", stored, what, of_what_, found), at_,
                   static_cast<double>(stored - found)});
 }

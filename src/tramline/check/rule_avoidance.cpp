@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/swath_core.h"
 #include "tramline/check/tolerances.h"
@@ -17,11 +16,11 @@ namespace {
 void check_all_cut(const Case& c, Violations& out) {
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i)
     for (std::size_t k = 0; k < c.plan.pieces[i].detours.size(); ++k)
-      out.push_back({rule::kEncounters, detour_name(i, k) + " is driven, and all tracks were to be cut",
+      out.push_back({Rule::kEncounters, detour_name(i, k) + " is driven, and all tracks were to be cut",
                      c.plan.pieces[i].detours[k].path.front().from, 1});
   for (std::size_t i = 0; i < c.plan.encounters.size(); ++i)
     if (c.plan.encounters[i].chosen != Passing::kCut)
-      out.push_back({rule::kEncounters,
+      out.push_back({Rule::kEncounters,
                      fmt::format("encounter {} is passed, and all tracks were to be cut", i + 1),
                      c.plan.encounters[i].at, 1});
 }
@@ -48,7 +47,7 @@ class PaperDetour {
 
   void run(Violations& out) const {
     if (const auto met = encounters_.size(); met > 1)
-      out.push_back({rule::kEncounters,
+      out.push_back({Rule::kEncounters,
                      fmt::format("{} passes {} encounters at once, against S1's rule", name_, met),
                      detour_.path.front().from, static_cast<double>(met)});
     const auto& obstacles = c_.plan.field.obstacles;
@@ -56,7 +55,7 @@ class PaperDetour {
       if (obstacles[k].kind != ObstacleKind::kObstacle || !on_its_track(k)) continue;
       const double across_m = extent_across_m(obstacles[k].shape, frame_);
       if (across_m < threshold_m() + kLengthTolerance_m) continue;
-      out.push_back({rule::kEncounters,
+      out.push_back({Rule::kEncounters,
                      fmt::format("{}: obstacle {} is {:.3f} m across, and S1's rule cuts from {:.3f} m on",
                                  name_, k + 1, across_m, threshold_m()),
                      obstacles[k].shape.outer.front(), across_m - threshold_m()});
@@ -129,7 +128,7 @@ void check_paper(const Case& c, Violations& out) {
     const std::string fault = paper_fault(c.plan, c.plan.encounters[i]);
     if (!fault.empty())
       out.push_back(
-          {rule::kEncounters, fmt::format("encounter {} {}", i + 1, fault), c.plan.encounters[i].at, 1});
+          {Rule::kEncounters, fmt::format("encounter {} {}", i + 1, fault), c.plan.encounters[i].at, 1});
   }
 }
 

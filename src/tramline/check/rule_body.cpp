@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/geometry/boolean.h"
 
@@ -12,7 +11,7 @@ namespace {
 
 void report(const Region& off, double tolerance_m2, const std::string& what, Violations& out) {
   if (const double amount = area(off); amount > tolerance_m2)
-    out.push_back({rule::kBody, fmt::format(fmt::runtime(what), amount), place_on_largest(off), amount});
+    out.push_back({Rule::kBody, fmt::format(fmt::runtime(what), amount), place_on_largest(off), amount});
 }
 
 /// The chords of body and ground are the same: nothing may be lost between the two.

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include "tramline/check/bands.h"
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 #include "tramline/geometry/boolean.h"
@@ -18,7 +17,7 @@ void check_land(const BoxedRegion& land, const char* of_what, double clearance_m
     const Approach found = lane.to_land(*polygon.shape, least_m);
     if (found.gap_m >= least_m) continue;
     out.push_back(
-        {rule::kClearance,
+        {Rule::kClearance,
          fmt::format("{} comes {:.4f} m nearer to {} than it may", name, clearance_m - found.gap_m, of_what),
          found.at, clearance_m - found.gap_m});
   }
@@ -34,7 +33,7 @@ void check_curve(const Case& c, const TrackPiece& piece, const std::string& name
       if (!intersects(obstacle.box, near)) continue;
       const double missing_m = c.plan.settings.clearance_m - distance_between({part}, {*obstacle.shape});
       if (missing_m <= kLengthTolerance_m) continue;
-      out.push_back({rule::kClearance,
+      out.push_back({Rule::kClearance,
                      fmt::format("{} comes {:.4f} m nearer to an obstacle than it may", name, missing_m),
                      bounds(part).centre(), missing_m});
       return;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 
@@ -60,7 +59,7 @@ std::string not_going_on(const Case& c, const TrackPiece& first, const TrackPiec
 void check_crossings(const Case& c, Violations& out) {
   const auto& pieces = c.plan.pieces;
   const auto report = [&](std::size_t i, const std::string& why) {
-    out.push_back({rule::kCrossings,
+    out.push_back({Rule::kCrossings,
                    fmt::format("{} is flagged as going on after a crossing, but {}", piece_name(i), why),
                    pieces[i].start, 1});
   };

@@ -9,7 +9,6 @@
 
 #include "tramline/check/bands.h"
 #include "tramline/check/detour_course.h"
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 #include "tramline/geometry/boolean.h"
@@ -39,7 +38,7 @@ class DetourCheck {
   void run(Violations& out) {
     const Point at = detour_.path.front().from;
     if (encounters_.empty())
-      out.push_back({rule::kEncounters, name_ + " is where the plan has no encounter", at, 1});
+      out.push_back({Rule::kEncounters, name_ + " is where the plan has no encounter", at, 1});
     const Box near = course_.line_box(reach_m_);
     const auto& obstacles = c_.plan.field.obstacles;
     for (std::size_t k = 0; k < obstacles.size(); ++k) {
@@ -47,12 +46,12 @@ class DetourCheck {
       if (!named && !(stands_in_ways(obstacles[k]) && intersects(c_.obstacle_boxes[k], near))) continue;
       const std::string fault = fault_about(static_cast<int>(k), named);
       if (fault.empty()) continue;
-      out.push_back({rule::kEncounters, fmt::format("{}: obstacle {} {}", name_, k + 1, fault),
+      out.push_back({Rule::kEncounters, fmt::format("{}: obstacle {} {}", name_, k + 1, fault),
                      obstacles[k].shape.outer.front(), static_cast<double>(k + 1)});
     }
     if (!wrong_side_told_ && course_.goes_left() != goes_left())
       out.push_back(
-          {rule::kEncounters, fmt::format("{} does not pass {}", name_, name(detour_.side)), at, 1});
+          {Rule::kEncounters, fmt::format("{} does not pass {}", name_, name(detour_.side)), at, 1});
   }
 
  private:
@@ -147,7 +146,7 @@ void check_detours(const Case& c, Violations& out) {
       if (const std::optional<Path> line = line_left(c, piece, detour))
         DetourCheck(c, detour, detour_name(i, k), *line, encounters_at(c, piece, detour)).run(out);
       else
-        out.push_back({rule::kEncounters,
+        out.push_back({Rule::kEncounters,
                        detour_name(i, k) + " does not lead from the line of its track back to it",
                        detour.path.front().from, 1});
     }

@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 
@@ -19,7 +18,7 @@ double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 void check_radii(const Path& path, double least_m, const std::string& name, Violations& out) {
   for (const PathSegment& segment : path) {
     if (radius(segment) >= least_m * (1 - kRadiusShare)) continue;
-    out.push_back({rule::kDrivable,
+    out.push_back({Rule::kDrivable,
                    fmt::format("{} has an arc of radius {:.3f} m, and {:.3f} m is the least", name,
                                radius(segment), least_m),
                    midpoint(segment.from, segment.to), least_m - radius(segment)});
@@ -34,7 +33,7 @@ class Joints {
   void arrive(Point heading, Point at) {
     const double jump_deg = degrees(std::abs(std::atan2(cross(heading_, heading), dot(heading_, heading))));
     if (jump_deg > kHeadingTolerance_deg)
-      out_.push_back({rule::kDrivable, fmt::format("the heading of {} jumps by {:.2f}°", name_, jump_deg), at,
+      out_.push_back({Rule::kDrivable, fmt::format("the heading of {} jumps by {:.2f}°", name_, jump_deg), at,
                       jump_deg});
   }
   void leave(Point heading) { heading_ = heading; }

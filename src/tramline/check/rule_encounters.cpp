@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "tramline/check/bands.h"
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 
@@ -121,7 +120,7 @@ void check_encounters(const Case& c, Violations& out) {
     const std::string fault = contradiction(c, tracks, c.plan.encounters[i]);
     if (!fault.empty())
       out.push_back(
-          {rule::kEncounters, fmt::format("encounter {} {}", i + 1, fault), c.plan.encounters[i].at, 1});
+          {Rule::kEncounters, fmt::format("encounter {} {}", i + 1, fault), c.plan.encounters[i].at, 1});
   }
 }
 

@@ -6,7 +6,6 @@
 
 #include "tramline/check/bands.h"
 #include "tramline/check/cross_section.h"
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 
@@ -89,7 +88,7 @@ void check_ends(const Case& c, Violations& out) {
   const double allowed_m = kLengthTolerance_m + (is_repair(c.plan) ? kLeastBreak_m : 0);
   const auto report = [&](std::size_t i, const Stretch& below, Point at) {
     if (below.length() > allowed_m)
-      out.push_back({rule::kEnds, describe(c.plan, i, below), at, below.length()});
+      out.push_back({Rule::kEnds, describe(c.plan, i, below), at, below.length()});
   };
   std::map<std::pair<int, bool>, Region> lands;  // by subfield, of straight and of curved pieces
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "tramline/check/comparison.h"
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 
 namespace tramline::check {
@@ -96,7 +95,7 @@ class FrontCheck {
   }
 
   void report(std::size_t index, const std::string& fault) {
-    out_.push_back({rule::kFront, fmt::format("plan {} of the front {}", index + 1, fault),
+    out_.push_back({Rule::kFront, fmt::format("plan {} of the front {}", index + 1, fault),
                     c_.plan.field.outer.front(), 1});
   }
 

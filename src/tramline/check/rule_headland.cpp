@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/self_crossing.h"
 #include "tramline/check/sound_path.h"
@@ -13,7 +12,7 @@ namespace {
 
 void check_depth(const Plan& plan, int passes, const char* round_what, Violations& out) {
   if (passes >= 0 && passes * plan.machine.width_m <= kFarthest_m) return;
-  out.push_back({rule::kHeadland,
+  out.push_back({Rule::kHeadland,
                  fmt::format("{} passes round {} are asked for", passes, round_what),
                  {},
                  static_cast<double>(passes)});
@@ -24,7 +23,7 @@ void check_obstacle_passes(const Plan& plan, Violations& out) {
   const auto& obstacles = plan.field.obstacles;
   if (passes.size() > obstacles.size())
     out.push_back(
-        {rule::kHeadland,
+        {Rule::kHeadland,
          fmt::format("{} obstacles have headlands, and there are {}", passes.size(), obstacles.size()),
          {},
          static_cast<double>(passes.size())});
@@ -34,7 +33,7 @@ void check_obstacle_passes(const Plan& plan, Violations& out) {
     // A boundary has all the passes that were asked for, or tracks go round it and it has none.
     if (passes[i] == 0 || passes[i] == most) continue;
     out.push_back(
-        {rule::kHeadland,
+        {Rule::kHeadland,
          fmt::format("obstacle {} has {} headland passes, and {} were asked for", i + 1, passes[i], most),
          obstacles[i].shape.outer.front(), static_cast<double>(passes[i])});
   }
@@ -68,9 +67,9 @@ void check_headland(const Plan& plan, Violations& out) {
   for (std::size_t i = 0; i < passes.size(); ++i) {
     if (const std::string fault = fault_of(plan, passes[i]); !fault.empty()) {
       const Point at = passes[i].path.empty() ? Point{} : passes[i].path.front().from;
-      out.push_back({rule::kHeadland, pass_name(i) + " " + fault, at, 0});
+      out.push_back({Rule::kHeadland, pass_name(i) + " " + fault, at, 0});
     } else if (const auto place = self_crossing_of(passes[i].path)) {
-      out.push_back({rule::kHeadland, pass_name(i) + " crosses itself", *place, 0});
+      out.push_back({Rule::kHeadland, pass_name(i) + " crosses itself", *place, 0});
     }
   }
 }

@@ -3,7 +3,6 @@
 #include "tramline/check/bands.h"
 #include "tramline/check/comparison.h"
 #include "tramline/check/ground_cells.h"
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 
@@ -73,7 +72,7 @@ void check_headland_tally(const Case& c, Violations& out) {
 
   if (found.drawn_wrong_m2 > c.area_tolerance_m2 + kRoundEdge_m * 2 * found.arcs_m)
     out.push_back(
-        {rule::kTally,
+        {Rule::kTally,
          fmt::format("what the headland's passes leave is drawn wrong by {:.3f} m²", found.drawn_wrong_m2),
          found.drawn_wrong_at, found.drawn_wrong_m2});
 }

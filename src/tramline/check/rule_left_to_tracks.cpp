@@ -4,7 +4,6 @@
 #include <string>
 
 #include "tramline/check/bands.h"
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 #include "tramline/geometry/boolean.h"
@@ -14,7 +13,7 @@ namespace {
 
 void report(const Region& wrong, double tolerance_m2, const std::string& what, Violations& out) {
   if (const double amount = area(wrong); amount > tolerance_m2)
-    out.push_back({rule::kBody, fmt::format(fmt::runtime(what), amount), place_on_largest(wrong), amount});
+    out.push_back({Rule::kBody, fmt::format(fmt::runtime(what), amount), place_on_largest(wrong), amount});
 }
 
 double extent_m(const Polygon& polygon) {

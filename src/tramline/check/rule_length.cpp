@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 
@@ -13,7 +12,7 @@ void check_length(const Case& c, Violations& out) {
     const bool crosses = pieces[i].after_crossing || (i + 1 < pieces.size() && pieces[i + 1].after_crossing);
     const double length_m = length(pieces[i]);
     if (crosses || length_m >= least_m - kLengthTolerance_m) continue;
-    out.push_back({rule::kLength,
+    out.push_back({Rule::kLength,
                    fmt::format("{} is {:.3f} m long, less than the {:.3f} m worth driving", piece_name(i),
                                length_m, least_m),
                    midpoint(pieces[i].start, pieces[i].end), least_m - length_m});

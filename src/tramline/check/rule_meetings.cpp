@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "tramline/check/bands.h"
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/sound_path.h"
 #include "tramline/check/swath_core.h"
@@ -167,7 +166,7 @@ class Meetings {
     if (blocked.area_m2 + left_out.area_m2 <= kTouch_m2) return;
     const std::vector<const Encounter*> there = encounters_in(gap);
     if (there.empty())
-      out_.push_back({rule::kEncounters,
+      out_.push_back({Rule::kEncounters,
                       describe(gap) + " is cut by an obstacle or land given up, and no encounter is there",
                       place_on(gap.path, 0.5 * length(gap.path)), 1});
     else if (blocked.area_m2 > kTouch_m2)
@@ -197,7 +196,7 @@ class Meetings {
       const Clipped part = core.part_on({{&obstacles[k].shape, c_.obstacle_boxes[k]}});
       if (part.area_m2 <= kTouch_m2) continue;
       out_.push_back(
-          {rule::kEncounters,
+          {Rule::kEncounters,
            fmt::format("{} is cut by obstacle {}, which no encounter there names", describe(gap), k + 1),
            part.at, static_cast<double>(k + 1)});
     }

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "tramline/check/bands.h"
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 #include "tramline/geometry/box_grid.h"
@@ -50,7 +49,7 @@ class Family {
     for (const Part& stretch : stretches_) look_beside(stretch);
     for (const auto& [pieces, nearest] : too_near_)
       out.push_back(
-          {rule::kParallel,
+          {Rule::kParallel,
            fmt::format("{} and {} run {:.4f} m apart, less than the working width of {:.3f} m",
                        piece_name(pieces.first), piece_name(pieces.second), nearest.apart_m, width_m_),
            nearest.at, width_m_ - nearest.apart_m});

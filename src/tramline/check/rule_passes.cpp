@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "tramline/check/pass_lanes.h"
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 
@@ -23,7 +22,7 @@ class PassCheck {
   void run() const {
     for (const Lane& lane : lanes_)
       if (const auto place = lane.place_outside(c_.plan.field.outer)) {
-        out_.push_back({rule::kSwaths, name_ + " leaves the field", *place, 0});
+        out_.push_back({Rule::kSwaths, name_ + " leaves the field", *place, 0});
         return;
       }
     const double room_m = kept_m(c_.plan.settings.headlands);
@@ -60,11 +59,11 @@ class PassCheck {
   void check_distance(const Approach& found, double kept_m, const std::string& of_what) const {
     if (found.gap_m >= kept_m - kLengthTolerance_m) return;
     if (found.gap_m < -kLengthTolerance_m)
-      out_.push_back({rule::kSwaths,
+      out_.push_back({Rule::kSwaths,
                       fmt::format("the swath of {} reaches {:.4f} m beyond {}", name_, -found.gap_m, of_what),
                       found.at, -found.gap_m});
     else
-      out_.push_back({rule::kHeadland,
+      out_.push_back({Rule::kHeadland,
                       fmt::format("{} is number {} and comes {:.4f} m nearer to {} than it may", name_,
                                   pass_.number, kept_m - found.gap_m, of_what),
                       found.at, kept_m - found.gap_m});
@@ -84,7 +83,7 @@ class PassCheck {
     }
     if (!right)
       out_.push_back(
-          {rule::kHeadland, name_ + " does not have the land on its left", pass_.path.front().from, 1});
+          {Rule::kHeadland, name_ + " does not have the land on its left", pass_.path.front().from, 1});
   }
 
   const Case& c_;

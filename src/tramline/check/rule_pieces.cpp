@@ -5,7 +5,6 @@
 #include <limits>
 #include <string>
 
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/sound_path.h"
 #include "tramline/check/tolerances.h"
@@ -68,7 +67,7 @@ void check_detours_of(const Plan& plan, std::size_t index, Violations& out) {
     if (fault.empty() && detour.side == Passing::kCut) fault = "passes its obstacles on no side";
     if (fault.empty() && !exist(plan, detour.obstacles)) fault = "names an obstacle that there is not";
     if (!fault.empty()) {
-      out.push_back({rule::kPieces, detour_name(index, k) + " " + fault, piece.start, 0});
+      out.push_back({Rule::kPieces, detour_name(index, k) + " " + fault, piece.start, 0});
       return;
     }
   }
@@ -78,15 +77,15 @@ void check_piece(const Plan& plan, std::size_t index, Violations& out) {
   const TrackPiece& piece = plan.pieces[index];
   const std::string name = piece_name(index);
   if (!on_the_map(piece.start) || !on_the_map(piece.end)) {
-    out.push_back({rule::kPieces, name + " has an end off the map", {}, 0});
+    out.push_back({Rule::kPieces, name + " has an end off the map", {}, 0});
     return;
   }
   if (distance(piece.start, piece.end) <= kShortest_m) {
-    out.push_back({rule::kPieces, name + " has no length", piece.start, 0});
+    out.push_back({Rule::kPieces, name + " has no length", piece.start, 0});
     return;
   }
   if (piece.subfield < 0 || static_cast<std::size_t>(piece.subfield) >= plan.subfields.size()) {
-    out.push_back({rule::kPieces,
+    out.push_back({Rule::kPieces,
                    fmt::format("{} belongs to subfield {}, and there are {}", name, piece.subfield + 1,
                                plan.subfields.size()),
                    piece.start, static_cast<double>(piece.subfield + 1)});
@@ -95,12 +94,12 @@ void check_piece(const Plan& plan, std::size_t index, Violations& out) {
   const Subfield& subfield = plan.subfields[static_cast<std::size_t>(piece.subfield)];
   if (!piece.curve.empty()) {
     if (const std::string fault = fault_of_curve(piece); !fault.empty())
-      out.push_back({rule::kPieces, name + fault, piece.start, 0});
+      out.push_back({Rule::kPieces, name + fault, piece.start, 0});
     else
       check_detours_of(plan, index, out);
     if (subfield.reference.empty() && !is_repair(plan))
       out.push_back(
-          {rule::kPieces, name + " follows a curve, and its subfield has no reference line", piece.start, 0});
+          {Rule::kPieces, name + " follows a curve, and its subfield has no reference line", piece.start, 0});
     return;
   }
   check_detours_of(plan, index, out);
@@ -109,7 +108,7 @@ void check_piece(const Plan& plan, std::size_t index, Violations& out) {
   const double off_m = std::abs(cross(piece.end - piece.start, direction.unit()));
   // Written so that an undefined direction (NaN) is a violation too.
   if (!(off_m <= kLengthTolerance_m))
-    out.push_back({rule::kPieces,
+    out.push_back({Rule::kPieces,
                    fmt::format("{} ends {:.3f} m off the direction of its subfield", name, off_m), piece.end,
                    off_m});
 }
@@ -117,7 +116,7 @@ void check_piece(const Plan& plan, std::size_t index, Violations& out) {
 void check_size(double metres, double least_m, const char* what, Violations& out) {
   // Written so that NaN is no size.
   if (metres >= least_m && metres <= kFarthest_m) return;
-  out.push_back({rule::kPieces, fmt::format("{} is {} m", what, metres), {}, metres});
+  out.push_back({Rule::kPieces, fmt::format("{} is {} m", what, metres), {}, metres});
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "tramline/check/comparison.h"
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 
 namespace tramline::check {
@@ -14,14 +13,14 @@ void check_below(const char* bound_name, double bound, const char* cost_name, do
                  Violations& out) {
   // Written so that NaN is a violation too.
   if (bound <= cost + rounding_of(cost)) return;
-  out.push_back({rule::kProof,
+  out.push_back({Rule::kProof,
                  fmt::format("the {} is {:.6f}, above the {} of {:.6f}", bound_name, bound, cost_name, cost),
                  at, bound - cost});
 }
 
 void check_amount(const char* name, double amount, Point at, Violations& out) {
   if (amount >= 0 && std::isfinite(amount)) return;
-  out.push_back({rule::kProof, fmt::format("the {} is {:.6f}", name, amount), at, amount});
+  out.push_back({Rule::kProof, fmt::format("the {} is {:.6f}", name, amount), at, amount});
 }
 
 }  // namespace

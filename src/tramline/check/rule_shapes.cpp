@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 #include "tramline/geometry/boolean.h"
@@ -22,12 +21,12 @@ void check_polygon(const Polygon& polygon, const std::string& name, Violations& 
   for (const Ring& hole : polygon.holes) all_usable = all_usable && usable(hole);
   if (!all_usable) {
     out.push_back(
-        {rule::kShapes, name + " has a ring of fewer than three vertices or a vertex off the map", {}, 0});
+        {Rule::kShapes, name + " has a ring of fewer than three vertices or a vertex off the map", {}, 0});
     return;
   }
   if (const auto fault = find_invalidity(polygon))
     out.push_back(
-        {rule::kShapes, fmt::format("{} is no valid polygon: {}", name, fault->reason), fault->place, 0});
+        {Rule::kShapes, fmt::format("{} is no valid polygon: {}", name, fault->reason), fault->place, 0});
 }
 
 void check_region(const Region& region, const char* name, Violations& out) {

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 
@@ -26,7 +25,7 @@ Point heading_at_end(const TrackPiece& piece) {
 void compare(bool flagged, bool found, const std::string& end_name, Point at, Violations& out) {
   if (flagged == found) return;
   out.push_back(
-      {rule::kStops,
+      {Rule::kStops,
        found ? fmt::format("the {} is not flagged as a stop, but lies against an obstacle or land given up",
                            end_name)
              : fmt::format("the {} is flagged as a stop, but nothing lies behind it", end_name),

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/geometry/boolean.h"
 
@@ -16,7 +15,7 @@ void check_overlaps(const Case& c, Violations& out) {
       if (!intersects(boxes[i], boxes[j])) continue;
       const Region common = intersection({subfields[i].shape}, {subfields[j].shape});
       if (const double amount = area(common); amount > c.area_tolerance_m2)
-        out.push_back({rule::kSubfields,
+        out.push_back({Rule::kSubfields,
                        fmt::format("subfields {} and {} overlap by {:.3f} m²", i + 1, j + 1, amount),
                        place_on_largest(common), amount});
     }
@@ -40,7 +39,7 @@ void check_subfields(const Case& c, Violations& out) {
   const double tolerance_m2 = c.area_tolerance_m2 + (c.passables.empty() ? 0 : c.round_edges_m2);
   if (const double amount = area(off); amount > tolerance_m2)
     out.push_back(
-        {rule::kSubfields,
+        {Rule::kSubfields,
          fmt::format("the subfields together differ by {:.3f} m² from the land to be worked", amount),
          place_on_largest(off), amount});
 }

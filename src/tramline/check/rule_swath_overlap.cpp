@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "tramline/check/bands.h"
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 
@@ -27,7 +26,7 @@ void check_swath_overlaps(const Case& c, Violations& out) {
     const TrackPiece& piece = c.plan.pieces[i];
     const double found_m2 = width_m * length(piece) - c.worked.useful_m2[i];
     if (piece.overlap_m2 && !(std::abs(*piece.overlap_m2 - found_m2) <= tolerance_m2(piece, width_m)))
-      out.push_back({rule::kSwathOverlap,
+      out.push_back({Rule::kSwathOverlap,
                      fmt::format("the swath of {} is said to overlap by {:.3f} m², its shape gives {:.3f} m²",
                                  piece_name(i), *piece.overlap_m2, found_m2),
                      midpoint(piece.start, piece.end), *piece.overlap_m2 - found_m2});
@@ -36,7 +35,7 @@ void check_swath_overlaps(const Case& c, Violations& out) {
   }
   const double off_m2 = sum_m2 - c.plan.track_tally.overlap_m2;
   if (whole && !(std::abs(off_m2) <= c.area_tolerance_m2))
-    out.push_back({rule::kSwathOverlap,
+    out.push_back({Rule::kSwathOverlap,
                    fmt::format("the swaths overlap by {:.3f} m² together, the plan by {:.3f} m²", sum_m2,
                                c.plan.track_tally.overlap_m2),
                    c.plan.field.outer.front(), off_m2});

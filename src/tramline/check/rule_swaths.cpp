@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/swath_core.h"
 #include "tramline/check/tolerances.h"
@@ -21,7 +20,7 @@ void check_clear(const SwathCore& core, const BoxedRegion& land, const char* of_
   const Clipped entered = core.part_on(land);
   if (entered.area_m2 > kTouch_m2 + core.slivers_m2())
     out.push_back(
-        {rule::kSwaths,
+        {Rule::kSwaths,
          fmt::format("the swath of {} works {:.6f} m² of {}", piece_name(index), entered.area_m2, of_what),
          entered.at, entered.area_m2});
 }
@@ -29,7 +28,7 @@ void check_clear(const SwathCore& core, const BoxedRegion& land, const char* of_
 void check_inside(const SwathCore& core, const Ring& outer, std::size_t index, Violations& out) {
   const Clipped beyond = core.part_beyond(outer);
   if (beyond.area_m2 > kTouch_m2)
-    out.push_back({rule::kSwaths,
+    out.push_back({Rule::kSwaths,
                    fmt::format("the swath of {} works {:.6f} m² beyond the hard boundary", piece_name(index),
                                beyond.area_m2),
                    beyond.at, beyond.area_m2});
@@ -48,7 +47,7 @@ void check_within_boundary(const Case& c, const Lane& lane, const std::string& n
   const Approach found = lane.to_ring(c.plan.field.outer, 0);
   if (found.gap_m < -kLengthTolerance_m)
     out.push_back(
-        {rule::kSwaths,
+        {Rule::kSwaths,
          fmt::format("the swath of {} reaches {:.4f} m beyond the hard boundary", name, -found.gap_m),
          found.at, -found.gap_m});
 }
@@ -57,7 +56,7 @@ void check_within_boundary(const Case& c, const Lane& lane, const std::string& n
 
 void check_line_within_field(const Case& c, const Lane& line, const std::string& name, Violations& out) {
   if (const auto place = line.place_pushed_outside(c.plan.field.outer))
-    out.push_back({rule::kSwaths, name + " leaves the field", *place, 0});
+    out.push_back({Rule::kSwaths, name + " leaves the field", *place, 0});
   else
     check_within_boundary(c, line, name, out);
 }
@@ -74,7 +73,7 @@ void check_swaths(const Case& c, Violations& out) {
       const Path& path = piece.detours[k].path;
       const Lane lane(frame_of_detour(piece, path), path, half);
       if (const auto place = lane.place_outside(c.plan.field.outer))
-        out.push_back({rule::kSwaths, detour_name(i, k) + " leaves the field", *place, 0});
+        out.push_back({Rule::kSwaths, detour_name(i, k) + " leaves the field", *place, 0});
       else if (!curved)
         check_within_boundary(c, lane, detour_name(i, k), out);
     }

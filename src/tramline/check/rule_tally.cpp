@@ -9,7 +9,6 @@
 #include "tramline/check/bands.h"
 #include "tramline/check/comparison.h"
 #include "tramline/check/ground_cells.h"
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 
 namespace tramline::check {
@@ -202,7 +201,7 @@ class LayersOfLand {
 
   void report(const Amount& off, double tolerance_m2, const char* what) {
     if (off.m2() > tolerance_m2)
-      out_.push_back({rule::kTally, fmt::format("{} by {:.3f} m²", what, off.m2()), off.at(), off.m2()});
+      out_.push_back({Rule::kTally, fmt::format("{} by {:.3f} m²", what, off.m2()), off.at(), off.m2()});
   }
 
   static double perimeter_m(const Region& region) {

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "tramline/check/bands.h"
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
 
@@ -54,7 +53,7 @@ void check_track_lines(const Case& c, Violations& out) {
       }
     if (!worst) continue;
     out.push_back(
-        {rule::kParallel,
+        {Rule::kParallel,
          fmt::format("{} lies {:.4f} m from the reference line{}, and track {} runs {:.4f} m from it",
                      piece_name(i), worst->reference_m, worst->other_side ? " on the other side of it" : "",
                      piece.track + 1, due_m),

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 
 namespace tramline::check {
@@ -65,7 +64,7 @@ void check_ways(const Case& c, Violations& out) {
     const std::string fault = fault_of(c.plan, c.plan.encounters[i]);
     if (!fault.empty())
       out.push_back(
-          {rule::kEncounters, fmt::format("encounter {} {}", i + 1, fault), c.plan.encounters[i].at, 1});
+          {Rule::kEncounters, fmt::format("encounter {} {}", i + 1, fault), c.plan.encounters[i].at, 1});
   }
 }
 

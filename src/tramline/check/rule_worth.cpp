@@ -6,7 +6,6 @@
 
 #include "tramline/check/bands.h"
 #include "tramline/check/ground_cells.h"
-#include "tramline/check/rule_names.h"
 #include "tramline/check/rules.h"
 
 namespace tramline::check {
@@ -97,7 +96,7 @@ void check_worth(const Case& c, Violations& out) {
     const std::size_t i = slices[first].pass;
     const Worst worst = worst_stretch(slices, first, last, is_closed(c.plan.headland.passes[i]));
     if (-worst.worth_m2 <= most_m2) continue;
-    out.push_back({rule::kHeadland,
+    out.push_back({Rule::kHeadland,
                    fmt::format("a stretch of {}, which nobody asked for, works {:.0f} m² again or beyond the "
                                "headland, more than what it works for the first time is worth",
                                pass_name(i), -worst.worth_m2),

@@ -10,7 +10,7 @@ namespace tramline::check {
 namespace {
 
 /// What is wrong with a segment in itself, or "".
-std::string fault_of(const PathSegment& segment) {
+std::string fault_in(const PathSegment& segment) {
   if (!on_the_map(segment.from) || !on_the_map(segment.to)) return "lies off the map";
   const double chord = distance(segment.from, segment.to);
   if (chord <= kShortest_m) return "has no length";
@@ -30,7 +30,7 @@ std::string fault_of(const Path& path) {
   if (path.empty()) return "has no path";
   for (std::size_t i = 0; i < path.size(); ++i) {
     const std::string segment = fmt::format("segment {} ", i + 1);
-    if (const std::string fault = fault_of(path[i]); !fault.empty()) return segment + fault;
+    if (const std::string fault = fault_in(path[i]); !fault.empty()) return segment + fault;
     if (i > 0 && distance(path[i - 1].to, path[i].from) > kJoint_m)
       return segment + "does not begin where the one before ends";
   }

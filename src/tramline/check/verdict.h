@@ -1,7 +1,9 @@
 #pragma once
 // What the verifier has to say about a plan.
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tramline/geometry/point.h"
@@ -9,9 +11,36 @@
 
 namespace tramline::check {
 
+/// What a plan is judged by; a function of rules.h each, or several.
+enum class Rule : std::uint8_t {
+  kBody,
+  kClearance,
+  kCrossings,
+  kDrivable,
+  kEncounters,
+  kEnds,
+  kField,
+  kFront,
+  kHeadland,
+  kLayers,
+  kLength,
+  kParallel,
+  kPieces,
+  kProof,
+  kShapes,
+  kStops,
+  kSubfields,
+  kSwathOverlap,
+  kSwaths,
+  kTally,
+  kWarnings,
+};
+/// As reports give it: "body", "swath overlap".
+std::string_view name(Rule rule);
+
 /// One way in which a plan is not what it says.
 struct Violation {
-  std::string rule;   ///< of rule_names.h
+  Rule rule = Rule::kShapes;
   std::string what;   ///< one sentence with the numbers
   Point at;           ///< a place where it shows, local metres
   double amount = 0;  ///< how much, in the unit named by `what`

@@ -25,7 +25,8 @@ class SwathParts {
   void add(const PathSegment& segment) { add({segment}, bands_along({segment}, width_m_, kLayerSagitta)); }
   void add(const Path& path) {
     Region ground;
-    append_ground(band(path, width_m_, kLayerSagitta), std::isfinite(smallest_radius(path)), ground);
+    append_ground(band(path, width_m_, kLayerSagitta),
+                  std::isfinite(smallest_radius(path)) ? Folds::kPerhaps : Folds::kNever, ground);
     add(path, std::move(ground));
   }
 
@@ -51,7 +52,7 @@ class SwathParts {
 
 void append_whole(const TrackPiece& piece, double width_m, SwathParts& out) {
   Region ground;
-  append_ground(swath(piece, width_m), !piece.detours.empty(), ground);
+  append_ground(swath(piece, width_m), piece.detours.empty() ? Folds::kNever : Folds::kPerhaps, ground);
   out.add(centre_line(piece), std::move(ground));
 }
 

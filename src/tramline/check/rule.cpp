@@ -1,0 +1,53 @@
+#include "tramline/check/verdict.h"
+
+namespace tramline::check {
+
+std::string_view name(Rule rule) {
+  switch (rule) {
+    case Rule::kBody:
+      return "body";
+    case Rule::kClearance:
+      return "clearance";
+    case Rule::kCrossings:
+      return "crossings";
+    case Rule::kDrivable:
+      return "drivable";
+    case Rule::kEncounters:
+      return "encounters";
+    case Rule::kEnds:
+      return "ends";
+    case Rule::kField:
+      return "field";
+    case Rule::kFront:
+      return "front";
+    case Rule::kHeadland:
+      return "headland";
+    case Rule::kLayers:
+      return "layers";
+    case Rule::kLength:
+      return "length";
+    case Rule::kParallel:
+      return "parallel";
+    case Rule::kPieces:
+      return "pieces";
+    case Rule::kProof:
+      return "proof";
+    case Rule::kShapes:
+      return "shapes";
+    case Rule::kStops:
+      return "stops";
+    case Rule::kSubfields:
+      return "subfields";
+    case Rule::kSwathOverlap:
+      return "swath overlap";
+    case Rule::kSwaths:
+      return "swaths";
+    case Rule::kTally:
+      return "tally";
+    case Rule::kWarnings:
+      return "warnings";
+  }
+  return "";
+}
+
+}  // namespace tramline::check
