@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "properties/random_field.h"
@@ -46,6 +47,47 @@ TEST(PlannedPlans, hold_on_random_fields) {
     }
   }
   EXPECT_GT(2 * planned, cases);
+}
+
+/// A block of 240 × 102 m, 17 swaths of 6 m, with an arm of 24 m that leaves its north-western corner and
+/// bends through a quarter circle.
+Field block_with_bent_arm() {
+  Field field;
+  field.id = "bent";
+  field.outer = {{60, -102}, {300, -102}, {300, 0}};
+  constexpr int kChords = 60;
+  for (const bool outwards : {true, false})
+    for (int i = 0; i <= kChords; ++i) {
+      const double turn = 0.5 * std::numbers::pi * (outwards ? i : kChords - i) / kChords;
+      const double radius = outwards ? 84 : 60;
+      field.outer.push_back({radius * std::cos(turn), radius * std::sin(turn)});
+    }
+  return field;
+}
+
+/// The block in straight tracks, the arm round its bend: 21 tracks, and next to nothing lost but at the
+/// border.
+TEST(PlannedPlans, of_straight_and_curved_subfields_hold) {
+  const Field field = block_with_bent_arm();
+  Machine machine;
+  machine.width_m = 6;
+  PlanSettings settings;
+  std::array<Plan, 3> plans;
+  const std::array shapes{TrackShape::kStraight, TrackShape::kCurved, TrackShape::kAuto};
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    settings.shape = shapes[i];
+    plans[i] = plan_field(field, machine, Objective{}, settings, 1);
+    const check::Verdict verdict = check::verify(plans[i]);
+    for (const check::Violation& v : verdict.violations) ADD_FAILURE() << name(v.rule) << ": " << v.what;
+  }
+  const Plan& best = plans[2];
+  EXPECT_STREQ(kind_of_tracks(plans[1]), "curved");
+  EXPECT_STREQ(kind_of_tracks(best), "straight and curved");
+  EXPECT_EQ(best.subfields.size(), 2U);
+  EXPECT_EQ(best.tally.pieces, 21);
+  EXPECT_LT(best.cost, 20 + 5 + 1.5) << "turns, a second subfield";
+  EXPECT_LT(best.cost, plans[0].cost);
+  EXPECT_LT(best.cost, plans[1].cost);
 }
 
 /// 100 × 60 m with a pole on a track's line.

@@ -26,11 +26,13 @@ struct TriedCurve {
   Candidate candidate;
 };
 
-std::vector<Reference> references_of(const SearchTask& task, const SearchContext& context) {
+/// Along the boundary of some ground.
+std::vector<Reference> references_of(const SearchTask& task, const Region& ground,
+                                     const SearchContext& context) {
   const double width_m = task.machine.width_m;
   const double corner_m = 2 * std::max(task.machine.radius_m, 0.5 * width_m);
   const double smoothing[] = {0.002 * width_m, 0.02 * width_m, 0.1 * width_m, 0.5 * width_m};
-  const auto chains = reference_chains(task.ground.plannable, corner_m, 0.1 * width_m, kMostChains);
+  const auto chains = reference_chains(ground, corner_m, 0.1 * width_m, kMostChains);
   std::vector<std::optional<Reference>> found(chains.size() * std::size(smoothing));
   for_each_index(found.size(), context, [&](std::size_t i) {
     found[i] =
@@ -170,8 +172,15 @@ Candidate best_together(const SearchTask& task, const std::vector<LinedSubfield>
 
 }  // namespace
 
+std::optional<Candidate> best_along_own_edge(const SearchTask& task, const Polygon& ground,
+                                             const SearchContext& context) {
+  std::optional<TriedCurve> best = best_on(task, ground, references_of(task, {ground}, context), context);
+  if (!best) return std::nullopt;
+  return std::move(best->candidate);
+}
+
 std::optional<BestCurve> best_curved(const SearchTask& task, const SearchContext& context) {
-  const std::vector<Reference> references = references_of(task, context);
+  const std::vector<Reference> references = references_of(task, task.ground.plannable, context);
   const Region& parts = task.ground.plannable;
   std::vector<LinedSubfield> grounds;
   BestCurve out;

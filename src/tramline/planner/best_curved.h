@@ -22,4 +22,8 @@ struct BestCurve {
 /// out, and detours are not looked for.
 std::optional<BestCurve> best_curved(const SearchTask& task, const SearchContext& context);
 
+/// The same for some of the ground as the only subfield, along chains of its own edges.
+std::optional<Candidate> best_along_own_edge(const SearchTask& task, const Polygon& ground,
+                                             const SearchContext& context);
+
 }  // namespace tramline

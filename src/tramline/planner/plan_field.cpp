@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <optional>
 #include <utility>
 
 #include "tramline/geometry/error.h"
-#include "tramline/planner/best_curved.h"
 #include "tramline/planner/curved_candidate.h"
+#include "tramline/planner/curved_search.h"
 #include "tramline/planner/finished_plan.h"
 #include "tramline/planner/prepare_field.h"
 #include "tramline/planner/recursive_plan.h"
@@ -46,12 +47,6 @@ Candidate along_guide(const SearchTask& task) {
   return candidate_on(task, grounds);
 }
 
-std::optional<Candidate> along_best_edge(const SearchTask& task, const SearchContext& context) {
-  if (as_in_the_paper(task.settings)) return recursive_along_best(task, context);
-  if (std::optional<BestCurve> best = best_curved(task, context)) return std::move(best->candidate);
-  return std::nullopt;
-}
-
 enum class Explain { kNo, kYes };
 
 /// Of a candidate that stands by itself.
@@ -87,10 +82,11 @@ SearchResult found_on(const SearchTask& task, Preparation& prepared, const Searc
   return std::move(*prepared.found);
 }
 
-/// The straight plan, or the curved one where that costs less. Which obstacles have headlands is settled for
-/// either by itself. The curved one comes first, being sooner found: what costs more is then soon told. To
+/// The cheapest of a straight plan, one along one curve in each part of the ground, and one with curves in
+/// some subfields of the straight one. Which obstacles have headlands is settled for straight and curved
+/// tracks by themselves. The curves come first, being sooner found: what costs more is then soon told. To
 /// explain a straight plan that has to be told as well.
-ExplainedPlan cheaper_shape(const PlanningProblem& problem, const SearchContext& context, Explain explain) {
+ExplainedPlan cheapest_shape(const PlanningProblem& problem, const SearchContext& context, Explain explain) {
   const PlanningProblem curved = with_shape(problem, TrackShape::kCurved);
   const PlanningProblem straight = with_shape(problem, TrackShape::kStraight);
   std::optional<Preparation> for_curves = prepare_field(curved, context);
@@ -106,13 +102,18 @@ ExplainedPlan cheaper_shape(const PlanningProblem& problem, const SearchContext&
   const SearchTask task(straight, for_straight->field);
   const double no_more_than = explain == Explain::kYes ? kAnyCost : curved_cost - least_by_headland(task);
   SearchResult found = found_on(task, *for_straight, context, no_more_than);
-  const bool stays_straight =
-      !along_edge || (found.best.works() && whole_cost(task, found.best) <= curved_cost);
+  const double straight_cost = found.best.works() ? whole_cost(task, found.best) : kAnyCost;
+  std::optional<Candidate> mixed;
+  if (!as_in_the_paper(problem.settings)) mixed = mixed_search(task, found, context);
+  const bool is_mixed = mixed && whole_cost(task, *mixed) < std::min(straight_cost, curved_cost);
+
   ExplainedPlan out;
-  if (stays_straight)
-    out = straight_plan(task, std::move(found), context, explain);
-  else
+  if (is_mixed)
+    out.plan = plan_of(task, std::move(*mixed), context);
+  else if (along_edge && straight_cost > curved_cost)
     out.plan = plan_of(SearchTask(curved, for_curves->field), std::move(*along_edge), context);
+  else
+    out = straight_plan(task, std::move(found), context, explain);
   out.plan.settings.shape = TrackShape::kAuto;
   return out;
 }
@@ -123,7 +124,7 @@ ExplainedPlan searched(const PlanningProblem& problem, const SearchContext& cont
     throw bad_input(
         "tracks as in the paper follow a line: with --tracks paper give --ab, --guide or --curved");
   if (as_in_the_paper(settings)) require_paper_ground(problem.field, settings);
-  if (settings.shape == TrackShape::kAuto) return cheaper_shape(problem, context, explain);
+  if (settings.shape == TrackShape::kAuto) return cheapest_shape(problem, context, explain);
   std::optional<Preparation> prepared = prepare_field(problem, context);
   if (!prepared) throw no_room(problem);
   const SearchTask task(problem, prepared->field);
@@ -132,7 +133,7 @@ ExplainedPlan searched(const PlanningProblem& problem, const SearchContext& cont
   if (area(task.ground.plannable) == 0) return {finished_plan(task, SearchResult{}, context), std::nullopt};
   context.report();
   if (!settings.guide.empty()) return {plan_of(task, along_guide(task), context), std::nullopt};
-  std::optional<Candidate> curved = along_best_edge(task, context);
+  std::optional<Candidate> curved = curved_search(task, context);
   if (!curved) throw no_curve(problem.field, as_in_the_paper(settings));
   return {plan_of(task, std::move(*curved), context), std::nullopt};
 }
