@@ -94,6 +94,23 @@ TEST(PrepareField, GivesNothingWhereNoPassHasRoom) {
   EXPECT_FALSE(prepare_field(planning_problem(narrow, kMachine, {}, with_headlands(1, 0)), SearchContext(1)));
 }
 
+// Behind a headland the boundary is out of reach of all swaths, straight and curved.
+TEST(PrepareField, HasAHardFieldWhereSwathsEndAtIt) {
+  const Field field = field_with_square(1);
+  PlanSettings hard;
+  hard.boundary = EdgeKind::kHard;
+  const auto hard_field = [&](const PlanSettings& settings) {
+    return prepare_field(planning_problem(field, kMachine, {}, settings), SearchContext(1))
+        .value()
+        .field.hard_field;
+  };
+  EXPECT_TRUE(hard_field({}).empty());
+  EXPECT_EQ(hard_field(hard), (Region{{field.outer, {}}}));
+  EXPECT_TRUE(hard_field(with_headlands(1, 0)).empty());
+  hard.obstacle_headlands = 1;
+  EXPECT_FALSE(hard_field(hard).empty());
+}
+
 TEST(PrepareField, TellsWhereTheClearanceTakesAll) {
   PlanSettings settings;
   for (const double clearance_m : {0.0, 1.0, 400.0}) {

@@ -8,12 +8,6 @@
 namespace tramline {
 namespace {
 
-/// Without a headland before it a hard boundary is where swaths end.
-Region fence(const SearchTask& task) {
-  const bool hard = task.settings.boundary == EdgeKind::kHard;
-  return hard ? Region{{task.field.outer, {}}} : Region{};
-}
-
 /// All the way round the ground, anticlockwise as outer rings go.
 bool goes_round(const Path& reference) {
   return distance(reference.front().from, reference.back().to) <= 2 * kSeam_m;
@@ -27,7 +21,7 @@ StripRange tracks_inside(const Box& reach, double width_m) {
 }  // namespace
 
 CurvedGround curved_ground(const SearchTask& task, const Polygon& shape) {
-  return {EdgeIndex(Region{shape}), EdgeIndex(task.ground.hard), EdgeIndex(fence(task)),
+  return {EdgeIndex(Region{shape}), EdgeIndex(task.ground.hard), EdgeIndex(task.hard_field),
           EdgeIndex(task.ground.passable), EdgeIndex(task.ground.beyond)};
 }
 

@@ -80,6 +80,11 @@ bool clearance_takes_all(const PlanningProblem& problem, const SortedGround& gro
          area(sort_obstacles(problem.field, problem.machine.width_m).plannable) > 0;
 }
 
+Region hard_field(const PlanningProblem& problem) {
+  const bool hard = problem.settings.boundary == EdgeKind::kHard && problem.settings.headlands == 0;
+  return hard ? Region{{problem.field.outer, {}}} : Region{};
+}
+
 /// The chords that round the corners of a body are no corners to divide it at.
 double short_edge_m(const HeadlandTerms& terms) {
   int most = terms.field_passes;
@@ -103,6 +108,7 @@ std::optional<PreparedField> behind_headlands(const PlanningProblem& problem,
   out.body_m2 = area(out.ground.body);
   out.headland = std::move(headland);
   out.short_edge_m = std::max(problem.settings.short_edge_m, short_edge_m(terms));
+  out.hard_field = hard_field(problem);
   out.clearance_takes_all = clearance_takes_all(problem, out.ground);
   return out;
 }
@@ -160,6 +166,7 @@ PreparedField field_without_headlands(const PlanningProblem& problem) {
   out.ground = sort_obstacles(problem.field, problem.machine.width_m, problem.settings.clearance_m);
   out.body_m2 = area(out.ground.body);
   out.short_edge_m = problem.settings.short_edge_m;
+  out.hard_field = hard_field(problem);
   out.clearance_takes_all = clearance_takes_all(problem, out.ground);
   return out;
 }

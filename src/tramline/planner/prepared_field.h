@@ -14,6 +14,10 @@ struct PreparedField {
   /// Corners between edges that are both shorter split nothing: PlanSettings::short_edge_m, or more where
   /// headlands have rounded corners.
   double short_edge_m = 0;
+  /// The field where its boundary is where swaths end; empty where it is soft, and where it has a headland:
+  /// wherever a swath is driven it has body across it, which lies at least a width from the boundary, and so
+  /// no swath, straight or curved, gets past that however far its end rule lets it run on.
+  Region hard_field;
   bool clearance_takes_all = false;  ///< there is ground to work without the clearance, and none with it
 };
 

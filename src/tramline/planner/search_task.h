@@ -18,6 +18,7 @@ struct SearchTask {
         settings(problem.settings),
         ground(prepared.ground),
         headland(prepared.headland),
+        hard_field(prepared.hard_field),
         body_m2(prepared.body_m2),
         short_edge_m(prepared.short_edge_m),
         clearance_takes_all(prepared.clearance_takes_all) {}
@@ -28,6 +29,7 @@ struct SearchTask {
   const PlanSettings& settings;
   const SortedGround& ground;
   const Headland& headland;
+  const Region& hard_field;
   double body_m2;
   double short_edge_m;
   bool clearance_takes_all;
