@@ -307,6 +307,20 @@ TEST(CurvedPlans, wrong_stops_and_encounters) {
   EXPECT_EQ(found(plan), Names{"encounters"});
 }
 
+/// Where something lies across a curved track there is an encounter that names it.
+TEST(CurvedPlans, encounters_left_out) {
+  Plan plan = blocked_arc_plan();
+  plan.encounters.clear();
+  EXPECT_EQ(found(plan), Names{"encounters"});
+  plan = blocked_arc_plan();
+  plan.encounters[0].obstacles.clear();
+  EXPECT_EQ(found(plan), Names{"encounters"});
+  // Nor may a cut lie where the track does not run: in the second track beside it.
+  plan = blocked_arc_plan();
+  plan.encounters[0].at = (34.5 / 37.5) * plan.encounters[0].at;
+  EXPECT_EQ(found(plan), Names{"encounters"});
+}
+
 TEST(CurvedPlans, false_figures) {
   const auto with = [](auto change) {
     Plan plan = blocked_arc_plan();
@@ -387,6 +401,24 @@ TEST(CurvedPlans, straight_pieces_of_a_bent_family) {
   plan.pieces.back().start.x += 0.1;
   plan.pieces.back().end.x += 0.1;
   EXPECT_EQ(found(settled(plan)), Names{"parallel"});
+}
+
+/// An obstacle between two straight pieces of a track that is bent elsewhere.
+TEST(CurvedPlans, obstacle_across_the_straight_part_of_a_bent_track) {
+  Plan plan = arcs_plan();
+  const auto piece = [](Point start, Point end) {
+    TrackPiece out;
+    out.track = 0;
+    out.start = start;
+    out.end = end;
+    return out;
+  };
+  plan.pieces.push_back(piece({31.5, -30}, {31.5, -20}));
+  plan.pieces.push_back(piece({31.5, -15}, {31.5, -5}));
+  plan.field.obstacles = {{{rectangle(31, -20, 32, -15), {}}, ObstacleKind::kObstacle, "trough"}};
+  EXPECT_TRUE(found(settled(plan)).contains("encounters"));
+  plan.encounters = {encounter_on(plan.pieces.back(), {31.5, -17.5}, {0}, Passing::kCut)};
+  EXPECT_FALSE(found(settled(plan)).contains("encounters"));
 }
 
 /// Against many looks with nothing clever about them, on land with corners and a hole under the swath.

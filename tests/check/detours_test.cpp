@@ -360,6 +360,13 @@ TEST(Detours, cuts_that_are_none) {
   EXPECT_EQ(with([](Encounter& e) { e.subfield = 7; }), Names{"encounters"});
 }
 
+/// A piece that bears the number of a track that is cut elsewhere.
+TEST(Detours, cuts_beside_a_piece_of_their_number) {
+  Plan plan = obstacle_plan();
+  plan.pieces[0].track = 3;
+  EXPECT_EQ(found(plan), Names{"encounters"});
+}
+
 /// A plan has to own up to every place where an obstacle changes what is driven.
 TEST(Detours, whose_encounters_are_deleted) {
   const auto without = [](std::size_t index) {

@@ -67,7 +67,8 @@ bool may_lie_on_track(const Case& c, const TrackPiece& piece, Point at) {
 std::string cut_fault(const Case& c, const Tracks& tracks, const Encounter& encounter) {
   const auto pieces = tracks.find({encounter.subfield, encounter.track});
   if (pieces == tracks.end()) return "";
-  if (!may_lie_on_track(c, c.plan.pieces[pieces->second.front()], encounter.at))
+  if (!std::all_of(pieces->second.begin(), pieces->second.end(),
+                   [&](std::size_t i) { return may_lie_on_track(c, c.plan.pieces[i], encounter.at); }))
     return "does not lie on its track";
   return driven_over(c.plan, pieces->second, encounter.at) ? "was to be cut, and its track goes on there"
                                                            : "";
