@@ -8,6 +8,7 @@
 
 #include "check/plans.h"
 #include "tramline/check/near_land.h"
+#include "tramline/check/tolerances.h"
 #include "tramline/geometry/boolean.h"
 
 namespace tramline {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tramline/check/cross_section.h"
+#include "tramline/check/tolerances.h"
 
 namespace tramline::check {
 namespace {
@@ -105,7 +106,7 @@ class Spokes {
     const auto [first, last] = std::minmax({angle_of(a), angle_of(b)});
     // What passes behind the centre meets no spoke, or all of them.
     const bool behind = last - first > std::numbers::pi;
-    constexpr double kRounding = 1e-9, kAll = 4;
+    constexpr double kAll = 4;
     edges_.push_back({a, b, behind ? -kAll : first - kRounding, behind ? kAll : last + kRounding});
   }
   double angle_at(double s) const { return (s - 0.5 * length_) / radius_; }
@@ -163,7 +164,7 @@ void add_below(Spokes spokes, double required_m, double begin_m, LongestStretch&
   const std::vector<double> places = spokes.places();
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     const double gap = places[i + 1] - places[i];
-    if (gap <= 1e-12) continue;
+    if (gap <= kNoStretch_m) continue;
     spokes.look_between(places[i], places[i + 1]);
     double before_at = places[i], before = spokes.inside_at(before_at + kBeside * gap);
     for (int k = 1; k <= kLooks; ++k) {

@@ -22,7 +22,7 @@ class AlignedBand {
     const double outer_m = radius(arc) + half_m, inner_m = radius(arc) - half_m;
     // In driving direction, so that angles rise.
     const double from = sense_ * std::atan2(first.y, first.x), to = from + std::abs(turning(arc));
-    const double step = step_of(outer_m, sagitta_m), shortest = kShortest_m / outer_m;
+    const double step = step_of(outer_m, sagitta_m), shortest = kShortestChord_m / outer_m;
     std::vector<double> angles{from};
     for (double k = std::ceil((from + shortest) / step); k * step < to - shortest; ++k)
       angles.push_back(k * step);
@@ -36,7 +36,8 @@ class AlignedBand {
   Ring take() { return std::move(ring_); }
 
  private:
-  static constexpr double kShortest_m = 1e-5;
+  /// Of an outer chord: shorter ones at its ends are left out.
+  static constexpr double kShortestChord_m = 1e-5;
 
   /// A full circle has a power of two.
   static double step_of(double radius_m, double sagitta_m) {
@@ -136,12 +137,11 @@ Point place_on(const PathSegment& segment, double along_m) {
 }
 
 bool is_kinked(const Path& path) {
-  constexpr double kLeastTurn = 1e-9;
   bool turns = false;
   for (std::size_t i = 0; i < path.size(); ++i) {
     if (!path[i].straight()) return false;
     turns =
-        turns || (i > 0 && distance(direction_at_end(path[i - 1]), direction_at_start(path[i])) > kLeastTurn);
+        turns || (i > 0 && distance(direction_at_end(path[i - 1]), direction_at_start(path[i])) > kLeastKink);
   }
   return turns;
 }
@@ -158,7 +158,7 @@ void append_ground(Ring ring, Folds folds, Region& out) {
 Region flat_bands_along(const Path& path, double width_m, double sagitta_m) {
   Region out;
   for (const PathSegment& segment : path) {
-    const bool folds = 2 * radius(segment) <= width_m * (1 + 1e-9);
+    const bool folds = 2 * radius(segment) <= width_m * (1 + kRounding);
     const bool aligned = !segment.straight() && !folds;
     append_ground(
         aligned ? AlignedBand(segment, 0.5 * width_m, sagitta_m).take() : band({segment}, width_m, sagitta_m),

@@ -8,7 +8,7 @@
 
 namespace tramline::check {
 
-/// Straight segments only, of which two meet at an angle of more than 1e-9 rad.
+/// Straight segments only, of which two meet at an angle of more than kLeastKink.
 bool is_kinked(const Path& path);
 
 /// Does ground lie flat for certain? Where its path is too tight or has kinks it folds over itself.

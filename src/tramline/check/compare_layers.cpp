@@ -7,11 +7,10 @@
 #include <limits>
 
 #include "tramline/check/rules.h"
+#include "tramline/check/tolerances.h"
 
 namespace tramline::check {
 namespace {
-
-constexpr double kSame = 1e-6;
 
 void check_order(const std::vector<int>& order, const char* layer, Violations& out) {
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -64,7 +63,7 @@ std::vector<Violation> compare_swaths(const Plan& plan, const std::vector<int>& 
     const TrackPiece& piece = plan.pieces[i];
     const double off = swaths[i].holes.empty() ? apart(swath(piece, plan.machine.width_m), swaths[i].outer)
                                                : std::numeric_limits<double>::infinity();
-    if (!(off <= kSame))
+    if (!(off <= kSaidTwice))
       out.push_back({Rule::kLayers,
                      fmt::format("the swath stored for {} is not the one its track works: {:.6f} m apart",
                                  piece_name(i), off),
@@ -83,7 +82,7 @@ void compare_text(const std::string& where, const std::string& stored, const std
 
 void compare_number(const std::string& where, double stored, double from_shape, double rounding, Point at,
                     std::vector<Violation>& out) {
-  const double tolerance = rounding + kSame * std::max(1.0, std::abs(from_shape));
+  const double tolerance = rounding + kSaidTwice * std::max(1.0, std::abs(from_shape));
   if (std::abs(stored - from_shape) <= tolerance) return;
   out.push_back({Rule::kLayers,
                  fmt::format("{} is stored as {:.6f}, its shape gives {:.6f}", where, stored, from_shape), at,

@@ -12,7 +12,6 @@
 namespace tramline::check {
 namespace {
 
-constexpr double kSameEnd_m = 1e-6;
 constexpr double kOff_m = 2 * kChordSagitta;
 
 /// A place on a path: a segment, and the point of it.
@@ -78,21 +77,20 @@ class Walk {
 
 /// Where a line first leaves the path, as the index of a vertex; nullopt where it shows all of it.
 std::optional<std::size_t> first_astray(const std::vector<Point>& line, const Path& path) {
-  if (line.empty() || distance(line.front(), path.front().from) > kSameEnd_m) return 0;
+  if (line.empty() || distance(line.front(), path.front().from) > kSaidTwice) return 0;
   Walk walk(path);
   for (std::size_t i = 0; i < line.size(); ++i)
     if (!walk.goes_on_to(line[i])) return i;
-  if (!walk.is_over() || distance(line.back(), path.back().to) > kSameEnd_m) return line.size() - 1;
+  if (!walk.is_over() || distance(line.back(), path.back().to) > kSaidTwice) return line.size() - 1;
   return std::nullopt;
 }
 
 /// The chords of a line that have a direction.
 Path path_along(const std::vector<Point>& line) {
-  constexpr double kShortest_m = 1e-4;
   Path out;
   for (const Point p : line) {
     const Point from = out.empty() ? line.front() : out.back().to;
-    if (distance(from, p) >= kShortest_m) out.push_back({from, p, 0});
+    if (distance(from, p) >= kShortestTurned_m) out.push_back({from, p, 0});
   }
   return out;
 }

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tramline/check/tolerances.h"
+
 namespace tramline::check {
-double rounding_of(double value) { return 1e-9 * std::max(1.0, std::abs(value)); }
+double rounding_of(double value) { return kRounding * std::max(1.0, std::abs(value)); }
 
 void Comparison::number(const char* what, const char* unit, double stored, double found, double tolerance) {
   // Written so that a stored NaN is a violation too.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tramline/check/tolerances.h"
+
 namespace tramline::check {
 namespace {
 
@@ -63,8 +65,7 @@ double inside_at(const std::vector<SectionEdge>& edges, double s, double half_m,
 }  // namespace
 
 void LongestStretch::add(const Stretch& stretch) {
-  constexpr double kJoin_m = 1e-9;
-  if (current_.length() > 0 && stretch.from_m <= current_.to_m + kJoin_m) {
+  if (current_.length() > 0 && stretch.from_m <= current_.to_m + kShortest_m) {
     current_.to_m = stretch.to_m;
     current_.least_m = std::min(current_.least_m, stretch.least_m);
   } else {
@@ -80,7 +81,7 @@ void add_below(const Polygon& land, const PieceFrame& frame, double half_m, doub
   std::vector<double> scratch;
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     const double from = places[i], gap = places[i + 1] - from;
-    if (gap <= 1e-12) continue;
+    if (gap <= kNoStretch_m) continue;
     // Linear in between: two looks well away from the vertices give the values at both ends.
     const double at_quarter = inside_at(edges, from + 0.25 * gap, half_m, scratch);
     const double at_three_quarters = inside_at(edges, from + 0.75 * gap, half_m, scratch);

@@ -19,10 +19,9 @@ Box box_of(const PathSegment& segment) {
 /// Does the path go forwards along the piece all the way? Headings on an arc lie between those at its
 /// ends, on the side of its chord's.
 bool goes_forwards(const Path& path) {
-  constexpr double kRounding = 1e-9;
   return std::all_of(path.begin(), path.end(), [](const PathSegment& segment) {
     return direction_at_start(segment).y >= -kRounding && direction_at_end(segment).y >= -kRounding &&
-           segment.to.y >= segment.from.y - kRounding;
+           segment.to.y >= segment.from.y - kShortest_m;
   });
 }
 
@@ -148,8 +147,7 @@ std::optional<Point> Lane::place_outside(const Ring& outer, Judged judged) const
     const Point anywhere = some_point();
     return contains(outer, anywhere) ? std::nullopt : std::optional(anywhere);
   }
-  constexpr double kSagitta_m = 1e-4;
-  const std::vector<Point> line = chords(path_, kSagitta_m);
+  const std::vector<Point> line = chords(path_, kSideSagitta_m);
   for (std::size_t i = 0; i + 1 < line.size(); ++i)
     if (const auto place = place_outside(near, outer, judged, line[i], line[i + 1])) return place;
   return std::nullopt;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "tramline/check/tolerances.h"
 #include "tramline/geometry/boolean.h"
 
 namespace tramline::check {
@@ -17,7 +18,6 @@ struct RingEdge {
 
 /// The edges of a ring that have a direction.
 std::vector<RingEdge> edges_of(const Ring& ring) {
-  constexpr double kShortest_m = 1e-9;
   std::vector<RingEdge> out;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point from = ring[i], to = ring[i + 1 < ring.size() ? i + 1 : 0];

@@ -11,8 +11,6 @@ namespace tramline::check {
 /// what goes in by a hundredth of the distance. O(n log n) for n vertices where few strips overlap.
 Region land_near(const Ring& ring, double distance_m);
 
-inline constexpr double kFanSagitta_m = 1e-4;
-
 /// Length of the arcs that the fans stand for, m.
 double arcs_about_corners_m(const Ring& ring, double distance_m);
 

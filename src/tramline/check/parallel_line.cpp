@@ -13,8 +13,6 @@ namespace {
 /// What the line does at a place is asked so near to it where it begins or ends just there, m.
 constexpr double kBeside_m = 2 * kLengthTolerance_m;
 constexpr double kSharpestCorner = 2 * std::numbers::pi / 3;
-/// How far headings may be off in a path without kinks, rad.
-constexpr double kFlatTurn = 1e-3;
 
 /// How far the heading turns to the right, rad; in (−π, π].
 double right_turn(Point from, Point to) { return std::atan2(-cross(from, to), dot(from, to)); }
@@ -41,14 +39,14 @@ bool ParallelLine::fits(double along_m) const {
 
 bool ParallelLine::is_driven(double along_m) const {
   const double curvature = reference_.curvature_at(along_m), far_m = off_m_ + 0.5 * width_m_;
-  if (curvature < 0 && -1 / curvature - off_m_ < least_radius_m_ * (1 - 1e-9)) return false;
+  if (curvature < 0 && -1 / curvature - off_m_ < least_radius_m_ * (1 - kRounding)) return false;
   return reference_.keeps_off(reference_.beside(along_m, far_m), far_m);
 }
 
 /// Between a place where something holds and one where it does not.
 template <class Holds>
 double ParallelLine::last_that(Holds holds, double holds_m, double not_m) const {
-  for (int i = 0; i < 60 && std::abs(not_m - holds_m) > 1e-9; ++i) {
+  for (int i = 0; i < 60 && std::abs(not_m - holds_m) > kShortest_m; ++i) {
     const double middle_m = 0.5 * (holds_m + not_m);
     (holds(middle_m) ? holds_m : not_m) = middle_m;
   }
@@ -137,7 +135,7 @@ std::optional<ParallelLine::Corner> ParallelLine::corner_from(double edge_m) con
   if (!other) return std::nullopt;
   Corner out{edge_m, *other, reference_.beside(edge_m, off_m_ + least_radius_m_), {}};
   const double turn = right_turn(reference_.heading_at(edge_m), reference_.heading_at(*other));
-  if (turn < -kFlatTurn || turn > kSharpestCorner + kFlatTurn) return std::nullopt;
+  if (turn < -kSameHeading || turn > kSharpestCorner + kSameHeading) return std::nullopt;
   // A side that has room for the disc before a narrow place, too, is not entered behind that.
   const Stretch entered = stretch(*other, Way::kBackwards);
   if (entered.last_wide_m && *entered.last_wide_m < *other - kBeside_m) return std::nullopt;
@@ -213,7 +211,7 @@ bool ParallelLine::rolls_round_corner(const PathSegment& arc, Point on_arc) cons
     const double from_m = way == Way::kForwards ? touched.along_m : *other;
     const double to_m = way == Way::kForwards ? *other : touched.along_m;
     const double turn = right_turn(reference_.heading_at(from_m), reference_.heading_at(to_m));
-    if (turn < -kFlatTurn || turn > kSharpestCorner + kFlatTurn) continue;
+    if (turn < -kSameHeading || turn > kSharpestCorner + kSameHeading) continue;
     const bool behind = across_m >= from_m, before = across_m <= to_m;
     if (from_m < to_m ? behind && before : behind || before) return true;
   }

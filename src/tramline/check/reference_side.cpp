@@ -13,8 +13,6 @@ namespace tramline::check {
 namespace {
 
 constexpr std::size_t kGroup = 8;
-/// What counts as rounding of a distance, m.
-constexpr double kRounding_m = 1e-7;
 
 double distance_to(const Box& box, Point p) {
   return std::hypot(std::max({box.min_x - p.x, 0.0, p.x - box.max_x}),
@@ -58,7 +56,6 @@ ReferenceSide::ReferenceSide(Path line) : line_(std::move(line)) {
     groups_.back().extend(boxes_.back());
   }
   starts_m_.push_back(from_m);
-  constexpr double kSameHeading = 1e-3;
   round_ = distance(line_.front().from, line_.back().to) <= kLengthTolerance_m &&
            distance(direction_at_start(line_.front()), direction_at_end(line_.back())) <= kSameHeading;
   touches_itself_ = end_touches(line_);
@@ -100,7 +97,7 @@ Foot ReferenceSide::foot_of(Point p, double within_m) const {
 
 bool ReferenceSide::keeps_off(Point p, double distance_m) const {
   bool keeps = true;
-  const double least_m = distance_m - kRounding_m;
+  const double least_m = distance_m - kDistanceRounding_m;
   each_near(p, least_m, [&](std::size_t i) {
     keeps = keeps && distance_to_edge(line_[i], p, p) >= least_m;
     return keeps ? least_m : -1;  // nothing is nearer than that

@@ -32,7 +32,8 @@ std::string wrong_gap(const Case& c, const TrackPiece& first, const TrackPiece& 
   if (repair && clipped(c.passables, frame, core).area_m2 > kTouch_m2) return "through an obstacle";
   const double whole_m2 = core.width() * core.height();
   const double inside_m2 = clipped(Polygon{c.plan.field.outer, {}}, frame, core).area_m2;
-  if (repair && whole_m2 - inside_m2 > std::max(kTouch_m2, 1e-12 * whole_m2)) return "beyond the field";
+  if (repair && whole_m2 - inside_m2 > std::max(kTouch_m2, kAreaRounding * whole_m2))
+    return "beyond the field";
   if (clipped(c.obstacles, frame, core).area_m2 > kTouch_m2) return "through an obstacle";
   if (clipped(c.given_up, frame, core).area_m2 > kTouch_m2) return "through land given up";
   return "";

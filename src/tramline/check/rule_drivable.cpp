@@ -52,8 +52,6 @@ class Joints {
   }
 
  private:
-  static constexpr double kShortestTurned_m = 1e-4;
-
   std::string name_;
   Violations& out_;
   Point heading_{0, 0};  ///< not known yet

@@ -18,23 +18,17 @@ struct Demand {
   double required_m = 0;
 };
 
-/// Anything above nothing: as long as rounding can make a length that is none.
-constexpr double kSome_m = 1e-9;
-/// Land so near beside a swath touches it: an edge along the swath's may be off by rounding over its whole
-/// length.
-constexpr double kTouching_m = 1e-6;
-
 Demand demand(const Plan& plan) {
   const double width = plan.machine.width_m;
   const auto share = [&](double s) {
     const double required_m = s * width - kLengthTolerance_m;
-    return required_m > kSome_m ? Demand{0.5 * width, required_m}
-                                : Demand{0.5 * width + kTouching_m, kSome_m};
+    return required_m > kShortest_m ? Demand{0.5 * width, required_m}
+                                    : Demand{0.5 * width + kTouching_m, kShortest_m};
   };
   switch (plan.settings.end_rule) {
     // The centre line may run along an edge: it is inside where either side of it is.
     case EndRule::kCentre:
-      return {kLengthTolerance_m, kSome_m};
+      return {kLengthTolerance_m, kShortest_m};
     case EndRule::kCover:
       return share(0);
     case EndRule::kInside:

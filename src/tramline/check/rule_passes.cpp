@@ -72,8 +72,7 @@ class PassCheck {
   /// Round the field it runs counter-clockwise and has the obstacles it follows outside; clockwise it goes
   /// round obstacles.
   void check_sense() const {
-    constexpr double kSagitta_m = 1e-3;
-    std::vector<Point> ring = chords(pass_.path, kSagitta_m);
+    std::vector<Point> ring = chords(pass_.path, kSenseSagitta_m);
     ring.pop_back();
     const bool counter_clockwise = signed_area(ring) > 0;
     bool right = counter_clockwise || !pass_.around_field;

@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "tramline/check/rules.h"
+#include "tramline/check/tolerances.h"
 
 namespace tramline::check {
 namespace {
 
 /// Costs of ways are differences of what whole tracks cost: they carry the rounding of those.
-double rounding_of_costs(const Plan& plan) { return 1e-6 + 1e-9 * std::abs(plan.cost); }
+double rounding_of_costs(const Plan& plan) { return 1e-6 + kRounding * std::abs(plan.cost); }
 
 /// What is wrong with what is said of one way past, or "".
 std::string fault_of(const WayPast& way, Passing side) {

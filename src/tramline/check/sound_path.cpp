@@ -16,9 +16,9 @@ std::string fault_in(const PathSegment& segment) {
   if (chord <= kShortest_m) return "has no length";
   if (segment.straight()) return "";
   // Rounding may make the chord of an exact half circle longer by the last digits of its ends.
-  constexpr double kShare = 1e-9, kDigits_m = 4e-9;
+  constexpr double kDigits_m = 4e-9;
   if (!(radius(segment) <= kFarthest_m)) return "is an arc of a circle larger than the map";
-  if (!(chord <= 2 * radius(segment) * (1 + kShare) + kDigits_m)) return "is longer than half a circle";
+  if (!(chord <= 2 * radius(segment) * (1 + kRounding) + kDigits_m)) return "is longer than half a circle";
   return "";
 }
 

@@ -16,7 +16,8 @@ bool can_be_followed(const Path& reference, double least_radius_m) {
   if (!fault_of(reference).empty() || smallest_radius(reference) < least_radius_m * (1 - kRadiusShare))
     return false;
   for (std::size_t i = 0; i + 1 < reference.size(); ++i)
-    if (distance(direction_at_end(reference[i]), direction_at_start(reference[i + 1])) > 1e-3) return false;
+    if (distance(direction_at_end(reference[i]), direction_at_start(reference[i + 1])) > kSameHeading)
+      return false;
   return true;
 }
 

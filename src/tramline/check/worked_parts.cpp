@@ -6,6 +6,7 @@
 
 #include "tramline/check/bands.h"
 #include "tramline/check/path_distance.h"
+#include "tramline/check/tolerances.h"
 #include "tramline/geometry/convex_clip.h"
 
 namespace tramline::check {
@@ -31,12 +32,10 @@ class SwathParts {
   }
 
  private:
-  static constexpr double kStraightOn = 1e-6;
-
   void turn_along(const PathSegment& segment) {
     const Point heading = direction_at_start(segment);
     const bool jumps = begun_ && distance(heading, heading_) > kStraightOn;
-    const bool tight = 2 * radius(segment) <= width_m_ * (1 - 1e-9);
+    const bool tight = 2 * radius(segment) <= width_m_ * (1 - kRounding);
     turned_ += std::abs(turning(segment)) + (jumps || tight ? std::numbers::pi : 0);
     heading_ = direction_at_end(segment);
     begun_ = true;

@@ -8,9 +8,6 @@
 
 namespace tramline::check {
 
-/// Land thinner than this is rounding: maps do not show it, and nobody asks for it. m
-inline constexpr double kThinnestShown_m = 1e-5;
-
 /// Ground worked along one line: a straight swath with its detours, or a part of one, a segment of a curved
 /// swath, or a cell of one with kinks.
 struct WorkedPart {
