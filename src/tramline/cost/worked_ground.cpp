@@ -15,7 +15,7 @@ Box box_in(const Box& window, const TrackFrame& from, const TrackFrame& to) {
   return out;
 }
 
-bool is_curved(const TrackFamily& family) {
+bool follows_curve(const TrackFamily& family) {
   return !family.tracks.empty() && !is_straight(family.tracks.front());
 }
 
@@ -23,7 +23,7 @@ bool is_curved(const TrackFamily& family) {
 /// Precondition: one track for each strip from the first on.
 StripRange tracks_near(const TrackFamily& family, const Box& window, double bulge_m) {
   if (family.tracks.empty()) return {};
-  if (is_curved(family)) return {0, static_cast<int>(family.tracks.size()) - 1};
+  if (follows_curve(family)) return {0, static_cast<int>(family.tracks.size()) - 1};
   const StripGrid& grid = family.grid;
   const int lowest = family.tracks.front().index, highest = family.tracks.back().index;
   const double first = std::floor((window.min_x - bulge_m - grid.origin_m) / grid.width_m);
@@ -82,7 +82,7 @@ WorkedGround ground_worked(const std::vector<TrackFamily>& families, const std::
 
 WorkedGround::WorkedGround(const std::vector<TrackFamily>& families) {
   for (const TrackFamily& family : families) {
-    assert(is_curved(family) || family.tracks.empty() ||
+    assert(follows_curve(family) || family.tracks.empty() ||
            family.tracks.back().index - family.tracks.front().index + 1 == std::ssize(family.tracks));
     families_.push_back({family, std::vector<Worked>(family.tracks.size()), 0});
   }
@@ -95,7 +95,7 @@ void WorkedGround::set(std::size_t family, std::size_t track, TrackWork work) {
   Worked worked{std::move(work), {}};
   for (const TrackDetour& detour : worked.work.detours)
     worked.reach.push_back(reach_of(detour.path, grid.width_m));
-  if (is_curved(owner.tracks)) {
+  if (follows_curve(owner.tracks)) {
     for (const Interval& part : worked.work.on_track) {
       const Path path = path_along(of, part.from, part.to);
       const std::vector<Box> reaches = reaches_of(path, grid.width_m);
@@ -120,7 +120,7 @@ void WorkedGround::append_taken(std::size_t family, const Box& window, const std
                                 std::optional<std::size_t> except, RisingCurves& out) const {
   const Family& home = families_[family];
   append_detours(home, window, boxes, except, out);
-  if (is_curved(home.tracks))
+  if (follows_curve(home.tracks))
     append_along(home, window, except, out);
   else
     append_rows(home, window, except, out);
@@ -193,7 +193,7 @@ void WorkedGround::append_foreign(const Family& from, const Family& to, const Bo
   for (int k = near.first; k <= near.last; ++k) {
     const auto place = static_cast<std::size_t>(k);
     const Worked& track = from.worked[place];
-    if (!is_curved(from.tracks))
+    if (!follows_curve(from.tracks))
       for (const Interval& part : track.work.on_track) {
         const Box box = swath_box(from.tracks.grid, from.tracks.tracks[place], part);
         if (!intersects(box, seen)) continue;

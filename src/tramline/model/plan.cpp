@@ -1,6 +1,7 @@
 #include "tramline/model/plan.h"
 
 #include <algorithm>
+#include <cassert>
 #include <initializer_list>
 
 namespace tramline {
@@ -120,8 +121,11 @@ bool is_curved(const Plan& plan) {
 
 std::vector<int> curved_tracks_by_subfield(const Plan& plan) {
   std::vector<int> out(plan.subfields.size(), 0);
-  for (const TrackPiece& piece : plan.pieces)
-    if (!piece.curve.empty()) ++out[static_cast<std::size_t>(piece.subfield)];
+  for (const TrackPiece& piece : plan.pieces) {
+    const auto subfield = static_cast<std::size_t>(piece.subfield);
+    assert(subfield < out.size());
+    if (!piece.curve.empty()) ++out[subfield];
+  }
   return out;
 }
 
