@@ -84,8 +84,8 @@ SearchResult found_on(const SearchTask& task, Preparation& prepared, const Searc
 
 /// The cheapest of a straight plan, one along one curve in each part of the ground, and one with curves in
 /// some subfields of the straight one. Which obstacles have headlands is settled for straight and curved
-/// tracks by themselves. The curves come first, being sooner found: what costs more is then soon told. To
-/// explain a straight plan that has to be told as well.
+/// tracks by themselves, unless the settings say so for both. The curves come first, being sooner found: what
+/// costs more is then soon told. To explain a straight plan that has to be told as well.
 ExplainedPlan cheapest_shape(const PlanningProblem& problem, const SearchContext& context, Explain explain) {
   const PlanningProblem curved = with_shape(problem, TrackShape::kCurved);
   const PlanningProblem straight = with_shape(problem, TrackShape::kStraight);

@@ -8,8 +8,8 @@
 
 namespace tramline {
 
-/// S1.19 for every direction, in the order of candidate_directions(); those left out
-/// where the search has to end are missing. Counts them.
+/// S1.19 for every direction, in the order of candidate_directions(), and counted for the progress. Those
+/// that a search which has to end leaves out are missing.
 std::vector<SweptGround> swept_grounds(const SearchTask& task, const SearchContext& context);
 
 /// The cheapest of them with its detours; among equals that of the smallest sweep direction. Ways past
@@ -19,11 +19,11 @@ std::vector<SweptGround> swept_grounds(const SearchTask& task, const SearchConte
 std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vector<SweptGround>& swept,
                                         double known, const SearchContext& context);
 
-/// Both; without a plan where none costs `no_more_than` or less.
+/// Both. Without a plan where all cost more than `no_more_than`.
 SearchResult sweep_search(const SearchTask& task, const SearchContext& context,
                           double no_more_than = kAnyCost);
 
-/// The least number above: what costs less costs no more than `most`.
+/// The least number above `most`: what costs less than that costs no more than `most`.
 double just_above(double most);
 
 }  // namespace tramline
