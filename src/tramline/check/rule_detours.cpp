@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,7 +11,6 @@
 #include "tramline/check/detour_course.h"
 #include "tramline/check/rules.h"
 #include "tramline/check/tolerances.h"
-#include "tramline/geometry/boolean.h"
 
 namespace tramline::check {
 namespace {
@@ -59,7 +58,8 @@ class DetourCheck {
   double in_the_way_m() const { return reach_m_ - kLengthTolerance_m; }
   bool is_in_the_way(const Sides& sides) const { return sides.nearest_m() < in_the_way_m(); }
 
-  /// What is wrong with what the detour says of an obstacle, or "".
+  /// What is wrong with what the detour says of an obstacle, or "". One may be named that is not in the way
+  /// of the line: land given up may join it to one that is, or the detour would have met it.
   std::string fault_about(int obstacle, bool named) {
     const Polygon& shape = c_.plan.field.obstacles[static_cast<std::size_t>(obstacle)].shape;
     const Sides sides = course_.sides_of(shape);
@@ -68,9 +68,8 @@ class DetourCheck {
       wrong_side_told_ = true;
       return fmt::format("is not passed {}", name(detour_.side));
     }
-    if (!is_in_the_way(sides) && course_.distance_to_line(shape) > reach_m_ + kLengthTolerance_m &&
-        !is_joined_to_what_is_in_the_way(obstacle))
-      return "is named, and not in its way";
+    if (std::isinf(sides.nearest_m()) && course_.distance_to_line(shape) > reach_m_ + kLengthTolerance_m)
+      return "is named, and does not lie beside it";
     // One missing encounter is told once.
     if (is_in_the_way(sides) && !encounters_.empty() && !names(encounters_, obstacle))
       return "is in its way, and no encounter there names it";
@@ -83,41 +82,6 @@ class DetourCheck {
     const double other_m = goes_left() ? sides.left_m : sides.right_m;
     if (std::isinf(sides.nearest_m())) return false;
     return std::isinf(passed_m) || other_m < in_the_way_m();
-  }
-
-  /// Obstacles between which no swath fits are one, and so are those with land given up between them: one may
-  /// be named that is not in the way itself. O(n²) distances for n obstacles and parts of that land.
-  bool is_joined_to_what_is_in_the_way(int obstacle) const {
-    std::vector<Ground> apart;
-    for (std::size_t k = 0; k < c_.plan.field.obstacles.size(); ++k)
-      if (stands_in_ways(c_.plan.field.obstacles[k])) apart.push_back({boxed_obstacle(k), 2 * reach_m_});
-    // A passable may lie between an obstacle and what is kept clear of it.
-    for (const Boxed& part : c_.given_up) apart.push_back({part, c_.plan.settings.clearance_m});
-    std::vector<Ground> reached{{boxed_obstacle(static_cast<std::size_t>(obstacle)), 2 * reach_m_}};
-    while (!reached.empty()) {
-      const Ground from = reached.back();
-      reached.pop_back();
-      if (is_in_the_way(course_.sides_of(*from.land.shape))) return true;
-      const auto joined = std::partition(apart.begin(), apart.end(),
-                                         [&](const Ground& other) { return !are_one(from, other); });
-      reached.insert(reached.end(), joined, apart.end());
-      apart.erase(joined, apart.end());
-    }
-    return false;
-  }
-
-  /// Hard ground, and how near what is joined to it lies.
-  struct Ground {
-    Boxed land;
-    double joins_m;
-  };
-  static bool are_one(const Ground& a, const Ground& b) {
-    const double nearer_m = std::min(a.joins_m, b.joins_m) + kLengthTolerance_m;
-    return intersects(a.land.box.grown(nearer_m), b.land.box) &&
-           distance_between({*a.land.shape}, {*b.land.shape}) <= nearer_m;
-  }
-  Boxed boxed_obstacle(std::size_t k) const {
-    return {&c_.plan.field.obstacles[k].shape, c_.obstacle_boxes[k]};
   }
 
   const Case& c_;

@@ -105,7 +105,8 @@ int check_stops(const Case& c, Violations& out);
 void check_crossings(const Case& c, Violations& out);
 /// Detours leave the line of their track, come back to it, and pass on the side they say. They name the
 /// obstacles that lie beside that line, nearer than half the width and the clearance, and so do the
-/// encounters there, of which there is one; no others, but for those between which and them no swath fits.
+/// encounters there, of which there is one; others that they name lie beside the line, too, and on the side
+/// passed.
 void check_detours(const Case& c, Violations& out);
 /// What was decided where tracks meet obstacles is what they do: where a way past was chosen a detour takes
 /// it and names the obstacles met, where a cut was the track does not go on.
