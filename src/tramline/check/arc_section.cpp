@@ -157,7 +157,7 @@ double crossing(const Spokes& spokes, double below, double above, double require
   return 0.5 * (below + above);
 }
 
-void add_below(Spokes spokes, double required_m, double begin_m, LongestStretch& out) {
+void add_along_arc(Spokes spokes, double required_m, double begin_m, LongestStretch& out) {
   constexpr int kLooks = 8;
   // As near to where it may jump as rounding allows.
   constexpr double kBeside = 1e-6;
@@ -188,9 +188,9 @@ Stretch longest_below(const Polygon& land, const Path& path, double half_m, doub
   double begin_m = 0;
   for (const PathSegment& segment : path) {
     if (segment.straight())
-      add_below(land, PieceFrame(segment.from, segment.to), half_m, required_m, begin_m, longest);
+      add_along_straight(land, PieceFrame(segment.from, segment.to), half_m, required_m, begin_m, longest);
     else
-      add_below(Spokes(land, segment, half_m), required_m, begin_m, longest);
+      add_along_arc(Spokes(land, segment, half_m), required_m, begin_m, longest);
     begin_m += length(segment);
   }
   return longest.best();

@@ -74,8 +74,8 @@ void LongestStretch::add(const Stretch& stretch) {
   if (current_.length() > best_.length()) best_ = current_;
 }
 
-void add_below(const Polygon& land, const PieceFrame& frame, double half_m, double required_m, double begin_m,
-               LongestStretch& out) {
+void add_along_straight(const Polygon& land, const PieceFrame& frame, double half_m, double required_m,
+                        double begin_m, LongestStretch& out) {
   const std::vector<SectionEdge> edges = edges_beside(land, frame);
   const std::vector<double> places = breakpoints(edges, frame.length(), half_m);
   std::vector<double> scratch;

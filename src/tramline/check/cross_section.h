@@ -38,8 +38,8 @@ class LongestStretch {
   Stretch best_;
 };
 
-/// One straight segment of a path: what begins `begin_m` along that.
-void add_below(const Polygon& land, const PieceFrame& frame, double half_m, double required_m, double begin_m,
-               LongestStretch& out);
+/// The stretches of one straight segment, which begins `begin_m` along its path.
+void add_along_straight(const Polygon& land, const PieceFrame& frame, double half_m, double required_m,
+                        double begin_m, LongestStretch& out);
 
 }  // namespace tramline::check

@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "tramline/check/rules.h"
+#include "tramline/check/swath_core.h"
 #include "tramline/check/tolerances.h"
 
 namespace tramline::check {
@@ -22,20 +23,17 @@ std::string not_in_line(const TrackPiece& first, const TrackPiece& second) {
 /// What is wrong with the gap between two pieces in line, or "".
 std::string wrong_gap(const Case& c, const TrackPiece& first, const TrackPiece& second) {
   const PieceFrame frame(first.end, second.start);
-  const double half = 0.5 * c.plan.machine.width_m;
-  const Box gap{-half, 0, half, frame.length()};
+  const double width_m = c.plan.machine.width_m;
   const bool repair = is_repair(c.plan);
-  if (!repair && clipped(c.passables, frame, gap).area_m2 <= kTouch_m2)
+  if (!repair &&
+      clipped(c.passables, frame, {-0.5 * width_m, 0, 0.5 * width_m, frame.length()}).area_m2 <= kTouch_m2)
     return "with no passable obstacle between";
-  const Box core = gap.grown(-kLengthTolerance_m);
-  if (core.width() <= 0 || core.height() <= 0) return "";
-  if (repair && clipped(c.passables, frame, core).area_m2 > kTouch_m2) return "through an obstacle";
-  const double whole_m2 = core.width() * core.height();
-  const double inside_m2 = clipped(Polygon{c.plan.field.outer, {}}, frame, core).area_m2;
-  if (repair && whole_m2 - inside_m2 > std::max(kTouch_m2, kAreaRounding * whole_m2))
-    return "beyond the field";
-  if (clipped(c.obstacles, frame, core).area_m2 > kTouch_m2) return "through an obstacle";
-  if (clipped(c.given_up, frame, core).area_m2 > kTouch_m2) return "through land given up";
+  const SwathCore core(straight_path(first.end, second.start), width_m);
+  if (core.empty()) return "";
+  if (repair && core.part_on(c.passables).area_m2 > kTouch_m2) return "through an obstacle";
+  if (repair && core.part_beyond(c.plan.field.outer).area_m2 > kTouch_m2) return "beyond the field";
+  if (core.part_on(c.obstacles).area_m2 > kTouch_m2) return "through an obstacle";
+  if (core.part_on(c.given_up).area_m2 > kTouch_m2) return "through land given up";
   return "";
 }
 
