@@ -40,8 +40,8 @@ void add_map_options(Verb& verb, PlanOptions& o) {
       verb.add_option("--guide-where", o.guide_where, "which line of --guide, such as \"name='AB 1'\"");
   Option curved =
       verb.add_option("--curved", o.curved,
-                      "curved tracks along an edge of the field: auto where they cost less than straight "
-                      "ones, or always");
+                      "curved tracks along edges of the field: auto in those subfields where they cost less "
+                      "than straight ones, or always");
   Option tracks = verb.add_option(
       "--tracks", o.tracks,
       "how tracks along a line are made: each parallel to the line and fit to be driven, or as "
