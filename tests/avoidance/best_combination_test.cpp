@@ -60,7 +60,7 @@ TEST(BestCombination, EncounterCostsAreDifferencesOfPlans) {
     const PoleField field(field_ring(pole.width_m), {ring_of(pole)}, machine(pole.width_m, pole.radius_m),
                           {});
     const Avoided found = field.plan();
-    for (const PlacedEncounter& encounter : found.encounters) {
+    for (const PlacedEncounter& encounter : encounters_in(field.task(), found)) {
       std::vector<LaidPiece> others;
       for (const LaidPiece& other : found.tracks.front().pieces)
         if (other.track != encounter.track) others.push_back(other);

@@ -24,7 +24,7 @@ TEST(ChooseDetours, ASymmetricPoleCostsTheSameOnBothSides) {
         const Pole pole{width, radius, 0.6, 0, corners};
         SCOPED_TRACE(description(pole));
         const PoleField field(field_ring(width), {ring_of(pole)}, machine(width, radius), {});
-        const std::vector<PlacedEncounter> found = field.plan().encounters;
+        const std::vector<PlacedEncounter> found = encounters_in(field.task(), field.plan());
         ASSERT_EQ(found.size(), 1u);
         ASSERT_TRUE(found[0].left.possible && found[0].right.possible);
         EXPECT_NEAR(found[0].left.cost, found[0].right.cost, 1e-6);
@@ -42,7 +42,8 @@ TEST(ChooseDetours, MirroredPolesCostTheSame) {
       const PoleField a(field_ring(width), {ring_of(right)}, machine(width, 6), {});
       const PoleField b(field_ring(width), {ring_of(left)}, machine(width, 6), {});
       EXPECT_NEAR(a.plan().cost, b.plan().cost, 1e-6);
-      std::vector<PlacedEncounter> there = a.plan().encounters, back = b.plan().encounters;
+      std::vector<PlacedEncounter> there = encounters_in(a.task(), a.plan()),
+                                   back = encounters_in(b.task(), b.plan());
       ASSERT_EQ(there.size(), back.size());
       std::reverse(back.begin(), back.end());
       for (std::size_t i = 0; i < there.size(); ++i) {
@@ -121,7 +122,7 @@ TEST(ChooseDetours, ATrackThatEndsBeforeTheDetourWouldIsCut) {
   const PoleField near(rectangle(0, 0, 21, 100), {pole_at(95)}, machine(3, 12), kDearStops);
   EXPECT_EQ(detours_in(near.plan()), 0);
   EXPECT_EQ(near.plan().tally.stops, 2);
-  const std::vector<PlacedEncounter> found = near.plan().encounters;
+  const std::vector<PlacedEncounter> found = encounters_in(near.task(), near.plan());
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].chosen, Passing::kCut);
   EXPECT_FALSE(found[0].left.possible || found[0].right.possible);
@@ -181,7 +182,7 @@ std::vector<PlacedEncounter> encounters_by_a_spike(double tip_x, EdgeKind bounda
   const PoleField field(outer, {rectangle(10.25, 49.75, 10.75, 50.25)}, machine(3, 12), kDearStops, settings,
                         passable);
   std::vector<PlacedEncounter> out;
-  for (PlacedEncounter& encounter : field.plan().encounters)
+  for (PlacedEncounter& encounter : encounters_in(field.task(), field.plan()))
     if (encounter.track == 3) out.push_back(std::move(encounter));
   return out;
 }
@@ -233,7 +234,7 @@ TEST(ChooseDetours, ARowOfPolesIsPassedFromEndToEnd) {
       expect_own_tally(dear, passed);
       expect_off_poles(dear, passed);
       EXPECT_EQ(passed.tally.stops, 0);
-      EXPECT_EQ(passed.encounters.size(), 20u);
+      EXPECT_EQ(encounters_in(dear.task(), passed).size(), 20u);
       const PoleField usual(outer, row, machine(3, 6), {});
       const Avoided found = usual.plan();
       expect_own_tally(usual, found);
@@ -298,7 +299,7 @@ struct LongStrips {
     field.emplace(with_long_strips(strips, long_strips), poles, with_least, Objective{0.04, 0.10, turn, 5},
                   own_ways);
     found = field->plan();
-    encounters = found.encounters;
+    encounters = encounters_in(field->task(), found);
   }
   std::optional<PoleField> field;
   Avoided found;
@@ -362,7 +363,7 @@ TEST(ChooseDetours, APlanOfS1IsComparedWithAllOtherWays) {
   const PoleField field(with_long_strips(7, {5}), {pole_in(5)}, with_least, {});
   const Avoided found = field.plan();
   EXPECT_EQ(found.cost, field.plan(Avoidance::kPaper).cost);
-  const std::vector<PlacedEncounter> encounters = found.encounters;
+  const std::vector<PlacedEncounter> encounters = encounters_in(field.task(), found);
   ASSERT_EQ(encounters.size(), 1u);
   EXPECT_EQ(encounters[0].chosen, Passing::kLeft);
   EXPECT_LT(encounters[0].left.cost, -saved_by_driving() - 0.01);

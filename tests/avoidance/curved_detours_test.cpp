@@ -160,7 +160,7 @@ TEST(CurvedDetours, cost_what_the_plan_costs) {
     const Laid laid(box(-30, 70, 30, 84), {regular(12, 1, {3, 76.5 + off})}, arcs(-3, 2), kMachine);
     const auto task = laid.task();
     const Avoided cut = all_cut(task), best = choose_detours(task);
-    const std::vector<PlacedEncounter> encounters = encounters_of_cut_tracks(task);
+    const std::vector<PlacedEncounter> encounters = encounters_in(task, cut);
     ASSERT_FALSE(encounters.empty());
     const Encounter& first = encounters.front();
     EXPECT_EQ(first.chosen, Passing::kCut);
@@ -180,7 +180,7 @@ TEST(CurvedDetours, cost_what_the_plan_costs) {
       EXPECT_NEAR(way.cost, laid.cost_by_booleans(with) - laid.cost_by_booleans(cut.tracks.front()), 2e-3)
           << off << name(side);
     }
-    EXPECT_EQ(detours_in(best), static_cast<int>(best.encounters.size()));
+    EXPECT_EQ(detours_in(best), static_cast<int>(encounters_in(task, best).size()));
     EXPECT_LT(best.cost, cut.cost - 5) << "two stops and a turn, less the bulge";
     EXPECT_NEAR(best.cost, laid.cost_by_booleans(best.tracks.front()), 2e-3);
     EXPECT_NEAR(best.tally.worked_m2, task.body_m2 - best.tally.uncovered_m2 + best.tally.overlap_m2, 1e-6);
@@ -200,7 +200,7 @@ TEST(CurvedDetours, cost_the_same_on_both_sides_of_a_symmetric_curve) {
   PlanSettings settings;
   settings.avoid_threshold_m = 0;  // S1 passes on one side only
   const Laid laid(box(-30, -60, 30, 60), {regular(16, 1, {0, 0})}, family, kMachine, {}, {}, settings);
-  const auto encounters = choose_detours(laid.task()).encounters;
+  const auto encounters = encounters_in(laid.task(), choose_detours(laid.task()));
   ASSERT_EQ(encounters.size(), 1u);
   const Encounter& only = encounters.front();
   ASSERT_TRUE(only.left.possible && only.right.possible);
@@ -214,7 +214,7 @@ TEST(CurvedDetours, too_large_an_obstacle_is_cut) {
   const Laid laid(kOuter, {box(-14, 62, 14, 90)}, arcs(-7, 6), kMachine, {0.04, 0.10, 0.45, 0.2});
   const Avoided best = choose_detours(laid.task());
   int cut = 0;
-  for (const PlacedEncounter& encounter : best.encounters)
+  for (const PlacedEncounter& encounter : encounters_in(laid.task(), best))
     if (encounter.chosen == Passing::kCut) ++cut;
   EXPECT_GE(cut, 5);
   EXPECT_LE(best.cost, all_cut(laid.task()).cost);
@@ -226,7 +226,7 @@ TEST(CurvedDetours, are_driven_where_the_settings_allow_them) {
   const Laid laid(kOuter, {regular(12, 1, {0, 76.5})}, arcs(-5, 4), kMachine, {}, {}, settings);
   const Avoided avoided = choose_detours(laid.task());
   EXPECT_EQ(detours_in(avoided), 0);
-  const auto encounters = encounters_of_cut_tracks(laid.task());
+  const auto encounters = encounters_in(laid.task(), avoided);
   ASSERT_EQ(encounters.size(), 1u);
   EXPECT_EQ(encounters.front().chosen, Passing::kCut);
 }
@@ -241,7 +241,7 @@ TEST(CurvedDetours, by_s1_go_round_what_is_narrower_than_the_threshold) {
       settings.avoid_threshold_m = threshold_m;
       const Laid laid(kOuter, {regular(12, 1, {0, 76.5 + off})}, arcs(-5, 4), kMachine, {}, {}, settings);
       const Avoided avoided = choose_detours(laid.task());
-      const auto encounters = avoided.encounters;
+      const auto encounters = encounters_in(laid.task(), avoided);
       ASSERT_EQ(encounters.size(), 1u);
       const PlacedEncounter& only = encounters.front();
       if (threshold_m == 1.5) {
@@ -267,7 +267,7 @@ TEST(CurvedDetours, keep_within_hard_boundaries_and_their_clearance) {
   const Laid laid(box(-45, 55, 45, 81), {regular(12, 0.5, {0, 79.2})}, arcs(-5, 2), kMachine, {}, {},
                   settings);
   int left = 0;
-  for (const PlacedEncounter& one : choose_detours(laid.task()).encounters) {
+  for (const PlacedEncounter& one : encounters_in(laid.task(), choose_detours(laid.task()))) {
     EXPECT_FALSE(one.right.possible);
     left += one.chosen == Passing::kLeft ? 1 : 0;
   }
@@ -297,7 +297,7 @@ TEST(CurvedTracksAndPassables, are_crossed) {
   ASSERT_EQ(middle.track, 0);
   EXPECT_TRUE(middle.after_crossing);
   EXPECT_NEAR(middle.length_m, 76.5 * (std::asin(8 / 78.0) + std::asin(10 / 78.0)), 1e-3);
-  EXPECT_TRUE(laid_out.encounters.empty());
+  EXPECT_TRUE(encounters_in(laid.task(), laid_out).empty());
 }
 
 }  // namespace

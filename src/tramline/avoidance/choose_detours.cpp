@@ -12,7 +12,8 @@ namespace {
 
 /// The tracks as they are decided now.
 Avoided as_decided(const AvoidanceTask& task, const DetourDecisions& decisions) {
-  Avoided out{decisions.tracks(), {}, {}, 0};
+  Avoided out;
+  out.tracks = decisions.tracks();
   const double by_detours_m2 = covered_by_detours_m2(task.ground.body, task.families, out.tracks);
   out.tally = tally_of(task.subfields, out.tracks, task.body_m2, by_detours_m2);
   out.cost = cost(task.objective, out.tally);
@@ -52,14 +53,17 @@ Avoided choose_detours(const AvoidanceTask& task) {
   if (task.settings.avoid == Avoidance::kCut || !meets_obstacles(task)) return cut;
   DetourDecisions decisions(task);
   Avoided out = decided(task, std::move(cut), decisions);
-  // A detour that was decided on, but whose piece is too short to be driven, is none.
-  decisions.take_from(out.tracks);
-  out.encounters = decisions.encounters();
+  out.ways = decisions.ways();
+  out.decisions = std::move(decisions).decisions();
   return out;
 }
 
-std::vector<PlacedEncounter> encounters_of_cut_tracks(const AvoidanceTask& task) {
-  return DetourDecisions(task).encounters();
+std::vector<PlacedEncounter> encounters_in(const AvoidanceTask& task, const Avoided& avoided) {
+  DetourDecisions decisions =
+      avoided.decisions.empty() ? DetourDecisions(task) : DetourDecisions(task, avoided.decisions);
+  decisions.allow(avoided.ways);
+  decisions.take_from(avoided.tracks);
+  return decisions.encounters();
 }
 
 }  // namespace tramline

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
+#include "tramline/avoidance/decision.h"
 #include "tramline/avoidance/surroundings.h"
-#include "tramline/avoidance/track_choice.h"
 #include "tramline/model/machine.h"
 #include "tramline/model/plan.h"
 
@@ -22,19 +22,12 @@ struct AvoidanceTask {
   double body_m2 = 0;
 };
 
-/// An encounter with its place on the track. Encounter::subfield is the family, Encounter::track is
-/// Track::index, sides are seen along the track, and costs are those of the best choice for the track with
-/// that way at this place, above the best one with a cut.
-struct PlacedEncounter : Encounter {
-  int branch = 0;    ///< Track::branch
-  Interval between;  ///< the stretch that cannot be driven, along the track
-};
-
 struct Avoided {
-  std::vector<LaidTracks> tracks;           ///< by family
-  std::vector<PlacedEncounter> encounters;  ///< what was decided where, by family, track and place
+  std::vector<LaidTracks> tracks;  ///< by family
   Tally tally;
   double cost = 0;
+  std::vector<Decision> decisions;  ///< the ways that were found past obstacles; none where all are to be cut
+  WaysPast ways = WaysPast::kOwn;   ///< those the tracks were chosen from
 };
 
 /// Cheaper, and not by working nothing: where turns are dear nothing costs less than to stay at home.
@@ -46,11 +39,20 @@ bool is_better(const Avoided& a, const Avoided& b);
 /// - cheapest: track by track the choice that costs least while the others stay as they are, again and
 ///   again until none changes, from the first plan above. Where S1's plan is cheaper still, the search goes
 ///   on from there, S1's ways among the choices: never costlier than either.
-/// Costs are exact: every area is cut by lines and arcs. Deterministic. To cut takes no decision: there are
-/// no encounters then.
+/// Costs are exact: every area is cut by lines and arcs. Deterministic.
 Avoided choose_detours(const AvoidanceTask& task);
 
-/// Where all tracks of the task are cut at obstacles, and what the other ways would have cost.
-std::vector<PlacedEncounter> encounters_of_cut_tracks(const AvoidanceTask& task);
+/// An encounter with its place on the track.
+struct PlacedEncounter : Encounter {
+  int branch = 0;    ///< Track::branch
+  Interval between;  ///< the stretch that cannot be driven, along the track
+};
+
+/// What was decided where, for tracks that choose_detours laid: by family, track and place.
+/// Encounter::subfield is the family, Encounter::track is Track::index, sides are seen along the track, and
+/// costs are those of the best choice for the track with that way at this place, above the best one with a
+/// cut. The ways that were found are not looked for again; where all tracks were to be cut they are looked
+/// for now.
+std::vector<PlacedEncounter> encounters_in(const AvoidanceTask& task, const Avoided& avoided);
 
 }  // namespace tramline

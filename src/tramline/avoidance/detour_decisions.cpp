@@ -37,23 +37,33 @@ const TrackDetour& as_option(const BlockedTrack& track, const TrackDetour& detou
 
 }  // namespace
 
-DetourDecisions::DetourDecisions(const AvoidanceTask& task)
+DetourDecisions::DetourDecisions(const AvoidanceTask& task) : DetourDecisions(task, {}) {
+  for (std::size_t i = 0; i < task.families.size(); ++i) add_tracks(i);
+  allow(WaysPast::kOwn);
+}
+
+DetourDecisions::DetourDecisions(const AvoidanceTask& task, std::vector<Decision> found)
     : task_(task),
       width_m_(task.machine.width_m),
       least_m_(min_length_m(task.machine)),
-      ground_(task.families) {
-  const bool hard = task.settings.boundary == EdgeKind::kHard;
-  for (std::size_t i = 0; i < task.families.size(); ++i) {
-    const TrackFamily& family = task.families[i];
-    around_.push_back(turned_surroundings(task.ground, task.field.outer, hard, family.grid.frame));
-    obstacles_.push_back(extents_along(task.field, family.grid.frame));
+      ground_(task.families),
+      tracks_(std::move(found)) {
+  turn_ground();
+  for (std::size_t i = 0; i < task.families.size(); ++i)
+    for (std::size_t k = 0; k < task.families[i].tracks.size(); ++k) work(i, k, {});
+  for (const Decision& decision : tracks_) work(decision.track.family, decision.track.place, decision.chosen);
+}
+
+/// The ground as each family sees it.
+void DetourDecisions::turn_ground() {
+  const bool hard = task_.settings.boundary == EdgeKind::kHard;
+  for (const TrackFamily& family : task_.families) {
+    around_.push_back(turned_surroundings(task_.ground, task_.field.outer, hard, family.grid.frame));
+    obstacles_.push_back(extents_along(task_.field, family.grid.frame));
     body_.emplace_back();
-    for (const Ring& ring : rings_of(task.ground.body))
+    for (const Ring& ring : rings_of(task_.ground.body))
       body_.back().push_back(family.grid.frame.to_track(ring));
-    for (std::size_t k = 0; k < family.tracks.size(); ++k) work(i, k, {});
   }
-  for (std::size_t i = 0; i < task.families.size(); ++i) add_tracks(i);
-  allow(WaysPast::kOwn);
 }
 
 void DetourDecisions::allow(WaysPast ways) {

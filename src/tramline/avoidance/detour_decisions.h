@@ -13,9 +13,12 @@ namespace tramline {
 class DetourDecisions {
  public:
   explicit DetourDecisions(const AvoidanceTask& task);
+  /// With the ways that were found and chosen for the same task before, and what they are worth.
+  DetourDecisions(const AvoidanceTask& task, std::vector<Decision> found);
 
   /// From now on these are chosen from. What is chosen stays.
   void allow(WaysPast ways);
+  WaysPast ways() const { return ways_; }
   /// Chooses S1's way at every gap that has one. False where none has. Precondition: they are allowed.
   bool take_paper_ways();
   /// Chooses the detours that these tracks have.
@@ -25,6 +28,7 @@ class DetourDecisions {
   bool improve();
 
   std::vector<LaidTracks> tracks() const;
+  std::vector<Decision> decisions() && { return std::move(tracks_); }
   /// What is decided where, and what the other ways that are allowed would cost.
   std::vector<PlacedEncounter> encounters();
 
@@ -36,6 +40,7 @@ class DetourDecisions {
     return task_.families[blocked.family].tracks[blocked.place];
   }
   const Track& track_of(const Decision& decision) const { return track_of(decision.track); }
+  void turn_ground();
   void work(std::size_t family, std::size_t place, const std::vector<TrackDetour>& detours);
   void choose(Decision& decision, std::vector<TrackDetour> detours);
   void mark_stale_near(const Decision& decision, const std::vector<TrackDetour>& detours);

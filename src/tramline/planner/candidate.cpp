@@ -97,9 +97,7 @@ std::vector<LinedSubfield> swept(const SearchTask& task, Direction sweep) {
 }
 
 std::vector<PlacedEncounter> encounters_of(const SearchTask& task, const Candidate& candidate) {
-  if (task.settings.avoid == Avoidance::kCut)
-    return encounters_of_cut_tracks(avoidance_task(task, candidate));
-  return candidate.avoided.encounters;
+  return encounters_in(avoidance_task(task, candidate), candidate.avoided);
 }
 
 int first_track(const Candidate& candidate, std::size_t subfield) {

@@ -47,7 +47,7 @@ Candidate candidate_on(const SearchTask& task, const std::vector<LinedSubfield>&
 /// S1.19: decompose, merge, lay tracks. Pure; safe to call from several threads, as is all of this.
 std::vector<LinedSubfield> swept(const SearchTask& task, Direction sweep);
 
-/// What was decided where its tracks meet obstacles; as choose_detours gives it.
+/// What was decided where its tracks meet obstacles; as encounters_in() gives it.
 std::vector<PlacedEncounter> encounters_of(const SearchTask& task, const Candidate& candidate);
 
 /// The number, among the tracks of its family, of the one that is track 0 of a subfield: the first that is
