@@ -1,13 +1,12 @@
 #pragma once
-// What admission takes for rounding and what for a fault.
+// What admission takes for rounding and what for a fault. Vertices closer than kSamePlace_m are one vertex,
+// and a spike thinner than that has no width.
 
 #include <algorithm>
 
-namespace tramline {
+#include "tramline/geometry/tolerances.h"
 
-/// Vertices closer than this are one vertex, and a spike thinner than this has no width, m. Far below what
-/// any receiver measures and above the rounding of coordinates given to 1e-11 degrees.
-inline constexpr double kSamePlace_m = 1e-6;
+namespace tramline {
 
 /// Areas up to this are rounding (a perimeter of 1 km on the grid of 1e-6 m), m².
 inline constexpr double kNoArea_m2 = 1e-3;

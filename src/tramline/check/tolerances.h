@@ -62,7 +62,7 @@ inline constexpr double kStraightOn = 1e-6;
 /// A line that turns by no more at its joints has no kinks for who follows it.
 inline constexpr double kSameHeading = 1e-3;
 
-// How far chords may be off the arcs they stand for, m. Those of plans stand in geometry/path.h.
+// How far chords may be off the arcs they stand for, m. Those of plans come with geometry/path.h.
 
 /// Where only the sides of a path are asked.
 inline constexpr double kSideSagitta_m = 1e-4;

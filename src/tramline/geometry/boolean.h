@@ -12,12 +12,9 @@
 
 #include "tramline/geometry/region.h"
 #include "tramline/geometry/smallest_disc.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
-
-/// Spacing of the precision grid, m. A vertex moves at most kGridSize/√2, so an area changes by at
-/// most about kGridSize · perimeter.
-inline constexpr double kGridSize = 1e-6;
 
 Region unite(const Region& polygons);            ///< input polygons may overlap
 Region unite(const Region& a, const Region& b);  ///< parts of the same one must not overlap; one overlay

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <tuple>
 
+#include "tramline/geometry/tolerances.h"
+
 namespace tramline {
 namespace {
 
@@ -31,12 +33,12 @@ std::vector<Extents> extents_by_hull_edge(const Ring& ring) {
 
 double short_side(const Extents& edge) { return std::min(edge.along, edge.across); }
 
-/// The least value wins; among equals (relative 1e-9) the slimmest rectangle, then the smallest
+/// The least value wins; among equals (relative kRounding_share) the slimmest rectangle, then the smallest
 /// direction. All rectangles on a triangle's edges have the same area, so ties are common, and the
 /// slimmest does not depend on how the frame lies.
 template <class Value, class Axis>
 Direction least(const std::vector<Extents>& edges, Value value, Axis axis) {
-  constexpr double kTie = 1 + 1e-9;
+  constexpr double kTie = 1 + kRounding_share;
   double least_value = std::numeric_limits<double>::infinity();
   for (const Extents& edge : edges) least_value = std::min(least_value, value(edge));
   double least_side = std::numeric_limits<double>::infinity();

@@ -1,13 +1,16 @@
 #include "tramline/geometry/box_grid.h"
 
+#include "tramline/geometry/tolerances.h"
+
 namespace tramline {
 
 BoxGrid::BoxGrid(const std::vector<Box>& boxes) : boxes_(boxes) {
   if (boxes_.empty()) return;
   for (const Box& box : boxes_) bounds_.extend(box);
-  const double longer = std::max({bounds_.width(), bounds_.height(), 1e-9});
-  const double shorter = std::max(std::min(bounds_.width(), bounds_.height()), 1e-3 * longer);
-  cell_m_ = std::max(std::sqrt(longer * shorter / static_cast<double>(boxes_.size())), 1e-3 * longer);
+  const double longer = std::max({bounds_.width(), bounds_.height(), kLeastGridSide_m});
+  const double shorter = std::max(std::min(bounds_.width(), bounds_.height()), kFlattestGrid_share * longer);
+  cell_m_ = std::max(std::sqrt(longer * shorter / static_cast<double>(boxes_.size())),
+                     kFlattestGrid_share * longer);
   columns_ = static_cast<int>(bounds_.width() / cell_m_) + 1;
   rows_ = static_cast<int>(bounds_.height() / cell_m_) + 1;
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tramline/geometry/tolerances.h"
+
 namespace tramline {
 namespace {
 
@@ -50,7 +52,7 @@ bool nearer_than(const ContourElement& e, Point p, double distance_m) {
   if (std::abs(away - radius) >= distance_m) return false;
   const Point outward = (e.reach > 0 ? -1.0 : 1.0) * left_of(e.heading + e.heading_to);
   const double norm = 2 * std::abs(e.half_cosine);
-  if (norm < 1e-6) return dot(from_centre, e.heading) >= 0;  // half a circle
+  if (norm < kHalfTurn_rad) return dot(from_centre, e.heading) >= 0;  // half a circle
   return dot(from_centre, outward) >= e.half_cosine * away * norm;
 }
 
@@ -134,20 +136,19 @@ Point beside(const ContourElement& element, double place, double distance_m) {
 }
 
 void append_parallel(const Contour& contour, double from, double to, double distance_m, Path& out) {
-  constexpr double kNoLength = 1e-9;
   Point at = out.empty() ? Point{} : out.back().to;
   bool going_on = !out.empty();
   for (std::size_t i = element_at(contour, from); i < contour.elements.size(); ++i) {
     const ContourElement& e = contour.elements[i];
     const double low = std::max(from, e.start), high = std::min(to, e.start + e.length);
     if (e.start >= to) break;
-    if (high - low <= kNoLength) continue;
+    if (high - low <= kShortest_m) continue;
     if (!going_on) at = beside(e, low, distance_m);
     going_on = true;
     const Point end = beside(e, high, distance_m);
     // Where headings meet but for rounding, what is short comes to end behind where the one before ended.
     const bool ahead = dot(end - at, heading_at(e, 0.5 * (low + high))) > 0;
-    if (!ahead || distance(at, end) <= kNoLength) continue;
+    if (!ahead || distance(at, end) <= kShortest_m) continue;
     out.push_back({at, end, curvature_beside(e, distance_m)});
     at = end;
   }

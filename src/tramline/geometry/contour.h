@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tramline/geometry/path.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 
@@ -61,7 +62,7 @@ Point beside(const ContourElement& element, double place, double distance_m);
 /// Whether an element still has a parallel at that distance: on the inside of a bend it shrinks to
 /// the centre and is gone beyond.
 inline bool reaches(const ContourElement& element, double distance_m) {
-  return element.straight || element.reach >= 0 || element.reach + distance_m < -1e-9;
+  return element.straight || element.reach >= 0 || element.reach + distance_m < -kSameDistance_m;
 }
 
 /// Curvature of the parallel, left positive, 1/m. Precondition: reaches(), and not a quarter turn of radius

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "tramline/geometry/line_crossing.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {
@@ -18,14 +19,11 @@ double reach_ahead(Point p, Point direction, const Box& box) {
   return out;
 }
 
-/// An extension that is shorter has no direction, m.
-constexpr double kNothing_m = 1e-9;
-
 /// Share of the way from a to b at which the segment is first met. The path that begins at a does not count
-/// within a nanometre of it.
+/// where it is no farther off than kShortest_m.
 std::optional<double> first_meeting(Point a, Point b, const PathSegment& segment) {
-  const std::vector<Point> line = chords({segment}, 1e-4);
-  const double least = 1e-9 / distance(a, b);
+  const std::vector<Point> line = chords({segment}, kMeasuredSagitta_m);
+  const double least = kShortest_m / distance(a, b);
   std::optional<double> out;
   for (std::size_t i = 0; i + 1 < line.size(); ++i)
     if (const auto t = crossing_along(a, b, line[i], line[i + 1]))
@@ -51,12 +49,12 @@ Extended extended(const Path& path, double at_start_m, double at_end_m) {
   const Point begin = path.front().from, end = path.back().to;
   const Point ahead = direction_at_end(path.back());
   const Point behind = -1 * direction_at_start(path.front());
-  if (at_start_m > kNothing_m) {
+  if (at_start_m > kShortest_m) {
     Point to = begin + at_start_m * behind;
     out.blocked_at_start = shorten(begin, to, path);
     if (distance(to, begin) > 0) out.path.insert(out.path.begin(), {to, begin, 0});
   }
-  if (at_end_m > kNothing_m) {
+  if (at_end_m > kShortest_m) {
     Point to = end + at_end_m * ahead;
     out.blocked_at_end = shorten(end, to, out.path);
     if (distance(end, to) > 0) out.path.push_back({end, to, 0});

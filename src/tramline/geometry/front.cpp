@@ -7,20 +7,13 @@
 #include <numbers>
 #include <numeric>
 
+#include "tramline/geometry/tolerances.h"
+
 namespace tramline {
 namespace {
 
-/// A point nearer to the path by no more than this is not nearer, m. Much more, and where branches all but
-/// touch there would be slivers of front that no corner leads to.
-constexpr double kSameDistance = 1e-9;
 /// Of an arc's radius: what rounding may do to the distance from it.
-constexpr double kRoundingOfRadius = 4e-16;
-/// Places that differ by no more are one.
-constexpr double kSamePlace = 1e-7;
-/// Branches that come as close, m, meet.
-constexpr double kMeeting = 1e-5;
-/// A branch that meets another's end meets it, m.
-constexpr double kTouch = 1e-9;
+constexpr double kRoundingOfRadius_share = 4e-16;
 
 /// The parallel of one element.
 struct Branch {
@@ -48,7 +41,8 @@ Branch branch_of(const ContourElement& e, double distance) {
   out.box = bounds(out.from, out.to).grown(std::abs(out.reach) * (1 - e.half_cosine));
   const Point sum = e.heading + e.heading_to;
   const double norm = length(sum);
-  const Point heading = norm > 1e-6 ? (1 / norm) * sum : (e.turn > 0 ? 1.0 : -1.0) * left_of(e.heading);
+  const Point heading =
+      norm > kHalfTurn_rad ? (1 / norm) * sum : (e.turn > 0 ? 1.0 : -1.0) * left_of(e.heading);
   out.middle = (out.reach > 0 ? -1.0 : 1.0) * left_of(heading);
   return out;
 }
@@ -66,7 +60,8 @@ class FrontMaker {
     branches_.reserve(contour.elements.size());
     for (const ContourElement& e : contour.elements) {
       branches_.push_back(branch_of(e, distance));
-      same_distance_ = std::max(same_distance_, kSameDistance + kRoundingOfRadius * std::abs(e.reach));
+      same_distance_ =
+          std::max(same_distance_, kSameDistance_m + kRoundingOfRadius_share * std::abs(e.reach));
     }
   }
 
@@ -123,7 +118,7 @@ class FrontMaker {
   void cut_lines(std::size_t i, std::size_t j) {
     const ContourElement &a = contour_.elements[i], &b = contour_.elements[j];
     const double turn = cross(a.heading, b.heading);
-    if (std::abs(turn) < 1e-12) return;
+    if (std::abs(turn) < kParallelBranches_rad) return;
     const Point between = branches_[j].from - branches_[i].from;
     add(i, cross(between, b.heading) / turn, j, cross(between, a.heading) / turn);
   }
@@ -136,7 +131,7 @@ class FrontMaker {
     if (square < 0) return;
     const double half = std::sqrt(square);
     for (const double along : {foot - half, foot + half}) {
-      if (along < -kTouch || along > e.length + kTouch) continue;
+      if (along < -kTouch_m || along > e.length + kTouch_m) continue;
       const Point p = branches_[line].from + along * e.heading;
       if (const double on_arc = along_arc(arc, p); on_arc >= 0) add(line, along, arc, on_arc);
     }
@@ -145,7 +140,7 @@ class FrontMaker {
   void cut_arcs(std::size_t i, std::size_t j) {
     const Point apart = contour_.elements[j].centre - contour_.elements[i].centre;
     const double square = dot(apart, apart);
-    if (square < 1e-18) return;
+    if (square < kConcentric_m2) return;
     const double a = branches_[i].reach, b = branches_[j].reach;
     const double share = 0.5 * (1 + (a - b) * (a + b) / square);
     const double height = a * a - share * share * square;
@@ -165,8 +160,8 @@ class FrontMaker {
     const Point from_centre = p - e.centre;
     const double radius = std::abs(branch.reach);
     const Point from_start = p - branch.from, from_end = p - branch.to;
-    if (dot(from_centre, branch.middle) < e.half_cosine * radius - kTouch &&
-        std::min(dot(from_start, from_start), dot(from_end, from_end)) > kTouch * kTouch)
+    if (dot(from_centre, branch.middle) < e.half_cosine * radius - kTouch_m &&
+        std::min(dot(from_start, from_start), dot(from_end, from_end)) > kTouch_m * kTouch_m)
       return -1;
     const Point at_start = branch.from - e.centre;
     const double angle = std::atan2(cross(at_start, from_centre), dot(at_start, from_centre));
@@ -176,8 +171,8 @@ class FrontMaker {
 
   void add(std::size_t i, double along_i, std::size_t j, double along_j) {
     const ContourElement &a = contour_.elements[i], &b = contour_.elements[j];
-    if (along_i < -kTouch || along_i > a.length + kTouch) return;
-    if (along_j < -kTouch || along_j > b.length + kTouch) return;
+    if (along_i < -kTouch_m || along_i > a.length + kTouch_m) return;
+    if (along_j < -kTouch_m || along_j > b.length + kTouch_m) return;
     if (asked_for(i)) cuts_.push_back({a.start + std::clamp(along_i, 0.0, a.length)});
     if (asked_for(j)) cuts_.push_back({b.start + std::clamp(along_j, 0.0, b.length)});
   }
@@ -198,7 +193,7 @@ class FrontMaker {
       for (auto cut = std::lower_bound(cuts_.begin(), cuts_.end(), Cut{from});; ++cut) {
         const bool done = cut == cuts_.end() || cut->place >= to;
         const double next = done ? to : cut->place;
-        if (next > at + 1e-9) {
+        if (next > at + kShortest_m) {
           element = add_part(at, next, element);
           at = next;
         }
@@ -224,7 +219,7 @@ class FrontMaker {
     }
     if (keeps_away(contour_, beside(contour_.elements[at], place, distance_), distance_ - same_distance_,
                    nearer_)) {
-      if (!out_.feet.empty() && from - out_.feet.back().to < kSamePlace)
+      if (!out_.feet.empty() && from - out_.feet.back().to < kSameFoot_m)
         out_.feet.back().to = to;
       else
         out_.feet.push_back({from, to});
@@ -250,17 +245,18 @@ class FrontMaker {
     for (const Interval& feet : out_.feet) {
       const ContourElement& e = contour_.elements[element_at(contour_, feet.to)];
       const Point end = beside(e, feet.to, distance_), heading = heading_at(e, feet.to);
-      double least = kMeeting;
+      double least = kFrontsMeet_m;
       const End* best = nullptr;
       double turn = 0;
-      auto next = std::lower_bound(starts.begin(), starts.end(), End{{end.x - kMeeting, 0}, {}, 0}, by_x);
-      for (; next != starts.end() && next->point.x <= end.x + kMeeting; ++next) {
+      auto next =
+          std::lower_bound(starts.begin(), starts.end(), End{{end.x - kFrontsMeet_m, 0}, {}, 0}, by_x);
+      for (; next != starts.end() && next->point.x <= end.x + kFrontsMeet_m; ++next) {
         const End& start = *next;
         const double apart = distance(start.point, end);
         if (apart >= least) continue;
         double right = -std::atan2(cross(heading, start.heading), dot(heading, start.heading));
-        if (right < -std::numbers::pi + 1e-6) right = -right;  // half a turn, either way
-        if (right < -1e-6) continue;
+        if (right < -std::numbers::pi + kHalfTurn_rad) right = -right;  // half a turn, either way
+        if (right < -kFrontCorner_rad) continue;
         least = apart;
         best = &start;
         turn = std::max(0.0, right);
@@ -272,7 +268,7 @@ class FrontMaker {
   const Contour& contour_;
   double distance_;
   Sides sides_;
-  double same_distance_ = kSameDistance;
+  double same_distance_ = kSameDistance_m;
   std::vector<Branch> branches_;
   std::vector<Cut> cuts_;
   std::size_t nearer_ = 0;

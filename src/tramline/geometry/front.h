@@ -27,7 +27,7 @@ enum class Sides { kRight, kLeft, kBoth };
 
 /// The front at a distance (> 0, m) from the path. Every branch is cut where it meets another one or a
 /// circle about an end of the path, and of each part one point is asked how far it is from the path: no
-/// front is made from another one, and no tolerance but of what counts as nearer (1e-9 m).
+/// front is made from another one, and no tolerance but of what counts as nearer (kSameDistance_m).
 /// Quarter turns about the ends are no feet. About O(n log n) for n segments; n² where the boxes of
 /// all parallels overlap.
 OffsetFront front_at(const Contour& contour, double distance_m, Sides sides);

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "tramline/geometry/tolerances.h"
+
 namespace tramline {
 namespace {
 
@@ -75,11 +77,10 @@ std::vector<Point> vertices_of(const Path& path) {
 }
 
 bool has_kinks(const Path& path) {
-  constexpr double kLeastTurn = 1e-9;
   if (!std::all_of(path.begin(), path.end(), [](const PathSegment& s) { return s.straight(); })) return false;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     const Point a = direction_at_start(path[i]), b = direction_at_start(path[i + 1]);
-    if (std::abs(cross(a, b)) > kLeastTurn || dot(a, b) < 0) return true;
+    if (std::abs(cross(a, b)) > kLeastKink_rad || dot(a, b) < 0) return true;
   }
   return false;
 }

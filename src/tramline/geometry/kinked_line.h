@@ -13,7 +13,7 @@ Path polyline_path(const std::vector<Point>& points);
 /// The inverse. Precondition: all segments straight.
 std::vector<Point> vertices_of(const Path& path);
 
-/// A path of straight segments only of which two meet at an angle: by more than 1e-9 rad.
+/// A path of straight segments only of which two meet at an angle: by more than kLeastKink_rad.
 bool has_kinks(const Path& path);
 
 /// The ground of a swath along a path of straight segments (Π of S2.2), a convex quadrilateral for each,

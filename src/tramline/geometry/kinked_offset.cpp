@@ -7,11 +7,10 @@
 
 #include "tramline/geometry/kinked_line.h"
 #include "tramline/geometry/line_crossing.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {
-
-constexpr double kSame_m = 1e-9;
 
 /// An end of an edge on its way out: at `at` when the front is `since_m` off the line, then `speed` for each
 /// metre that the front moves.
@@ -60,7 +59,7 @@ class Front {
     if (along_.empty()) return out;
     for (const Joint& joint : joints_) {
       const Point p = joint.when(off_m_);
-      if (out.empty() || distance(out.back(), p) > kSame_m) out.push_back(p);
+      if (out.empty() || distance(out.back(), p) > kShortest_m) out.push_back(p);
     }
     if (out.size() < 2) out.clear();
     return out;
@@ -161,7 +160,9 @@ std::vector<Passage> passages_of(const std::vector<Point>& line) {
 class Trimmer {
  public:
   Trimmer(const std::vector<Point>& line, const std::vector<Point>& source, double off_m)
-      : source_(source), least_m_(off_m * (1 - 1e-6) - kSame_m), passages_(passages_of(line)) {
+      : source_(source),
+        least_m_(off_m * (1 - kPathRadius_share) - kSameDistance_m),
+        passages_(passages_of(line)) {
     for (std::size_t i = 0; i <= passages_.size(); ++i) {
       parts_.push_back(part_of(line, i));
       keeps_off_.push_back(keeps_off(parts_.back()));
@@ -204,7 +205,7 @@ class Trimmer {
       longest_m = distance(part[k], part[k + 1]);
       middle = midpoint(part[k], part[k + 1]);
     }
-    if (longest_m <= kSame_m) return true;
+    if (longest_m <= kShortest_m) return true;
     for (std::size_t k = 0; k + 1 < source_.size(); ++k)
       if (distance_to_edge({source_[k], source_[k + 1], 0}, middle, middle) < least_m_) return false;
     return true;
@@ -216,7 +217,7 @@ class Trimmer {
     for (std::size_t i = part;;) {
       used[i] = true;
       for (const Point p : parts_[i])
-        if (out.empty() || distance(out.back(), p) > kSame_m) out.push_back(p);
+        if (out.empty() || distance(out.back(), p) > kShortest_m) out.push_back(p);
       if (i == passages_.size()) return out;
       const std::size_t straight_on = i + 1, across = passages_[i].partner + 1;
       const auto open = [&](std::size_t next) { return keeps_off_[next] && !used[next]; };

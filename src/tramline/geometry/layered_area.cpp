@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tramline/geometry/tolerances.h"
+
 namespace tramline {
 namespace {
 
@@ -55,7 +57,7 @@ void append_edge(const PathSegment& edge, Layer layer, RisingCurves& out) {
 /// The curvature `offset_m` to the left of an arc; 0 where the arc shrinks to a point.
 double offset_curvature(double curvature, double offset_m) {
   const double shrunk = 1 - curvature * offset_m;
-  return shrunk > 1e-9 ? curvature / shrunk : 0;
+  return shrunk > kRounding_share ? curvature / shrunk : 0;
 }
 
 /// The point of the line ab at the height y, the very end point where it is at that height.
@@ -176,10 +178,10 @@ void append_crossings_of_arc(const Bound& a, const Bound& b, Heights within, std
   if (!(root > kTouching)) return;  // apart, or concentric (not a number)
   const double sum = half + std::copysign(std::sqrt(std::max(0.0, root)), half);
   const double left = std::max(a.min_x, b.min_x), right = std::min(a.max_x, b.max_x);
-  constexpr double kMargin = 1e-3;  // a crossing at an end of an arc may come out just beyond it
+  constexpr double kBeyond_m = 1e-3;  // a crossing at an end of an arc may come out just beyond it
   for (const double t : {sum / a.curvature, -rest / sum}) {
     const Point p = a.from + foot + t * along;
-    if (within.contain(p.y) && p.x > left - kMargin && p.x < right + kMargin) out.push_back(p.y);
+    if (within.contain(p.y) && p.x > left - kBeyond_m && p.x < right + kBeyond_m) out.push_back(p.y);
   }
 }
 
@@ -253,9 +255,9 @@ void collect_heights(Heights ground, Scratch& scratch) {
   }
   std::sort(heights.begin(), heights.end());
   // Thinner slabs are but rounding.
-  constexpr double kThin = 1e-12;
+  constexpr double kThin_m = 1e-12;
   heights.erase(std::unique(heights.begin(), heights.end(),
-                            [](double kept, double next) { return next - kept < kThin; }),
+                            [](double kept, double next) { return next - kept < kThin_m; }),
                 heights.end());
 }
 
@@ -346,7 +348,7 @@ void append_box(const Box& box, Layer layer, const Box& window, RisingCurves& ou
 }
 
 void append_band(const Path& path, double width_m, Layer layer, RisingCurves& out) {
-  assert(2 * smallest_radius(path) >= width_m * (1 - 1e-6));
+  assert(2 * smallest_radius(path) >= width_m * (1 - kPathRadius_share));
   const double half = 0.5 * width_m;
   Point left, right;
   bool begun = false;

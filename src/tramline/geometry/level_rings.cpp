@@ -10,14 +10,10 @@
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/faces.h"
 #include "tramline/geometry/offset_curve.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {
-
-constexpr double kSamePlace = 1e-8;    // m: places of the arrangement that are one
-constexpr double kSureMargin = 1e-9;   // m: more than rounding
-constexpr double kSameHeading = 1e-7;  // rad
-constexpr double kNoCorner = 5e-7;     // rad: where edges turn less, the lines along them just go on
 
 /// An edge of a shore, or a disc (from == to).
 struct Guard {
@@ -91,7 +87,7 @@ void add_shore(Arrangement& to, const Shore& shore, int index) {
     const double turn = cross(normals[i], normals[next]);
     const double shortest =
         std::min(distance(shore.ring[i], corner), distance(corner, shore.ring[(next + 1) % n]));
-    if (std::abs(turn) < kNoCorner && dot(normals[i], normals[next]) > 0 && d * std::abs(turn) < shortest)
+    if (std::abs(turn) < kNoCorner_rad && dot(normals[i], normals[next]) > 0 && d * std::abs(turn) < shortest)
       ends[i] = starts[next] = midpoint(ends[i], starts[next]);
     else if (turn < 0 && shore.round_corners)
       to.candidates.push_back(
@@ -165,9 +161,9 @@ void name_nodes(Arrangement& a) {
   std::size_t first = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     all[i]->node = i;
-    while (all[first]->at.x < all[i]->at.x - kSamePlace) ++first;
+    while (all[first]->at.x < all[i]->at.x - kSameNode_m) ++first;
     for (std::size_t j = i; j-- > first;)
-      if (std::abs(all[j]->at.y - all[i]->at.y) < kSamePlace) {
+      if (std::abs(all[j]->at.y - all[i]->at.y) < kSameNode_m) {
         all[i]->node = all[j]->node;
         break;
       }
@@ -181,7 +177,7 @@ std::optional<Standing> standing(const Arrangement& a, const Candidate& candidat
   for (const std::size_t g : near) {
     if (g == candidate.guards[0] || g == candidate.guards[1]) continue;
     const double limit = a.guards[g].distance_m, square = squared_distance(p, a.guards[g]);
-    const double low = limit - kSureMargin, high = limit + kSureMargin;
+    const double low = limit - kSameDistance_m, high = limit + kSameDistance_m;
     if (square < low * low) return std::nullopt;
     if (square < high * high) out = Standing::kDoubtful;
   }
@@ -199,7 +195,7 @@ void keep_free_pieces(Arrangement& a) {
   std::vector<std::size_t> near;
   for (std::size_t i = 0; i < a.candidates.size(); ++i) {
     const Candidate& candidate = a.candidates[i];
-    const Box reach = candidate.curve.box.grown(kSamePlace);
+    const Box reach = candidate.curve.box.grown(kSameNode_m);
     near.clear();
     for (std::size_t g = 0; g < a.guards.size(); ++g)
       if (intersects(a.guards[g].box, reach)) near.push_back(g);
@@ -223,7 +219,7 @@ double turn(const Arrangement& a, const Piece& from, const Piece& to) {
   const Point before = heading_at(a.candidates[from.candidate].curve, from.to.at);
   const Point after = heading_at(a.candidates[to.candidate].curve, to.from.at);
   const double angle = std::atan2(cross(before, after), dot(before, after));
-  return angle < -std::numbers::pi + 1e-4 ? angle + 2 * std::numbers::pi : angle;
+  return angle < -std::numbers::pi + kStraightBack_rad ? angle + 2 * std::numbers::pi : angle;
 }
 
 /// The piece to follow: the land is what lies to the left of all of them, so the leftmost one bounds it.
@@ -240,8 +236,8 @@ Piece* leftmost(Arrangement& a, const Piece& from) {
   double best_turn = 0;
   for (auto it = first; it != last; ++it) {
     const double here = turn(a, from, *it);
-    const bool better = best == nullptr || here > best_turn + kSameHeading ||
-                        (here > best_turn - kSameHeading && rank(*it) > rank(*best));
+    const bool better = best == nullptr || here > best_turn + kSameHeading_rad ||
+                        (here > best_turn - kSameHeading_rad && rank(*it) > rank(*best));
     if (!better) continue;
     best = &*it;
     best_turn = here;
@@ -299,7 +295,7 @@ Region level_region(const std::vector<LevelRing>& rings, double sagitta_m) {
       // What comes before decides where a piece begins: the two agree up to rounding.
       PathSegment segment = ring[i].segment;
       const Point previous = ring[i == 0 ? ring.size() - 1 : i - 1].segment.to;
-      if (distance(previous, segment.to) < kSamePlace) continue;
+      if (distance(previous, segment.to) < kSameNode_m) continue;
       segment.from = previous;
       const std::vector<Point> more = chords({segment}, sagitta_m);
       points.insert(points.end(), more.begin() + 1, more.end());

@@ -9,14 +9,12 @@
 #include <tuple>
 #include <utility>
 
+#include "tramline/geometry/tolerances.h"
+
 namespace tramline {
 namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-/// Rounding that an edge may be short of.
-constexpr double kRoom = 1e-9;
-/// Left straight between arcs that are drawn apart, m: a part of a few nanometres has no direction.
-constexpr double kStraightPart = 1e-3;
 
 /// Edges by length, then by place; `version` tells those that have changed since.
 using Entry = std::tuple<double, std::size_t, unsigned>;
@@ -51,7 +49,7 @@ class Merger {
   }
   double tangent(std::size_t i) const { return tangent_for(turn(i)); }
   double edge(std::size_t i) const { return distance(at_[i], at_[after_[i]]); }
-  bool lacks_room(std::size_t i) const { return tangent(i) + tangent(after_[i]) > edge(i) + kRoom; }
+  bool lacks_room(std::size_t i) const { return tangent(i) + tangent(after_[i]) > edge(i) + kSameDistance_m; }
 
   void queue_edge(std::size_t i) {
     ++version_[i];
@@ -80,7 +78,8 @@ class Merger {
   }
   void drop_if_doubled(std::size_t i) {
     std::size_t around = i;
-    if (inner(i) && (distance(at_[i], at_[before_[i]]) < 1e-6 || distance(at_[i], at_[after_[i]]) < 1e-6)) {
+    if (inner(i) && (distance(at_[i], at_[before_[i]]) < kSamePlace_m ||
+                     distance(at_[i], at_[after_[i]]) < kSamePlace_m)) {
       around = before_[i];
       remove(i);
     }
@@ -125,14 +124,14 @@ class Merger {
       const Point p = at_[i] + by * back, q = at_[j] + by * on;
       const double tangent_p = tangent_for(turn_at(at_[a], p, q));
       const double tangent_q = tangent_for(turn_at(p, q, at_[b]));
-      const double between = distance(p, q) - tangent_p - tangent_q - kStraightPart;
+      const double between = distance(p, q) - tangent_p - tangent_q - kLeastBetweenArcs_m;
       const double room =
           std::min({between, before - by - tangent(a) - tangent_p, after - by - tangent(b) - tangent_q});
       return std::pair{between, room};
     };
     double low = 0, high = 0.999 * std::min(before, after);
     if (room_at(high).first < 0) return false;
-    for (int step = 0; step < 50 && high - low > 1e-9 * high; ++step) {
+    for (int step = 0; step < 50 && high - low > kRounding_share * high; ++step) {
       const double middle = 0.5 * (low + high);
       (room_at(middle).first < 0 ? low : high) = middle;
     }

@@ -5,11 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "tramline/geometry/tolerances.h"
+
 namespace tramline {
 namespace {
-
-constexpr double kTouch = 1e-9;      // m: what is nearer meets
-constexpr double kParallel = 1e-13;  // sine of the angle between two lines
 
 /// The angle clockwise from the arc's start; a little less than 0 for points just before it.
 double clockwise(const OffsetCurve& arc, Point p) {
@@ -20,7 +19,7 @@ double clockwise(const OffsetCurve& arc, Point p) {
 }
 
 bool lies_on(const OffsetCurve& curve, Point p) {
-  const double slack = curve.straight() ? kTouch : kTouch / curve.radius;
+  const double slack = curve.straight() ? kTouch_m : kTouch_m / curve.radius;
   const double place = place_on(curve, p);
   return place >= -slack && place <= curve.extent + slack;
 }
@@ -35,16 +34,17 @@ void ends_on_each_other(const OffsetCurve& a, const OffsetCurve& b, std::vector<
 void lines(const OffsetCurve& a, const OffsetCurve& b, std::vector<Point>& out) {
   const double sine = cross(a.along, b.along);
   const Point between = b.from - a.from;
-  if (std::abs(sine) > kParallel) out.push_back(a.from + (cross(between, b.along) / sine) * a.along);
+  if (std::abs(sine) > kParallelCurves_rad)
+    out.push_back(a.from + (cross(between, b.along) / sine) * a.along);
   // Lines that part by less than a touch over their length.
-  if (std::abs(cross(a.along, between)) < kTouch && std::abs(cross(a.along, b.to - a.from)) < kTouch)
+  if (std::abs(cross(a.along, between)) < kTouch_m && std::abs(cross(a.along, b.to - a.from)) < kTouch_m)
     ends_on_each_other(a, b, out);
 }
 
 void line_and_circle(const OffsetCurve& line, const OffsetCurve& arc, std::vector<Point>& out) {
   const Point foot = line.from + dot(arc.centre - line.from, line.along) * line.along;
   const double off = distance(foot, arc.centre);
-  if (off > arc.radius + kTouch) return;
+  if (off > arc.radius + kTouch_m) return;
   const double half = std::sqrt(std::max(0.0, (arc.radius - off) * (arc.radius + off)));
   out.push_back(foot - half * line.along);
   out.push_back(foot + half * line.along);
@@ -53,11 +53,11 @@ void line_and_circle(const OffsetCurve& line, const OffsetCurve& arc, std::vecto
 void circles(const OffsetCurve& a, const OffsetCurve& b, std::vector<Point>& out) {
   const Point between = b.centre - a.centre;
   const double apart = length(between);
-  if (apart < kTouch) {
-    if (std::abs(a.radius - b.radius) < kTouch) ends_on_each_other(a, b, out);
+  if (apart < kTouch_m) {
+    if (std::abs(a.radius - b.radius) < kTouch_m) ends_on_each_other(a, b, out);
     return;
   }
-  if (apart > a.radius + b.radius + kTouch || apart < std::abs(a.radius - b.radius) - kTouch) return;
+  if (apart > a.radius + b.radius + kTouch_m || apart < std::abs(a.radius - b.radius) - kTouch_m) return;
   const Point unit = (1 / apart) * between;
   const double ahead = 0.5 * (apart + (a.radius - b.radius) * (a.radius + b.radius) / apart);
   const double aside = std::sqrt(std::max(0.0, (a.radius - ahead) * (a.radius + ahead)));
@@ -74,13 +74,13 @@ OffsetCurve offset_line(Point from, Point to) {
   out.to = to;
   out.extent = distance(from, to);
   out.along = (1 / out.extent) * (to - from);
-  out.box = bounds(from, to).grown(kTouch);
+  out.box = bounds(from, to).grown(kTouch_m);
   return out;
 }
 
 OffsetCurve offset_arc(Point centre, double radius_m, Point from, Point to) {
-  assert(std::abs(distance(centre, from) - radius_m) <= 1e-6 * (1 + radius_m));
-  assert(std::abs(distance(centre, to) - radius_m) <= 1e-6 * (1 + radius_m));
+  assert(std::abs(distance(centre, from) - radius_m) <= kPathRadius_share * (1 + radius_m));
+  assert(std::abs(distance(centre, to) - radius_m) <= kPathRadius_share * (1 + radius_m));
   OffsetCurve out;
   out.from = from;
   out.to = to;
@@ -92,7 +92,7 @@ OffsetCurve offset_arc(Point centre, double radius_m, Point from, Point to) {
   out.box = bounds(from, to);
   for (const Point pole : {Point{1, 0}, Point{0, 1}, Point{-1, 0}, Point{0, -1}})
     if (lies_on(out, centre + radius_m * pole)) out.box.extend(centre + radius_m * pole);
-  out.box = out.box.grown(kTouch);
+  out.box = out.box.grown(kTouch_m);
   return out;
 }
 

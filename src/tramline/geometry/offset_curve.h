@@ -34,7 +34,7 @@ Point heading_at(const OffsetCurve& curve, Point p);
 /// 1/m, positive to the left.
 inline double curvature(const OffsetCurve& curve) { return curve.straight() ? 0 : -1 / curve.radius; }
 
-/// Where two curves meet, the ends of both included, up to 1e-9 m. Of curves that run into one another
+/// Where two curves meet, the ends of both included, up to kTouch_m. Of curves that run into one another
 /// (on one line, on one circle): the ends of each that lie on the other. Every point lies on both carriers
 /// up to rounding, however flat the crossing. O(1).
 std::vector<Point> meetings(const OffsetCurve& a, const OffsetCurve& b);

@@ -5,13 +5,11 @@
 #include <cmath>
 #include <deque>
 
+#include "tramline/geometry/tolerances.h"
 #include "tramline/geometry/track_level.h"
 
 namespace tramline {
 namespace {
-
-/// Stretches that are shorter are nothing, m.
-constexpr double kShortestStretch_m = 1e-3;
 
 /// Levels of one family; those computed last are kept.
 class Levels {
@@ -24,7 +22,7 @@ class Levels {
 
   const TrackLevel& at(double distance) {
     for (const TrackLevel& level : kept_)
-      if (std::abs(level.distance_m - distance) < 1e-9) return level;
+      if (std::abs(level.distance_m - distance) < kSameDistance_m) return level;
     if (kept_.size() > 24) kept_.pop_front();
     kept_.push_back(track_level(contour_, distance, limits_, sides_));
     return kept_.back();
@@ -39,7 +37,7 @@ class Levels {
 
 bool within(const Intervals& outer, const Interval& inner) {
   return std::any_of(outer.begin(), outer.end(), [&](const Interval& whole) {
-    return inner.from >= whole.from - 1e-6 && inner.to <= whole.to + 1e-6;
+    return inner.from >= whole.from - kSamePlace_m && inner.to <= whole.to + kSamePlace_m;
   });
 }
 
@@ -50,7 +48,7 @@ Intervals worked_by_arcs(Levels& levels, double distance) {
   Intervals all = levels.at(distance).lost;
   for (double lower = distance - limits.width_m;
        lower > 0.49 * limits.width_m &&
-       lower + limits.least_radius_m() > distance + 0.5 * limits.width_m - 1e-9;
+       lower + limits.least_radius_m() > distance + 0.5 * limits.width_m - kSameDistance_m;
        lower -= limits.width_m) {
     const Intervals lost = levels.at(lower).lost;
     all.insert(all.end(), lost.begin(), lost.end());
@@ -131,7 +129,7 @@ class TrackMaker {
     std::size_t i = element_at(contour_, join.corner.after);
     if (contour_.elements[i].start + contour_.elements[i].length <= join.corner.after) ++i;
     const Point to = beside(contour_.elements[i], join.corner.after, distance_);
-    if (distance(from, to) > 1e-9) path.push_back({from, to, -1 / radius_});
+    if (distance(from, to) > kShortest_m) path.push_back({from, to, -1 / radius_});
   }
 
   void close(Path& path, bool closed, bool left, bool wanted, double from, std::vector<Placed>& out) const {
@@ -168,8 +166,8 @@ Sides sides_for(bool right, bool left) {
 }  // namespace
 
 std::vector<ParallelTrack> parallel(const Path& reference, double offset_m, const TrackLimits& limits) {
-  assert(std::abs(offset_m) >= 0.5 * limits.width_m * (1 - 1e-9));
-  assert(smallest_radius(reference) >= limits.least_radius_m() * (1 - 1e-6));
+  assert(std::abs(offset_m) >= 0.5 * limits.width_m * (1 - kRounding_share));
+  assert(smallest_radius(reference) >= limits.least_radius_m() * (1 - kPathRadius_share));
   Levels levels(reference, limits, sides_for(offset_m > 0, offset_m < 0));
   return tracks_at(levels, offset_m);
 }

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "tramline/geometry/tolerances.h"
+
 namespace tramline {
 namespace {
 
@@ -36,9 +38,9 @@ std::vector<Point> offset_chords(const Path& path, double offset_m, double half_
     append_offset(segment, offset_m, count, out);
   }
   // Ends that meet, and the inner side of an arc as tight as the band is wide.
-  constexpr double kSame = 1e-9;
-  out.erase(std::unique(out.begin(), out.end(), [](Point a, Point b) { return distance(a, b) < kSame; }),
-            out.end());
+  out.erase(
+      std::unique(out.begin(), out.end(), [](Point a, Point b) { return distance(a, b) < kShortest_m; }),
+      out.end());
   return out;
 }
 
@@ -178,14 +180,13 @@ Ring band(const Path& path, double width_m, double sagitta_m) {
 }
 
 Polygon closed_band(const Path& path, double width_m, double sagitta_m) {
-  constexpr double kNoHole = 1e-3;  // m²
   const double half = 0.5 * width_m;
   Ring outer = offset_chords(path, -half, half, sagitta_m),
        inner = offset_chords(path, half, half, sagitta_m);
   for (Ring* ring : {&outer, &inner}) ring->pop_back();
   if (std::abs(signed_area(inner)) > std::abs(signed_area(outer))) std::swap(outer, inner);
   Polygon out{std::move(outer), {}};
-  if (std::abs(signed_area(inner)) > kNoHole) out.holes.push_back(std::move(inner));
+  if (std::abs(signed_area(inner)) > kNoHole_m2) out.holes.push_back(std::move(inner));
   return oriented(std::move(out));
 }
 

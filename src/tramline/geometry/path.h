@@ -5,6 +5,7 @@
 
 #include "tramline/geometry/angle.h"
 #include "tramline/geometry/region.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 
@@ -20,12 +21,6 @@ struct PathSegment {
 
 /// Segments one after the other: each begins where the last one ended. At least one.
 using Path = std::vector<PathSegment>;
-
-/// The largest distance between an arc and the chords that stand for it in polygons and files, m.
-inline constexpr double kChordSagitta = 1e-5;
-/// The same in layers that show where land is worked twice or not at all: pictures of the tally, for
-/// which polygon booleans need not carry three times as many vertices, m.
-inline constexpr double kLayerSagitta = 1e-4;
 
 /// Infinite for a straight segment, m.
 double radius(const PathSegment& segment);

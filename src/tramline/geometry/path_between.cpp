@@ -4,12 +4,10 @@
 #include <cassert>
 
 #include "tramline/geometry/segment_frame.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {
-
-/// What is shorter is no part of a path, m.
-constexpr double kShortestPart_m = 1e-9;
 
 PathSegment part_of(const PathSegment& segment, double from, double to) {
   const double whole = length(segment);
@@ -23,14 +21,14 @@ PathSegment part_of(const PathSegment& segment, double from, double to) {
 
 Path path_between(const Path& path, double from, double to) {
   assert(from < to);
-  assert(from >= -1e-3 && to <= length(path) + 1e-3);
+  assert(from >= -kBeyondEnd_m && to <= length(path) + kBeyondEnd_m);
   Path out;
   double start = 0;
   for (const PathSegment& segment : path) {
     const double whole = length(segment), low = std::max(0.0, from - start),
                  high = std::min(whole, to - start);
     start += whole;
-    if (high - low <= kShortestPart_m) continue;
+    if (high - low <= kShortest_m) continue;
     PathSegment part = part_of(segment, low, high);
     if (!out.empty()) part.from = out.back().to;
     out.push_back(part);

@@ -5,11 +5,12 @@
 
 #include "tramline/geometry/section_parts.h"
 #include "tramline/geometry/section_slabs.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 
 PathProfile path_profile(const EdgeIndex& region, const Path& path, double width_m) {
-  assert(2 * smallest_radius(path) >= width_m * (1 - 1e-6));
+  assert(2 * smallest_radius(path) >= width_m * (1 - kPathRadius_share));
   PathProfile out{width_m, {}};
   out.segments.reserve(path.size());
   std::vector<std::size_t> near;

@@ -8,7 +8,7 @@ namespace tramline {
 namespace {
 
 /// How exactly positions are found on arcs, m.
-constexpr double kPosition = 1e-9;
+constexpr double kPosition_m = 1e-9;
 
 class Insides {
  public:
@@ -47,7 +47,7 @@ class Insides {
       middle = from + (to - from) * ((least_ - at_from) / (at_to - at_from));
       return at_from >= least_ ? append(segment, from, middle, out) : append(segment, middle, to, out);
     }
-    if (to - from <= kPosition) {
+    if (to - from <= kPosition_m) {
       if (at_from >= least_ && at_to >= least_) append(segment, from, to, out);
       return;
     }
@@ -89,7 +89,7 @@ std::vector<double> centre_cuts(const SegmentProfile& segment, const SectionSlab
     double low = slab.from, high = slab.to;
     const bool above = across_at(segment, half, part, low) >= half;
     if (above == (across_at(segment, half, part, high) >= half)) continue;
-    while (high - low > kPosition) {
+    while (high - low > kPosition_m) {
       const double middle = 0.5 * (low + high);
       (above == (across_at(segment, half, part, middle) >= half) ? low : high) = middle;
     }

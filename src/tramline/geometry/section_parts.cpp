@@ -4,12 +4,10 @@
 #include <cmath>
 
 #include "tramline/geometry/section_across.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {
-
-/// A crossing as near to a segment's end may be the next one's, m.
-constexpr double kJoint = 1e-9;
 
 class PartsMaker {
  public:
@@ -28,7 +26,7 @@ class PartsMaker {
       box.extend(end);
       end = frame_.place(i * part, 0.5 * width_);
       box.extend(end);
-      region.grid().each_meeting(box.grown(0.5 * width_ + bulge + 1e-6),
+      region.grid().each_meeting(box.grown(0.5 * width_ + bulge + kSamePlace_m),
                                  [&](std::size_t e) { near.push_back(e); });
     }
     std::sort(near.begin(), near.end());
@@ -67,8 +65,9 @@ class PartsMaker {
     const double left_along = low < 0 ? along_where(left, right, 0) : frame_.along(left);
     const double right_along = high >= width_ ? along_where(left, right, width_) : frame_.along(right);
     if (high >= width_) {
-      right_.near_start = right_.near_start || std::abs(right_along) < kJoint;
-      right_.near_end = right_.near_end || std::abs(right_along - out_.length) < kJoint;
+      // A crossing as near to an end may be that of the segment beside.
+      right_.near_start = right_.near_start || std::abs(right_along) < kTouch_m;
+      right_.near_end = right_.near_end || std::abs(right_along - out_.length) < kTouch_m;
       if (right_along >= 0 && right_along < out_.length)
         right_.crossings.push_back({right_along, rightward ? 1 : -1});
     }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tramline/geometry/section_across.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {
@@ -21,9 +22,8 @@ class SlabsMaker {
     set_states(before.right_inside);
     // An edge beside the right ends may cross them here as one segment sees it and there as the next one
     // does: then the length inside jumps, and so it may where an edge lies along a cross-section.
-    constexpr double kJump = 1e-6;
     if (right_.near_start || before.right_inside < 0 ||
-        std::abs(inside_at(out_.slabs.front(), 0) - before.inside_m) > kJump)
+        std::abs(inside_at(out_.slabs.front(), 0) - before.inside_m) > kSamePlace_m)
       set_states(state_at_start(region));
     before.right_inside = right_.near_end ? -1 : out_.slabs.back().right_inside;
     before.inside_m = inside_at(out_.slabs.back(), out_.length);

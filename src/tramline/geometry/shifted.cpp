@@ -2,13 +2,9 @@
 
 #include <cmath>
 
+#include "tramline/geometry/tolerances.h"
+
 namespace tramline {
-namespace {
-
-/// An arc just as tight as allowed has lost a little in becoming a curvature and back.
-constexpr double kRounding = 1e-9;
-
-}  // namespace
 
 std::optional<Path> shifted(const Path& path, double right_m, double least_radius_m) {
   Path out;
@@ -19,7 +15,8 @@ std::optional<Path> shifted(const Path& path, double right_m, double least_radiu
     if (!segment.straight()) {
       // To the right is away from the centre of an arc that turns left.
       const double radius_m = 1 / std::abs(segment.curvature) + (segment.curvature > 0 ? right_m : -right_m);
-      if (radius_m < least_radius_m * (1 - kRounding)) return std::nullopt;
+      // One just as tight as allowed has lost a little in becoming a curvature and back.
+      if (radius_m < least_radius_m * (1 - kRounding_share)) return std::nullopt;
       moved.curvature = std::copysign(1 / radius_m, segment.curvature);
     }
     if (!out.empty()) moved.from = out.back().to;

@@ -2,15 +2,15 @@
 
 #include <utility>
 
+#include "tramline/geometry/tolerances.h"
+
 namespace tramline {
 namespace {
-
-constexpr double kSamePlace = 1e-6;
 
 std::vector<std::size_t> distinct_points(const std::vector<Point>& line) {
   std::vector<std::size_t> out;
   for (std::size_t i = 0; i < line.size(); ++i)
-    if (out.empty() || distance(line[i], line[out.back()]) > kSamePlace) out.push_back(i);
+    if (out.empty() || distance(line[i], line[out.back()]) > kSamePlace_m) out.push_back(i);
   // The line ends where it ends: what all but coincides with the end gives way to it.
   if (out.size() > 1) out.back() = line.size() - 1;
   return out;

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <cstddef>
 
+#include "tramline/geometry/tolerances.h"
+
 namespace tramline {
 namespace {
 
-constexpr double kInside = 1e-9;
-
-bool contains(const Disc& disc, Point p) { return distance(disc.centre, p) <= disc.radius_m + kInside; }
+bool contains(const Disc& disc, Point p) {
+  return distance(disc.centre, p) <= disc.radius_m + kSameDistance_m;
+}
 
 Disc between(Point a, Point b) { return {midpoint(a, b), 0.5 * distance(a, b)}; }
 

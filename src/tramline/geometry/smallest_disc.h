@@ -12,7 +12,7 @@ struct Disc {
   double radius_m = 0;
 };
 
-/// The smallest disc that contains all points, up to 1e-9 m. Precondition: at least one point.
+/// The smallest disc that contains all points, up to kSameDistance_m. Precondition: at least one point.
 /// O(n³) at worst, O(n) mostly: points that the disc so far contains cost nothing (Welzl 1991, iterated).
 Disc smallest_disc(const std::vector<Point>& points);
 

@@ -11,13 +11,10 @@
 #include "tramline/geometry/line_crossing.h"
 #include "tramline/geometry/merged_kinks.h"
 #include "tramline/geometry/simplified_line.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {
-
-/// Kinks that turn less are none, rad; straight parts that are shorter are none, m.
-constexpr double kStraight = 1e-9;
-constexpr double kShortestStraight_m = 1e-7;
 
 /// Wider arcs have centres so far away that distances from them lose digits, m.
 constexpr double kWidest = 1e5;
@@ -29,7 +26,7 @@ struct Tangents {
 };
 
 Tangents tangents_at(double turn, double radius, double tolerance) {
-  if (std::abs(turn) < kStraight) return {};
+  if (std::abs(turn) < kLeastKink_rad) return {};
   const double tangent = std::tan(0.5 * std::abs(turn)), least = radius * tangent;
   // An arc with tangents this long leaves the vertex by length·tan(turn/4).
   const double widest = std::min(tolerance / std::tan(0.25 * std::abs(turn)), kWidest * tangent);
@@ -59,7 +56,7 @@ Path rounded(const std::vector<Point>& line, double radius, double tolerance) {
   Point at = line.front();
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
     const double turn = turn_at(line[i - 1], line[i], line[i + 1]);
-    if (std::abs(turn) < kStraight) continue;
+    if (std::abs(turn) < kLeastKink_rad) continue;
     const Point back = line[i - 1] - line[i], on = line[i + 1] - line[i];
     Point from = line[i] + (tangents[i] / length(back)) * back;
     const Point to = line[i] + (tangents[i] / length(on)) * on;
@@ -118,7 +115,7 @@ void measure_deviation(const std::vector<Point>& polyline, const std::vector<Poi
     out.deviation_m = off;
     out.worst = p;
   };
-  const std::vector<Point> driven = chords(out.path, 1e-4);
+  const std::vector<Point> driven = chords(out.path, kMeasuredSagitta_m);
   const Nearness to_path(driven), to_line(distinct);
   out.worst = polyline.front();
   for (const Point p : polyline) weigh(p, to_path);
@@ -143,7 +140,7 @@ SmoothedOrRefused try_smoothed(const std::vector<Point>& polyline, double radius
     return refused("the reference line turns more sharply than the machine can at its vertex " +
                    std::to_string(names[*merged.hairpin]) + " (numbered from 0): leave the hairpin out");
   Smoothed out{rounded(merged.line, radius_m, tolerance_m)};
-  const std::vector<Point> driven = chords(out.path, 1e-3);
+  const std::vector<Point> driven = chords(out.path, kCrossedSagitta_m);
   if (const auto edges = self_crossing(driven)) {
     const auto near = std::min_element(names.begin(), names.end(), [&](std::size_t a, std::size_t b) {
       return distance(polyline[a], driven[edges->first]) < distance(polyline[b], driven[edges->first]);

@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "tramline/geometry/simplified_line.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {
-
-constexpr double kSamePlace = 1e-6;
 
 /// Bends whose parallel is tighter than the machine can follow.
 Intervals tight_bends(const Contour& contour, double distance, double least_radius) {
@@ -16,7 +15,7 @@ Intervals tight_bends(const Contour& contour, double distance, double least_radi
   for (const ContourElement& e : contour.elements) {
     if (e.straight || e.cap) continue;
     const bool gone = !reaches(e, distance);
-    if (gone || std::abs(e.reach + distance) < least_radius * (1 - 1e-9))
+    if (gone || std::abs(e.reach + distance) < least_radius * (1 - kRounding_share))
       append_joining(out, {e.start, e.start + e.length});
   }
   return out;
@@ -26,10 +25,10 @@ bool begins_before(const Interval& a, double place) { return a.from < place; }
 
 /// The stretch in which a place lies; the wide places lie in stretches but for rounding. O(log n).
 std::size_t stretch_at(const Intervals& stretches, double place) {
-  const auto next = std::lower_bound(stretches.begin(), stretches.end(), place - kSamePlace, begins_before);
-  if (next != stretches.end() && next->from <= place + kSamePlace && next->to >= place)
+  const auto next = std::lower_bound(stretches.begin(), stretches.end(), place - kSamePlace_m, begins_before);
+  if (next != stretches.end() && next->from <= place + kSamePlace_m && next->to >= place)
     return static_cast<std::size_t>(next - stretches.begin());
-  if (next != stretches.begin() && (next - 1)->to >= place - kSamePlace)
+  if (next != stretches.begin() && (next - 1)->to >= place - kSamePlace_m)
     return static_cast<std::size_t>(next - stretches.begin()) - 1;
   return stretches.size();
 }
@@ -58,11 +57,11 @@ class Joiner {
  private:
   bool last_wide(std::size_t stretch, double place) const {
     const auto next = std::lower_bound(level_.wide.begin(), level_.wide.end(), place, begins_before);
-    return next == level_.wide.end() || next->from >= level_.stretches[stretch].to - kSamePlace;
+    return next == level_.wide.end() || next->from >= level_.stretches[stretch].to - kSamePlace_m;
   }
   bool first_wide(std::size_t stretch, double place) const {
     const auto own = std::lower_bound(level_.wide.begin(), level_.wide.end(), place, begins_before);
-    return own == level_.wide.begin() || (own - 1)->to <= level_.stretches[stretch].from + kSamePlace;
+    return own == level_.wide.begin() || (own - 1)->to <= level_.stretches[stretch].from + kSamePlace_m;
   }
 
   TrackLevel& level_;
@@ -96,13 +95,13 @@ class CutOff {
 
  private:
   void trim(double to, double from) {
-    if (to - from > kSamePlace) level_.stretches.push_back({from, to});
+    if (to - from > kSamePlace_m) level_.stretches.push_back({from, to});
   }
   bool any_wide(const Interval& stretch) const { return !common({stretch}, level_.wide).empty(); }
 
   /// Only what lies between the branches, on the way from one to the other, is in the corner.
   void lose(const Interval& stretch, const FrontCorner& corner) {
-    const double slack = kSamePlace;
+    const double slack = kSamePlace_m;
     const bool after = stretch.from >= corner.before - slack, before = stretch.to <= corner.after + slack;
     if (corner.before < corner.after ? !(after && before) : !(after || before)) return;
     const double half = 0.5 * limits_.width_m, least = limits_.least_radius_m();
@@ -140,7 +139,7 @@ TrackLevel track_level(const Contour& contour, double distance_m, const TrackLim
   const Intervals swath =
       least_radius > half_width ? front_at(contour, distance_m + half_width, sides).feet : out.wide;
   out.stretches = without(swath, tight_bends(contour, distance_m, least_radius));
-  std::erase_if(out.stretches, [](const Interval& stretch) { return stretch.length() < kSamePlace; });
+  std::erase_if(out.stretches, [](const Interval& stretch) { return stretch.length() < kSamePlace_m; });
   Joiner(out, far.corners, limits.sharpest_corner.radians()).run();
   CutOff(contour, limits, out).run();
   return out;
