@@ -7,6 +7,7 @@
 
 #include "tramline/headland/path_stretch.h"
 #include "tramline/headland/sound_rings.h"
+#include "tramline/headland/tolerances.h"
 
 namespace tramline {
 namespace {
@@ -40,9 +41,6 @@ class Clearance {
   const std::vector<Shore>& shores_;
 };
 
-// What is touched along the sides is not in the way, nor what lies at the end already.
-constexpr double kBeside_m = 1e-4, kBehind_m = 1e-6;
-
 /// The flat end of a swath that is to go on.
 struct SwathEnd {
   Point at, along;
@@ -51,18 +49,18 @@ struct SwathEnd {
   Point local(Point p) const { return {dot(p - at, along), cross(along, p - at)}; }
 };
 
-/// How far it may go until it meets the ring, m.
+/// How far it may go until it meets the ring, m. What lies at its end already is not in the way.
 double run_to_edges_m(const SwathEnd& end, const Ring& ring, double most_m) {
   const double half_m = end.half_m - kBeside_m;
   double out = most_m;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     Point a = end.local(ring[i]), b = end.local(ring[(i + 1) % ring.size()]);
     if (a.y > b.y) std::swap(a, b);
-    if (b.y < -half_m || a.y > half_m || std::max(a.x, b.x) < -kBehind_m || std::min(a.x, b.x) > out)
+    if (b.y < -half_m || a.y > half_m || std::max(a.x, b.x) < -kSamePlace_m || std::min(a.x, b.x) > out)
       continue;
     const auto place = [&](double y) { return a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x); };
     const double first = a.y < -half_m ? place(-half_m) : a.x, last = b.y > half_m ? place(half_m) : b.x;
-    if (std::max(first, last) < -kBehind_m) continue;
+    if (std::max(first, last) < -kSamePlace_m) continue;
     out = std::min(out, std::max(0.0, std::min(first, last)));
   }
   return out;
@@ -100,8 +98,7 @@ double free_run_m(const SwathEnd& end, const std::vector<SwathLimit>& limits, do
 }
 
 void go_on(Path& path, double by_m) {
-  constexpr double kNothing_m = 1e-4;
-  if (by_m < kNothing_m) return;
+  if (by_m < kNoRun_m) return;
   const Point along = direction_at_end(path.back());
   const Point end = path.back().to + by_m * along;
   if (path.back().straight())
@@ -128,9 +125,8 @@ std::vector<Path> clear_stretches(const Path& path, const std::vector<Shore>& sh
     runs.emplace_back(first == 0 ? 0 : clearance.end_of_clear(at(first), at(first - 1)),
                       i + 1 == count ? length_m : clearance.end_of_clear(at(i + 1), at(i + 2)));
   }
-  constexpr double kJoint_m = 1e-6;
   if (runs.size() > 1 && runs.front().first == 0 && runs.back().second == length_m &&
-      distance(path.front().from, path.back().to) < kJoint_m) {
+      distance(path.front().from, path.back().to) < kSamePlace_m) {
     runs.back().second = length_m + runs.front().second;
     runs.erase(runs.begin());
   }

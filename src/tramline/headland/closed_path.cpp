@@ -4,11 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "tramline/headland/tolerances.h"
+
 namespace tramline {
 namespace {
-
-constexpr double kStraightOn = 1e-7;  // rad: less is no turn
-constexpr double kNothing = 1e-7;     // m: shorter segments are left out
 
 /// An arc about `centre` from the unit vector `out` on, in parts that know their centre well.
 void append_arc(Point centre, double radius_m, Point out, double angle, Path& path) {
@@ -32,7 +31,7 @@ void append_piece(const LevelPiece& piece, double radius_m, Path& path) {
 
 /// Leaves out what has no length and lets each segment but the first begin where the last one ended.
 Path linked(Path path) {
-  std::erase_if(path, [](const PathSegment& s) { return distance(s.from, s.to) < kNothing; });
+  std::erase_if(path, [](const PathSegment& s) { return distance(s.from, s.to) < kShortestPiece_m; });
   for (std::size_t i = 1; i < path.size(); ++i) path[i].from = path[i - 1].to;
   return path;
 }
@@ -50,7 +49,7 @@ Path turn_about(Point centre, double radius_m, Point heading_before, Point headi
   double angle = std::atan2(cross(heading_before, heading_after), dot(heading_before, heading_after));
   if (angle < -0.5 * std::numbers::pi) angle += 2 * std::numbers::pi;  // straight back
   Path out;
-  if (angle > kStraightOn) append_arc(centre, radius_m, right_of(heading_before), angle, out);
+  if (angle > kStraightOn_rad) append_arc(centre, radius_m, right_of(heading_before), angle, out);
   return out;
 }
 

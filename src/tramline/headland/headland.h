@@ -24,10 +24,6 @@ struct HeadlandAndBody : Headland {
   Region body;  ///< what the tracks have to cover; empty where headlands take the whole field
 };
 
-/// The largest distance between the edge of the body about a corner, an arc, and the chords that stand for
-/// it, m.
-inline constexpr double kBodySagitta = 1e-3;
-
 /// Pass i runs (i − ½)·w from the boundaries that have so many passes; the headland is so many widths deep.
 /// From the others it keeps half a width off their own last pass, or off the obstacle where it has none.
 /// Round a corner that stands out into the land it runs along an arc at that distance, and swings wide where

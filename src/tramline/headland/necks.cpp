@@ -8,15 +8,10 @@
 #include "tramline/headland/closed_path.h"
 #include "tramline/headland/rails.h"
 #include "tramline/headland/sound_rings.h"
+#include "tramline/headland/tolerances.h"
 
 namespace tramline {
 namespace {
-
-constexpr double kSamePlace = 1e-6;  // m: rails and rings that are one
-constexpr double kIdle = 1e-5;       // m: pieces of a ring that may be on no rail
-/// Where edges turn by less their lines at any distance just go on, m/m: so lines at two distances end so
-/// much of the difference apart.
-constexpr double kBend = 5e-7;
 
 /// Where a piece of a ring lies on the rails.
 struct Run {
@@ -44,20 +39,21 @@ double metres(const Rail& rail, double extent) {
   return rail.curve.straight() ? extent : extent * rail.curve.radius;
 }
 
-/// By how much pieces of a ring may end before or behind their rails, m.
-double slack_m(double radius_m) { return kSamePlace + kBend * radius_m; }
+/// By how much pieces of a ring may end before or behind their rails, m: where edges make no corner their
+/// lines at any distance just go on, so lines at two distances end that much of the difference apart.
+double slack_m(double radius_m) { return kSamePlace_m + kNoCorner_rad * radius_m; }
 
 /// nullopt: it is not on the rail.
 std::optional<Run> run_on(const Rail& rail, std::size_t index, const LevelPiece& piece, double radius_m) {
   const OffsetCurve& curve = rail.curve;
   if (curve.straight() != piece.segment.straight() || rail.shore != piece.shore) return std::nullopt;
-  if (!curve.straight() && distance(curve.centre, piece.centre) > kSamePlace) return std::nullopt;
+  if (!curve.straight() && distance(curve.centre, piece.centre) > kSamePlace_m) return std::nullopt;
   Box box;
   box.extend(midpoint(piece.segment.from, piece.segment.to));
   if (!intersects(curve.box.grown(curve.radius + 1), box)) return std::nullopt;
   for (const Point p : {piece.segment.from, piece.segment.to}) {
     const double place = place_on(curve, p);
-    if (distance(point_at(curve, place), p) > kSamePlace) return std::nullopt;
+    if (distance(point_at(curve, place), p) > kSamePlace_m) return std::nullopt;
     if (metres(rail, place) < -slack_m(radius_m) || metres(rail, place - curve.extent) > slack_m(radius_m))
       return std::nullopt;
   }
@@ -68,7 +64,7 @@ std::optional<Run> run_on(const Rail& rail, std::size_t index, const LevelPiece&
 
 bool run_on_to(const std::vector<Rail>& rails, const Run& before, const Run& after, double radius_m) {
   const Rail &a = rails[before.rail], &b = rails[after.rail];
-  if (before.rail == after.rail) return std::abs(metres(a, after.from - before.to)) < kSamePlace;
+  if (before.rail == after.rail) return std::abs(metres(a, after.from - before.to)) < kSamePlace_m;
   return a.next == after.rail &&
          metres(a, a.curve.extent - before.to) + metres(b, after.from) < slack_m(radius_m);
 }
@@ -81,7 +77,7 @@ bool append_stretches(const LevelRing& ring, const std::vector<Rail>& rails, dou
   for (const LevelPiece& piece : ring) {
     std::optional<Run> run;
     for (std::size_t i = 0; i < rails.size() && !run; ++i) run = run_on(rails[i], i, piece, radius_m);
-    if (!run && length(piece.segment) > kIdle) return false;
+    if (!run && length(piece.segment) > kOffRails_m) return false;
     if (!run) continue;
     runs.push_back(*run);
     pieces.push_back(&piece);
@@ -186,9 +182,8 @@ std::optional<LevelRing> rolled_round(const std::vector<Rail>& rails, std::size_
 
 /// Fewer meetings, or as many and less left and doubled than rounding can make of it.
 bool is_better(const RingsCost& a, const RingsCost& b) {
-  constexpr double kGain = 1e-3;  // m²
   if (a.meetings != b.meetings) return a.meetings < b.meetings;
-  return a.missed_and_doubled_m2 < b.missed_and_doubled_m2 - kGain;
+  return a.missed_and_doubled_m2 < b.missed_and_doubled_m2 - kNoGain_m2;
 }
 
 /// The rings as they are driven so far, and what that costs.

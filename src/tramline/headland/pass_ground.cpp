@@ -1,6 +1,7 @@
 #include "tramline/headland/pass_ground.h"
 
 #include "tramline/geometry/layered_area.h"
+#include "tramline/headland/tolerances.h"
 #include "tramline/model/headland.h"
 
 namespace tramline {
@@ -8,12 +9,11 @@ namespace {
 
 /// Does it work some ground twice by itself?
 bool meets_itself(const Path& path, double width_m) {
-  constexpr double kRounding = 1e-6;  // m²
   RisingCurves curves;
   const Box reach = reach_of(path, width_m);
   append_box(reach.grown(1), Layer::kBody, reach, curves);
   append_band(path, width_m, Layer::kNew, curves);
-  return new_area(curves) < width_m * length(path) - kRounding;
+  return new_area(curves) < width_m * length(path) - kSelfOverlap_m2;
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 #include <cassert>
 #include <cmath>
 
+#include "tramline/headland/tolerances.h"
+
 namespace tramline {
 namespace {
-
-constexpr double kNothing_m = 1e-6;
 
 Point place_on(const PathSegment& segment, double along_m, double length_m) {
   const double share = along_m / length_m;
@@ -18,9 +18,9 @@ Point place_on(const PathSegment& segment, double along_m, double length_m) {
 
 /// Appends what of a segment lies between two lengths along it.
 void append(const PathSegment& segment, double from_m, double to_m, double length_m, Path& out) {
-  if (from_m < kNothing_m) from_m = 0;
-  if (to_m > length_m - kNothing_m) to_m = length_m;
-  if (to_m - from_m < kNothing_m) return;
+  if (from_m < kSamePlace_m) from_m = 0;
+  if (to_m > length_m - kSamePlace_m) to_m = length_m;
+  if (to_m - from_m < kSamePlace_m) return;
   const Point from = from_m > 0 ? place_on(segment, from_m, length_m) : segment.from;
   const Point to = to_m < length_m ? place_on(segment, to_m, length_m) : segment.to;
   out.push_back({out.empty() ? from : out.back().to, to, segment.curvature});

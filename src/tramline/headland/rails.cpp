@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tramline/headland/tolerances.h"
+
 namespace tramline {
 namespace {
-
-constexpr double kShortest = 1e-7;    // m
-constexpr double kStraightOn = 1e-7;  // rad
-constexpr double kSlack = 1e-7;       // m: by how much places may lie beyond ends
 
 Rail rail_along(const LevelPiece& piece, double radius_m) {
   const Point from = piece.segment.from + radius_m * left_of(piece.from_heading);
@@ -17,7 +15,9 @@ Rail rail_along(const LevelPiece& piece, double radius_m) {
   return {offset_arc(piece.centre, radius(piece.segment) + radius_m, from, to), piece.shore, 0, false};
 }
 
-double slack_on(const OffsetCurve& curve) { return curve.straight() ? kSlack : kSlack / curve.radius; }
+double slack_on(const OffsetCurve& curve) {
+  return curve.straight() ? kBeyondRail_m : kBeyondRail_m / curve.radius;
+}
 
 /// A rail of the way, as far as it is part of it.
 struct Stage {
@@ -54,7 +54,6 @@ struct Touch {
 /// On stages before `end`, in the order in which the circle comes to them.
 std::vector<Touch> touches(const std::vector<Stage>& stages, std::size_t on, double at, std::size_t end) {
   // Circles that leave what they touched turn right.
-  constexpr double kNoTurn = 1e-9;
   std::vector<Touch> out;
   const OffsetCurve& here = stages[on].rail->curve;
   for (std::size_t k = on + 1; k < end; ++k) {
@@ -64,7 +63,7 @@ std::vector<Touch> touches(const std::vector<Stage>& stages, std::size_t on, dou
       const double a = place_on(here, p), b = place_on(there, p);
       if (!stages[on].has(a) || a < at - slack_on(here) || !stages[k].has(b)) continue;
       const Point before = heading_at(here, p), after = heading_at(there, p);
-      if (cross(before, after) < kNoTurn) continue;
+      if (cross(before, after) < kLeastKink_rad) continue;
       out.push_back({std::max(a, at), k, std::max(b, stages[k].first), p, before, after});
     }
   }
@@ -143,13 +142,14 @@ std::vector<Rail> rails_along(const std::vector<LevelRing>& level, double radius
   for (const LevelRing& ring : level) {
     std::vector<const LevelPiece*> pieces;
     for (const LevelPiece& piece : ring)
-      if (distance(piece.segment.from, piece.segment.to) > kShortest) pieces.push_back(&piece);
+      if (distance(piece.segment.from, piece.segment.to) > kShortestPiece_m) pieces.push_back(&piece);
     const std::size_t first = out.size(), n = pieces.size();
     for (std::size_t i = 0; i < n; ++i) {
       const Point before = pieces[i]->to_heading, after = pieces[(i + 1) % n]->from_heading;
       out.push_back(rail_along(*pieces[i], radius_m));
       out.back().next = first + (i + 1) % n;
-      out.back().straight_on = std::abs(std::atan2(cross(before, after), dot(before, after))) < kStraightOn;
+      out.back().straight_on =
+          std::abs(std::atan2(cross(before, after), dot(before, after))) < kStraightOn_rad;
     }
   }
   return out;

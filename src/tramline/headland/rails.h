@@ -18,7 +18,7 @@ struct Rail {
   bool straight_on = false;  ///< no kink before the next one
 };
 
-/// The rails of rings of the level, ring by ring. Pieces shorter than 1e-7 m are left out.
+/// The rails of rings of the level, ring by ring. Pieces shorter than kShortestPiece_m are left out.
 std::vector<Rail> rails_along(const std::vector<LevelRing>& level, double radius_m);
 
 /// A place on a rail.

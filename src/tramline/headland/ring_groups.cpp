@@ -6,6 +6,7 @@
 #include "tramline/headland/closed_path.h"
 #include "tramline/headland/necks.h"
 #include "tramline/headland/sound_rings.h"
+#include "tramline/headland/tolerances.h"
 
 namespace tramline {
 namespace {
@@ -82,14 +83,13 @@ int meetings_of(const std::vector<HeadlandPass>& rings) {
 /// Does a pass of the group come too near to the boundary, or is it on its wrong side?
 bool disturbs(const RingGroup& group, const Boundary& boundary, int number, double width_m) {
   if (boundary.obstacle < 0 && boundary.passes < number) return false;  // passes end there
-  constexpr double kTouch = 1e-6;                                       // m
   const double room = room_m(boundary, number, width_m);
   const Box box = bounds(boundary.ring);
   const bool land_inside = signed_area(boundary.ring) > 0;
   return std::any_of(group.passes.begin(), group.passes.end(), [&](const HeadlandPass& pass) {
     if (contains(boundary.ring, pass.path.front().from) != land_inside) return true;
     return intersects(reach_of(pass.path, 2 * room), box) &&
-           comes_near(pass.path, reaches_of(pass.path, 2 * room), boundary.ring, room - kTouch);
+           comes_near(pass.path, reaches_of(pass.path, 2 * room), boundary.ring, room - kNearerGroup_m);
   });
 }
 

@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "tramline/geometry/significant_vertices.h"
+#include "tramline/headland/tolerances.h"
 
 namespace tramline {
 namespace {
 
 Ring without_idle_vertices(const Ring& ring) {
-  constexpr double kIdle = 1e-7;
   Ring out;
-  for (const std::size_t i : significant_vertices(ring, kIdle)) out.push_back(ring[i]);
+  for (const std::size_t i : significant_vertices(ring, kIdleVertex_m)) out.push_back(ring[i]);
   return out;
 }
 

@@ -10,7 +10,7 @@ namespace tramline {
 
 /// A boundary that no swath crosses.
 struct Boundary {
-  Ring ring;          ///< the free land on its left; what keeps within 1e-7 m of fewer vertices is left out
+  Ring ring;  ///< the free land on its left; what keeps within kIdleVertex_m of fewer vertices is left out
   int passes = 0;     ///< of its headland
   int obstacle = -1;  ///< index into Field::obstacles; -1: the field's outer ring
 };

@@ -4,13 +4,10 @@
 #include <cmath>
 
 #include "tramline/geometry/offset_curve.h"
+#include "tramline/headland/tolerances.h"
 
 namespace tramline {
 namespace {
-
-constexpr double kNearer = 2e-7;   // m
-constexpr double kKink = 1e-6;     // rad
-constexpr double kTighter = 1e-9;  // of the radius
 
 bool inside(const Path& path, const std::vector<Shore>& shores) {
   return std::all_of(shores.begin(), shores.end(), [&](const Shore& shore) {
@@ -22,7 +19,7 @@ bool is_smooth(const Path& path) {
   for (std::size_t i = 0; i < path.size(); ++i) {
     const PathSegment& next = path[(i + 1) % path.size()];
     const Point before = direction_at_end(path[i]), after = direction_at_start(next);
-    if (!(std::abs(std::atan2(cross(before, after), dot(before, after))) < kKink)) return false;
+    if (!(std::abs(std::atan2(cross(before, after), dot(before, after))) < kKink_rad)) return false;
   }
   return true;
 }
@@ -68,8 +65,7 @@ int meeting_places(const std::vector<Path>& paths) {
 
 std::vector<Path> parted_where_it_meets_itself(const Path& path) {
   // Of a ring the last segment is joined to the first; of a path with two ends these may cross.
-  constexpr double kSamePlace = 1e-6;  // m
-  const bool is_ring = distance(path.front().from, path.back().to) < kSamePlace;
+  const bool is_ring = distance(path.front().from, path.back().to) < kSamePlace_m;
   if (is_ring && meeting_places({path}) == 0) return {path};
   std::vector<Path> out;
   std::vector<OffsetCurve> driven;  // of the part in hand
@@ -97,7 +93,7 @@ bool keeps_off(const Path& path, const std::vector<Shore>& shores) {
         if (std::max(a.x, b.x) < near.min_x || std::min(a.x, b.x) > near.max_x ||
             std::max(a.y, b.y) < near.min_y || std::min(a.y, b.y) > near.max_y)
           continue;
-        if (distance_to_edge(segment, a, b) < shore.distance_m - kNearer) return false;
+        if (distance_to_edge(segment, a, b) < shore.distance_m - kNearerPass_m) return false;
       }
     }
   }
@@ -105,8 +101,8 @@ bool keeps_off(const Path& path, const std::vector<Shore>& shores) {
 }
 
 bool can_be_driven(const Path& path, const TurningLand& land) {
-  return path.size() > 1 && smallest_radius(path) >= land.radius_m * (1 - kTighter) && is_smooth(path) &&
-         inside(path, land.shores) && keeps_off(path, land.shores);
+  return path.size() > 1 && smallest_radius(path) >= land.radius_m * (1 - kRounding_share) &&
+         is_smooth(path) && inside(path, land.shores) && keeps_off(path, land.shores);
 }
 
 }  // namespace tramline

@@ -7,7 +7,7 @@
 
 namespace tramline {
 
-/// Does the path keep its distance from the shores, up to 2e-7 m?
+/// Does the path keep its distance from the shores, up to kNearerPass_m?
 bool keeps_off(const Path& path, const std::vector<Shore>& shores);
 
 /// Is the closed path on the land, nowhere tighter than its radius nor kinked? O(n·m) for n segments and m

@@ -1,14 +1,9 @@
 #include "tramline/headland/turning_land.h"
 
+#include "tramline/headland/tolerances.h"
 #include "tramline/headland/wide_corners.h"
 
 namespace tramline {
-namespace {
-
-/// Land just wide enough to turn on is wide enough: passes come nearer to their boundaries by this, m.
-constexpr double kJustFits = 1e-7;
-
-}  // namespace
 
 TurningLand turning_land(const std::vector<Boundary>& boundaries, double width_m, int number,
                          double radius_m) {
@@ -16,7 +11,7 @@ TurningLand turning_land(const std::vector<Boundary>& boundaries, double width_m
   out.radius_m = radius_m;
   bool any_tight = false;
   for (const Boundary& boundary : boundaries) {
-    const double distance_m = pass_distance_m(boundary, number, width_m) - kJustFits;
+    const double distance_m = pass_distance_m(boundary, number, width_m) - kJustFits_m;
     out.shores.push_back({boundary.ring, distance_m});
     any_tight = any_tight || distance_m < radius_m;
   }

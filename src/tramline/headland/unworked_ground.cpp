@@ -2,6 +2,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/headland/headland.h"
 #include "tramline/headland/pass_ground.h"
+#include "tramline/headland/tolerances.h"
 
 namespace tramline {
 namespace {
@@ -23,10 +24,9 @@ Region left_by(const HeadlandPass& pass, double width_m, const Region& ground) {
 }  // namespace
 
 Region unworked_ground(const Headland& headland, double width_m) {
-  constexpr double kHair = 1e-3;  // m²: where bands meet
   Region out = headland.ground;
   for (const HeadlandPass& pass : headland.passes) out = left_by(pass, width_m, out);
-  std::erase_if(out, [](const Polygon& part) { return area(part) < kHair; });
+  std::erase_if(out, [](const Polygon& part) { return area(part) < kBandsMeet_m2; });
   return out;
 }
 

@@ -5,11 +5,10 @@
 #include <numbers>
 
 #include "tramline/geometry/smallest_disc.h"
+#include "tramline/headland/tolerances.h"
 
 namespace tramline {
 namespace {
-
-constexpr double kTouch = 1e-9;
 
 /// What is seen of the level's arc about a corner.
 struct TightArc {
@@ -39,7 +38,7 @@ double angle_right(Point from, Point to) { return std::atan2(-cross(from, to), d
 bool covers(Point centre, const std::vector<TightArc>& arcs, std::size_t count) {
   return std::all_of(
       arcs.begin(), arcs.begin() + static_cast<std::ptrdiff_t>(count),
-      [&](const TightArc& arc) { return distance(centre, arc.corner) <= arc.slack_m + kTouch; });
+      [&](const TightArc& arc) { return distance(centre, arc.corner) <= arc.slack_m + kTouch_m; });
 }
 
 /// The centre that covers the arcs and lies farthest back, away from the land; false: there is none. Takes
@@ -52,7 +51,7 @@ bool farthest_back(const std::vector<TightArc>& arcs, Point back, Point& centre)
     for (std::size_t j = 0; j < i; ++j) {
       const Point apart = arcs[j].corner - arc.corner;
       const double d = length(apart);
-      if (d < kTouch) continue;
+      if (d < kTouch_m) continue;
       const double r = arc.slack_m, s = arcs[j].slack_m;
       const double ahead = 0.5 * (d + (r - s) * (r + s) / d), aside = r * r - ahead * ahead;
       if (aside < 0) continue;
@@ -102,7 +101,7 @@ bool join(Group& a, const Group& b, double radius_m) {
   Group both = a;
   both.arcs.insert(both.arcs.end(), b.arcs.begin(), b.arcs.end());
   if (!place(both)) return false;
-  if (depth({&both}, {both.centre}, radius_m) > depth({&a, &b}, {a.centre, b.centre}, radius_m) + kTouch)
+  if (depth({&both}, {both.centre}, radius_m) > depth({&a, &b}, {a.centre, b.centre}, radius_m) + kTouch_m)
     return false;
   a = std::move(both);
   return true;
@@ -126,8 +125,6 @@ std::vector<Group> tight_arcs(const LevelRing& ring, double radius_m) {
 }  // namespace
 
 std::vector<ShoreDisc> wide_corners(const std::vector<LevelRing>& rings, double radius_m) {
-  // A hair more than the radius: what the disc just touches is then nearer to it for sure.
-  constexpr double kHair = 1e-8;
   std::vector<ShoreDisc> out;
   for (const LevelRing& ring : rings) {
     std::vector<Group> groups = tight_arcs(ring, radius_m);
@@ -145,7 +142,7 @@ std::vector<ShoreDisc> wide_corners(const std::vector<LevelRing>& rings, double 
       }
     }
     for (const Group& group : groups)
-      out.push_back({group.centre, radius_m + kHair, group.arcs.front().shore});
+      out.push_back({group.centre, radius_m + kCoversSurely_m, group.arcs.front().shore});
   }
   return out;
 }

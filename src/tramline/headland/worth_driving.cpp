@@ -5,14 +5,12 @@
 
 #include "tramline/geometry/layered_area.h"
 #include "tramline/headland/path_stretch.h"
+#include "tramline/headland/tolerances.h"
 
 namespace tramline {
 namespace {
 
-bool is_closed(const Path& path) {
-  constexpr double kJoint_m = 1e-6;
-  return distance(path.back().to, path.front().from) < kJoint_m;
-}
+bool is_closed(const Path& path) { return distance(path.back().to, path.front().from) < kSamePlace_m; }
 
 /// Segments with the boxes of their swaths.
 class Bands {
@@ -160,12 +158,12 @@ Bands bands_of(const std::vector<HeadlandPass>& passes, double width_m) {
 
 std::vector<Path> worth_driving(const Path& path, const GroundToWork& to_work,
                                 const std::vector<HeadlandPass>& before, double least_length_m) {
-  constexpr double kNothingNew = 1e-3;
+  constexpr double kNothingNew_share = 1e-3;
   const double length_m = length(path);
   const Bands taken = bands_of(before, to_work.width_m);
   const Work whole = work_of(path, to_work, taken);
   const bool closed = is_closed(path);
-  if (whole.fresh_m2 < kNothingNew * whole.worked_m2) return {};
+  if (whole.fresh_m2 < kNothingNew_share * whole.worked_m2) return {};
   if (closed && whole.in_vain_m2() < kEndsOfPass_m2) return {path};
   if (!closed && kMissedToDoubled * whole.fresh_m2 <= kEndsOfPass_m2) return {};
   std::vector<Step> steps = steps_of(path, to_work, taken);

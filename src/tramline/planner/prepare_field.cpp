@@ -8,6 +8,7 @@
 #include "tramline/geometry/boolean.h"
 #include "tramline/headland/body.h"
 #include "tramline/headland/headland.h"
+#include "tramline/headland/tolerances.h"
 #include "tramline/planner/straight_search.h"
 
 namespace tramline {
