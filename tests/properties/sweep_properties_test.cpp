@@ -12,6 +12,7 @@
 #include "tramline/decomposition/merge_equal_directions.h"
 #include "tramline/decomposition/merge_similar_directions.h"
 #include "tramline/decomposition/merge_small_cells.h"
+#include "tramline/decomposition/tolerances.h"
 #include "tramline/decomposition/turned_boundary.h"
 #include "tramline/headland/body.h"
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tramline/decomposition/tolerances.h"
+
 namespace tramline {
 namespace {
 

@@ -8,9 +8,6 @@
 
 namespace tramline {
 
-/// Directions closer than this are one: over a kilometre they part by a millimetre.
-inline constexpr double kSameDirectionRadians = 1e-6;
-
 /// Every distinct edge direction of the outer ring and of the obstacles (not of passable ones), in
 /// increasing order, modulo 180 degrees. O(n log n).
 std::vector<Direction> candidate_directions(const Field& field);

@@ -2,6 +2,7 @@
 
 #include "tramline/decomposition/cuts.h"
 #include "tramline/decomposition/events.h"
+#include "tramline/decomposition/tolerances.h"
 #include "tramline/geometry/bounding_rectangle.h"
 
 namespace tramline {
@@ -12,7 +13,7 @@ namespace {
 Region divided_or_whole(const Polygon& polygon, const std::vector<Cut>& cuts) {
   Region faces = divided(polygon, cuts);
   const double whole = area(polygon);
-  if (std::abs(area(faces) - whole) > 1e-7 * whole) return {polygon};
+  if (std::abs(area(faces) - whole) > kSameArea_share * whole) return {polygon};
   return faces;
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "tramline/decomposition/tolerances.h"
 #include "tramline/decomposition/turned_boundary.h"
 #include "tramline/geometry/faces.h"
 
@@ -12,10 +13,9 @@ namespace tramline {
 namespace {
 
 /// Whether a ray from the corner in direction `ray` starts into the field: strictly between the two
-/// edges, on the left of the ring. Rays within kAlongEdge of an edge follow that edge; it exceeds
+/// edges, on the left of the ring. Rays within kAlongEdge_rad of an edge follow that edge; it exceeds
 /// kSameDirectionRadians, by which the sweep may differ from the edge it comes from.
 bool points_inside(const SplitEvent& corner, Point ray) {
-  constexpr double kAlongEdge = 2e-6;
   const Point to_next = corner.next - corner.vertex, to_previous = corner.previous - corner.vertex;
   const auto turn_from_next = [&to_next](Point v) {
     const double angle = std::atan2(cross(to_next, v), dot(to_next, v));
@@ -23,7 +23,7 @@ bool points_inside(const SplitEvent& corner, Point ray) {
   };
   const double opening = turn_from_next(to_previous);
   const double turn = turn_from_next(ray);
-  return turn > kAlongEdge && turn < opening - kAlongEdge;
+  return turn > kAlongEdge_rad && turn < opening - kAlongEdge_rad;
 }
 
 /// Whether the ray starts into the field at every corner that shares the event's point: where a hole

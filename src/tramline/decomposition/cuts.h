@@ -16,9 +16,6 @@ struct Cut {
   std::size_t edge = 0;  ///< … and the edge, by its first vertex
 };
 
-/// A cut that passes a vertex nearer than this ends there: what would be a sliver is one line. m
-inline constexpr double kSameLine = 1e-6;
-
 /// For every event the stretches of the line through its vertex, parallel to `direction`, that run to
 /// either side through the field's inside. A side on which the line leaves the field or follows an
 /// edge at once has none. O(n + k) for k edges that the lines meet.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tramline/decomposition/tolerances.h"
 #include "tramline/geometry/significant_vertices.h"
 
 namespace tramline {
@@ -36,7 +37,7 @@ bool add(const Polygon& polygon, const std::vector<Cut>& cuts, std::vector<Regio
   if (cuts.empty()) return false;
   Region parts = divided(polygon, cuts);
   const double whole = area(polygon);
-  if (parts.size() < 2 || std::abs(area(parts) - whole) > 1e-7 * whole) return false;
+  if (parts.size() < 2 || std::abs(area(parts) - whole) > kSameArea_share * whole) return false;
   out.push_back(std::move(parts));
   return true;
 }

@@ -1,6 +1,7 @@
 #include "tramline/decomposition/merge_equal_directions.h"
 
 #include "tramline/decomposition/candidate_directions.h"
+#include "tramline/decomposition/tolerances.h"
 
 namespace tramline {
 

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 
+#include "tramline/decomposition/tolerances.h"
+
 namespace tramline {
 
 MergeRule similar_directions(Angle threshold) {
   // "Equal to or between" (S1 §2.2.3) must not hang on the last bit of a rotation.
-  constexpr double kInclusive = 1e-9;
-  const double limit = threshold.radians() + kInclusive;
+  const double limit = threshold.radians() + kInclusive_rad;
   // A history only grows: what it keeps apart stays apart.
   return {[limit](const MergeNode& a, const MergeNode& b) {
             return std::all_of(a.history.begin(), a.history.end(), [&](Direction one) {

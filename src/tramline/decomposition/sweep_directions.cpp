@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tramline/decomposition/tolerances.h"
+
 namespace tramline {
 namespace {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tramline/decomposition/cuts.h"
+#include "tramline/decomposition/tolerances.h"
 
 namespace tramline {
 namespace {

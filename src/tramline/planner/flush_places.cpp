@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tramline/decomposition/candidate_directions.h"
+#include "tramline/decomposition/tolerances.h"
 
 namespace tramline {
 namespace {
