@@ -8,6 +8,7 @@
 
 #include "tramline/geometry/boolean.h"
 #include "tramline/tracks/straight_tracks.h"
+#include "tramline/tracks/tolerances.h"
 
 namespace tramline::testing_poles {
 namespace {

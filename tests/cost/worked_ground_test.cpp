@@ -10,6 +10,7 @@
 #include "tramline/geometry/parallel.h"
 #include "tramline/tracks/curved_tracks.h"
 #include "tramline/tracks/straight_tracks.h"
+#include "tramline/tracks/tolerances.h"
 
 namespace tramline {
 namespace {

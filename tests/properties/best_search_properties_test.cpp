@@ -15,6 +15,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/planner/grid_search.h"
 #include "tramline/planner/plan_field.h"
+#include "tramline/tracks/tolerances.h"
 
 namespace tramline {
 namespace {

@@ -3,6 +3,7 @@
 
 #include "tramline/tracks/laid_pieces.h"
 #include "tramline/tracks/straight_tracks.h"
+#include "tramline/tracks/tolerances.h"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tramline/geometry/path_between.h"
+#include "tramline/tracks/tolerances.h"
 
 namespace tramline {
 namespace {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tramline/tracks/tolerances.h"
+
 namespace tramline {
 
 EndCriterion end_criterion(EndRule rule, const Objective& objective, double width_m) {

@@ -3,14 +3,10 @@
 
 #include "tramline/model/objective.h"
 #include "tramline/model/plan.h"
+#include "tramline/tracks/tolerances.h"
 #include "tramline/tracks/track_profile.h"
 
 namespace tramline {
-
-/// Cross-sections shorter than this count as none, and ones short of the full width by no more as
-/// full, m: ten times what the precision grid can move an edge that should lie on a strip line, so that
-/// such an edge neither cuts a row nor makes one.
-inline constexpr double kWidthTolerance = 1e-5;
 
 /// An end rule made ready for one objective and width: a cross-section may be driven where the centre
 /// line is inside the subfield, or where at least `least_width_m` of the width is.

@@ -5,18 +5,15 @@
 #include <iterator>
 #include <utility>
 
+#include "tramline/tracks/tolerances.h"
+
 namespace tramline {
 namespace {
-
-/// A piece that goes all round ends this far before its beginning, m: a piece has two ends.
-constexpr double kOpening_m = 1e-5;
-/// What is left of a track between two detours that follow one another at once is no path, m.
-constexpr double kNoPath_m = 1e-9;
 
 /// One after the other along the track.
 [[maybe_unused]] bool sorted_and_apart(const std::vector<TrackDetour>& detours) {
   for (std::size_t i = 0; i + 1 < detours.size(); ++i)
-    if (detours[i].to > detours[i + 1].from + 1e-9) return false;
+    if (detours[i].to > detours[i + 1].from + kSameDistance_m) return false;
   return true;
 }
 
@@ -55,7 +52,8 @@ Path driven_path(const Track& track, const LaidPiece& piece) {
   Path out;
   double at = piece.from;
   const auto keep_on_until = [&](double to) {
-    if (to - at < kNoPath_m) return;
+    // Detours may follow one another at once.
+    if (to - at < kShortest_m) return;
     Path part = path_along(track, at, to);
     if (part.empty()) return;
     if (!out.empty()) part.front().from = out.back().to;

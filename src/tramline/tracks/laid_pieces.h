@@ -4,13 +4,10 @@
 #include <vector>
 
 #include "tramline/model/detour.h"
+#include "tramline/tracks/tolerances.h"
 #include "tramline/tracks/track.h"
 
 namespace tramline {
-
-/// A stretch shorter than this is nothing: a detour may begin where its stretch does, and two passable
-/// obstacles may all but touch.
-inline constexpr double kNoPiece_m = 1e-3;
 
 /// A detour of a track. Its path lies in the frame of the family's grid and runs the way the track does.
 struct TrackDetour {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tramline/tracks/tolerances.h"
+
 namespace tramline {
 namespace {
 

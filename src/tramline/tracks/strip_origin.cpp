@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tramline/tracks/tolerances.h"
+
 namespace tramline {
 namespace {
 
@@ -20,7 +22,7 @@ void append_parallel_edges(const Ring& turned, std::vector<ParallelEdge>& out) {
 
 /// Coordinates across of the edges as long as the longest.
 std::vector<double> across_longest(const std::vector<ParallelEdge>& edges) {
-  constexpr double kTie = 1 - 1e-6;
+  constexpr double kTie = 1 - kSameLength_share;
   double longest = 0;
   for (const ParallelEdge& edge : edges) longest = std::max(longest, edge.length);
   std::vector<double> out;
@@ -32,8 +34,7 @@ std::vector<double> across_longest(const std::vector<ParallelEdge>& edges) {
 
 /// Whether two coordinates across lie on the same grid of strips.
 bool in_step(double a, double b, double width_m) {
-  constexpr double kSameLine = 1e-6;
-  return std::abs(std::remainder(a - b, width_m)) <= kSameLine;
+  return std::abs(std::remainder(a - b, width_m)) <= kSamePlace_m;
 }
 
 }  // namespace

@@ -5,18 +5,16 @@
 
 #include "tramline/geometry/strip_grid.h"
 #include "tramline/model/plan.h"
+#include "tramline/tracks/tolerances.h"
 
 namespace tramline {
 
-/// Edges within this angle of the direction are parallel to it.
-inline constexpr double kParallelRadians = 1e-6;
-
 /// The grids of strips to choose from for a subfield: a strip line lies on the longest edge parallel
 /// to the driving direction, so that the first centre line runs w/2 from it and the others follow
-/// every w on either side. Several edges of that length (relative 1e-6) give a grid each. Without a
-/// parallel edge a strip line lies on the subfield's one or other extreme. S1 tries "to fit the paths
-/// so that the uncovered area is minimised": which of the grids is best is for the planner to say.
-/// In increasing order across; never empty. O(n).
+/// every w on either side. Several edges of that length (but for kSameLength_share) give a grid each. Without
+/// a parallel edge a strip line lies on the subfield's one or other extreme. S1 tries "to fit the paths so
+/// that the uncovered area is minimised": which of the grids is best is for the planner to say. In increasing
+/// order across; never empty. O(n).
 std::vector<StripGrid> strip_grids(const Subfield& subfield, double width_m);
 
 }  // namespace tramline

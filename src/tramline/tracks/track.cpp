@@ -5,6 +5,7 @@
 
 #include "tramline/geometry/path_between.h"
 #include "tramline/tracks/end_rule.h"
+#include "tramline/tracks/tolerances.h"
 
 namespace tramline {
 namespace {
@@ -43,11 +44,10 @@ Path path_along(const Track& track, double from, double to) {
 }
 
 bool stops_at(const Track& track, double end, int sense) {
-  constexpr double kLookAhead = 1e-3;
-  constexpr double kLeastArea = 0.5 * kLookAhead * kWidthTolerance;
+  constexpr double kLeastArea_m2 = 0.5 * kLookAhead_m * kWidthTolerance;
   const double at = track.closed && end > track.length_m ? end - track.length_m : end;
-  const double beyond = at + sense * kLookAhead;
-  return track.hard.area_between(std::min(at, beyond), std::max(at, beyond)) > kLeastArea;
+  const double beyond = at + sense * kLookAhead_m;
+  return track.hard.area_between(std::min(at, beyond), std::max(at, beyond)) > kLeastArea_m2;
 }
 
 }  // namespace tramline

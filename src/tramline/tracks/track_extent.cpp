@@ -7,11 +7,10 @@
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/kinked_line.h"
 #include "tramline/tracks/end_rule.h"
+#include "tramline/tracks/tolerances.h"
 
 namespace tramline {
 namespace {
-
-constexpr double kNothing_m = 1e-3;
 
 /// Π of S2.2.
 Region buffer(const Path& path, double width_m) {
@@ -72,7 +71,7 @@ Intervals track_extent(const Path& path, double width_m, const Polygon& body) {
       reach.from = std::min(reach.from, foot);
       reach.to = std::max(reach.to, foot);
     }
-    if (reach.length() >= kNothing_m) pieces.push_back(reach);
+    if (reach.length() >= kNoPiece_m) pieces.push_back(reach);
   }
   std::sort(pieces.begin(), pieces.end(),
             [](const Interval& a, const Interval& b) { return a.from < b.from; });
