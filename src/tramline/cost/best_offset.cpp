@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tramline/cost/tolerances.h"
+
 namespace tramline {
 namespace {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tramline/cost/tolerances.h"
 #include "tramline/geometry/convex_clip.h"
 #include "tramline/geometry/layered_area.h"
 
@@ -27,10 +28,9 @@ double straight_length(const LaidPiece& piece) {
 
 /// The swaths that leave their own subfield.
 std::vector<ConvexSet> overrunning(const LaidTracks& tracks) {
-  constexpr double kLeastArea = 1e-9;
   std::vector<ConvexSet> out;
   for (const LaidPiece& piece : tracks.pieces)
-    if (tracks.grid.width_m * straight_length(piece) - piece.inside_m2 > kLeastArea)
+    if (tracks.grid.width_m * straight_length(piece) - piece.inside_m2 > kNoOverlap_m2)
       append_swaths(piece, tracks.grid, out);
   return out;
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tramline/cost/tolerances.h"
+
 namespace tramline {
 namespace {
 
@@ -25,7 +27,7 @@ void describe(BoundaryWindow& window, double width_m, double margin_m) {
     window.least_slope = std::min(window.least_slope, slope);
     window.most_slope = std::max(window.most_slope, slope);
   }
-  const double whole = width_m + 2 * margin_m, rounding = 1e-9 * (whole + total_along);
+  const double whole = width_m + 2 * margin_m, rounding = kRounding_share * (whole + total_along);
   window.passes = std::abs(window.across_m - whole) <= rounding &&
                   std::abs(std::abs(across) - whole) <= rounding && total_along - std::abs(along) <= rounding;
   window.begins = across > 0;

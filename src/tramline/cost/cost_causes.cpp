@@ -4,6 +4,7 @@
 
 #include "tramline/cost/border_overrun.h"
 #include "tramline/cost/detour_cover.h"
+#include "tramline/cost/tolerances.h"
 #include "tramline/cost/worked_ground.h"
 
 namespace tramline {
@@ -152,10 +153,7 @@ double worked_by_detours_m2(const std::vector<LaidTracks>& tracks) {
 }
 
 /// Differences of areas that ought to be equal are nothing, be they above or below.
-double without_rounding(double area_m2) {
-  constexpr double kLeast_m2 = 1e-6;
-  return area_m2 < kLeast_m2 ? 0 : area_m2;
-}
+double without_rounding(double area_m2) { return area_m2 < kNoDifference_m2 ? 0 : area_m2; }
 
 Parts measured(const LaidPlan& plan) {
   Parts parts{};

@@ -6,6 +6,7 @@
 
 #include "tramline/cost/boundary_windows.h"
 #include "tramline/cost/moving_rows.h"
+#include "tramline/cost/tolerances.h"
 #include "tramline/cost/undriven_rows.h"
 
 namespace tramline {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tramline/cost/settled_areas.h"
+#include "tramline/cost/tolerances.h"
 #include "tramline/geometry/region.h"
 
 namespace tramline {

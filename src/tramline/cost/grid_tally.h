@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tramline/cost/plain_ends.h"
+#include "tramline/cost/tolerances.h"
 #include "tramline/geometry/strip_fold.h"
 #include "tramline/model/tally.h"
 #include "tramline/tracks/laid_pieces.h"

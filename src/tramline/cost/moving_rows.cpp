@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tramline/cost/part_rows.h"
+#include "tramline/cost/tolerances.h"
 
 namespace tramline {
 namespace {
@@ -66,7 +67,7 @@ AffineBound along_part(const PartRow& row, const MovingTerms& terms) {
 double spared(const PartRow& row, const MovingTerms& terms) {
   const double length = row.to - row.from, shift = most_shift(row.from, row.to, terms);
   const double m0 = row.inside_from, m1 = row.inside_to;
-  if (std::abs(m1 - m0) > 1e-9 * terms.width_m)
+  if (std::abs(m1 - m0) > kRounding_share * terms.width_m)
     return length * (spared_up_to(m1, shift, terms) - spared_up_to(m0, shift, terms)) / (m1 - m0);
   return length * std::max(0.0, std::min(terms.over_price * (terms.width_m - shift - m0),
                                          terms.under_price * (m0 - shift)));

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "tramline/cost/tolerances.h"
 #include "tramline/geometry/kinked_line.h"
 #include "tramline/geometry/layered_area.h"
 #include "tramline/geometry/track_frame.h"
@@ -31,14 +32,13 @@ std::vector<TurnedBody> turned_bodies(const Region& body, const std::vector<Subf
 /// Straight swaths of one grid lie beside or behind one another; lines over gaps may lie half over each
 /// other. Swaths along curves of one family have no ground in common where they keep to their tracks.
 bool may_meet(const TrackPiece& a, const TrackPiece& b, double width_m) {
-  constexpr double kTouch_m = 1e-6;
   if (a.subfield != b.subfield || !a.detours.empty() || !b.detours.empty()) return true;
   if (!a.curve.empty() || !b.curve.empty()) return false;
   const double length_m = distance(b.start, b.end);
   const Point along = (1 / length_m) * (b.end - b.start);
-  if (std::abs(cross(along, a.start - b.start)) > width_m - kTouch_m) return false;
+  if (std::abs(cross(along, a.start - b.start)) > width_m - kSamePlace_m) return false;
   const double one = dot(along, a.start - b.start), other = dot(along, a.end - b.start);
-  return std::max(one, other) > kTouch_m && std::min(one, other) < length_m - kTouch_m;
+  return std::max(one, other) > kSamePlace_m && std::min(one, other) < length_m - kSamePlace_m;
 }
 
 /// A piece with the line it drives.
@@ -79,9 +79,8 @@ void append_taken(const DrivenLine& before, const DrivenLine& now, double width_
 /// A curved piece without detours has said what of its swath lies outside its own subfield. That is its
 /// overlap where there is no other subfield to work in.
 bool has_its_own_overlap(const TrackPiece& piece, const std::vector<Subfield>& subfields) {
-  constexpr double kNothing_m2 = 1e-9;
   return !piece.curve.empty() && piece.detours.empty() &&
-         (subfields.size() == 1 || *piece.overlap_m2 < kNothing_m2);
+         (subfields.size() == 1 || *piece.overlap_m2 < kNoOverlap_m2);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tramline/cost/part_rows.h"
+#include "tramline/cost/tolerances.h"
 #include "tramline/tracks/end_rule.h"
 
 namespace tramline {

@@ -6,15 +6,13 @@
 #include <optional>
 #include <utility>
 
+#include "tramline/cost/tolerances.h"
 #include "tramline/cost/worked_rows.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/contour.h"
 
 namespace tramline {
 namespace {
-
-/// Places that are nearer are one, m.
-constexpr double kSamePlace = 1e-6;
 
 /// The plane along and across one segment of the reference.
 class Block {
@@ -25,9 +23,9 @@ class Block {
   std::optional<Interval> shadow_of(const PathSegment& segment, double right_m) const {
     if (segment.straight() != along_.straight) return std::nullopt;
     const std::optional<double> a = foot_of(segment.from, right_m), b = foot_of(segment.to, right_m);
-    if (!a || !b || std::abs(*b - *a) <= kSamePlace) return std::nullopt;
+    if (!a || !b || std::abs(*b - *a) <= kSamePlace_m) return std::nullopt;
     const double curvature = *a < *b ? segment.curvature : -segment.curvature;
-    if (!along_.straight && std::abs(curvature * (along_.reach + right_m) - 1) > kSamePlace)
+    if (!along_.straight && std::abs(curvature * (along_.reach + right_m) - 1) > kPathRadius_share)
       return std::nullopt;
     return Interval{std::min(*a, *b), std::max(*a, *b)};
   }
@@ -66,10 +64,10 @@ class Block {
       place = along_.reach * std::atan2(cross(first, from_centre), dot(first, from_centre));
       off_m = (length(from_centre) - 1) * (along_.reach + right_m);
     }
-    if (!(std::abs(off_m) <= kSamePlace)) return std::nullopt;
-    if (place < -kSamePlace || place > along_.length + kSamePlace) return std::nullopt;
-    if (place < kSamePlace) return 0;
-    return place > along_.length - kSamePlace ? along_.length : place;
+    if (!(std::abs(off_m) <= kSamePlace_m)) return std::nullopt;
+    if (place < -kSamePlace_m || place > along_.length + kSamePlace_m) return std::nullopt;
+    if (place < kSamePlace_m) return 0;
+    return place > along_.length - kSamePlace_m ? along_.length : place;
   }
 
   /// Across to the right, and along: turned as the field is.
@@ -104,7 +102,7 @@ class Block {
       const Point a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
       const double reach = along_.reach + a.x;
       const Point from = place(a), to = place(b);
-      if (a.x != b.x || along_.straight || distance(from, to) < kSamePlace) {
+      if (a.x != b.x || along_.straight || distance(from, to) < kSamePlace_m) {
         out.push_back(from);
         continue;
       }

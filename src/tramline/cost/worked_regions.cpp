@@ -2,18 +2,18 @@
 
 #include <algorithm>
 
+#include "tramline/cost/tolerances.h"
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/convex_clip.h"
 
 namespace tramline {
 namespace {
 
-/// Intersections of two swaths thinner than the rounding of their corners are no overlap.
-constexpr double kLeastWidth = 1e-5;
-
 bool is_rectangle(const Ring& swath) { return swath.size() == 4; }
 
-bool worth_keeping(double area_m2, const Ring& around) { return area_m2 > kLeastWidth * perimeter(around); }
+bool worth_keeping(double area_m2, const Ring& around) {
+  return area_m2 > kThinnestOverlap_m * perimeter(around);
+}
 
 /// Where one of two is a rectangle, the area of their intersection comes without building it.
 Region overlap_of(const Ring& a, const Ring& b) {
