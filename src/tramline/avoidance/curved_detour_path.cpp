@@ -12,8 +12,8 @@ namespace tramline {
 namespace {
 
 /// Shortest step along the track, and how near the place is brought in, m.
-constexpr double kStep = 1e-2;
-constexpr double kNear = 1e-12;
+constexpr double kStep_m = 1e-2;
+constexpr double kNear_m = 1e-12;
 /// Places that are looked at where something is in the way, this far apart at most, m.
 constexpr double kLookEvery_m = 0.25;
 
@@ -98,10 +98,10 @@ class WayBack {
     while (lacks >= 0) {
       low = high;
       if (low >= end) return false;
-      high = std::min(end, low + std::max(0.5 * lacks, kStep));
+      high = std::min(end, low + std::max(0.5 * lacks, kStep_m));
       lacks = missing(high);
     }
-    while (high - low > kNear) {
+    while (high - low > kNear_m) {
       const double middle = 0.5 * (low + high);
       if (middle <= low || middle >= high) break;
       (missing(middle) >= 0 ? low : high) = middle;

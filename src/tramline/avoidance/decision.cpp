@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "tramline/avoidance/tolerances.h"
+
 namespace tramline {
 
 bool same_detours(const std::vector<TrackDetour>& a, const std::vector<TrackDetour>& b) {
@@ -13,10 +15,10 @@ bool same_detours(const std::vector<TrackDetour>& a, const std::vector<TrackDeto
 }
 
 bool same_drive(const WayRound& a, const WayRound& b) {
-  constexpr double kSame = 1e-9;
   return a.detour.side == b.detour.side && a.first_gap == b.first_gap && a.last_gap == b.last_gap &&
-         std::abs(a.detour.from - b.detour.from) < kSame && std::abs(a.detour.to - b.detour.to) < kSame &&
-         std::abs(a.detour.length_m - b.detour.length_m) < kSame;
+         std::abs(a.detour.from - b.detour.from) < kSameDistance_m &&
+         std::abs(a.detour.to - b.detour.to) < kSameDistance_m &&
+         std::abs(a.detour.length_m - b.detour.length_m) < kSameDistance_m;
 }
 
 bool has_option(const BlockedTrack& track, const WayRound& way) {

@@ -9,9 +9,6 @@
 
 namespace tramline {
 
-/// Smaller savings are rounding.
-inline constexpr double kWorthIt = 1e-9;
-
 /// A track that obstacles block, its options, and what is chosen so far.
 struct Decision {
   BlockedTrack track;

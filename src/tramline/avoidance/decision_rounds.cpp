@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "tramline/avoidance/tolerances.h"
+
 namespace tramline {
 
 std::vector<Decision*> by_saving(std::vector<Decision>& decisions, const SavingOf& saving_of) {
@@ -23,7 +25,7 @@ bool improve_one_by_one(const std::vector<Decision*>& order, const SavingOf& sav
     for (Decision* decision : order) {
       if (!first_round && !decision->track.stale) continue;
       std::vector<TrackDetour> detours;
-      if (saving_of(*decision, &detours) <= kWorthIt) continue;
+      if (saving_of(*decision, &detours) <= kRounding_cost) continue;
       choose(*decision, std::move(detours));
       changed = true;
     }

@@ -6,11 +6,10 @@
 #include <limits>
 #include <utility>
 
+#include "tramline/avoidance/tolerances.h"
+
 namespace tramline {
 namespace {
-
-/// Shorter segments than this are left out, m.
-constexpr double kDust = 1e-9;
 
 std::vector<Point> upper_hull(std::vector<Point> points) {
   std::sort(points.begin(), points.end(),
@@ -24,12 +23,12 @@ std::vector<Point> upper_hull(std::vector<Point> points) {
   return out;
 }
 
-/// Appends segments, leaving out those without length.
+/// Appends segments, leaving out those that are too short for a direction.
 class Pen {
  public:
   explicit Pen(Point at) : at_(at) {}
   void draw_to(Point to, double curvature) {
-    if (distance(at_, to) <= kDust) return;
+    if (distance(at_, to) <= kShortest_m) return;
     path_.push_back({at_, to, curvature});
     at_ = to;
   }

@@ -5,6 +5,7 @@
 
 #include "tramline/avoidance/decision_rounds.h"
 #include "tramline/avoidance/detour_decisions.h"
+#include "tramline/avoidance/tolerances.h"
 
 namespace tramline {
 namespace {
@@ -72,7 +73,7 @@ bool DetourDecisions::improve_groups() {
 
 /// Every choice for all tracks of the group but the last, with the best one for that.
 bool DetourDecisions::improve_group(std::size_t first, std::size_t end) {
-  Group group{first, end, {}, kWorthIt};
+  Group group{first, end, {}, kRounding_cost};
   try_choices(group, first, 0);
   if (group.best.empty()) return false;
   for (std::size_t i = first; i < end; ++i) choose(tracks_[i], std::move(group.best[i - first]));

@@ -6,6 +6,7 @@
 #include "tramline/avoidance/detour_decisions.h"
 #include "tramline/avoidance/goes_round.h"
 #include "tramline/avoidance/paper_way.h"
+#include "tramline/avoidance/tolerances.h"
 
 namespace tramline {
 namespace {
@@ -132,13 +133,13 @@ WayRound DetourDecisions::named(const BlockedTrack& track, WayRound way) const {
 std::vector<int> DetourDecisions::obstacles_along(const BlockedTrack& track,
                                                   const std::vector<std::size_t>& hazards,
                                                   Interval range) const {
-  constexpr double kRounding = 1e-6;
   if (!is_straight(track_of(track))) return obstacles_near(track_of(track), range);
   std::vector<int> out;
   for (const std::size_t hazard : hazards)
     for (const int obstacle : task_.ground.hazards[hazard].obstacles) {
       const Interval extent = obstacles_[track.family][static_cast<std::size_t>(obstacle)];
-      if (extent.from < range.to - kRounding && extent.to > range.from + kRounding) out.push_back(obstacle);
+      if (extent.from < range.to - kSamePlace_m && extent.to > range.from + kSamePlace_m)
+        out.push_back(obstacle);
     }
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());

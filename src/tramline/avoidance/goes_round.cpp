@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tramline/avoidance/tolerances.h"
+
 namespace tramline {
 namespace {
 
@@ -23,12 +25,11 @@ double across_at(const Path& path, double along) {
 }  // namespace
 
 bool goes_round(const TrackDetour& detour, const Ring& ring) {
-  constexpr double kRounding = 1e-6;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     Point a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
     if (a.y > b.y) std::swap(a, b);
     const double from = std::max(a.y, detour.from), to = std::min(b.y, detour.to);
-    if (to - from <= kRounding) continue;
+    if (to - from <= kSamePlace_m) continue;
     const double along = 0.5 * (from + to);
     const double across = a.x + (along - a.y) / (b.y - a.y) * (b.x - a.x);
     const double right_by = across - across_at(detour.path, along);

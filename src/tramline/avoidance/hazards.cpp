@@ -33,7 +33,7 @@ bool belongs(const Polygon& obstacle, const Polygon& polygon, double clearance_m
 
 std::optional<Circle> circle_of(const Ring& ring) {
   constexpr std::size_t kFewest = 8;
-  constexpr double kOff = 0.01;
+  constexpr double kOff_share = 0.01;
   if (ring.size() < kFewest || signed_area(ring) == 0) return std::nullopt;
   Circle circle{centroid(ring), 0};
   double nearest = std::numeric_limits<double>::infinity();
@@ -41,7 +41,7 @@ std::optional<Circle> circle_of(const Ring& ring) {
     circle.radius = std::max(circle.radius, distance(p, circle.centre));
     nearest = std::min(nearest, distance(p, circle.centre));
   }
-  if (nearest < (1 - kOff) * circle.radius) return std::nullopt;
+  if (nearest < (1 - kOff_share) * circle.radius) return std::nullopt;
   for (std::size_t i = 0; i < ring.size(); ++i)
     if (distance(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]) > circle.radius) return std::nullopt;
   return circle;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tramline/avoidance/tolerances.h"
 #include "tramline/cost/strip_tally.h"
 #include "tramline/geometry/region.h"
 
@@ -66,13 +67,12 @@ class DetourZones {
  private:
   /// Where the centre lines of detours on either side have to get.
   Interval past_hazards(double left, const Interval& gap) const {
-    constexpr double kRounding = 1e-3;
-    const double centre = left + 0.5 * width_m_, half = 0.5 * width_m_ - kRounding;
+    const double centre = left + 0.5 * width_m_, half = 0.5 * width_m_ - kBoundSlack_m;
     Interval out{centre, centre};
     for (const TurnedHazard& hazard : around_.hazards) {
       if (hazard.box.min_y > gap.to || hazard.box.max_y < gap.from) continue;
       Interval reach = reach_across(hazard.outline, gap);
-      if (!(reach.from < left + width_m_ - kRounding && reach.to > left + kRounding)) continue;
+      if (!(reach.from < left + width_m_ - kBoundSlack_m && reach.to > left + kBoundSlack_m)) continue;
       if (hazard.round) {
         reach.from = std::max(reach.from, hazard.round->centre.x - hazard.round->radius);
         reach.to = std::min(reach.to, hazard.round->centre.x + hazard.round->radius);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "tramline/avoidance/tolerances.h"
 #include "tramline/avoidance/track_side.h"
 
 namespace tramline {
@@ -21,10 +22,10 @@ double extent_across(const TurnedHazard& hazard, const TrackSide& track) {
 }
 
 bool convex(const Ring& ring) {
-  constexpr double kRounding = 1e-9;
+  constexpr double kStraight_m2 = 1e-9;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point a = ring[i], b = ring[(i + 1) % ring.size()], c = ring[(i + 2) % ring.size()];
-    if (cross(b - a, c - b) < -kRounding) return false;
+    if (cross(b - a, c - b) < -kStraight_m2) return false;
   }
   return true;
 }
@@ -45,7 +46,7 @@ Refusal fault_in_track(const Obstruction& o, const TrackDetour& detour, const Su
   if (stretch_at(stretches, detour.from) != o.gap - 1 || stretch_at(stretches, detour.to) != o.gap)
     return Refusal::kPaperEndsBefore;
   const double width_m = o.grid.width_m, least = std::max(o.radius_m, 0.5 * width_m);
-  if (smallest_radius(detour.path) < least * (1 - 1e-9)) return Refusal::kTooTight;
+  if (smallest_radius(detour.path) < least * (1 - kRounding_share)) return Refusal::kTooTight;
   const SwathLine line(detour.path, width_m);
   for (const TurnedHazard& hazard : around.hazards)
     if (runs_into(line, hazard)) return Refusal::kMeetsObstacle;

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "tramline/avoidance/tolerances.h"
+
 namespace tramline {
 namespace {
-
-/// What the width tolerance, rounding and the precision grid may take off a distance, m.
-constexpr double kSlack = 2e-5;
 
 bool apart(const Box& a, const Box& b) {
   return a.max_x < b.min_x || a.min_x > b.max_x || a.max_y < b.min_y || a.min_y > b.max_y;
@@ -43,8 +42,8 @@ Surroundings turned_surroundings(const SortedGround& ground, const Ring& field, 
 }
 
 Refusal fault_of(const SwathLine& line, const Surroundings& around) {
-  const double half = 0.5 * line.width_m - kSlack;
-  if (any_edge_nearer(line, around.field, 1e-9) || !contains(around.field, line.path.front().from))
+  const double half = 0.5 * line.width_m - kClearanceSlack_m;
+  if (any_edge_nearer(line, around.field, kTouch_m) || !contains(around.field, line.path.front().from))
     return Refusal::kLeavesField;
   if (around.hard_boundary && any_edge_nearer(line, around.field, half)) return Refusal::kPassesHardBoundary;
   for (const Ring& ring : around.passable)
@@ -54,7 +53,7 @@ Refusal fault_of(const SwathLine& line, const Surroundings& around) {
 
 bool runs_into(const SwathLine& line, const TurnedHazard& hazard) {
   return intersects(hazard.box, line.reach) &&
-         any_edge_nearer(line, hazard.outline, 0.5 * line.width_m - kSlack);
+         any_edge_nearer(line, hazard.outline, 0.5 * line.width_m - kClearanceSlack_m);
 }
 
 }  // namespace tramline

@@ -4,6 +4,8 @@
 #include <array>
 #include <limits>
 
+#include "tramline/avoidance/tolerances.h"
+
 namespace tramline {
 namespace {
 

@@ -6,14 +6,12 @@
 
 #include "tramline/avoidance/corners_in_way.h"
 #include "tramline/avoidance/detour_ends.h"
+#include "tramline/avoidance/tolerances.h"
 #include "tramline/avoidance/track_side.h"
 #include "tramline/geometry/path_between.h"
 
 namespace tramline {
 namespace {
-
-/// Tips of hazards thinner than the width tolerance lie outside the gap, m.
-constexpr double kTip_m = 0.01;
 
 class Search {
  public:
@@ -165,9 +163,8 @@ std::vector<std::size_t> hazards_along(const Track& curved, double width_m, Inte
 }  // namespace
 
 std::size_t stretch_at(const Intervals& stretches, double along) {
-  constexpr double kRounding = 1e-9;
   for (std::size_t i = 0; i < stretches.size(); ++i)
-    if (along >= stretches[i].from - kRounding && along <= stretches[i].to + kRounding) return i;
+    if (along >= stretches[i].from - kSameDistance_m && along <= stretches[i].to + kSameDistance_m) return i;
   return stretches.size();
 }
 
