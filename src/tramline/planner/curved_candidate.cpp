@@ -16,6 +16,7 @@
 #include "tramline/planner/family_bound.h"
 #include "tramline/planner/parallel_tracks.h"
 #include "tramline/planner/reference_chains.h"
+#include "tramline/planner/tolerances.h"
 
 namespace tramline {
 namespace {

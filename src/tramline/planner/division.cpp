@@ -8,6 +8,7 @@
 #include "tramline/geometry/boolean.h"
 #include "tramline/geometry/bounding_rectangle.h"
 #include "tramline/planner/for_each_index.h"
+#include "tramline/planner/tolerances.h"
 
 namespace tramline {
 namespace {
@@ -18,7 +19,6 @@ constexpr std::size_t kLookedAt = 4;        ///< … and that are looked at clos
 constexpr double kHope = 0.5;               ///< relative; a closer look does not make up for more
 constexpr double kLeastShare = 0.01;        ///< of the cost of the whole; ground that costs less stays whole
 constexpr std::size_t kMostSubfields = 24;  ///< made of one piece of ground
-constexpr double kLeastSaving = 1e-6;       ///< relative; less is rounding
 
 /// So many edges, so many grids at each, and so many of the best of these bettered by small steps.
 SearchEffort effort(std::size_t edges, std::size_t offsets, std::size_t polished) {
@@ -113,7 +113,7 @@ std::optional<std::vector<PricedSubfield>> best_division(const SearchTask& task,
   });
   if (context.has_to_end()) return std::nullopt;
   std::optional<std::vector<PricedSubfield>> best;
-  double least = ground.grid.cost - kLeastSaving * std::abs(ground.grid.cost);
+  double least = ground.grid.cost - kLeastSaving_share * std::abs(ground.grid.cost);
   for (std::vector<PricedSubfield>& parts : looked) {
     const bool workable = std::all_of(parts.begin(), parts.end(),
                                       [&](const PricedSubfield& part) { return is_workable(task, part); });

@@ -6,12 +6,10 @@
 #include <utility>
 
 #include "tramline/planner/order/lines.h"
+#include "tramline/planner/tolerances.h"
 
 namespace tramline {
 namespace {
-
-/// Pieces on both sides of what blocks a track are as near: less is rounding, m.
-constexpr double kNearer_m = 1e-3;
 
 /// How far the piece is from what blocks its track.
 double off_by(const LaidPiece& piece, const Interval& between) {
@@ -46,7 +44,7 @@ std::vector<Encounter> encounters_as_driven(const SearchTask& task, const Candid
         const LaidPiece& piece = candidate.avoided.tracks[laid.subfield].pieces[laid.piece];
         if (piece.branch != encounter.branch) continue;
         const double off_m = off_by(piece, encounter.between);
-        if (off_m >= nearest_m - kNearer_m) continue;
+        if (off_m >= nearest_m - kAsNear_m) continue;
         nearest_m = off_m;
         back = driven.back[i];
       }

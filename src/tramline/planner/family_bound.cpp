@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "tramline/geometry/parallel.h"
+#include "tramline/planner/tolerances.h"
 
 namespace tramline {
 namespace {
 
-constexpr double kRounding = 1e-9;
 /// By how much discs rolled round corners might lengthen a track, and more than that.
 constexpr double kLonger = 1.5;
 
@@ -23,7 +23,7 @@ double FamilyBound::after(int index, const LaidTracks& tracks) {
   const Objective& price = task_.objective;
   const double sure =
       price.overlap * overlap_m2_ + price.stop * stops_ + price.turn * (static_cast<double>(seen_) - 1);
-  return (sure + least_for_the_rest(index)) * (1 - kRounding) - kRounding;
+  return (sure + least_for_the_rest(index)) * (1 - kRounding_share) - kRounding_cost;
 }
 
 /// All of the body that is not worked yet is left, or worked by tracks that take a turn each.

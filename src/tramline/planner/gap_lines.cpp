@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "tramline/planner/tolerances.h"
 #include "tramline/tracks/end_rule.h"
 
 namespace tramline {

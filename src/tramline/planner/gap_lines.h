@@ -25,10 +25,6 @@ struct GapLine {
   int stops = 0;
 };
 
-/// Narrower ground than this, across the strip, is not what a piece is driven for, m: the tails of a gap
-/// between two passes that all but touch.
-inline constexpr double kTail_m = 0.05;
-
 /// Which pieces a line has.
 enum class WantedPieces {
   kWorthDriving,  ///< those that win back more than they cost

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tramline/planner/reference_chains.h"
+#include "tramline/planner/tolerances.h"
 
 namespace tramline {
 namespace {

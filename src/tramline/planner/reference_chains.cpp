@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tramline/geometry/angle.h"
+#include "tramline/planner/tolerances.h"
 
 namespace tramline {
 namespace {

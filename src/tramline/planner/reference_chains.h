@@ -7,9 +7,6 @@
 
 namespace tramline {
 
-/// What is left open of a chain that goes all the way round, m: a line must not touch itself.
-inline constexpr double kSeam_m = 1e-3;
-
 /// Chains of edges of the outer rings between two corners, open polylines that bend somewhere by more than
 /// `least_bend_m` from a straight line; the longest first, `most` at most. A corner is where the boundary
 /// turns by more than 30° within `corner_m` of its length. A ring without two corners comes whole, from the

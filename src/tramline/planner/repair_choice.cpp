@@ -7,12 +7,11 @@
 
 #include "tramline/planner/for_each_index.h"
 #include "tramline/planner/repair_places.h"
+#include "tramline/planner/tolerances.h"
 
 namespace tramline {
 namespace {
 
-/// Less is rounding.
-constexpr double kLeastGain = 1e-6;
 constexpr int kMostRounds = 8;
 /// With more lines than these, exchanges of two and more than two rounds take longer than they win.
 constexpr std::size_t kManyLines = 80;
@@ -52,7 +51,7 @@ class Choice {
   void grow(std::size_t most = static_cast<std::size_t>(-1)) {
     for (std::size_t i = 0; i < most; ++i) {
       const RepairLine* line = best();
-      if (line == nullptr || line->worth - turn() <= kLeastGain) return;
+      if (line == nullptr || line->worth - turn() <= kLeastGain_cost) return;
       add(RepairLine(*line));
     }
   }
@@ -90,9 +89,9 @@ class Choice {
     const RepairLine* out = nullptr;
     for (const CandidateLine& candidate : candidates_)
       for (const RepairLine& line : candidate.lines)
-        if (out == nullptr || line.worth > out->worth + kLeastGain ||
-            (line.worth > out->worth - kLeastGain &&
-             line.line.covered_m2 > out->line.covered_m2 + kLeastGain))
+        if (out == nullptr || line.worth > out->worth + kLeastGain_cost ||
+            (line.worth > out->worth - kLeastGain_cost &&
+             line.line.covered_m2 > out->line.covered_m2 + kLeastGain_m2))
           out = &line;
     return out;
   }
@@ -106,7 +105,7 @@ class Choice {
       const bool known =
           std::any_of(candidates_.begin(), candidates_.end(), [&](const CandidateLine& candidate) {
             return candidate.place.direction == place.direction &&
-                   std::abs(candidate.place.left_m - left_m) < 1e-6;
+                   std::abs(candidate.place.left_m - left_m) < kSamePlace_m;
           });
       if (!known) candidates_.push_back({{place.direction, left_m}, {}, true});
     }
@@ -143,7 +142,7 @@ class Choice {
       for (const double first_m : first_lefts(bounds(open), width_m)) {
         double worth = 0;
         std::vector<RepairLine> rows = rows_from({d, first_m}, bounds(open).max_x, gap, what, worth);
-        if (worth > most + kLeastGain) {
+        if (worth > most + kLeastGain_cost) {
           most = worth;
           best = std::move(rows);
         }
@@ -153,7 +152,7 @@ class Choice {
   }
 
   static std::vector<double> first_lefts(const Box& box, double width_m) {
-    const double rows = std::ceil(box.width() / width_m - 1e-9);
+    const double rows = std::ceil(box.width() / width_m - kRounding_share);
     std::vector<double> out{box.min_x, box.max_x - rows * width_m,
                             0.5 * (box.min_x + box.max_x - rows * width_m)};
     for (int k = 1; k < 8; ++k) out.push_back(box.min_x - k * width_m / 8);
@@ -167,7 +166,7 @@ class Choice {
       for (RepairLine& line :
            what == RowsOver::kAllGaps ? ground_.lines_at(place) : ground_.lines_at(place, gap)) {
         const double gain = line.worth - turn();
-        if (gain <= kLeastGain) continue;
+        if (gain <= kLeastGain_cost) continue;
         worth += gain;
         out.push_back(std::move(line));
       }
@@ -199,7 +198,7 @@ class Choice {
     const std::size_t kept = lines_.size();
     grow(indices.size() + 1);
     saved_ = nullptr;
-    if (cost() < before - kLeastGain) return true;
+    if (cost() < before - kLeastGain_cost) return true;
     for (std::size_t i = kept; i < lines_.size(); ++i)
       swaths.insert(swaths.end(), lines_[i].swaths.begin(), lines_[i].swaths.end());
     lines_ = lines;
@@ -254,7 +253,7 @@ std::vector<RepairLine> chosen_lines(RepairGround& ground, const SearchContext& 
     if (step > 1 && choice.lines().empty()) break;
     choice.grow();
     choice.improve();
-    if (choice.cost() >= least - kLeastGain) continue;
+    if (choice.cost() >= least - kLeastGain_cost) continue;
     least = choice.cost();
     best = choice.lines();
   }

@@ -5,6 +5,7 @@
 
 #include "tramline/geometry/boolean.h"
 #include "tramline/headland/body.h"
+#include "tramline/planner/tolerances.h"
 
 namespace tramline {
 namespace {

@@ -10,9 +10,6 @@
 
 namespace tramline {
 
-/// Smaller polygons are what the precision grid makes of two edges that should be one, m².
-inline constexpr double kNoGround_m2 = 1e-4;
-
 /// A place for a line: the strip with its left edge there, in one of the directions. Left of it as seen in
 /// the turned plane (track_frame.h).
 struct LinePlace {

@@ -8,6 +8,7 @@
 #include "tramline/geometry/boolean.h"
 #include "tramline/planner/gap_pieces.h"
 #include "tramline/planner/order/best_tour.h"
+#include "tramline/planner/tolerances.h"
 
 namespace tramline {
 namespace {

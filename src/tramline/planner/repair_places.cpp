@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tramline/planner/tolerances.h"
 #include "tramline/tracks/strip_origin.h"
 
 namespace tramline {
 namespace {
 
-/// Places nearer to one another are one, m.
-constexpr double kSamePlace_m = 1e-4;
-
 /// Left edges of strips flush with either edge of the gap, and of rows of strips side by side from there or
 /// about its middle.
 void append_rows(const Box& gap, double width_m, std::vector<double>& out) {
-  const double rows = std::max(1.0, std::ceil(gap.width() / width_m - 1e-9));
+  const double rows = std::max(1.0, std::ceil(gap.width() / width_m - kRounding_share));
   const double middle_m = 0.5 * (gap.min_x + gap.max_x);
   for (double k = 0; k < rows; ++k) {
     out.push_back(gap.min_x + k * width_m);
@@ -48,7 +46,7 @@ void append_flush(const Region& turned_free, const Box& gaps, double width_m, st
 void keep_each_once(std::vector<double>& places) {
   std::sort(places.begin(), places.end());
   places.erase(
-      std::unique(places.begin(), places.end(), [](double a, double b) { return b - a < kSamePlace_m; }),
+      std::unique(places.begin(), places.end(), [](double a, double b) { return b - a < kSameStrip_m; }),
       places.end());
 }
 

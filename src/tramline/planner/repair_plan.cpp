@@ -13,13 +13,11 @@
 #include "tramline/planner/for_each_index.h"
 #include "tramline/planner/repair_pieces.h"
 #include "tramline/planner/repair_places.h"
+#include "tramline/planner/tolerances.h"
 #include "tramline/planner/warnings.h"
 
 namespace tramline {
 namespace {
-
-/// Less of a gap, m², is worked by chance, where a swath runs over it to another.
-constexpr double kByChance_m2 = 0.01;
 
 /// Gaps that are large enough, the others listed.
 std::vector<Gap> large_ones(const std::vector<Gap>& gaps, double min_area_m2, std::vector<LeftGap>& ignored) {

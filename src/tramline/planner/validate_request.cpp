@@ -68,7 +68,8 @@ void validate_request(const Machine& machine, const Objective& objective, const 
   require_metres(settings.clearance_m, 0, kMostClearance, "clearance");
   require_metres_or_default(settings.avoid_threshold_m, kAvoidThreshold);
   if (settings.tracks == TrackConstruction::kPaper) require_paper_rules(settings);
-  require_degrees(settings.direction_tolerance, 1e-4, 10, "direction tolerance");
+  constexpr double kFinestDirections_deg = 1e-4;
+  require_degrees(settings.direction_tolerance, kFinestDirections_deg, 10, "direction tolerance");
   require_metres(settings.short_edge_m, 0, kFarthest_m, "short edge");
   require_degrees(settings.merge_threshold, 0, 90, "merge threshold");
   require_degrees(settings.decomposition_threshold, 180, 360, "decomposition threshold");

@@ -18,12 +18,12 @@ double distance_to(const Ring& ring, Point p) {
 }
 
 void warn_of_overrun(const Plan& plan, std::vector<std::string>& out) {
-  constexpr double kWorthSaying = 0.01;  // m
+  constexpr double kWorthSaying_m = 0.01;
   const Region outside = difference(plan.overlap, {{plan.field.outer, {}}});
   double farthest = 0;
   for (const Polygon& part : outside)
     for (const Point p : part.outer) farthest = std::max(farthest, distance_to(plan.field.outer, p));
-  if (farthest < kWorthSaying) return;
+  if (farthest < kWorthSaying_m) return;
   out.push_back(
       fmt::format("swaths pass the field boundary by up to {:.2f} m ({:.1f} m² in all); --boundary hard "
                   "keeps them inside",
@@ -76,9 +76,9 @@ void warn_of_short_pieces(const Plan& plan, std::vector<std::string>& out) {
 }  // namespace
 
 std::string unworked_land_warning(const Plan& plan) {
-  constexpr double kMuch = 0.02;
+  constexpr double kMuch_share = 0.02;
   const double land = land_m2(plan), unworked = plan.tally.uncovered_m2;
-  if (is_repair(plan) || unworked <= kMuch * land) return "";
+  if (is_repair(plan) || unworked <= kMuch_share * land) return "";
   return fmt::format("{:.1f} % of the land, {:.0f} m², stays unworked", 100 * unworked / land, unworked);
 }
 

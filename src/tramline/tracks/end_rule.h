@@ -3,7 +3,6 @@
 
 #include "tramline/model/objective.h"
 #include "tramline/model/plan.h"
-#include "tramline/tracks/tolerances.h"
 #include "tramline/tracks/track_profile.h"
 
 namespace tramline {

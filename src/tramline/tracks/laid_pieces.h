@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "tramline/model/detour.h"
-#include "tramline/tracks/tolerances.h"
 #include "tramline/tracks/track.h"
 
 namespace tramline {

@@ -5,7 +5,6 @@
 
 #include "tramline/geometry/strip_grid.h"
 #include "tramline/model/plan.h"
-#include "tramline/tracks/tolerances.h"
 
 namespace tramline {
 

@@ -5,11 +5,11 @@
 #include "tramline/planner/order/place_grid.h"
 #include "tramline/planner/order/shorten.h"
 #include "tramline/planner/order/tours.h"
+#include "tramline/planner/tolerances.h"
 
 namespace tramline::order {
 namespace {
 
-constexpr double kLeastGain_m = 1e-6;
 constexpr int kRounds = 5;
 
 /// The ways of driving a block up and down: from the start of its first line, from the end of it, and the

@@ -10,9 +10,9 @@ namespace {
 /// Pieces end on edges; meetings nearer to an end than this are the end itself, m.
 constexpr double kAtEdge_m = 0.01;
 /// A hop that touches an obstacle by less does not lead through it, m.
-constexpr double kTouch_m = 0.1;
+constexpr double kTouchesObstacle_m = 0.1;
 /// Nor does one along its side, for which the way round is longer by no more than this share.
-constexpr double kAlongSide = 0.01;
+constexpr double kAlongSide_share = 0.01;
 
 }  // namespace
 
@@ -111,7 +111,7 @@ void HopGround::lead_round(std::size_t number, const std::vector<Meeting>& met, 
     further_m += std::max(0.0, edge_m - straight_m);
   }
   hop.way_round_m += further_m;
-  const bool through = through_m > kTouch_m && further_m > kAlongSide * through_m;
+  const bool through = through_m > kTouchesObstacle_m && further_m > kAlongSide_share * through_m;
   if (ring.field ? further_m > far_m_ : through) hop.barred = true;
 }
 

@@ -4,14 +4,17 @@
 #include <cmath>
 #include <utility>
 
+#include "tramline/planner/tolerances.h"
+
 namespace tramline::order {
 
 PlaceGrid::PlaceGrid(const std::vector<Point>& places) : places_(places) {
   for (const Point p : places) box_.extend(p);
   if (places.empty()) box_.extend(Point{});
-  const double longer = std::max({box_.width(), box_.height(), 1e-6});
-  const double shorter = std::max(std::min(box_.width(), box_.height()), 1e-3 * longer);
-  cell_m_ = std::max(std::sqrt(2 * longer * shorter / static_cast<double>(places.size() + 1)), 1e-3 * longer);
+  const double longer = std::max({box_.width(), box_.height(), kLeastGridOfPlaces_m});
+  const double shorter = std::max(std::min(box_.width(), box_.height()), kFlattestGrid_share * longer);
+  cell_m_ = std::max(std::sqrt(2 * longer * shorter / static_cast<double>(places.size() + 1)),
+                     kFlattestGrid_share * longer);
   columns_ = static_cast<int>(box_.width() / cell_m_) + 1;
   rows_ = static_cast<int>(box_.height() / cell_m_) + 1;
   cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));

@@ -5,12 +5,12 @@
 #include <optional>
 
 #include "tramline/planner/order/place_grid.h"
+#include "tramline/planner/tolerances.h"
 
 namespace tramline::order {
 namespace {
 
-constexpr std::size_t kNear = 10;      ///< ends looked at from each end
-constexpr double kLeastGain_m = 1e-6;  ///< less is rounding
+constexpr std::size_t kNear = 10;  ///< ends looked at from each end
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 /// Ways of putting two neighbouring parts A and B of a tour back between what comes before and after.
