@@ -71,11 +71,11 @@ bool agrees(const std::string& sentence, const std::vector<ExpectedFigure>& figu
 }
 
 Expected of_unworked_land(const Plan& plan) {
-  constexpr double kMuch = 0.02;
+  constexpr double kMuch = 0.02, kOpen = 1e-6;
   const double land = land_m2(plan), share = land > 0 ? plan.tally.uncovered_m2 / land : 0;
   return {"stays unworked",
           !is_repair(plan) && share > kMuch,
-          std::abs(share - kMuch) < 1e-6,
+          std::abs(share - kMuch) < kOpen,
           {amount(100 * share), amount(plan.tally.uncovered_m2)}};
 }
 
@@ -87,7 +87,7 @@ double distance_to_outline(const Ring& ring, Point p) {
 }
 
 Expected of_overrun(const Plan& plan) {
-  constexpr double kWorthSaying_m = 0.01;
+  constexpr double kWorthSaying_m = 0.01, kOpen_m = 1e-4;
   enum Over : std::size_t { kField, kOverlap };
   double farthest_m = 0, outside_m2 = 0;
   for (const Polygon& part : plan.overlap)
@@ -102,16 +102,16 @@ Expected of_overrun(const Plan& plan) {
   });
   return {"pass the field boundary by",
           farthest_m >= kWorthSaying_m,
-          std::abs(farthest_m - kWorthSaying_m) < 1e-4,
+          std::abs(farthest_m - kWorthSaying_m) < kOpen_m,
           {amount(farthest_m), amount(outside_m2)}};
 }
 
 Expected of_given_up_land(const Plan& plan) {
-  constexpr double kWorthSaying_m2 = 0.05;
+  constexpr double kWorthSaying_m2 = 0.05, kOpen_m2 = 1e-3;
   const double given_up_m2 = area(plan.given_up);
   return {"narrower than the machine and are given up",
           given_up_m2 >= kWorthSaying_m2,
-          std::abs(given_up_m2 - kWorthSaying_m2) < 1e-3,
+          std::abs(given_up_m2 - kWorthSaying_m2) < kOpen_m2,
           {amount(given_up_m2)}};
 }
 

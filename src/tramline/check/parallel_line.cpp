@@ -12,6 +12,8 @@ namespace {
 
 /// What the line does at a place is asked so near to it where it begins or ends just there, m.
 constexpr double kBeside_m = 2 * kLengthTolerance_m;
+/// The first step from an edge to where the line is beside it for sure, m; the next ones are longer.
+constexpr double kFirstStep_m = 1e-6;
 constexpr double kSharpestCorner = 2 * std::numbers::pi / 3;
 
 /// How far the heading turns to the right, rad; in (−π, π].
@@ -107,7 +109,7 @@ std::optional<double> ParallelLine::nearest_that_fits(double from_m, Way way) co
 /// Where the disc fits again, if that is hardly further on than a place where it all but does.
 double ParallelLine::edge_behind(double along_m, Way way) const {
   if (fits(along_m)) return along_m;
-  for (double step_m = 1e-6; step_m < 0.1; step_m *= 4) {
+  for (double step_m = kFirstStep_m; step_m < 0.1; step_m *= 4) {
     const double there_m = along_m + (way == Way::kForwards ? step_m : -step_m);
     if (there_m < 0 || there_m > reference_.length_m()) break;
     if (fits(there_m)) return last_that([this](double s) { return fits(s); }, there_m, along_m);
@@ -118,7 +120,7 @@ double ParallelLine::edge_behind(double along_m, Way way) const {
 std::optional<double> ParallelLine::other_foot(double edge_m, Way way) const {
   const double far_m = off_m_ + least_radius_m_;
   // A little further the other place is nearer; the flatter the corner, the further.
-  for (double further_m = 1e-6; further_m < 0.1; further_m *= 10) {
+  for (double further_m = kFirstStep_m; further_m < 0.1; further_m *= 10) {
     const double there_m = edge_m + (way == Way::kForwards ? further_m : -further_m);
     if (there_m < 0 || there_m > reference_.length_m()) return std::nullopt;
     const Foot foot = reference_.foot_of(reference_.beside(there_m, far_m), far_m);

@@ -10,7 +10,10 @@ namespace tramline::check {
 namespace {
 
 /// Costs of ways are differences of what whole tracks cost: they carry the rounding of those.
-double rounding_of_costs(const Plan& plan) { return 1e-6 + kRounding * std::abs(plan.cost); }
+double rounding_of_costs(const Plan& plan) {
+  constexpr double kOfWays = 1e-6;
+  return kOfWays + kRounding * std::abs(plan.cost);
+}
 
 /// What is wrong with what is said of one way past, or "".
 std::string fault_of(const WayPast& way, Passing side) {
