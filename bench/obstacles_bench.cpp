@@ -49,7 +49,8 @@ void one_decision_at_a_pole(benchmark::State& state) {
   const Candidate candidate =
       candidate_on(task, swept(task, Direction::clockwise_from_north(Angle::degrees(90))));
   const TrackFamily& family = candidate.families.front();
-  const Surroundings around = turned_surroundings(task.ground, field.outer, false, family.grid.frame);
+  const Surroundings around =
+      turned_surroundings(task.ground, field.outer, EdgeKind::kSoft, family.grid.frame);
   std::vector<Ring> body;
   for (const Ring& ring : rings_of(task.ground.body)) body.push_back(family.grid.frame.to_track(ring));
   WorkedGround ground(candidate.families);

@@ -24,8 +24,8 @@ struct Loose {
 };
 
 /// `plain_given`: the user said that coordinates are plain metres, whatever the file says.
-void append_obstacles(const std::string& file, ObstacleKind kind, bool plain, bool plain_given,
-                      const std::string& crs, std::vector<LooseObstacle>& out) {
+void append_obstacles(const std::string& file, ObstacleKind kind, bool plain_given,
+                      const std::string& fields_crs, std::vector<LooseObstacle>& out) {
   if (file.empty()) return;
   io::VectorQuery query;
   query.file = file;
@@ -33,17 +33,15 @@ void append_obstacles(const std::string& file, ObstacleKind kind, bool plain, bo
   RawDataset dataset = io::read_fields(query);
   if (plain_given)
     for (RawLayer& layer : dataset.layers) layer.crs.clear();
-  for (LooseObstacle& obstacle : read_obstacles(dataset, kind, plain, crs))
+  for (LooseObstacle& obstacle : read_obstacles(dataset, kind, fields_crs))
     out.push_back(std::move(obstacle));
 }
 
 Loose loose_obstacles(const FieldOptions& options, const Crs& crs, const std::string& definition) {
   Loose out;
   const bool plain_given = crs.plain() && !options.crs.empty();
-  append_obstacles(options.obstacles_file, ObstacleKind::kObstacle, crs.plain(), plain_given, definition,
-                   out.obstacles);
-  append_obstacles(options.passable_file, ObstacleKind::kPassable, crs.plain(), plain_given, definition,
-                   out.obstacles);
+  append_obstacles(options.obstacles_file, ObstacleKind::kObstacle, plain_given, definition, out.obstacles);
+  append_obstacles(options.passable_file, ObstacleKind::kPassable, plain_given, definition, out.obstacles);
   out.met.assign(out.obstacles.size(), 0);
   return out;
 }
@@ -69,7 +67,7 @@ class Admitter {
         definition_(options.crs.empty() ? layer_.crs : options.crs),
         crs_(definition_),
         loose_(loose_obstacles(options, crs_, definition_)),
-        context_{dataset.file, layer_.name, &crs_, dataset.winding_matters} {
+        context_{dataset.file, layer_.name, &crs_, dataset.winding} {
     input_.file = dataset.file;
     input_.driver = dataset.driver;
     input_.layer = layer_.name;

@@ -92,7 +92,7 @@ std::optional<GuideLine> guide_of(const PlanOptions& o, const std::string& crs_d
   query.file = o.guide_file;
   query.where = o.guide_where;
   query.all_layers = true;
-  return read_guide(io::read_vector(query), Crs(crs_definition).plain(), crs_definition);
+  return read_guide(io::read_vector(query), crs_definition);
 }
 
 PlanSettings settings_for(const PlanSettings& settings, const std::optional<GuideLine>& guide,

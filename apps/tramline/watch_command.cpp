@@ -127,11 +127,12 @@ class WatchCommand : public Command {
   }
 
   std::unique_ptr<io::Feed> source() const {
+    const io::WhenLost lost = once_ ? io::WhenLost::kEnd : io::WhenLost::kReopen;
     if (!follow_.empty()) return io::file_feed(follow_);
-    if (!tcp_.empty()) return io::tcp_feed(tcp_, once_);
+    if (!tcp_.empty()) return io::tcp_feed(tcp_, lost);
     if (udp_ != 0) return io::udp_feed(udp_);
-    if (!serial_.empty()) return io::serial_feed(serial_, once_);
-    if (gpsd_asked()) return io::gpsd_feed(gpsd_, once_);
+    if (!serial_.empty()) return io::serial_feed(serial_, lost);
+    if (gpsd_asked()) return io::gpsd_feed(gpsd_, lost);
     return io::stdin_feed();
   }
 

@@ -50,7 +50,7 @@ TEST(Admit, AreasAreThoseOfTheLandNotOfTheGrid) {
   const Crs utm("EPSG:25832");
   const RawFeature raw =
       feature({{"499950 5500000, 500050 5500000, 500050 5500100, 499950 5500100, 499950 5500000"}});
-  const Field field = admit(raw, {"farm.gpkg", "parcels", &utm, false}).fields.front();
+  const Field field = admit(raw, {"farm.gpkg", "parcels", &utm}).fields.front();
   EXPECT_NEAR(signed_area(field.outer), 10000 / (0.9996 * 0.9996), 0.001);
   EXPECT_NEAR(field.frame.origin_lon_deg, 9, 1e-7);
   EXPECT_TRUE(field.repairs.empty());
@@ -58,7 +58,7 @@ TEST(Admit, AreasAreThoseOfTheLandNotOfTheGrid) {
 
 TEST(Admit, AZonePrefixIsTakenOffAndListedWithTheInputsOwnEasting) {
   const Crs utm("EPSG:25832");
-  const AdmissionContext context{"farm.gpkg", "parcels", &utm, false};
+  const AdmissionContext context{"farm.gpkg", "parcels", &utm};
   const RawFeature prefixed =
       feature({{"32499950 5500000, 32500050 5500000, 32500050 5500000, 32500050 5500100, 32499950 5500100, "
                 "32499950 5500000"}});
@@ -75,7 +75,7 @@ TEST(Admit, AFalseEastingWithTheZoneInItIsLawful) {
   const Crs prefixed("EPSG:4647");
   const RawFeature raw =
       feature({{"32499950 5500000, 32500050 5500000, 32500050 5500100, 32499950 5500100, 32499950 5500000"}});
-  const Field field = admit(raw, {"farm.gpkg", "parcels", &prefixed, false}).fields.front();
+  const Field field = admit(raw, {"farm.gpkg", "parcels", &prefixed}).fields.front();
   EXPECT_TRUE(field.repairs.empty());
   EXPECT_NEAR(signed_area(field.outer), 10000 / (0.9996 * 0.9996), 0.001);
 }

@@ -39,9 +39,9 @@ RawFeature feature(const std::vector<std::vector<std::string>>& polygons) {
   return out;
 }
 
-Admission admit_plain(const RawFeature& feature, bool winding_matters) {
+Admission admit_plain(const RawFeature& feature, RingWinding winding) {
   const Crs plain;
-  return admit(feature, {"farm.gpkg", "parcels", &plain, winding_matters});
+  return admit(feature, {"farm.gpkg", "parcels", &plain, winding});
 }
 
 Field admit_one(const std::vector<std::string>& rings) {
@@ -101,7 +101,7 @@ std::string refusal(const RawFeature& feature, const AdmissionContext& context) 
 
 std::string refusal_plain(const std::vector<std::string>& rings) {
   const Crs plain;
-  return refusal(feature({rings}), {"farm.gpkg", "parcels", &plain, false});
+  return refusal(feature({rings}), {"farm.gpkg", "parcels", &plain});
 }
 
 }  // namespace tramline::testing_features

@@ -14,7 +14,7 @@ RawPolygon polygon(const std::vector<std::string>& rings);
 RawFeature feature(const std::vector<std::vector<std::string>>& polygons);
 
 /// Admits a feature of layer "parcels" in plain metres.
-Admission admit_plain(const RawFeature& feature, bool winding_matters = false);
+Admission admit_plain(const RawFeature& feature, RingWinding winding = RingWinding::kFree);
 /// One polygon, one field.
 Field admit_one(const std::vector<std::string>& rings);
 

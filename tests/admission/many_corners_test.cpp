@@ -61,7 +61,7 @@ TEST(ManyCorners, TheLeastToleranceThatDoesIsTaken) {
 TEST(ManyCorners, WhatCannotBeThinnedIsRefusedWithTheNumbers) {
   const Crs plain;
   const std::string sentence =
-      refusal(feature_of(toothed_circle(20000, 0.5)), {"farm.gpkg", "parcels", &plain, false});
+      refusal(feature_of(toothed_circle(20000, 0.5)), {"farm.gpkg", "parcels", &plain});
   EXPECT_NE(sentence.find("the boundary has 20000 corners, and still 19"), std::string::npos) << sentence;
   EXPECT_NE(sentence.find("10000 corners or fewer"), std::string::npos) << sentence;
 }

@@ -40,7 +40,7 @@ class Obstacles : public testing::Test {
 
   void place(std::vector<RawFeature> obstacles, ObstacleKind kind = ObstacleKind::kObstacle,
              double size_m = 7) {
-    const auto loose = read_obstacles(dataset(std::move(obstacles)), kind, true, "");
+    const auto loose = read_obstacles(dataset(std::move(obstacles)), kind, "");
     met_.assign(loose.size(), 0);
     place_obstacles(field_, loose, size_m, met_);
     expect_admissible(field_);
@@ -113,11 +113,11 @@ TEST(ObstacleFiles, AnyCrsIsBroughtIntoTheFieldsFrame) {
   const Crs utm("EPSG:25832");
   const RawFeature raw =
       feature({{"499950 5500000, 500050 5500000, 500050 5500100, 499950 5500100, 499950 5500000"}});
-  Field field = admit(raw, {"farm.gpkg", "parcels", &utm, false}).fields.front();
+  Field field = admit(raw, {"farm.gpkg", "parcels", &utm}).fields.front();
   // The middle of the field in degrees: on the 9th meridian.
   const Point centre = utm.to_lonlat({500000, 5500050}).value();
   const auto loose =
-      read_obstacles(dataset({point(centre.x, centre.y)}, "EPSG:4326"), ObstacleKind::kObstacle, false, "");
+      read_obstacles(dataset({point(centre.x, centre.y)}, "EPSG:4326"), ObstacleKind::kObstacle, "EPSG:4326");
   std::vector<char> met(1, 0);
   place_obstacles(field, loose, 7, met);
   ASSERT_EQ(field.obstacles.size(), 1u);
@@ -126,10 +126,10 @@ TEST(ObstacleFiles, AnyCrsIsBroughtIntoTheFieldsFrame) {
 }
 
 TEST(ObstacleFiles, FaultsAreRefusedRatherThanDropped) {
-  EXPECT_REFUSED(read_obstacles(dataset({point(10, 95)}, "EPSG:4326"), ObstacleKind::kObstacle, false, ""));
-  EXPECT_REFUSED(read_obstacles(dataset({RawFeature{}}), ObstacleKind::kObstacle, true, ""));
+  EXPECT_REFUSED(read_obstacles(dataset({point(10, 95)}, "EPSG:4326"), ObstacleKind::kObstacle, "EPSG:4326"));
+  EXPECT_REFUSED(read_obstacles(dataset({RawFeature{}}), ObstacleKind::kObstacle, ""));
   // Degrees cannot be placed in a field of plain metres.
-  EXPECT_REFUSED(read_obstacles(dataset({point(10, 50)}, "EPSG:4326"), ObstacleKind::kObstacle, true, ""));
+  EXPECT_REFUSED(read_obstacles(dataset({point(10, 50)}, "EPSG:4326"), ObstacleKind::kObstacle, ""));
 }
 
 }  // namespace

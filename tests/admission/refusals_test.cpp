@@ -13,7 +13,7 @@ void expect_says(const std::string& sentence, const std::string& part) {
 
 std::string refusal_in(const std::string& crs_name, const std::vector<std::string>& rings) {
   const Crs crs(crs_name);
-  return refusal(feature({rings}), {"farm.gpkg", "parcels", &crs, false});
+  return refusal(feature({rings}), {"farm.gpkg", "parcels", &crs});
 }
 
 TEST(Refusals, NotFiniteCoordinatesNameRingAndVertex) {
@@ -41,7 +41,7 @@ TEST(Refusals, DegreesThatCountAsMetres) {
   // Plain metres near the origin are not suspected: no field is less than a metre wide.
   const Crs plain;
   const RawFeature metres = feature({{"0 0, 90 0, 90 50, 0 50, 0 0"}});
-  EXPECT_EQ(admit(metres, {"farm.gpkg", "parcels", &plain, false}).fields.size(), 1u);
+  EXPECT_EQ(admit(metres, {"farm.gpkg", "parcels", &plain}).fields.size(), 1u);
 }
 
 TEST(Refusals, NoArea) {
@@ -52,7 +52,7 @@ TEST(Refusals, NoArea) {
 
 TEST(Refusals, LinesPointsAndNothing) {
   const Crs plain;
-  const AdmissionContext context{"farm.gpkg", "parcels", &plain, false};
+  const AdmissionContext context{"farm.gpkg", "parcels", &plain};
   RawFeature line;
   line.fid = 3;
   line.geometry_type = "Line String";

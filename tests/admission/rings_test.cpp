@@ -61,10 +61,10 @@ TEST(Rings, ASharpCornerThatIsNoSpikeStays) {
 
 TEST(Rings, WindingIsAFaultOnlyWhereTheFormatPrescribesIt) {
   const RawFeature clockwise = feature({{"0 0, 0 50, 100 50, 100 0, 0 0"}});
-  const Field shapefile = admit_plain(clockwise, false).fields.front();
+  const Field shapefile = admit_plain(clockwise, RingWinding::kFree).fields.front();
   EXPECT_TRUE(shapefile.repairs.empty());
   EXPECT_EQ(signed_area(shapefile.outer), 5000);
-  const Field geojson = admit_plain(clockwise, true).fields.front();
+  const Field geojson = admit_plain(clockwise, RingWinding::kPrescribed).fields.front();
   ASSERT_EQ(geojson.repairs.size(), 1u);
   EXPECT_EQ(geojson.repairs[0].where, "outer ring");
   EXPECT_EQ(geojson.repairs[0].at, (Point{0, 0}));

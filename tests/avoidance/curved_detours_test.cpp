@@ -131,8 +131,9 @@ TEST(CurvedDetourPath, round_a_pole_on_a_circle) {
       ASSERT_EQ(laid.tracks().size(), 1u);
       const Track& track = laid.tracks().front();
       const auto task = laid.task();
-      const WayRound way = way_round({task.families.front().grid, track, 1, kRadius}, side,
-                                     turned_surroundings(task.ground, task.field.outer, false, TrackFrame()));
+      const WayRound way =
+          way_round({task.families.front().grid, track, 1, kRadius}, side,
+                    turned_surroundings(task.ground, task.field.outer, EdgeKind::kSoft, TrackFrame()));
       ASSERT_TRUE(way.possible()) << sentence(way.why_not);
       const double h = pole + 0.5 * kWidth, rho = std::max(h, kRadius);
       // Driven anticlockwise, the left is inwards.
@@ -172,7 +173,7 @@ TEST(CurvedDetours, cost_what_the_plan_costs) {
       while (laid.tracks()[at].index != first.track) ++at;
       const WayRound round =
           way_round({task.families.front().grid, laid.tracks()[at], 1, kRadius}, side,
-                    turned_surroundings(task.ground, task.field.outer, false, TrackFrame()));
+                    turned_surroundings(task.ground, task.field.outer, EdgeKind::kSoft, TrackFrame()));
       detours[at] = {round.detour};
       LaidTracks with{task.families.front().grid, {}, {}};
       for (std::size_t i = 0; i < laid.tracks().size(); ++i)

@@ -91,9 +91,8 @@ AvoidanceTask PoleField::task(Avoidance avoid) const {
 }
 
 WayRound PoleField::way(const Track& strip, std::size_t gap, Passing side) const {
-  const bool hard = settings_[0].boundary == EdgeKind::kHard;
   return way_round({family().grid, strip, gap, machine_.radius_m}, side,
-                   turned_surroundings(ground_, field_.outer, hard, family().grid.frame));
+                   turned_surroundings(ground_, field_.outer, settings_[0].boundary, family().grid.frame));
 }
 
 Tally PoleField::by_booleans(const std::vector<LaidPiece>& pieces) const {

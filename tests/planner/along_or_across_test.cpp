@@ -23,7 +23,7 @@ Field example(const std::string& name) {
   context.file = query.file;
   context.layer = layer.name;
   context.crs = &crs;
-  context.winding_matters = dataset.winding_matters;
+  context.winding = dataset.winding;
   return admit(layer.features.front(), context).fields.front();
 }
 

@@ -50,7 +50,7 @@ std::vector<Outcome> admit_file(const std::string& name) {
   for (const RawFeature& feature : layer.features) {
     Outcome outcome;
     try {
-      outcome.fields = admit(feature, {name, layer.name, &crs, dataset.winding_matters}).fields;
+      outcome.fields = admit(feature, {name, layer.name, &crs, dataset.winding}).fields;
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::kBadInput) << error.what();
       outcome.refusal = error.what();

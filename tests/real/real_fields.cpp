@@ -117,7 +117,7 @@ std::vector<Field> admitted(const RealFields& fields, const Crs& crs, const RawF
   context.file = fields.file;
   context.layer = fields.dataset.layers.front().name;
   context.crs = &crs;
-  context.winding_matters = fields.dataset.winding_matters;
+  context.winding = fields.dataset.winding;
   return admit(feature, context).fields;
 }
 

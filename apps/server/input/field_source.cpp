@@ -57,7 +57,7 @@ NewFields fields_drawn(const nlohmann::ordered_json& geometry, const std::string
   feature.fid = 1;
   if (feature.polygons.empty()) throw bad_input("geometry has to be a polygon or a multipolygon");
   const Crs crs(kLonLat);
-  Admission admission = admit(feature, {"the drawing", "drawn", &crs, false});
+  Admission admission = admit(feature, {"the drawing", "drawn", &crs});
   for (Field& field : admission.fields) field.source.input_crs = crs.definition();
   return {std::move(admission.fields), std::move(admission.skipped)};
 }

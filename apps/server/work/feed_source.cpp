@@ -39,9 +39,9 @@ std::unique_ptr<io::Feed> open_feed(const std::string& source, const FeedSources
   if (mark == std::string::npos || source.find('\0') != std::string::npos)
     throw bad_input(fmt::format("'{}' is no source of a live feed: {}", source, kForms));
   const std::string kind = source.substr(0, mark), place = source.substr(mark + 3);
-  if (kind == "tcp") return io::tcp_feed(place, false);
+  if (kind == "tcp") return io::tcp_feed(place, io::WhenLost::kReopen);
   if (kind == "udp") return io::udp_feed(port_in(source, place));
-  if (kind == "gpsd") return io::gpsd_feed(place, false);
+  if (kind == "gpsd") return io::gpsd_feed(place, io::WhenLost::kReopen);
   if (kind == "file") {
     const std::string file = path_in(source, place);
     sources.folders.require(file);
@@ -56,7 +56,7 @@ std::unique_ptr<io::Feed> open_feed(const std::string& source, const FeedSources
     const std::string device = path_in(source, place);
     if (!device.starts_with("/dev/"))
       throw bad_input(fmt::format("{}: serial devices are in /dev, such as serial:///dev/ttyUSB0", source));
-    return io::serial_feed(device, false);
+    return io::serial_feed(device, io::WhenLost::kReopen);
   }
   throw bad_input(fmt::format("'{}' is no source of a live feed: {}", source, kForms));
 }

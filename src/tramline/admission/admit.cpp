@@ -85,7 +85,7 @@ void admit_part(const RawPolygon& part, const Case& c, std::vector<Field>& field
   const FieldProjection projection = projection_for(part, c);
   Ledger ledger(c.subject, projection, c.prefix_m);
   std::string why_empty;
-  std::vector<Lobe> lobes = repair_part(part, c.context.winding_matters, ledger, why_empty);
+  std::vector<Lobe> lobes = repair_part(part, c.context.winding, ledger, why_empty);
   if (lobes.empty()) {
     empty.push_back(why_empty);
     return;

@@ -14,8 +14,8 @@ namespace tramline {
 struct AdmissionContext {
   std::string file;
   std::string layer;
-  const Crs* crs = nullptr;      ///< never null; plain for metres
-  bool winding_matters = false;  ///< see RawDataset
+  const Crs* crs = nullptr;  ///< never null; plain for metres
+  RingWinding winding = RingWinding::kFree;
 };
 
 /// What became of a feature.

@@ -4,9 +4,9 @@
 
 namespace tramline {
 
-std::string shown_coordinates(Point input, bool in_degrees) {
-  return in_degrees ? fmt::format("({:.7f}, {:.7f})", input.x, input.y)
-                    : fmt::format("({:.2f}, {:.2f})", input.x, input.y);
+std::string shown_coordinates(Point input, const Crs& crs) {
+  return crs.in_degrees() ? fmt::format("({:.7f}, {:.7f})", input.x, input.y)
+                          : fmt::format("({:.2f}, {:.2f})", input.x, input.y);
 }
 
 void Ledger::repair(std::string what, std::string where, Point local, double area_change_m2) {
@@ -23,7 +23,7 @@ Point Ledger::input_of(Point local) const {
 }
 
 std::string Ledger::shown(Point local) const {
-  return shown_coordinates(input_of(local), projection_->crs().in_degrees());
+  return shown_coordinates(input_of(local), projection_->crs());
 }
 
 }  // namespace tramline

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tramline/geodesy/crs.h"
 #include "tramline/geodesy/field_projection.h"
 #include "tramline/geometry/error.h"
 #include "tramline/model/report.h"
@@ -42,7 +43,7 @@ class Ledger {
   std::vector<std::string> warnings_;
 };
 
-/// A point as text: degrees with 7 decimals, metres with 2.
-std::string shown_coordinates(Point input, bool in_degrees);
+/// A point in a CRS as text: degrees with 7 decimals, metres with 2.
+std::string shown_coordinates(Point input, const Crs& crs);
 
 }  // namespace tramline

@@ -6,7 +6,7 @@
 
 namespace tramline {
 
-void orient_rings(std::vector<WorkRing>& rings, bool winding_matters, Ledger& ledger) {
+void orient_rings(std::vector<WorkRing>& rings, RingWinding winding, Ledger& ledger) {
   if (rings.empty()) return;
   const bool outer_clockwise = signed_area(rings[0].points) < 0;
   for (std::size_t r = 0; r < rings.size(); ++r) {
@@ -14,7 +14,7 @@ void orient_rings(std::vector<WorkRing>& rings, bool winding_matters, Ledger& le
     if (turning == 0) continue;
     const bool clockwise = turning < 0;
     const bool like_outer = r > 0 && clockwise == outer_clockwise;
-    const bool against_format = winding_matters && clockwise == (r == 0);
+    const bool against_format = winding == RingWinding::kPrescribed && clockwise == (r == 0);
     if (like_outer)
       ledger.repair(
           fmt::format("{} ran the same way round as the outer ring; it was taken as a hole", rings[r].name),

@@ -5,12 +5,13 @@
 
 #include "tramline/admission/ledger.h"
 #include "tramline/admission/work_ring.h"
+#include "tramline/model/raw_feature.h"
 
 namespace tramline {
 
 /// Makes the outer ring counter-clockwise and the holes clockwise. Noted as a repair where the format
-/// prescribes that winding (`winding_matters`), and in any format for a hole that runs the same way as the
+/// prescribes that winding, and in any format for a hole that runs the same way as the
 /// outer ring; otherwise formats differ and nothing was wrong. rings[0] is the outer ring.
-void orient_rings(std::vector<WorkRing>& rings, bool winding_matters, Ledger& ledger);
+void orient_rings(std::vector<WorkRing>& rings, RingWinding winding, Ledger& ledger);
 
 }  // namespace tramline

@@ -20,7 +20,7 @@ Region enclosed_by(const RawRing& raw, const std::string& name, Ledger& ledger) 
   remove_duplicate_points(ring, ledger);
   remove_spikes(ring, ledger);
   if (ring.points.size() < 3 || area(made_valid({ring.points, {}})) <= kNoArea_m2) return {};
-  return repair_crossings(ring, true, ledger);
+  return repair_crossings(ring, RingRole::kHole, ledger);
 }
 
 void append(Region& to, Region more) {

@@ -47,10 +47,9 @@ WorkRing project_ring(const RawRing& ring, const std::string& name, Ledger& ledg
   for (std::size_t i = 0; i < ring.points.size(); ++i) {
     const std::optional<Point> local = ledger.projection().to_local(ring.points[i]);
     if (!local)
-      throw ledger.refusal(
-          fmt::format("{}, vertex {} at {} lies outside {}; give the right CRS with --crs", name, i + 1,
-                      shown_coordinates(ring.points[i], ledger.projection().crs().in_degrees()),
-                      ledger.projection().crs().name()));
+      throw ledger.refusal(fmt::format(
+          "{}, vertex {} at {} lies outside {}; give the right CRS with --crs", name, i + 1,
+          shown_coordinates(ring.points[i], ledger.projection().crs()), ledger.projection().crs().name()));
     out.points.push_back(*local);
     out.vertex.push_back(static_cast<int>(i) + 1);
   }

@@ -33,13 +33,14 @@ Point placed(Point p, const GuideLine& guide, const std::optional<FrameProjectio
 
 }  // namespace
 
-GuideLine read_guide(const RawDataset& dataset, bool plain, const std::string& fallback_crs) {
+GuideLine read_guide(const RawDataset& dataset, const std::string& fields_crs) {
+  const bool plain = Crs(fields_crs).plain();
   const std::string file = file_name(dataset.file);
   std::optional<GuideLine> out;
   std::string found;
   int lines = 0;
   for (const RawLayer& layer : dataset.layers) {
-    const Crs crs = plain ? Crs() : Crs(layer.crs.empty() ? fallback_crs : layer.crs);
+    const Crs crs = plain ? Crs() : Crs(layer.crs.empty() ? fields_crs : layer.crs);
     for (const RawFeature& feature : layer.features) {
       const std::string name = feature.id.empty() ? std::to_string(feature.fid) : feature.id;
       for (const std::vector<Point>& line : feature.lines) {

@@ -18,9 +18,11 @@ struct GuideLine {
   bool plain = false;
 };
 
-/// The one line of a dataset; a layer without CRS takes `fallback_crs`. Throws bad_input where there is no
-/// line, or more than one (naming them), and for coordinates that are not finite or not on the globe.
-GuideLine read_guide(const RawDataset& dataset, bool plain, const std::string& fallback_crs);
+/// The one line of a dataset; a layer without CRS takes that of the fields, a definition as Crs takes it.
+/// Where the fields are in plain metres the line is too, whatever its layer says. Throws bad_input where
+/// there is no line, or more than one (naming them), and for coordinates that are not finite or not on the
+/// globe.
+GuideLine read_guide(const RawDataset& dataset, const std::string& fields_crs);
 
 /// Two points in the CRS of the fields; where they cannot be that and may be longitude and latitude, those.
 /// Throws bad_input as read_guide().

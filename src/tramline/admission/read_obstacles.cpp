@@ -32,12 +32,13 @@ LooseObstacle read_one(RawFeature feature, const Crs& crs, ObstacleKind kind, co
 
 }  // namespace
 
-std::vector<LooseObstacle> read_obstacles(const RawDataset& dataset, ObstacleKind kind, bool plain,
-                                          const std::string& fallback_crs) {
+std::vector<LooseObstacle> read_obstacles(const RawDataset& dataset, ObstacleKind kind,
+                                          const std::string& fields_crs) {
+  const bool plain = Crs(fields_crs).plain();
   std::vector<LooseObstacle> out;
   const std::string file = file_name(dataset.file);
   for (const RawLayer& layer : dataset.layers) {
-    const Crs crs = plain ? Crs() : Crs(layer.crs.empty() ? fallback_crs : layer.crs);
+    const Crs crs = plain ? Crs() : Crs(layer.crs.empty() ? fields_crs : layer.crs);
     if (plain && !layer.crs.empty() && Crs(layer.crs).in_degrees())
       throw bad_input(
           fmt::format("{}: the obstacles are in degrees but the field is in plain metres; give the field's "

@@ -21,11 +21,11 @@ struct LooseObstacle {
   Box bounds;
 };
 
-/// The obstacles of a dataset. A layer without CRS takes `fallback_crs` (a definition; that of the fields).
-/// With `plain` (fields in plain metres) coordinates are kept as they are, and a layer in degrees is refused.
+/// The obstacles of a dataset. A layer without CRS takes that of the fields, a definition as Crs takes it.
+/// Where the fields are in plain metres coordinates are kept as they are, and a layer in degrees is refused.
 /// Throws bad_input naming file, feature and vertex for coordinates that are not finite or not on the
 /// globe, and for features without geometry: an obstacle is never dropped. O(vertices).
-std::vector<LooseObstacle> read_obstacles(const RawDataset& dataset, ObstacleKind kind, bool plain,
-                                          const std::string& fallback_crs);
+std::vector<LooseObstacle> read_obstacles(const RawDataset& dataset, ObstacleKind kind,
+                                          const std::string& fields_crs);
 
 }  // namespace tramline

@@ -50,11 +50,11 @@ void drop_small_lobes(Region& lobes, const WorkRing& ring, double limit_m2, doub
 
 }  // namespace
 
-Region repair_crossings(const WorkRing& ring, bool is_hole, Ledger& ledger) {
+Region repair_crossings(const WorkRing& ring, RingRole role, Ledger& ledger) {
   assert(ring.points.size() >= 3);
   const auto fault = find_invalidity({ring.points, {}});
   if (!fault) return {oriented({ring.points, {}})};
-  const double sign = is_hole ? -1 : 1;
+  const double sign = role == RingRole::kHole ? -1 : 1;
   const double drawn_m2 = std::abs(signed_area(ring.points));
   refuse_tangles(ring, fault->place, ledger);
   Region lobes = made_valid({ring.points, {}});
@@ -68,7 +68,8 @@ Region repair_crossings(const WorkRing& ring, bool is_hole, Ledger& ledger) {
                   ring.name),
       ring.name, fault->place, sign * (enclosed_m2 - drawn_m2));
   // A hole's lobes all keep the machine out, however small.
-  drop_small_lobes(lobes, ring, is_hole ? kNoArea_m2 : guess_limit_m2(enclosed_m2), sign, ledger);
+  drop_small_lobes(lobes, ring, role == RingRole::kHole ? kNoArea_m2 : guess_limit_m2(enclosed_m2), sign,
+                   ledger);
   return lobes;
 }
 

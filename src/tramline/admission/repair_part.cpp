@@ -34,7 +34,7 @@ std::vector<Obstacle> drawn_holes(const std::vector<WorkRing>& rings, Ledger& le
   std::vector<Obstacle> holes;
   for (std::size_t r = 1; r < rings.size(); ++r) {
     const Ring& points = rings[r].points;
-    Region shapes = points.size() < 3 ? Region{} : repair_crossings(rings[r], true, ledger);
+    Region shapes = points.size() < 3 ? Region{} : repair_crossings(rings[r], RingRole::kHole, ledger);
     if (area(shapes) <= kNoArea_m2) {
       if (!points.empty())
         ledger.repair(fmt::format("{} has no area; it was dropped", rings[r].name), rings[r].name,
@@ -58,15 +58,15 @@ void append_enclosed_holes(const Region& lobes, std::size_t number,
 
 }  // namespace
 
-std::vector<Lobe> repair_part(const RawPolygon& part, bool winding_matters, Ledger& ledger,
+std::vector<Lobe> repair_part(const RawPolygon& part, RingWinding winding, Ledger& ledger,
                               std::string& why_empty) {
   std::vector<WorkRing> rings = cleaned_rings(part, ledger);
   if (rings.empty() || rings[0].points.size() < 3) {
     why_empty = "its outer ring has fewer than three distinct points that enclose land";
     return {};
   }
-  orient_rings(rings, winding_matters, ledger);
-  const Region enclosed = repair_crossings(rings[0], false, ledger);
+  orient_rings(rings, winding, ledger);
+  const Region enclosed = repair_crossings(rings[0], RingRole::kOuter, ledger);
   if (area(enclosed) <= kNoArea_m2) {
     why_empty = "its outer ring encloses no area";
     return {};

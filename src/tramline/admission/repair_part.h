@@ -19,7 +19,7 @@ struct Lobe {
 /// the holes. Lobes come largest first; empty when the part has no area (fewer than three points, on one
 /// line, or covered by its holes), with the reason in `why_empty`. Throws refusals (see repair_crossings). Σ
 /// over the lobes (outer − obstacles) = shoelace area drawn (|outer| − Σ|holes|) + Σ area changes noted.
-std::vector<Lobe> repair_part(const RawPolygon& part, bool winding_matters, Ledger& ledger,
+std::vector<Lobe> repair_part(const RawPolygon& part, RingWinding winding, Ledger& ledger,
                               std::string& why_empty);
 
 }  // namespace tramline

@@ -56,9 +56,9 @@ DetourDecisions::DetourDecisions(const AvoidanceTask& task, std::vector<Decision
 
 /// The ground as each family sees it.
 void DetourDecisions::turn_ground() {
-  const bool hard = task_.settings.boundary == EdgeKind::kHard;
   for (const TrackFamily& family : task_.families) {
-    around_.push_back(turned_surroundings(task_.ground, task_.field.outer, hard, family.grid.frame));
+    around_.push_back(
+        turned_surroundings(task_.ground, task_.field.outer, task_.settings.boundary, family.grid.frame));
     obstacles_.push_back(extents_along(task_.field, family.grid.frame));
     body_.emplace_back();
     for (const Ring& ring : rings_of(task_.ground.body))

@@ -34,7 +34,7 @@ class DetourZones {
  public:
   DetourZones(const AvoidanceTask& task, const TrackFrame& frame)
       : width_m_(task.machine.width_m),
-        around_(turned_surroundings(task.ground, task.field.outer, false, frame)) {
+        around_(turned_surroundings(task.ground, task.field.outer, EdgeKind::kSoft, frame)) {
     const double arc = std::max(task.machine.radius_m, 0.5 * width_m_);
     for (const TurnedHazard& hazard : around_.hazards) boxes_.push_back(hazard.box.grown(width_m_ + 3 * arc));
   }

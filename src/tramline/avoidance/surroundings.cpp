@@ -26,7 +26,7 @@ bool any_edge_nearer(const SwathLine& line, const Ring& ring, double reach_m) {
 
 }  // namespace
 
-Surroundings turned_surroundings(const SortedGround& ground, const Ring& field, bool hard_boundary,
+Surroundings turned_surroundings(const SortedGround& ground, const Ring& field, EdgeKind boundary,
                                  const TrackFrame& frame) {
   Surroundings out;
   for (const Hazard& hazard : ground.hazards) {
@@ -37,7 +37,7 @@ Surroundings turned_surroundings(const SortedGround& ground, const Ring& field, 
   }
   for (const Ring& ring : rings_of(ground.passable)) out.passable.push_back(frame.to_track(ring));
   out.field = frame.to_track(field);
-  out.hard_boundary = hard_boundary;
+  out.boundary = boundary;
   return out;
 }
 
@@ -45,7 +45,8 @@ Refusal fault_of(const SwathLine& line, const Surroundings& around) {
   const double half = 0.5 * line.width_m - kClearanceSlack_m;
   if (any_edge_nearer(line, around.field, kTouch_m) || !contains(around.field, line.path.front().from))
     return Refusal::kLeavesField;
-  if (around.hard_boundary && any_edge_nearer(line, around.field, half)) return Refusal::kPassesHardBoundary;
+  if (around.boundary == EdgeKind::kHard && any_edge_nearer(line, around.field, half))
+    return Refusal::kPassesHardBoundary;
   for (const Ring& ring : around.passable)
     if (any_edge_nearer(line, ring, half)) return Refusal::kEntersPassable;
   return Refusal::kNone;

@@ -8,6 +8,7 @@
 #include "tramline/avoidance/refusal.h"
 #include "tramline/geometry/path.h"
 #include "tramline/geometry/track_frame.h"
+#include "tramline/model/plan.h"
 
 namespace tramline {
 
@@ -21,10 +22,10 @@ struct Surroundings {
   std::vector<TurnedHazard> hazards;  ///< as SortedGround::hazards
   std::vector<Ring> passable;         ///< all rings
   Ring field;                         ///< the outer ring
-  bool hard_boundary = false;
+  EdgeKind boundary = EdgeKind::kSoft;
 };
 
-Surroundings turned_surroundings(const SortedGround& ground, const Ring& field, bool hard_boundary,
+Surroundings turned_surroundings(const SortedGround& ground, const Ring& field, EdgeKind boundary,
                                  const TrackFrame& frame);
 
 /// A path as the centre line of a swath. Refers to the path.

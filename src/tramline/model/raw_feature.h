@@ -39,10 +39,16 @@ struct RawLayer {
   long long matching = 0;  ///< features that match the query; more than features.size() when it had a limit
 };
 
+/// Whether the format of a file says which way round rings run.
+enum class RingWinding {
+  kFree,        ///< either way: formats differ, and writers too
+  kPrescribed,  ///< outer rings counter-clockwise, holes clockwise (RFC 7946)
+};
+
 struct RawDataset {
-  std::string file;              ///< as the user named it
-  std::string driver;            ///< "GeoJSON", "GPKG" …
-  bool winding_matters = false;  ///< the format prescribes counter-clockwise outer rings (RFC 7946)
+  std::string file;    ///< as the user named it
+  std::string driver;  ///< "GeoJSON", "GPKG" …
+  RingWinding winding = RingWinding::kFree;
   std::vector<RawLayer> layers;  ///< those read
   std::vector<Skipped> skipped;  ///< layers left aside
 };

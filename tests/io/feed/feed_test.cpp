@@ -74,11 +74,11 @@ TEST_F(Followed, AFileThatBeginsAnew) {
 TEST(Feeds, WhatCannotBeOpenedIsRefused) {
   EXPECT_REFUSED(file_feed("/no/such/file"));
   EXPECT_REFUSED(file_feed("/tmp"));
-  EXPECT_REFUSED(serial_feed("/no/such/device", true));
-  EXPECT_REFUSED(serial_feed("/dev/null,12345", true));
-  EXPECT_REFUSED(tcp_feed("tractor", true));
-  EXPECT_REFUSED(tcp_feed("tractor:0", true));
-  EXPECT_REFUSED(tcp_feed(":80", true));
+  EXPECT_REFUSED(serial_feed("/no/such/device", WhenLost::kEnd));
+  EXPECT_REFUSED(serial_feed("/dev/null,12345", WhenLost::kEnd));
+  EXPECT_REFUSED(tcp_feed("tractor", WhenLost::kEnd));
+  EXPECT_REFUSED(tcp_feed("tractor:0", WhenLost::kEnd));
+  EXPECT_REFUSED(tcp_feed(":80", WhenLost::kEnd));
 }
 
 TEST(Feeds, HostsAndPorts) {

@@ -8,17 +8,17 @@ namespace tramline::io {
 namespace {
 
 TEST(SectionText, Signs) {
-  const auto left = section_signs("110-", false);
+  const auto left = section_signs("110-", SectionOrder::kFromLeft);
   ASSERT_TRUE(left);
   EXPECT_EQ(left->count, 4U);
   EXPECT_TRUE(left->known);
   EXPECT_EQ(left->states, SectionStates("0011"));
-  EXPECT_EQ(section_signs("110-", true)->states, SectionStates("1100"));
-  EXPECT_FALSE(section_signs("----", false)->known);
-  EXPECT_FALSE(section_signs("12", false));
-  EXPECT_FALSE(section_signs("", false));
-  EXPECT_TRUE(section_signs(std::string(256, '1'), false));
-  EXPECT_FALSE(section_signs(std::string(257, '1'), false));
+  EXPECT_EQ(section_signs("110-", SectionOrder::kFromRight)->states, SectionStates("1100"));
+  EXPECT_FALSE(section_signs("----", SectionOrder::kFromLeft)->known);
+  EXPECT_FALSE(section_signs("12", SectionOrder::kFromLeft));
+  EXPECT_FALSE(section_signs("", SectionOrder::kFromLeft));
+  EXPECT_TRUE(section_signs(std::string(256, '1'), SectionOrder::kFromLeft));
+  EXPECT_FALSE(section_signs(std::string(257, '1'), SectionOrder::kFromLeft));
 }
 
 // DDI 161: bits 1 and 0 are section 1, bits 3 and 2 section 2 …

@@ -13,8 +13,7 @@ double admitted_m2(const RawDataset& dataset) {
   const Crs crs(layer.crs);
   double sum = 0;
   for (const RawFeature& feature : layer.features)
-    for (const Field& field :
-         admit(feature, {dataset.file, layer.name, &crs, dataset.winding_matters}).fields) {
+    for (const Field& field : admit(feature, {dataset.file, layer.name, &crs, dataset.winding}).fields) {
       sum += signed_area(field.outer);
       for (const Obstacle& obstacle : field.obstacles) sum -= area(obstacle.shape);
     }

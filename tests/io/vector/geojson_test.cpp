@@ -28,7 +28,7 @@ TEST_F(GeoJson, IdIsThePropertyOrTheMember) {
 TEST_F(GeoJson, PrescribesItsWindingAndItsCrs) {
   const RawDataset dataset =
       read_vector(query(write("f.geojson", collection("\"properties\": {}, ", kSquare))));
-  EXPECT_TRUE(dataset.winding_matters);
+  EXPECT_EQ(dataset.winding, RingWinding::kPrescribed);
   EXPECT_EQ(dataset.driver, "GeoJSON");
   EXPECT_NE(dataset.layers[0].crs.find("WGS 84"), std::string::npos);
 }

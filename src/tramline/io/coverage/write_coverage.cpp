@@ -72,10 +72,10 @@ void write_gaps(const Target& target, const Coverage& coverage) {
   if (coverage.frame.geodetic && !coverage.gaps.empty()) projection.emplace(coverage.frame);
   for (const Gap& gap : coverage.gaps) {
     const Point at = gap.centre + target.offset;
-    const Point lonlat = projection ? projection->to_lonlat(gap.centre) : Point{};
+    const auto lonlat = projection ? std::optional(projection->to_lonlat(gap.centre)) : std::nullopt;
     table.add(target.shapes.polygon(gap.shape),
               {gap.number + 0LL, gap.area_m2, number_unless_nan(gap.widest_m), at.x, at.y,
-               number_if(projection.has_value(), lonlat.x), number_if(projection.has_value(), lonlat.y)});
+               lonlat ? Cell(lonlat->x) : Cell(), lonlat ? Cell(lonlat->y) : Cell()});
   }
 }
 

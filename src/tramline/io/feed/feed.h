@@ -41,16 +41,19 @@ std::unique_ptr<Feed> stdin_feed();
 /// is given the path, links resolved, of each file that was opened under the name. Without it any file is.
 std::unique_ptr<Feed> file_feed(const std::string& path,
                                 std::function<bool(const std::string& opened)> may_read = {});
-/// What a server sends. `place`: "tractor:5017", "[::1]:5017". A lost connection is made again, with `once`
-/// it is the end. Waits for the first connection, 10 s at most.
-std::unique_ptr<Feed> tcp_feed(const std::string& place, bool once);
+/// What becomes of a feed whose source is lost.
+enum class WhenLost { kReopen, kEnd };
+
+/// What a server sends. `place`: "tractor:5017", "[::1]:5017". A lost connection is made again, or is the
+/// end. Waits for the first connection, 10 s at most.
+std::unique_ptr<Feed> tcp_feed(const std::string& place, WhenLost lost);
 /// Datagrams that are sent to this port, by whomever. The end of one is the end of its last line.
 std::unique_ptr<Feed> udp_feed(int port);
 /// A serial device, 8N1, for this program alone: "/dev/ttyUSB0" or "/dev/ttyUSB0,38400" (115200 Bd unless
-/// told). One that is unplugged is opened again when it is back; with `once` that is the end.
-std::unique_ptr<Feed> serial_feed(const std::string& device_and_baud, bool once);
+/// told). One that is unplugged is opened again when it is back, or that is the end.
+std::unique_ptr<Feed> serial_feed(const std::string& device_and_baud, WhenLost lost);
 /// NMEA sentences from gpsd: as the receiver sends them, or made by gpsd for receivers that speak otherwise.
 /// `place`: "", "host", "host:port".
-std::unique_ptr<Feed> gpsd_feed(const std::string& place, bool once);
+std::unique_ptr<Feed> gpsd_feed(const std::string& place, WhenLost lost);
 
 }  // namespace tramline::io

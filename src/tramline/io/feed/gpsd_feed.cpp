@@ -17,9 +17,9 @@ constexpr const char* kRequest = "?WATCH={\"enable\":true,\"nmea\":true,\"json\"
 
 class GpsdFeed final : public Feed {
  public:
-  GpsdFeed(const std::string& place, bool once)
+  GpsdFeed(const std::string& place, WhenLost lost)
       : place_(place.empty() ? std::string("localhost:") + kPort : place),
-        once_(once),
+        lost_(lost),
         connection_(host_and_port(place_, "--gpsd", kPort), "gpsd does not answer; is it running?") {
     connection_.send(kRequest);
   }
@@ -51,8 +51,9 @@ class GpsdFeed final : public Feed {
     if (result == ReadResult::kEnd || result == ReadResult::kFault) {
       connection_.drop();
       splitter_.take_rest();
-      out.messages.push_back(fmt::format("gpsd has gone{}", once_ ? "" : "; trying again every second"));
-      out.ended = once_;
+      out.messages.push_back(
+          fmt::format("gpsd has gone{}", lost_ == WhenLost::kEnd ? "" : "; trying again every second"));
+      out.ended = lost_ == WhenLost::kEnd;
     }
     return out;
   }
@@ -69,15 +70,15 @@ class GpsdFeed final : public Feed {
   }
 
   std::string place_;
-  bool once_;
+  WhenLost lost_;
   Connection connection_;
   LineSplitter splitter_;
 };
 
 }  // namespace
 
-std::unique_ptr<Feed> gpsd_feed(const std::string& place, bool once) {
-  return std::make_unique<GpsdFeed>(place, once);
+std::unique_ptr<Feed> gpsd_feed(const std::string& place, WhenLost lost) {
+  return std::make_unique<GpsdFeed>(place, lost);
 }
 
 }  // namespace tramline::io

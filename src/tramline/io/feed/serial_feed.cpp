@@ -46,7 +46,7 @@ speed_t speed_of(const std::string& baud) {
 
 class SerialFeed final : public Feed {
  public:
-  SerialFeed(const std::string& device_and_baud, bool once) : once_(once) {
+  SerialFeed(const std::string& device_and_baud, WhenLost lost) : lost_(lost) {
     const std::size_t comma = device_and_baud.find(',');
     device_ = device_and_baud.substr(0, comma);
     speed_ = speed_of(comma == std::string::npos ? kUsualBaud : device_and_baud.substr(comma + 1));
@@ -77,8 +77,8 @@ class SerialFeed final : public Feed {
     again_ = steady_clock::now() + std::chrono::milliseconds(kAgain_ms);
     out.messages.push_back(fmt::format("{} is unplugged ({}){}", device_,
                                        result == ReadResult::kEnd ? "no device" : words_for(fault),
-                                       once_ ? "" : "; looking for it every second"));
-    out.ended = once_;
+                                       lost_ == WhenLost::kEnd ? "" : "; looking for it every second"));
+    out.ended = lost_ == WhenLost::kEnd;
     return out;
   }
 
@@ -100,7 +100,7 @@ class SerialFeed final : public Feed {
     return "";
   }
 
-  bool once_;
+  WhenLost lost_;
   std::string device_;
   speed_t speed_ = B0;
   Descriptor port_;
@@ -110,8 +110,8 @@ class SerialFeed final : public Feed {
 
 }  // namespace
 
-std::unique_ptr<Feed> serial_feed(const std::string& device_and_baud, bool once) {
-  return std::make_unique<SerialFeed>(device_and_baud, once);
+std::unique_ptr<Feed> serial_feed(const std::string& device_and_baud, WhenLost lost) {
+  return std::make_unique<SerialFeed>(device_and_baud, lost);
 }
 
 }  // namespace tramline::io

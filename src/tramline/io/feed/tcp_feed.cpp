@@ -9,8 +9,8 @@ namespace {
 
 class TcpFeed final : public Feed {
  public:
-  TcpFeed(const std::string& place, bool once)
-      : place_(place), once_(once), connection_(host_and_port(place, "--tcp", ""), "--tcp") {}
+  TcpFeed(const std::string& place, WhenLost lost)
+      : place_(place), lost_(lost), connection_(host_and_port(place, "--tcp", ""), "--tcp") {}
 
   std::string name() const override { return "tcp://" + place_; }
   int descriptor() const override { return connection_.descriptor(); }
@@ -36,24 +36,24 @@ class TcpFeed final : public Feed {
  private:
   void lose(Received& out, ReadResult result, int fault) {
     connection_.drop();
-    out.ended = once_;
-    if (once_ && result == ReadResult::kEnd) return;
+    out.ended = lost_ == WhenLost::kEnd;
+    if (out.ended && result == ReadResult::kEnd) return;
     splitter_.take_rest();
     out.messages.push_back(fmt::format("the connection to {} is lost ({}){}", name(),
                                        result == ReadResult::kEnd ? "closed there" : words_for(fault),
-                                       once_ ? "" : "; trying again every second"));
+                                       lost_ == WhenLost::kEnd ? "" : "; trying again every second"));
   }
 
   std::string place_;
-  bool once_;
+  WhenLost lost_;
   Connection connection_;
   LineSplitter splitter_;
 };
 
 }  // namespace
 
-std::unique_ptr<Feed> tcp_feed(const std::string& place, bool once) {
-  return std::make_unique<TcpFeed>(place, once);
+std::unique_ptr<Feed> tcp_feed(const std::string& place, WhenLost lost) {
+  return std::make_unique<TcpFeed>(place, lost);
 }
 
 }  // namespace tramline::io

@@ -19,9 +19,9 @@ void set(OGRFeature& feature, int column, const Cell& cell) {
 
 }  // namespace
 
-Cell number_if(bool any, double number) { return any ? Cell(number) : Cell(); }
+Cell number_if(const std::optional<double>& number) { return number ? Cell(*number) : Cell(); }
 
-Cell number_unless_nan(double number) { return number_if(!std::isnan(number), number); }
+Cell number_unless_nan(double number) { return std::isnan(number) ? Cell() : Cell(number); }
 
 std::unique_ptr<OGRGeometry> Shapes::point(Point p) const {
   const Point placed = this->placed(p);

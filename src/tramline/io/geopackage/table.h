@@ -6,6 +6,7 @@
 #include <functional>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -30,9 +31,9 @@ inline constexpr Column kAreaColumn{"area_m2", OFTReal};
 
 using Cell = std::variant<std::monostate, long long, double, bool, std::string>;  // monostate: NULL
 
-/// A number, or NULL.
-Cell number_if(bool any, double number);
-/// A number, or NULL where it is none.
+/// A number, or NULL where there is none.
+Cell number_if(const std::optional<double>& number);
+/// A number, or NULL for one that is none.
 Cell number_unless_nan(double number);
 
 /// Local metres to the file's coordinates: the offset is added, or the point projected. Zeros have no sign.

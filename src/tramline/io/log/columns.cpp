@@ -296,7 +296,7 @@ std::vector<LogColumn> apply_wanted(ColumnMap& map, std::span<const std::string>
 
 }  // namespace
 
-ColumnMap map_columns(std::span<const std::string> names, const std::string& wanted, bool needs_positions,
+ColumnMap map_columns(std::span<const std::string> names, const std::string& wanted, PositionSource positions,
                       const std::string& place) {
   ColumnMap map;
   const std::vector<LogColumn> spoken_of = apply_wanted(map, names, wanted, place);
@@ -317,7 +317,7 @@ ColumnMap map_columns(std::span<const std::string> names, const std::string& wan
         std::find(spoken_of.begin(), spoken_of.end(), name->column) == spoken_of.end())
       use(map, *name, i);
   }
-  if (!needs_positions) return map;
+  if (positions == PositionSource::kElsewhere) return map;
   for (const auto& [column, word, other] : {std::tuple(LogColumn::kLon, "lon", "longitude, x or easting"),
                                             std::tuple(LogColumn::kLat, "lat", "latitude, y or northing")})
     if (!map[column])

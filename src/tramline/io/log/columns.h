@@ -48,6 +48,9 @@ struct ColumnUse {
 /// What the names of the position columns say about their frame.
 enum class PositionNames { kDegrees, kMetres, kEither };
 
+/// Where the positions of the rows of a table come from.
+enum class PositionSource { kTable, kElsewhere };
+
 /// The columns of a table that are used.
 struct ColumnMap {
   std::array<std::optional<ColumnUse>, kColumns> uses;
@@ -63,7 +66,7 @@ struct ColumnMap {
 /// them; "width=" leaves one out. Throws bad_input, with `place` in front, for a word that is no column of a
 /// log, for a wanted column that the table does not have, and, unless the positions come from elsewhere, when
 /// there are none; the sentence lists the columns found.
-ColumnMap map_columns(std::span<const std::string> names, const std::string& wanted, bool needs_positions,
+ColumnMap map_columns(std::span<const std::string> names, const std::string& wanted, PositionSource positions,
                       const std::string& place);
 
 }  // namespace tramline::io

@@ -121,7 +121,7 @@ void CsvLog::read_header(std::string_view line) {
                     "lon,lat,time first",
                     place_, line_));
   header_ = line;
-  rows_.emplace(quoted_cells_, TableForm{place_, columns_, true, separator_ != ','});
+  rows_.emplace(quoted_cells_, TableForm{place_, columns_, PositionSource::kTable, separator_ != ','});
 }
 
 std::optional<Fix> CsvLog::row(std::string_view line, std::size_t record) {

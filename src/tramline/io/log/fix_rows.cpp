@@ -29,7 +29,7 @@ double time_factor(const ColumnMap& map) {
 
 FixRows::FixRows(std::span<const std::string> names, TableForm form)
     : form_(std::move(form)),
-      map_(map_columns(names, form_.columns, form_.has_positions, form_.place)),
+      map_(map_columns(names, form_.columns, form_.positions, form_.place)),
       names_(names.begin(), names.end()),
       time_(time_factor(map_)) {}
 
@@ -110,9 +110,10 @@ void FixRows::set_sections(Fix& fix, std::optional<Widths> widths) {
        {LogColumn::kSections, LogColumn::kSectionsFromRight, LogColumn::kCondensed}) {
     if (text || cell(column).empty()) continue;
     written = true;
-    text = column == LogColumn::kCondensed
-               ? condensed_sections(cell(column))
-               : section_signs(cell(column), column == LogColumn::kSectionsFromRight);
+    const SectionOrder order =
+        column == LogColumn::kSectionsFromRight ? SectionOrder::kFromRight : SectionOrder::kFromLeft;
+    text = column == LogColumn::kCondensed ? condensed_sections(cell(column))
+                                           : section_signs(cell(column), order);
   }
   if (written && !text) ++bad_sections_;
   if (text && text->known) {

@@ -20,9 +20,9 @@ namespace tramline::io {
 
 /// What tells a table from others of its kind.
 struct TableForm {
-  std::string place;          ///< "'log.csv'", for messages
-  std::string columns;        ///< LogOptions::columns
-  bool has_positions = true;  ///< in columns
+  std::string place;    ///< "'log.csv'", for messages
+  std::string columns;  ///< LogOptions::columns
+  PositionSource positions = PositionSource::kTable;
   bool decimal_comma = false;
 };
 

@@ -33,13 +33,13 @@ std::optional<std::uint32_t> bits_in(std::string_view text) {
 
 }  // namespace
 
-std::optional<SectionText> section_signs(std::string_view text, bool from_right) {
+std::optional<SectionText> section_signs(std::string_view text, SectionOrder order) {
   text = trimmed(text);
   if (text.empty() || text.size() > kMostSections) return std::nullopt;
   SectionText out;
   out.count = text.size();
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const char sign = text[from_right ? text.size() - 1 - i : i];
+    const char sign = text[order == SectionOrder::kFromRight ? text.size() - 1 - i : i];
     if (sign == '0' || sign == '1') {
       out.known = true;
       out.states[i] = sign == '1';

@@ -16,9 +16,12 @@ struct SectionText {
   SectionStates states;
 };
 
+/// The end of the machine at which signs begin.
+enum class SectionOrder { kFromLeft, kFromRight };
+
 /// A sign for each section: 1 on, 0 off, - (or blank, or ?) not known; nullopt for other signs and for more
-/// than kMostSections. `from_right`: the first sign is the rightmost section.
-std::optional<SectionText> section_signs(std::string_view text, bool from_right);
+/// than kMostSections.
+std::optional<SectionText> section_signs(std::string_view text, SectionOrder order);
 
 /// ISO 11783-11, DDI 161: two bits a section, the first section in the lowest bits: 0 off, 1 on, 2 error,
 /// 3 not installed. As a decimal number, as hexadecimal digits (with 0x, or with letters among them), or

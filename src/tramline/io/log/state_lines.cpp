@@ -47,7 +47,7 @@ bool StateLines::add(std::string_view line, std::size_t record, SkippedRecords& 
     return told();
   }
   if (const auto sections = value_of(line, "sections=")) {
-    const std::optional<SectionText> text = section_signs(*sections, false);
+    const std::optional<SectionText> text = section_signs(*sections, SectionOrder::kFromLeft);
     if (!text && !sections->empty()) {
       skipped.add(record, "the states of sections are not understood");
       return true;

@@ -77,10 +77,10 @@ class Features {
  public:
   Features(FixRows& rows, std::string place) : rows_(rows), place_(std::move(place)) {}
 
-  void add(const OGRFeature& feature, bool swap_axes) {
+  void add(const OGRFeature& feature, AxisOrder axes) {
     ++record_;
     RawFeature raw;
-    flatten_geometry(feature.GetGeometryRef(), swap_axes, raw);
+    flatten_geometry(feature.GetGeometryRef(), axes, raw);
     const bool is_point = raw.points.size() == 1 && raw.polygons.empty() && raw.lines.empty();
     if (!polygons_ && (is_point || !raw.polygons.empty())) polygons_ = !is_point;
     const std::vector<std::string> cells = attributes_of(feature);
@@ -142,13 +142,13 @@ WorkLog read_vector_log(const std::string& path, const std::string& wanted, cons
   OGRLayer& layer = choose_layer(*dataset, wanted, path);
   const std::string place = fmt::format("layer '{}' of '{}'", layer.GetName(), path);
   const std::string declared = layer_crs(layer.GetSpatialRef(), place);
-  const bool swap_axes = axes_are_swapped(layer.GetSpatialRef());
+  const AxisOrder axes = axis_order(layer.GetSpatialRef());
   const std::vector<std::string> names = attribute_names(layer);
-  FixRows rows(names, TableForm{place, columns, false, false});
+  FixRows rows(names, TableForm{place, columns, PositionSource::kElsewhere, false});
   Features features(rows, place);
   layer.ResetReading();
   messages.clear();
-  while (const OGRFeatureUniquePtr feature{layer.GetNextFeature()}) features.add(*feature, swap_axes);
+  while (const OGRFeatureUniquePtr feature{layer.GetNextFeature()}) features.add(*feature, axes);
   if (messages.failed())
     throw bad_input(fmt::format("{} is damaged ({}); fetch or export it again", place, messages.last()));
   WorkLog log = features.finish();

@@ -18,7 +18,7 @@ void write_machines(const std::vector<ListedMachine>& machines, const std::files
                 {text("id"), text("name"), real("width_m"), real("radius_m"), real("min_length_m")});
     for (const auto& [id, machine] : machines)
       table.add(nullptr, {id, machine.name, machine.width_m, machine.radius_m,
-                          number_if(machine.min_length_m >= 0, machine.min_length_m)});
+                          machine.min_length_m >= 0 ? Cell(machine.min_length_m) : Cell()});
   });
 }
 

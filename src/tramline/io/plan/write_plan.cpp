@@ -45,15 +45,23 @@ std::vector<Point> drawn(const TrackPiece& piece) {
   return chords(centre_line(piece));
 }
 
+/// NULL for a path without arcs.
+Cell radius_cell(const Path& path) {
+  const double smallest_m = smallest_radius(path);
+  return std::isfinite(smallest_m) ? Cell(smallest_m) : Cell();
+}
+
+/// NULL for a way that cannot be driven.
+Cell cost_cell(const WayPast& way) { return way.possible ? Cell(way.cost) : Cell(); }
+
 void write_headland_passes(const Target& target, const Headland& headland) {
   Table table(target, layers::kHeadlandPasses, wkbLineString,
               {integer("number"), flag("around_field"), text("obstacles"), real("length_m"),
                real("smallest_radius_m"), text("path")});
   for (const HeadlandPass& pass : headland.passes) {
-    const double smallest_m = smallest_radius(pass.path);
     table.add(target.shapes.line(chords(pass.path)),
               {pass.number + 0LL, pass.around_field, obstacles_text(pass.obstacles), length(pass.path),
-               number_if(std::isfinite(smallest_m), smallest_m), path_text(pass.path, target.offset)});
+               radius_cell(pass.path), path_text(pass.path, target.offset)});
   }
 }
 
@@ -66,13 +74,11 @@ void write_tracks(const Target& target, const Plan& plan) {
   long long order = 0;
   for (const TrackPiece& piece : plan.pieces) {
     const Path path = written_path(piece);
-    const double smallest_m = smallest_radius(path);
     table.add(target.shapes.line(drawn(piece)),
               {++order, piece.subfield + 1LL, piece.track + 1LL, std::string(kind_of(piece)),
-               Heading::from_to(piece.start, piece.end).degrees(), length(piece),
-               number_if(std::isfinite(smallest_m), smallest_m), obstacles_avoided(piece), sides_text(piece),
-               piece.stop_at_start, piece.stop_at_end, piece.after_crossing, path_text(path, target.offset),
-               detours_text(piece)});
+               Heading::from_to(piece.start, piece.end).degrees(), length(piece), radius_cell(path),
+               obstacles_avoided(piece), sides_text(piece), piece.stop_at_start, piece.stop_at_end,
+               piece.after_crossing, path_text(path, target.offset), detours_text(piece)});
   }
 }
 
@@ -83,8 +89,7 @@ void write_swaths(const Target& target, const Plan& plan) {
   long long order = 0;
   for (const TrackPiece& piece : plan.pieces)
     table.add(target.shapes.polygon({swath(piece, width_m), {}}),
-              {++order, width_m, width_m * length(piece),
-               number_if(piece.overlap_m2.has_value(), piece.overlap_m2.value_or(0))});
+              {++order, width_m, width_m * length(piece), number_if(piece.overlap_m2)});
 }
 
 void write_dropped(const Target& target, const Plan& plan) {
@@ -102,9 +107,8 @@ void write_encounters(const Target& target, const Plan& plan) {
   for (const Encounter& encounter : plan.encounters)
     table.add(target.shapes.point(encounter.at),
               {++number, encounter.subfield + 1LL, encounter.track + 1LL, obstacles_text(encounter.obstacles),
-               std::string(name(encounter.chosen)), number_if(encounter.left.possible, encounter.left.cost),
-               number_if(encounter.right.possible, encounter.right.cost), encounter.left.why_not,
-               encounter.right.why_not});
+               std::string(name(encounter.chosen)), cost_cell(encounter.left), cost_cell(encounter.right),
+               encounter.left.why_not, encounter.right.why_not});
 }
 
 void write_front(const Target& target, const Front& front) {

@@ -12,7 +12,7 @@ constexpr double kArcStepDegrees = 1;
 
 class Flattener {
  public:
-  Flattener(bool swap_axes, RawFeature& feature) : swap_(swap_axes), feature_(feature) {}
+  Flattener(AxisOrder axes, RawFeature& feature) : axes_(axes), feature_(feature) {}
 
   void add(const OGRGeometry* g) {
     switch (wkbFlatten(g->getGeometryType())) {
@@ -42,7 +42,7 @@ class Flattener {
   }
 
  private:
-  Point point(double x, double y) const { return swap_ ? Point{y, x} : Point{x, y}; }
+  Point point(double x, double y) const { return axes_ == AxisOrder::kYFirst ? Point{y, x} : Point{x, y}; }
 
   std::vector<Point> points_of(const OGRSimpleCurve* line) const {
     std::vector<Point> out;
@@ -62,13 +62,13 @@ class Flattener {
     if (!out.rings.empty()) feature_.polygons.push_back(std::move(out));
   }
 
-  bool swap_;
+  AxisOrder axes_;
   RawFeature& feature_;
 };
 
 }  // namespace
 
-void flatten_geometry(const OGRGeometry* geometry, bool swap_axes, RawFeature& feature) {
+void flatten_geometry(const OGRGeometry* geometry, AxisOrder axes, RawFeature& feature) {
   if (geometry == nullptr) {
     feature.geometry_type = "none";
     return;
@@ -77,7 +77,7 @@ void flatten_geometry(const OGRGeometry* geometry, bool swap_axes, RawFeature& f
   feature.had_z = geometry->Is3D() != 0;
   feature.had_m = geometry->IsMeasured() != 0;
   feature.was_curved = geometry->hasCurveGeometry() != 0;
-  Flattener flattener(swap_axes, feature);
+  Flattener flattener(axes, feature);
   if (feature.was_curved) {
     const std::unique_ptr<OGRGeometry> linear(geometry->getLinearGeometry(kArcStepDegrees));
     flattener.add(linear.get());

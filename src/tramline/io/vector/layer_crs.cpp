@@ -24,11 +24,12 @@ std::string layer_crs(const OGRSpatialReference* srs, const std::string& place) 
   return out;
 }
 
-bool axes_are_swapped(const OGRSpatialReference* srs) {
-  if (srs == nullptr) return false;
+AxisOrder axis_order(const OGRSpatialReference* srs) {
+  if (srs == nullptr) return AxisOrder::kXFirst;
   OGRSpatialReference traditional(*srs);
   traditional.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  return srs->GetDataAxisToSRSAxisMapping() != traditional.GetDataAxisToSRSAxisMapping();
+  const bool as_traditional = srs->GetDataAxisToSRSAxisMapping() == traditional.GetDataAxisToSRSAxisMapping();
+  return as_traditional ? AxisOrder::kXFirst : AxisOrder::kYFirst;
 }
 
 }  // namespace tramline::io

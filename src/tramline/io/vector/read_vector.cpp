@@ -16,11 +16,11 @@
 namespace tramline::io {
 namespace {
 
-RawFeature raw_feature(const OGRFeature& feature, bool swap_axes) {
+RawFeature raw_feature(const OGRFeature& feature, AxisOrder axes) {
   RawFeature out;
   out.fid = feature.GetFID();
   out.id = feature_id(feature);
-  flatten_geometry(feature.GetGeometryRef(), swap_axes, out);
+  flatten_geometry(feature.GetGeometryRef(), axes, out);
   return out;
 }
 
@@ -58,13 +58,13 @@ RawLayer read_layer(OGRLayer& layer, const VectorQuery& query, GdalMessages& mes
   const OGRSpatialReference* srs = layer.GetSpatialRef();
   RawLayer out{
       layer.GetName(), OGRGeometryTypeToName(wkbFlatten(layer.GetGeomType())), layer_crs(srs, place), {}, 0};
-  const bool swap_axes = axes_are_swapped(srs);
+  const AxisOrder axes = axis_order(srs);
   filter(layer, query, place, messages);
   messages.clear();
   if (query.fid) {
     const OGRFeatureUniquePtr feature(layer.GetFeature(*query.fid));
     if (!feature) throw bad_input(fmt::format("{} has no feature with number {}", place, *query.fid));
-    out.features.push_back(raw_feature(*feature, swap_axes));
+    out.features.push_back(raw_feature(*feature, axes));
     out.matching = 1;
     return out;
   }
@@ -72,7 +72,7 @@ RawLayer read_layer(OGRLayer& layer, const VectorQuery& query, GdalMessages& mes
   while (query.limit < 0 || std::ssize(out.features) < query.limit) {
     const OGRFeatureUniquePtr feature(layer.GetNextFeature());
     if (!feature) break;
-    out.features.push_back(raw_feature(*feature, swap_axes));
+    out.features.push_back(raw_feature(*feature, axes));
     check_reading(layer, query, place, messages);
   }
   check_reading(layer, query, place, messages);
@@ -100,7 +100,8 @@ RawDataset read_vector(const VectorQuery& query) {
   RawDataset out;
   out.file = shown_name(query.file);
   out.driver = dataset->GetDriverName();
-  out.winding_matters = out.driver == "GeoJSON" || out.driver == "GeoJSONSeq";
+  const bool rfc_7946 = out.driver == "GeoJSON" || out.driver == "GeoJSONSeq";
+  out.winding = rfc_7946 ? RingWinding::kPrescribed : RingWinding::kFree;
   for (OGRLayer* layer : choose_layers(*dataset, query, out.skipped))
     out.layers.push_back(read_layer(*layer, query, messages));
   refuse_empty(out, query);
