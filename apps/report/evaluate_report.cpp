@@ -159,7 +159,8 @@ std::string area_rows(const Evaluation& evaluation) {
   if (has_field(coverage))
     out += fmt::format("outside      {:.1f} m² of that, beyond the field\n", areas.outside_m2);
   out += fmt::format("repeated     {:.1f} m², {:.2f} % of what is covered{}\n", areas.repeated_m2,
-                     100 * repeated_rate(areas), evaluation.strict ? ", slivers included" : "");
+                     100 * repeated_rate(areas),
+                     evaluation.repeat == coverage::RepeatRule::kStrict ? ", slivers included" : "");
   if (areas.sliver_m2 > 0)
     out += fmt::format("slivers      {:.1f} m² worked twice on the inside of curves\n", areas.sliver_m2);
   if (has_field(coverage))

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "request/plan_and_done.h"
+#include "tramline/coverage/evaluate.h"
 #include "tramline/model/coverage.h"
 #include "tramline/model/tally.h"
 
@@ -22,7 +23,7 @@ struct PlanTally {
 
 struct Evaluation {
   Coverage coverage;
-  bool strict = false;
+  coverage::RepeatRule repeat = coverage::RepeatRule::kRun;
   std::optional<PlanTally> tally;
   std::optional<PlanAndDone> compared;
   std::vector<std::string> with;  ///< plans whose drive was added to the log's

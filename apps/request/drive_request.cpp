@@ -8,7 +8,7 @@ void apply(const DriveOptions& options, coverage::EvaluateSettings& settings) {
       options.quads == "segment" ? coverage::QuadShape::kSegment : coverage::QuadShape::kHeading;
   settings.drive.switching =
       options.switching == "step" ? coverage::Switching::kStep : coverage::Switching::kInterpolate;
-  settings.strict = options.repeat == "strict";
+  settings.repeat = options.repeat == "strict" ? coverage::RepeatRule::kStrict : coverage::RepeatRule::kRun;
 }
 
 }  // namespace tramline::app

@@ -39,7 +39,7 @@ class WatchSession {
   /// Whether the stream says by itself if the machine works.
   bool tells_work() const { return lines_.own_columns().work; }
 
-  bool strict() const { return settings_.strict; }
+  coverage::RepeatRule repeat_rule() const { return settings_.repeat; }
 
   /// What the sections come to; nullopt: not known.
   std::optional<coverage::Ahead> look_ahead(const coverage::SwitchRule& rule) const {

@@ -111,7 +111,7 @@ class EvaluateCommand : public Command {
   using TimePoint = std::chrono::steady_clock::time_point;
 
   void finish(Evaluation& evaluation, TimePoint start) const {
-    evaluation.strict = settings().strict;
+    evaluation.repeat = settings().repeat;
     evaluation.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 

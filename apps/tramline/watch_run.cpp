@@ -128,7 +128,7 @@ void WatchRun::take_key() {
 LiveFigures WatchRun::figures(bool final) const {
   LiveFigures out;
   out.evaluation.coverage = final ? session_.coverage() : session_.figures();
-  out.evaluation.strict = session_.strict();
+  out.evaluation.repeat = session_.repeat_rule();
   out.evaluation.seconds = duration<double>(Clock::now() - start_).count();
   out.final = final;
   out.settled = session_.settled();

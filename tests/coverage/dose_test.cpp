@@ -346,7 +346,7 @@ TEST(Dose, NothingIsLostOnAnyDrive) {
     double expected = 0;
     StepMaker steps([&] {
       DriveSettings d = settings.evaluate.drive;
-      d.unknown_works = false;
+      d.unknown_work = WorkState::kOff;
       return d;
     }());
     for (const Fix& f : drive.fixes) {

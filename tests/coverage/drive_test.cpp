@@ -44,10 +44,10 @@ TEST(Course, IsUnknownBeforeTheFirstStep) {
 
 TEST(WorkingBoom, StatesOfSectionsTheBoomDoesNotHaveAreIgnored) {
   const Fix f = with_sections(fix(0, {}), "0111");
-  const Boom working = working_boom(f, boom(2, 4), true);
+  const Boom working = working_boom(f, boom(2, 4), WorkState::kOn);
   ASSERT_EQ(working.size(), 1U);
   EXPECT_EQ(working[0], (Section{0, -2}));
-  EXPECT_TRUE(working_boom(idle(f), boom(2, 4), true).empty());
+  EXPECT_TRUE(working_boom(idle(f), boom(2, 4), WorkState::kOn).empty());
 }
 
 TEST(TimeOrder, PutsFixesInOrderAndCountsThem) {
@@ -64,11 +64,11 @@ TEST(DrivenLines, ChangeWhereTheWorkDoes) {
   DrivenLines lines;
   WorkedStep working;
   working.run = 0;
-  lines.add(fix(0, {}), {0, 0}, false, std::nullopt);
-  lines.add(fix(1, {}), {1, 0}, true, working);
-  lines.add(fix(2, {}), {2, 0}, true, working);
-  lines.add(fix(3, {}), {3, 0}, true, std::nullopt);
-  lines.add(fix(9, {}), {9, 0}, false, std::nullopt);
+  lines.add(fix(0, {}), {0, 0}, Continuity::kBroken, std::nullopt);
+  lines.add(fix(1, {}), {1, 0}, Continuity::kJoined, working);
+  lines.add(fix(2, {}), {2, 0}, Continuity::kJoined, working);
+  lines.add(fix(3, {}), {3, 0}, Continuity::kJoined, std::nullopt);
+  lines.add(fix(9, {}), {9, 0}, Continuity::kBroken, std::nullopt);
   const std::vector<DrivenLine> out = lines.lines();
   ASSERT_EQ(out.size(), 2U) << "a single place is no line";
   EXPECT_EQ(out[0].run, 0);

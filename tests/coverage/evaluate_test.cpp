@@ -121,7 +121,7 @@ TEST(Evaluate, TheInsideOfABendIsASliver) {
   const Coverage done = evaluate(bend, {}, settings, {});
   EXPECT_NEAR(done.areas.sliver_m2, 4, 1e-6);
   EXPECT_NEAR(done.areas.repeated_m2, 0, 1e-6);
-  settings.strict = true;
+  settings.repeat = RepeatRule::kStrict;
   const Coverage strict = evaluate(bend, {}, settings, {});
   EXPECT_NEAR(strict.areas.repeated_m2, 4, 1e-6);
   EXPECT_NEAR(area(strict.repeated), 4, 1e-6);

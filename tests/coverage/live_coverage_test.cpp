@@ -100,7 +100,7 @@ void for_random_rounds(int rounds, const std::function<void(const Round&, std::m
   for (int i = 0; i < rounds; ++i) {
     SCOPED_TRACE(i);
     Round round{random_log(random), {}};
-    round.settings.strict = i % 3 == 0;
+    round.settings.repeat = i % 3 == 0 ? RepeatRule::kStrict : RepeatRule::kRun;
     if (i % 4 != 0) round.settings.drive.width_m = 5;
     look(round, random);
   }
@@ -204,7 +204,7 @@ TEST(LiveCoverage, WhoFollowsTheChangesHasAllGround) {
       if (last) live.settle();
       for (Reader& reader : readers) {
         if (!last && !std::bernoulli_distribution(reader.asks)(random)) continue;
-        reader.take(changes_since(reader.seen, live, settings.strict));
+        reader.take(changes_since(reader.seen, live, settings.repeat));
         const CoverageAreas areas = live.areas();
         const double tolerance_m2 = 1e-6 * std::max(1.0, areas.gross_m2);
         ASSERT_NEAR(area(reader.ground(&TileWork::covered)), areas.covered_m2, tolerance_m2);
@@ -213,9 +213,10 @@ TEST(LiveCoverage, WhoFollowsTheChangesHasAllGround) {
         if (!last || live.drive() == nullptr) continue;
         const Engine& engine = live.drive()->engine();
         expect_same_ground(reader.ground(&TileWork::covered), engine.region(Ground::kCovered), 1e-3);
-        expect_same_ground(reader.ground(&TileWork::repeated),
-                           engine.region(settings.strict ? Ground::kAgain : Ground::kRepeated), 1e-3);
-        EXPECT_TRUE(changes_since(reader.seen, live, settings.strict).tiles.empty());
+        expect_same_ground(
+            reader.ground(&TileWork::repeated),
+            engine.region(settings.repeat == RepeatRule::kStrict ? Ground::kAgain : Ground::kRepeated), 1e-3);
+        EXPECT_TRUE(changes_since(reader.seen, live, settings.repeat).tiles.empty());
       }
     }
     afresh += readers.front().afresh - 1;

@@ -13,7 +13,7 @@ using namespace testing_routes;
 // To what the table of the routes is rounded to.
 TEST(ExactEngine, TheRoutesOverThePentagonAreAsWorkedOut) {
   EvaluateSettings settings;
-  settings.strict = true;
+  settings.repeat = RepeatRule::kStrict;
   for (const PentagonRoute& route : routes()) {
     SCOPED_TRACE(route.name);
     const Coverage found = evaluate(route.steps, kRouteWidth_m, pentagon(), settings);

@@ -204,7 +204,7 @@ TEST(StepMaker, UnknownWorkIsWorkOnlyWhereTheLogNeverSays) {
   next.time_s = 1;
   EXPECT_EQ(steps_of({unknown, next}).size(), 1U);
   DriveSettings settings;
-  settings.unknown_works = false;
+  settings.unknown_work = WorkState::kOff;
   EXPECT_TRUE(steps_of({unknown, next}, settings).empty());
   EXPECT_FALSE(says_work(log({unknown, next}, 4)));
   EXPECT_TRUE(says_work(log({unknown, idle(next)}, 4)));

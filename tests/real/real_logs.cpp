@@ -84,7 +84,7 @@ BatchDifference stream_against_batch(const WorkLog& given, const Region& field,
   const Coverage stream = coverage::evaluate(given, field, settings, {});
 
   const WorkLog log = coverage::in_time_order(coverage::plausible(given));
-  settings.drive.unknown_works = !coverage::says_work(log);
+  settings.drive.unknown_work = coverage::says_work(log) ? WorkState::kOff : WorkState::kOn;
   coverage::StepMaker steps(settings.drive);
   Region shapes;
   for (const Fix& fix : log.fixes)

@@ -139,7 +139,7 @@ WorkedOrder evaluated(App& app, DriveOrder order, JobRun& run) {
   run.step("evaluating " + order.source.log_name);
   app::Evaluation evaluation;
   evaluation.coverage = evaluated_log(std::move(read), std::move(ground), settings, told_to(run));
-  evaluation.strict = settings.strict;
+  evaluation.repeat = settings.repeat;
   if (!remark.empty()) evaluation.coverage.warnings.push_back(remark);
   if (plan) {
     run.step("comparing it with " + plan->notes.name);

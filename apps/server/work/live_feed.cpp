@@ -213,7 +213,7 @@ app::LiveFigures LiveFeed::figures() const {
   const std::lock_guard lock(mutex_);
   app::LiveFigures out;
   out.evaluation.coverage = session_.figures();
-  out.evaluation.strict = session_.strict();
+  out.evaluation.repeat = session_.repeat_rule();
   out.evaluation.seconds = duration<double>(Clock::now() - start_).count();
   out.final = ended_;
   out.settled = session_.settled();
@@ -261,7 +261,7 @@ WorkFrame FeedReader::frame() {
   out.time_s = live.last_s();
   out.working = live.working().value_or(false);
   out.figures = feed_->work_figures();
-  out.changes = coverage::changes_since(seen_, live, session.strict());
+  out.changes = coverage::changes_since(seen_, live, session.repeat_rule());
   if (const coverage::WorkedDrive* drive = live.drive()) {
     out.at = drive->place();
     out.heading = drive->heading();

@@ -19,7 +19,7 @@ constexpr std::size_t kBetweenLooks = 64;
 bool works(const Fix& fix, const coverage::PreparedLog& ready) {
   const Boom one{{1, -1}};
   const Boom& boom = fix.boom >= 0 ? ready.log.booms[static_cast<std::size_t>(fix.boom)] : one;
-  return !coverage::working_boom(fix, boom, ready.drive.unknown_works).empty();
+  return !coverage::working_boom(fix, boom, ready.drive.unknown_work).empty();
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ Replay::Clock::time_point Replay::due_at(double clock_s) const {
 
 WorkFigures Replay::figures() const {
   WorkFigures out;
-  out.areas = coverage::reported(worked_.areas(), drive_->settings.strict);
+  out.areas = coverage::reported(worked_.areas(), drive_->settings.repeat);
   out.has_field = !drive_->ground.ground.empty();
   out.worked_s = drive_->ready.log.clock == tramline::Clock::kNone ? std::nan("") : worked_.worked_s();
   out.present_m2_per_s = rate_.m2_per_s();
@@ -78,7 +78,7 @@ WorkFrame Replay::frame() {
   out.heading = worked_.heading();
   out.working = works(drive_->ready.log.fixes[driven_ - 1], drive_->ready);
   out.figures = figures();
-  out.changes = coverage::changes_since(seen_, worked_, drive_->settings.strict);
+  out.changes = coverage::changes_since(seen_, worked_, drive_->settings.repeat);
   out.line = out.changes.all ? thinned(line_, kEye_m) : std::move(line_);
   line_.clear();
   shown_ = driven_;

@@ -3,6 +3,15 @@
 namespace tramline::coverage {
 namespace {
 
+constexpr CellState kRepeatedOrUnrecorded = 8;
+
+CellState marked(CellState state) { return static_cast<CellState>(state | kRepeatedOrUnrecorded); }
+
+/// The same ground, worked so often and not marked as repeated.
+CellState worked(CellState state, int times) {
+  return static_cast<CellState>((state & kUnworkedField) | times << 1);
+}
+
 bool is(Ground what, CellState state) {
   const int times = times_worked(state);
   switch (what) {
@@ -34,23 +43,29 @@ bool is(Ground what, CellState state) {
 
 Transition worked_again(int most) {
   Transition out{};
-  for (CellState s = 0; s < kCellStates; ++s)
-    out[s] = cell_state(in_field(s), std::max(times_worked(s), std::min(times_worked(s) + 1, most)),
-                        is_repeated(s));
+  for (CellState s = 0; s < kCellStates; ++s) {
+    const CellState once_more = worked(s, std::max(times_worked(s), std::min(times_worked(s) + 1, most)));
+    out[s] = is_repeated(s) ? marked(once_more) : once_more;
+  }
   return out;
 }
 
 Transition made_repeated() {
   Transition out{};
-  for (CellState s = 0; s < kCellStates; ++s)
-    out[s] = times_worked(s) > 0 ? cell_state(in_field(s), times_worked(s), true) : s;
+  for (CellState s = 0; s < kCellStates; ++s) out[s] = times_worked(s) > 0 ? marked(s) : s;
   return out;
 }
 
-Transition made_unrecorded(bool everywhere) {
+Transition made_unrecorded() {
   Transition out{};
+  for (CellState s = 0; s < kCellStates; ++s) out[s] = times_worked(s) == 0 ? marked(s) : s;
+  return out;
+}
+
+Transition made_unrecorded_in_field() {
+  Transition out = made_unrecorded();
   for (CellState s = 0; s < kCellStates; ++s)
-    out[s] = times_worked(s) == 0 && (everywhere || in_field(s)) ? cell_state(in_field(s), 0, true) : s;
+    if (!in_field(s)) out[s] = s;
   return out;
 }
 

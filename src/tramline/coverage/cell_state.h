@@ -11,14 +11,15 @@
 
 namespace tramline::coverage {
 
+/// The lowest bit says that the cell is in the field, the next two how often it was worked, the highest that
+/// it is repeated. Ground that was never worked cannot be repeated: there the highest bit says that it may
+/// have been worked and was not recorded.
 using CellState = std::uint8_t;
 inline constexpr std::size_t kCellStates = 16;
 
-/// Ground that was never worked cannot be repeated: there the same bit says that it may have been worked and
-/// was not recorded.
-constexpr CellState cell_state(bool in_field, int times, bool repeated_or_unrecorded) {
-  return static_cast<CellState>((in_field ? 1 : 0) | times << 1 | (repeated_or_unrecorded ? 8 : 0));
-}
+/// As cells begin: outside the field, and in it.
+inline constexpr CellState kUnworkedOutside = 0;
+inline constexpr CellState kUnworkedField = 1;
 constexpr bool in_field(CellState state) { return (state & 1) != 0; }
 constexpr int times_worked(CellState state) { return state >> 1 & 3; }
 constexpr bool is_repeated(CellState state) { return (state & 8) != 0 && times_worked(state) > 0; }
@@ -30,8 +31,10 @@ using Transition = std::array<CellState, kCellStates>;
 Transition worked_again(int most);
 /// Repeated, where it was worked before.
 Transition made_repeated();
-/// Not recorded, where it was not worked; `everywhere`: outside the field too.
-Transition made_unrecorded(bool everywhere);
+/// Not recorded, where it was not worked.
+Transition made_unrecorded();
+/// The same, and nothing changes outside the field.
+Transition made_unrecorded_in_field();
 
 /// A set of states: bit s says whether state s is one of them.
 using StateSet = std::uint16_t;

@@ -5,11 +5,12 @@
 
 namespace tramline::coverage {
 
-void DrivenLines::add(const Fix& fix, Point at, bool joined, const std::optional<WorkedStep>& step) {
+void DrivenLines::add(const Fix& fix, Point at, Continuity continuity,
+                      const std::optional<WorkedStep>& step) {
   const int run = step ? step->run : -1;
   const auto [entry, first] = units_.try_emplace(fix.unit);
   Unit& unit = entry->second;
-  if (first || !joined) {
+  if (first || continuity == Continuity::kBroken) {
     unit.line = lines_.size();
     lines_.push_back({run, {at}, fix.time_s, fix.time_s});
   } else {

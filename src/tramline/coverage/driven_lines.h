@@ -15,9 +15,9 @@ namespace tramline::coverage {
 /// fixes are not joined.
 class DrivenLines {
  public:
-  /// The next fix and where it found the implement; whether it was joined to the one before it of its unit,
-  /// and the step that ended there, if any.
-  void add(const Fix& fix, Point place, bool joined, const std::optional<WorkedStep>& step);
+  /// The next fix, where it found the implement, whether the drive went on to it, and the step that ended
+  /// there, if any.
+  void add(const Fix& fix, Point place, Continuity continuity, const std::optional<WorkedStep>& step);
   /// All lines, in the order they began in.
   std::vector<DrivenLine> lines() const;
 

@@ -56,7 +56,7 @@ class Slices {
 
 /// Slivers as repeated ground, as S3 has it.
 void count_slivers(Coverage& coverage) {
-  for (CoverageSlice& slice : coverage.slices) slice.areas = reported(slice.areas, true);
+  for (CoverageSlice& slice : coverage.slices) slice.areas = reported(slice.areas, RepeatRule::kStrict);
 }
 
 void require_ground(const WorkLog& log) {
@@ -80,7 +80,7 @@ void finish(Coverage& out, WorkedDrive& drive, WorkLog& log, const EvaluateSetti
   out.warnings.insert(out.warnings.end(), doubts.begin(), doubts.end());
   log.fixes = std::vector<Fix>();
   drive.add_regions(out);
-  if (settings.strict) count_slivers(out);
+  if (settings.repeat == RepeatRule::kStrict) count_slivers(out);
 }
 
 void require_few_slices(const WorkLog& log, std::size_t slice) {
@@ -157,7 +157,7 @@ Coverage evaluate(const std::vector<WorkedStep>& steps, double width_m, const Re
   out.width_m = width_m;
   out.engine = name(settings.engine);
   out.worked_s = std::numeric_limits<double>::quiet_NaN();
-  out.areas = reported(engine->areas(), settings.strict);
+  out.areas = reported(engine->areas(), settings.repeat);
   add_regions(out, *engine, settings);
   return out;
 }

@@ -15,11 +15,17 @@ namespace tramline::coverage {
 /// Slices of one log: for each, the rings of all ground worked so far are put together.
 inline constexpr std::size_t kMostSlices = 1000;
 
+/// Which ground that was worked again counts as repeated.
+enum class RepeatRule {
+  kRun,     ///< what was worked before the machine's own trail (WorkedStep::reach_m): slivers do not count
+  kStrict,  ///< all, as in S3
+};
+
 struct EvaluateSettings {
   DriveSettings drive;
   EngineKind engine = EngineKind::kExact;
-  double mesh_m = 0.05;   ///< S3.3
-  bool strict = false;    ///< slivers count as repeated, as in S3
+  double mesh_m = 0.05;  ///< S3.3
+  RepeatRule repeat = RepeatRule::kRun;
   std::size_t slice = 0;  ///< figures after every so many fixes; 0: none. At most kMostSlices slices
   bool shapes = true;     ///< covered and repeated ground and how often it was worked, as regions too
   bool covered = false;   ///< covered ground as a region where shapes are not asked for

@@ -123,7 +123,7 @@ void FieldCells::partition(TileIndex tile, CellStore& out, CutScratch& scratch) 
     const auto count = static_cast<double>(out.ring(c).size());
     const bool in =
         contains(static_cast<double>(corner.x) + x / count, static_cast<double>(corner.y) + y / count);
-    out.set_state(c, cell_state(in, 0, false));
+    out.set_state(c, in ? kUnworkedField : kUnworkedOutside);
   }
 }
 

@@ -86,7 +86,7 @@ void LiveCoverage::add(const Fix& fix, std::span<const Boom> booms) {
   if (!(width_m_ > 0)) return;
   if (!drive_) {
     DriveSettings drive = settings_.drive;
-    drive.unknown_works = !says_work_;
+    drive.unknown_work = unknown_work();
     drive_.emplace(*field_, settings_, drive, width_m_, most_sections(booms_));
   }
   work(mended_fix(fix));
@@ -122,7 +122,7 @@ void LiveCoverage::restart(WorkLog log) {
 }
 
 CoverageAreas LiveCoverage::areas() const {
-  if (drive_) return reported(drive_->areas(), settings_.strict);
+  if (drive_) return reported(drive_->areas(), settings_.repeat);
   CoverageAreas out;
   out.missed_m2 = out.worked_times_m2[0] = area(*field_);
   return out;
@@ -132,7 +132,7 @@ std::optional<bool> LiveCoverage::working() const {
   if (log_.fixes.empty()) return std::nullopt;
   const Fix fix = mended_fix(log_.fixes.back());
   const Boom one{{1, -1}};
-  return !working_boom(fix, fix.boom >= 0 ? booms_[static_cast<std::size_t>(fix.boom)] : one, !says_work_)
+  return !working_boom(fix, fix.boom >= 0 ? booms_[static_cast<std::size_t>(fix.boom)] : one, unknown_work())
               .empty();
 }
 
@@ -143,7 +143,7 @@ std::optional<Ahead> LiveCoverage::look_ahead(const SwitchRule& rule) const {
   const double half_m = settings_.drive.width_m / 2;
   Ahead out{fix.boom >= 0 ? booms_[static_cast<std::size_t>(fix.boom)] : Boom{{half_m, -half_m}}, {}};
   if (std::isnan(span_m(out.boom))) return std::nullopt;
-  const Boom working = working_boom(fix, out.boom, !says_work_);
+  const Boom working = working_boom(fix, out.boom, unknown_work());
   std::vector<SectionState> states;
   for (const Section& section : out.boom) {
     const double middle_m = 0.5 * (section.left_m + section.right_m);

@@ -79,6 +79,8 @@ class LiveCoverage {
   bool judge(const Fix& fix);
   void take_booms(std::span<const Boom> booms);
   Fix mended_fix(Fix fix) const;
+  /// Where nothing is said of the work, all of it counts; where something is, only what is said.
+  WorkState unknown_work() const { return says_work_ ? WorkState::kOff : WorkState::kOn; }
   void work(const Fix& fix);
   void rebuild();
 

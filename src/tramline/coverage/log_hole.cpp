@@ -46,13 +46,12 @@ double UsualSpeed::mps() const {
   return seconds_ >= kEnough_s ? way_m_ / seconds_ : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::vector<Quad> hole_strip(const HoleEnd& from, const HoleEnd& to, double usual_mps,
-                             bool square_to_headings) {
+std::vector<Quad> hole_strip(const HoleEnd& from, const HoleEnd& to, double usual_mps, QuadShape quads) {
   if (distance(from.place, to.place) < kLeastStep_m) return {};
   const Heading way = Heading::from_to(from.place, to.place);
   if (!is_plausible(from, to, way, usual_mps)) return {};
   const auto across = [&](const HoleEnd& end) {
-    const bool fits = square_to_headings && end.heading && leads_along(end.heading, way);
+    const bool fits = quads == QuadShape::kHeading && end.heading && leads_along(end.heading, way);
     return left_of((fits ? *end.heading : way).unit());
   };
   const Point rear = across(from), front = across(to);

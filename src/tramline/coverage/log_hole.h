@@ -44,9 +44,8 @@ class UsualSpeed {
 
 /// The straight strip from one end to the other, a quad for each stretch across the machine that works at
 /// both; none where it is not plausible that the machine drove so (see above). Without times only headings
-/// decide, and where they are not known either, nothing speaks against it. `square_to_headings`: its ends
-/// fit those of the quads before and behind it; else it is a rectangle along the way. O(sections²).
-std::vector<Quad> hole_strip(const HoleEnd& from, const HoleEnd& to, double usual_mps,
-                             bool square_to_headings);
+/// decide, and where they are not known either, nothing speaks against it. `quads`: the shape of those
+/// before and behind the strip, which fits them. O(sections²).
+std::vector<Quad> hole_strip(const HoleEnd& from, const HoleEnd& to, double usual_mps, QuadShape quads);
 
 }  // namespace tramline::coverage

@@ -51,9 +51,8 @@ class ShapesInTurn {
   ShapesInTurn(const WorkLog& log, const DriveSettings& drive) : log_(log), drive_(drive) {}
 
   void add(const Fix& fix) {
-    const bool works =
-        fix.work == WorkState::kOn || (fix.work == WorkState::kUnknown && drive_.unknown_works);
-    if (!works) {
+    const WorkState work = fix.work == WorkState::kUnknown ? drive_.unknown_work : fix.work;
+    if (work != WorkState::kOn) {
       units_.erase(fix.unit);
       return;
     }

@@ -19,7 +19,7 @@ struct ShapeDrive {
 /// The shapes of a log in its order. Those of a unit that follow one another within max_gap_s and lie no
 /// further apart than max_step_m are one run. A shape with up to four corners is a quad, any other is cut
 /// into triangles; one whose rings cross is mended first. A shape that is not known to have worked counts as
-/// DriveSettings::unknown_works says. Preconditions: local positions, in order of time; every fix has a
+/// DriveSettings::unknown_work says. Preconditions: local positions, in order of time; every fix has a
 /// shape. O(corners · log).
 ShapeDrive shape_drive(const WorkLog& log, const DriveSettings& drive);
 

@@ -30,7 +30,7 @@ Boom StepMaker::working_at(const Fix& fix, const std::vector<Boom>& booms) {
   const double half_m = settings_.width_m / 2;
   const Boom boom = fix.boom >= 0 ? booms[static_cast<std::size_t>(fix.boom)] : Boom{{half_m, -half_m}};
   if (fix.boom < 0 && std::isnan(half_m) && fix.work != WorkState::kOff) ++breaks_.without_width;
-  return working_boom(fix, boom, settings_.unknown_works);
+  return working_boom(fix, boom, settings_.unknown_work);
 }
 
 bool StepMaker::joins(const End& from, const End& to) {
@@ -69,7 +69,7 @@ void StepMaker::close_hole(Unit& unit) {
                    end.working};
   };
   const std::vector<Quad> strip = hole_strip(end_of_hole(unit.hole->before), end_of_hole(unit.hole->after),
-                                             unit.usual.mps(), settings_.quads == QuadShape::kHeading);
+                                             unit.usual.mps(), settings_.quads);
   if (!strip.empty()) ++breaks_.holes;
   unrecorded_.insert(unrecorded_.end(), strip.begin(), strip.end());
   unit.hole.reset();
@@ -127,9 +127,10 @@ std::optional<WorkedStep> StepMaker::add(const Fix& fix, const std::vector<Boom>
   ++fixes_;
   Unit& unit = units_[fix.unit];
   End to{fix.time_s, fix.position, std::nullopt, working_at(fix, booms), fix.rate_per_ha};
-  joined_ = unit.last && joins(*unit.last, to);
+  const bool joined = unit.last && joins(*unit.last, to);
+  continuity_ = joined ? Continuity::kJoined : Continuity::kBroken;
   unrecorded_.clear();
-  if (!joined_) begin_anew(unit, to);
+  if (!joined) begin_anew(unit, to);
   const bool recorded = !std::isnan(fix.heading.degrees());
   const std::optional<Heading> course = unit.course.at(to.antenna);
   to.heading = recorded ? std::optional(fix.heading) : course;

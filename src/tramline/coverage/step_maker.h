@@ -14,12 +14,6 @@
 
 namespace tramline::coverage {
 
-/// Which quad a step works.
-enum class QuadShape {
-  kHeading,  ///< either end square to the heading there (S3's equations 3 and 4, left always left)
-  kSegment,  ///< a rectangle along the step
-};
-
 /// When work and sections switch that differ between two fixes.
 enum class Switching {
   kInterpolate,  ///< half way between them
@@ -31,12 +25,12 @@ struct DriveSettings {
   double width_m = std::numeric_limits<double>::quiet_NaN();  ///< where a log does not say
   QuadShape quads = QuadShape::kHeading;
   Switching switching = Switching::kInterpolate;
-  double max_gap_s = 10;          ///< nothing is worked between fixes further apart in time
-  double max_step_m = 15;         ///< nor in place
-  double antenna_forward_m = 0;   ///< antenna before the machine's middle
-  double antenna_right_m = 0;     ///< antenna right of it
-  double implement_behind_m = 0;  ///< what works, behind the machine's middle
-  bool unknown_works = true;      ///< whether a fix works whose state was not recorded
+  double max_gap_s = 10;                    ///< nothing is worked between fixes further apart in time
+  double max_step_m = 15;                   ///< nor in place
+  double antenna_forward_m = 0;             ///< antenna before the machine's middle
+  double antenna_right_m = 0;               ///< antenna right of it
+  double implement_behind_m = 0;            ///< what works, behind the machine's middle
+  WorkState unknown_work = WorkState::kOn;  ///< on or off: what a fix counts as that does not say
 };
 
 /// How often fixes were not joined of which one at least was at work, and why.
@@ -68,8 +62,8 @@ class StepMaker {
   /// their front may have become known only now.
   const std::vector<Quad>& unrecorded() const { return unrecorded_; }
 
-  /// Whether the last fix was joined to one before it.
-  bool joined() const { return joined_; }
+  /// Of the last fix with the one before it of its unit.
+  Continuity continuity() const { return continuity_; }
   /// Where the middle of what works was at the last fix; the antenna, as long as no heading is known.
   Point place() const { return place_; }
   /// The machine's heading at the last fix; nullopt: not known.
@@ -126,7 +120,7 @@ class StepMaker {
   std::map<int, Unit> units_;
   Breaks breaks_;
   std::size_t fixes_ = 0;
-  bool joined_ = false;
+  Continuity continuity_ = Continuity::kBroken;
   std::vector<Quad> unrecorded_;
   Point place_;
   std::optional<Heading> heading_;

@@ -199,7 +199,8 @@ void TileCoverage::add_unrecorded(const std::vector<Quad>& quads) {
   impl.pieces.clear();
   impl.changed = false;
   for (const Quad& quad : quads) append_pieces(quad, impl.frame, impl.pieces);
-  const Transition unrecorded = made_unrecorded(impl.field.twice_area() == 0);
+  // Without a field all ground may have been meant.
+  const Transition unrecorded = impl.field.twice_area() == 0 ? made_unrecorded() : made_unrecorded_in_field();
   for (const ConvexPiece& piece : impl.pieces) impl.work(piece, unrecorded);
   if (impl.changed) ++impl.stamp;
   impl.sum_up();

@@ -34,10 +34,10 @@ struct WorkChanges {
 
 /// The tiles that changed since `seen`, which is brought up to date. A reader who puts each in the place of
 /// the one of its index, and forgets all that came before one with `all`, has the drive's covered and
-/// repeated ground: region() of the same, but for rounding (TileCoverage::region). `strict`: slivers count
-/// as repeated. Nothing with another engine than the exact one. O(tiles) and O(cells) of those that changed.
-WorkChanges changes_since(SeenWork& seen, const WorkedDrive& drive, bool strict);
+/// repeated ground: region() of the same, but for rounding (TileCoverage::region). Nothing with another
+/// engine than the exact one. O(tiles) and O(cells) of those that changed.
+WorkChanges changes_since(SeenWork& seen, const WorkedDrive& drive, RepeatRule repeat);
 /// The same while the drive goes on; `all` after every rebuild.
-WorkChanges changes_since(SeenWork& seen, const LiveCoverage& live, bool strict);
+WorkChanges changes_since(SeenWork& seen, const LiveCoverage& live, RepeatRule repeat);
 
 }  // namespace tramline::coverage

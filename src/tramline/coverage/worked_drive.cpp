@@ -35,9 +35,9 @@ std::vector<std::string> notes_on(const Breaks& breaks, const DriveSettings& dri
   return out;
 }
 
-void add_shapes(Coverage& coverage, const Engine& engine, bool strict) {
+void add_shapes(Coverage& coverage, const Engine& engine, RepeatRule repeat) {
   coverage.covered = engine.region(Ground::kCovered);
-  coverage.repeated = engine.region(strict ? Ground::kAgain : Ground::kRepeated);
+  coverage.repeated = engine.region(repeat == RepeatRule::kStrict ? Ground::kAgain : Ground::kRepeated);
   coverage.worked_times = {Region{}, engine.region(Ground::kOnce), engine.region(Ground::kTwice),
                            engine.region(Ground::kOften)};
 }
@@ -78,13 +78,13 @@ PreparedLog prepared(WorkLog log, const DriveSettings& drive) {
     out.log = in_time_order(std::move(out.log));
     out.warnings.push_back(note_on_disorder(disorder));
   }
-  out.drive.unknown_works = !says_work(out.log);
+  out.drive.unknown_work = says_work(out.log) ? WorkState::kOff : WorkState::kOn;
   out.width_m = widest_m(out.log, drive);
   return out;
 }
 
-CoverageAreas reported(CoverageAreas areas, bool strict) {
-  if (strict) areas.repeated_m2 = areas.worked_twice_m2();
+CoverageAreas reported(CoverageAreas areas, RepeatRule repeat) {
+  if (repeat == RepeatRule::kStrict) areas.repeated_m2 = areas.worked_twice_m2();
   return areas;
 }
 
@@ -93,7 +93,7 @@ void add_regions(Coverage& out, const Engine& engine, const EvaluateSettings& se
   out.not_recorded = engine.region(Ground::kUnrecorded);
   out.gaps = gaps_of(out.missed);
   if (settings.covered && !settings.shapes) out.covered = engine.region(Ground::kCovered);
-  if (settings.shapes) add_shapes(out, engine, settings.strict);
+  if (settings.shapes) add_shapes(out, engine, settings.repeat);
 }
 
 WorkedDrive::WorkedDrive(const Region& field, const EvaluateSettings& settings, const DriveSettings& drive,
@@ -107,8 +107,8 @@ std::optional<WorkedStep> WorkedDrive::add(const Fix& fix, const std::vector<Boo
   std::optional<WorkedStep> step = steps_.add(fix, booms);
   if (step) engine_->add(*step);
   engine_->add_unrecorded(steps_.unrecorded());
-  lines_.add(fix, steps_.place(), steps_.joined(), step);
-  motion_.add(fix, steps_.place(), steps_.heading(), steps_.joined());
+  lines_.add(fix, steps_.place(), steps_.continuity(), step);
+  motion_.add(fix, steps_.place(), steps_.heading(), steps_.continuity());
   return step;
 }
 
@@ -128,7 +128,7 @@ void WorkedDrive::add_figures(Coverage& out, Clock clock) const {
   out.runs = steps_.runs() + further_runs_;
   const bool timed = clock != Clock::kNone && further_runs_ == 0;
   out.worked_s = timed ? steps_.worked_s() : std::numeric_limits<double>::quiet_NaN();
-  out.areas = reported(engine_->areas(), settings_.strict);
+  out.areas = reported(engine_->areas(), settings_.repeat);
   for (std::string& note : notes_on(steps_.breaks(), drive_)) out.warnings.push_back(std::move(note));
 }
 

@@ -20,7 +20,7 @@ namespace tramline::coverage {
 /// A log as it is driven: mended, in order of time, with what only the whole of it tells.
 struct PreparedLog {
   WorkLog log;
-  DriveSettings drive;  ///< with unknown_works
+  DriveSettings drive;  ///< with unknown_work
   double width_m = 0;   ///< the widest the machine was anywhere, NaN where nothing is known
   std::vector<std::string> warnings;
 };
@@ -39,7 +39,7 @@ std::size_t most_sections(const std::vector<Boom>& booms);
 /// Widest of a boom's places, m; 0 for one without sections.
 double span_m(const Boom& boom);
 
-/// Settings::shapes and strict as in evaluate.h. Fixes come prepared.
+/// EvaluateSettings::shapes and repeat as in evaluate.h. Fixes come prepared.
 class WorkedDrive {
  public:
   /// `drive`: of the prepared log. `sections`: as many as the machine has, about; both only for the size of
@@ -79,8 +79,8 @@ class WorkedDrive {
   std::vector<DrivenLine> further_lines_;
 };
 
-/// Areas, and where slivers count as repeated (S3), with them so.
-CoverageAreas reported(CoverageAreas areas, bool strict);
+/// Areas, with what counts as repeated by the rule.
+CoverageAreas reported(CoverageAreas areas, RepeatRule repeat);
 /// The regions of `out`, whatever steps the engine got. O(regions).
 void add_regions(Coverage& out, const Engine& engine, const EvaluateSettings& settings);
 

@@ -17,6 +17,15 @@ namespace tramline::coverage {
 /// worked), be run through in either sense where it reverses, and be empty where it stands.
 using Quad = std::array<Point, 4>;
 
+/// Which quad a step works.
+enum class QuadShape {
+  kHeading,  ///< either end square to the heading there (S3's equations 3 and 4, left always left)
+  kSegment,  ///< a rectangle along the step
+};
+
+/// Whether the drive goes on to a fix from the one before it of its unit.
+enum class Continuity { kBroken, kJoined };
+
 /// What worked a quad: a run of sections, and the part of the step's time in which it did.
 struct QuadOrigin {
   Section section;  ///< metres left of the machine's middle

@@ -151,7 +151,7 @@ TEST(Replay, ALogWithoutTimesGoesByTheNumberOfItsFixes) {
 TEST(Replay, WithoutAFieldNothingIsMissed) {
   const testing_support::TemporaryFolder folder;
   coverage::EvaluateSettings settings;
-  settings.strict = true;
+  settings.repeat = coverage::RepeatRule::kStrict;
   const auto [drive, whole] = both(written(folder, joined(csv_lines(400))), {}, settings);
   Replay replay(drive, std::nan(""), 1000);
   Follower follower;

@@ -5,7 +5,8 @@
 
 namespace tramline::coverage {
 
-void MotionTrack::add(const Fix& fix, Point place, std::optional<Heading> heading, bool joined) {
+void MotionTrack::add(const Fix& fix, Point place, std::optional<Heading> heading, Continuity continuity) {
+  const bool joined = continuity == Continuity::kJoined;
   const Point way = place - place_;
   const double measured_mps = joined ? length(way) / (fix.time_s - time_s_) : std::nan("");
   place_ = place;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "tramline/coverage/worked_step.h"
 #include "tramline/geometry/angle.h"
 #include "tramline/geometry/point.h"
 #include "tramline/model/work_log.h"
@@ -20,9 +21,9 @@ struct Motion {
 /// Follows the motion of a drive, fix by fix.
 class MotionTrack {
  public:
-  /// `place`, `heading`: of the implement at the fix; `joined`: to the one before it. The speed is the fix's
-  /// own, or by the way since the one before.
-  void add(const Fix& fix, Point place, std::optional<Heading> heading, bool joined);
+  /// `place`, `heading`: of the implement at the fix. The speed is the fix's own, or by the way since the one
+  /// before where the drive went on from there.
+  void add(const Fix& fix, Point place, std::optional<Heading> heading, Continuity continuity);
   /// At the last fix; nullopt where the heading or the speed is not known.
   std::optional<Motion> motion() const { return motion_; }
 
