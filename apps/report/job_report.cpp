@@ -26,8 +26,8 @@ ordered_json date_json(const io::LogJob& job, double time_s) {
 
 }  // namespace
 
-std::string job_heading(const NumberedJob& job, bool first) {
-  return fmt::format("{}job {} of {}   {}\n", first ? "" : "\n", job.number, job.of, job_title(job.job));
+std::string job_heading(const NumberedJob& job) {
+  return fmt::format("job {} of {}   {}\n", job.number, job.of, job_title(job.job));
 }
 
 namespace {

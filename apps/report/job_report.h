@@ -9,8 +9,8 @@
 
 namespace tramline::app {
 
-/// "job 2 of 3    TLG00002 …", a line with an empty one before it unless it is the first that is shown.
-std::string job_heading(const NumberedJob& job, bool first);
+/// The line "job 2 of 3    TLG00002 …".
+std::string job_heading(const NumberedJob& job);
 
 /// The keys of an evaluation with those of its job before them (docs/json.md).
 nlohmann::ordered_json job_json(const NumberedJob& job, const Evaluation& evaluation);

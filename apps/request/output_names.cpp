@@ -35,7 +35,7 @@ std::string UniqueNames::next(const std::string& wanted) {
 }
 
 std::filesystem::path OutputNames::next(const std::string& field_id) {
-  if (!several_) return given_;
+  if (naming_ == Naming::kAsGiven) return given_;
   const std::string name = names_.next(given_.stem().string() + "-" + as_file_name(field_id));
   return given_.parent_path() / (name + given_.extension().string());
 }

@@ -20,16 +20,20 @@ class UniqueNames {
   std::set<std::string> taken_;
 };
 
-/// One field: the name as given. Several: "plan.gpkg" becomes "plan-<field id>.gpkg", the id as a file
-/// name, each name once.
+/// What becomes of a name that was given for the files of a run.
+enum class Naming {
+  kAsGiven,  ///< for the one file there is
+  kWithId,   ///< "plan.gpkg" becomes "plan-<field id>.gpkg", the id as a file name, each name once
+};
+
 class OutputNames {
  public:
-  OutputNames(std::filesystem::path given, bool several) : given_(std::move(given)), several_(several) {}
+  OutputNames(std::filesystem::path given, Naming naming) : given_(std::move(given)), naming_(naming) {}
   std::filesystem::path next(const std::string& field_id);
 
  private:
   std::filesystem::path given_;
-  bool several_;
+  Naming naming_;
   UniqueNames names_;
 };
 

@@ -123,7 +123,8 @@ class CompareCommand : public Command {
     require_writable(output_, "--output", {".gpkg"}, inputs);
     const FieldInput input = load_fields(field_options_);
     const bool single = !field_options_.all && input.fields.size() == 1;
-    Outputs outputs{{csv_, !single}, {picture_, !single}, {output_, !single}, choice};
+    const Naming naming = single ? Naming::kAsGiven : Naming::kWithId;
+    Outputs outputs{{csv_, naming}, {picture_, naming}, {output_, naming}, choice};
     const ManyFieldsReport report{json_, quiet_, "compared the plans of"};
     if (single) {
       const Field& field = input.fields.front();

@@ -120,7 +120,7 @@ class EvaluateCommand : public Command {
     if (!with_files_.empty())
       throw bad_input(fmt::format("--with goes with one job and '{}' has {}; choose one with --job",
                                   log_file_, jobs.size()));
-    OutputNames outputs(output_, true), pictures(picture_, true);
+    OutputNames outputs(output_, Naming::kWithId), pictures(picture_, Naming::kWithId);
     JobWork work;
     work.ground = [&](const io::LogJob& job) { return ground_of(plan, job); };
     work.evaluate = [&](WorkLog log, WorkGround ground) {

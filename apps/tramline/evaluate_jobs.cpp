@@ -32,7 +32,7 @@ class JobPrinter {
  private:
   void add(const NumberedJob& job, const std::string& text) {
     if (how_.quiet && !how_.json) return;
-    if (!how_.json) held_ += job_heading(job, first_);
+    if (!how_.json) held_ += (first_ ? "" : "\n") + job_heading(job);
     first_ = false;
     held_ += text;
     if (any_) print_result(std::exchange(held_, {}));

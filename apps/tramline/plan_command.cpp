@@ -98,8 +98,9 @@ class PlanCommand : public Command {
           "--resume needs --output, --picture or --zoom-obstacles: what is finished is noted beside them");
     const FieldInput input = load_fields(field_options_);
     if (!input.fields.empty()) guide_ = guide_of(plan_options_, input.fields.front().source.input_crs);
-    const bool single = !field_options_.all && input.fields.size() == 1 && !wanted_.one_file && !resume_;
-    PlanOutputs outputs(wanted_, input.fields, field_options_.all || input.fields.size() != 1);
+    const bool one_name = !field_options_.all && input.fields.size() == 1;
+    const bool single = one_name && !wanted_.one_file && !resume_;
+    PlanOutputs outputs(wanted_, input.fields, one_name ? Naming::kAsGiven : Naming::kWithId);
     return single ? plan_single(input.fields.front(), input.skipped, outputs) : plan_many(input, outputs);
   }
 

@@ -28,11 +28,11 @@ void make_folder(const fs::path& folder) {
 
 }  // namespace
 
-PlanOutputs::PlanOutputs(WantedFiles wanted, const std::vector<Field>& fields, bool several)
+PlanOutputs::PlanOutputs(WantedFiles wanted, const std::vector<Field>& fields, Naming naming)
     : wanted_(std::move(wanted)), close_ups_(wanted_.close_ups) {
   OutputNames plans(wanted_.one_file ? parts_folder() / "plan.gpkg" : fs::path(wanted_.plan),
-                    several || wanted_.one_file);
-  OutputNames pictures(wanted_.picture, several);
+                    wanted_.one_file ? Naming::kWithId : naming);
+  OutputNames pictures(wanted_.picture, naming);
   UniqueNames close_ups;
   for (const Field& field : fields)
     names_[field_key(field)] = {plans.next(field.id), pictures.next(field.id),

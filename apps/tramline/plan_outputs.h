@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "close_ups.h"
+#include "request/output_names.h"
 #include "run_record.h"
 #include "tramline/model/plan.h"
 
@@ -19,12 +20,11 @@ struct WantedFiles {
   bool one_file = false;  ///< all plans in the file `plan`
 };
 
-/// One field: names as given. Several: plan-<id>.gpkg and so on, the same names in every run over the same
-/// fields, whichever of them are refused. With one_file the plans wait in a folder of their own beside the
-/// file, .plan.gpkg.parts, until all are there.
+/// Names with ids are the same in every run over the same fields, whichever of them are refused. With
+/// one_file the plans wait in a folder of their own beside the file, .plan.gpkg.parts, until all are there.
 class PlanOutputs {
  public:
-  PlanOutputs(WantedFiles wanted, const std::vector<Field>& fields, bool several);
+  PlanOutputs(WantedFiles wanted, const std::vector<Field>& fields, Naming naming);
 
   /// Writes all that is wanted of one plan, and gives the names of the files. Throws Error(kFailure).
   std::vector<std::string> write(const Plan& plan);

@@ -69,7 +69,8 @@ class RepairCommand : public Command {
                      {coverage_file_, options_.machine_file});
     const Coverage coverage = io::read_coverage(coverage_file_);
     const std::vector<GapField> fields = gap_fields(coverage, coverage_file_);
-    Outputs outputs{{output_, fields.size() > 1}, {picture_, fields.size() > 1}};
+    const Naming naming = fields.size() > 1 ? Naming::kWithId : Naming::kAsGiven;
+    Outputs outputs{{output_, naming}, {picture_, naming}};
     const ManyFieldsReport report{json_, quiet_, "repaired"};
     if (fields.size() == 1) {
       const InterruptEndsSearches interruptible;

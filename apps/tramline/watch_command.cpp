@@ -87,7 +87,7 @@ class WatchCommand : public Command {
     std::unique_ptr<io::RawLog> log;
     if (!raw_log.empty()) log = std::make_unique<io::RawLog>(raw_log);
     WatchSession session(std::move(ground), settings, drive_.log, feed->name());
-    WatchRun watch(session, *feed, log.get(), output_, !follow_.empty(), from_stdin());
+    WatchRun watch(session, *feed, log.get(), output_, line_source());
     return watch.run(signals);
   }
 
@@ -119,6 +119,10 @@ class WatchCommand : public Command {
            static_cast<int>(udp_ != 0) + static_cast<int>(!serial_.empty()) + static_cast<int>(gpsd_asked());
   }
   bool from_stdin() const { return sources() == 0; }
+  LineSource line_source() const {
+    if (!follow_.empty()) return LineSource::kFollowedFile;
+    return from_stdin() ? LineSource::kStdin : LineSource::kDevice;
+  }
 
   void require_one_source() const {
     if (sources() > 1)

@@ -57,13 +57,13 @@ bool EndSignals::taken() const {
 }
 
 WatchRun::WatchRun(WatchSession& session, io::Feed& feed, io::RawLog* log, const WatchOutput& output,
-                   bool follows, bool stdin_taken)
+                   LineSource source)
     : session_(session),
       feed_(feed),
       log_(log),
       output_(output),
-      follows_(follows),
-      key_(stdin_taken),
+      source_(source),
+      key_(source == LineSource::kStdin ? KeySource::kTerminal : KeySource::kStdin),
       terminal_(isatty(STDOUT_FILENO) == 1 && !output.json) {}
 
 void WatchRun::say(const std::string& message) {
@@ -80,7 +80,7 @@ void WatchRun::resume() {
   if (!output_.quiet)
     say(fmt::format("going on with {}.log: {} lines, {} fixes", output_.file, lines.size(),
                     session_.fixes()));
-  if (!follows_) return;
+  if (source_ != LineSource::kFollowedFile) return;
   std::erase_if(lines, [](const std::string& line) { return line.starts_with(io::kOwnLine); });
   before_ = std::move(lines);
 }
@@ -228,7 +228,7 @@ int WatchRun::run(const EndSignals& signals) {
   }
   if (const std::string rest = feed_.rest(); !rest.empty()) {
     // The line of a file that is followed may still be completed: it is measured, and not kept.
-    if (log_ != nullptr && !follows_) log_->append(rest + '\n');
+    if (log_ != nullptr && source_ != LineSource::kFollowedFile) log_->append(rest + '\n');
     if (!known_already(rest)) session_.add(rest);
   }
   session_.finish();

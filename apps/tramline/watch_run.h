@@ -41,12 +41,18 @@ class EndSignals {
   int descriptor_ = -1;
 };
 
+/// Where the lines of a log come from.
+enum class LineSource {
+  kStdin,
+  kFollowedFile,  ///< from its beginning: with the lines that the raw log has already
+  kDevice,        ///< a server, a port, a receiver
+};
+
 class WatchRun {
  public:
-  /// All outlive it. `follows`: the feed begins with the lines that the raw log has already. `log`: null
-  /// without -o.
-  WatchRun(WatchSession& session, io::Feed& feed, io::RawLog* log, const WatchOutput& output, bool follows,
-           bool stdin_taken);
+  /// All outlive it. `log`: null without -o.
+  WatchRun(WatchSession& session, io::Feed& feed, io::RawLog* log, const WatchOutput& output,
+           LineSource source);
 
   /// Until the stream ends or a signal comes. Returns the exit code.
   int run(const EndSignals& signals);
@@ -71,7 +77,7 @@ class WatchRun {
   io::Feed& feed_;
   io::RawLog* log_;
   WatchOutput output_;
-  bool follows_;
+  LineSource source_;
   WorkKey key_;
   CoverageSaver saver_;
   bool terminal_;

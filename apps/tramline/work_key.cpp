@@ -9,7 +9,8 @@
 
 namespace tramline::app {
 
-WorkKey::WorkKey(bool stdin_taken) {
+WorkKey::WorkKey(KeySource source) {
+  const bool stdin_taken = source == KeySource::kTerminal;
   if (stdin_taken && isatty(STDIN_FILENO) == 1) return;  // lines are typed there
   own_ = stdin_taken;
   terminal_ = own_ ? open("/dev/tty", O_RDONLY | O_CLOEXEC | O_NOCTTY) : STDIN_FILENO;

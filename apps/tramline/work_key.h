@@ -5,12 +5,17 @@
 
 namespace tramline::app {
 
+/// Where keys come from.
+enum class KeySource {
+  kStdin,
+  kTerminal,  ///< the terminal itself: standard input is the log
+};
+
 /// Keys come one by one, and are not shown, until it is gone. Does nothing where there is no terminal, or
 /// where this program runs in the background.
 class WorkKey {
  public:
-  /// `stdin_taken`: the log comes from there; keys then come from the terminal itself.
-  explicit WorkKey(bool stdin_taken);
+  explicit WorkKey(KeySource source);
   WorkKey(const WorkKey&) = delete;
   WorkKey& operator=(const WorkKey&) = delete;
   ~WorkKey();

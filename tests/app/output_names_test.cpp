@@ -26,11 +26,11 @@ TEST(OutputNames, AreCutWhereTheyStaySane) {
 }
 
 TEST(OutputNames, AreHandedOutOnce) {
-  OutputNames names("folder/plan.gpkg", true);
+  OutputNames names("folder/plan.gpkg", Naming::kWithId);
   EXPECT_EQ(names.next("north"), "folder/plan-north.gpkg");
   EXPECT_EQ(names.next("поле"), "folder/plan-field.gpkg");
   EXPECT_EQ(names.next("---"), "folder/plan-field-2.gpkg");
-  EXPECT_EQ(OutputNames("folder/plan.gpkg", false).next("---"), "folder/plan.gpkg");
+  EXPECT_EQ(OutputNames("folder/plan.gpkg", Naming::kAsGiven).next("---"), "folder/plan.gpkg");
 }
 
 }  // namespace

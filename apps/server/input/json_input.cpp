@@ -72,8 +72,8 @@ std::string JsonInput::text(const char* key) const {
 
 std::string JsonInput::text_or_none(const char* key) const { return has(key) ? text(key) : std::string(); }
 
-bool JsonInput::flag(const char* key, bool otherwise) const {
-  if (!has(key)) return otherwise;
+std::optional<bool> JsonInput::flag_if(const char* key) const {
+  if (!has(key)) return std::nullopt;
   if (!value(key).is_boolean()) throw bad_input(fmt::format("{} has to be true or false", place_of(key)));
   return value(key).get<bool>();
 }

@@ -27,7 +27,7 @@ class JsonInput {
   std::string text(const char* key) const;
   /// Empty where it is not there.
   std::string text_or_none(const char* key) const;
-  bool flag(const char* key, bool otherwise) const;
+  std::optional<bool> flag_if(const char* key) const;
   /// null where it is not there.
   const nlohmann::ordered_json& value(const char* key) const;
   /// An empty list where it is not there.

@@ -166,7 +166,7 @@ void add_feed_routes(Router& router, App& app) {
     const JsonInput input(json, "", {"on"});
     if (!input.has("on")) throw bad_input("on has to be true or false");
     const OpenFeed open = app.drives->feeds.get(call.part("feed"));
-    open.feed->set_work(input.flag("on", true));
+    open.feed->set_work(input.flag_if("on").value_or(true));
     answer(response, listed(open));
   });
   router.remove(api("/feeds/{feed}"), [&app](const Call& call, httplib::Response& response) {

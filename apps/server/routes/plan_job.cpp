@@ -43,8 +43,8 @@ PlanRequest plan_request(App& app, const ordered_json& json) {
   const SettingsInput settings = settings_in(input.value("settings"));
   validate_request(out.machine, out.objective, settings.settings);
   out.settings = settings_on(settings, out.field->field, out.machine);
-  out.explain = input.flag("explain", false);
-  out.draft = input.flag("draft", false);
+  out.explain = input.flag_if("explain").value_or(false);
+  out.draft = input.flag_if("draft").value_or(false);
   out.seconds = input.number_if("seconds");
   if (out.seconds && *out.seconds <= 0)
     throw bad_input(fmt::format("seconds has to be a number above 0, not {:g}", *out.seconds));

@@ -66,7 +66,7 @@ void add_plan_routes(Router& router, App& app) {
   router.patch(api("/plans/{plan}"), [&app](const Call& call, httplib::Response& response) {
     const ordered_json json = call.json();
     const JsonInput input(json, "", {"name", "draft"});
-    if (input.flag("draft", false))
+    if (input.flag_if("draft").value_or(false))
       throw bad_input("a plan that is kept becomes no draft; delete it instead");
     const std::string name = name_of(input, "name");
     if (input.has("draft") && !input.has("name"))
