@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <regex>
 
+#include "architecture/plain_code.h"
+
 namespace tramline::architecture {
 namespace {
-
-/// Without comments, literals and lines of the preprocessor: none of these opens a block.
-std::string code_of(const std::string& source) {
-  static const std::regex noise(
-      R"re(//[^\n]*|/\*[^*]*\*+(?:[^/*][^*]*\*+)*/|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'|(^|\n)[ \t]*#[^\n]*)re");
-  return std::regex_replace(source, noise, "\n");
-}
 
 /// "a::b" of what is written before the brace of a namespace.
 std::string namespace_name(const std::string& head) {
@@ -30,7 +25,7 @@ std::string type_name(const std::string& head) {
 }  // namespace
 
 std::vector<std::string> defined_types(const std::string& source) {
-  const std::string code = code_of(source);
+  const std::string code = plain_code(source);
   std::vector<std::string> out, namespaces;
   std::vector<bool> is_namespace;  // of each open block
   std::string head;
