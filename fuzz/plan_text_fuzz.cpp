@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,12 +44,17 @@ void read_points(const std::string& text) {
   demand(io::points_from_text(io::points_text(points, {}), {}, kPlace) == points);
 }
 
+/// What a file counts from 1 fits an int.
+void demand_indices(const std::vector<std::size_t>& indices) {
+  for (const std::size_t index : indices) demand(index < std::numeric_limits<int>::max());
+}
+
 void demand_within(const TrackPiece& piece, const Path& path) {
   std::size_t segments = 0;
   for (const Detour& detour : piece.detours) {
     demand(!detour.path.empty());
     segments += detour.path.size();
-    for (const int obstacle : detour.obstacles) demand(obstacle >= 0);
+    demand_indices(detour.obstacles);
   }
   demand(segments <= path.size());
 }
@@ -63,8 +69,8 @@ void read_piece(const std::string& path_text, const std::string& detours) {
 }
 
 void read_numbers(const std::string& text) {
-  const std::vector<int> numbers = io::obstacles_from_text(text, kPlace);
-  for (const int number : numbers) demand(number >= 0);
+  const std::vector<std::size_t> numbers = io::obstacles_from_text(text, kPlace);
+  demand_indices(numbers);
   demand(io::obstacles_from_text(io::obstacles_text(numbers), kPlace) == numbers);
 }
 

@@ -54,7 +54,7 @@ ordered_json why_not_or_null(const WayPast& way) {
 
 ordered_json encounter_json(const Encounter& encounter) {
   ordered_json obstacles = ordered_json::array();
-  for (const int index : encounter.obstacles) obstacles.push_back(index + 1);
+  for (const std::size_t index : encounter.obstacles) obstacles.push_back(index + 1);
   return {{"subfield", encounter.subfield + 1},
           {"track", encounter.track + 1},
           {"x_m", encounter.at.x},

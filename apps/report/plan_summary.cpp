@@ -37,7 +37,7 @@ std::string ground_row(const Plan& plan) {
 /// Of the subfields that have tracks, in their order.
 std::vector<Direction> worked_directions(const Plan& plan) {
   std::vector<bool> worked(plan.subfields.size(), false);
-  for (const TrackPiece& piece : plan.pieces) worked[static_cast<std::size_t>(piece.subfield)] = true;
+  for (const TrackPiece& piece : plan.pieces) worked[piece.subfield] = true;
   std::vector<Direction> out;
   for (std::size_t i = 0; i < worked.size(); ++i)
     if (worked[i]) out.push_back(plan.subfields[i].direction);

@@ -18,7 +18,7 @@ std::vector<std::string> CloseUps::write(const Plan& plan, const std::string& fi
   for (std::size_t i = 0; i < plan.field.obstacles.size(); ++i)
     if (plan.field.obstacles[i].kind == ObstacleKind::kObstacle) {
       const std::filesystem::path file = folder_ / fmt::format("{}-obstacle-{}.png", field, i + 1);
-      render::draw_close_up(plan, static_cast<int>(i), file);
+      render::draw_close_up(plan, i, file);
       out.push_back(file.string());
     }
   return out;

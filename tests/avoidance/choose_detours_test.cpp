@@ -28,7 +28,7 @@ TEST(ChooseDetours, ASymmetricPoleCostsTheSameOnBothSides) {
         ASSERT_EQ(found.size(), 1u);
         ASSERT_TRUE(found[0].left.possible && found[0].right.possible);
         EXPECT_NEAR(found[0].left.cost, found[0].right.cost, 1e-6);
-        EXPECT_EQ(found[0].obstacles, std::vector<int>{0});
+        EXPECT_EQ(found[0].obstacles, std::vector<std::size_t>{0});
         EXPECT_EQ(found[0].track, 3);
         EXPECT_NEAR(distance(found[0].at, {3.5 * width, 80}), 0, 1e-6);
       }
@@ -142,7 +142,7 @@ TEST(ChooseDetours, DetoursThatWouldRunIntoEachOtherBecomeOne) {
     EXPECT_EQ(found.tally.stops, 0);
     ASSERT_EQ(found.tracks.front().pieces.size(), 7u);
     ASSERT_EQ(detours_in(found), 1);
-    EXPECT_EQ(found.tracks.front().pieces[3].detours.front().obstacles, (std::vector<int>{0, 1}));
+    EXPECT_EQ(found.tracks.front().pieces[3].detours.front().obstacles, (std::vector<std::size_t>{0, 1}));
     expect_own_tally(field, found);
     expect_off_poles(field, found);
   }
@@ -386,8 +386,7 @@ TEST(ChooseDetours, OnlyTheObstaclesOfAClusterBesideADetourAreNamed) {
     for (const TrackDetour& detour : piece.detours) {
       ++looked_at;
       for (std::size_t i = 0; i < chain.size(); ++i) {
-        const bool named =
-            std::count(detour.obstacles.begin(), detour.obstacles.end(), static_cast<int>(i)) > 0;
+        const bool named = std::count(detour.obstacles.begin(), detour.obstacles.end(), i) > 0;
         const Box box = bounds(chain[i]);
         EXPECT_EQ(named, box.max_y > detour.from && box.min_y < detour.to) << i;
       }

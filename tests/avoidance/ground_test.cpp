@@ -131,7 +131,7 @@ TEST(Clearance, BelongsToItsObstacleBeyondPassableLand) {
   field.obstacles.push_back({box(45, 0, 46, 100), ObstacleKind::kPassable, "ditch"});
   const SortedGround ground = sort_obstacles(field, kWidth, 3);
   ASSERT_EQ(ground.hazards.size(), 2u);
-  for (const Hazard& hazard : ground.hazards) EXPECT_EQ(hazard.obstacles, std::vector<int>{0});
+  for (const Hazard& hazard : ground.hazards) EXPECT_EQ(hazard.obstacles, std::vector<std::size_t>{0});
 }
 
 // A hedge all round a garden of 10 × 10 m: no machine gets into the garden.

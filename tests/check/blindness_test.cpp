@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 
 #include "check/plans.h"
 
@@ -288,8 +289,22 @@ TEST(Blindness, unsound_pieces) {
   EXPECT_EQ(with([](TrackPiece& p) { p.end = p.start; }), Names{"pieces"});
   EXPECT_EQ(with([](TrackPiece& p) { p.end.x = std::numeric_limits<double>::infinity(); }), Names{"pieces"});
   EXPECT_EQ(with([](TrackPiece& p) { p.subfield = 1; }), Names{"pieces"});
-  EXPECT_EQ(with([](TrackPiece& p) { p.subfield = -1; }), Names{"pieces"});
+  EXPECT_EQ(with([](TrackPiece& p) { p.subfield = std::numeric_limits<std::size_t>::max(); }),
+            Names{"pieces"});
   EXPECT_EQ(with([](TrackPiece& p) { p.end.y += 0.01; }), Names{"pieces"});
+}
+
+// Files count from 1, and a number below that is an index beyond all others.
+TEST(Blindness, numbers_of_subfields_are_told_as_the_file_has_them) {
+  for (const int number : {-4, 0, 2}) {
+    Plan plan = rectangle_plan();
+    plan.pieces[4].subfield = static_cast<std::size_t>(number) - 1;
+    const check::Verdict verdict = check::verify(plan);
+    ASSERT_FALSE(verdict.violations.empty());
+    EXPECT_EQ(verdict.violations.front().what,
+              "piece 5 belongs to subfield " + std::to_string(number) + ", and there are 1");
+    EXPECT_EQ(verdict.violations.front().amount, number);
+  }
 }
 
 TEST(Blindness, unsound_shapes) {

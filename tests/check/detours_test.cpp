@@ -307,7 +307,8 @@ TEST(Detours, that_tell_another_story) {
   EXPECT_EQ(with([](Detour& d, Encounter& e) { d.obstacles = e.obstacles = {}; }), Names{"encounters"});
   EXPECT_EQ(with([](Detour&, Encounter& e) { e.obstacles = {2}; }), Names{"encounters"});
   EXPECT_EQ(with([](Detour&, Encounter& e) { e.track = 5; }), Names{"encounters"});
-  EXPECT_EQ(with([](Detour&, Encounter& e) { e.subfield = -1; }), Names{"encounters"});
+  EXPECT_EQ(with([](Detour&, Encounter& e) { e.subfield = std::numeric_limits<std::size_t>::max(); }),
+            Names{"encounters"});
   EXPECT_EQ(with([](Detour&, Encounter& e) { e.at.x = 60; }), Names{"encounters"});
   EXPECT_EQ(with([](Detour&, Encounter& e) { e.at.y += 0.1; }), Names{"encounters"});
   EXPECT_EQ(with([](Detour&, Encounter& e) { e.at.x = kNaN; }), Names{"encounters"});
@@ -493,7 +494,8 @@ TEST(Detours, unsound) {
   EXPECT_EQ(with([](Detour& d) { d.path.clear(); }), Names{"pieces"});
   EXPECT_EQ(with([](Detour& d) { d.side = Passing::kCut; }), Names{"pieces"});
   EXPECT_EQ(with([](Detour& d) { d.obstacles = {2}; }), Names{"pieces"});
-  EXPECT_EQ(with([](Detour& d) { d.obstacles = {-1}; }), Names{"pieces"});
+  EXPECT_EQ(with([](Detour& d) { d.obstacles = {std::numeric_limits<std::size_t>::max()}; }),
+            Names{"pieces"});
   EXPECT_EQ(with([](Detour& d) { d.path[1].to.x = kNaN; }), Names{"pieces"});
   EXPECT_EQ(with([](Detour& d) { d.path[1].from.x = 1e12; }), Names{"pieces"});
   EXPECT_EQ(with([](Detour& d) { d.path[1].curvature = kNaN; }), Names{"pieces"});
@@ -533,11 +535,11 @@ TEST(Detours, by_the_hundred_are_judged) {
     for (int k = 0; k < 3; ++k) {
       const double x = 30 + 60 * k + (i % 2) * 20;
       const Ring pole = rectangle(x - kPoleHalf_m, y - kPoleHalf_m, x + kPoleHalf_m, y + kPoleHalf_m);
+      const std::size_t number = plan.field.obstacles.size();
       plan.field.obstacles.push_back({{pole, {}}, ObstacleKind::kObstacle, "pole"});
       plan.body[0].holes.push_back(reversed(pole));
-      piece.detours.push_back(
-          bulge(piece, x, away, 6, i < 39 ? Passing::kLeft : Passing::kRight, {3 * i + k}));
-      plan.encounters.push_back(encounter_on(piece, {x, y}, {3 * i + k}, piece.detours.back().side));
+      piece.detours.push_back(bulge(piece, x, away, 6, i < 39 ? Passing::kLeft : Passing::kRight, {number}));
+      plan.encounters.push_back(encounter_on(piece, {x, y}, {number}, piece.detours.back().side));
     }
     plan.pieces.push_back(piece);
   }

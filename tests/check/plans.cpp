@@ -17,7 +17,7 @@ namespace {
 const Direction kEast = Direction::clockwise_from_north(Angle::degrees(90));
 
 /// Adds a piece along a horizontal centre line, driven east on even tracks and west on odd ones.
-void add_piece(Plan& plan, int track, double y, double from_x, double to_x, int subfield = 0) {
+void add_piece(Plan& plan, int track, double y, double from_x, double to_x, std::size_t subfield = 0) {
   TrackPiece piece{{from_x, y}, {to_x, y}, subfield, track};
   if (track % 2 == 1) std::swap(piece.start, piece.end);
   plan.pieces.push_back(piece);
@@ -181,7 +181,8 @@ Plan crossing_plan() {
   return settled(plan);
 }
 
-Encounter encounter_on(const TrackPiece& piece, Point at, std::vector<int> obstacles, Passing chosen) {
+Encounter encounter_on(const TrackPiece& piece, Point at, std::vector<std::size_t> obstacles,
+                       Passing chosen) {
   const auto way = [chosen](Passing side) {
     if (chosen == Passing::kCut) return WayPast{false, 0, "there is no room between the obstacles"};
     return WayPast{true, side == chosen ? -1.0 : 1.0, ""};
@@ -191,7 +192,7 @@ Encounter encounter_on(const TrackPiece& piece, Point at, std::vector<int> obsta
 }
 
 Detour bulge(const TrackPiece& piece, double along_m, double away_m, double radius_m, Passing side,
-             std::vector<int> obstacles) {
+             std::vector<std::size_t> obstacles) {
   const double half = std::sqrt(4 * radius_m * away_m - away_m * away_m);
   const double left = side == Passing::kLeft ? 1 : -1, curvature = left / radius_m;
   const Point along = (1 / distance(piece.start, piece.end)) * (piece.end - piece.start);

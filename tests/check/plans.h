@@ -39,12 +39,12 @@ Plan crossing_plan();
 inline constexpr double kPoleHalf_m = 0.25;
 
 /// What a plan says where a track meets obstacles: the chosen way is possible, and costs least.
-Encounter encounter_on(const TrackPiece& piece, Point at, std::vector<int> obstacles, Passing chosen);
+Encounter encounter_on(const TrackPiece& piece, Point at, std::vector<std::size_t> obstacles, Passing chosen);
 
 /// Three arcs of one radius that leave the piece's line by `away_m` at `along_m` from its start and
 /// come back: √(4·r·h − h²) before and behind.
 Detour bulge(const TrackPiece& piece, double along_m, double away_m, double radius_m, Passing side,
-             std::vector<int> obstacles);
+             std::vector<std::size_t> obstacles);
 /// By how much such a bulge has to leave the line for a swath of `half_m` to keep `clearance_m` from a
 /// pole on it. Precondition: radius_m > half_m + clearance_m + kPoleHalf_m.
 double away_from_pole(double radius_m, double half_m, double clearance_m);

@@ -20,9 +20,9 @@ Plan plan_of(std::vector<TrackPiece> pieces) {
   return out;
 }
 
-TrackPiece straight(Point from, Point to, int subfield) { return {from, to, subfield, 0}; }
+TrackPiece straight(Point from, Point to, std::size_t subfield) { return {from, to, subfield, 0}; }
 
-TrackPiece curved(const Path& path, int subfield) {
+TrackPiece curved(const Path& path, std::size_t subfield) {
   TrackPiece out{path.front().from, path.back().to, subfield, 0};
   out.curve = path;
   return out;

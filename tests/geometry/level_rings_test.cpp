@@ -64,7 +64,7 @@ TEST(LevelRings, SayWhomTheyKeepOff) {
   for (const LevelPiece& piece : rings.front()) {
     if (piece.segment.straight()) continue;
     ++arcs;
-    EXPECT_EQ(piece.shore, 1);
+    EXPECT_EQ(piece.shore, 1U);
     EXPECT_LT(piece.segment.curvature, 0);
   }
   EXPECT_EQ(arcs, 2);

@@ -129,7 +129,7 @@ TEST(Headland, GoesRoundASquare) {
   ASSERT_EQ(headland.passes.size(), 2u);
   const HeadlandPass& round = headland.passes[headland.passes[0].around_field ? 1 : 0];
   EXPECT_FALSE(round.around_field);
-  EXPECT_EQ(round.obstacles, std::vector<int>{0});
+  EXPECT_EQ(round.obstacles, std::vector<std::size_t>{0});
   EXPECT_NEAR(length(round.path), 40 + 6 * kPi, kLength);
   EXPECT_LT(signed_area(chords(round.path)), 0) << "the body is on the left";
   EXPECT_NEAR(area(headland.ground), 100 * 100 - 88 * 88 + 240 + 36 * kPi, kChords);
@@ -174,7 +174,7 @@ TEST(Headland, ReachesRoundAnObstacleNearTheEdge) {
   const HeadlandAndBody headland = made(field_of(box(0, 0, 100, 100), {box(45, 4, 55, 14)}), {6, 0, 1, {1}});
   ASSERT_EQ(headland.passes.size(), 1u);
   EXPECT_TRUE(headland.passes.front().around_field);
-  EXPECT_EQ(headland.passes.front().obstacles, std::vector<int>{0});
+  EXPECT_EQ(headland.passes.front().obstacles, std::vector<std::size_t>{0});
   EXPECT_NEAR(area(headland.body), 88 * 88 - 22 * 8 - 60 - 18 * kPi, kChords);
   EXPECT_GT(headland.uncovered_m2, 40 + (4 - kPi) * 36) << "the land between is left";
 }
@@ -184,7 +184,7 @@ TEST(Headland, KeepsOffObstaclesWithoutHeadland) {
   const HeadlandAndBody headland =
       made(field_of(box(0, 0, 100, 100), {box(45, 1, 55, 9), box(45, 45, 55, 55)}), {6, 6, 1, {}});
   ASSERT_EQ(headland.passes.size(), 1u);
-  EXPECT_EQ(headland.passes.front().obstacles, std::vector<int>{0});
+  EXPECT_EQ(headland.passes.front().obstacles, std::vector<std::size_t>{0});
   EXPECT_NEAR(area(headland.body), 88 * 88 - 30 - 100, kChords);
 }
 
@@ -196,7 +196,7 @@ TEST(Headland, PassesObstaclesStraight) {
   ASSERT_EQ(headland.passes.size(), 3u);
   const auto once_round = [](double d) { return 4 * (100 - 2 * d) - 8 * 8 + 16 * kPi; };
   EXPECT_NEAR(length(headland.passes[0].path), once_round(3), kLength);
-  EXPECT_EQ(headland.passes[1].obstacles, std::vector<int>{0});
+  EXPECT_EQ(headland.passes[1].obstacles, std::vector<std::size_t>{0});
   EXPECT_NEAR(length(headland.passes[2].path), once_round(9), kLength);
   EXPECT_TRUE(headland.passes[2].obstacles.empty());
 }
@@ -245,7 +245,7 @@ TEST(Headland, GoesRoundTwoObstaclesAtOnce) {
   const HeadlandAndBody headland =
       made(field_of(box(0, 0, 100, 100), {box(38, 45, 48, 55), box(52, 45, 62, 55)}), {6, 0, 0, {1, 1}});
   ASSERT_EQ(headland.passes.size(), 1u);
-  EXPECT_EQ(headland.passes.front().obstacles, (std::vector<int>{0, 1}));
+  EXPECT_EQ(headland.passes.front().obstacles, (std::vector<std::size_t>{0, 1}));
   EXPECT_NEAR(length(headland.passes.front().path), 60 + 6 * kPi + 24 * std::asin(2.0 / 6), kLength);
 }
 
@@ -431,7 +431,7 @@ TEST(Headland, PassesAnObstacleNearTheEdgeOnItsFreeSide) {
   const HeadlandPass& pass = headland.passes.front();
   EXPECT_FALSE(is_closed(pass));
   EXPECT_FALSE(pass.around_field);
-  EXPECT_EQ(pass.obstacles, std::vector<int>{0});
+  EXPECT_EQ(pass.obstacles, std::vector<std::size_t>{0});
   EXPECT_NEAR(length(pass.path), 2 * 15 + 15 + 3 * kPi, 0.01);
   EXPECT_NEAR(pass.path.front().from.y, 0, 1e-3);
   EXPECT_NEAR(pass.path.back().to.y, 0, 1e-3);
@@ -529,7 +529,7 @@ TEST(Headland, DoesNotFollowPassesDrivenAlready) {
   const HeadlandPass second = open_ones(headland).front();
   EXPECT_EQ(second.number, 2);
   EXPECT_FALSE(second.around_field);
-  EXPECT_EQ(second.obstacles, std::vector<int>{0});
+  EXPECT_EQ(second.obstacles, std::vector<std::size_t>{0});
   const double all = 3 * 10 + 9 * kPi;
   EXPECT_GT(length(second.path), all);
   EXPECT_LT(length(second.path), all + 2 * 5);

@@ -47,7 +47,7 @@ Ring box(double min_x, double min_y, double max_x, double max_y) {
 }
 
 /// A piece from west to east on track k, whose middle is at y = (k + ½)·w.
-WorkedLine piece(int track, double from_x, double to_x, int subfield = 0) {
+WorkedLine piece(int track, double from_x, double to_x, std::size_t subfield = 0) {
   TrackPiece out;
   const double y = (track + 0.5) * kWidth_m;
   out.start = {from_x, y};
@@ -215,9 +215,9 @@ TEST(DrivingOrder, TakesTheNearestSubfieldNext) {
   }
   const std::vector<TrackPiece> pieces = driven_tracks({problem, unprepared}, candidate).pieces;
   ASSERT_EQ(pieces.size(), 3U);
-  EXPECT_EQ(pieces[0].subfield, 0);
-  EXPECT_EQ(pieces[1].subfield, 2);
-  EXPECT_EQ(pieces[2].subfield, 1);
+  EXPECT_EQ(pieces[0].subfield, 0U);
+  EXPECT_EQ(pieces[1].subfield, 2U);
+  EXPECT_EQ(pieces[2].subfield, 1U);
   EXPECT_NEAR(pieces[1].start.y, pieces[0].end.y, 1e-9) << "from where the machine is";
 }
 

@@ -62,7 +62,8 @@ TEST(PlanField, DetoursNameTheObstaclesBesideThem) {
   const Plan plan = plan_field(field, {}, {0.04, 0.10, 0.45, 50}, settings);
   ASSERT_EQ(plan.encounters.size(), 2U);
   for (const Encounter& encounter : plan.encounters)
-    EXPECT_EQ(encounter.obstacles, encounter.at.y < 24 ? std::vector<int>{0} : (std::vector<int>{0, 1}));
+    EXPECT_EQ(encounter.obstacles,
+              encounter.at.y < 24 ? std::vector<std::size_t>{0} : (std::vector<std::size_t>{0, 1}));
   bool before_the_pole = false;
   for (const TrackPiece& piece : plan.pieces)
     for (const Detour& detour : piece.detours) {
@@ -70,7 +71,7 @@ TEST(PlanField, DetoursNameTheObstaclesBesideThem) {
       const double to = std::max(detour.path.front().from.x, detour.path.back().to.x);
       if (from > 60 || to > 122) continue;
       before_the_pole = true;
-      EXPECT_EQ(detour.obstacles, std::vector<int>{0});
+      EXPECT_EQ(detour.obstacles, std::vector<std::size_t>{0});
     }
   EXPECT_TRUE(before_the_pole);
 }

@@ -20,9 +20,9 @@ struct Pylons {
 };
 
 Pylons pylons_of(const Plan& plan) {
-  std::map<int, bool> always_round;  // by obstacle
+  std::map<std::size_t, bool> always_round;  // by obstacle
   for (const Encounter& encounter : plan.encounters)
-    for (const int obstacle : encounter.obstacles) {
+    for (const std::size_t obstacle : encounter.obstacles) {
       bool& so_far = always_round.try_emplace(obstacle, true).first->second;
       so_far = so_far && encounter.chosen != Passing::kCut;
     }

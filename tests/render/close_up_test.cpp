@@ -25,7 +25,8 @@ bool has(const std::vector<LegendBlock>& blocks, Symbol symbol) {
   return false;
 }
 
-ErrorKind kind_thrown(int obstacle, const std::filesystem::path& path, const PictureOptions& options = {}) {
+ErrorKind kind_thrown(std::size_t obstacle, const std::filesystem::path& path,
+                      const PictureOptions& options = {}) {
   try {
     draw_close_up(detour_plan(), obstacle, path, options);
   } catch (const Error& error) {

@@ -57,7 +57,7 @@ TEST(Badges, StandInsideTheirSubfield) {
   const MapView view{{0, 0}, {0, 0}, 8};
   const auto badges = place_badges(plan, view, 1);
   ASSERT_EQ(badges.size(), 1u) << "half a metre at 8 px/m has no room for a number";
-  EXPECT_EQ(badges[0].subfield, 0);
+  EXPECT_EQ(badges[0].subfield, 0U);
   EXPECT_TRUE(contains(u, Point{badges[0].centre.x / 8, -badges[0].centre.y / 8}));
 }
 

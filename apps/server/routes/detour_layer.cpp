@@ -12,9 +12,10 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string numbers(const std::vector<int>& obstacles) {
+std::string numbers(const std::vector<std::size_t>& obstacles) {
   std::string out;
-  for (const int obstacle : obstacles) out += fmt::format("{}{}", out.empty() ? "" : ", ", obstacle + 1);
+  for (const std::size_t obstacle : obstacles)
+    out += fmt::format("{}{}", out.empty() ? "" : ", ", obstacle + 1);
   return out;
 }
 

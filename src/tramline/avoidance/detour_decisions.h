@@ -55,10 +55,10 @@ class DetourDecisions {
   WayRound way_past_gaps(const BlockedTrack& track, std::size_t first, std::size_t last, Passing side) const;
   void add_paper_option(BlockedTrack& track, std::size_t gap);
   WayRound named(const BlockedTrack& track, WayRound way) const;
-  std::vector<int> obstacles_in(const BlockedTrack& track, Interval gap) const;
-  std::vector<int> obstacles_along(const BlockedTrack& track, const std::vector<std::size_t>& hazards,
-                                   Interval range) const;
-  std::vector<int> obstacles_near(const Track& curved, Interval range) const;
+  std::vector<std::size_t> obstacles_in(const BlockedTrack& track, Interval gap) const;
+  std::vector<std::size_t> obstacles_along(const BlockedTrack& track, const std::vector<std::size_t>& hazards,
+                                           Interval range) const;
+  std::vector<std::size_t> obstacles_near(const Track& curved, Interval range) const;
   void mark_dear_options(Decision& decision);
 
   // detour_improvement.cpp
@@ -76,7 +76,7 @@ class DetourDecisions {
 
   // detour_encounters.cpp
   PlacedEncounter encounter_at(Decision& decision, std::size_t gap);
-  std::vector<int> obstacles_taken_along(const Decision& decision, const TrackDetour& detour) const;
+  std::vector<std::size_t> obstacles_taken_along(const Decision& decision, const TrackDetour& detour) const;
 
   const AvoidanceTask& task_;
   WaysPast ways_ = WaysPast::kOwn;

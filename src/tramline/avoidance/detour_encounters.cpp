@@ -8,8 +8,8 @@ namespace tramline {
 namespace {
 
 /// Of two ascending lists.
-void keep_common(std::vector<int>& some, const std::vector<int>& others) {
-  std::erase_if(some, [&](int x) { return !std::binary_search(others.begin(), others.end(), x); });
+void keep_common(std::vector<std::size_t>& some, const std::vector<std::size_t>& others) {
+  std::erase_if(some, [&](std::size_t x) { return !std::binary_search(others.begin(), others.end(), x); });
 }
 
 /// The place on the line of a track, in the field's frame.
@@ -34,7 +34,7 @@ PlacedEncounter DetourDecisions::encounter_at(Decision& decision, std::size_t ga
   PlacedEncounter out;
   out.between = {track.stretches[gap - 1].to, track.stretches[gap].from};
   const double middle = 0.5 * (out.between.from + out.between.to);
-  out.subfield = static_cast<int>(decision.track.family);
+  out.subfield = decision.track.family;
   out.track = track.index;
   out.branch = track.branch;
   out.at = place_on(family_of(decision), track, middle);
@@ -42,7 +42,7 @@ PlacedEncounter DetourDecisions::encounter_at(Decision& decision, std::size_t ga
   for (const TrackDetour& detour : decision.chosen)
     if (detour.from <= middle && detour.to >= middle) {
       out.chosen = detour.side;
-      const std::vector<int> taken_along = obstacles_taken_along(decision, detour);
+      const std::vector<std::size_t> taken_along = obstacles_taken_along(decision, detour);
       out.obstacles.insert(out.obstacles.end(), taken_along.begin(), taken_along.end());
       keep_common(out.obstacles, detour.obstacles);
       std::sort(out.obstacles.begin(), out.obstacles.end());
@@ -62,16 +62,16 @@ PlacedEncounter DetourDecisions::encounter_at(Decision& decision, std::size_t ga
 
 /// A track simply ends at the headland round an obstacle, and there is nothing to decide. Where a detour
 /// about another obstacle leads past it all the same, it is met with that one.
-std::vector<int> DetourDecisions::obstacles_taken_along(const Decision& decision,
-                                                        const TrackDetour& detour) const {
+std::vector<std::size_t> DetourDecisions::obstacles_taken_along(const Decision& decision,
+                                                                const TrackDetour& detour) const {
   const Track& track = track_of(decision);
   const std::vector<std::size_t>& decided = decision.track.gaps;
-  std::vector<int> out;
+  std::vector<std::size_t> out;
   for (std::size_t gap = 1; gap < track.stretches.size(); ++gap) {
     const Interval between{track.stretches[gap - 1].to, track.stretches[gap].from};
     const bool inside = detour.from <= between.from && detour.to >= between.to;
     if (!inside || std::find(decided.begin(), decided.end(), gap) != decided.end()) continue;
-    const std::vector<int> there = obstacles_in(decision.track, between);
+    const std::vector<std::size_t> there = obstacles_in(decision.track, between);
     out.insert(out.end(), there.begin(), there.end());
   }
   return out;

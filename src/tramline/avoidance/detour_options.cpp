@@ -121,8 +121,8 @@ WayRound DetourDecisions::named(const BlockedTrack& track, WayRound way) const {
   way.detour.obstacles = obstacles_along(track, way.hazards, {way.detour.from, way.detour.to});
   if (!is_straight(track_of(track))) return way;
   const TrackFrame& frame = task_.families[track.family].grid.frame;
-  std::erase_if(way.detour.obstacles, [&](int obstacle) {
-    const Polygon& shape = task_.field.obstacles[static_cast<std::size_t>(obstacle)].shape;
+  std::erase_if(way.detour.obstacles, [&](std::size_t obstacle) {
+    const Polygon& shape = task_.field.obstacles[obstacle].shape;
     return !goes_round(way.detour, frame.to_track(shape.outer));
   });
   return way;
@@ -130,14 +130,14 @@ WayRound DetourDecisions::named(const BlockedTrack& track, WayRound way) const {
 
 /// Of those that the hazards are made of, the ones that lie along the track there. Land given up may join a
 /// hazard's obstacles to others far away: those are neither met nor passed here.
-std::vector<int> DetourDecisions::obstacles_along(const BlockedTrack& track,
-                                                  const std::vector<std::size_t>& hazards,
-                                                  Interval range) const {
+std::vector<std::size_t> DetourDecisions::obstacles_along(const BlockedTrack& track,
+                                                          const std::vector<std::size_t>& hazards,
+                                                          Interval range) const {
   if (!is_straight(track_of(track))) return obstacles_near(track_of(track), range);
-  std::vector<int> out;
+  std::vector<std::size_t> out;
   for (const std::size_t hazard : hazards)
-    for (const int obstacle : task_.ground.hazards[hazard].obstacles) {
-      const Interval extent = obstacles_[track.family][static_cast<std::size_t>(obstacle)];
+    for (const std::size_t obstacle : task_.ground.hazards[hazard].obstacles) {
+      const Interval extent = obstacles_[track.family][obstacle];
       if (extent.from < range.to - kSamePlace_m && extent.to > range.from + kSamePlace_m)
         out.push_back(obstacle);
     }
@@ -147,20 +147,19 @@ std::vector<int> DetourDecisions::obstacles_along(const BlockedTrack& track,
 }
 
 /// Those nearer to a curved track than its swath and the clearance.
-std::vector<int> DetourDecisions::obstacles_near(const Track& curved, Interval range) const {
+std::vector<std::size_t> DetourDecisions::obstacles_near(const Track& curved, Interval range) const {
   const Path line = path_along(curved, range.from, range.to);
   const SwathLine reaching(line, width_m_ + 2 * task_.settings.clearance_m);
-  std::vector<int> out;
+  std::vector<std::size_t> out;
   for (std::size_t i = 0; i < task_.field.obstacles.size(); ++i) {
     const Obstacle& obstacle = task_.field.obstacles[i];
     if (obstacle.kind != ObstacleKind::kObstacle) continue;
-    if (runs_into(reaching, {obstacle.shape.outer, bounds(obstacle.shape), {}}))
-      out.push_back(static_cast<int>(i));
+    if (runs_into(reaching, {obstacle.shape.outer, bounds(obstacle.shape), {}})) out.push_back(i);
   }
   return out;
 }
 
-std::vector<int> DetourDecisions::obstacles_in(const BlockedTrack& track, Interval gap) const {
+std::vector<std::size_t> DetourDecisions::obstacles_in(const BlockedTrack& track, Interval gap) const {
   const StripGrid& grid = task_.families[track.family].grid;
   return obstacles_along(track, hazards_in(grid, track_of(track), gap, around_[track.family]), gap);
 }

@@ -55,7 +55,7 @@ std::vector<Hazard> hazards_of(const Region& hard, const Field& field, double cl
     for (std::size_t i = 0; i < field.obstacles.size(); ++i) {
       const Obstacle& obstacle = field.obstacles[i];
       if (obstacle.kind != ObstacleKind::kObstacle || !intersects(bounds(obstacle.shape), reach)) continue;
-      if (belongs(obstacle.shape, polygon, clearance_m)) hazard.obstacles.push_back(static_cast<int>(i));
+      if (belongs(obstacle.shape, polygon, clearance_m)) hazard.obstacles.push_back(i);
     }
     if (hazard.obstacles.size() == 1) hazard.round = circle_of(polygon.outer);
     out.push_back(std::move(hazard));

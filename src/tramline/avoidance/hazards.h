@@ -16,8 +16,8 @@ struct Circle {
 /// One connected piece of hard land: an obstacle, or several with the land given up between them.
 struct Hazard {
   Polygon shape;
-  std::vector<int> obstacles;   ///< indices into Field::obstacles
-  std::optional<Circle> round;  ///< where it is one obstacle in the shape of a circle (S1.31)
+  std::vector<std::size_t> obstacles;  ///< indices into Field::obstacles
+  std::optional<Circle> round;         ///< where it is one obstacle in the shape of a circle (S1.31)
 };
 
 /// The circle a ring stands for: through its farthest vertex, where at least 8 vertices lie on it to 1 %

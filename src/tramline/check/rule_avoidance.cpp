@@ -90,7 +90,7 @@ class PaperDetour {
   PieceFrame frame_;
 };
 
-bool has_detours(const Plan& plan, int subfield, int track) {
+bool has_detours(const Plan& plan, std::size_t subfield, int track) {
   return std::any_of(plan.pieces.begin(), plan.pieces.end(), [=](const TrackPiece& piece) {
     return piece.subfield == subfield && piece.track == track && !piece.detours.empty();
   });

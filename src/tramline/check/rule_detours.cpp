@@ -15,7 +15,7 @@
 namespace tramline::check {
 namespace {
 
-bool includes(const std::vector<int>& all, int index) {
+bool includes(const std::vector<std::size_t>& all, std::size_t index) {
   return std::find(all.begin(), all.end(), index) != all.end();
 }
 
@@ -41,9 +41,9 @@ class DetourCheck {
     const Box near = course_.line_box(reach_m_);
     const auto& obstacles = c_.plan.field.obstacles;
     for (std::size_t k = 0; k < obstacles.size(); ++k) {
-      const bool named = includes(detour_.obstacles, static_cast<int>(k));
+      const bool named = includes(detour_.obstacles, k);
       if (!named && !(stands_in_ways(obstacles[k]) && intersects(c_.obstacle_boxes[k], near))) continue;
-      const std::string fault = fault_about(static_cast<int>(k), named);
+      const std::string fault = fault_about(k, named);
       if (fault.empty()) continue;
       out.push_back({Rule::kEncounters, fmt::format("{}: obstacle {} {}", name_, k + 1, fault),
                      obstacles[k].shape.outer.front(), static_cast<double>(k + 1)});
@@ -60,8 +60,8 @@ class DetourCheck {
 
   /// What is wrong with what the detour says of an obstacle, or "". One may be named that is not in the way
   /// of the line: land given up may join it to one that is, or the detour would have met it.
-  std::string fault_about(int obstacle, bool named) {
-    const Polygon& shape = c_.plan.field.obstacles[static_cast<std::size_t>(obstacle)].shape;
+  std::string fault_about(std::size_t obstacle, bool named) {
+    const Polygon& shape = c_.plan.field.obstacles[obstacle].shape;
     const Sides sides = course_.sides_of(shape);
     if (!named) return is_in_the_way(sides) ? "is in its way and not named" : "";
     if (is_passed_on_wrong_side(sides)) {

@@ -16,7 +16,7 @@ namespace tramline::check {
 namespace {
 
 /// The pieces of each track, by subfield and track.
-using Tracks = std::map<std::pair<int, int>, std::vector<std::size_t>>;
+using Tracks = std::map<std::pair<std::size_t, int>, std::vector<std::size_t>>;
 
 Tracks tracks_of(const Plan& plan) {
   Tracks out;
@@ -48,9 +48,10 @@ bool driven_over(const Plan& plan, const std::vector<std::size_t>& pieces, Point
   });
 }
 
-bool includes_all(const std::vector<int>& all, const std::vector<int>& some) {
-  return std::all_of(some.begin(), some.end(),
-                     [&all](int index) { return std::find(all.begin(), all.end(), index) != all.end(); });
+bool includes_all(const std::vector<std::size_t>& all, const std::vector<std::size_t>& some) {
+  return std::all_of(some.begin(), some.end(), [&all](std::size_t index) {
+    return std::find(all.begin(), all.end(), index) != all.end();
+  });
 }
 
 /// Of a track that follows a curve it is asked how far the place is from the reference: in corners the line
@@ -77,8 +78,7 @@ std::string cut_fault(const Case& c, const Tracks& tracks, const Encounter& enco
 /// In which way an encounter is not what the tracks do, or "".
 std::string contradiction(const Case& c, const Tracks& tracks, const Encounter& encounter) {
   const Plan& plan = c.plan;
-  const auto subfields = static_cast<int>(plan.subfields.size());
-  if (encounter.subfield < 0 || encounter.subfield >= subfields) return "is in a subfield that there is not";
+  if (encounter.subfield >= plan.subfields.size()) return "is in a subfield that there is not";
   // Written so that NaN lies nowhere.
   if (!(std::abs(encounter.at.x) <= kFarthest_m && std::abs(encounter.at.y) <= kFarthest_m))
     return "lies off the map";
@@ -108,7 +108,7 @@ std::vector<const Encounter*> encounters_at(const Case& c, const TrackPiece& pie
   return out;
 }
 
-bool names(const std::vector<const Encounter*>& encounters, int obstacle) {
+bool names(const std::vector<const Encounter*>& encounters, std::size_t obstacle) {
   return std::any_of(encounters.begin(), encounters.end(), [obstacle](const Encounter* encounter) {
     return std::find(encounter->obstacles.begin(), encounter->obstacles.end(), obstacle) !=
            encounter->obstacles.end();

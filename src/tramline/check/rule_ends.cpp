@@ -55,7 +55,7 @@ Polygon land_within(const Box& box, const Region& land) {
 /// several subfields.
 Region land_asked_for(const Plan& plan, const TrackPiece& piece) {
   if (is_repair(plan)) return plan.body;
-  const Subfield& own = plan.subfields[static_cast<std::size_t>(piece.subfield)];
+  const Subfield& own = plan.subfields[piece.subfield];
   if (piece.curve.empty()) return {own.shape};
   Region out;
   for (const Subfield& other : plan.subfields)
@@ -84,7 +84,7 @@ void check_ends(const Case& c, Violations& out) {
     if (below.length() > allowed_m)
       out.push_back({Rule::kEnds, describe(c.plan, i, below), at, below.length()});
   };
-  std::map<std::pair<int, bool>, Region> lands;  // by subfield, of straight and of curved pieces
+  std::map<std::pair<std::size_t, bool>, Region> lands;  // by subfield, of straight and of curved pieces
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
     const TrackPiece& piece = c.plan.pieces[i];
     Region& asked_for = lands[{piece.subfield, piece.curve.empty()}];

@@ -42,7 +42,7 @@ void check_obstacle_passes(const Plan& plan, Violations& out) {
 /// The most passes that a boundary has which the pass names.
 int most_passes(const Plan& plan, const HeadlandPass& pass) {
   int out = pass.around_field ? plan.settings.headlands : 0;
-  for (const int i : pass.obstacles) out = std::max(out, passes_round(plan, static_cast<std::size_t>(i)));
+  for (const std::size_t i : pass.obstacles) out = std::max(out, passes_round(plan, i));
   return out;
 }
 

@@ -45,7 +45,7 @@ struct Gap {
   Path path;
 };
 
-std::vector<Laid> laid_in(const Plan& plan, int subfield) {
+std::vector<Laid> laid_in(const Plan& plan, std::size_t subfield) {
   std::vector<Laid> out;
   for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
     const TrackPiece& piece = plan.pieces[i];
@@ -105,11 +105,10 @@ std::vector<LaidLine> numbered_lines(const Plan& plan, const std::vector<Laid>& 
 }
 
 /// None where it is not known on which lines the tracks lie.
-std::vector<LaidLine> laid_lines(const Case& c, int subfield) {
+std::vector<LaidLine> laid_lines(const Case& c, std::size_t subfield) {
   const std::vector<Laid> all = laid_in(c.plan, subfield);
   if (!follows_curve(c.plan, subfield))
-    return straight_lines(all, c.plan.subfields[static_cast<std::size_t>(subfield)].direction.unit(),
-                          c.plan.field.outer.front());
+    return straight_lines(all, c.plan.subfields[subfield].direction.unit(), c.plan.field.outer.front());
   const TrackLines& lines = c.lines.of(subfield);
   return lines.known() ? numbered_lines(c.plan, all, lines) : std::vector<LaidLine>{};
 }
@@ -117,7 +116,7 @@ std::vector<LaidLine> laid_lines(const Case& c, int subfield) {
 /// The gaps along one line against the encounters there.
 class Meetings {
  public:
-  Meetings(const Case& c, int subfield, LaidLine along, Violations& out)
+  Meetings(const Case& c, std::size_t subfield, LaidLine along, Violations& out)
       : c_(c), subfield_(subfield), along_(std::move(along)), out_(out) {
     std::stable_sort(along_.laid.begin(), along_.laid.end(),
                      [](const Placed& a, const Placed& b) { return before(a.from, b.from); });
@@ -192,7 +191,7 @@ class Meetings {
     const auto& obstacles = c_.plan.field.obstacles;
     for (std::size_t k = 0; k < obstacles.size(); ++k) {
       if (obstacles[k].kind != ObstacleKind::kObstacle || passes_round(c_.plan, k) > 0) continue;
-      if (names(there, static_cast<int>(k))) continue;
+      if (names(there, k)) continue;
       const Clipped part = core.part_on({{&obstacles[k].shape, c_.obstacle_boxes[k]}});
       if (part.area_m2 <= kTouch_m2) continue;
       out_.push_back(
@@ -212,7 +211,7 @@ class Meetings {
   }
 
   const Case& c_;
-  int subfield_;
+  std::size_t subfield_;
   LaidLine along_;
   Violations& out_;
 };
@@ -221,7 +220,7 @@ class Meetings {
 
 void check_meetings(const Case& c, Violations& out) {
   if (is_repair(c.plan)) return;
-  for (int i = 0; i < static_cast<int>(c.plan.subfields.size()); ++i)
+  for (std::size_t i = 0; i < c.plan.subfields.size(); ++i)
     for (LaidLine& line : laid_lines(c, i)) Meetings(c, i, std::move(line), out).check();
 }
 

@@ -28,7 +28,7 @@ struct Nearest {
 /// The pieces of one subfield that follow a curve.
 class Family {
  public:
-  Family(const Case& c, int subfield) : width_m_(c.plan.machine.width_m) {
+  Family(const Case& c, std::size_t subfield) : width_m_(c.plan.machine.width_m) {
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
       if (c.plan.pieces[i].subfield != subfield) continue;
@@ -104,7 +104,7 @@ class Family {
 }  // namespace
 
 void check_parallel(const Case& c, Violations& out) {
-  for (int i = 0; i < static_cast<int>(c.plan.subfields.size()); ++i)
+  for (std::size_t i = 0; i < c.plan.subfields.size(); ++i)
     if (follows_curve(c.plan, i)) Family(c, i).check(out);
 }
 

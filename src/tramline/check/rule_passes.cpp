@@ -76,8 +76,8 @@ class PassCheck {
     ring.pop_back();
     const bool counter_clockwise = signed_area(ring) > 0;
     bool right = counter_clockwise || !pass_.around_field;
-    for (const int k : pass_.obstacles) {
-      const Ring& outer = c_.plan.field.obstacles[static_cast<std::size_t>(k)].shape.outer;
+    for (const std::size_t k : pass_.obstacles) {
+      const Ring& outer = c_.plan.field.obstacles[k].shape.outer;
       right = right && contains(ring, outer.front()) != counter_clockwise;
     }
     if (!right)

@@ -84,14 +84,16 @@ void check_piece(const Plan& plan, std::size_t index, Violations& out) {
     out.push_back({Rule::kPieces, name + " has no length", piece.start, 0});
     return;
   }
-  if (piece.subfield < 0 || static_cast<std::size_t>(piece.subfield) >= plan.subfields.size()) {
-    out.push_back({Rule::kPieces,
-                   fmt::format("{} belongs to subfield {}, and there are {}", name, piece.subfield + 1,
-                               plan.subfields.size()),
-                   piece.start, static_cast<double>(piece.subfield + 1)});
+  if (piece.subfield >= plan.subfields.size()) {
+    // Numbers below 1 in a file have become indices beyond all others.
+    const auto number = static_cast<long long>(piece.subfield + 1);
+    out.push_back(
+        {Rule::kPieces,
+         fmt::format("{} belongs to subfield {}, and there are {}", name, number, plan.subfields.size()),
+         piece.start, static_cast<double>(number)});
     return;
   }
-  const Subfield& subfield = plan.subfields[static_cast<std::size_t>(piece.subfield)];
+  const Subfield& subfield = plan.subfields[piece.subfield];
   if (!piece.curve.empty()) {
     if (const std::string fault = fault_of_curve(piece); !fault.empty())
       out.push_back({Rule::kPieces, name + fault, piece.start, 0});

@@ -44,7 +44,7 @@ double pass_arcs_m(const Case& c) {
 }
 
 int worked_subfields(const Plan& plan) {
-  std::set<int> worked;
+  std::set<std::size_t> worked;
   for (const TrackPiece& piece : plan.pieces) worked.insert(piece.subfield);
   return is_repair(plan) ? std::min<int>(1, static_cast<int>(worked.size()))
                          : static_cast<int>(worked.size());

@@ -154,12 +154,12 @@ void check_clearance_of(const Case& c, const Lane& lane, const std::string& name
 double least_radius_m(const Machine& machine);
 
 /// Are these indices of obstacles of the field?
-bool exist(const Plan& plan, const std::vector<int>& obstacles);
+bool exist(const Plan& plan, const std::vector<std::size_t>& obstacles);
 /// How many passes of headland an obstacle has.
 int passes_round(const Plan& plan, std::size_t obstacle);
 /// Are the tracks of a subfield parallel to a curve, so that they need not lie in its direction? They are
 /// where one of them is curved, or where the subfield's reference is.
-bool follows_curve(const Plan& plan, int subfield);
+bool follows_curve(const Plan& plan, std::size_t subfield);
 
 /// The stretch of the line of its track that a detour takes the place of, in its heading; nullopt where it
 /// does not lead from the line back to it, or the line is not known.
@@ -167,7 +167,7 @@ std::optional<Path> line_left(const Case& c, const TrackPiece& piece, const Deto
 /// The encounters on the stretch of its track that a detour takes the place of. O(e).
 std::vector<const Encounter*> encounters_at(const Case& c, const TrackPiece& piece, const Detour& detour);
 /// Does any of the encounters name the obstacle?
-bool names(const std::vector<const Encounter*>& encounters, int obstacle);
+bool names(const std::vector<const Encounter*>& encounters, std::size_t obstacle);
 
 /// "piece 12": pieces are numbered for people from 1, in driving order.
 std::string piece_name(std::size_t index);

@@ -70,8 +70,7 @@ std::vector<int> TrackLines::tracks_near(Point p) const {
 PlanLines::PlanLines(const Plan& plan) : lines_(1), by_subfield_(plan.subfields.size(), 0) {
   std::vector<bool> curved(plan.subfields.size(), false);
   for (const TrackPiece& piece : plan.pieces)
-    if (!piece.curve.empty() && piece.subfield >= 0 && piece.subfield < std::ssize(plan.subfields))
-      curved[static_cast<std::size_t>(piece.subfield)] = true;
+    if (!piece.curve.empty() && piece.subfield < plan.subfields.size()) curved[piece.subfield] = true;
   for (std::size_t i = 0; i < plan.subfields.size(); ++i) {
     if (!curved[i]) continue;
     const Path& reference = plan.subfields[i].reference;
@@ -84,9 +83,8 @@ PlanLines::PlanLines(const Plan& plan) : lines_(1), by_subfield_(plan.subfields.
   }
 }
 
-const TrackLines& PlanLines::of(int subfield) const {
-  const bool known = subfield >= 0 && subfield < std::ssize(by_subfield_);
-  return lines_[known ? by_subfield_[static_cast<std::size_t>(subfield)] : 0];
+const TrackLines& PlanLines::of(std::size_t subfield) const {
+  return lines_[subfield < by_subfield_.size() ? by_subfield_[subfield] : 0];
 }
 
 std::optional<TrackLine> PlanLines::along(const TrackPiece& piece) const {

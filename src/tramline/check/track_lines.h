@@ -43,7 +43,7 @@ class PlanLines {
   explicit PlanLines(const Plan& plan);
 
   /// None where no piece of the subfield is curved, or where there is no such subfield.
-  const TrackLines& of(int subfield) const;
+  const TrackLines& of(std::size_t subfield) const;
   /// The line that a piece keeps to but for its detours: the straight one through its ends, or that of its
   /// curved track, nullopt where that is not known. Precondition: the piece is sound (check_pieces).
   std::optional<TrackLine> along(const TrackPiece& piece) const;

@@ -121,9 +121,9 @@ std::string detour_name(std::size_t piece, std::size_t detour) {
   return fmt::format("detour {} of {}", detour + 1, piece_name(piece));
 }
 
-bool exist(const Plan& plan, const std::vector<int>& obstacles) {
-  const auto count = static_cast<int>(plan.field.obstacles.size());
-  return std::all_of(obstacles.begin(), obstacles.end(), [count](int i) { return i >= 0 && i < count; });
+bool exist(const Plan& plan, const std::vector<std::size_t>& obstacles) {
+  const std::size_t count = plan.field.obstacles.size();
+  return std::all_of(obstacles.begin(), obstacles.end(), [count](std::size_t i) { return i < count; });
 }
 
 int passes_round(const Plan& plan, std::size_t obstacle) {
@@ -131,10 +131,9 @@ int passes_round(const Plan& plan, std::size_t obstacle) {
   return obstacle < passes.size() ? passes[obstacle] : 0;
 }
 
-bool follows_curve(const Plan& plan, int subfield) {
-  const auto place = static_cast<std::size_t>(subfield);
-  if (place < plan.subfields.size() &&
-      std::any_of(plan.subfields[place].reference.begin(), plan.subfields[place].reference.end(),
+bool follows_curve(const Plan& plan, std::size_t subfield) {
+  if (subfield < plan.subfields.size() &&
+      std::any_of(plan.subfields[subfield].reference.begin(), plan.subfields[subfield].reference.end(),
                   [](const PathSegment& segment) { return !segment.straight(); }))
     return true;
   return std::any_of(plan.pieces.begin(), plan.pieces.end(), [subfield](const TrackPiece& piece) {

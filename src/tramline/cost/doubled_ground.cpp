@@ -31,12 +31,13 @@ class CurvedSwaths {
   struct Swath {
     PathSegment line;
     std::size_t part = 0;  ///< of a piece: its swaths follow one another
-    int subfield = 0;
+    std::size_t subfield = 0;
   };
   const std::vector<Swath>& all() const { return swaths_; }
 
   /// Adds what the swath has in common with those of subfields from the given one on.
-  void append_common_with(const Region& swath, const Box& window, int from_subfield, Region& out) const {
+  void append_common_with(const Region& swath, const Box& window, std::size_t from_subfield,
+                          Region& out) const {
     std::vector<std::size_t> near_by;
     grid_.each_meeting(window, [&](std::size_t i) {
       if (swaths_[i].subfield >= from_subfield) near_by.push_back(i);

@@ -88,8 +88,8 @@ bool has_its_own_overlap(const TrackPiece& piece, const std::vector<Subfield>& s
 std::vector<double> overlap_by_piece(const Region& body, const std::vector<Subfield>& subfields,
                                      const std::vector<TrackPiece>& pieces, double width_m) {
   assert(std::all_of(pieces.begin(), pieces.end(), [&subfields](const TrackPiece& piece) {
-    return (piece.curve.empty() || (piece.overlap_m2 && !has_kinks(piece.curve))) && piece.subfield >= 0 &&
-           static_cast<std::size_t>(piece.subfield) < subfields.size();
+    return (piece.curve.empty() || (piece.overlap_m2 && !has_kinks(piece.curve))) &&
+           piece.subfield < subfields.size();
   }));
   const std::vector<TurnedBody> bodies = turned_bodies(body, subfields);
   std::vector<DrivenLine> driven;
@@ -103,7 +103,7 @@ std::vector<double> overlap_by_piece(const Region& body, const std::vector<Subfi
       out.push_back(*piece.overlap_m2);
       continue;
     }
-    const TurnedBody& turned = bodies[static_cast<std::size_t>(piece.subfield)];
+    const TurnedBody& turned = bodies[piece.subfield];
     const auto in_frame = [&turned](const Path& line) {
       return moved(line, [&turned](Point p) { return turned.frame.to_track(p); });
     };

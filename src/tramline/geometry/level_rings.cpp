@@ -27,7 +27,7 @@ struct Guard {
 /// the same.
 struct Candidate {
   OffsetCurve curve;
-  int shore = 0;
+  std::size_t shore = 0;
   std::size_t guards[2] = {};
 };
 
@@ -68,7 +68,7 @@ void add_guard(Arrangement& to, Point a, Point b, double distance_m) {
   to.guards.push_back({a, b, distance_m, bounds(a, b).grown(distance_m)});
 }
 
-void add_shore(Arrangement& to, const Shore& shore, int index) {
+void add_shore(Arrangement& to, const Shore& shore, std::size_t index) {
   const std::size_t n = shore.ring.size(), first = to.guards.size();
   const double d = shore.distance_m;
   std::vector<Point> normals;
@@ -276,7 +276,7 @@ std::vector<LevelRing> level_rings(const std::vector<Shore>& shores, const std::
   Arrangement a;
   a.shores = &shores;
   for (const Shore& shore : shores) a.outer.push_back(signed_area(shore.ring) > 0 ? 1 : 0);
-  for (std::size_t i = 0; i < shores.size(); ++i) add_shore(a, shores[i], static_cast<int>(i));
+  for (std::size_t i = 0; i < shores.size(); ++i) add_shore(a, shores[i], i);
   for (const ShoreDisc& disc : discs) add_disc(a, disc);
   cut_at_meetings(a);
   name_nodes(a);

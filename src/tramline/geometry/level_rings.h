@@ -19,8 +19,8 @@ struct Shore {
 /// A disc that has to be kept free, too.
 struct ShoreDisc {
   Point centre;
-  double radius_m = 0;  ///< > 0
-  int shore = 0;        ///< on whose behalf
+  double radius_m = 0;    ///< > 0
+  std::size_t shore = 0;  ///< on whose behalf
 };
 
 /// A piece of the boundary, the land that keeps its distance on its left. Arcs bend to the right: they are
@@ -30,7 +30,7 @@ struct LevelPiece {
   Point centre{};        ///< of an arc
   Point from_heading{};  ///< unit vectors in driving direction; better than what the segment's ends tell
   Point to_heading{};
-  int shore = 0;  ///< an index: whom it keeps the distance from
+  std::size_t shore = 0;  ///< an index: whom it keeps the distance from
 };
 
 /// Pieces one after the other, each beginning where the last one ended (up to 1e-8 m), without gap at the

@@ -17,8 +17,8 @@ namespace {
 Region inside_obstacles(const Field& field, const std::vector<Boundary>& boundaries) {
   Region out;
   for (const Boundary& boundary : boundaries)
-    if (boundary.obstacle >= 0 && boundary.passes > 0)
-      for (const Ring& hole : field.obstacles[static_cast<std::size_t>(boundary.obstacle)].shape.holes)
+    if (boundary.obstacle && boundary.passes > 0)
+      for (const Ring& hole : field.obstacles[*boundary.obstacle].shape.holes)
         out.push_back({reversed(hole), {}});
   return out;
 }

@@ -18,7 +18,7 @@ std::vector<std::size_t> rings_to_follow(const std::vector<Rail>& rails,
   for (std::size_t first = 0, last = 0; first < rails.size(); first = last) {
     bool own = false;
     do {
-      own = own || boundaries[static_cast<std::size_t>(rails[last].shore)].passes >= number;
+      own = own || boundaries[rails[last].shore].passes >= number;
       ++last;
     } while (last < rails.size() && rails[last - 1].next == last);
     if (own) out.push_back(first);

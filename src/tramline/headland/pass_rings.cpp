@@ -37,10 +37,10 @@ HeadlandPass pass_on(const Path& path, const Scene& scene) {
   std::size_t nearest = 0;
   double nearest_m = std::numeric_limits<double>::infinity();
   const auto name = [&](std::size_t i) {
-    if (scene.boundaries[i].obstacle < 0)
-      out.around_field = true;
+    if (const auto obstacle = scene.boundaries[i].obstacle)
+      out.obstacles.push_back(*obstacle);
     else
-      out.obstacles.push_back(scene.boundaries[i].obstacle);
+      out.around_field = true;
   };
   bool any = false;
   for (std::size_t i = 0; i < scene.boundaries.size(); ++i) {

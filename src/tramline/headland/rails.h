@@ -13,7 +13,7 @@ namespace tramline {
 /// The circle's centre while it touches one piece of the level from the land's side.
 struct Rail {
   OffsetCurve curve;
-  int shore = 0;
+  std::size_t shore = 0;
   std::size_t next = 0;      ///< round the ring
   bool straight_on = false;  ///< no kink before the next one
 };

@@ -13,25 +13,23 @@ namespace {
 
 /// Does any of the ring follow a boundary that has the pass?
 bool follows_own(const LevelRing& ring, const std::vector<Boundary>& boundaries, int number) {
-  return std::any_of(ring.begin(), ring.end(), [&](const LevelPiece& piece) {
-    return boundaries[static_cast<std::size_t>(piece.shore)].passes >= number;
-  });
+  return std::any_of(ring.begin(), ring.end(),
+                     [&](const LevelPiece& piece) { return boundaries[piece.shore].passes >= number; });
 }
 
 HeadlandPass pass_along(const LevelRing& ring, const std::vector<Boundary>& boundaries, int number,
                         double radius_m) {
   HeadlandPass pass{closed_path(ring, radius_m), number, false, {}};
   for (const LevelPiece& piece : ring) {
-    const int obstacle = boundaries[static_cast<std::size_t>(piece.shore)].obstacle;
-    if (obstacle < 0)
-      pass.around_field = true;
+    if (const auto obstacle = boundaries[piece.shore].obstacle)
+      pass.obstacles.push_back(*obstacle);
     else
-      pass.obstacles.push_back(obstacle);
+      pass.around_field = true;
   }
   if (const std::vector<Point> line = chords(pass.path, 1.0); signed_area(line) < 0)
     for (const Boundary& boundary : boundaries)
-      if (boundary.obstacle >= 0 && contains(line, boundary.ring.front()))
-        pass.obstacles.push_back(boundary.obstacle);
+      if (boundary.obstacle && contains(line, boundary.ring.front()))
+        pass.obstacles.push_back(*boundary.obstacle);
   std::sort(pass.obstacles.begin(), pass.obstacles.end());
   pass.obstacles.erase(std::unique(pass.obstacles.begin(), pass.obstacles.end()), pass.obstacles.end());
   return pass;
@@ -82,7 +80,7 @@ int meetings_of(const std::vector<HeadlandPass>& rings) {
 
 /// Does a pass of the group come too near to the boundary, or is it on its wrong side?
 bool disturbs(const RingGroup& group, const Boundary& boundary, int number, double width_m) {
-  if (boundary.obstacle < 0 && boundary.passes < number) return false;  // passes end there
+  if (!boundary.obstacle && boundary.passes < number) return false;  // passes end there
   const double room = room_m(boundary, number, width_m);
   const Box box = bounds(boundary.ring);
   const bool land_inside = signed_area(boundary.ring) > 0;

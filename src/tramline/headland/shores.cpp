@@ -17,12 +17,12 @@ Ring without_idle_vertices(const Ring& ring) {
 }  // namespace
 
 std::vector<Boundary> boundaries_of(const Field& field, const HeadlandTerms& terms) {
-  std::vector<Boundary> out{{without_idle_vertices(field.outer), terms.field_passes, -1}};
+  std::vector<Boundary> out{{without_idle_vertices(field.outer), terms.field_passes, std::nullopt}};
   for (std::size_t i = 0; i < field.obstacles.size(); ++i) {
     const Obstacle& obstacle = field.obstacles[i];
     if (obstacle.kind != ObstacleKind::kObstacle) continue;
     const int passes = i < terms.obstacle_passes.size() ? terms.obstacle_passes[i] : 0;
-    out.push_back({without_idle_vertices(reversed(obstacle.shape.outer)), passes, static_cast<int>(i)});
+    out.push_back({without_idle_vertices(reversed(obstacle.shape.outer)), passes, i});
   }
   std::erase_if(out, [](const Boundary& boundary) { return boundary.ring.size() < 3; });
   return out;

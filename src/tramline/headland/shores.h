@@ -1,6 +1,8 @@
 #pragma once
 // How far each pass keeps from each boundary.
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "tramline/geometry/level_rings.h"
@@ -11,8 +13,8 @@ namespace tramline {
 /// A boundary that no swath crosses.
 struct Boundary {
   Ring ring;  ///< the free land on its left; what keeps within kIdleVertex_m of fewer vertices is left out
-  int passes = 0;     ///< of its headland
-  int obstacle = -1;  ///< index into Field::obstacles; -1: the field's outer ring
+  int passes = 0;                         ///< of its headland
+  std::optional<std::size_t> obstacle{};  ///< index into Field::obstacles; nullopt: the field's outer ring
 };
 
 /// The field's outer ring, then the obstacles that are not passable, without their holes.

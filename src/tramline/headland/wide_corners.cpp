@@ -17,7 +17,7 @@ struct TightArc {
   Point first{};       ///< unit vectors from the corner to the arc's ends
   Point last{};
   double turned_rad = 0;  ///< from the first one to the last one
-  int shore = 0;
+  std::size_t shore = 0;
 
   double level_m(double radius_m) const { return radius_m - slack_m; }
 };

@@ -1,6 +1,7 @@
 #pragma once
 // What a track does about the obstacles it meets.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,8 @@ enum class Passing { kLeft, kRight, kCut };
 struct Detour {
   Path path;                      ///< begins and ends on the track's line, tangentially, in driving direction
   Passing side = Passing::kLeft;  ///< of the obstacles, seen in driving direction; never kCut
-  std::vector<int> obstacles;     ///< indices into Field::obstacles, ascending; empty: land given up only
+  /// Indices into Field::obstacles, ascending; empty: land given up only.
+  std::vector<std::size_t> obstacles;
 };
 
 /// One way of getting past an obstacle.
@@ -33,10 +35,10 @@ struct WayPast {
 
 /// A place where a track meets obstacles, and what was decided there.
 struct Encounter {
-  int subfield = 0;
-  int track = 0;
-  Point at;                    ///< on the track's line, in the middle of the stretch it cannot drive
-  std::vector<int> obstacles;  ///< as in Detour
+  std::size_t subfield = 0;            ///< index into Plan::subfields
+  int track = 0;                       ///< as in TrackPiece
+  Point at;                            ///< on the track's line, in the middle of the stretch it cannot drive
+  std::vector<std::size_t> obstacles;  ///< as in Detour
   Passing chosen = Passing::kCut;
   WayPast left;  ///< seen in driving direction; in that of the subfield where the track is not driven
   WayPast right;

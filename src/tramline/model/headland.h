@@ -1,6 +1,7 @@
 #pragma once
 // Passes round a field and its obstacles, and the ground they are there for (S2.4).
 
+#include <cstddef>
 #include <vector>
 
 #include "tramline/geometry/path.h"
@@ -13,9 +14,10 @@ namespace tramline {
 /// clockwise. Or open: from one end to the other, with the boundary that it follows on its right.
 struct HeadlandPass {
   Path path;
-  int number = 1;              ///< 1 is the outermost, next to the boundary
-  bool around_field = false;   ///< follows the field's boundary somewhere
-  std::vector<int> obstacles;  ///< indices into Field::obstacles: those it goes round or follows, increasing
+  int number = 1;             ///< 1 is the outermost, next to the boundary
+  bool around_field = false;  ///< follows the field's boundary somewhere
+  /// Indices into Field::obstacles: those it goes round or follows, increasing.
+  std::vector<std::size_t> obstacles;
 
   friend bool operator==(const HeadlandPass& a, const HeadlandPass& b) = default;
 };

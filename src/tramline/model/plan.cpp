@@ -122,9 +122,8 @@ bool is_curved(const Plan& plan) {
 std::vector<int> curved_tracks_by_subfield(const Plan& plan) {
   std::vector<int> out(plan.subfields.size(), 0);
   for (const TrackPiece& piece : plan.pieces) {
-    const auto subfield = static_cast<std::size_t>(piece.subfield);
-    assert(subfield < out.size());
-    if (!piece.curve.empty()) ++out[subfield];
+    assert(piece.subfield < out.size());
+    if (!piece.curve.empty()) ++out[piece.subfield];
   }
   return out;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // A plan: every piece the machine drives over a field, and what it amounts to.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -106,7 +107,7 @@ struct Subfield {
 struct DroppedPiece {
   Point start;
   Point end;
-  int subfield = 0;
+  std::size_t subfield = 0;  ///< index into Plan::subfields
 };
 
 /// Frame: the field's local metres.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "tramline/geometry/path.h"
@@ -12,8 +13,8 @@ namespace tramline {
 struct TrackPiece {
   Point start;
   Point end;
-  int subfield = 0;  ///< index into Plan::subfields
-  int track = 0;     ///< number of the strip within the subfield, from 0 at its origin edge
+  std::size_t subfield = 0;  ///< index into Plan::subfields
+  int track = 0;             ///< number of the strip within the subfield, from 0 at its origin edge
   bool stop_at_start = false;
   bool stop_at_end = false;
   /// The same track goes on beyond a passable obstacle that lies between the previous piece (in

@@ -16,7 +16,8 @@ bool is_written_as_curve(const SearchTask& task, const Subfield& subfield) {
   return task.settings.tracks == TrackConstruction::kParallel || is_bent(subfield.reference);
 }
 
-TrackPiece piece_on_field(const LaidPiece& piece, const StripGrid& grid, int subfield, int first_track) {
+TrackPiece piece_on_field(const LaidPiece& piece, const StripGrid& grid, std::size_t subfield,
+                          int first_track) {
   const auto on_field = [&grid](Point p) { return grid.frame.to_field(p); };
   const Path line = line_of(piece, grid);
   TrackPiece out;
@@ -59,7 +60,7 @@ std::vector<TrackPiece> track_pieces(const SearchTask& task, const Candidate& ca
     const int first = first_track(candidate, i);
     const bool curved = is_written_as_curve(task, candidate.subfields[i]);
     for (const LaidPiece& piece : tracks.pieces) {
-      out.push_back(piece_on_field(piece, tracks.grid, static_cast<int>(i), first));
+      out.push_back(piece_on_field(piece, tracks.grid, i, first));
       if (!curved) continue;
       out.back().curve = line_of(piece, tracks.grid);
       out.back().overlap_m2 = task.machine.width_m * piece.length_m - piece.inside_m2;

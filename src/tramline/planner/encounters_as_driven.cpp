@@ -16,7 +16,7 @@ double off_by(const LaidPiece& piece, const Interval& between) {
   return std::max({0.0, piece.from - between.to, between.from - piece.to});
 }
 
-using Track = std::pair<int, int>;  // by subfield and number in its family
+using Track = std::pair<std::size_t, int>;  // by subfield and number in its family
 
 /// The driven pieces of each track, in driving order.
 std::map<Track, std::vector<std::size_t>> by_track(const Candidate& candidate, const Driven& driven) {
@@ -24,7 +24,7 @@ std::map<Track, std::vector<std::size_t>> by_track(const Candidate& candidate, c
   for (std::size_t i = 0; i < driven.laid.size(); ++i) {
     const LaidPlace& laid = driven.laid[i];
     const LaidPiece& piece = candidate.avoided.tracks[laid.subfield].pieces[laid.piece];
-    out[{static_cast<int>(laid.subfield), piece.track}].push_back(i);
+    out[{laid.subfield, piece.track}].push_back(i);
   }
   return out;
 }
@@ -48,7 +48,7 @@ std::vector<Encounter> encounters_as_driven(const SearchTask& task, const Candid
         nearest_m = off_m;
         back = driven.back[i];
       }
-    encounter.track -= first_track(candidate, static_cast<std::size_t>(encounter.subfield));
+    encounter.track -= first_track(candidate, encounter.subfield);
     if (back) {
       encounter.chosen = order::other_side(encounter.chosen);
       std::swap(encounter.left, encounter.right);

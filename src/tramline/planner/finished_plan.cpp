@@ -24,7 +24,7 @@ std::vector<DroppedPiece> dropped_pieces(const Candidate& candidate) {
     const LaidTracks& tracks = candidate.avoided.tracks[i];
     for (const LaidPiece& piece : tracks.dropped) {
       const Path line = line_of(piece, tracks.grid);
-      out.push_back({line.front().from, line.back().to, static_cast<int>(i)});
+      out.push_back({line.front().from, line.back().to, i});
     }
   }
   return out;

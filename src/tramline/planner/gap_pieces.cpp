@@ -4,7 +4,8 @@
 
 namespace tramline {
 
-std::vector<TrackPiece> pieces_of(const GapLine& line, const StripGrid& grid, int subfield, int track) {
+std::vector<TrackPiece> pieces_of(const GapLine& line, const StripGrid& grid, std::size_t subfield,
+                                  int track) {
   std::vector<TrackPiece> out;
   const double across = grid.centre(0);
   for (const LaidPiece& piece : line.pieces) {

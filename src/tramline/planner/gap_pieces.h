@@ -9,6 +9,7 @@ namespace tramline {
 
 /// The line in the field's frame, in order along it: strip 0 of the grid. Its pieces belong to the subfield
 /// and are the track of that number. O(pieces).
-std::vector<TrackPiece> pieces_of(const GapLine& line, const StripGrid& grid, int subfield, int track);
+std::vector<TrackPiece> pieces_of(const GapLine& line, const StripGrid& grid, std::size_t subfield,
+                                  int track);
 
 }  // namespace tramline

@@ -20,14 +20,14 @@ bool has_headland(const std::vector<int>& passes, std::size_t obstacle) {
 
 /// Those obstacles that may stay when headlands are looked for, by index.
 template <class Keep>
-Field with_obstacles(const Field& field, Keep keep, std::vector<int>& indices) {
+Field with_obstacles(const Field& field, Keep keep, std::vector<std::size_t>& indices) {
   Field out = field;
   out.obstacles.clear();
   indices.clear();
   for (std::size_t i = 0; i < field.obstacles.size(); ++i) {
     if (!keep(i)) continue;
     out.obstacles.push_back(field.obstacles[i]);
-    indices.push_back(static_cast<int>(i));
+    indices.push_back(i);
   }
   return out;
 }
@@ -35,13 +35,12 @@ Field with_obstacles(const Field& field, Keep keep, std::vector<int>& indices) {
 /// The body with passable land still in it, as SortedGround::plannable has it.
 Region body_with_passable(const Field& field, const HeadlandTerms& terms, const HeadlandAndBody& headland) {
   if (obstacle_shapes(field, ObstacleKind::kPassable).empty()) return headland.body;
-  std::vector<int> indices;
+  std::vector<std::size_t> indices;
   const auto solid = [&](std::size_t i) { return field.obstacles[i].kind == ObstacleKind::kObstacle; };
   const Field bare = with_obstacles(field, solid, indices);
   HeadlandTerms bare_terms = terms;
   bare_terms.obstacle_passes.clear();
-  for (const int i : indices)
-    bare_terms.obstacle_passes.push_back(terms.obstacle_passes[static_cast<std::size_t>(i)]);
+  for (const std::size_t i : indices) bare_terms.obstacle_passes.push_back(terms.obstacle_passes[i]);
   return headland_of(bare, bare_terms).body;
 }
 
@@ -49,14 +48,14 @@ Region body_with_passable(const Field& field, const HeadlandTerms& terms, const 
 /// them.
 SortedGround sorted_bare_obstacles(const PlanningProblem& problem, const std::vector<int>& passes) {
   const Field& field = problem.field;
-  std::vector<int> indices;
+  std::vector<std::size_t> indices;
   const auto bare = [&](std::size_t i) { return !has_headland(passes, i); };
   const Field met = with_obstacles(field, bare, indices);
   SortedGround ground = sort_obstacles(met, problem.machine.width_m, problem.settings.clearance_m);
   for (Hazard& hazard : ground.hazards)
-    for (int& obstacle : hazard.obstacles) obstacle = indices[static_cast<std::size_t>(obstacle)];
+    for (std::size_t& obstacle : hazard.obstacles) obstacle = indices[obstacle];
   for (std::size_t i = 0; i < field.obstacles.size(); ++i)
-    if (!bare(i)) ground.hazards.push_back({field.obstacles[i].shape, {static_cast<int>(i)}, {}});
+    if (!bare(i)) ground.hazards.push_back({field.obstacles[i].shape, {i}, {}});
   return ground;
 }
 
@@ -132,9 +131,9 @@ std::vector<int> obstacle_passes(const PlanningProblem& problem, const std::vect
 std::vector<bool> gone_round(const SearchTask& task, const Candidate& best) {
   std::vector<bool> met(task.field.obstacles.size(), false), cut = met;
   for (const Encounter& encounter : encounters_of(task, best))
-    for (const int obstacle : encounter.obstacles) {
-      met[static_cast<std::size_t>(obstacle)] = true;
-      if (encounter.chosen == Passing::kCut) cut[static_cast<std::size_t>(obstacle)] = true;
+    for (const std::size_t obstacle : encounter.obstacles) {
+      met[obstacle] = true;
+      if (encounter.chosen == Passing::kCut) cut[obstacle] = true;
     }
   for (std::size_t i = 0; i < met.size(); ++i) met[i] = met[i] && !cut[i];
   return met;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -54,8 +55,8 @@ void append_parts_of(const Polygon& gap, const std::vector<RepairLine>& lines, s
 }
 
 /// Of the parts in the line's direction, that of which it works most.
-int part_of(const RepairLine& line, const std::vector<Part>& parts) {
-  int best = -1;
+std::optional<std::size_t> part_of(const RepairLine& line, const std::vector<Part>& parts) {
+  std::optional<std::size_t> best;
   double most_m2 = -1;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (parts[i].direction != line.place.direction) continue;
@@ -65,13 +66,13 @@ int part_of(const RepairLine& line, const std::vector<Part>& parts) {
         common_m2 += area(intersection({swath}, {parts[i].shape}));
     if (common_m2 <= most_m2) continue;
     most_m2 = common_m2;
-    best = static_cast<int>(i);
+    best = i;
   }
   return best;
 }
 
 struct LaidLine {
-  int part = 0;
+  std::size_t part = 0;
   const RepairLine* line = nullptr;
 };
 
@@ -79,7 +80,7 @@ struct LaidLine {
 std::vector<LaidLine> sorted_lines(const std::vector<RepairLine>& lines, const std::vector<Part>& parts) {
   std::vector<LaidLine> out;
   for (const RepairLine& line : lines)
-    if (const int part = part_of(line, parts); part >= 0) out.push_back({part, &line});
+    if (const auto part = part_of(line, parts)) out.push_back({*part, &line});
   const auto key = [](const LaidLine& laid) {
     return std::tuple(laid.part, laid.line->place.left_m, laid.line->line.pieces.front().from);
   };
@@ -91,13 +92,15 @@ std::vector<LaidLine> sorted_lines(const std::vector<RepairLine>& lines, const s
 std::vector<TrackPiece> laid(const std::vector<RepairLine>& lines, const std::vector<Part>& parts,
                              const RepairGround& ground) {
   std::vector<TrackPiece> out;
-  int part = -1, track = 0;
+  std::optional<std::size_t> part;
+  int track = 0;
   for (const LaidLine& next : sorted_lines(lines, parts)) {
     track = next.part == part ? track + 1 : 0;
     part = next.part;
     const LinePlace& place = next.line->place;
     const StripGrid grid{ground.frame(place.direction), place.left_m, ground.terms().machine.width_m};
-    for (TrackPiece& piece : pieces_of(next.line->line, grid, part, track)) out.push_back(std::move(piece));
+    for (TrackPiece& piece : pieces_of(next.line->line, grid, next.part, track))
+      out.push_back(std::move(piece));
   }
   return out;
 }

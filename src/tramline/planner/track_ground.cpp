@@ -17,7 +17,7 @@ namespace {
 std::vector<TrackPiece> kept_to_tracks(const Plan& plan, std::size_t subfield) {
   std::vector<TrackPiece> out;
   for (const TrackPiece& piece : plan.pieces) {
-    if (piece.subfield != static_cast<int>(subfield)) continue;
+    if (piece.subfield != subfield) continue;
     for (Path& part : parts_on_track(piece)) {
       TrackPiece alone{part.front().from, part.back().to};
       alone.track = piece.track;

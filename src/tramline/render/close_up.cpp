@@ -17,14 +17,14 @@
 namespace tramline::render {
 namespace {
 
-void require_obstacle(const Plan& plan, int obstacle) {
-  const auto count = static_cast<int>(plan.field.obstacles.size());
-  if (obstacle < 0 || obstacle >= count)
+void require_obstacle(const Plan& plan, std::size_t obstacle) {
+  const std::size_t count = plan.field.obstacles.size();
+  if (obstacle >= count)
     throw bad_input(fmt::format("field {}: there is no obstacle {} to draw, only {}", plan.field.id,
                                 obstacle + 1, count));
 }
 
-void draw_lines(Canvas& canvas, const Plan& near, int obstacle, const Box& seen) {
+void draw_lines(Canvas& canvas, const Plan& near, std::size_t obstacle, const Box& seen) {
   draw_keep_off_lines(canvas, near);
   draw_swath_edges(canvas, near);
   draw_outlines(canvas, near);
@@ -38,7 +38,7 @@ void draw_lines(Canvas& canvas, const Plan& near, int obstacle, const Box& seen)
 }
 
 // Lines come above the faults: here the eye asks why land is worked twice or not at all.
-void draw_window(Canvas& canvas, const Plan& near, int obstacle, const CloseUpLayout& layout) {
+void draw_window(Canvas& canvas, const Plan& near, std::size_t obstacle, const CloseUpLayout& layout) {
   const Box& map = layout.page.map;
   cairo_save(canvas.cr());
   clip_to(canvas, map);
@@ -59,7 +59,7 @@ void draw_window(Canvas& canvas, const Plan& near, int obstacle, const CloseUpLa
 
 }  // namespace
 
-CloseUpLayout close_up_layout(const Plan& plan, int obstacle, const PictureOptions& options) {
+CloseUpLayout close_up_layout(const Plan& plan, std::size_t obstacle, const PictureOptions& options) {
   require_obstacle(plan, obstacle);
   require_picture_width(options);
   const Box window = close_up_window(plan, obstacle);
@@ -81,7 +81,7 @@ CloseUpLayout close_up_layout(const Plan& plan, int obstacle, const PictureOptio
   return out;
 }
 
-void draw_close_up(const Plan& plan, int obstacle, const std::filesystem::path& path,
+void draw_close_up(const Plan& plan, std::size_t obstacle, const std::filesystem::path& path,
                    const PictureOptions& options) {
   const PictureFormat format = format_of(path);
   const CloseUpLayout layout = close_up_layout(plan, obstacle, options);

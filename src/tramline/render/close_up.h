@@ -15,7 +15,7 @@ namespace tramline::render {
 /// plan gives the same bytes. The file is written whole or not at all.
 /// Throws bad_input for another extension, width or an obstacle that is not there, Error(kFailure) when
 /// the file cannot be written.
-void draw_close_up(const Plan& plan, int obstacle, const std::filesystem::path& path,
+void draw_close_up(const Plan& plan, std::size_t obstacle, const std::filesystem::path& path,
                    const PictureOptions& options = {});
 
 struct CloseUpLayout {
@@ -26,6 +26,6 @@ struct CloseUpLayout {
 };
 
 /// Where draw_close_up() puts things.
-CloseUpLayout close_up_layout(const Plan& plan, int obstacle, const PictureOptions& options = {});
+CloseUpLayout close_up_layout(const Plan& plan, std::size_t obstacle, const PictureOptions& options = {});
 
 }  // namespace tramline::render

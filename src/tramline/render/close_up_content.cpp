@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMostRows = 24;
 
-bool concerns(const Encounter& encounter, int obstacle) {
+bool concerns(const Encounter& encounter, std::size_t obstacle) {
   return std::find(encounter.obstacles.begin(), encounter.obstacles.end(), obstacle) !=
          encounter.obstacles.end();
 }
@@ -57,11 +57,11 @@ std::string way_text(const WayPast& way) {
   return way.why_not.empty() ? "no" : "no: " + way.why_not;
 }
 
-std::string chosen_text(const Encounter& encounter, int obstacle, const Detour* detour) {
-  std::set<int> together(encounter.obstacles.begin(), encounter.obstacles.end());
+std::string chosen_text(const Encounter& encounter, std::size_t obstacle, const Detour* detour) {
+  std::set<std::size_t> together(encounter.obstacles.begin(), encounter.obstacles.end());
   if (detour != nullptr) together.insert(detour->obstacles.begin(), detour->obstacles.end());
   std::string others;
-  for (const int other : together)
+  for (const std::size_t other : together)
     if (other != obstacle) others += fmt::format("{}{}", others.empty() ? "" : ", ", other + 1);
   return others.empty() ? name(encounter.chosen)
                         : fmt::format("{} (with {})", name(encounter.chosen), others);
@@ -70,7 +70,7 @@ std::string chosen_text(const Encounter& encounter, int obstacle, const Detour* 
 /// The rows of one obstacle, one after the other.
 class EncounterRows {
  public:
-  EncounterRows(const Plan& plan, int obstacle) : plan_(plan), obstacle_(obstacle) {}
+  EncounterRows(const Plan& plan, std::size_t obstacle) : plan_(plan), obstacle_(obstacle) {}
 
   EncounterRow next(const Encounter& encounter) {
     const Detour* detour = detour_at(plan_, encounter);
@@ -92,7 +92,7 @@ class EncounterRows {
   }
 
   const Plan& plan_;
-  int obstacle_;
+  std::size_t obstacle_;
   std::set<std::pair<const Detour*, std::string>> told_;
 };
 
@@ -126,7 +126,7 @@ struct DetoursRound {
   double smallest_radius_m = std::numeric_limits<double>::infinity();
 };
 
-DetoursRound detours_round(const Plan& plan, int obstacle) {
+DetoursRound detours_round(const Plan& plan, std::size_t obstacle) {
   DetoursRound out;
   for (const TrackPiece& piece : plan.pieces) {
     for (const Detour& detour : piece.detours) {
@@ -163,7 +163,7 @@ LegendBlock symbols(const Plan& near, const Box& seen, const DetoursRound& detou
   return block;
 }
 
-LegendBlock numbers(const Plan& plan, int obstacle, const DetoursRound& detours) {
+LegendBlock numbers(const Plan& plan, std::size_t obstacle, const DetoursRound& detours) {
   LegendBlock block{"Numbers", {}};
   const auto add = [&](const char* text, std::string value) {
     block.rows.push_back({Symbol::kNone, 0, text, std::move(value)});
@@ -173,7 +173,7 @@ LegendBlock numbers(const Plan& plan, int obstacle, const DetoursRound& detours)
   const auto cuts = std::count_if(plan.encounters.begin(), plan.encounters.end(), [&](const Encounter& e) {
     return concerns(e, obstacle) && e.chosen == Passing::kCut;
   });
-  add("obstacle", area_text(area(plan.field.obstacles[static_cast<std::size_t>(obstacle)].shape)));
+  add("obstacle", area_text(area(plan.field.obstacles[obstacle].shape)));
   add("meetings with tracks", std::to_string(meetings));
   const bool any = detours.left + detours.right > 0;
   add("detours", any ? fmt::format("{} left, {} right", detours.left, detours.right) : std::string("0"));
@@ -187,8 +187,8 @@ LegendBlock numbers(const Plan& plan, int obstacle, const DetoursRound& detours)
 
 }  // namespace
 
-std::string close_up_title(const Plan& plan, int obstacle) {
-  const std::string& origin = plan.field.obstacles[static_cast<std::size_t>(obstacle)].origin;
+std::string close_up_title(const Plan& plan, std::size_t obstacle) {
+  const std::string& origin = plan.field.obstacles[obstacle].origin;
   return origin.empty() ? fmt::format("obstacle {}", obstacle + 1)
                         : fmt::format("obstacle {} ({})", obstacle + 1, origin);
 }
@@ -200,17 +200,17 @@ std::string close_up_subtitle(const Plan& plan) {
 
 double keep_off_m(const Plan& plan) { return 0.5 * plan.machine.width_m + plan.settings.clearance_m; }
 
-std::string strip_name(const Plan& plan, int subfield, int track) {
+std::string strip_name(const Plan& plan, std::size_t subfield, int track) {
   return plan.subfields.size() > 1 ? fmt::format("{}/{}", subfield + 1, track + 1)
                                    : std::to_string(track + 1);
 }
 
-std::vector<LegendBlock> legend_of_close_up(const Plan& plan, int obstacle, const Box& seen) {
+std::vector<LegendBlock> legend_of_close_up(const Plan& plan, std::size_t obstacle, const Box& seen) {
   const DetoursRound detours = detours_round(plan, obstacle);
   return {symbols(part_in(plan, seen), seen, detours), numbers(plan, obstacle, detours)};
 }
 
-std::vector<EncounterRow> encounter_rows(const Plan& plan, int obstacle) {
+std::vector<EncounterRow> encounter_rows(const Plan& plan, std::size_t obstacle) {
   std::vector<EncounterRow> out;
   EncounterRows rows(plan, obstacle);
   for (const Encounter& encounter : plan.encounters)

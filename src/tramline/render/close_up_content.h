@@ -10,17 +10,17 @@
 namespace tramline::render {
 
 /// "obstacle 3 (hole 3)": its number, from 1, and its place in the input.
-std::string close_up_title(const Plan& plan, int obstacle);
+std::string close_up_title(const Plan& plan, std::size_t obstacle);
 std::string close_up_subtitle(const Plan& plan);
 
 /// Symbols that occur in the box `seen`, m, and the numbers of the obstacle.
-std::vector<LegendBlock> legend_of_close_up(const Plan& plan, int obstacle, const Box& seen);
+std::vector<LegendBlock> legend_of_close_up(const Plan& plan, std::size_t obstacle, const Box& seen);
 
 /// How near to an obstacle a track may pass: half the working width and the clearance, m.
 double keep_off_m(const Plan& plan);
 
 /// "14", the strip from 1; "2/14" with the subfield before it where there are several.
-std::string strip_name(const Plan& plan, int subfield, int track);
+std::string strip_name(const Plan& plan, std::size_t subfield, int track);
 
 /// A meeting of a track with the obstacle, for people.
 struct EncounterRow {
@@ -33,6 +33,6 @@ struct EncounterRow {
 };
 
 /// In the order of Plan::encounters; of very many the first, and a last row that counts the others.
-std::vector<EncounterRow> encounter_rows(const Plan& plan, int obstacle);
+std::vector<EncounterRow> encounter_rows(const Plan& plan, std::size_t obstacle);
 
 }  // namespace tramline::render

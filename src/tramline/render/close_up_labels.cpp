@@ -192,7 +192,8 @@ void draw_obstacle_numbers(Canvas& canvas, const Plan& near, const Box& map, std
   }
 }
 
-void draw_radii(Canvas& canvas, const Plan& near, int obstacle, const Box& map, std::vector<Box>& taken) {
+void draw_radii(Canvas& canvas, const Plan& near, std::size_t obstacle, const Box& map,
+                std::vector<Box>& taken) {
   const TextStyle style{kSmallTextSize, true, Align::kCentre, kDetourColour, true};
   const Obstacles obstacles(canvas, near, map);
   for (const PathSegment& arc : tightest_arcs(near, obstacle)) {

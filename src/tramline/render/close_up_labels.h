@@ -13,7 +13,8 @@ namespace tramline::render {
 /// point in it.
 void draw_obstacle_numbers(Canvas& canvas, const Plan& near, const Box& map, std::vector<Box>& taken);
 /// The smallest radius of each detour round the obstacle, on its tightest arc's radius.
-void draw_radii(Canvas& canvas, const Plan& near, int obstacle, const Box& map, std::vector<Box>& taken);
+void draw_radii(Canvas& canvas, const Plan& near, std::size_t obstacle, const Box& map,
+                std::vector<Box>& taken);
 /// strip_name() of each strip, once, on its track where that enters the map.
 void draw_strip_numbers(Canvas& canvas, const Plan& near, const Box& map, std::vector<Box>& taken);
 

@@ -70,7 +70,7 @@ void draw_swath_edges(Canvas& canvas, const Plan& near) {
     outline(canvas, {{swath_in_view(canvas, near, piece), {}}}, edge);
 }
 
-void draw_tightest_arcs(Canvas& canvas, const Plan& near, int obstacle) {
+void draw_tightest_arcs(Canvas& canvas, const Plan& near, std::size_t obstacle) {
   const double k = canvas.scale();
   for (const PathSegment& arc : tightest_arcs(near, obstacle)) {
     const double radius_px = radius(arc) * canvas.view().px_per_m;
@@ -90,7 +90,7 @@ void draw_frame(Canvas& canvas, const Box& b) {
       {kRule, 1.2 * canvas.scale()});
 }
 
-std::vector<PathSegment> tightest_arcs(const Plan& near, int obstacle) {
+std::vector<PathSegment> tightest_arcs(const Plan& near, std::size_t obstacle) {
   std::vector<PathSegment> out;
   for (const TrackPiece& piece : near.pieces)
     for (const Detour& detour : piece.detours)

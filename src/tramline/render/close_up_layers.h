@@ -14,13 +14,13 @@ void draw_worked_land(Canvas& canvas, const Plan& near);
 void draw_keep_off_lines(Canvas& canvas, const Plan& near);
 void draw_swath_edges(Canvas& canvas, const Plan& near);
 /// The whole circle of the tightest arc of each detour round the obstacle, and a radius to the arc.
-void draw_tightest_arcs(Canvas& canvas, const Plan& near, int obstacle);
+void draw_tightest_arcs(Canvas& canvas, const Plan& near, std::size_t obstacle);
 
 void draw_frame(Canvas& canvas, const Box& box_px);
 
 /// The tightest arc of each detour round the obstacle; the longest of equals. Detours without arcs
 /// have none.
-std::vector<PathSegment> tightest_arcs(const Plan& near, int obstacle);
+std::vector<PathSegment> tightest_arcs(const Plan& near, std::size_t obstacle);
 /// The point half way along an arc.
 Point middle_of_arc(const PathSegment& arc);
 

@@ -36,7 +36,7 @@ bool shows(const Box& box, const Polygon& polygon) {
 
 }  // namespace
 
-bool avoids(const Detour& detour, int obstacle) {
+bool avoids(const Detour& detour, std::size_t obstacle) {
   return std::binary_search(detour.obstacles.begin(), detour.obstacles.end(), obstacle);
 }
 
@@ -46,9 +46,9 @@ Box box_of(const Path& path) {
   return box;
 }
 
-Box close_up_window(const Plan& plan, int obstacle) {
+Box close_up_window(const Plan& plan, std::size_t obstacle) {
   const double width_m = plan.machine.width_m;
-  const Polygon& shape = plan.field.obstacles[static_cast<std::size_t>(obstacle)].shape;
+  const Polygon& shape = plan.field.obstacles[obstacle].shape;
   Box box = bounds(shape).grown(kMarginWidths * width_m);
   for (const TrackPiece& piece : plan.pieces)
     for (const Detour& detour : piece.detours)

@@ -103,8 +103,7 @@ std::vector<SubfieldBadge> place_badges(const Plan& plan, const MapView& view, d
   std::vector<SubfieldBadge> out;
   for (std::size_t i = 0; i < plan.subfields.size(); ++i) {
     const RoomyPlace place = roomiest_place(plan.subfields[i].shape, view);
-    if (place.room_px >= 0.6 * kTrackBadgeRadius * scale)
-      out.push_back({static_cast<int>(i), place.centre, place.room_px});
+    if (place.room_px >= 0.6 * kTrackBadgeRadius * scale) out.push_back({i, place.centre, place.room_px});
   }
   return out;
 }
@@ -133,12 +132,11 @@ void draw_badges(Canvas& canvas, const Plan& plan, const std::vector<SubfieldBad
   const double r = kTrackBadgeRadius * k;
   const std::vector<int> curved = curved_tracks_by_subfield(plan);
   for (const SubfieldBadge& badge : badges) {
-    const Point axis = plan.subfields[static_cast<std::size_t>(badge.subfield)].direction.unit();
+    const Point axis = plan.subfields[badge.subfield].direction.unit();
     const Point along{axis.x, -axis.y};
     const double reach = std::min(0.5 * kLongestArrow * k, badge.room_px);
     // A straight arrow would cross tracks that bend.
-    const bool arrow =
-        std::isfinite(along.x) && reach > 2 * r && curved[static_cast<std::size_t>(badge.subfield)] == 0;
+    const bool arrow = std::isfinite(along.x) && reach > 2 * r && curved[badge.subfield] == 0;
     if (arrow) {
       const Point a = badge.centre - reach * along;
       const Point b = badge.centre + reach * along;
@@ -148,7 +146,7 @@ void draw_badges(Canvas& canvas, const Plan& plan, const std::vector<SubfieldBad
       draw_arrow_head(canvas, a, -1 * along, 14 * k, kInk);
     }
     disc(canvas, badge.centre, r, kInk);
-    disc(canvas, badge.centre, r - 2 * k, tint(static_cast<std::size_t>(badge.subfield)));
+    disc(canvas, badge.centre, r - 2 * k, tint(badge.subfield));
     draw_text(canvas, badge.centre, std::to_string(badge.subfield + 1), {kTextSize, true, Align::kCentre});
   }
 }

@@ -15,7 +15,7 @@ struct TrackLabel {
 };
 
 struct SubfieldBadge {
-  int subfield = 0;
+  std::size_t subfield = 0;
   Point centre;        ///< page
   double room_px = 0;  ///< radius of the free circle round it
 };

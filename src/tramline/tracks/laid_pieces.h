@@ -15,7 +15,7 @@ struct TrackDetour {
   Path path;
   double length_m = 0;  ///< of the path
   Passing side = Passing::kLeft;
-  std::vector<int> obstacles;  ///< indices into Field::obstacles
+  std::vector<std::size_t> obstacles;  ///< indices into Field::obstacles
 };
 
 /// A piece of one track, driven the way the track runs: positions along it, from < to.

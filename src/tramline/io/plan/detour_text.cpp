@@ -19,26 +19,26 @@ namespace {
 
 using nlohmann::json;
 
-std::vector<int> numbers_for_people(const std::vector<int>& indices) {
-  std::vector<int> out;
-  for (const int index : indices) out.push_back(index + 1);
+std::vector<std::size_t> numbers_for_people(const std::vector<std::size_t>& indices) {
+  std::vector<std::size_t> out;
+  for (const std::size_t index : indices) out.push_back(index + 1);
   return out;
 }
 
 /// A whole number from 0 (or `least`) on, as an index into something.
-int whole(const json& value, int least) {
+std::size_t whole(const json& value, int least) {
   if (!value.is_number_integer()) throw json::other_error::create(0, "not a whole number", nullptr);
   const auto number = value.get<long long>();
   if (number < least || number > std::numeric_limits<int>::max())
     throw json::other_error::create(0, "out of range", nullptr);
-  return static_cast<int>(number);
+  return static_cast<std::size_t>(number);
 }
 
 struct Stretch {
   std::size_t first = 0;
   std::size_t last = 0;
   Passing side = Passing::kLeft;
-  std::vector<int> obstacles;
+  std::vector<std::size_t> obstacles;
 };
 
 std::vector<Stretch> stretches_from(const std::string& text, const std::string& place) {
@@ -48,8 +48,8 @@ std::vector<Stretch> stretches_from(const std::string& text, const std::string& 
     if (!list.is_array()) throw json::other_error::create(0, "no list", nullptr);
     for (const json& item : list) {
       Stretch stretch;
-      stretch.first = static_cast<std::size_t>(whole(item.at("first"), 0));
-      stretch.last = static_cast<std::size_t>(whole(item.at("last"), 0));
+      stretch.first = whole(item.at("first"), 0);
+      stretch.last = whole(item.at("last"), 0);
       const auto side = passing_named(item.at("side").get<std::string>());
       if (!side || *side == Passing::kCut) throw json::other_error::create(0, "no side", nullptr);
       stretch.side = *side;
@@ -92,12 +92,12 @@ TrackPiece piece_with(const Path& path, const std::vector<Stretch>& stretches) {
 
 }  // namespace
 
-std::string obstacles_text(const std::vector<int>& indices) {
+std::string obstacles_text(const std::vector<std::size_t>& indices) {
   return fmt::format("{}", fmt::join(numbers_for_people(indices), ", "));
 }
 
-std::vector<int> obstacles_from_text(const std::string& text, const std::string& place) {
-  std::vector<int> out;
+std::vector<std::size_t> obstacles_from_text(const std::string& text, const std::string& place) {
+  std::vector<std::size_t> out;
   std::string_view rest = text;
   while (!rest.empty()) {
     int number = 0;
@@ -105,7 +105,7 @@ std::vector<int> obstacles_from_text(const std::string& text, const std::string&
     rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
     if (error == std::errc{} && number >= 1 &&
         (rest.empty() || (rest.starts_with(", ") && rest.size() > 2))) {
-      out.push_back(number - 1);
+      out.push_back(static_cast<std::size_t>(number) - 1);
       rest.remove_prefix(rest.empty() ? 0 : 2);
       continue;
     }
@@ -115,7 +115,7 @@ std::vector<int> obstacles_from_text(const std::string& text, const std::string&
 }
 
 std::string obstacles_avoided(const TrackPiece& piece) {
-  std::set<int> all;
+  std::set<std::size_t> all;
   for (const Detour& detour : piece.detours) all.insert(detour.obstacles.begin(), detour.obstacles.end());
   return obstacles_text({all.begin(), all.end()});
 }

@@ -9,9 +9,9 @@
 namespace tramline::io {
 
 /// Obstacles for people, counted from 1: "3, 7".
-std::string obstacles_text(const std::vector<int>& indices);
+std::string obstacles_text(const std::vector<std::size_t>& indices);
 /// The inverse. Throws Error(kBadInput) that begins with `place` where the text is of another form.
-std::vector<int> obstacles_from_text(const std::string& text, const std::string& place);
+std::vector<std::size_t> obstacles_from_text(const std::string& text, const std::string& place);
 
 /// Every obstacle that the piece goes round, ascending, each once: "3, 7".
 std::string obstacles_avoided(const TrackPiece& piece);

@@ -124,6 +124,10 @@ void read_headland(Rows& file, PlanFile& out) {
   read_region(file, layers::kHeadlandUnworked, out.plan.headland.unworked, out);
 }
 
+/// Files count from 1. Lesser numbers become indices beyond all others, which check finds as it finds those
+/// that are too large.
+std::size_t subfield_of(const Row& row) { return static_cast<std::size_t>(row.whole("subfield")) - 1; }
+
 void read_tracks(Rows& file, PlanFile& out) {
   using Track = std::pair<TrackPiece, std::vector<Point>>;
   std::vector<std::pair<int, Track>> rows;
@@ -131,7 +135,7 @@ void read_tracks(Rows& file, PlanFile& out) {
     std::vector<Point> line = row.line();
     const Path path = path_from_text(row.text("path"), row.offset(), row.place_of("path"));
     TrackPiece piece = piece_of(row, path);
-    piece.subfield = row.whole("subfield") - 1;
+    piece.subfield = subfield_of(row);
     piece.track = row.whole("track") - 1;
     piece.stop_at_start = row.flag("stop_at_start");
     piece.stop_at_end = row.flag("stop_at_end");
@@ -179,7 +183,7 @@ void read_swaths(Rows& file, PlanFile& out) {
 void read_dropped(Rows& file, PlanFile& out) {
   file.each(layers::kDropped, [&](const Row& row) {
     const auto [start, end] = row.straight_line();
-    out.plan.dropped.push_back({start, end, row.whole("subfield") - 1});
+    out.plan.dropped.push_back({start, end, subfield_of(row)});
     derive(out, row, "length_m", distance(start, end), start);
   });
 }
@@ -194,7 +198,7 @@ void read_encounters(Rows& file, PlanFile& out) {
   file.each(layers::kEncounters, [&](const Row& row) {
     Encounter encounter;
     encounter.at = row.point();
-    encounter.subfield = row.whole("subfield") - 1;
+    encounter.subfield = subfield_of(row);
     encounter.track = row.whole("track") - 1;
     encounter.obstacles = obstacles_from_text(row.text("obstacles"), row.place_of("obstacles"));
     const std::string chosen = row.text("chosen");

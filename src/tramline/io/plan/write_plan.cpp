@@ -45,6 +45,8 @@ std::vector<Point> drawn(const TrackPiece& piece) {
   return chords(centre_line(piece));
 }
 
+long long counted_from_1(std::size_t index) { return static_cast<long long>(index) + 1; }
+
 /// NULL for a path without arcs.
 Cell radius_cell(const Path& path) {
   const double smallest_m = smallest_radius(path);
@@ -75,7 +77,7 @@ void write_tracks(const Target& target, const Plan& plan) {
   for (const TrackPiece& piece : plan.pieces) {
     const Path path = written_path(piece);
     table.add(target.shapes.line(drawn(piece)),
-              {++order, piece.subfield + 1LL, piece.track + 1LL, std::string(kind_of(piece)),
+              {++order, counted_from_1(piece.subfield), piece.track + 1LL, std::string(kind_of(piece)),
                Heading::from_to(piece.start, piece.end).degrees(), length(piece), radius_cell(path),
                obstacles_avoided(piece), sides_text(piece), piece.stop_at_start, piece.stop_at_end,
                piece.after_crossing, path_text(path, target.offset), detours_text(piece)});
@@ -96,7 +98,7 @@ void write_dropped(const Target& target, const Plan& plan) {
   Table table(target, layers::kDropped, wkbLineString, {integer("subfield"), real("length_m")});
   for (const DroppedPiece& piece : plan.dropped)
     table.add(target.shapes.line({piece.start, piece.end}),
-              {piece.subfield + 1LL, distance(piece.start, piece.end)});
+              {counted_from_1(piece.subfield), distance(piece.start, piece.end)});
 }
 
 void write_encounters(const Target& target, const Plan& plan) {
@@ -105,10 +107,11 @@ void write_encounters(const Target& target, const Plan& plan) {
                real("cost_left"), real("cost_right"), text("why_not_left"), text("why_not_right")});
   long long number = 0;
   for (const Encounter& encounter : plan.encounters)
-    table.add(target.shapes.point(encounter.at),
-              {++number, encounter.subfield + 1LL, encounter.track + 1LL, obstacles_text(encounter.obstacles),
-               std::string(name(encounter.chosen)), cost_cell(encounter.left), cost_cell(encounter.right),
-               encounter.left.why_not, encounter.right.why_not});
+    table.add(
+        target.shapes.point(encounter.at),
+        {++number, counted_from_1(encounter.subfield), encounter.track + 1LL,
+         obstacles_text(encounter.obstacles), std::string(name(encounter.chosen)), cost_cell(encounter.left),
+         cost_cell(encounter.right), encounter.left.why_not, encounter.right.why_not});
 }
 
 void write_front(const Target& target, const Front& front) {

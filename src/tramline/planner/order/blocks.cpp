@@ -56,7 +56,7 @@ struct Facing {
 
 std::vector<Block> blocks_of(const std::vector<WorkedLine>& lines, double width_m) {
   std::vector<Course> courses;
-  std::map<std::pair<int, int>, std::vector<std::size_t>> tracks;  // by subfield and track
+  std::map<std::pair<std::size_t, int>, std::vector<std::size_t>> tracks;  // by subfield and track
   for (std::size_t i = 0; i < lines.size(); ++i) {
     courses.push_back(course_of(lines[i]));
     tracks[{lines[i].front().subfield, lines[i].front().track}].push_back(i);

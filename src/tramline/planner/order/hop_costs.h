@@ -41,7 +41,7 @@ class HopCosts {
 
  private:
   struct TrackNumber {
-    int subfield = 0;
+    std::size_t subfield = 0;
     int track = 0;
   };
   const Hop& hop(End a, End b);
