@@ -1,6 +1,7 @@
 #include "tramline/planner/curved_search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "tramline/planner/curved_division.h"
 #include "tramline/planner/recursive_plan.h"
 #include "tramline/planner/straight_search.h"
+#include "tramline/planner/tolerances.h"
 
 namespace tramline {
 namespace {
@@ -28,6 +30,10 @@ std::vector<std::vector<LinedSubfield>> divisions_of(const SearchTask& task, con
 
 }  // namespace
 
+bool costs_less(double divided, double whole) {
+  return divided + kLeastSaving_share * std::abs(divided) < whole;
+}
+
 std::optional<Candidate> along_best_edge(const SearchTask& task, const SearchContext& context) {
   if (task.settings.tracks == TrackConstruction::kPaper) return recursive_along_best(task, context);
   if (std::optional<BestCurve> best = best_curved(task, context)) return std::move(best->candidate);
@@ -40,7 +46,8 @@ std::optional<Candidate> curved_search(const SearchTask& task, const SearchConte
   const SearchResult straight = straight_search(task, context, whole->cost());
   std::optional<Candidate> divided =
       best_division_along_curves(task, divisions_of(task, straight), OtherSubfields::kCurved, context);
-  return divided && is_better(divided->avoided, whole->avoided) ? divided : whole;
+  // Subfields joined to the whole again are it but for the rounding of booleans.
+  return divided && costs_less(divided->cost(), whole->cost()) ? divided : whole;
 }
 
 std::optional<Candidate> mixed_search(const SearchTask& task, const SearchResult& straight,

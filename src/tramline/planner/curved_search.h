@@ -22,4 +22,7 @@ std::optional<Candidate> curved_search(const SearchTask& task, const SearchConte
 std::optional<Candidate> mixed_search(const SearchTask& task, const SearchResult& straight,
                                       const SearchContext& context);
 
+/// Does ground divided for curves cost less by more than rounding than what there is without?
+bool costs_less(double divided, double whole);
+
 }  // namespace tramline

@@ -105,7 +105,7 @@ ExplainedPlan cheapest_shape(const PlanningProblem& problem, const SearchContext
   const double straight_cost = found.best.works() ? whole_cost(task, found.best) : kAnyCost;
   std::optional<Candidate> mixed;
   if (!as_in_the_paper(problem.settings)) mixed = mixed_search(task, found, context);
-  const bool is_mixed = mixed && whole_cost(task, *mixed) < std::min(straight_cost, curved_cost);
+  const bool is_mixed = mixed && costs_less(whole_cost(task, *mixed), std::min(straight_cost, curved_cost));
 
   ExplainedPlan out;
   if (is_mixed)
