@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "report/report_parts.h"
+
 namespace tramline::app {
 namespace {
 

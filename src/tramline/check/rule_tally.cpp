@@ -10,6 +10,7 @@
 #include "tramline/check/comparison.h"
 #include "tramline/check/ground_cells.h"
 #include "tramline/check/rules.h"
+#include "tramline/check/tolerances.h"
 
 namespace tramline::check {
 namespace {

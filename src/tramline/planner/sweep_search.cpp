@@ -34,6 +34,22 @@ SweptGround swept_ground(const SearchTask& task, Direction sweep) {
   return out;
 }
 
+/// Those whose outlook is best first. The cheapest with all tracks cut is among those that are tried: what
+/// ways past obstacles are looked for is not to cost more than to look for none.
+std::vector<std::size_t> by_outlook(const std::vector<SweptGround>& swept) {
+  std::vector<std::size_t> out(swept.size());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = i;
+  std::stable_sort(out.begin(), out.end(), [&swept](std::size_t a, std::size_t b) {
+    return swept[a].outlook.least < swept[b].outlook.least;
+  });
+  const auto least_cut = std::min_element(out.begin(), out.end(), [&swept](std::size_t a, std::size_t b) {
+    return swept[a].outlook.cut < swept[b].outlook.cut;
+  });
+  if (least_cut - out.begin() >= static_cast<std::ptrdiff_t>(kMostTried))
+    std::rotate(out.begin() + kMostTried - 1, least_cut, least_cut + 1);
+  return out;
+}
+
 }  // namespace
 
 std::vector<SweptGround> swept_grounds(const SearchTask& task, const SearchContext& context) {
@@ -59,11 +75,7 @@ std::vector<SweptGround> swept_grounds(const SearchTask& task, const SearchConte
 
 std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vector<SweptGround>& swept,
                                         double known, const SearchContext& context) {
-  std::vector<std::size_t> order(swept.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return swept[a].outlook.least < swept[b].outlook.least;
-  });
+  const std::vector<std::size_t> order = by_outlook(swept);
   std::optional<Candidate> best;
   std::size_t best_index = 0;
   bool any_works = false;

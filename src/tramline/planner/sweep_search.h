@@ -13,9 +13,9 @@ namespace tramline {
 std::vector<SweptGround> swept_grounds(const SearchTask& task, const SearchContext& context);
 
 /// The cheapest of them with its detours; among equals that of the smallest sweep direction. Ways past
-/// obstacles are looked for where the outlook leaves hope only, the best outlook first. The result depends
-/// neither on that nor on the number of threads. nullopt where none that works anything costs less than
-/// `known`.
+/// obstacles are looked for where the outlook leaves hope only, the best outlook first; the one that is
+/// cheapest with all tracks cut is always among these. The result depends neither on that order nor on the
+/// number of threads. nullopt where none that works anything costs less than `known`.
 std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vector<SweptGround>& swept,
                                         double known, const SearchContext& context);
 
