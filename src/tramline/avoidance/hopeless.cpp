@@ -98,7 +98,7 @@ bool hopeless(const TrackOption& option, const TrackTerms& terms, const std::vec
   const Objective& prices = terms.objective;
   const StripGrid& grid = families[terms.family].grid;
   const TrackDetour& detour = option.way.detour;
-  const Intervals replaced = common(strip.stretches, {option.straight});
+  const Intervals replaced = common(strip.stretches, {option.replaced});
   const double replaced_m2 = area_of(strip.subfield, replaced);
   const double longer = terms.width_m * (detour.length_m - length_of(replaced));
 
@@ -120,7 +120,7 @@ bool hopeless(const TrackOption& option, const TrackTerms& terms, const std::vec
 
 bool far_too_dear(const TrackOption& option, const TrackTerms& terms) {
   const Objective& prices = terms.objective;
-  const double replaced_m = length_of(common(terms.track.stretches, {option.straight}));
+  const double replaced_m = length_of(common(terms.track.stretches, {option.replaced}));
   const double areas = prices.overlap * terms.width_m * (option.way.detour.length_m - replaced_m) -
                        (prices.overlap + prices.uncovered) * option.gain_m2();
   return areas > kDoubt * saved_at_most(option, terms);

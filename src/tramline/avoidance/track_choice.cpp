@@ -47,7 +47,7 @@ class PieceCost {
 
   /// What an option adds to the cost of a piece that is driven in any case.
   double of_option(const TrackOption& option) const {
-    const double longer = option.way.detour.length_m - kept_length(option.straight);
+    const double longer = option.way.detour.length_m - kept_length(option.replaced);
     return objective_.overlap * width_m_ * longer -
            (objective_.overlap + objective_.uncovered) * option.gain_m2();
   }

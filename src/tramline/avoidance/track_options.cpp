@@ -113,9 +113,9 @@ std::vector<std::size_t> hard_gaps(const Track& track) {
 TrackOption option_of(WayRound way, const StripGrid& grid, const Track& track) {
   TrackOption out;
   out.reaches = reaches_of(way.detour.path, grid.width_m);
-  out.straight = {way.detour.from, way.detour.to};
+  out.replaced = {way.detour.from, way.detour.to};
   out.reach = box_round(out.reaches);
-  out.reach.extend(swath_box(grid, track, out.straight));
+  out.reach.extend(swath_box(grid, track, out.replaced));
   out.way = std::move(way);
   return out;
 }
@@ -127,8 +127,8 @@ void value_options(BlockedTrack& track, const TrackFamily& family, const std::ve
   for (TrackOption& option : track.options) {
     if (!option.stale) continue;
     option.useful_m2 = valuer.of_detour(option);
-    option.replaced_m2 = valuer.of_stretches(option.straight);
-    option.profile_m2 = valuer.profile_of(option.straight);
+    option.replaced_m2 = valuer.of_stretches(option.replaced);
+    option.profile_m2 = valuer.profile_of(option.replaced);
     option.stale = false;
   }
   const Intervals& stretches = family.tracks[track.place].stretches;

@@ -19,7 +19,7 @@ struct TrackOption {
   std::size_t found = 0;      ///< how many were before it
   std::vector<Box> reaches;   ///< of the detour's parts
   Box reach;                  ///< of the detour and the part of the track it replaces
-  Interval straight;          ///< what of the track the detour replaces, gaps included
+  Interval replaced;          ///< what of the track the detour replaces, gaps included
   double useful_m2 = 0;       ///< body that its swath alone covers
   double replaced_m2 = 0;     ///< body that the swath along the track it replaces alone covers
   double profile_m2 = 0;      ///< the same by the track's own profile

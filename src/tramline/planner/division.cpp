@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "tramline/decomposition/divisions.h"
-#include "tramline/geometry/boolean.h"
 #include "tramline/geometry/bounding_rectangle.h"
 #include "tramline/planner/for_each_index.h"
+#include "tramline/planner/join_pairs.h"
 #include "tramline/planner/tolerances.h"
 
 namespace tramline {
@@ -124,20 +124,6 @@ std::optional<std::vector<PricedSubfield>> best_division(const SearchTask& task,
   return best;
 }
 
-/// Two subfields that share a border, as one; nullopt where they only touch or lie apart.
-std::optional<Polygon> joined(const Polygon& a, const Polygon& b) {
-  if (!intersects(bounds(a), bounds(b))) return std::nullopt;
-  Region both = unite({a}, {b});
-  if (both.size() != 1) return std::nullopt;
-  return std::move(both.front());
-}
-
-struct Pair {
-  std::size_t a = 0, b = 0;
-  PricedSubfield whole;
-  double saving = 0;
-};
-
 }  // namespace
 
 std::vector<PricedSubfield> priced(const SearchTask& task, const Region& shapes,
@@ -175,48 +161,24 @@ std::vector<PricedSubfield> divide_where_it_pays(const SearchTask& task, const P
 
 std::vector<PricedSubfield> join_where_it_pays(const SearchTask& task, std::vector<PricedSubfield> subfields,
                                                const SearchContext& context) {
+  using Pair = JoinedPair<PricedSubfield>;
   const SearchContext each = context.on_one_thread();
-  std::vector<Pair> pairs;
-  const auto look = [&](std::vector<std::pair<std::size_t, std::size_t>> wanted) {
-    std::vector<std::optional<Pair>> found(wanted.size());
-    for_each_index_until_end(wanted.size(), context, [&](std::size_t i) {
-      const auto [a, b] = wanted[i];
-      const std::optional<Polygon> whole = joined(subfields[a].shape, subfields[b].shape);
+  const auto look = [&](const std::vector<PricedSubfield>& among, const std::vector<PairPlaces>& places) {
+    std::vector<std::optional<Pair>> found(places.size());
+    for_each_index_until_end(places.size(), context, [&](std::size_t i) {
+      const PricedSubfield &a = among[places[i].first], &b = among[places[i].second];
+      const std::optional<Polygon> whole = joined_shape(a.shape, b.shape);
       if (!whole) return;
-      const double apart = price(task, {subfields[a], subfields[b]});
-      const bool needed = !is_workable(task, subfields[a]) || !is_workable(task, subfields[b]) ||
-                          too_alike(task, subfields[a], subfields[b]);
+      const double apart = price(task, {a, b});
+      const bool needed = !is_workable(task, a) || !is_workable(task, b) || too_alike(task, a, b);
       if (!needed && priced_with(task, *whole, glance(), each).grid.cost > hopeless(apart)) return;
       PricedSubfield one = priced_with(task, *whole, closer_look(), each);
       const double saving = needed ? kNever : apart - one.grid.cost;
-      found[i] = Pair{a, b, std::move(one), saving};
+      found[i] = Pair{places[i], std::move(one), saving};
     });
-    for (std::optional<Pair>& pair : found)
-      if (pair) pairs.push_back(std::move(*pair));
+    return found;
   };
-  std::vector<std::pair<std::size_t, std::size_t>> all;
-  for (std::size_t a = 0; a < subfields.size(); ++a)
-    for (std::size_t b = a + 1; b < subfields.size(); ++b) all.emplace_back(a, b);
-  look(std::move(all));
-  std::vector<bool> gone(subfields.size(), false);
-  while (!pairs.empty()) {
-    const auto best = std::max_element(pairs.begin(), pairs.end(),
-                                       [](const Pair& a, const Pair& b) { return a.saving < b.saving; });
-    if (best->saving < 0) break;
-    const std::size_t a = best->a, b = best->b;
-    subfields[a] = std::move(best->whole);
-    gone[b] = true;
-    std::erase_if(pairs,
-                  [&](const Pair& pair) { return pair.a == a || pair.b == a || pair.a == b || pair.b == b; });
-    std::vector<std::pair<std::size_t, std::size_t>> next;
-    for (std::size_t i = 0; i < subfields.size(); ++i)
-      if (i != a && !gone[i]) next.emplace_back(std::min(a, i), std::max(a, i));
-    look(std::move(next));
-  }
-  std::vector<PricedSubfield> out;
-  for (std::size_t i = 0; i < subfields.size(); ++i)
-    if (!gone[i]) out.push_back(std::move(subfields[i]));
-  return out;
+  return join_pairs(std::move(subfields), look);
 }
 
 }  // namespace tramline

@@ -34,8 +34,8 @@ SweptGround swept_ground(const SearchTask& task, Direction sweep) {
   return out;
 }
 
-/// Those whose outlook is best first. The cheapest with all tracks cut is among those that are tried: what
-/// ways past obstacles are looked for is not to cost more than to look for none.
+/// The best outlook first. The candidate that is cheapest with all tracks cut is among those that are tried:
+/// else a search for ways past obstacles could end in a dearer plan than none.
 std::vector<std::size_t> by_outlook(const std::vector<SweptGround>& swept) {
   std::vector<std::size_t> out(swept.size());
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = i;
