@@ -10,7 +10,7 @@
 
 #include "irregular_route.h"
 #include "tramline/coverage/engine.h"
-#include "tramline/coverage/tile_coverage.h"
+#include "tramline/coverage/tiles/tile_coverage.h"
 
 namespace tramline::bench {
 namespace {

@@ -6,13 +6,13 @@
 #include <chrono>
 #include <cmath>
 
-#include "tramline/cost/recursive_tally.h"
 #include "tramline/cost/strip_tally.h"
-#include "tramline/geometry/extended.h"
-#include "tramline/geometry/smoothed.h"
+#include "tramline/cost/zhou_tally.h"
+#include "tramline/geometry/path/extended_line.h"
+#include "tramline/geometry/path/smoothed_line.h"
 #include "tramline/model/objective.h"
 #include "tramline/tracks/curved_tracks.h"
-#include "tramline/tracks/recursive_tracks.h"
+#include "tramline/tracks/zhou_tracks.h"
 
 namespace tramline::bench {
 namespace {
@@ -121,7 +121,7 @@ void whole_family_as_in_the_paper(benchmark::State& state) {
   Tally tally;
   for (auto _ : state) {
     const auto start = Clock::now();
-    tally = recursive_tally(recursive_tracks(line, width, body, 0), width, body).tally;
+    tally = zhou_tally(zhou_tracks(line, width, body, 0), width, body).tally;
     benchmark::DoNotOptimize(tally);
     paper_s += seconds(Clock::now() - start);
     state.PauseTiming();
@@ -140,7 +140,7 @@ void tracks_alone_as_in_the_paper(benchmark::State& state) {
   const Region body = field(60);
   const double width = static_cast<double>(state.range(0));
   const std::vector<Point> line = western_border(60);
-  for (auto _ : state) benchmark::DoNotOptimize(recursive_tracks(line, width, body, 0));
+  for (auto _ : state) benchmark::DoNotOptimize(zhou_tracks(line, width, body, 0));
 }
 BENCHMARK(tracks_alone_as_in_the_paper)->Arg(4)->Arg(2)->Arg(1)->Unit(benchmark::kMillisecond);
 

@@ -4,7 +4,7 @@
 
 #include "irregular_route.h"
 #include "tramline/coverage/mesh/connected_rings.h"
-#include "tramline/coverage/mesh_coverage.h"
+#include "tramline/coverage/mesh/mesh_coverage.h"
 
 namespace tramline::bench {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "tramline/avoidance/detour_decisions.h"
-#include "tramline/planner/candidate.h"
+#include "tramline/avoidance/choice/detour_decisions.h"
 #include "tramline/planner/prepare_field.h"
-#include "tramline/planner/sweep_search.h"
+#include "tramline/planner/search/candidate.h"
+#include "tramline/planner/search/sweep_search.h"
 
 namespace tramline::bench {
 namespace {

@@ -4,14 +4,14 @@
 #include <benchmark/benchmark.h>
 
 #include "papers_field.h"
-#include "tramline/cost/grid_tally.h"
+#include "tramline/cost/grid/grid_tally.h"
 #include "tramline/cost/strip_tally.h"
 #include "tramline/decomposition/candidate_directions.h"
 #include "tramline/decomposition/decompose.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/planner/plan_field.h"
 #include "tramline/planner/prepare_field.h"
-#include "tramline/planner/sweep_search.h"
+#include "tramline/planner/search/sweep_search.h"
 
 namespace tramline::bench {
 namespace {
@@ -84,7 +84,7 @@ BENCHMARK(decomposition_of_one_direction)->Unit(benchmark::kMicrosecond);
 /// The aim: 20 µs at 200 vertices and 150 tracks, with and without obstacles.
 void tally_of_one_direction(benchmark::State& state) {
   const Field field = large_field(200, static_cast<int>(state.range(0)));
-  const SortedGround ground = sort_obstacles(field, 1);
+  const ClassifiedGround ground = classify_obstacles(field, 1);
   const Polygon& shape = ground.plannable.front();
   const TrackFrame frame(Direction::clockwise_from_north(Angle::degrees(31)));
   const Box reach = bounds(frame.to_track(shape.outer));

@@ -3,10 +3,10 @@
 #include <benchmark/benchmark.h>
 
 #include "papers_field.h"
-#include "tramline/geometry/boolean.h"
-#include "tramline/planner/best_search.h"
-#include "tramline/planner/grid_search.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/planner/prepare_field.h"
+#include "tramline/planner/search/best_search.h"
+#include "tramline/planner/search/branch_and_bound.h"
 
 namespace tramline::bench {
 namespace {
@@ -21,7 +21,7 @@ struct OneGrid {
   BoundTerms bound;
 
   OneGrid(const Field& field, int tracks)
-      : shape(sort_obstacles(field, 1).plannable.front()),
+      : shape(classify_obstacles(field, 1).plannable.front()),
         tally(made(field, shape, tracks)),
         width_m(tally.terms().width_m),
         bound{{}, bounds(shape).centre(), 6} {}
@@ -31,7 +31,7 @@ struct OneGrid {
     const double width_m = bounds(frame.to_track(shape.outer)).width() / tracks;
     return {frame,
             shape,
-            {frame.to_track(sort_obstacles(field, 1).hard), {}, {}, {}},
+            {frame.to_track(classify_obstacles(field, 1).hard), {}, {}, {}},
             {width_m, 2 * width_m, end_criterion(EndRule::kCheapest, {}, width_m)}};
   }
   double origin() const { return tally.subfield().reach.min_x; }

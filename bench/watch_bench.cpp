@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tramline/coverage/live_coverage.h"
+#include "tramline/coverage/live/live_coverage.h"
 #include "tramline/geodesy/placed_log.h"
 #include "tramline/io/log/line_log.h"
 

@@ -19,7 +19,7 @@
 #include "server/input/field_source.h"
 #include "server/input/json_input.h"
 #include "server/input/plan_input.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/planner/validate_request.h"
 
 namespace {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "coverage/literal_coverage.h"
-#include "tramline/coverage/tile_coverage.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/coverage/tiles/tile_coverage.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tramline/geometry/error.h"
-#include "tramline/render/contact_sheet.h"
+#include "tramline/render/page/contact_sheet.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tramline/planner/explanation.h"
+#include "tramline/planner/explain/explanation.h"
 
 namespace tramline::app {
 

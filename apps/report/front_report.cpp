@@ -8,7 +8,7 @@
 
 #include "report/report_parts.h"
 #include "tramline/model/plain_zero.h"
-#include "tramline/planner/front_marks.h"
+#include "tramline/planner/pareto/front_marks.h"
 
 namespace tramline::app {
 namespace {

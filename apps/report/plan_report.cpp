@@ -9,7 +9,7 @@
 #include "report/front_report.h"
 #include "report/obstacle_report.h"
 #include "report/report_parts.h"
-#include "tramline/geometry/kinked_line.h"
+#include "tramline/geometry/path/kinked_line.h"
 #include "tramline/headland/body.h"
 #include "tramline/model/plain_zero.h"
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tramline/planner/repair_plan.h"
+#include "tramline/planner/repair/repair_plan.h"
 
 namespace tramline::app {
 

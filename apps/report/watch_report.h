@@ -6,7 +6,7 @@
 #include <string>
 
 #include "report/evaluate_report.h"
-#include "tramline/coverage/live_coverage.h"
+#include "tramline/coverage/live/live_coverage.h"
 
 namespace tramline::app {
 

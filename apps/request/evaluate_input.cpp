@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "tramline/coverage/plan_steps.h"
+#include "tramline/coverage/drive/plan_steps.h"
 #include "tramline/geodesy/field_projection.h"
 #include "tramline/geodesy/placed_log.h"
 #include "tramline/geometry/error.h"

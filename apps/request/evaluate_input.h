@@ -6,7 +6,7 @@
 
 #include "request/field_input.h"
 #include "tramline/coverage/evaluate.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/model/field.h"
 #include "tramline/model/plan.h"
 #include "tramline/model/work_log.h"

@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "tramline/check/compare_fields.h"
-#include "tramline/check/compare_layers.h"
-#include "tramline/check/compare_warnings.h"
+#include "tramline/check/file/compare_fields.h"
+#include "tramline/check/file/compare_layers.h"
+#include "tramline/check/file/compare_warnings.h"
 #include "tramline/check/not_verified.h"
 #include "tramline/check/verify.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "request/evaluate_input.h"
-#include "tramline/coverage/plan_steps.h"
+#include "tramline/coverage/drive/plan_steps.h"
 
 namespace tramline::app {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "request/evaluate_input.h"
-#include "tramline/coverage/live_coverage.h"
+#include "tramline/coverage/live/live_coverage.h"
 #include "tramline/geodesy/placed_log.h"
 #include "tramline/io/log/line_log.h"
 

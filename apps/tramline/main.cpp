@@ -9,8 +9,8 @@
 #include <system_error>
 #include <vector>
 
-#include "command.h"
-#include "result_output.h"
+#include "commands/command.h"
+#include "output/result_output.h"
 #include "tramline/geometry/error.h"
 
 #ifndef TRAMLINE_VERSION

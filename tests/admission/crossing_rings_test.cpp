@@ -4,7 +4,7 @@
 
 #include "admission/feature.h"
 #include "tramline/admission/disputed_land.h"
-#include "tramline/geometry/interior_point.h"
+#include "tramline/geometry/polygon/interior_point.h"
 
 namespace tramline::testing_features {
 namespace {

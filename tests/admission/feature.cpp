@@ -5,8 +5,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline::testing_features {
 

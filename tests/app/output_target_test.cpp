@@ -1,6 +1,6 @@
 // Whether results can be written is found out before the work, and finding out leaves nothing behind.
 
-#include "output_target.h"
+#include "output/output_target.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "run_record.h"
+#include "output/run_record.h"
 
 #include <gtest/gtest.h>
 

@@ -17,7 +17,7 @@ namespace {
 /// Functions that take a bare bool, by header, each with the reason.
 const std::map<std::string, std::string> kExceptions = {
     {"apps/server/work/live_feed.h set_work", "it is the work that is on"},
-    {"apps/tramline/progress.h ProgressLine", "it is given what --quiet says, and nothing else"},
+    {"apps/tramline/output/progress.h ProgressLine", "it is given what --quiet says, and nothing else"},
     {"src/tramline/io/log/state_lines.h work_line", "the line says whether the machine works"},
 };
 

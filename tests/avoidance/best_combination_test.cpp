@@ -20,7 +20,7 @@ std::vector<std::vector<LaidPiece>> combinations(const PoleField& field) {
   std::vector<std::vector<LaidPiece>> out{{}};
   for (const Track& strip : field.family().tracks) {
     std::vector<std::vector<LaidPiece>> longer;
-    const StripWays ways = ways_along(field, strip);
+    const StripWays ways = rolling_circle_paths(field, strip);
     for (const auto& begun : out)
       for (const auto& way : ways.ways) longer.push_back(joined(begun, way));
     out = std::move(longer);
@@ -66,7 +66,7 @@ TEST(BestCombination, EncounterCostsAreDifferencesOfPlans) {
         if (other.track != encounter.track) others.push_back(other);
       const Track& strip = field.family().tracks[static_cast<std::size_t>(encounter.track)];
       ASSERT_EQ(strip.index, encounter.track);
-      const StripWays ways = ways_along(field, strip);
+      const StripWays ways = rolling_circle_paths(field, strip);
       const double cost_of_cut = cost_by_booleans(field, joined(others, ways.ways[0]));
       for (std::size_t i = 1; i < ways.ways.size(); ++i) {
         const WayPast& way = ways.names[i] == Passing::kLeft ? encounter.left : encounter.right;

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "avoidance/pole_field.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 namespace {
@@ -85,7 +85,7 @@ TEST(ChooseDetours, NothingIsCutWhereTurnsAreWorthMoreThanTheField) {
     const Avoided found = field.plan();
     int never_passed = 0;
     for (const Track& strip : field.family().tracks) {
-      const StripWays ways = ways_along(field, strip);
+      const StripWays ways = rolling_circle_paths(field, strip);
       never_passed += ways.ways.size() == 1 && ways.ways[0].size() == 2 ? 1 : 0;
     }
     EXPECT_EQ(found.tally.pieces, 7 + never_passed);

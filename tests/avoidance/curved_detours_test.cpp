@@ -9,11 +9,11 @@
 #include <random>
 
 #include "tramline/avoidance/choose_detours.h"
-#include "tramline/avoidance/curved_detour_path.h"
-#include "tramline/avoidance/least_with_detours.h"
-#include "tramline/avoidance/way_round.h"
+#include "tramline/avoidance/detour/curved_detour_path.h"
+#include "tramline/avoidance/detour/way_round.h"
+#include "tramline/avoidance/least_cost_with_detours.h"
 #include "tramline/cost/tally_by_booleans.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/tracks/curved_tracks.h"
 
 namespace tramline {
@@ -43,7 +43,7 @@ class Laid {
     for (const Ring& ring : poles) field_.obstacles.push_back({{ring, {}}, ObstacleKind::kObstacle, "pole"});
     for (const Ring& ring : passable)
       field_.obstacles.push_back({{ring, {}}, ObstacleKind::kPassable, "strip"});
-    ground_ = sort_obstacles(field_, machine.width_m, settings.clearance_m);
+    ground_ = classify_obstacles(field_, machine.width_m, settings.clearance_m);
     const CurvedGround ground{
         EdgeIndex(ground_.plannable), EdgeIndex(ground_.hard),
         EdgeIndex(settings.boundary == EdgeKind::kHard ? Region{{outer, {}}} : Region{}),
@@ -68,7 +68,7 @@ class Laid {
   Machine machine_;
   Objective objective_;
   PlanSettings settings_;
-  SortedGround ground_;
+  ClassifiedGround ground_;
   std::vector<TrackFamily> families_;
 };
 

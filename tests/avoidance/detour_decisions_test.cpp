@@ -1,9 +1,9 @@
-#include "tramline/avoidance/detour_decisions.h"
+#include "tramline/avoidance/choice/detour_decisions.h"
 
 #include <gtest/gtest.h>
 
 #include "avoidance/pole_field.h"
-#include "tramline/avoidance/least_with_detours.h"
+#include "tramline/avoidance/least_cost_with_detours.h"
 
 namespace tramline {
 namespace {

@@ -1,6 +1,6 @@
 // Paths round discs against their closed forms, and what holds for every path round many discs.
 
-#include "tramline/avoidance/detour_path.h"
+#include "tramline/avoidance/detour/detour_path.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 
 #include "properties/random_field.h"
 #include "properties/seeds.h"
-#include "tramline/avoidance/hazards.h"
+#include "tramline/avoidance/obstacles/hazards.h"
 
 namespace tramline {
 namespace {

@@ -1,14 +1,14 @@
 // Which side of a detour things are on. The detour leaves a track along x = 0 to the left by 2 m on arcs of
 // 10 m: √(4·10·2 − 2²) = 8.718 m before and behind y = 50.
 
-#include "tramline/avoidance/goes_round.h"
+#include "tramline/avoidance/detour/goes_round.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "tramline/avoidance/detour_frame.h"
-#include "tramline/avoidance/detour_path.h"
+#include "tramline/avoidance/detour/detour_frame.h"
+#include "tramline/avoidance/detour/detour_path.h"
 
 namespace tramline {
 namespace {

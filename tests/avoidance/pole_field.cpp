@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/tracks/straight_tracks.h"
 #include "tramline/tracks/tolerances.h"
 
@@ -77,7 +77,7 @@ PoleField::PoleField(Ring outer, std::vector<Ring> poles, const Machine& machine
     own = settings;
     own.avoid = avoid;
   }
-  ground_ = sort_obstacles(field_, machine.width_m, settings.clearance_m);
+  ground_ = classify_obstacles(field_, machine.width_m, settings.clearance_m);
   subfields_ = {{ground_.plannable.front(), kNorth}};
   TurnedGround turned{ground_.hard, ground_.passable, {}, ground_.beyond};
   if (settings.boundary == EdgeKind::kHard) turned.field = {{field_.outer, {}}};
@@ -132,7 +132,7 @@ double PoleField::cost_tolerance(const std::vector<LaidPiece>& pieces) const {
 
 Machine machine(double width_m, double radius_m) { return {"", width_m, radius_m, 0}; }
 
-StripWays ways_along(const PoleField& field, const Track& strip) {
+StripWays rolling_circle_paths(const PoleField& field, const Track& strip) {
   const Intervals& at = strip.stretches;
   if (at.size() != 2) return {{{piece(strip.index, at.front().from, at.back().to)}}, {Passing::kCut}};
   StripWays out{{{piece(strip.index, at[0].from, at[0].to), piece(strip.index, at[1].from, at[1].to)}},

@@ -24,7 +24,7 @@ class PoleField {
   AvoidanceTask task(Avoidance avoid = Avoidance::kCheapest) const;
   Avoided plan(Avoidance avoid = Avoidance::kCheapest) const { return choose_detours(task(avoid)); }
   const TrackFamily& family() const { return families_.front(); }
-  const SortedGround& ground() const { return ground_; }
+  const ClassifiedGround& ground() const { return ground_; }
   double width_m() const { return machine_.width_m; }
   const Objective& objective() const { return objective_; }
   /// How the detour goes on one side of what makes the gap.
@@ -44,7 +44,7 @@ class PoleField {
   Machine machine_;
   Objective objective_;
   PlanSettings settings_[3];  ///< one for each way of avoiding
-  SortedGround ground_;
+  ClassifiedGround ground_;
   std::vector<Subfield> subfields_;
   std::vector<TrackFamily> families_;
   Box reach_;
@@ -59,7 +59,7 @@ struct StripWays {
   std::vector<Passing> names;
 };
 /// Cut, left and right of the one pole in the strip, as far as they are possible.
-StripWays ways_along(const PoleField& field, const Track& strip);
+StripWays rolling_circle_paths(const PoleField& field, const Track& strip);
 
 /// The areas of a plan's tally against those of its own tracks by booleans, its counts against counting.
 void expect_own_tally(const PoleField& field, const Avoided& avoided);

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "check/plans.h"
-#include "tramline/check/compare_fields.h"
-#include "tramline/check/compare_layers.h"
+#include "tramline/check/file/compare_fields.h"
+#include "tramline/check/file/compare_layers.h"
 
 namespace tramline {
 namespace {

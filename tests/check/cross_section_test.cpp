@@ -1,4 +1,4 @@
-#include "tramline/check/cross_section.h"
+#include "tramline/check/measure/cross_section.h"
 
 #include <gtest/gtest.h>
 

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "check/plans.h"
-#include "tramline/check/bands.h"
-#include "tramline/check/cross_section.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/check/measure/bands.h"
+#include "tramline/check/measure/cross_section.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 namespace {

@@ -1,6 +1,6 @@
 // Which side of a detour things are on, and how near to the line that it left, along lines of every shape.
 
-#include "tramline/check/detour_course.h"
+#include "tramline/check/measure/detour_course.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "check/plans.h"
-#include "tramline/check/track_line.h"
+#include "tramline/check/lines/track_line.h"
 
 namespace tramline {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "check/plans.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 namespace {

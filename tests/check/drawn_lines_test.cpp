@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "check/plans.h"
-#include "tramline/check/compare_layers.h"
+#include "tramline/check/file/compare_layers.h"
 
 namespace tramline {
 namespace {

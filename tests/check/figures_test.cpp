@@ -9,7 +9,7 @@
 #include <string>
 
 #include "check/plans.h"
-#include "tramline/check/compare_warnings.h"
+#include "tramline/check/file/compare_warnings.h"
 
 namespace tramline {
 namespace {

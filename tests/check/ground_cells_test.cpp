@@ -1,6 +1,6 @@
 // Areas between shapes laid over one another, against what can be said by hand and against GEOS.
 
-#include "tramline/check/ground_cells.h"
+#include "tramline/check/measure/ground_cells.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <random>
 
 #include "check/plans.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 namespace {

@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "check/plans.h"
-#include "tramline/check/near_land.h"
+#include "tramline/check/measure/near_land.h"
 #include "tramline/check/tolerances.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 namespace {

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "check/plans.h"
-#include "tramline/geometry/boolean.h"
-#include "tramline/geometry/track_frame.h"
+#include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/strip/track_frame.h"
 
 namespace tramline {
 namespace {

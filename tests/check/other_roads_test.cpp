@@ -7,9 +7,9 @@
 #include <numbers>
 #include <random>
 
-#include "tramline/check/cross_section.h"
-#include "tramline/geometry/boolean.h"
-#include "tramline/geometry/track_frame.h"
+#include "tramline/check/measure/cross_section.h"
+#include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/strip/track_frame.h"
 
 namespace tramline {
 namespace {

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <random>
 
-#include "tramline/check/bands.h"
-#include "tramline/check/path_distance.h"
-#include "tramline/geometry/kinked_line.h"
+#include "tramline/check/measure/bands.h"
+#include "tramline/check/measure/path_distance.h"
+#include "tramline/geometry/path/kinked_line.h"
 
 namespace tramline {
 namespace {

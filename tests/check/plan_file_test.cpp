@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "check/plans.h"
-#include "tramline/check/compare_layers.h"
+#include "tramline/check/file/compare_layers.h"
 #include "tramline/io/plan/read_plan.h"
 #include "tramline/io/plan/write_plan.h"
 

@@ -6,10 +6,10 @@
 #include <numbers>
 #include <utility>
 
-#include "tramline/check/bands.h"
+#include "tramline/check/measure/bands.h"
 #include "tramline/check/verify.h"
-#include "tramline/geometry/boolean.h"
-#include "tramline/geometry/track_frame.h"
+#include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/strip/track_frame.h"
 
 namespace tramline::testing_plans {
 namespace {

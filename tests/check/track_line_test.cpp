@@ -8,11 +8,11 @@
 #include <random>
 
 #include "check/plans.h"
-#include "tramline/check/bands.h"
-#include "tramline/check/track_lines.h"
-#include "tramline/geometry/extended.h"
-#include "tramline/geometry/parallel.h"
-#include "tramline/geometry/smoothed.h"
+#include "tramline/check/lines/track_lines.h"
+#include "tramline/check/measure/bands.h"
+#include "tramline/geometry/offset/parallel.h"
+#include "tramline/geometry/path/extended_line.h"
+#include "tramline/geometry/path/smoothed_line.h"
 
 namespace tramline {
 namespace {

@@ -1,12 +1,12 @@
 // Swaths laid over the body part by part, against the union of all of them.
 
-#include "tramline/check/worked_body.h"
+#include "tramline/check/measure/worked_body.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/planner/plan_field.h"
 
 namespace tramline {

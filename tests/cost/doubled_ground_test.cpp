@@ -1,10 +1,10 @@
-#include "tramline/cost/doubled_ground.h"
+#include "tramline/cost/worked/doubled_ground.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 namespace {

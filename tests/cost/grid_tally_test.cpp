@@ -1,4 +1,4 @@
-#include "tramline/cost/grid_tally.h"
+#include "tramline/cost/grid/grid_tally.h"
 
 #include <gtest/gtest.h>
 

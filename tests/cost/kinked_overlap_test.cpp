@@ -1,8 +1,8 @@
-#include "tramline/cost/kinked_overlap.h"
+#include "tramline/cost/worked/kinked_overlap.h"
 
 #include <gtest/gtest.h>
 
-#include "tramline/geometry/kinked_line.h"
+#include "tramline/geometry/path/kinked_line.h"
 
 namespace tramline {
 namespace {

@@ -1,4 +1,4 @@
-#include "tramline/cost/piece_overlap.h"
+#include "tramline/cost/worked/piece_overlap.h"
 
 #include <gtest/gtest.h>
 

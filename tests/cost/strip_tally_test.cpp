@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tramline/cost/worked_regions.h"
+#include "tramline/cost/worked/worked_regions.h"
 #include "tramline/tracks/straight_tracks.h"
 #include "tramline/tracks/strip_origin.h"
 

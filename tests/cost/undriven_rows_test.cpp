@@ -2,7 +2,7 @@
 // right side at y = 3 to its left at y = 11, so that half a metre less of a row lies inside with each metre
 // along.
 
-#include "tramline/cost/undriven_rows.h"
+#include "tramline/cost/bound/undriven_rows.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ constexpr double kNear = 1e-4;  // widths have a tolerance
 
 class UndrivenRows : public ::testing::Test {
  protected:
-  Intervals in(const MovingTerms& moving, const DrivenTerms& driven) {
+  Intervals in(const RowBoundTerms& moving, const DrivenTerms& driven) {
     gather_windows(parts_, moving.width_m, 0, 2 * driven.shear_m, windows_);
     Intervals out;
     find_undriven_rows(windows_, moving, driven, out);
@@ -24,7 +24,7 @@ class UndrivenRows : public ::testing::Test {
 
   std::vector<BoundaryPart> parts_{{{0, 0}, {4, 0}}, {{4, 3}, {0, 11}}};
   std::vector<BoundaryWindow> windows_;
-  MovingTerms still_{4, 1, 1, 0, 0, 0};
+  RowBoundTerms still_{4, 1, 1, 0, 0, 0};
 };
 
 TEST_F(UndrivenRows, AreThoseTooNarrowForTheEndRule) {

@@ -1,14 +1,14 @@
-#include "tramline/cost/worked_bands.h"
+#include "tramline/cost/worked/worked_bands.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "tramline/geometry/boolean.h"
-#include "tramline/geometry/parallel.h"
-#include "tramline/geometry/path_between.h"
-#include "tramline/geometry/smoothed.h"
+#include "tramline/geometry/offset/parallel.h"
+#include "tramline/geometry/path/path_between.h"
+#include "tramline/geometry/path/smoothed_line.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 namespace {

@@ -1,13 +1,13 @@
 // What is worked near a place, of strips and of tracks along a curve at once, against polygon booleans.
 
-#include "tramline/cost/worked_ground.h"
+#include "tramline/cost/worked/worked_ground.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "tramline/geometry/boolean.h"
-#include "tramline/geometry/parallel.h"
+#include "tramline/geometry/offset/parallel.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/tracks/curved_tracks.h"
 #include "tramline/tracks/straight_tracks.h"
 #include "tramline/tracks/tolerances.h"
@@ -117,7 +117,7 @@ TEST(WorkedGround, is_what_polygon_booleans_find_whatever_the_families) {
       append_box(window, Layer::kBody, window, curves);
       append_box(window, Layer::kNew, window, curves);
       ground.append_taken(home, window, {window}, except, curves);
-      const double left_m2 = new_area(curves);
+      const double left_m2 = newly_covered_area(curves);
 
       const Region seen = frame.to_field(Region{{ring_of(window), {}}});
       Region taken;

@@ -1,11 +1,11 @@
-#include "tramline/cost/worked_rows.h"
+#include "tramline/cost/worked/worked_rows.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 namespace {

@@ -14,7 +14,7 @@
 #include "coverage/logs.h"
 #include "support/refusals.h"
 #include "tramline/coverage/dose/region_in_cells.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline::coverage {
 namespace {

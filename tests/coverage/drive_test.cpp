@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "coverage/logs.h"
-#include "tramline/coverage/course.h"
-#include "tramline/coverage/driven_lines.h"
+#include "tramline/coverage/drive/course.h"
+#include "tramline/coverage/drive/driven_lines.h"
+#include "tramline/coverage/drive/log_sanity.h"
+#include "tramline/coverage/drive/time_order.h"
+#include "tramline/coverage/drive/working_boom.h"
 #include "tramline/coverage/gaps.h"
-#include "tramline/coverage/plausible.h"
-#include "tramline/coverage/time_order.h"
-#include "tramline/coverage/working_boom.h"
 
 namespace tramline::coverage {
 namespace {
@@ -81,19 +81,20 @@ TEST(DrivenLines, ChangeWhereTheWorkDoes) {
 TEST(Plausible, CopiesOfOneWidthAreOne) {
   WorkLog copies = log({fix(0, {0, 0}), with_sections(fix(1, {1, 0}), "0000000001")}, 10);
   copies.booms = {boom(10, 100)};
-  const WorkLog mended = plausible(copies);
+  const WorkLog mended = log_without_faults(copies);
   EXPECT_EQ(mended.booms[0], boom(1, 10));
   EXPECT_TRUE(mended.fixes[1].sections[0]);
   EXPECT_EQ(mended.notes.size(), 1U);
   copies.booms = {boom(48, 48)};
-  EXPECT_EQ(plausible(copies).booms[0].size(), 48U) << "a wide sprayer is no fault";
+  EXPECT_EQ(log_without_faults(copies).booms[0].size(), 48U) << "a wide sprayer is no fault";
 }
 
 TEST(Plausible, SectionsThatNeverWorkSayNothing) {
   const Fix silent = with_sections(fix(0, {0, 0}), "0000");
-  EXPECT_FALSE(plausible(log({silent}, 4)).fixes[0].has_sections);
-  EXPECT_TRUE(plausible(log({silent, with_sections(fix(1, {1, 0}), "1000")}, 4)).fixes[0].has_sections);
-  EXPECT_TRUE(plausible(log({idle(silent)}, 4)).fixes[0].has_sections) << "nothing contradicts them";
+  EXPECT_FALSE(log_without_faults(log({silent}, 4)).fixes[0].has_sections);
+  EXPECT_TRUE(
+      log_without_faults(log({silent, with_sections(fix(1, {1, 0}), "1000")}, 4)).fixes[0].has_sections);
+  EXPECT_TRUE(log_without_faults(log({idle(silent)}, 4)).fixes[0].has_sections) << "nothing contradicts them";
 }
 
 TEST(Gaps, AreListedTheLargestFirst) {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "coverage/logs.h"
-#include "tramline/coverage/plan_steps.h"
+#include "tramline/coverage/drive/plan_steps.h"
 #include "tramline/geometry/error.h"
 
 namespace tramline::coverage {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "tramline/coverage/worked_step.h"
-#include "tramline/geometry/region.h"
+#include "tramline/coverage/drive/worked_step.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/model/coverage.h"
 
 namespace tramline::testing {

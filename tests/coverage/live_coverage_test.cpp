@@ -1,6 +1,6 @@
 // The evaluation while the drive goes on: what it says against evaluate() on the fixes so far.
 
-#include "tramline/coverage/live_coverage.h"
+#include "tramline/coverage/live/live_coverage.h"
 
 #include <gtest/gtest.h>
 
@@ -16,9 +16,9 @@
 
 #include "coverage/logs.h"
 #include "tramline/coverage/evaluate.h"
-#include "tramline/coverage/work_changes.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/coverage/live/work_changes.h"
 #include "tramline/geometry/error.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline::coverage {
 namespace {

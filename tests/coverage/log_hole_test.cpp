@@ -1,6 +1,6 @@
 // Ground between fixes that the log lacks: what may have been worked and was not recorded, by hand.
 
-#include "tramline/coverage/log_hole.h"
+#include "tramline/coverage/drive/log_hole.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "coverage/logs.h"
 #include "tramline/coverage/evaluate.h"
-#include "tramline/coverage/tile_coverage.h"
+#include "tramline/coverage/tiles/tile_coverage.h"
 
 namespace tramline::coverage {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "coverage/mesh_oracle.h"
 #include "tramline/coverage/mesh/connected_rings.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline::coverage {
 namespace {

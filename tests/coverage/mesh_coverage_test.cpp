@@ -1,4 +1,4 @@
-#include "tramline/coverage/mesh_coverage.h"
+#include "tramline/coverage/mesh/mesh_coverage.h"
 #include "support/refusals.h"
 
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 
 #include "coverage/mesh_oracle.h"
 #include "coverage/pentagon_routes.h"
-#include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline::coverage {
 namespace {

@@ -1,6 +1,6 @@
 // Which ground a hole is a hole of, however its ring begins.
 
-#include "tramline/coverage/nest_holes.h"
+#include "tramline/coverage/tiles/nest_holes.h"
 
 #include <gtest/gtest.h>
 

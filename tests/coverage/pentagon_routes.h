@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "tramline/coverage/worked_step.h"
-#include "tramline/geometry/region.h"
+#include "tramline/coverage/drive/worked_step.h"
+#include "tramline/geometry/polygon/region.h"
 
 namespace tramline::coverage::testing_routes {
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline::coverage::testing_routes {
 namespace {

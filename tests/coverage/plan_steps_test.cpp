@@ -1,4 +1,4 @@
-#include "tramline/coverage/plan_steps.h"
+#include "tramline/coverage/drive/plan_steps.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "tramline/coverage/deviation.h"
-#include "tramline/geometry/path.h"
+#include "tramline/geometry/path/path.h"
 
 namespace tramline::coverage {
 namespace {

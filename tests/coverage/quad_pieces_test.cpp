@@ -1,4 +1,4 @@
-#include "tramline/coverage/quad_pieces.h"
+#include "tramline/coverage/tiles/quad_pieces.h"
 
 #include <gtest/gtest.h>
 

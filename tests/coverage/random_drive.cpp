@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "properties/random_field.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline::testing {
 namespace {

@@ -1,6 +1,6 @@
 // Ground that logs have as polygons, and figures that are doubted, by hand.
 
-#include "tramline/coverage/shape_drive.h"
+#include "tramline/coverage/drive/shape_drive.h"
 
 #include <gtest/gtest.h>
 

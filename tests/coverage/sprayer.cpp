@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tramline/coverage/ahead/look_ahead.h"
-#include "tramline/coverage/tile_coverage.h"
+#include "tramline/coverage/tiles/tile_coverage.h"
 
 namespace tramline::testing {
 namespace {

@@ -1,11 +1,11 @@
-#include "tramline/coverage/step_maker.h"
+#include "tramline/coverage/drive/step_maker.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "coverage/logs.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 
 namespace tramline::coverage {
 namespace {

@@ -14,8 +14,8 @@
 #include "coverage/random_drive.h"
 #include "properties/random_field.h"
 #include "properties/seeds.h"
-#include "tramline/coverage/tile_coverage.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/coverage/tiles/tile_coverage.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 namespace {

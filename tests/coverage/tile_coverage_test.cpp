@@ -1,4 +1,4 @@
-#include "tramline/coverage/tile_coverage.h"
+#include "tramline/coverage/tiles/tile_coverage.h"
 #include "support/refusals.h"
 
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 #include <numbers>
 #include <random>
 
-#include "tramline/coverage/tile_frame.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/coverage/tiles/tile_frame.h"
 #include "tramline/geometry/error.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline::coverage {
 namespace {

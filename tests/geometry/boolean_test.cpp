@@ -1,4 +1,4 @@
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 #include <gtest/gtest.h>
 

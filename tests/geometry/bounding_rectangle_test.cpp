@@ -1,4 +1,4 @@
-#include "tramline/geometry/bounding_rectangle.h"
+#include "tramline/geometry/polygon/bounding_rectangle.h"
 
 #include <gtest/gtest.h>
 

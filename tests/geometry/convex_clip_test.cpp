@@ -1,4 +1,4 @@
-#include "tramline/geometry/convex_clip.h"
+#include "tramline/geometry/polygon/convex_clip.h"
 
 #include <gtest/gtest.h>
 

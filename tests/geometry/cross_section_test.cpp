@@ -1,4 +1,4 @@
-#include "tramline/geometry/cross_section.h"
+#include "tramline/geometry/strip/cross_section.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "tramline/geometry/path.h"
+#include "tramline/geometry/path/path.h"
 
 namespace tramline {
 

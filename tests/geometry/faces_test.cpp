@@ -1,4 +1,4 @@
-#include "tramline/geometry/faces.h"
+#include "tramline/geometry/polygon/faces.h"
 
 #include <gtest/gtest.h>
 

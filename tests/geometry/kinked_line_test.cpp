@@ -1,4 +1,4 @@
-#include "tramline/geometry/kinked_line.h"
+#include "tramline/geometry/path/kinked_line.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <numbers>
 #include <random>
 
-#include "tramline/geometry/boolean.h"
-#include "tramline/geometry/kinked_offset.h"
+#include "tramline/geometry/path/kinked_offset.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 namespace {

@@ -1,4 +1,4 @@
-#include "tramline/geometry/parallel.h"
+#include "tramline/geometry/offset/parallel.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "geometry/drivable.h"
-#include "tramline/geometry/boolean.h"
-#include "tramline/geometry/extended.h"
-#include "tramline/geometry/smoothed.h"
+#include "tramline/geometry/path/extended_line.h"
+#include "tramline/geometry/path/smoothed_line.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 namespace {

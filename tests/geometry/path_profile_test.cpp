@@ -1,11 +1,11 @@
-#include "tramline/geometry/path_profile.h"
+#include "tramline/geometry/profile/path_profile.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "tramline/geometry/path_between.h"
+#include "tramline/geometry/path/path_between.h"
 
 namespace tramline {
 namespace {

@@ -1,11 +1,11 @@
-#include "tramline/geometry/path.h"
+#include "tramline/geometry/path/path.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 namespace {

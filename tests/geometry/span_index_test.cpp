@@ -1,4 +1,4 @@
-#include "tramline/geometry/span_index.h"
+#include "tramline/geometry/index/span_index.h"
 
 #include <gtest/gtest.h>
 

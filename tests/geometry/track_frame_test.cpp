@@ -1,4 +1,4 @@
-#include "tramline/geometry/track_frame.h"
+#include "tramline/geometry/strip/track_frame.h"
 
 #include <gtest/gtest.h>
 

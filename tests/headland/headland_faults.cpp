@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "tramline/geometry/boolean.h"
-#include "tramline/geometry/layered_area.h"
+#include "tramline/geometry/path/newly_covered_area.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/headland/path_stretch.h"
 
 namespace tramline::testing {
@@ -110,7 +110,7 @@ double shared(const Path& a, const Path& b, double width) {
   RisingCurves curves;
   append_band(a, width, Layer::kBody, curves);
   append_band(b, width, Layer::kNew, curves);
-  return new_area(curves);
+  return newly_covered_area(curves);
 }
 
 /// Land worked twice by passes, each pair by itself. What three share counts three times instead of twice.

@@ -9,12 +9,12 @@
 #include "headland/headland_faults.h"
 #include "properties/random_field.h"
 #include "properties/random_scene.h"
-#include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/headland/closed_path.h"
+#include "tramline/headland/drivable_rings.h"
 #include "tramline/headland/pass_tally.h"
-#include "tramline/headland/sound_rings.h"
-#include "tramline/headland/turning_land.h"
+#include "tramline/headland/turning_room.h"
 
 namespace tramline::testing {
 namespace {
@@ -107,8 +107,8 @@ double with_passes(const std::vector<HeadlandPass>& passes, const Region& ground
 /// One pass where it is driven only in places where the machine could turn.
 std::vector<HeadlandPass> where_it_can_turn(const Field& field, const HeadlandTerms& terms) {
   std::vector<HeadlandPass> out;
-  const TurningLand land = turning_land(boundaries_of(field, terms), terms.width_m, 1, tightest_m(terms));
-  for (const LevelRing& ring : turning_centres(land))
+  const TurningRoom land = turning_room(boundaries_of(field, terms), terms.width_m, 1, tightest_m(terms));
+  for (const OffsetRing& ring : turning_centres(land))
     out.push_back({closed_path(ring, land.radius_m), 1, true, {}});
   return out;
 }

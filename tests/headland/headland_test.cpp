@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "headland/headland_faults.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline::testing {
 namespace {

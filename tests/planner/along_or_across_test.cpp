@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "tramline/admission/admit.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/io/vector/read_vector.h"
 #include "tramline/planner/plan_field.h"
 

@@ -1,4 +1,4 @@
-#include "tramline/planner/curved_division.h"
+#include "tramline/planner/curved/curved_division.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "planner/prepared.h"
-#include "tramline/geometry/boolean.h"
-#include "tramline/planner/best_curved.h"
-#include "tramline/planner/join_pairs.h"
+#include "tramline/geometry/polygon/boolean.h"
+#include "tramline/planner/curved/best_curved.h"
+#include "tramline/planner/search/merge_pairs.h"
 
 namespace tramline {
 namespace {
@@ -61,7 +61,7 @@ TEST(CurvedDivision, JoinsWhatOneCurveSuits) {
 // A block beside the bend stays straight where it may, and goes with a curve where all are to.
 TEST(CurvedDivision, LeavesStraightWhatNoCurveSuits) {
   const Polygon block{{{60, -102}, {300, -102}, {300, 0}, {60, 0}}, {}}, arm = bend(0, kChords);
-  const testing::Prepared both = prepared(*joined_shape(block, arm));
+  const testing::Prepared both = prepared(*merged_shape(block, arm));
   const std::vector<LinedSubfield> parts{straight(block, 90), straight(arm, 135)};
   const auto mixed =
       best_division_along_curves(both.task(), {parts}, OtherSubfields::kStraight, SearchContext(1));
@@ -79,7 +79,7 @@ TEST(CurvedDivision, LeavesStraightWhatNoCurveSuits) {
 TEST(CurvedDivision, IsNoneWhereNoEdgeBends) {
   const Polygon left{{{0, 0}, {60, 0}, {60, 90}, {0, 90}}, {}},
       right{{{60, 0}, {120, 0}, {120, 90}, {60, 90}}, {}};
-  const testing::Prepared both = prepared(*joined_shape(left, right));
+  const testing::Prepared both = prepared(*merged_shape(left, right));
   const std::vector<LinedSubfield> parts{straight(left, 0), straight(right, 90)};
   for (const OtherSubfields others : {OtherSubfields::kStraight, OtherSubfields::kCurved})
     EXPECT_FALSE(best_division_along_curves(both.task(), {parts}, others, SearchContext(1)));
@@ -88,14 +88,14 @@ TEST(CurvedDivision, IsNoneWhereNoEdgeBends) {
 /// Numbers stand for subfields: two may be joined to their sum, which saves what the table says.
 struct Looked {
   std::vector<PairPlaces> asked;
-  std::vector<std::optional<JoinedPair<int>>> operator()(const std::vector<int>& among,
+  std::vector<std::optional<MergedPair<int>>> operator()(const std::vector<int>& among,
                                                          const std::vector<PairPlaces>& places) {
-    std::vector<std::optional<JoinedPair<int>>> out;
+    std::vector<std::optional<MergedPair<int>>> out;
     for (const PairPlaces& pair : places) {
       asked.push_back(pair);
       const int whole = among[pair.first] + among[pair.second];
       const double saving = whole == 3 ? 1 : whole == 6 ? 2 : whole == 7 ? 0 : -1;
-      out.push_back(JoinedPair<int>{pair, whole, saving});
+      out.push_back(MergedPair<int>{pair, whole, saving});
     }
     return out;
   }
@@ -106,10 +106,10 @@ struct Looked {
 TEST(JoinPairs, TakesThePairThatSavesMostAgainAndAgain) {
   Looked looked;
   const std::vector<int> left =
-      join_pairs(std::vector<int>{1, 2, 4, 5},
-                 [&looked](const std::vector<int>& among, const std::vector<PairPlaces>& places) {
-                   return looked(among, places);
-                 });
+      merge_pairs(std::vector<int>{1, 2, 4, 5},
+                  [&looked](const std::vector<int>& among, const std::vector<PairPlaces>& places) {
+                    return looked(among, places);
+                  });
   EXPECT_EQ(left, (std::vector<int>{6, 6}));
   // Six pairs of four, then 6 with 2 and with 4, then 6 with 6.
   EXPECT_EQ(looked.asked.size(), 6U + 2U + 1U);

@@ -1,7 +1,7 @@
 // In which order and which way round pieces are driven: scenes by hand, every order of a few pieces, random
 // scenes against a nearest-neighbour tour.
 
-#include "tramline/planner/driven_tracks.h"
+#include "tramline/planner/assembly/driven_tracks.h"
 
 #include <gtest/gtest.h>
 

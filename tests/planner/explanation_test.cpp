@@ -1,4 +1,4 @@
-#include "tramline/planner/explanation.h"
+#include "tramline/planner/explain/explanation.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 
 #include "planner/prepared.h"
 #include "support/refusals.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
+#include "tramline/planner/pareto/trade_off.h"
 #include "tramline/planner/plan_field.h"
-#include "tramline/planner/trade_off.h"
 
 namespace tramline {
 namespace {

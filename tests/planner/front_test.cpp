@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "tramline/planner/dominance.h"
-#include "tramline/planner/front_marks.h"
+#include "tramline/planner/pareto/dominance.h"
+#include "tramline/planner/pareto/front_marks.h"
 
 namespace tramline {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "planner/prepared.h"
 #include "support/refusals.h"
-#include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
-#include "tramline/planner/curved_candidate.h"
+#include "tramline/geometry/polygon/boolean.h"
+#include "tramline/planner/curved/curved_candidate.h"
 #include "tramline/planner/plan_field.h"
 #include "tramline/planner/prepare_field.h"
 
@@ -278,7 +278,7 @@ TEST(MetricMap, LandGivenUpInAHeadlandIsNoObstacle) {
   settings.headlands = 1;
   const Field field = field_of(box(0, 0, 100, 60), {box(2, 20, 12, 40)});
   const PlanningProblem problem = planning_problem(field, {"", 6, 6, 0}, {}, settings);
-  const SortedGround ground = prepare_field(problem, SearchContext(1)).value().field.ground;
+  const ClassifiedGround ground = prepare_field(problem, SearchContext(1)).value().field.ground;
   EXPECT_NEAR(area(ground.hard), 200, 1e-6);
   EXPECT_NEAR(area(ground.beyond), 40, 1e-6);
   EXPECT_NEAR(area(ground.given_up), 0, 1e-6);

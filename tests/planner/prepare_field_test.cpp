@@ -7,8 +7,8 @@
 
 #include "tramline/geometry/error.h"
 #include "tramline/planner/plan_field.h"
-#include "tramline/planner/search_task.h"
-#include "tramline/planner/straight_search.h"
+#include "tramline/planner/search/search_task.h"
+#include "tramline/planner/search/straight_search.h"
 
 namespace tramline {
 namespace {

@@ -2,7 +2,7 @@
 // A problem prepared for its searches, in one value.
 
 #include "tramline/planner/prepare_field.h"
-#include "tramline/planner/search_task.h"
+#include "tramline/planner/search/search_task.h"
 
 namespace tramline::testing {
 

@@ -1,7 +1,7 @@
 // The lines that a repair chooses, against all choices there are on small scenes. Costs are found anew here:
 // from polygons, word for word.
 
-#include "tramline/planner/repair_choice.h"
+#include "tramline/planner/repair/repair_choice.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "tramline/planner/repair_places.h"
+#include "tramline/planner/repair/repair_places.h"
 
 namespace tramline {
 namespace {

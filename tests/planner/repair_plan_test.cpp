@@ -1,6 +1,6 @@
 // Plans for missed ground, by hand. Field: a square of 100 m unless said otherwise; w = 6.
 
-#include "tramline/planner/repair_plan.h"
+#include "tramline/planner/repair/repair_plan.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "support/refusals.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <set>
 
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/planner/plan_field.h"
 
 namespace tramline {

@@ -1,4 +1,4 @@
-#include "tramline/planner/sweep_search.h"
+#include "tramline/planner/search/sweep_search.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tramline/planner/trade_off.h"
+#include "tramline/planner/pareto/trade_off.h"
 #include "support/refusals.h"
 
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "tramline/geometry/error.h"
-#include "tramline/planner/dominance.h"
-#include "tramline/planner/front_marks.h"
+#include "tramline/planner/pareto/dominance.h"
+#include "tramline/planner/pareto/front_marks.h"
 #include "tramline/planner/plan_field.h"
 
 namespace tramline {

@@ -1,6 +1,6 @@
 // Figures of plans with headlands: all swaths and headland passes together, against all land.
 
-#include "tramline/planner/whole_figures.h"
+#include "tramline/planner/assembly/whole_figures.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/headland/body.h"
 #include "tramline/planner/plan_field.h"
 

@@ -1,4 +1,4 @@
-#include "tramline/planner/best_search.h"
+#include "tramline/planner/search/best_search.h"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +10,11 @@
 #include "planner/prepared.h"
 #include "properties/random_field.h"
 #include "properties/seeds.h"
-#include "tramline/cost/best_offset.h"
-#include "tramline/geometry/bounding_rectangle.h"
+#include "tramline/cost/bound/best_offset.h"
 #include "tramline/geometry/error.h"
-#include "tramline/planner/grid_search.h"
+#include "tramline/geometry/polygon/bounding_rectangle.h"
 #include "tramline/planner/plan_field.h"
+#include "tramline/planner/search/branch_and_bound.h"
 #include "tramline/tracks/tolerances.h"
 
 namespace tramline {
@@ -62,8 +62,8 @@ TEST(BestSearchProperties, NoGridCostsLessThanTheBound) {
     if (task.ground.plannable.size() != 1) return;
     SearchEffort effort;
     effort.most_boxes = 1000;
-    const GridSearchResult found =
-        search_grids(task, task.ground.plannable.front(), effort, SearchContext(1));
+    const BranchAndBoundResult found =
+        branch_and_bound(task, task.ground.plannable.front(), effort, SearchContext(1));
     const PricedGrid& best = found.grids.front();
     const Candidate laid = candidate_at(task, best.direction, best.origin_m);
     const bool hindered = !found.unhindered.empty();
@@ -97,7 +97,8 @@ TEST(BestSearchProperties, BruteForceFindsNothingBetterThanTheGapAllows) {
     const SearchTask task = whole.task();
     const GridTerms terms{width_m, min_length_m(task.machine),
                           end_criterion(task.settings.end_rule, task.objective, width_m)};
-    const GridSearchResult found = search_grids(task, task.ground.plannable.front(), {}, SearchContext(1));
+    const BranchAndBoundResult found =
+        branch_and_bound(task, task.ground.plannable.front(), {}, SearchContext(1));
     double least = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 1800; ++k) {
       const TrackFrame frame(Direction::clockwise_from_north(Angle::degrees(0.1 * k)));

@@ -8,7 +8,7 @@
 #include "tramline/decomposition/cells.h"
 #include "tramline/decomposition/decompose.h"
 #include "tramline/decomposition/events.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/headland/body.h"
 
 namespace tramline {

@@ -4,9 +4,9 @@
 
 #include "properties/random_field.h"
 #include "properties/seeds.h"
-#include "tramline/geometry/boolean.h"
-#include "tramline/geometry/convex_clip.h"
-#include "tramline/geometry/track_frame.h"
+#include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/polygon/convex_clip.h"
+#include "tramline/geometry/strip/track_frame.h"
 
 namespace tramline {
 namespace {

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "tramline/check/verify.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/planner/plan_field.h"
 
 namespace tramline {

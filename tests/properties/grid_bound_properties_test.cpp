@@ -1,4 +1,4 @@
-#include "tramline/cost/grid_bound.h"
+#include "tramline/cost/bound/grid_bound.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 /// One subfield with everything that its tallies and bounds depend on.
 struct Case {
   Polygon part;
-  SortedGround ground;
+  ClassifiedGround ground;
   GridTerms grid;
   BoundTerms bound;
 
@@ -43,7 +43,7 @@ TEST(GridBound, NoGridOfTheBoxCostsLess) {
   for (int i = 0; i < cases; ++i) {
     testing::GridScene scene(i, i % 3 == 0 ? 4 : 0, 12);
     const double width_m = scene.width_m;
-    const SortedGround& ground = scene.ground;
+    const ClassifiedGround& ground = scene.ground;
     if (ground.plannable.empty()) continue;
     Objective objective = scene.objective();
     if (i % 4 == 1)
@@ -76,7 +76,7 @@ TEST(GridBound, StopsWhereItIsEnough) {
   for (int i = 0; i < cases; ++i) {
     testing::GridScene scene(i, i % 3 == 0 ? 4 : 0, 12);
     const double width_m = scene.width_m;
-    const SortedGround& ground = scene.ground;
+    const ClassifiedGround& ground = scene.ground;
     if (ground.plannable.empty()) continue;
     const Objective objective = scene.objective();
     const Polygon part = ground.plannable.front();

@@ -5,7 +5,7 @@
 
 #include "properties/random_field.h"
 #include "properties/seeds.h"
-#include "tramline/avoidance/ground.h"
+#include "tramline/avoidance/obstacles/obstacle_classification.h"
 #include "tramline/cost/strip_tally.h"
 
 namespace tramline::testing {
@@ -19,7 +19,7 @@ struct GridScene {
       : random(number),
         field(random_field(random, most_obstacles)),
         width_m(between(1, widest_m)),
-        ground(sort_obstacles(field, width_m)) {}
+        ground(classify_obstacles(field, width_m)) {}
 
   double between(double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); }
   Objective objective() { return {between(0, 1), between(0, 1), between(0, 3), between(0, 3)}; }
@@ -29,7 +29,7 @@ struct GridScene {
   SeededRandom random;
   Field field;
   double width_m;
-  SortedGround ground;
+  ClassifiedGround ground;
 };
 
 }  // namespace tramline::testing

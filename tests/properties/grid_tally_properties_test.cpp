@@ -1,4 +1,4 @@
-#include "tramline/cost/grid_tally.h"
+#include "tramline/cost/grid/grid_tally.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 namespace tramline {
 namespace {
 
-TurnedGround turned(const SortedGround& ground, const Field& field, const TrackFrame& frame,
+TurnedGround turned(const ClassifiedGround& ground, const Field& field, const TrackFrame& frame,
                     bool hard_boundary) {
   TurnedGround out{
       frame.to_track(ground.hard), frame.to_track(ground.passable), {}, frame.to_track(ground.beyond)};
@@ -31,7 +31,7 @@ TEST(GridTally, AgreesWithThePiecesOfEveryStrip) {
   for (int i = 0; i < cases; ++i) {
     testing::GridScene scene(i, i % 3 == 0 ? 4 : 0, 12);
     const double width_m = scene.width_m;
-    const SortedGround& ground = scene.ground;
+    const ClassifiedGround& ground = scene.ground;
     const bool hard_boundary = i % 5 == 1;
     const Objective objective = scene.objective(1);
     for (const EndRule rule : testing::kEndRules)

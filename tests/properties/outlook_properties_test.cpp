@@ -11,7 +11,7 @@
 #include "properties/random_scene.h"
 #include "properties/seeds.h"
 #include "tramline/geometry/error.h"
-#include "tramline/planner/sweep_search.h"
+#include "tramline/planner/search/sweep_search.h"
 
 namespace tramline {
 namespace {

@@ -10,11 +10,11 @@
 #include "geometry/drivable.h"
 #include "properties/random_field.h"
 #include "properties/seeds.h"
-#include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
-#include "tramline/geometry/extended.h"
-#include "tramline/geometry/parallel.h"
-#include "tramline/geometry/smoothed.h"
+#include "tramline/geometry/offset/parallel.h"
+#include "tramline/geometry/path/extended_line.h"
+#include "tramline/geometry/path/smoothed_line.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "properties/random_field.h"
 #include "properties/seeds.h"
-#include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/planner/plan_field.h"
 
 namespace tramline {

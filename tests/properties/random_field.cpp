@@ -5,7 +5,7 @@
 #include <functional>
 #include <numbers>
 
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline::testing {
 namespace {

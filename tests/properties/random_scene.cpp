@@ -8,7 +8,7 @@
 
 #include "properties/random_field.h"
 #include "tramline/admission/place_obstacles.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline::testing {
 namespace {

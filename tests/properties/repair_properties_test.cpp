@@ -11,11 +11,11 @@
 #include "properties/random_field.h"
 #include "properties/seeds.h"
 #include "tramline/check/verify.h"
-#include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
-#include "tramline/geometry/interior_point.h"
+#include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/polygon/interior_point.h"
 #include "tramline/headland/body.h"
-#include "tramline/planner/repair_plan.h"
+#include "tramline/planner/repair/repair_plan.h"
 
 namespace tramline {
 namespace {

@@ -4,10 +4,10 @@
 
 #include "properties/random_field.h"
 #include "tramline/geometry/error.h"
-#include "tramline/planner/dominance.h"
-#include "tramline/planner/front_marks.h"
+#include "tramline/planner/pareto/dominance.h"
+#include "tramline/planner/pareto/front_marks.h"
+#include "tramline/planner/pareto/trade_off.h"
 #include "tramline/planner/plan_field.h"
-#include "tramline/planner/trade_off.h"
 
 namespace tramline {
 namespace {

@@ -12,8 +12,8 @@
 #include <nlohmann/json.hpp>
 
 #include "tramline/admission/admit.h"
-#include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/io/vector/read_vector.h"
 
 namespace tramline {

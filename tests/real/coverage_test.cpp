@@ -11,7 +11,7 @@
 #include "real/real_fields.h"
 #include "real/real_logs.h"
 #include "tramline/coverage/evaluate.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline::testing {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "real/real_fields.h"
 #include "tramline/geometry/error.h"
-#include "tramline/planner/trade_off.h"
+#include "tramline/planner/pareto/trade_off.h"
 
 namespace tramline {
 namespace {

@@ -7,8 +7,8 @@
 #include <filesystem>
 
 #include "tramline/admission/admit.h"
-#include "tramline/check/compare_fields.h"
-#include "tramline/check/compare_layers.h"
+#include "tramline/check/file/compare_fields.h"
+#include "tramline/check/file/compare_layers.h"
 #include "tramline/check/verify.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/plan/read_plan.h"

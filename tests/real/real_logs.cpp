@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "tramline/coverage/drive/log_sanity.h"
+#include "tramline/coverage/drive/time_order.h"
 #include "tramline/coverage/evaluate.h"
-#include "tramline/coverage/plausible.h"
-#include "tramline/coverage/time_order.h"
 #include "tramline/geodesy/placed_log.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/headland/body.h"
 #include "tramline/io/log/read_log.h"
 
@@ -83,7 +83,7 @@ BatchDifference stream_against_batch(const WorkLog& given, const Region& field,
   settings.drive = drive;
   const Coverage stream = coverage::evaluate(given, field, settings, {});
 
-  const WorkLog log = coverage::in_time_order(coverage::plausible(given));
+  const WorkLog log = coverage::in_time_order(coverage::log_without_faults(given));
   settings.drive.unknown_work = coverage::says_work(log) ? WorkState::kOff : WorkState::kOn;
   coverage::StepMaker steps(settings.drive);
   Region shapes;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "real/real_fields.h"
-#include "tramline/coverage/step_maker.h"
+#include "tramline/coverage/drive/step_maker.h"
 #include "tramline/model/field.h"
 #include "tramline/model/work_log.h"
 

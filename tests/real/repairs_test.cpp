@@ -9,9 +9,9 @@
 #include "real/real_fields.h"
 #include "real/real_logs.h"
 #include "tramline/check/verify.h"
+#include "tramline/coverage/drive/plan_steps.h"
 #include "tramline/coverage/evaluate.h"
-#include "tramline/coverage/plan_steps.h"
-#include "tramline/planner/repair_plan.h"
+#include "tramline/planner/repair/repair_plan.h"
 
 namespace tramline::testing {
 namespace {

@@ -16,9 +16,9 @@
 
 #include "real/real_fields.h"
 #include "real/spread.h"
-#include "tramline/avoidance/ground.h"
-#include "tramline/cost/grid_tally.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/avoidance/obstacles/obstacle_classification.h"
+#include "tramline/cost/grid/grid_tally.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline::testing {
 namespace {
@@ -37,7 +37,8 @@ double useful_m2(const Polygon& turned, const LaidTracks& tracks) {
 }
 
 /// The greatest difference between the two roads, as a share of the part's area.
-double difference(const SortedGround& ground, const Polygon& part, int directions, std::mt19937_64& random) {
+double difference(const ClassifiedGround& ground, const Polygon& part, int directions,
+                  std::mt19937_64& random) {
   double most = 0;
   for (int i = 0; i < directions; ++i)
     for (const EndRule rule : {EndRule::kCentre, EndRule::kCover, EndRule::kInside, EndRule::kCheapest}) {
@@ -69,7 +70,7 @@ int run(int argc, char** argv) {
     thread_local const Crs crs(fields->dataset.layers.front().crs);  // one serves one thread at a time
     std::mt19937_64 random(i);
     for (const Field& field : admitted(*fields, crs, fields->features()[i])) {
-      const SortedGround ground = sort_obstacles(field, kWidth);
+      const ClassifiedGround ground = classify_obstacles(field, kWidth);
       for (const Polygon& part : ground.plannable)
         if (area(part) > kWidth * kWidth)
           most[i] = std::max(most[i], difference(ground, part, directions, random));

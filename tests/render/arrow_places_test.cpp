@@ -1,4 +1,4 @@
-#include "tramline/render/arrow_places.h"
+#include "tramline/render/page/arrow_places.h"
 
 #include <gtest/gtest.h>
 

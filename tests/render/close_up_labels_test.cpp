@@ -1,4 +1,4 @@
-#include "tramline/render/close_up_labels.h"
+#include "tramline/render/close_up/close_up_labels.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "detour_plan.h"
-#include "tramline/geometry/boolean.h"
-#include "tramline/render/labels.h"
+#include "tramline/geometry/polygon/boolean.h"
+#include "tramline/render/page/labels.h"
 
 namespace tramline::render {
 namespace {

@@ -1,14 +1,14 @@
-#include "tramline/render/close_up.h"
+#include "tramline/render/close_up/close_up.h"
 
 #include <gtest/gtest.h>
 
 #include "detour_plan.h"
 #include "tramline/geometry/error.h"
 #include "tramline/model/palette.h"
-#include "tramline/render/close_up_content.h"
-#include "tramline/render/close_up_layers.h"
-#include "tramline/render/close_up_window.h"
-#include "tramline/render/encounter_table.h"
+#include "tramline/render/close_up/close_up_content.h"
+#include "tramline/render/close_up/close_up_layers.h"
+#include "tramline/render/close_up/close_up_window.h"
+#include "tramline/render/close_up/encounter_table.h"
 
 namespace tramline::render {
 namespace {

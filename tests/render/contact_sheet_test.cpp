@@ -1,11 +1,11 @@
-#include "tramline/render/contact_sheet.h"
+#include "tramline/render/page/contact_sheet.h"
 #include "support/refusals.h"
 
 #include <gtest/gtest.h>
 
 #include "sample_plan.h"
 #include "tramline/geometry/error.h"
-#include "tramline/render/draw_plan.h"
+#include "tramline/render/plan/draw_plan.h"
 
 namespace tramline::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "tramline/render/coverage_legend.h"
+#include "tramline/render/coverage/coverage_legend.h"
 
 #include <gtest/gtest.h>
 

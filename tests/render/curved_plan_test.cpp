@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <map>
 
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/model/palette.h"
-#include "tramline/render/close_up.h"
-#include "tramline/render/close_up_content.h"
-#include "tramline/render/draw_plan.h"
-#include "tramline/render/labels.h"
-#include "tramline/render/legend_content.h"
+#include "tramline/render/close_up/close_up.h"
+#include "tramline/render/close_up/close_up_content.h"
+#include "tramline/render/page/labels.h"
+#include "tramline/render/page/legend_content.h"
+#include "tramline/render/plan/draw_plan.h"
 
 namespace tramline::render {
 namespace {

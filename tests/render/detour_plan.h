@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sample_plan.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline::render {
 

@@ -5,8 +5,8 @@
 #include "detour_plan.h"
 #include "tramline/model/detour_summary.h"
 #include "tramline/model/palette.h"
-#include "tramline/render/draw_plan.h"
-#include "tramline/render/legend_content.h"
+#include "tramline/render/page/legend_content.h"
+#include "tramline/render/plan/draw_plan.h"
 
 namespace tramline::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "tramline/render/draw_coverage.h"
+#include "tramline/render/coverage/draw_coverage.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tramline/render/draw_dose.h"
+#include "tramline/render/dose/draw_dose.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "sample_plan.h"
 #include "support/refusals.h"
 #include "tramline/model/palette.h"
-#include "tramline/render/dose_colours.h"
+#include "tramline/render/dose/dose_colours.h"
 
 namespace tramline::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "tramline/render/draw_plan.h"
+#include "tramline/render/plan/draw_plan.h"
 
 #include <gtest/gtest.h>
 

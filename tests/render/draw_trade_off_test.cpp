@@ -1,4 +1,4 @@
-#include "tramline/render/draw_trade_off.h"
+#include "tramline/render/trade_off/draw_trade_off.h"
 #include "support/refusals.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 
 #include "sample_plan.h"
 #include "tramline/geometry/error.h"
-#include "tramline/render/front_chart.h"
+#include "tramline/render/trade_off/front_chart.h"
 
 namespace tramline::render {
 namespace {

@@ -1,10 +1,10 @@
-#include "tramline/render/gap_labels.h"
+#include "tramline/render/coverage/gap_labels.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "tramline/geometry/simplified_line.h"
+#include "tramline/geometry/path/simplified_line.h"
 #include "tramline/model/palette.h"
 
 namespace tramline::render {

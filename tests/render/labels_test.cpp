@@ -1,4 +1,4 @@
-#include "tramline/render/labels.h"
+#include "tramline/render/page/labels.h"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,10 @@
 #include <map>
 
 #include "sample_plan.h"
-#include "tramline/render/furniture.h"
-#include "tramline/render/legend_content.h"
-#include "tramline/render/text.h"
-#include "tramline/render/visible_faults.h"
+#include "tramline/render/page/legend_content.h"
+#include "tramline/render/page/map_decorations.h"
+#include "tramline/render/page/text.h"
+#include "tramline/render/plan/visible_faults.h"
 
 namespace tramline::render {
 namespace {

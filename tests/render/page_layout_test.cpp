@@ -1,4 +1,4 @@
-#include "tramline/render/page_layout.h"
+#include "tramline/render/page/page_layout.h"
 
 #include <gtest/gtest.h>
 

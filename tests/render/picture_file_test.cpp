@@ -1,4 +1,4 @@
-#include "tramline/render/picture_file.h"
+#include "tramline/render/page/picture_file.h"
 
 #include <gtest/gtest.h>
 

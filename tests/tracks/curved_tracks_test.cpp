@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tramline/geometry/extended.h"
+#include "tramline/geometry/path/extended_line.h"
 #include "tramline/model/objective.h"
 #include "tramline/tracks/laid_pieces.h"
 

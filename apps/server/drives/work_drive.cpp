@@ -17,7 +17,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/headland/body.h"
 #include "tramline/io/coverage/read_coverage.h"
-#include "tramline/render/draw_coverage.h"
+#include "tramline/render/coverage/draw_coverage.h"
 
 namespace tramline::server {
 namespace {

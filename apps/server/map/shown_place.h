@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "tramline/geodesy/field_projection.h"
-#include "tramline/geometry/path.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/path/path.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/model/local_frame.h"
 
 namespace tramline::server {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "server/map/shown_place.h"
-#include "tramline/geometry/path.h"
+#include "tramline/geometry/path/path.h"
 
 namespace tramline::server {
 namespace {

@@ -17,7 +17,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/io/coverage/read_coverage.h"
 #include "tramline/model/limits.h"
-#include "tramline/planner/repair_plan.h"
+#include "tramline/planner/repair/repair_plan.h"
 #include "tramline/planner/validate_request.h"
 
 namespace tramline::server {

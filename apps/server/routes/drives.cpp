@@ -20,7 +20,7 @@
 #include "tramline/io/coverage/coverage_layers.h"
 #include "tramline/io/coverage/read_coverage.h"
 #include "tramline/io/export/layer_geojson.h"
-#include "tramline/render/draw_coverage.h"
+#include "tramline/render/coverage/draw_coverage.h"
 
 namespace tramline::server {
 namespace {

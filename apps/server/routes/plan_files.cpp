@@ -9,7 +9,7 @@
 #include "server/http/download.h"
 #include "server/routes/routes.h"
 #include "tramline/io/export/export_plan.h"
-#include "tramline/render/draw_plan.h"
+#include "tramline/render/plan/draw_plan.h"
 
 namespace tramline::server {
 namespace {

@@ -13,8 +13,8 @@
 #include "server/routes/search_progress.h"
 #include "server/store/kept_front.h"
 #include "tramline/geometry/error.h"
+#include "tramline/planner/pareto/trade_off.h"
 #include "tramline/planner/plan_field.h"
-#include "tramline/planner/trade_off.h"
 #include "tramline/planner/validate_request.h"
 
 namespace tramline::server {

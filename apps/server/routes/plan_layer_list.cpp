@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "server/routes/detour_layer.h"
-#include "tramline/geometry/path.h"
+#include "tramline/geometry/path/path.h"
 #include "tramline/io/plan/plan_layers.h"
 
 namespace tramline::server {

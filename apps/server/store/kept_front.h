@@ -4,7 +4,7 @@
 #include <string>
 
 #include "server/store/field_store.h"
-#include "tramline/planner/trade_off.h"
+#include "tramline/planner/pareto/trade_off.h"
 
 namespace tramline::server {
 

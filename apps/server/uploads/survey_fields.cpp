@@ -9,7 +9,7 @@
 #include "server/map/shown_place.h"
 #include "server/uploads/survey.h"
 #include "tramline/geometry/error.h"
-#include "tramline/geometry/simplified_line.h"
+#include "tramline/geometry/path/simplified_line.h"
 #include "tramline/io/isoxml/read_fields.h"
 
 namespace tramline::server {

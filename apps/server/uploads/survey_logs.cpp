@@ -8,7 +8,7 @@
 #include "report/report_parts.h"
 #include "server/http/page_words.h"
 #include "server/uploads/survey.h"
-#include "tramline/coverage/worked_drive.h"
+#include "tramline/coverage/drive/worked_drive.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/log/read_log.h"
 

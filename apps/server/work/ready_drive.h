@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "request/evaluate_input.h"
+#include "tramline/coverage/drive/worked_drive.h"
 #include "tramline/coverage/evaluate.h"
-#include "tramline/coverage/worked_drive.h"
 #include "tramline/model/work_log.h"
 
 namespace tramline::server {

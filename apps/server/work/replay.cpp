@@ -5,7 +5,7 @@
 #include <cmath>
 #include <thread>
 
-#include "tramline/coverage/working_boom.h"
+#include "tramline/coverage/drive/working_boom.h"
 
 namespace tramline::server {
 namespace {

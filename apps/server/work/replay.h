@@ -8,7 +8,7 @@
 
 #include "server/work/ready_drive.h"
 #include "server/work/work_frame.h"
-#include "tramline/coverage/work_rate.h"
+#include "tramline/coverage/live/work_rate.h"
 
 namespace tramline::server {
 

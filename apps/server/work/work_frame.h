@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "tramline/coverage/work_changes.h"
+#include "tramline/coverage/live/work_changes.h"
 #include "tramline/geometry/angle.h"
 #include "tramline/geometry/point.h"
 #include "tramline/model/coverage.h"

@@ -9,7 +9,7 @@
 
 #include "report/report_parts.h"
 #include "server/http/page_words.h"
-#include "tramline/geometry/simplified_line.h"
+#include "tramline/geometry/path/simplified_line.h"
 
 namespace tramline::server {
 namespace {

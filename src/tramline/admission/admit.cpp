@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "tramline/admission/ledger.h"
 #include "tramline/admission/project_rings.h"
+#include "tramline/admission/repair_log.h"
 #include "tramline/admission/repair_part.h"
 #include "tramline/admission/zone_prefix.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 namespace {
@@ -55,14 +55,14 @@ void refuse_wide(const Lobe& lobe, const Case& c) {
 }
 
 /// The last word, by another road than the repairs: GEOS's own validity test.
-void verify(const Lobe& lobe, const Ledger& ledger) {
+void verify(const Lobe& lobe, const RepairLog& repair_log) {
   if (const auto fault = find_invalidity({lobe.outer, {}}))
-    throw ledger.refusal(fmt::format("the outer ring could not be repaired at {} ({}); redraw it there",
-                                     ledger.shown(fault->place), fault->reason));
+    throw repair_log.refusal(fmt::format("the outer ring could not be repaired at {} ({}); redraw it there",
+                                         repair_log.shown(fault->place), fault->reason));
   for (const Obstacle& obstacle : lobe.obstacles)
     if (const auto fault = find_invalidity(obstacle.shape))
-      throw ledger.refusal(fmt::format("{} could not be repaired at {} ({}); redraw it there",
-                                       obstacle.origin, ledger.shown(fault->place), fault->reason));
+      throw repair_log.refusal(fmt::format("{} could not be repaired at {} ({}); redraw it there",
+                                           obstacle.origin, repair_log.shown(fault->place), fault->reason));
 }
 
 Field make_field(Lobe lobe, const Case& c, const LocalFrame& frame) {
@@ -83,20 +83,20 @@ void admit_part(const RawPolygon& part, const Case& c, std::vector<Field>& field
   }
   check_coordinates(part, *c.context.crs, c.subject);
   const FieldProjection projection = projection_for(part, c);
-  Ledger ledger(c.subject, projection, c.prefix_m);
+  RepairLog repair_log(c.subject, projection, c.prefix_m);
   std::string why_empty;
-  std::vector<Lobe> lobes = repair_part(part, c.context.winding, ledger, why_empty);
+  std::vector<Lobe> lobes = repair_part(part, c.context.winding, repair_log, why_empty);
   if (lobes.empty()) {
     empty.push_back(why_empty);
     return;
   }
   for (std::size_t k = 0; k < lobes.size(); ++k) {
     refuse_wide(lobes[k], c);
-    verify(lobes[k], ledger);
+    verify(lobes[k], repair_log);
     Field field = make_field(std::move(lobes[k]), c, projection.frame());
     if (k == 0) {
-      field.repairs = ledger.repairs();
-      field.warnings = ledger.warnings();
+      field.repairs = repair_log.repairs();
+      field.warnings = repair_log.warnings();
     } else {
       field.warnings.emplace_back(
           "a lobe that the outer ring cut off by crossing itself; its repairs are listed with the first");

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "tramline/admission/tolerances.h"
-#include "tramline/geometry/boolean.h"
-#include "tramline/geometry/interior_point.h"
+#include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/polygon/interior_point.h"
 
 namespace tramline {
 namespace {
@@ -22,36 +22,38 @@ Region part_inside(const Ring& outer, const Region& hole) {
   return inside;
 }
 
-void note(const std::vector<Ring>& outers, const Obstacle& hole, double inside_m2, Ledger& ledger) {
+void note(const std::vector<Ring>& outers, const Obstacle& hole, double inside_m2, RepairLog& repair_log) {
   const double hole_m2 = area(hole.shape), outside_m2 = hole_m2 - inside_m2;
   if (inside_m2 <= kNoArea_m2) {
-    ledger.repair(fmt::format("{} lies outside the outer ring; it was dropped", hole.origin), hole.origin,
-                  interior_point(hole.shape), hole_m2);
+    repair_log.repair(fmt::format("{} lies outside the outer ring; it was dropped", hole.origin), hole.origin,
+                      interior_point(hole.shape), hole_m2);
     return;
   }
   if (outside_m2 > kNoArea_m2) {
     Region outside = {hole.shape};
     for (const Ring& outer : outers) outside = difference(outside, {{outer, {}}});
-    ledger.repair(fmt::format("{} reached outside the outer ring; the outside part was removed", hole.origin),
-                  hole.origin, outside.empty() ? hole.shape.outer.front() : interior_point(outside.front()),
-                  outside_m2);
+    repair_log.repair(
+        fmt::format("{} reached outside the outer ring; the outside part was removed", hole.origin),
+        hole.origin, outside.empty() ? hole.shape.outer.front() : interior_point(outside.front()),
+        outside_m2);
     return;
   }
   for (const Ring& outer : outers) {
     const auto fault = find_invalidity({outer, {hole.shape.outer}});
     if (!fault) continue;
-    ledger.repair(fmt::format("{} shares an edge with the outer ring; it was kept as an obstacle at the edge",
-                              hole.origin),
-                  hole.origin, fault->place, 0);
+    repair_log.repair(
+        fmt::format("{} shares an edge with the outer ring; it was kept as an obstacle at the edge",
+                    hole.origin),
+        hole.origin, fault->place, 0);
     return;
   }
-  ledger.warn(fmt::format("{} touches the outer ring", hole.origin));
+  repair_log.warn(fmt::format("{} touches the outer ring", hole.origin));
 }
 
 }  // namespace
 
 std::vector<std::vector<Obstacle>> clip_holes(const std::vector<Ring>& outers,
-                                              const std::vector<Obstacle>& holes, Ledger& ledger) {
+                                              const std::vector<Obstacle>& holes, RepairLog& repair_log) {
   std::vector<std::vector<Obstacle>> out(outers.size());
   for (const Obstacle& hole : holes) {
     const auto home = std::find_if(outers.rbegin(), outers.rend(),
@@ -69,7 +71,7 @@ std::vector<std::vector<Obstacle>> clip_holes(const std::vector<Ring>& outers,
       }
       if (k > 0) rest = difference(rest, {{outers[k], {}}});
     }
-    note(outers, hole, inside_m2, ledger);
+    note(outers, hole, inside_m2, repair_log);
   }
   return out;
 }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tramline/admission/ledger.h"
+#include "tramline/admission/repair_log.h"
 #include "tramline/model/field.h"
 
 namespace tramline {
@@ -14,6 +14,6 @@ namespace tramline {
 /// that reach outside are clipped, holes that share edges with an outer ring are kept; each is noted, the
 /// area outside counting as gained. A hole that touches the outer ring in single points is lawful: a warning.
 std::vector<std::vector<Obstacle>> clip_holes(const std::vector<Ring>& outers,
-                                              const std::vector<Obstacle>& holes, Ledger& ledger);
+                                              const std::vector<Obstacle>& holes, RepairLog& repair_log);
 
 }  // namespace tramline

@@ -2,8 +2,8 @@
 
 #include <cassert>
 
-#include "tramline/geometry/boolean.h"
-#include "tramline/geometry/interior_point.h"
+#include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/polygon/interior_point.h"
 
 namespace tramline {
 

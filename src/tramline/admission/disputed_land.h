@@ -1,7 +1,7 @@
 #pragma once
 // Where a ring that crosses itself leaves it open what it encloses.
 
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 
 namespace tramline {
 

@@ -2,35 +2,36 @@
 
 #include <fmt/format.h>
 
-#include "tramline/admission/ledger.h"
 #include "tramline/admission/project_rings.h"
 #include "tramline/admission/remove_duplicate_points.h"
 #include "tramline/admission/remove_spikes.h"
 #include "tramline/admission/repair_crossings.h"
+#include "tramline/admission/repair_log.h"
 #include "tramline/admission/tolerances.h"
 #include "tramline/admission/unite_obstacles.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 namespace {
 
 /// The land a ring of an obstacle encloses; empty for rings without area.
-Region enclosed_by(const RawRing& raw, const std::string& name, Ledger& ledger) {
-  WorkRing ring = project_ring(raw, name, ledger);
-  remove_duplicate_points(ring, ledger);
-  remove_spikes(ring, ledger);
+Region enclosed_by(const RawRing& raw, const std::string& name, RepairLog& repair_log) {
+  WorkRing ring = project_ring(raw, name, repair_log);
+  remove_duplicate_points(ring, repair_log);
+  remove_spikes(ring, repair_log);
   if (ring.points.size() < 3 || area(made_valid({ring.points, {}})) <= kNoArea_m2) return {};
-  return repair_crossings(ring, RingRole::kHole, ledger);
+  return repair_crossings(ring, RingRole::kHole, repair_log);
 }
 
 void append(Region& to, Region more) {
   for (Polygon& polygon : more) to.push_back(std::move(polygon));
 }
 
-Region polygon_land(const RawPolygon& polygon, const std::string& origin, Ledger& ledger) {
+Region polygon_land(const RawPolygon& polygon, const std::string& origin, RepairLog& repair_log) {
   Region land;
   for (std::size_t r = 0; r < polygon.rings.size(); ++r) {
-    const Region ring = enclosed_by(polygon.rings[r], fmt::format("{}, {}", origin, ring_name(r)), ledger);
+    const Region ring =
+        enclosed_by(polygon.rings[r], fmt::format("{}, {}", origin, ring_name(r)), repair_log);
     if (r == 0)
       land = ring;
     else if (!ring.empty())
@@ -39,8 +40,8 @@ Region polygon_land(const RawPolygon& polygon, const std::string& origin, Ledger
   return land;
 }
 
-Region line_land(const std::vector<Point>& line, double size_m, Ledger& ledger) {
-  WorkRing track = project_ring({line, true}, "line", ledger);
+Region line_land(const std::vector<Point>& line, double size_m, RepairLog& repair_log) {
+  WorkRing track = project_ring({line, true}, "line", repair_log);
   std::vector<Point> points;
   for (const Point p : track.points)
     if (points.empty() || distance(points.back(), p) > kSamePlace_m) points.push_back(p);
@@ -53,13 +54,13 @@ Region point_land(Point p, double size_m) {
   return {{{{p.x - h, p.y - h}, {p.x + h, p.y - h}, {p.x + h, p.y + h}, {p.x - h, p.y + h}}, {}}};
 }
 
-Region land_of(const LooseObstacle& obstacle, double size_m, Ledger& ledger) {
+Region land_of(const LooseObstacle& obstacle, double size_m, RepairLog& repair_log) {
   Region land;
   for (const RawPolygon& polygon : obstacle.polygons)
-    append(land, polygon_land(polygon, obstacle.origin, ledger));
-  for (const auto& line : obstacle.lines) append(land, line_land(line, size_m, ledger));
+    append(land, polygon_land(polygon, obstacle.origin, repair_log));
+  for (const auto& line : obstacle.lines) append(land, line_land(line, size_m, repair_log));
   for (const Point p : obstacle.points) {
-    const auto local = ledger.projection().to_local(p);
+    const auto local = repair_log.projection().to_local(p);
     if (local) append(land, point_land(*local, size_m));
   }
   return land.size() > 1 ? unite(land) : land;
@@ -124,11 +125,11 @@ void place_obstacles(Field& field, const std::vector<LooseObstacle>& obstacles, 
   for (Obstacle& obstacle : field.obstacles)
     (obstacle.kind == ObstacleKind::kPassable ? passable : real).push_back(std::move(obstacle));
   for (const std::size_t i : candidates) {
-    Ledger ledger(obstacles[i].origin, projection);
-    const Region inside = intersection(land_of(obstacles[i], size_m, ledger), {{field.outer, {}}});
+    RepairLog repair_log(obstacles[i].origin, projection);
+    const Region inside = intersection(land_of(obstacles[i], size_m, repair_log), {{field.outer, {}}});
     if (area(inside) <= kNoArea_m2) continue;
     met[i] = 1;
-    field.repairs.insert(field.repairs.end(), ledger.repairs().begin(), ledger.repairs().end());
+    field.repairs.insert(field.repairs.end(), repair_log.repairs().begin(), repair_log.repairs().end());
     for (const Polygon& piece : inside)
       if (area(piece) > kNoArea_m2)
         (obstacles[i].kind == ObstacleKind::kPassable ? passable : real)

@@ -41,21 +41,22 @@ void check_not_degrees(const Box& bounds, const Crs& crs, const std::string& sub
                                 subject, crs.plain() ? "plain metres, as no CRS is named" : crs.name()));
 }
 
-WorkRing project_ring(const RawRing& ring, const std::string& name, Ledger& ledger) {
+WorkRing project_ring(const RawRing& ring, const std::string& name, RepairLog& repair_log) {
   WorkRing out;
   out.name = name;
   for (std::size_t i = 0; i < ring.points.size(); ++i) {
-    const std::optional<Point> local = ledger.projection().to_local(ring.points[i]);
+    const std::optional<Point> local = repair_log.projection().to_local(ring.points[i]);
     if (!local)
-      throw ledger.refusal(fmt::format(
-          "{}, vertex {} at {} lies outside {}; give the right CRS with --crs", name, i + 1,
-          shown_coordinates(ring.points[i], ledger.projection().crs()), ledger.projection().crs().name()));
+      throw repair_log.refusal(
+          fmt::format("{}, vertex {} at {} lies outside {}; give the right CRS with --crs", name, i + 1,
+                      shown_coordinates(ring.points[i], repair_log.projection().crs()),
+                      repair_log.projection().crs().name()));
     out.points.push_back(*local);
     out.vertex.push_back(static_cast<int>(i) + 1);
   }
   if (!ring.closed && out.points.size() >= 3)
-    ledger.repair(fmt::format("{} was not closed; its last vertex was joined to its first", name),
-                  out.place(out.points.size() - 1), out.points.back(), 0);
+    repair_log.repair(fmt::format("{} was not closed; its last vertex was joined to its first", name),
+                      out.place(out.points.size() - 1), out.points.back(), 0);
   return out;
 }
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tramline/admission/ledger.h"
+#include "tramline/admission/repair_log.h"
 #include "tramline/admission/work_ring.h"
 #include "tramline/model/raw_feature.h"
 
@@ -23,7 +23,7 @@ void check_not_degrees(const Box& bounds, const Crs& crs, const std::string& sub
 
 /// The ring in local metres; an unclosed ring is closed and noted (no area changes: the missing edge is the
 /// one every reader implies). Throws a refusal for a point that PROJ refuses.
-WorkRing project_ring(const RawRing& ring, const std::string& name, Ledger& ledger);
+WorkRing project_ring(const RawRing& ring, const std::string& name, RepairLog& repair_log);
 
 /// "outer ring" for 0, "hole 3" for 3.
 std::string ring_name(std::size_t index);

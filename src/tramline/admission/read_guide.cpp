@@ -6,8 +6,8 @@
 
 #include "tramline/admission/lonlat_reader.h"
 #include "tramline/geodesy/field_projection.h"
-#include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 namespace {

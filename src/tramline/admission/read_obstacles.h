@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tramline/geodesy/crs.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/model/field.h"
 #include "tramline/model/raw_feature.h"
 

@@ -6,13 +6,13 @@
 
 namespace tramline {
 
-void remove_duplicate_points(WorkRing& ring, Ledger& ledger) {
+void remove_duplicate_points(WorkRing& ring, RepairLog& repair_log) {
   WorkRing kept;
   kept.name = ring.name;
   const auto note = [&](std::size_t i, int twin) {
-    ledger.repair(fmt::format("{} had vertex {} in the same place as vertex {}; one was removed", ring.name,
-                              ring.vertex[i], twin),
-                  ring.place(i), ring.points[i], 0);
+    repair_log.repair(fmt::format("{} had vertex {} in the same place as vertex {}; one was removed",
+                                  ring.name, ring.vertex[i], twin),
+                      ring.place(i), ring.points[i], 0);
   };
   for (std::size_t i = 0; i < ring.points.size(); ++i) {
     if (!kept.points.empty() && distance(kept.points.back(), ring.points[i]) <= kSamePlace_m) {
@@ -23,9 +23,9 @@ void remove_duplicate_points(WorkRing& ring, Ledger& ledger) {
     kept.vertex.push_back(ring.vertex[i]);
   }
   while (kept.points.size() > 1 && distance(kept.points.back(), kept.points.front()) <= kSamePlace_m) {
-    ledger.repair(fmt::format("{} had vertex {} in the same place as vertex {}; one was removed", ring.name,
-                              kept.vertex.back(), kept.vertex.front()),
-                  kept.place(kept.points.size() - 1), kept.points.back(), 0);
+    repair_log.repair(fmt::format("{} had vertex {} in the same place as vertex {}; one was removed",
+                                  ring.name, kept.vertex.back(), kept.vertex.front()),
+                      kept.place(kept.points.size() - 1), kept.points.back(), 0);
     kept.erase(kept.points.size() - 1);
   }
   ring = std::move(kept);

@@ -23,7 +23,7 @@ bool is_spike(Point a, Point tip, Point b) {
 
 }  // namespace
 
-void remove_spikes(WorkRing& ring, Ledger& ledger) {
+void remove_spikes(WorkRing& ring, RepairLog& repair_log) {
   std::size_t since_last = 0, i = 0;
   while (ring.points.size() >= 3 && since_last < ring.points.size()) {
     const std::size_t n = ring.points.size();
@@ -34,9 +34,9 @@ void remove_spikes(WorkRing& ring, Ledger& ledger) {
       ++since_last;
       continue;
     }
-    ledger.repair(fmt::format("{} had a spike without width {:.3f} m long; it was removed", ring.name,
-                              std::min(distance(before, tip), distance(tip, after))),
-                  ring.place(i), tip, 0);
+    repair_log.repair(fmt::format("{} had a spike without width {:.3f} m long; it was removed", ring.name,
+                                  std::min(distance(before, tip), distance(tip, after))),
+                      ring.place(i), tip, 0);
     ring.erase(i);
     // The foot of the spike may now be there twice.
     const std::size_t m = ring.points.size();

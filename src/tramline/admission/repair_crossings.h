@@ -1,7 +1,7 @@
 #pragma once
 // Step 5: rings that touch or cross themselves.
 
-#include "tramline/admission/ledger.h"
+#include "tramline/admission/repair_log.h"
 #include "tramline/admission/work_ring.h"
 
 namespace tramline {
@@ -16,6 +16,6 @@ enum class RingRole { kOuter, kHole };
 /// place where even-odd and non-zero rule differ by more than guess_limit_m2: deciding would be guessing.
 /// A ring that crosses itself more than 2,000 times is refused before anything is made of it.
 /// Precondition: at least three points.
-Region repair_crossings(const WorkRing& ring, RingRole role, Ledger& ledger);
+Region repair_crossings(const WorkRing& ring, RingRole role, RepairLog& repair_log);
 
 }  // namespace tramline

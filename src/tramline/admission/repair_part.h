@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tramline/admission/ledger.h"
+#include "tramline/admission/repair_log.h"
 #include "tramline/model/field.h"
 #include "tramline/model/raw_feature.h"
 
@@ -19,7 +19,7 @@ struct Lobe {
 /// the holes. Lobes come largest first; empty when the part has no area (fewer than three points, on one
 /// line, or covered by its holes), with the reason in `why_empty`. Throws refusals (see repair_crossings). Σ
 /// over the lobes (outer − obstacles) = shoelace area drawn (|outer| − Σ|holes|) + Σ area changes noted.
-std::vector<Lobe> repair_part(const RawPolygon& part, RingWinding winding, Ledger& ledger,
+std::vector<Lobe> repair_part(const RawPolygon& part, RingWinding winding, RepairLog& repair_log,
                               std::string& why_empty);
 
 }  // namespace tramline

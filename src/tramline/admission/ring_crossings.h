@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 
 namespace tramline {
 

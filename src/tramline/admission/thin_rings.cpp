@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "tramline/geometry/simplified_line.h"
+#include "tramline/geometry/path/simplified_line.h"
 
 namespace tramline {
 namespace {
@@ -53,14 +53,15 @@ WorkRing thinned(const WorkRing& ring, double tolerance_m) {
   return out;
 }
 
-void note(const WorkRing& before, const WorkRing& after, bool is_hole, double tolerance_m, Ledger& ledger) {
+void note(const WorkRing& before, const WorkRing& after, bool is_hole, double tolerance_m,
+          RepairLog& repair_log) {
   if (after.points.size() == before.points.size()) return;
   const double gain_m2 = std::abs(signed_area(after.points)) - std::abs(signed_area(before.points));
-  ledger.repair(fmt::format("{} had {} corners; {} were left out that lie within {:g} cm of the boundary "
-                            "through the others",
-                            before.name, before.points.size(), before.points.size() - after.points.size(),
-                            100 * tolerance_m),
-                before.name, before.points.front(), is_hole ? -gain_m2 : gain_m2);
+  repair_log.repair(fmt::format("{} had {} corners; {} were left out that lie within {:g} cm of the boundary "
+                                "through the others",
+                                before.name, before.points.size(), before.points.size() - after.points.size(),
+                                100 * tolerance_m),
+                    before.name, before.points.front(), is_hole ? -gain_m2 : gain_m2);
 }
 
 std::vector<WorkRing> thinned(const std::vector<WorkRing>& rings, double tolerance_m) {
@@ -71,7 +72,7 @@ std::vector<WorkRing> thinned(const std::vector<WorkRing>& rings, double toleran
 
 }  // namespace
 
-void thin_rings(std::vector<WorkRing>& rings, Ledger& ledger) {
+void thin_rings(std::vector<WorkRing>& rings, RepairLog& repair_log) {
   const std::size_t drawn = corners_of(rings);
   if (drawn <= kManyCorners) return;
   std::vector<WorkRing> thin;
@@ -82,11 +83,11 @@ void thin_rings(std::vector<WorkRing>& rings, Ledger& ledger) {
     if (corners_of(thin) <= kManyCorners) break;
   }
   if (corners_of(thin) > kMostCorners)
-    throw ledger.refusal(fmt::format(
+    throw repair_log.refusal(fmt::format(
         "the boundary has {} corners, and still {} where those are left out that lie within {:g} cm "
         "of the line through the others; simplify or smooth it to {} corners or fewer",
         drawn, corners_of(thin), 100 * within_m, kMostCorners));
-  for (std::size_t r = 0; r < rings.size(); ++r) note(rings[r], thin[r], r > 0, within_m, ledger);
+  for (std::size_t r = 0; r < rings.size(); ++r) note(rings[r], thin[r], r > 0, within_m, repair_log);
   rings = std::move(thin);
 }
 

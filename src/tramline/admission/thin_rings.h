@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "tramline/admission/ledger.h"
+#include "tramline/admission/repair_log.h"
 #include "tramline/admission/work_ring.h"
 
 namespace tramline {
@@ -20,6 +20,6 @@ inline constexpr std::size_t kMostCorners = 2 * kManyCorners;
 /// kManyCorners; noted once for each ring that changes, with the change of its area. Throws a refusal that
 /// names the numbers where even 10 cm leave more than kMostCorners. Time in proportion to the corners, memory
 /// that of the rings.
-void thin_rings(std::vector<WorkRing>& rings, Ledger& ledger);
+void thin_rings(std::vector<WorkRing>& rings, RepairLog& repair_log);
 
 }  // namespace tramline

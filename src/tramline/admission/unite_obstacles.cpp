@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "tramline/admission/tolerances.h"
-#include "tramline/geometry/boolean.h"
-#include "tramline/geometry/interior_point.h"
+#include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/polygon/interior_point.h"
 
 namespace tramline {
 namespace {
@@ -35,7 +35,7 @@ Obstacle united(const Obstacle& first, const Obstacle& second, double common_m2)
 
 }  // namespace
 
-std::vector<Obstacle> unite_obstacles(std::vector<Obstacle> obstacles, Ledger* ledger) {
+std::vector<Obstacle> unite_obstacles(std::vector<Obstacle> obstacles, RepairLog* repair_log) {
   std::vector<Obstacle> out;
   for (Obstacle& next : obstacles) {
     Obstacle current = std::move(next);
@@ -50,9 +50,9 @@ std::vector<Obstacle> unite_obstacles(std::vector<Obstacle> obstacles, Ledger* l
         ++i;
         continue;
       }
-      if (ledger != nullptr)
-        ledger->repair(verdict(out[i], current, common_m2), current.origin, interior_point(common.front()),
-                       common_m2);
+      if (repair_log != nullptr)
+        repair_log->repair(verdict(out[i], current, common_m2), current.origin,
+                           interior_point(common.front()), common_m2);
       current = united(out[i], current, common_m2);
       out.erase(out.begin() + static_cast<std::ptrdiff_t>(i));
       // The union may reach obstacles that neither of the two reached alone.

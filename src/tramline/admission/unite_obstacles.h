@@ -3,15 +3,15 @@
 
 #include <vector>
 
-#include "tramline/admission/ledger.h"
+#include "tramline/admission/repair_log.h"
 #include "tramline/model/field.h"
 
 namespace tramline {
 
 /// Unites obstacles whose interiors overlap by more than kNoArea_m2 (their origins are joined with " + "),
-/// until all are disjoint; obstacles that only touch stay apart. With a ledger each union is noted as a
+/// until all are disjoint; obstacles that only touch stay apart. With a repair_log each union is noted as a
 /// repair: the overlap had been counted twice, so the workable area grows by it. A united one
 /// stands where its last member stood. O(n²) box tests.
-std::vector<Obstacle> unite_obstacles(std::vector<Obstacle> obstacles, Ledger* ledger);
+std::vector<Obstacle> unite_obstacles(std::vector<Obstacle> obstacles, RepairLog* repair_log);
 
 }  // namespace tramline

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 
 namespace tramline {
 

@@ -2,10 +2,10 @@
 
 #include <utility>
 
-#include "tramline/avoidance/detour_decisions.h"
-#include "tramline/avoidance/least_with_detours.h"
-#include "tramline/cost/detour_cover.h"
+#include "tramline/avoidance/choice/detour_decisions.h"
+#include "tramline/avoidance/least_cost_with_detours.h"
 #include "tramline/cost/strip_tally.h"
+#include "tramline/cost/worked/detour_cover.h"
 
 namespace tramline {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "tramline/avoidance/decision.h"
-#include "tramline/avoidance/surroundings.h"
+#include "tramline/avoidance/choice/decision.h"
+#include "tramline/avoidance/obstacles/surroundings.h"
 #include "tramline/model/machine.h"
 #include "tramline/model/plan.h"
 
@@ -13,7 +13,7 @@ namespace tramline {
 /// Everything the decisions of one candidate depend on. Refers to its arguments.
 struct AvoidanceTask {
   const Field& field;
-  const SortedGround& ground;
+  const ClassifiedGround& ground;
   const Machine& machine;
   const Objective& objective;
   const PlanSettings& settings;

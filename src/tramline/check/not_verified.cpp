@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tramline/check/rules.h"
+#include "tramline/check/rules/rules.h"
 
 namespace tramline::check {
 namespace {

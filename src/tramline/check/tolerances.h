@@ -4,8 +4,8 @@
 
 #include <numbers>
 
-#include "tramline/geometry/boolean.h"
-#include "tramline/geometry/path.h"
+#include "tramline/geometry/path/path.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/model/limits.h"
 
 namespace tramline::check {
@@ -62,7 +62,7 @@ inline constexpr double kStraightOn = 1e-6;
 /// A line that turns by no more at its joints has no kinks for who follows it.
 inline constexpr double kSameHeading = 1e-3;
 
-// How far chords may be off the arcs they stand for, m. Those of plans come with geometry/path.h.
+// How far chords may be off the arcs they stand for, m. Those of plans come with geometry/path/path.h.
 
 /// Where only the sides of a path are asked.
 inline constexpr double kSideSagitta_m = 1e-4;

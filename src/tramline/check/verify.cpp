@@ -6,19 +6,19 @@
 #include <limits>
 #include <utility>
 
-#include "tramline/check/near_land.h"
+#include "tramline/check/measure/near_land.h"
 #include "tramline/check/not_verified.h"
-#include "tramline/check/rules.h"
+#include "tramline/check/rules/rules.h"
 #include "tramline/check/tolerances.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline::check {
 
 namespace {
 
 /// Obstacles the machine may not enter that have no headland.
-BoxedRegion without_headland(const Plan& plan) {
-  BoxedRegion out;
+BoundedRegion without_headland(const Plan& plan) {
+  BoundedRegion out;
   for (std::size_t i = 0; i < plan.field.obstacles.size(); ++i) {
     const Obstacle& obstacle = plan.field.obstacles[i];
     if (obstacle.kind == ObstacleKind::kObstacle && passes_round(plan, i) == 0)
@@ -65,7 +65,7 @@ class Surroundings {
 
 /// On passables the work is interrupted: what lies there is not worked, as often as it is driven over.
 double worked_by_passes_m2(const Plan& plan, const std::vector<WorkedPart>& passes,
-                           const BoxedRegion& passables) {
+                           const BoundedRegion& passables) {
   double sum = 0;
   for (const HeadlandPass& pass : plan.headland.passes) sum += plan.machine.width_m * length(pass.path);
   for (const WorkedPart& part : passes) sum -= area_common_to(part.ground, passables);
@@ -96,10 +96,10 @@ const WorkedBody& counted_work(const Case& c) { return c.with_passes ? c.with_pa
 
 Case::Case(const Plan& of)
     : plan(of),
-      obstacles(boxed_obstacles(of.field, ObstacleKind::kObstacle)),
+      obstacles(bounded_obstacles(of.field, ObstacleKind::kObstacle)),
       blocking(without_headland(of)),
-      passables(boxed_obstacles(of.field, ObstacleKind::kPassable)),
-      given_up(boxed(of.given_up)),
+      passables(bounded_obstacles(of.field, ObstacleKind::kPassable)),
+      given_up(bounded(of.given_up)),
       area_tolerance_m2(
           std::max(kAreaShare * area(Polygon{of.field.outer, {}}), kGridSize * perimeter(of.field.outer))),
       lines(of),
@@ -157,7 +157,7 @@ Verdict verify(const Plan& plan) {
 
   const Case c(plan);
   check_body(c, verdict.violations);
-  check_left_to_tracks(c, verdict.violations);
+  check_ceded_to_tracks(c, verdict.violations);
   check_subfields(c, verdict.violations);
   check_swaths(c, verdict.violations);
   check_passes(c, verdict.violations);

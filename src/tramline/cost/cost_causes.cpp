@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "tramline/cost/border_overrun.h"
-#include "tramline/cost/detour_cover.h"
 #include "tramline/cost/tolerances.h"
-#include "tramline/cost/worked_ground.h"
+#include "tramline/cost/worked/border_overrun.h"
+#include "tramline/cost/worked/detour_cover.h"
+#include "tramline/cost/worked/worked_ground.h"
 
 namespace tramline {
 namespace {
@@ -131,7 +131,7 @@ class SubfieldAccount {
       for (const Ring& ring : passable_) append_ring(ring, Layer::kTaken, box, curves);
       worked_.append_taken(subfield_, box, {box}, {}, curves);
       append_box(box, Layer::kNew, box, curves);
-      sum += new_area(curves);
+      sum += newly_covered_area(curves);
     }
     return sum;
   }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "tramline/cost/border_overrun.h"
 #include "tramline/cost/settled_areas.h"
+#include "tramline/cost/worked/border_overrun.h"
 
 namespace tramline {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "tramline/cost/settled_areas.h"
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 

@@ -3,15 +3,15 @@
 #include <algorithm>
 
 #include "tramline/cost/settled_areas.h"
-#include "tramline/geometry/kinked_line.h"
-#include "tramline/geometry/layered_area.h"
-#include "tramline/geometry/track_frame.h"
+#include "tramline/geometry/path/kinked_line.h"
+#include "tramline/geometry/path/newly_covered_area.h"
+#include "tramline/geometry/strip/track_frame.h"
 
 namespace tramline {
 namespace {
 
-/// Collects everything that is worked, turned so that most tracks lie across the sweep of new_area(): each is
-/// then met at few heights.
+/// Collects everything that is worked, turned so that most tracks lie across the sweep of
+/// newly_covered_area(): each is then met at few heights.
 class Works {
  public:
   Works(Direction tracks, double width_m) : frame_(tracks.perpendicular()), width_m_(width_m) {}
@@ -32,7 +32,7 @@ class Works {
   double area_on(const Region& body, const Region& ground) {
     append_land(body);
     append_land(ground);
-    return new_area(curves_);
+    return newly_covered_area(curves_);
   }
 
  private:

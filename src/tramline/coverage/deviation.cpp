@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "tramline/geometry/box_grid.h"
-#include "tramline/geometry/path.h"
+#include "tramline/geometry/index/box_grid.h"
+#include "tramline/geometry/path/path.h"
 
 namespace tramline::coverage {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tramline/coverage/mesh_coverage.h"
+#include "tramline/coverage/mesh/mesh_coverage.h"
 
 namespace tramline::coverage {
 namespace {

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "tramline/coverage/tile_coverage.h"
-#include "tramline/coverage/worked_step.h"
-#include "tramline/geometry/region.h"
+#include "tramline/coverage/drive/worked_step.h"
+#include "tramline/coverage/tiles/tile_coverage.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/model/coverage.h"
 
 namespace tramline::coverage {

@@ -12,10 +12,10 @@
 #include <utility>
 
 #include "tramline/coverage/doubts.h"
+#include "tramline/coverage/drive/shape_drive.h"
+#include "tramline/coverage/drive/worked_drive.h"
 #include "tramline/coverage/gaps.h"
-#include "tramline/coverage/shape_drive.h"
 #include "tramline/coverage/thread_limit.h"
-#include "tramline/coverage/worked_drive.h"
 #include "tramline/geometry/error.h"
 
 namespace tramline::coverage {

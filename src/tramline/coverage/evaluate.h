@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
+#include "tramline/coverage/drive/step_maker.h"
 #include "tramline/coverage/engine.h"
-#include "tramline/coverage/step_maker.h"
 #include "tramline/model/coverage.h"
 #include "tramline/model/work_log.h"
 

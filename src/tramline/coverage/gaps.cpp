@@ -4,8 +4,8 @@
 #include <limits>
 #include <tuple>
 
-#include "tramline/geometry/boolean.h"
-#include "tramline/geometry/interior_point.h"
+#include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/polygon/interior_point.h"
 
 namespace tramline::coverage {
 

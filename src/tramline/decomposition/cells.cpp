@@ -3,7 +3,7 @@
 #include "tramline/decomposition/cuts.h"
 #include "tramline/decomposition/events.h"
 #include "tramline/decomposition/tolerances.h"
-#include "tramline/geometry/bounding_rectangle.h"
+#include "tramline/geometry/polygon/bounding_rectangle.h"
 
 namespace tramline {
 namespace {

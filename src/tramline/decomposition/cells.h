@@ -2,7 +2,7 @@
 // The cells of one sweep direction (S1.17) and their own driving directions (S1.18).
 
 #include "tramline/geometry/angle.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/model/plan.h"
 
 namespace tramline {

@@ -7,7 +7,7 @@
 
 #include "tramline/decomposition/tolerances.h"
 #include "tramline/decomposition/turned_boundary.h"
-#include "tramline/geometry/faces.h"
+#include "tramline/geometry/polygon/faces.h"
 
 namespace tramline {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tramline/decomposition/events.h"
-#include "tramline/geometry/track_frame.h"
+#include "tramline/geometry/strip/track_frame.h"
 
 namespace tramline {
 

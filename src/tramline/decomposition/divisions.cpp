@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "tramline/decomposition/tolerances.h"
-#include "tramline/geometry/significant_vertices.h"
+#include "tramline/geometry/polygon/significant_vertices.h"
 
 namespace tramline {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tramline/geometry/angle.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 
 namespace tramline {
 

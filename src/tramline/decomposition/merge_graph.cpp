@@ -5,7 +5,7 @@
 #include <cassert>
 #include <iterator>
 
-#include "tramline/geometry/faces.h"
+#include "tramline/geometry/polygon/faces.h"
 
 namespace tramline {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "tramline/decomposition/events.h"
-#include "tramline/geometry/span_index.h"
-#include "tramline/geometry/track_frame.h"
+#include "tramline/geometry/index/span_index.h"
+#include "tramline/geometry/strip/track_frame.h"
 
 namespace tramline {
 

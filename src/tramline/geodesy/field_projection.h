@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "tramline/geodesy/crs.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/model/local_frame.h"
 
 namespace tramline {

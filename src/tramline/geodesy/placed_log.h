@@ -5,7 +5,7 @@
 #include <string>
 
 #include "tramline/geodesy/field_projection.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/model/local_frame.h"
 #include "tramline/model/work_log.h"
 

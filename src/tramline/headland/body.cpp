@@ -1,6 +1,6 @@
 #include "tramline/headland/body.h"
 
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 

@@ -5,23 +5,26 @@
 #include <limits>
 #include <utility>
 
+#include "tramline/headland/drivable_rings.h"
 #include "tramline/headland/path_stretch.h"
-#include "tramline/headland/sound_rings.h"
 #include "tramline/headland/tolerances.h"
 
 namespace tramline {
 namespace {
 
-/// A path, and which of its parts are clear of the shores.
+/// A path, and which of its parts are clear of the offset_boundaries.
 class Clearance {
  public:
-  Clearance(const Path& path, const std::vector<Shore>& shores) : path_(path), shores_(shores) {}
+  Clearance(const Path& path, const std::vector<OffsetBoundary>& offset_boundaries)
+      : path_(path), shores_(offset_boundaries) {}
 
   bool is_clear(double from_m, double to_m) const {
     const Path part = stretch_of(path_, from_m, to_m);
     if (part.empty()) return true;
-    return keeps_off(part, shores_) && std::all_of(shores_.begin(), shores_.end(), [&](const Shore& shore) {
-             return contains(shore.ring, part.front().from) == (signed_area(shore.ring) > 0);
+    return keeps_off(part, shores_) &&
+           std::all_of(shores_.begin(), shores_.end(), [&](const OffsetBoundary& offset_boundary) {
+             return contains(offset_boundary.ring, part.front().from) ==
+                    (signed_area(offset_boundary.ring) > 0);
            });
   }
   /// Between a place from or up to which it is clear and one where it is not: the last clear place.
@@ -38,7 +41,7 @@ class Clearance {
 
  private:
   const Path& path_;
-  const std::vector<Shore>& shores_;
+  const std::vector<OffsetBoundary>& shores_;
 };
 
 /// The flat end of a swath that is to go on.
@@ -109,9 +112,10 @@ void go_on(Path& path, double by_m) {
 
 }  // namespace
 
-std::vector<Path> clear_stretches(const Path& path, const std::vector<Shore>& shores, double step_m) {
+std::vector<Path> clear_stretches(const Path& path, const std::vector<OffsetBoundary>& offset_boundaries,
+                                  double step_m) {
   const double length_m = length(path);
-  const Clearance clearance(path, shores);
+  const Clearance clearance(path, offset_boundaries);
   if (clearance.is_clear(0, length_m)) return {path};
   const int count = std::max(1, static_cast<int>(std::ceil(length_m / step_m)));
   const auto at = [&](int i) { return length_m * i / count; };

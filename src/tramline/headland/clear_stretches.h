@@ -3,14 +3,15 @@
 
 #include <vector>
 
-#include "tramline/geometry/level_rings.h"
+#include "tramline/geometry/offset/offset_rings.h"
 
 namespace tramline {
 
-/// The stretches of a path that keep their distance from all shores, on their side: the path itself where it
-/// does so all the way. Ends are found to a micrometre, stretches in steps of `step_m`.
-/// O(s·m) for s steps and m edges of shores.
-std::vector<Path> clear_stretches(const Path& path, const std::vector<Shore>& shores, double step_m);
+/// The stretches of a path that keep their distance from all offset_boundaries, on their side: the path
+/// itself where it does so all the way. Ends are found to a micrometre, stretches in steps of `step_m`.
+/// O(s·m) for s steps and m edges of offset_boundaries.
+std::vector<Path> clear_stretches(const Path& path, const std::vector<OffsetBoundary>& offset_boundaries,
+                                  double step_m);
 
 /// A boundary, and how far the edge of a swath has to stay away from it, m: 0 where it may touch it.
 struct SwathLimit {

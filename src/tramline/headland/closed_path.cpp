@@ -17,7 +17,7 @@ void append_arc(Point centre, double radius_m, Point out, double angle, Path& pa
   for (int i = 0; i < parts; ++i) path.push_back({at(i), at(i + 1), std::copysign(1 / radius_m, angle)});
 }
 
-void append_piece(const LevelPiece& piece, double radius_m, Path& path) {
+void append_piece(const OffsetPiece& piece, double radius_m, Path& path) {
   const Point out = right_of(piece.from_heading);
   if (piece.segment.straight()) {
     path.push_back(
@@ -37,7 +37,7 @@ Path linked(Path path) {
 }
 
 /// A piece, and the turn to the next one.
-void append_piece_and_turn(const LevelPiece& piece, const LevelPiece& next, double radius_m, Path& path) {
+void append_piece_and_turn(const OffsetPiece& piece, const OffsetPiece& next, double radius_m, Path& path) {
   append_piece(piece, radius_m, path);
   const Path turn = turn_about(piece.segment.to, radius_m, piece.to_heading, next.from_heading);
   path.insert(path.end(), turn.begin(), turn.end());
@@ -53,7 +53,7 @@ Path turn_about(Point centre, double radius_m, Point heading_before, Point headi
   return out;
 }
 
-Path closed_path(const LevelRing& ring, double radius_m) {
+Path closed_path(const OffsetRing& ring, double radius_m) {
   Path path;
   for (std::size_t i = 0; i < ring.size(); ++i)
     append_piece_and_turn(ring[i], ring[(i + 1) % ring.size()], radius_m, path);
@@ -62,7 +62,7 @@ Path closed_path(const LevelRing& ring, double radius_m) {
   return path;
 }
 
-Path open_path(const LevelRing& way, double radius_m) {
+Path open_path(const OffsetRing& way, double radius_m) {
   Path path;
   for (std::size_t i = 0; i + 1 < way.size(); ++i) append_piece_and_turn(way[i], way[i + 1], radius_m, path);
   if (!way.empty()) append_piece(way.back(), radius_m, path);

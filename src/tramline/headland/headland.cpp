@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/headland/body.h"
-#include "tramline/headland/left_to_tracks.h"
+#include "tramline/headland/ceded_to_tracks.h"
+#include "tramline/headland/pass_boundaries.h"
 #include "tramline/headland/pass_rings.h"
 #include "tramline/headland/pass_tally.h"
-#include "tramline/headland/shores.h"
 
 namespace tramline {
 namespace {
@@ -51,7 +51,7 @@ void leave_to_tracks(const Field& field, const Region& land, const std::vector<B
                      const HeadlandTerms& terms, HeadlandAndBody& out) {
   const double w = terms.width_m, least_m = std::max(terms.min_length_m, 2 * w);
   if (out.uncovered_m2 <= 0) return;
-  const Region left = left_to_tracks(out, clear_of_boundaries(boundaries, w), w, least_m);
+  const Region left = ceded_to_tracks(out, clear_of_boundaries(boundaries, w), w, least_m);
   if (left.empty()) return;
   out.body = unite(out.body, left);
   out.ground = difference(land, out.body);

@@ -1,6 +1,6 @@
 #include "tramline/headland/pass_ground.h"
 
-#include "tramline/geometry/layered_area.h"
+#include "tramline/geometry/path/newly_covered_area.h"
 #include "tramline/headland/tolerances.h"
 #include "tramline/model/headland.h"
 
@@ -13,7 +13,7 @@ bool meets_itself(const Path& path, double width_m) {
   const Box reach = reach_of(path, width_m);
   append_box(reach.grown(1), Layer::kBody, reach, curves);
   append_band(path, width_m, Layer::kNew, curves);
-  return new_area(curves) < width_m * length(path) - kSelfOverlap_m2;
+  return newly_covered_area(curves) < width_m * length(path) - kSelfOverlap_m2;
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #pragma once
 // The ground that a headland pass works, as polygons.
 
-#include "tramline/geometry/path.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/path/path.h"
+#include "tramline/geometry/polygon/region.h"
 
 namespace tramline {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "tramline/headland/clear_stretches.h"
-#include "tramline/headland/level_drives.h"
+#include "tramline/headland/drivable_rings.h"
+#include "tramline/headland/edge_following_passes.h"
 #include "tramline/headland/ring_groups.h"
-#include "tramline/headland/sound_rings.h"
 
 namespace tramline {
 namespace {
@@ -85,7 +85,7 @@ class Chosen {
     if (tramline::worth_m2(parts, scene_.to_work, all_) <= 0) return;
     for (const Path& part : parts) all_.push_back(pass_on(part, scene_));
   }
-  void take(const std::vector<HeadlandPass>& rings, const std::vector<Shore>& in_the_way) {
+  void take(const std::vector<HeadlandPass>& rings, const std::vector<OffsetBoundary>& in_the_way) {
     for (const HeadlandPass& ring : rings) {
       if (in_the_way.empty()) {
         take(ring.path, &ring);
@@ -127,8 +127,8 @@ enum class Reach { kField, kEverything };
 
 /// Boundaries without such a pass whose distance passes have to keep: the field's, and where rings were made
 /// without a look at them those of all obstacles.
-std::vector<Shore> shores_in_the_way(const Scene& scene, Reach reach) {
-  std::vector<Shore> out;
+std::vector<OffsetBoundary> shores_in_the_way(const Scene& scene, Reach reach) {
+  std::vector<OffsetBoundary> out;
   const std::size_t count = reach == Reach::kField ? 1 : scene.boundaries.size();
   for (std::size_t i = 0; i < count; ++i)
     if (!scene.has_pass(i))
@@ -182,7 +182,7 @@ std::vector<HeadlandPass> pass_rings(const std::vector<Boundary>& boundaries, co
   Chosen chosen(scene, std::move(all));
   // Farther in, what turning leaves is left to tracks.
   if (number == 1)
-    for (const Path& path : level_drives(boundaries, terms, number)) chosen.take_if_it_pays(path);
+    for (const Path& path : edge_following_passes(boundaries, terms, number)) chosen.take_if_it_pays(path);
   return without_crossings(
       {chosen.all().begin() + static_cast<std::ptrdiff_t>(before.size()), chosen.all().end()}, scene);
 }

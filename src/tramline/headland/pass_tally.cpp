@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tramline/geometry/layered_area.h"
+#include "tramline/geometry/path/newly_covered_area.h"
 
 namespace tramline {
 namespace {
@@ -15,7 +15,7 @@ double worked_on(const Region& passable, const HeadlandPass& pass, double width_
   RisingCurves curves;
   append_region(passable, reach_of(pass.path, width_m), curves);
   append_band(pass.path, width_m, Layer::kNew, curves);
-  return new_area(curves);
+  return newly_covered_area(curves);
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ void tally_passes(const Region& passable, double width_m, Headland& headland) {
     if (!passable.empty()) headland.worked_m2 -= worked_on(passable, pass, width_m);
   }
   append_region(headland.ground, window, curves);
-  const double covered = new_area(curves);
+  const double covered = newly_covered_area(curves);
   headland.overlap_m2 = std::max(0.0, headland.worked_m2 - covered);
   headland.uncovered_m2 = std::max(0.0, area(headland.ground) - covered);
 }

@@ -1,7 +1,7 @@
 #pragma once
 // Parts of a path by length.
 
-#include "tramline/geometry/path.h"
+#include "tramline/geometry/path/path.h"
 
 namespace tramline {
 

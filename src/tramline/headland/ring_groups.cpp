@@ -2,26 +2,27 @@
 
 #include <algorithm>
 
-#include "tramline/geometry/layered_area.h"
+#include "tramline/geometry/path/newly_covered_area.h"
 #include "tramline/headland/closed_path.h"
-#include "tramline/headland/necks.h"
-#include "tramline/headland/sound_rings.h"
+#include "tramline/headland/drivable_rings.h"
+#include "tramline/headland/narrow_passages.h"
 #include "tramline/headland/tolerances.h"
 
 namespace tramline {
 namespace {
 
 /// Does any of the ring follow a boundary that has the pass?
-bool follows_own(const LevelRing& ring, const std::vector<Boundary>& boundaries, int number) {
-  return std::any_of(ring.begin(), ring.end(),
-                     [&](const LevelPiece& piece) { return boundaries[piece.shore].passes >= number; });
+bool follows_own(const OffsetRing& ring, const std::vector<Boundary>& boundaries, int number) {
+  return std::any_of(ring.begin(), ring.end(), [&](const OffsetPiece& piece) {
+    return boundaries[piece.offset_boundary].passes >= number;
+  });
 }
 
-HeadlandPass pass_along(const LevelRing& ring, const std::vector<Boundary>& boundaries, int number,
+HeadlandPass pass_along(const OffsetRing& ring, const std::vector<Boundary>& boundaries, int number,
                         double radius_m) {
   HeadlandPass pass{closed_path(ring, radius_m), number, false, {}};
-  for (const LevelPiece& piece : ring) {
-    if (const auto obstacle = boundaries[piece.shore].obstacle)
+  for (const OffsetPiece& piece : ring) {
+    if (const auto obstacle = boundaries[piece.offset_boundary].obstacle)
       pass.obstacles.push_back(*obstacle);
     else
       pass.around_field = true;
@@ -69,7 +70,7 @@ double missed_and_doubled_m2(const std::vector<HeadlandPass>& rings, const Groun
     if (intersects(window, reach_of(pass.path, width_m)))
       append_band(pass.path, width_m, Layer::kTaken, curves);
   for (const Ring& ring : rings_of(to_work.ground)) append_ring(ring, Layer::kBody, window, curves);
-  return worked_m2 - (1 + kMissedToDoubled) * new_area(curves);
+  return worked_m2 - (1 + kMissedToDoubled) * newly_covered_area(curves);
 }
 
 int meetings_of(const std::vector<HeadlandPass>& rings) {
@@ -137,14 +138,14 @@ std::vector<HeadlandPass> rings_round(const std::vector<std::size_t>& indices,
   for (const std::size_t i : indices) members.push_back(boundaries[i]);
   if (std::none_of(members.begin(), members.end(), [&](const Boundary& b) { return b.passes >= number; }))
     return {};
-  const auto passes_along = [&](const std::vector<LevelRing>& rings) {
+  const auto passes_along = [&](const std::vector<OffsetRing>& rings) {
     std::vector<HeadlandPass> out;
-    for (const LevelRing& ring : rings)
+    for (const OffsetRing& ring : rings)
       if (follows_own(ring, members, number)) out.push_back(pass_along(ring, members, number, radius_m));
     return out;
   };
-  const TurningLand land = turning_land(members, terms.width_m, number, radius_m);
-  return passes_along(through_necks(turning_centres(land), land, [&](const auto& rings) {
+  const TurningRoom land = turning_room(members, terms.width_m, number, radius_m);
+  return passes_along(joined_through_narrow_passages(turning_centres(land), land, [&](const auto& rings) {
     const std::vector<HeadlandPass> passes = passes_along(rings);
     return RingsCost{meetings_of(passes), missed_and_doubled_m2(passes, to_work, before)};
   }));

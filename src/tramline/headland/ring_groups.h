@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tramline/headland/headland.h"
-#include "tramline/headland/shores.h"
+#include "tramline/headland/pass_boundaries.h"
 #include "tramline/headland/worth_driving.h"
 
 namespace tramline {

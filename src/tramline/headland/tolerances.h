@@ -13,7 +13,7 @@ inline constexpr double kCoversSurely_m = 1e-8;
 /// Pieces of a path or of a level that are shorter are left out, m: the nodes where they end are not known
 /// well enough to give them a heading.
 inline constexpr double kShortestPiece_m = 1e-7;
-/// Circles that roll along rails may touch them as little beyond their ends, m: each end is a node.
+/// Circles that roll along centre_lines may touch them as little beyond their ends, m: each end is a node.
 inline constexpr double kBeyondRail_m = 1e-7;
 /// Vertices of a boundary that are no farther off the line beside them are left out, m.
 inline constexpr double kIdleVertex_m = 1e-7;
@@ -25,7 +25,8 @@ inline constexpr double kNearerPass_m = 2e-7;
 /// Groups of passes may come nearer to another boundary by this, m, and do not meet it: what the precision
 /// grid makes of a distance.
 inline constexpr double kNearerGroup_m = 1e-6;
-/// Pieces of a ring that are no longer may be on no rail, m: where rings of two levels join there are such.
+/// Pieces of a ring that are no longer may be on no centre_line, m: where rings of two levels join there are
+/// such.
 inline constexpr double kOffRails_m = 1e-5;
 /// What a swath touches along its sides by no more is not in its way, m: chords of bodies and boundaries lie
 /// beside arcs.

@@ -1,5 +1,5 @@
-#include "tramline/geometry/boolean.h"
 #include "tramline/geometry/error.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/headland/headland.h"
 #include "tramline/headland/pass_ground.h"
 #include "tramline/headland/tolerances.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tramline/geometry/smallest_disc.h"
+#include "tramline/geometry/polygon/smallest_disc.h"
 #include "tramline/headland/tolerances.h"
 
 namespace tramline {
@@ -17,7 +17,7 @@ struct TightArc {
   Point first{};       ///< unit vectors from the corner to the arc's ends
   Point last{};
   double turned_rad = 0;  ///< from the first one to the last one
-  std::size_t shore = 0;
+  std::size_t offset_boundary = 0;
 
   double level_m(double radius_m) const { return radius_m - slack_m; }
 };
@@ -107,15 +107,16 @@ bool join(Group& a, const Group& b, double radius_m) {
   return true;
 }
 
-std::vector<Group> tight_arcs(const LevelRing& ring, double radius_m) {
+std::vector<Group> tight_arcs(const OffsetRing& ring, double radius_m) {
   std::vector<Group> out;
-  for (const LevelPiece& piece : ring) {
+  for (const OffsetPiece& piece : ring) {
     const double level = radius(piece.segment);
     if (piece.segment.straight() || level >= radius_m) continue;
     const Point first{-piece.from_heading.y, piece.from_heading.x};
     const Point last{-piece.to_heading.y, piece.to_heading.x};
-    Group group{
-        {{piece.centre, radius_m - level, first, last, std::abs(turning(piece.segment)), piece.shore}}, {}};
+    Group group{{{piece.centre, radius_m - level, first, last, std::abs(turning(piece.segment)),
+                  piece.offset_boundary}},
+                {}};
     place(group);
     out.push_back(std::move(group));
   }
@@ -124,9 +125,9 @@ std::vector<Group> tight_arcs(const LevelRing& ring, double radius_m) {
 
 }  // namespace
 
-std::vector<ShoreDisc> wide_corners(const std::vector<LevelRing>& rings, double radius_m) {
-  std::vector<ShoreDisc> out;
-  for (const LevelRing& ring : rings) {
+std::vector<OffsetDisc> wide_corners(const std::vector<OffsetRing>& rings, double radius_m) {
+  std::vector<OffsetDisc> out;
+  for (const OffsetRing& ring : rings) {
     std::vector<Group> groups = tight_arcs(ring, radius_m);
     for (bool joined = groups.size() > 1; joined && groups.size() > 1;) {
       joined = false;
@@ -142,7 +143,7 @@ std::vector<ShoreDisc> wide_corners(const std::vector<LevelRing>& rings, double 
       }
     }
     for (const Group& group : groups)
-      out.push_back({group.centre, radius_m + kCoversSurely_m, group.arcs.front().shore});
+      out.push_back({group.centre, radius_m + kCoversSurely_m, group.arcs.front().offset_boundary});
   }
   return out;
 }

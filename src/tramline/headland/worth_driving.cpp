@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tramline/geometry/layered_area.h"
+#include "tramline/geometry/path/newly_covered_area.h"
 #include "tramline/headland/path_stretch.h"
 #include "tramline/headland/tolerances.h"
 
@@ -50,7 +50,7 @@ double area_on(const Region& land, const Path& path, const Box& window, double w
   if (curves.empty()) return 0;
   if (taken != nullptr) taken->append_near(window, curves);
   append_band(path, width_m, Layer::kNew, curves);
-  return new_area(curves);
+  return newly_covered_area(curves);
 }
 
 Work work_of(const Path& path, const GroundToWork& to_work, const Bands& taken) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/model/local_frame.h"
 #include "tramline/model/work_log.h"
 

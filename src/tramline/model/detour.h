@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tramline/geometry/path.h"
+#include "tramline/geometry/path/path.h"
 
 namespace tramline {
 

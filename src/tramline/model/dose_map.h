@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tramline/geometry/angle.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/model/cell_grid.h"
 #include "tramline/model/local_frame.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/model/local_frame.h"
 #include "tramline/model/report.h"
 

@@ -26,7 +26,7 @@ struct FrontMarks {
   std::size_t least_overlap = 0;
   std::size_t least_uncovered = 0;
   std::size_t fewest_turns = 0;  ///< turns and stops together
-  std::size_t knee = 0;          ///< see knee_of() in planner/front_marks.h
+  std::size_t knee = 0;          ///< see knee_of() in planner/pareto/front_marks.h
   std::size_t given_prices = 0;  ///< the cheapest at the prices of the front
 };
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "tramline/geometry/path.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/path/path.h"
+#include "tramline/geometry/polygon/region.h"
 
 namespace tramline {
 

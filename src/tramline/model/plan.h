@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tramline/geometry/angle.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/model/field.h"
 #include "tramline/model/front.h"
 #include "tramline/model/headland.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "tramline/geometry/kinked_line.h"
+#include "tramline/geometry/path/kinked_line.h"
 
 namespace tramline {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "tramline/geometry/path.h"
+#include "tramline/geometry/path/path.h"
 #include "tramline/model/detour.h"
 
 namespace tramline {

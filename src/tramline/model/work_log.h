@@ -11,7 +11,7 @@
 
 #include "tramline/geometry/angle.h"
 #include "tramline/geometry/point.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 
 namespace tramline {
 

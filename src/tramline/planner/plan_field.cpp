@@ -8,14 +8,14 @@
 #include <utility>
 
 #include "tramline/geometry/error.h"
-#include "tramline/planner/curved_candidate.h"
-#include "tramline/planner/curved_search.h"
-#include "tramline/planner/finished_plan.h"
+#include "tramline/planner/assembly/finished_plan.h"
+#include "tramline/planner/assembly/whole_figures.h"
+#include "tramline/planner/curved/curved_candidate.h"
+#include "tramline/planner/curved/curved_search.h"
+#include "tramline/planner/curved/zhou_plan.h"
 #include "tramline/planner/prepare_field.h"
-#include "tramline/planner/recursive_plan.h"
-#include "tramline/planner/straight_search.h"
+#include "tramline/planner/search/straight_search.h"
 #include "tramline/planner/warnings.h"
-#include "tramline/planner/whole_figures.h"
 
 namespace tramline {
 namespace {
@@ -36,7 +36,7 @@ bool as_in_the_paper(const PlanSettings& settings) { return settings.tracks == T
 
 Candidate along_guide(const SearchTask& task) {
   const std::vector<Point>& guide = task.settings.guide;
-  if (as_in_the_paper(task.settings)) return recursive_along(task, guide);
+  if (as_in_the_paper(task.settings)) return zhou_plan_along(task, guide);
   const Reference reference = reference_along(task, guide, 0);
   std::vector<LinedSubfield> grounds;
   for (const Polygon& part : task.ground.plannable) {
@@ -123,7 +123,7 @@ ExplainedPlan searched(const PlanningProblem& problem, const SearchContext& cont
   if (as_in_the_paper(settings) && settings.shape == TrackShape::kStraight && settings.guide.empty())
     throw bad_input(
         "tracks as in the paper follow a line: with --tracks paper give --ab, --guide or --curved");
-  if (as_in_the_paper(settings)) require_paper_ground(problem.field, settings);
+  if (as_in_the_paper(settings)) require_zhou_ground(problem.field, settings);
   if (settings.shape == TrackShape::kAuto) return cheapest_shape(problem, context, explain);
   std::optional<Preparation> prepared = prepare_field(problem, context);
   if (!prepared) throw no_room(problem);

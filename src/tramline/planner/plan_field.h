@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "tramline/model/plan.h"
-#include "tramline/planner/explanation.h"
+#include "tramline/planner/explain/explanation.h"
 
 namespace tramline {
 

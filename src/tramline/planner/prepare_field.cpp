@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/headland/body.h"
 #include "tramline/headland/headland.h"
 #include "tramline/headland/tolerances.h"
-#include "tramline/planner/straight_search.h"
+#include "tramline/planner/search/straight_search.h"
 
 namespace tramline {
 namespace {
@@ -32,7 +32,7 @@ Field with_obstacles(const Field& field, Keep keep, std::vector<std::size_t>& in
   return out;
 }
 
-/// The body with passable land still in it, as SortedGround::plannable has it.
+/// The body with passable land still in it, as ClassifiedGround::plannable has it.
 Region body_with_passable(const Field& field, const HeadlandTerms& terms, const HeadlandAndBody& headland) {
   if (obstacle_shapes(field, ObstacleKind::kPassable).empty()) return headland.body;
   std::vector<std::size_t> indices;
@@ -46,12 +46,12 @@ Region body_with_passable(const Field& field, const HeadlandTerms& terms, const 
 
 /// The obstacles without a headland, sorted. The others do not meet tracks, but detours have to keep off
 /// them.
-SortedGround sorted_bare_obstacles(const PlanningProblem& problem, const std::vector<int>& passes) {
+ClassifiedGround sorted_bare_obstacles(const PlanningProblem& problem, const std::vector<int>& passes) {
   const Field& field = problem.field;
   std::vector<std::size_t> indices;
   const auto bare = [&](std::size_t i) { return !has_headland(passes, i); };
   const Field met = with_obstacles(field, bare, indices);
-  SortedGround ground = sort_obstacles(met, problem.machine.width_m, problem.settings.clearance_m);
+  ClassifiedGround ground = classify_obstacles(met, problem.machine.width_m, problem.settings.clearance_m);
   for (Hazard& hazard : ground.hazards)
     for (std::size_t& obstacle : hazard.obstacles) obstacle = indices[obstacle];
   for (std::size_t i = 0; i < field.obstacles.size(); ++i)
@@ -60,8 +60,8 @@ SortedGround sorted_bare_obstacles(const PlanningProblem& problem, const std::ve
 }
 
 /// What headlands leave of ground on which the bare obstacles are sorted.
-SortedGround ground_behind(const PlanningProblem& problem, const HeadlandTerms& terms,
-                           const HeadlandAndBody& headland, SortedGround ground) {
+ClassifiedGround ground_behind(const PlanningProblem& problem, const HeadlandTerms& terms,
+                               const HeadlandAndBody& headland, ClassifiedGround ground) {
   ground.body = headland.body;
   // Land given up is the body's affair; what of it is headland no swath enters either, but to end there is no
   // stop.
@@ -75,9 +75,9 @@ SortedGround ground_behind(const PlanningProblem& problem, const HeadlandTerms& 
   return ground;
 }
 
-bool clearance_takes_all(const PlanningProblem& problem, const SortedGround& ground) {
+bool clearance_takes_all(const PlanningProblem& problem, const ClassifiedGround& ground) {
   return problem.settings.clearance_m > 0 && area(ground.plannable) == 0 &&
-         area(sort_obstacles(problem.field, problem.machine.width_m).plannable) > 0;
+         area(classify_obstacles(problem.field, problem.machine.width_m).plannable) > 0;
 }
 
 Region hard_field(const PlanningProblem& problem) {
@@ -98,7 +98,7 @@ double short_edge_m(const HeadlandTerms& terms) {
 /// sorted_bare_obstacles().
 std::optional<PreparedField> behind_headlands(const PlanningProblem& problem,
                                               const std::vector<int>& obstacle_passes,
-                                              const SortedGround& bare) {
+                                              const ClassifiedGround& bare) {
   const HeadlandTerms terms{problem.machine.width_m, problem.machine.radius_m, problem.settings.headlands,
                             obstacle_passes, min_length_m(problem.machine)};
   HeadlandAndBody headland = headland_of(problem.field, terms);
@@ -163,7 +163,7 @@ std::optional<Preparation> prepared_by_search(const PlanningProblem& problem, co
 
 PreparedField field_without_headlands(const PlanningProblem& problem) {
   PreparedField out;
-  out.ground = sort_obstacles(problem.field, problem.machine.width_m, problem.settings.clearance_m);
+  out.ground = classify_obstacles(problem.field, problem.machine.width_m, problem.settings.clearance_m);
   out.body_m2 = area(out.ground.body);
   out.short_edge_m = problem.settings.short_edge_m;
   out.hard_field = hard_field(problem);

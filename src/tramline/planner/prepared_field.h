@@ -1,16 +1,16 @@
 #pragma once
 // What is derived from a problem once, before any search.
 
-#include "tramline/avoidance/ground.h"
+#include "tramline/avoidance/obstacles/obstacle_classification.h"
 #include "tramline/model/headland.h"
 
 namespace tramline {
 
 /// A field ready to be searched: its obstacles sorted, its headlands taken off. Local metres.
 struct PreparedField {
-  SortedGround ground;  ///< where there are headlands: what they leave
-  double body_m2 = 0;   ///< area of the ground's body
-  Headland headland;    ///< empty without any
+  ClassifiedGround ground;  ///< where there are headlands: what they leave
+  double body_m2 = 0;       ///< area of the ground's body
+  Headland headland;        ///< empty without any
   /// Corners between edges that are both shorter split nothing: PlanSettings::short_edge_m, or more where
   /// headlands have rounded corners.
   double short_edge_m = 0;

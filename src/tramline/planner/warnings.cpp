@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "tramline/geometry/boolean.h"
+#include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "tramline/geometry/path_between.h"
+#include "tramline/geometry/path/path_between.h"
 #include "tramline/tracks/tolerances.h"
 
 namespace tramline {

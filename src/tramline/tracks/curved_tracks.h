@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tramline/geometry/parallel.h"
+#include "tramline/geometry/offset/parallel.h"
 #include "tramline/tracks/end_rule.h"
 #include "tramline/tracks/laid_pieces.h"
 
@@ -29,7 +29,7 @@ LaidTracks curved_pieces(const std::vector<FamilyTrack>& parallel, double width_
                          const EndCriterion& criterion, double min_length_m);
 
 /// The tracks parallel to a reference that may reach the box.
-/// Precondition: the reference leaves the box behind at both ends (extended.h).
+/// Precondition: the reference leaves the box behind at both ends (extended_line.h).
 StripRange tracks_over(const Path& reference, const Box& box, double width_m);
 
 }  // namespace tramline

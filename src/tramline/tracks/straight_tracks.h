@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tramline/geometry/cross_section.h"
+#include "tramline/geometry/strip/cross_section.h"
 #include "tramline/tracks/end_rule.h"
 #include "tramline/tracks/track.h"
 

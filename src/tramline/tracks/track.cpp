@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "tramline/geometry/path_between.h"
+#include "tramline/geometry/path/path_between.h"
 #include "tramline/tracks/end_rule.h"
 #include "tramline/tracks/tolerances.h"
 

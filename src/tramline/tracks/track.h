@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tramline/geometry/strip_grid.h"
+#include "tramline/geometry/strip/strip_grid.h"
 #include "tramline/tracks/track_profile.h"
 
 namespace tramline {

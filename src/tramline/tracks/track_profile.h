@@ -4,8 +4,8 @@
 #include <utility>
 #include <variant>
 
-#include "tramline/geometry/cross_section.h"
-#include "tramline/geometry/path_profile.h"
+#include "tramline/geometry/profile/path_profile.h"
+#include "tramline/geometry/strip/cross_section.h"
 
 namespace tramline {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tramline/geometry/path.h"
+#include "tramline/geometry/path/path.h"
 
 namespace tramline::io {
 namespace {

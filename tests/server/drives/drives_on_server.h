@@ -10,7 +10,7 @@
 #include "server/work/drives.h"
 #include "tramline/coverage/evaluate.h"
 #include "tramline/geodesy/placed_log.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/io/log/read_log.h"
 
 namespace tramline::server {

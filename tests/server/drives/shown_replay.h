@@ -8,7 +8,7 @@
 
 #include "server/served.h"
 #include "server/work/drives.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 
 namespace tramline::server {
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "server/work/work_frame.h"
-#include "tramline/coverage/tile_frame.h"
+#include "tramline/coverage/tiles/tile_frame.h"
 #include "tramline/geodesy/field_projection.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 
 namespace tramline::server::testing_drives {
 

@@ -7,8 +7,8 @@
 
 #include "tramline/coverage/ahead/need_ahead.h"
 #include "tramline/coverage/ahead/section_switch.h"
-#include "tramline/coverage/tile_coverage.h"
-#include "tramline/geometry/region.h"
+#include "tramline/coverage/tiles/tile_coverage.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/model/work_log.h"
 
 namespace tramline::coverage {

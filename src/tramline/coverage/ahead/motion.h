@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "tramline/coverage/worked_step.h"
+#include "tramline/coverage/drive/worked_step.h"
 #include "tramline/geometry/angle.h"
 #include "tramline/geometry/point.h"
 #include "tramline/model/work_log.h"

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "tramline/geometry/convex_clip.h"
+#include "tramline/geometry/polygon/convex_clip.h"
 
 namespace tramline::coverage {
 namespace {

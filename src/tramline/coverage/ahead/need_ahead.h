@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tramline/coverage/ahead/motion.h"
-#include "tramline/coverage/tile_coverage.h"
+#include "tramline/coverage/tiles/tile_coverage.h"
 #include "tramline/model/work_log.h"
 
 namespace tramline::coverage {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "tramline/coverage/worked_step.h"
+#include "tramline/coverage/drive/worked_step.h"
 
 namespace tramline::coverage {
 

@@ -12,7 +12,7 @@
 #include "tramline/coverage/dose/laid_cells.h"
 #include "tramline/coverage/dose/lay_slab.h"
 #include "tramline/coverage/dose/region_in_cells.h"
-#include "tramline/coverage/plausible.h"
+#include "tramline/coverage/drive/log_sanity.h"
 #include "tramline/coverage/thread_limit.h"
 #include "tramline/geometry/error.h"
 
@@ -153,7 +153,7 @@ DoseMap dose(WorkLog log, const Region& field, const DoseSettings& settings, con
   evaluation.covered = true;
   DoseMap out;
   out.log = log.name;
-  log = plausible(std::move(log));  // widths as evaluate() will have them
+  log = log_without_faults(std::move(log));  // widths as evaluate() will have them
   require_cells_for(log, field, settings.cell_m);
   Layer layer(settings, working_width_m(log, evaluation.drive));
   const Coverage coverage =

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "tramline/coverage/dose/quad_amount.h"
+
 namespace tramline::coverage {
 namespace {
 
-constexpr double kHectare_m2 = 1e4;
 constexpr double kNear = 0.1;  // of the reference: within, and the width of a bin
 constexpr int kBins = 25;      // before the last
 constexpr double kRounding = 1e-9;

@@ -6,8 +6,6 @@
 namespace tramline::coverage {
 namespace {
 
-constexpr double kHectare_m2 = 1e4;
-
 /// The rate over a part of a step, each half of which has the rate of its end; where only one is known, that.
 double logged_rate(const WorkedStep& step, const QuadOrigin& origin) {
   const double before = step.rate_before_per_ha, after = step.rate_after_per_ha;

@@ -3,9 +3,12 @@
 
 #include <limits>
 
-#include "tramline/coverage/worked_step.h"
+#include "tramline/coverage/drive/worked_step.h"
 
 namespace tramline::coverage {
+
+/// Rates are amounts per hectare.
+inline constexpr double kHectare_m2 = 1e4;
 
 /// Where rates come from. Amounts of any unit.
 struct RateSettings {

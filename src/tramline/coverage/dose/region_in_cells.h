@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/model/cell_grid.h"
 
 namespace tramline::coverage {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tramline/coverage/dose/pattern.h"
-#include "tramline/coverage/worked_step.h"
+#include "tramline/coverage/drive/worked_step.h"
 
 namespace tramline::coverage {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tramline/coverage/mesh/mesh_ring.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 
 namespace tramline::coverage {
 

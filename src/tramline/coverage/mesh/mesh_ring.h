@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tramline/coverage/mesh/mesh_line.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 
 namespace tramline::coverage {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "tramline/geometry/path.h"
+#include "tramline/geometry/path/path.h"
 #include "tramline/io/export/column_names.h"
 #include "tramline/io/export/projected_shapes.h"
 #include "tramline/io/export/thinned_shape.h"

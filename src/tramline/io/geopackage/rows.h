@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "tramline/geometry/error.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/io/geopackage/file_kind.h"
 #include "tramline/io/geopackage/gdal_errors.h"
 

@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/io/geopackage/field_names.h"
 
 namespace tramline::io {

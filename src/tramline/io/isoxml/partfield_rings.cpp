@@ -7,7 +7,7 @@
 #include <pugixml.hpp>
 #include <string_view>
 
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/io/fixes/number_text.h"
 #include "tramline/io/fixes/places.h"
 

@@ -95,7 +95,7 @@ bool TimeLogRecords::near(const Anchor& anchor, const Parsed& parsed) {
   return !(std::abs(way.x) > kNear_deg) && !(std::abs(way.y) > kNear_deg);
 }
 
-bool TimeLogRecords::plausible(const Parsed& parsed) const {
+bool TimeLogRecords::log_without_faults(const Parsed& parsed) const {
   if (parsed.fault != Fault::kNone) return false;
   const Point at = parsed.record.lonlat_deg;
   if (!std::isnan(at.x) && !std::isnan(at.y) && !fault_of_lonlat(at).empty()) return false;
@@ -115,8 +115,8 @@ std::optional<std::size_t> TimeLogRecords::find_next(std::size_t from) const {
     Cursor start(bytes_, at);
     if (start.unsigned_of(4) >= kDay_ms) continue;
     const Parsed first = parse(at);
-    if (!plausible(first)) continue;
-    if (first.end == bytes_.size() || plausible(parse(first.end))) return at;
+    if (!log_without_faults(first)) continue;
+    if (first.end == bytes_.size() || log_without_faults(parse(first.end))) return at;
   }
   return std::nullopt;
 }

@@ -47,7 +47,7 @@ class TimeLogRecords {
   };
 
   Parsed parse(std::size_t at) const;
-  bool plausible(const Parsed& parsed) const;
+  bool log_without_faults(const Parsed& parsed) const;
   std::optional<std::size_t> find_next(std::size_t from) const;
 
   const TimeLogHeader& header_;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tramline/geodesy/crs.h"
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/io/log/csv_log.h"
 #include "tramline/io/log/nmea_log.h"
 #include "tramline/io/log/read_log.h"

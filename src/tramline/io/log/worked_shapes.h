@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 #include "tramline/io/log/fix_rows.h"
 #include "tramline/model/raw_feature.h"
 #include "tramline/model/work_log.h"

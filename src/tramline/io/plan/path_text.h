@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tramline/geometry/path.h"
+#include "tramline/geometry/path/path.h"
 
 namespace tramline::io {
 

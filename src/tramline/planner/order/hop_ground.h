@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tramline/geometry/box_grid.h"
+#include "tramline/geometry/index/box_grid.h"
 #include "tramline/model/field.h"
 
 namespace tramline::order {

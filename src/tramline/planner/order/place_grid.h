@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "tramline/geometry/region.h"
+#include "tramline/geometry/polygon/region.h"
 
 namespace tramline::order {
 

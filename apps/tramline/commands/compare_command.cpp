@@ -1,0 +1,197 @@
+// tramline compare: the plans of a field that are worth a choice, and what each gives up.
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <chrono>
+#include <span>
+#include <utility>
+
+#include "commands/command.h"
+#include "commands/many_fields.h"
+#include "options/field_options.h"
+#include "options/plan_options.h"
+#include "output/output_target.h"
+#include "output/progress.h"
+#include "output/search_end.h"
+#include "report/front_report.h"
+#include "request/output_names.h"
+#include "tramline/geometry/error.h"
+#include "tramline/io/geopackage/whole_file.h"
+#include "tramline/io/plan/write_plan.h"
+#include "tramline/planner/pareto/trade_off.h"
+#include "tramline/planner/validate_request.h"
+#include "tramline/render/trade_off/draw_trade_off.h"
+
+namespace tramline::app {
+namespace {
+
+constexpr const char* kAbout =
+    "Compare the plans of a field that are worth a choice: of each two, either is better in overlap, "
+    "uncovered land, turns or stops";
+
+constexpr const char* kExample =
+    "Example:\n"
+    "  tramline compare field.geojson --width 3 --radius 6 --picture front.png\n"
+    "  tramline compare field.geojson --width 3 --for 0.02,0.10,0.5,5 --for 0.04,0.10,2\n"
+    "  tramline compare field.geojson --width 3 --csv front.csv -o knee.gpkg --point knee\n"
+    "The plans are those met in up to 16 searches: for the prices given, for each of overlap, uncovered and\n"
+    "turns above all, and for the prices given with one of them times 1/8, 1/2, 2 and 8. A plan's swath "
+    "ends\n"
+    "and ways past obstacles stay as they were chosen for the prices of its search.";
+
+/// "knee", "7": a point of a front, as typed.
+class PointChoice {
+ public:
+  /// Throws kBadInput where the word is neither a number from 1 nor the name of a mark.
+  explicit PointChoice(const std::string& word) : word_(word) {
+    if (is_mark()) return;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number_);
+    if (error != std::errc{} || end != word.data() + word.size() || number_ == 0)
+      throw bad_input(fmt::format(
+          "--point takes given, knee, overlap, uncovered, turns or a number from 1, not '{}'", word));
+  }
+
+  /// Throws kBadInput where the front has no such point.
+  std::size_t in(const Front& front) const {
+    const FrontMarks& marks = front.marks;
+    if (word_ == "given") return marks.given_prices;
+    if (word_ == "knee") return marks.knee;
+    if (word_ == "overlap") return marks.least_overlap;
+    if (word_ == "uncovered") return marks.least_uncovered;
+    if (word_ == "turns") return marks.fewest_turns;
+    if (number_ > front.points.size())
+      throw bad_input(
+          fmt::format("--point {}: there is no such plan, the front has {}", word_, front.points.size()));
+    return number_ - 1;
+  }
+
+ private:
+  bool is_mark() const {
+    return word_ == "given" || word_ == "knee" || word_ == "overlap" || word_ == "uncovered" ||
+           word_ == "turns";
+  }
+  std::string word_;
+  std::size_t number_ = 0;
+};
+
+class CompareCommand : public Command {
+ public:
+  Verb setup(CLI::App& program) override {
+    Verb verb(program, "compare", kAbout);
+    verb.footer(kExample);
+    add_field_options(verb, field_options_);
+    add_plan_options(verb, plan_options_);
+    verb.add_option(
+            "--for", asked_,
+            "name the plan that costs least at these prices too: overlap,uncovered,turn[,stop[,subfield]];\n"
+            "may be given again and again (prices left out are those of --prices)")
+        .one_value_each_time();
+    verb.add_option("--csv", csv_, "write a table of the plans to this .csv");
+    verb.add_option("--picture", picture_,
+                    "draw the trade-off and the plans that stand out to this .png, .svg or .pdf");
+    verb.add_option("-o,--output", output_, "write one of the plans to this GeoPackage (.gpkg)");
+    verb.add_option(
+        "--point", point_,
+        "which one: given (cheapest at the prices given), knee, overlap, uncovered, turns, or its "
+        "number (default given)");
+    add_seconds_option(verb, seconds_);
+    verb.add_option("--threads", threads_, "threads to use (default: all cores)").in_range(0, 1024);
+    verb.add_flag("--json", json_, "print one JSON object per field");
+    verb.add_flag("--quiet", quiet_, "no progress, no table");
+    return verb;
+  }
+
+  int run() override {
+    machine_ = machine_of(plan_options_);
+    objective_ = objective_of(plan_options_);
+    settings_ = settings_of(plan_options_);
+    validate_request(machine_, objective_, settings_);
+    if (settings_.tracks == TrackConstruction::kPaper || settings_.shape != TrackShape::kStraight ||
+        !plan_options_.ab.empty() || !plan_options_.guide_file.empty())
+      throw bad_input(
+          "compare looks for directions by itself: leave --curved, --ab, --guide and --tracks out");
+    for (const std::string& text : asked_) {
+      prices_.push_back(prices_typed(text, "--for", objective_));
+      validate_request(machine_, prices_.back(), settings_);
+    }
+    const PointChoice choice(point_);
+    const std::vector<std::string> inputs{field_options_.file, field_options_.obstacles_file,
+                                          field_options_.passable_file, plan_options_.machine_file};
+    require_writable(csv_, "--csv", {".csv"}, inputs);
+    require_writable(picture_, "--picture", {".png", ".svg", ".pdf"}, inputs);
+    require_writable(output_, "--output", {".gpkg"}, inputs);
+    const FieldInput input = load_fields(field_options_);
+    const bool single = !field_options_.all && input.fields.size() == 1;
+    const Naming naming = single ? Naming::kAsGiven : Naming::kWithId;
+    Outputs outputs{{csv_, naming}, {picture_, naming}, {output_, naming}, choice};
+    const ManyFieldsReport report{json_, quiet_, "compared the plans of"};
+    if (single) {
+      const Field& field = input.fields.front();
+      const InterruptEndsSearches interruptible;
+      return show_single(field, compare(field, input.skipped, outputs), report);
+    }
+    return work_on_many_fields(input, report,
+                               [&](const Field& field) { return compare(field, {}, outputs); });
+  }
+
+ private:
+  struct Outputs {
+    OutputNames tables, pictures, plans;
+    PointChoice choice;
+  };
+
+  FieldResult compare(const Field& field, const std::vector<Skipped>& skipped, Outputs& outputs) const {
+    const auto start = std::chrono::steady_clock::now();
+    const TradeOff found = compared(field);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    write(found, field, outputs);
+    const Comparison comparison{field,   machine_,        settings_,      found.front,
+                                prices_, elapsed.count(), found.cut_short};
+    return {compare_json(comparison, skipped), compare_table(comparison, skipped), {}};
+  }
+
+  TradeOff compared(const Field& field) const {
+    ProgressLine progress(quiet_);
+    return trade_off(field, machine_, objective_, settings_, threads_,
+                     [&field, &progress, end = SearchEnd(seconds_)](int done, int total) {
+                       progress.show("comparing " + field.id, done, total, "searches");
+                       return end.demand();
+                     });
+  }
+
+  /// What may be refused comes before anything is written.
+  void write(const TradeOff& found, const Field& field, Outputs& outputs) const {
+    const std::size_t chosen = outputs.choice.in(found.front);
+    if (!csv_.empty()) {
+      const std::string table = front_csv(found.front);
+      io::write_whole(outputs.tables.next(field.id), std::as_bytes(std::span(table)));
+    }
+    if (!picture_.empty()) draw(found, outputs.pictures.next(field.id));
+    if (!output_.empty()) io::write_plan(plan_of(found, chosen), outputs.plans.next(field.id));
+  }
+
+  static void draw(const TradeOff& found, const std::filesystem::path& path) {
+    std::vector<Plan> plans;
+    for (const std::size_t point : marked_points(found.front)) plans.push_back(plan_of(found, point));
+    render::draw_trade_off(found.front, plans, path);
+  }
+
+  FieldOptions field_options_;
+  PlanOptions plan_options_;
+  std::vector<std::string> asked_;
+  std::string csv_, picture_, output_, point_ = "given";
+  int threads_ = 0;
+  std::optional<double> seconds_;
+  bool json_ = false, quiet_ = false;
+  Machine machine_;
+  Objective objective_;
+  PlanSettings settings_;
+  std::vector<Objective> prices_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_compare_command() { return std::make_unique<CompareCommand>(); }
+
+}  // namespace tramline::app

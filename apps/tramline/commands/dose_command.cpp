@@ -1,0 +1,211 @@
+// tramline dose: how much was applied where.
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands/command.h"
+#include "options/drive_options.h"
+#include "options/field_options.h"
+#include "output/output_target.h"
+#include "output/progress.h"
+#include "output/result_output.h"
+#include "report/dose_report.h"
+#include "report/report_parts.h"
+#include "request/evaluate_input.h"
+#include "tramline/coverage/dose/dose.h"
+#include "tramline/geometry/error.h"
+#include "tramline/io/coverage/read_coverage.h"
+#include "tramline/io/log/read_log.h"
+#include "tramline/io/pattern/read_pattern.h"
+#include "tramline/io/raster/write_raster.h"
+#include "tramline/render/dose/draw_dose.h"
+
+namespace tramline::app {
+namespace {
+
+constexpr const char* kHelp =
+    "Map how much a recorded drive applied where: amount in every cell, mean, spread";
+constexpr const char* kExample =
+    "Example:\n"
+    "  tramline dose spraying.csv --field fields.gpkg --where \"id='mill-field'\" --width 24 --nominal-rate "
+    "200 "
+    "-o dose.tif --picture dose.png\n"
+    "  tramline dose spraying.csv --width 24 --nominal-rate 200 --wind 4,270 --pattern boom.csv --cell 0.5\n"
+    "  tramline dose coverage.gpkg --nominal-rate 200 --json\n"
+    "Rates in the log win over --nominal-rate. What the figures mean: docs/dose.md.";
+
+constexpr double kKmh = 1 / 3.6;
+
+/// "4,270": m/s, and the degrees it blows from.
+coverage::WindSettings wind_of(const std::string& text, coverage::WindSettings out) {
+  char* end = nullptr;
+  const double speed_mps = std::strtod(text.c_str(), &end);
+  const bool has_comma = end != text.c_str() && *end == ',';
+  const char* second = has_comma ? end + 1 : end;
+  const double from_deg = has_comma ? std::strtod(second, &end) : 0;
+  const bool understood = has_comma && end != second && *end == '\0' && std::isfinite(speed_mps) &&
+                          std::isfinite(from_deg) && speed_mps >= 0 && speed_mps <= 50;
+  if (!understood)
+    throw bad_input(fmt::format(
+        "--wind {}: give its speed, from 0 to 50 m/s, and the degrees it blows from, such as 4,270", text));
+  out.speed_mps = speed_mps;
+  out.from = Heading::clockwise_from_north(Angle::degrees(from_deg));
+  return out;
+}
+
+class DoseCommand : public Command {
+ public:
+  Verb setup(CLI::App& program) override {
+    Verb verb(program, "dose", kHelp);
+    verb.add_option("INPUT", input_,
+                    "a log, in any format that evaluate reads, or a coverage file of tramline evaluate -o");
+    add_field_choice(verb, field_);
+    verb.add_option("--log", drive_.log.log, "which log of an ISOXML task set, such as TLG00001");
+    add_drive_options(verb, drive_);
+    verb.remove_option("--repeat");  // amounts know nothing of it
+    add_rate_options(verb);
+    add_wind_options(verb);
+    verb.add_option("--cell", settings_.cell_m, "side of a cell of the map, m")
+        .in_range(0.01, 1000.0)
+        .shows_default();
+    verb.add_option("-o,--output", output_, "write the map to this GeoTIFF (.tif)");
+    verb.add_option("--picture", picture_, "draw it to this .png, .svg or .pdf");
+    verb.add_option("--threads", settings_.evaluate.threads, "threads to use (default: all cores)")
+        .in_range(0, 1024);
+    verb.add_flag("--json", json_, "print one JSON object instead of the table");
+    verb.add_flag("--quiet", quiet_, "no progress, no table");
+    verb.footer(kExample);
+    return verb;
+  }
+
+  int run() override {
+    if (input_.empty()) throw bad_input("name a log, or a coverage file of tramline evaluate -o");
+    const std::vector<std::string> inputs{input_, field_.file, pattern_file_};
+    require_writable(output_, "--output", {".tif", ".tiff"}, inputs);
+    require_writable(picture_, "--picture", {".png", ".svg", ".pdf"}, inputs);
+    const auto start = std::chrono::steady_clock::now();
+    const DoseMap map = io::is_coverage_file(input_) ? of_coverage() : of_log();
+    if (!output_.empty()) io::write_raster(map, output_);
+    if (!picture_.empty()) render::draw_dose(map, picture_);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (json_)
+      print_json_line(dose_json(map, seconds));
+    else if (!quiet_)
+      print_result(dose_table(map, seconds));
+    return 0;
+  }
+
+ private:
+  void add_rate_options(Verb& verb) {
+    verb.add_option("--nominal-rate", settings_.rates.nominal_per_ha,
+                    "amount a hectare where the log has none")
+        .in_range(1e-6, 1e9);
+    verb.add_option("--unit", unit_, "unit of the amounts, where the log does not say (default: l)")
+        .one_of({"l", "kg", "t", "m3", "seeds"});
+    verb.add_flag("--no-logged-rate", no_logged_, "the nominal rate everywhere, whatever the log says");
+    verb.add_option(
+            "--nominal-speed", nominal_kmh_,
+            "of a machine without rate control: the speed, km/h, at which it applies the nominal rate; "
+            "slower applies more")
+        .in_range(0.1, 100.0);
+    verb.add_option("--pattern", pattern_file_,
+                    "a table of offsets, m left of the machine's middle, and relative rates (default: even)");
+  }
+
+  void add_wind_options(Verb& verb) {
+    verb.add_option("--wind", wind_text_, "SPEED,FROM: m/s, and the degrees it blows from, such as 4,270");
+    verb.add_option("--drift-share", wind_.share, "share of the spray that goes with the wind")
+        .in_range(0.0, 1.0)
+        .shows_default();
+    verb.add_option("--nozzle-height", wind_.height_m, "what drifts falls from this height, m")
+        .in_range(0.01, 20.0)
+        .shows_default();
+    verb.add_option("--fall-speed", wind_.fall_mps, "at this speed, m/s")
+        .in_range(0.01, 20.0)
+        .shows_default();
+    verb.add_option("--drift-spread", wind_.spread, "and spreads by this share of its shift")
+        .in_range(0.0, 2.0)
+        .shows_default();
+  }
+
+  coverage::DoseSettings settings() const {
+    coverage::DoseSettings out = settings_;
+    apply(drive_, out.evaluate);
+    out.rates.use_logged = !no_logged_;
+    if (!std::isnan(nominal_kmh_)) {
+      if (std::isnan(out.rates.nominal_per_ha)) throw bad_input("--nominal-speed needs --nominal-rate");
+      out.rates.nominal_speed_mps = nominal_kmh_ * kKmh;
+    }
+    if (!wind_text_.empty()) out.wind = wind_of(wind_text_, wind_);
+    if (!pattern_file_.empty()) {
+      out.pattern = io::read_pattern(pattern_file_);
+      out.pattern_place = fmt::format("pattern '{}'", pattern_file_);
+    }
+    return out;
+  }
+
+  DoseMap of_coverage() const {
+    if (!field_.file.empty()) throw bad_input("--field goes with a log; a coverage file knows its field");
+    if (!pattern_file_.empty() || !std::isnan(nominal_kmh_))
+      throw bad_input(
+          "--pattern and --nominal-speed go with a log; a coverage file does not say how it was driven");
+    DoseMap out = coverage::dose(io::read_coverage(input_), settings());
+    out.unit = unit_.empty() ? "l" : unit_;
+    out.warnings.emplace_back(
+        "from regions: the nominal rate as often as ground was worked; speed and pattern are not known");
+    return out;
+  }
+
+  /// A log that does not say what it counts is not taken to count litres.
+  void tell_unknown_unit(DoseMap& map) const {
+    if (unit_.empty()) map.unit = "units";
+    map.warnings.push_back(unit_.empty()
+                               ? "the log does not say what its rates count: name it with --unit"
+                               : fmt::format("the logged rates have no unit: taken as {} a hectare", unit_));
+  }
+
+  DoseMap of_log() const {
+    const coverage::DoseSettings chosen = settings();
+    WorkLog log = io::read_log(input_, drive_.log);
+    const std::string folder = input_.substr(0, input_.find_last_of('/') + 1);
+    if (log.name.starts_with(folder)) log.name.erase(0, folder.size());
+    const std::string logged_unit = name(log.rate_unit);
+    if (!logged_unit.empty() && !unit_.empty() && unit_ != logged_unit)
+      throw bad_input(fmt::format("--unit {}: the rates in {} are in {}", unit_, log.name, logged_unit));
+    WorkGround ground;
+    if (const std::optional<WorkGround> field = work_ground(field_)) ground = *field;
+    ProgressLine progress(quiet_);
+    const std::string what = "laying " + log.name;
+    DoseMap out = coverage::dose(
+        placed_on(std::move(log), ground), ground.ground, chosen, [&](std::size_t done, std::size_t total) {
+          progress.show(what, static_cast<int>(done), static_cast<int>(total), "fixes");
+        });
+    out.field_id = ground.field_id;
+    out.field = ground.ground;
+    out.frame = ground.frame;
+    out.unit = !logged_unit.empty() ? logged_unit : unit_.empty() ? "l" : unit_;
+    if (logged_unit.empty() && out.logged_amount > 0) tell_unknown_unit(out);
+    return out;
+  }
+
+  FieldOptions field_;
+  DriveOptions drive_;
+  coverage::DoseSettings settings_;
+  coverage::WindSettings wind_;
+  std::string input_, pattern_file_, output_, picture_, unit_, wind_text_;
+  double nominal_kmh_ = std::numeric_limits<double>::quiet_NaN();
+  bool no_logged_ = false, json_ = false, quiet_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_dose_command() { return std::make_unique<DoseCommand>(); }
+
+}  // namespace tramline::app

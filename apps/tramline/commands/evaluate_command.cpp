@@ -1,0 +1,268 @@
+// tramline evaluate: what was worked, worked again and missed.
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands/command.h"
+#include "commands/evaluate_jobs.h"
+#include "options/drive_options.h"
+#include "options/field_options.h"
+#include "output/output_target.h"
+#include "output/progress.h"
+#include "output/result_output.h"
+#include "report/evaluate_report.h"
+#include "report/report_parts.h"
+#include "request/evaluate_input.h"
+#include "request/log_jobs.h"
+#include "request/output_names.h"
+#include "request/plan_and_done.h"
+#include "tramline/coverage/drive/plan_steps.h"
+#include "tramline/coverage/evaluate.h"
+#include "tramline/geometry/error.h"
+#include "tramline/io/coverage/write_coverage.h"
+#include "tramline/io/plan/read_plan.h"
+#include "tramline/render/coverage/draw_coverage.h"
+
+namespace tramline::app {
+namespace {
+
+constexpr const char* kHelp =
+    "Evaluate a recorded drive, or the drive of a plan: which ground was covered, worked again and missed";
+constexpr const char* kExample =
+    "Example:\n"
+    "  tramline evaluate spraying.csv --field fields.gpkg --where \"id='mill-field'\" --width 24 --picture "
+    "done.png\n"
+    "  tramline evaluate TASKDATA.zip --log TLG00001 --json -o coverage.gpkg\n"
+    "  tramline evaluate TASKDATA.zip --field TASKDATA.zip --job 2\n"
+    "  tramline evaluate --plan plan.gpkg\n"
+    "  tramline evaluate spraying.csv --plan plan.gpkg --width 24\n"
+    "  tramline evaluate spraying.csv --field field.geojson --with repair.gpkg\n"
+    "Widths and work states in the log win over --width. Formats of logs: docs/logs.md.";
+
+class EvaluateCommand : public Command {
+ public:
+  Verb setup(CLI::App& program) override {
+    Verb verb(program, "evaluate", kHelp);
+    verb.add_option(
+        "LOG", log_file_,
+        "the drive: CSV, NMEA 0183, GPX, ISOXML task data (folder, zip or one time log), or points or "
+        "worked polygons of a vector file; .gz too");
+    add_field_choice(verb, field_);
+    Option plan =
+        verb.add_option("--plan", plan_file_, "a plan file: evaluate its drive, or compare LOG with it");
+    verb.add_option("--with", with_files_,
+                    "a plan file whose drive is taken as done after LOG's, such as a repair; may be given "
+                    "again and again")
+        .one_value_each_time()
+        .excludes(plan);
+    verb.add_option("--log", drive_.log.log, "which log of an ISOXML task set, such as TLG00001");
+    verb.add_option("--job", job_, "which job, by its number, where a log has several").in_range(1, 1000000);
+    add_drive_options(verb, drive_);
+    add_engine_options(verb);
+    verb.add_option("-o,--output", output_, "write the coverage to this GeoPackage (.gpkg)");
+    verb.add_option("--picture", picture_, "draw it to this .png, .svg or .pdf");
+    verb.add_option("--threads", settings_.threads, "threads to use (default: all cores)").in_range(0, 1024);
+    verb.add_flag("--json", json_, "print one JSON object instead of the table");
+    verb.add_flag("--quiet", quiet_, "no progress, no table");
+    verb.footer(kExample);
+    return verb;
+  }
+
+  int run() override {
+    if (log_file_.empty() && !with_files_.empty())
+      throw bad_input("--with adds the drive of a plan to that of a log: name the log, or use --plan");
+    if (log_file_.empty() && plan_file_.empty())
+      throw bad_input("name a log to evaluate, or a plan with --plan");
+    if (log_file_.empty() && !field_.file.empty())
+      throw bad_input("--field goes with a log; a plan is evaluated on the ground it was made for");
+    std::vector<std::string> inputs{log_file_, field_.file, plan_file_};
+    inputs.insert(inputs.end(), with_files_.begin(), with_files_.end());
+    require_writable(output_, "--output", {".gpkg"}, inputs);
+    require_writable(picture_, "--picture", {".png", ".svg", ".pdf"}, inputs);
+    std::optional<Plan> plan;
+    if (!plan_file_.empty()) plan = io::read_plan(plan_file_);
+    if (log_file_.empty()) {
+      const auto start = std::chrono::steady_clock::now();
+      Evaluation evaluation = plan_alone(*plan);
+      finish(evaluation, start);
+      write(evaluation, output_, picture_);
+      print(evaluation);
+      return 0;
+    }
+    std::vector<NumberedJob> jobs = jobs_of(log_file_, drive_.log, job_);
+    if (jobs.size() > 1) return several(plan, std::move(jobs));
+    const auto start = std::chrono::steady_clock::now();
+    io::LogJob& job = jobs.front().job;
+    WorkGround ground = ground_of(plan, job);
+    Evaluation evaluation = drive(plan, std::move(job.log), std::move(ground));
+    finish(evaluation, start);
+    write(evaluation, output_, picture_);
+    print(evaluation);
+    return 0;
+  }
+
+ private:
+  using TimePoint = std::chrono::steady_clock::time_point;
+
+  void finish(Evaluation& evaluation, TimePoint start) const {
+    evaluation.repeat = settings().repeat;
+    evaluation.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  /// Each job by itself, with files of its own.
+  int several(const std::optional<Plan>& plan, std::vector<NumberedJob> jobs) const {
+    if (!with_files_.empty())
+      throw bad_input(fmt::format("--with goes with one job and '{}' has {}; choose one with --job",
+                                  log_file_, jobs.size()));
+    OutputNames outputs(output_, Naming::kWithId), pictures(picture_, Naming::kWithId);
+    JobWork work;
+    work.ground = [&](const io::LogJob& job) { return ground_of(plan, job); };
+    work.evaluate = [&](WorkLog log, WorkGround ground) {
+      const auto start = std::chrono::steady_clock::now();
+      Evaluation out = drive(plan, std::move(log), std::move(ground));
+      finish(out, start);
+      return out;
+    };
+    work.write = [&](const Evaluation& evaluation, const std::string& name) {
+      write(evaluation, output_.empty() ? "" : outputs.next(name).string(),
+            picture_.empty() ? "" : pictures.next(name).string());
+    };
+    return evaluate_jobs(std::move(jobs), work, {json_, quiet_});
+  }
+
+  void add_engine_options(Verb& verb) {
+    verb.add_option("--engine", engine_,
+                    "'exact', or 'mesh' as in the paper (S3): slow, right to some per mille")
+        .one_of({"exact", "mesh"})
+        .shows_default();
+    verb.add_option("--mesh", settings_.mesh_m, "side of a mesh with --engine mesh, m")
+        .in_range(0.005, 1.0)
+        .shows_default();
+    verb.add_option("--slice", settings_.slice, "also give the figures after every so many fixes")
+        .in_range(1, 1000000000);
+  }
+
+  coverage::EvaluateSettings settings() const {
+    coverage::EvaluateSettings out = settings_;
+    apply(drive_, out);
+    out.engine = engine_ == "mesh" ? coverage::EngineKind::kMesh : coverage::EngineKind::kExact;
+    out.shapes = !output_.empty() || !picture_.empty();
+    return out;
+  }
+
+  /// The drive of a plan, headland passes too, over the ground it has to cover: the field less its obstacles,
+  /// or what a repair is for. The figures of plans of earlier versions are of the tracks and the body alone.
+  Evaluation plan_alone(const Plan& plan) const {
+    Evaluation out;
+    const bool tracks_alone = plan.figures == PlanFigures::kTracks;
+    const Region land = is_repair(plan) || tracks_alone ? plan.body : work_ground(plan).ground;
+    out.coverage = coverage::evaluate(tracks_alone ? coverage::plan_steps(plan) : coverage::steps_of(plan),
+                                      plan.machine.width_m, land, settings());
+    out.coverage.lines = lines_of(plan, tracks_alone);
+    out.coverage.field_id = plan.field.id;
+    out.coverage.field = land;
+    out.coverage.frame = plan.field.frame;
+    out.tally = PlanTally{plan_file_, area(land), area(plan.body), plan.tally};
+    return out;
+  }
+
+  /// The way that the plan plans, a run for each piece and headland pass.
+  static std::vector<DrivenLine> lines_of(const Plan& plan, bool tracks_alone) {
+    std::vector<DrivenLine> out;
+    constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+    const coverage::FurtherWork work = work_of(plan, plan.field.frame);
+    const std::size_t count = tracks_alone ? plan.pieces.size() : work.lines.size();
+    for (std::size_t i = 0; i < count; ++i)
+      out.push_back({static_cast<int>(i), work.lines[i], kNever, kNever});
+    return out;
+  }
+
+  /// Where the job was to work: none where neither a field nor a plan was given.
+  WorkGround ground_of(const std::optional<Plan>& plan, const io::LogJob& job) const {
+    if (const std::optional<WorkGround> field = work_ground(field_of_job(field_, log_file_, job)))
+      return *field;
+    return plan ? work_ground(*plan) : WorkGround{};
+  }
+
+  Evaluation drive(const std::optional<Plan>& plan, WorkLog read, WorkGround ground) const {
+    std::vector<Plan> with;
+    for (const std::string& file : with_files_) with.push_back(io::read_plan(file));
+    if (ground.ground.empty() && !with.empty()) ground = work_ground(with.front());
+    const std::optional<WorkLog> as_read = plan ? std::optional(read) : std::nullopt;
+    Evaluation out;
+    WorkLog placed = placed_on(std::move(read), ground);
+    out.coverage = evaluated(std::move(placed), ground.ground, work_of_all(with, ground.frame));
+    for (std::size_t i = 0; i < with.size(); ++i) out.with.push_back(with_files_[i]);
+    out.coverage.field_id = ground.field_id;
+    out.coverage.field = ground.ground;
+    out.coverage.frame = ground.frame;
+    if (plan) out.compared = compared(*plan, *as_read);
+    return out;
+  }
+
+  /// One plan after the other.
+  static coverage::FurtherWork work_of_all(const std::vector<Plan>& plans, const LocalFrame& frame) {
+    coverage::FurtherWork out;
+    for (const Plan& plan : plans) {
+      const int first = static_cast<int>(out.lines.size());
+      coverage::FurtherWork more = work_of(plan, frame);
+      for (coverage::WorkedStep& step : more.steps) {
+        step.run += first;
+        out.steps.push_back(std::move(step));
+      }
+      for (std::vector<Point>& line : more.lines) out.lines.push_back(std::move(line));
+    }
+    return out;
+  }
+
+  Coverage evaluated(WorkLog log, const Region& field, const coverage::FurtherWork& further = {}) const {
+    ProgressLine progress(quiet_);
+    const coverage::FixProgress show = shown_by(progress, log.name);
+    return coverage::evaluate(std::move(log), field, settings(), show, {}, further);
+  }
+
+  /// `progress` has to outlive it.
+  static coverage::FixProgress shown_by(ProgressLine& progress, const std::string& log) {
+    return [&progress, what = "evaluating " + log](std::size_t done, std::size_t total) {
+      progress.show(what, static_cast<int>(done), static_cast<int>(total), "fixes");
+    };
+  }
+
+  PlanAndDone compared(const Plan& plan, const WorkLog& read) const {
+    ProgressLine progress(quiet_);
+    return plan_and_done(plan, plan_file_, read, settings(), shown_by(progress, read.name));
+  }
+
+  static void write(const Evaluation& evaluation, const std::string& output, const std::string& picture) {
+    if (!output.empty()) io::write_coverage(evaluation.coverage, output);
+    if (!picture.empty()) render::draw_coverage(evaluation.coverage, picture);
+  }
+
+  void print(const Evaluation& evaluation) const {
+    if (json_)
+      print_json_line(evaluation_json(evaluation));
+    else if (!quiet_)
+      print_result(evaluation_table(evaluation));
+  }
+
+  FieldOptions field_;
+  DriveOptions drive_;
+  coverage::EvaluateSettings settings_;
+  std::string log_file_, plan_file_, output_, picture_;
+  std::vector<std::string> with_files_;
+  std::string engine_ = "exact";
+  std::optional<std::size_t> job_;
+  bool json_ = false, quiet_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_evaluate_command() { return std::make_unique<EvaluateCommand>(); }
+
+}  // namespace tramline::app

@@ -1,0 +1,237 @@
+// tramline plan: a field and a machine in, the passes out.
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include "commands/command.h"
+#include "commands/many_fields.h"
+#include "commands/plan_run_input.h"
+#include "options/field_options.h"
+#include "options/plan_options.h"
+#include "output/output_target.h"
+#include "output/plan_outputs.h"
+#include "output/progress.h"
+#include "output/search_end.h"
+#include "report/explain_report.h"
+#include "report/plan_report.h"
+#include "report/plan_summary.h"
+#include "request/field_key.h"
+#include "tramline/geometry/error.h"
+#include "tramline/planner/pareto/trade_off.h"
+#include "tramline/planner/plan_field.h"
+#include "tramline/planner/validate_request.h"
+
+namespace tramline::app {
+namespace {
+
+constexpr const char* kExample =
+    "Example:\n"
+    "  tramline plan field.geojson --width 3 --radius 6 -o plan.gpkg --picture plan.png\n"
+    "  tramline plan parcels.gpkg --layer parcels --where \"crop='wheat'\" --all --json\n"
+    "  tramline plan parcels.gpkg --all --width 6 -o plans.gpkg --one-file --resume\n"
+    "  tramline plan field.geojson --width 3 --explain\n"
+    "  tramline plan field.geojson --width 3 --clearance 0.5 --zoom-obstacles closeups\n"
+    "  tramline plan field.geojson --width 3 --avoid paper --avoid-threshold 4 -o paper.gpkg\n"
+    "Without -o, --picture and --zoom-obstacles nothing is written.";
+
+constexpr const char* kMapExample =
+    "Example:\n"
+    "  tramline map field.geojson --width 4 --headlands 2 --ab \"9.1871,48.7120 9.1893,48.7131\" -o "
+    "map.gpkg\n"
+    "  tramline map field.geojson --width 4 --headlands 2 --curved auto --end-rule cover --picture map.png\n"
+    "  tramline map field.geojson --width 6 --guide lines.gpkg --guide-where \"name='AB 1'\" --json\n"
+    "Takes the options of 'tramline plan', which makes the same of them.";
+
+/// The verbs `plan` and `map`: the second is the first in the words of those who ask for the map of a field.
+class PlanCommand : public Command {
+ public:
+  PlanCommand(const char* word, const char* about, const char* example)
+      : word_(word), about_(about), example_(example) {}
+
+  Verb setup(CLI::App& program) override {
+    Verb verb(program, word_, about_);
+    verb.footer(example_);
+    add_field_options(verb, field_options_);
+    add_plan_options(verb, plan_options_);
+    const Option output =
+        verb.add_option("-o,--output", wanted_.plan, "write the plan to this GeoPackage (.gpkg)");
+    verb.add_option("--picture", wanted_.picture, "draw the plan to this .png, .svg or .pdf");
+    verb.add_option("--zoom-obstacles", wanted_.close_ups,
+                    "draw a close-up of every obstacle into this folder, which is made if missing");
+    verb.add_flag("--one-file", wanted_.one_file,
+                  "put the plans of all fields into the one file of --output, instead of a file for each")
+        .needs(output);
+    verb.add_flag("--resume", resume_,
+                  "go on where a former run of the same command ended: fields that it has finished are "
+                  "not planned again");
+    verb.add_flag("--explain", explain_,
+                  "also say how the plan was found and why this one: its cost and what causes it, how much "
+                  "less any plan "
+                  "could cost, how much more the next best does, repairs and all notes");
+    verb.add_flag(
+        "--front", front_,
+        "look for other plans worth a choice too (see 'tramline compare'), and keep their numbers in "
+        "the plan file and in --json");
+    add_seconds_option(verb, seconds_);
+    verb.add_option("--threads", threads_, "threads to use (default: all cores)").in_range(0, 1024);
+    verb.add_flag("--json", json_, "print one JSON object per field");
+    verb.add_flag("--quiet", quiet_, "no progress, no table");
+    return verb;
+  }
+
+  int run() override {
+    machine_ = machine_of(plan_options_);
+    objective_ = objective_of(plan_options_);
+    settings_ = settings_of(plan_options_);
+    validate_request(machine_, objective_, settings_);
+    const std::vector<std::string> inputs{field_options_.file, field_options_.obstacles_file,
+                                          field_options_.passable_file, plan_options_.machine_file,
+                                          plan_options_.guide_file};
+    require_writable(wanted_.plan, "--output", {".gpkg"}, inputs);
+    require_writable(wanted_.picture, "--picture", {".png", ".svg", ".pdf"}, inputs);
+    require_folder(wanted_.close_ups, "--zoom-obstacles");
+    if (resume_ && wanted_.plan.empty() && wanted_.picture.empty() && wanted_.close_ups.empty())
+      throw bad_input(
+          "--resume needs --output, --picture or --zoom-obstacles: what is finished is noted beside them");
+    const FieldInput input = load_fields(field_options_);
+    if (!input.fields.empty()) guide_ = guide_of(plan_options_, input.fields.front().source.input_crs);
+    const bool one_name = !field_options_.all && input.fields.size() == 1;
+    const bool single = one_name && !wanted_.one_file && !resume_;
+    PlanOutputs outputs(wanted_, input.fields, one_name ? Naming::kAsGiven : Naming::kWithId);
+    return single ? plan_single(input.fields.front(), input.skipped, outputs) : plan_many(input, outputs);
+  }
+
+ private:
+  int plan_single(const Field& field, const std::vector<Skipped>& skipped, PlanOutputs& outputs) const {
+    const InterruptEndsSearches interruptible;
+    const Planned planned = plan_one(field);
+    outputs.write(planned.plan);
+    return show_single(field,
+                       {json_of(planned, skipped),
+                        plan_summary(planned.plan, skipped) + explanation_of(planned, skipped),
+                        {}},
+                       report());
+  }
+
+  /// Several features, or the parts of one.
+  int plan_many(const FieldInput& input, PlanOutputs& outputs) const {
+    const auto work = [&](const Field& field) {
+      const Planned planned = plan_one(field);
+      return FieldResult{json_of(planned, {}),
+                         plan_line(planned.plan, planned.seconds) + explanation_of(planned, {}),
+                         outputs.write(planned.plan)};
+    };
+    if (outputs.record_file().empty()) return work_on_many_fields(input, report(), work);
+    const RunRecord::Start start = resume_ ? RunRecord::Start::kResume : RunRecord::Start::kAnew;
+    RunRecord record(outputs.record_file(), start);
+    std::vector<std::pair<std::string, std::string>> made_from;
+    for (const Field& field : input.fields) made_from.emplace_back(field_key(field), digest(field));
+    outputs.begin(record, made_from, start);
+    const int code = work_on_many_fields(input, report(), work,
+                                         {&record, [&](const Field& field) { return digest(field); }});
+    outputs.finish(record, made_from);
+    return code;
+  }
+
+  ManyFieldsReport report() const { return {json_, quiet_, "planned"}; }
+
+  /// Of all that the result for a field depends on.
+  std::string digest(const Field& field) const {
+    Plan asked;
+    asked.field = field;
+    asked.machine = machine_;
+    asked.objective = objective_;
+    asked.settings = settings_for(settings_, guide_, field, machine_);
+    return digest_of(made_from_text(
+        asked, fmt::format("{}\n{}\n{}\n{} {} {} {}", wanted_.plan, wanted_.picture, wanted_.close_ups,
+                           wanted_.one_file, explain_, front_, seconds_.value_or(0))));
+  }
+
+  struct Planned {
+    Plan plan;
+    std::optional<Explanation> why;
+    double seconds = 0;
+  };
+
+  Planned plan_one(const Field& field) const {
+    ProgressLine progress(quiet_);
+    const PlanSettings settings = settings_for(settings_, guide_, field, machine_);
+    const auto start = std::chrono::steady_clock::now();
+    Planned out;
+    if (front_) {
+      plan_with_front(field, settings, progress, out);
+    } else if (explain_) {
+      ExplainedPlan both =
+          plan_and_explain(field, machine_, objective_, settings, threads_, shown(field, progress));
+      out.plan = std::move(both.plan);
+      out.why = std::move(both.why);
+    } else {
+      out.plan = plan_field(field, machine_, objective_, settings, threads_, shown(field, progress));
+    }
+    out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return out;
+  }
+
+  nlohmann::ordered_json json_of(const Planned& planned, const std::vector<Skipped>& skipped) const {
+    nlohmann::ordered_json out = plan_json(planned.plan, skipped, planned.seconds);
+    if (explain_) out["explain"] = planned.why ? explain_json(*planned.why) : nlohmann::ordered_json();
+    return out;
+  }
+
+  std::string explanation_of(const Planned& planned, const std::vector<Skipped>& skipped) const {
+    if (!explain_) return "";
+    return plan_details(planned.plan, skipped, planned.seconds) +
+           (planned.why ? explain_rows(*planned.why, planned.plan.cost)
+                        : "cost by cause  is known of straight tracks only\n");
+  }
+
+  Progress shown(const Field& field, ProgressLine& progress) const {
+    return [&field, &progress, end = SearchEnd(seconds_)](int done, int total) {
+      progress.show("planning " + field.id, done, total);
+      return end.demand();
+    };
+  }
+
+  /// One search for all that is asked for.
+  void plan_with_front(const Field& field, const PlanSettings& settings, ProgressLine& progress,
+                       Planned& out) const {
+    TradeOff found = trade_off(field, machine_, objective_, settings, threads_,
+                               [&field, &progress, end = SearchEnd(seconds_)](int done, int total) {
+                                 progress.show("comparing " + field.id, done, total, "searches");
+                                 return end.demand();
+                               });
+    out.plan = given_plan(found);
+    if (explain_) out.why = why_given(found, threads_);
+    out.plan.front = std::move(found.front);
+  }
+
+  const char* word_;
+  const char* about_;
+  const char* example_;
+  FieldOptions field_options_;
+  PlanOptions plan_options_;
+  std::optional<GuideLine> guide_;
+  WantedFiles wanted_;
+  int threads_ = 0;
+  std::optional<double> seconds_;
+  bool explain_ = false, front_ = false, resume_ = false, json_ = false, quiet_ = false;
+  Machine machine_;
+  Objective objective_;
+  PlanSettings settings_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_plan_command() {
+  return std::make_unique<PlanCommand>("plan", "Plan every pass over a field", kExample);
+}
+std::unique_ptr<Command> make_map_command() {
+  return std::make_unique<PlanCommand>(
+      "map", "Map a field: headlands, body, tracks along a line or a curve, swaths and their overlap",
+      kMapExample);
+}
+
+}  // namespace tramline::app

@@ -1,0 +1,160 @@
+// tramline serve: the page, and the API behind it.
+
+#include <fmt/format.h>
+#include <pthread.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "commands/command.h"
+#include "server/http/gate.h"
+#include "server/server.h"
+#include "server/store/new_id.h"
+#include "tramline/geometry/error.h"
+
+namespace tramline::app {
+namespace {
+
+constexpr const char* kAbout =
+    "Serve a web page to plan, compare and replay on, to the browsers of this computer";
+
+constexpr const char* kExample =
+    "Example:\n"
+    "  tramline serve\n"
+    "  tramline serve farm --port 9000\n"
+    "  tramline serve --feed-dir /srv/drives\n"
+    "  tramline serve --host 0.0.0.0 --tiles \"https://tile.example.org/{z}/{x}/{y}.png\"\n"
+    "Fields, machines, plans and drives are kept in DIR as GeoPackages. Nothing leaves this computer unless "
+    "--host\n"
+    "or --tiles is given; with --host whoever comes from elsewhere needs the token in the address that is "
+    "printed.";
+
+/// Ends the server at SIGINT or SIGTERM. The signals have to be blocked in all threads.
+class StopAtSignal {
+ public:
+  StopAtSignal(server::Server& server, const sigset_t& signals)
+      : thread_([this, &server, signals] {
+          using namespace std::chrono_literals;
+          const timespec while_waiting{0, 200'000'000};
+          while (!over_ && sigtimedwait(&signals, nullptr, &while_waiting) < 0) {
+          }
+          // A server that is only just starting is not yet there to be stopped.
+          for (; !over_; std::this_thread::sleep_for(20ms)) server.stop();
+        }) {}
+  ~StopAtSignal() {
+    over_ = true;
+    thread_.join();
+  }
+  StopAtSignal(const StopAtSignal&) = delete;
+  StopAtSignal& operator=(const StopAtSignal&) = delete;
+
+ private:
+  std::atomic<bool> over_ = false;
+  std::thread thread_;
+};
+
+class ServeCommand : public Command {
+ public:
+  Verb setup(CLI::App& program) override {
+    Verb verb(program, "serve", kAbout);
+    verb.footer(kExample);
+    verb.add_option("DIR", folder_,
+                    "folder to keep everything in, made if missing (default ~/.local/share/tramline)");
+    verb.add_option("--port", settings_.port, "port to listen on (default 8750); 0 for any that is free")
+        .in_range(0, 65535);
+    verb.add_option(
+        "--host", settings_.host,
+        "address to listen on (default 127.0.0.1: only this computer); another one asks for a token");
+    verb.add_option("--token", settings_.token, "the token to ask for (default: with --host one is made)");
+    verb.add_option(
+        "--tiles", settings_.tiles,
+        "URL of raster tiles to show under the map, with {z}, {x} and {y} (default: none, no network)");
+    verb.add_option("--tiles-attribution", settings_.tiles_attribution,
+                    "whom the tiles are from, shown on the map with them (default: the host of the URL)");
+    verb.add_option(
+            "--feed-dir", feed_folders_,
+            "folder whose files live feeds may read (file:///...), beside DIR; give it again for more")
+        .one_value_each_time();
+    verb.add_option("--threads", threads_, "taken by every verb; here each plan uses all cores")
+        .in_range(0, 1024);
+    verb.add_flag("--quiet", quiet_, "print nothing but errors");
+    return verb;
+  }
+
+  int run() override {
+    require_sensible();
+    settings_.feed_folders.assign(feed_folders_.begin(), feed_folders_.end());
+    settings_.folder = folder_.empty() ? server::default_folder() : std::filesystem::path(folder_);
+    if (settings_.token.empty() && !server::is_loopback(settings_.host))
+      settings_.token = server::new_token();
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGINT);
+    sigaddset(&signals, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+    // A file that grows beyond `ulimit -f` is a full disk, and not the end.
+    std::signal(SIGXFSZ, SIG_IGN);
+    server::Server server(settings_);
+    for (const std::string& warning : server.warnings())
+      fmt::print(stderr, "tramline: left aside: {}\n", warning);
+    if (!quiet_) announce(server);
+    const StopAtSignal stop(server, signals);
+    server.run();
+    return 0;
+  }
+
+ private:
+  void require_sensible() const {
+    constexpr std::size_t kShortest = 8;
+    if (!settings_.token.empty() &&
+        (settings_.token.size() < kShortest ||
+         settings_.token.find_first_not_of(
+             "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ-_") != std::string::npos))
+      throw bad_input("--token takes at least 8 letters, digits, '-' or '_'");
+    const bool web = settings_.tiles.starts_with("http://") || settings_.tiles.starts_with("https://");
+    if (!settings_.tiles.empty() && !web)
+      throw bad_input(
+          fmt::format("--tiles takes a URL that begins with https:// or http://, not '{}'", settings_.tiles));
+    const auto has = [&](const char* part) { return settings_.tiles.find(part) != std::string::npos; };
+    if (web && !(has("{z}") && has("{x}") && has("{y}")))
+      throw bad_input(fmt::format(
+          "--tiles takes a URL with {{z}}, {{x}} and {{y}} where the numbers of a tile belong, not '{}'",
+          settings_.tiles));
+    if (settings_.tiles.empty() && !settings_.tiles_attribution.empty())
+      throw bad_input("--tiles-attribution says whom tiles are from; give them with --tiles, too");
+  }
+
+  void announce(const server::Server& server) const {
+    const char* word = "tramline serves ";
+    for (const std::string& address : server.addresses()) {
+      fmt::print("{}{}\n", word, address);
+      word = "             or ";
+    }
+    fmt::print("and keeps everything in {}. Press Ctrl-C to end it.\n", settings_.folder.string());
+    std::fflush(stdout);
+  }
+
+  server::ServerSettings settings_{.folder = {},
+                                   .host = "127.0.0.1",
+                                   .port = 8750,
+                                   .token = {},
+                                   .tiles = {},
+                                   .tiles_attribution = {},
+                                   .feed_folders = {},
+                                   .limits = {}};
+  std::string folder_;
+  std::vector<std::string> feed_folders_;
+  int threads_ = 0;
+  bool quiet_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_serve_command() { return std::make_unique<ServeCommand>(); }
+
+}  // namespace tramline::app

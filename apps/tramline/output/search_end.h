@@ -1,0 +1,35 @@
+#pragma once
+// When a search ends before it is through: after --seconds, or at Ctrl-C.
+
+#include <chrono>
+#include <optional>
+
+#include "commands/verb.h"
+#include "tramline/planner/progress.h"
+
+namespace tramline::app {
+
+void add_seconds_option(Verb& verb, std::optional<double>& seconds);
+
+/// While it lives the first Ctrl-C (SIGINT) asks searches to end; a second one ends the program as ever. At
+/// most one of them at a time.
+class InterruptEndsSearches {
+ public:
+  InterruptEndsSearches();
+  InterruptEndsSearches(const InterruptEndsSearches&) = delete;
+  InterruptEndsSearches& operator=(const InterruptEndsSearches&) = delete;
+  ~InterruptEndsSearches();
+};
+
+/// What one search is told, whose time begins with the object.
+class SearchEnd {
+ public:
+  explicit SearchEnd(std::optional<double> seconds) : seconds_(seconds) {}
+  Demand demand() const;
+
+ private:
+  std::optional<double> seconds_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace tramline::app

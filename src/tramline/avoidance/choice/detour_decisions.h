@@ -1,0 +1,94 @@
+#pragma once
+// The state of all decisions of one candidate while they are being made.
+
+#include "tramline/avoidance/choice/decision.h"
+#include "tramline/avoidance/choice/detour_pruning.h"
+#include "tramline/avoidance/choose_detours.h"
+#include "tramline/cost/worked/worked_ground.h"
+
+namespace tramline {
+
+/// All tracks that obstacles block, their options, and what is chosen so far. Starts with every track
+/// cut, and our own ways to choose from. Refers to the task.
+class DetourDecisions {
+ public:
+  explicit DetourDecisions(const AvoidanceTask& task);
+  /// With the ways that were found and chosen for the same task before, and what they are worth.
+  DetourDecisions(const AvoidanceTask& task, std::vector<Decision> found);
+
+  /// From now on these are chosen from. What is chosen stays.
+  void allow(WaysPast ways);
+  WaysPast ways() const { return ways_; }
+  /// Chooses S1's way at every gap that has one. False where none has. Precondition: they are allowed.
+  bool take_paper_ways();
+  /// Chooses the detours that these tracks have.
+  void take_from(const std::vector<LaidTracks>& tracks);
+  /// Gives every track the choice that costs least while the others stay, until none changes. False
+  /// where nothing changed.
+  bool improve();
+
+  std::vector<LaidTracks> tracks() const;
+  std::vector<Decision> decisions() && { return std::move(tracks_); }
+  /// What is decided where, and what the other ways that are allowed would cost.
+  std::vector<PlacedEncounter> encounters();
+
+ private:
+  const TrackFamily& family_of(const Decision& decision) const {
+    return task_.families[decision.track.family];
+  }
+  const Track& track_of(const BlockedTrack& blocked) const {
+    return task_.families[blocked.family].tracks[blocked.place];
+  }
+  const Track& track_of(const Decision& decision) const { return track_of(decision.track); }
+  void turn_ground();
+  void work(std::size_t family, std::size_t place, const std::vector<TrackDetour>& detours);
+  void choose(Decision& decision, std::vector<TrackDetour> detours);
+  void mark_stale_near(const Decision& decision, const std::vector<TrackDetour>& detours);
+
+  // detour_options.cpp
+  void add_tracks(std::size_t family);
+  TrackTerms terms_of(const BlockedTrack& track) const;
+  void add_options(BlockedTrack& track);
+  void add_own_options(BlockedTrack& track, Passing side);
+  void add_option(BlockedTrack& track, const WayRound& way);
+  void add(BlockedTrack& track, const WayRound& way, Construction by);
+  WayRound way_past_gaps(const BlockedTrack& track, std::size_t first, std::size_t last, Passing side) const;
+  void add_versleijen_option(BlockedTrack& track, std::size_t gap);
+  WayRound named(const BlockedTrack& track, WayRound way) const;
+  std::vector<std::size_t> obstacles_in(const BlockedTrack& track, Interval gap) const;
+  std::vector<std::size_t> obstacles_along(const BlockedTrack& track, const std::vector<std::size_t>& hazards,
+                                           Interval range) const;
+  std::vector<std::size_t> obstacles_near(const Track& curved, Interval range) const;
+  void mark_expensive_options(Decision& decision);
+
+  // detour_improvement.cpp
+  void value(Decision& decision);
+  double saving_of(Decision& decision, std::vector<TrackDetour>* best_detours);
+  /// Tracks first to end − 1 that meet one obstacle, tried with one another.
+  struct Group {
+    std::size_t first = 0, end = 0;
+    std::vector<std::vector<TrackDetour>> best;  ///< empty: nothing saves more than most_saved
+    double most_saved = 0;
+  };
+  bool improve_groups();
+  bool improve_group(std::size_t first, std::size_t end);
+  void try_choices(Group& group, std::size_t at, double saved);
+
+  // detour_encounters.cpp
+  PlacedEncounter encounter_at(Decision& decision, std::size_t gap);
+  std::vector<std::size_t> obstacles_taken_along(const Decision& decision, const TrackDetour& detour) const;
+
+  const AvoidanceTask& task_;
+  WaysPast ways_ = WaysPast::kOwn;
+  double width_m_;
+  double least_m_;
+  std::vector<Surroundings> around_;  ///< by family
+  std::vector<std::vector<Interval>>
+      obstacles_;                        ///< by family of straight tracks and obstacle: where it lies along
+  std::vector<std::vector<Ring>> body_;  ///< its rings in the plane of each family
+  WorkedGround ground_;
+  int driven_ = 0;  ///< tracks with a piece
+  std::vector<Decision> tracks_;
+};
+
+}  // namespace tramline

@@ -1,0 +1,85 @@
+#include "tramline/avoidance/detour/versleijen_detour.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "tramline/avoidance/detour/track_side.h"
+#include "tramline/avoidance/tolerances.h"
+
+namespace tramline {
+namespace {
+
+/// How far the hazard's own outline lies to the side of a frame, at most.
+double farthest(const TurnedHazard& hazard, const DetourFrame& frame) {
+  if (hazard.round) return frame.to_detour(hazard.round->centre).y + hazard.round->radius;
+  return bounds(frame.to_detour(hazard.outline)).max_y;
+}
+
+/// Across the track.
+double extent_across(const TurnedHazard& hazard, const TrackSide& track) {
+  if (!track.curve) return hazard.box.width();
+  return bounds(track.frame.to_detour(hazard.outline)).height();
+}
+
+bool convex(const Ring& ring) {
+  constexpr double kStraight_m2 = 1e-9;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i], b = ring[(i + 1) % ring.size()], c = ring[(i + 2) % ring.size()];
+    if (cross(b - a, c - b) < -kStraight_m2) return false;
+  }
+  return true;
+}
+
+/// What the middle of the detour runs along.
+std::vector<KeepOut> buffer_of(const TurnedHazard& hazard, const DetourFrame& frame, double half_width,
+                               double radius) {
+  if (hazard.round)
+    return {{frame.to_detour(hazard.round->centre), std::max(hazard.round->radius + half_width, radius)}};
+  std::vector<KeepOut> out;
+  for (const Point corner : hazard.outline) out.push_back({frame.to_detour(corner), half_width});
+  return out;
+}
+
+/// Why the path, fitted into the track, cannot be driven.
+Refusal fault_in_track(const Obstruction& o, const TrackDetour& detour, const Surroundings& around) {
+  const Intervals& stretches = o.track.stretches;
+  if (stretch_at(stretches, detour.from) != o.gap - 1 || stretch_at(stretches, detour.to) != o.gap)
+    return Refusal::kVersleijenEndsBefore;
+  const double width_m = o.grid.width_m, least = std::max(o.radius_m, 0.5 * width_m);
+  if (smallest_radius(detour.path) < least * (1 - kRounding_share)) return Refusal::kTooTight;
+  const SwathLine line(detour.path, width_m);
+  for (const TurnedHazard& hazard : around.hazards)
+    if (runs_into(line, hazard)) return Refusal::kMeetsObstacle;
+  return fault_of(line, around);
+}
+
+}  // namespace
+
+WayRound versleijen_detour(const Obstruction& o, double threshold_m, const Surroundings& around) {
+  WayRound out;
+  out.first_gap = out.last_gap = o.gap;
+  const Interval gap{o.track.stretches[o.gap - 1].to, o.track.stretches[o.gap].from};
+  out.hazards = hazards_in(o.grid, o.track, gap, around);
+  const auto refuse = [&out](Refusal why) {
+    out.why_not = why;
+    return out;
+  };
+  if (out.hazards.size() != 1) return refuse(Refusal::kSeveralObstacles);
+  const TurnedHazard& hazard = around.hazards[out.hazards.front()];
+  const TrackSide to_the_left = track_side(o.grid, o.track, gap, Passing::kLeft);
+  const TrackSide to_the_right = track_side(o.grid, o.track, gap, Passing::kRight);
+  if (!(extent_across(hazard, to_the_left) < threshold_m)) return refuse(Refusal::kTooWide);
+  if (!hazard.round && !convex(hazard.outline)) return refuse(Refusal::kKinkedBuffer);
+
+  const bool left = farthest(hazard, to_the_left.frame) <= farthest(hazard, to_the_right.frame);
+  const TrackSide& track = left ? to_the_left : to_the_right;
+  const double half = 0.5 * o.grid.width_m, radius = std::max(o.radius_m, half);
+  std::optional<TrackDetour> found =
+      detour_beside(track, buffer_of(hazard, track.frame, half, radius), radius, HullCorners::kAsTheyAre);
+  out.detour.side = track.side;
+  if (!found) return refuse(Refusal::kNoSide);
+  out.detour = std::move(*found);
+  return refuse(fault_in_track(o, out.detour, around));
+}
+
+}  // namespace tramline

@@ -1,0 +1,22 @@
+#include "tramline/check/measure/worked_body.h"
+
+#include "tramline/check/measure/ground_cells.h"
+
+namespace tramline::check {
+
+WorkedBody worked_on(const Region& land, const std::vector<WorkedPart>& parts, std::size_t owners) {
+  constexpr std::size_t kLand = 0;
+  GroundEdges ground;
+  ground.add(land, kLand);
+  for (std::size_t i = 0; i < parts.size(); ++i) ground.add(parts[i].ground, i + 1);
+  WorkedBody out;
+  out.useful_m2.assign(owners, 0);
+  each_cell(ground, [&](const GroundCell& cell) {
+    if (cell.covers.front().shape != kLand || cell.covers.size() < 2) return;
+    out.useful_m2[parts[cell.covers[1].shape - 1].piece] += cell.area_m2;
+    out.covered_m2 += cell.area_m2;
+  });
+  return out;
+}
+
+}  // namespace tramline::check

@@ -1,0 +1,78 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "tramline/check/measure/bands.h"
+#include "tramline/check/rules/rules.h"
+#include "tramline/check/tolerances.h"
+#include "tramline/geometry/polygon/boolean.h"
+
+namespace tramline::check {
+namespace {
+
+void report(const Region& wrong, double tolerance_m2, const std::string& what, Violations& out) {
+  if (const double amount = area(wrong); amount > tolerance_m2)
+    out.push_back({Rule::kBody, fmt::format(fmt::runtime(what), amount), place_on_largest(wrong), amount});
+}
+
+double extent_m(const Polygon& polygon) {
+  double out = 0;
+  for (const Point a : polygon.outer)
+    for (const Point b : polygon.outer) out = std::max(out, distance(a, b));
+  return out;
+}
+
+double least_track_m(const Plan& plan) {
+  return std::max(min_length_m(plan.machine), 2 * plan.machine.width_m);
+}
+
+/// Parts in which no swath has room, by more than chords and the grid may take of it, and which are no strip
+/// of a third of the width, either, twice as long as a track has to be.
+Region without_room(const Region& parts, const Plan& plan) {
+  constexpr double kShare = 0.97;
+  const double half_m = 0.5 * kShare * plan.machine.width_m, long_m = kShare * least_track_m(plan);
+  Region out;
+  for (const Polygon& part : parts) {
+    const double extent = extent_m(part);
+    const bool wide = extent >= long_m && !buffered({part}, -half_m).empty();
+    if (!wide && (extent < 2 * long_m || buffered({part}, -half_m / 3).empty())) out.push_back(part);
+  }
+  return out;
+}
+
+/// What is left of ground once it is made narrower by more than a swath on all sides: long enough for a track
+/// by itself.
+Region with_ample_room(const Region& ground, const Plan& plan) {
+  constexpr double kHalf = 0.55;
+  Region out = buffered(ground, -kHalf * plan.machine.width_m);
+  std::erase_if(out, [&](const Polygon& part) { return extent_m(part) < least_track_m(plan); });
+  return out;
+}
+
+}  // namespace
+
+void check_ceded_to_tracks(const Case& c, Violations& out) {
+  if (is_repair(c.plan) || c.near_boundaries.empty()) return;
+  const Region left = intersection(c.plan.body, c.near_boundaries);
+  const double tolerance_m2 = c.area_tolerance_m2 + c.round_edges_m2;
+  if (area(left) <= tolerance_m2 && c.plan.headland.unworked.empty()) return;
+  Region bands;
+  double all_arcs_m = 0;
+  for (const HeadlandPass& pass : c.plan.headland.passes) {
+    Region more = flat_bands_along(pass.path, c.plan.machine.width_m, kLayerSagitta);
+    bands.insert(bands.end(), more.begin(), more.end());
+    all_arcs_m += arcs_m(pass.path);
+  }
+  const double drawn_m2 = tolerance_m2 + kRoundEdge_m * 2 * all_arcs_m;
+  const Region worked = unite(bands);
+  report(intersection(left, worked), drawn_m2, "headland passes work {:.3f} m² that are left to tracks", out);
+  report(intersection(left, c.along_boundaries), drawn_m2, "{:.3f} m² left to tracks lie next to a boundary",
+         out);
+  report(without_room(left, c.plan), drawn_m2, "{:.3f} m² are left to tracks where none has room", out);
+  const Region idle = difference(difference(c.plan.headland.ground, worked), c.along_boundaries);
+  report(with_ample_room(idle, c.plan), 0, "tracks have room in {:.3f} m² of the headland that no pass works",
+         out);
+}
+
+}  // namespace tramline::check

@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tramline/check/measure/pass_clearances.h"
+#include "tramline/check/rules/rules.h"
+#include "tramline/check/tolerances.h"
+
+namespace tramline::check {
+namespace {
+
+/// One pass against the boundaries of the field.
+class PassCheck {
+ public:
+  PassCheck(const Case& c, std::size_t index, Violations& out)
+      : c_(c),
+        pass_(c.plan.headland.passes[index]),
+        name_(pass_name(index)),
+        lanes_(pass_clearances(pass_, c.plan.machine.width_m)),
+        out_(out) {}
+
+  void run() const {
+    for (const SwathClearance& swath : lanes_)
+      if (const auto place = swath.place_outside(c_.plan.field.outer)) {
+        out_.push_back({Rule::kSwaths, name_ + " leaves the field", *place, 0});
+        return;
+      }
+    const double room_m = kept_m(c_.plan.settings.headlands);
+    check_distance(
+        nearest([&](const SwathClearance& swath) { return swath.to_ring(c_.plan.field.outer, room_m); }),
+        room_m, "the boundary");
+    const auto& obstacles = c_.plan.field.obstacles;
+    for (std::size_t k = 0; k < obstacles.size(); ++k) {
+      if (obstacles[k].kind != ObstacleKind::kObstacle) continue;
+      const double kept = kept_m(passes_round(c_.plan, k));
+      check_distance(nearest([&](const SwathClearance& swath) {
+                       return intersects(c_.obstacle_boxes[k], swath.field_box(kept))
+                                  ? swath.to_land(obstacles[k].shape, kept)
+                                  : Approach{};
+                     }),
+                     kept, fmt::format("obstacle {}", k + 1));
+    }
+    if (is_closed(pass_)) check_sense();
+  }
+
+ private:
+  template <class Approaching>
+  Approach nearest(Approaching to) const {
+    Approach out;
+    for (const SwathClearance& swath : lanes_)
+      if (const Approach found = to(swath); found.gap_m < out.gap_m) out = found;
+    return out;
+  }
+
+  /// Distance between the swath and a boundary that has so many passes.
+  double kept_m(int passes) const {
+    return pass_.number > passes ? 0 : (pass_.number - 1) * c_.plan.machine.width_m;
+  }
+
+  void check_distance(const Approach& found, double kept_m, const std::string& of_what) const {
+    if (found.gap_m >= kept_m - kLengthTolerance_m) return;
+    if (found.gap_m < -kLengthTolerance_m)
+      out_.push_back({Rule::kSwaths,
+                      fmt::format("the swath of {} reaches {:.4f} m beyond {}", name_, -found.gap_m, of_what),
+                      found.at, -found.gap_m});
+    else
+      out_.push_back({Rule::kHeadland,
+                      fmt::format("{} is number {} and comes {:.4f} m nearer to {} than it may", name_,
+                                  pass_.number, kept_m - found.gap_m, of_what),
+                      found.at, kept_m - found.gap_m});
+  }
+
+  /// Round the field it runs counter-clockwise and has the obstacles it follows outside; clockwise it goes
+  /// round obstacles.
+  void check_sense() const {
+    std::vector<Point> ring = chords(pass_.path, kSenseSagitta_m);
+    ring.pop_back();
+    const bool counter_clockwise = signed_area(ring) > 0;
+    bool right = counter_clockwise || !pass_.around_field;
+    for (const std::size_t k : pass_.obstacles) {
+      const Ring& outer = c_.plan.field.obstacles[k].shape.outer;
+      right = right && contains(ring, outer.front()) != counter_clockwise;
+    }
+    if (!right)
+      out_.push_back(
+          {Rule::kHeadland, name_ + " does not have the land on its left", pass_.path.front().from, 1});
+  }
+
+  const Case& c_;
+  const HeadlandPass& pass_;
+  std::string name_;
+  std::vector<SwathClearance> lanes_;
+  Violations& out_;
+};
+
+}  // namespace
+
+void check_passes(const Case& c, Violations& out) {
+  for (std::size_t i = 0; i < c.plan.headland.passes.size(); ++i) PassCheck(c, i, out).run();
+}
+
+}  // namespace tramline::check

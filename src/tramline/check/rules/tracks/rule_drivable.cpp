@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "tramline/check/rules/rules.h"
+#include "tramline/check/tolerances.h"
+
+namespace tramline::check {
+namespace {
+
+double degrees(double radians) { return radians * 180 / std::numbers::pi; }
+
+void check_radii(const Path& path, double least_m, const std::string& name, Violations& out) {
+  for (const PathSegment& segment : path) {
+    if (radius(segment) >= least_m * (1 - kRadiusShare)) continue;
+    out.push_back({Rule::kDrivable,
+                   fmt::format("{} has an arc of radius {:.3f} m, and {:.3f} m is the least", name,
+                               radius(segment), least_m),
+                   midpoint(segment.from, segment.to), least_m - radius(segment)});
+  }
+}
+
+/// Where the heading jumps from one segment to the next.
+class Joints {
+ public:
+  Joints(std::string name, Violations& out) : name_(std::move(name)), out_(out) {}
+
+  void arrive(Point heading, Point at) {
+    const double jump_deg = degrees(std::abs(std::atan2(cross(heading_, heading), dot(heading_, heading))));
+    if (jump_deg > kHeadingTolerance_deg)
+      out_.push_back({Rule::kDrivable, fmt::format("the heading of {} jumps by {:.2f}°", name_, jump_deg), at,
+                      jump_deg});
+  }
+  void leave(Point heading) { heading_ = heading; }
+  /// The segments of a path but those so short that rounding alone could turn them.
+  void drive(const Path& path) {
+    for (const PathSegment& segment : path) {
+      if (distance(segment.from, segment.to) < kShortestTurned_m) continue;
+      if (length(heading_) > 0) arrive(direction_at_start(segment), segment.from);
+      if (!first_) first_ = segment;
+      leave(direction_at_end(segment));
+    }
+  }
+  /// From the last segment driven on to the first.
+  void close() {
+    if (first_) arrive(direction_at_start(*first_), first_->from);
+  }
+
+ private:
+  std::string name_;
+  Violations& out_;
+  Point heading_{0, 0};  ///< not known yet
+  std::optional<PathSegment> first_;
+};
+
+void check_piece(const TrackPiece& piece, double least_m, const std::string& name, Violations& out) {
+  const Path path = centre_line(piece);
+  check_radii(path, least_m, name, out);
+  Joints joints(name, out);
+  if (!piece.curve.empty()) {
+    joints.drive(path);
+    return;
+  }
+  // It comes from its line and goes on to it.
+  const Point along = (1 / distance(piece.start, piece.end)) * (piece.end - piece.start);
+  joints.leave(along);
+  joints.drive(path);
+  joints.arrive(along, piece.end);
+}
+
+void check_pass(const HeadlandPass& pass, double least_m, const std::string& name, Violations& out) {
+  check_radii(pass.path, least_m, name, out);
+  Joints joints(name, out);
+  joints.drive(pass.path);
+  if (is_closed(pass)) joints.close();
+}
+
+}  // namespace
+
+double least_radius_m(const Machine& machine) { return std::max(machine.radius_m, 0.5 * machine.width_m); }
+
+void check_drivable(const Case& c, Violations& out) {
+  const double least_m = least_radius_m(c.plan.machine);
+  for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
+    const TrackPiece& piece = c.plan.pieces[i];
+    if (!piece.detours.empty() || !piece.curve.empty()) check_piece(piece, least_m, piece_name(i), out);
+  }
+  const auto& passes = c.plan.headland.passes;
+  for (std::size_t i = 0; i < passes.size(); ++i) check_pass(passes[i], least_m, pass_name(i), out);
+}
+
+}  // namespace tramline::check

@@ -1,0 +1,339 @@
+#include "tramline/cost/bound/grid_bound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "tramline/cost/bound/boundary_windows.h"
+#include "tramline/cost/bound/row_cost_bound.h"
+#include "tramline/cost/bound/undriven_rows.h"
+#include "tramline/cost/tolerances.h"
+
+namespace tramline {
+namespace {
+
+/// The strips of the middle grid, and how far those of the others may differ. A grid that is turned about
+/// the pivot by the angle a sees the boundary, strip by strip and but for a shift along, moved
+/// - along, by a·(x − the strip's middle): the columns of a strip are sheared by at most shear_;
+/// - then across, by tan a·y + x·(1/cos a − 1) and by the offset: at most shift_at(y).
+class Bound {
+ public:
+  Bound(const GridTally& tally, const BoundTerms& terms, const GridBox& box)
+      : tally_(tally),
+        subfield_(tally.subfield()),
+        objective_(terms.objective),
+        grid_(tally.grid(box.origin_m)),
+        width_(grid_.width_m),
+        range_(strips_over(grid_, subfield_.reach, kWidthTolerance)),
+        pivot_(subfield_.frame.to_track(terms.pivot)),
+        detour_reach_(terms.detour_reach),
+        dearest_(std::max(objective_.overlap, objective_.uncovered)) {
+    const Box& reach = subfield_.reach;
+    const double x = std::max(reach.max_x - pivot_.x, pivot_.x - reach.min_x);
+    const double y = std::max(reach.max_y - pivot_.y, pivot_.y - reach.min_y);
+    const double second_order = box.half_angle * box.half_angle * std::hypot(x, y);
+    fixed_shift_ = box.half_origin_m + 2 * second_order;
+    tangent_ = std::tan(box.half_angle);
+    shift_ = shift_at(y);
+    shear_ = tangent_ * (0.5 * width_ + shift_) + second_order;
+    const EndCriterion& rule = tally_.plain_criterion();
+    least_width_ = rule.by_centre_line ? 0.5 * width_ : rule.least_width_m;
+    const double run_on = 1 - least_width_ / width_;
+    per_wedge_ = objective_.overlap * run_on * run_on + objective_.uncovered * (1 - run_on) * (1 - run_on);
+    moving_ = {width_, objective_.overlap, objective_.uncovered, pivot_.y, tangent_, fixed_shift_};
+    shortest_ = std::max(tally_.terms().min_length_m, kNoPiece_m);
+    least_length_ = shortest_ + 2 * shear_;
+  }
+
+  double least_cost(double enough) {
+    thread_local StripParts parts;
+    parts.collect(subfield_.outline, grid_, range_, shift_);
+    for (int i = 0; i < range_.size(); ++i) {
+      enter(range_.first + i, parts.in(static_cast<std::size_t>(i)));
+      add_strip();
+      // No strip takes anything away from these; of the windows moved together one may.
+      if (sums_.fixed + sums_.apart >= enough) return sums_.fixed + sums_.apart;
+    }
+    return sums_.fixed + std::max(sums_.apart, sums_.together.least(moving_.shift, moving_.turn));
+  }
+
+ private:
+  struct Sums {
+    double fixed = 0;      ///< what is free of the place of the grid within the box
+    double apart = 0;      ///< the other windows, each at its least
+    AffineBound together;  ///< the same windows, all moved at once
+  };
+
+  double shift_at(double along_from_pivot) const {
+    return tangent_ * std::abs(along_from_pivot) + fixed_shift_;
+  }
+  double shift_between(double low, double high) const {
+    return shift_at(std::max(std::abs(low - pivot_.y), std::abs(high - pivot_.y)));
+  }
+
+  /// Makes the strip the one that the functions below speak of.
+  void enter(int k, std::span<BoundaryPart> parts) {
+    gather_windows(parts, width_, shift_, 2 * shear_, windows_);
+    zones_.clear();
+    blocked_.clear();
+    const double left = grid_.line(k), right = left + width_;
+    for (const Box& obstacle : subfield_.obstacles) {
+      const double touch = shift_ + kWidthTolerance, reach = touch + width_ + detour_reach_;
+      if (obstacle.min_x > right + reach || obstacle.max_x < left - reach) continue;
+      // A detour leaves its track within an arc, and leads back to it within another.
+      const double along = width_ + 3 * detour_reach_ + tangent_ * (reach + width_);
+      zones_.push_back({obstacle.min_y - along, obstacle.max_y + along});
+      if (obstacle.min_x <= right + touch && obstacle.max_x >= left - touch)
+        blocked_.push_back({obstacle.min_y - kWidthTolerance, obstacle.max_y + kWidthTolerance});
+    }
+  }
+
+  bool in_zone(double low, double high) const {
+    return std::any_of(zones_.begin(), zones_.end(),
+                       [&](const Interval& zone) { return zone.from < high && low < zone.to; });
+  }
+  bool in_zone(const BoundaryWindow& window) const { return in_zone(window.lowest, window.highest); }
+
+  /// Windows first … last of the strip.
+  struct Windows {
+    std::size_t first = 0, last = 0;
+  };
+
+  /// Windows with land between them, and none before or beyond.
+  Windows run_from(std::size_t first) const {
+    std::size_t last = first;
+    while (windows_[last].inside_after && last + 1 < windows_.size()) ++last;
+    return {first, last};
+  }
+
+  /// Runs that no piece has in common with any other, whatever the grid: outside lies before and beyond.
+  Windows group_from(std::size_t first) const {
+    Windows group = run_from(first);
+    while (group.last + 1 < windows_.size()) {
+      const double from = windows_[group.last].highest, to = windows_[group.last + 1].lowest;
+      if (to - from > 2 * shear_ && !in_zone(from, to)) break;
+      group.last = run_from(group.last + 1).last;
+    }
+    return group;
+  }
+
+  void add_strip() {
+    for (std::size_t next = 0; next < windows_.size();) {
+      const Windows group = group_from(next);
+      const Sums before = sums_;
+      for (std::size_t k = group.first; k <= group.last; k = run_from(k).last + 1) add_run(run_from(k));
+      if (has_piece(group))
+        sums_.fixed += objective_.turn;
+      else if (zones_.empty())
+        sums_.fixed += undecided(group, before);
+      next = group.last + 1;
+    }
+  }
+
+  void add_run(const Windows& run) {
+    const double lowest = windows_[run.first].lowest, highest = windows_[run.last].highest;
+    if (highest - lowest + 2 * shear_ < shortest_ && !in_zone(lowest, highest)) {
+      sums_.fixed += undriven(run);
+      return;
+    }
+    find_undriven(run);
+    const auto is_passage = [this](const BoundaryWindow& window) {
+      return window.passes && !is_left(window.lowest, window.highest);
+    };
+    for (std::size_t k = run.first; k <= run.last; ++k) {
+      if (in_zone(windows_[k])) continue;
+      is_passage(windows_[k]) ? add_passage(k) : add_rows(windows_[k]);
+      // A passage may move along without costing less: only beside other windows is the land between certain.
+      if (k == run.last || is_passage(windows_[k]) || is_passage(windows_[k + 1])) continue;
+      if (is_left(windows_[k].highest, windows_[k + 1].lowest))
+        sums_.fixed += objective_.uncovered * width_ * (windows_[k + 1].lowest - windows_[k].highest);
+    }
+  }
+
+  /// Sets undriven_ for the run; leaves it empty where a look shows that all of the run is driven.
+  void find_undriven(const Windows& run) {
+    undriven_.clear();
+    const std::span of_run(windows_.begin() + static_cast<std::ptrdiff_t>(run.first),
+                           run.last - run.first + 1);
+    if (tally_.plain_criterion().by_centre_line || in_zone(of_run.front().lowest, of_run.back().highest))
+      return;
+    const bool two_ends = of_run.size() == 2 && of_run[0].passes && of_run[1].passes;
+    if (two_ends && of_run[1].lowest - of_run[0].highest >= shortest_) return;
+    find_undriven_rows(of_run, moving_, {least_width_, shortest_, shear_}, undriven_);
+  }
+
+  /// Does no grid drive anything between these places?
+  bool is_left(double from, double to) const {
+    return std::any_of(undriven_.begin(), undriven_.end(),
+                       [&](const Interval& stretch) { return stretch.from <= from && to <= stretch.to; });
+  }
+
+  /// What the run costs where no piece is driven in it.
+  double undriven(const Windows& run) const {
+    double inside_m2 = 0;
+    for (std::size_t k = run.first; k <= run.last; ++k) {
+      inside_m2 += inside_rows(windows_[k].parts, moving_) - shear_ * windows_[k].across_m;
+      if (k < run.last) inside_m2 += width_ * (windows_[k + 1].lowest - windows_[k].highest);
+    }
+    return objective_.uncovered * std::max(0.0, inside_m2);
+  }
+
+  /// A group in which a piece may be or not: either it costs a turn besides what its rows have been charged,
+  /// or all its land is left.
+  double undecided(const Windows& group, const Sums& before) const {
+    double left = 0;
+    for (std::size_t k = group.first; k <= group.last; k = run_from(k).last + 1)
+      left += undriven(run_from(k));
+    AffineBound together = sums_.together;
+    together -= before.together;
+    const double charged = sums_.fixed - before.fixed +
+                           std::max(sums_.apart - before.apart, together.most(moving_.shift, moving_.turn));
+    return std::clamp(left - charged, 0.0, objective_.turn);
+  }
+
+  void add_passage(std::size_t i) {
+    const BoundaryWindow& window = windows_[i];
+    // tan(atan s − h), where the passage rises at least as steeply as s; it stays one while s is not turned
+    // upright.
+    const double flattest = window.least_slope - tangent_;
+    double wedge = 0;
+    if (flattest > 0 && window.most_slope * tangent_ < 1) {
+      const double per_wedge = is_driven(i) ? per_wedge_ : std::min(per_wedge_, objective_.uncovered);
+      wedge = per_wedge * 0.5 * width_ * width_ * flattest / (1 + window.least_slope * tangent_);
+    }
+    const double now = passage_cost(window, width_, objective_.overlap, objective_.uncovered);
+    if (wedge > 0.95 * now) {
+      sums_.fixed += wedge;
+      return;
+    }
+    const double sheared = dearest_ * shear_ * window.across_m;
+    const double shift = shift_between(window.lowest, window.highest);
+    RowBounds rows = row_cost_bound(window.parts, moving_);
+    sums_.apart += std::max({0.0, wedge, rows.apart - sheared,
+                             now - dearest_ * shift * (window.highest - window.lowest) - sheared});
+    rows.together.constant -= sheared;
+    const bool much = wedge > 0.7 * now && rows.together.least(moving_.shift, moving_.turn) < wedge;
+    sums_.together += much ? AffineBound{wedge, 0, 0} : rows.together;
+  }
+
+  void add_rows(const BoundaryWindow& window) {
+    const double sheared = dearest_ * shear_ * window.across_m;
+    RowBounds rows = row_cost_bound(window.parts, moving_, undriven_);
+    sums_.apart += std::max(0.0, rows.apart - sheared);
+    rows.together.constant -= sheared;
+    sums_.together += rows.together;
+  }
+
+  /// Is the land beside a passage driven in every grid?
+  bool is_driven(std::size_t i) const {
+    const std::size_t before = windows_[i].begins ? i : i - 1;
+    if (before >= windows_.size() || before + 1 >= windows_.size() || !blocked_.empty()) return false;
+    return windows_[before + 1].lowest - windows_[before].highest >= least_length_;
+  }
+
+  /// Is a piece driven in the group, whatever the grid?
+  bool has_piece(const Windows& group) {
+    const auto lies_in = [&](double left, double right) { return holds_piece(group, left, right); };
+    if (lies_in(-shift_, width_ + shift_)) return true;
+    if (tally_.plain_criterion().by_centre_line)
+      return 2 * shift_ < width_ && lies_in(0.5 * width_ - shift_, 0.5 * width_ + shift_);
+    const double least = least_width_ + shift_;
+    return least <= width_ && (lies_in(0, least) || lies_in(width_ - least, width_));
+  }
+
+  /// Is there a stretch as long as a piece in which the sub-strip from `left` to `right` lies inside?
+  bool holds_piece(const Windows& group, double left, double right) {
+    const double middle = 0.5 * (left + right);
+    const std::span parts(windows_[group.first].parts.data(),
+                          windows_[group.last].parts.data() + windows_[group.last].parts.size());
+    crossings_.clear();
+    for (const BoundaryPart& part : parts) {  // from low to high
+      double low = part.from.y, high = part.to.y;
+      if (std::max(part.from.x, part.to.x) < left || std::min(part.from.x, part.to.x) > right) continue;
+      if (part.from.x != part.to.x) {
+        const double slope = (high - low) / (part.to.x - part.from.x);
+        low = part.from.y + slope * (std::clamp(part.from.x, left, right) - part.from.x);
+        high = part.from.y + slope * (std::clamp(part.to.x, left, right) - part.from.x);
+      }
+      crossings_.push_back(
+          {std::min(low, high), std::max(low, high), (part.from.x > middle) != (part.to.x > middle)});
+    }
+    std::sort(crossings_.begin(), crossings_.end(),
+              [](const Crossing& a, const Crossing& b) { return a.lowest < b.lowest; });
+    bool inside = false;
+    double free_from = -std::numeric_limits<double>::infinity();
+    for (const Crossing& crossing : crossings_) {
+      if (inside && has_free_stretch(free_from, crossing.lowest)) return true;
+      inside ^= crossing.passes_middle;
+      free_from = std::max(free_from, crossing.highest);
+    }
+    return false;
+  }
+
+  /// As long as a piece, and clear of obstacles.
+  bool has_free_stretch(double from, double to) const {
+    if (to - from < least_length_) return false;
+    if (blocked_.empty()) return true;
+    const Intervals free = without({{from, to}}, blocks());
+    return std::any_of(free.begin(), free.end(),
+                       [this](const Interval& stretch) { return stretch.length() >= least_length_; });
+  }
+
+  Intervals blocks() const {
+    Intervals sorted = blocked_, out;
+    std::sort(sorted.begin(), sorted.end(),
+              [](const Interval& a, const Interval& b) { return a.from < b.from; });
+    for (const Interval& block : sorted) append_joining(out, block);
+    return out;
+  }
+
+  struct Crossing {
+    double lowest, highest;
+    bool passes_middle;
+  };
+
+  const GridTally& tally_;
+  const TurnedSubfield& subfield_;
+  const Objective& objective_;
+  StripGrid grid_;
+  double width_;
+  StripRange range_;
+  Point pivot_;
+  double detour_reach_;
+  double dearest_;
+  double fixed_shift_ = 0, tangent_ = 0;
+  double shift_ = 0;  ///< the most that the boundary moves across
+  double shear_ = 0;
+  double least_width_ = 0, per_wedge_ = 0, shortest_ = 0;  ///< piece that is driven
+  double least_length_ = 0;                                ///< … for certain
+  RowBoundTerms moving_;
+  Sums sums_;
+  std::vector<BoundaryWindow> windows_;
+  Intervals undriven_;  ///< of the run at hand
+  Intervals zones_;     ///< along the strip, where detours may be
+  Intervals blocked_;   ///< where an obstacle may reach into it
+  std::vector<Crossing> crossings_;
+};
+
+/// Is one of the prices of land less than half the actual one?
+bool is_far_from(const Objective& nearer, const Objective& actual) {
+  return 2 * nearer.overlap < actual.overlap || 2 * nearer.uncovered < actual.uncovered;
+}
+
+}  // namespace
+
+double least_cost(const GridTally& tally, const BoundTerms& terms, const GridBox& box, double enough) {
+  const Objective& actual = terms.objective;
+  double least = 0;
+  for (const double times : {2.0, 10.0, 100.0}) {
+    BoundTerms nearer = terms;
+    nearer.objective.overlap = std::min(actual.overlap, times * actual.uncovered);
+    nearer.objective.uncovered = std::min(actual.uncovered, times * actual.overlap);
+    if (!is_far_from(nearer.objective, actual)) break;
+    least = std::max(least, Bound(tally, nearer, box).least_cost(enough));
+    if (least >= enough) return least;
+  }
+  return std::max(least, Bound(tally, terms, box).least_cost(enough));
+}
+
+}  // namespace tramline

@@ -1,0 +1,136 @@
+#pragma once
+// From the fixes of a log to the ground worked between them (S3.2).
+
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "tramline/coverage/drive/course.h"
+#include "tramline/coverage/drive/log_hole.h"
+#include "tramline/coverage/drive/worked_step.h"
+#include "tramline/model/work_log.h"
+
+namespace tramline::coverage {
+
+/// When work and sections switch that differ between two fixes.
+enum class Switching {
+  kInterpolate,  ///< half way between them
+  kStep,         ///< at the second: state and width of a step are those of its first fix
+};
+
+/// How fixes become ground.
+struct DriveSettings {
+  double width_m = std::numeric_limits<double>::quiet_NaN();  ///< where a log does not say
+  QuadShape quads = QuadShape::kHeading;
+  Switching switching = Switching::kInterpolate;
+  double max_gap_s = 10;                    ///< nothing is worked between fixes further apart in time
+  double max_step_m = 15;                   ///< nor in place
+  double antenna_forward_m = 0;             ///< antenna before the machine's middle
+  double antenna_right_m = 0;               ///< antenna right of it
+  double implement_behind_m = 0;            ///< what works, behind the machine's middle
+  WorkState unknown_work = WorkState::kOn;  ///< on or off: what a fix counts as that does not say
+};
+
+/// How often fixes were not joined of which one at least was at work, and why.
+struct Breaks {
+  std::size_t gaps = 0;           ///< longer than max_gap_s
+  std::size_t jumps = 0;          ///< longer than max_step_m
+  std::size_t backwards = 0;      ///< in time
+  std::size_t without_width = 0;  ///< at work, and no width known
+  std::size_t holes = 0;          ///< of gaps and jumps, those that the machine may have worked over
+};
+
+/// Joins fixes to steps, one after the other: what a live stream needs. O(sections) a fix.
+///
+/// A fix without a heading has that of its course (course.h). Fixes of different units are not joined, nor
+/// over a gap in time or place, nor backwards in time. The work of a unit is one run until it stops, or until
+/// two fixes are not joined. Where a step has no direction, being too short, the place it began at is kept
+/// for the next one, so that slow work is not lost. Between fixes that lie too far apart in time or place,
+/// and that both work, the ground counts as not recorded where the machine may have driven straight
+/// (log_hole.h).
+class StepMaker {
+ public:
+  explicit StepMaker(const DriveSettings& settings) : settings_(settings) {}
+
+  /// The step that ends at this fix; nullopt where nothing was worked. `booms`: of the fix's log.
+  /// Precondition: position local and finite.
+  std::optional<WorkedStep> add(const Fix& fix, const std::vector<Boom>& booms);
+
+  /// What the last fix tells not to be recorded: the strips of holes in the log, mostly none. The heading at
+  /// their front may have become known only now.
+  const std::vector<Quad>& unrecorded() const { return unrecorded_; }
+
+  /// Of the last fix with the one before it of its unit.
+  Continuity continuity() const { return continuity_; }
+  /// Where the middle of what works was at the last fix; the antenna, as long as no heading is known.
+  Point place() const { return place_; }
+  /// The machine's heading at the last fix; nullopt: not known.
+  std::optional<Heading> heading() const { return heading_; }
+  const Breaks& breaks() const { return breaks_; }
+  int runs() const { return runs_; }             ///< begun so far
+  double worked_s() const { return worked_s_; }  ///< time of the steps that worked, of all units together
+  double worked_m() const { return worked_m_; }  ///< and their length
+
+ private:
+  /// One end of a step.
+  struct End {
+    double time_s = 0;
+    Point antenna;
+    std::optional<Heading> heading;
+    Boom working;
+    double rate_per_ha = std::numeric_limits<double>::quiet_NaN();
+    double stood_s = 0;  ///< at work, and not driven from there
+  };
+  /// Fixes that were not joined, and both work.
+  struct Hole {
+    End before;
+    End after;
+  };
+  struct Unit {
+    std::optional<End> last;
+    std::optional<Hole> hole;  ///< the heading behind it is not known yet
+    UsualSpeed usual;
+    Course course;
+    int run = -1;  ///< none
+    double travel_m = 0;
+  };
+
+  Boom working_at(const Fix& fix, const std::vector<Boom>& booms);
+  bool joins(const End& from, const End& to);
+  void begin_anew(Unit& unit, const End& to);
+  void close_hole(Unit& unit);
+  Point middle(const End& end, Heading heading) const;
+  /// The line across the machine at one end of a step.
+  struct Bar {
+    Point middle;
+    Point left;  ///< unit vector
+
+    Point at(double offset_m) const { return middle + offset_m * left; }
+  };
+  struct Bars {
+    Bar rear;
+    Bar front;
+  };
+  Bars bars(const End& from, const End& to) const;
+  std::optional<WorkedStep> step(Unit& unit, const End& to);
+
+  DriveSettings settings_;
+  std::map<int, Unit> units_;
+  Breaks breaks_;
+  std::size_t fixes_ = 0;
+  Continuity continuity_ = Continuity::kBroken;
+  std::vector<Quad> unrecorded_;
+  Point place_;
+  std::optional<Heading> heading_;
+  int runs_ = 0;
+  double worked_s_ = 0;
+  double worked_until_s_ = -std::numeric_limits<double>::infinity();
+  double worked_m_ = 0;
+};
+
+/// Whether any fix of the log says that it works or that it does not.
+bool says_work(const WorkLog& log);
+
+}  // namespace tramline::coverage

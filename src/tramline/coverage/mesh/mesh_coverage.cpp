@@ -1,0 +1,97 @@
+#include "tramline/coverage/mesh/mesh_coverage.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "tramline/coverage/mesh/connected_rings.h"
+#include "tramline/coverage/mesh/mesh_boolean.h"
+#include "tramline/geometry/error.h"
+
+namespace tramline::coverage {
+namespace {
+
+double checked(double mesh_m) {
+  if (!(mesh_m > 0) || mesh_m == std::numeric_limits<double>::infinity())
+    throw bad_input(fmt::format("meshes of {} m: give a side greater than 0, such as {}", mesh_m, kMesh_m));
+  return mesh_m;
+}
+
+double area_of(std::int64_t corners, double mesh_m) { return static_cast<double>(corners) * mesh_m * mesh_m; }
+
+}  // namespace
+
+MeshCoverage::MeshCoverage(const Region& field, double mesh_m)
+    : mesh_m_(checked(mesh_m)), field_(mesh_region(rings_of(field), mesh_m)) {}
+
+void MeshCoverage::add(const WorkedStep& step) {
+  std::vector<MeshRegion> quads;
+  for (const Quad& quad : step.quads) quads.push_back(mesh_region({Ring(quad.begin(), quad.end())}, mesh_m_));
+  for (const MeshRegion& quad : quads) {
+    gross_corners_ += quad.corners_inside();
+    combine_into(repeated_, combined(coverage_, quad, MeshOperation::kIntersection), MeshOperation::kUnion);
+    combine_into(coverage_, quad, MeshOperation::kUnion);
+  }
+}
+
+void MeshCoverage::add_unrecorded(const std::vector<Quad>& quads) {
+  for (const Quad& quad : quads)
+    combine_into(unrecorded_, mesh_region({Ring(quad.begin(), quad.end())}, mesh_m_), MeshOperation::kUnion);
+}
+
+MeshRegion MeshCoverage::unrecorded() const {
+  return has_field() ? combined(leakage(), unrecorded_, MeshOperation::kIntersection)
+                     : combined(unrecorded_, coverage_, MeshOperation::kResidual);
+}
+
+MeshRegion MeshCoverage::leakage() const { return combined(field_, coverage_, MeshOperation::kResidual); }
+
+double MeshCoverage::area_m2(const MeshRegion& region) const {
+  return area_of(region.corners_inside(), mesh_m_);
+}
+
+CoverageAreas MeshCoverage::areas() const {
+  const std::int64_t not_covered = leakage().corners_inside();
+  const std::int64_t not_recorded = unrecorded().corners_inside();
+  const std::int64_t inside = field_.corners_inside() - not_covered;
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  CoverageAreas out;
+  out.gross_m2 = area_of(gross_corners_, mesh_m_);
+  out.covered_m2 = area_m2(coverage_);
+  out.covered_inside_m2 = area_of(inside, mesh_m_);
+  out.outside_m2 = area_of(coverage_.corners_inside() - inside, mesh_m_);
+  out.repeated_m2 = area_m2(repeated_);
+  out.missed_m2 = area_of(has_field() ? not_covered - not_recorded : 0, mesh_m_);
+  out.not_recorded_m2 = area_of(not_recorded, mesh_m_);
+  const std::int64_t once = coverage_.corners_inside() - repeated_.corners_inside();
+  out.worked_times_m2 = {area_of(not_covered, mesh_m_), area_of(once, mesh_m_), unknown, unknown};
+  return out;
+}
+
+Region MeshCoverage::region(Ground what) const {
+  switch (what) {
+    case Ground::kCovered:
+      return region_of(coverage_, mesh_m_);
+    case Ground::kRepeated:
+    case Ground::kAgain:
+      return region_of(repeated_, mesh_m_);
+    case Ground::kSliver:
+      return {};
+    case Ground::kMissed:
+      return region_of(combined(leakage(), unrecorded_, MeshOperation::kResidual), mesh_m_);
+    case Ground::kUnrecorded:
+      return region_of(unrecorded(), mesh_m_);
+    case Ground::kOutside:
+      return region_of(combined(coverage_, field_, MeshOperation::kResidual), mesh_m_);
+    case Ground::kOnce:
+      return region_of(combined(coverage_, repeated_, MeshOperation::kResidual), mesh_m_);
+    case Ground::kTwice:
+    case Ground::kOften:
+      break;
+  }
+  throw bad_input(
+      "meshes tell ground worked once from ground worked again, but not how often: take the exact "
+      "engine");
+}
+
+}  // namespace tramline::coverage

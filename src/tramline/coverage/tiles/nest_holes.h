@@ -1,0 +1,21 @@
+#pragma once
+// Which outer ring a hole belongs to.
+
+#include <cstddef>
+#include <vector>
+
+#include "tramline/coverage/tiles/grid_point.h"
+
+namespace tramline::coverage {
+
+using GridRing = std::vector<GridPoint>;
+
+/// Twice the area, positive where the ring runs counter-clockwise.
+Int128 twice_area(const GridRing& ring);
+
+/// For each hole the number of the outer ring that bounds the same ground; outer.size() where there is none.
+/// Preconditions: outer rings counter-clockwise, holes clockwise, simple; rings meet at points only.
+/// O(n log n) for rings spread evenly.
+std::vector<std::size_t> parents_of(const std::vector<GridRing>& holes, const std::vector<GridRing>& outer);
+
+}  // namespace tramline::coverage

@@ -1,0 +1,11 @@
+#pragma once
+// A stretch of a path.
+
+#include "tramline/geometry/path/path.h"
+
+namespace tramline {
+
+/// The path between two positions along it. Precondition: from < to, both on the path.
+Path path_between(const Path& path, double from, double to);
+
+}  // namespace tramline

@@ -1,0 +1,16 @@
+#pragma once
+// Which vertices of a ring carry its shape.
+
+#include <cstddef>
+#include <vector>
+
+#include "tramline/geometry/polygon/region.h"
+
+namespace tramline {
+
+/// Indices, in increasing order, of vertices such that the ring through them keeps within `tolerance_m`
+/// of all the others (Douglas and Peucker 1973, from the two vertices farthest apart along the diagonal of
+/// the bounding box). At least three where the ring has an area. O(n²) at worst, mostly O(n log n).
+std::vector<std::size_t> significant_vertices(const Ring& ring, double tolerance_m);
+
+}  // namespace tramline

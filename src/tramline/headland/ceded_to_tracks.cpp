@@ -1,0 +1,65 @@
+#include "tramline/headland/ceded_to_tracks.h"
+
+#include <algorithm>
+
+#include "tramline/geometry/polygon/boolean.h"
+
+namespace tramline {
+namespace {
+
+/// The largest distance between two of its corners, m.
+double extent_m(const Polygon& polygon) {
+  double out = 0;
+  for (std::size_t i = 0; i < polygon.outer.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) out = std::max(out, distance(polygon.outer[i], polygon.outer[j]));
+  return out;
+}
+
+/// Strips that tracks are laid in: as wide as a swath, or, at the price of some overlap, narrower and longer.
+struct Strip {
+  double width_m = 0;
+  double least_length_m = 0;
+};
+
+bool holds_a_track(const Polygon& polygon, const Strip& strip) {
+  // Strips just as wide, and as long, shall do in spite of chords and grids.
+  constexpr double kAlmost = 0.999;
+  if (area(polygon) < kAlmost * kAlmost * strip.width_m * strip.least_length_m) return false;
+  if (extent_m(polygon) < kAlmost * strip.least_length_m) return false;
+  return !buffered({polygon}, -kAlmost * 0.5 * strip.width_m, JoinStyle::kMitre).empty();
+}
+
+void keep_tracks(Region& region, const Strip& strip) {
+  std::erase_if(region, [&](const Polygon& part) { return !holds_a_track(part, strip); });
+}
+
+/// Without what is narrower than the width; corners stay.
+Region opened(const Region& region, double width_m) {
+  constexpr double kAlmost = 0.998;
+  const double half = kAlmost * 0.5 * width_m;
+  return buffered(buffered(region, -half, JoinStyle::kMitre), half, JoinStyle::kMitre);
+}
+
+}  // namespace
+
+Region ceded_to_tracks(const HeadlandAndBody& headland, const ClearLand& clear, double width_m,
+                       double least_length_m) {
+  const Strip wide{width_m, least_length_m};
+  const Strip narrow{width_m * kNarrowestStrip, least_length_m * kNarrowStripLength};
+  if (headland.uncovered_m2 <
+      0.99 * std::min(wide.width_m * wide.least_length_m, narrow.width_m * narrow.least_length_m))
+    return {};
+  const Region left = unworked_ground(headland, width_m);
+  Region out;
+  for (const Strip& strip : {wide, narrow}) {
+    Region parts = intersection(left, strip.width_m < width_m ? clear.to_lie_over : clear.to_end);
+    keep_tracks(parts, strip);
+    if (parts.empty()) continue;
+    parts = intersection(opened(unite(headland.body, parts), strip.width_m), parts);
+    keep_tracks(parts, strip);
+    out = unite(out, parts);
+  }
+  return out;
+}
+
+}  // namespace tramline

@@ -1,0 +1,89 @@
+#include "tramline/headland/edge_following_passes.h"
+
+#include <algorithm>
+
+#include "tramline/headland/clear_stretches.h"
+#include "tramline/headland/closed_path.h"
+#include "tramline/headland/drivable_rings.h"
+#include "tramline/headland/ring_groups.h"
+#include "tramline/headland/rolling_circle_path.h"
+
+namespace tramline {
+namespace {
+
+/// The first centre_line of each ring of the level that follows a boundary with such a pass.
+std::vector<std::size_t> rings_to_follow(const std::vector<CentreLine>& centre_lines,
+                                         const std::vector<Boundary>& boundaries, int number) {
+  std::vector<std::size_t> out;
+  for (std::size_t first = 0, last = 0; first < centre_lines.size(); first = last) {
+    bool own = false;
+    do {
+      own = own || boundaries[centre_lines[last].offset_boundary].passes >= number;
+      ++last;
+    } while (last < centre_lines.size() && centre_lines[last - 1].next == last);
+    if (own) out.push_back(first);
+  }
+  return out;
+}
+
+/// Does the path turn round a corner in this segment, to the left?
+bool is_corner(const PathSegment& segment) {
+  constexpr double kLeast = 0.5;  // rad
+  return segment.curvature > 0 && turning(segment) > kLeast;
+}
+
+/// Without a corner close to the end, and what follows: there is nothing to turn for, and straight on the
+/// swath comes as far.
+Path without_hook(Path path, double shortest_m) {
+  double behind_m = 0;
+  for (std::size_t i = path.size(); i-- > 1 && behind_m < shortest_m; behind_m += length(path[i]))
+    if (is_corner(path[i])) {
+      path.resize(i);
+      break;
+    }
+  return path;
+}
+
+/// Such a path the other way turns to the right, so its beginning is looked at as it is.
+Path without_first_hook(Path path, double shortest_m) {
+  double before_m = 0;
+  for (std::size_t i = 0; i + 1 < path.size() && before_m < shortest_m; before_m += length(path[i++]))
+    if (is_corner(path[i])) {
+      path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(i + 1));
+      break;
+    }
+  return path;
+}
+
+}  // namespace
+
+std::vector<Path> edge_following_passes(const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
+                                        int number) {
+  const TurningRoom land = turning_room(boundaries, terms.width_m, number, tightest_turn_m(terms));
+  const std::vector<CentreLine> centre_lines = centre_lines_along(levels(land), land.radius_m);
+  const ArcFits fits = [&](Point centre, Point before, Point after) {
+    return keeps_off(turn_about(centre, land.radius_m, before, after), land.offset_boundaries);
+  };
+  std::vector<SwathLimit> limits;
+  for (const Boundary& boundary : boundaries) limits.push_back({boundary.ring, 0});
+  std::vector<Path> out;
+  for (const std::size_t start : rings_to_follow(centre_lines, boundaries, number)) {
+    const RollingCirclePaths ways =
+        rolling_circle_paths(centre_lines, start, fits, land.radius_m + terms.width_m);
+    if (ways.closed && can_be_driven(closed_path(*ways.closed, land.radius_m), land))
+      out.push_back(closed_path(*ways.closed, land.radius_m));
+    for (const OffsetRing& way : ways.open) {
+      Path path = open_path(way, land.radius_m);
+      if (path.empty() || !keeps_off(path, land.offset_boundaries)) continue;
+      const double hook_m = land.radius_m + terms.width_m;
+      path = without_first_hook(without_hook(std::move(path), hook_m), hook_m);
+      out.push_back(driven_to_the_end(std::move(path), limits, terms.width_m, hook_m));
+    }
+  }
+  // What short ones across an end would work the long ones beside it do as well.
+  std::stable_sort(out.begin(), out.end(),
+                   [](const Path& a, const Path& b) { return length(a) > length(b); });
+  return out;
+}
+
+}  // namespace tramline

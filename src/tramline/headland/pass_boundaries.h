@@ -1,0 +1,30 @@
+#pragma once
+// How far each pass keeps from each boundary.
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "tramline/geometry/offset/offset_rings.h"
+#include "tramline/headland/headland.h"
+
+namespace tramline {
+
+/// A boundary that no swath crosses.
+struct Boundary {
+  Ring ring;  ///< the free land on its left; what keeps within kIdleVertex_m of fewer vertices is left out
+  int passes = 0;                         ///< of its headland
+  std::optional<std::size_t> obstacle{};  ///< index into Field::obstacles; nullopt: the field's outer ring
+};
+
+/// The field's outer ring, then the obstacles that are not passable, without their holes.
+std::vector<Boundary> boundaries_of(const Field& field, const HeadlandTerms& terms);
+
+/// Distance between the boundary and the centre line of a pass, m (S2.4).
+double pass_distance_m(const Boundary& boundary, int pass, double width_m);
+
+/// The boundary of the land that is free for tracks as far as headlands are concerned, as a region in chords
+/// (kBodySagitta): obstacles without headland are still in it, and where the field has none, land outside.
+Region land_behind_headlands(const std::vector<Boundary>& boundaries, double width_m);
+
+}  // namespace tramline

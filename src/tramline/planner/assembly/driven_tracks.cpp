@@ -1,0 +1,91 @@
+#include "tramline/planner/assembly/driven_tracks.h"
+
+#include <algorithm>
+
+#include "tramline/planner/order/best_tour.h"
+
+namespace tramline {
+namespace {
+
+bool is_bent(const Path& reference) { return reference.size() > 1 || !reference.front().straight(); }
+
+/// With its path, even where that is straight, if its track is one of a curve's; S2's along a straight line
+/// are straight ones.
+bool is_written_as_curve(const SearchTask& task, const Subfield& subfield) {
+  if (subfield.reference.empty()) return false;
+  return task.settings.tracks == TrackConstruction::kParallel || is_bent(subfield.reference);
+}
+
+TrackPiece piece_on_field(const LaidPiece& piece, const StripGrid& grid, std::size_t subfield,
+                          int first_track) {
+  const auto on_field = [&grid](Point p) { return grid.frame.to_field(p); };
+  const Path line = line_of(piece, grid);
+  TrackPiece out;
+  out.start = line.front().from;
+  out.end = line.back().to;
+  out.subfield = subfield;
+  out.track = piece.track - first_track;
+  out.stop_at_start = piece.stop_at_from;
+  out.stop_at_end = piece.stop_at_to;
+  out.after_crossing = piece.after_crossing;
+  for (const TrackDetour& detour : piece.detours)
+    out.detours.push_back({moved(detour.path, on_field), detour.side, detour.obstacles});
+  return out;
+}
+
+/// The places of the pieces that come one after another, by line.
+std::vector<std::vector<std::size_t>> places_on(const std::vector<order::WorkedLine>& lines) {
+  std::vector<std::vector<std::size_t>> out;
+  std::size_t next = 0;
+  for (const order::WorkedLine& line : lines) {
+    out.emplace_back();
+    for (std::size_t i = 0; i < line.size(); ++i) out.back().push_back(next++);
+  }
+  return out;
+}
+
+}  // namespace
+
+Path line_of(const LaidPiece& piece, const StripGrid& grid) {
+  const auto on_field = [&grid](Point p) { return grid.frame.to_field(p); };
+  if (!piece.path.empty()) return moved(piece.path, on_field);
+  const double across = grid.centre(piece.track);
+  return {{on_field({across, piece.from}), on_field({across, piece.to}), 0}};
+}
+
+std::vector<TrackPiece> track_pieces(const SearchTask& task, const Candidate& candidate) {
+  std::vector<TrackPiece> out;
+  for (std::size_t i = 0; i < candidate.avoided.tracks.size(); ++i) {
+    const LaidTracks& tracks = candidate.avoided.tracks[i];
+    const int first = first_track(candidate, i);
+    const bool curved = is_written_as_curve(task, candidate.subfields[i]);
+    for (const LaidPiece& piece : tracks.pieces) {
+      out.push_back(piece_on_field(piece, tracks.grid, i, first));
+      if (!curved) continue;
+      out.back().curve = line_of(piece, tracks.grid);
+      out.back().overlap_m2 = task.machine.width_m * piece.length_m - piece.inside_m2;
+    }
+  }
+  return out;
+}
+
+Driven driven_tracks(const SearchTask& task, const Candidate& candidate) {
+  std::vector<LaidPlace> laid;
+  for (std::size_t i = 0; i < candidate.avoided.tracks.size(); ++i)
+    for (std::size_t k = 0; k < candidate.avoided.tracks[i].pieces.size(); ++k) laid.push_back({i, k});
+  const std::vector<order::WorkedLine> lines = order::lines_of(track_pieces(task, candidate));
+  const std::vector<std::vector<std::size_t>> places = places_on(lines);
+  const order::Tour tour = order::best_tour(lines, task.field, task.machine.width_m);
+  Driven out{order::pieces_on(tour, lines), {}, {}};
+  for (const order::End end : tour) {
+    std::vector<std::size_t> along = places[order::line_of(end)];
+    if (!order::is_start(end)) std::reverse(along.begin(), along.end());
+    for (const std::size_t place : along) {
+      out.laid.push_back(laid[place]);
+      out.back.push_back(!order::is_start(end));
+    }
+  }
+  return out;
+}
+
+}  // namespace tramline

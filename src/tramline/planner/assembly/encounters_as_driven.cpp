@@ -1,0 +1,61 @@
+#include "tramline/planner/assembly/encounters_as_driven.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "tramline/planner/order/lines.h"
+#include "tramline/planner/tolerances.h"
+
+namespace tramline {
+namespace {
+
+/// How far the piece is from what blocks its track.
+double off_by(const LaidPiece& piece, const Interval& between) {
+  return std::max({0.0, piece.from - between.to, between.from - piece.to});
+}
+
+using Track = std::pair<std::size_t, int>;  // by subfield and number in its family
+
+/// The driven pieces of each track, in driving order.
+std::map<Track, std::vector<std::size_t>> by_track(const Candidate& candidate, const Driven& driven) {
+  std::map<Track, std::vector<std::size_t>> out;
+  for (std::size_t i = 0; i < driven.laid.size(); ++i) {
+    const LaidPlace& laid = driven.laid[i];
+    const LaidPiece& piece = candidate.avoided.tracks[laid.subfield].pieces[laid.piece];
+    out[{laid.subfield, piece.track}].push_back(i);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Encounter> encounters_as_driven(const SearchTask& task, const Candidate& candidate,
+                                            const Driven& driven) {
+  const auto tracks = by_track(candidate, driven);
+  std::vector<Encounter> out;
+  for (PlacedEncounter& encounter : encounters_of(task, candidate)) {
+    double nearest_m = std::numeric_limits<double>::infinity();
+    bool back = false;
+    if (const auto found = tracks.find({encounter.subfield, encounter.track}); found != tracks.end())
+      for (const std::size_t i : found->second) {
+        const LaidPlace& laid = driven.laid[i];
+        const LaidPiece& piece = candidate.avoided.tracks[laid.subfield].pieces[laid.piece];
+        if (piece.branch != encounter.branch) continue;
+        const double off_m = off_by(piece, encounter.between);
+        if (off_m >= nearest_m - kAsNear_m) continue;
+        nearest_m = off_m;
+        back = driven.back[i];
+      }
+    encounter.track -= first_track(candidate, encounter.subfield);
+    if (back) {
+      encounter.chosen = order::other_side(encounter.chosen);
+      std::swap(encounter.left, encounter.right);
+    }
+    out.push_back(std::move(encounter));
+  }
+  return out;
+}
+
+}  // namespace tramline

@@ -1,0 +1,109 @@
+#include "tramline/planner/assembly/finished_plan.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "tramline/cost/worked/kinked_overlap.h"
+#include "tramline/cost/worked/piece_overlap.h"
+#include "tramline/geometry/error.h"
+#include "tramline/headland/body.h"
+#include "tramline/headland/headland.h"
+#include "tramline/planner/assembly/driven_tracks.h"
+#include "tramline/planner/assembly/encounters_as_driven.h"
+#include "tramline/planner/assembly/track_ground.h"
+#include "tramline/planner/assembly/whole_figures.h"
+#include "tramline/planner/warnings.h"
+
+namespace tramline {
+namespace {
+
+std::vector<DroppedPiece> dropped_pieces(const Candidate& candidate) {
+  std::vector<DroppedPiece> out;
+  for (std::size_t i = 0; i < candidate.avoided.tracks.size(); ++i) {
+    const LaidTracks& tracks = candidate.avoided.tracks[i];
+    for (const LaidPiece& piece : tracks.dropped) {
+      const Path line = line_of(piece, tracks.grid);
+      out.push_back({line.front().from, line.back().to, i});
+    }
+  }
+  return out;
+}
+
+void settle_overlaps(Plan& plan, const std::vector<Subfield>& subfields) {
+  const double width_m = plan.machine.width_m;
+  const bool kinked = plan.settings.tracks == TrackConstruction::kPaper;
+  const std::vector<double> overlaps = kinked ? overlap_by_kinked_piece(plan.body, plan.pieces, width_m)
+                                              : overlap_by_piece(plan.body, subfields, plan.pieces, width_m);
+  for (std::size_t i = 0; i < overlaps.size(); ++i) plan.pieces[i].overlap_m2 = overlaps[i];
+}
+
+/// Straight tracks along a line that was given follow it.
+void add_guide(const std::vector<Point>& guide, std::vector<Subfield>& subfields) {
+  if (guide.empty()) return;
+  for (Subfield& subfield : subfields)
+    if (subfield.reference.empty()) subfield.reference = straight_path(guide.front(), guide.back());
+}
+
+Error no_tracks(const SearchTask& task) {
+  const double clearance_m = task.settings.clearance_m;
+  if (task.clearance_takes_all)
+    return bad_input(
+        fmt::format("no track fits into field '{}' of {:.0f} m²: the clearance of {} m from obstacles leaves "
+                    "no ground to work; use a smaller --clearance",
+                    task.field.id, area_m2(task.field), clearance_m));
+  const bool kept_clear = clearance_m > 0 && !obstacle_shapes(task.field, ObstacleKind::kObstacle).empty();
+  return bad_input(fmt::format(
+      "no track fits into field '{}' of {:.0f} m² with a working width of {} m{} and pieces of at least {} "
+      "m: use a narrower machine, a smaller --min-length{} or another end rule",
+      task.field.id, area_m2(task.field), task.machine.width_m,
+      kept_clear ? fmt::format(", a clearance of {} m from obstacles", clearance_m) : "",
+      min_length_m(task.machine), kept_clear ? ", a smaller --clearance" : ""));
+}
+
+}  // namespace
+
+void require_tracks(const SearchTask& task, const Tally& tally) {
+  const bool worked_by_passes = task.headland.worked_m2 > area(task.ground.body);
+  if (tally.pieces == 0 && !worked_by_passes) throw no_tracks(task);
+}
+
+Plan bare_plan(const SearchTask& task) {
+  Plan plan;
+  plan.field = task.field;
+  plan.machine = task.machine;
+  plan.objective = task.objective;
+  plan.settings = task.settings;
+  plan.body = task.ground.body;
+  plan.given_up = task.ground.given_up;
+  plan.headland = task.headland;
+  if (!plan.headland.ground.empty())
+    plan.headland.unworked = unworked_ground(plan.headland, task.machine.width_m);
+  return plan;
+}
+
+Plan finished_plan(const SearchTask& task, SearchResult found, const SearchContext& context) {
+  require_tracks(task, found.best.avoided.tally);
+  Plan plan = bare_plan(task);
+  Driven driven = driven_tracks(task, found.best);
+  plan.pieces = std::move(driven.pieces);
+  plan.dropped = dropped_pieces(found.best);
+  context.report();
+  settle_overlaps(plan, found.best.subfields);
+  context.report();
+  plan.encounters = encounters_as_driven(task, found.best, driven);
+  context.report();
+  plan.subfields = found.best.subfields;
+  TrackGround ground = track_ground(plan, found.best);
+  add_guide(task.settings.guide, plan.subfields);
+  set_figures(plan, found.best.avoided.tally);
+  context.report();
+  plan.directions_tried = found.directions_tried;
+  plan.proof = whole_proof(task, found, plan);
+  context.report();
+  add_layers(plan, std::move(ground));
+  plan.warnings = warnings_about(plan);
+  return plan;
+}
+
+}  // namespace tramline

@@ -1,0 +1,208 @@
+#include "tramline/planner/curved/best_curved.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <mutex>
+#include <optional>
+
+#include "tramline/planner/curved/curved_candidate.h"
+#include "tramline/planner/curved/parallel_tracks.h"
+#include "tramline/planner/curved/reference_chains.h"
+#include "tramline/planner/search/for_each_index.h"
+
+namespace tramline {
+namespace {
+
+constexpr std::size_t kMostChains = 8;
+constexpr std::size_t kMoved = 3;  ///< references that are tried in other places
+constexpr int kPlaces = 8;
+constexpr std::ptrdiff_t kDetoursTried = 3;  ///< families whose detours are looked for, by either order
+
+/// A reference in one place, and what its tracks cost.
+struct TriedCurve {
+  const Reference* reference = nullptr;
+  double right_m = 0;
+  Candidate candidate;
+};
+
+/// Along the boundary of some ground.
+std::vector<Reference> references_of(const SearchTask& task, const Region& ground,
+                                     const SearchContext& context) {
+  const double width_m = task.machine.width_m;
+  const double corner_m = 2 * std::max(task.machine.radius_m, 0.5 * width_m);
+  const double smoothing[] = {0.002 * width_m, 0.02 * width_m, 0.1 * width_m, 0.5 * width_m};
+  const auto chains = reference_chains(ground, corner_m, 0.1 * width_m, kMostChains);
+  std::vector<std::optional<Reference>> found(chains.size() * std::size(smoothing));
+  for_each_index(found.size(), context, [&](std::size_t i) {
+    found[i] =
+        try_reference_along(task, chains[i / std::size(smoothing)], smoothing[i % std::size(smoothing)]);
+  });
+  std::vector<Reference> out;
+  // Where a chain is smooth enough, less smoothing changes nothing.
+  for (std::optional<Reference>& one : found)
+    if (one && !(one->round && task.settings.tracks == TrackConstruction::kPaper) &&
+        (out.empty() || one->path != out.back().path))
+      out.push_back(std::move(*one));
+  return out;
+}
+
+void sort_best_first(std::vector<TriedCurve>& tried) {
+  std::stable_sort(tried.begin(), tried.end(), [](const TriedCurve& a, const TriedCurve& b) {
+    return is_better(a.candidate.avoided, b.candidate.avoided);
+  });
+}
+
+/// What the best so many have cost: what is certain to cost more need not be looked at to its end. Families
+/// that are given up for the last of them would not have been among them, whichever came first.
+class BestCosts {
+ public:
+  explicit BestCosts(std::size_t count, double known = std::numeric_limits<double>::infinity())
+      : costs_(count, known) {}
+
+  double last() {
+    const std::lock_guard lock(mutex_);
+    return costs_.back();
+  }
+  bool any() {
+    const std::lock_guard lock(mutex_);
+    return any_;
+  }
+  void offer(const Candidate& candidate) {
+    if (!candidate.works()) return;
+    const std::lock_guard lock(mutex_);
+    any_ = true;
+    costs_.insert(std::upper_bound(costs_.begin(), costs_.end(), candidate.cost()), candidate.cost());
+    costs_.pop_back();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<double> costs_;
+  bool any_ = false;
+};
+
+/// All of them, sorted; those that are certain to be none of the best that `costs` holds may have been given
+/// up. A search that has to end leaves off once one of them works.
+void try_all(const SearchTask& task, const Polygon& part, BestCosts& costs, std::vector<TriedCurve>& places,
+             const SearchContext& context) {
+  const CurvedGround ground = curved_ground(task, part);
+  for_each_index(places.size(), context, [&](std::size_t i) {
+    if (costs.any() && context.has_to_end()) return;
+    const auto subfield = subfield_along(task, part, *places[i].reference, places[i].right_m);
+    if (!subfield) return;
+    places[i].candidate = plain_candidate(task, ground, *subfield, costs.last());
+    costs.offer(places[i].candidate);
+  });
+  sort_best_first(places);
+}
+
+/// With a stop no dearer than a turn: as if most obstacles had a way round.
+double soft_cost(const SearchTask& task, const TriedCurve& tried) {
+  Objective prices = task.objective;
+  prices.stop = std::min(prices.stop, prices.turn);
+  return cost(prices, tried.candidate.avoided.tally);
+}
+
+/// Those worth a look at detours: the cheapest as they are, and the cheapest of the rest if stops were cheap.
+/// Precondition: sorted.
+std::vector<TriedCurve> promising(const SearchTask& task, std::vector<TriedCurve> tried) {
+  if (std::ssize(tried) > kDetoursTried)
+    std::stable_sort(tried.begin() + kDetoursTried, tried.end(),
+                     [&task](const TriedCurve& a, const TriedCurve& b) {
+                       return soft_cost(task, a) < soft_cost(task, b);
+                     });
+  if (std::ssize(tried) > 2 * kDetoursTried) tried.erase(tried.begin() + 2 * kDetoursTried, tried.end());
+  return tried;
+}
+
+/// The best curve for one part of the ground; nullopt where no track of any fits.
+std::optional<TriedCurve> best_on(const SearchTask& task, const Polygon& part,
+                                  const std::vector<Reference>& references, const SearchContext& context) {
+  std::vector<TriedCurve> all;
+  for (const Reference& reference : references) {
+    all.push_back({&reference, 0, {}});
+    // The land lies to the left of a boundary: so far out the first swath takes all of its bends.
+    if (reference.deviation_m > 0) all.push_back({&reference, reference.deviation_m, {}});
+  }
+  BestCosts best_few(kMoved);
+  try_all(task, part, best_few, all, context);
+  if (all.empty()) return std::nullopt;
+  std::vector<TriedCurve> moved;
+  for (std::size_t i = 0; i < std::min(all.size(), kMoved); ++i)
+    for (int k = 1; k < kPlaces; ++k)
+      moved.push_back({all[i].reference, all[i].right_m + task.machine.width_m * k / kPlaces, {}});
+  BestCosts best(1);
+  best.offer(all.front().candidate);
+  try_all(task, part, best, moved, context);
+  all.insert(all.end(), std::make_move_iterator(moved.begin()), std::make_move_iterator(moved.end()));
+  sort_best_first(all);
+  std::erase_if(all, [](const TriedCurve& tried) { return !tried.candidate.works(); });
+  if (all.empty()) return std::nullopt;
+  if (!asks_for_detours(task)) return std::move(all.front());
+  all = promising(task, std::move(all));
+  for_each_index_until_end(all.size(), context, [&](std::size_t i) {
+    all[i].candidate = candidate_on(task, grounds_of(all[i].candidate));
+  });
+  sort_best_first(all);
+  return std::move(all.front());
+}
+
+/// Each part along its own curve, or all along that of one of them: what swaths work beyond their own part
+/// may decide.
+Candidate best_together(const SearchTask& task, const std::vector<LinedSubfield>& grounds,
+                        const SearchContext& context) {
+  context.report();
+  Candidate best = candidate_on(task, grounds);
+  std::vector<Path> tried;
+  for (const LinedSubfield& one : grounds) {
+    const Path& reference = one.subfield.reference;
+    if (context.has_to_end() || std::find(tried.begin(), tried.end(), reference) != tried.end()) continue;
+    tried.push_back(reference);
+    std::vector<LinedSubfield> along = grounds;
+    for (LinedSubfield& ground : along) {
+      ground.subfield.direction = one.subfield.direction;
+      ground.subfield.reference = reference;
+    }
+    Candidate other = candidate_on(task, along);
+    if (is_better(other.avoided, best.avoided)) best = std::move(other);
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<Candidate> best_along_own_edge(const SearchTask& task, const Polygon& ground,
+                                             const SearchContext& context) {
+  std::optional<TriedCurve> best = best_on(task, ground, references_of(task, {ground}, context), context);
+  if (!best) return std::nullopt;
+  return std::move(best->candidate);
+}
+
+std::optional<BestCurve> best_curved(const SearchTask& task, const SearchContext& context) {
+  const std::vector<Reference> references = references_of(task, task.ground.plannable, context);
+  const Region& parts = task.ground.plannable;
+  std::vector<LinedSubfield> grounds;
+  BestCurve out;
+  Subfield largest;
+  double largest_m2 = 0;
+  for (const Polygon& part : parts) {
+    std::optional<TriedCurve> best = best_on(task, part, references, context);
+    grounds.push_back({best ? best->candidate.subfields.front() : Subfield{part, {}, {}}, 0});
+    if (best && area(part) > largest_m2) {
+      out.line = best->reference->line;
+      largest = grounds.back().subfield;
+      largest_m2 = area(part);
+    }
+    if (best && parts.size() == 1) out.candidate = std::move(best->candidate);
+  }
+  if (largest_m2 == 0) return std::nullopt;
+  // A part that no curve suits by itself goes with the largest.
+  for (LinedSubfield& ground : grounds)
+    if (ground.subfield.reference.empty())
+      ground.subfield = {ground.subfield.shape, largest.direction, largest.reference};
+  if (parts.size() > 1) out.candidate = best_together(task, grounds, context);
+  return out;
+}
+
+}  // namespace tramline

@@ -1,0 +1,117 @@
+#include "tramline/planner/curved/curved_division.h"
+
+#include <limits>
+#include <utility>
+
+#include "tramline/planner/curved/best_curved.h"
+#include "tramline/planner/search/merge_pairs.h"
+
+namespace tramline {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
+struct PricedGround {
+  LinedSubfield ground;
+  double price = kNone;
+};
+
+/// Prices of subfields add up to what a plan costs, but for what their swaths work of one another and one
+/// turn: a subfield has its own land missed, a turn to it from another, and the price of a further one.
+double price_of(const SearchTask& task, const Candidate& alone) {
+  const Objective& prices = task.objective;
+  const double missed_elsewhere_m2 = task.body_m2 - area(alone.subfields.front().shape);
+  return alone.cost() - prices.uncovered * missed_elsewhere_m2 + prices.turn + prices.subfield;
+}
+
+/// Infinitely dear where no curve has a track.
+PricedGround along_curve(const SearchTask& task, const Polygon& shape, const SearchContext& context) {
+  const std::optional<Candidate> best = best_along_own_edge(task, shape, context);
+  if (!best) return {{{shape, {}, {}}, 0}};
+  return {grounds_of(*best).front(), price_of(task, *best)};
+}
+
+PricedGround best_alone(const SearchTask& task, const LinedSubfield& straight, OtherSubfields others,
+                        const SearchContext& context) {
+  PricedGround curved = along_curve(task, straight.subfield.shape, context);
+  if (others == OtherSubfields::kCurved) return curved;
+  const double price = price_of(task, candidate_on(task, {straight}));
+  return price <= curved.price ? PricedGround{straight, price} : curved;
+}
+
+/// Neighbours along one curve where that costs less than the tracks of both.
+std::vector<PricedGround> joined_along_curves(const SearchTask& task, std::vector<PricedGround> grounds,
+                                              const SearchContext& context) {
+  using Pair = MergedPair<PricedGround>;
+  const auto look = [&](const std::vector<PricedGround>& among, const std::vector<PairPlaces>& places) {
+    std::vector<std::optional<Pair>> found;
+    for (const PairPlaces& pair : places) {
+      if (context.has_to_end()) break;
+      const PricedGround &a = among[pair.first], &b = among[pair.second];
+      const auto whole = merged_shape(a.ground.subfield.shape, b.ground.subfield.shape);
+      if (!whole) continue;
+      PricedGround one = along_curve(task, *whole, context);
+      if (one.price < a.price + b.price)
+        found.push_back(Pair{pair, std::move(one), a.price + b.price - one.price});
+    }
+    return found;
+  };
+  return merge_pairs(std::move(grounds), look);
+}
+
+/// Empty where no subfield follows a curve. Those that have no tracks of their own go with the largest that
+/// does.
+std::vector<LinedSubfield> lined(const std::vector<PricedGround>& grounds) {
+  const Subfield* largest = nullptr;
+  for (const PricedGround& one : grounds) {
+    const Subfield& subfield = one.ground.subfield;
+    if (!subfield.reference.empty() && (largest == nullptr || area(subfield.shape) > area(largest->shape)))
+      largest = &subfield;
+  }
+  std::vector<LinedSubfield> out;
+  if (largest == nullptr) return out;
+  for (const PricedGround& one : grounds) {
+    out.push_back(one.ground);
+    if (one.price != kNone) continue;
+    out.back().subfield.direction = largest->direction;
+    out.back().subfield.reference = largest->reference;
+  }
+  return out;
+}
+
+std::optional<Candidate> divided_along_curves(const SearchTask& task,
+                                              const std::vector<LinedSubfield>& division,
+                                              OtherSubfields others, const SearchContext& context) {
+  std::vector<PricedGround> alone;
+  for (const LinedSubfield& straight : division) alone.push_back(best_alone(task, straight, others, context));
+  const std::vector<LinedSubfield> grounds = lined(joined_along_curves(task, std::move(alone), context));
+  if (grounds.empty()) return std::nullopt;
+  context.report();
+  return candidate_on(task, grounds);
+}
+
+}  // namespace
+
+std::optional<Candidate> best_division_along_curves(const SearchTask& task,
+                                                    const std::vector<std::vector<LinedSubfield>>& divisions,
+                                                    OtherSubfields others, const SearchContext& context) {
+  std::optional<Candidate> best;
+  for (const std::vector<LinedSubfield>& division : divisions) {
+    // Ground that is not divided has its curve already.
+    if (division.size() < 2 || context.has_to_end()) continue;
+    std::optional<Candidate> found = divided_along_curves(task, division, others, context);
+    if (found && (!best || is_better(found->avoided, best->avoided))) best = std::move(found);
+  }
+  return best;
+}
+
+std::vector<LinedSubfield> hopeful_division(const SearchTask& task, const std::vector<SweptGround>& swept) {
+  const SweptGround* best = nullptr;
+  for (const SweptGround& one : swept)
+    if (one.grounds.size() > task.ground.plannable.size() &&
+        (best == nullptr || one.outlook.soft < best->outlook.soft))
+      best = &one;
+  return best == nullptr ? std::vector<LinedSubfield>{} : best->grounds;
+}
+
+}  // namespace tramline

@@ -1,0 +1,190 @@
+#include "tramline/planner/pareto/trade_off.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "tramline/geometry/error.h"
+#include "tramline/planner/assembly/finished_plan.h"
+#include "tramline/planner/assembly/whole_figures.h"
+#include "tramline/planner/pareto/dominance.h"
+#include "tramline/planner/pareto/front_marks.h"
+#include "tramline/planner/prepare_field.h"
+#include "tramline/planner/search/for_each_index.h"
+#include "tramline/planner/search/straight_search.h"
+#include "tramline/planner/warnings.h"
+
+namespace tramline {
+namespace {
+
+using Grounds = std::vector<LinedSubfield>;
+
+SearchTask task_of(const TradeOff& trade_off, std::size_t search) {
+  return {trade_off.problem, trade_off.prepared, trade_off.searches[search].prices};
+}
+
+/// A plan that may be of the front.
+struct Laid {
+  TradeOff::Origin origin;
+  Tally tally;
+};
+
+/// The plans the search has met, the one it has chosen first.
+std::vector<Laid> laid_by(std::size_t search, const SearchResult& found) {
+  std::vector<Laid> out;
+  out.push_back({{search, grounds_of(found.best)}, found.best.avoided.tally});
+  for (const SeenPlan& seen : found.seen) out.push_back({{search, seen.grounds}, seen.tally});
+  return out;
+}
+
+/// Without what is dominated, and without plans that have no piece.
+std::vector<Laid> best_of(std::vector<Laid> laid) {
+  std::erase_if(laid, [](const Laid& plan) { return plan.tally.pieces == 0; });
+  std::vector<Tally> tallies;
+  for (const Laid& plan : laid) tallies.push_back(plan.tally);
+  std::vector<Laid> out;
+  for (const std::size_t i : undominated(tallies)) out.push_back(std::move(laid[i]));
+  return out;
+}
+
+/// `first`: what the first of them finds, where that is known.
+void run_searches(TradeOff& trade_off, std::optional<SearchResult> first, const SearchContext& context) {
+  const std::vector<Objective> prices = prices_to_search(trade_off.problem.objective);
+  for (const Objective& one : prices) trade_off.searches.push_back({one, {}});
+  std::mutex mutex;
+  int done = 0;
+  for_each_index_until_end(prices.size(), context, [&](std::size_t i) {
+    trade_off.searches[i].found =
+        i == 0 && first ? std::move(*first) : straight_search(task_of(trade_off, i), context.uncounted());
+    const std::lock_guard lock(mutex);
+    context.count(++done, static_cast<int>(prices.size()));
+  });
+}
+
+/// Each plan after the prices of every search but its own: the same tracks may end elsewhere, and pass
+/// obstacles in another way.
+std::vector<Laid> laid_anew(const TradeOff& trade_off, const std::vector<Laid>& laid,
+                            const SearchContext& context) {
+  const std::size_t count = trade_off.searches.size();
+  std::vector<Laid> out(laid.size() * count);
+  for_each_index_until_end(out.size(), context, [&](std::size_t i) {
+    const TradeOff::Origin& origin = laid[i / count].origin;
+    const std::size_t search = i % count;
+    if (search == origin.search) return;
+    out[i] = {{search, origin.grounds},
+              candidate_on(task_of(trade_off, search), origin.grounds).avoided.tally};
+  });
+  return out;
+}
+
+/// With the tallies of tracks and headland passes together, and without what is dominated by these.
+std::vector<Laid> with_headland(const TradeOff& trade_off, std::vector<Laid> laid,
+                                const SearchContext& context) {
+  if (trade_off.prepared.headland.passes.empty()) return laid;
+  for_each_index(laid.size(), context, [&](std::size_t i) {
+    const SearchTask task = task_of(trade_off, laid[i].origin.search);
+    laid[i].tally = whole_tally_of(task, candidate_on(task, laid[i].origin.grounds));
+  });
+  return best_of(std::move(laid));
+}
+
+Front front_of(const TradeOff& trade_off, const std::vector<Laid>& laid) {
+  const Objective& prices = trade_off.problem.objective;
+  Front front;
+  front.prices = prices;
+  for (const Laid& plan : laid) {
+    FrontPoint point{plan.tally, {}, trade_off.searches[plan.origin.search].prices, cost(prices, plan.tally)};
+    for (const LinedSubfield& ground : plan.origin.grounds)
+      point.directions.push_back(ground.subfield.direction);
+    front.points.push_back(std::move(point));
+  }
+  front.marks = marks_for(front);
+  return front;
+}
+
+Plan marked(const TradeOff& trade_off, Plan plan) {
+  if (trade_off.cut_short) mark_cut_short(plan);
+  return plan;
+}
+
+}  // namespace
+
+void require_straight_tracks(const PlanSettings& settings) {
+  if (settings.tracks == TrackConstruction::kPaper)
+    throw bad_input("plans to choose from have no tracks as in the paper; leave --tracks paper out");
+  if (settings.shape != TrackShape::kStraight)
+    throw bad_input(
+        "plans to choose from have straight tracks; leave --curved out, or give a line without bends");
+}
+
+std::vector<Objective> prices_to_search(const Objective& given) {
+  std::vector<Objective> out;
+  const auto add = [&out](const Objective& prices) {
+    if (std::none_of(out.begin(), out.end(), [&](const Objective& other) { return prices == other; }))
+      out.push_back(prices);
+  };
+  add(given);
+  for (const Scenario scenario : {Scenario::kOverlap, Scenario::kUncovered, Scenario::kTurns})
+    add(weights_of(scenario));
+  for (const double factor : {0.125, 0.5, 2.0, 8.0}) {
+    add({given.overlap * factor, given.uncovered, given.turn, given.stop, given.subfield});
+    add({given.overlap, given.uncovered * factor, given.turn, given.stop, given.subfield});
+    add({given.overlap, given.uncovered, given.turn * factor, given.stop * factor, given.subfield * factor});
+  }
+  return out;
+}
+
+TradeOff trade_off(const Field& field, const Machine& machine, const Objective& prices,
+                   const PlanSettings& settings, int threads, const Progress& progress) {
+  TradeOff out;
+  out.problem = planning_problem(field, machine, prices, settings);
+  require_straight_tracks(settings);
+  const SearchContext context(threads, progress);
+  std::optional<Preparation> prepared = prepare_field(out.problem, context);
+  if (!prepared) throw no_room(out.problem);
+  out.prepared = std::move(prepared->field);
+  run_searches(out, std::move(prepared->found), context);
+  const Candidate& first = out.searches.front().found.best;
+  require_tracks(task_of(out, 0), first.avoided.tally);
+  if (!first.works())
+    throw bad_input(fmt::format(
+        "the field '{}' is worked by its headland passes alone: there are no plans to choose from",
+        field.id));
+
+  std::vector<Laid> laid;
+  for (std::size_t i = 0; i < out.searches.size(); ++i) {
+    for (Laid& plan : laid_by(i, out.searches[i].found)) laid.push_back(std::move(plan));
+    if (i > 0) out.searches[i].found.seen.clear();  // the first may have to be explained
+  }
+  laid = best_of(std::move(laid));
+  for (Laid& plan : laid_anew(out, laid, context)) laid.push_back(std::move(plan));
+  laid = with_headland(out, best_of(std::move(laid)), context);
+
+  out.front = front_of(out, laid);
+  for (Laid& plan : laid) out.origins.push_back(std::move(plan.origin));
+  out.cut_short = context.cut_short();
+  return out;
+}
+
+Plan plan_of(const TradeOff& trade_off, std::size_t point) {
+  const TradeOff::Origin& origin = trade_off.origins[point];
+  const SearchTask task = task_of(trade_off, origin.search);
+  SearchResult laid = trade_off.searches[origin.search].found;
+  laid.best = candidate_on(task, origin.grounds);
+  return marked(trade_off, finished_plan(task, std::move(laid), SearchContext()));
+}
+
+Plan given_plan(const TradeOff& trade_off) {
+  return marked(trade_off,
+                finished_plan(task_of(trade_off, 0), trade_off.searches.front().found, SearchContext()));
+}
+
+Explanation why_given(const TradeOff& trade_off, int threads) {
+  return explanation_of(task_of(trade_off, 0), trade_off.searches.front().found, SearchContext(threads));
+}
+
+}  // namespace tramline

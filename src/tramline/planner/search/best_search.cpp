@@ -1,0 +1,313 @@
+#include "tramline/planner/search/best_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "tramline/planner/search/for_each_index.h"
+#include "tramline/planner/search/split_and_merge.h"
+#include "tramline/planner/search/sweep_search.h"
+
+namespace tramline {
+namespace {
+
+constexpr std::size_t kHinderedTries = 5;  ///< grids of either ranking that are tried with detours
+
+/// Cells of a sweep that are given the best grid each, and joined where that pays: every pair of them is
+/// looked at. More are tried as the sweep leaves them.
+constexpr std::size_t kMostRegridded = 64;
+
+constexpr double kNoPrice = std::numeric_limits<double>::infinity();
+
+LinedSubfield gridded(const Polygon& shape, const PricedGrid& grid) {
+  return {{shape, grid.direction}, grid.origin_m};
+}
+
+std::vector<LinedSubfield> gridded(const std::vector<PricedSubfield>& subfields) {
+  std::vector<LinedSubfield> out;
+  for (const PricedSubfield& subfield : subfields) out.push_back(gridded(subfield.shape, subfield.grid));
+  return out;
+}
+
+/// What a plan costs besides what its parts cost each by itself: the first track needs no turn, and the first
+/// subfield is free.
+double beside_the_parts(const SearchTask& task) {
+  const double given_up_m2 = std::max(0.0, task.body_m2 - area(task.ground.plannable));
+  const Objective& price = task.objective;
+  return price.uncovered * given_up_m2 - price.turn - price.subfield;
+}
+
+/// A part of the ground is a subfield more, or is left.
+double least_of_part(const SearchTask& task, const Polygon& part, double bound) {
+  return std::min(bound + task.objective.subfield, std::max(bound, task.objective.uncovered * area(part)));
+}
+
+using Grounds = std::vector<LinedSubfield>;
+
+struct Tried {
+  Grounds grounds;
+  Candidate candidate;
+};
+
+/// One connected part of the ground, by itself.
+struct PartResult {
+  Tried whole;        ///< undivided
+  Grounds divided;    ///< empty where that does not pay
+  Grounds shortlist;  ///< the part on each of the grids that looked good, best first; not empty
+  double bound = 0;   ///< of undivided plans
+  int boxes = 0;
+};
+
+class BestSearch {
+ public:
+  BestSearch(const SearchTask& task, const SearchContext& context, double no_more_than)
+      : task_(task), context_(context), no_more_than_(no_more_than), swept_(swept_grounds(task, context)) {}
+
+  SearchResult run() {
+    search_parts();
+    if (!best_.works() || !context_.has_to_end()) try_swept();
+    if (!undivided_) out_.proof.one_direction_cost = best_.cost();
+    if (undivided_ && best_.subfields.size() > task_.ground.plannable.size())
+      out_.undivided = std::move(*undivided_);
+    out_.proof.one_direction_bound =
+        std::clamp(out_.proof.one_direction_bound, 0.0, out_.proof.one_direction_cost);
+    out_.proof.bound = std::min(out_.proof.one_direction_bound, least_cost_of_any_plan(task_));
+    out_.directions_tried = static_cast<int>(swept_.size()) + boxes_;
+    out_.best = std::move(best_);
+    out_.swept = std::move(swept_);
+    return std::move(out_);
+  }
+
+ private:
+  void try_swept() {
+    const std::size_t cells = hopeful_sweep().grounds.size();
+    if (cells > task_.ground.plannable.size() && cells <= kMostRegridded)
+      try_plan(regridded(hopeful_sweep().grounds));
+    const double known =
+        best_.works() ? std::min(best_.cost(), just_above(no_more_than_)) : just_above(no_more_than_);
+    if (std::optional<Candidate> sweep = cheapest_swept(task_, swept_, known, context_)) {
+      if (sweep->subfields.size() == task_.ground.plannable.size()) see_undivided(*sweep);
+      keep(std::move(*sweep));
+    }
+  }
+
+  void search_parts() {
+    Grounds whole, chosen;
+    double bound = beside_the_parts(task_);
+    bool divided = false;
+    std::vector<Grounds> shortlists;
+    const std::size_t parts = task_.ground.plannable.size();
+    for (std::size_t i = 0; i < parts; ++i) {
+      PartResult found = search_part(i);
+      const Grounds& better = found.divided.empty() ? found.whole.grounds : found.divided;
+      whole.insert(whole.end(), found.whole.grounds.begin(), found.whole.grounds.end());
+      chosen.insert(chosen.end(), better.begin(), better.end());
+      divided = divided || !found.divided.empty();
+      bound += parts == 1 ? found.bound + task_.objective.subfield
+                          : least_of_part(task_, task_.ground.plannable[i], found.bound);
+      boxes_ += found.boxes;
+      shortlists.push_back(std::move(found.shortlist));
+      if (parts == 1) best_ = std::move(found.whole.candidate);
+    }
+    if (parts != 1) best_ = laid_out(whole);
+    see(best_);
+    see_undivided(best_);
+    out_.proof.one_direction_bound = bound;
+    if (divided) try_plan(chosen);
+    out_.shortlist = across_parts(shortlists);
+  }
+
+  /// The best of each part's list together, the second best, and so on; a part whose list ends stays with its
+  /// best.
+  static std::vector<Grounds> across_parts(const std::vector<Grounds>& shortlists) {
+    std::size_t longest = 0;
+    for (const Grounds& list : shortlists) longest = std::max(longest, list.size());
+    std::vector<Grounds> out(longest);
+    for (std::size_t i = 0; i < longest; ++i)
+      for (const Grounds& list : shortlists) out[i].push_back(list[i < list.size() ? i : 0]);
+    return out;
+  }
+
+  PartResult search_part(std::size_t index) {
+    const Polygon& part = task_.ground.plannable[index];
+    const SearchEffort effort = effort_for(part);
+    std::vector<PricedSubfield> divided;
+    Direction along;
+    const Rival divide = [&](const PricedGrid& best) {
+      along = best.direction;
+      divided = divided_from({part, best});
+      // With detours in sight, what the parts cost with all tracks cut says little.
+      return divided.size() < 2 || !task_.ground.hazards.empty() ? kNoPrice : price(task_, divided);
+    };
+    const BranchAndBoundResult found = branch_and_bound(task_, part, effort, context_, divide);
+    const bool hindered = !found.unhindered.empty();
+    std::vector<Grounds> ways{{gridded(part, found.grids.front())}};
+    if (hindered) append_hindered_ways(index, found, ways);
+    // With detours in sight, what was not tried may be cheaper than it looks: it is no runner-up.
+    Grounds shortlist;
+    if (hindered)
+      for (const Grounds& way : ways) shortlist.push_back(way.front());
+    else
+      for (const PricedGrid& grid : found.grids) shortlist.push_back(gridded(part, grid));
+    PartResult out{cheapest_of(std::move(ways)), {}, std::move(shortlist), found.bound, found.boxes};
+    if (hindered) slide(out.whole);
+
+    const PricedGrid& best = hindered ? found.unhindered.front() : found.grids.front();
+    if (angle_between(best.direction, along) > Angle::degrees(1)) {
+      std::vector<PricedSubfield> again = divided_from({part, best});
+      if (divided.size() < 2 || (again.size() > 1 && price(task_, again) < price(task_, divided)))
+        divided = std::move(again);
+    }
+    if (divided.size() < 2 || context_.has_to_end()) return out;
+    Grounds apart = gridded(divided);
+    if (is_better(laid_out(apart).avoided, out.whole.candidate.avoided)) out.divided = std::move(apart);
+    return out;
+  }
+
+  /// The ground divided, each part with its best grid; one part where that does not pay.
+  std::vector<PricedSubfield> divided_from(const PricedSubfield& ground) const {
+    std::vector<PricedSubfield> out = split_where_it_pays(task_, ground, context_);
+    if (out.size() > 1) out = merge_where_it_pays(task_, std::move(out), context_);
+    return out;
+  }
+
+  /// A grid takes time in proportion to corners, tracks and how often the boundary meets tracks: the more
+  /// there are, the fewer are looked at. A boundary that goes round the part a few times at most counts with
+  /// the tracks.
+  SearchEffort effort_for(const Polygon& part) const {
+    constexpr double kCornersAndTracks = 2e6;  // of all grids that are bounded
+    const Box box = bounds(part);
+    constexpr double kPlainRounds = 8;  // boundary to diagonal
+    constexpr double kWinding = 2000;   // widths; more is no field's, but a comb's or a star's
+    const double across_m = std::hypot(box.width(), box.height());
+    double boundary_m = perimeter(part.outer);
+    for (const Ring& hole : part.holes) boundary_m += perimeter(hole);
+    const double winding_m = std::max(0.0, boundary_m - kPlainRounds * across_m);
+    const double one =
+        static_cast<double>(vertex_count({part})) + (across_m + winding_m) / task_.machine.width_m;
+    SearchEffort effort;
+    effort.tolerance = task_.settings.direction_tolerance;
+    effort.most_boxes = std::min(effort.most_boxes, 200 + static_cast<int>(kCornersAndTracks / one));
+    effort.scanned = std::min(effort.scanned, 20 + static_cast<int>(0.1 * kCornersAndTracks / one));
+    if (winding_m > kWinding * task_.machine.width_m) {
+      effort.most_edges = 16;
+      effort.polished = 1;
+      effort.exact_offset = false;
+    }
+    return effort;
+  }
+
+  /// What is best with detours is neither best with all tracks cut nor best with stops for nothing: the
+  /// best few of either, and the sweep's.
+  void append_hindered_ways(std::size_t part, const BranchAndBoundResult& found,
+                            std::vector<Grounds>& ways) const {
+    const Polygon& shape = task_.ground.plannable[part];
+    for (std::size_t i = 0; i < kHinderedTries; ++i) {
+      if (i > 0 && i < found.grids.size()) ways.push_back({gridded(shape, found.grids[i])});
+      if (i < found.unhindered.size()) ways.push_back({gridded(shape, found.unhindered[i])});
+    }
+    std::vector<const SweptGround*> undivided;
+    for (const SweptGround& swept : swept_)
+      if (task_.ground.plannable.size() == 1 && swept.grounds.size() == 1) undivided.push_back(&swept);
+    std::stable_sort(undivided.begin(), undivided.end(), [](const SweptGround* a, const SweptGround* b) {
+      return a->outlook.soft < b->outlook.soft;
+    });
+    if (!undivided.empty()) ways.push_back(undivided.front()->grounds);
+  }
+
+  Tried cheapest_of(std::vector<Grounds> ways) const {
+    std::vector<Candidate> candidates(ways.size());
+    const std::vector<bool> made = for_each_index_until_end(
+        ways.size(), context_, [&](std::size_t i) { candidates[i] = candidate_on(task_, ways[i]); });
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < ways.size(); ++i)
+      if (made[i] && is_better(candidates[i].avoided, candidates[best].avoided)) best = i;
+    return {std::move(ways[best]), std::move(candidates[best])};
+  }
+
+  /// The same direction with the grid elsewhere: how tracks lie to an obstacle decides what detours cost.
+  void slide(Tried& tried) const {
+    constexpr int kSteps = 8;
+    if (context_.has_to_end()) return;
+    std::vector<Grounds> ways;
+    for (int i = 1; i < kSteps; ++i) {
+      ways.push_back(tried.grounds);
+      ways.back().front().origin_m += task_.machine.width_m * i / kSteps;
+    }
+    Tried other = cheapest_of(std::move(ways));
+    if (is_better(other.candidate.avoided, tried.candidate.avoided)) tried = std::move(other);
+  }
+
+  /// The sweep's candidate that looks best before the ways past obstacles are known.
+  const SweptGround& hopeful_sweep() const {
+    return *std::min_element(swept_.begin(), swept_.end(), [](const SweptGround& a, const SweptGround& b) {
+      return a.outlook.soft < b.outlook.soft;
+    });
+  }
+
+  /// Its subfields, each with the best grid, and joined where that pays.
+  Grounds regridded(const Grounds& grounds) const {
+    Region shapes;
+    for (const LinedSubfield& ground : grounds) shapes.push_back(ground.subfield.shape);
+    std::vector<PricedSubfield> joined =
+        merge_where_it_pays(task_, priced(task_, shapes, context_), context_);
+    return gridded(joined);
+  }
+
+  Candidate laid_out(const Grounds& grounds) const {
+    context_.report();
+    return candidate_on(task_, grounds);
+  }
+
+  void try_plan(const Grounds& grounds) { keep(laid_out(grounds)); }
+
+  void keep(Candidate candidate) {
+    see(candidate);
+    if (is_better(candidate.avoided, best_.avoided)) best_ = std::move(candidate);
+  }
+
+  void see_undivided(const Candidate& candidate) {
+    if (!candidate.works()) return;
+    double& least = out_.proof.one_direction_cost;
+    if (undivided_ && candidate.cost() >= least) return;
+    least = candidate.cost();
+    undivided_ = grounds_of(candidate);
+  }
+
+  void see(const Candidate& candidate) { out_.seen.push_back(seen_plan(candidate)); }
+
+  const SearchTask& task_;
+  SearchContext context_;
+  double no_more_than_;
+  std::vector<SweptGround> swept_;
+  SearchResult out_;
+  Candidate best_;
+  std::optional<Grounds> undivided_;  ///< of the cheapest plan with undivided parts that has been seen
+  int boxes_ = 0;
+};
+
+}  // namespace
+
+double least_cost_of_any_plan(const SearchTask& task) {
+  const Objective& price = task.objective;
+  const double width_m = task.machine.width_m, arc = std::max(task.machine.radius_m, 0.5 * width_m);
+  const Box box = bounds(task.ground.plannable);
+  double longest = std::hypot(box.width(), box.height());
+  for (const Hazard& hazard : task.ground.hazards) {
+    // Round an obstacle, at most: half a turn about it on either side and into and out of the arcs.
+    const Box around = bounds(hazard.shape);
+    longest += 2 * (around.width() + around.height()) + 4 * std::numbers::pi * (arc + width_m);
+  }
+  const double ground_m2 = std::min(task.body_m2, area(task.ground.plannable));
+  const double given_up_m2 = std::max(0.0, task.body_m2 - area(task.ground.plannable));
+  const double by_tracks = price.turn * std::max(0.0, ground_m2 / (width_m * longest) - 1);
+  return price.uncovered * given_up_m2 + std::min(by_tracks, price.uncovered * ground_m2);
+}
+
+SearchResult best_search(const SearchTask& task, const SearchContext& context, double no_more_than) {
+  return BestSearch(task, context, no_more_than).run();
+}
+
+}  // namespace tramline

@@ -1,0 +1,47 @@
+#include "tramline/planner/search/grid_pricing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tramline/cost/bound/best_offset.h"
+#include "tramline/planner/search/turned_ground.h"
+
+namespace tramline {
+
+GridPricing::GridPricing(const SearchTask& task, const Polygon& part)
+    : task_(task),
+      part_(part),
+      grid_{task.machine.width_m, min_length_m(task.machine),
+            end_criterion(task.settings.end_rule, task.objective, task.machine.width_m)},
+      soft_(task.objective),
+      bound_{task.objective, bounds(part).centre(),
+             std::max(task.machine.radius_m, 0.5 * task.machine.width_m)} {
+  soft_.stop = std::min(soft_.stop, soft_.turn);
+}
+
+GridTally GridPricing::tally(double angle) const {
+  const TrackFrame frame = GridPricing::frame(angle);
+  return {frame, part_, turned_ground(task_, frame), grid_};
+}
+
+GridPrices GridPricing::prices(const GridTally& tally, double offset_m) const {
+  const Tally sum = tally.at(origin(tally, offset_m));
+  return {separate_cost(task_.objective, sum), separate_cost(soft_, sum), sum.pieces > 0};
+}
+
+double GridPricing::least(const GridTally& tally, const PlaceBox& box, double enough) const {
+  return least_cost(tally, bound_, {origin(tally, box.middle.offset_m), box.half_offset_m, box.half_angle},
+                    enough);
+}
+
+PricedGrid GridPricing::priced(const GridPlace& place, double cost) const {
+  const TrackFrame frame = GridPricing::frame(place.angle);
+  return {frame.direction(), frame.to_track(bound_.pivot).x + place.offset_m, cost};
+}
+
+double GridPricing::radius_m() const {
+  const Box box = bounds(part_);
+  return 0.5 * std::hypot(box.width(), box.height());
+}
+
+}  // namespace tramline

@@ -1,0 +1,116 @@
+#include "tramline/planner/search/sweep_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+#include "tramline/decomposition/events.h"
+#include "tramline/decomposition/sweep_directions.h"
+#include "tramline/planner/search/for_each_index.h"
+
+namespace tramline {
+namespace {
+
+/// Candidates whose detours are looked for together, for any number of threads.
+constexpr std::size_t kAtOnce = 8;
+
+/// So many of those that look cheapest: where there are many edges and many obstacles, most of the candidates
+/// look alike until their detours are known. The best search tries the same ones, but for those that cannot
+/// be cheaper than what it has. More only while none of them has a track.
+constexpr std::size_t kMostTried = 48;
+
+/// Where no corner splits the ground, every direction leaves it whole.
+bool is_cut_anywhere(const SearchTask& task) {
+  const Region& ground = task.ground.plannable;
+  return std::any_of(ground.begin(), ground.end(), [&](const Polygon& part) {
+    return !split_events(part, task.settings.decomposition_threshold, task.short_edge_m).empty();
+  });
+}
+
+SweptGround swept_ground(const SearchTask& task, Direction sweep) {
+  SweptGround out{swept(task, sweep), {}};
+  out.outlook = outlook_on(task, out.grounds);
+  return out;
+}
+
+/// The best outlook first. The candidate that is cheapest with all tracks cut is among those that are tried:
+/// else a search for ways past obstacles could end in a dearer plan than none.
+std::vector<std::size_t> by_outlook(const std::vector<SweptGround>& swept) {
+  std::vector<std::size_t> out(swept.size());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = i;
+  std::stable_sort(out.begin(), out.end(), [&swept](std::size_t a, std::size_t b) {
+    return swept[a].outlook.least < swept[b].outlook.least;
+  });
+  const auto least_cut = std::min_element(out.begin(), out.end(), [&swept](std::size_t a, std::size_t b) {
+    return swept[a].outlook.cut < swept[b].outlook.cut;
+  });
+  if (least_cut - out.begin() >= static_cast<std::ptrdiff_t>(kMostTried))
+    std::rotate(out.begin() + kMostTried - 1, least_cut, least_cut + 1);
+  return out;
+}
+
+}  // namespace
+
+std::vector<SweptGround> swept_grounds(const SearchTask& task, const SearchContext& context) {
+  const std::vector<Direction> directions = sweep_directions(task.field);
+  std::vector<SweptGround> out(directions.size());
+  if (!directions.empty() && !is_cut_anywhere(task)) {
+    std::fill(out.begin(), out.end(), swept_ground(task, directions.front()));
+    context.count(static_cast<int>(out.size()), static_cast<int>(out.size()));
+    return out;
+  }
+  std::mutex mutex;
+  int done = 0;
+  const std::vector<bool> made = for_each_index_until_end(directions.size(), context, [&](std::size_t i) {
+    out[i] = swept_ground(task, directions[i]);
+    const std::lock_guard lock(mutex);
+    context.count(++done, static_cast<int>(directions.size()));
+  });
+  std::vector<SweptGround> kept;
+  for (std::size_t i = 0; i < out.size(); ++i)
+    if (made[i]) kept.push_back(std::move(out[i]));
+  return kept;
+}
+
+std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vector<SweptGround>& swept,
+                                        double known, const SearchContext& context) {
+  const std::vector<std::size_t> order = by_outlook(swept);
+  std::optional<Candidate> best;
+  std::size_t best_index = 0;
+  bool any_works = false;
+  for (std::size_t first = 0; first < order.size() && (first < kMostTried || !any_works); first += kAtOnce) {
+    const auto hopeful = [&](std::size_t place) {
+      return place < order.size() && swept[order[place]].outlook.least <= known;
+    };
+    std::vector<std::size_t> batch;
+    for (std::size_t place = first; place < first + kAtOnce && hopeful(place); ++place)
+      batch.push_back(order[place]);
+    if (batch.empty() || (any_works && context.has_to_end())) break;
+    std::vector<Candidate> candidates(batch.size());
+    for_each_index(batch.size(), context,
+                   [&](std::size_t i) { candidates[i] = candidate_on(task, swept[batch[i]].grounds); });
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      any_works = any_works || candidates[i].works();
+      const bool as_cheap = best && candidates[i].cost() == known && batch[i] < best_index;
+      if (!candidates[i].works() || (candidates[i].cost() >= known && !as_cheap)) continue;
+      best = std::move(candidates[i]);
+      known = best->cost();
+      best_index = batch[i];
+    }
+  }
+  return best;
+}
+
+SearchResult sweep_search(const SearchTask& task, const SearchContext& context, double no_more_than) {
+  SearchResult out;
+  out.swept = swept_grounds(task, context);
+  out.directions_tried = static_cast<int>(out.swept.size());
+  if (auto best = cheapest_swept(task, out.swept, just_above(no_more_than), context))
+    out.best = std::move(*best);
+  return out;
+}
+
+double just_above(double most) { return std::nextafter(most, std::numeric_limits<double>::infinity()); }
+
+}  // namespace tramline

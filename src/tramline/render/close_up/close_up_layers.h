@@ -1,0 +1,33 @@
+#pragma once
+// The layers that only close-ups have, in the order they are drawn.
+
+#include <vector>
+
+#include "tramline/model/plan.h"
+#include "tramline/render/page/canvas.h"
+
+namespace tramline::render {
+
+/// The ground of all swaths, lightly; twice where two of them lie.
+void draw_worked_land(Canvas& canvas, const Plan& near);
+/// How near to each obstacle a track may pass. Dashed.
+void draw_keep_off_lines(Canvas& canvas, const Plan& near);
+void draw_swath_edges(Canvas& canvas, const Plan& near);
+/// The whole circle of the tightest arc of each detour round the obstacle, and a radius to the arc.
+void draw_tightest_arcs(Canvas& canvas, const Plan& near, std::size_t obstacle);
+
+void draw_frame(Canvas& canvas, const Box& box_px);
+
+/// The tightest arc of each detour round the obstacle; the longest of equals. Detours without arcs
+/// have none.
+std::vector<PathSegment> tightest_arcs(const Plan& near, std::size_t obstacle);
+/// The point half way along an arc.
+Point middle_of_arc(const PathSegment& arc);
+
+/// Styles shared with the legend; widths in px at text scale 1.
+inline constexpr double kKeepOffLine = 1.6;
+inline constexpr double kKeepOffDash = 7;
+inline constexpr double kSwathEdgeLine = 0.8;
+inline constexpr double kRadiusLine = 1.2;
+
+}  // namespace tramline::render

@@ -1,0 +1,32 @@
+#pragma once
+// The numbers of the largest gaps: in the gap where it has room, else beside it with a leader.
+
+#include <vector>
+
+#include "tramline/model/coverage.h"
+#include "tramline/render/page/canvas.h"
+
+namespace tramline::render {
+
+struct GapLabel {
+  int number = 0;
+  Point gap;    ///< the gap's centre, on the page
+  Point badge;  ///< the same where there is room
+};
+
+/// Labels of the kGapsNumbered first gaps whose centres lie within `map`, a box of the page. No two badges
+/// meet, none hides the centre of another numbered gap, and no leader runs through a badge, as far as there
+/// is room for that; the shortest leader wins, of equals the one nearest to pointing up and right. Every
+/// badge lies in `map`.
+std::vector<GapLabel> place_gap_labels(const std::vector<Gap>& gaps, const MapView& view, double scale,
+                                       const Box& map);
+
+void draw_gap_labels(Canvas& canvas, const std::vector<GapLabel>& labels);
+
+/// A number in a disc, also used by the legend.
+void draw_gap_badge(Canvas& canvas, Point centre, int number);
+
+/// px at text scale 1.
+inline constexpr double kGapBadgeRadius = 12;
+
+}  // namespace tramline::render

@@ -1,0 +1,19 @@
+#pragma once
+// The panel beside or below the map.
+
+#include <vector>
+
+#include "tramline/render/page/canvas.h"
+#include "tramline/render/page/legend_content.h"
+
+namespace tramline::render {
+
+/// Heights of the blocks, px at text scale 1, as lay_out_page() wants them.
+std::vector<double> heights_of(const std::vector<LegendBlock>& blocks);
+
+/// Where the rows of each block go, headings left out; pixels of the page.
+std::vector<Box> rows_of_blocks(const PageLayout& page, const std::vector<LegendBlock>& blocks);
+
+void draw_legend(Canvas& canvas, const PageLayout& page, const std::vector<LegendBlock>& blocks);
+
+}  // namespace tramline::render
