@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "tramline/avoidance/choice/detour_decisions.h"
+#include "tramline/planner/candidate/candidate.h"
 #include "tramline/planner/prepare_field.h"
-#include "tramline/planner/search/candidate.h"
 #include "tramline/planner/search/sweep_search.h"
 
 namespace tramline::bench {

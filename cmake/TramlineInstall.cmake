@@ -1,4 +1,4 @@
-# What `cmake --install` leaves: the program, headers, static libraries, and the package that find_package(tramline) finds.
+# What `cmake --install` leaves: the program, the public headers, static libraries, and the package that find_package(tramline) finds.
 
 include(CMakePackageConfigHelpers)
 
@@ -11,7 +11,7 @@ target_compile_features(tramline_all INTERFACE cxx_std_20)
 set_target_properties(tramline_all PROPERTIES EXPORT_NAME tramline)
 install(TARGETS tramline_all EXPORT tramlineTargets)
 
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/src/tramline" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/tramline" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
         FILES_MATCHING PATTERN "*.h")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 

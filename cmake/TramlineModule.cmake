@@ -36,7 +36,8 @@ function(tramline_module name)
   endif()
   add_library(tramline_${name} STATIC ${ARG_SOURCES})
   add_library(tramline::${name} ALIAS tramline_${name})
-  target_include_directories(tramline_${name} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>"
+  target_include_directories(tramline_${name} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>"
+                                                     "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>"
                                                      "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
   target_link_libraries(tramline_${name} PUBLIC ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
   tramline_compile_options(tramline_${name})

@@ -8,7 +8,7 @@
 
 #include "tramline/coverage/dose/pattern.h"
 #include "tramline/geometry/error.h"
-#include "tramline/io/pattern/read_pattern.h"
+#include "tramline/io/pattern/pattern_rows.h"
 
 namespace {
 

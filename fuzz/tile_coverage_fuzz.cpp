@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "coverage/literal_coverage.h"
+#include "coverage/tiles/literal_coverage.h"
 #include "tramline/coverage/tiles/tile_coverage.h"
 #include "tramline/geometry/polygon/boolean.h"
 

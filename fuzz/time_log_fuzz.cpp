@@ -9,7 +9,7 @@
 
 #include "sound_log.h"
 #include "tramline/geometry/error.h"
-#include "tramline/io/isoxml/read_task_log.h"
+#include "tramline/io/isoxml/time_log.h"
 
 namespace {
 

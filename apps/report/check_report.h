@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "tramline/check/verdict.h"
+#include "tramline/check/verify.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::app {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "tramline/check/verdict.h"
+#include "tramline/check/verify.h"
 #include "tramline/io/plan/read_plan.h"
 
 namespace tramline::app {

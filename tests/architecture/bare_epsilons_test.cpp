@@ -60,7 +60,7 @@ TEST(BareEpsilons, ThereAreNone) {
   for (const std::string room : kRooms) {
     int files = 0;
     for (const std::string& path : repository_files()) {
-      if (path.rfind("src/tramline/" + room + "/", 0) != 0) continue;
+      if (!is_in_room(path, room)) continue;
       if (!path.ends_with(".h") && !path.ends_with(".cpp")) continue;
       ++files;
       for (const std::string& number : bare_epsilons(read(path)))

@@ -98,8 +98,7 @@ TEST(BoolParameters, OfPublicFunctionsAreNone) {
   std::set<std::string> excused;
   int headers = 0;
   for (const std::string& path : repository_files()) {
-    const bool ours = path.starts_with("src/tramline/") || path.starts_with("apps/");
-    if (!ours || !path.ends_with(".h")) continue;
+    if (!is_product_source(path) || !path.ends_with(".h")) continue;
     ++headers;
     for (const BoolParameter& found : bool_parameters(read(path))) {
       const std::string function = path + " " + found.function;

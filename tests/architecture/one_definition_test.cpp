@@ -34,8 +34,7 @@ TEST(DefinedTypes, AreThoseOfNamespaces) {
 TEST(OneDefinition, NoTwoHeadersDefineOneQualifiedName) {
   std::map<std::string, Names> files;
   for (const std::string& path : repository_files()) {
-    const bool ours = path.rfind("src/", 0) == 0 || path.rfind("apps/", 0) == 0;
-    if (ours && path.ends_with(".h"))
+    if (is_product_source(path) && path.ends_with(".h"))
       for (const std::string& name : defined_types(read(path))) files[name].push_back(path);
   }
   EXPECT_GT(files.size(), 300U) << "there is less to read than there should be";

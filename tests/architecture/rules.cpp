@@ -34,7 +34,7 @@ const std::set<std::pair<std::string, std::string>> kAlongAFloor = {{"admission"
 const std::map<std::pair<std::string, std::string>, Names> kOnlyHeaders = {
     {{"check", "geometry"},
      {"angle.h", "boolean.h", "box_grid.h", "convex_clip.h", "line_crossing.h", "path.h", "point.h",
-      "region.h"}},
+      "tolerances.h", "region.h"}},
 };
 
 struct ThirdParty {
@@ -107,12 +107,14 @@ std::optional<std::size_t> floor_of(std::string_view room) {
 
 bool is_room(std::string_view name) { return floor_of(name) || kBeside.contains(name); }
 
-// "src/tramline/geometry/point.h" is in geometry, "apps/tramline/main.cpp" in apps.
+// "src/tramline/geometry/tolerances.h" and "include/tramline/geometry/point.h" are in geometry,
+// "apps/tramline/main.cpp" in apps.
 std::string room_of(const std::string& path) {
   if (path.starts_with("apps/")) return "apps";
-  constexpr std::string_view kRoot = "src/tramline/";
-  if (!path.starts_with(kRoot)) return "";
-  const std::string inside = path.substr(kRoot.size());
+  const std::size_t root = path.find('/');
+  const bool library = path.starts_with("src/tramline/") || path.starts_with("include/tramline/");
+  if (!library) return "";
+  const std::string inside = path.substr(root + std::string_view("/tramline/").size());
   const std::size_t slash = inside.find('/');
   return slash == std::string::npos ? "" : inside.substr(0, slash);
 }

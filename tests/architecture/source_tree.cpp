@@ -58,6 +58,15 @@ std::vector<std::string> repository_files() {
   return files;
 }
 
+bool is_product_source(const std::string& path) {
+  const bool ours = path.starts_with("src/") || path.starts_with("include/") || path.starts_with("apps/");
+  return ours && (path.ends_with(".cpp") || path.ends_with(".h"));
+}
+
+bool is_in_room(const std::string& path, const std::string& room) {
+  return path.starts_with("src/tramline/" + room + "/") || path.starts_with("include/tramline/" + room + "/");
+}
+
 std::string read(const std::string& path) {
   std::ifstream in(source_root() / path, std::ios::binary);
   if (!in) throw std::runtime_error("cannot read " + path);

@@ -67,9 +67,8 @@ TEST(TwinNames, ThereAreNone) {
   std::map<std::string, Names> by_question;
   for (const std::string& path : repository_files()) {
     const bool source = path.ends_with(".h") || path.ends_with(".cpp");
-    const bool in_room = std::any_of(kRooms.begin(), kRooms.end(), [&path](const char* room) {
-      return path.rfind(std::string("src/tramline/") + room + "/", 0) == 0;
-    });
+    const bool in_room = std::any_of(kRooms.begin(), kRooms.end(),
+                                     [&path](const char* room) { return is_in_room(path, room); });
     if (!source || !in_room) continue;
     for (const std::string& name : free_functions(read(path))) by_question[question(name)].insert(name);
   }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/tolerances.h"
 #include "tramline/tracks/straight_tracks.h"
 #include "tramline/tracks/tolerances.h"
 

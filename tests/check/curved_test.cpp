@@ -10,6 +10,7 @@
 #include "tramline/check/measure/bands.h"
 #include "tramline/check/measure/cross_section.h"
 #include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {

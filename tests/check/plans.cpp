@@ -10,6 +10,7 @@
 #include "tramline/check/verify.h"
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/geometry/strip/track_frame.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline::testing_plans {
 namespace {

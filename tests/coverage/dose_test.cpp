@@ -14,6 +14,8 @@
 #include "coverage/logs.h"
 #include "support/refusals.h"
 #include "tramline/coverage/dose/region_in_cells.h"
+#include "tramline/coverage/dose/wind_drift.h"
+#include "tramline/coverage/drive/step_maker.h"
 #include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline::coverage {

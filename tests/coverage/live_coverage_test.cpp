@@ -17,6 +17,7 @@
 #include "coverage/logs.h"
 #include "tramline/coverage/evaluate.h"
 #include "tramline/coverage/live/work_changes.h"
+#include "tramline/coverage/live/work_rate.h"
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/polygon/boolean.h"
 

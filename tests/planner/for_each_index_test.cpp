@@ -1,4 +1,4 @@
-#include "tramline/planner/search/for_each_index.h"
+#include "tramline/planner/for_each_index.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

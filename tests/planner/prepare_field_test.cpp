@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "tramline/geometry/error.h"
+#include "tramline/planner/candidate/search_task.h"
 #include "tramline/planner/plan_field.h"
-#include "tramline/planner/search/search_task.h"
 #include "tramline/planner/search/straight_search.h"
 
 namespace tramline {

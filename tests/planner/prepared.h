@@ -1,8 +1,8 @@
 #pragma once
 // A problem prepared for its searches, in one value.
 
+#include "tramline/planner/candidate/search_task.h"
 #include "tramline/planner/prepare_field.h"
-#include "tramline/planner/search/search_task.h"
 
 namespace tramline::testing {
 

@@ -1,4 +1,4 @@
-#include "tramline/planner/search/search_context.h"
+#include "tramline/planner/search_context.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "tramline/check/verify.h"
+#include "tramline/planner/for_each_index.h"
 #include "tramline/planner/pareto/trade_off.h"
 #include "tramline/planner/plan_field.h"
-#include "tramline/planner/search/for_each_index.h"
 
 namespace tramline {
 namespace {

@@ -16,8 +16,8 @@
 #include "tramline/geometry/path/extended_line.h"
 #include "tramline/geometry/path/smoothed_line.h"
 #include "tramline/geometry/polygon/boolean.h"
+#include "tramline/planner/candidate/parallel_tracks.h"
 #include "tramline/planner/curved/curved_candidate.h"
-#include "tramline/planner/curved/parallel_tracks.h"
 #include "tramline/tracks/curved_tracks.h"
 #include "tramline/tracks/straight_tracks.h"
 

@@ -11,6 +11,7 @@
 #include "properties/seeds.h"
 #include "tramline/geometry/path/newly_covered_area.h"
 #include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {

@@ -10,6 +10,7 @@
 #include "properties/seeds.h"
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/tolerances.h"
 #include "tramline/planner/plan_field.h"
 
 namespace tramline {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline::testing {
 namespace {

@@ -9,6 +9,7 @@
 #include "properties/random_field.h"
 #include "tramline/admission/place_obstacles.h"
 #include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline::testing {
 namespace {

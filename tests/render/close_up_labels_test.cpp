@@ -7,6 +7,7 @@
 
 #include "detour_plan.h"
 #include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/tolerances.h"
 #include "tramline/render/page/labels.h"
 
 namespace tramline::render {

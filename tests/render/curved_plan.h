@@ -2,6 +2,7 @@
 // A plan with a headland and curved tracks, made by hand.
 
 #include "detour_plan.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline::render {
 

@@ -6,7 +6,7 @@
 #include "tramline/render/page/legend_content.h"
 #include "tramline/render/page/map_decorations.h"
 #include "tramline/render/page/text.h"
-#include "tramline/render/plan/visible_faults.h"
+#include "tramline/render/page/visible_faults.h"
 
 namespace tramline::render {
 namespace {

@@ -6,7 +6,7 @@
 #include "server/input/field_change.h"
 #include "server/input/field_source.h"
 #include "server/input/json_input.h"
-#include "server/routes/field_json.h"
+#include "server/map/field_json.h"
 #include "server/routes/routes.h"
 #include "tramline/geometry/error.h"
 

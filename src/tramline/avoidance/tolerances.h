@@ -2,6 +2,7 @@
 // How near detours may come to what they avoid, and what they have to save. What one algorithm alone needs
 // stands with it.
 
+#include "tramline/geometry/tolerances.h"
 #include "tramline/tracks/tolerances.h"
 
 namespace tramline {

@@ -1,4 +1,4 @@
-#include "tramline/check/verdict.h"
+#include "tramline/check/verify.h"
 
 namespace tramline::check {
 

@@ -6,6 +6,7 @@
 
 #include "tramline/geometry/path/path.h"
 #include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/tolerances.h"
 #include "tramline/model/limits.h"
 
 namespace tramline::check {

@@ -187,32 +187,6 @@ double settle(Parts& parts, double CausePart::*area_m2, double tally_m2) {
 
 }  // namespace
 
-const char* name(Cause cause) {
-  switch (cause) {
-    case Cause::kRowEnds:
-      return "row ends";
-    case Cause::kSides:
-      return "sides";
-    case Cause::kSeams:
-      return "seams";
-    case Cause::kDetours:
-      return "detours";
-    case Cause::kStops:
-      return "stops";
-    case Cause::kShortPieces:
-      return "short pieces";
-    case Cause::kGivenUp:
-      return "given up";
-    case Cause::kTurns:
-      return "turns";
-    case Cause::kSubfields:
-      return "subfields";
-    case Cause::kHeadland:
-      return "headland";
-  }
-  return "";
-}
-
 CostCauses causes_of(const LaidPlan& plan, const Objective& objective) {
   CostCauses out{measured(plan), 0, 0};
   out.overlap_rounding_m2 = settle(out.parts, &CausePart::overlap_m2, plan.tally.overlap_m2);

@@ -1,6 +1,7 @@
 #pragma once
 // What counts as no ground in sums of areas.
 
+#include "tramline/geometry/tolerances.h"
 #include "tramline/tracks/tolerances.h"
 
 namespace tramline {

@@ -3,21 +3,15 @@
 
 #include <cstddef>
 #include <memory>
-#include <string_view>
 #include <vector>
 
 #include "tramline/coverage/drive/worked_step.h"
+#include "tramline/coverage/evaluate_settings.h"
 #include "tramline/coverage/tiles/tile_coverage.h"
 #include "tramline/geometry/polygon/region.h"
 #include "tramline/model/coverage.h"
 
 namespace tramline::coverage {
-
-enum class EngineKind {
-  kExact,  ///< tile_coverage.h
-  kMesh,   ///< S3's own (mesh_coverage.h)
-};
-const char* name(EngineKind kind);  ///< exact, mesh
 
 /// Areas and regions of what was worked, step by step.
 class Engine {

@@ -2,6 +2,8 @@
 // What counts as one place, one distance or one heading in the geometry, and how far chords may be off arcs.
 // What one algorithm alone needs stands with it.
 
+#include "tramline/geometry/path/path.h"
+
 namespace tramline {
 
 // Of numbers.
@@ -82,10 +84,8 @@ inline constexpr double kHalfTurn_rad = 1e-6;
 /// the width of a node turns a piece of a tenth of a millimetre.
 inline constexpr double kStraightBack_rad = 1e-4;
 
-// How far chords may be off the arcs they stand for.
+// How far chords may be off the arcs they stand for, beside kChordSagitta.
 
-/// The largest distance between an arc and the chords that stand for it in polygons and files, m.
-inline constexpr double kChordSagitta = 1e-5;
 /// The same in layers that show where land is worked twice or not at all: pictures of the tally, for
 /// which polygon booleans need not carry three times as many vertices, m.
 inline constexpr double kLayerSagitta = 1e-4;

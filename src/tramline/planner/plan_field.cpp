@@ -13,6 +13,7 @@
 #include "tramline/planner/curved/curved_candidate.h"
 #include "tramline/planner/curved/curved_search.h"
 #include "tramline/planner/curved/zhou_plan.h"
+#include "tramline/planner/explain/explanation.h"
 #include "tramline/planner/prepare_field.h"
 #include "tramline/planner/search/straight_search.h"
 #include "tramline/planner/warnings.h"

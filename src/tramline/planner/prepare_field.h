@@ -6,8 +6,8 @@
 #include "tramline/geometry/error.h"
 #include "tramline/planner/planning_problem.h"
 #include "tramline/planner/prepared_field.h"
-#include "tramline/planner/search/search_context.h"
-#include "tramline/planner/search/search_result.h"
+#include "tramline/planner/search_context.h"
+#include "tramline/planner/search_result.h"
 
 namespace tramline {
 

@@ -4,6 +4,7 @@
 
 #include "tramline/avoidance/tolerances.h"
 #include "tramline/cost/tolerances.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "tramline/geometry/tolerances.h"
 #include "tramline/tracks/tolerances.h"
 
 namespace tramline {

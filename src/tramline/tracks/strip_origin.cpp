@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tramline/geometry/tolerances.h"
 #include "tramline/tracks/tolerances.h"
 
 namespace tramline {

@@ -10,7 +10,7 @@
 #include "io/isoxml/time_log_bytes.h"
 #include "support/refusals.h"
 #include "tramline/geometry/error.h"
-#include "tramline/io/isoxml/read_task_log.h"
+#include "tramline/io/isoxml/time_log.h"
 
 namespace tramline::io {
 namespace {

@@ -14,7 +14,7 @@
 #include "io/vector/files.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/fixes/lines.h"
-#include "tramline/io/isoxml/read_task_log.h"
+#include "tramline/io/isoxml/time_log.h"
 #include "tramline/io/log/csv_log.h"
 #include "tramline/io/log/gpx_log.h"
 #include "tramline/io/log/nmea_log.h"

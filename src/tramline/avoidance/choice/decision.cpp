@@ -5,6 +5,7 @@
 #include <set>
 
 #include "tramline/avoidance/tolerances.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 

@@ -7,6 +7,7 @@
 #include "tramline/avoidance/detour/goes_round.h"
 #include "tramline/avoidance/detour/versleijen_detour.h"
 #include "tramline/avoidance/tolerances.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tramline/avoidance/tolerances.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tramline/avoidance/tolerances.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "tramline/avoidance/detour/track_side.h"
 #include "tramline/avoidance/tolerances.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {

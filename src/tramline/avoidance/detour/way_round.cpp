@@ -9,6 +9,7 @@
 #include "tramline/avoidance/detour/track_side.h"
 #include "tramline/avoidance/tolerances.h"
 #include "tramline/geometry/path/path_between.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 // One way past what stands in a track: a detour on one side, or the reason why there is none.
 
-#include "tramline/avoidance/detour/refusal.h"
 #include "tramline/avoidance/obstacles/surroundings.h"
+#include "tramline/avoidance/refusal.h"
 #include "tramline/tracks/laid_pieces.h"
 
 namespace tramline {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "tramline/avoidance/detour/refusal.h"
 #include "tramline/avoidance/obstacles/obstacle_classification.h"
+#include "tramline/avoidance/refusal.h"
 #include "tramline/geometry/path/path.h"
 #include "tramline/geometry/strip/track_frame.h"
 #include "tramline/model/plan.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tramline/check/verdict.h"
+#include "tramline/check/verify.h"
 #include "tramline/model/field.h"
 
 namespace tramline::check {

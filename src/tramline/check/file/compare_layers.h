@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tramline/check/verdict.h"
+#include "tramline/check/verify.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::check {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "tramline/check/verdict.h"
+#include "tramline/check/verify.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::check {

@@ -4,8 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "tramline/check/measure/plan_facts.h"
 #include "tramline/check/measure/sound_path.h"
-#include "tramline/check/rules/rules.h"
 #include "tramline/check/tolerances.h"
 
 namespace tramline::check {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tramline/check/rules/rules.h"
+#include "tramline/check/verify.h"
 
 namespace tramline::check {
 

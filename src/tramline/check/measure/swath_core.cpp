@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "tramline/check/measure/bands.h"
-#include "tramline/check/rules/rules.h"
+#include "tramline/check/measure/plan_facts.h"
 #include "tramline/check/tolerances.h"
 #include "tramline/geometry/polygon/boolean.h"
 

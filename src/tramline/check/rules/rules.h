@@ -5,45 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "tramline/check/lines/track_lines.h"
-#include "tramline/check/measure/bounded_polygon.h"
+#include "tramline/check/measure/plan_facts.h"
 #include "tramline/check/measure/swath_clearance.h"
-#include "tramline/check/measure/worked_body.h"
-#include "tramline/check/verdict.h"
+#include "tramline/check/rules/case.h"
+#include "tramline/check/verify.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::check {
-
-/// The swaths and the headland passes together, over body and headland ground.
-struct WithPasses {
-  Region land;
-  std::vector<WorkedPart> parts;
-  WorkedBody worked;
-  double passes_m2 = 0;  ///< width · length of the passes, without what lies on passables
-};
-
-/// A plan with what several rules need of it. Refers to the plan, which has to outlive it.
-struct Case {
-  explicit Case(const Plan& of);
-
-  const Plan& plan;
-  BoundedRegion obstacles;  ///< those the machine may not enter
-  BoundedRegion blocking;   ///< those of them that have no headland: a track that ends there has to back out
-  BoundedRegion passables;
-  BoundedRegion given_up;
-  /// All that is nearer to the field's outer ring or to an obstacle than its headland is deep, whether it is
-  /// land or not. Holes of obstacles with a headland are out of it.
-  Region near_boundaries;
-  double round_edges_m2 = 0;        ///< what chords may take from that, or add to it
-  Region along_boundaries;          ///< the same with one pass for each boundary that has any
-  std::vector<Box> obstacle_boxes;  ///< of all obstacles of the field, in their order
-  double area_tolerance_m2;         ///< 1e-6 of the field's area, not below what the precision grid can do
-  PlanLines lines;                  ///< of tracks that follow a curve
-  std::vector<WorkedPart> parts;    ///< of the swaths
-  WorkedBody worked;                ///< what they work of the body
-  std::optional<WithPasses> with_passes;  ///< where figures count headland passes, too, and there are any
-};
-using Violations = std::vector<Violation>;
 
 /// Every polygon is one: at least three vertices, on the map, not crossing itself.
 void check_shapes(const Plan& plan, Violations& out);
@@ -151,17 +119,6 @@ void check_line_within_field(const Case& c, const SwathClearance& line, const st
                              Violations& out);
 void check_clearance_of(const Case& c, const SwathClearance& swath, const std::string& name, Violations& out);
 
-/// The tightest circle that the machine can drive and its swath can follow, m.
-double least_radius_m(const Machine& machine);
-
-/// Are these indices of obstacles of the field?
-bool exist(const Plan& plan, const std::vector<std::size_t>& obstacles);
-/// How many passes of headland an obstacle has.
-int passes_round(const Plan& plan, std::size_t obstacle);
-/// Are the tracks of a subfield parallel to a curve, so that they need not lie in its direction? They are
-/// where one of them is curved, or where the subfield's reference is.
-bool follows_curve(const Plan& plan, std::size_t subfield);
-
 /// The stretch of the line of its track that a detour takes the place of, in its heading; nullopt where it
 /// does not lead from the line back to it, or the line is not known.
 std::optional<Path> line_left(const Case& c, const TrackPiece& piece, const Detour& detour);
@@ -169,21 +126,5 @@ std::optional<Path> line_left(const Case& c, const TrackPiece& piece, const Deto
 std::vector<const Encounter*> encounters_at(const Case& c, const TrackPiece& piece, const Detour& detour);
 /// Does any of the encounters name the obstacle?
 bool names(const std::vector<const Encounter*>& encounters, std::size_t obstacle);
-
-/// "piece 12": pieces are numbered for people from 1, in driving order.
-std::string piece_name(std::size_t index);
-/// "headland pass 2"
-std::string pass_name(std::size_t index);
-/// "detour 2 of piece 12"
-std::string detour_name(std::size_t piece, std::size_t detour);
-
-/// The land that the plan's figures are about, the parts of all swaths that they count, and what these work
-/// of it.
-const Region& counted_land(const Case& c);
-const std::vector<WorkedPart>& counted_parts(const Case& c);
-const WorkedBody& counted_work(const Case& c);
-
-/// A vertex of the polygon of largest area; the origin for an empty region.
-Point place_on_largest(const Region& region);
 
 }  // namespace tramline::check

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "tramline/cost/tolerances.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {

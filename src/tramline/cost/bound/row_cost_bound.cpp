@@ -5,6 +5,7 @@
 
 #include "tramline/cost/bound/part_rows.h"
 #include "tramline/cost/tolerances.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {

@@ -8,6 +8,7 @@
 #include "tramline/geometry/index/box_grid.h"
 #include "tramline/geometry/path/kinked_line.h"
 #include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {

@@ -10,6 +10,7 @@
 #include "tramline/geometry/path/kinked_line.h"
 #include "tramline/geometry/path/newly_covered_area.h"
 #include "tramline/geometry/strip/track_frame.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {

@@ -10,6 +10,7 @@
 #include "tramline/cost/worked/worked_rows.h"
 #include "tramline/geometry/offset/contour.h"
 #include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {

@@ -2,34 +2,16 @@
 // What the machine comes to at present speed and heading, and what its sections should do about it.
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "tramline/coverage/ahead/need_ahead.h"
+#include "tramline/coverage/ahead/section_ahead.h"
 #include "tramline/coverage/ahead/section_switch.h"
 #include "tramline/coverage/tiles/tile_coverage.h"
 #include "tramline/geometry/polygon/region.h"
 #include "tramline/model/work_log.h"
 
 namespace tramline::coverage {
-
-/// What the middle of a section lies over.
-enum class Over {
-  kOpen,      ///< ground that needs work
-  kWorked,    ///< worked already
-  kOutside,   ///< beyond the field
-  kObstacle,  ///< in a hole of the field
-};
-const char* name(Over over);  ///< open, worked, outside, obstacle
-
-/// One section, now and soon.
-struct SectionAhead {
-  bool on = false;  ///< now
-  double need = 0;  ///< share of its width that needs work, now
-  Over over = Over::kOpen;
-  std::optional<Switch> next;
-  Over next_over = Over::kOpen;  ///< there
-};
 
 /// Looks ahead for a boom, over rule.horizon_s. `field` as the engine's. `states`: of each section.
 /// Preconditions: sensible rule; as many states as sections. O(c log c) for the c cells ahead.

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tramline/coverage/ahead/motion.h"
+#include "tramline/coverage/drive/motion.h"
 #include "tramline/coverage/tiles/tile_coverage.h"
 #include "tramline/model/work_log.h"
 

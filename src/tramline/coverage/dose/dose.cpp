@@ -11,8 +11,11 @@
 #include "tramline/coverage/dose/dose_figures.h"
 #include "tramline/coverage/dose/laid_cells.h"
 #include "tramline/coverage/dose/lay_slab.h"
+#include "tramline/coverage/dose/quad_amount.h"
 #include "tramline/coverage/dose/region_in_cells.h"
+#include "tramline/coverage/dose/wind_drift.h"
 #include "tramline/coverage/drive/log_sanity.h"
+#include "tramline/coverage/drive/step_maker.h"
 #include "tramline/coverage/thread_limit.h"
 #include "tramline/geometry/error.h"
 

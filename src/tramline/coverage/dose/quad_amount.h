@@ -1,23 +1,13 @@
 #pragma once
 // How much a machine lays in a step.
 
-#include <limits>
-
+#include "tramline/coverage/dose/dose_settings.h"
 #include "tramline/coverage/drive/worked_step.h"
 
 namespace tramline::coverage {
 
 /// Rates are amounts per hectare.
 inline constexpr double kHectare_m2 = 1e4;
-
-/// Where rates come from. Amounts of any unit.
-struct RateSettings {
-  double nominal_per_ha = std::numeric_limits<double>::quiet_NaN();
-  /// Of a machine whose nozzles let out the same amount in a second however fast it drives; NaN: the rate is
-  /// kept whatever the speed.
-  double nominal_speed_mps = std::numeric_limits<double>::quiet_NaN();
-  bool use_logged = true;  ///< logged rates win
-};
 
 /// What one quad of a step gets for each metre across the machine where the pattern is 1.
 struct QuadAmount {

@@ -3,25 +3,11 @@
 
 #include <vector>
 
-#include "tramline/geometry/angle.h"
+#include "tramline/coverage/dose/dose_settings.h"
 #include "tramline/model/cell_grid.h"
 #include "tramline/model/dose_map.h"
 
 namespace tramline::coverage {
-
-/// A simple model (docs/dose.md). `share` of the amount is droplets so fine that they go with the wind: they
-/// fall from the height of the nozzle at their terminal velocity – 0.27 m/s for droplets of 0.1 mm (Gunn and
-/// Kinzer 1949, Journal of Meteorology 6:243–248) – and land wind · height / velocity downwind, spread
-/// normally about that in every direction with `spread` of the shift as standard deviation. The rest lands
-/// where it was laid.
-struct WindSettings {
-  double speed_mps = 0;
-  Heading from;  ///< where it comes from
-  double share = 0.05;
-  double height_m = 0.5;
-  double fall_mps = 0.27;
-  double spread = 0.3;
-};
 
 DoseDrift drift_of(const WindSettings& wind);
 

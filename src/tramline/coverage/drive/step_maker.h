@@ -10,28 +10,10 @@
 #include "tramline/coverage/drive/course.h"
 #include "tramline/coverage/drive/log_hole.h"
 #include "tramline/coverage/drive/worked_step.h"
+#include "tramline/coverage/evaluate_settings.h"
 #include "tramline/model/work_log.h"
 
 namespace tramline::coverage {
-
-/// When work and sections switch that differ between two fixes.
-enum class Switching {
-  kInterpolate,  ///< half way between them
-  kStep,         ///< at the second: state and width of a step are those of its first fix
-};
-
-/// How fixes become ground.
-struct DriveSettings {
-  double width_m = std::numeric_limits<double>::quiet_NaN();  ///< where a log does not say
-  QuadShape quads = QuadShape::kHeading;
-  Switching switching = Switching::kInterpolate;
-  double max_gap_s = 10;                    ///< nothing is worked between fixes further apart in time
-  double max_step_m = 15;                   ///< nor in place
-  double antenna_forward_m = 0;             ///< antenna before the machine's middle
-  double antenna_right_m = 0;               ///< antenna right of it
-  double implement_behind_m = 0;            ///< what works, behind the machine's middle
-  WorkState unknown_work = WorkState::kOn;  ///< on or off: what a fix counts as that does not say
-};
 
 /// How often fixes were not joined of which one at least was at work, and why.
 struct Breaks {

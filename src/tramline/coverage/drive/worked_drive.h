@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "tramline/coverage/ahead/motion.h"
 #include "tramline/coverage/drive/driven_lines.h"
+#include "tramline/coverage/drive/motion.h"
 #include "tramline/coverage/drive/step_maker.h"
 #include "tramline/coverage/engine.h"
 #include "tramline/coverage/evaluate.h"

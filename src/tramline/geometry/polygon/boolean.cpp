@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "tramline/geometry/error.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {

@@ -3,14 +3,9 @@
 
 #include <vector>
 
-#include "tramline/geometry/point.h"
+#include "tramline/geometry/polygon/region.h"
 
 namespace tramline {
-
-struct Disc {
-  Point centre;
-  double radius_m = 0;
-};
 
 /// The smallest disc that contains all points, up to kSameDistance_m. Precondition: at least one point.
 /// O(n³) at worst, O(n) mostly: points that the disc so far contains cost nothing (Welzl 1991, iterated).

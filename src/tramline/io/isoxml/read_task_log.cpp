@@ -1,5 +1,7 @@
 #include "tramline/io/isoxml/read_task_log.h"
 
+#include "tramline/io/isoxml/time_log.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tramline/io/fixes/log_entry.h"
+#include "tramline/io/fixes/log_job.h"
 #include "tramline/io/isoxml/task_files.h"
 #include "tramline/model/raw_feature.h"
 

@@ -1,5 +1,7 @@
 #include "tramline/io/pattern/read_pattern.h"
 
+#include "tramline/io/pattern/pattern_rows.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "tramline/planner/search/candidate.h"
+#include "tramline/planner/candidate/candidate.h"
 
 namespace tramline {
 

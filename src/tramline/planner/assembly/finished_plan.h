@@ -1,8 +1,8 @@
 #pragma once
 // From what a search has found to a plan that can be driven, written and drawn.
 
-#include "tramline/planner/search/search_context.h"
-#include "tramline/planner/search/search_result.h"
+#include "tramline/planner/search_context.h"
+#include "tramline/planner/search_result.h"
 
 namespace tramline {
 

@@ -9,6 +9,7 @@
 #include "tramline/cost/worked/worked_rows.h"
 #include "tramline/cost/zhou_tally.h"
 #include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {

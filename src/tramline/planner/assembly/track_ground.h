@@ -2,7 +2,7 @@
 // What the tracks of a plan work, and what more than one of them does.
 
 #include "tramline/planner/assembly/worked_layers.h"
-#include "tramline/planner/search/candidate.h"
+#include "tramline/planner/candidate/candidate.h"
 
 namespace tramline {
 

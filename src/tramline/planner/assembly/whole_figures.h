@@ -1,7 +1,7 @@
 #pragma once
 // The figures of a plan with its headland: what searches compare are tracks on the body alone.
 
-#include "tramline/planner/search/search_result.h"
+#include "tramline/planner/search_result.h"
 
 namespace tramline {
 

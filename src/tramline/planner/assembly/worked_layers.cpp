@@ -6,6 +6,7 @@
 #include "tramline/cost/worked/worked_regions.h"
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/geometry/profile/path_profile.h"
+#include "tramline/geometry/tolerances.h"
 #include "tramline/headland/body.h"
 #include "tramline/headland/pass_ground.h"
 

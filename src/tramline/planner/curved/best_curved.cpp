@@ -6,10 +6,10 @@
 #include <mutex>
 #include <optional>
 
+#include "tramline/planner/candidate/parallel_tracks.h"
+#include "tramline/planner/candidate/reference_chains.h"
 #include "tramline/planner/curved/curved_candidate.h"
-#include "tramline/planner/curved/parallel_tracks.h"
-#include "tramline/planner/curved/reference_chains.h"
-#include "tramline/planner/search/for_each_index.h"
+#include "tramline/planner/for_each_index.h"
 
 namespace tramline {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "tramline/planner/search/candidate.h"
-#include "tramline/planner/search/search_context.h"
+#include "tramline/planner/candidate/candidate.h"
+#include "tramline/planner/search_context.h"
 
 namespace tramline {
 

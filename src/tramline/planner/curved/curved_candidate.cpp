@@ -13,9 +13,9 @@
 #include "tramline/geometry/path/path_between.h"
 #include "tramline/geometry/path/shifted_path.h"
 #include "tramline/geometry/path/smoothed_line.h"
+#include "tramline/planner/candidate/parallel_tracks.h"
+#include "tramline/planner/candidate/reference_chains.h"
 #include "tramline/planner/curved/family_bound.h"
-#include "tramline/planner/curved/parallel_tracks.h"
-#include "tramline/planner/curved/reference_chains.h"
 #include "tramline/planner/tolerances.h"
 
 namespace tramline {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "tramline/planner/search/candidate.h"
+#include "tramline/planner/candidate/candidate.h"
 #include "tramline/tracks/curved_tracks.h"
 
 namespace tramline {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "tramline/planner/search/candidate.h"
-#include "tramline/planner/search/search_context.h"
-#include "tramline/planner/search/search_result.h"
+#include "tramline/planner/candidate/candidate.h"
+#include "tramline/planner/search_context.h"
+#include "tramline/planner/search_result.h"
 
 namespace tramline {
 

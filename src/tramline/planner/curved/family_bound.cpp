@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tramline/geometry/offset/parallel.h"
+#include "tramline/geometry/tolerances.h"
 #include "tramline/planner/tolerances.h"
 
 namespace tramline {

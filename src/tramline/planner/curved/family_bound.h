@@ -1,7 +1,7 @@
 #pragma once
 // What a family of curved tracks costs at least, while it is laid.
 
-#include "tramline/planner/search/candidate.h"
+#include "tramline/planner/candidate/candidate.h"
 #include "tramline/tracks/curved_tracks.h"
 
 namespace tramline {

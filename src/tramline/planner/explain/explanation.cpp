@@ -4,9 +4,10 @@
 #include <array>
 #include <utility>
 
+#include "tramline/cost/cost_causes.h"
 #include "tramline/planner/assembly/whole_figures.h"
 #include "tramline/planner/explain/longest_side.h"
-#include "tramline/planner/search/for_each_index.h"
+#include "tramline/planner/for_each_index.h"
 
 namespace tramline {
 namespace {
@@ -121,24 +122,6 @@ void add_headland(const Objective& objective, const Tally& whole, const Tally& t
 }
 
 }  // namespace
-
-CostDifference difference(const Objective& objective, const Tally& of, const Tally& from) {
-  return {objective.overlap * (of.overlap_m2 - from.overlap_m2),
-          objective.uncovered * (of.uncovered_m2 - from.uncovered_m2),
-          objective.turn * (of.turns - from.turns), objective.stop * (of.stops - from.stops),
-          objective.subfield * (further_subfields(of) - further_subfields(from))};
-}
-
-const char* main_reason(const CostDifference& more) {
-  const std::array<std::pair<double, const char*>, 5> reasons{{{more.overlap, "overlap"},
-                                                               {more.uncovered, "uncovered"},
-                                                               {more.turns, "turns"},
-                                                               {more.stops, "stops"},
-                                                               {more.subfields, "subfields"}}};
-  return std::max_element(reasons.begin(), reasons.end(),
-                          [](const auto& a, const auto& b) { return a.first < b.first; })
-      ->second;
-}
 
 Explanation explanation_of(const SearchTask& task, const SearchResult& found, const SearchContext& context) {
   const Candidate& best = found.best;

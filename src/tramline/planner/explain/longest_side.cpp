@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tramline/geometry/polygon/significant_vertices.h"
-#include "tramline/planner/search/for_each_index.h"
+#include "tramline/planner/for_each_index.h"
 #include "tramline/tracks/strip_origin.h"
 
 namespace tramline {

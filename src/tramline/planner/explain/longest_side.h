@@ -1,8 +1,8 @@
 #pragma once
 // The plan that most people would expect: all tracks along the longest side of the field.
 
-#include "tramline/planner/search/candidate.h"
-#include "tramline/planner/search/search_context.h"
+#include "tramline/planner/candidate/candidate.h"
+#include "tramline/planner/search_context.h"
 
 namespace tramline {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "tramline/geometry/tolerances.h"
 #include "tramline/planner/tolerances.h"
 
 namespace tramline::order {

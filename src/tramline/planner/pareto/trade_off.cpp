@@ -11,25 +11,44 @@
 #include "tramline/geometry/error.h"
 #include "tramline/planner/assembly/finished_plan.h"
 #include "tramline/planner/assembly/whole_figures.h"
+#include "tramline/planner/explain/explanation.h"
+#include "tramline/planner/for_each_index.h"
 #include "tramline/planner/pareto/dominance.h"
 #include "tramline/planner/pareto/front_marks.h"
 #include "tramline/planner/prepare_field.h"
-#include "tramline/planner/search/for_each_index.h"
 #include "tramline/planner/search/straight_search.h"
+#include "tramline/planner/search_result.h"
 #include "tramline/planner/warnings.h"
 
 namespace tramline {
+
+/// What all searches share, what each has found, and where each plan of the front is from.
+struct TradeOffSearches {
+  struct Search {
+    Objective prices;
+    SearchResult found;  ///< of all but the first without `seen`, which has gone into the front
+  };
+  struct Origin {
+    std::size_t search = 0;
+    std::vector<LinedSubfield> grounds;
+  };
+  PlanningProblem problem;
+  PreparedField prepared;        ///< whatever the prices
+  std::vector<Search> searches;  ///< the first is that for the given prices
+  std::vector<Origin> origins;   ///< by point of the front
+};
+
 namespace {
 
 using Grounds = std::vector<LinedSubfield>;
 
-SearchTask task_of(const TradeOff& trade_off, std::size_t search) {
-  return {trade_off.problem, trade_off.prepared, trade_off.searches[search].prices};
+SearchTask task_of(const TradeOffSearches& all, std::size_t search) {
+  return {all.problem, all.prepared, all.searches[search].prices};
 }
 
 /// A plan that may be of the front.
 struct Laid {
-  TradeOff::Origin origin;
+  TradeOffSearches::Origin origin;
   Tally tally;
 };
 
@@ -52,14 +71,14 @@ std::vector<Laid> best_of(std::vector<Laid> laid) {
 }
 
 /// `first`: what the first of them finds, where that is known.
-void run_searches(TradeOff& trade_off, std::optional<SearchResult> first, const SearchContext& context) {
-  const std::vector<Objective> prices = prices_to_search(trade_off.problem.objective);
-  for (const Objective& one : prices) trade_off.searches.push_back({one, {}});
+void run_searches(TradeOffSearches& all, std::optional<SearchResult> first, const SearchContext& context) {
+  const std::vector<Objective> prices = prices_to_search(all.problem.objective);
+  for (const Objective& one : prices) all.searches.push_back({one, {}});
   std::mutex mutex;
   int done = 0;
   for_each_index_until_end(prices.size(), context, [&](std::size_t i) {
-    trade_off.searches[i].found =
-        i == 0 && first ? std::move(*first) : straight_search(task_of(trade_off, i), context.uncounted());
+    all.searches[i].found =
+        i == 0 && first ? std::move(*first) : straight_search(task_of(all, i), context.uncounted());
     const std::lock_guard lock(mutex);
     context.count(++done, static_cast<int>(prices.size()));
   });
@@ -67,37 +86,36 @@ void run_searches(TradeOff& trade_off, std::optional<SearchResult> first, const 
 
 /// Each plan after the prices of every search but its own: the same tracks may end elsewhere, and pass
 /// obstacles in another way.
-std::vector<Laid> laid_anew(const TradeOff& trade_off, const std::vector<Laid>& laid,
+std::vector<Laid> laid_anew(const TradeOffSearches& all, const std::vector<Laid>& laid,
                             const SearchContext& context) {
-  const std::size_t count = trade_off.searches.size();
+  const std::size_t count = all.searches.size();
   std::vector<Laid> out(laid.size() * count);
   for_each_index_until_end(out.size(), context, [&](std::size_t i) {
-    const TradeOff::Origin& origin = laid[i / count].origin;
+    const TradeOffSearches::Origin& origin = laid[i / count].origin;
     const std::size_t search = i % count;
     if (search == origin.search) return;
-    out[i] = {{search, origin.grounds},
-              candidate_on(task_of(trade_off, search), origin.grounds).avoided.tally};
+    out[i] = {{search, origin.grounds}, candidate_on(task_of(all, search), origin.grounds).avoided.tally};
   });
   return out;
 }
 
 /// With the tallies of tracks and headland passes together, and without what is dominated by these.
-std::vector<Laid> with_headland(const TradeOff& trade_off, std::vector<Laid> laid,
+std::vector<Laid> with_headland(const TradeOffSearches& all, std::vector<Laid> laid,
                                 const SearchContext& context) {
-  if (trade_off.prepared.headland.passes.empty()) return laid;
+  if (all.prepared.headland.passes.empty()) return laid;
   for_each_index(laid.size(), context, [&](std::size_t i) {
-    const SearchTask task = task_of(trade_off, laid[i].origin.search);
+    const SearchTask task = task_of(all, laid[i].origin.search);
     laid[i].tally = whole_tally_of(task, candidate_on(task, laid[i].origin.grounds));
   });
   return best_of(std::move(laid));
 }
 
-Front front_of(const TradeOff& trade_off, const std::vector<Laid>& laid) {
-  const Objective& prices = trade_off.problem.objective;
+Front front_of(const TradeOffSearches& all, const std::vector<Laid>& laid) {
+  const Objective& prices = all.problem.objective;
   Front front;
   front.prices = prices;
   for (const Laid& plan : laid) {
-    FrontPoint point{plan.tally, {}, trade_off.searches[plan.origin.search].prices, cost(prices, plan.tally)};
+    FrontPoint point{plan.tally, {}, all.searches[plan.origin.search].prices, cost(prices, plan.tally)};
     for (const LinedSubfield& ground : plan.origin.grounds)
       point.directions.push_back(ground.subfield.direction);
     front.points.push_back(std::move(point));
@@ -140,51 +158,53 @@ std::vector<Objective> prices_to_search(const Objective& given) {
 
 TradeOff trade_off(const Field& field, const Machine& machine, const Objective& prices,
                    const PlanSettings& settings, int threads, const Progress& progress) {
-  TradeOff out;
-  out.problem = planning_problem(field, machine, prices, settings);
+  auto searches = std::make_shared<TradeOffSearches>();
+  TradeOffSearches& all = *searches;
+  all.problem = planning_problem(field, machine, prices, settings);
   require_straight_tracks(settings);
   const SearchContext context(threads, progress);
-  std::optional<Preparation> prepared = prepare_field(out.problem, context);
-  if (!prepared) throw no_room(out.problem);
-  out.prepared = std::move(prepared->field);
-  run_searches(out, std::move(prepared->found), context);
-  const Candidate& first = out.searches.front().found.best;
-  require_tracks(task_of(out, 0), first.avoided.tally);
+  std::optional<Preparation> prepared = prepare_field(all.problem, context);
+  if (!prepared) throw no_room(all.problem);
+  all.prepared = std::move(prepared->field);
+  run_searches(all, std::move(prepared->found), context);
+  const Candidate& first = all.searches.front().found.best;
+  require_tracks(task_of(all, 0), first.avoided.tally);
   if (!first.works())
     throw bad_input(fmt::format(
         "the field '{}' is worked by its headland passes alone: there are no plans to choose from",
         field.id));
 
   std::vector<Laid> laid;
-  for (std::size_t i = 0; i < out.searches.size(); ++i) {
-    for (Laid& plan : laid_by(i, out.searches[i].found)) laid.push_back(std::move(plan));
-    if (i > 0) out.searches[i].found.seen.clear();  // the first may have to be explained
+  for (std::size_t i = 0; i < all.searches.size(); ++i) {
+    for (Laid& plan : laid_by(i, all.searches[i].found)) laid.push_back(std::move(plan));
+    if (i > 0) all.searches[i].found.seen.clear();  // the first may have to be explained
   }
   laid = best_of(std::move(laid));
-  for (Laid& plan : laid_anew(out, laid, context)) laid.push_back(std::move(plan));
-  laid = with_headland(out, best_of(std::move(laid)), context);
+  for (Laid& plan : laid_anew(all, laid, context)) laid.push_back(std::move(plan));
+  laid = with_headland(all, best_of(std::move(laid)), context);
 
-  out.front = front_of(out, laid);
-  for (Laid& plan : laid) out.origins.push_back(std::move(plan.origin));
-  out.cut_short = context.cut_short();
+  TradeOff out{front_of(all, laid), context.cut_short(), nullptr};
+  for (Laid& plan : laid) all.origins.push_back(std::move(plan.origin));
+  out.searches = std::move(searches);
   return out;
 }
 
 Plan plan_of(const TradeOff& trade_off, std::size_t point) {
-  const TradeOff::Origin& origin = trade_off.origins[point];
-  const SearchTask task = task_of(trade_off, origin.search);
-  SearchResult laid = trade_off.searches[origin.search].found;
+  const TradeOffSearches::Origin& origin = trade_off.searches->origins[point];
+  const SearchTask task = task_of(*trade_off.searches, origin.search);
+  SearchResult laid = trade_off.searches->searches[origin.search].found;
   laid.best = candidate_on(task, origin.grounds);
   return marked(trade_off, finished_plan(task, std::move(laid), SearchContext()));
 }
 
 Plan given_plan(const TradeOff& trade_off) {
-  return marked(trade_off,
-                finished_plan(task_of(trade_off, 0), trade_off.searches.front().found, SearchContext()));
+  return marked(trade_off, finished_plan(task_of(*trade_off.searches, 0),
+                                         trade_off.searches->searches.front().found, SearchContext()));
 }
 
 Explanation why_given(const TradeOff& trade_off, int threads) {
-  return explanation_of(task_of(trade_off, 0), trade_off.searches.front().found, SearchContext(threads));
+  return explanation_of(task_of(*trade_off.searches, 0), trade_off.searches->searches.front().found,
+                        SearchContext(threads));
 }
 
 }  // namespace tramline

@@ -3,19 +3,11 @@
 
 #include <vector>
 
-#include "tramline/model/machine.h"
-#include "tramline/model/plan.h"
+#include "tramline/planner/repair/repair_terms.h"
 #include "tramline/tracks/laid_pieces.h"
 #include "tramline/tracks/straight_tracks.h"
 
 namespace tramline {
-
-/// What repairs are laid for.
-struct RepairTerms {
-  Machine machine;
-  Objective objective;
-  EndRule end_rule = EndRule::kCheapest;
-};
 
 /// One uninterrupted drive along a strip. Between its pieces the work is off, on ground that may be driven.
 struct GapLine {

@@ -5,8 +5,9 @@
 #include <optional>
 #include <utility>
 
+#include "tramline/geometry/tolerances.h"
+#include "tramline/planner/for_each_index.h"
 #include "tramline/planner/repair/repair_places.h"
-#include "tramline/planner/search/for_each_index.h"
 #include "tramline/planner/tolerances.h"
 
 namespace tramline {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tramline/planner/repair/repair_ground.h"
-#include "tramline/planner/search/search_context.h"
+#include "tramline/planner/search_context.h"
 
 namespace tramline {
 

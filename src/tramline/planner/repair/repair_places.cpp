@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tramline/geometry/tolerances.h"
 #include "tramline/planner/tolerances.h"
 #include "tramline/tracks/strip_origin.h"
 

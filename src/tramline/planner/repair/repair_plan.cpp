@@ -1,6 +1,7 @@
 #include "tramline/planner/repair/repair_plan.h"
 
 #include <fmt/format.h>
+#include "tramline/planner/repair/repair_choice.h"
 
 #include <algorithm>
 #include <optional>
@@ -10,9 +11,9 @@
 #include "tramline/cost/worked/worked_regions.h"
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/polygon/boolean.h"
+#include "tramline/planner/for_each_index.h"
 #include "tramline/planner/repair/repair_pieces.h"
 #include "tramline/planner/repair/repair_places.h"
-#include "tramline/planner/search/for_each_index.h"
 #include "tramline/planner/tolerances.h"
 #include "tramline/planner/warnings.h"
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "tramline/planner/search/for_each_index.h"
+#include "tramline/planner/for_each_index.h"
 #include "tramline/planner/search/split_and_merge.h"
 #include "tramline/planner/search/sweep_search.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 // The cheapest plan over all directions, offsets and divisions of the ground.
 
-#include "tramline/planner/search/search_context.h"
-#include "tramline/planner/search/search_result.h"
+#include "tramline/planner/search_context.h"
+#include "tramline/planner/search_result.h"
 
 namespace tramline {
 

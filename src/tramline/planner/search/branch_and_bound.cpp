@@ -9,8 +9,8 @@
 #include <queue>
 
 #include "tramline/cost/bound/best_offset.h"
+#include "tramline/planner/for_each_index.h"
 #include "tramline/planner/search/edge_aligned_grids.h"
-#include "tramline/planner/search/for_each_index.h"
 #include "tramline/planner/search/grid_shortlist.h"
 
 namespace tramline {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tramline/planner/search/grid_pricing.h"
-#include "tramline/planner/search/search_context.h"
+#include "tramline/planner/search_context.h"
 
 namespace tramline {
 

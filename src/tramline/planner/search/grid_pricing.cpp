@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "tramline/cost/bound/best_offset.h"
-#include "tramline/planner/search/turned_ground.h"
+#include "tramline/planner/candidate/turned_ground.h"
 
 namespace tramline {
 

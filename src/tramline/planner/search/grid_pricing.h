@@ -2,7 +2,7 @@
 // What a grid over one piece of ground costs, and what no grid near it can cost less than.
 
 #include "tramline/cost/bound/grid_bound.h"
-#include "tramline/planner/search/candidate.h"
+#include "tramline/planner/candidate/candidate.h"
 
 namespace tramline {
 

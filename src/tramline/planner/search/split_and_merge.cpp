@@ -6,7 +6,7 @@
 
 #include "tramline/decomposition/divisions.h"
 #include "tramline/geometry/polygon/bounding_rectangle.h"
-#include "tramline/planner/search/for_each_index.h"
+#include "tramline/planner/for_each_index.h"
 #include "tramline/planner/search/merge_pairs.h"
 #include "tramline/planner/tolerances.h"
 

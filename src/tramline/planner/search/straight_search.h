@@ -1,8 +1,8 @@
 #pragma once
 // Straight tracks: the search of the task's strategy, or tracks along a line that was given.
 
-#include "tramline/planner/search/search_context.h"
-#include "tramline/planner/search/search_result.h"
+#include "tramline/planner/search_context.h"
+#include "tramline/planner/search_result.h"
 
 namespace tramline {
 

@@ -7,7 +7,7 @@
 
 #include "tramline/decomposition/events.h"
 #include "tramline/decomposition/sweep_directions.h"
-#include "tramline/planner/search/for_each_index.h"
+#include "tramline/planner/for_each_index.h"
 
 namespace tramline {
 namespace {

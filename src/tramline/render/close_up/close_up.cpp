@@ -10,7 +10,7 @@
 #include "tramline/render/close_up/close_up_layers.h"
 #include "tramline/render/close_up/close_up_window.h"
 #include "tramline/render/close_up/encounter_table.h"
-#include "tramline/render/legend/legend.h"
+#include "tramline/render/page/legend.h"
 #include "tramline/render/page/map_decorations.h"
 #include "tramline/render/plan/layers.h"
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "tramline/render/close_up/close_up_window.h"
-#include "tramline/render/plan/visible_faults.h"
+#include "tramline/render/page/visible_faults.h"
 
 namespace tramline::render {
 namespace {

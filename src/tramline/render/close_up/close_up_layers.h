@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tramline/model/plan.h"
-#include "tramline/render/page/canvas.h"
+#include "tramline/render/page/map_symbols.h"
 
 namespace tramline::render {
 
@@ -23,11 +23,5 @@ void draw_frame(Canvas& canvas, const Box& box_px);
 std::vector<PathSegment> tightest_arcs(const Plan& near, std::size_t obstacle);
 /// The point half way along an arc.
 Point middle_of_arc(const PathSegment& arc);
-
-/// Styles shared with the legend; widths in px at text scale 1.
-inline constexpr double kKeepOffLine = 1.6;
-inline constexpr double kKeepOffDash = 7;
-inline constexpr double kSwathEdgeLine = 0.8;
-inline constexpr double kRadiusLine = 1.2;
 
 }  // namespace tramline::render

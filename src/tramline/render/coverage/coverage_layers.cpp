@@ -31,8 +31,6 @@ std::vector<Point> drawn_line(const Canvas& canvas, const std::vector<Point>& li
 
 }  // namespace
 
-std::vector<double> idle_dashes(double scale) { return {5 * scale, 4 * scale}; }
-
 void draw_covered(Canvas& canvas, const Coverage& coverage) {
   const double k = canvas.scale();
   const Stroke edge{kCoveredEdge, 0.8 * k};

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tramline/model/coverage.h"
-#include "tramline/render/page/canvas.h"
+#include "tramline/render/page/map_symbols.h"
 
 namespace tramline::render {
 
@@ -21,9 +21,5 @@ void draw_not_recorded(Canvas& canvas, const Coverage& coverage);
 /// The way of the machine: solid where it worked, dashed where it did not.
 void draw_driven(Canvas& canvas, const Coverage& coverage);
 void draw_field_outline(Canvas& canvas, const Coverage& coverage);
-
-/// The path, px at text scale 1; thinner where passes lie close together on the page.
-inline constexpr double kPathLine = 0.9;
-std::vector<double> idle_dashes(double scale);
 
 }  // namespace tramline::render

@@ -9,7 +9,7 @@
 #include "tramline/render/coverage/coverage_layers.h"
 #include "tramline/render/coverage/coverage_legend.h"
 #include "tramline/render/coverage/gap_labels.h"
-#include "tramline/render/legend/legend.h"
+#include "tramline/render/page/legend.h"
 #include "tramline/render/page/map_decorations.h"
 
 namespace tramline::render {

@@ -96,13 +96,6 @@ std::vector<GapLabel> place_gap_labels(const std::vector<Gap>& gaps, const MapVi
   return labels;
 }
 
-void draw_gap_badge(Canvas& canvas, Point centre, int number) {
-  const double r = kGapBadgeRadius * canvas.scale();
-  disc(canvas, centre, r, kUncoveredColour);
-  disc(canvas, centre, r - 2 * canvas.scale(), kBackgroundColour);
-  draw_text(canvas, centre, std::to_string(number), {kSmallTextSize, true, Align::kCentre});
-}
-
 void draw_gap_labels(Canvas& canvas, const std::vector<GapLabel>& labels) {
   const double k = canvas.scale();
   for (const GapLabel& label : labels) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tramline/model/coverage.h"
-#include "tramline/render/page/canvas.h"
+#include "tramline/render/page/map_symbols.h"
 
 namespace tramline::render {
 
@@ -22,11 +22,5 @@ std::vector<GapLabel> place_gap_labels(const std::vector<Gap>& gaps, const MapVi
                                        const Box& map);
 
 void draw_gap_labels(Canvas& canvas, const std::vector<GapLabel>& labels);
-
-/// A number in a disc, also used by the legend.
-void draw_gap_badge(Canvas& canvas, Point centre, int number);
-
-/// px at text scale 1.
-inline constexpr double kGapBadgeRadius = 12;
 
 }  // namespace tramline::render

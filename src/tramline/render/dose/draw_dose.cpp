@@ -7,7 +7,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/render/dose/dose_layers.h"
 #include "tramline/render/dose/dose_legend.h"
-#include "tramline/render/legend/legend.h"
+#include "tramline/render/page/legend.h"
 #include "tramline/render/page/map_decorations.h"
 
 namespace tramline::render {

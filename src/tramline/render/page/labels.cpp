@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "tramline/geometry/polygon/interior_point.h"
+#include "tramline/render/page/map_symbols.h"
 #include "tramline/render/page/page_headings.h"
 #include "tramline/render/page/text.h"
-#include "tramline/render/plan/layers.h"
 
 namespace tramline::render {
 namespace {

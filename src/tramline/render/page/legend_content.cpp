@@ -8,7 +8,7 @@
 
 #include "tramline/geometry/path/kinked_line.h"
 #include "tramline/model/detour_summary.h"
-#include "tramline/render/plan/visible_faults.h"
+#include "tramline/render/page/visible_faults.h"
 
 namespace tramline::render {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "tramline/geometry/error.h"
-#include "tramline/render/legend/legend.h"
 #include "tramline/render/page/labels.h"
+#include "tramline/render/page/legend.h"
 #include "tramline/render/page/map_decorations.h"
 #include "tramline/render/plan/layers.h"
 

@@ -73,6 +73,4 @@ void draw_references(Canvas& canvas, const Plan& plan, const Box& seen) {
   }
 }
 
-std::vector<double> reference_dashes(double scale) { return {12 * scale, 3 * scale, 2 * scale, 3 * scale}; }
-
 }  // namespace tramline::render

@@ -21,26 +21,6 @@ void draw_hatched(Canvas& canvas, const Region& region, Colour ground, const Hat
 
 }  // namespace
 
-const Hatch& obstacle_hatch() {
-  static const Hatch style{kObstacleHatch, 6, 1.4, true};
-  return style;
-}
-
-const Hatch& passable_hatch() {
-  static const Hatch style{kPassableHatch, 7, 1.3, false};
-  return style;
-}
-
-const Hatch& given_up_hatch() {
-  static const Hatch style{kGivenUpHatch, 6, 1.6, false};
-  return style;
-}
-
-const Hatch& not_recorded_hatch() {
-  static const Hatch style{kNotRecordedHatch, 7, 1.2, true};
-  return style;
-}
-
 void draw_ground(Canvas& canvas, const Plan& plan) {
   fill(canvas, {{plan.field.outer, {}}}, kFieldColour);
   if (is_repair(plan)) fill(canvas, plan.worked, kCoveredColour);

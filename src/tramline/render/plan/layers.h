@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tramline/model/plan.h"
-#include "tramline/render/page/canvas.h"
+#include "tramline/render/page/map_symbols.h"
 
 namespace tramline::render {
 
@@ -45,27 +45,5 @@ inline constexpr double kLeastStripe = 2.5;
 
 /// Least width of a drawn fault, px at text scale 1.
 inline constexpr double kSliverWidth = 1.5;
-
-/// The marks, also used by the legend. Pixels of the page.
-void draw_stop_mark(Canvas& canvas, Point at, double radius);
-void draw_arrow_head(Canvas& canvas, Point tip, Point heading, double size, Colour colour);
-
-/// Styles shared with the legend.
-const Hatch& obstacle_hatch();
-const Hatch& passable_hatch();
-const Hatch& given_up_hatch();
-const Hatch& not_recorded_hatch();
-/// The line of a track, px at text scale 1.
-inline constexpr double kTrackLine = 1.1;
-inline constexpr double kDetourLine = 2.2;
-inline constexpr double kDetourRimWidth = 1.1;  ///< on each side
-inline constexpr double kHeadlandLine = 1.4;
-inline constexpr double kHeadlandDash = 9;
-inline constexpr double kReferenceLine = 2;
-inline constexpr double kReferenceBeyond = 18;  ///< how far it is drawn beyond the field
-std::vector<double> reference_dashes(double scale);
-inline constexpr double kDroppedLine = 1.8;
-inline constexpr double kOutlineWidth = 2.2;
-inline constexpr double kStopRadius = 4.2;
 
 }  // namespace tramline::render

@@ -2,8 +2,8 @@
 
 #include "tramline/render/page/arrow_places.h"
 #include "tramline/render/page/page_headings.h"
+#include "tramline/render/page/visible_faults.h"
 #include "tramline/render/plan/layers.h"
-#include "tramline/render/plan/visible_faults.h"
 
 namespace tramline::render {
 namespace {
@@ -113,19 +113,6 @@ void draw_stops(Canvas& canvas, const Plan& plan) {
 
 bool stops_stand_apart(const Canvas& canvas, const Plan& plan) {
   return swath_px(canvas, plan) >= 4 * kLeastStop * canvas.scale();
-}
-
-void draw_stop_mark(Canvas& canvas, Point at, double radius) {
-  disc(canvas, at, radius, kBackgroundColour);
-  disc(canvas, at, 0.72 * radius, kInk);
-}
-
-void draw_arrow_head(Canvas& canvas, Point tip, Point heading, double size, Colour colour) {
-  const Point aside{-heading.y, heading.x};
-  const Point tail = tip - size * heading;
-  fill_shape(canvas,
-             {tip, tail + (0.42 * size) * aside, tip - (0.75 * size) * heading, tail - (0.42 * size) * aside},
-             colour);
 }
 
 }  // namespace tramline::render

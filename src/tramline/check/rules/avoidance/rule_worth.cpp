@@ -7,6 +7,7 @@
 #include "tramline/check/measure/bands.h"
 #include "tramline/check/measure/ground_cells.h"
 #include "tramline/check/rules/rules.h"
+#include "tramline/geometry/tolerances.h"
 
 namespace tramline::check {
 namespace {

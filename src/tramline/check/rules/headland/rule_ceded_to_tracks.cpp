@@ -4,17 +4,13 @@
 #include <string>
 
 #include "tramline/check/measure/bands.h"
+#include "tramline/check/rules/land_faults.h"
 #include "tramline/check/rules/rules.h"
 #include "tramline/check/tolerances.h"
 #include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline::check {
 namespace {
-
-void report(const Region& wrong, double tolerance_m2, const std::string& what, Violations& out) {
-  if (const double amount = area(wrong); amount > tolerance_m2)
-    out.push_back({Rule::kBody, fmt::format(fmt::runtime(what), amount), place_on_largest(wrong), amount});
-}
 
 double extent_m(const Polygon& polygon) {
   double out = 0;
@@ -66,13 +62,15 @@ void check_ceded_to_tracks(const Case& c, Violations& out) {
   }
   const double drawn_m2 = tolerance_m2 + kRoundEdge_m * 2 * all_arcs_m;
   const Region worked = unite(bands);
-  report(intersection(left, worked), drawn_m2, "headland passes work {:.3f} m² that are left to tracks", out);
-  report(intersection(left, c.along_boundaries), drawn_m2, "{:.3f} m² left to tracks lie next to a boundary",
-         out);
-  report(without_room(left, c.plan), drawn_m2, "{:.3f} m² are left to tracks where none has room", out);
+  report_land(Rule::kBody, intersection(left, worked), drawn_m2,
+              "headland passes work {:.3f} m² that are left to tracks", out);
+  report_land(Rule::kBody, intersection(left, c.along_boundaries), drawn_m2,
+              "{:.3f} m² left to tracks lie next to a boundary", out);
+  report_land(Rule::kBody, without_room(left, c.plan), drawn_m2,
+              "{:.3f} m² are left to tracks where none has room", out);
   const Region idle = difference(difference(c.plan.headland.ground, worked), c.along_boundaries);
-  report(with_ample_room(idle, c.plan), 0, "tracks have room in {:.3f} m² of the headland that no pass works",
-         out);
+  report_land(Rule::kBody, with_ample_room(idle, c.plan), 0,
+              "tracks have room in {:.3f} m² of the headland that no pass works", out);
 }
 
 }  // namespace tramline::check

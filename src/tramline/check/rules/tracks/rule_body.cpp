@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "tramline/check/rules/land_faults.h"
 #include "tramline/check/rules/rules.h"
 #include "tramline/geometry/polygon/boolean.h"
 
@@ -9,20 +10,15 @@ namespace tramline::check {
 
 namespace {
 
-void report(const Region& off, double tolerance_m2, const std::string& what, Violations& out) {
-  if (const double amount = area(off); amount > tolerance_m2)
-    out.push_back({Rule::kBody, fmt::format(fmt::runtime(what), amount), place_on_largest(off), amount});
-}
-
 /// The chords of body and ground are the same: nothing may be lost between the two.
 void check_parting(const Case& c, const Region& ground, const std::string& name, const Region& land,
                    Violations& out) {
-  report(intersection(c.plan.body, ground), c.area_tolerance_m2, "body and " + name + " overlap by {:.3f} m²",
-         out);
+  report_land(Rule::kBody, intersection(c.plan.body, ground), c.area_tolerance_m2,
+              "body and " + name + " overlap by {:.3f} m²", out);
   Region both = c.plan.body;
   both.insert(both.end(), ground.begin(), ground.end());
-  report(symmetric_difference(unite(both), land), c.area_tolerance_m2,
-         "body and " + name + " together differ from the field less its obstacles by {:.3f} m²", out);
+  report_land(Rule::kBody, symmetric_difference(unite(both), land), c.area_tolerance_m2,
+              "body and " + name + " together differ from the field less its obstacles by {:.3f} m²", out);
 }
 
 }  // namespace
@@ -36,18 +32,18 @@ void check_body(const Case& c, Violations& out) {
     return;
   }
   if (c.near_boundaries.empty() && c.plan.headland.ground.empty()) {
-    report(symmetric_difference(land, c.plan.body), c.area_tolerance_m2,
-           "the body differs from the field less its obstacles by {:.3f} m²", out);
+    report_land(Rule::kBody, symmetric_difference(land, c.plan.body), c.area_tolerance_m2,
+                "the body differs from the field less its obstacles by {:.3f} m²", out);
   } else {
     const double tolerance_m2 = c.area_tolerance_m2 + c.round_edges_m2;
-    report(difference(difference(land, c.near_boundaries), c.plan.body), tolerance_m2,
-           "the body lacks {:.3f} m² of the field less its obstacles and headlands", out);
-    report(difference(c.plan.headland.ground, c.near_boundaries), tolerance_m2,
-           "{:.3f} m² of the headland are farther from boundaries than its passes are wide", out);
+    report_land(Rule::kBody, difference(difference(land, c.near_boundaries), c.plan.body), tolerance_m2,
+                "the body lacks {:.3f} m² of the field less its obstacles and headlands", out);
+    report_land(Rule::kBody, difference(c.plan.headland.ground, c.near_boundaries), tolerance_m2,
+                "{:.3f} m² of the headland are farther from boundaries than its passes are wide", out);
     check_parting(c, c.plan.headland.ground, "headland", land, out);
   }
-  report(difference(c.plan.given_up, c.near_boundaries.empty() ? land : c.plan.body), c.area_tolerance_m2,
-         "{:.3f} m² of the land given up lie outside the body", out);
+  report_land(Rule::kBody, difference(c.plan.given_up, c.near_boundaries.empty() ? land : c.plan.body),
+              c.area_tolerance_m2, "{:.3f} m² of the land given up lie outside the body", out);
 }
 
 }  // namespace tramline::check

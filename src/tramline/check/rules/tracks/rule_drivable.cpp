@@ -82,8 +82,6 @@ void check_pass(const HeadlandPass& pass, double least_m, const std::string& nam
 
 }  // namespace
 
-double least_radius_m(const Machine& machine) { return std::max(machine.radius_m, 0.5 * machine.width_m); }
-
 void check_drivable(const Case& c, Violations& out) {
   const double least_m = least_radius_m(c.plan.machine);
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {

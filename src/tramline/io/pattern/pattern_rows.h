@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "tramline/io/fixes/lines.h"
+#include "tramline/model/spray_pattern.h"
+
+namespace tramline::io {
+
+/// read_pattern() from any lines; messages call them `name`.
+SprayPattern read_pattern(Lines& lines, const std::string& name);
+
+}  // namespace tramline::io

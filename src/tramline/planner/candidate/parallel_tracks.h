@@ -1,0 +1,25 @@
+#pragma once
+// The tracks of a subfield parallel to its reference (S2.11-S2.13).
+
+#include "tramline/planner/candidate/candidate.h"
+#include "tramline/tracks/curved_tracks.h"
+
+namespace tramline {
+
+/// What tracks over a subfield that run parallel to a curve have to keep to.
+CurvedGround curved_ground(const SearchTask& task, const Polygon& shape);
+
+/// How tight they may be.
+TrackLimits track_limits(const Machine& machine);
+
+/// The numbers of the parallels of a subfield's reference that may reach it. Precondition: it has one, which
+/// leaves its box behind at both ends or goes all the way round.
+StripRange parallels_over(const SearchTask& task, const Subfield& subfield);
+
+EndCriterion end_criterion_of(const SearchTask& task);
+
+/// All parallels of a subfield's reference, offset by (k + ½)·w to either side, that may be driven somewhere.
+/// Precondition: as parallels_over().
+TrackFamily parallel_tracks(const SearchTask& task, const CurvedGround& ground, const Subfield& subfield);
+
+}  // namespace tramline

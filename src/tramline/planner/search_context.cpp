@@ -1,0 +1,93 @@
+#include "tramline/planner/search_context.h"
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <utility>
+
+namespace tramline {
+namespace {
+
+constexpr std::int64_t kBetweenReports_ns = 20'000'000;
+
+std::int64_t now_ns() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+}  // namespace
+
+/// The progress of a search, and what it has last been told and answered.
+class SearchContext::SharedProgress {
+ public:
+  explicit SharedProgress(Progress progress) : progress_(std::move(progress)) {}
+
+  void count(int done, int total) {
+    const std::lock_guard lock(mutex_);
+    done_ = done;
+    total_ = total;
+    call();
+  }
+
+  void report() {
+    const std::int64_t now = now_ns();
+    if (now < due_ns_.load(std::memory_order_relaxed)) return;
+    const std::lock_guard lock(mutex_);
+    if (now < due_ns_.load(std::memory_order_relaxed)) return;
+    // Stays due where the progress throws: all other threads are to stop as well.
+    call();
+    due_ns_.store(now + kBetweenReports_ns, std::memory_order_relaxed);
+  }
+
+  bool has_to_end() {
+    report();
+    if (!ending_) return false;
+    cut_short_ = true;
+    return true;
+  }
+
+  bool cut_short() const { return cut_short_; }
+
+ private:
+  void call() {
+    if (progress_(done_, total_) == Demand::kEnd) ending_ = true;
+  }
+
+  Progress progress_;
+  std::mutex mutex_;
+  std::atomic<std::int64_t> due_ns_ = 0;
+  int done_ = 0, total_ = 0;
+  std::atomic<bool> ending_ = false, cut_short_ = false;
+};
+
+SearchContext::SearchContext(int threads, Progress progress) : threads_(threads) {
+  if (progress) shared_ = std::make_shared<SharedProgress>(std::move(progress));
+}
+
+SearchContext SearchContext::on_one_thread() const {
+  SearchContext out = *this;
+  out.threads_ = 1;
+  return out;
+}
+
+SearchContext SearchContext::uncounted() const {
+  SearchContext out = *this;
+  out.counts_ = false;
+  return out;
+}
+
+void SearchContext::count(int done, int total) const {
+  if (shared_ && counts_) shared_->count(done, total);
+}
+
+void SearchContext::report() const {
+  if (shared_) shared_->report();
+}
+
+bool SearchContext::has_to_end() const { return shared_ && shared_->has_to_end(); }
+
+bool SearchContext::cut_short() const { return shared_ && shared_->cut_short(); }
+
+}  // namespace tramline
