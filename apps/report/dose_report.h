@@ -1,5 +1,5 @@
 #pragma once
-// What the verb dose prints.
+// What the command dose prints.
 
 #include <nlohmann/json.hpp>
 #include <string>

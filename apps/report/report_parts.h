@@ -1,5 +1,5 @@
 #pragma once
-// What the reports of all verbs have in common.
+// What the reports of all commands have in common.
 
 #include <nlohmann/json.hpp>
 #include <string>

@@ -1,4 +1,4 @@
-// The tramline program: parses the command line, runs one verb, turns errors into exit codes.
+// The tramline program: parses the command line, runs one command, turns errors into exit codes.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "commands/command.h"
+#include "output/help_format.h"
 #include "output/result_output.h"
 #include "tramline/geometry/error.h"
 
@@ -20,7 +21,7 @@
 namespace {
 
 using tramline::app::Command;
-using Verbs = std::vector<CLI::App*>;
+using Parsers = std::vector<CLI::App*>;
 
 std::vector<std::unique_ptr<Command>> all_commands() {
   using namespace tramline::app;
@@ -33,54 +34,54 @@ std::vector<std::unique_ptr<Command>> all_commands() {
 }
 
 /// "plan, map or serve".
-std::string listed(const Verbs& verbs, const std::string& last_word) {
-  std::string out = verbs.front()->get_name();
-  for (std::size_t i = 1; i < verbs.size(); ++i)
-    out += (i + 1 < verbs.size() ? ", " : " " + last_word + " ") + verbs[i]->get_name();
+std::string listed(const Parsers& parsers, const std::string& last_word) {
+  std::string out = parsers.front()->get_name();
+  for (std::size_t i = 1; i < parsers.size(); ++i)
+    out += (i + 1 < parsers.size() ? ", " : " " + last_word + " ") + parsers[i]->get_name();
   return out;
 }
 
-bool is_verb(const Verbs& verbs, const std::string& word) {
-  return std::any_of(verbs.begin(), verbs.end(),
-                     [&](const CLI::App* verb) { return verb->get_name() == word; });
+bool is_command(const Parsers& parsers, const std::string& word) {
+  return std::any_of(parsers.begin(), parsers.end(),
+                     [&](const CLI::App* parser) { return parser->get_name() == word; });
 }
 
 /// One sentence about what was not understood.
-std::string unexpected_argument(const Verbs& verbs, const std::string& first) {
-  if (!is_verb(verbs, first))
-    return "there is no verb '" + first + "': the verbs are " + listed(verbs, "and");
-  for (const CLI::App* verb : verbs)
-    if (!verb->remaining().empty())
-      return "'" + verb->remaining().front() + "' was not expected: see 'tramline " + verb->get_name() +
+std::string unexpected_argument(const Parsers& parsers, const std::string& first) {
+  if (!is_command(parsers, first))
+    return "there is no command '" + first + "': the commands are " + listed(parsers, "and");
+  for (const CLI::App* parser : parsers)
+    if (!parser->remaining().empty())
+      return "'" + parser->remaining().front() + "' was not expected: see 'tramline " + parser->get_name() +
              " --help'";
   return "an argument was not expected";
 }
 
-/// "--width" in "--width=", where that is an option of the verb; "" elsewhere. CLI11 would take the next
+/// "--width" in "--width=", where that is an option of the command; "" elsewhere. CLI11 would take the next
 /// argument for the value.
-std::string option_cut_short(const CLI::App& verb, const std::string& argument) {
+std::string option_cut_short(const CLI::App& parser, const std::string& argument) {
   if (!argument.starts_with('-') || !argument.ends_with('=')) return "";
   const std::string name = argument.substr(0, argument.size() - 1);
-  return verb.get_option_no_throw(name) == nullptr ? "" : name;
+  return parser.get_option_no_throw(name) == nullptr ? "" : name;
 }
 
 constexpr const char* kEmpty = "the value is empty; is a shell variable not set?";
 
-void refuse_values_cut_short(const Verbs& verbs, const std::vector<std::string>& arguments) {
-  for (const CLI::App* verb : verbs) {
-    if (arguments.empty() || arguments.front() != verb->get_name()) continue;
+void refuse_values_cut_short(const Parsers& parsers, const std::vector<std::string>& arguments) {
+  for (const CLI::App* parser : parsers) {
+    if (arguments.empty() || arguments.front() != parser->get_name()) continue;
     for (const std::string& argument : arguments) {
       if (argument == "--") break;
-      const std::string name = option_cut_short(*verb, argument);
+      const std::string name = option_cut_short(*parser, argument);
       if (!name.empty()) throw tramline::bad_input(name + ": " + kEmpty);
     }
   }
 }
 
 /// An empty text is no value of any option: CLI11 takes it for a zero or for nothing said.
-void refuse_empty_values(const Verbs& verbs) {
-  for (CLI::App* verb : verbs)
-    for (CLI::Option* option : verb->get_options({}))
+void refuse_empty_values(const Parsers& parsers) {
+  for (CLI::App* parser : parsers)
+    for (CLI::Option* option : parser->get_options({}))
       if (option->get_items_expected_max() > 0)
         // As a transformation it comes before what the option itself asks of its value.
         option->transform(CLI::Validator([](std::string& value) { return value.empty() ? kEmpty : ""; }, ""));
@@ -110,34 +111,35 @@ int failed(int code, const std::string& message) {
   return code;
 }
 
-int run_verb(CLI::App& app, const std::vector<std::unique_ptr<Command>>& commands, int argc, char** argv) {
-  Verbs verbs;
-  for (const auto& command : commands) verbs.push_back(command->setup(app).parser());
-  refuse_empty_values(verbs);
-  refuse_values_cut_short(verbs, {argv + std::min(argc, 1), argv + argc});
+int run_command(CLI::App& app, const std::vector<std::unique_ptr<Command>>& commands, int argc, char** argv) {
+  Parsers parsers;
+  for (const auto& command : commands) parsers.push_back(command->setup(app).parser());
+  refuse_empty_values(parsers);
+  refuse_values_cut_short(parsers, {argv + std::min(argc, 1), argv + argc});
   try {
     app.parse(argc, argv);
   } catch (const CLI::ExtrasError&) {
-    return failed(2, unexpected_argument(verbs, argc > 1 ? argv[1] : ""));
+    return failed(2, unexpected_argument(parsers, argc > 1 ? argv[1] : ""));
   }
   for (std::size_t i = 0; i < commands.size(); ++i)
-    if (verbs[i]->parsed()) return with_output_flushed(commands[i]->run());
-  return failed(2, "name a verb, " + listed(verbs, "or") + "; see 'tramline --help'");
+    if (parsers[i]->parsed()) return with_output_flushed(commands[i]->run());
+  return failed(2, "name a command: " + listed(parsers, "or") + "; see 'tramline --help'");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   using namespace tramline::app;
-  CLI::App app{"Plans every pass a machine makes over a field, and proves what was worked."};
+  CLI::App app{"Plan every pass a machine makes over a field, and prove which land it worked."};
   app.set_version_flag("--version", TRAMLINE_VERSION);
   app.require_subcommand(0, 1);
-  app.footer("Run 'tramline VERB --help' for the options and an example of each verb.");
+  app.footer("'tramline COMMAND --help' lists a command's options and gives examples.");
+  app.formatter(std::make_shared<HelpFormatter>());
   report_closed_pipes();
   const std::vector<std::unique_ptr<Command>> commands = all_commands();
 
   try {
-    return run_verb(app, commands, argc, argv);
+    return run_command(app, commands, argc, argv);
   } catch (const CLI::Success& success) {
     return app.exit(success);
   } catch (const CLI::ParseError& error) {

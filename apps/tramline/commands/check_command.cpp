@@ -20,13 +20,11 @@ namespace tramline::app {
 namespace {
 
 constexpr const char* kHelp =
-    "Verify a plan by another road: its areas, turns and stops are recomputed from the tracks alone, and "
-    "every track "
-    "has to keep clear of obstacles and end where its rule says. Exit code: 0 the plan holds, 1 it does not, "
-    "2 bad "
-    "input.";
+    "Verify a plan independently of the planner. Areas, turns and stops are recomputed from the tracks "
+    "alone; every track has to keep clear of obstacles and to end where its rule says. Exit code: 0 the plan "
+    "holds, 1 it does not, 2 bad input.";
 constexpr const char* kExample =
-    "Example:\n"
+    "Examples:\n"
     "  tramline check plan.gpkg\n"
     "  tramline check plan.gpkg --field field.geojson\n"
     "  tramline check plans.gpkg --id mill-field\n"
@@ -34,20 +32,34 @@ constexpr const char* kExample =
 
 class CheckCommand : public Command {
  public:
-  Verb setup(CLI::App& program) override {
-    Verb verb(program, "check", kHelp);
-    verb.add_option("PLAN", plan_file_, "the plan: a GeoPackage written by tramline plan").required();
-    const Option field = verb.add_option(
-        "--field", input_.file, "the file the plan was made from: are field and obstacles the same?");
-    add_obstacle_options(verb, input_);
-    verb.add_option("--id", id_,
-                    "in a file of many plans (plan --one-file): only that of the field of this id or key");
+  CommandOptions setup(CLI::App& program) override {
+    CommandOptions command(program, "check", kHelp);
+    command.add_option("PLAN", plan_file_, "The plan: a GeoPackage written by 'tramline plan'.").required();
+    command.begin_group("Field");
+    const Option field =
+        command
+            .add_option("--field", input_.file,
+                        "The file the plan was made from: also check that field and obstacles are the same.")
+            .takes("FILE")
+            .shows_default("not compared");
+    add_crs_option(command, input_);
+    add_obstacle_options(command, input_);
+    command
+        .add_option(
+            "--id", id_,
+            "In a file of many plans ('tramline plan --one-file'): check only that of the field of this "
+            "id or key.")
+        .takes("ID")
+        .shows_default("all plans");
     for (const char* option : {"--crs", "--obstacles", "--obstacle-size", "--passable"})
-      verb.option(option).needs(field);
-    add_unused_threads_option(verb, threads_);
-    verb.add_flag("--json", json_, "print one JSON object instead of the table, of many plans one per line");
-    verb.footer(kExample);
-    return verb;
+      command.option(option).needs(field);
+    command.begin_group("Output");
+    command.add_flag("--json", json_,
+                     "Print one JSON object instead of the table; one per line for many plans.");
+    command.begin_group("Run");
+    add_unused_threads_option(command, threads_);
+    command.footer(kExample);
+    return command;
   }
 
   int run() override {

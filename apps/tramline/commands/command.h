@@ -1,26 +1,35 @@
 #pragma once
-// The verbs of the program. setup() only declares options; run() does the work and returns the exit
+// The commands of the program. setup() only declares options; run() does the work and returns the exit
 // code (0 success, 1 failed run or failed check, 2 bad input, 3 some of many fields refused). Errors are
 // thrown as tramline::Error.
 
 #include <memory>
 
-#include "commands/verb.h"
+#include "options/command_options.h"
 
 namespace tramline::app {
 
 class Command {
  public:
   virtual ~Command() = default;
-  /// Declares the verb as a subcommand of `program` and returns it.
-  virtual Verb setup(CLI::App& program) = 0;
+  /// Declares the command as a subcommand of `program` and returns it.
+  virtual CommandOptions setup(CLI::App& program) = 0;
   virtual int run() = 0;
 };
 
-/// --threads, for a verb whose work is done by one thread: every verb takes the option.
-inline void add_unused_threads_option(Verb& verb, int& threads) {
-  verb.add_option("--threads", threads, "taken by every verb; this one uses a single thread")
-      .in_range(0, 1024);
+inline void add_threads_option(CommandOptions& command, int& threads) {
+  command.add_option("--threads", threads, "Number of threads.")
+      .takes("N")
+      .in_range(0, 1024)
+      .shows_default("all cores");
+}
+
+/// --threads, for a command whose work is done by one thread: every command takes the option.
+inline void add_unused_threads_option(CommandOptions& command, int& threads) {
+  command.add_option("--threads", threads, "Accepted by every command; this one uses a single thread.")
+      .takes("N")
+      .in_range(0, 1024)
+      .shows_default("1");
 }
 
 std::unique_ptr<Command> make_plan_command();

@@ -27,18 +27,21 @@ namespace tramline::app {
 namespace {
 
 constexpr const char* kAbout =
-    "Compare the plans of a field that are worth a choice: of each two, either is better in overlap, "
-    "uncovered land, turns or stops";
+    "Compare the plans of a field that are worth a choice. Of any two of them, each is better than the other "
+    "in overlap, uncovered land, turns or stops.";
 
 constexpr const char* kExample =
-    "Example:\n"
+    "Examples:\n"
     "  tramline compare field.geojson --width 3 --radius 6 --picture front.png\n"
     "  tramline compare field.geojson --width 3 --for 0.02,0.10,0.5,5 --for 0.04,0.10,2\n"
     "  tramline compare field.geojson --width 3 --csv front.csv -o knee.gpkg --point knee\n"
-    "The plans are those met in up to 16 searches: for the prices given, for each of overlap, uncovered and\n"
-    "turns above all, and for the prices given with one of them times 1/8, 1/2, 2 and 8. A plan's swath "
-    "ends\n"
-    "and ways past obstacles stay as they were chosen for the prices of its search.";
+    "The plans come from up to 16 searches: one for the given prices, one each for overlap, uncovered land "
+    "and\n"
+    "turns before all else, and some with one of the given prices times 1/8, 1/2, 2 and 8. The ends of a "
+    "plan's\n"
+    "swaths and its ways past obstacles are those chosen for the prices of its search.\n"
+    "Papers: Versleijen 2019, Path planning on agricultural fields with obstacles, MSc thesis, Wageningen\n"
+    "University. Zhou et al. 2020, Agronomy 10:83.";
 
 /// "knee", "7": a point of a front, as typed.
 class PointChoice {
@@ -77,29 +80,45 @@ class PointChoice {
 
 class CompareCommand : public Command {
  public:
-  Verb setup(CLI::App& program) override {
-    Verb verb(program, "compare", kAbout);
-    verb.footer(kExample);
-    add_field_options(verb, field_options_);
-    add_plan_options(verb, plan_options_);
-    verb.add_option(
+  CommandOptions setup(CLI::App& program) override {
+    CommandOptions command(program, "compare", kAbout);
+    command.footer(kExample);
+    add_field_options(command, field_options_);
+    add_plan_options(command, plan_options_);
+    command.begin_group("Objective");
+    command
+        .add_option(
             "--for", asked_,
-            "name the plan that costs least at these prices too: overlap,uncovered,turn[,stop[,subfield]];\n"
-            "may be given again and again (prices left out are those of --prices)")
-        .one_value_each_time();
-    verb.add_option("--csv", csv_, "write a table of the plans to this .csv");
-    verb.add_option("--picture", picture_,
-                    "draw the trade-off and the plans that stand out to this .png, .svg or .pdf");
-    verb.add_option("-o,--output", output_, "write one of the plans to this GeoPackage (.gpkg)");
-    verb.add_option(
-        "--point", point_,
-        "which one: given (cheapest at the prices given), knee, overlap, uncovered, turns, or its "
-        "number (default given)");
-    add_seconds_option(verb, seconds_);
-    verb.add_option("--threads", threads_, "threads to use (default: all cores)").in_range(0, 1024);
-    verb.add_flag("--json", json_, "print one JSON object per field");
-    verb.add_flag("--quiet", quiet_, "no progress, no table");
-    return verb;
+            "Also name the plan that costs least at these prices: overlap,uncovered,turn[,stop[,subfield]]. "
+            "May be given several times; prices left out are those of --prices.")
+        .takes("NUMBERS")
+        .one_value_each_time()
+        .shows_default("none");
+    command.begin_group("Output");
+    command.add_option("--csv", csv_, "Write a table of the plans to this .csv.")
+        .takes("FILE")
+        .shows_default("not written");
+    command
+        .add_option("--picture", picture_,
+                    "Draw the trade-off and the plans that stand out to this .png, .svg or .pdf.")
+        .takes("FILE")
+        .shows_default("not drawn");
+    command.add_option("-o,--output", output_, "Write one of the plans to this GeoPackage (.gpkg).")
+        .takes("FILE")
+        .shows_default("not written");
+    command
+        .add_option(
+            "--point", point_,
+            "The plan that --output writes: 'given' (cheapest at the given prices), 'knee', 'overlap', "
+            "'uncovered', 'turns', or its number in the table.")
+        .takes("WORD")
+        .shows_default("given");
+    command.add_flag("--json", json_, "Print one JSON object per field.");
+    command.add_flag("--quiet", quiet_, "Print neither progress nor table.");
+    command.begin_group("Run");
+    add_seconds_option(command, seconds_);
+    add_threads_option(command, threads_);
+    return command;
   }
 
   int run() override {

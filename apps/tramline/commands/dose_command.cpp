@@ -31,15 +31,14 @@ namespace tramline::app {
 namespace {
 
 constexpr const char* kHelp =
-    "Map how much a recorded drive applied where: amount in every cell, mean, spread";
+    "Map how much a recorded drive applied where: the amount in every cell, its mean and spread.";
 constexpr const char* kExample =
-    "Example:\n"
-    "  tramline dose spraying.csv --field fields.gpkg --where \"id='mill-field'\" --width 24 --nominal-rate "
-    "200 "
-    "-o dose.tif --picture dose.png\n"
+    "Examples:\n"
+    "  tramline dose spraying.csv --width 24 --nominal-rate 200 -o dose.tif --picture dose.png\n"
     "  tramline dose spraying.csv --width 24 --nominal-rate 200 --wind 4,270 --pattern boom.csv --cell 0.5\n"
+    "  tramline dose spraying.csv --field fields.gpkg --where \"id='mill-field'\" --nominal-rate 200\n"
     "  tramline dose coverage.gpkg --nominal-rate 200 --json\n"
-    "Rates in the log win over --nominal-rate. What the figures mean: docs/dose.md.";
+    "Rates of the log take precedence over --nominal-rate. docs/dose.md describes the figures.";
 
 constexpr double kKmh = 1 / 3.6;
 
@@ -62,27 +61,37 @@ coverage::WindSettings wind_of(const std::string& text, coverage::WindSettings o
 
 class DoseCommand : public Command {
  public:
-  Verb setup(CLI::App& program) override {
-    Verb verb(program, "dose", kHelp);
-    verb.add_option("INPUT", input_,
-                    "a log, in any format that evaluate reads, or a coverage file of tramline evaluate -o");
-    add_field_choice(verb, field_);
-    verb.add_option("--log", drive_.log.log, "which log of an ISOXML task set, such as TLG00001");
-    add_drive_options(verb, drive_);
-    verb.remove_option("--repeat");  // amounts know nothing of it
-    add_rate_options(verb);
-    add_wind_options(verb);
-    verb.add_option("--cell", settings_.cell_m, "side of a cell of the map, m")
+  CommandOptions setup(CLI::App& program) override {
+    CommandOptions command(program, "dose", kHelp);
+    command.add_option(
+        "INPUT", input_,
+        "A log in any format that 'tramline evaluate' reads, or a coverage file of 'tramline evaluate -o'.");
+    add_field_choice(command, field_);
+    command.begin_group("Log");
+    command.add_option("--log", drive_.log.log, "Read this log of an ISOXML task set, such as TLG00001.")
+        .takes("NAME")
+        .shows_default("all logs");
+    add_drive_options(command, drive_);
+    command.remove_option("--repeat");  // amounts do not depend on it
+    add_rate_options(command);
+    add_wind_options(command);
+    command.begin_group("Output");
+    command.add_option("-o,--output", output_, "Write the map to this GeoTIFF (.tif).")
+        .takes("FILE")
+        .shows_default("not written");
+    command.add_option("--picture", picture_, "Draw the map to this .png, .svg or .pdf.")
+        .takes("FILE")
+        .shows_default("not drawn");
+    command.add_option("--cell", settings_.cell_m, "Side of a cell of the map, in metres.")
+        .takes("M")
         .in_range(0.01, 1000.0)
         .shows_default();
-    verb.add_option("-o,--output", output_, "write the map to this GeoTIFF (.tif)");
-    verb.add_option("--picture", picture_, "draw it to this .png, .svg or .pdf");
-    verb.add_option("--threads", settings_.evaluate.threads, "threads to use (default: all cores)")
-        .in_range(0, 1024);
-    verb.add_flag("--json", json_, "print one JSON object instead of the table");
-    verb.add_flag("--quiet", quiet_, "no progress, no table");
-    verb.footer(kExample);
-    return verb;
+    command.add_flag("--json", json_, "Print one JSON object instead of the table.");
+    command.add_flag("--quiet", quiet_, "Print neither progress nor table.");
+    command.begin_group("Run");
+    add_threads_option(command, settings_.evaluate.threads);
+    command.footer(kExample);
+    return command;
   }
 
   int run() override {
@@ -103,34 +112,61 @@ class DoseCommand : public Command {
   }
 
  private:
-  void add_rate_options(Verb& verb) {
-    verb.add_option("--nominal-rate", settings_.rates.nominal_per_ha,
-                    "amount a hectare where the log has none")
-        .in_range(1e-6, 1e9);
-    verb.add_option("--unit", unit_, "unit of the amounts, where the log does not say (default: l)")
-        .one_of({"l", "kg", "t", "m3", "seeds"});
-    verb.add_flag("--no-logged-rate", no_logged_, "the nominal rate everywhere, whatever the log says");
-    verb.add_option(
-            "--nominal-speed", nominal_kmh_,
-            "of a machine without rate control: the speed, km/h, at which it applies the nominal rate; "
-            "slower applies more")
-        .in_range(0.1, 100.0);
-    verb.add_option("--pattern", pattern_file_,
-                    "a table of offsets, m left of the machine's middle, and relative rates (default: even)");
+  void add_rate_options(CommandOptions& command) {
+    command.begin_group("Rates");
+    command
+        .add_option("--nominal-rate", settings_.rates.nominal_per_ha,
+                    "Amount per hectare where the log has no rate.")
+        .takes("RATE")
+        .in_range(1e-6, 1e9)
+        .shows_default("none: the log needs rates");
+    command
+        .add_option("--unit", unit_, "Unit of the amounts where the log does not say: l, kg, t, m3 or seeds.")
+        .takes("UNIT")
+        .one_of({"l", "kg", "t", "m3", "seeds"})
+        .shows_default("l");
+    command.add_flag("--no-logged-rate", no_logged_,
+                     "Use the nominal rate everywhere, whatever the log says.");
+    command
+        .add_option("--nominal-speed", nominal_kmh_,
+                    "For a machine without rate control: the speed in km/h at which it applies the nominal "
+                    "rate; more "
+                    "is applied when it drives slower.")
+        .takes("KMH")
+        .in_range(0.1, 100.0)
+        .shows_default("none: the rate does not depend on the speed");
+    command
+        .add_option("--pattern", pattern_file_,
+                    "A table of offsets (metres to the left of the machine's middle) and relative rates.")
+        .takes("FILE")
+        .shows_default("even over the width");
   }
 
-  void add_wind_options(Verb& verb) {
-    verb.add_option("--wind", wind_text_, "SPEED,FROM: m/s, and the degrees it blows from, such as 4,270");
-    verb.add_option("--drift-share", wind_.share, "share of the spray that goes with the wind")
+  void add_wind_options(CommandOptions& command) {
+    command.begin_group("Drift");
+    command
+        .add_option(
+            "--wind", wind_text_,
+            "SPEED,FROM: wind speed in m/s and the direction it blows from in degrees, such as 4,270.")
+        .takes("WIND")
+        .shows_default("no wind");
+    command.add_option("--drift-share", wind_.share, "Share of the spray that drifts.")
+        .takes("SHARE")
         .in_range(0.0, 1.0)
         .shows_default();
-    verb.add_option("--nozzle-height", wind_.height_m, "what drifts falls from this height, m")
+    command
+        .add_option("--nozzle-height", wind_.height_m, "Height from which drifting droplets fall, in metres.")
+        .takes("M")
         .in_range(0.01, 20.0)
         .shows_default();
-    verb.add_option("--fall-speed", wind_.fall_mps, "at this speed, m/s")
+    command.add_option("--fall-speed", wind_.fall_mps, "Speed at which drifting droplets fall, in m/s.")
+        .takes("MPS")
         .in_range(0.01, 20.0)
         .shows_default();
-    verb.add_option("--drift-spread", wind_.spread, "and spreads by this share of its shift")
+    command
+        .add_option("--drift-spread", wind_.spread,
+                    "Spread of the drifting droplets, as a share of how far they drift.")
+        .takes("SHARE")
         .in_range(0.0, 2.0)
         .shows_default();
   }

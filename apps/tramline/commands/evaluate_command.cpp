@@ -33,9 +33,9 @@ namespace tramline::app {
 namespace {
 
 constexpr const char* kHelp =
-    "Evaluate a recorded drive, or the drive of a plan: which ground was covered, worked again and missed";
+    "Evaluate a recorded drive, or the drive of a plan: which land was covered, repeated and missed.";
 constexpr const char* kExample =
-    "Example:\n"
+    "Examples:\n"
     "  tramline evaluate spraying.csv --field fields.gpkg --where \"id='mill-field'\" --width 24 --picture "
     "done.png\n"
     "  tramline evaluate TASKDATA.zip --log TLG00001 --json -o coverage.gpkg\n"
@@ -43,35 +43,59 @@ constexpr const char* kExample =
     "  tramline evaluate --plan plan.gpkg\n"
     "  tramline evaluate spraying.csv --plan plan.gpkg --width 24\n"
     "  tramline evaluate spraying.csv --field field.geojson --with repair.gpkg\n"
-    "Widths and work states in the log win over --width. Formats of logs: docs/logs.md.";
+    "Widths and work states of the log take precedence over --width. docs/logs.md describes the formats of "
+    "logs.\n"
+    "Paper: Zhang et al. 2023, Agronomy 13:1631.";
 
 class EvaluateCommand : public Command {
  public:
-  Verb setup(CLI::App& program) override {
-    Verb verb(program, "evaluate", kHelp);
-    verb.add_option(
+  CommandOptions setup(CLI::App& program) override {
+    CommandOptions command(program, "evaluate", kHelp);
+    command.add_option(
         "LOG", log_file_,
-        "the drive: CSV, NMEA 0183, GPX, ISOXML task data (folder, zip or one time log), or points or "
-        "worked polygons of a vector file; .gz too");
-    add_field_choice(verb, field_);
+        "The drive: CSV, NMEA 0183, GPX, ISOXML task data (folder, zip or one time log), or points or worked "
+        "polygons of a vector file; .gz too.");
+    add_field_choice(command, field_);
+    command.begin_group("Plan");
     Option plan =
-        verb.add_option("--plan", plan_file_, "a plan file: evaluate its drive, or compare LOG with it");
-    verb.add_option("--with", with_files_,
-                    "a plan file whose drive is taken as done after LOG's, such as a repair; may be given "
-                    "again and again")
+        command.add_option("--plan", plan_file_, "A plan file: evaluate its drive, or compare LOG with it.");
+    plan.takes("FILE").shows_default("none");
+    command
+        .add_option("--with", with_files_,
+                    "A plan file, such as a repair, whose drive counts as done after that of LOG. May be "
+                    "given several "
+                    "times.")
+        .takes("FILE")
         .one_value_each_time()
+        .shows_default("none")
         .excludes(plan);
-    verb.add_option("--log", drive_.log.log, "which log of an ISOXML task set, such as TLG00001");
-    verb.add_option("--job", job_, "which job, by its number, where a log has several").in_range(1, 1000000);
-    add_drive_options(verb, drive_);
-    add_engine_options(verb);
-    verb.add_option("-o,--output", output_, "write the coverage to this GeoPackage (.gpkg)");
-    verb.add_option("--picture", picture_, "draw it to this .png, .svg or .pdf");
-    verb.add_option("--threads", settings_.threads, "threads to use (default: all cores)").in_range(0, 1024);
-    verb.add_flag("--json", json_, "print one JSON object instead of the table");
-    verb.add_flag("--quiet", quiet_, "no progress, no table");
-    verb.footer(kExample);
-    return verb;
+    command.begin_group("Log");
+    command.add_option("--log", drive_.log.log, "Read this log of an ISOXML task set, such as TLG00001.")
+        .takes("NAME")
+        .shows_default("all logs of the job");
+    command.add_option("--job", job_, "Read this job where a log has several.")
+        .takes("N")
+        .in_range(1, 1000000)
+        .shows_default("the only job");
+    add_drive_options(command, drive_);
+    add_engine_options(command);
+    command.begin_group("Output");
+    command.add_option("-o,--output", output_, "Write the coverage to this GeoPackage (.gpkg).")
+        .takes("FILE")
+        .shows_default("not written");
+    command.add_option("--picture", picture_, "Draw the coverage to this .png, .svg or .pdf.")
+        .takes("FILE")
+        .shows_default("not drawn");
+    command.add_option("--slice", settings_.slice, "Also report the figures after every so many fixes.")
+        .takes("N")
+        .in_range(1, 1000000000)
+        .shows_default("at the end only");
+    command.add_flag("--json", json_, "Print one JSON object instead of the table.");
+    command.add_flag("--quiet", quiet_, "Print neither progress nor table.");
+    command.begin_group("Run");
+    add_threads_option(command, settings_.threads);
+    command.footer(kExample);
+    return command;
   }
 
   int run() override {
@@ -136,16 +160,19 @@ class EvaluateCommand : public Command {
     return evaluate_jobs(std::move(jobs), work, {json_, quiet_});
   }
 
-  void add_engine_options(Verb& verb) {
-    verb.add_option("--engine", engine_,
-                    "'exact', or 'mesh' as in the paper (S3): slow, right to some per mille")
+  void add_engine_options(CommandOptions& command) {
+    command
+        .add_option(
+            "--engine", engine_,
+            "How areas are found: 'exact', or 'mesh', the algorithm of Zhang et al. 2023, which is slow and "
+            "right to a few per mille.")
+        .takes("WORD")
         .one_of({"exact", "mesh"})
         .shows_default();
-    verb.add_option("--mesh", settings_.mesh_m, "side of a mesh with --engine mesh, m")
+    command.add_option("--mesh", settings_.mesh_m, "With --engine mesh: side of a mesh, in metres.")
+        .takes("M")
         .in_range(0.005, 1.0)
         .shows_default();
-    verb.add_option("--slice", settings_.slice, "also give the figures after every so many fixes")
-        .in_range(1, 1000000000);
   }
 
   coverage::EvaluateSettings settings() const {

@@ -17,44 +17,60 @@ namespace {
 
 constexpr const char* kAbout =
     "Export a plan to GeoJSON, FlatGeobuf, KML or zipped Shapefiles, for guidance terminals and other "
-    "programs that do not read GeoPackages";
+    "programs that do not read GeoPackages.";
 
 constexpr const char* kExample =
-    "Example:\n"
+    "Examples:\n"
     "  tramline export plan.gpkg -o tracks.geojson\n"
     "  tramline export plan.gpkg -o plan.zip --crs EPSG:25832\n"
     "  tramline export plans.gpkg -o tracks.kml --id mill-field --tolerance 0.1\n"
     "  tramline export plan.gpkg -o uncovered.fgb --layer uncovered --crs wgs84\n"
-    "GeoJSON and KML are always in WGS 84; the others are in the coordinate reference system of the file "
-    "the\n"
-    "field was read from. Shapefiles hold every layer that has shapes, the others the tracks alone.";
+    "GeoJSON and KML are always in WGS 84.";
 
 class ExportCommand : public Command {
  public:
-  Verb setup(CLI::App& program) override {
-    Verb verb(program, "export", kAbout);
-    verb.add_option("PLAN", plan_file_, "the plan: a GeoPackage written by tramline plan").required();
-    verb.add_option("-o,--output", output_,
-                    "write to this file: .geojson, .fgb (FlatGeobuf), .kml or .zip (Shapefiles)")
+  CommandOptions setup(CLI::App& program) override {
+    CommandOptions command(program, "export", kAbout);
+    command.add_option("PLAN", plan_file_, "The plan: a GeoPackage written by 'tramline plan'.").required();
+    command.begin_group("Output");
+    command
+        .add_option("-o,--output", output_,
+                    "Write to this file: .geojson, .fgb (FlatGeobuf), .kml or .zip (Shapefiles).")
+        .takes("FILE")
         .required();
-    verb.add_option("--crs", crs_,
-                    "coordinates of the output: 'source' (those of the field's file), 'wgs84', or a "
-                    "coordinate reference system such as EPSG:25832");
-    verb.add_option("--layer", layers_,
-                    "export this layer of the plan; may be given again and again for .zip and .kml")
-        .one_value_each_time();
-    verb.add_option("--tolerance", tolerance_m_,
-                    "how far lines and outlines may run beside the plan's to need fewer points, m; 0 keeps "
-                    "all points")
+    command
+        .add_option(
+            "--crs", crs_,
+            "Coordinates of the output: 'source' (those of the field's file), 'wgs84', or a coordinate "
+            "reference system such as EPSG:25832.")
+        .takes("CRS")
+        .shows_default("wgs84 for GeoJSON and KML, else source");
+    command
+        .add_option("--layer", layers_,
+                    "Export this layer of the plan. May be given several times for .zip and .kml.")
+        .takes("NAME")
+        .one_value_each_time()
+        .shows_default("every layer with shapes for .zip, else the tracks");
+    command
+        .add_option(
+            "--tolerance", tolerance_m_,
+            "Largest distance between exported lines and outlines and those of the plan, in metres; 0 "
+            "keeps all points.")
+        .takes("M")
         .shows_default();
-    verb.add_option("--id", id_,
-                    "of a file of many plans (plan --one-file): only that of the field of this id or key "
-                    "(default all)");
-    add_unused_threads_option(verb, threads_);
-    verb.add_flag("--json", json_, "print one JSON object instead of the table");
-    verb.add_flag("--quiet", quiet_, "no table");
-    verb.footer(kExample);
-    return verb;
+    command
+        .add_option(
+            "--id", id_,
+            "Of a file of many plans ('tramline plan --one-file'): export only that of the field of this "
+            "id or key.")
+        .takes("ID")
+        .shows_default("all plans");
+    command.add_flag("--json", json_, "Print one JSON object instead of the table.");
+    command.add_flag("--quiet", quiet_, "Print no table.");
+    command.begin_group("Run");
+    add_unused_threads_option(command, threads_);
+    command.footer(kExample);
+    return command;
   }
 
   int run() override {

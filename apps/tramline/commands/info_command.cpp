@@ -13,11 +13,10 @@ namespace tramline::app {
 namespace {
 
 constexpr const char* kHelp =
-    "Show what was understood of a file: CRS, areas, obstacles, and what was repaired where. Of several "
-    "features "
-    "the first 20 are listed to choose from.";
+    "Show what was read from a file: coordinate reference system, areas, obstacles and repairs. Of several "
+    "features the first 20 are listed.";
 constexpr const char* kExample =
-    "Example:\n"
+    "Examples:\n"
     "  tramline info parcels.gpkg\n"
     "  tramline info parcels.gpkg --id mill-field\n"
     "  tramline info parcels.gpkg --all --json | jq '.repairs[]'";
@@ -25,13 +24,15 @@ constexpr long long kListed = 20;
 
 class InfoCommand : public Command {
  public:
-  Verb setup(CLI::App& program) override {
-    Verb verb(program, "info", kHelp);
-    add_field_options(verb, options_);
-    add_unused_threads_option(verb, threads_);
-    verb.add_flag("--json", json_, "print JSON: one object, with --all one per field and line");
-    verb.footer(kExample);
-    return verb;
+  CommandOptions setup(CLI::App& program) override {
+    CommandOptions command(program, "info", kHelp);
+    add_field_options(command, options_);
+    command.begin_group("Output");
+    command.add_flag("--json", json_, "Print JSON: one object, or with --all one object per field and line.");
+    command.begin_group("Run");
+    add_unused_threads_option(command, threads_);
+    command.footer(kExample);
+    return command;
   }
 
   int run() override {

@@ -1,5 +1,5 @@
 #pragma once
-// One verb's work on every field that was read.
+// One command's work on every field that was read.
 
 #include <functional>
 #include <string>

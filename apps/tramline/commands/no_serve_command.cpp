@@ -8,11 +8,11 @@ namespace {
 
 class NoServeCommand : public Command {
  public:
-  Verb setup(CLI::App& program) override {
-    Verb verb(program, "serve", "Serve a web page: this program was built without it");
+  CommandOptions setup(CLI::App& program) override {
+    CommandOptions command(program, "serve", "Serve a web page; this program was built without it.");
     // Whatever follows, the answer is the same.
-    verb.takes_anything();
-    return verb;
+    command.takes_anything();
+    return command;
   }
 
   int run() override {

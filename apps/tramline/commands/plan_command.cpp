@@ -28,58 +28,73 @@ namespace tramline::app {
 namespace {
 
 constexpr const char* kExample =
-    "Example:\n"
+    "Examples:\n"
     "  tramline plan field.geojson --width 3 --radius 6 -o plan.gpkg --picture plan.png\n"
     "  tramline plan parcels.gpkg --layer parcels --where \"crop='wheat'\" --all --json\n"
     "  tramline plan parcels.gpkg --all --width 6 -o plans.gpkg --one-file --resume\n"
     "  tramline plan field.geojson --width 3 --explain\n"
     "  tramline plan field.geojson --width 3 --clearance 0.5 --zoom-obstacles closeups\n"
     "  tramline plan field.geojson --width 3 --avoid paper --avoid-threshold 4 -o paper.gpkg\n"
-    "Without -o, --picture and --zoom-obstacles nothing is written.";
+    "Without -o, --picture and --zoom-obstacles nothing is written.\n"
+    "Papers: Versleijen 2019, Path planning on agricultural fields with obstacles, MSc thesis, Wageningen\n"
+    "University. Zhou et al. 2020, Agronomy 10:83.";
 
 constexpr const char* kMapExample =
-    "Example:\n"
+    "Examples:\n"
     "  tramline map field.geojson --width 4 --headlands 2 --ab \"9.1871,48.7120 9.1893,48.7131\" -o "
     "map.gpkg\n"
     "  tramline map field.geojson --width 4 --headlands 2 --curved auto --end-rule cover --picture map.png\n"
     "  tramline map field.geojson --width 6 --guide lines.gpkg --guide-where \"name='AB 1'\" --json\n"
-    "Takes the options of 'tramline plan', which makes the same of them.";
+    "'tramline map' takes the options of 'tramline plan', and makes the same plan of them.\n"
+    "Papers: Versleijen 2019, Path planning on agricultural fields with obstacles, MSc thesis, Wageningen\n"
+    "University. Zhou et al. 2020, Agronomy 10:83.";
 
-/// The verbs `plan` and `map`: the second is the first in the words of those who ask for the map of a field.
+/// The commands `plan` and `map`: the second is the first in the words of those who ask for the map of a
+/// field.
 class PlanCommand : public Command {
  public:
   PlanCommand(const char* word, const char* about, const char* example)
       : word_(word), about_(about), example_(example) {}
 
-  Verb setup(CLI::App& program) override {
-    Verb verb(program, word_, about_);
-    verb.footer(example_);
-    add_field_options(verb, field_options_);
-    add_plan_options(verb, plan_options_);
+  CommandOptions setup(CLI::App& program) override {
+    CommandOptions command(program, word_, about_);
+    command.footer(example_);
+    add_field_options(command, field_options_);
+    add_plan_options(command, plan_options_);
+    command.begin_group("Output");
     const Option output =
-        verb.add_option("-o,--output", wanted_.plan, "write the plan to this GeoPackage (.gpkg)");
-    verb.add_option("--picture", wanted_.picture, "draw the plan to this .png, .svg or .pdf");
-    verb.add_option("--zoom-obstacles", wanted_.close_ups,
-                    "draw a close-up of every obstacle into this folder, which is made if missing");
-    verb.add_flag("--one-file", wanted_.one_file,
-                  "put the plans of all fields into the one file of --output, instead of a file for each")
+        command.add_option("-o,--output", wanted_.plan, "Write the plan to this GeoPackage (.gpkg).")
+            .takes("FILE")
+            .shows_default("not written");
+    command.add_option("--picture", wanted_.picture, "Draw the plan to this .png, .svg or .pdf.")
+        .takes("FILE")
+        .shows_default("not drawn");
+    command
+        .add_option("--zoom-obstacles", wanted_.close_ups,
+                    "Draw a close-up of every obstacle into this folder, which is made if it is missing.")
+        .takes("FOLDER")
+        .shows_default("none drawn");
+    command
+        .add_flag("--one-file", wanted_.one_file,
+                  "Put the plans of all fields into the one file of --output instead of a file for each.")
         .needs(output);
-    verb.add_flag("--resume", resume_,
-                  "go on where a former run of the same command ended: fields that it has finished are "
-                  "not planned again");
-    verb.add_flag("--explain", explain_,
-                  "also say how the plan was found and why this one: its cost and what causes it, how much "
-                  "less any plan "
-                  "could cost, how much more the next best does, repairs and all notes");
-    verb.add_flag(
+    command.add_flag("--explain", explain_,
+                     "Also report how the plan was found and why it was chosen: its cost by cause, the least "
+                     "that any plan could cost, the next best plans, all repairs and notes.");
+    command.add_flag(
         "--front", front_,
-        "look for other plans worth a choice too (see 'tramline compare'), and keep their numbers in "
-        "the plan file and in --json");
-    add_seconds_option(verb, seconds_);
-    verb.add_option("--threads", threads_, "threads to use (default: all cores)").in_range(0, 1024);
-    verb.add_flag("--json", json_, "print one JSON object per field");
-    verb.add_flag("--quiet", quiet_, "no progress, no table");
-    return verb;
+        "Also look for other plans worth a choice (see 'tramline compare'), and keep their figures "
+        "in the plan file and in --json.");
+    command.add_flag("--json", json_, "Print one JSON object per field.");
+    command.add_flag("--quiet", quiet_, "Print neither progress nor table.");
+    command.begin_group("Run");
+    add_seconds_option(command, seconds_);
+    command.add_flag(
+        "--resume", resume_,
+        "Continue an earlier run of the same command: fields that it has finished are not planned "
+        "again.");
+    add_threads_option(command, threads_);
+    return command;
   }
 
   int run() override {
@@ -226,11 +241,11 @@ class PlanCommand : public Command {
 }  // namespace
 
 std::unique_ptr<Command> make_plan_command() {
-  return std::make_unique<PlanCommand>("plan", "Plan every pass over a field", kExample);
+  return std::make_unique<PlanCommand>("plan", "Plan every pass over a field.", kExample);
 }
 std::unique_ptr<Command> make_map_command() {
   return std::make_unique<PlanCommand>(
-      "map", "Map a field: headlands, body, tracks along a line or a curve, swaths and their overlap",
+      "map", "Map a field: headlands, body, tracks along a line or a curve, swaths and their overlap.",
       kMapExample);
 }
 

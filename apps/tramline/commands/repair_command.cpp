@@ -28,38 +28,50 @@ namespace tramline::app {
 namespace {
 
 constexpr const char* kAbout =
-    "Plan passes over what a drive has missed, from the coverage file of 'tramline evaluate'";
+    "Plan passes over the land that a drive has missed, from the coverage file of 'tramline evaluate'.";
 constexpr const char* kExample =
-    "Example:\n"
+    "Examples:\n"
     "  tramline evaluate spraying.csv --field field.geojson --width 24 -o coverage.gpkg\n"
     "  tramline repair coverage.gpkg --width 24 --radius 8 -o repair.gpkg --picture repair.png\n"
     "  tramline evaluate spraying.csv --field field.geojson --width 24 --with repair.gpkg\n"
-    "Passes keep to the directions driven, stay in the field and out of obstacles, and run on over worked\n"
-    "ground; between two gaps on a line the work is off. A pass that costs more than it wins back is not "
-    "made.\n"
+    "Passes keep to the directions driven, stay in the field and out of obstacles, and may run on over "
+    "worked\n"
+    "land; between two gaps on a line the work is off. A pass that costs more than it wins back is left "
+    "out.\n"
     "Without -o and --picture nothing is written.";
 
 class RepairCommand : public Command {
  public:
-  Verb setup(CLI::App& program) override {
-    Verb verb(program, "repair", kAbout);
-    verb.footer(kExample);
-    verb.add_option("COVERAGE", coverage_file_, "what a drive has worked: written by tramline evaluate -o")
+  CommandOptions setup(CLI::App& program) override {
+    CommandOptions command(program, "repair", kAbout);
+    command.footer(kExample);
+    command.add_option("COVERAGE", coverage_file_, "A coverage file, as written by 'tramline evaluate -o'.")
         .required();
-    add_machine_options(verb, options_, "0");
-    add_objective_options(verb, options_);
-    verb.add_option("--min-area", min_area_m2_, "missed ground smaller than this is ignored, and listed, m²")
+    add_machine_options(command, options_, "0");
+    add_objective_options(command, options_);
+    command.begin_group("Swaths");
+    command
+        .add_option("--min-area", min_area_m2_, "Ignore missed land smaller than this, in m²; it is listed.")
+        .takes("M2")
         .shows_default();
-    verb.add_option("--end-rule", end_rule_,
-                    "where swaths end on worked ground: cheapest, cover, centre or inside")
+    command
+        .add_option("--end-rule", end_rule_,
+                    "Where swaths end on worked land: 'cheapest', 'cover', 'centre' or 'inside'.")
+        .takes("WORD")
         .shows_default();
-    verb.add_option("-o,--output", output_, "write the plan to this GeoPackage (.gpkg)");
-    verb.add_option("--picture", picture_, "draw the plan to this .png, .svg or .pdf");
-    add_seconds_option(verb, seconds_);
-    verb.add_option("--threads", threads_, "threads to use (default: all cores)").in_range(0, 1024);
-    verb.add_flag("--json", json_, "print one JSON object per field");
-    verb.add_flag("--quiet", quiet_, "no progress, no table");
-    return verb;
+    command.begin_group("Output");
+    command.add_option("-o,--output", output_, "Write the plan to this GeoPackage (.gpkg).")
+        .takes("FILE")
+        .shows_default("not written");
+    command.add_option("--picture", picture_, "Draw the plan to this .png, .svg or .pdf.")
+        .takes("FILE")
+        .shows_default("not drawn");
+    command.add_flag("--json", json_, "Print one JSON object per field.");
+    command.add_flag("--quiet", quiet_, "Print neither progress nor table.");
+    command.begin_group("Run");
+    add_seconds_option(command, seconds_);
+    add_threads_option(command, threads_);
+    return command;
   }
 
   int run() override {

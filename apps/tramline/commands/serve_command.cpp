@@ -21,17 +21,17 @@ namespace tramline::app {
 namespace {
 
 constexpr const char* kAbout =
-    "Serve a web page to plan, compare and replay on, to the browsers of this computer";
+    "Serve a web page on which to plan, compare and replay, to the browsers of this computer.";
 
 constexpr const char* kExample =
-    "Example:\n"
+    "Examples:\n"
     "  tramline serve\n"
     "  tramline serve farm --port 9000\n"
     "  tramline serve --feed-dir /srv/drives\n"
     "  tramline serve --host 0.0.0.0 --tiles \"https://tile.example.org/{z}/{x}/{y}.png\"\n"
     "Fields, machines, plans and drives are kept in DIR as GeoPackages. Nothing leaves this computer unless "
     "--host\n"
-    "or --tiles is given; with --host whoever comes from elsewhere needs the token in the address that is "
+    "or --tiles is given. With --host, browsers on other computers need the token in the address that is "
     "printed.";
 
 /// Ends the server at SIGINT or SIGTERM. The signals have to be blocked in all threads.
@@ -60,30 +60,50 @@ class StopAtSignal {
 
 class ServeCommand : public Command {
  public:
-  Verb setup(CLI::App& program) override {
-    Verb verb(program, "serve", kAbout);
-    verb.footer(kExample);
-    verb.add_option("DIR", folder_,
-                    "folder to keep everything in, made if missing (default ~/.local/share/tramline)");
-    verb.add_option("--port", settings_.port, "port to listen on (default 8750); 0 for any that is free")
-        .in_range(0, 65535);
-    verb.add_option(
-        "--host", settings_.host,
-        "address to listen on (default 127.0.0.1: only this computer); another one asks for a token");
-    verb.add_option("--token", settings_.token, "the token to ask for (default: with --host one is made)");
-    verb.add_option(
-        "--tiles", settings_.tiles,
-        "URL of raster tiles to show under the map, with {z}, {x} and {y} (default: none, no network)");
-    verb.add_option("--tiles-attribution", settings_.tiles_attribution,
-                    "whom the tiles are from, shown on the map with them (default: the host of the URL)");
-    verb.add_option(
+  CommandOptions setup(CLI::App& program) override {
+    CommandOptions command(program, "serve", kAbout);
+    command.footer(kExample);
+    command.add_option("DIR", folder_, "Folder that keeps everything, made if it is missing.")
+        .shows_default("~/.local/share/tramline");
+    command.begin_group("Network");
+    command.add_option("--port", settings_.port, "Port to listen on; 0 for any free one.")
+        .takes("PORT")
+        .in_range(0, 65535)
+        .shows_default("8750");
+    command
+        .add_option("--host", settings_.host,
+                    "Address to listen on. With any other than the default, browsers need the token.")
+        .takes("ADDRESS")
+        .shows_default("127.0.0.1, this computer only");
+    command.add_option("--token", settings_.token, "The token that browsers need.")
+        .takes("TEXT")
+        .shows_default("made at random where --host asks for one");
+    command.begin_group("Map");
+    command
+        .add_option("--tiles", settings_.tiles,
+                    "URL of raster tiles to show under the map, with {z}, {x} and {y}.")
+        .takes("URL")
+        .shows_default("none, and no network access");
+    command
+        .add_option("--tiles-attribution", settings_.tiles_attribution,
+                    "Source of the tiles, shown on the map.")
+        .takes("TEXT")
+        .shows_default("the host of the URL");
+    command.begin_group("Live drives");
+    command
+        .add_option(
             "--feed-dir", feed_folders_,
-            "folder whose files live feeds may read (file:///...), beside DIR; give it again for more")
-        .one_value_each_time();
-    verb.add_option("--threads", threads_, "taken by every verb; here each plan uses all cores")
-        .in_range(0, 1024);
-    verb.add_flag("--quiet", quiet_, "print nothing but errors");
-    return verb;
+            "Folder whose files live feeds may read (file:///...), besides DIR. May be given several times.")
+        .takes("FOLDER")
+        .one_value_each_time()
+        .shows_default("DIR only");
+    command.begin_group("Run");
+    command.add_option("--threads", threads_, "Accepted by every command; here each plan uses all cores.")
+        .takes("N")
+        .in_range(0, 1024)
+        .shows_default("all cores");
+    command.add_flag("--quiet", quiet_, "Print nothing but errors.");
+    return command;
   }
 
   int run() override {

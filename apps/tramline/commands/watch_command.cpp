@@ -24,45 +24,66 @@ namespace tramline::app {
 namespace {
 
 constexpr const char* kHelp =
-    "Watch a drive while it goes on: which ground is covered, worked again and missed, after every fix";
+    "Watch a drive while it goes on: which land is covered, repeated and missed, after every fix.";
 constexpr const char* kExample =
-    "Example:\n"
+    "Examples:\n"
     "  tramline watch --gpsd --field fields.gpkg --where \"id='mill-field'\" --width 24 -o today.gpkg\n"
     "  tramline watch --tcp tractor.local:5017 --width 6 --json\n"
     "  tramline watch --serial /dev/ttyUSB0,38400 --width 6 -o today.gpkg\n"
     "  tramline watch --follow drive.csv --field mill-field.geojson\n"
     "  tramline watch --udp 4001 --field fields.gpkg --width 24 --look-ahead --on-latency 0.6 --json\n"
-    "The lines are CSV or NMEA, as their first ones tell; without a source they come from stdin. On a "
-    "terminal "
-    "the space key switches work on and off. With -o the lines go to today.gpkg.log, too, and a watch that "
-    "was "
-    "interrupted goes on from there. See docs/watch.md.";
+    "The lines are CSV or NMEA, recognised from the first ones. On a terminal the space key switches the "
+    "work on\n"
+    "and off. With -o the lines also go to today.gpkg.log, and a watch that was interrupted continues from "
+    "there.\n"
+    "docs/watch.md says more.";
 
 class WatchCommand : public Command {
  public:
-  Verb setup(CLI::App& program) override {
-    Verb verb(program, "watch", kHelp);
-    verb.add_option("--follow", follow_, "a file that is being written");
-    verb.add_option("--tcp", tcp_, "HOST:PORT of a server that sends the lines");
-    verb.add_option("--udp", udp_, "port that the lines are sent to").in_range(1, 65535);
-    verb.add_option("--serial", serial_, "serial device and speed: /dev/ttyUSB0,38400 (115200 unless told)");
-    verb.add_option("--gpsd", gpsd_, "HOST or HOST:PORT of gpsd (localhost:2947 unless told)")
+  CommandOptions setup(CLI::App& program) override {
+    CommandOptions command(program, "watch", kHelp);
+    command.begin_group("Source of the lines");
+    command.add_option("--follow", follow_, "A file that is being written.")
+        .takes("FILE")
+        .shows_default("stdin");
+    command.add_option("--tcp", tcp_, "HOST:PORT of a server that sends the lines.")
+        .takes("ADDRESS")
+        .shows_default("stdin");
+    command.add_option("--udp", udp_, "Port that the lines are sent to.")
+        .takes("PORT")
+        .in_range(1, 65535)
+        .shows_default("stdin");
+    command
+        .add_option("--serial", serial_,
+                    "Serial device and speed, such as /dev/ttyUSB0,38400 (default speed 115200).")
+        .takes("DEVICE")
+        .shows_default("stdin");
+    command.add_option("--gpsd", gpsd_, "gpsd at HOST or HOST:PORT; without a value at localhost:2947.")
+        .takes("[ADDRESS]")
         .value_may_be_left_out();
-    verb.add_flag("--once", once_, "a connection that is lost is the end, and is not made again");
-    add_field_choice(verb, field_);
-    add_drive_options(verb, drive_);
-    verb.add_option("-o,--output", output_.file,
-                    "write the coverage to this GeoPackage (.gpkg), and the lines beside it (.gpkg.log)");
-    verb.add_option("--save-every", output_.save_every_s, "write it so often, s, besides at the end")
+    command.add_flag("--once", once_, "Stop when a connection is lost instead of connecting again.");
+    add_field_choice(command, field_);
+    add_drive_options(command, drive_);
+    add_look_ahead_options(command);
+    command.begin_group("Output");
+    command
+        .add_option("-o,--output", output_.file,
+                    "Write the coverage to this GeoPackage (.gpkg), and the lines beside it (.gpkg.log).")
+        .takes("FILE")
+        .shows_default("not written");
+    command
+        .add_option("--save-every", output_.save_every_s,
+                    "Write the coverage so often, in seconds, besides at the end.")
+        .takes("S")
         .in_range(1.0, 86400.0)
         .shows_default();
-    add_look_ahead_options(verb);
-    verb.add_option("--threads", threads_, "threads to use (default: all cores)").in_range(0, 1024);
-    verb.add_flag("--json", output_.json, "print one JSON object a second");
-    verb.add_flag("--quiet", output_.quiet, "no status, no table");
-    verb.footer(kExample);
-    verb_ = verb;
-    return verb;
+    command.add_flag("--json", output_.json, "Print one JSON object a second.");
+    command.add_flag("--quiet", output_.quiet, "Print neither status nor table.");
+    command.begin_group("Run");
+    add_threads_option(command, threads_);
+    command.footer(kExample);
+    command_ = command;
+    return command;
   }
 
   int run() override {
@@ -92,28 +113,42 @@ class WatchCommand : public Command {
   }
 
  private:
-  void add_look_ahead_options(Verb& verb) {
-    verb.add_flag("--look-ahead", look_ahead_,
-                  "also say what each section comes to at present speed and heading, and when to switch it");
-    verb.add_option("--horizon", rule_.horizon_s, "how far to look ahead, s")
+  void add_look_ahead_options(CommandOptions& command) {
+    command.begin_group("Sections ahead");
+    command.add_flag(
+        "--look-ahead", look_ahead_,
+        "Also report what each section comes to at the present speed and heading, and when to switch it.");
+    command.add_option("--horizon", rule_.horizon_s, "How far to look ahead, in seconds.")
+        .takes("S")
         .in_range(0.1, 60.0)
         .shows_default();
-    verb.add_option("--on-latency", rule_.on_latency_s, "from the command to the work of a section, s")
+    command
+        .add_option("--on-latency", rule_.on_latency_s,
+                    "Time from the command to switch a section on until it works, in seconds.")
+        .takes("S")
         .in_range(0.0, 30.0)
         .shows_default();
-    verb.add_option("--off-latency", rule_.off_latency_s, "from the command to the end of its work, s")
+    command
+        .add_option("--off-latency", rule_.off_latency_s,
+                    "Time from the command to switch a section off until it stops working, in seconds.")
+        .takes("S")
         .in_range(0.0, 30.0)
         .shows_default();
-    verb.add_option("--on-from", rule_.on_from,
-                    "a section goes on where at least this share of its width needs work")
+    command
+        .add_option("--on-from", rule_.on_from,
+                    "Switch a section on where at least this share of its width needs work.")
+        .takes("SHARE")
         .in_range(0.0, 1.0)
         .shows_default();
-    verb.add_option("--off-below", rule_.off_below, "and off where less than this share does")
+    command
+        .add_option("--off-below", rule_.off_below,
+                    "Switch a section off where less than this share of its width needs work.")
+        .takes("SHARE")
         .in_range(0.0, 1.0)
         .shows_default();
   }
 
-  bool gpsd_asked() const { return verb_->is_given("--gpsd"); }
+  bool gpsd_asked() const { return command_->is_given("--gpsd"); }
   int sources() const {
     return static_cast<int>(!follow_.empty()) + static_cast<int>(!tcp_.empty()) +
            static_cast<int>(udp_ != 0) + static_cast<int>(!serial_.empty()) + static_cast<int>(gpsd_asked());
@@ -140,7 +175,7 @@ class WatchCommand : public Command {
     return io::stdin_feed();
   }
 
-  std::optional<Verb> verb_;
+  std::optional<CommandOptions> command_;
   FieldOptions field_;
   DriveOptions drive_;
   WatchOutput output_;

@@ -20,42 +20,75 @@ std::string sensible_width(const std::string& text) {
 
 }  // namespace
 
-void add_drive_options(Verb& verb, DriveOptions& options) {
+void add_drive_options(CommandOptions& command, DriveOptions& options) {
   coverage::DriveSettings& drive = options.drive;
-  verb.add_option("--width", drive.width_m, "working width where the log has none, m").check(sensible_width);
-  verb.add_option("--columns", options.log.columns,
-                  "which column is what, where names do not say: \"lon=Xcoord,lat=Ycoord,time=T\"");
-  verb.add_option("--log-crs", options.log.crs,
-                  "CRS of the log's x and y, such as EPSG:25832; 'none' for plain metres");
-  verb.add_option(
-          "--quads", options.quads,
-          "ground of a step: 'heading', square to the heading at either end, or 'segment', a rectangle "
-          "along the step")
+  command.begin_group("Log");
+  command
+      .add_option("--columns", options.log.columns,
+                  "Names of the log's columns where they are unusual: \"lon=Xcoord,lat=Ycoord,time=T\".")
+      .takes("PAIRS")
+      .shows_default("found by their common names");
+  command
+      .add_option("--log-crs", options.log.crs,
+                  "Coordinate reference system of the log's x and y, such as EPSG:25832; 'none' for plain "
+                  "metres.")
+      .takes("CRS")
+      .shows_default("degrees where they can be, else plain metres");
+  command.begin_group("Machine");
+  command.add_option("--width", drive.width_m, "Working width in metres, where the log has none.")
+      .takes("M")
+      .check(sensible_width)
+      .shows_default("that of the log");
+  command
+      .add_option("--antenna-forward", drive.antenna_forward_m,
+                  "Distance of the antenna before the machine's middle, in metres.")
+      .takes("M")
+      .in_range(-100.0, 100.0)
+      .shows_default();
+  command
+      .add_option("--antenna-right", drive.antenna_right_m,
+                  "Distance of the antenna to the right of the machine's middle, in metres.")
+      .takes("M")
+      .in_range(-100.0, 100.0)
+      .shows_default();
+  command
+      .add_option("--implement-behind", drive.implement_behind_m,
+                  "Distance of the implement behind the machine's middle, in metres.")
+      .takes("M")
+      .in_range(-100.0, 100.0)
+      .shows_default();
+  command.begin_group("Worked land");
+  command
+      .add_option("--quads", options.quads,
+                  "Land worked between two fixes: 'heading', square to the heading at either end, or "
+                  "'segment', a rectangle along the segment.")
+      .takes("WORD")
       .one_of({"heading", "segment"})
       .shows_default();
-  verb.add_option("--switch", options.switching,
-                  "when work and sections switch: 'interpolate', half way between fixes, or 'step', at the "
-                  "second")
+  command
+      .add_option("--switch", options.switching,
+                  "Where work and sections switch: 'interpolate', half way between two fixes, or 'step', at "
+                  "the second.")
+      .takes("WORD")
       .one_of({"interpolate", "step"})
       .shows_default();
-  verb.add_option("--max-gap-s", drive.max_gap_s, "nothing is worked over longer gaps in time, s")
+  command
+      .add_option("--max-gap-s", drive.max_gap_s,
+                  "Longest time between two fixes over which land counts as worked, in seconds.")
+      .takes("S")
       .positive()
       .shows_default();
-  verb.add_option("--max-step-m", drive.max_step_m, "nor over longer steps, m").positive().shows_default();
-  verb.add_option("--antenna-forward", drive.antenna_forward_m, "antenna before the machine's middle, m")
-      .in_range(-100.0, 100.0)
+  command
+      .add_option("--max-step-m", drive.max_step_m,
+                  "Longest distance between two fixes over which land counts as worked, in metres.")
+      .takes("M")
+      .positive()
       .shows_default();
-  verb.add_option("--antenna-right", drive.antenna_right_m, "antenna right of it, m")
-      .in_range(-100.0, 100.0)
-      .shows_default();
-  verb.add_option("--implement-behind", drive.implement_behind_m,
-                  "what works, behind the machine's middle, m")
-      .in_range(-100.0, 100.0)
-      .shows_default();
-  verb.add_option(
-          "--repeat", options.repeat,
-          "what is repeated: 'run', ground worked before the machine's own trail, or 'strict', all ground "
-          "worked twice")
+  command
+      .add_option("--repeat", options.repeat,
+                  "Land that counts as repeated: 'run', worked again where the same run had not just been "
+                  "at work, or 'strict', all land worked twice.")
+      .takes("WORD")
       .one_of({"run", "strict"})
       .shows_default();
 }

@@ -17,44 +17,83 @@ std::string sensible_size(const std::string& text) {
 
 }  // namespace
 
-void add_field_options(Verb& verb, FieldOptions& options) {
-  verb.add_option(
-          "FIELD", options.file,
-          "the field: any vector file (GeoPackage, GeoJSON, Shapefile, KML …), a .zip of one, or a database "
-          "string such as PG:dbname=farm")
+void add_field_options(CommandOptions& command, FieldOptions& options) {
+  command
+      .add_option("FIELD", options.file,
+                  "The field: any vector file (GeoPackage, GeoJSON, Shapefile, KML …), a .zip of one, or a "
+                  "database string such as PG:dbname=farm.")
       .required();
-  verb.add_option("--layer", options.layer, "the layer to read, where there are several");
-  verb.add_option("--where", options.where, "only features that match, for example \"crop='wheat'\"");
-  verb.add_option("--id", options.id, "only the field of this id or key, as 'tramline info' lists them");
-  verb.add_flag("--all", options.all, "take every feature, not just one");
-  add_obstacle_options(verb, options);
+  command.begin_group("Field");
+  command.add_option("--layer", options.layer, "Read this layer.")
+      .takes("NAME")
+      .shows_default("the only layer with polygons");
+  command.add_option("--where", options.where, "Read only features that match, such as \"crop='wheat'\".")
+      .takes("FILTER")
+      .shows_default("all features");
+  command
+      .add_option("--id", options.id, "Read only the field of this id or key, as 'tramline info' lists them.")
+      .takes("ID")
+      .shows_default("the only field");
+  command.add_flag("--all", options.all, "Read every field of the file rather than one.");
+  add_crs_option(command, options);
+  command.begin_group("Obstacles");
+  add_obstacle_options(command, options);
 }
 
-void add_field_choice(Verb& verb, FieldOptions& options) {
-  const Option field = verb.add_option(
-      "--field", options.file, "the field that was to be worked: any vector file, or an ISOXML task set");
-  verb.add_option("--layer", options.layer, "the layer of the field's file, where there are several");
-  verb.add_option("--where", options.where, "which of its features, for example \"crop='wheat'\"");
-  verb.add_option("--id", options.id, "which of its fields, by id or key, as 'tramline info' lists them");
-  add_obstacle_options(verb, options);
+void add_field_choice(CommandOptions& command, FieldOptions& options) {
+  command.begin_group("Field");
+  const Option field =
+      command
+          .add_option("--field", options.file,
+                      "The field that was to be worked: any vector file, or an ISOXML task set.")
+          .takes("FILE")
+          .shows_default("none, so no missed land");
+  command.add_option("--layer", options.layer, "Read this layer of the field's file.")
+      .takes("NAME")
+      .shows_default("the only layer with polygons");
+  command.add_option("--where", options.where, "Read only features that match, such as \"crop='wheat'\".")
+      .takes("FILTER")
+      .shows_default("all features");
+  command
+      .add_option("--id", options.id, "Read only the field of this id or key, as 'tramline info' lists them.")
+      .takes("ID")
+      .shows_default("the only field");
+  add_crs_option(command, options);
+  add_obstacle_options(command, options);
   for (const char* option :
        {"--layer", "--where", "--id", "--crs", "--obstacles", "--obstacle-size", "--passable"})
-    verb.option(option).needs(field);
+    command.option(option).needs(field);
 }
 
-void add_obstacle_options(Verb& verb, FieldOptions& options) {
-  verb.add_option("--crs", options.crs,
-                  "the coordinate reference system of FIELD, such as EPSG:25832, whatever the file says; "
-                  "'none' for plain "
-                  "metres");
-  verb.add_option("--obstacles", options.obstacles_file,
-                  "a vector file of obstacles: polygons, or lines and points that get a width");
-  verb.add_option("--obstacle-size", options.obstacle_size_m,
-                  "width of lines and side of points among the obstacles, m")
+void add_crs_option(CommandOptions& command, FieldOptions& options) {
+  command
+      .add_option(
+          "--crs", options.crs,
+          "Take the field's coordinates to be in this coordinate reference system, such as EPSG:25832, "
+          "whatever its file says; 'none' for plain metres.")
+      .takes("CRS")
+      .shows_default("as the file says");
+}
+
+void add_obstacle_options(CommandOptions& command, FieldOptions& options) {
+  command
+      .add_option("--obstacles", options.obstacles_file,
+                  "A vector file of obstacles, beside the holes of the field: polygons, or lines and points, "
+                  "which are given a width.")
+      .takes("FILE")
+      .shows_default("none");
+  command
+      .add_option("--obstacle-size", options.obstacle_size_m,
+                  "Width of lines and side of points among the obstacles, in metres.")
+      .takes("M")
       .check(sensible_size)
       .shows_default();
-  verb.add_option("--passable", options.passable_file,
-                  "a vector file of strips the machine may cross with the work interrupted");
+  command
+      .add_option("--passable", options.passable_file,
+                  "A vector file of strips that the machine may cross with the work interrupted, such as "
+                  "grassed waterways.")
+      .takes("FILE")
+      .shows_default("none");
 }
 
 }  // namespace tramline::app

@@ -5,114 +5,150 @@
 namespace tramline::app {
 namespace {
 
-void add_obstacle_options(Verb& verb, PlanOptions& o) {
-  const char* obstacles = "Obstacles";
-  verb.add_option("--avoid", o.avoid,
-                  "what a track does at an obstacle: cheapest of going round it and cutting, paper (S1's "
-                  "rule) or cut (default cheapest)")
-      .group(obstacles);
-  verb.add_option("--avoid-threshold", o.avoid_threshold_m,
-                  "with --avoid paper: tracks go round what is narrower across them, m (default w)")
-      .group(obstacles);
-  verb.add_option("--clearance", o.clearance_m, "land kept free between swaths and obstacles, m (default 0)")
-      .group(obstacles);
+void add_avoidance_options(CommandOptions& command, PlanOptions& o) {
+  command.begin_group("Obstacles");
+  command
+      .add_option(
+          "--avoid", o.avoid,
+          "What a track does at an obstacle: 'cut', end before it and begin again behind it; 'paper', go "
+          "round it "
+          "by the rule of Versleijen 2019, else be cut; 'cheapest', whichever way past it costs least.")
+      .takes("WORD")
+      .shows_default("cheapest");
+  command
+      .add_option("--avoid-threshold", o.avoid_threshold_m,
+                  "With --avoid paper: tracks go round obstacles that are narrower across them than this, in "
+                  "metres.")
+      .takes("M")
+      .shows_default("the working width");
+  command.add_option("--clearance", o.clearance_m, "Land kept free between swaths and obstacles, in metres.")
+      .takes("M")
+      .shows_default("0");
 }
 
-void add_map_options(Verb& verb, PlanOptions& o) {
-  const char* headlands = "Headlands";
-  verb.add_option("--headlands", o.headlands,
-                  "passes round the field before the tracks; nothing leaves the field then (default 0)")
+void add_map_options(CommandOptions& command, PlanOptions& o) {
+  command.begin_group("Headlands");
+  command
+      .add_option("--headlands", o.headlands,
+                  "Number of passes round the field, outside the tracks; nothing then leaves the field.")
+      .takes("N")
       .in_range(0, 100)
-      .group(headlands);
-  verb.add_option("--obstacle-headlands", o.obstacle_headlands,
-                  "passes round each obstacle that tracks do not go round (default 0)")
+      .shows_default("0");
+  command
+      .add_option("--obstacle-headlands", o.obstacle_headlands,
+                  "Number of passes round each obstacle that tracks do not go round.")
+      .takes("N")
       .in_range(0, 100)
-      .group(headlands);
-  const char* lines = "Tracks along a line";
+      .shows_default("0");
+  command.begin_group("Tracks along a line");
   Option ab =
-      verb.add_option("--ab", o.ab,
-                      "straight tracks along the line through two points, \"x1,y1 x2,y2\", in the field's "
-                      "coordinates or in longitude and latitude; it is the border of the first swath");
+      command.add_option("--ab", o.ab,
+                         "Straight tracks along the line through two points, \"x1,y1 x2,y2\", in the "
+                         "field's coordinates or in longitude and latitude. The line is the border of "
+                         "the first swath.");
   Option guide =
-      verb.add_option("--guide", o.guide_file,
-                      "tracks along the line in this vector file: parallel curves where it has bends");
+      command.add_option("--guide", o.guide_file,
+                         "Tracks along the line in this vector file: parallel curves where it has bends.");
   Option where =
-      verb.add_option("--guide-where", o.guide_where, "which line of --guide, such as \"name='AB 1'\"");
+      command.add_option("--guide-where", o.guide_where, "Which line of --guide, such as \"name='AB 1'\".");
   Option curved =
-      verb.add_option("--curved", o.curved,
-                      "curved tracks along edges of the field: auto in those subfields where they cost less "
-                      "than straight ones, or always");
-  Option tracks = verb.add_option(
-      "--tracks", o.tracks,
-      "how tracks along a line are made: each parallel to the line and fit to be driven, or as "
-      "in the paper on metric maps, each from the one before, kinks and all, to compare with: "
-      "parallel or paper (default parallel)");
-  tracks.group(lines);
-  ab.group(lines).excludes(guide).excludes(curved);
-  guide.group(lines).excludes(curved);
-  where.group(lines).needs(guide);
-  curved.group(lines);
+      command.add_option("--curved", o.curved,
+                         "Curved tracks along edges of the field: 'auto' in those subfields where they cost "
+                         "less than straight ones, or 'always'.");
+  Option tracks = command.add_option("--tracks", o.tracks,
+                                     "How tracks along a line are made: 'parallel' to the line and fit to be "
+                                     "driven, or 'paper' (Zhou et al. "
+                                     "2020), each from the one before with all its kinks, for comparison.");
+  ab.takes("POINTS").shows_default("none").excludes(guide).excludes(curved);
+  guide.takes("FILE").shows_default("none").excludes(curved);
+  where.takes("FILTER").shows_default("the only line").needs(guide);
+  curved.takes("WORD").shows_default("no curved tracks");
+  tracks.takes("WORD").shows_default("parallel");
 }
 
 }  // namespace
 
-void add_machine_options(Verb& verb, PlanOptions& o, const char* least_length) {
-  const char* machine = "Machine";
-  verb.add_option("--width", o.width_m, "working width w, m (default 3)").group(machine);
-  verb.add_option("--radius", o.radius_m, "least turning radius, m (default 6)").group(machine);
-  verb.add_option("--machine", o.machine_file, "machine file (TOML); --width and --radius overrule it")
-      .group(machine);
-  verb.add_option("--min-length", o.min_length_m,
-                  fmt::format("shortest piece worth driving, m (default {})", least_length))
-      .group(machine);
+void add_machine_options(CommandOptions& command, PlanOptions& o, const char* least_length) {
+  command.begin_group("Machine");
+  command.add_option("--width", o.width_m, "Working width in metres.").takes("M").shows_default("3");
+  command.add_option("--radius", o.radius_m, "Least turning radius in metres.").takes("M").shows_default("6");
+  command
+      .add_option("--machine", o.machine_file,
+                  "Machine file (TOML); --width and --radius take precedence over it.")
+      .takes("FILE")
+      .shows_default("none");
+  command.add_option("--min-length", o.min_length_m, "Shortest piece of a track worth driving, in metres.")
+      .takes("M")
+      .shows_default(least_length);
 }
 
-void add_objective_options(Verb& verb, PlanOptions& o) {
-  const char* objective = "Objective";
-  Option weights = verb.add_option("--weights", o.weights,
-                                   "weights of overlap (1/m²), uncovered (1/m²), turns[, stops[, further\n"
-                                   "subfields]]; those left out weigh nothing");
-  Option prices = verb.add_option("--prices", o.prices,
-                                  "€/m² overlap, €/m² uncovered, €/turn[, €/stop[, €/further subfield]]\n"
-                                  "(default 0.02,0.10,1,5,5)");
-  Option minimise =
-      verb.add_option("--minimise", o.minimise, "overlap, uncovered or turns above all (weight 99999)");
-  weights.group(objective).excludes(prices).excludes(minimise);
-  prices.group(objective).excludes(minimise);
-  minimise.group(objective);
+void add_objective_options(CommandOptions& command, PlanOptions& o) {
+  command.begin_group("Objective");
+  Option weights = command.add_option("--weights", o.weights,
+                                      "Weights of overlap (1/m²), uncovered land (1/m²), turns[, stops[, "
+                                      "further subfields]]; those left out are 0.");
+  Option prices =
+      command.add_option("--prices", o.prices,
+                         "Prices of overlap (€/m²), uncovered land (€/m²), turns (€)[, stops (€)[, "
+                         "further subfields (€)]].");
+  Option minimise = command.add_option("--minimise", o.minimise,
+                                       "'overlap', 'uncovered' or 'turns' before all else (weight 99999).");
+  weights.takes("NUMBERS").shows_default("the prices").excludes(prices).excludes(minimise);
+  prices.takes("NUMBERS").shows_default("0.02,0.10,1,5,5").excludes(minimise);
+  minimise.takes("WORD").shows_default("the prices");
 }
 
-void add_plan_options(Verb& verb, PlanOptions& o) {
-  add_machine_options(verb, o, "2 w");
-  add_objective_options(verb, o);
-  const char* plan = "Plan";
-  verb.add_option(
-          "--strategy", o.strategy,
-          "best of all directions, offsets and divisions of the field, or sweep: S1's search over the "
-          "directions of the edges (default best)")
-      .group(plan);
-  verb.add_option("--direction-tolerance", o.direction_tolerance_deg,
-                  "with --strategy best: directions nearer than this are one, degrees (default 0.01)")
-      .group(plan);
-  verb.add_option("--end-rule", o.end_rule,
-                  "where swaths end at a soft edge: cheapest, centre, cover or inside (default cheapest)")
-      .group(plan);
-  verb.add_option("--boundary", o.boundary, "the field's own edge: soft (a headland behind it) or hard")
-      .group(plan);
-  verb.add_option("--merge", o.merge_deg,
-                  "merge subfields whose directions differ by no more, degrees (default 1)")
-      .group(plan);
-  verb.add_option("--decomposition", o.decomposition_deg,
-                  "split at corners with a larger inside angle, degrees (default 180)")
-      .group(plan);
-  verb.add_option("--short-edge", o.short_edge_m,
-                  "do not split at corners between two edges that are both shorter, m (default 0)")
-      .group(plan);
-  verb.add_option("--cell-direction", o.cell_direction,
-                  "a cell's tracks: along its smallest bounding rectangle, or across its least width")
-      .group(plan);
-  add_obstacle_options(verb, o);
-  add_map_options(verb, o);
+void add_plan_options(CommandOptions& command, PlanOptions& o) {
+  add_machine_options(command, o, "twice the working width");
+  add_objective_options(command, o);
+  command.begin_group("Search");
+  command
+      .add_option("--strategy", o.strategy,
+                  "'best' of all directions, offsets and divisions of the field, or 'sweep', the search of "
+                  "Versleijen 2019 over the directions of the field's edges.")
+      .takes("WORD")
+      .shows_default("best");
+  command
+      .add_option("--direction-tolerance", o.direction_tolerance_deg,
+                  "With --strategy best: directions nearer to one another than this are taken as one, in "
+                  "degrees.")
+      .takes("DEG")
+      .shows_default("0.01");
+  command
+      .add_option("--decomposition", o.decomposition_deg,
+                  "Split the field at corners whose inside angle is larger than this, in degrees.")
+      .takes("DEG")
+      .shows_default("180");
+  command
+      .add_option("--short-edge", o.short_edge_m,
+                  "Do not split at corners between two edges that are both shorter than this, in metres.")
+      .takes("M")
+      .shows_default("0");
+  command
+      .add_option("--merge", o.merge_deg,
+                  "Merge subfields whose directions differ by no more than this, in degrees.")
+      .takes("DEG")
+      .shows_default("1");
+  command
+      .add_option("--cell-direction", o.cell_direction,
+                  "Direction of a cell's tracks: 'rectangle', along its smallest bounding rectangle, or "
+                  "'width', across its least width.")
+      .takes("WORD")
+      .shows_default("rectangle");
+  command.begin_group("Swaths");
+  command
+      .add_option("--end-rule", o.end_rule,
+                  "Where a swath ends at a soft edge that crosses it obliquely: 'cheapest', 'centre', "
+                  "'cover' (nothing is missed) or 'inside' (nothing is overlapped).")
+      .takes("WORD")
+      .shows_default("cheapest");
+  command
+      .add_option("--boundary", o.boundary,
+                  "The field's outer edge: 'soft', swaths may run past it, or 'hard', they end inside it.")
+      .takes("WORD")
+      .shows_default("soft");
+  add_avoidance_options(command, o);
+  add_map_options(command, o);
 }
 
 }  // namespace tramline::app

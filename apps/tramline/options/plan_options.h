@@ -1,15 +1,15 @@
 #pragma once
 // The options of `plan` that shape a plan.
 
-#include "commands/verb.h"
+#include "options/command_options.h"
 #include "request/plan_request.h"
 
 namespace tramline::app {
 
-void add_plan_options(Verb& verb, PlanOptions& options);
+void add_plan_options(CommandOptions& command, PlanOptions& options);
 /// Of those only --width, --radius, --machine and --min-length, whose default is said in words.
-void add_machine_options(Verb& verb, PlanOptions& options, const char* least_length);
+void add_machine_options(CommandOptions& command, PlanOptions& options, const char* least_length);
 /// Only --weights, --prices and --minimise.
-void add_objective_options(Verb& verb, PlanOptions& options);
+void add_objective_options(CommandOptions& command, PlanOptions& options);
 
 }  // namespace tramline::app

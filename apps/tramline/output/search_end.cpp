@@ -11,12 +11,15 @@ void note_interrupt(int) { interrupted = 1; }
 
 }  // namespace
 
-void add_seconds_option(Verb& verb, std::optional<double>& seconds) {
-  verb.add_option(
+void add_seconds_option(CommandOptions& command, std::optional<double>& seconds) {
+  command
+      .add_option(
           "--seconds", seconds,
-          "end the search for a field after so many seconds with the best plan found till then, which "
-          "is marked so; Ctrl-C ends that of a single field likewise (default: until it is through)")
-      .positive();
+          "End the search for a field after so many seconds with the best plan found so far, which is marked "
+          "as such; Ctrl-C does the same to the search for a single field.")
+      .takes("S")
+      .positive()
+      .shows_default("no limit");
 }
 
 InterruptEndsSearches::InterruptEndsSearches() {

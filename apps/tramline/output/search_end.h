@@ -4,12 +4,12 @@
 #include <chrono>
 #include <optional>
 
-#include "commands/verb.h"
+#include "options/command_options.h"
 #include "tramline/planner/progress.h"
 
 namespace tramline::app {
 
-void add_seconds_option(Verb& verb, std::optional<double>& seconds);
+void add_seconds_option(CommandOptions& command, std::optional<double>& seconds);
 
 /// While it lives the first Ctrl-C (SIGINT) asks searches to end; a second one ends the program as ever. At
 /// most one of them at a time.

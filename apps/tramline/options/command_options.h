@@ -1,6 +1,7 @@
 #pragma once
-// A verb of the program and its options, as the verbs declare them. CLI11 stands behind it, in verb.cpp and
-// main.cpp alone: its headers take longer to compile than a whole verb.
+// The options of a command of the program, as the command declares them. CLI11 stands behind this interface,
+// in command_options.cpp, help_format.cpp and main.cpp alone: its headers take longer to compile than a whole
+// command.
 
 #include <cstddef>
 #include <initializer_list>
@@ -15,7 +16,7 @@ class Option;
 
 namespace tramline::app {
 
-/// An option that a verb has declared: a handle that may be copied and lives as long as the verb.
+/// An option that a command has declared: a handle that may be copied and lives as long as the command.
 class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
@@ -25,32 +26,35 @@ class Option {
   Option& needs(const Option& other);
   /// May not be given together with `other`.
   Option& excludes(const Option& other);
-  /// The heading that --help lists it under.
-  Option& group(const char* heading);
-  /// The value it has so far is shown by --help as its default.
+  /// The word that stands for its value in --help: "FILE", "METRES".
+  Option& takes(const char* word);
+  /// --help shows the present value as the default.
   Option& shows_default();
+  /// --help shows this text as the default.
+  Option& shows_default(const std::string& text);
   /// Takes one value each time it is given, of those that are given again and again.
   Option& one_value_each_time();
   /// May be given without a value.
   Option& value_may_be_left_out();
+  /// --help says the range.
   Option& in_range(int least, int most);
   Option& in_range(double least, double most);
   Option& positive();
   Option& one_of(std::initializer_list<const char*> words);
-  /// `fault` gives what is wrong with the text of a value, or nothing.
+  /// `fault` returns a message about the text of a value, empty where the text is sound.
   Option& check(std::string (*fault)(const std::string& text));
 
  private:
-  friend class Verb;
+  friend class CommandOptions;
   CLI::Option* option_;
 };
 
-/// A verb on the command line: a handle that may be copied. What options are bound to has to outlive the
-/// parse.
-class Verb {
+/// A command and its options: a handle that may be copied. The variables that options are bound to have to
+/// outlive the parse.
+class CommandOptions {
  public:
-  /// Declares the verb `name` of `program`; --help says `about` of it.
-  Verb(CLI::App& program, const std::string& name, const std::string& about);
+  /// Declares the command `name` of `program`, which --help describes as `about`.
+  CommandOptions(CLI::App& program, const std::string& name, const std::string& about);
 
   /// Declares an option "-o,--output", or an argument "FILE", whose value goes to `value`.
   Option add_option(const std::string& name, std::string& value, const std::string& help);
@@ -67,15 +71,20 @@ class Verb {
   void remove_option(const std::string& name);
   /// Was the option given on the command line?
   bool is_given(const std::string& name) const;
-  /// What --help says last.
+  /// --help lists the options declared from now on under this heading.
+  void begin_group(const char* heading);
+  /// The text at the end of --help.
   void footer(const std::string& text);
-  /// Takes whatever follows without a word.
+  /// Accepts any further arguments and ignores them.
   void takes_anything();
 
-  CLI::App* parser() const { return verb_; }
+  CLI::App* parser() const { return parser_; }
 
  private:
-  CLI::App* verb_;
+  Option grouped(CLI::Option* option) const;
+
+  CLI::App* parser_;
+  std::string group_ = "Other options";
 };
 
 }  // namespace tramline::app
