@@ -294,7 +294,7 @@ std::string evaluation_table(const Evaluation& evaluation) {
   const Coverage& coverage = evaluation.coverage;
   std::string with;
   for (const std::string& plan : evaluation.with)
-    with += fmt::format("with         the drive of {}, taken as done\n", plan);
+    with += fmt::format("with         the drive of {}, counted as done\n", plan);
   return drive_rows(coverage) + with + area_rows(evaluation) + gap_rows(coverage) + plan_rows(evaluation) +
          slice_rows(coverage) +
          fmt::format("time         {:.3f} s, engine '{}'\n", evaluation.seconds, coverage.engine) +

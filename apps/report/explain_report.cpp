@@ -75,7 +75,7 @@ std::string runner_up_row(std::size_t place, const RunnerUp& plan, double cost) 
 }
 
 std::string runner_up_rows(const Explanation& why, double cost) {
-  if (why.runner_ups.empty()) return "runner-ups   none that differs by a degree or in its subfields\n";
+  if (why.runner_ups.empty()) return "runner-ups   none differs by a degree or in its number of subfields\n";
   std::string out = fmt::format("{:<16}{:>12}{:>12}{:>10}  {:<10}{:>10}{:>11}{:>10}{:>10}  {}\n",
                                 "runner-ups", "cost", "more", "", "mainly for", "overlap", "uncovered",
                                 "turns", "stops", "subfields (direction)");

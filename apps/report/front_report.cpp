@@ -127,12 +127,10 @@ std::string compare_table(const Comparison& c, const std::vector<Skipped>& skipp
   out += fmt::format("cost         {}\n", prices_text(c.front.prices));
   out += fmt::format("time         {:.3f} s\n", c.seconds);
   out += skipped_rows(skipped);
-  out += fmt::format("front        {} plans; of each two, either is better in something\n\n",
+  out += fmt::format("front        {} plans, each better than any other in something\n\n",
                      c.front.points.size());
   if (c.cut_short)
-    out +=
-        "note         the searches were ended before they were through: longer ones may find better "
-        "plans\n\n";
+    out += "note         the searches were stopped before their end: longer ones may find better plans\n\n";
   out += line_of(head_row());
   const std::vector<std::size_t> shown = points_shown(c);
   for (const std::size_t point : shown) out += line_of(point_row(c.front, point));

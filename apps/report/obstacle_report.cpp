@@ -40,7 +40,7 @@ std::string cut_row(const Plan& plan) {
     cuts += reason.count;
   }
   if (cuts == 0) return "";
-  return fmt::format("cut          {} of {} meetings with obstacles: {}\n", cuts, plan.encounters.size(),
+  return fmt::format("cut          {} of {} encounters with obstacles: {}\n", cuts, plan.encounters.size(),
                      list);
 }
 

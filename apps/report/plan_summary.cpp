@@ -79,7 +79,7 @@ std::vector<std::string> oddities(const Plan& plan, const std::vector<Skipped>& 
 }
 
 std::string note_row(const std::vector<std::string>& odd) {
-  if (odd.empty()) return "note         nothing odd\n";
+  if (odd.empty()) return "note         nothing unusual\n";
   const std::string more = odd.size() == 1 ? ""
                                            : fmt::format(" (and {}: --explain)",
                                                          counted(odd.size() - 1, "more note", "more notes"));

@@ -79,7 +79,7 @@ ordered_json repair_json(const RepairPlan& repair, double min_area_m2, double se
 
 std::string repair_table(const RepairPlan& repair, double min_area_m2, double seconds) {
   const LocalFrame& frame = repair.plan.field.frame;
-  std::string out = fmt::format("gaps         {}, {} taken on; missed {:.1f} m² before, {:.1f} m² after\n",
+  std::string out = fmt::format("gaps         {}, {} worked; missed {:.1f} m² before, {:.1f} m² after\n",
                                 repair.gaps, repair.taken, repair.missed_before_m2, repair.missed_after_m2);
   out += fmt::format(
       "prices       left as they are the gaps cost {:.2f}; the passes cost {:.2f} and leave {:.2f}: {:.2f} "

@@ -26,8 +26,8 @@ std::vector<double> numbers_in(const std::string& text, const char* option) {
     const double value = std::strtod(word.c_str(), &end);
     if (word.empty() || *end != '\0' || !std::isfinite(value) || value < 0)
       throw bad_input(
-          fmt::format("{} takes numbers of at least 0 separated by commas, and '{}' in '{}' is none", option,
-                      word, text));
+          fmt::format("{} takes numbers of at least 0 separated by commas, and '{}' in '{}' is not one",
+                      option, word, text));
     out.push_back(value);
     from = comma + 1;
   }

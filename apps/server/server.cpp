@@ -40,7 +40,7 @@ void own_the_port(socket_t socket) {
 void require_token_where_others_come(const ServerSettings& given) {
   if (given.token.empty() && !is_loopback(given.host))
     throw bad_input(fmt::format(
-        "others can reach {} too, so a token has to be asked for; give one with --token", given.host));
+        "other computers can reach {}, so browsers need a token; give one with --token", given.host));
 }
 
 void set_up_connections(httplib::Server& http, int threads) {
@@ -57,8 +57,8 @@ int bound_port(httplib::Server& http, const ServerSettings& given) {
   if (any > 0) return any;
   if (given.port != 0 && http.bind_to_port(given.host, given.port)) return given.port;
   throw bad_input(
-      fmt::format("port {} on {} cannot be had: another program, perhaps another tramline, uses it, or "
-                  "it is not allowed; choose another with --port, or end that one",
+      fmt::format("port {} on {} cannot be opened: another program, perhaps another tramline, uses it, or it "
+                  "is not allowed; choose another port with --port, or end that program",
                   given.port, given.host));
 }
 

@@ -90,7 +90,7 @@ void add_obstacle(Field& field, const ordered_json& json, std::size_t number) {
   place_obstacles(field, {obstacle}, size_m, met);
   if (met[0] == 0)
     throw bad_input(
-        fmt::format("what was drawn as obstacle {} does not meet the field; draw it within", number));
+        fmt::format("the shape drawn as obstacle {} does not reach the field; draw it inside", number));
 }
 
 }  // namespace

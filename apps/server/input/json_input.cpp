@@ -27,7 +27,7 @@ JsonInput::JsonInput(const ordered_json& json, std::string place, std::initializ
   for (const auto& item : json.items())
     if (const std::string& key = item.key();
         std::none_of(known.begin(), known.end(), [&](const char* name) { return key == name; }))
-      throw bad_input(fmt::format("'{}' is not known here; known are {}", place_of(key.c_str()),
+      throw bad_input(fmt::format("'{}' is not a known key; the keys are {}", place_of(key.c_str()),
                                   fmt::join(known.begin(), known.end(), ", ")));
 }
 
@@ -87,18 +87,19 @@ const ordered_json& JsonInput::list(const char* key) const {
 
 Point position_of(const ordered_json& json, const std::string& place) {
   const bool whole = json.is_array() && json.size() >= 2 && json[0].is_number() && json[1].is_number();
-  if (!whole) throw bad_input(fmt::format("{} has to be a place, [longitude, latitude]", place));
+  if (!whole) throw bad_input(fmt::format("{} has to be a point, [longitude, latitude]", place));
   const Point p{json[0].get<double>(), json[1].get<double>()};
   if (!(std::abs(p.x) <= 180 && std::abs(p.y) <= 90))
-    throw bad_input(fmt::format("{} is ({:g}, {:g}), which is no longitude and latitude", place, p.x, p.y));
+    throw bad_input(
+        fmt::format("{} is ({:g}, {:g}), which is not a longitude and latitude", place, p.x, p.y));
   return p;
 }
 
 std::vector<Point> positions_of(const ordered_json& json, const std::string& place) {
-  if (!json.is_array()) throw bad_input(fmt::format("{} has to be a list of places", place));
+  if (!json.is_array()) throw bad_input(fmt::format("{} has to be a list of points", place));
   if (json.size() > kMostPoints)
     throw bad_input(
-        fmt::format("{} has {} places; {} are the most that are taken", place, json.size(), kMostPoints));
+        fmt::format("{} has {} points; at most {} are accepted", place, json.size(), kMostPoints));
   std::vector<Point> out;
   for (const ordered_json& item : json) out.push_back(position_of(item, place));
   return out;

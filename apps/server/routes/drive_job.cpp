@@ -28,8 +28,8 @@ using nlohmann::ordered_json;
 Upload log_uploaded(App& app, const JsonInput& input) {
   Upload out = app.uploads.get(input.text("upload"));
   if (out.kind != UploadKind::kLog)
-    throw bad_input(fmt::format(
-        "{} is no log of a machine; choose a CSV, NMEA, GPX or ISOXML file of a drive", out.name));
+    throw bad_input(
+        fmt::format("{} is not a machine log; choose a CSV, NMEA, GPX or ISOXML file of a drive", out.name));
   return out;
 }
 

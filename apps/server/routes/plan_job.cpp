@@ -84,7 +84,7 @@ ordered_json make_plan(App& app, const PlanRequest& request, JobRun& run) {
 void require_free_directions(const PlanSettings& settings) {
   require_straight_tracks(settings);
   if (!settings.guide.empty())
-    throw bad_input("a comparison looks for directions by itself; choose no line to follow");
+    throw bad_input("a comparison chooses directions itself; leave out the line to follow");
 }
 
 ordered_json compare_plans(App& app, const PlanRequest& request, JobRun& run) {
@@ -103,7 +103,7 @@ ordered_json compare_plans(App& app, const PlanRequest& request, JobRun& run) {
 
 JobStatus begin_compare(App& app, const ordered_json& json) {
   PlanRequest request = plan_request(app, json);
-  if (request.draft) throw bad_input("a comparison keeps no plan by itself; leave draft out");
+  if (request.draft) throw bad_input("a comparison does not keep a plan; leave draft out");
   require_free_directions(request.settings);
   const std::string what = fmt::format("comparing plans of {}", request.field->name);
   return app.jobs.submit("compare", what, [&app, request = std::move(request)](JobRun& run) {

@@ -67,7 +67,7 @@ void add_plan_routes(Router& router, App& app) {
     const ordered_json json = call.json();
     const JsonInput input(json, "", {"name", "draft"});
     if (input.flag_if("draft").value_or(false))
-      throw bad_input("a plan that is kept becomes no draft; delete it instead");
+      throw bad_input("a kept plan cannot become a draft; delete it instead");
     const std::string name = name_of(input, "name");
     if (input.has("draft") && !input.has("name"))
       return answer(response, listed(app.plans.keep(call.part("plan"))));

@@ -16,9 +16,8 @@ FeedFolders::FeedFolders(const std::vector<fs::path>& folders) {
     std::error_code fault;
     const fs::path resolved = fs::canonical(folder, fault);
     if (fault || !fs::is_directory(resolved, fault))
-      throw bad_input(
-          fmt::format("'{}' is no folder that live feeds could be read from; make it, or name another one",
-                      folder.string()));
+      throw bad_input(fmt::format(
+          "'{}', a folder for live feeds, does not exist; make it, or name another one", folder.string()));
     folders_.push_back(resolved);
   }
 }
@@ -44,8 +43,8 @@ void FeedFolders::require(const fs::path& file) const {
     std::string list;
     for (const fs::path& folder : folders_) list += (list.empty() ? "" : ", ") + folder.string();
     throw bad_input(
-        fmt::format("'{}' is in no folder that live feeds are read from ({}); have it written there, or "
-                    "name its folder for live feeds when the server is started",
+        fmt::format("'{}' is not in a folder that live feeds may read ({}); write it there, or start the "
+                    "server with --feed-dir and its folder",
                     file.string(), list));
   }
   const fs::file_status status = fs::status(resolved, fault);

@@ -37,7 +37,7 @@ std::string path_in(const std::string& source, std::string_view place) {
 std::unique_ptr<io::Feed> open_feed(const std::string& source, const FeedSources& sources) {
   const std::size_t mark = source.find("://");
   if (mark == std::string::npos || source.find('\0') != std::string::npos)
-    throw bad_input(fmt::format("'{}' is no source of a live feed: {}", source, kForms));
+    throw bad_input(fmt::format("'{}' is not a source of a live feed: {}", source, kForms));
   const std::string kind = source.substr(0, mark), place = source.substr(mark + 3);
   if (kind == "tcp") return io::tcp_feed(place, io::WhenLost::kReopen);
   if (kind == "udp") return io::udp_feed(port_in(source, place));
@@ -58,7 +58,7 @@ std::unique_ptr<io::Feed> open_feed(const std::string& source, const FeedSources
       throw bad_input(fmt::format("{}: serial devices are in /dev, such as serial:///dev/ttyUSB0", source));
     return io::serial_feed(device, io::WhenLost::kReopen);
   }
-  throw bad_input(fmt::format("'{}' is no source of a live feed: {}", source, kForms));
+  throw bad_input(fmt::format("'{}' is not a source of a live feed: {}", source, kForms));
 }
 
 }  // namespace tramline::server

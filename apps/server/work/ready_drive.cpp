@@ -39,11 +39,11 @@ ReadyDrive ready_drive(WorkLog read, app::WorkGround ground, const coverage::Eva
   out.settings.shapes = out.settings.covered = false;
   if (!read.shapes.empty())
     throw bad_input(fmt::format(
-        "{} has polygons, which do not say how they were driven: evaluate it with tramline evaluate",
+        "{} has polygons, which do not show how they were driven: evaluate it with tramline evaluate",
         read.name));
   WorkLog placed = app::placed_on(std::move(read), out.ground);
   if (placed.fixes.size() < 2)
-    throw bad_input(fmt::format("{} has {} with a position: no ground is worked without two", placed.name,
+    throw bad_input(fmt::format("{} has {} with a position; at least two are needed", placed.name,
                                 placed.fixes.empty() ? "no fix" : "one fix"));
   out.ready = coverage::prepared(std::move(placed), settings.drive);
   coverage::working_width_m(out.ready.log, settings.drive);

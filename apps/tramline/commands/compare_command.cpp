@@ -128,8 +128,7 @@ class CompareCommand : public Command {
     validate_request(machine_, objective_, settings_);
     if (settings_.tracks == TrackConstruction::kPaper || settings_.shape != TrackShape::kStraight ||
         !plan_options_.ab.empty() || !plan_options_.guide_file.empty())
-      throw bad_input(
-          "compare looks for directions by itself: leave --curved, --ab, --guide and --tracks out");
+      throw bad_input("compare chooses directions itself; leave out --curved, --ab, --guide and --tracks");
     for (const std::string& text : asked_) {
       prices_.push_back(prices_typed(text, "--for", objective_));
       validate_request(machine_, prices_.back(), settings_);

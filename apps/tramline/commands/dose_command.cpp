@@ -188,14 +188,16 @@ class DoseCommand : public Command {
   }
 
   DoseMap of_coverage() const {
-    if (!field_.file.empty()) throw bad_input("--field goes with a log; a coverage file knows its field");
+    if (!field_.file.empty())
+      throw bad_input("--field goes with a log; a coverage file holds its field already");
     if (!pattern_file_.empty() || !std::isnan(nominal_kmh_))
       throw bad_input(
           "--pattern and --nominal-speed go with a log; a coverage file does not say how it was driven");
     DoseMap out = coverage::dose(io::read_coverage(input_), settings());
     out.unit = unit_.empty() ? "l" : unit_;
     out.warnings.emplace_back(
-        "from regions: the nominal rate as often as ground was worked; speed and pattern are not known");
+        "computed from regions: the nominal rate is applied as often as land was worked; speed and pattern "
+        "are unknown");
     return out;
   }
 

@@ -104,7 +104,7 @@ class EvaluateCommand : public Command {
     if (log_file_.empty() && plan_file_.empty())
       throw bad_input("name a log to evaluate, or a plan with --plan");
     if (log_file_.empty() && !field_.file.empty())
-      throw bad_input("--field goes with a log; a plan is evaluated on the ground it was made for");
+      throw bad_input("--field goes with a log; a plan is evaluated on the land it was made for");
     std::vector<std::string> inputs{log_file_, field_.file, plan_file_};
     inputs.insert(inputs.end(), with_files_.begin(), with_files_.end());
     require_writable(output_, "--output", {".gpkg"}, inputs);

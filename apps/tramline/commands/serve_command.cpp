@@ -146,7 +146,7 @@ class ServeCommand : public Command {
           "--tiles takes a URL with {{z}}, {{x}} and {{y}} where the numbers of a tile belong, not '{}'",
           settings_.tiles));
     if (settings_.tiles.empty() && !settings_.tiles_attribution.empty())
-      throw bad_input("--tiles-attribution says whom tiles are from; give them with --tiles, too");
+      throw bad_input("--tiles-attribution names the source of tiles; give the tiles with --tiles, too");
   }
 
   void announce(const server::Server& server) const {

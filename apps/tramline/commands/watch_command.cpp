@@ -162,7 +162,7 @@ class WatchCommand : public Command {
   void require_one_source() const {
     if (sources() > 1)
       throw bad_input(
-          "the lines come from one place: give one of --follow, --tcp, --udp, --serial and --gpsd");
+          "lines are read from one source only: give one of --follow, --tcp, --udp, --serial and --gpsd");
   }
 
   std::unique_ptr<io::Feed> source() const {

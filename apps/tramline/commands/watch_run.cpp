@@ -233,8 +233,8 @@ int WatchRun::run(const EndSignals& signals) {
   }
   session_.finish();
   if (session_.fixes() < 2 && !by_signal)
-    throw bad_input(fmt::format("{} ended with {} that has a position: no ground is worked without two",
-                                feed_.name(), session_.fixes() == 0 ? "no fix" : "one fix"));
+    throw bad_input(fmt::format("{} ended with {} that has a position; at least two are needed", feed_.name(),
+                                session_.fixes() == 0 ? "no fix" : "one fix"));
   finish();
   return 0;
 }

@@ -33,9 +33,8 @@ void refuse_guessing(const WorkRing& ring, const Region& disputed, double enclos
   const auto largest = std::max_element(disputed.begin(), disputed.end(),
                                         [](const Polygon& a, const Polygon& b) { return area(a) < area(b); });
   throw repair_log.refusal(
-      fmt::format("the {} goes round {:.1f} m² near {} more than once, so it is open whether that land "
-                  "belongs to the field; redraw "
-                  "it there",
+      fmt::format("the {} goes round {:.1f} m² near {} more than once, so it is unclear whether that land "
+                  "belongs to the field; redraw it there",
                   ring.name, disputed_m2, repair_log.shown(interior_point(*largest))));
 }
 

@@ -61,7 +61,7 @@ void count_slivers(Coverage& coverage) {
 
 void require_ground(const WorkLog& log) {
   if (log.fixes.size() >= 2 || (!log.fixes.empty() && !log.shapes.empty())) return;
-  throw bad_input(fmt::format("{} has {} with a position: no ground is worked without two", log.name,
+  throw bad_input(fmt::format("{} has {} with a position; at least two are needed", log.name,
                               log.fixes.empty() ? "no fix" : "one fix"));
 }
 

@@ -162,7 +162,7 @@ Crs::Crs(const std::string& definition) {
       proj_create_crs_to_crs_from_pj(context, crs.get(), wgs84.get(), nullptr, nullptr));
   if (operation != nullptr) impl->to_wgs84.reset(proj_normalize_for_visualization(context, operation.get()));
   if (impl->to_wgs84 == nullptr)
-    throw bad_input(fmt::format("PROJ knows no way from '{}' to WGS 84 ({}); give another CRS with --crs",
+    throw bad_input(fmt::format("PROJ cannot transform '{}' to WGS 84 ({}); give another CRS with --crs",
                                 name_, proj::last_error(context)));
   impl->crs = std::move(crs);
   impl_ = std::move(impl);

@@ -86,8 +86,8 @@ Point FieldProjection::to_input(Point local_m) const {
   if (!projection_) return {local_m.x + frame_.origin_x_m, local_m.y + frame_.origin_y_m};
   const std::optional<Point> input = crs_->from_lonlat(projection_->to_lonlat(local_m));
   if (!input)
-    throw failure(fmt::format("the local point ({:.3f} m, {:.3f} m) has no place in {}", local_m.x, local_m.y,
-                              crs_->name()));
+    throw failure(fmt::format("the local point ({:.3f} m, {:.3f} m) cannot be expressed in {}", local_m.x,
+                              local_m.y, crs_->name()));
   return *input;
 }
 

@@ -58,15 +58,17 @@ void compare_reports(const Field& planned, const Field& input, std::vector<Viola
   const auto same = [](const Repair& a, const Repair& b) { return a.what == b.what && a.where == b.where; };
   if (!std::equal(planned.repairs.begin(), planned.repairs.end(), input.repairs.begin(), input.repairs.end(),
                   same))
-    out.push_back({Rule::kField,
-                   fmt::format("the plan tells of {} repairs of the field, the input needs {}, or others",
-                               planned.repairs.size(), input.repairs.size()),
-                   planned.outer.front(), 1});
+    out.push_back(
+        {Rule::kField,
+         fmt::format("the plan lists {} repairs of the field, but the input needs {}, or different ones",
+                     planned.repairs.size(), input.repairs.size()),
+         planned.outer.front(), 1});
   if (planned.warnings != input.warnings)
-    out.push_back({Rule::kField,
-                   fmt::format("the plan has {} warnings about the field, the input gives {}, or others",
-                               planned.warnings.size(), input.warnings.size()),
-                   planned.outer.front(), 1});
+    out.push_back(
+        {Rule::kField,
+         fmt::format("the plan has {} warnings about the field, but the input gives {}, or different ones",
+                     planned.warnings.size(), input.warnings.size()),
+         planned.outer.front(), 1});
 }
 
 }  // namespace

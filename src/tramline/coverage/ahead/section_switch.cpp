@@ -34,11 +34,11 @@ bool is_time(double seconds) { return std::isfinite(seconds) && seconds >= 0; }
 void require_sensible(const SwitchRule& rule) {
   if (!(rule.off_below > 0 && rule.off_below <= rule.on_from && rule.on_from <= 1))
     throw bad_input(
-        "a section goes on from a share of its width that is no smaller than the one it goes off below, and "
-        "both lie between 0 and 1");
+        "the share from which a section is switched on must not be smaller than the one below which it is "
+        "switched off, and both must lie between 0 and 1");
   if (!is_time(rule.on_latency_s) || !is_time(rule.off_latency_s) || !is_time(rule.horizon_s) ||
       rule.horizon_s <= std::max(rule.on_latency_s, rule.off_latency_s))
-    throw bad_input("latencies are seconds from 0 on, and the look ahead is longer than either");
+    throw bad_input("latencies must not be negative, and the horizon must be longer than either of them");
 }
 
 std::optional<Switch> next_switch(const Need& need, double speed_mps, const SectionState& state,

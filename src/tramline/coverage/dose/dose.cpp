@@ -73,11 +73,11 @@ void require_rates(const WorkLog& log, const RateSettings& rates) {
                         return !std::isnan(fix.rate_per_ha);
                       });
   if (!logged && std::isnan(rates.nominal_per_ha))
-    throw bad_input(fmt::format("{} says nothing of how much was applied{}: give --nominal-rate", log.name,
+    throw bad_input(fmt::format("{} does not say how much was applied{}: give --nominal-rate", log.name,
                                 rates.use_logged ? "" : " that may be used"));
   if (!std::isnan(rates.nominal_speed_mps) && log.clock == Clock::kNone)
     throw bad_input(
-        fmt::format("{} has no times to tell the speed by: leave --nominal-speed away", log.name));
+        fmt::format("{} has no times, so its speed is unknown: leave out --nominal-speed", log.name));
 }
 
 /// Told before the work: the map takes in the field and every place that may have been worked.
@@ -134,8 +134,7 @@ void require_counted(const Coverage& coverage, const RateSettings& rates) {
     const double counted_m2 = coverage.areas.worked_times_m2[times];
     if (!(std::abs(area(coverage.worked_times[times]) - counted_m2) <= kDrawn * coverage.areas.gross_m2))
       throw bad_input(
-          "the coverage file does not show how often ground was worked: write it with tramline evaluate -o "
-          "and "
+          "the coverage file does not show how often land was worked: write it with tramline evaluate -o and "
           "without --engine mesh");
   }
 }

@@ -22,7 +22,8 @@ void require_few_cells(double wide_m, double high_m, double cell_m) {
   const double enough_m = std::sqrt(wide_m * high_m / kMostCells);
   const double decade = std::pow(10.0, std::floor(std::log10(enough_m)));
   throw bad_input(fmt::format(
-      "cells of {:g} m over {:.0f} m by {:.0f} m are {:.2g}, and {:g} is the most: give --cell {:g} or more",
+      "cells of {:g} m over {:.0f} m by {:.0f} m would be {:.2g}; at most {:g} are possible: give --cell "
+      "{:g} or more",
       cell_m, wide_m, high_m, cells, kMostCells, std::ceil(10 * enough_m / decade) * decade / 10));
 }
 

@@ -35,8 +35,8 @@ void mend_widths(WorkLog& log) {
     Boom& boom = log.booms[i];
     const std::optional<Boom> one = mended(boom);
     if (!one) continue;
-    log.notes.push_back(fmt::format("{} widths that add up to {:g} m are taken for one of {:g} m",
-                                    boom.size(), worked_m(boom), width_m(one->front())));
+    log.notes.push_back(fmt::format("{} widths that add up to {:g} m are taken as one of {:g} m", boom.size(),
+                                    worked_m(boom), width_m(one->front())));
     boom = *one;
     changed[i] = 1;
   }

@@ -90,8 +90,7 @@ Region MeshCoverage::region(Ground what) const {
       break;
   }
   throw bad_input(
-      "meshes tell ground worked once from ground worked again, but not how often: take the exact "
-      "engine");
+      "meshes tell land worked once from land worked again, but not how often: take the exact engine");
 }
 
 }  // namespace tramline::coverage

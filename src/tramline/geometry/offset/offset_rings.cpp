@@ -53,7 +53,7 @@ struct Arrangement {
   std::vector<Guard> guards;
   std::vector<Candidate> candidates;
   std::vector<std::vector<CurveCut>> cuts;  ///< by candidate
-  std::vector<Piece> pieces;           ///< those that may be part of the boundary
+  std::vector<Piece> pieces;                ///< those that may be part of the boundary
 };
 
 double squared_distance(Point p, const Guard& guard) {
@@ -201,7 +201,8 @@ void keep_free_pieces(Arrangement& a) {
     for (std::size_t g = 0; g < a.guards.size(); ++g)
       if (intersects(a.guards[g].box, reach)) near.push_back(g);
     auto& cuts = a.cuts[i];
-    std::stable_sort(cuts.begin(), cuts.end(), [](const CurveCut& p, const CurveCut& q) { return p.place < q.place; });
+    std::stable_sort(cuts.begin(), cuts.end(),
+                     [](const CurveCut& p, const CurveCut& q) { return p.place < q.place; });
     const CurveCut* last = &cuts.front();
     for (const CurveCut& next : cuts) {
       if (next.node == last->node) continue;
@@ -264,7 +265,7 @@ OffsetRing walk(Arrangement& a, Piece& start) {
     out.push_back(finished(a, *piece));
     piece = leftmost(a, *piece);
     if (piece == nullptr || out.size() > a.pieces.size())
-      throw failure("the land at a distance from the boundary could not be made out near (" +
+      throw failure("the offset of the boundary could not be constructed near (" +
                     std::to_string(out.back().segment.to.x) + ", " + std::to_string(out.back().segment.to.y) +
                     ")");
   } while (piece != &start);

@@ -17,7 +17,7 @@ ExportFormat export_format_of(const std::filesystem::path& path) {
   if (extension == ".kml") return ExportFormat::kKml;
   if (extension == ".zip") return ExportFormat::kShapefiles;
   throw bad_input(
-      fmt::format("'{}' is of no format that plans are exported to; end the name in .geojson, .fgb "
+      fmt::format("'{}' does not name a format that plans are exported to; end the name in .geojson, .fgb "
                   "(FlatGeobuf), .kml or .zip (Shapefiles)",
                   path.string()));
 }

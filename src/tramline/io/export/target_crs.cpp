@@ -12,10 +12,10 @@ namespace {
 constexpr const char* kWgs84 = "EPSG:4326";
 
 [[noreturn]] void refuse_a_place_on_earth(const Field& field, const std::string& wanted) {
-  throw bad_input(fmt::format(
-      "field {} was planned in plain metres, so nobody knows where on earth it lies, which {} asks "
-      "for; plan it again with --crs, or export it to .fgb or .zip",
-      field.id, wanted));
+  throw bad_input(
+      fmt::format("field {} was planned in plain metres, so its position on earth, which {} needs, is "
+                  "unknown; plan it again with --crs, or export it to .fgb or .zip",
+                  field.id, wanted));
 }
 
 std::string source_definition(const Field& field) {

@@ -68,7 +68,7 @@ Connection::Connection(const HostPort& place, std::string what) {
     connected_ = socket_.open() && last == 0;
   }
   if (!connected_)
-    throw bad_input(fmt::format("{}: nobody answers at {}:{} ({})", what, place.host, place.port,
+    throw bad_input(fmt::format("{}: nothing answers at {}:{} ({})", what, place.host, place.port,
                                 words_for(last == 0 ? ECONNREFUSED : last)));
 }
 

@@ -91,7 +91,7 @@ class FileFeed final : public Feed {
     if (same && !cut) return;
     splitter_.take_rest();
     if (!open_file()) return;
-    out.messages.push_back(fmt::format("'{}' begins anew: what comes now is added", path_));
+    out.messages.push_back(fmt::format("'{}' was started again; its new lines are added", path_));
     out.more = true;
   }
 

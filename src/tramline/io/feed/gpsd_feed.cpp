@@ -64,9 +64,9 @@ class GpsdFeed final : public Feed {
     const nlohmann::json report = nlohmann::json::parse(line, nullptr, false);
     if (!report.is_object() || !report.contains("class") || !report["class"].is_string()) return;
     if (report["class"] == "DEVICES" && report.contains("devices") && report["devices"].empty())
-      out.messages.emplace_back("gpsd has no receiver yet; it is waited for");
+      out.messages.emplace_back("gpsd has no receiver yet; waiting for one");
     if (report["class"] == "DEVICE" && report.contains("activated") && report["activated"] == 0)
-      out.messages.emplace_back("gpsd has lost its receiver; it is waited for");
+      out.messages.emplace_back("gpsd has lost its receiver; waiting for it");
   }
 
   std::string place_;

@@ -41,7 +41,7 @@ speed_t speed_of(const std::string& baud) {
   if (at != kSpeeds.end()) return at->second;
   std::string list;
   for (const auto& [known, speed] : kSpeeds) list += (list.empty() ? "" : ", ") + std::string(known);
-  throw bad_input(fmt::format("--serial: {} is no speed that is known; there are {}", baud, list));
+  throw bad_input(fmt::format("--serial: {} is not a known speed; known are {}", baud, list));
 }
 
 class SerialFeed final : public Feed {

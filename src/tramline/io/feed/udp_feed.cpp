@@ -45,7 +45,7 @@ class UdpFeed final : public Feed {
     int fault = 0;
     socket_ = bound_socket(port, fault);
     if (!socket_.open())
-      throw bad_input(fmt::format("--udp {}: the port cannot be had ({}){}", port, words_for(fault),
+      throw bad_input(fmt::format("--udp {}: the port cannot be opened ({}){}", port, words_for(fault),
                                   fault == EADDRINUSE ? "; does another program listen there?" : ""));
     // Room for what comes while the disk is slow.
     const int bytes = 1 << 22;

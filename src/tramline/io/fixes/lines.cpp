@@ -87,8 +87,8 @@ bool FileLines::next(std::string& line) {
     const std::size_t end = rest.find('\n');
     line.append(rest.substr(0, end));
     if (line.size() > kLongestLine)
-      throw bad_input(fmt::format("'{}' has a line longer than {} bytes; it is no text of a log", file.path,
-                                  kLongestLine));
+      throw bad_input(
+          fmt::format("'{}' has a line longer than {} bytes; it is not a text log", file.path, kLongestLine));
     file.at += end == std::string_view::npos ? rest.size() : end + 1;
     if (end != std::string_view::npos) return true;
   }

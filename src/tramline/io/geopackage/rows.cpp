@@ -21,8 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 
 Error no_geopackage(const fs::path& path, const FileKind& kind) {
-  return bad_input(fmt::format("{}: this is no GeoPackage; give a {} written by {}", path.string(), kind.what,
-                               kind.writer));
+  return bad_input(fmt::format("{}: this is not a GeoPackage; give a {} written by {}", path.string(),
+                               kind.what, kind.writer));
 }
 
 /// SQLite's header holds the page size and the number of pages, so a file cut off shows at once;
@@ -170,8 +170,9 @@ Rows::Rows(const fs::path& path, const FileKind& kind, GdalErrors& errors)
 void Rows::each(const char* name, const std::function<void(const Row&)>& take) {
   OGRLayer* layer = file_->GetLayerByName(name);
   if (layer == nullptr)
-    throw bad_input(fmt::format("{}: there is no layer '{}', so this is no whole {}; give a {} written by {}",
-                                path_.string(), name, kind_.what, kind_.what, kind_.writer));
+    throw bad_input(
+        fmt::format("{}: there is no layer '{}', so this is not a complete {}; give a {} written by {}",
+                    path_.string(), name, kind_.what, kind_.what, kind_.writer));
   if (key_) layer->SetAttributeFilter(filter_for(*key_).c_str());
   layer->ResetReading();
   while (const OGRFeatureUniquePtr feature{layer->GetNextFeature()})
@@ -179,8 +180,8 @@ void Rows::each(const char* name, const std::function<void(const Row&)>& take) {
              to_local_, kind_));
   // GDAL ends a damaged layer as if it were complete, and only reports.
   if (errors_.any())
-    throw bad_input(fmt::format("{}: layer {} cannot be read whole ({}); write the {} again", path_.string(),
-                                name, errors_.first(), kind_.what));
+    throw bad_input(fmt::format("{}: layer {} cannot be read completely ({}); write the {} again",
+                                path_.string(), name, errors_.first(), kind_.what));
 }
 
 }  // namespace tramline::io

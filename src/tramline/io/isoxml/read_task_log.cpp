@@ -154,7 +154,7 @@ WorkLog joined(std::vector<DecodedLog> logs) {
   int unit = 0;
   for (DecodedLog& log : logs) append(all, std::move(log.log), log.entry, unit++, booms);
   all.booms = booms.booms();
-  all.notes.push_back(fmt::format("{} logs were joined: each is driven for itself", unit));
+  all.notes.push_back(fmt::format("{} logs were joined; each is evaluated as a unit of its own", unit));
   return all;
 }
 

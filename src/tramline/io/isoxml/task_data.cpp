@@ -98,7 +98,7 @@ TaskData parse_task_data(std::string_view xml, const ExternalFile& external, con
   const std::string place = fmt::format("'{}'", path);
   const auto document = parse(xml, place + ": TASKDATA.XML");
   const pugi::xml_node root = document->child("ISO11783_TaskData");
-  if (!root) throw bad_input(fmt::format("{} is no ISOXML: it has no element ISO11783_TaskData", place));
+  if (!root) throw bad_input(fmt::format("{} is not ISOXML: it has no element ISO11783_TaskData", place));
   read_top_level(root, path, out);
   std::size_t count = 0;
   for (const pugi::xml_node reference : root.children("XFR")) {

@@ -143,8 +143,9 @@ std::optional<std::string> TaskFiles::read(const std::string& name) const {
   for (std::size_t got = 0; (got = VSIFReadL(buffer.data(), 1, buffer.size(), file.get())) > 0;) {
     out.append(buffer.data(), got);
     if (out.size() > kLargestTaskFile)
-      throw bad_input(fmt::format("'{}': {} holds more than {} MiB when it is expanded; no task set does",
-                                  path_, at->second, kLargestTaskFile >> 20));
+      throw bad_input(
+          fmt::format("'{}': {} holds more than {} MiB when it is expanded, more than any task set", path_,
+                      at->second, kLargestTaskFile >> 20));
   }
   return out;
 }

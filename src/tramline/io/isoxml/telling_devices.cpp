@@ -117,8 +117,7 @@ TellingDevices telling_devices(const TimeLogHeader& header, const std::vector<De
   for (const std::string& device : out.devices) {
     if (device.empty()) {
       for (DeviceElement& element : undescribed(header, telling)) out.elements.push_back(std::move(element));
-      out.notes.emplace_back(
-          "the device is not described: widths that are logged without offsets count in the middle of it");
+      out.notes.emplace_back("the device is not described; logged widths without offsets are centred on it");
     }
     for (const DeviceElement& element : elements)
       if (element.device == device) out.elements.push_back(element);

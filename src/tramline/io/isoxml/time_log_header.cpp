@@ -20,7 +20,7 @@ unsigned hexadecimal(std::string_view text, const std::string& place) {
   unsigned out = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), out, 16);
   if (error != std::errc() || stop != text.data() + text.size())
-    throw bad_input(fmt::format("{}: '{}' is no data dictionary identifier", place, text.substr(0, 20)));
+    throw bad_input(fmt::format("{}: '{}' is not a data dictionary identifier", place, text.substr(0, 20)));
   return out;
 }
 
@@ -46,7 +46,7 @@ TimeLogHeader read_time_log_header(std::string_view xml, const std::string& plac
   // Some wrap the element, against the standard.
   pugi::xml_node time = document.child("TIM");
   if (!time) time = document.first_child().child("TIM");
-  if (!time) throw bad_input(fmt::format("{} has no element TIM: it is no header of a time log", place));
+  if (!time) throw bad_input(fmt::format("{} has no element TIM: it is not the header of a time log", place));
   const pugi::xml_attribute start = time.attribute("A");
   if (!start || *start.value() != '\0')
     throw bad_input(
@@ -61,7 +61,7 @@ TimeLogHeader read_time_log_header(std::string_view xml, const std::string& plac
     header.values.push_back(std::move(logged));
     if (header.values.size() > kMostValues)
       throw bad_input(
-          fmt::format("{} lists more than {} values; a record cannot number as many", place, kMostValues));
+          fmt::format("{} lists more than {} values; a record cannot hold as many", place, kMostValues));
   }
   return header;
 }

@@ -207,8 +207,9 @@ std::vector<std::string> FixRows::notes() const {
     std::string columns;
     for (const LogColumn column : kUnitColumns)
       if (map_[column]) columns += (columns.empty() ? "" : ", ") + named(column);
-    out.push_back(fmt::format("{} units by {}: each is driven for itself, its positions are its own middle",
-                              units_.size(), columns));
+    out.push_back(fmt::format(
+        "{} units by {}: each is evaluated as a unit of its own, with its positions as its middle",
+        units_.size(), columns));
   }
   return out;
 }

@@ -58,7 +58,7 @@ void LineLog::recognise(std::string_view line, std::vector<Fix>& out) {
     held_.clear();
   }
   if (kind_ == Kind::kNmea && !(options_.columns.empty() && options_.crs.empty()))
-    throw bad_input(fmt::format("{} is NMEA: leave --columns and --log-crs away", place_));
+    throw bad_input(fmt::format("{} is NMEA: leave out --columns and --log-crs", place_));
   positions_ = named_positions();
   for (const std::string& held : std::exchange(held_, {}))
     for (const Fix& fix : add_known(held)) out.push_back(fix);

@@ -60,7 +60,7 @@ LogFormat log_format(const std::string& path) {
   if (is_text_name(name) && (start.starts_with("\xFF\xFE") || start.starts_with("\xFE\xFF")))
     return LogFormat::kCsv;
   throw bad_input(
-      fmt::format("'{}' is no log that is known; give CSV, NMEA 0183, GPX, ISOXML, or points in a "
+      fmt::format("'{}' is not a known kind of log; give CSV, NMEA 0183, GPX, ISOXML, or points in a "
                   "GeoJSON, GeoPackage or Shapefile",
                   path));
 }

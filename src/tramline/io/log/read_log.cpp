@@ -24,9 +24,9 @@ void refuse_unused(const LogOptions& options, LogFormat format, const std::strin
   if (!options.columns.empty() && !is_table)
     throw bad_input(fmt::format("{} has no columns to be named with --columns", place));
   if (!options.crs.empty() && !is_table)
-    throw bad_input(fmt::format("{} is in longitude and latitude; leave --log-crs away", place));
+    throw bad_input(fmt::format("{} is in longitude and latitude; leave out --log-crs", place));
   if (!options.log.empty() && !has_parts)
-    throw bad_input(fmt::format("{} is one log; leave --log away", place));
+    throw bad_input(fmt::format("{} is one log; leave out --log", place));
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ void settle_positions(WorkLog& log, PositionNames names, const std::string& crs,
   } else if (names == PositionNames::kMetres ||
              (names == PositionNames::kEither && look_like_metres(log.fixes))) {
     log.positions = Positions::kLocal;
-    log.notes.emplace_back("x and y are taken as metres; with --log-crs they would be places on the earth");
+    log.notes.emplace_back("x and y are taken as plain metres; --log-crs would place them on the earth");
   }
   if (log.positions == Positions::kLonLat) {
     skip_faulty(log, [](const Fix& fix) { return fault_of_lonlat(fix.position); });

@@ -69,7 +69,7 @@ void sort_by_time(WorkLog& log) {
       std::none_of(log.fixes.begin(), log.fixes.end(), [](const Fix& fix) { return std::isnan(fix.time_s); });
   if (!timed || std::is_sorted(log.fixes.begin(), log.fixes.end(), earlier)) return;
   std::stable_sort(log.fixes.begin(), log.fixes.end(), earlier);
-  log.notes.emplace_back("the features are not in the order of their times and were put into it");
+  log.notes.emplace_back("the features are not in order of time and were sorted");
 }
 
 /// Makes fixes of features, one after the other.

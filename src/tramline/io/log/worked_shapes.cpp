@@ -39,7 +39,7 @@ void finish_shapes(WorkLog& log, const FixRows& rows, const std::string& place) 
         fmt::format("{} has polygons without a time, work state, width or rate: they look like fields rather "
                     "than like work; name the columns with --columns",
                     place));
-  log.notes.emplace_back("the polygons are taken as worked ground");
+  log.notes.emplace_back("the polygons are taken as worked land");
   std::size_t nothing = 0;
   for (Fix& fix : log.fixes) {
     if (fix.work != WorkState::kUnknown || fix.rate_per_ha != 0) continue;

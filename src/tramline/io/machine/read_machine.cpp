@@ -48,9 +48,9 @@ void refuse_deep_keys(std::string_view text, const std::filesystem::path& path) 
     const std::string_view row = text.substr(0, end);
     const bool comment = row.substr(std::min(row.find_first_not_of(" \t"), row.size())).starts_with('#');
     if (!comment && std::count(row.begin(), row.end(), '.') > kMostDots)
-      throw bad_input(
-          fmt::format("machine file {}, line {}: it has more than {} dots; a machine has no tables in tables",
-                      path.string(), line, kMostDots));
+      throw bad_input(fmt::format(
+          "machine file {}, line {}: it has more than {} dots; a machine file has no nested tables",
+          path.string(), line, kMostDots));
     text.remove_prefix(std::min(end + (text.substr(end).starts_with("\r\n") ? 2 : 1), text.size()));
   }
 }

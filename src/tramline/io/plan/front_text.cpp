@@ -36,7 +36,7 @@ std::vector<Direction> directions_from_text(const std::string& radians, const st
       out.push_back(Direction::clockwise_from_north(Angle::radians(value)));
     }
   } catch (const json::exception&) {
-    throw bad_input(fmt::format("{} is no JSON list of numbers; write the plan again", place));
+    throw bad_input(fmt::format("{} is not a JSON list of numbers; write the plan again", place));
   }
   return out;
 }
@@ -51,7 +51,7 @@ void apply_marks(const std::string& text, std::size_t point, const std::string& 
     const std::string word = text.substr(from, comma - from);
     std::size_t* const mark = mark_named(marks, word);
     if (mark == nullptr)
-      throw bad_input(fmt::format("{} has '{}', which is no mark; write the plan again", place, word));
+      throw bad_input(fmt::format("{} has '{}', which is not a mark; write the plan again", place, word));
     *mark = point;
     from = comma + 2;
   }

@@ -54,7 +54,7 @@ class Cursor {
 
  private:
   Error other_form() const {
-    return bad_input(fmt::format("{} is no list of {} from character {} on; write the plan again", place_,
+    return bad_input(fmt::format("{} is not a list of {} from character {} on; write the plan again", place_,
                                  parts_, at_ + 1));
   }
   const std::string& text_;

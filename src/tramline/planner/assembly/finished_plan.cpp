@@ -50,7 +50,7 @@ Error no_tracks(const SearchTask& task) {
   if (task.clearance_takes_all)
     return bad_input(
         fmt::format("no track fits into field '{}' of {:.0f} m²: the clearance of {} m from obstacles leaves "
-                    "no ground to work; use a smaller --clearance",
+                    "no land to work; use a smaller --clearance",
                     task.field.id, area_m2(task.field), clearance_m));
   const bool kept_clear = clearance_m > 0 && !obstacle_shapes(task.field, ObstacleKind::kObstacle).empty();
   return bad_input(fmt::format(

@@ -11,10 +11,10 @@
 namespace tramline {
 void require_zhou_ground(const Field& field, const PlanSettings& settings) {
   if (!obstacle_shapes(field, ObstacleKind::kPassable).empty())
-    throw bad_input(fmt::format(
-        "field '{}' has passable obstacles, which tracks as in the paper know nothing of; leave --tracks "
-        "paper or the passable obstacles out",
-        field.id));
+    throw bad_input(
+        fmt::format("field '{}' has passable obstacles, which tracks as in the paper do not support; leave "
+                    "out --tracks paper or the passable obstacles",
+                    field.id));
   if (settings.obstacle_headlands == 0 && !obstacle_shapes(field, ObstacleKind::kObstacle).empty())
     throw bad_input(
         fmt::format("tracks as in the paper end in the headlands of obstacles, and those of field '{}' have "

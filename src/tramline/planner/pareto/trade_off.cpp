@@ -133,10 +133,10 @@ Plan marked(const TradeOff& trade_off, Plan plan) {
 
 void require_straight_tracks(const PlanSettings& settings) {
   if (settings.tracks == TrackConstruction::kPaper)
-    throw bad_input("plans to choose from have no tracks as in the paper; leave --tracks paper out");
+    throw bad_input("tracks as in the paper cannot be compared; leave out --tracks paper");
   if (settings.shape != TrackShape::kStraight)
     throw bad_input(
-        "plans to choose from have straight tracks; leave --curved out, or give a line without bends");
+        "only plans with straight tracks can be compared; leave out --curved, or give a line without bends");
 }
 
 std::vector<Objective> prices_to_search(const Objective& given) {
@@ -171,8 +171,7 @@ TradeOff trade_off(const Field& field, const Machine& machine, const Objective& 
   require_tracks(task_of(all, 0), first.avoided.tally);
   if (!first.works())
     throw bad_input(fmt::format(
-        "the field '{}' is worked by its headland passes alone: there are no plans to choose from",
-        field.id));
+        "the field '{}' is worked by its headland passes alone, so there are no plans to compare", field.id));
 
   std::vector<Laid> laid;
   for (std::size_t i = 0; i < all.searches.size(); ++i) {

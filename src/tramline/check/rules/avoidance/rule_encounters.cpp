@@ -78,11 +78,11 @@ std::string cut_fault(const Case& c, const Tracks& tracks, const Encounter& enco
 /// In which way an encounter is not what the tracks do, or "".
 std::string contradiction(const Case& c, const Tracks& tracks, const Encounter& encounter) {
   const Plan& plan = c.plan;
-  if (encounter.subfield >= plan.subfields.size()) return "is in a subfield that there is not";
+  if (encounter.subfield >= plan.subfields.size()) return "is in a subfield that does not exist";
   // Written so that NaN lies nowhere.
   if (!(std::abs(encounter.at.x) <= kFarthest_m && std::abs(encounter.at.y) <= kFarthest_m))
     return "lies off the map";
-  if (!exist(plan, encounter.obstacles)) return "names an obstacle that there is not";
+  if (!exist(plan, encounter.obstacles)) return "names an obstacle that does not exist";
   const Detour* detour = detour_over(c, tracks, encounter);
   if (encounter.chosen == Passing::kCut && detour != nullptr)
     return "was to be cut, and a detour passes there";

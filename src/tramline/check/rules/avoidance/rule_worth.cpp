@@ -98,8 +98,8 @@ void check_worth(const Case& c, Violations& out) {
     const Worst worst = worst_stretch(slices, first, last, is_closed(c.plan.headland.passes[i]));
     if (-worst.worth_m2 <= most_m2) continue;
     out.push_back({Rule::kHeadland,
-                   fmt::format("a stretch of {}, which nobody asked for, works {:.0f} m² again or beyond the "
-                               "headland, more than what it works for the first time is worth",
+                   fmt::format("a stretch of {}, which was not asked for, works {:.0f} m² again or beyond "
+                               "the headland, more than what it works for the first time is worth",
                                pass_name(i), -worst.worth_m2),
                    slices[worst.first].path.front().from, -worst.worth_m2});
   }

@@ -49,7 +49,7 @@ int most_passes(const Plan& plan, const HeadlandPass& pass) {
 /// What is wrong with a pass in itself, or "".
 std::string fault_of(const Plan& plan, const HeadlandPass& pass) {
   if (std::string fault = check::fault_of(pass.path); !fault.empty()) return fault;
-  if (!exist(plan, pass.obstacles)) return "names an obstacle that there is not";
+  if (!exist(plan, pass.obstacles)) return "names an obstacle that does not exist";
   if (!std::is_sorted(pass.obstacles.begin(), pass.obstacles.end(), std::less_equal<>()))
     return "does not name its obstacles in order";
   if (pass.number < 1 || pass.number > most_passes(plan, pass))

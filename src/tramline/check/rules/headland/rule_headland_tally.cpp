@@ -71,10 +71,10 @@ void check_headland_tally(const Case& c, Violations& out) {
                  ground_m2 - stored.uncovered_m2 + stored.overlap_m2, found.worked_m2, tolerance_m2);
 
   if (found.drawn_wrong_m2 > c.area_tolerance_m2 + kRoundEdge_m * 2 * found.arcs_m)
-    out.push_back(
-        {Rule::kTally,
-         fmt::format("what the headland's passes leave is drawn wrong by {:.3f} m²", found.drawn_wrong_m2),
-         found.drawn_wrong_at, found.drawn_wrong_m2});
+    out.push_back({Rule::kTally,
+                   fmt::format("the layer of land that headland passes leave is wrong by {:.3f} m²",
+                               found.drawn_wrong_m2),
+                   found.drawn_wrong_at, found.drawn_wrong_m2});
 }
 
 }  // namespace tramline::check

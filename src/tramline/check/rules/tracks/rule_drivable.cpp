@@ -19,7 +19,7 @@ void check_radii(const Path& path, double least_m, const std::string& name, Viol
   for (const PathSegment& segment : path) {
     if (radius(segment) >= least_m * (1 - kRadiusShare)) continue;
     out.push_back({Rule::kDrivable,
-                   fmt::format("{} has an arc of radius {:.3f} m, and {:.3f} m is the least", name,
+                   fmt::format("{} has an arc of radius {:.3f} m, the least is {:.3f} m", name,
                                radius(segment), least_m),
                    midpoint(segment.from, segment.to), least_m - radius(segment)});
   }

@@ -65,7 +65,7 @@ void check_detours_of(const Plan& plan, std::size_t index, Violations& out) {
     std::string fault = fault_of(detour.path);
     if (fault.empty()) fault = free.take(detour.path);
     if (fault.empty() && detour.side == Passing::kCut) fault = "passes its obstacles on no side";
-    if (fault.empty() && !exist(plan, detour.obstacles)) fault = "names an obstacle that there is not";
+    if (fault.empty() && !exist(plan, detour.obstacles)) fault = "names an obstacle that does not exist";
     if (!fault.empty()) {
       out.push_back({Rule::kPieces, detour_name(index, k) + " " + fault, piece.start, 0});
       return;
