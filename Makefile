@@ -35,7 +35,7 @@ demo: packages-program ## build the program alone, plan the example field and ch
 	@if $(DEMO_ONLY); then echo "For its page (tramline serve) and everything else: make"; fi
 
 .PHONY: test
-test: packages-test build ## build and run every test; those on real data where TRAMLINE_DATA is found
+test: packages-test layout build ## check the layout, build, and run every test; those on real data where TRAMLINE_DATA is found
 	$(CTEST) --test-dir $(RELEASE)
 
 .PHONY: page
@@ -66,9 +66,12 @@ bench: build ## measure; table on the terminal, figures into bench/results/
 	tools/bench.py $(RELEASE)
 
 .PHONY: lint
-lint: packages-lint build/clang/build.ninja ## clang-format and clang-tidy over all sources, shellcheck over the scripts
-	clang-format-14 --dry-run -Werror $(SOURCES)
+lint: packages-lint layout build/clang/build.ninja ## the layout, and clang-tidy over all sources
 	run-clang-tidy -quiet -j $(JOBS) -p build/clang '/(src/tramline|include/tramline|apps)/'
+
+.PHONY: layout
+layout: packages-layout ## clang-format over all sources, shellcheck over the scripts
+	clang-format-14 --dry-run -Werror $(SOURCES)
 	shellcheck .ci/run tools/*.sh $(shell git ls-files 'tests/cli/cases/*/setup.sh')
 
 .PHONY: goldens
@@ -76,7 +79,7 @@ goldens: program ## write the golden outputs of tests/cli anew; read the differe
 	tests/cli/run_golden.py --update --tramline $(TRAMLINE)
 
 .PHONY: format
-format: packages-lint ## lay out all sources as .clang-format says
+format: packages-layout ## lay out all sources as .clang-format says
 	clang-format-14 -i $(SOURCES)
 
 .PHONY: clean
@@ -89,13 +92,15 @@ help: ## show this list
 
 # --- set-up -------------------------------------------------------------------------------------
 
-.PHONY: packages packages-program packages-test packages-lint
+.PHONY: packages packages-program packages-layout packages-test packages-lint
 packages: ## install the Debian packages that are missing
 	@tools/install-packages.sh program build
 packages-program:
 	@tools/install-packages.sh program
+packages-layout:
+	@tools/install-packages.sh layout
 packages-test:
-	@tools/install-packages.sh program build test
+	@tools/install-packages.sh program build layout test
 packages-lint:
 	@tools/install-packages.sh program build lint
 
@@ -122,7 +127,7 @@ LONG := long-properties long-scenes long-best-bound long-best-brute long-best-re
   long-obstacles-3 long-obstacles-6 long-obstacles-12 long-obstacles-24 long-headlands \
   long-headland-plans-6 long-headland-plans-12 long-headland-plans-24 long-maps long-order \
   long-coverage long-watch long-serve long-kills long-registers long-fuzz-logs long-fuzz-readers \
-  long-fuzz-coverage long-debug long-asan long-tsan long-clang
+  long-fuzz-coverage long-lint long-debug long-asan long-tsan long-clang
 
 .PHONY: long $(LONG)
 long: $(LONG) ## all the long tests, one after another; each part below can be run alone
@@ -234,6 +239,8 @@ long-tsan: packages build/tsan/build.ninja ## the tests labelled `threads` with 
 	cmake --build build/tsan -j $(JOBS)
 	TSAN_OPTIONS="suppressions=$(abspath tools/tsan.supp) ignore_noninstrumented_modules=1" \
 	  $(LIMIT) $(CTEST) --test-dir build/tsan -L threads
+
+long-lint: lint ## clang-tidy over all sources
 
 long-clang: packages-lint build/clang/build.ninja ## all tests built by clang
 	cmake --build build/clang -j $(JOBS)

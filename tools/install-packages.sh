@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that tramline needs, and only those that are missing.
-# Usage: install-packages.sh [program] [build] [test] [lint]     (default: program build)
+# Usage: install-packages.sh [program] [build] [layout] [test] [lint]     (default: program build)
 set -euo pipefail
 
 program_packages=(
@@ -21,8 +21,10 @@ command -v node >/dev/null || build_packages+=(nodejs)
 command -v npm >/dev/null || build_packages+=(npm)
 # Peers that only tests talk to; gpsfake is one of the clients. Chromium drives the page.
 test_packages=(gpsd gpsd-clients chromium)
-# What `make lint`, `make format` and the long tests need besides.
-lint_packages=(clang libclang-rt-14-dev clang-tidy clang-format-14 shellcheck)
+# What `make layout` and `make format` need: the quick part of `make lint`.
+layout_packages=(clang-format-14 shellcheck)
+# What `make lint` and the long tests need besides.
+lint_packages=(clang libclang-rt-14-dev clang-tidy)
 
 wanted=()
 (($# > 0)) || set -- program build
@@ -30,10 +32,11 @@ for list in "$@"; do
   case "$list" in
     program) wanted+=("${program_packages[@]}") ;;
     build) wanted+=("${build_packages[@]}") ;;
+    layout) wanted+=("${layout_packages[@]}") ;;
     test) wanted+=("${test_packages[@]}") ;;
-    lint) wanted+=("${lint_packages[@]}") ;;
+    lint) wanted+=("${layout_packages[@]}" "${lint_packages[@]}") ;;
     *)
-      echo "install-packages.sh: no list named '$list' (there are: program, build, test, lint)" >&2
+      echo "install-packages.sh: no list named '$list' (there are: program, build, layout, test, lint)" >&2
       exit 2
       ;;
   esac

@@ -52,7 +52,7 @@ TEST(ExplainRows, SayWhenThereIsNoOtherPlan) {
   why.longest_side.tally.pieces = 0;
   EXPECT_EQ(explain_rows(why, 0),
             "cost by cause          overlap     uncovered   count        cost     share\n"
-            "runner-ups   none that differs by a degree or in its subfields\n"
+            "runner-ups   none differs by a degree or in its number of subfields\n"
             "longest side  at 90.00° no track fits\n");
 }
 

@@ -56,11 +56,11 @@ TEST(ObstacleRows, CountWaysAndReasons) {
                      cut(kNeverThere, {true, 3, ""})};
   EXPECT_EQ(obstacle_rows(plan),
             "detours      3 (2 left, 1 right), smallest radius 6.00 m\n"
-            "cut          3 of 6 meetings with obstacles: cutting costs less (2), too tight (1)\n");
+            "cut          3 of 6 encounters with obstacles: cutting costs less (2), too tight (1)\n");
   plan.pieces.clear();
   plan.encounters = {cut(kTooTight, kTooTight)};
   EXPECT_EQ(obstacle_rows(plan),
-            "detours      0\ncut          1 of 1 meetings with obstacles: too tight (1)\n");
+            "detours      0\ncut          1 of 1 encounters with obstacles: too tight (1)\n");
 }
 
 TEST(ObstacleKeys, AreThoseOfTheDocumentation) {

@@ -37,7 +37,7 @@ TEST(PlanSummary, IsSixLinesByHand) {
             "distance     0.400 km at work\n"
             "worked twice 59.0 m² (1.00 %)\n"
             "missed       88.5 m² (1.50 %)\n"
-            "note         nothing odd\n");
+            "note         nothing unusual\n");
 }
 
 TEST(PlanSummary, SaysWhatIsOddAndHowMuchMoreThereIs) {

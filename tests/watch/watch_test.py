@@ -563,7 +563,7 @@ class Ahead(Case):
         self.assertEqual([section["next"] for section in self.ahead_after(self.rows[:5], "--horizon", "2")], [None, None])
 
     def test_rules_that_make_no_sense(self):
-        self.refused("goes on from a share", *self.field, "--look-ahead", "--on-from", "0.3", "--off-below", "0.6")
+        self.refused("share from which a section is switched on", *self.field, "--look-ahead", "--on-from", "0.3", "--off-below", "0.6")
         self.refused("longer than either", *self.field, "--look-ahead", "--on-latency", "9")
 
 
@@ -571,7 +571,7 @@ class Faults(Case):
     def test_sources_that_cannot_be_opened(self):
         with socket.socket(socket.AF_INET6, socket.SOCK_DGRAM) as taken:
             taken.bind(("::", 0))
-            self.refused("--udp .* the port cannot be had .*another program", "--udp",
+            self.refused("--udp .* the port cannot be opened .*another program", "--udp",
                          str(taken.getsockname()[1]), *self.options)
         port = free_port()
         self.refused("nobody answers at 127.0.0.1", "--tcp", f"127.0.0.1:{port}", *self.options, "-o",

@@ -144,7 +144,7 @@ TEST_F(ExportTest, RefusesWhatCannotBeWithOneSentence) {
   says(refusal("t.fgb"), "name one with --crs");
   EXPECT_EQ(exported("t.fgb", "wgs84").crs, "WGS 84 (EPSG:4326)");
   std::ofstream(plan_file()) << "no plan";
-  says(refusal("t.geojson"), "no GeoPackage");
+  says(refusal("t.geojson"), "not a GeoPackage");
 }
 
 TEST_F(ExportTest, Wgs84ByAnyNameIsFineForGeoJson) {

@@ -56,8 +56,8 @@ TEST_F(ReadLog, WhatIsNoLogIsRefused) {
   EXPECT_TRUE(mentions(refusal(path("none.csv")), "no file"));
   EXPECT_TRUE(mentions(refusal(write("empty.csv", "")), "empty"));
   EXPECT_TRUE(mentions(refusal(write("a.png", std::string("\x89PNG\r\n\x1a\n\0\0\0\r", 12))),
-                       "no log that is known"));
-  EXPECT_TRUE(mentions(refusal(write("a.html", "<html>")), "no log that is known"));
+                       "not a known kind of log"));
+  EXPECT_TRUE(mentions(refusal(write("a.html", "<html>")), "not a known kind of log"));
   EXPECT_TRUE(mentions(refusal(path("")), "Shapefile"));  // a folder without anything
   EXPECT_TRUE(mentions(refusal(write("a.csv", kCsv), {"", "", "TLG00001"}), "--log"));
   EXPECT_TRUE(mentions(refusal(write("a.nmea", kGga), {"lon=x", "", ""}), "--columns"));

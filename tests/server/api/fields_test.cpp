@@ -79,7 +79,7 @@ TEST_F(ServerTest, RefusesWhatIsNoField) {
                 .find("area"),
             std::string::npos);
   EXPECT_NE(refused({{"geometry", {{"type", "Polygon"}, {"coordinates", {{{900, 50}, {9, 50}, {9, 51}}}}}}})
-                .find("no longitude and latitude"),
+                .find("not a longitude and latitude"),
             std::string::npos);
   EXPECT_NE(refused({{"geometry", square()}, {"nmae", "x"}}).find("nmae"), std::string::npos);
   EXPECT_NE(refused({{"geometry", square()}, {"name", 7}}).find("name has to be a text"), std::string::npos);
@@ -119,7 +119,7 @@ TEST_F(ServerTest, ObstaclesAreDrawnAndTakenAway) {
       "/fields/" + id,
       {{"add", {{{"kind", "obstacle"}, {"geometry", {{"type", "Point"}, {"coordinates", at(0.01, 0)}}}}}}});
   EXPECT_EQ(outside.status, 400);
-  EXPECT_NE(outside.message().find("does not meet the field"), std::string::npos) << outside.message();
+  EXPECT_NE(outside.message().find("does not reach the field"), std::string::npos) << outside.message();
 }
 
 TEST_F(ServerTest, ListsWithinListsWithoutEndAreRefused) {
@@ -135,7 +135,7 @@ TEST_F(ServerTest, ListsWithinListsWithoutEndAreRefused) {
   const Got taken =
       served.patch("/fields/" + id, ordered_json::parse(R"({"add":[{"kind":"obstacle","geometry":
       {"type":"MultiPolygon","coordinates":[[[[0,0],[1,0],[1,1],[0,0]]]]}}]})"));
-  EXPECT_NE(taken.message().find("does not meet the field"), std::string::npos) << taken.text;
+  EXPECT_NE(taken.message().find("does not reach the field"), std::string::npos) << taken.text;
 }
 
 TEST_F(ServerTest, AFieldInPlainMetresIsShownAboutNowhere) {
