@@ -1,1 +1,1 @@
-"$TRAMLINE" evaluate "$EXAMPLES/riverside-drive.csv" --field "$EXAMPLES/riverside.geojson" -o "$INPUT/coverage.gpkg" --quiet
+bash "$COMMON/riverside_coverage.sh"

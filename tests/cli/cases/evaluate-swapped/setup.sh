@@ -1,8 +1,1 @@
-#!/usr/bin/env bash
-cat > drive.csv <<END
-time,lon,lat
-2026-05-06T08:00:00Z,52.69544,9.15240
-2026-05-06T08:00:01Z,52.69544,9.15243
-2026-05-06T08:00:02Z,52.69544,9.15246
-2026-05-06T08:00:03Z,52.69545,9.15249
-END
+awk -F, 'NR == 1 { print } NR > 1 { print $1 "," $3 "," $2 }' "$COMMON/drive.csv" >drive.csv

@@ -1,3 +1,2 @@
-#!/usr/bin/env bash
-"$TRAMLINE" plan "$EXAMPLES/riverside.geojson" --width 12 --quiet -o plan.gpkg >/dev/null
+bash "$COMMON/riverside_plan.sh" 12
 mv plan.gpkg plan.zip

@@ -1,1 +1,1 @@
-"$TRAMLINE" evaluate "$EXAMPLES/riverside-drive.csv" --field "$EXAMPLES/riverside.geojson" --quiet -o "$INPUT/coverage.gpkg"
+bash "$COMMON/riverside_coverage.sh"

@@ -1,0 +1,3 @@
+cat >machine.toml <<'TOML'
+width_m = = 6
+TOML
