@@ -69,7 +69,10 @@ bench: build ## measure; table on the terminal, figures into bench/results/
 lint: packages-lint build/clang/build.ninja ## clang-format and clang-tidy over all sources, shellcheck over the scripts
 	clang-format-14 --dry-run -Werror $(SOURCES)
 	run-clang-tidy -quiet -j $(JOBS) -p build/clang '/(src/tramline|include/tramline|apps)/'
-	shellcheck .ci/run tools/*.sh tests/cli/common/*.sh $(shell git ls-files 'tests/cli/cases/*/setup.sh')
+	shellcheck .ci/run tools/*.sh tests/cli/common/*.sh
+	rm -rf build/setups
+	tests/cli/run_golden.py --setups build/setups
+	shellcheck --shell=bash build/setups/*.sh
 
 .PHONY: goldens
 goldens: program ## write the golden outputs of tests/cli anew; read the difference before you commit it

@@ -1,1 +1,0 @@
-bash "$COMMON/two_farms_plans.sh"

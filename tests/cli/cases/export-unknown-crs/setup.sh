@@ -1,1 +1,0 @@
-bash "$COMMON/riverside_plan.sh" 12

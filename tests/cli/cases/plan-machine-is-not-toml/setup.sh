@@ -1,3 +1,0 @@
-cat >machine.toml <<'TOML'
-width_m = = 6
-TOML

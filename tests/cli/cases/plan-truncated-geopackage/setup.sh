@@ -1,1 +1,0 @@
-bash "$COMMON/truncated_geopackage.sh"

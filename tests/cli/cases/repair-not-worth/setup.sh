@@ -1,1 +1,0 @@
-bash "$COMMON/riverside_coverage.sh"
