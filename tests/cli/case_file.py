@@ -18,7 +18,7 @@ decides and what is short come first.
 
 import re
 
-SECTIONS = ("command", "setup.sh", "exit", "files", "expect", "stderr", "expect-stdout", "stdout")
+SECTIONS = ("command", "setup.sh", "exit", "files", "expect", "stderr", "expect-stdout", "exact", "stdout")
 HEADER = "=== "
 UNENDED = "=== without a line feed"
 
@@ -66,6 +66,8 @@ class CaseFile:
             if name in sections:
                 raise BadCase(f"'{header}' stands there twice")
             sections[name] = read_content(content)
+        if sections.get("exact"):
+            raise BadCase("'=== exact' says all by itself; nothing may stand in it")
         if "command" not in sections:
             raise BadCase("there is no section '=== command'")
         return cls(comment, sections)

@@ -12,7 +12,8 @@ A case is a file cases/VERB/NAME.case, in the form that case_file.py describes, 
                  besides, the golden stderr. Lines that begin with # are comments
   stderr         the expected error output, masked (see below)
   expect-stdout  the same as expect for stdout
-  stdout         the same as stderr for stdout
+  stdout         the same as stderr for stdout; JSON in one form (see below)
+  exact          empty; where it stands, JSON on stdout is compared as the program prints it
 
 In `command` and in the environment of setup.sh these are known:
 
@@ -29,6 +30,10 @@ has to be empty if the run is to fail, and is an error in the case if it is to s
 Masks, so that goldens hold everywhere: "seconds": 0.25 becomes "seconds": X; a time such as 0.25 s
 or 12 ms becomes X s or X ms; a version, alone on a line or after the word tramline, becomes VERSION;
 the folders above become their names again.
+
+JSON on stdout is compared, and stands in goldens, in the form that json_form.py gives it: a key a line, and
+numbers with nine digits, for the last digits of a double differ from one processor or compiler to the next.
+One case is exact, so that the layout the program chooses is pinned too.
 
 --update writes stdout, stderr and files as the program gives them, and exit where there is none. What
 a person has decided stays: comments and the other sections as they are; a run with another exit code
@@ -47,6 +52,7 @@ import subprocess
 import sys
 import tempfile
 
+import json_form
 from case_file import BadCase, CaseFile
 
 TIME_LIMIT_S = 120
@@ -124,7 +130,10 @@ def run_case(case, program, examples):
                               stdin=subprocess.DEVNULL, capture_output=True, timeout=TIME_LIMIT_S, check=False)
         after = contents_under(places["INPUT"])
         changes = sorted(n for n in before.keys() | after.keys() if before.get(n) != after.get(n))
-        return Run(done.returncode, masked(done.stdout.decode("utf-8", "replace"), places),
+        stdout = done.stdout.decode("utf-8", "replace")
+        if "exact" not in case.sections:
+            stdout = json_form.normalised(stdout)
+        return Run(done.returncode, masked(stdout, places),
                    masked(done.stderr.decode("utf-8", "replace"), places), files_under(places["OUT"]), changes)
 
 

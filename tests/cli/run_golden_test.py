@@ -8,6 +8,7 @@ import re
 import tempfile
 import unittest
 
+import json_form
 import run_golden
 from case_file import SECTIONS, BadCase, CaseFile
 
@@ -22,6 +23,7 @@ case "$1" in
   colour) printf '\033[31mred\033[0m\n' ;;
   spoil) echo "more" >> "$2" ;;
   version) echo 1.2.3 ;;
+  say) cat "$2" ;;
   crash) kill -SEGV $$ ;;
 esac
 """
@@ -50,7 +52,7 @@ class RunnerTest(unittest.TestCase):
     def good(self, **changes):
         sections = {
             "command": "plan $INPUT/a.geojson $OUT/a.gpkg\n",
-            "stdout": '{"area_m2": 12.5, "seconds": X}\n',
+            "stdout": '{\n  "area_m2": 12.5,\n  "seconds": X\n}\n',
             "stderr": "read $INPUT/a.geojson in X s\n",
             "exit": "0\n",
             "files": "a.gpkg\n",
@@ -61,9 +63,10 @@ class RunnerTest(unittest.TestCase):
         self.assertEqual(self.good(), [])
 
     def test_what_differs_is_reported(self):
-        for change in ({"stdout": '{"area_m2": 12.6, "seconds": X}\n'}, {"stderr": "read nothing\n"}, {"exit": "1\n"},
-                       {"files": ""}, {"files": "a.gpkg\na.png\n"}, {"expect": "no such file\n"},
-                       {"stdout": '{"area_m2": 12.5, "seconds": X}'}):
+        for change in ({"stdout": '{\n  "area_m2": 12.6,\n  "seconds": X\n}\n'}, {"stderr": "read nothing\n"},
+                       {"exit": "1\n"}, {"files": ""}, {"files": "a.gpkg\na.png\n"},
+                       {"expect": "no such file\n"}, {"stdout": '{"area_m2": 12.5, "seconds": X}\n'},
+                       {"stdout": '{\n  "area_m2": 12.5,\n  "seconds": X\n}'}):
             with self.subTest(change):
                 self.assertEqual(len(self.good(**change)), 1)
 
@@ -111,7 +114,7 @@ class RunnerTest(unittest.TestCase):
     def test_update_writes_goldens_that_pass(self):
         self.assertEqual(self.faults(update=True, command="plan $INPUT/a.geojson $OUT/a.gpkg\n"), [])
         sections = CaseFile.read(self.case).sections
-        self.assertEqual(sections["stdout"], '{"area_m2": 12.5, "seconds": X}\n')
+        self.assertEqual(sections["stdout"], '{\n  "area_m2": 12.5,\n  "seconds": X\n}\n')
         self.assertEqual(sections["files"], "a.gpkg\n")
         self.assertEqual(self.verdict(), [])
 
@@ -125,6 +128,29 @@ class RunnerTest(unittest.TestCase):
         self.assertEqual(self.faults(**written), [])
         before = CaseFile.read(self.case)
         self.assertEqual((after.comment, after.sections), (before.comment, before.sections))
+
+    def test_an_exact_case_pins_the_bytes(self):
+        self.assertTrue(self.good(exact=""))
+        self.assertEqual(self.good(exact="", stdout='{"area_m2": 12.5, "seconds": X}\n'), [])
+        self.assertEqual(self.good(exact="", stdout="", update=True), [])
+        self.assertEqual(CaseFile.read(self.case).sections["stdout"], '{"area_m2": 12.5, "seconds": X}\n')
+
+    def test_json_is_compared_to_nine_digits(self):
+        golden = '{\n  "area_m2": 1234.56789,\n  "bends": 2\n}\n'
+
+        def fails(printed):
+            setup = f"cat > said <<'END'\n{printed}\nEND\n"
+            return bool(self.faults(command="say $INPUT/said", setup_sh=setup,
+                                    exit="0", stdout=golden, stderr=""))
+
+        for printed in ('{"area_m2":1234.56789,"bends":2}', '{"area_m2": 1234.567891, "bends": 2}',
+                        '{"area_m2":1234.5678904,"bends":2}', '{"area_m2":1.23456789e3,\n"bends":2}'):
+            self.assertFalse(fails(printed), printed)
+        for printed in ('{"area_m2":1234.56799,"bends":2}', '{"area_m2":1234.56788,"bends":2}',
+                        '{"bends":2,"area_m2":1234.56789}', '{"area_m2":1234.56789,"bends":2.0}',
+                        '{"area_m2":1234.56789,"bends":3}', '{"area_m2":1234.56789}',
+                        '{"area_m2":1234.56789,"bends":2}\n{"area_m2":1234.56789,"bends":2}'):
+            self.assertTrue(fails(printed), printed)
 
     def test_update_takes_away_goldens_of_what_is_no_longer_said(self):
         stale = {"stdout": "x\n", "files": "x\n"}
@@ -188,6 +214,7 @@ class CaseFileTest(unittest.TestCase):
                      "=== command\nplan\n=== exit\n0\n=== exit\n0\n",
                      "why\n=== command\nplan\n", "=== command\nplan", "=== command\nplan\n=== stdout",
                      "=== without a line feed\n=== command\nplan\n", "=== command\n=== without a line feed\n",
+                     "=== command\nplan\n=== exact\nyes\n", "=== command\nplan\n=== exact\n\n",
                      "=== command\na\n=== without a line feed\nb\n",
                      "=== command\na\n=== without a line feed\n=== without a line feed\n"):
             with self.subTest(text), self.assertRaises(BadCase):
@@ -199,6 +226,65 @@ class CaseFileTest(unittest.TestCase):
         for path in paths:
             with self.subTest(path.relative_to(run_golden.HERE)):
                 self.assertEqual(CaseFile.read(path).written().encode(), path.read_bytes())
+
+    def test_one_case_of_the_project_is_exact(self):
+        cases = [CaseFile.read(path) for path in (run_golden.HERE / "cases").rglob("*.case")]
+        exact = [case for case in cases if "exact" in case.sections]
+        self.assertEqual(len(exact), 1)
+        printed = exact[0].sections["stdout"].replace('"seconds":X', '"seconds":0')
+        self.assertNotEqual(json_form.normalised(printed), printed)
+
+
+class JsonFormTest(unittest.TestCase):
+    def test_a_key_a_line(self):
+        printed = '{"b":[{"x":1.50,"y":-0.0},{}],"a":[],"c":[1,2.5],"d":["m²",null,true]}\n'
+        self.assertEqual(json_form.normalised(printed), """{
+  "b": [
+    {
+      "x": 1.5,
+      "y": -0.0
+    },
+    {}
+  ],
+  "a": [],
+  "c": [1, 2.5],
+  "d": [
+    "m²",
+    null,
+    true
+  ]
+}
+""")
+
+    def test_the_tenth_digit_does_not_count_and_the_eighth_does(self):
+        def form(number):
+            return json_form.normalised(f'{{"cost":{number}}}\n')
+
+        for a, b in (("1.234567891", "1.234567894"), ("-1.234567891e-12", "-1.234567894e-12"),
+                     ("123456789.1", "123456789.4"), ("1e3", "1000.0")):
+            self.assertEqual(form(a), form(b))
+        for a, b in (("1.2345678", "1.2345679"), ("1.2345678e-12", "1.2345679e-12"), ("2", "2.0"),
+                     ("1234567890123", "1234567890124"), ("1.5", "-1.5"), ("1.5", '"1.5"'), ("0", "false")):
+            self.assertNotEqual(form(a), form(b))
+
+    def test_the_order_of_keys_counts(self):
+        self.assertNotEqual(json_form.normalised('{"a":1,"b":2}\n'), json_form.normalised('{"b":2,"a":1}\n'))
+
+    def test_documents_stand_one_a_line(self):
+        self.assertEqual(json_form.normalised('{"a":1}\n{"a":2}\n'), '{\n  "a": 1\n}\n{\n  "a": 2\n}\n')
+
+    def test_its_own_form_stays(self):
+        once = json_form.normalised('{"a":{"b":[[1.25,2],[]]},"c":"\\u0007 \\" m²"}\n')
+        self.assertEqual(json_form.normalised(once), once)
+
+    def test_what_is_not_json_stays_text(self):
+        for text in ("", "\n", "3 fields\n", "12.50\n", '"a"\n', "null\n", '{"a":NaN}\n', '{"a":-Infinity}\n',
+                     '{"a":Infinity}\n', '{"a":1e999}\n', '{"a":1,"a":1}\n', '{"a":1}', '{"a":1}\n\n',
+                     ' {"a":1}\n', '{"a":1} \n', '{"a":1} {"a":2}\n', '{"a":1}\n3 fields\n',
+                     '{"a":1}\n\n{"a":1}\n',
+                     '{\n"a":1\n}\n{\n"a":2\n}\n', "{'a':1}\n", '{"a":1,}\n'):
+            with self.subTest(text):
+                self.assertEqual(json_form.normalised(text), text)
 
 
 if __name__ == "__main__":
