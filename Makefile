@@ -71,8 +71,11 @@ lint: packages-lint layout build/clang/build.ninja ## the layout, and clang-tidy
 
 .PHONY: layout
 layout: packages-layout ## clang-format over all sources, shellcheck over the scripts
-	clang-format-14 --dry-run -Werror $(SOURCES)
-	shellcheck .ci/run tools/*.sh $(shell git ls-files 'tests/cli/cases/*/setup.sh')
+	@clang-format-14 --dry-run -Werror $(SOURCES)
+	shellcheck .ci/run tools/*.sh tests/cli/common/*.sh
+	@rm -rf build/setups
+	@tests/cli/run_golden.py --setups build/setups
+	shellcheck --shell=bash build/setups/*.sh
 
 .PHONY: goldens
 goldens: program ## write the golden outputs of tests/cli anew; read the difference before you commit it

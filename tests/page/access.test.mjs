@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { NARROW } from './support/browser.mjs';
 import { flow } from './support/flow.mjs';
-import { figure, goTo, makePlan, newPlan, openField, planShown } from './support/page.mjs';
+import { figure, goTo, makePlan, mapSettled, newPlan, openField, planShown } from './support/page.mjs';
 import { example } from './support/server.mjs';
 
 /** Presses Tab until the control with this name has the focus. */
@@ -28,7 +28,7 @@ flow('the way from a drawn field to a plan, by keyboard alone', {}, async ({ pag
   for (const key of ['ArrowRight', 'ArrowUp', 'ArrowLeft']) {
     await page.keyboard.press(key);
     await page.keyboard.press(key);
-    await page.waitForTimeout(300);
+    await mapSettled(page);
     await page.keyboard.press('Enter');
   }
   await page.locator('.drawing-bar', { hasText: '4 set' }).waitFor();
@@ -77,7 +77,8 @@ const measure = (page) =>
 
 async function assertComfort(page, where) {
   await page.evaluate(() => document.querySelectorAll('details').forEach((details) => { details.open = true; }));
-  await page.waitForTimeout(100);
+  // What opens may be filled when it has: two frames later everything stands where it stays.
+  await page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
   const { small, unnamed, tiny, wide } = await measure(page);
   assert.deepEqual(small, [], `${where}: targets of 44 px`);
   assert.deepEqual(unnamed, [], `${where}: every control has a name`);

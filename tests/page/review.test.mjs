@@ -1,14 +1,14 @@
 // What was worked: replayed, watched, and mended.
 import assert from 'node:assert/strict';
 import { flow, realFile } from './support/flow.mjs';
-import { chooseFile, drawn, figure, goTo, openField, panel, planShown } from './support/page.mjs';
+import { chooseFile, drawn, figure, goTo, mapSettled, openField, panel, planShown } from './support/page.mjs';
 import { example } from './support/server.mjs';
 import { startTractor } from './support/tractor.mjs';
 
 /** Area of all worked tiles that the map holds, m²: shoelace in metres about 52.69° north, 67 611 m and 111 280 m to a degree. */
-const groundOnMap = (page) =>
-  page.evaluate(async () => {
-    await new Promise((wake) => setTimeout(wake, 1000));
+async function groundOnMap(page) {
+  await mapSettled(page);
+  return page.evaluate(async () => {
     const { features } = await window.tramlineMap.getSource('work:covered').getData();
     const ring = (places) => Math.abs(places.reduce((sum, [x, y], i) => {
       const [nx, ny] = places[(i + 1) % places.length];
@@ -18,6 +18,7 @@ const groundOnMap = (page) =>
     const polygon = ([outer, ...holes]) => ring(outer) - holes.reduce((sum, hole) => sum + ring(hole), 0);
     return features.flatMap(({ geometry }) => geometry.coordinates).reduce((sum, one) => sum + polygon(one), 0);
   });
+}
 
 async function evaluateLog(page, log) {
   await goTo(page, 'Review');
@@ -102,7 +103,7 @@ flow('watch a machine over the network, stop it, and see its drive', {}, async (
     const first = await figure(page, 'Covered');
     await page.waitForFunction((was) => Number(document.querySelector('.figures .value').textContent.replace(/[^\d.]/g, '')) > was, first, { timeout: 30_000 });
     assert.ok((await drawn(page, 'work:covered')) > 0);
-    while (tractor.sent() < 1500) await page.waitForTimeout(100);
+    await tractor.allSent;
     await page.getByRole('button', { name: 'Stop and store the drive' }).click();
     await page.getByRole('group', { name: 'Replay' }).waitFor({ timeout: 30_000 });
     assert.ok((await figure(page, 'Covered')) > 1);

@@ -85,25 +85,30 @@ class Watch:
         self.process = subprocess.Popen([OPTIONS.tramline, "watch", "--json", *arguments], stdin=stdin,
                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **more)
         self.lines, self.errors = [], []
+        self.heard, self.open_streams = threading.Condition(), 2
         self.readers = [threading.Thread(target=self.read, args=pair, daemon=True)
                         for pair in ((self.process.stdout, self.lines), (self.process.stderr, self.errors))]
         for reader in self.readers:
             reader.start()
 
-    @staticmethod
-    def read(stream, lines):
+    def read(self, stream, lines):
         for line in stream:
-            lines.append(line)
+            with self.heard:
+                lines.append(line)
+                self.heard.notify_all()
+        with self.heard:
+            self.open_streams -= 1
+            self.heard.notify_all()
 
     def figures(self):
         return json.loads(self.lines[-1]) if self.lines else {"fixes": 0}
 
     def until(self, true, what):
-        end = time.monotonic() + PATIENCE_S
-        while not true():
-            if self.process.poll() is not None or time.monotonic() > end:
+        """Waits until something holds of what the watch has said; `true` is asked again after every line."""
+        with self.heard:
+            self.heard.wait_for(lambda: true() or self.open_streams == 0, PATIENCE_S)
+            if not true():
                 raise AssertionError(f"waited in vain for {what}; it said {self.lines[-1:]} {self.errors}")
-            time.sleep(0.02)
 
     def until_fixes(self, fixes):
         self.until(lambda: self.figures()["fixes"] >= fixes, f"{fixes} fixes")
@@ -423,7 +428,9 @@ class Output(Case):
         os.write(pipe, b"".join(lines[:1000]))
         watch.until_said("out.gpkg.log cannot be written")
         watch.until_fixes(499)
-        time.sleep(2.5)
+        # It tries to write as often as it says how far it is.
+        told = len(watch.lines)
+        watch.until(lambda: len(watch.lines) >= told + 3, "three more lines")
         said = [line for line in watch.errors if "out.gpkg.log cannot be written" in line]
         self.assertEqual(len(said), 1, watch.errors)
         resource.prlimit(pid, resource.RLIMIT_FSIZE, (hard, hard))

@@ -38,13 +38,18 @@ export async function newPlan(page, hashBefore) {
   await planShown(page);
 }
 
-/** Features of a layer of the map that are drawn right now. */
-export const drawn = (page, layer) =>
-  page.evaluate(async (name) => {
+/** Waits until the map stands still and shows all it was given. */
+export const mapSettled = (page) =>
+  page.evaluate(async () => {
     const map = window.tramlineMap;
     if (!map.loaded() || map.isMoving()) await new Promise((resolve) => { map.once('idle', resolve); map.triggerRepaint(); });
-    return map.queryRenderedFeatures({ layers: [name] }).length;
-  }, layer);
+  });
+
+/** Features of a layer of the map that are drawn right now. */
+export async function drawn(page, layer) {
+  await mapSettled(page);
+  return page.evaluate((name) => window.tramlineMap.queryRenderedFeatures({ layers: [name] }).length, layer);
+}
 
 export const visible = (page, layer) => page.evaluate((name) => window.tramlineMap.getLayoutProperty(name, 'visibility') !== 'none', layer);
 

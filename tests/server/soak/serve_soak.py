@@ -135,9 +135,12 @@ def soak(options, folder):
         memory_kb = []
         begin = time.monotonic()
         while tractor.is_alive():
-            time.sleep(1)
+            tractor.join(1)
             memory_kb.append((time.monotonic() - begin, resident_kb(server.pid)))
-        time.sleep(1)
+        # What was sent last may still be under way.
+        patience_ends = time.monotonic() + 60
+        while call(address, "GET", f"/feeds/{feed}")["fixes"] < len(tractor.sent) and time.monotonic() < patience_ends:
+            time.sleep(0.05)
         drive = call(address, "DELETE", f"/feeds/{feed}")["drive"]
         for reader in readers:
             reader.join(30)

@@ -1,3 +1,0 @@
-#!/usr/bin/env bash
-"$TRAMLINE" plan "$EXAMPLES/riverside.geojson" --width 6 --radius 6 --quiet -o plan.gpkg >/dev/null
-ogrinfo -q plan.gpkg -sql "DELETE FROM tracks WHERE fid = (SELECT MIN(fid) FROM tracks)" >/dev/null

@@ -1,1 +1,0 @@
-printf -- "-6,1\n0,nan\n6,1\n" > "$INPUT/boom.csv"

@@ -1,5 +1,0 @@
-#!/usr/bin/env bash
-ogr2ogr -q -f "ESRI Shapefile" field.shp "$COMMON/one-field.geojson"
-zip -q whole.zip field.shp field.shx field.dbf field.prj
-head -c "$(($(stat -c %s whole.zip) / 2))" whole.zip >field.zip
-rm whole.zip field.shp field.shx field.dbf field.prj

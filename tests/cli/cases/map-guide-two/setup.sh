@@ -1,4 +1,0 @@
-#!/usr/bin/env bash
-cat > guide.geojson <<'JSON'
-{"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {"id": "bend"}, "geometry": {"type": "LineString", "coordinates": [[7.666413, 48.087639], [7.66737, 48.088593], [7.668328, 48.08783]]}}, {"type": "Feature", "properties": {"id": "ab"}, "geometry": {"type": "LineString", "coordinates": [[7.666413, 48.088021], [7.668328, 48.088021]]}}]}
-JSON

@@ -1,1 +1,0 @@
-"$TRAMLINE" plan "$EXAMPLES/riverside.geojson" --width 12 --strategy sweep --quiet -o "$INPUT/plan.gpkg"

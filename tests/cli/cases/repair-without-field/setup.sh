@@ -1,1 +1,0 @@
-"$TRAMLINE" evaluate "$EXAMPLES/riverside-drive.csv" --quiet -o "$INPUT/coverage.gpkg"
