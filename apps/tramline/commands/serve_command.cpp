@@ -29,9 +29,9 @@ constexpr const char* kExample =
     "  tramline serve farm --port 9000\n"
     "  tramline serve --feed-dir /srv/drives\n"
     "  tramline serve --host 0.0.0.0 --tiles \"https://tile.example.org/{z}/{x}/{y}.png\"\n"
-    "Fields, machines, plans and drives are kept in DIR as GeoPackages. Nothing leaves this computer unless "
-    "--host\n"
-    "or --tiles is given. With --host, browsers on other computers need the token in the address that is "
+    "DIR keeps fields, machines, plans and drives as GeoPackages. Nothing leaves this computer unless --host "
+    "or\n"
+    "--tiles is given. With --host, browsers on other computers need the token in the address that is "
     "printed.";
 
 /// Ends the server at SIGINT or SIGTERM. The signals have to be blocked in all threads.
