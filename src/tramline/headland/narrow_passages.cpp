@@ -55,14 +55,14 @@ std::optional<Run> run_on(const CentreLine& centre_line, std::size_t index, cons
   box.extend(midpoint(piece.segment.from, piece.segment.to));
   if (!intersects(curve.box.grown(curve.radius + 1), box)) return std::nullopt;
   for (const Point p : {piece.segment.from, piece.segment.to}) {
-    const double place = place_on(curve, p);
+    const double place = position_on(curve, p);
     if (distance(point_at(curve, place), p) > kSamePlace_m) return std::nullopt;
     if (metres(centre_line, place) < -slack_m(radius_m) ||
         metres(centre_line, place - curve.extent) > slack_m(radius_m))
       return std::nullopt;
   }
   if (dot(heading_at(curve, piece.segment.from), piece.from_heading) < 0) return std::nullopt;
-  const auto within = [&](Point p) { return std::clamp(place_on(curve, p), 0.0, curve.extent); };
+  const auto within = [&](Point p) { return std::clamp(position_on(curve, p), 0.0, curve.extent); };
   return Run{index, within(piece.segment.from), within(piece.segment.to)};
 }
 

@@ -63,7 +63,7 @@ std::vector<Touch> touches(const std::vector<Stage>& stages, std::size_t on, dou
     const OffsetCurve& there = stages[k].centre_line->curve;
     if (!intersects(here.box, there.box)) continue;
     for (const Point p : meetings(here, there)) {
-      const double a = place_on(here, p), b = place_on(there, p);
+      const double a = position_on(here, p), b = position_on(there, p);
       if (!stages[on].has(a) || a < at - slack_on(here) || !stages[k].has(b)) continue;
       const Point before = heading_at(here, p), after = heading_at(there, p);
       if (cross(before, after) < kLeastKink_rad) continue;

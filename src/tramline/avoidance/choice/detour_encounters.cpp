@@ -13,7 +13,7 @@ void keep_common(std::vector<std::size_t>& some, const std::vector<std::size_t>&
 }
 
 /// The place on the line of a track, in the field's frame.
-Point place_on(const TrackFamily& family, const Track& track, double along) {
+Point point_on(const TrackFamily& family, const Track& track, double along) {
   if (is_straight(track)) return family.grid.frame.to_field({family.grid.centre(track.index), along});
   return path_along(track, 0, along).back().to;
 }
@@ -37,7 +37,7 @@ PlacedEncounter DetourDecisions::encounter_at(Decision& decision, std::size_t ga
   out.subfield = decision.track.family;
   out.track = track.index;
   out.branch = track.branch;
-  out.at = place_on(family_of(decision), track, middle);
+  out.at = point_on(family_of(decision), track, middle);
   out.obstacles = obstacles_in(decision.track, out.between);
   for (const TrackDetour& detour : decision.chosen)
     if (detour.from <= middle && detour.to >= middle) {

@@ -52,7 +52,7 @@ class WayBack {
 
  private:
   Point arc_centre(double place) const {
-    const PathPlace on = track_.places.at(place);
+    const PathPoint on = track_.places.at(place);
     return on.at + arc_ * Point{-on.heading.y, on.heading.x};
   }
 
@@ -123,7 +123,7 @@ TrackLine mirrored(const Path& track, const TrackLine& line) {
     path.push_back(
         {{-segment->to.x, segment->to.y}, {-segment->from.x, segment->from.y}, segment->curvature});
   const double length_m = line.places.length();
-  return {PathPlaces(std::move(path)), length_m - line.blocked_to, length_m - line.blocked_from};
+  return {MeasuredPath(std::move(path)), length_m - line.blocked_to, length_m - line.blocked_from};
 }
 
 /// Does any disc reach over the track?
@@ -139,7 +139,7 @@ bool reaches_over(const Hull& hull, const TrackLine& track) {
 }
 
 /// Its headings stay so near to the frame's x that "up" is the side of passing.
-bool goes_ahead(const PathPlaces& places, double from, double to) {
+bool goes_ahead(const MeasuredPath& places, double from, double to) {
   const int looks = 1 + static_cast<int>((to - from) / kLookEvery_m);
   for (int i = 0; i <= looks; ++i)
     if (places.at(from + (to - from) * i / looks).heading.x < std::cos(kSteepest)) return false;

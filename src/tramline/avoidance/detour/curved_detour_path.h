@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "tramline/avoidance/detour/detour_path.h"
-#include "tramline/geometry/path/path_places.h"
+#include "tramline/geometry/path/measured_path.h"
 
 namespace tramline {
 
 /// A track in the frame of a detour: x roughly along it, y to the side of passing.
 struct TrackLine {
-  PathPlaces places;
+  MeasuredPath places;
   double blocked_from = 0;  ///< positions along: what is to be driven round lies between these
   double blocked_to = 0;
 };

@@ -15,12 +15,12 @@
 namespace tramline {
 namespace {
 
-/// An edge of a offset_boundary, or a disc (from == to).
+/// An edge of an offset boundary, or a disc (from == to).
 struct Guard {
   Point from;
   Point to;
   double distance_m = 0;
-  Box box;  ///< of all that is nearer
+  Box box;  ///< contains all that is nearer
 };
 
 /// A curve at some guard's distance. Its own guards are two consecutive ones: edges at a corner, or twice
@@ -32,7 +32,7 @@ struct Candidate {
 };
 
 struct CurveCut {
-  double place = 0;
+  double position = 0;
   Point at;
   std::size_t node = 0;
 };
@@ -49,11 +49,11 @@ struct Piece {
 
 struct Arrangement {
   const std::vector<OffsetBoundary>* offset_boundaries = nullptr;
-  std::vector<char> outer;  ///< by offset_boundary: the land is inside the ring
+  std::vector<char> outer;  ///< by offset boundary: the land is inside the ring
   std::vector<Guard> guards;
   std::vector<Candidate> candidates;
   std::vector<std::vector<CurveCut>> cuts;  ///< by candidate
-  std::vector<Piece> pieces;           ///< those that may be part of the boundary
+  std::vector<Piece> pieces;                ///< those that may be part of the boundary
 };
 
 double squared_distance(Point p, const Guard& guard) {
@@ -120,7 +120,7 @@ bool go_over(const Candidate& a, const Candidate& b) {
 
 void cut(Arrangement& a, std::size_t candidate, Point at) {
   const OffsetCurve& curve = a.candidates[candidate].curve;
-  a.cuts[candidate].push_back({std::clamp(place_on(curve, at), 0.0, curve.extent), at, 0});
+  a.cuts[candidate].push_back({std::clamp(position_on(curve, at), 0.0, curve.extent), at, 0});
 }
 
 /// Cuts candidates where they meet. Sweeps over x, so that only candidates at one x are compared.
@@ -150,7 +150,7 @@ void cut_at_meetings(Arrangement& a) {
   }
 }
 
-/// Gives cuts at one place one node.
+/// Gives cuts at the same point the same node.
 void name_nodes(Arrangement& a) {
   std::vector<CurveCut*> all;
   for (auto& cuts : a.cuts)
@@ -184,8 +184,8 @@ std::optional<Standing> standing(const Arrangement& a, const Candidate& candidat
   return out;
 }
 
-/// Around a disc, or where one offset_boundary is kept off farther than the next, there may be land beyond
-/// the offset_boundaries.
+/// Around a disc, or where one offset boundary has a larger distance than the next, there may be land beyond
+/// the offset boundaries.
 bool beyond_shores(const Arrangement& a, Point p) {
   for (std::size_t i = 0; i < a.outer.size(); ++i)
     if (contains((*a.offset_boundaries)[i].ring, p) != (a.outer[i] != 0)) return true;
@@ -201,11 +201,12 @@ void keep_free_pieces(Arrangement& a) {
     for (std::size_t g = 0; g < a.guards.size(); ++g)
       if (intersects(a.guards[g].box, reach)) near.push_back(g);
     auto& cuts = a.cuts[i];
-    std::stable_sort(cuts.begin(), cuts.end(), [](const CurveCut& p, const CurveCut& q) { return p.place < q.place; });
+    std::stable_sort(cuts.begin(), cuts.end(),
+                     [](const CurveCut& p, const CurveCut& q) { return p.position < q.position; });
     const CurveCut* last = &cuts.front();
     for (const CurveCut& next : cuts) {
       if (next.node == last->node) continue;
-      const Point middle = point_at(candidate.curve, 0.5 * (last->place + next.place));
+      const Point middle = point_at(candidate.curve, 0.5 * (last->position + next.position));
       const auto is = standing(a, candidate, middle, near);
       if (is && !beyond_shores(a, middle)) a.pieces.push_back({i, *last, next, *is, false});
       last = &next;
@@ -215,7 +216,7 @@ void keep_free_pieces(Arrangement& a) {
                    [](const Piece& p, const Piece& q) { return p.from.node < q.from.node; });
 }
 
-/// How far to the left one turns at a node, rad; going back counts as left.
+/// Turn to the left at a node, rad; going back counts as left.
 double turn(const Arrangement& a, const Piece& from, const Piece& to) {
   const Point before = heading_at(a.candidates[from.candidate].curve, from.to.at);
   const Point after = heading_at(a.candidates[to.candidate].curve, to.from.at);
@@ -295,7 +296,7 @@ Region offset_region(const std::vector<OffsetRing>& rings, double sagitta_m) {
   for (const OffsetRing& ring : rings) {
     std::vector<Point> points;
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      // What comes before decides where a piece begins: the two agree up to rounding.
+      // The piece before decides where a piece begins: the two agree up to rounding.
       PathSegment segment = ring[i].segment;
       const Point previous = ring[i == 0 ? ring.size() - 1 : i - 1].segment.to;
       if (distance(previous, segment.to) < kSameNode_m) continue;

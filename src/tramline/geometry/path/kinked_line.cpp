@@ -34,7 +34,7 @@ class Mitres {
       if (sharp[i]) wanted[i] = 0;
     }
     cut_ = wanted;
-    // A joint made flat may leave too little of the next segment: until nothing changes.
+    // A joint made flat may leave too little of the next segment: repeated until nothing changes.
     for (bool changed = true; changed;) {
       changed = false;
       for (std::size_t i = 0; i < path.size(); ++i) {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "tramline/geometry/profile/path_profile.h"
-#include "tramline/geometry/profile/section_across.h"
+#include "tramline/geometry/profile/section_parts.h"
 
 namespace tramline {
 namespace {

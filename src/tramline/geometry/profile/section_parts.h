@@ -8,6 +8,10 @@
 
 namespace tramline {
 
+/// Distance from the left end of the cross-section at which the part crosses it, m; beyond the part's ends as
+/// at them. `half_width` is that of the profile, `along` a position along the segment.
+double across_at(const SegmentProfile& segment, double half_width, const SectionPart& part, double along);
+
 /// Where the boundary crosses the right ends of the cross-sections.
 struct RightCrossing {
   double along;

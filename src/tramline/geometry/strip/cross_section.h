@@ -1,6 +1,6 @@
 #pragma once
-// How much of a region lies in the cross-sections of a strip: the quantity every end rule and the
-// closed-form tally are built on (ALGORITHMS: strip cost).
+// The part of a region in the cross-sections of a strip: the quantity that every end rule and the closed-form
+// tally are built on (ALGORITHMS: strip cost).
 
 #include <vector>
 
@@ -21,7 +21,7 @@ struct Slab {
   }
 };
 
-/// What of a region lies in one strip. Positions are coordinates along the tracks.
+/// The part of a region in one strip. Positions are coordinates along the tracks.
 struct StripProfile {
   std::vector<Slab> slabs;  ///< sorted, not overlapping; nothing of the region lies between them
   Intervals centre_line;    ///< where the strip's centre line is inside the region
