@@ -26,7 +26,7 @@ double length_of(const Intervals& rows) {
   return sum;
 }
 
-/// Where a boundary passes through a strip from full rows to empty ones.
+/// The stretches in which a boundary passes through a strip from full rows to empty ones.
 Intervals passages(const StripProfile& subfield, double width_m) {
   const Intervals full = where_at_least(subfield, width_m - kWidthTolerance);
   const auto begins_full = [&](double at) {
@@ -89,7 +89,7 @@ class SubfieldAccount {
   }
 
  private:
-  /// What straight swaths work outside the subfield; within others, all of it.
+  /// The area that straight swaths work outside the subfield; all of it within others.
   void add_overlap(std::size_t i, Parts& parts) const {
     const StripProfile &own = family_.tracks[i].subfield.straight(), &others = others_[i];
     const Intervals& driven = rows_[i].driven;
@@ -120,7 +120,7 @@ class SubfieldAccount {
     part(parts, Cause::kSides).uncovered_m2 += bare_m2(strip, left);
   }
 
-  /// What of the subfield in these rows of a strip no swath covers, passable obstacles apart.
+  /// The area of the subfield in these rows of a strip that no swath covers, passable obstacles apart.
   double bare_m2(const Track& strip, const Intervals& rows) const {
     double sum = 0;
     for (const Interval& stretch : rows) {
@@ -129,7 +129,7 @@ class SubfieldAccount {
       RisingCurves curves;
       for (const Ring& ring : shape_) append_ring(ring, Layer::kBody, box, curves);
       for (const Ring& ring : passable_) append_ring(ring, Layer::kTaken, box, curves);
-      worked_.append_taken(subfield_, box, {box}, {}, curves);
+      worked_.append_covered(subfield_, box, {box}, {}, curves);
       append_box(box, Layer::kNew, box, curves);
       sum += newly_covered_area(curves);
     }
@@ -152,7 +152,7 @@ double worked_by_detours_m2(const std::vector<LaidTracks>& tracks) {
   return sum;
 }
 
-/// Differences of areas that ought to be equal are nothing, be they above or below.
+/// Differences of areas that ought to be equal count as 0, of either sign.
 double without_rounding(double area_m2) { return area_m2 < kNoDifference_m2 ? 0 : area_m2; }
 
 Parts measured(const LaidPlan& plan) {
@@ -173,7 +173,7 @@ Parts measured(const LaidPlan& plan) {
   return parts;
 }
 
-/// Makes the parts sum to the tally's area, by the largest of them. Gives what was missing.
+/// Makes the parts sum to the tally's area by changing the largest of them. Returns what was missing.
 double settle(Parts& parts, double CausePart::*area_m2, double tally_m2) {
   double missing_m2 = tally_m2;
   CausePart* largest = &parts.front();

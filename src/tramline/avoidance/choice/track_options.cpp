@@ -67,7 +67,7 @@ class Valuer {
   RisingCurves surroundings(const Box& window, const std::vector<Box>& boxes) const {
     RisingCurves out;
     for (const Ring& ring : body_) append_ring(ring, Layer::kBody, window, out);
-    ground_.append_taken(blocked_.family, window, boxes, blocked_.place, out);
+    ground_.append_covered(blocked_.family, window, boxes, blocked_.place, out);
     return out;
   }
 

@@ -40,11 +40,11 @@ AffineBound along_chord(double from, double to, double m0, double m1, int sense,
           sense * slope * length * (middle - terms.pivot_along)};
 }
 
-/// How much lies inside grows with the shift (1) or shrinks (−1).
+/// Whether the length inside grows with the shift (1) or shrinks (−1).
 int sense_of(const BoundaryPart& part) { return rises(part) ? 1 : -1; }
 
-/// How much of a row lies inside that the part alone passes: less than nothing, or more than the width,
-/// where it passes beside the strip.
+/// Length inside of a row that only this part passes: negative, or more than the width, where it passes
+/// beside the strip.
 double inside_of(const BoundaryPart& part, double along, double width_m) {
   return rises(part) ? x_at(part, along) : width_m - x_at(part, along);
 }
@@ -81,7 +81,7 @@ double left_rows(const PartRow& row, const RowBoundTerms& terms) {
          std::max(0.0, inside - most_shift(row.from, row.to, terms));
 }
 
-/// The same moved at once, where the row cannot become wider than the strip.
+/// The same rows moved at once, where the row cannot become wider than the strip.
 AffineBound left_together(const PartRow& row, double least, const RowBoundTerms& terms) {
   const BoundaryPart& part = *row.parts.front();
   const double from = inside_of(part, row.from, terms.width_m), to = inside_of(part, row.to, terms.width_m);
