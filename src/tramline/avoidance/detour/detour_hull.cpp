@@ -46,8 +46,8 @@ Point normal_before(const Hull& hull, std::size_t vertex) {
   return (1 / length(edge)) * Point{-edge.y, edge.x};
 }
 
-/// Round a vertex of the hull, from one normal to another. Near half a circle chord and curvature say little
-/// about where an arc runs, so that one is drawn in two.
+/// Appends the arc round a vertex of the hull, from one normal to another. Near half a circle chord and
+/// curvature determine an arc poorly, so it is drawn in two parts.
 void draw_round(Pen& pen, Point centre, double radius, Point from, Point to) {
   constexpr double kWide = -0.6;  // cosine of 127 degrees
   if (dot(from, to) < kWide) {

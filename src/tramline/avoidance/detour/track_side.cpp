@@ -20,7 +20,7 @@ Box reach_between(const TrackSide& track, Interval range) {
   const int looks = 1 + static_cast<int>(range.length() / kEvery_m);
   Box out;
   for (int i = 0; i <= looks; ++i) {
-    const PathPoint on = track.curve->places.at(range.from + range.length() * i / looks);
+    const PathPoint on = track.curve->measured.at(range.from + range.length() * i / looks);
     const Point across = half * Point{-on.heading.y, on.heading.x};
     out.extend(on.at + across);
     out.extend(on.at - across);
