@@ -16,7 +16,7 @@ Point point_on(const PathSegment& segment, double along_m, double length_m) {
   return middle + Point{c * spoke.x - s * spoke.y, s * spoke.x + c * spoke.y};
 }
 
-/// Appends what of a segment lies between two lengths along it.
+/// Appends the part of a segment between two positions along it.
 void append(const PathSegment& segment, double from_m, double to_m, double length_m, Path& out) {
   if (from_m < kSamePlace_m) from_m = 0;
   if (to_m > length_m - kSamePlace_m) to_m = length_m;
