@@ -112,9 +112,9 @@ class SubfieldAccount {
       left = without(left, rows);
     };
     take(Cause::kDetours, rows_[i].in_detours);
-    take(Cause::kStops, strip.by_hard);
+    take(Cause::kStops, strip.hard_stretches);
     take(Cause::kShortPieces, rows_[i].in_short_pieces);
-    take(Cause::kRowEnds, strip.by_passable);
+    take(Cause::kRowEnds, strip.passable_stretches);
     take(Cause::kSeams, where_at_least(others_[i], kWidthTolerance));
     take(Cause::kRowEnds, passages(profile, family_.grid.width_m));
     part(parts, Cause::kSides).uncovered_m2 += bare_m2(strip, left);

@@ -105,7 +105,7 @@ bool is_short(const Interval& stretch, double min_length_m) {
 std::vector<std::size_t> hard_gaps(const Track& track) {
   std::vector<std::size_t> out;
   for (std::size_t gap = 1; gap < track.stretches.size(); ++gap)
-    if (!common(track.by_hard, {{track.stretches[gap - 1].to, track.stretches[gap].from}}).empty())
+    if (!common(track.hard_stretches, {{track.stretches[gap - 1].to, track.stretches[gap].from}}).empty())
       out.push_back(gap);
   return out;
 }

@@ -75,7 +75,7 @@ void GridTally::add_obstructed_strips(StripFold& fold, const StripGrid& grid, St
 
 /// The pieces as cut_pieces() makes them; most strips have no passable land and need none made.
 void GridTally::add_obstructed_strip(const Track& strip, const StripGrid& grid, Sums& sums) const {
-  if (strip.by_passable.empty()) {
+  if (strip.passable_stretches.empty()) {
     for (const Interval& whole : strip.stretches) {
       if (whole.length() < least_length_m()) continue;
       sums.add(whole.length(), strip.subfield.area_between(whole.from, whole.to), terms_.width_m);
