@@ -6,7 +6,7 @@
 
 namespace tramline {
 
-// Of numbers.
+// Relative tolerances.
 
 /// Relative, for what is computed from a number in a few steps: seven digits more than rounding takes.
 inline constexpr double kRounding_share = 1e-9;
@@ -14,7 +14,7 @@ inline constexpr double kRounding_share = 1e-9;
 /// precision grid or come from a file.
 inline constexpr double kPathRadius_share = 1e-6;
 
-// Of lengths. Coordinates of large fields have 1e-10 m.
+// Tolerances of lengths. The coordinates of large fields are exact to 1e-10 m.
 
 /// A shorter length has no direction and is no part of a path, m: it would be mostly rounding.
 inline constexpr double kShortest_m = 1e-9;
@@ -53,7 +53,7 @@ inline constexpr double kLeastGridSide_m = 1e-9;
 /// cells.
 inline constexpr double kFlattestGrid_share = 1e-3;
 
-// Of areas.
+// Tolerances of areas.
 
 /// Centres of arcs whose squared distance is no larger are one, m²: the square of kTouch_m.
 inline constexpr double kConcentric_m2 = 1e-18;
@@ -61,7 +61,7 @@ inline constexpr double kConcentric_m2 = 1e-18;
 /// km.
 inline constexpr double kNoHole_m2 = 1e-3;
 
-// Of headings, where the sine of a small angle is the angle.
+// Tolerances of headings, where the sine of a small angle is the angle.
 
 /// Offset curves along lines that turn by no more have no crossing that could be computed, rad.
 inline constexpr double kParallelCurves_rad = 1e-13;

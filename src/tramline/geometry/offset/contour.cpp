@@ -146,7 +146,7 @@ void append_parallel(const Contour& contour, double from, double to, double dist
     if (!going_on) at = beside(e, low, distance_m);
     going_on = true;
     const Point end = beside(e, high, distance_m);
-    // Where headings meet but for rounding, what is short comes to end behind where the one before ended.
+    // Where headings agree up to rounding, a short part may end behind the end of the one before.
     const bool ahead = dot(end - at, heading_at(e, 0.5 * (low + high))) > 0;
     if (!ahead || distance(at, end) <= kShortest_m) continue;
     out.push_back({at, end, curvature_beside(e, distance_m)});

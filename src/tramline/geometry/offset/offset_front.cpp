@@ -12,7 +12,7 @@
 namespace tramline {
 namespace {
 
-/// Of an arc's radius: what rounding may do to the distance from it.
+/// Relative to an arc's radius: largest rounding of a distance from the arc.
 constexpr double kRoundingOfRadius_share = 4e-16;
 
 /// The parallel of one element.
@@ -153,7 +153,7 @@ class FrontMaker {
     }
   }
 
-  /// How far along the element, in its own measure, the arc's point p lies; negative where it does not.
+  /// Position of p along the element, in its own measure; negative where p is not on the arc.
   double along_arc(std::size_t i, Point p) const {
     const ContourElement& e = contour_.elements[i];
     const Branch& branch = branches_[i];

@@ -68,7 +68,7 @@ void add_guard(Arrangement& to, Point a, Point b, double distance_m) {
   to.guards.push_back({a, b, distance_m, bounds(a, b).grown(distance_m)});
 }
 
-void add_shore(Arrangement& to, const OffsetBoundary& offset_boundary, std::size_t index) {
+void add_boundary(Arrangement& to, const OffsetBoundary& offset_boundary, std::size_t index) {
   const std::size_t n = offset_boundary.ring.size(), first = to.guards.size();
   const double d = offset_boundary.distance_m;
   std::vector<Point> normals;
@@ -110,8 +110,8 @@ void add_disc(Arrangement& to, const OffsetDisc& disc) {
         {offset_arc(disc.centre, disc.radius_m, at(i), at(i + 1)), disc.offset_boundary, {guard, guard}});
 }
 
-/// A line and the arc about one of its edge's ends touch where one goes over into the other.
-bool go_over(const Candidate& a, const Candidate& b) {
+/// Whether one is a line and the other the arc about an end of its edge: these touch where they join.
+bool touch_at_join(const Candidate& a, const Candidate& b) {
   if (a.curve.straight() == b.curve.straight()) return false;
   const Candidate& line = a.curve.straight() ? a : b;
   const Candidate& arc = a.curve.straight() ? b : a;
@@ -140,7 +140,7 @@ void cut_at_meetings(Arrangement& a) {
   for (const std::size_t i : order) {
     std::erase_if(open, [&](std::size_t j) { return a.candidates[j].curve.box.max_x < left(i); });
     for (const std::size_t j : open) {
-      if (go_over(a.candidates[i], a.candidates[j])) continue;
+      if (touch_at_join(a.candidates[i], a.candidates[j])) continue;
       for (const Point p : meetings(a.candidates[i].curve, a.candidates[j].curve)) {
         cut(a, i, p);
         cut(a, j, p);
@@ -170,7 +170,8 @@ void name_nodes(Arrangement& a) {
   }
 }
 
-/// Whether a point of the candidate is free; nullopt: it is not. `near` are guards that may be nearer.
+/// How surely a point of the candidate is free; nullopt where it is not. `near` are guards that may be
+/// nearer.
 std::optional<Standing> standing(const Arrangement& a, const Candidate& candidate, Point p,
                                  const std::vector<std::size_t>& near) {
   Standing out = Standing::kFree;
@@ -186,7 +187,7 @@ std::optional<Standing> standing(const Arrangement& a, const Candidate& candidat
 
 /// Around a disc, or where one offset boundary has a larger distance than the next, there may be land beyond
 /// the offset boundaries.
-bool beyond_shores(const Arrangement& a, Point p) {
+bool beyond_boundaries(const Arrangement& a, Point p) {
   for (std::size_t i = 0; i < a.outer.size(); ++i)
     if (contains((*a.offset_boundaries)[i].ring, p) != (a.outer[i] != 0)) return true;
   return false;
@@ -208,7 +209,7 @@ void keep_free_pieces(Arrangement& a) {
       if (next.node == last->node) continue;
       const Point middle = point_at(candidate.curve, 0.5 * (last->position + next.position));
       const auto is = standing(a, candidate, middle, near);
-      if (is && !beyond_shores(a, middle)) a.pieces.push_back({i, *last, next, *is, false});
+      if (is && !beyond_boundaries(a, middle)) a.pieces.push_back({i, *last, next, *is, false});
       last = &next;
     }
   }
@@ -256,7 +257,7 @@ OffsetPiece finished(const Arrangement& a, const Piece& piece) {
           candidate.offset_boundary};
 }
 
-/// From a piece that is free for sure back to it.
+/// A closed walk from a piece that is free for sure back to it.
 OffsetRing walk(Arrangement& a, Piece& start) {
   OffsetRing out;
   Piece* piece = &start;
@@ -280,7 +281,7 @@ std::vector<OffsetRing> offset_rings(const std::vector<OffsetBoundary>& offset_b
   a.offset_boundaries = &offset_boundaries;
   for (const OffsetBoundary& offset_boundary : offset_boundaries)
     a.outer.push_back(signed_area(offset_boundary.ring) > 0 ? 1 : 0);
-  for (std::size_t i = 0; i < offset_boundaries.size(); ++i) add_shore(a, offset_boundaries[i], i);
+  for (std::size_t i = 0; i < offset_boundaries.size(); ++i) add_boundary(a, offset_boundaries[i], i);
   for (const OffsetDisc& disc : discs) add_disc(a, disc);
   cut_at_meetings(a);
   name_nodes(a);

@@ -11,9 +11,8 @@ namespace tramline {
 /// and the distance to keep from it.
 struct OffsetBoundary {
   Ring ring;
-  double distance_m = 0;  ///< > 0
-  bool round_corners =
-      true;  ///< false: no arcs about corners that stand out into the land, which discs cover
+  double distance_m = 0;      ///< > 0
+  bool round_corners = true;  ///< false: no arcs about corners that stand out into the land: discs cover them
 };
 
 /// A disc that has to be kept free as well.

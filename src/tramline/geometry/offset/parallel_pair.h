@@ -23,8 +23,7 @@ struct ParallelPair {
   Intervals stretches;
   Intervals wide;  ///< positions with room for a disc of radius ρ on the far side
   std::vector<TrackJoin> joins;
-  Intervals
-      lost;  ///< parts of the stretches that the arcs' swaths reach or that lie in a corner cut off by an arc
+  Intervals lost;  ///< parts of the stretches that arcs' swaths reach or that lie in a cut-off corner
 };
 
 ParallelPair parallel_pair(const Contour& contour, double distance_m, const TrackLimits& limits, Sides sides);

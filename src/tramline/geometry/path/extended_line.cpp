@@ -31,7 +31,7 @@ std::optional<double> first_meeting(Point a, Point b, const PathSegment& segment
   return out;
 }
 
-/// Where the extension from a to b has to end. True where it is blocked.
+/// Shortens the extension from a to b to where it has to end. True where it is blocked.
 bool shorten(Point a, Point& b, const Path& path) {
   double share = 1;
   for (const PathSegment& segment : path)

@@ -17,8 +17,8 @@ double half_turn_tangent(Point before, Point after) {
   return -cross(before, after) / (1 + dot(before, after));
 }
 
-/// How far the right side of a swath is cut at each joint, per metre of half its width; negative where it is
-/// lengthened, and the left side then cut. 0 where ends are flat.
+/// Length by which the right side of a swath is cut at each joint, per metre of half its width; negative
+/// where it is lengthened and the left side is cut. 0 where ends are flat.
 class Mitres {
  public:
   Mitres(const Path& path, double half_m) {

@@ -211,7 +211,7 @@ class Trimmer {
     return true;
   }
 
-  /// On from part to part, at every crossing as far ahead as possible.
+  /// The line followed from part to part, at every crossing as far ahead as possible.
   std::vector<Point> followed_from(std::size_t part, std::vector<bool>& used) const {
     std::vector<Point> out;
     for (std::size_t i = part;;) {

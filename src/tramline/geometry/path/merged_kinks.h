@@ -18,8 +18,7 @@ double turn_at(Point a, Point b, Point c);
 /// A line with room for arcs.
 struct MergedKinks {
   std::vector<Point> line;
-  std::optional<std::size_t>
-      hairpin;  ///< the vertex of a hairpin tighter than can be driven; the line is unusable then
+  std::optional<std::size_t> hairpin;  ///< vertex of a hairpin too tight to drive; the line is then unusable
 };
 
 /// Moves and merges vertices until every edge has room for the tangents of arcs of `radius_m` at both its

@@ -83,7 +83,7 @@ struct Bound {
 
   // State of the sweep.
   double x = 0;      ///< in the middle of the slab
-  int side = 0;      ///< 1: right end of counted ground, −1: left end, 0: neither
+  int side = 0;      ///< 1: right end of counted area, −1: left end, 0: neither
   double since = 0;  ///< y since when it has been so
 };
 

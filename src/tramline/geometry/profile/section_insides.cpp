@@ -7,7 +7,7 @@
 namespace tramline {
 namespace {
 
-/// How exactly positions are found on arcs, m.
+/// Accuracy of positions on arcs, m.
 constexpr double kPosition_m = 1e-9;
 
 class Insides {

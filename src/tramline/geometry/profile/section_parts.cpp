@@ -53,7 +53,7 @@ class PartsMaker {
   void add(Point from, Point to) {
     Point a = frame_.local(from), b = frame_.local(to);
     if (frame_.straight()) return add_monotonic(a, b);
-    // What lies behind the centre is on none of the arc's cross-sections: it turns by half a circle at most.
+    // Points behind the centre are on none of the arc's cross-sections: it turns by half a circle at most.
     if (a.x < 0 && b.x < 0) return;
     if (a.x < 0) a = {0, a.y + (b.y - a.y) * (a.x / (a.x - b.x))};
     if (b.x < 0) b = {0, b.y + (a.y - b.y) * (b.x / (b.x - a.x))};

@@ -12,7 +12,7 @@ namespace tramline {
 /// at them. `half_width` is that of the profile, `along` a position along the segment.
 double across_at(const SegmentProfile& segment, double half_width, const SectionPart& part, double along);
 
-/// Where the boundary crosses the right ends of the cross-sections.
+/// A crossing of the boundary with the right ends of the cross-sections.
 struct RightCrossing {
   double along;
   int change;  ///< +1: the region begins there

@@ -38,7 +38,7 @@ struct StripProfile {
 std::vector<StripProfile> cross_sections(const Region& turned, const StripGrid& grid, StripRange range,
                                          const StripMask& wanted = {});
 
-/// Where the cross-section is at least `width_m` (> 0) long.
+/// The stretches in which the cross-section is at least `width_m` (> 0) long.
 Intervals where_at_least(const StripProfile& profile, double width_m);
 
 /// Area of the region within the strip between two positions along, m².
