@@ -155,7 +155,7 @@ double worked_by_detours_m2(const std::vector<LaidTracks>& tracks) {
 /// Differences of areas that ought to be equal count as 0, of either sign.
 double without_rounding(double area_m2) { return area_m2 < kNoDifference_m2 ? 0 : area_m2; }
 
-Parts measured(const LaidPlan& plan) {
+Parts parts_by_cause(const LaidPlan& plan) {
   Parts parts{};
   const WorkedGround worked = worked_by(plan.families, plan.tracks);
   for (std::size_t i = 0; i < plan.subfields.size(); ++i) SubfieldAccount(plan, i, worked).add_to(parts);
@@ -174,7 +174,7 @@ Parts measured(const LaidPlan& plan) {
 }
 
 /// Makes the parts sum to the tally's area by changing the largest of them. Returns what was missing.
-double settle(Parts& parts, double CausePart::*area_m2, double tally_m2) {
+double sum_to(Parts& parts, double CausePart::*area_m2, double tally_m2) {
   double missing_m2 = tally_m2;
   CausePart* largest = &parts.front();
   for (CausePart& each : parts) {
@@ -188,9 +188,9 @@ double settle(Parts& parts, double CausePart::*area_m2, double tally_m2) {
 }  // namespace
 
 CostCauses causes_of(const LaidPlan& plan, const Objective& objective) {
-  CostCauses out{measured(plan), 0, 0};
-  out.overlap_rounding_m2 = settle(out.parts, &CausePart::overlap_m2, plan.tally.overlap_m2);
-  out.uncovered_rounding_m2 = settle(out.parts, &CausePart::uncovered_m2, plan.tally.uncovered_m2);
+  CostCauses out{parts_by_cause(plan), 0, 0};
+  out.overlap_rounding_m2 = sum_to(out.parts, &CausePart::overlap_m2, plan.tally.overlap_m2);
+  out.uncovered_rounding_m2 = sum_to(out.parts, &CausePart::uncovered_m2, plan.tally.uncovered_m2);
   for (CausePart& each : out.parts)
     each.cost = objective.overlap * each.overlap_m2 + objective.uncovered * each.uncovered_m2;
   part(out.parts, Cause::kTurns).cost += objective.turn * plan.tally.turns;

@@ -12,7 +12,7 @@ struct PricedOrigin {
   double cost = 0;
 };
 
-/// λo·o + λu·u + λt·(pieces − crossings) + λs·stops.
+/// The cost λo·o + λu·u + λt·(pieces − crossings) + λs·stops.
 double separate_cost(const Objective& objective, const Tally& tally);
 
 /// The cheapest offset of all in [0, w). Between the offsets at which a vertex meets a strip line, or the

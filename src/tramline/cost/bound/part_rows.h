@@ -11,7 +11,7 @@ namespace tramline {
 
 /// Whether the part runs up the strip. The region lies on its left.
 inline bool rises(const BoundaryPart& part) { return part.to.y > part.from.y; }
-/// Where the line through a part that does not lie along the row passes it.
+/// Coordinate across where the line through a part, which must not lie along the row, passes the row.
 inline double x_at(const BoundaryPart& part, double along) {
   return part.from.x + (part.to.x - part.from.x) * ((along - part.from.y) / (part.to.y - part.from.y));
 }

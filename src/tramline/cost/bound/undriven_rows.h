@@ -7,7 +7,7 @@
 
 namespace tramline {
 
-/// How a strip is driven, and how far the boundary may move in it.
+/// The terms of driving a strip and of the boundary's moves in it.
 struct DrivenTerms {
   double least_width_m = 0;  ///< of a row that may be driven
   double shortest_m = 0;     ///< least length of a driven piece

@@ -42,7 +42,7 @@ class WorkedGround {
   struct Worked {
     TrackWork work;
     std::vector<Box> reach;      ///< of the detours
-    std::vector<Swath> along{};  ///< where a curved track is kept to
+    std::vector<Swath> along{};  ///< parts of a curved track that are kept to
     Box whole{};                 ///< of all of `along`
   };
   struct Family {

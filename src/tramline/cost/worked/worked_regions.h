@@ -10,10 +10,10 @@ struct WorkedRegions {
   Region uncovered;  ///< body that no swath covers
 };
 
-/// By polygon booleans on the precision grid. Overlap of swaths is found pair by pair among those whose boxes
-/// meet. `swaths` may be whole ones or parts that only touch: rectangles as such, bands along arcs by their
-/// chords. `grounds`, where known, are regions that together cover what the swaths do; they may overlap one
-/// another, the parts of one may not.
+/// Computed by polygon booleans on the precision grid. Overlap of swaths is found pair by pair among those
+/// whose boxes meet. `swaths` may be whole ones or parts that only touch: rectangles as such, bands along
+/// arcs by their chords. `grounds`, where known, are regions that together cover what the swaths do; they may
+/// overlap one another, the parts of one may not.
 WorkedRegions worked_regions(const Region& body, const Region& swaths);
 WorkedRegions worked_regions(const Region& body, const Region& swaths, const std::vector<Region>& grounds);
 
