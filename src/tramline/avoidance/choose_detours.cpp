@@ -20,7 +20,7 @@ Avoided as_decided(const AvoidanceTask& task, const DetourDecisions& decisions) 
   return out;
 }
 
-Avoided the_papers(const AvoidanceTask& task, const Avoided& cut, DetourDecisions& decisions) {
+Avoided paper_plan(const AvoidanceTask& task, const Avoided& cut, DetourDecisions& decisions) {
   decisions.allow(WaysPast::kPaper);
   return decisions.choose_paper_ways() ? as_decided(task, decisions) : cut;
 }
@@ -35,7 +35,7 @@ Avoided improved(const AvoidanceTask& task, Avoided start, WaysPast ways, Detour
 }
 
 Avoided decided(const AvoidanceTask& task, Avoided cut, DetourDecisions& decisions) {
-  Avoided paper = the_papers(task, cut, decisions);
+  Avoided paper = paper_plan(task, cut, decisions);
   if (task.settings.avoid == Avoidance::kPaper) return paper;
   Avoided own = improved(task, std::move(cut), WaysPast::kOwn, decisions);
   return is_better(paper, own) ? improved(task, std::move(paper), WaysPast::kBoth, decisions) : own;

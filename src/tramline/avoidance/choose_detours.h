@@ -34,7 +34,7 @@ struct Avoided {
 /// than to stay at home.
 bool is_better(const Avoided& a, const Avoided& b);
 
-///
+/// The tracks with the detours that the settings ask for:
 /// - cut: none (S1.40);
 /// - paper: S1's (S1.26-S1.39), each track for itself;
 /// - cheapest: track by track the choice that costs least while the others stay as they are, again and

@@ -19,7 +19,7 @@ inline constexpr double kTip_m = 0.01;
 
 // A detour that only rounding brings nearer is not refused, and none is found that the bound excludes.
 static_assert(kClearanceSlack_m >= kWidthTolerance + kGridSize && kClearanceSlack_m < kBoundSlack_m);
-// A gap that is wider by a tip is still longer than no piece.
+// A tip is longer than a stretch that is no piece.
 static_assert(kNoPiece_m < kTip_m);
 
 }  // namespace tramline

@@ -53,8 +53,8 @@ double length_of(const Intervals& parts) {
   return sum;
 }
 
-/// What joining the pieces at the option's gaps can save at most: turns, stops, and short stretches
-/// that would be dropped between cuts.
+/// Largest saving by joining the pieces at the option's gaps: turns, stops, and short stretches that would be
+/// dropped between cuts.
 double saved_at_most(const TrackOption& option, const TrackTerms& terms) {
   const Objective& prices = terms.objective;
   const double gaps = static_cast<double>(option.way.last_gap - option.way.first_gap + 1);

@@ -49,7 +49,7 @@ class Valuer {
     return newly_covered_area(curves);
   }
 
-  /// Where the track may be driven within a range.
+  /// The stretches in which the track may be driven within a range.
   double of_stretches(const Interval& range) const {
     double sum = 0;
     for (const Interval& part : common(track_.stretches, {range})) sum += of_part(part);

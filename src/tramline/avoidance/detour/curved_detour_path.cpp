@@ -166,7 +166,7 @@ std::optional<CurvedDetourPath> curved_detour_path(const std::vector<KeepOut>& d
   const Approach there = mirrored(*in, hull);
   if (from >= to || there.vertex > out->vertex || !goes_ahead(track.measured, from, to)) return std::nullopt;
   if (there.vertex == out->vertex && cross(there.normal, out->normal) > 0) return std::nullopt;
-  return CurvedDetourPath{drawn(hull, there, *out, radius_m), from, to};
+  return CurvedDetourPath{hull_path(hull, there, *out, radius_m), from, to};
 }
 
 }  // namespace tramline

@@ -6,7 +6,7 @@
 
 namespace tramline {
 
-/// x runs along the track's tangent at one place of it. Passing on the right mirrors the plane. Shapes are
+/// x runs along the track's tangent at one of its points. Passing on the right mirrors the plane. Shapes are
 /// moved to and from the plane of the track.
 class DetourFrame {
  public:

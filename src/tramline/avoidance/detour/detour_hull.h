@@ -31,7 +31,7 @@ struct Approach {
 };
 Approach mirrored(Approach approach, const Hull& hull);
 
-/// Slope of the steepest line back to the track, rad.
+/// Angle of the steepest line back to the track, rad.
 inline constexpr double kSteepest = 75 * std::numbers::pi / 180;
 /// A descending line of the steepest slope that touches the hull: the outward normal there, the vertex, and
 /// the line's distance from the origin. The caller fills in the arc's centre and end.
@@ -43,6 +43,6 @@ SteepLine steepest_line(const Hull& hull);
 
 /// The path from the track round the hull and back, arcs of radius `arc` at both ends. Segments shorter than
 /// a nanometre are left out. Precondition: in.vertex <= out.vertex.
-Path drawn(const Hull& hull, const Approach& in, const Approach& out, double arc);
+Path hull_path(const Hull& hull, const Approach& in, const Approach& out, double arc);
 
 }  // namespace tramline

@@ -33,7 +33,7 @@ Approach first_touch(const Hull& hull, double arc) {
       }
     }
     if (i + 1 == hull.centres.size()) break;
-    // On the edge to the next vertex, whose normal points up.
+    // The edge to the next vertex, whose normal points up.
     const Point edge = hull.centres[i + 1] - v;
     const Point normal = (1 / length(edge)) * Point{-edge.y, edge.x};
     if (edge.y >= 0) continue;  // a rising edge faces the other way
@@ -76,7 +76,7 @@ std::optional<Path> path_round(const Hull& hull, double arc) {
   if (!out || !in) return std::nullopt;
   const Approach there = mirrored(*in, hull);
   if (there.vertex > out->vertex) return std::nullopt;
-  return drawn(hull, there, *out, arc);
+  return hull_path(hull, there, *out, arc);
 }
 
 }  // namespace
