@@ -13,7 +13,7 @@ namespace tramline {
 std::vector<Path> clear_stretches(const Path& path, const std::vector<OffsetBoundary>& offset_boundaries,
                                   double step_m);
 
-/// A boundary, and how far the edge of a swath has to stay away from it, m: 0 where it may touch it.
+/// A boundary and the distance that the edge of a swath has to keep from it, m; 0 where it may touch it.
 struct SwathLimit {
   Ring ring;
   double distance_m = 0;

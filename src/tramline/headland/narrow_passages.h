@@ -11,8 +11,7 @@ namespace tramline {
 /// The cost of driving rings, by their meetings first, then by the area they leave or double.
 struct RingsCost {
   int meetings = 0;
-  double missed_and_doubled_m2 =
-      0;  ///< area left, times kMissedToDoubled, plus area doubled; up to a constant
+  double missed_and_doubled_m2 = 0;  ///< kMissedToDoubled · area left + area doubled; up to a constant
 };
 using CostOfRings = std::function<RingsCost(const std::vector<OffsetRing>&)>;
 

@@ -6,7 +6,7 @@
 
 namespace tramline {
 
-// Of lengths.
+// Tolerances of lengths.
 
 /// Excess of a circle's radius over the machine's, m: what the circle just touches is then nearer for sure.
 inline constexpr double kCoversSurely_m = 1e-8;
@@ -35,7 +35,7 @@ inline constexpr double kBeside_m = 1e-4;
 /// A pass is not extended by less, m.
 inline constexpr double kNoRun_m = 1e-4;
 
-// Of headings.
+// Tolerances of headings.
 
 /// A smaller turn is none, rad.
 inline constexpr double kStraightOn_rad = 1e-7;
@@ -43,7 +43,7 @@ inline constexpr double kStraightOn_rad = 1e-7;
 /// nodes on short pieces.
 inline constexpr double kKink_rad = 1e-6;
 
-// Of areas.
+// Tolerances of areas.
 
 /// A path whose area is less than width · length by more than this meets itself, m²: rounding of the area of
 /// a long pass.

@@ -10,7 +10,7 @@ namespace tramline {
 
 /// Ground that is left counts as much as five times the area worked again, as the default prices have it.
 inline constexpr double kMissedToDoubled = 5;
-/// The begin or the interruption of a pass counts as this much ground worked again, m²: a stop at the default
+/// The start or interruption of a pass counts as this much ground worked again, m²: a stop at the default
 /// prices.
 inline constexpr double kEndsOfPass_m2 = 250;
 
