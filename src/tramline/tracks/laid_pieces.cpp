@@ -119,7 +119,7 @@ void close(const Track& track, std::vector<JoinedStretch>& stretches) {
 }
 
 /// The stretches along a track, repeated beyond its length for a closed one.
-Intervals going_on(const Intervals& along, double length_m) {
+Intervals repeated_beyond_end(const Intervals& along, double length_m) {
   Intervals out = along;
   for (const Interval& one : along) append_joining(out, {one.from + length_m, one.to + length_m});
   return out;
@@ -171,7 +171,8 @@ std::vector<JoinedStretch> joined_stretches(const Intervals& stretches,
 
 void append_joined(const Track& track, const JoinedStretch& joined, double min_length_m, LaidTracks& out) {
   std::vector<LaidPart> parts = parts_between_crossings(
-      joined, track.closed ? going_on(track.passable_stretches, track.length_m) : track.passable_stretches);
+      joined, track.closed ? repeated_beyond_end(track.passable_stretches, track.length_m)
+                           : track.passable_stretches);
   const auto is_long = [min_length_m](const LaidPart& part) { return part.length_m >= min_length_m; };
   const auto first = std::find_if(parts.begin(), parts.end(), is_long);
   const auto last = std::find_if(parts.rbegin(), parts.rend(), is_long).base();

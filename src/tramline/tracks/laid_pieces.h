@@ -33,7 +33,7 @@ struct LaidPiece {
   std::vector<TrackDetour> detours{};  ///< along the track, not overlapping
 };
 
-/// Where the piece keeps to its track: before, between and after its detours.
+/// The stretches in which the piece keeps to its track: before, between and after its detours.
 Intervals parts_on_track(const LaidPiece& piece);
 
 /// The same parts as paths in the frame of the grid. Precondition: the piece is one of a curved track.
