@@ -8,7 +8,7 @@
 
 namespace tramline {
 
-/// From an event's vertex through the field's inside to the next boundary.
+/// A cut from an event's vertex through the field's inside to the next boundary.
 struct Cut {
   Point from;     ///< the vertex
   Point to;       ///< a vertex, or a point on `edge`
