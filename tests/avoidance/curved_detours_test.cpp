@@ -101,7 +101,7 @@ TEST(CurvedDetourPath, on_a_straight_track_is_the_straight_detour) {
     for (int k = std::uniform_int_distribution<int>(1, 5)(random); k > 0; --k)
       discs.push_back({{uniform(random, -6, 6), uniform(random, -half, 9)}, half});
     const std::optional<Path> straight = detour_path(discs, radius);
-    const TrackLine line{PathPlaces(straight_path({-200, 0}, {200, 0})), 194, 206};
+    const TrackLine line{MeasuredPath(straight_path({-200, 0}, {200, 0})), 194, 206};
     const auto curved = curved_detour_path(discs, radius, line);
     ASSERT_EQ(straight.has_value(), curved.has_value()) << i;
     if (!straight) continue;

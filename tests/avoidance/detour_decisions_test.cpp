@@ -36,12 +36,12 @@ TEST(DetourDecisions, ForgetWhatWasChosenBefore) {
     const AvoidanceTask task = field.task();
     DetourDecisions fresh(task), used(task);
     used.allow(WaysPast::kPaper);
-    ASSERT_TRUE(used.take_paper_ways());
+    ASSERT_TRUE(used.choose_paper_ways());
     ASSERT_FALSE(detours_of(used.tracks()).empty());
     used.improve();
     used.encounters();
     used.allow(WaysPast::kOwn);
-    used.take_from(all_cut(task).tracks);
+    used.choose_from(all_cut(task).tracks);
     EXPECT_TRUE(detours_of(used.tracks()).empty());
     EXPECT_EQ(fresh.improve(), used.improve());
     ASSERT_FALSE(detours_of(fresh.tracks()).empty());

@@ -116,7 +116,7 @@ TEST(WorkedGround, is_what_polygon_booleans_find_whatever_the_families) {
       RisingCurves curves;
       append_box(window, Layer::kBody, window, curves);
       append_box(window, Layer::kNew, window, curves);
-      ground.append_taken(home, window, {window}, except, curves);
+      ground.append_covered(home, window, {window}, except, curves);
       const double left_m2 = newly_covered_area(curves);
 
       const Region seen = frame.to_field(Region{{ring_of(window), {}}});

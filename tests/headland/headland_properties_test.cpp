@@ -116,7 +116,7 @@ std::vector<HeadlandPass> where_it_can_turn(const Field& field, const HeadlandTe
 bool any_meet(const std::vector<HeadlandPass>& rings) {
   std::vector<Path> paths;
   for (const HeadlandPass& ring : rings) paths.push_back(ring.path);
-  return meeting_places(paths) > 0;
+  return meeting_count(paths) > 0;
 }
 
 TEST(HeadlandProperties, HoldWhereThereAreNecks) {

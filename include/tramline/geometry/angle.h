@@ -1,6 +1,6 @@
 #pragma once
-// Angles as types: an Angle is a turn, a Direction is axial (modulo 180 degrees, what a track has),
-// a Heading is modulo 360 degrees (what a machine has). None is made from a bare double.
+// Angles as types: an Angle is an amount of turning, a Direction is axial (modulo 180 degrees, as of a
+// track), a Heading is modulo 360 degrees (as of a machine). None can be made from a bare double.
 
 #include <cmath>
 #include <limits>

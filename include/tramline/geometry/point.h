@@ -24,12 +24,12 @@ inline double distance(Point a, Point b) { return length(b - a); }
 constexpr Point midpoint(Point a, Point b) { return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}; }
 constexpr Point left_of(Point direction) { return {-direction.y, direction.x}; }
 constexpr Point right_of(Point direction) { return {direction.y, -direction.x}; }
-/// Anticlockwise.
+/// The vector turned anticlockwise.
 inline Point turned(Point direction, double angle_rad) {
   const double c = std::cos(angle_rad), s = std::sin(angle_rad);
   return {c * direction.x - s * direction.y, s * direction.x + c * direction.y};
 }
-/// From a point to the nearest of the segment from a to b, which may be a point itself.
+/// Distance from a point to the segment from a to b, which may have no length.
 inline double distance_to_segment(Point p, Point a, Point b) {
   const Point along = b - a;
   const double square = dot(along, along);

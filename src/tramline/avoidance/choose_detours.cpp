@@ -10,7 +10,7 @@
 namespace tramline {
 namespace {
 
-/// The tracks as they are decided now.
+/// The tracks as decided at present.
 Avoided as_decided(const AvoidanceTask& task, const DetourDecisions& decisions) {
   Avoided out;
   out.tracks = decisions.tracks();
@@ -20,22 +20,22 @@ Avoided as_decided(const AvoidanceTask& task, const DetourDecisions& decisions) 
   return out;
 }
 
-Avoided the_papers(const AvoidanceTask& task, const Avoided& cut, DetourDecisions& decisions) {
+Avoided paper_plan(const AvoidanceTask& task, const Avoided& cut, DetourDecisions& decisions) {
   decisions.allow(WaysPast::kPaper);
-  return decisions.take_paper_ways() ? as_decided(task, decisions) : cut;
+  return decisions.choose_paper_ways() ? as_decided(task, decisions) : cut;
 }
 
-/// The better of a plan and what comes of it track by track.
+/// The better of a plan and its improvement track by track.
 Avoided improved(const AvoidanceTask& task, Avoided start, WaysPast ways, DetourDecisions& decisions) {
   decisions.allow(ways);
-  decisions.take_from(start.tracks);
+  decisions.choose_from(start.tracks);
   if (!decisions.improve()) return start;
   Avoided out = as_decided(task, decisions);
   return is_better(out, start) ? out : start;
 }
 
 Avoided decided(const AvoidanceTask& task, Avoided cut, DetourDecisions& decisions) {
-  Avoided paper = the_papers(task, cut, decisions);
+  Avoided paper = paper_plan(task, cut, decisions);
   if (task.settings.avoid == Avoidance::kPaper) return paper;
   Avoided own = improved(task, std::move(cut), WaysPast::kOwn, decisions);
   return is_better(paper, own) ? improved(task, std::move(paper), WaysPast::kBoth, decisions) : own;
@@ -62,7 +62,7 @@ std::vector<PlacedEncounter> encounters_in(const AvoidanceTask& task, const Avoi
   DetourDecisions decisions =
       avoided.decisions.empty() ? DetourDecisions(task) : DetourDecisions(task, avoided.decisions);
   decisions.allow(avoided.ways);
-  decisions.take_from(avoided.tracks);
+  decisions.choose_from(avoided.tracks);
   return decisions.encounters();
 }
 

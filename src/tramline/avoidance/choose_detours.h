@@ -1,5 +1,5 @@
 #pragma once
-// Which obstacles are driven round, on which side, and which tracks are cut.
+// The choice of which obstacles are driven round, on which side, and which tracks are cut.
 
 #include <cstdint>
 
@@ -10,7 +10,7 @@
 
 namespace tramline {
 
-/// Everything the decisions of one candidate depend on. Refers to its arguments.
+/// The input of the decisions of one candidate. Refers to its arguments.
 struct AvoidanceTask {
   const Field& field;
   const ClassifiedGround& ground;
@@ -26,14 +26,15 @@ struct Avoided {
   std::vector<LaidTracks> tracks;  ///< by family
   Tally tally;
   double cost = 0;
-  std::vector<Decision> decisions;  ///< the ways that were found past obstacles; none where all are to be cut
-  WaysPast ways = WaysPast::kOwn;   ///< those the tracks were chosen from
+  std::vector<Decision> decisions;  ///< the ways found past obstacles; none where all tracks are to be cut
+  WaysPast ways = WaysPast::kOwn;   ///< those that the detours were chosen from
 };
 
-/// Cheaper, and not by working nothing: where turns are dear nothing costs less than to stay at home.
+/// Whether a is cheaper than b and not just by working nothing: where turns are expensive nothing costs less
+/// than to stay at home.
 bool is_better(const Avoided& a, const Avoided& b);
 
-/// The tracks with the detours the settings ask for:
+/// The tracks with the detours that the settings ask for:
 /// - cut: none (S1.40);
 /// - paper: S1's (S1.26-S1.39), each track for itself;
 /// - cheapest: track by track the choice that costs least while the others stay as they are, again and
@@ -42,17 +43,16 @@ bool is_better(const Avoided& a, const Avoided& b);
 /// Costs are exact: every area is cut by lines and arcs. Deterministic.
 Avoided choose_detours(const AvoidanceTask& task);
 
-/// An encounter with its place on the track.
+/// An encounter with its position on the track.
 struct PlacedEncounter : Encounter {
   int branch = 0;    ///< Track::branch
   Interval between;  ///< the stretch that cannot be driven, along the track
 };
 
-/// What was decided where, for tracks that choose_detours laid: by family, track and place.
+/// The decisions at all gaps of tracks laid by choose_detours, by family, track and position.
 /// Encounter::subfield is the family, Encounter::track is Track::index, sides are seen along the track, and
-/// costs are those of the best choice for the track with that way at this place, above the best one with a
-/// cut. The ways that were found are not looked for again; where all tracks were to be cut they are looked
-/// for now.
+/// costs are those of the best choice for the track with that way at this position, above the best one with a
+/// cut. Ways already found are reused; where all tracks were to be cut they are searched for now.
 std::vector<PlacedEncounter> encounters_in(const AvoidanceTask& task, const Avoided& avoided);
 
 }  // namespace tramline

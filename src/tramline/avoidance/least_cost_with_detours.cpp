@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// How far a ring reaches across between two positions along. Empty where it does not come there.
+/// Extent of a ring across between two positions along. Empty where it does not reach there.
 Interval reach_across(const Ring& ring, const Interval& along) {
   Interval out{kNever, -kNever};
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -29,7 +29,7 @@ Interval reach_across(const Ring& ring, const Interval& along) {
   return out;
 }
 
-/// Ground of one subfield that detours may work, in its turned plane.
+/// The land of one subfield that detours may work, in its turned plane.
 class DetourZones {
  public:
   DetourZones(const AvoidanceTask& task, const TrackFrame& frame)
@@ -50,10 +50,10 @@ class DetourZones {
     return complement(joined, whole);
   }
 
-  /// A detour past the gap is at least so much longer than what it replaces of the track, the gap included.
-  /// It begins and ends within `near`, but for the foot of a slope that is as steep as slopes get, and on
-  /// either side it passes whatever of the hazards in the gap lies between the gap's ends. Infinite where
-  /// that is beyond the field.
+  /// Least additional length of a detour past the gap over the part of the track it replaces, the gap
+  /// included. It begins and ends within `near`, except for the foot of a slope of the steepest kind, and on
+  /// either side it passes all of the gap's hazards between the gap's ends. Infinite where that is beyond the
+  /// field.
   double longer_m(double left, const Interval& gap, const Interval& near) const {
     const double centre = left + 0.5 * width_m_;
     const Interval past = past_hazards(left, gap);
@@ -65,7 +65,7 @@ class DetourZones {
   }
 
  private:
-  /// Where the centre lines of detours on either side have to get.
+  /// The positions across that the centre lines of detours on either side have to reach.
   Interval past_hazards(double left, const Interval& gap) const {
     const double centre = left + 0.5 * width_m_, half = 0.5 * width_m_ - kBoundSlack_m;
     Interval out{centre, centre};
@@ -83,7 +83,7 @@ class DetourZones {
     return out;
   }
 
-  /// Of two straight lines to a point beside the track and back.
+  /// Additional length of two straight lines to a point beside the track and back.
   static double excess_m(double aside_m, const Interval& near) {
     constexpr double kFoot = 0.6;  // more than twice the cotangent of 75 degrees, the steepest slope
     const double along_m = near.length() + kFoot * aside_m;
@@ -98,13 +98,13 @@ class DetourZones {
 /// Turns and stops between two pieces of a strip, or at its end, that a detour may save.
 struct Saving {
   double cost = 0;
-  double longer_m = 0;  ///< no detour that saves them drives less besides; infinite: none does
+  double longer_m = 0;  ///< least additional length of a detour that saves them; infinite: there is none
 };
 
 struct Sums {
-  double over_m2 = 0, under_m2 = 0;   ///< where no detour comes
+  double over_m2 = 0, under_m2 = 0;   ///< where no detour can come
   double worked_m2 = 0, body_m2 = 0;  ///< elsewhere: worked with all tracks cut, and to be worked
-  int pieces = 0;                     ///< that no detour joins to others
+  int pieces = 0;                     ///< pieces that no detour joins to others
   std::vector<Saving> savings;
 };
 
@@ -112,9 +112,8 @@ bool lies_in(const LaidPiece& piece, const Interval& stretch) {
   return piece.from >= stretch.from - kNoPiece_m && piece.to <= stretch.to + kNoPiece_m;
 }
 
-/// How much longer than the track detours past the gaps of a strip are at least. One detour may bridge
-/// several gaps of the same ground, and is there for one of them: so each counts for a share of the least
-/// that any of them asks for.
+/// Least additional length of detours past the gaps of a strip. One detour may bridge several gaps of the
+/// same stretch of land, so each counts for a share of the least that any of them requires.
 std::vector<double> longer_past_gaps(const Track& strip, double left, const Intervals& near,
                                      const DetourZones& zones) {
   std::vector<double> out(strip.stretches.size(), kNever);
@@ -133,8 +132,8 @@ std::vector<double> longer_past_gaps(const Track& strip, double left, const Inte
   return out;
 }
 
-/// What is between the stretches of one strip that are driven when all tracks are cut. A detour that changes
-/// anything there bridges a gap whole, where detours come.
+/// Appends the possible savings between the stretches of one strip that are driven when all tracks are cut. A
+/// detour that changes anything there bridges a whole gap, where detours can come.
 void append_savings(const Track& strip, const std::vector<const LaidPiece*>& pieces,
                     const std::vector<double>& longer_m, const Objective& price, std::vector<Saving>& out) {
   const Intervals& stretches = strip.stretches;
@@ -155,7 +154,7 @@ void append_savings(const Track& strip, const std::vector<const LaidPiece*>& pie
   out.push_back({stop_before, least_m});
 }
 
-/// What one strip costs at least.
+/// Adds the least cost of one strip.
 void add_strip(const Track& strip, const std::vector<const LaidPiece*>& pieces, double left,
                const Interval& whole, const DetourZones& zones, const AvoidanceTask& task, Sums& sums) {
   const double width_m = task.machine.width_m;
@@ -172,11 +171,10 @@ void add_strip(const Track& strip, const std::vector<const LaidPiece*>& pieces, 
   append_savings(strip, pieces, longer_past_gaps(strip, left, near, zones), task.objective, sums.savings);
 }
 
-/// What the ground that detours may work costs at least. All that is driven with all tracks cut is driven
-/// with detours too, or a detour is in its place that is as long and by its gaps longer; and no more is
-/// useful than there is body. So a square metre worked more than that costs the price of overlap, whereby
-/// turns and stops are saved. The same holds for any price below: where much is left without work, that says
-/// more.
+/// Least cost of the land that detours may work. All that is driven with all tracks cut is also driven with
+/// detours, or replaced by a detour that is as long and longer by its gaps; and no more is useful than there
+/// is body. So each further square metre worked costs the price of overlap, in exchange for turns and stops.
+/// The same holds for any lower price, which gives a better bound where much land is left unworked.
 double least_near(const Sums& sums, double width_m, const Objective& price) {
   constexpr int kPrices = 4;
   double most = 0;
@@ -231,7 +229,7 @@ double least_cost_with_detours(const AvoidanceTask& task, const Avoided& cut) {
       add_strip(strip, pieces, grid.line(strip.index), whole, zones, task, sums);
     }
   }
-  // Beside its own subfield a swath may work ground of another; a piece too short to be driven may be driven
+  // Besides its own subfield a swath may work land of another; a piece too short to be driven may be driven
   // after all where a detour joins it to the next.
   const double across_borders_m2 = std::max(0.0, cut.tally.worked_m2 - cut.tally.overlap_m2 - own_m2) +
                                    static_cast<double>(dropped) * width_m * width_m;

@@ -1,5 +1,5 @@
 #pragma once
-// Why a way past an obstacle is none.
+// Reasons for refusing a way past an obstacle.
 
 #include <cstdint>
 
@@ -7,7 +7,7 @@ namespace tramline {
 
 enum class Refusal : std::uint8_t {
   kNone,  ///< it can be driven
-  // Of a detour round what is in the way.
+  // Reasons for a detour round what is in the way.
   kNoRoomBetween,
   kNotBlocked,
   kNoWayBack,
@@ -18,7 +18,7 @@ enum class Refusal : std::uint8_t {
   kEntersPassable,
   kFarTooExpensive,
   kBesideOthers,
-  // Of the paper's constructions.
+  // Reasons for the paper's constructions.
   kVersleijenEndsBefore,
   kTooTight,
   kMeetsObstacle,
@@ -28,7 +28,7 @@ enum class Refusal : std::uint8_t {
   kVersleijenOtherSide,
 };
 
-/// For people: "it would leave the field"; "" for kNone.
+/// The reason in words: "it would leave the field"; "" for kNone.
 const char* sentence(Refusal refusal);
 
 }  // namespace tramline

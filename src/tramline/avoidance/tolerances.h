@@ -1,6 +1,6 @@
 #pragma once
-// How near detours may come to what they avoid, and what they have to save. What one algorithm alone needs
-// stands with it.
+// Tolerances of the distance that detours keep and of the cost that they save. Tolerances of a single
+// algorithm stand with it.
 
 #include "tramline/geometry/tolerances.h"
 #include "tramline/tracks/tolerances.h"
@@ -10,16 +10,16 @@ namespace tramline {
 /// Costs that differ by no more are equal: smaller savings are rounding.
 inline constexpr double kRounding_cost = 1e-9;
 
-/// What the width tolerance, rounding and the precision grid may take off a distance, m.
+/// Largest loss of a distance to the width tolerance, rounding and the precision grid, m.
 inline constexpr double kClearanceSlack_m = 2e-5;
-/// What a bound of detours grants them, m: more than is granted to detours themselves.
+/// Slack that a bound grants to detours, m: more than detours themselves get.
 inline constexpr double kBoundSlack_m = 1e-3;
 /// Tips of hazards thinner than the width tolerance lie outside the gap; they are no longer than this, m.
 inline constexpr double kTip_m = 0.01;
 
-// A detour that only rounding brings nearer is not refused, and none is found that the bound has left out.
+// A detour that only rounding brings nearer is not refused, and none is found that the bound excludes.
 static_assert(kClearanceSlack_m >= kWidthTolerance + kGridSize && kClearanceSlack_m < kBoundSlack_m);
-// A gap that is wider by a tip is still longer than no piece.
+// A tip is longer than a stretch that is no piece.
 static_assert(kNoPiece_m < kTip_m);
 
 }  // namespace tramline

@@ -26,7 +26,7 @@ double length_of(const Intervals& rows) {
   return sum;
 }
 
-/// Where a boundary passes through a strip from full rows to empty ones.
+/// The stretches in which a boundary passes through a strip from full rows to empty ones.
 Intervals passages(const StripProfile& subfield, double width_m) {
   const Intervals full = where_at_least(subfield, width_m - kWidthTolerance);
   const auto begins_full = [&](double at) {
@@ -89,7 +89,7 @@ class SubfieldAccount {
   }
 
  private:
-  /// What straight swaths work outside the subfield; within others, all of it.
+  /// The area that straight swaths work outside the subfield; all of it within others.
   void add_overlap(std::size_t i, Parts& parts) const {
     const StripProfile &own = family_.tracks[i].subfield.straight(), &others = others_[i];
     const Intervals& driven = rows_[i].driven;
@@ -112,15 +112,15 @@ class SubfieldAccount {
       left = without(left, rows);
     };
     take(Cause::kDetours, rows_[i].in_detours);
-    take(Cause::kStops, strip.by_hard);
+    take(Cause::kStops, strip.hard_stretches);
     take(Cause::kShortPieces, rows_[i].in_short_pieces);
-    take(Cause::kRowEnds, strip.by_passable);
+    take(Cause::kRowEnds, strip.passable_stretches);
     take(Cause::kSeams, where_at_least(others_[i], kWidthTolerance));
     take(Cause::kRowEnds, passages(profile, family_.grid.width_m));
     part(parts, Cause::kSides).uncovered_m2 += bare_m2(strip, left);
   }
 
-  /// What of the subfield in these rows of a strip no swath covers, passable obstacles apart.
+  /// The area of the subfield in these rows of a strip that no swath covers, passable obstacles apart.
   double bare_m2(const Track& strip, const Intervals& rows) const {
     double sum = 0;
     for (const Interval& stretch : rows) {
@@ -129,7 +129,7 @@ class SubfieldAccount {
       RisingCurves curves;
       for (const Ring& ring : shape_) append_ring(ring, Layer::kBody, box, curves);
       for (const Ring& ring : passable_) append_ring(ring, Layer::kTaken, box, curves);
-      worked_.append_taken(subfield_, box, {box}, {}, curves);
+      worked_.append_covered(subfield_, box, {box}, {}, curves);
       append_box(box, Layer::kNew, box, curves);
       sum += newly_covered_area(curves);
     }
@@ -152,10 +152,10 @@ double worked_by_detours_m2(const std::vector<LaidTracks>& tracks) {
   return sum;
 }
 
-/// Differences of areas that ought to be equal are nothing, be they above or below.
+/// Differences of areas that ought to be equal count as 0, of either sign.
 double without_rounding(double area_m2) { return area_m2 < kNoDifference_m2 ? 0 : area_m2; }
 
-Parts measured(const LaidPlan& plan) {
+Parts parts_by_cause(const LaidPlan& plan) {
   Parts parts{};
   const WorkedGround worked = worked_by(plan.families, plan.tracks);
   for (std::size_t i = 0; i < plan.subfields.size(); ++i) SubfieldAccount(plan, i, worked).add_to(parts);
@@ -173,8 +173,8 @@ Parts measured(const LaidPlan& plan) {
   return parts;
 }
 
-/// Makes the parts sum to the tally's area, by the largest of them. Gives what was missing.
-double settle(Parts& parts, double CausePart::*area_m2, double tally_m2) {
+/// Makes the parts sum to the tally's area by changing the largest of them. Returns what was missing.
+double sum_to(Parts& parts, double CausePart::*area_m2, double tally_m2) {
   double missing_m2 = tally_m2;
   CausePart* largest = &parts.front();
   for (CausePart& each : parts) {
@@ -188,9 +188,9 @@ double settle(Parts& parts, double CausePart::*area_m2, double tally_m2) {
 }  // namespace
 
 CostCauses causes_of(const LaidPlan& plan, const Objective& objective) {
-  CostCauses out{measured(plan), 0, 0};
-  out.overlap_rounding_m2 = settle(out.parts, &CausePart::overlap_m2, plan.tally.overlap_m2);
-  out.uncovered_rounding_m2 = settle(out.parts, &CausePart::uncovered_m2, plan.tally.uncovered_m2);
+  CostCauses out{parts_by_cause(plan), 0, 0};
+  out.overlap_rounding_m2 = sum_to(out.parts, &CausePart::overlap_m2, plan.tally.overlap_m2);
+  out.uncovered_rounding_m2 = sum_to(out.parts, &CausePart::uncovered_m2, plan.tally.uncovered_m2);
   for (CausePart& each : out.parts)
     each.cost = objective.overlap * each.overlap_m2 + objective.uncovered * each.uncovered_m2;
   part(out.parts, Cause::kTurns).cost += objective.turn * plan.tally.turns;

@@ -1,5 +1,5 @@
 #pragma once
-// What a plan's cost is made of: the same areas and counts as the tally's, parted by what causes them.
+// The causes of a plan's cost: the areas and counts of the tally, divided by what causes them.
 
 #include <vector>
 
@@ -11,11 +11,11 @@
 
 namespace tramline {
 
-/// A boundary that takes longer than this many widths along to pass through a strip runs along it: it makes
-/// less than 14 degrees with the tracks.
+/// A boundary that needs more than this many widths along the strip to pass through it runs along it: it
+/// makes less than 14 degrees with the tracks.
 inline constexpr double kLongestRowEnd = 4;
 
-/// A plan that has been laid out, and the ground it was laid on. Refers to its parts.
+/// A plan's tracks with the land they were laid on. Refers to its parts.
 struct LaidPlan {
   const std::vector<Subfield>& subfields;
   const std::vector<TrackFamily>& families;  ///< by subfield, all of each
@@ -26,8 +26,8 @@ struct LaidPlan {
   const Tally& tally;  ///< of these tracks
 };
 
-/// Closed form throughout: rows are cut at the ends of their causes, and what is left of each stretch is
-/// measured between lines and arcs. O(K·n) for n edges of the body and K stretches, about three a strip.
+/// Closed form throughout: rows are cut at the ends of their causes, and the rest of each stretch is measured
+/// between lines and arcs. O(K·n) for n edges of the body and K stretches, about three a strip.
 CostCauses causes_of(const LaidPlan& plan, const Objective& objective);
 
 }  // namespace tramline

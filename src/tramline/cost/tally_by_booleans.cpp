@@ -9,7 +9,7 @@ namespace tramline {
 
 namespace {
 
-/// What is driven, in the field's frame.
+/// The driven path in the field's frame.
 Path driven_path(const LaidPiece& piece, const StripGrid& grid) {
   Path out = piece.path;
   if (out.empty()) {

@@ -1,5 +1,5 @@
 #pragma once
-// What tracks amount to, by another road.
+// The tally of tracks, computed in another way.
 
 #include "tramline/model/tally.h"
 #include "tramline/tracks/laid_pieces.h"

@@ -47,7 +47,7 @@ class Works {
   RisingCurves curves_;
 };
 
-/// Of the longest piece.
+/// Direction of the longest piece.
 Direction main_direction(const std::vector<TrackPiece>& pieces) {
   Point along{0, 1};
   for (const TrackPiece& piece : pieces)

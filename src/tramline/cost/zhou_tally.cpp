@@ -12,7 +12,7 @@
 namespace tramline {
 namespace {
 
-/// One polygon where the swath does not fold: its cells would be many times as many.
+/// A single polygon where the swath does not fold: it would have many times as many cells.
 Region swath_of(const LaidPiece& piece, double width_m) {
   Polygon outline{kinked_band(piece.path, width_m), {}};
   if (!find_invalidity(outline)) return {std::move(outline)};

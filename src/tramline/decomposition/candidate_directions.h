@@ -1,5 +1,5 @@
 #pragma once
-// Which directions the sweep tries (S1.15).
+// The directions that the sweep tries (S1.15).
 
 #include <vector>
 

@@ -8,8 +8,8 @@
 namespace tramline {
 namespace {
 
-/// The parts, or the polygon itself where they do not make it up: land must not be lost or won by
-/// rounding in a place nobody thought of.
+/// The parts, or the polygon itself where their areas do not sum to its own: no unforeseen rounding may lose
+/// or gain land.
 Region divided_or_whole(const Polygon& polygon, const std::vector<Cut>& cuts) {
   Region faces = divided(polygon, cuts);
   const double whole = area(polygon);

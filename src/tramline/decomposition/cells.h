@@ -13,12 +13,12 @@ struct Cell {
   Direction direction;
 };
 
-/// Cuts every polygon of the plannable ground at its split events, parallel to `sweep`. The cells of
-/// one polygon share identical edges and together are the polygon.
+/// Cuts every polygon of the plannable land at its split events, parallel to `sweep`. The cells of one
+/// polygon share identical edges, and their union is the polygon.
 std::vector<Cell> sweep_cells(const Region& plannable, Direction sweep, Angle threshold, CellDirection choice,
                               double short_edge_m = 0);
 
-/// S1.12, or the true least width.
+/// The driving direction of a cell: by S1.12, or perpendicular to the true least width.
 Direction driving_direction(const Ring& outer, CellDirection choice);
 
 }  // namespace tramline

@@ -39,10 +39,10 @@ Cut cut_to(const Hit& hit, const Polygon& polygon, Point from, Point ray) {
   return {from, from + hit.reach * ray, static_cast<int>(hit.ring), hit.index};
 }
 
-/// Points to be put between the ends of an edge, by ring and edge.
+/// Points to be inserted between the ends of an edge, by ring and edge.
 using Insertions = std::map<std::pair<int, std::size_t>, std::vector<Point>>;
 
-/// Ends of cuts that all but coincide on one edge become one point.
+/// Ends of cuts that nearly coincide on one edge become one point.
 Insertions insertions_of(std::vector<Cut>& cuts) {
   Insertions out;
   for (Cut& cut : cuts) {
@@ -72,7 +72,7 @@ Ring with_insertions(const Ring& ring, int number, const Insertions& insertions)
   return out;
 }
 
-/// Both ways of every cut, each cut once even where two events look at one another.
+/// Both directions of every cut, each cut once even where two events face one another.
 std::vector<DirectedEdge> cut_edges(const std::vector<Cut>& cuts) {
   const auto key = [](const DirectedEdge& e) { return std::tie(e.from.x, e.from.y, e.to.x, e.to.y); };
   std::vector<DirectedEdge> out;
@@ -103,7 +103,7 @@ std::vector<Cut> cuts_at(const Polygon& polygon, const std::vector<SplitEvent>& 
       if (!std::isfinite(hit.reach)) continue;
       const Cut cut = cut_to(hit, polygon, event.vertex, ray);
       const bool follows_edge = cut.to == event.previous || cut.to == event.next;
-      // Edges of a micrometre can hide from the ray what stands in its way: better no cut than one outside.
+      // Edges of a micrometre can hide from the ray what is in its way: no cut is better than one outside.
       if (!follows_edge && boundary.inside({start.x, start.y + 0.5 * sense * hit.reach})) cuts.push_back(cut);
     }
   }

@@ -8,17 +8,17 @@
 
 namespace tramline {
 
-/// From an event's vertex through the field's inside to the next boundary.
+/// A cut from an event's vertex through the field's inside to the next boundary.
 struct Cut {
-  Point from;            ///< the vertex
-  Point to;              ///< a vertex, or a point on `edge`
-  int ring = -1;         ///< the ring hit between two vertices (0: outer, then the holes); −1: a vertex
-  std::size_t edge = 0;  ///< … and the edge, by its first vertex
+  Point from;     ///< the vertex
+  Point to;       ///< a vertex, or a point on `edge`
+  int ring = -1;  ///< the ring hit between two vertices (0: outer, then the holes); −1: a vertex is hit
+  std::size_t edge = 0;  ///< the edge hit, by its first vertex
 };
 
-/// For every event the stretches of the line through its vertex, parallel to `direction`, that run to
-/// either side through the field's inside. A side on which the line leaves the field or follows an
-/// edge at once has none. O(n + k) for k edges that the lines meet.
+/// For every event the stretches of the line through its vertex, parallel to `direction`, that run through
+/// the field's inside to either side. There is none on a side where the line leaves the field or follows an
+/// edge at once. O(n + k) for k edges that the lines meet.
 std::vector<Cut> cuts_at(const Polygon& polygon, const std::vector<SplitEvent>& events, Direction direction);
 
 /// The parts the cuts divide the polygon into; parts that touch share identical edges. O(n log n).

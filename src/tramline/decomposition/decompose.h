@@ -1,5 +1,5 @@
 #pragma once
-// Ground to subfields, for one sweep direction.
+// Decomposition of land into subfields, for one sweep direction.
 
 #include "tramline/model/plan.h"
 

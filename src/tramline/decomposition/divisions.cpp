@@ -11,7 +11,7 @@ namespace {
 
 struct Corner {
   SplitEvent event;
-  Direction in, out;  ///< of the edges that meet there, as the eye sees them
+  Direction in, out;  ///< of the simplified edges that meet there
   double weight = 0;
 };
 
@@ -32,7 +32,7 @@ void append_corners(const Ring& ring, double tolerance_m, std::vector<Corner>& o
   }
 }
 
-/// Adds what the cuts divide the polygon into, if they do.
+/// Adds the parts that the cuts divide the polygon into, if there are several.
 bool add(const Polygon& polygon, const std::vector<Cut>& cuts, std::vector<Region>& out) {
   if (cuts.empty()) return false;
   Region parts = divided(polygon, cuts);

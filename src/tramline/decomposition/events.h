@@ -1,5 +1,5 @@
 #pragma once
-// Where the sweep splits a field (S1.16).
+// The vertices at which the sweep splits a field (S1.16).
 
 #include <vector>
 

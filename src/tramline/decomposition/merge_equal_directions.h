@@ -1,11 +1,11 @@
 #pragma once
-// Merging, phase 1.
+// Phase 1 of merging.
 
 #include "tramline/decomposition/merge_longest_edge_first.h"
 
 namespace tramline {
 
-/// Neighbours with the same driving direction.
+/// The rule for neighbours with the same driving direction.
 MergeRule equal_directions();
 
 /// S1.20: adjacent cells with the same driving direction become one.

@@ -12,15 +12,14 @@ struct Pair {
   std::size_t a, b;  ///< a < b
 };
 
-/// The longest on top; among equals that of the lowest indices.
+/// The longest edge on top; among equals the one with the lowest indices.
 struct Later {
   bool operator()(const Pair& one, const Pair& other) const {
     return std::tie(one.length, other.a, other.b) < std::tie(other.length, one.a, one.b);
   }
 };
 
-/// Pairs that were eligible when they were put in. Every pair that is eligible now is among them, with the
-/// length that it has now.
+/// Pairs that were eligible when added. Every pair eligible now is among them, with its present length.
 class Queue {
  public:
   Queue(const MergeGraph& graph, const MergeRule& rule) : graph_(graph), rule_(rule) {
@@ -37,15 +36,15 @@ class Queue {
     return pair;
   }
 
-  /// Is it still as it was put in?
+  /// Whether the pair is unchanged since it was added.
   bool is_current(const Pair& pair) const {
     const auto& shared = graph_.nodes[pair.a].shared;
     const auto found = shared.find(pair.b);
     return found != shared.end() && found->second == pair.length && eligible(pair);
   }
 
-  /// After a merge into `node`, which had another direction before or not; `beside` were neighbours of what
-  /// is gone.
+  /// Updates the pairs after a merge into `node`, whose direction may have changed; `beside` were neighbours
+  /// of the node merged away.
   void update(std::size_t node, bool turned, const std::vector<std::size_t>& beside) {
     using Opens = MergeRule::Opens;
     if (rule_.opens == Opens::kWithAnyChange || (rule_.opens == Opens::kWithDirection && turned))

@@ -7,9 +7,9 @@
 namespace tramline {
 
 MergeRule similar_directions(Angle threshold) {
-  // "Equal to or between" (S1 §2.2.3) must not hang on the last bit of a rotation.
+  // "Equal to or between" (S1 §2.2.3) must not depend on the last bit of a rotation.
   const double limit = threshold.radians() + kInclusive_rad;
-  // A history only grows: what it keeps apart stays apart.
+  // A history only grows: neighbours that it keeps apart stay apart.
   return {[limit](const MergeNode& a, const MergeNode& b) {
             return std::all_of(a.history.begin(), a.history.end(), [&](Direction one) {
               return std::all_of(b.history.begin(), b.history.end(), [&](Direction other) {

@@ -1,16 +1,16 @@
 #pragma once
-// Merging, phase 3.
+// Phase 3 of merging.
 
 #include "tramline/decomposition/merge_longest_edge_first.h"
 
 namespace tramline {
 
-/// Neighbours with histories whose directions differ by at most `threshold`.
+/// The rule for neighbours with histories whose directions differ by at most `threshold`.
 MergeRule similar_directions(Angle threshold);
 
-/// S1.22: adjacent subfields whose directions differ by at most `threshold` merge. History rule
-/// (S1.24): every direction merged into one must lie within the threshold of every direction merged
-/// into the other, so that a chain of small differences never joins fields that are far apart.
+/// S1.22: adjacent subfields whose directions differ by at most `threshold` merge. History rule (S1.24):
+/// every direction merged into one must lie within the threshold of every direction merged into the other, so
+/// that a chain of small differences never joins subfields with very different directions.
 void merge_similar_directions(MergeGraph& graph, Angle threshold);
 
 }  // namespace tramline

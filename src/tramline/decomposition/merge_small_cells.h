@@ -1,11 +1,11 @@
 #pragma once
-// Merging, phase 2.
+// Phase 2 of merging.
 
 #include "tramline/decomposition/merge_longest_edge_first.h"
 
 namespace tramline {
 
-/// A cell of less than `small_cell_m2` and the neighbour it shares its longest edge with.
+/// The rule for a cell of less than `small_cell_m2` and the neighbour it shares its longest edge with.
 MergeRule small_cells(double small_cell_m2);
 
 /// S1.21: a cell of less than `small_cell_m2` joins the neighbour it shares its longest edge with,

@@ -19,7 +19,7 @@ void add_lengths(const Ring& ring, std::vector<Kept>& all) {
     const Point a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
     if (a == b) continue;
     const Direction along = Direction::along(a, b);
-    // The last that is not beyond the edge's by more than rounding.
+    // The last direction not beyond the edge's by more than rounding.
     auto at = std::upper_bound(all.begin(), all.end(), along, [](Direction one, const Kept& other) {
       return one.angle().radians() + kSameDirectionRadians < other.direction.angle().radians();
     });

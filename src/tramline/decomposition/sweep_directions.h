@@ -1,5 +1,5 @@
 #pragma once
-// The directions a sweep tries where a field has more edges than a sweep has time.
+// The directions that a sweep tries where a field has too many edges to try them all.
 
 #include <vector>
 
@@ -7,13 +7,14 @@
 
 namespace tramline {
 
-/// Of so many directions a sweep tries all; S1's fields have 69 at most.
+/// Largest number of directions of which a sweep tries all; S1's fields have 69 at most.
 inline constexpr std::size_t kMostSweepDirections = 256;
-/// Of more, which are chords of curved edges, no two are tried that are nearer than 180 degrees / this.
+/// Of more directions, which are chords of curved edges, no two are tried that are nearer than 180 degrees /
+/// this.
 inline constexpr std::size_t kThinnedDirections = 128;
 
-/// candidate_directions(), or of more than kMostSweepDirections those along the longest edges, thinned. In
-/// increasing order. O(n log n), of more O(n·kThinnedDirections).
+/// The directions of candidate_directions(), or, if these are more than kMostSweepDirections, those along the
+/// longest edges, thinned. In increasing order. O(n log n), if thinned O(n·kThinnedDirections).
 std::vector<Direction> sweep_directions(const Field& field);
 
 }  // namespace tramline

@@ -15,8 +15,12 @@ std::vector<const Ring*> rings_in_order(const Polygon& polygon) {
   return rings;
 }
 
-std::size_t after(std::size_t index, const Ring& ring) { return index + 1 == ring.size() ? 0 : index + 1; }
-std::size_t before(std::size_t index, const Ring& ring) { return index == 0 ? ring.size() - 1 : index - 1; }
+std::size_t index_after(std::size_t index, const Ring& ring) {
+  return index + 1 == ring.size() ? 0 : index + 1;
+}
+std::size_t index_before(std::size_t index, const Ring& ring) {
+  return index == 0 ? ring.size() - 1 : index - 1;
+}
 
 }  // namespace
 
@@ -33,7 +37,7 @@ std::vector<TurnedBoundary::Edge> TurnedBoundary::edges_of(const std::vector<con
   for (std::size_t r = 0; r < rings.size(); ++r) {
     const Ring turned = frame.to_track(*rings[r]);
     for (std::size_t i = 0; i < turned.size(); ++i)
-      edges.push_back({turned[i], turned[after(i, turned)], static_cast<std::uint32_t>(r),
+      edges.push_back({turned[i], turned[index_after(i, turned)], static_cast<std::uint32_t>(r),
                        static_cast<std::uint32_t>(i)});
   }
   return edges;
@@ -74,7 +78,7 @@ std::vector<SplitEvent> TurnedBoundary::corners_at(Point vertex) const {
   for (const std::uint32_t number : across_.near(frame_.to_track(vertex).x)) {
     const Ring& ring = *rings_[edges_[number].ring];
     const std::size_t i = edges_[number].index;
-    if (ring[i] == vertex) out.push_back({ring[before(i, ring)], vertex, ring[after(i, ring)]});
+    if (ring[i] == vertex) out.push_back({ring[index_before(i, ring)], vertex, ring[index_after(i, ring)]});
   }
   return out;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The boundary of a polygon as the rays of one sweep direction meet it.
+// The boundary of a polygon, indexed for the rays of one sweep direction.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,9 +12,9 @@
 
 namespace tramline {
 
-/// What a ray meets first.
+/// The first thing that a ray hits.
 struct Hit {
-  double reach = std::numeric_limits<double>::infinity();  ///< infinite: nothing
+  double reach = std::numeric_limits<double>::infinity();  ///< m; infinite: nothing is hit
   std::size_t ring = 0;                                    ///< 0: outer, then the holes
   std::size_t index = 0;                                   ///< the vertex, or the first one of the edge
   bool vertex = false;
@@ -22,20 +22,21 @@ struct Hit {
   friend bool operator==(const Hit& a, const Hit& b) = default;
 };
 
-/// The polygon in the turned plane, where cuts are vertical; its edges by where they lie across and along.
-/// Made in O(n); the questions take as long as there are edges above, below or beside the point.
+/// The polygon in the turned plane, where cuts are vertical, with its edges indexed across and along. O(n) to
+/// build; queries are linear in the edges above, below or beside the point.
 class TurnedBoundary {
  public:
   TurnedBoundary(const Polygon& polygon, const TrackFrame& frame);
 
   /// The nearest vertex or edge above (sense +1) or below (−1) of `start`, in the turned plane. Vertices
-  /// within kSameLine of the ray are on it; of several as near the first. Nothing is nearer than kSameLine.
+  /// within kSameLine of the ray are on it; of several equally near the first counts. Nothing is nearer than
+  /// kSameLine.
   Hit nearest(Point start, int sense) const;
 
-  /// The corners of all rings at a vertex. Both in the field's plane.
+  /// The corners of all rings at a vertex; both in the field's plane.
   std::vector<SplitEvent> corners_at(Point vertex) const;
 
-  /// Even-odd over all rings, in the turned plane.
+  /// Whether p lies inside, even-odd over all rings, in the turned plane.
   bool inside(Point p) const;
 
  private:

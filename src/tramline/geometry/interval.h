@@ -17,7 +17,7 @@ using Intervals = std::vector<Interval>;
 
 /// Appends an interval that starts no earlier than the last one; joins it where they meet.
 void append_joining(Intervals& set, Interval next);
-/// What is left of `set` without the inside of `cuts`. O(n + m).
+/// The rest of `set` without the inside of `cuts`. O(n + m).
 Intervals without(const Intervals& set, const Intervals& cuts);
 /// The parts in both. O(n + m).
 Intervals common(const Intervals& a, const Intervals& b);

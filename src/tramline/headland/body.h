@@ -1,5 +1,5 @@
 #pragma once
-// What the tracks have to cover.
+// The body: the land that tracks have to cover.
 
 #include "tramline/model/field.h"
 

@@ -22,7 +22,7 @@ struct Strip {
 };
 
 bool holds_a_track(const Polygon& polygon, const Strip& strip) {
-  // Strips just as wide, and as long, shall do in spite of chords and grids.
+  // Strips of just this width and length are accepted in spite of chords and grids.
   constexpr double kAlmost = 0.999;
   if (area(polygon) < kAlmost * kAlmost * strip.width_m * strip.least_length_m) return false;
   if (extent_m(polygon) < kAlmost * strip.least_length_m) return false;
@@ -33,7 +33,7 @@ void keep_tracks(Region& region, const Strip& strip) {
   std::erase_if(region, [&](const Polygon& part) { return !holds_a_track(part, strip); });
 }
 
-/// Without what is narrower than the width; corners stay.
+/// The region without parts narrower than the width; corners stay.
 Region opened(const Region& region, double width_m) {
   constexpr double kAlmost = 0.998;
   const double half = kAlmost * 0.5 * width_m;
@@ -49,10 +49,11 @@ Region ceded_to_tracks(const HeadlandAndBody& headland, const ClearLand& clear, 
   if (headland.uncovered_m2 <
       0.99 * std::min(wide.width_m * wide.least_length_m, narrow.width_m * narrow.least_length_m))
     return {};
-  const Region left = unworked_ground(headland, width_m);
+  const Region unworked = unworked_ground(headland, width_m);
   Region out;
   for (const Strip& strip : {wide, narrow}) {
-    Region parts = intersection(left, strip.width_m < width_m ? clear.to_lie_over : clear.to_end);
+    Region parts =
+        intersection(unworked, strip.width_m < width_m ? clear.for_track_sides : clear.for_track_ends);
     keep_tracks(parts, strip);
     if (parts.empty()) continue;
     parts = intersection(opened(unite(headland.body, parts), strip.width_m), parts);

@@ -12,22 +12,22 @@
 namespace tramline {
 namespace {
 
-/// A path, and which of its parts are clear of the offset_boundaries.
+/// A path, and the test of which of its parts are clear of the offset boundaries.
 class Clearance {
  public:
   Clearance(const Path& path, const std::vector<OffsetBoundary>& offset_boundaries)
-      : path_(path), shores_(offset_boundaries) {}
+      : path_(path), boundaries_(offset_boundaries) {}
 
   bool is_clear(double from_m, double to_m) const {
     const Path part = stretch_of(path_, from_m, to_m);
     if (part.empty()) return true;
-    return keeps_off(part, shores_) &&
-           std::all_of(shores_.begin(), shores_.end(), [&](const OffsetBoundary& offset_boundary) {
+    return keeps_off(part, boundaries_) &&
+           std::all_of(boundaries_.begin(), boundaries_.end(), [&](const OffsetBoundary& offset_boundary) {
              return contains(offset_boundary.ring, part.front().from) ==
                     (signed_area(offset_boundary.ring) > 0);
            });
   }
-  /// Between a place from or up to which it is clear and one where it is not: the last clear place.
+  /// The last clear position between one from or up to which it is clear and one where it is not.
   double end_of_clear(double clear_m, double other_m) const {
     constexpr int kHalvings = 24;
     double good_m = clear_m;
@@ -41,10 +41,10 @@ class Clearance {
 
  private:
   const Path& path_;
-  const std::vector<OffsetBoundary>& shores_;
+  const std::vector<OffsetBoundary>& boundaries_;
 };
 
-/// The flat end of a swath that is to go on.
+/// The flat end of a swath that is to be extended.
 struct SwathEnd {
   Point at, along;
   double half_m = 0;
@@ -52,7 +52,7 @@ struct SwathEnd {
   Point local(Point p) const { return {dot(p - at, along), cross(along, p - at)}; }
 };
 
-/// How far it may go until it meets the ring, m. What lies at its end already is not in the way.
+/// Distance it may go until it meets the ring, m. What touches its end already is not in the way.
 double run_to_edges_m(const SwathEnd& end, const Ring& ring, double most_m) {
   const double half_m = end.half_m - kBeside_m;
   double out = most_m;
@@ -61,15 +61,15 @@ double run_to_edges_m(const SwathEnd& end, const Ring& ring, double most_m) {
     if (a.y > b.y) std::swap(a, b);
     if (b.y < -half_m || a.y > half_m || std::max(a.x, b.x) < -kSamePlace_m || std::min(a.x, b.x) > out)
       continue;
-    const auto place = [&](double y) { return a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x); };
-    const double first = a.y < -half_m ? place(-half_m) : a.x, last = b.y > half_m ? place(half_m) : b.x;
+    const auto x_at = [&](double y) { return a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x); };
+    const double first = a.y < -half_m ? x_at(-half_m) : a.x, last = b.y > half_m ? x_at(half_m) : b.x;
     if (std::max(first, last) < -kSamePlace_m) continue;
     out = std::min(out, std::max(0.0, std::min(first, last)));
   }
   return out;
 }
 
-/// How far it may go until its sides or its front come nearer to the ring than `distance_m`, m.
+/// Distance it may go until its sides or its front come nearer to the ring than `distance_m`, m.
 double run_beside_m(const SwathEnd& end, const Ring& ring, double distance_m, double most_m) {
   const auto keeps_off = [&](double run_m) {
     const Point left{0, end.half_m}, right{0, -end.half_m}, on{run_m, 0};

@@ -1,5 +1,5 @@
 #pragma once
-// Passes that end where there is something in their way.
+// Passes that end at what is in their way.
 
 #include <vector>
 
@@ -7,20 +7,20 @@
 
 namespace tramline {
 
-/// The stretches of a path that keep their distance from all offset_boundaries, on their side: the path
-/// itself where it does so all the way. Ends are found to a micrometre, stretches in steps of `step_m`.
-/// O(s·m) for s steps and m edges of offset_boundaries.
+/// The stretches of a path that keep their distance from all offset boundaries, on the free side; the path
+/// itself where all of it does. Ends are found to a micrometre, stretches in steps of `step_m`. O(s·m) for s
+/// steps and m edges of the offset boundaries.
 std::vector<Path> clear_stretches(const Path& path, const std::vector<OffsetBoundary>& offset_boundaries,
                                   double step_m);
 
-/// A boundary, and how far the edge of a swath has to stay away from it, m: 0 where it may touch it.
+/// A boundary and the distance that the edge of a swath has to keep from it, m; 0 where it may touch it.
 struct SwathLimit {
   Ring ring;
   double distance_m = 0;
 };
 
-/// An open path that goes straight on at both ends, as far as its swath, as wide as `width_m` and with flat
-/// ends, keeps its distance from the boundaries, but no farther than `most_m`. O(n) for n edges.
+/// An open path extended straight at both ends as far as its swath, `width_m` wide and with flat ends, keeps
+/// its distance from the boundaries, but by no more than `most_m`. O(n) for n edges.
 Path driven_to_the_end(Path path, const std::vector<SwathLimit>& limits, double width_m, double most_m);
 
 }  // namespace tramline

@@ -9,7 +9,8 @@
 namespace tramline {
 namespace {
 
-/// An arc about `centre` from the unit vector `out` on, in parts that know their centre well.
+/// Appends an arc about `centre` from the unit vector `out`, in parts short enough to determine their centre
+/// well.
 void append_arc(Point centre, double radius_m, Point out, double angle, Path& path) {
   constexpr double kMost = 2;
   const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(angle) / kMost)));
@@ -29,14 +30,14 @@ void append_piece(const OffsetPiece& piece, double radius_m, Path& path) {
   append_arc(piece.centre, radius(piece.segment) - radius_m, -1.0 * out, angle, path);
 }
 
-/// Leaves out what has no length and lets each segment but the first begin where the last one ended.
+/// Leaves out segments without length and lets each one begin where the one before ended.
 Path linked(Path path) {
   std::erase_if(path, [](const PathSegment& s) { return distance(s.from, s.to) < kShortestPiece_m; });
   for (std::size_t i = 1; i < path.size(); ++i) path[i].from = path[i - 1].to;
   return path;
 }
 
-/// A piece, and the turn to the next one.
+/// Appends a piece and the turn to the next one.
 void append_piece_and_turn(const OffsetPiece& piece, const OffsetPiece& next, double radius_m, Path& path) {
   append_piece(piece, radius_m, path);
   const Path turn = turn_about(piece.segment.to, radius_m, piece.to_heading, next.from_heading);

@@ -35,13 +35,13 @@ OffsetCurve curve_of(const PathSegment& segment) {
 struct Placed {
   OffsetCurve curve;
   std::size_t path = 0;
-  std::size_t before = 0;  ///< places in the list of what it is joined to
+  std::size_t before = 0;  ///< indices of the segments it is joined to
   std::size_t after = 0;
 };
 
 }  // namespace
 
-int meeting_places(const std::vector<Path>& paths) {
+int meeting_count(const std::vector<Path>& paths) {
   std::vector<Placed> all;
   for (std::size_t k = 0; k < paths.size(); ++k) {
     const std::size_t first = all.size(), n = paths[k].size();
@@ -65,11 +65,11 @@ int meeting_places(const std::vector<Path>& paths) {
 }
 
 std::vector<Path> parted_where_it_meets_itself(const Path& path) {
-  // Of a ring the last segment is joined to the first; of a path with two ends these may cross.
+  // In a ring the last segment is joined to the first; in an open path the two may cross.
   const bool is_ring = distance(path.front().from, path.back().to) < kSamePlace_m;
-  if (is_ring && meeting_places({path}) == 0) return {path};
+  if (is_ring && meeting_count({path}) == 0) return {path};
   std::vector<Path> out;
-  std::vector<OffsetCurve> driven;  // of the part in hand
+  std::vector<OffsetCurve> driven;  // of the current part
   for (const PathSegment& segment : path) {
     const OffsetCurve curve = curve_of(segment);
     bool meets = false;

@@ -1,5 +1,5 @@
 #pragma once
-// Is a pass one that a machine can drive? Looked at from its path alone.
+// Tests of whether a machine can drive a pass, from its path alone.
 
 #include <vector>
 
@@ -7,19 +7,19 @@
 
 namespace tramline {
 
-/// Does the path keep its distance from the offset_boundaries, up to kNearerPass_m?
+/// Whether the path keeps its distance from the offset boundaries, up to kNearerPass_m.
 bool keeps_off(const Path& path, const std::vector<OffsetBoundary>& offset_boundaries);
 
-/// Is the closed path on the land, nowhere tighter than its radius nor kinked? O(n·m) for n segments and m
-/// edges of offset_boundaries.
+/// Whether the closed path lies on the land, nowhere tighter than its radius and without kinks. O(n·m) for n
+/// segments and m edges of the offset boundaries.
 bool can_be_driven(const Path& path, const TurningRoom& land);
 
-/// How many pairs of segments meet, of those not joined end to end: 0 where no path meets itself or another.
-/// O(n²).
-int meeting_places(const std::vector<Path>& paths);
+/// Number of pairs of segments that meet, of those not joined end to end: 0 where no path meets itself or
+/// another. O(n²).
+int meeting_count(const std::vector<Path>& paths);
 
-/// The path cut before every segment that meets one driven before, so that no part meets itself; the path
-/// itself where it does not. O(n²).
+/// The path cut before every segment that meets an earlier one, so that no part meets itself; the path itself
+/// where it does not. O(n²).
 std::vector<Path> parted_where_it_meets_itself(const Path& path);
 
 }  // namespace tramline

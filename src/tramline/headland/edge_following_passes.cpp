@@ -11,7 +11,7 @@
 namespace tramline {
 namespace {
 
-/// The first centre_line of each ring of the level that follows a boundary with such a pass.
+/// The first centre line of each ring of the offset line that follows a boundary with such a pass.
 std::vector<std::size_t> rings_to_follow(const std::vector<CentreLine>& centre_lines,
                                          const std::vector<Boundary>& boundaries, int number) {
   std::vector<std::size_t> out;
@@ -26,14 +26,14 @@ std::vector<std::size_t> rings_to_follow(const std::vector<CentreLine>& centre_l
   return out;
 }
 
-/// Does the path turn round a corner in this segment, to the left?
+/// Whether the path turns round a corner in this segment, to the left.
 bool is_corner(const PathSegment& segment) {
   constexpr double kLeast = 0.5;  // rad
   return segment.curvature > 0 && turning(segment) > kLeast;
 }
 
-/// Without a corner close to the end, and what follows: there is nothing to turn for, and straight on the
-/// swath comes as far.
+/// The path without a corner close to the end and what follows it: nothing requires the turn, and straight on
+/// the swath reaches as far.
 Path without_hook(Path path, double shortest_m) {
   double behind_m = 0;
   for (std::size_t i = path.size(); i-- > 1 && behind_m < shortest_m; behind_m += length(path[i]))
@@ -44,7 +44,8 @@ Path without_hook(Path path, double shortest_m) {
   return path;
 }
 
-/// Such a path the other way turns to the right, so its beginning is looked at as it is.
+/// The same at the beginning, which is tested in driving direction: reversed, the path would turn to the
+/// right.
 Path without_first_hook(Path path, double shortest_m) {
   double before_m = 0;
   for (std::size_t i = 0; i + 1 < path.size() && before_m < shortest_m; before_m += length(path[i++]))
@@ -60,7 +61,7 @@ Path without_first_hook(Path path, double shortest_m) {
 std::vector<Path> edge_following_passes(const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
                                         int number) {
   const TurningRoom land = turning_room(boundaries, terms.width_m, number, tightest_turn_m(terms));
-  const std::vector<CentreLine> centre_lines = centre_lines_along(levels(land), land.radius_m);
+  const std::vector<CentreLine> centre_lines = centre_lines_along(offset_lines(land), land.radius_m);
   const ArcFits fits = [&](Point centre, Point before, Point after) {
     return keeps_off(turn_about(centre, land.radius_m, before, after), land.offset_boundaries);
   };
@@ -80,7 +81,7 @@ std::vector<Path> edge_following_passes(const std::vector<Boundary>& boundaries,
       out.push_back(driven_to_the_end(std::move(path), limits, terms.width_m, hook_m));
     }
   }
-  // What short ones across an end would work the long ones beside it do as well.
+  // The long ones beside an end already work what short ones across it would.
   std::stable_sort(out.begin(), out.end(),
                    [](const Path& a, const Path& b) { return length(a) > length(b); });
   return out;

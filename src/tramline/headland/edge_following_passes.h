@@ -1,5 +1,5 @@
 #pragma once
-// Passes where the machine has no room to turn: in arms and necks, along the edge from end to end.
+// Passes in arms and necks where the machine has no room to turn: along the edge from end to end.
 
 #include <vector>
 
@@ -9,10 +9,10 @@
 namespace tramline {
 
 /// Paths that follow all boundaries together at the distance of pass `number`, wherever there is room for its
-/// swath, whether the machine could turn there or not: closed, or open where it cannot get round a corner.
-/// These go straight on until their swaths come to a boundary. Levels that follow none with such a pass are
-/// left out. Between them the paths follow the whole level but for corners cut; the longest come first.
-/// O(n²) for n corners.
+/// swath, whether or not the machine could turn there: closed, or open where it cannot get round a corner.
+/// Open paths go straight on until their swaths reach a boundary. Offset lines that follow no boundary with
+/// such a pass are left out. Together the paths follow the whole offset line except for corners cut; the
+/// longest come first. O(n²) for n corners.
 std::vector<Path> edge_following_passes(const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
                                         int number);
 

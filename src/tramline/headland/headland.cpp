@@ -32,8 +32,8 @@ Region body_behind(const Field& field, const Region& land, const std::vector<Bou
   return intersection(land, behind);
 }
 
-/// Where tracks may end in any direction: a width from every boundary that has passes; and where they may lie
-/// over the edge of their ground as well: a width from every boundary.
+/// The land where tracks may end in any direction, a width from every boundary that has passes, and where
+/// they may also reach over the edge of their ground, a width from every boundary.
 ClearLand clear_of_boundaries(std::vector<Boundary> boundaries, double width_m) {
   bool all = true;
   for (Boundary& boundary : boundaries) {
@@ -41,9 +41,9 @@ ClearLand clear_of_boundaries(std::vector<Boundary> boundaries, double width_m) 
     boundary.passes = std::min(boundary.passes, 1);
   }
   ClearLand out;
-  out.to_end = land_behind_headlands(boundaries, width_m);
+  out.for_track_ends = land_behind_headlands(boundaries, width_m);
   for (Boundary& boundary : boundaries) boundary.passes = 1;
-  out.to_lie_over = all ? out.to_end : land_behind_headlands(boundaries, width_m);
+  out.for_track_sides = all ? out.for_track_ends : land_behind_headlands(boundaries, width_m);
   return out;
 }
 
@@ -51,9 +51,9 @@ void leave_to_tracks(const Field& field, const Region& land, const std::vector<B
                      const HeadlandTerms& terms, HeadlandAndBody& out) {
   const double w = terms.width_m, least_m = std::max(terms.min_length_m, 2 * w);
   if (out.uncovered_m2 <= 0) return;
-  const Region left = ceded_to_tracks(out, clear_of_boundaries(boundaries, w), w, least_m);
-  if (left.empty()) return;
-  out.body = unite(out.body, left);
+  const Region ceded = ceded_to_tracks(out, clear_of_boundaries(boundaries, w), w, least_m);
+  if (ceded.empty()) return;
+  out.body = unite(out.body, ceded);
   out.ground = difference(land, out.body);
   tally_passes(obstacle_shapes(field, ObstacleKind::kPassable), w, out);
 }

@@ -9,7 +9,7 @@
 
 namespace tramline {
 
-/// What headlands are made by. One machine works all of them.
+/// The terms of headlands. One machine works all of them.
 struct HeadlandTerms {
   double width_m = 3;                ///< working width, > 0
   double radius_m = 6;               ///< turning radius, ≥ 0
@@ -19,34 +19,34 @@ struct HeadlandTerms {
   double min_length_m = 0;           ///< no track is shorter
 };
 
-/// Headlands, all but Headland::unworked, and what they leave.
+/// Headlands, except for Headland::unworked, and the body they leave.
 struct HeadlandAndBody : Headland {
   Region body;  ///< what the tracks have to cover; empty where headlands take the whole field
 };
 
-/// Pass i runs (i − ½)·w from the boundaries that have so many passes; the headland is so many widths deep.
-/// From the others it keeps half a width off their own last pass, or off the obstacle where it has none.
+/// Pass i runs (i − ½)·w from the boundaries that have that many passes; the headland is as many widths deep.
+/// It keeps half a width from the last pass of other boundaries, or from the obstacle where that has none.
 /// Round a corner that stands out into the land it runs along an arc at that distance, and swings wide where
-/// that would be tighter than the machine turns; into all others it goes as far as the machine turns.
+/// that would be tighter than the machine can turn; into all others it goes as far as the machine can turn.
 ///
 /// Boundaries whose swaths with one number would meet are driven round together. In a neck too narrow to turn
-/// in both sides are driven, corners rounded as elsewhere, where that can be driven and the ground worked
-/// for the first time is more than that worked again. A lobe where the machine cannot turn is left out, and
-/// so is a ring that would for the most part follow boundaries whose passes are all driven already.
+/// in, both sides are driven, corners rounded as elsewhere, where that is possible and works more ground for
+/// the first time than again. A lobe where the machine cannot turn is left out, and so is a ring that would
+/// for the most part follow boundaries whose passes are all driven already.
 ///
-/// What of the ground no pass works is body where a track fits: at least a width from every boundary that has
-/// a headland (no swath leaves the field there, however it ends), as wide as a swath, and as long as the
-/// least length or two widths, whichever is more. The rest counts as uncovered.
+/// Ground that no pass works is body where a track fits: at least a width from every boundary that has a
+/// headland (no swath leaves the field there, however it ends), as wide as a swath, and as long as the least
+/// length or two widths, whichever is more. The rest counts as uncovered.
 ///
-/// No pass leaves the field or enters an obstacle with its swath (up to 1e-6 m). Passable obstacles bend no
-/// pass. Ground inside a hole of an obstacle is body without headland.
+/// No pass leaves the field or enters an obstacle with its swath (up to 1e-6 m). Passable obstacles do not
+/// bend passes. Ground inside a hole of an obstacle is body without headland.
 ///
 /// O(n²) for n corners, less where they are far apart compared to the distances.
 HeadlandAndBody headland_of(const Field& field, const HeadlandTerms& terms);
 
-/// `uncovered_m2` as a picture: the ground that no pass works, off by about kBodySagitta at arcs. The area of
-/// what passes leave on passable obstacles is not in it, nor is it in uncovered_m2: they are not ground. A
-/// polygon difference for each pass: mostly slower than headland_of.
+/// `uncovered_m2` as a region: the ground that no pass works, exact to about kBodySagitta at arcs. Unworked
+/// area on passable obstacles is included neither here nor in uncovered_m2: they are not ground. A polygon
+/// difference for each pass: mostly slower than headland_of.
 Region unworked_ground(const Headland& headland, double width_m);
 
 /// The most passes round the field (obstacles without headland) that leave any body at all. O(log) bodies.

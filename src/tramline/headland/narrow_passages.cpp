@@ -13,24 +13,23 @@
 namespace tramline {
 namespace {
 
-/// Where a piece of a ring lies on the centre_lines.
+/// The part of a centre line on which a piece of a ring lies.
 struct Run {
   std::size_t centre_line = 0;
   double from = 0;
   double to = 0;
 };
 
-/// A part of a ring along centre_lines that follow one another. Where it ends the circle touches what is
-/// farther on.
+/// A part of a ring along consecutive centre lines. At its end the circle touches something farther ahead.
 struct Stretch {
-  CentrePlace from;
-  CentrePlace to;
+  CentrePosition from;
+  CentrePosition to;
   OffsetRing pieces;
   std::size_t after = 0;  ///< the next stretch of the ring
-  std::size_t along = 0;  ///< the next stretch along the level
+  std::size_t along = 0;  ///< the next stretch along the offset line
 };
 
-/// How one goes on from a stretch.
+/// The continuation of a ring after a stretch.
 struct Link {
   std::size_t to = 0;
   OffsetRing way;
@@ -40,11 +39,12 @@ double metres(const CentreLine& centre_line, double extent) {
   return centre_line.curve.straight() ? extent : extent * centre_line.curve.radius;
 }
 
-/// By how much pieces of a ring may end before or behind their centre_lines, m: where edges make no corner
-/// their lines at any distance just go on, so lines at two distances end that much of the difference apart.
+/// Distance by which pieces of a ring may end before or behind their centre lines, m: where edges turn too
+/// little for a corner their offset lines just go on, so lines at two distances end up to this share of the
+/// difference apart.
 double slack_m(double radius_m) { return kSamePlace_m + kNoCorner_rad * radius_m; }
 
-/// nullopt: it is not on the centre_line.
+/// The part of the centre line on which the piece lies; nullopt where it is not on it.
 std::optional<Run> run_on(const CentreLine& centre_line, std::size_t index, const OffsetPiece& piece,
                           double radius_m) {
   const OffsetCurve& curve = centre_line.curve;
@@ -55,14 +55,14 @@ std::optional<Run> run_on(const CentreLine& centre_line, std::size_t index, cons
   box.extend(midpoint(piece.segment.from, piece.segment.to));
   if (!intersects(curve.box.grown(curve.radius + 1), box)) return std::nullopt;
   for (const Point p : {piece.segment.from, piece.segment.to}) {
-    const double place = place_on(curve, p);
-    if (distance(point_at(curve, place), p) > kSamePlace_m) return std::nullopt;
-    if (metres(centre_line, place) < -slack_m(radius_m) ||
-        metres(centre_line, place - curve.extent) > slack_m(radius_m))
+    const double position = position_on(curve, p);
+    if (distance(point_at(curve, position), p) > kSamePlace_m) return std::nullopt;
+    if (metres(centre_line, position) < -slack_m(radius_m) ||
+        metres(centre_line, position - curve.extent) > slack_m(radius_m))
       return std::nullopt;
   }
   if (dot(heading_at(curve, piece.segment.from), piece.from_heading) < 0) return std::nullopt;
-  const auto within = [&](Point p) { return std::clamp(place_on(curve, p), 0.0, curve.extent); };
+  const auto within = [&](Point p) { return std::clamp(position_on(curve, p), 0.0, curve.extent); };
   return Run{index, within(piece.segment.from), within(piece.segment.to)};
 }
 
@@ -75,7 +75,7 @@ bool run_on_to(const std::vector<CentreLine>& centre_lines, const Run& before, c
          metres(a, a.curve.extent - before.to) + metres(b, after.from) < slack_m(radius_m);
 }
 
-/// Splits a ring into stretches. false: it is not on the centre_lines.
+/// Splits a ring into stretches. False where it is not on the centre lines.
 bool append_stretches(const OffsetRing& ring, const std::vector<CentreLine>& centre_lines, double radius_m,
                       std::vector<Stretch>& out) {
   std::vector<Run> runs;
@@ -84,7 +84,7 @@ bool append_stretches(const OffsetRing& ring, const std::vector<CentreLine>& cen
     std::optional<Run> run;
     for (std::size_t i = 0; i < centre_lines.size() && !run; ++i)
       run = run_on(centre_lines[i], i, piece, radius_m);
-    if (!run && length(piece.segment) > kOffRails_m) return false;
+    if (!run && length(piece.segment) > kOffCentreLines_m) return false;
     if (!run) continue;
     runs.push_back(*run);
     pieces.push_back(&piece);
@@ -110,16 +110,17 @@ bool append_stretches(const OffsetRing& ring, const std::vector<CentreLine>& cen
   return true;
 }
 
-/// Finds what is next along the level. Rails of one ring follow one another in the list.
+/// Finds the next stretch along the offset line. Centre lines of one ring are consecutive in the list.
 void order_along(const std::vector<CentreLine>& centre_lines, std::vector<Stretch>& stretches) {
   std::vector<std::size_t> order(stretches.size()), ring(centre_lines.size(), 0);
   for (std::size_t i = 1; i < centre_lines.size(); ++i)
     ring[i] = centre_lines[i - 1].next == i ? ring[i - 1] : i;
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  const auto place = [&](std::size_t i) {
+  const auto position = [&](std::size_t i) {
     return std::pair(stretches[i].from.centre_line, stretches[i].from.at);
   };
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return place(i) < place(j); });
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t i, std::size_t j) { return position(i) < position(j); });
   for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
     while (last < order.size() &&
            ring[stretches[order[last]].from.centre_line] == ring[stretches[order[first]].from.centre_line])
@@ -129,8 +130,8 @@ void order_along(const std::vector<CentreLine>& centre_lines, std::vector<Stretc
   }
 }
 
-/// Groups of stretches at whose ends one would go on along the level instead of turning: if all of a group
-/// do, what results are rings again.
+/// Groups of stretches whose ends may continue along the offset line instead of turning: if all of a group
+/// do, the results are rings again.
 std::vector<std::vector<std::size_t>> necks_between(const std::vector<Stretch>& stretches) {
   std::vector<std::size_t> before(stretches.size());
   for (std::size_t i = 0; i < stretches.size(); ++i) before[stretches[i].after] = i;
@@ -162,9 +163,9 @@ std::vector<OffsetRing> traced(const std::vector<Stretch>& stretches, const std:
   return out;
 }
 
-/// Rails of each ring of the level that no ring of centres touches.
-std::vector<std::size_t> idle_levels(const std::vector<CentreLine>& centre_lines,
-                                     const std::vector<Stretch>& stretches) {
+/// The longest centre line of each ring of the offset line that no ring of centres touches.
+std::vector<std::size_t> idle_offset_lines(const std::vector<CentreLine>& centre_lines,
+                                           const std::vector<Stretch>& stretches) {
   std::vector<std::size_t> out;
   for (std::size_t first = 0; first < centre_lines.size();) {
     std::size_t last = first, longest = first;
@@ -183,7 +184,8 @@ std::vector<std::size_t> idle_levels(const std::vector<CentreLine>& centre_lines
   return out;
 }
 
-/// All round a ring of the level, from a centre_line on which the circle has some way to itself.
+/// The line of the centre all round a ring of the offset line, starting on a centre line along which the
+/// circle rolls for some length.
 std::optional<OffsetRing> rolled_round(const std::vector<CentreLine>& centre_lines, std::size_t start,
                                        const ArcFits& fits) {
   const double from = 0.4 * centre_lines[start].curve.extent, to = 0.6 * centre_lines[start].curve.extent;
@@ -192,20 +194,20 @@ std::optional<OffsetRing> rolled_round(const std::vector<CentreLine>& centre_lin
   return out;
 }
 
-/// Fewer meetings, or as many and less left and doubled than rounding can make of it.
+/// Fewer meetings, or as many and less area left and doubled by more than rounding.
 bool is_better(const RingsCost& a, const RingsCost& b) {
   if (a.meetings != b.meetings) return a.meetings < b.meetings;
   return a.missed_and_doubled_m2 < b.missed_and_doubled_m2 - kNoGain_m2;
 }
 
-/// The rings as they are driven so far, and what that costs.
+/// The rings chosen so far, and their cost.
 class Choice {
  public:
   Choice(std::vector<OffsetRing> rings, const TurningRoom& land, const CostOfRings& cost)
       : rings_(std::move(rings)), land_(land), cost_(cost), least_(cost(rings_)) {}
 
-  /// Rings that cannot be driven are not taken.
-  bool take_if_better(std::vector<OffsetRing> rings) {
+  /// Rings that cannot be driven are not adopted.
+  bool adopt_if_better(std::vector<OffsetRing> rings) {
     const RingsCost now = cost_(rings);
     if (!is_better(now, least_)) return false;
     for (const OffsetRing& ring : rings)
@@ -228,7 +230,7 @@ class Choice {
 std::vector<OffsetRing> joined_through_narrow_passages(std::vector<OffsetRing> centres,
                                                        const TurningRoom& land, const CostOfRings& cost) {
   if (land.offset_boundaries.size() < 2 && centres.size() < 2) return centres;
-  const std::vector<CentreLine> centre_lines = centre_lines_along(levels(land), land.radius_m);
+  const std::vector<CentreLine> centre_lines = centre_lines_along(offset_lines(land), land.radius_m);
   std::vector<Stretch> stretches;
   for (const OffsetRing& ring : centres)
     if (!append_stretches(ring, centre_lines, land.radius_m, stretches)) return centres;
@@ -237,8 +239,9 @@ std::vector<OffsetRing> joined_through_narrow_passages(std::vector<OffsetRing> c
     return keeps_off(turn_about(centre, land.radius_m, before, after), land.offset_boundaries);
   };
   const auto necks = necks_between(stretches);
-  const std::vector<std::size_t> idle =
-      land.offset_boundaries.size() > 1 ? idle_levels(centre_lines, stretches) : std::vector<std::size_t>{};
+  const std::vector<std::size_t> idle = land.offset_boundaries.size() > 1
+                                            ? idle_offset_lines(centre_lines, stretches)
+                                            : std::vector<std::size_t>{};
   if (necks.empty() && idle.empty()) return centres;
 
   Choice choice(std::move(centres), land, cost);
@@ -256,14 +259,14 @@ std::vector<OffsetRing> joined_through_narrow_passages(std::vector<OffsetRing> c
       if (passes) changed[k] = {to, std::move(*way)};
     }
     if (!passes) continue;
-    if (choice.take_if_better(traced(stretches, changed))) links = std::move(changed);
+    if (choice.adopt_if_better(traced(stretches, changed))) links = std::move(changed);
   }
   for (const std::size_t centre_line : idle) {
     const std::optional<OffsetRing> ring = rolled_round(centre_lines, centre_line, fits);
     if (!ring) continue;
     std::vector<OffsetRing> rings = choice.rings();
     rings.push_back(*ring);
-    choice.take_if_better(std::move(rings));
+    choice.adopt_if_better(std::move(rings));
   }
   return choice.rings();
 }

@@ -40,7 +40,7 @@ Region land_behind_headlands(const std::vector<Boundary>& boundaries, double wid
     deepest = std::max(deepest, depth);
     if (boundary.passes > 0) offset_boundaries.push_back({boundary.ring, depth});
   }
-  if (boundaries.front().passes == 0) {  // a offset_boundary beyond the field instead
+  if (boundaries.front().passes == 0) {  // an offset boundary beyond the field instead
     const Box b = bounds(boundaries.front().ring).grown(3 * deepest);
     offset_boundaries.push_back(
         {{{b.min_x, b.min_y}, {b.max_x, b.min_y}, {b.max_x, b.max_y}, {b.min_x, b.max_y}}, width_m});

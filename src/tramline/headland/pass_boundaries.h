@@ -1,5 +1,5 @@
 #pragma once
-// How far each pass keeps from each boundary.
+// The distances of passes from boundaries.
 
 #include <cstddef>
 #include <optional>
@@ -12,7 +12,8 @@ namespace tramline {
 
 /// A boundary that no swath crosses.
 struct Boundary {
-  Ring ring;  ///< the free land on its left; what keeps within kIdleVertex_m of fewer vertices is left out
+  Ring ring;  ///< the free land on its left; vertices off the ring through the others by up to kIdleVertex_m
+              ///< are left out
   int passes = 0;                         ///< of its headland
   std::optional<std::size_t> obstacle{};  ///< index into Field::obstacles; nullopt: the field's outer ring
 };
@@ -23,8 +24,8 @@ std::vector<Boundary> boundaries_of(const Field& field, const HeadlandTerms& ter
 /// Distance between the boundary and the centre line of a pass, m (S2.4).
 double pass_distance_m(const Boundary& boundary, int pass, double width_m);
 
-/// The boundary of the land that is free for tracks as far as headlands are concerned, as a region in chords
-/// (kBodySagitta): obstacles without headland are still in it, and where the field has none, land outside.
+/// The land free for tracks as far as headlands are concerned, as a region with chords (kBodySagitta):
+/// obstacles without headland are still in it, and land outside where the field has no headland.
 Region land_behind_headlands(const std::vector<Boundary>& boundaries, double width_m);
 
 }  // namespace tramline

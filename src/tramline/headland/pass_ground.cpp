@@ -7,7 +7,7 @@
 namespace tramline {
 namespace {
 
-/// Does it work some ground twice by itself?
+/// Whether it works some land twice by itself.
 bool meets_itself(const Path& path, double width_m) {
   RisingCurves curves;
   const Box reach = reach_of(path, width_m);

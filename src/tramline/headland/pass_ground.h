@@ -1,14 +1,14 @@
 #pragma once
-// The ground that a headland pass works, as polygons.
+// The area that a headland pass works, as polygons.
 
 #include "tramline/geometry/path/path.h"
 #include "tramline/geometry/polygon/region.h"
 
 namespace tramline {
 
-/// The parts of the ground of a pass: one where its swath does not meet itself, else one for each of its
-/// segments, which touch and may overlap. Arcs as chords, off by at most `sagitta_m`. Frame: that of the
-/// path. A path that ends where it begins has a ring of ground, any other ends flat. O(n log n).
+/// The parts of the area of a pass: one where its swath does not meet itself, else one for each of its
+/// segments, which touch and may overlap. Arcs as chords, which deviate by at most `sagitta_m`. Frame: that
+/// of the path. A path that ends where it begins has a ring-shaped area, any other ends flat. O(n log n).
 Region pass_ground_parts(const Path& path, double width_m, double sagitta_m);
 
 }  // namespace tramline

@@ -10,7 +10,7 @@
 namespace tramline {
 namespace {
 
-/// All that the passes with one number are made from.
+/// The input of the passes with one number.
 struct Scene {
   const std::vector<Boundary>& boundaries;
   const HeadlandTerms& terms;
@@ -29,8 +29,8 @@ double distance_to(const Path& path, const Ring& ring) {
   return out;
 }
 
-/// A pass along part of a path, which says what it follows: boundaries that it comes as near to as it would
-/// somewhere in a turn, and at least the nearest that has such a pass.
+/// A pass along part of a path, with the boundaries that it follows: those it comes as near to as it might in
+/// a turn, and at least the nearest that has such a pass.
 HeadlandPass pass_on(const Path& path, const Scene& scene) {
   HeadlandPass out{path, scene.number, false, {}};
   const Box reach = reach_of(path, 0);
@@ -61,14 +61,14 @@ HeadlandPass pass_on(const Path& path, const Scene& scene) {
   return out;
 }
 
-/// Passes that are chosen one after the other, on top of those before.
+/// Passes chosen one after the other, in addition to those before.
 class Chosen {
  public:
   Chosen(const Scene& scene, std::vector<HeadlandPass> before)
       : scene_(scene), all_(std::move(before)), first_(all_.size()) {}
 
-  /// The parts of a path that are worth driving, as passes. A ring that is so as a whole keeps its names.
-  void take(const Path& path, const HeadlandPass* ring) {
+  /// Adds the parts of a path that are worth driving, as passes. A ring kept as a whole keeps its names.
+  void choose(const Path& path, const HeadlandPass* ring) {
     for (const Path& part : worth_driving(path, scene_.to_work, all_, scene_.least_length_m())) {
       parts_.push_back(part);
       if (ring != nullptr && part == ring->path) {
@@ -79,24 +79,24 @@ class Chosen {
       }
     }
   }
-  /// A path that nobody asked for as a whole.
-  void take_if_it_pays(const Path& path) {
+  /// Adds the parts worth driving of a path that was not required, if they pay.
+  void choose_if_it_pays(const Path& path) {
     const std::vector<Path> parts = worth_driving(path, scene_.to_work, all_, scene_.least_length_m());
     if (tramline::worth_m2(parts, scene_.to_work, all_) <= 0) return;
     for (const Path& part : parts) all_.push_back(pass_on(part, scene_));
   }
-  void take(const std::vector<HeadlandPass>& rings, const std::vector<OffsetBoundary>& in_the_way) {
+  void choose(const std::vector<HeadlandPass>& rings, const std::vector<OffsetBoundary>& in_the_way) {
     for (const HeadlandPass& ring : rings) {
       if (in_the_way.empty()) {
-        take(ring.path, &ring);
+        choose(ring.path, &ring);
         continue;
       }
       for (const Path& stretch : clear_stretches(ring.path, in_the_way, 0.25 * scene_.terms.width_m))
-        take(stretch == ring.path ? stretch : to_the_end(stretch), &ring);
+        choose(stretch == ring.path ? stretch : to_the_end(stretch), &ring);
     }
   }
 
-  /// Are they rings, with nothing taken off?
+  /// Whether all are whole rings.
   bool all_whole() const { return all_whole_; }
   double worth_m2() const {
     return tramline::worth_m2(parts_, scene_.to_work, {all_.begin(), begin_of_own()});
@@ -125,9 +125,9 @@ class Chosen {
 
 enum class Reach { kField, kEverything };
 
-/// Boundaries without such a pass whose distance passes have to keep: the field's, and where rings were made
-/// without a look at them those of all obstacles.
-std::vector<OffsetBoundary> shores_in_the_way(const Scene& scene, Reach reach) {
+/// Boundaries without such a pass whose distance passes have to keep: the field's, and those of all obstacles
+/// where rings were made without regard to them.
+std::vector<OffsetBoundary> boundaries_in_the_way(const Scene& scene, Reach reach) {
   std::vector<OffsetBoundary> out;
   const std::size_t count = reach == Reach::kField ? 1 : scene.boundaries.size();
   for (std::size_t i = 0; i < count; ++i)
@@ -137,23 +137,24 @@ std::vector<OffsetBoundary> shores_in_the_way(const Scene& scene, Reach reach) {
   return out;
 }
 
-/// What is worth driving of the group's rings; or of those round the members with such a pass alone, with
+/// The parts worth driving of the group's rings, or of rings round only the members with such a pass, with
 /// ends at the others.
 std::vector<HeadlandPass> passes_round(const RingGroup& group, const Scene& scene,
                                        const std::vector<HeadlandPass>& before) {
   Chosen together(scene, before);
-  together.take(group.passes, shores_in_the_way(scene, Reach::kField));
+  together.choose(group.passes, boundaries_in_the_way(scene, Reach::kField));
   std::vector<std::size_t> own;
   for (const std::size_t i : group.members)
     if (scene.has_pass(i)) own.push_back(i);
   if (own.size() == group.members.size() || together.all_whole()) return together.own();
   Chosen alone(scene, before);
-  alone.take(rings_round(own, scene.boundaries, scene.terms, scene.number, scene.to_work, before),
-             shores_in_the_way(scene, Reach::kEverything));
+  alone.choose(rings_round(own, scene.boundaries, scene.terms, scene.number, scene.to_work, before),
+               boundaries_in_the_way(scene, Reach::kEverything));
   return alone.worth_m2() > together.worth_m2() ? alone.own() : together.own();
 }
 
-/// Rings through narrow land may come to cross themselves, which no machine drives: in parts they do not.
+/// The passes in parts that do not cross themselves: rings through narrow land may, and no machine drives
+/// that.
 std::vector<HeadlandPass> without_crossings(const std::vector<HeadlandPass>& passes, const Scene& scene) {
   std::vector<HeadlandPass> out;
   for (const HeadlandPass& pass : passes) {
@@ -180,9 +181,9 @@ std::vector<HeadlandPass> pass_rings(const std::vector<Boundary>& boundaries, co
     all.insert(all.end(), more.begin(), more.end());
   }
   Chosen chosen(scene, std::move(all));
-  // Farther in, what turning leaves is left to tracks.
+  // Farther in, land left by turning is left to tracks.
   if (number == 1)
-    for (const Path& path : edge_following_passes(boundaries, terms, number)) chosen.take_if_it_pays(path);
+    for (const Path& path : edge_following_passes(boundaries, terms, number)) chosen.choose_if_it_pays(path);
   return without_crossings(
       {chosen.all().begin() + static_cast<std::ptrdiff_t>(before.size()), chosen.all().end()}, scene);
 }

@@ -9,12 +9,13 @@
 
 namespace tramline {
 
-/// Passes `number` round all boundaries that have so many. Boundaries are driven round one by one; where the
-/// swaths would meet those of another boundary, or an obstacle without such a pass, they are driven round
-/// together. Necks are driven through where what is left otherwise is worth what is worked twice. Of rings
-/// that follow what has no such pass the parts worth driving remain (worth_driving), and so they do of rings
-/// round the boundaries that have, with ends where others are in the way, if these are worth more. Where the
-/// field has no such pass none follows its boundary. `before`: the passes with lower numbers.
+/// Passes `number` round all boundaries that have that many. Boundaries are driven round one by one; where
+/// the swaths would meet those of another boundary, or an obstacle without such a pass, they are driven round
+/// together. Necks are driven through where the land left otherwise is worth the land worked twice. Rings
+/// that follow boundaries without such a pass are reduced to the parts worth driving (worth_driving), or
+/// replaced by the parts worth driving of rings round the other boundaries, with ends where others are in the
+/// way, if these are worth more. Where the field has no such pass none follows its boundary. `before`: the
+/// passes with lower numbers.
 std::vector<HeadlandPass> pass_rings(const std::vector<Boundary>& boundaries, const HeadlandTerms& terms,
                                      int number, const GroundToWork& to_work,
                                      const std::vector<HeadlandPass>& before);

@@ -1,5 +1,5 @@
 #pragma once
-// What passes work, in exact areas.
+// The exact areas that passes work.
 
 #include "tramline/headland/headland.h"
 

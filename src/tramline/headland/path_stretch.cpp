@@ -8,7 +8,7 @@
 namespace tramline {
 namespace {
 
-Point place_on(const PathSegment& segment, double along_m, double length_m) {
+Point point_on(const PathSegment& segment, double along_m, double length_m) {
   const double share = along_m / length_m;
   if (segment.straight()) return segment.from + share * (segment.to - segment.from);
   const Point middle = centre(segment), spoke = segment.from - middle;
@@ -16,13 +16,13 @@ Point place_on(const PathSegment& segment, double along_m, double length_m) {
   return middle + Point{c * spoke.x - s * spoke.y, s * spoke.x + c * spoke.y};
 }
 
-/// Appends what of a segment lies between two lengths along it.
+/// Appends the part of a segment between two positions along it.
 void append(const PathSegment& segment, double from_m, double to_m, double length_m, Path& out) {
   if (from_m < kSamePlace_m) from_m = 0;
   if (to_m > length_m - kSamePlace_m) to_m = length_m;
   if (to_m - from_m < kSamePlace_m) return;
-  const Point from = from_m > 0 ? place_on(segment, from_m, length_m) : segment.from;
-  const Point to = to_m < length_m ? place_on(segment, to_m, length_m) : segment.to;
+  const Point from = from_m > 0 ? point_on(segment, from_m, length_m) : segment.from;
+  const Point to = to_m < length_m ? point_on(segment, to_m, length_m) : segment.to;
   out.push_back({out.empty() ? from : out.back().to, to, segment.curvature});
 }
 

@@ -11,7 +11,7 @@
 namespace tramline {
 namespace {
 
-/// Does any of the ring follow a boundary that has the pass?
+/// Whether any of the ring follows a boundary that has the pass.
 bool follows_own(const OffsetRing& ring, const std::vector<Boundary>& boundaries, int number) {
   return std::any_of(ring.begin(), ring.end(), [&](const OffsetPiece& piece) {
     return boundaries[piece.offset_boundary].passes >= number;
@@ -36,7 +36,7 @@ HeadlandPass pass_along(const OffsetRing& ring, const std::vector<Boundary>& bou
   return pass;
 }
 
-/// How far the centre line of another boundary's pass keeps from this one, m: its swath may touch the swath
+/// Distance of the centre line of another boundary's pass from this one, m: its swath may touch the swath
 /// here, or the last one, or the obstacle.
 double room_m(const Boundary& boundary, int number, double width_m) {
   return pass_distance_m(boundary, number, width_m) + (boundary.passes >= number ? width_m : 0);
@@ -52,7 +52,7 @@ bool comes_near(const Path& path, const std::vector<Box>& reaches, const Ring& r
   return false;
 }
 
-/// What rings leave of the ground, kMissedToDoubled times, and what they work elsewhere or again, but for a
+/// The ground that rings leave, times kMissedToDoubled, plus the area they work elsewhere or again, up to a
 /// constant, m².
 double missed_and_doubled_m2(const std::vector<HeadlandPass>& rings, const GroundToWork& to_work,
                              const std::vector<HeadlandPass>& before) {
@@ -76,10 +76,10 @@ double missed_and_doubled_m2(const std::vector<HeadlandPass>& rings, const Groun
 int meetings_of(const std::vector<HeadlandPass>& rings) {
   std::vector<Path> paths;
   for (const HeadlandPass& ring : rings) paths.push_back(ring.path);
-  return meeting_places(paths);
+  return meeting_count(paths);
 }
 
-/// Does a pass of the group come too near to the boundary, or is it on its wrong side?
+/// Whether a pass of the group comes too near to the boundary or is on its wrong side.
 bool disturbs(const RingGroup& group, const Boundary& boundary, int number, double width_m) {
   if (!boundary.obstacle && boundary.passes < number) return false;  // passes end there
   const double room = room_m(boundary, number, width_m);
@@ -92,7 +92,7 @@ bool disturbs(const RingGroup& group, const Boundary& boundary, int number, doub
   });
 }
 
-/// What groups are made from.
+/// The input of groups.
 struct Scene {
   const std::vector<Boundary>& boundaries;
   const HeadlandTerms& terms;
@@ -105,7 +105,7 @@ struct Scene {
   }
 };
 
-/// Puts together the first two groups one of which disturbs the other; false: there are none.
+/// Joins the first two groups of which one disturbs the other; false where there are none.
 bool merge_first(std::vector<RingGroup>& groups, const Scene& scene) {
   for (std::size_t i = 0; i < groups.size(); ++i)
     for (std::size_t j = 0; j < groups.size(); ++j) {

@@ -8,7 +8,7 @@
 namespace tramline {
 namespace {
 
-CentreLine rail_along(const OffsetPiece& piece, double radius_m) {
+CentreLine centre_line_along(const OffsetPiece& piece, double radius_m) {
   const Point from = piece.segment.from + radius_m * left_of(piece.from_heading);
   const Point to = piece.segment.to + radius_m * left_of(piece.to_heading);
   if (piece.segment.straight()) return {offset_line(from, to), piece.offset_boundary, 0, false};
@@ -17,22 +17,23 @@ CentreLine rail_along(const OffsetPiece& piece, double radius_m) {
 }
 
 double slack_on(const OffsetCurve& curve) {
-  return curve.straight() ? kBeyondRail_m : kBeyondRail_m / curve.radius;
+  return curve.straight() ? kBeyondCentreLine_m : kBeyondCentreLine_m / curve.radius;
 }
 
-/// A centre_line of the way, as far as it is part of it.
+/// The part of a centre line that belongs to the way.
 struct Stage {
   const CentreLine* centre_line = nullptr;
   double first = 0;
   double last = 0;
 
-  bool has(double place) const {
+  bool has(double position) const {
     const double slack = slack_on(centre_line->curve);
-    return place >= first - slack && place <= last + slack;
+    return position >= first - slack && position <= last + slack;
   }
 };
 
-std::vector<Stage> stages(const std::vector<CentreLine>& centre_lines, CentrePlace from, CentrePlace to) {
+std::vector<Stage> stages(const std::vector<CentreLine>& centre_lines, CentrePosition from,
+                          CentrePosition to) {
   std::vector<Stage> out;
   const auto extent = [&](std::size_t centre_line) { return centre_lines[centre_line].curve.extent; };
   if (from.centre_line == to.centre_line && from.at <= to.at)
@@ -45,7 +46,7 @@ std::vector<Stage> stages(const std::vector<CentreLine>& centre_lines, CentrePla
   return out;
 }
 
-/// Where the circle, rolling along one centre_line, comes to touch another.
+/// The point where the circle, rolling along one centre line, comes to touch the piece of another.
 struct Touch {
   double here = 0;
   std::size_t stage = 0;
@@ -54,16 +55,16 @@ struct Touch {
   Point heading_before, heading_after;
 };
 
-/// On stages before `end`, in the order in which the circle comes to them.
+/// Touches of stages before `end`, in the order in which the circle reaches them.
 std::vector<Touch> touches(const std::vector<Stage>& stages, std::size_t on, double at, std::size_t end) {
-  // Circles that leave what they touched turn right.
+  // A circle that leaves what it touched turns right.
   std::vector<Touch> out;
   const OffsetCurve& here = stages[on].centre_line->curve;
   for (std::size_t k = on + 1; k < end; ++k) {
     const OffsetCurve& there = stages[k].centre_line->curve;
     if (!intersects(here.box, there.box)) continue;
     for (const Point p : meetings(here, there)) {
-      const double a = place_on(here, p), b = place_on(there, p);
+      const double a = position_on(here, p), b = position_on(there, p);
       if (!stages[on].has(a) || a < at - slack_on(here) || !stages[k].has(b)) continue;
       const Point before = heading_at(here, p), after = heading_at(there, p);
       if (cross(before, after) < kLeastKink_rad) continue;
@@ -86,7 +87,7 @@ double length_m(const CentreLine& centre_line) {
                                       : centre_line.curve.extent * centre_line.curve.radius;
 }
 
-/// A ring's stages, round and round, and a walk along them.
+/// The stages of a ring, repeated three times, and a walk along them.
 class Walk {
  public:
   Walk(const std::vector<CentreLine>& centre_lines, std::size_t start, const ArcFits& fits,
@@ -102,7 +103,7 @@ class Walk {
       stages_.insert(stages_.end(), stages_.begin(), stages_.begin() + static_cast<std::ptrdiff_t>(round_));
   }
 
-  /// Once round from a stage. Gives the ways, and the stage behind the first kink that ended one; nullopt:
+  /// Goes round once from a stage. Returns the stage behind the first kink that ended a way; nullopt where
   /// there was none.
   std::optional<std::size_t> go(std::size_t from, std::vector<OffsetRing>& ways) const {
     std::optional<std::size_t> behind_first;
@@ -126,7 +127,7 @@ class Walk {
   }
 
  private:
-  /// The stage that is too far ahead to be come to from one.
+  /// The first stage too far ahead to be reached from this one.
   std::size_t reach_from(std::size_t on) const {
     double skipped_m = 0;
     std::size_t k = on + 1;
@@ -143,16 +144,16 @@ class Walk {
 
 }  // namespace
 
-std::vector<CentreLine> centre_lines_along(const std::vector<OffsetRing>& level, double radius_m) {
+std::vector<CentreLine> centre_lines_along(const std::vector<OffsetRing>& offset_lines, double radius_m) {
   std::vector<CentreLine> out;
-  for (const OffsetRing& ring : level) {
+  for (const OffsetRing& ring : offset_lines) {
     std::vector<const OffsetPiece*> pieces;
     for (const OffsetPiece& piece : ring)
       if (distance(piece.segment.from, piece.segment.to) > kShortestPiece_m) pieces.push_back(&piece);
     const std::size_t first = out.size(), n = pieces.size();
     for (std::size_t i = 0; i < n; ++i) {
       const Point before = pieces[i]->to_heading, after = pieces[(i + 1) % n]->from_heading;
-      out.push_back(rail_along(*pieces[i], radius_m));
+      out.push_back(centre_line_along(*pieces[i], radius_m));
       out.back().next = first + (i + 1) % n;
       out.back().straight_on =
           std::abs(std::atan2(cross(before, after), dot(before, after))) < kStraightOn_rad;
@@ -170,8 +171,8 @@ OffsetPiece piece_between(const CentreLine& centre_line, double from, double to)
           centre_line.offset_boundary};
 }
 
-std::optional<OffsetRing> rolling_circle_path(const std::vector<CentreLine>& centre_lines, CentrePlace from,
-                                              CentrePlace to, const ArcFits& fits) {
+std::optional<OffsetRing> rolling_circle_path(const std::vector<CentreLine>& centre_lines,
+                                              CentrePosition from, CentrePosition to, const ArcFits& fits) {
   const std::vector<Stage> way = stages(centre_lines, from, to);
   OffsetRing out;
   double at = from.at;

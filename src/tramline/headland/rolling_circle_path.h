@@ -1,5 +1,6 @@
 #pragma once
-// A turning circle that rolls along the level of a pass, and heeds nothing but what is ahead of it there.
+// The path of a turning circle that rolls along the offset line of a pass and heeds only what is ahead of it
+// there.
 
 #include <functional>
 #include <optional>
@@ -10,47 +11,50 @@
 
 namespace tramline {
 
-/// The circle's centre while it touches one piece of the level from the land's side.
+/// The line of the circle's centre while the circle touches one piece of the offset line from the land's
+/// side.
 struct CentreLine {
   OffsetCurve curve;
   std::size_t offset_boundary = 0;
-  std::size_t next = 0;      ///< round the ring
+  std::size_t next = 0;      ///< index of the next one round the ring
   bool straight_on = false;  ///< no kink before the next one
 };
 
-/// The centre_lines of rings of the level, ring by ring. Pieces shorter than kShortestPiece_m are left out.
-std::vector<CentreLine> centre_lines_along(const std::vector<OffsetRing>& level, double radius_m);
+/// The centre lines of rings of offset lines, ring by ring. Pieces shorter than kShortestPiece_m are left
+/// out.
+std::vector<CentreLine> centre_lines_along(const std::vector<OffsetRing>& offset_lines, double radius_m);
 
-/// A place on a centre_line.
-struct CentrePlace {
+/// A position on a centre line.
+struct CentrePosition {
   std::size_t centre_line = 0;
-  double at = 0;  ///< as OffsetCurve's places: m along a line, rad along an arc
+  double at = 0;  ///< as on an OffsetCurve: m along a line, rad along an arc
 };
 
-/// The piece of a centre_line between two places.
+/// The piece of a centre line between two positions.
 OffsetPiece piece_between(const CentreLine& centre_line, double from, double to);
 
-/// May the pass drive the turning circle's arc about the centre, from where it touches one centre_line's
-/// piece to where it touches the other's?
+/// Whether the pass may drive the turning circle's arc about the centre, from where it touches the piece of
+/// one centre line to where it touches that of the other.
 using ArcFits = std::function<bool(Point centre, Point heading_before, Point heading_after)>;
 
-/// The way of the centre from one place along the centre_lines to another (all round the ring where that lies
-/// behind). From centre_line to centre_line it goes where the circle touches both: the first such place ahead
-/// where `fits` lets the circle's arc be driven, however many centre_lines that leaves out. So each arc is on
-/// the land, but the circle need not be. nullopt: there is no such way. O(n²) for n centre_lines on the way.
-std::optional<OffsetRing> rolling_circle_path(const std::vector<CentreLine>& centre_lines, CentrePlace from,
-                                              CentrePlace to, const ArcFits& fits);
+/// The line of the centre from one position along the centre lines to another (all round the ring where that
+/// lies behind). It changes from one centre line to another where the circle touches both pieces: at the
+/// first such point ahead where `fits` accepts the circle's arc, however many centre lines that leaves out.
+/// So each arc is on the land, but the circle need not be. nullopt where there is no such line. O(n²) for n
+/// centre lines on the way.
+std::optional<OffsetRing> rolling_circle_path(const std::vector<CentreLine>& centre_lines,
+                                              CentrePosition from, CentrePosition to, const ArcFits& fits);
 
-/// Ways of the centre along a whole ring of the level.
+/// The lines of the centre along a whole ring of the offset line.
 struct RollingCirclePaths {
   std::optional<OffsetRing> closed;  ///< where the circle gets all the way round
-  std::vector<OffsetRing> open;      ///< else, from one kink that it cannot get round to the next one
+  std::vector<OffsetRing> open;      ///< otherwise from each kink that it cannot get round to the next one
 };
 
-/// Along the ring of centre_line `start`. From centre_line to centre_line the circle goes as
-/// rolling_circle_path() has it, but leaves out no more than `most_skipped_m` of the level at one place:
-/// where there is no such way the path ends at the kink and the next one begins behind it. O(n²) for n
-/// centre_lines of the ring.
+/// The lines of the centre along the ring of centre line `start`. The circle changes centre lines as in
+/// rolling_circle_path(), but leaves out no more than `most_skipped_m` of the offset line at once: where that
+/// is impossible the line ends at the kink and the next one begins behind it. O(n²) for n centre lines of the
+/// ring.
 RollingCirclePaths rolling_circle_paths(const std::vector<CentreLine>& centre_lines, std::size_t start,
                                         const ArcFits& fits, double most_skipped_m);
 

@@ -1,75 +1,75 @@
 #pragma once
-// What counts as nothing on passes and levels, and how near passes may come. What one algorithm alone needs
-// stands with it.
+// Tolerances of passes and their offset lines, and of the distance that passes keep. Tolerances of a single
+// algorithm stand with it.
 
 #include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 
-// Of lengths.
+// Tolerances of lengths.
 
-/// A circle has more than the machine's radius by this, m: what it just touches is then nearer for sure.
+/// Excess of a circle's radius over the machine's, m: what the circle just touches is then nearer for sure.
 inline constexpr double kCoversSurely_m = 1e-8;
-/// Pieces of a path or of a level that are shorter are left out, m: the nodes where they end are not known
-/// well enough to give them a heading.
+/// Shorter pieces of a path or of an offset line are left out, m: the nodes where they end are not exact
+/// enough to give them a heading.
 inline constexpr double kShortestPiece_m = 1e-7;
-/// Circles that roll along centre_lines may touch them as little beyond their ends, m: each end is a node.
-inline constexpr double kBeyondRail_m = 1e-7;
-/// Vertices of a boundary that are no farther off the line beside them are left out, m.
+/// Circles that roll along centre lines may touch them beyond their ends by this, m: each end is a node.
+inline constexpr double kBeyondCentreLine_m = 1e-7;
+/// Vertices of a boundary that are no farther from the line through their neighbours are left out, m.
 inline constexpr double kIdleVertex_m = 1e-7;
-/// Land just wide enough to turn on is wide enough: passes come nearer to their boundaries by this, m.
+/// Passes may come nearer to their boundaries by this, m, so that land just wide enough to turn on is wide
+/// enough.
 inline constexpr double kJustFits_m = 1e-7;
-/// A pass may come nearer to a boundary than it should by this, m: what land that just fits and vertices left
-/// out take.
+/// A pass may come nearer to a boundary than it should by this, m: the sum of the slack for land that just
+/// fits and of the vertices left out.
 inline constexpr double kNearerPass_m = 2e-7;
-/// Groups of passes may come nearer to another boundary by this, m, and do not meet it: what the precision
-/// grid makes of a distance.
+/// Groups of passes may come nearer to another boundary by this, m, without meeting it: the error of a
+/// distance on the precision grid.
 inline constexpr double kNearerGroup_m = 1e-6;
-/// Pieces of a ring that are no longer may be on no centre_line, m: where rings of two levels join there are
-/// such.
-inline constexpr double kOffRails_m = 1e-5;
-/// What a swath touches along its sides by no more is not in its way, m: chords of bodies and boundaries lie
+/// Pieces of a ring that are no longer may lie on no centre line, m: there are such where rings of two offset
+/// lines join.
+inline constexpr double kOffCentreLines_m = 1e-5;
+/// What reaches into a swath's sides by no more is not in its way, m: chords of bodies and boundaries lie
 /// beside arcs.
 inline constexpr double kBeside_m = 1e-4;
-/// A pass is not driven on by less, m.
+/// A pass is not extended by less, m.
 inline constexpr double kNoRun_m = 1e-4;
 
-// Of headings.
+// Tolerances of headings.
 
-/// Less is no turn, rad.
+/// A smaller turn is none, rad.
 inline constexpr double kStraightOn_rad = 1e-7;
-/// A pass that turns by more at a joint has a kink there, rad: joints are off by what grid and nodes make of
-/// short pieces.
+/// A pass that turns by more at a joint has a kink there, rad: joints are inexact by the effect of grid and
+/// nodes on short pieces.
 inline constexpr double kKink_rad = 1e-6;
 
-// Of areas.
+// Tolerances of areas.
 
-/// A path that works less ground than its length makes, by more than this, meets itself, m²: rounding of the
-/// area of a long pass.
+/// A path whose area is less than width · length by more than this meets itself, m²: rounding of the area of
+/// a long pass.
 inline constexpr double kSelfOverlap_m2 = 1e-6;
-/// Rings that leave and double less ground are better by more than this, m²: below, it is rounding.
+/// Rings are better only if they leave and double less ground by more than this, m²: less is rounding.
 inline constexpr double kNoGain_m2 = 1e-3;
-/// Smaller polygons between passes are what chords leave where bands meet, m².
+/// Smaller polygons between passes are gaps between chords where bands meet, m².
 inline constexpr double kBandsMeet_m2 = 1e-3;
 
-// How far chords may be off the arcs they stand for.
+// Largest distances between arcs and the chords that replace them.
 
-/// The largest distance between the edge of the body about a corner, an arc, and the chords that stand for
-/// it, m.
+/// The largest distance between the edge of the body about a corner, an arc, and the chords that replace it,
+/// m.
 inline constexpr double kBodySagitta = 1e-3;
 
-// What has to be nearer or farther for sure is so by more than distances are told apart, and by less than
-// what fits.
+// What has to be nearer or farther for sure is so by more than distances are distinguished by, and by less
+// than the slack for what fits.
 static_assert(kSameDistance_m < kCoversSurely_m && kCoversSurely_m < kJustFits_m);
 // Pieces end at nodes.
-static_assert(kSameNode_m < kShortestPiece_m && kSameNode_m < kBeyondRail_m);
-// A pass that fits is not refused for having used what was granted to it, nor put into one group with what
-// lies at its side.
+static_assert(kSameNode_m < kShortestPiece_m && kSameNode_m < kBeyondCentreLine_m);
+// A pass that fits is not refused for using its slack, nor put into one group with what lies at its side.
 static_assert(kJustFits_m + kIdleVertex_m <= kNearerPass_m && kNearerPass_m < kNearerGroup_m);
-static_assert(kNearerGroup_m <= kSamePlace_m && kSamePlace_m < kOffRails_m);
+static_assert(kNearerGroup_m <= kSamePlace_m && kSamePlace_m < kOffCentreLines_m);
 // Chords beside a swath are not in its way.
 static_assert(kChordSagitta < kBeside_m && kLayerSagitta <= kBeside_m);
-// What goes on straight has no kink, and a joint does not have one where a level has no corner.
+// What goes straight on has no kink, and a joint has none where an offset line has no corner.
 static_assert(kStraightOn_rad <= kSameHeading_rad && kStraightOn_rad < kKink_rad);
 static_assert(kNoCorner_rad < kKink_rad);
 // The rounding of one pass is below that of all of them together.

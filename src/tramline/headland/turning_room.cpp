@@ -21,7 +21,7 @@ TurningRoom turning_room(const std::vector<Boundary>& boundaries, double width_m
   return out;
 }
 
-std::vector<OffsetRing> levels(const TurningRoom& land) {
+std::vector<OffsetRing> offset_lines(const TurningRoom& land) {
   return offset_rings(land.offset_boundaries, land.discs);
 }
 

@@ -7,9 +7,9 @@
 namespace tramline {
 namespace {
 
-/// What of the ground the pass leaves. Bands whose inner edge shrinks to points may fold there by rounding,
-/// which the polygon engine does not always digest: a little narrower they do not.
-Region left_by(const HeadlandPass& pass, double width_m, const Region& ground) {
+/// The ground that the pass leaves. Bands whose inner edge shrinks to points may fold there by rounding,
+/// which the polygon engine does not always accept; slightly narrower ones do not fold.
+Region unworked_by(const HeadlandPass& pass, double width_m, const Region& ground) {
   constexpr int kTries = 4;
   for (int i = 0;; ++i) {
     try {
@@ -25,7 +25,7 @@ Region left_by(const HeadlandPass& pass, double width_m, const Region& ground) {
 
 Region unworked_ground(const Headland& headland, double width_m) {
   Region out = headland.ground;
-  for (const HeadlandPass& pass : headland.passes) out = left_by(pass, width_m, out);
+  for (const HeadlandPass& pass : headland.passes) out = unworked_by(pass, width_m, out);
   std::erase_if(out, [](const Polygon& part) { return area(part) < kBandsMeet_m2; });
   return out;
 }

@@ -10,7 +10,7 @@
 namespace tramline {
 namespace {
 
-/// What is seen of the level's arc about a corner.
+/// The offset line's arc about a corner.
 struct TightArc {
   Point corner;
   double slack_m = 0;  ///< a disc covers the arc if its centre is no farther than this from the corner
@@ -19,7 +19,7 @@ struct TightArc {
   double turned_rad = 0;  ///< from the first one to the last one
   std::size_t offset_boundary = 0;
 
-  double level_m(double radius_m) const { return radius_m - slack_m; }
+  double offset_radius_m(double radius_m) const { return radius_m - slack_m; }
 };
 
 /// Consecutive arcs with one disc.
@@ -41,8 +41,8 @@ bool covers(Point centre, const std::vector<TightArc>& arcs, std::size_t count) 
       [&](const TightArc& arc) { return distance(centre, arc.corner) <= arc.slack_m + kTouch_m; });
 }
 
-/// The centre that covers the arcs and lies farthest back, away from the land; false: there is none. Takes
-/// the arcs one by one: if one is not covered, the new centre is as far from it as may be.
+/// The centre that covers the arcs and lies farthest back, away from the land; false where there is none.
+/// Adds the arcs one by one: if one is not covered, the new centre is as far from it as allowed.
 bool farthest_back(const std::vector<TightArc>& arcs, Point back, Point& centre) {
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     const TightArc& arc = arcs[i];
@@ -68,12 +68,12 @@ bool farthest_back(const std::vector<TightArc>& arcs, Point back, Point& centre)
 }
 
 /// Finds the disc for all arcs of a group.
-bool place(Group& group) {
+bool find_disc(Group& group) {
   const auto& arcs = group.arcs;
   double turned = arcs.front().turned_rad;
   for (std::size_t i = 1; i < arcs.size(); ++i)
     turned += angle_right(arcs[i - 1].last, arcs[i].first) + arcs[i].turned_rad;
-  // All but once round a small obstacle there is no side to lean to.
+  // Arcs that turn nearly all round a small obstacle have no common side to move the disc to.
   if (turned > 1.25 * std::numbers::pi) {
     std::vector<Point> corners;
     for (const TightArc& arc : arcs) corners.push_back(arc.corner);
@@ -84,23 +84,23 @@ bool place(Group& group) {
   return farthest_back(arcs, -1.0 * ahead, group.centre);
 }
 
-/// How deep the arcs' ends and middles lie in any of the discs, at most.
+/// Largest depth of the arcs' ends and middles in any of the discs.
 double depth(const std::vector<const Group*>& arcs_of, const std::vector<Point>& centres, double radius_m) {
   double out = 0;
   for (const Group* group : arcs_of)
     for (const TightArc& arc : group->arcs)
       for (const Point out_of_corner : {arc.first, turned_right(arc.first, 0.5 * arc.turned_rad), arc.last})
         for (const Point centre : centres)
-          out =
-              std::max(out, radius_m - distance(centre, arc.corner + arc.level_m(radius_m) * out_of_corner));
+          out = std::max(
+              out, radius_m - distance(centre, arc.corner + arc.offset_radius_m(radius_m) * out_of_corner));
   return out;
 }
 
-/// Both in one, where that is possible and takes no more of the land.
+/// Joins two groups into one, where that is possible and takes no more of the land.
 bool join(Group& a, const Group& b, double radius_m) {
   Group both = a;
   both.arcs.insert(both.arcs.end(), b.arcs.begin(), b.arcs.end());
-  if (!place(both)) return false;
+  if (!find_disc(both)) return false;
   if (depth({&both}, {both.centre}, radius_m) > depth({&a, &b}, {a.centre, b.centre}, radius_m) + kTouch_m)
     return false;
   a = std::move(both);
@@ -110,14 +110,14 @@ bool join(Group& a, const Group& b, double radius_m) {
 std::vector<Group> tight_arcs(const OffsetRing& ring, double radius_m) {
   std::vector<Group> out;
   for (const OffsetPiece& piece : ring) {
-    const double level = radius(piece.segment);
-    if (piece.segment.straight() || level >= radius_m) continue;
+    const double offset_radius = radius(piece.segment);
+    if (piece.segment.straight() || offset_radius >= radius_m) continue;
     const Point first{-piece.from_heading.y, piece.from_heading.x};
     const Point last{-piece.to_heading.y, piece.to_heading.x};
-    Group group{{{piece.centre, radius_m - level, first, last, std::abs(turning(piece.segment)),
+    Group group{{{piece.centre, radius_m - offset_radius, first, last, std::abs(turning(piece.segment)),
                   piece.offset_boundary}},
                 {}};
-    place(group);
+    find_disc(group);
     out.push_back(std::move(group));
   }
   return out;

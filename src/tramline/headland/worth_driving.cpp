@@ -34,28 +34,29 @@ class Bands {
   std::vector<Box> boxes_;
 };
 
-/// What a path, or a step of it, works.
+/// The area that a path, or a step of it, works.
 struct Work {
-  double worked_m2 = 0;  ///< without what lies on passable land
+  double worked_m2 = 0;  ///< without passable land
   double fresh_m2 = 0;   ///< of the ground, for the first time
 
   double in_vain_m2() const { return worked_m2 - fresh_m2; }
   double worth_m2() const { return kMissedToDoubled * fresh_m2 - in_vain_m2(); }
 };
 
-double area_on(const Region& land, const Path& path, const Box& window, double width_m, const Bands* taken) {
+double area_on(const Region& land, const Path& path, const Box& window, double width_m,
+               const Bands* covered) {
   RisingCurves curves;
   for (const Ring& ring : rings_of(land))
     if (intersects(bounds(ring), window)) append_ring(ring, Layer::kBody, window, curves);
   if (curves.empty()) return 0;
-  if (taken != nullptr) taken->append_near(window, curves);
+  if (covered != nullptr) covered->append_near(window, curves);
   append_band(path, width_m, Layer::kNew, curves);
   return newly_covered_area(curves);
 }
 
-Work work_of(const Path& path, const GroundToWork& to_work, const Bands& taken) {
+Work work_of(const Path& path, const GroundToWork& to_work, const Bands& covered) {
   const Box window = reach_of(path, to_work.width_m);
-  Work out{to_work.width_m * length(path), area_on(to_work.ground, path, window, to_work.width_m, &taken)};
+  Work out{to_work.width_m * length(path), area_on(to_work.ground, path, window, to_work.width_m, &covered)};
   if (!to_work.passable.empty())
     out.worked_m2 -= area_on(to_work.passable, path, window, to_work.width_m, nullptr);
   return out;
@@ -68,7 +69,7 @@ struct Step {
   double worth_m2 = 0;
 };
 
-std::vector<Step> steps_of(const Path& path, const GroundToWork& to_work, Bands taken) {
+std::vector<Step> steps_of(const Path& path, const GroundToWork& to_work, Bands covered) {
   const double step_m = 0.25 * to_work.width_m;
   std::vector<Step> out;
   double at_m = 0;
@@ -79,8 +80,8 @@ std::vector<Step> steps_of(const Path& path, const GroundToWork& to_work, Bands 
       const Path part = stretch_of({segment}, length_m * i / count, length_m * (i + 1) / count);
       if (part.empty()) continue;
       out.push_back({at_m + length_m * i / count, at_m + length_m * (i + 1) / count,
-                     work_of(part, to_work, taken).worth_m2()});
-      taken.add(part);
+                     work_of(part, to_work, covered).worth_m2()});
+      covered.add(part);
     }
     at_m += length_m;
   }
@@ -94,7 +95,7 @@ struct Run {
   double sum_m2 = 0;
 };
 
-/// The run of steps, round the end of the list, that is the least worth.
+/// The run of steps of least value, which may go round the end of the list.
 Run worst_run(const std::vector<Step>& steps) {
   const std::size_t n = steps.size();
   Run worst, now;
@@ -108,8 +109,8 @@ Run worst_run(const std::vector<Step>& steps) {
   return worst;
 }
 
-/// The steps that are not in a run, beginning behind it: those from the beginning of the path once more
-/// round.
+/// The steps not in a run, starting behind it: those from the beginning of the path are one length farther
+/// on.
 std::vector<Step> without(const Run& run, const std::vector<Step>& steps, double length_m) {
   const std::size_t n = steps.size();
   std::vector<Step> out;
@@ -122,10 +123,10 @@ std::vector<Step> without(const Run& run, const std::vector<Step>& steps, double
   return out;
 }
 
-/// The runs that are worth most together, each less its ends.
+/// The runs with the greatest total value, each less its ends.
 std::vector<Run> best_runs(const std::vector<Step>& steps) {
   const std::size_t n = steps.size();
-  // What is best up to a step where that is driven, and where it is not; and whether the one before was.
+  // Best value up to a step if that is driven, and if it is not; and whether the step before was driven.
   std::vector<char> driven_before_on(n), driven_before_off(n);
   double on = -kEndsOfPass_m2, off = 0;
   for (std::size_t i = 0; i < n; ++i) {
@@ -160,13 +161,13 @@ std::vector<Path> worth_driving(const Path& path, const GroundToWork& to_work,
                                 const std::vector<HeadlandPass>& before, double least_length_m) {
   constexpr double kNothingNew_share = 1e-3;
   const double length_m = length(path);
-  const Bands taken = bands_of(before, to_work.width_m);
-  const Work whole = work_of(path, to_work, taken);
+  const Bands covered = bands_of(before, to_work.width_m);
+  const Work whole = work_of(path, to_work, covered);
   const bool closed = is_closed(path);
   if (whole.fresh_m2 < kNothingNew_share * whole.worked_m2) return {};
   if (closed && whole.in_vain_m2() < kEndsOfPass_m2) return {path};
   if (!closed && kMissedToDoubled * whole.fresh_m2 <= kEndsOfPass_m2) return {};
-  std::vector<Step> steps = steps_of(path, to_work, taken);
+  std::vector<Step> steps = steps_of(path, to_work, covered);
   if (closed) {
     const Run worst = worst_run(steps);
     if (worst.sum_m2 >= -kEndsOfPass_m2 && whole.worth_m2() > 0) return {path};
@@ -182,11 +183,11 @@ std::vector<Path> worth_driving(const Path& path, const GroundToWork& to_work,
 
 double worth_m2(const std::vector<Path>& parts, const GroundToWork& to_work,
                 const std::vector<HeadlandPass>& before) {
-  Bands taken = bands_of(before, to_work.width_m);
+  Bands covered = bands_of(before, to_work.width_m);
   double out = 0;
   for (const Path& part : parts) {
-    out += work_of(part, to_work, taken).worth_m2() - (is_closed(part) ? 0 : kEndsOfPass_m2);
-    taken.add(part);
+    out += work_of(part, to_work, covered).worth_m2() - (is_closed(part) ? 0 : kEndsOfPass_m2);
+    covered.add(part);
   }
   return out;
 }

@@ -16,12 +16,12 @@ class Laying {
   Laying(double width, const CurvedGround& ground, const EndCriterion& criterion)
       : width_(width), ground_(ground), criterion_(criterion) {}
 
-  /// False where the track may be driven nowhere.
+  /// False where the track cannot be driven anywhere.
   bool lay(Track& track) const {
     if (!intersects(reach_of(track.path, width_), ground_.body.grid().bounds())) return false;
     profile(track);
     if (track.stretches.empty()) return false;
-    if (!track.closed || track.by_hard.empty()) return true;
+    if (!track.closed || track.hard_stretches.empty()) return true;
     begin_at(middle_of_longest(track), track);
     profile(track);
     return !track.stretches.empty();
@@ -36,11 +36,11 @@ class Laying {
     if (track.stretches.empty()) return;
     if (!ground_.hard.edges().empty()) {
       track.hard = TrackProfile(path_profile(ground_.hard, track.path, width_));
-      track.by_hard = track.hard.where_at_least(kWidthTolerance);
-      track.stretches = without(track.stretches, track.by_hard);
+      track.hard_stretches = track.hard.where_at_least(kWidthTolerance);
+      track.stretches = without(track.stretches, track.hard_stretches);
     }
-    track.by_passable = met(ground_.passable, track.path);
-    track.stretches = without(track.stretches, met(ground_.beyond, track.path));
+    track.passable_stretches = stretches_in(ground_.passable, track.path);
+    track.stretches = without(track.stretches, stretches_in(ground_.beyond, track.path));
     if (!ground_.field.edges().empty())
       track.stretches =
           common(track.stretches,
@@ -48,7 +48,7 @@ class Laying {
     std::erase_if(track.stretches, [](const Interval& s) { return s.length() < kNoPiece_m; });
   }
 
-  Intervals met(const EdgeIndex& region, const Path& path) const {
+  Intervals stretches_in(const EdgeIndex& region, const Path& path) const {
     if (region.edges().empty()) return {};
     return where_at_least(path_profile(region, path, width_), kWidthTolerance);
   }
@@ -60,9 +60,9 @@ class Laying {
     return 0.5 * (longest.from + longest.to);
   }
 
-  static void begin_at(double place, Track& track) {
-    Path path = path_between(track.path, place, track.length_m);
-    const Path rest = path_between(track.path, 0, place);
+  static void begin_at(double position, Track& track) {
+    Path path = path_between(track.path, position, track.length_m);
+    const Path rest = path_between(track.path, 0, position);
     path.insert(path.end(), rest.begin(), rest.end());
     track.path = std::move(path);
   }
@@ -72,7 +72,7 @@ class Laying {
   const EndCriterion& criterion_;
 };
 
-/// Which side of the path the point is on, and how far off: right positive.
+/// Signed distance of the point from the path, right positive.
 double signed_distance(const Path& path, Point p) {
   double least = std::numeric_limits<double>::infinity(), out = 0;
   for (const PathSegment& segment : path) {
@@ -115,8 +115,8 @@ LaidTracks curved_pieces(const std::vector<FamilyTrack>& parallel, double width_
 }
 
 StripRange tracks_over(const Path& reference, const Box& box, double width_m) {
-  // Points of the box are no farther off than its corners but for a bend between them: the distance to
-  // the path changes by no more than the way.
+  // Points of the box are no farther off than its corners, except for a bend between them: the distance to
+  // the path changes by no more than the length moved.
   constexpr int kSteps = 16;
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (int i = 0; i <= kSteps; ++i)

@@ -9,22 +9,22 @@
 
 namespace tramline {
 
-/// What curved tracks have to keep to. Frame: the field's.
+/// The land that curved tracks have to heed. Frame: the field's.
 struct CurvedGround {
-  EdgeIndex body;                ///< what is to be covered; passable land may lie in it
+  EdgeIndex body;                ///< land to be covered; passable land may lie in it
   EdgeIndex hard{Region{}};      ///< no swath enters it: obstacles, given-up land
-  EdgeIndex field{Region{}};     ///< no swath leaves it; a region without edges: any may
+  EdgeIndex field{Region{}};     ///< no swath leaves it; without edges: swaths may leave
   EdgeIndex passable{Region{}};  ///< crossed with the work interrupted
-  EdgeIndex beyond{Region{}};    ///< entered by no swath, and no stop either: it is not of the field
+  EdgeIndex beyond{Region{}};  ///< not part of the field: no swath enters it, and an end before it is no stop
 };
 
-/// Those tracks of `parallel` that may be driven somewhere under the end rule. Exact up to 1e-8 m along arcs
-/// and rounding along straight lines. Closed tracks that something hard blocks begin in the middle of their
+/// The tracks of `parallel` that may be driven somewhere under the end rule. Exact up to 1e-8 m along arcs
+/// and up to rounding along straight lines. Closed tracks blocked by hard land begin in the middle of their
 /// longest stretch. Precondition: regions of the ground oriented; the width `parallel` was made with.
 TrackFamily curved_tracks(const std::vector<FamilyTrack>& parallel, double width_m,
                           const CurvedGround& ground, const EndCriterion& criterion);
 
-/// What is driven on them without detours.
+/// The pieces driven on these tracks without detours.
 LaidTracks curved_pieces(const std::vector<FamilyTrack>& parallel, double width_m, const CurvedGround& ground,
                          const EndCriterion& criterion, double min_length_m);
 

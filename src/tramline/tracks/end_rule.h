@@ -1,5 +1,5 @@
 #pragma once
-// Which cross-sections of a strip may be driven, under each end rule (DESIGN: end rule).
+// The end rules: which cross-sections of a strip may be driven (DESIGN: end rule).
 
 #include "tramline/model/objective.h"
 #include "tramline/model/plan.h"
@@ -7,8 +7,8 @@
 
 namespace tramline {
 
-/// An end rule made ready for one objective and width: a cross-section may be driven where the centre
-/// line is inside the subfield, or where at least `least_width_m` of the width is.
+/// An end rule evaluated for one objective and width: a cross-section may be driven where the centre line is
+/// inside the subfield, or where at least `least_width_m` of the width is.
 struct EndCriterion {
   bool by_centre_line = false;
   double least_width_m = 0;
@@ -18,9 +18,9 @@ struct EndCriterion {
 /// λo/(λo+λu) at which running on stops to pay, since dS/dy = λo(w − m) − λu·m (ALGORITHMS §0.1).
 EndCriterion end_criterion(EndRule rule, const Objective& objective, double width_m);
 
-/// Where a track may be driven by the end rule alone.
+/// The stretches in which a track may be driven by the end rule alone.
 Intervals allowed_by(const EndCriterion& criterion, const TrackProfile& subfield);
-/// The same for a strip of which no track is made.
+/// The same for a strip without making a track.
 Intervals allowed_by(const EndCriterion& criterion, const StripProfile& subfield);
 
 }  // namespace tramline

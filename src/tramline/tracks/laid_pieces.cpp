@@ -11,18 +11,18 @@
 namespace tramline {
 namespace {
 
-/// One after the other along the track.
+/// In order along the track.
 [[maybe_unused]] bool sorted_and_apart(const std::vector<TrackDetour>& detours) {
   for (std::size_t i = 0; i + 1 < detours.size(); ++i)
     if (detours[i].to > detours[i + 1].from + kSameDistance_m) return false;
   return true;
 }
 
-/// What is driven in one go, or would be were it longer: between two crossings.
+/// The part of a joined stretch between two crossings, driven without interruption unless it is too short.
 struct LaidPart {
   Interval whole;
   std::vector<TrackDetour> detours{};
-  double length_m = 0;  ///< of what is driven
+  double length_m = 0;  ///< of the driven path
 };
 
 double length_of(const Interval& whole, const std::vector<TrackDetour>& detours) {
@@ -48,12 +48,12 @@ std::vector<LaidPart> parts_between_crossings(const JoinedStretch& joined, const
   return parts;
 }
 
-/// What is driven on a curved track.
+/// The driven path on a curved track.
 Path driven_path(const Track& track, const LaidPiece& piece) {
   Path out;
   double at = piece.from;
   const auto keep_on_until = [&](double to) {
-    // Detours may follow one another at once.
+    // A detour may begin where the one before ends.
     if (to - at < kShortest_m) return;
     Path part = path_along(track, at, to);
     if (part.empty()) return;
@@ -94,8 +94,8 @@ void move_on(JoinedStretch& joined, double by) {
   }
 }
 
-/// The stretch before the beginning of a closed track goes on behind it. One that is driven all round
-/// begins where work is interrupted.
+/// The stretch before the beginning of a closed track continues behind it. A track driven all round begins
+/// where work is interrupted.
 void close(const Track& track, std::vector<JoinedStretch>& stretches) {
   if (stretches.empty() || stretches.front().whole.from > kNoPiece_m ||
       stretches.back().whole.to < track.length_m - kNoPiece_m)
@@ -110,16 +110,16 @@ void close(const Track& track, std::vector<JoinedStretch>& stretches) {
   }
   JoinedStretch& round = stretches.front();
   if (!round.detours.empty()) return;
-  if (track.by_passable.empty()) {
+  if (track.passable_stretches.empty()) {
     round.whole.to = track.length_m - kOpening_m;
     return;
   }
-  const double first = track.by_passable.front().to;
+  const double first = track.passable_stretches.front().to;
   if (first < track.length_m - kNoPiece_m) round.whole = {first, first + track.length_m};
 }
 
-/// What lies along a track, once more where a closed one goes on.
-Intervals going_on(const Intervals& along, double length_m) {
+/// The stretches along a track, repeated beyond its length for a closed one.
+Intervals repeated_beyond_end(const Intervals& along, double length_m) {
   Intervals out = along;
   for (const Interval& one : along) append_joining(out, {one.from + length_m, one.to + length_m});
   return out;
@@ -171,7 +171,8 @@ std::vector<JoinedStretch> joined_stretches(const Intervals& stretches,
 
 void append_joined(const Track& track, const JoinedStretch& joined, double min_length_m, LaidTracks& out) {
   std::vector<LaidPart> parts = parts_between_crossings(
-      joined, track.closed ? going_on(track.by_passable, track.length_m) : track.by_passable);
+      joined, track.closed ? repeated_beyond_end(track.passable_stretches, track.length_m)
+                           : track.passable_stretches);
   const auto is_long = [min_length_m](const LaidPart& part) { return part.length_m >= min_length_m; };
   const auto first = std::find_if(parts.begin(), parts.end(), is_long);
   const auto last = std::find_if(parts.rbegin(), parts.rend(), is_long).base();

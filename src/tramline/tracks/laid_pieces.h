@@ -22,10 +22,10 @@ struct TrackDetour {
 struct LaidPiece {
   int track = 0;    ///< Track::index
   int branch = 0;   ///< Track::branch
-  double from = 0;  ///< beyond the length of a closed track where it goes on behind its beginning
+  double from = 0;  ///< beyond the length of a closed track where the piece continues past its beginning
   double to = 0;
-  Path path{};           ///< what is driven on a curved track, detours included; empty on a straight one
-  double length_m = 0;   ///< of what is driven, detours included
+  Path path{};           ///< driven path on a curved track, detours included; empty on a straight one
+  double length_m = 0;   ///< of the driven path, detours included
   double inside_m2 = 0;  ///< area of the swath inside the subfield where the piece keeps to its track
   bool stop_at_from = false;
   bool stop_at_to = false;
@@ -33,13 +33,13 @@ struct LaidPiece {
   std::vector<TrackDetour> detours{};  ///< along the track, not overlapping
 };
 
-/// Where the piece keeps to its track: before, between and after its detours.
+/// The stretches in which the piece keeps to its track: before, between and after its detours.
 Intervals parts_on_track(const LaidPiece& piece);
 
-/// The same as paths in the frame of the grid. Precondition: the piece is one of a curved track.
+/// The same parts as paths in the frame of the grid. Precondition: the piece is one of a curved track.
 std::vector<Path> paths_on_track(const LaidPiece& piece);
 
-/// What is driven on the tracks of one family.
+/// The pieces driven on the tracks of one family.
 struct LaidTracks {
   StripGrid grid;
   std::vector<LaidPiece> pieces;   ///< by track, then along
@@ -52,19 +52,19 @@ struct JoinedStretch {
   std::vector<TrackDetour> detours{};
 };
 
-/// The stretches of a track as the detours join them. Preconditions as for append_pieces.
+/// The stretches of a track as joined by the detours. Preconditions as for append_pieces.
 std::vector<JoinedStretch> joined_stretches(const Intervals& stretches,
                                             const std::vector<TrackDetour>& detours);
 
-/// The pieces of one joined stretch, which may lie across the beginning of a closed track; see append_pieces.
+/// Appends the pieces of one joined stretch, which may lie across the beginning of a closed track; see
+/// append_pieces.
 void append_joined(const Track& track, const JoinedStretch& joined, double min_length_m, LaidTracks& out);
 
-/// The pieces of one track, whose stretches the detours join; passable obstacles interrupt them. What is
-/// shorter than the least length is dropped, from both ends of a joined stretch inwards: what lies
-/// between two pieces that are driven is driven. A stretch across the place where a closed track begins comes
-/// as one piece. Appended to `pieces` and `dropped`.
-/// Preconditions: detours are sorted and do not overlap; each begins and ends within a stretch and lies
-/// clear of passable obstacles.
+/// Appends the pieces of one track to `pieces` and `dropped`. Detours join its stretches; passable obstacles
+/// interrupt them. Pieces shorter than the least length are dropped from both ends of a joined stretch
+/// inwards: everything between two driven pieces is driven. A stretch across the beginning of a closed track
+/// is one piece. Preconditions: detours are sorted and do not overlap; each begins and ends within a stretch
+/// and lies clear of passable obstacles.
 void append_pieces(const Track& track, const std::vector<TrackDetour>& detours, double min_length_m,
                    LaidTracks& out);
 

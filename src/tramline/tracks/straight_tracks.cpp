@@ -7,21 +7,21 @@
 namespace tramline {
 namespace {
 
-/// Of ground that mostly is not there.
+/// Profiles of a region that is often empty.
 class Sections {
  public:
   Sections(const Region& ground, const StripGrid& grid, StripRange range, const StripMask& wanted) {
     if (!ground.empty()) profiles_ = cross_sections(ground, grid, range, wanted);
   }
-  StripProfile take(std::size_t place) {
-    return profiles_.empty() ? StripProfile{} : std::move(profiles_[place]);
+  StripProfile take(std::size_t index) {
+    return profiles_.empty() ? StripProfile{} : std::move(profiles_[index]);
   }
 
  private:
   std::vector<StripProfile> profiles_;
 };
 
-/// Where a strip leaves a hard boundary.
+/// The stretches in which a strip leaves a hard boundary.
 std::vector<Intervals> beyond_boundary(const StripGrid& grid, StripRange range, const StripMask& wanted,
                                        const Region& field) {
   if (field.empty()) return {};
@@ -63,9 +63,9 @@ TrackFamily straight_tracks(const StripGrid& grid, StripRange range, const Strip
     track.index = k;
     track.subfield = TrackProfile(std::move(subfield[i]));
     track.hard = TrackProfile(hard.take(i));
-    track.by_hard = track.hard.where_at_least(kWidthTolerance);
-    track.by_passable = where_at_least(passable.take(i), kWidthTolerance);
-    track.stretches = without(allowed_by(criterion, track.subfield), track.by_hard);
+    track.hard_stretches = track.hard.where_at_least(kWidthTolerance);
+    track.passable_stretches = where_at_least(passable.take(i), kWidthTolerance);
+    track.stretches = without(allowed_by(criterion, track.subfield), track.hard_stretches);
     if (!by_outside.empty()) track.stretches = without(track.stretches, by_outside[i]);
     if (!ground.beyond.empty())
       track.stretches = without(track.stretches, where_at_least(beyond.take(i), kWidthTolerance));

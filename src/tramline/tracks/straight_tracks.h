@@ -9,12 +9,12 @@
 
 namespace tramline {
 
-/// The ground of a field in the turned plane of one grid.
+/// The land of a field in the turned plane of one grid.
 struct TurnedGround {
   Region hard;  ///< obstacles and given-up land
   Region passable;
   Region field;     ///< the field's outer ring where it is hard, else empty
-  Region beyond{};  ///< entered by no swath, and no stop either: it is not of the field
+  Region beyond{};  ///< not part of the field: no swath enters it, and an end before it is no stop
 };
 
 /// A track for each strip that the subfield reaches into. `turned` is the subfield in the grid's plane.
@@ -22,11 +22,11 @@ struct TurnedGround {
 TrackFamily straight_tracks(const StripGrid& grid, const Polygon& turned, const TurnedGround& ground,
                             const EndCriterion& criterion);
 
-/// Only those of the range that are wanted.
+/// The same for the wanted strips of the range only.
 TrackFamily straight_tracks(const StripGrid& grid, StripRange range, const StripMask& wanted,
                             const Polygon& turned, const TurnedGround& ground, const EndCriterion& criterion);
 
-/// The same from the subfield's profiles, by k − range.first; those not wanted are not looked at.
+/// The same from the subfield's profiles, by k − range.first; those not wanted are ignored.
 TrackFamily straight_tracks(const StripGrid& grid, StripRange range, const StripMask& wanted,
                             std::vector<StripProfile> subfield, const TurnedGround& ground,
                             const EndCriterion& criterion);

@@ -34,7 +34,7 @@ std::vector<double> across_longest(const std::vector<ParallelEdge>& edges) {
 }
 
 /// Whether two coordinates across lie on the same grid of strips.
-bool in_step(double a, double b, double width_m) {
+bool same_grid(double a, double b, double width_m) {
   return std::abs(std::remainder(a - b, width_m)) <= kSamePlace_m;
 }
 
@@ -52,7 +52,7 @@ std::vector<StripGrid> strip_grids(const Subfield& subfield, double width_m) {
   std::vector<StripGrid> grids;
   for (const double origin : origins)
     if (std::none_of(grids.begin(), grids.end(),
-                     [&](const StripGrid& grid) { return in_step(grid.origin_m, origin, width_m); }))
+                     [&](const StripGrid& grid) { return same_grid(grid.origin_m, origin, width_m); }))
       grids.push_back({frame, origin, width_m});
   return grids;
 }

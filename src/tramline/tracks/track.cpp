@@ -10,7 +10,7 @@
 namespace tramline {
 namespace {
 
-/// Calls `visit(from, to)` for the parts before and behind the place where a closed track begins.
+/// Calls `visit(from, to)` for the parts before and behind the beginning of a closed track.
 template <class Visit>
 void visit_parts(const Track& track, double from, double to, Visit visit) {
   const double length_m = track.length_m;

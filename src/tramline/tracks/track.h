@@ -1,5 +1,5 @@
 #pragma once
-// Tracks that lie side by side, and where each may be driven.
+// Tracks side by side, and the stretches in which each may be driven.
 
 #include <vector>
 
@@ -12,15 +12,15 @@ namespace tramline {
 /// and metres from the beginning of its path where it is curved.
 struct Track {
   int index = 0;          ///< the swath lies between lines `index` and `index` + 1 of the family's grid
-  int branch = 0;         ///< which of the paths of that index: a curve's offset may fall into several
-  bool closed = false;    ///< ends where it begins: positions go on beyond its length
+  int branch = 0;         ///< index among the paths of that index: a curve's offset may be in several parts
+  bool closed = false;    ///< ends where it begins: positions continue beyond its length
   Path path{};            ///< of a curved track, in the field's frame; empty: the centre line of a strip
   double length_m = 0;    ///< of the path
-  TrackProfile subfield;  ///< of the land that its pieces are there to cover
-  TrackProfile hard;      ///< of what no swath enters
-  Intervals by_hard;      ///< where anything hard reaches into the swath
-  Intervals by_passable;  ///< where a passable obstacle does
-  Intervals stretches;    ///< what the end rule allows, less what is hard or beyond a hard boundary
+  TrackProfile subfield;  ///< of the land that its pieces have to cover
+  TrackProfile hard;      ///< of the land that no swath enters
+  Intervals hard_stretches;      ///< where anything hard reaches into the swath
+  Intervals passable_stretches;  ///< where a passable obstacle reaches into the swath
+  Intervals stretches;  ///< where the end rule allows driving, less hard land and land beyond a hard boundary
 };
 
 inline bool is_straight(const Track& track) { return track.path.empty(); }
@@ -37,12 +37,12 @@ struct TrackFamily {
 /// beyond its length.
 double inside_between(const Track& track, double from, double to);
 
-/// A curved track between two positions; from beyond its length on, a closed one goes on from its beginning.
+/// The path of a curved track between two positions; beyond its length a closed one continues from its
+/// beginning.
 Path path_along(const Track& track, double from, double to);
 
-/// Whether a piece that ends at `end` and runs towards it in the sense (+1: along, −1: against) ends in a
-/// stop: the first millimetre beyond meets something hard, on average over more than half the width
-/// tolerance.
+/// Whether a piece that ends at `end`, running towards it in the sense (+1: along, −1: against), ends in a
+/// stop: in the first millimetre beyond, hard land takes more than half the width tolerance on average.
 bool stops_at(const Track& track, double end, int sense);
 
 }  // namespace tramline

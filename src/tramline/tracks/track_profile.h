@@ -1,5 +1,5 @@
 #pragma once
-// How much of a region lies in the cross-sections of a track's swath, be the track straight or curved.
+// The part of a region in the cross-sections of a track's swath, straight or curved.
 
 #include <utility>
 #include <variant>
@@ -9,7 +9,7 @@
 
 namespace tramline {
 
-/// Positions are those of the track (track.h). Without anything: nothing of the region lies in the swath.
+/// Positions are those of the track (track.h). Default constructed: no part of the region lies in the swath.
 class TrackProfile {
  public:
   TrackProfile() = default;
@@ -20,9 +20,9 @@ class TrackProfile {
   /// Precondition: of a straight track.
   const StripProfile& straight() const;
 
-  /// Where at least `least_m` (> 0) of the cross-section is inside.
+  /// The stretches in which at least `least_m` (> 0) of the cross-section is inside.
   Intervals where_at_least(double least_m) const;
-  /// Where the track itself is inside.
+  /// The stretches in which the track itself is inside.
   Intervals centre_inside() const;
   /// Area of the region within the swath between two positions, m².
   double area_between(double from, double to) const;

@@ -58,7 +58,7 @@ class Recursion {
     return !zhou_track_extent(track, width_m_, box).empty();
   }
 
-  /// Twice what parallel tracks would need: a line that bends back on itself might go on for ever.
+  /// Twice the number that parallel tracks would need: a line that bends back on itself might go on for ever.
   int most_tracks() const {
     return 2 * static_cast<int>(std::ceil(std::hypot(box_.width(), box_.height()) / width_m_)) + 2;
   }
@@ -72,7 +72,7 @@ class Recursion {
 
 Path extended_over(const std::vector<Point>& line, double width_m, const Region& body) {
   Path out = extended(polyline_path(line), bounds(body).grown(width_m)).path;
-  // What extends an edge is no edge of its own: tracks would gain two with every one before them.
+  // An extension is merged into its edge: otherwise each track would gain two edges over the one before.
   if (out.size() > 1 && out.front().to == line.front()) {
     out[1].from = out.front().from;
     out.erase(out.begin());

@@ -1,6 +1,6 @@
 #pragma once
 // S2's own construction of tracks along a line (S2.6 to S2.9 straight, S2.11 to S2.13 with bends): each track
-// is made from the one before. Here to be compared with; tracks that a machine can follow are made by
+// is made from the one before. It serves for comparison; tracks that a machine can follow are made by
 // parallel.h and curved_tracks.h.
 
 #include "tramline/tracks/curved_tracks.h"
@@ -8,19 +8,20 @@
 namespace tramline {
 
 /// The line extended along its end tangents across the body (S2.11), the first track w/2 beside it, on either
-/// side (S2.13). Of each track the rows that have any of the body to work are its pieces
-/// (zhou_track_extent()); together with what lies between them they are the final track. Its offset by w,
-/// extended again, is the next (S2.12). Algorithm 2 buffers every track but the first by w where its rows are
-/// w/2 wide to either side: read as w/2. A track without a piece is carried on whole, until none meets the
-/// body's box any more. Kinks stay. Pieces have no `inside_m2`; rows of one family may overlap or leave land
-/// between them. Tracks are numbered from the line: 0, 1 … to the right, −1, −2 … to the left; `branch` is
-/// the part of the body. Pieces shorter than `min_length_m` (S2: 0) are dropped. Preconditions: two distinct
-/// points at least; no point twice in a row; the body is not empty. For each track a polygon boolean, and
-/// O(n²) where it crosses itself.
+/// side (S2.13). The pieces of each track are its rows with any body to work (zhou_track_extent()); together
+/// with the parts between them they are the final track. Its offset by w, extended again, is the next
+/// (S2.12). Algorithm 2 buffers every track but the first by w where its rows are w/2 wide to either side:
+/// read as w/2. A track without a piece is offset as a whole, until none meets the body's box any more. Kinks
+/// stay. Pieces have no `inside_m2`; rows of one family may overlap or leave land between them. Tracks are
+/// numbered from the line: 0, 1 … to the right, −1, −2 … to the left; `branch` is the part of the body.
+/// Pieces shorter than `min_length_m` (S2: 0) are dropped. Preconditions: at least two distinct points; no
+/// two consecutive points equal; the body is not empty. For each track a polygon boolean, and O(n²) where it
+/// crosses itself.
 LaidTracks zhou_tracks(const std::vector<Point>& line, double width_m, const Region& body,
                        double min_length_m);
 
-/// The line with straight ends on which the body's box lies behind; shorter where they would meet the line.
+/// The line with straight ends long enough to leave the body's box behind; shorter where they would meet the
+/// line.
 Path extended_over(const std::vector<Point>& line, double width_m, const Region& body);
 
 }  // namespace tramline

@@ -21,11 +21,11 @@ struct PathSegment {
 /// Segments one after the other: each begins where the last one ended. At least one.
 using Path = std::vector<PathSegment>;
 
-/// Infinite for a straight segment, m.
+/// Radius of the segment, m; infinite for a straight one.
 double radius(const PathSegment& segment);
 /// Precondition: an arc.
 Point centre(const PathSegment& arc);
-/// How far the heading turns from start to end, anticlockwise positive, rad; in [−π, π].
+/// Change of the heading from start to end, anticlockwise positive, rad; in [−π, π].
 double turning(const PathSegment& segment);
 double length(const PathSegment& segment);
 /// Unit vectors in driving direction. Precondition: from != to.
@@ -35,9 +35,9 @@ Point direction_at_end(const PathSegment& segment);
 /// A path of one straight segment.
 Path straight_path(Point from, Point to);
 double length(const Path& path);
-/// Infinite for a path without arcs, m.
+/// Smallest radius on the path, m; infinite for a path without arcs.
 double smallest_radius(const Path& path);
-/// The same ground driven the other way.
+/// The same path driven the other way.
 Path reversed(const Path& path);
 
 /// The path in another frame. `move` maps points and neither stretches nor mirrors.
@@ -50,30 +50,29 @@ Path moved(const Path& path, Motion move) {
   return out;
 }
 
-/// The largest distance between an arc and the chords that stand for it in polygons and files, m.
+/// Largest distance between an arc and the chords that replace it in polygons and files, m.
 inline constexpr double kChordSagitta = 1e-5;
 
-/// The path as a polyline whose vertices lie on it and whose chords are off it by at most `sagitta_m`.
+/// The path as a polyline whose vertices lie on it and whose chords deviate from it by at most `sagitta_m`.
 std::vector<Point> chords(const Path& path, double sagitta_m = kChordSagitta);
 
-/// The ground within half the width on both sides, with flat ends; counter-clockwise. Arcs are
-/// replaced by chords, off the true edge by at most `sagitta_m`.
-/// Where tangents are continuous and radii at least half the width it does not fold, and its area is
-/// width · length.
+/// The area within half the width on both sides, with flat ends; counter-clockwise. Arcs are replaced by
+/// chords, which deviate from the true edge by at most `sagitta_m`. Where tangents are continuous and radii
+/// are at least half the width it does not fold, and its area is width · length.
 Ring band(const Path& path, double width_m, double sagitta_m = kChordSagitta);
 
-/// The same for a path that ends where it begins, in the direction it began in: a ring of ground, without a
-/// seam. No hole where the inner edge has shrunk to nothing.
-/// Precondition: the band does not meet itself.
+/// The same for a path that ends where it begins, in its initial direction: a ring-shaped area without a
+/// seam. It has no hole where the inner edge has shrunk to nothing. Precondition: the band does not meet
+/// itself.
 Polygon closed_band(const Path& path, double width_m, double sagitta_m = kChordSagitta);
 
-/// A box that the band of the given width along the path does not leave.
+/// A box that contains the band of the given width along the path.
 Box reach_of(const Path& path, double width_m);
-/// The same, one for each segment's part of the band.
+/// The same for each segment's part of the band.
 std::vector<Box> reaches_of(const Path& path, double width_m);
 
-/// The runs of segments that may reach into one of the windows, along the path. `reaches`: those of its
-/// segments (reaches_of()). O(n·k) for k windows.
+/// The runs of consecutive segments whose bands may reach into one of the windows, in order along the path.
+/// `reaches`: the boxes of its segments (reaches_of()). O(n·k) for k windows.
 std::vector<Path> runs_near(const Path& path, const std::vector<Box>& reaches,
                             const std::vector<Box>& windows);
 

@@ -14,8 +14,9 @@
 
 namespace tramline {
 
-Region unite(const Region& polygons);            ///< input polygons may overlap
-Region unite(const Region& a, const Region& b);  ///< parts of the same one must not overlap; one overlay
+Region unite(const Region& polygons);  ///< input polygons may overlap
+Region unite(const Region& a,
+             const Region& b);  ///< the parts of one region must not overlap; a single overlay
 Region intersection(const Region& a, const Region& b);
 Region difference(const Region& a, const Region& b);
 Region symmetric_difference(const Region& a, const Region& b);
@@ -38,11 +39,11 @@ double distance_to_ring(const Region& region, const Ring& ring);
 /// The largest disc within the polygon, its radius to within `tolerance_m`. Precondition: a valid polygon.
 Disc largest_disc(const Polygon& polygon, double tolerance_m);
 
-/// The smallest convex polygon round all points; a triangle at least. Empty for fewer than three
-/// points not on one line.
+/// The smallest convex polygon that contains all points, at least a triangle. Empty where there are no three
+/// points that are not collinear.
 Region convex_hull(const std::vector<Point>& points);
 
-/// Why a polygon is not a valid OGC polygon and where; nullopt when it is.
+/// Reason why a polygon is not a valid OGC polygon, and the point where; nullopt when it is valid.
 struct Invalidity {
   std::string reason;
   Point place;
@@ -52,8 +53,8 @@ std::optional<Invalidity> find_invalidity(const Polygon& polygon);
 /// The land enclosed an odd number of times by the rings of the polygon (GEOS make-valid, linework).
 Region made_valid(const Polygon& polygon);
 
-/// The polygon cut into triangles between its vertices (constrained Delaunay); they do not overlap, and
-/// together they are the polygon. Precondition: a valid polygon.
+/// The polygon cut into triangles between its vertices (constrained Delaunay): they do not overlap, and their
+/// union is the polygon. Precondition: a valid polygon.
 Region triangles_of(const Polygon& polygon);
 
 /// Faces of the arrangement of the polygon's rings and the polylines that lie inside it, on the

@@ -45,7 +45,7 @@ struct Box {
 };
 bool intersects(const Box& a, const Box& b);
 
-/// Of the edge between two points.
+/// Bounding box of the edge between two points.
 inline Box bounds(Point a, Point b) {
   return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
 }
@@ -56,7 +56,7 @@ Box bounds(const Region& region);
 /// Positive for counter-clockwise rings; m². Computed about the first vertex, so that rings far
 /// from the origin keep their digits.
 double signed_area(const Ring& ring);
-/// Outer ring less holes, whatever the winding; m².
+/// Area of the outer ring less the holes, whatever their winding; m².
 double area(const Polygon& polygon);
 double area(const Region& region);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What is decided about one blocked track, straight or curved, and what it is told apart by.
+// The decision on one blocked track, straight or curved, and how choices are distinguished.
 
 #include <optional>
 #include <vector>
@@ -9,32 +9,32 @@
 
 namespace tramline {
 
-/// A track that obstacles block, its options, and what is chosen so far.
+/// A track that obstacles block, its options, and the detours chosen so far.
 struct Decision {
   BlockedTrack track;
   std::vector<TrackDetour> chosen;
 };
 
-/// Do both sets of detours drive the same?
+/// Whether both sets of detours drive the same paths.
 bool same_detours(const std::vector<TrackDetour>& a, const std::vector<TrackDetour>& b);
-/// Are two ways past the same gaps one, up to rounding?
+/// Whether two ways past the same gaps are equal up to rounding.
 bool same_drive(const WayRound& a, const WayRound& b);
-/// Is the way, up to rounding, an option of the track already?
+/// Whether the way is, up to rounding, already an option of the track.
 bool has_option(const BlockedTrack& track, const WayRound& way);
 
-/// A way past one gap at the price of the whole track, against that of a cut there; where no choice has it,
-/// with the reason it was refused for.
+/// A way past one gap, priced as the cost of the whole track above that with a cut there; where no choice
+/// contains it, with the reason for which it was refused.
 WayPast way_past(const BlockedTrack& track, const Forced& forced, const std::optional<TrackChoice>& choice,
                  double cost_of_cut, WaysPast ways);
 
-/// The gaps to pass in one go, from the first to the last, besides one by one.
+/// A row of gaps, first to last, to be passed by one detour as an alternative to single ones.
 struct GapRow {
   std::size_t first = 1;
   std::size_t last = 1;
 };
-/// Detours on one side that would run into each other cannot both be driven, but one round all of them can:
-/// two of them, three, and the whole row. `alone` are the possible ways past single gaps on that side,
-/// ascending.
+/// The rows of gaps to try with one detour: detours on one side that would run into each other cannot both be
+/// driven, but one round two of them, three, or the whole row can. `alone` are the possible ways past single
+/// gaps on that side, ascending.
 std::vector<GapRow> rows_to_join(const std::vector<WayRound>& alone);
 
 }  // namespace tramline

@@ -18,7 +18,7 @@ TrackWork work_of(const Track& track, const std::vector<TrackDetour>& detours, d
   return work;
 }
 
-/// Where the field's obstacles lie along a grid.
+/// The extents of the field's obstacles along a grid.
 std::vector<Interval> extents_along(const Field& field, const TrackFrame& frame) {
   std::vector<Interval> out;
   for (const Obstacle& obstacle : field.obstacles) {
@@ -28,7 +28,8 @@ std::vector<Interval> extents_along(const Field& field, const TrackFrame& frame)
   return out;
 }
 
-/// The option a detour was made of: a piece may have it with positions beyond the length of a closed track.
+/// The option that a detour was made from: a piece may hold it with positions beyond the length of a closed
+/// track.
 const TrackDetour& as_option(const BlockedTrack& track, const TrackDetour& detour) {
   for (const TrackOption& option : track.options)
     if (option.way.detour.path == detour.path) return option.way.detour;
@@ -48,14 +49,14 @@ DetourDecisions::DetourDecisions(const AvoidanceTask& task, std::vector<Decision
       least_m_(min_length_m(task.machine)),
       ground_(task.families),
       tracks_(std::move(found)) {
-  turn_ground();
+  prepare_families();
   for (std::size_t i = 0; i < task.families.size(); ++i)
     for (std::size_t k = 0; k < task.families[i].tracks.size(); ++k) work(i, k, {});
   for (const Decision& decision : tracks_) work(decision.track.family, decision.track.place, decision.chosen);
 }
 
-/// The ground as each family sees it.
-void DetourDecisions::turn_ground() {
+/// Turns the surroundings, obstacles and body into the plane of each family.
+void DetourDecisions::prepare_families() {
   for (const TrackFamily& family : task_.families) {
     around_.push_back(
         turned_surroundings(task_.ground, task_.field.outer, task_.settings.boundary, family.grid.frame));
@@ -71,12 +72,12 @@ void DetourDecisions::allow(WaysPast ways) {
   for (Decision& decision : tracks_) tramline::allow(decision.track, ways);
 }
 
-void DetourDecisions::work(std::size_t family, std::size_t place, const std::vector<TrackDetour>& detours) {
-  const bool was_driven = is_driven(ground_.at(family, place));
-  ground_.set(family, place, work_of(task_.families[family].tracks[place], detours, least_m_));
-  const int change = (is_driven(ground_.at(family, place)) ? 1 : 0) - (was_driven ? 1 : 0);
+void DetourDecisions::work(std::size_t family, std::size_t track, const std::vector<TrackDetour>& detours) {
+  const bool was_driven = is_driven(ground_.at(family, track));
+  ground_.set(family, track, work_of(task_.families[family].tracks[track], detours, least_m_));
+  const int change = (is_driven(ground_.at(family, track)) ? 1 : 0) - (was_driven ? 1 : 0);
   driven_ += change;
-  // From none to one or from one to two, or back: another track may now be the only one.
+  // When the number changes between none, one and two, another track may now be the only one.
   if (change == 0 || std::max(driven_, driven_ - change) > 2) return;
   for (Decision& decision : tracks_) decision.track.stale = true;
 }
@@ -89,8 +90,8 @@ void DetourDecisions::choose(Decision& decision, std::vector<TrackDetour> detour
   work(decision.track.family, decision.track.place, decision.chosen);
 }
 
-/// What others are worth depends on where this track's detours are, and on what they leave of its
-/// parts on its line.
+/// The value of other tracks' options depends on where this track's detours are, and on the parts of its line
+/// that they leave.
 void DetourDecisions::mark_stale_near(const Decision& decision, const std::vector<TrackDetour>& detours) {
   const StripGrid& grid = family_of(decision).grid;
   const Track& track = track_of(decision);
@@ -111,13 +112,13 @@ void DetourDecisions::mark_stale_near(const Decision& decision, const std::vecto
   }
 }
 
-bool DetourDecisions::take_paper_ways() {
+bool DetourDecisions::choose_paper_ways() {
   assert(ways_ == WaysPast::kPaper);
   bool any = false;
   for (Decision& decision : tracks_) {
     std::vector<TrackDetour> detours;
     for (const TrackOption& option : decision.track.options) {
-      // Two that run into each other on one track: the first is driven, S1 knows no more.
+      // Of two that run into each other on one track the first is driven: S1 says no more.
       if (!detours.empty() && detours.back().to > option.way.detour.from) continue;
       detours.push_back(option.way.detour);
     }
@@ -127,14 +128,14 @@ bool DetourDecisions::take_paper_ways() {
   return any;
 }
 
-void DetourDecisions::take_from(const std::vector<LaidTracks>& tracks) {
+void DetourDecisions::choose_from(const std::vector<LaidTracks>& tracks) {
   for (Decision& decision : tracks_) {
     std::vector<TrackDetour> detours;
     const Track& track = track_of(decision);
     for (const LaidPiece& piece : tracks[decision.track.family].pieces)
       if (piece.track == track.index && piece.branch == track.branch)
         for (const TrackDetour& detour : piece.detours) detours.push_back(as_option(decision.track, detour));
-    // What goes on behind the beginning of a closed track comes last in its piece.
+    // Detours behind the beginning of a closed track come last in its piece.
     std::stable_sort(detours.begin(), detours.end(),
                      [](const TrackDetour& a, const TrackDetour& b) { return a.from < b.from; });
     choose(decision, std::move(detours));

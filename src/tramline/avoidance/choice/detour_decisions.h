@@ -8,28 +8,29 @@
 
 namespace tramline {
 
-/// All tracks that obstacles block, their options, and what is chosen so far. Starts with every track
-/// cut, and our own ways to choose from. Refers to the task.
+/// All tracks that obstacles block, their options, and the detours chosen so far. Starts with every track cut
+/// and our own ways allowed. Refers to the task.
 class DetourDecisions {
  public:
   explicit DetourDecisions(const AvoidanceTask& task);
-  /// With the ways that were found and chosen for the same task before, and what they are worth.
+  /// Starts with the ways that were found, valued and chosen for the same task before.
   DetourDecisions(const AvoidanceTask& task, std::vector<Decision> found);
 
-  /// From now on these are chosen from. What is chosen stays.
+  /// Sets the ways to choose from. Present choices stay.
   void allow(WaysPast ways);
   WaysPast ways() const { return ways_; }
-  /// Chooses S1's way at every gap that has one. False where none has. Precondition: they are allowed.
-  bool take_paper_ways();
+  /// Chooses S1's way at every gap that has one. False where no gap has one. Precondition: these ways are
+  /// allowed.
+  bool choose_paper_ways();
   /// Chooses the detours that these tracks have.
-  void take_from(const std::vector<LaidTracks>& tracks);
-  /// Gives every track the choice that costs least while the others stay, until none changes. False
-  /// where nothing changed.
+  void choose_from(const std::vector<LaidTracks>& tracks);
+  /// Gives every track the cheapest choice while the others stay, until none changes. False where nothing
+  /// changed.
   bool improve();
 
   std::vector<LaidTracks> tracks() const;
   std::vector<Decision> decisions() && { return std::move(tracks_); }
-  /// What is decided where, and what the other ways that are allowed would cost.
+  /// The decision at every gap, and the costs of the other allowed ways.
   std::vector<PlacedEncounter> encounters();
 
  private:
@@ -40,8 +41,8 @@ class DetourDecisions {
     return task_.families[blocked.family].tracks[blocked.place];
   }
   const Track& track_of(const Decision& decision) const { return track_of(decision.track); }
-  void turn_ground();
-  void work(std::size_t family, std::size_t place, const std::vector<TrackDetour>& detours);
+  void prepare_families();
+  void work(std::size_t family, std::size_t track, const std::vector<TrackDetour>& detours);
   void choose(Decision& decision, std::vector<TrackDetour> detours);
   void mark_stale_near(const Decision& decision, const std::vector<TrackDetour>& detours);
 
@@ -64,7 +65,7 @@ class DetourDecisions {
   // detour_improvement.cpp
   void value(Decision& decision);
   double saving_of(Decision& decision, std::vector<TrackDetour>* best_detours);
-  /// Tracks first to end − 1 that meet one obstacle, tried with one another.
+  /// Tracks first to end − 1, blocked by one obstacle, whose choices are tried in combination.
   struct Group {
     std::size_t first = 0, end = 0;
     std::vector<std::vector<TrackDetour>> best;  ///< empty: nothing saves more than most_saved
@@ -76,7 +77,7 @@ class DetourDecisions {
 
   // detour_encounters.cpp
   PlacedEncounter encounter_at(Decision& decision, std::size_t gap);
-  std::vector<std::size_t> obstacles_taken_along(const Decision& decision, const TrackDetour& detour) const;
+  std::vector<std::size_t> obstacles_passed_with(const Decision& decision, const TrackDetour& detour) const;
 
   const AvoidanceTask& task_;
   WaysPast ways_ = WaysPast::kOwn;
@@ -84,7 +85,7 @@ class DetourDecisions {
   double least_m_;
   std::vector<Surroundings> around_;  ///< by family
   std::vector<std::vector<Interval>>
-      obstacles_;                        ///< by family of straight tracks and obstacle: where it lies along
+      obstacles_;                        ///< by family of straight tracks and obstacle: its extent along
   std::vector<std::vector<Ring>> body_;  ///< its rings in the plane of each family
   WorkedGround ground_;
   int driven_ = 0;  ///< tracks with a piece

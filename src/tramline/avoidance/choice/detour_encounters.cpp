@@ -1,4 +1,4 @@
-// What was decided where tracks meet obstacles, and what the other ways would have cost.
+// The decisions where tracks meet obstacles, and the costs of the other ways.
 
 #include <algorithm>
 
@@ -7,13 +7,13 @@
 namespace tramline {
 namespace {
 
-/// Of two ascending lists.
+/// Keeps the elements common to two ascending lists.
 void keep_common(std::vector<std::size_t>& some, const std::vector<std::size_t>& others) {
   std::erase_if(some, [&](std::size_t x) { return !std::binary_search(others.begin(), others.end(), x); });
 }
 
-/// The place on the line of a track, in the field's frame.
-Point place_on(const TrackFamily& family, const Track& track, double along) {
+/// The point on the line of a track, in the field's frame.
+Point point_on(const TrackFamily& family, const Track& track, double along) {
   if (is_straight(track)) return family.grid.frame.to_field({family.grid.centre(track.index), along});
   return path_along(track, 0, along).back().to;
 }
@@ -37,13 +37,13 @@ PlacedEncounter DetourDecisions::encounter_at(Decision& decision, std::size_t ga
   out.subfield = decision.track.family;
   out.track = track.index;
   out.branch = track.branch;
-  out.at = place_on(family_of(decision), track, middle);
+  out.at = point_on(family_of(decision), track, middle);
   out.obstacles = obstacles_in(decision.track, out.between);
   for (const TrackDetour& detour : decision.chosen)
     if (detour.from <= middle && detour.to >= middle) {
       out.chosen = detour.side;
-      const std::vector<std::size_t> taken_along = obstacles_taken_along(decision, detour);
-      out.obstacles.insert(out.obstacles.end(), taken_along.begin(), taken_along.end());
+      const std::vector<std::size_t> passed = obstacles_passed_with(decision, detour);
+      out.obstacles.insert(out.obstacles.end(), passed.begin(), passed.end());
       keep_common(out.obstacles, detour.obstacles);
       std::sort(out.obstacles.begin(), out.obstacles.end());
       out.obstacles.erase(std::unique(out.obstacles.begin(), out.obstacles.end()), out.obstacles.end());
@@ -60,9 +60,9 @@ PlacedEncounter DetourDecisions::encounter_at(Decision& decision, std::size_t ga
   return out;
 }
 
-/// A track simply ends at the headland round an obstacle, and there is nothing to decide. Where a detour
-/// about another obstacle leads past it all the same, it is met with that one.
-std::vector<std::size_t> DetourDecisions::obstacles_taken_along(const Decision& decision,
+/// At the headland round an obstacle a track just ends, and there is nothing to decide. Where a detour round
+/// another obstacle leads past it all the same, it counts to that encounter.
+std::vector<std::size_t> DetourDecisions::obstacles_passed_with(const Decision& decision,
                                                                 const TrackDetour& detour) const {
   const Track& track = track_of(decision);
   const std::vector<std::size_t>& decided = decision.track.gaps;

@@ -1,9 +1,10 @@
-// What each choice is worth while the others stay, and better choices.
+// The value of each choice while the others stay, and the search for better choices.
 
 #include <algorithm>
+#include <functional>
 #include <utility>
+#include <vector>
 
-#include "tramline/avoidance/choice/decision_rounds.h"
 #include "tramline/avoidance/choice/detour_decisions.h"
 #include "tramline/avoidance/tolerances.h"
 
@@ -22,6 +23,41 @@ bool share_a_hazard(const BlockedTrack& a, const BlockedTrack& b) {
   return false;
 }
 
+/// What the best choice for a track saves against its present one; also gives that choice where `best` is not
+/// null.
+using SavingOf = std::function<double(Decision&, std::vector<TrackDetour>* best)>;
+using Choose = std::function<void(Decision&, std::vector<TrackDetour> detours)>;
+
+/// The decisions that save most come first: an order that does not depend on how the field lies in its frame.
+std::vector<Decision*> by_saving(std::vector<Decision>& decisions, const SavingOf& saving_of) {
+  std::vector<std::pair<double, Decision*>> savings;
+  for (Decision& decision : decisions) savings.emplace_back(saving_of(decision, nullptr), &decision);
+  std::stable_sort(savings.begin(), savings.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<Decision*> out;
+  for (const auto& [saving, decision] : savings) out.push_back(decision);
+  return out;
+}
+
+/// Gives every track in this order its best choice while the others stay, and repeats this for stale tracks
+/// until none changes. Every change saves, so the rounds come to an end. False where nothing changed.
+bool improve_one_by_one(const std::vector<Decision*>& order, const SavingOf& saving_of,
+                        const Choose& choose) {
+  bool any = false;
+  for (bool first_round = true, changed = true; changed; first_round = false) {
+    changed = false;
+    for (Decision* decision : order) {
+      if (!first_round && !decision->track.stale) continue;
+      std::vector<TrackDetour> detours;
+      if (saving_of(*decision, &detours) <= kRounding_cost) continue;
+      choose(*decision, std::move(detours));
+      changed = true;
+    }
+    any = any || changed;
+  }
+  return any;
+}
+
 }  // namespace
 
 void DetourDecisions::value(Decision& decision) {
@@ -30,7 +66,7 @@ void DetourDecisions::value(Decision& decision) {
   value_options(decision.track, family_of(decision), body_[decision.track.family], ground_, least_m_);
 }
 
-/// What the track's best choice saves against what it does now.
+/// What the track's best choice saves against its present one.
 double DetourDecisions::saving_of(Decision& decision, std::vector<TrackDetour>* best_detours) {
   value(decision);
   const Track& track = track_of(decision);
@@ -54,7 +90,7 @@ bool DetourDecisions::improve() {
   return true;
 }
 
-/// A pole on the line between tracks: what suits each while the others stay need not be what suits all.
+/// For a pole on the line between tracks: the best choices of single tracks need not be the best combination.
 bool DetourDecisions::improve_groups() {
   const auto one_pole = [this](std::size_t i, std::size_t j) {
     const BlockedTrack &a = tracks_[i].track, &b = tracks_[j].track;
@@ -71,7 +107,7 @@ bool DetourDecisions::improve_groups() {
   return any;
 }
 
-/// Every choice for all tracks of the group but the last, with the best one for that.
+/// Tries every choice for all tracks of the group but the last, with the best one for that.
 bool DetourDecisions::improve_group(std::size_t first, std::size_t end) {
   Group group{first, end, {}, kRounding_cost};
   try_choices(group, first, 0);
@@ -80,8 +116,8 @@ bool DetourDecisions::improve_group(std::size_t first, std::size_t end) {
   return true;
 }
 
-/// Goes on from `at`; the tracks before have what is being tried and save so much together. Leaves all tracks
-/// from there on as they were.
+/// Tries the tracks from `at` on; those before hold the choices being tried, which together save `saved`.
+/// Leaves all tracks from `at` on as they were.
 void DetourDecisions::try_choices(Group& group, std::size_t at, double saved) {
   Decision& decision = tracks_[at];
   const std::vector<TrackDetour> now = decision.chosen;

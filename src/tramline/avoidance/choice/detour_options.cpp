@@ -1,4 +1,4 @@
-// Which ways each track has past what is in its way.
+// The ways that each track has past what is in its way.
 
 #include <algorithm>
 #include <utility>
@@ -43,7 +43,7 @@ TrackTerms DetourDecisions::terms_of(const BlockedTrack& track) const {
   return {track.family, track_of(track), task_.objective, width_m_, least_m_};
 }
 
-/// While all tracks are cut.
+/// Called while all tracks are cut.
 void DetourDecisions::mark_expensive_options(Decision& decision) {
   BlockedTrack& track = decision.track;
   tramline::allow(track, WaysPast::kOwn);
@@ -89,7 +89,7 @@ void DetourDecisions::add(BlockedTrack& track, const WayRound& way, Construction
   track.options.push_back(std::move(option));
 }
 
-/// Unless it is known, cannot be driven, or cannot pay.
+/// Adds a way unless it is known, cannot be driven, or cannot pay.
 void DetourDecisions::add_option(BlockedTrack& track, const WayRound& way) {
   if (!way.possible() || has_option(track, way)) return;
   add(track, way, Construction::kOwn);
@@ -129,8 +129,8 @@ WayRound DetourDecisions::named(const BlockedTrack& track, WayRound way) const {
   return way;
 }
 
-/// Of those that the hazards are made of, the ones that lie along the track there. Land given up may join a
-/// hazard's obstacles to others far away: those are neither met nor passed here.
+/// The obstacles of the hazards that lie along the track there. Land given up may join a hazard's obstacles
+/// to others far away, which are neither reached nor passed here.
 std::vector<std::size_t> DetourDecisions::obstacles_along(const BlockedTrack& track,
                                                           const std::vector<std::size_t>& hazards,
                                                           Interval range) const {
@@ -147,7 +147,7 @@ std::vector<std::size_t> DetourDecisions::obstacles_along(const BlockedTrack& tr
   return out;
 }
 
-/// Those nearer to a curved track than its swath and the clearance.
+/// The obstacles nearer to a curved track than its swath and the clearance.
 std::vector<std::size_t> DetourDecisions::obstacles_near(const Track& curved, Interval range) const {
   const Path line = path_along(curved, range.from, range.to);
   const SwathLine reaching(line, width_m_ + 2 * task_.settings.clearance_m);

@@ -6,8 +6,8 @@
 namespace tramline {
 namespace {
 
-/// Other tracks that bend away leave ground to a detour that it does not find while they are cut. So much
-/// more than its cuts may a detour cost before it is given up.
+/// A detour may cost this many times as much as its cuts before it is dropped: other tracks that bend away
+/// leave land to it that it does not find while they are cut.
 constexpr double kDoubt = 3;
 
 /// Length of the path's parts that may still be over the strip itself.
@@ -26,22 +26,22 @@ double area_of(const TrackProfile& profile, const Intervals& parts) {
   return sum;
 }
 
-/// Ground of a subfield's strips in the window (in the plane of its grid) that they do not work straight.
-double free_m2(const TrackFamily& family, std::size_t place_of_family, const WorkedGround& ground,
+/// Area of a subfield's strips in the window (in the plane of its grid) that they do not work straight.
+double free_m2(const TrackFamily& family, std::size_t family_index, const WorkedGround& ground,
                const Box& window, const Track* except) {
   double sum = 0;
   const double width = family.grid.width_m;
   const int first = family.tracks.empty() ? 0 : family.tracks.front().index;
-  const auto place = [&](double across) {
+  const auto index_at = [&](double across) {
     return std::floor((across - family.grid.origin_m) / width) - first;
   };
   const double count = static_cast<double>(family.tracks.size());
-  const auto from = static_cast<std::size_t>(std::clamp(place(window.min_x), 0.0, count));
-  const auto to = static_cast<std::size_t>(std::clamp(place(window.max_x) + 1, 0.0, count));
+  const auto from = static_cast<std::size_t>(std::clamp(index_at(window.min_x), 0.0, count));
+  const auto to = static_cast<std::size_t>(std::clamp(index_at(window.max_x) + 1, 0.0, count));
   for (std::size_t i = from; i < to; ++i) {
     const Track& strip = family.tracks[i];
     if (&strip == except) continue;
-    const Intervals worked = ground.at(place_of_family, i).on_track;
+    const Intervals worked = ground.at(family_index, i).on_track;
     sum += area_of(strip.subfield, without({{window.min_y, window.max_y}}, worked));
   }
   return sum;
@@ -53,8 +53,8 @@ double length_of(const Intervals& parts) {
   return sum;
 }
 
-/// What joining the pieces at the option's gaps can save at most: turns, stops, and short stretches
-/// that would be dropped between cuts.
+/// Largest saving by joining the pieces at the option's gaps: turns, stops, and short stretches that would be
+/// dropped between cuts.
 double saved_at_most(const TrackOption& option, const TrackTerms& terms) {
   const Objective& prices = terms.objective;
   const double gaps = static_cast<double>(option.way.last_gap - option.way.first_gap + 1);
@@ -66,7 +66,7 @@ double saved_at_most(const TrackOption& option, const TrackTerms& terms) {
   return sum;
 }
 
-/// Boxes round all ground the detour works, none much longer than a swath is wide.
+/// Boxes round all land the detour works, none much longer than a swath is wide.
 std::vector<Box> boxes_along(const Path& path, double width_m) {
   Path steps;
   for (const PathSegment& segment : path) {

@@ -1,12 +1,12 @@
 #pragma once
-// A quick look at a detour before its areas are computed.
+// A quick estimate of a detour before its areas are computed.
 
 #include "tramline/avoidance/choice/track_options.h"
 #include "tramline/model/objective.h"
 
 namespace tramline {
 
-/// The track an option belongs to, and what decisions on it are made by.
+/// The track an option belongs to, and the terms of decisions on it.
 struct TrackTerms {
   std::size_t family = 0;
   const Track& track;
@@ -15,15 +15,15 @@ struct TrackTerms {
   double min_length_m = 0;
 };
 
-/// Would the detour cost several times what the cuts at its gaps do, even if all ground near it that no
-/// straight swath works were gained by it? Other tracks taken as cut. Looks at profiles only: O(strips near
-/// the detour). `ground` holds what all tracks work where they are kept to. Only straight tracks are asked
-/// for ground near by: along curves the answer is no.
+/// Whether the detour would cost several times as much as the cuts at its gaps, even if it gained all land
+/// near it that no straight swath works. Other tracks count as cut. Uses profiles only: O(strips near the
+/// detour). `ground` holds the land worked where pieces keep to their tracks. Only straight tracks are tested
+/// for land nearby: along curves the answer is no.
 bool can_be_pruned(const TrackOption& option, const TrackTerms& terms,
                    const std::vector<TrackFamily>& families, const WorkedGround& ground);
 
-/// The same of an option that has been valued with all other tracks cut: does it cost so much more than
-/// the cuts it saves that what other tracks do will not change that?
+/// The same for an option valued with all other tracks cut: whether it costs so much more than the cuts it
+/// saves that no choice of other tracks changes that.
 bool far_too_expensive(const TrackOption& option, const TrackTerms& terms);
 
 }  // namespace tramline

@@ -12,13 +12,13 @@ namespace {
 constexpr double kImpossible = std::numeric_limits<double>::infinity();
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-/// What one stretch, or several joined, costs.
+/// The cost of one stretch, or of several joined.
 struct StretchCost {
   double sum = 0;
-  bool driven = false;  ///< too short a stretch is not
+  bool driven = false;  ///< false: too short
 };
 
-/// What driving pieces of one track costs.
+/// The costs of driving pieces of one track.
 class PieceCost {
  public:
   PieceCost(const BlockedTrack& blocked, const Track& track, double width_m, const Objective& objective,
@@ -35,17 +35,17 @@ class PieceCost {
     StretchCost out;
     for (const LaidPiece& piece : laid.pieces) out.sum += of_piece(piece);
     out.driven = !laid.pieces.empty();
-    // A closed track goes on behind the place where it begins: one piece with what ends there.
+    // A closed track goes on behind its beginning: one piece with the stretch that ends there.
     if (track_.closed && out.driven && joined.whole.from <= kNoPiece_m &&
         joined.whole.to < track_.length_m - kNoPiece_m)
       out.sum -= objective_.turn;
     return out;
   }
 
-  /// A turn is counted for every piece, and there is one fewer in a plan that has any.
+  /// Every piece counts a turn, and a plan with any piece has one turn less.
   double counted_too_often() const { return blocked_.only_one_driven ? objective_.turn : 0; }
 
-  /// What an option adds to the cost of a piece that is driven in any case.
+  /// Cost that an option adds to a piece that is driven in any case.
   double of_option(const TrackOption& option) const {
     const double longer = option.way.detour.length_m - kept_length(option.replaced);
     return objective_.overlap * width_m_ * longer -

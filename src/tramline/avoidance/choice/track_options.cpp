@@ -17,7 +17,7 @@ Box box_round(const std::vector<Box>& boxes) {
   return out;
 }
 
-/// What a shape covers alone.
+/// The area that a shape covers alone.
 class Valuer {
  public:
   Valuer(const BlockedTrack& blocked, const TrackFamily& family, const std::vector<Ring>& body,
@@ -34,7 +34,7 @@ class Valuer {
     return newly_covered_area(curves);
   }
 
-  /// Where the track is kept to.
+  /// The value of the parts that keep to the track.
   double of_part(const Interval& part) const {
     const Path path = is_straight(track_) ? Path{} : path_along(track_, part.from, part.to);
     if (!is_straight(track_) && path.empty()) return 0;
@@ -49,7 +49,7 @@ class Valuer {
     return newly_covered_area(curves);
   }
 
-  /// Where the track may be driven within a range.
+  /// The stretches in which the track may be driven within a range.
   double of_stretches(const Interval& range) const {
     double sum = 0;
     for (const Interval& part : common(track_.stretches, {range})) sum += of_part(part);
@@ -67,7 +67,7 @@ class Valuer {
   RisingCurves surroundings(const Box& window, const std::vector<Box>& boxes) const {
     RisingCurves out;
     for (const Ring& ring : body_) append_ring(ring, Layer::kBody, window, out);
-    ground_.append_taken(blocked_.family, window, boxes, blocked_.place, out);
+    ground_.append_covered(blocked_.family, window, boxes, blocked_.place, out);
     return out;
   }
 
@@ -91,7 +91,7 @@ bool may_be_chosen(const TrackOption& option, WaysPast ways) {
   return own ? option.has_twin || !option.far_too_expensive : !option.has_twin;
 }
 
-/// In the order of the gaps they begin at; from one gap ours first, as they were found.
+/// By the gap they begin at; at the same gap ours first, in the order found.
 bool comes_before(const TrackOption& a, const TrackOption& b) {
   return std::tuple(a.way.first_gap, a.by, a.found) < std::tuple(b.way.first_gap, b.by, b.found);
 }
@@ -105,7 +105,7 @@ bool is_short(const Interval& stretch, double min_length_m) {
 std::vector<std::size_t> hard_gaps(const Track& track) {
   std::vector<std::size_t> out;
   for (std::size_t gap = 1; gap < track.stretches.size(); ++gap)
-    if (!common(track.by_hard, {{track.stretches[gap - 1].to, track.stretches[gap].from}}).empty())
+    if (!common(track.hard_stretches, {{track.stretches[gap - 1].to, track.stretches[gap].from}}).empty())
       out.push_back(gap);
   return out;
 }
@@ -141,15 +141,15 @@ void value_options(BlockedTrack& track, const TrackFamily& family, const std::ve
 
 void allow(BlockedTrack& track, WaysPast ways) {
   std::vector<TrackOption> all = std::move(track.options);
-  all.insert(all.end(), std::make_move_iterator(track.aside.begin()),
-             std::make_move_iterator(track.aside.end()));
+  all.insert(all.end(), std::make_move_iterator(track.not_allowed.begin()),
+             std::make_move_iterator(track.not_allowed.end()));
   std::sort(all.begin(), all.end(), comes_before);
   track.options.clear();
-  track.aside.clear();
+  track.not_allowed.clear();
   for (TrackOption& option : all) {
     const bool open = may_be_chosen(option, ways);
     if (open && option.stale) track.stale = true;
-    (open ? track.options : track.aside).push_back(std::move(option));
+    (open ? track.options : track.not_allowed).push_back(std::move(option));
   }
 }
 
@@ -157,7 +157,7 @@ void mark_stale(BlockedTrack& track, const TrackFamily& family, const Box& chang
   const Track& own = family.tracks[track.place];
   for (TrackOption& option : track.options)
     if (intersects(option.reach, changed)) option.stale = track.stale = true;
-  for (TrackOption& option : track.aside)
+  for (TrackOption& option : track.not_allowed)
     if (intersects(option.reach, changed)) option.stale = true;
   for (const Interval& stretch : own.stretches)
     if (intersects(swath_box(family.grid, own, stretch), changed)) track.stale = true;
@@ -165,7 +165,7 @@ void mark_stale(BlockedTrack& track, const TrackFamily& family, const Box& chang
 
 void mark_all_stale(BlockedTrack& track) {
   track.stale = true;
-  for (std::vector<TrackOption>* options : {&track.options, &track.aside})
+  for (std::vector<TrackOption>* options : {&track.options, &track.not_allowed})
     for (TrackOption& option : *options) option.stale = true;
 }
 

@@ -11,10 +11,10 @@
 namespace tramline {
 namespace {
 
-/// Shortest step along the track, and how near the place is brought in, m.
+/// Shortest step along the track, and accuracy of the position found, m.
 constexpr double kStep_m = 1e-2;
 constexpr double kNear_m = 1e-12;
-/// Places that are looked at where something is in the way, this far apart at most, m.
+/// Largest distance between the positions tested beside what is in the way, m.
 constexpr double kLookEvery_m = 0.25;
 
 struct Nearest {
@@ -23,7 +23,7 @@ struct Nearest {
   Point normal;
 };
 
-/// The centre line of the hull's discs, from a point.
+/// The point of the centre line of the hull's discs that is nearest to p.
 Nearest nearest_on(const Hull& hull, Point p) {
   Nearest out;
   for (std::size_t i = 0; i < hull.centres.size(); ++i) {
@@ -45,56 +45,58 @@ class WayBack {
  public:
   WayBack(const Hull& hull, double arc, const TrackLine& track) : hull_(hull), arc_(arc), track_(track) {}
 
-  std::optional<Approach> find(double& place) const {
-    if (const std::optional<Approach> touching = first_touch(place)) return touching;
-    return down_a_line(place);
+  std::optional<Approach> find(double& along) const {
+    if (const std::optional<Approach> touching = first_touch(along)) return touching;
+    return down_a_line(along);
   }
 
  private:
-  Point arc_centre(double place) const {
-    const PathPlace on = track_.places.at(place);
+  Point arc_centre(double along) const {
+    const PathPoint on = track_.measured.at(along);
     return on.at + arc_ * Point{-on.heading.y, on.heading.x};
   }
 
-  std::optional<Approach> first_touch(double& place) const {
+  std::optional<Approach> first_touch(double& along) const {
     const auto missing = [this](double at) {
       return hull_.radius + arc_ - nearest_on(hull_, arc_centre(at)).distance_m;
     };
-    if (!begin_where_lacking(missing, place) || !go_on_until_none(missing, place)) return std::nullopt;
-    const Point centre = arc_centre(place);
+    if (!begin_where_lacking(missing, along) || !go_on_until_none(missing, along)) return std::nullopt;
+    const Point centre = arc_centre(along);
     const Nearest touched = nearest_on(hull_, centre);
     if (touched.normal.y < 0 || hull_.centres.back().y > centre.y) return std::nullopt;
-    return Approach{touched.vertex, touched.normal, centre, track_.places.at(place).at};
+    return Approach{touched.vertex, touched.normal, centre, track_.measured.at(along).at};
   }
 
-  /// Where the hull rises so steeply that an arc to it would turn by more than a right angle.
-  std::optional<Approach> down_a_line(double& place) const {
+  /// The approach by a straight line, where the hull rises so steeply that an arc to it would turn by more
+  /// than a right angle.
+  std::optional<Approach> down_a_line(double& along) const {
     const SteepLine line = steepest_line(hull_);
     Approach out = line.touching;
     const auto missing = [&](double at) { return line.off_m + arc_ - dot(out.normal, arc_centre(at)); };
-    if (!begin_where_lacking(missing, place) || !go_on_until_none(missing, place)) return std::nullopt;
-    out.arc_centre = arc_centre(place);
-    out.on_track = track_.places.at(place).at;
+    if (!begin_where_lacking(missing, along) || !go_on_until_none(missing, along)) return std::nullopt;
+    out.arc_centre = arc_centre(along);
+    out.on_track = track_.measured.at(along).at;
     return out;
   }
 
-  /// The last place beside what is in the way where something is missing.
+  /// Finds the last position beside what is in the way at which distance is missing.
   template <class Missing>
-  bool begin_where_lacking(Missing missing, double& place) const {
+  bool begin_where_lacking(Missing missing, double& along) const {
     const double from = track_.blocked_from, to = track_.blocked_to;
     const int looks = 1 + static_cast<int>((to - from) / kLookEvery_m);
     for (int i = looks; i >= 0; --i) {
-      place = from + (to - from) * i / looks;
-      if (missing(place) >= 0) return true;
+      along = from + (to - from) * i / looks;
+      if (missing(along) >= 0) return true;
     }
     return false;
   }
 
-  /// `missing` changes by no more than twice the way.
+  /// Finds the next position at which none is missing. `missing` changes by no more than twice the length
+  /// moved.
   template <class Missing>
-  bool go_on_until_none(Missing missing, double& place) const {
-    const double end = track_.places.length();
-    double low = place, lacks = missing(low), high = low;
+  bool go_on_until_none(Missing missing, double& along) const {
+    const double end = track_.measured.length();
+    double low = along, lacks = missing(low), high = low;
     while (lacks >= 0) {
       low = high;
       if (low >= end) return false;
@@ -106,7 +108,7 @@ class WayBack {
       if (middle <= low || middle >= high) break;
       (missing(middle) >= 0 ? low : high) = middle;
     }
-    place = high;
+    along = high;
     return true;
   }
 
@@ -115,34 +117,34 @@ class WayBack {
   const TrackLine& track_;
 };
 
-/// The track seen from the other side: driven back, left and right exchanged.
+/// The track driven backwards, left and right exchanged.
 TrackLine mirrored(const Path& track, const TrackLine& line) {
   Path path;
   path.reserve(track.size());
   for (auto segment = track.rbegin(); segment != track.rend(); ++segment)
     path.push_back(
         {{-segment->to.x, segment->to.y}, {-segment->from.x, segment->from.y}, segment->curvature});
-  const double length_m = line.places.length();
-  return {PathPlaces(std::move(path)), length_m - line.blocked_to, length_m - line.blocked_from};
+  const double length_m = line.measured.length();
+  return {MeasuredPath(std::move(path)), length_m - line.blocked_to, length_m - line.blocked_from};
 }
 
-/// Does any disc reach over the track?
+/// Whether any disc reaches over the track.
 bool reaches_over(const Hull& hull, const TrackLine& track) {
   const double from = track.blocked_from, to = track.blocked_to;
   const int looks = 1 + static_cast<int>((to - from) / kLookEvery_m);
   for (int i = 0; i <= looks; ++i) {
-    const Point p = track.places.at(from + (to - from) * i / looks).at;
+    const Point p = track.measured.at(from + (to - from) * i / looks).at;
     const Nearest nearest = nearest_on(hull, p);
     if (nearest.distance_m < hull.radius || nearest.normal.y < 0) return true;
   }
   return false;
 }
 
-/// Its headings stay so near to the frame's x that "up" is the side of passing.
-bool goes_ahead(const PathPlaces& places, double from, double to) {
+/// Whether its headings stay so near to the frame's x that "up" is the side of passing.
+bool goes_ahead(const MeasuredPath& measured, double from, double to) {
   const int looks = 1 + static_cast<int>((to - from) / kLookEvery_m);
   for (int i = 0; i <= looks; ++i)
-    if (places.at(from + (to - from) * i / looks).heading.x < std::cos(kSteepest)) return false;
+    if (measured.at(from + (to - from) * i / looks).heading.x < std::cos(kSteepest)) return false;
   return true;
 }
 
@@ -155,16 +157,16 @@ std::optional<CurvedDetourPath> curved_detour_path(const std::vector<KeepOut>& d
   const Hull hull = hull_round(discs, radius_m, corners);
   if (!reaches_over(hull, track)) return std::nullopt;
   const Hull other_way = mirrored(hull);
-  const TrackLine back = mirrored(track.places.path(), track);
+  const TrackLine back = mirrored(track.measured.path(), track);
   double from = 0, to = 0;
   const std::optional<Approach> out = WayBack(hull, radius_m, track).find(to);
   const std::optional<Approach> in = WayBack(other_way, radius_m, back).find(from);
   if (!out || !in) return std::nullopt;
-  from = track.places.length() - from;
+  from = track.measured.length() - from;
   const Approach there = mirrored(*in, hull);
-  if (from >= to || there.vertex > out->vertex || !goes_ahead(track.places, from, to)) return std::nullopt;
+  if (from >= to || there.vertex > out->vertex || !goes_ahead(track.measured, from, to)) return std::nullopt;
   if (there.vertex == out->vertex && cross(there.normal, out->normal) > 0) return std::nullopt;
-  return CurvedDetourPath{drawn(hull, there, *out, radius_m), from, to};
+  return CurvedDetourPath{hull_path(hull, there, *out, radius_m), from, to};
 }
 
 }  // namespace tramline

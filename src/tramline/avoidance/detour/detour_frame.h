@@ -6,8 +6,8 @@
 
 namespace tramline {
 
-/// x runs along the track's tangent at one place of it. Passing on the right mirrors the plane. Ground is
-/// moved to and from the plane the track lies in.
+/// x runs along the track's tangent at one of its points. Passing on the right mirrors the plane. Shapes are
+/// moved to and from the plane of the track.
 class DetourFrame {
  public:
   /// `along`: a unit vector in the track's direction.
@@ -38,7 +38,7 @@ class DetourFrame {
   }
 
  private:
-  /// Seen from the other side of the plane a left turn is a right one.
+  /// In the mirrored plane a left turn is a right one.
   Path mirrored(Path path) const {
     for (PathSegment& segment : path) segment.curvature *= sense_;
     return path;

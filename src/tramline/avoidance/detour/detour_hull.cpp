@@ -46,9 +46,9 @@ Point normal_before(const Hull& hull, std::size_t vertex) {
   return (1 / length(edge)) * Point{-edge.y, edge.x};
 }
 
-/// Round a vertex of the hull, from one normal to another. Near half a circle chord and curvature say little
-/// about where an arc runs, so that one is drawn in two.
-void draw_round(Pen& pen, Point centre, double radius, Point from, Point to) {
+/// Appends the arc round a vertex of the hull, from one normal to another. Near half a circle chord and
+/// curvature determine an arc poorly, so it is drawn in two parts.
+void append_arc(Pen& pen, Point centre, double radius, Point from, Point to) {
   constexpr double kWide = -0.6;  // cosine of 127 degrees
   if (dot(from, to) < kWide) {
     const Point along = to - from;
@@ -96,7 +96,7 @@ SteepLine steepest_line(const Hull& hull) {
   return out;
 }
 
-Path drawn(const Hull& hull, const Approach& in, const Approach& out, double arc) {
+Path hull_path(const Hull& hull, const Approach& in, const Approach& out, double arc) {
   assert(in.vertex <= out.vertex);
   Pen pen(in.on_track);
   pen.draw_to(in.arc_centre - arc * in.normal, 1 / arc);
@@ -104,7 +104,7 @@ Path drawn(const Hull& hull, const Approach& in, const Approach& out, double arc
     const Point arriving = i == in.vertex ? in.normal : normal_before(hull, i);
     const Point leaving = i == out.vertex ? out.normal : normal_before(hull, i + 1);
     pen.draw_to(hull.centres[i] + hull.radius * arriving, 0);
-    draw_round(pen, hull.centres[i], hull.radius, arriving, leaving);
+    append_arc(pen, hull.centres[i], hull.radius, arriving, leaving);
   }
   pen.draw_to(out.arc_centre - arc * out.normal, 0);
   pen.draw_to(out.on_track, 1 / arc);

@@ -14,15 +14,15 @@ struct Hull {
   double radius = 0;
 };
 
-/// The hull a path with arcs of at least `radius_m` takes. All its discs have the largest of the radii, and
-/// that of the path where corners are to be drivable: every disc lies within one of those, which touches it
-/// at its highest point. Precondition: at least one disc. O(n log n).
+/// The hull that a path with arcs of at least `radius_m` follows. All its discs have the largest of the
+/// radii, and that of the path where corners are to be drivable: every disc lies within one of those, which
+/// touches it at its highest point. Precondition: at least one disc. O(n log n).
 Hull hull_round(const std::vector<KeepOut>& discs, double radius_m, HullCorners corners);
 /// Left and right exchanged.
 Hull mirrored(Hull hull);
 
-/// How the path comes back from the hull to the track. Mirrored along the track the way there is the
-/// same problem.
+/// The way of the path back from the hull to the track. Mirrored along the track the way there is the same
+/// problem.
 struct Approach {
   std::size_t vertex = 0;  ///< of the hull, where the path leaves it
   Point normal;            ///< unit, outward, where the path leaves the hull
@@ -31,10 +31,10 @@ struct Approach {
 };
 Approach mirrored(Approach approach, const Hull& hull);
 
-/// Steepest line back to the track.
+/// Angle of the steepest line back to the track, rad.
 inline constexpr double kSteepest = 75 * std::numbers::pi / 180;
-/// Down a line at the steepest slope that touches the hull: the outward normal there, the vertex, and how far
-/// the line is from the origin. The arc's centre and its end are left to the caller.
+/// A descending line of the steepest slope that touches the hull: the outward normal there, the vertex, and
+/// the line's distance from the origin. The caller fills in the arc's centre and end.
 struct SteepLine {
   Approach touching;
   double off_m = 0;
@@ -43,6 +43,6 @@ SteepLine steepest_line(const Hull& hull);
 
 /// The path from the track round the hull and back, arcs of radius `arc` at both ends. Segments shorter than
 /// a nanometre are left out. Precondition: in.vertex <= out.vertex.
-Path drawn(const Hull& hull, const Approach& in, const Approach& out, double arc);
+Path hull_path(const Hull& hull, const Approach& in, const Approach& out, double arc);
 
 }  // namespace tramline

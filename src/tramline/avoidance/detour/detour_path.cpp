@@ -10,13 +10,13 @@
 namespace tramline {
 namespace {
 
-/// Where an arc to the straight track has its centre, and ends.
-void place(double along, double arc, Approach& approach) {
+/// Sets the centre and the end of an arc to the straight track.
+void set_arc(double along, double arc, Approach& approach) {
   approach.arc_centre = {along, arc};
   approach.on_track = {along, 0};
 }
 
-/// Where a disc of radius `arc` that rolls on the track from the right first touches the hull.
+/// The approach where a disc of radius `arc` that rolls on the track from the right first touches the hull.
 Approach first_touch(const Hull& hull, double arc) {
   const double reach = arc + hull.radius;
   Approach out;
@@ -33,7 +33,7 @@ Approach first_touch(const Hull& hull, double arc) {
       }
     }
     if (i + 1 == hull.centres.size()) break;
-    // On the edge to the next vertex, whose normal points up.
+    // The edge to the next vertex, whose normal points up.
     const Point edge = hull.centres[i + 1] - v;
     const Point normal = (1 / length(edge)) * Point{-edge.y, edge.x};
     if (edge.y >= 0) continue;  // a rising edge faces the other way
@@ -45,15 +45,15 @@ Approach first_touch(const Hull& hull, double arc) {
       out.normal = normal;
     }
   }
-  place(farthest, arc, out);
+  set_arc(farthest, arc, out);
   return out;
 }
 
-/// Down a line at the steepest slope that touches the hull.
+/// The approach by a descending line of the steepest slope that touches the hull.
 Approach down_a_line(const Hull& hull, double arc) {
   const SteepLine line = steepest_line(hull);
   Approach out = line.touching;
-  place((line.off_m + arc - out.normal.y * arc) / out.normal.x, arc, out);
+  set_arc((line.off_m + arc - out.normal.y * arc) / out.normal.x, arc, out);
   return out;
 }
 
@@ -76,7 +76,7 @@ std::optional<Path> path_round(const Hull& hull, double arc) {
   if (!out || !in) return std::nullopt;
   const Approach there = mirrored(*in, hull);
   if (there.vertex > out->vertex) return std::nullopt;
-  return drawn(hull, there, *out, arc);
+  return hull_path(hull, there, *out, arc);
 }
 
 }  // namespace

@@ -16,10 +16,10 @@ struct KeepOut {
   double radius = 0;
 };
 
-/// What a path may make of a hull's corners.
+/// Treatment of a hull's corners by a path.
 enum class HullCorners {
   kDrivable,   ///< room is made for arcs of the path's radius
-  kAsTheyAre,  ///< discs keep their own radii, all the same, as in S1.34 and S1.38: the path may be tighter
+  kAsTheyAre,  ///< discs keep their own radii, all equal, as in S1.34 and S1.38: the path may be tighter
                ///< there
 };
 
@@ -32,10 +32,10 @@ enum class HullCorners {
 /// Round several it follows their drivable hull: each disc pressed from within against a disc of radius
 /// max(r, ρ), all with the same peak, and the upper convex hull of those.
 ///
-/// nullopt where no disc reaches over the track (there is nothing to drive round).
-/// Where the hull rises so steeply that an arc to it would turn by more than a right angle, a line leads
-/// up to it. Precondition: at least one disc, radius_m > 0. O(n log n).
-/// With kAsTheyAre it may be tighter than `radius_m` in the middle (S1.61): look at smallest_radius().
+/// nullopt where no disc reaches over the track (there is nothing to drive round). Where the hull rises so
+/// steeply that an arc to it would turn by more than a right angle, a line leads up to it. Precondition: at
+/// least one disc, radius_m > 0. O(n log n). With kAsTheyAre it may be tighter than `radius_m` in the middle
+/// (S1.61): see smallest_radius().
 std::optional<Path> detour_path(const std::vector<KeepOut>& discs, double radius_m,
                                 HullCorners corners = HullCorners::kDrivable);
 

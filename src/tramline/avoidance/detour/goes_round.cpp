@@ -9,7 +9,7 @@
 namespace tramline {
 namespace {
 
-/// Where the detour is across the grid. Its headings stay within a right angle of the direction along.
+/// Coordinate of the detour across the grid. Its headings stay within a right angle of the direction along.
 double across_at(const Path& path, double along) {
   const auto found = std::find_if(path.begin(), path.end(),
                                   [along](const PathSegment& segment) { return along <= segment.to.y; });

@@ -7,10 +7,10 @@ namespace tramline {
 TrackSide track_side(const StripGrid& grid, const Track& track, Interval blocked, Passing side) {
   if (is_straight(track))
     return {grid.width_m, side, DetourFrame(grid.centre(track.index), side), std::nullopt};
-  const PathPlace middle = PathPlaces(track.path).at(0.5 * (blocked.from + blocked.to));
+  const PathPoint middle = MeasuredPath(track.path).at(0.5 * (blocked.from + blocked.to));
   const DetourFrame frame(middle.at, middle.heading, side);
   return {grid.width_m, side, frame,
-          TrackLine{PathPlaces(frame.to_detour(track.path)), blocked.from, blocked.to}};
+          TrackLine{MeasuredPath(frame.to_detour(track.path)), blocked.from, blocked.to}};
 }
 
 Box reach_between(const TrackSide& track, Interval range) {
@@ -20,7 +20,7 @@ Box reach_between(const TrackSide& track, Interval range) {
   const int looks = 1 + static_cast<int>(range.length() / kEvery_m);
   Box out;
   for (int i = 0; i <= looks; ++i) {
-    const PathPlace on = track.curve->places.at(range.from + range.length() * i / looks);
+    const PathPoint on = track.curve->measured.at(range.from + range.length() * i / looks);
     const Point across = half * Point{-on.heading.y, on.heading.x};
     out.extend(on.at + across);
     out.extend(on.at - across);

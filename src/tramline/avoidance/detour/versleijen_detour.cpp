@@ -10,13 +10,13 @@
 namespace tramline {
 namespace {
 
-/// How far the hazard's own outline lies to the side of a frame, at most.
+/// Largest distance of the hazard's own outline to the side of a frame.
 double farthest(const TurnedHazard& hazard, const DetourFrame& frame) {
   if (hazard.round) return frame.to_detour(hazard.round->centre).y + hazard.round->radius;
   return bounds(frame.to_detour(hazard.outline)).max_y;
 }
 
-/// Across the track.
+/// Extent across the track.
 double extent_across(const TurnedHazard& hazard, const TrackSide& track) {
   if (!track.curve) return hazard.box.width();
   return bounds(track.frame.to_detour(hazard.outline)).height();
@@ -31,7 +31,7 @@ bool convex(const Ring& ring) {
   return true;
 }
 
-/// What the middle of the detour runs along.
+/// The discs that the middle of the detour runs along.
 std::vector<KeepOut> buffer_of(const TurnedHazard& hazard, const DetourFrame& frame, double half_width,
                                double radius) {
   if (hazard.round)
@@ -41,7 +41,7 @@ std::vector<KeepOut> buffer_of(const TurnedHazard& hazard, const DetourFrame& fr
   return out;
 }
 
-/// Why the path, fitted into the track, cannot be driven.
+/// The reason why the path, fitted into the track, cannot be driven.
 Refusal fault_in_track(const Obstruction& o, const TrackDetour& detour, const Surroundings& around) {
   const Intervals& stretches = o.track.stretches;
   if (stretch_at(stretches, detour.from) != o.gap - 1 || stretch_at(stretches, detour.to) != o.gap)

@@ -1,11 +1,11 @@
 #include "tramline/avoidance/detour/way_round.h"
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <set>
 #include <utility>
 
-#include "tramline/avoidance/detour/corners_in_way.h"
-#include "tramline/avoidance/detour/detour_ends.h"
 #include "tramline/avoidance/detour/track_side.h"
 #include "tramline/avoidance/tolerances.h"
 #include "tramline/geometry/path/path_between.h"
@@ -13,6 +13,64 @@
 
 namespace tramline {
 namespace {
+
+/// Parts of hazards that the detour has to go round, by hazard: positions along the track.
+using Parts = std::map<std::size_t, Interval>;
+
+/// Adds a part. False where it was known already.
+bool extend(Parts& parts, std::size_t hazard, Interval range) {
+  const auto [found, is_new] = parts.try_emplace(hazard, range);
+  if (is_new) return true;
+  const Interval before = found->second;
+  found->second = {std::min(before.from, range.from), std::max(before.to, range.to)};
+  return !(found->second == before);
+}
+
+/// Appends the corners of the part of a ring with from ≤ x ≤ to and y ≥ bottom, as discs of this radius, in
+/// the detour's frame.
+void append_corners(const Ring& ring, Interval range, double bottom, double radius,
+                    std::vector<KeepOut>& out) {
+  const auto clipped = [](const Ring& in, auto height) {
+    Ring kept;
+    for (std::size_t i = 0; i < in.size(); ++i) {
+      const Point a = in[i], b = in[i + 1 == in.size() ? 0 : i + 1];
+      const double ha = height(a), hb = height(b);
+      if (ha >= 0) kept.push_back(a);
+      if ((ha >= 0) != (hb >= 0)) kept.push_back(a + (ha / (ha - hb)) * (b - a));
+    }
+    return kept;
+  };
+  Ring part = clipped(ring, [&](Point p) { return p.x - range.from; });
+  part = clipped(part, [&](Point p) { return range.to - p.x; });
+  part = clipped(part, [&](Point p) { return p.y - bottom; });
+  for (const Point corner : part) out.push_back({corner, radius});
+}
+
+/// Result of one attempt at a detour.
+enum class Look { kDone, kLookAgain, kGaveUp };
+
+/// Both ends have to lie on drivable stretches, before the gap `gap` and behind the gap `last_gap`: then the
+/// way bridges what lies between. If not, `add_gap` is called with the gaps that the detour reaches; it
+/// returns whether that adds anything that the detour has to go round. The reason for a failure is put into
+/// `way`. O(n) for n stretches.
+Look look_at_ends(const Intervals& stretches, std::size_t gap, std::size_t last_gap,
+                  const std::function<bool(const Interval&)>& add_gap, WayRound& way) {
+  const TrackDetour& detour = way.detour;
+  const std::size_t first = stretch_at(stretches, detour.from), last = stretch_at(stretches, detour.to);
+  if (first < gap && last >= last_gap && last < stretches.size()) {
+    way.first_gap = first + 1;
+    way.last_gap = last;
+    return Look::kDone;
+  }
+  bool grown = false;
+  for (std::size_t i = 1; i < stretches.size(); ++i) {
+    const Interval between{stretches[i - 1].to, stretches[i].from};
+    if (between.from <= detour.to && between.to >= detour.from) grown = add_gap(between) || grown;
+  }
+  if (grown) return Look::kLookAgain;
+  way.why_not = Refusal::kEndsBefore;
+  return Look::kGaveUp;
+}
 
 class Search {
  public:
@@ -42,7 +100,7 @@ class Search {
 
  private:
   std::size_t last_gap() const { return std::max(o_.gap, o_.last_gap); }
-  /// What cannot be driven, from one gap to another.
+  /// The part of the track that cannot be driven, from one gap to another.
   Interval gap(std::size_t first, std::size_t last) const {
     return {o_.track.stretches[first - 1].to, o_.track.stretches[last].from};
   }
@@ -59,7 +117,7 @@ class Search {
     return grown;
   }
 
-  /// Those that shaped the path, and those in the gaps it bridges that it cleared without a further look.
+  /// Names the hazards that shaped the path, and those in the gaps it bridges that it clears anyway.
   void name_hazards() {
     std::set<std::size_t> all;
     for (const auto& part : parts_) all.insert(part.first);
@@ -85,7 +143,7 @@ class Search {
     return out;
   }
 
-  /// Makes a path round the parts known so far and sees where it gets.
+  /// Makes a path round the parts known so far and tests it.
   Look look() {
     const std::vector<KeepOut> keep_out = discs();
     if (keep_out.empty()) return give_up(Refusal::kNotBlocked);
@@ -97,21 +155,21 @@ class Search {
     if (const Look ends = look_at_ends(o_.track.stretches, o_.gap, last_gap(), add, way_);
         ends != Look::kDone)
       return ends;
-    bool met = false;
-    const bool grown = add_what_is_met(met);
-    if (!met) return Look::kDone;
+    bool any = false;
+    const bool grown = add_hazards_reached(any);
+    if (!any) return Look::kDone;
     return grown ? Look::kLookAgain : give_up(Refusal::kNoRoomBetween);
   }
 
-  /// Adds what the swath along the path runs into. False where all of it has been taken into account
-  /// before, so that another look would change nothing.
-  bool add_what_is_met(bool& met) {
+  /// Adds the hazards that the swath along the path runs into; `any` tells whether there are any. False where
+  /// all of them were known before, so that another attempt would change nothing.
+  bool add_hazards_reached(bool& any) {
     const SwathLine line(way_.detour.path, track_.width_m);
     const Interval extent{way_.detour.from, way_.detour.to};
     bool grown = false;
     for (std::size_t i = 0; i < around_.hazards.size(); ++i) {
       if (is_known_as_a_whole(i) || !runs_into(line, around_.hazards[i])) continue;
-      met = true;
+      any = true;
       grown = extend(parts_, i, extent) || grown;
     }
     return grown;

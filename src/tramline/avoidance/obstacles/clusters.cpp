@@ -53,7 +53,7 @@ std::vector<Cluster> clusters(const Region& obstacles, double width_m) {
   for (Index i = 0; i < obstacles.size(); ++i) by_first[first[i]].obstacles.push_back(obstacles[i]);
   for (const ClosePair& pair : pairs) {
     Region& given_up = by_first[first[pair.a]].given_up;
-    // From both sides: corner to corner, one bridge alone would end in a point.
+    // From both sides: between two corners a single bridge would end in a point.
     append(bridge(obstacles[pair.a].outer, {obstacles[pair.b]}, width_m), given_up);
     append(bridge(obstacles[pair.b].outer, {obstacles[pair.a]}, width_m), given_up);
   }

@@ -5,14 +5,14 @@
 
 namespace tramline {
 
-/// One obstacle as the planner sees it: its shapes, and the land between them that is given up.
+/// One obstacle for the planner: its shapes, and the land between them that is given up.
 struct Cluster {
   Region obstacles;
   Region given_up;
 };
 
-/// Groups obstacles whose gap is less than `width_m` (S1.27), transitively, in the order of their
-/// first member. The land between members nearer than that is given up. O(n²) distances.
+/// Groups obstacles whose gap is less than `width_m` (S1.27), transitively, in the order of their first
+/// member. The land between members nearer than that is given up. O(n²) distances.
 std::vector<Cluster> clusters(const Region& obstacles, double width_m);
 
 }  // namespace tramline

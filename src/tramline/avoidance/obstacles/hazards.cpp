@@ -23,7 +23,7 @@ Point centroid(const Ring& ring) {
   return base + (1 / (3 * twice_area)) * sum;
 }
 
-/// Most of it in the polygon, or the polygon nearer to it than the clearance.
+/// Whether most of it lies in the polygon, or the polygon is nearer to it than the clearance.
 bool belongs(const Polygon& obstacle, const Polygon& polygon, double clearance_m) {
   if (area(intersection({obstacle}, {polygon})) > 0.5 * area(obstacle)) return true;
   return clearance_m > 0 && distance_between({obstacle}, {polygon}) < clearance_m;

@@ -1,5 +1,5 @@
 #pragma once
-// What tracks have to keep away from, each piece of hard land with the obstacles in it.
+// The hard land that tracks have to keep away from, piece by piece with the obstacles in it.
 
 #include <optional>
 #include <vector>
@@ -20,12 +20,12 @@ struct Hazard {
   std::optional<Circle> round;         ///< where it is one obstacle in the shape of a circle (S1.31)
 };
 
-/// The circle a ring stands for: through its farthest vertex, where at least 8 vertices lie on it to 1 %
-/// of its radius and none of the chords turns by more than 60 degrees.
+/// The circle that a ring approximates, through its farthest vertex: at least 8 vertices lie on it to 1 % of
+/// its radius, and none of the chords turns by more than 60 degrees.
 std::optional<Circle> circle_of(const Ring& ring);
 
-/// One hazard for each polygon of `hard`, in their order. Land kept clear that passable land parts from its
-/// obstacle is that obstacle's hazard, too. O(n·m) boxes.
+/// One hazard for each polygon of `hard`, in their order. Land kept clear that passable land separates from
+/// its obstacle belongs to that obstacle's hazard too. O(n·m) boxes.
 std::vector<Hazard> hazards_of(const Region& hard, const Field& field, double clearance_m = 0);
 
 }  // namespace tramline

@@ -3,15 +3,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "tramline/avoidance/obstacles/bridge.h"
 #include "tramline/avoidance/obstacles/clusters.h"
-#include "tramline/avoidance/obstacles/edge_clips.h"
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/headland/body.h"
 
 namespace tramline {
 namespace {
 
-/// Land that hard land goes all round: no machine gets there.
+/// Land enclosed by hard land, which no machine can reach.
 Region enclosed_by(const Region& hard) {
   Region out;
   for (const Polygon& polygon : hard)
@@ -19,14 +19,25 @@ Region enclosed_by(const Region& hard) {
   return out;
 }
 
-/// Obstacles with everything nearer than the clearance. The chords of the round corners lie outside the
-/// circle, not inside: GEOS gives a corner the nearest whole number of chords, which then turn by up to one
-/// and a half times the quadrant's share.
+/// Obstacles with all land nearer than the clearance. The chords of the round corners lie outside the circle,
+/// not inside: GEOS gives a corner the nearest whole number of chords, which then turn by up to one and a
+/// half times the quadrant's share.
 Region with_clearance(const Region& obstacles, double clearance_m) {
   constexpr int kChordsPerQuadrant = 16;
   if (clearance_m == 0) return obstacles;
   const double apothem = std::cos(1.5 * std::numbers::pi / (4 * kChordsPerQuadrant));
   return buffered(obstacles, clearance_m / apothem, JoinStyle::kRound, kChordsPerQuadrant);
+}
+
+/// S1's obstacle category c: an obstacle nearer to the field's edge than the working width is joined to the
+/// edge (S1.28). Gives up the land between the edge and every cluster nearer to it than `width_m`. The rim of
+/// a clipped obstacle stays hard.
+void clip_to_edge(std::vector<Cluster>& clusters, const Ring& outer, double width_m) {
+  for (Cluster& cluster : clusters) {
+    if (distance_to_ring(cluster.obstacles, outer) >= width_m) continue;
+    const Region between = bridge(outer, cluster.obstacles, width_m);
+    cluster.given_up.insert(cluster.given_up.end(), between.begin(), between.end());
+  }
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// The ground a plan is made on, once the obstacles are sorted into S1's categories.
+// The land a plan is made on, with the obstacles sorted into S1's categories.
 
 #include "tramline/avoidance/obstacles/hazards.h"
 #include "tramline/model/field.h"

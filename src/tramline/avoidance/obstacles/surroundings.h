@@ -1,5 +1,5 @@
 #pragma once
-// The ground as detours meet it, in the plane of one family of tracks.
+// The obstacles and boundaries that detours have to heed, in the plane of one family of tracks.
 
 #include <optional>
 #include <vector>
@@ -34,16 +34,15 @@ struct SwathLine {
       : path(of), width_m(width), reach(reach_of(of, width)), reaches(reaches_of(of, width)) {}
   const Path& path;
   double width_m;
-  Box reach;                 ///< the swath does not leave it …
-  std::vector<Box> reaches;  ///< … nor that of any segment these
+  Box reach;                 ///< contains the swath
+  std::vector<Box> reaches;  ///< contain the swaths of the segments
 };
 
-/// What is wrong with a swath: its centre line must not leave the
-/// field, nor the swath a hard boundary, nor may it enter passable obstacles. Hazards are not looked at.
-/// O(edges) boxes.
+/// The fault of a swath: its centre line must not leave the field, nor the swath a hard boundary, nor may it
+/// enter passable obstacles. Hazards are not tested. O(edges) boxes.
 Refusal fault_of(const SwathLine& line, const Surroundings& around);
 
-/// Does the swath enter the hazard? Never one that its edge only touches.
+/// Whether the swath enters the hazard; touching it with an edge does not count.
 bool runs_into(const SwathLine& line, const TurnedHazard& hazard);
 
 }  // namespace tramline

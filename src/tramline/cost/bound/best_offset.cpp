@@ -8,7 +8,8 @@
 namespace tramline {
 namespace {
 
-/// Intervals; boundaries of thousands of corners, such as rounded ones, would take too long.
+/// Largest number of intervals evaluated; boundaries of thousands of corners, such as rounded ones, would
+/// take too long.
 constexpr int kMostLooks = 1000;
 
 class OffsetSearch {

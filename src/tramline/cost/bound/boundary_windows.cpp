@@ -11,7 +11,7 @@
 namespace tramline {
 namespace {
 
-/// The sums over a window's parts that tell what they make up.
+/// The sums over a window's parts that show what they form.
 void describe(BoundaryWindow& window, double width_m, double margin_m) {
   double across = 0, along = 0, total_along = 0;
   bool odd = false;

@@ -27,7 +27,7 @@ class Bound {
         range_(strips_over(grid_, subfield_.reach, kWidthTolerance)),
         pivot_(subfield_.frame.to_track(terms.pivot)),
         detour_reach_(terms.detour_reach),
-        dearest_(std::max(objective_.overlap, objective_.uncovered)) {
+        highest_price_(std::max(objective_.overlap, objective_.uncovered)) {
     const Box& reach = subfield_.reach;
     const double x = std::max(reach.max_x - pivot_.x, pivot_.x - reach.min_x);
     const double y = std::max(reach.max_y - pivot_.y, pivot_.y - reach.min_y);
@@ -51,7 +51,7 @@ class Bound {
     for (int i = 0; i < range_.size(); ++i) {
       enter(range_.first + i, parts.in(static_cast<std::size_t>(i)));
       add_strip();
-      // No strip takes anything away from these; of the windows moved together one may.
+      // No strip lowers these sums; that of the windows moved together may fall.
       if (sums_.fixed + sums_.apart >= enough) return sums_.fixed + sums_.apart;
     }
     return sums_.fixed + std::max(sums_.apart, sums_.together.least(moving_.shift, moving_.turn));
@@ -59,7 +59,7 @@ class Bound {
 
  private:
   struct Sums {
-    double fixed = 0;      ///< what is free of the place of the grid within the box
+    double fixed = 0;      ///< what does not depend on the grid's position within the box
     double apart = 0;      ///< the other windows, each at its least
     AffineBound together;  ///< the same windows, all moved at once
   };
@@ -71,7 +71,7 @@ class Bound {
     return shift_at(std::max(std::abs(low - pivot_.y), std::abs(high - pivot_.y)));
   }
 
-  /// Makes the strip the one that the functions below speak of.
+  /// Makes this strip the current one, which the functions below refer to.
   void enter(int k, std::span<BoundaryPart> parts) {
     gather_windows(parts, width_, shift_, 2 * shear_, windows_);
     zones_.clear();
@@ -80,7 +80,7 @@ class Bound {
     for (const Box& obstacle : subfield_.obstacles) {
       const double touch = shift_ + kWidthTolerance, reach = touch + width_ + detour_reach_;
       if (obstacle.min_x > right + reach || obstacle.max_x < left - reach) continue;
-      // A detour leaves its track within an arc, and leads back to it within another.
+      // A detour leaves its track along one arc and returns along another.
       const double along = width_ + 3 * detour_reach_ + tangent_ * (reach + width_);
       zones_.push_back({obstacle.min_y - along, obstacle.max_y + along});
       if (obstacle.min_x <= right + touch && obstacle.max_x >= left - touch)
@@ -106,7 +106,7 @@ class Bound {
     return {first, last};
   }
 
-  /// Runs that no piece has in common with any other, whatever the grid: outside lies before and beyond.
+  /// Runs without a common piece in any grid: the land before and beyond them is outside.
   Windows group_from(std::size_t first) const {
     Windows group = run_from(first);
     while (group.last + 1 < windows_.size()) {
@@ -143,14 +143,14 @@ class Bound {
     for (std::size_t k = run.first; k <= run.last; ++k) {
       if (in_zone(windows_[k])) continue;
       is_passage(windows_[k]) ? add_passage(k) : add_rows(windows_[k]);
-      // A passage may move along without costing less: only beside other windows is the land between certain.
+      // A passage may move along without costing less: the land between is certain only beside other windows.
       if (k == run.last || is_passage(windows_[k]) || is_passage(windows_[k + 1])) continue;
       if (is_left(windows_[k].highest, windows_[k + 1].lowest))
         sums_.fixed += objective_.uncovered * width_ * (windows_[k + 1].lowest - windows_[k].highest);
     }
   }
 
-  /// Sets undriven_ for the run; leaves it empty where a look shows that all of the run is driven.
+  /// Sets undriven_ for the run; leaves it empty where a quick test shows that all of the run is driven.
   void find_undriven(const Windows& run) {
     undriven_.clear();
     const std::span of_run(windows_.begin() + static_cast<std::ptrdiff_t>(run.first),
@@ -162,13 +162,13 @@ class Bound {
     find_undriven_rows(of_run, moving_, {least_width_, shortest_, shear_}, undriven_);
   }
 
-  /// Does no grid drive anything between these places?
+  /// Whether no grid drives anything between these coordinates along.
   bool is_left(double from, double to) const {
     return std::any_of(undriven_.begin(), undriven_.end(),
                        [&](const Interval& stretch) { return stretch.from <= from && to <= stretch.to; });
   }
 
-  /// What the run costs where no piece is driven in it.
+  /// Cost of the run where no piece is driven in it.
   double undriven(const Windows& run) const {
     double inside_m2 = 0;
     for (std::size_t k = run.first; k <= run.last; ++k) {
@@ -178,8 +178,8 @@ class Bound {
     return objective_.uncovered * std::max(0.0, inside_m2);
   }
 
-  /// A group in which a piece may be or not: either it costs a turn besides what its rows have been charged,
-  /// or all its land is left.
+  /// A group that may or may not hold a piece: either it costs a turn besides the charge for its rows, or all
+  /// its land is left unworked.
   double undecided(const Windows& group, const Sums& before) const {
     double left = 0;
     for (std::size_t k = group.first; k <= group.last; k = run_from(k).last + 1)
@@ -193,8 +193,8 @@ class Bound {
 
   void add_passage(std::size_t i) {
     const BoundaryWindow& window = windows_[i];
-    // tan(atan s − h), where the passage rises at least as steeply as s; it stays one while s is not turned
-    // upright.
+    // tan(atan s − h), where the passage rises at least as steeply as s; it remains a passage while s is not
+    // turned upright.
     const double flattest = window.least_slope - tangent_;
     double wedge = 0;
     if (flattest > 0 && window.most_slope * tangent_ < 1) {
@@ -206,32 +206,32 @@ class Bound {
       sums_.fixed += wedge;
       return;
     }
-    const double sheared = dearest_ * shear_ * window.across_m;
+    const double sheared = highest_price_ * shear_ * window.across_m;
     const double shift = shift_between(window.lowest, window.highest);
     RowBounds rows = row_cost_bound(window.parts, moving_);
     sums_.apart += std::max({0.0, wedge, rows.apart - sheared,
-                             now - dearest_ * shift * (window.highest - window.lowest) - sheared});
+                             now - highest_price_ * shift * (window.highest - window.lowest) - sheared});
     rows.together.constant -= sheared;
     const bool much = wedge > 0.7 * now && rows.together.least(moving_.shift, moving_.turn) < wedge;
     sums_.together += much ? AffineBound{wedge, 0, 0} : rows.together;
   }
 
   void add_rows(const BoundaryWindow& window) {
-    const double sheared = dearest_ * shear_ * window.across_m;
+    const double sheared = highest_price_ * shear_ * window.across_m;
     RowBounds rows = row_cost_bound(window.parts, moving_, undriven_);
     sums_.apart += std::max(0.0, rows.apart - sheared);
     rows.together.constant -= sheared;
     sums_.together += rows.together;
   }
 
-  /// Is the land beside a passage driven in every grid?
+  /// Whether the land beside a passage is driven in every grid.
   bool is_driven(std::size_t i) const {
     const std::size_t before = windows_[i].begins ? i : i - 1;
     if (before >= windows_.size() || before + 1 >= windows_.size() || !blocked_.empty()) return false;
     return windows_[before + 1].lowest - windows_[before].highest >= least_length_;
   }
 
-  /// Is a piece driven in the group, whatever the grid?
+  /// Whether a piece is driven in the group in every grid.
   bool has_piece(const Windows& group) {
     const auto lies_in = [&](double left, double right) { return holds_piece(group, left, right); };
     if (lies_in(-shift_, width_ + shift_)) return true;
@@ -241,7 +241,7 @@ class Bound {
     return least <= width_ && (lies_in(0, least) || lies_in(width_ - least, width_));
   }
 
-  /// Is there a stretch as long as a piece in which the sub-strip from `left` to `right` lies inside?
+  /// Whether the sub-strip from `left` to `right` lies inside over a stretch as long as a piece.
   bool holds_piece(const Windows& group, double left, double right) {
     const double middle = 0.5 * (left + right);
     const std::span parts(windows_[group.first].parts.data(),
@@ -270,7 +270,7 @@ class Bound {
     return false;
   }
 
-  /// As long as a piece, and clear of obstacles.
+  /// Whether it is as long as a piece and clear of obstacles.
   bool has_free_stretch(double from, double to) const {
     if (to - from < least_length_) return false;
     if (blocked_.empty()) return true;
@@ -300,22 +300,22 @@ class Bound {
   StripRange range_;
   Point pivot_;
   double detour_reach_;
-  double dearest_;
+  double highest_price_;
   double fixed_shift_ = 0, tangent_ = 0;
-  double shift_ = 0;  ///< the most that the boundary moves across
+  double shift_ = 0;  ///< largest move of the boundary across
   double shear_ = 0;
   double least_width_ = 0, per_wedge_ = 0, shortest_ = 0;  ///< piece that is driven
   double least_length_ = 0;                                ///< … for certain
   RowBoundTerms moving_;
   Sums sums_;
   std::vector<BoundaryWindow> windows_;
-  Intervals undriven_;  ///< of the run at hand
+  Intervals undriven_;  ///< of the current run
   Intervals zones_;     ///< along the strip, where detours may be
   Intervals blocked_;   ///< where an obstacle may reach into it
   std::vector<Crossing> crossings_;
 };
 
-/// Is one of the prices of land less than half the actual one?
+/// Whether one of the prices of land is less than half the actual one.
 bool is_far_from(const Objective& nearer, const Objective& actual) {
   return 2 * nearer.overlap < actual.overlap || 2 * nearer.uncovered < actual.uncovered;
 }

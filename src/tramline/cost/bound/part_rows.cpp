@@ -2,18 +2,17 @@
 
 namespace tramline {
 
-void PartRows::list_places(std::span<const BoundaryPart> parts, double width_m,
-                           std::span<const double> cuts) {
-  places_.assign(cuts.begin(), cuts.end());
+void PartRows::list_ends(std::span<const BoundaryPart> parts, double width_m, std::span<const double> cuts) {
+  ends_.assign(cuts.begin(), cuts.end());
   for (const BoundaryPart& part : parts) {
-    places_.push_back(part.from.y);
-    places_.push_back(part.to.y);
+    ends_.push_back(part.from.y);
+    ends_.push_back(part.to.y);
     for (const double line : {0.0, width_m})
       if ((part.from.x < line) != (part.to.x < line))
-        places_.push_back(part.from.y +
-                          (part.to.y - part.from.y) * ((line - part.from.x) / (part.to.x - part.from.x)));
+        ends_.push_back(part.from.y +
+                        (part.to.y - part.from.y) * ((line - part.from.x) / (part.to.x - part.from.x)));
   }
-  std::sort(places_.begin(), places_.end());
+  std::sort(ends_.begin(), ends_.end());
 }
 
 PartRow PartRows::row_of_all(double from, double to, double width_m) const {

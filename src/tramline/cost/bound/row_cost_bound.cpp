@@ -16,7 +16,7 @@ double row_cost(double m, const RowBoundTerms& terms) {
 }
 
 /// ∫ max(0, min(λo·(w − s − m), λu·(m − s))) dm from 0 to m.
-double spared_up_to(double m, double shift, const RowBoundTerms& terms) {
+double least_cost_up_to(double m, double shift, const RowBoundTerms& terms) {
   const double low = shift, high = terms.width_m - shift;
   const double both = terms.over_price + terms.under_price;
   if (!(low < high) || both <= 0) return 0;
@@ -40,11 +40,11 @@ AffineBound along_chord(double from, double to, double m0, double m1, int sense,
           sense * slope * length * (middle - terms.pivot_along)};
 }
 
-/// How much lies inside grows with the shift (1) or shrinks (−1).
+/// Whether the length inside grows with the shift (1) or shrinks (−1).
 int sense_of(const BoundaryPart& part) { return rises(part) ? 1 : -1; }
 
-/// How much of a row lies inside that the part alone passes: less than nothing, or more than the width,
-/// where it passes beside the strip.
+/// Length inside of a row that only this part passes: negative, or more than the width, where it passes
+/// beside the strip.
 double inside_of(const BoundaryPart& part, double along, double width_m) {
   return rises(part) ? x_at(part, along) : width_m - x_at(part, along);
 }
@@ -64,25 +64,25 @@ AffineBound along_part(const PartRow& row, const RowBoundTerms& terms) {
   return sum;
 }
 
-/// ∫ max(0, min(λo·(w − s − m), λu·(m − s))) over rows.
-double spared(const PartRow& row, const RowBoundTerms& terms) {
+/// Least cost of rows, ∫ max(0, min(λo·(w − s − m), λu·(m − s))) over them.
+double least_cost_of(const PartRow& row, const RowBoundTerms& terms) {
   const double length = row.to - row.from, shift = most_shift(row.from, row.to, terms);
   const double m0 = row.inside_from, m1 = row.inside_to;
   if (std::abs(m1 - m0) > kRounding_share * terms.width_m)
-    return length * (spared_up_to(m1, shift, terms) - spared_up_to(m0, shift, terms)) / (m1 - m0);
+    return length * (least_cost_up_to(m1, shift, terms) - least_cost_up_to(m0, shift, terms)) / (m1 - m0);
   return length * std::max(0.0, std::min(terms.over_price * (terms.width_m - shift - m0),
                                          terms.under_price * (m0 - shift)));
 }
 
-/// Rows that are not driven, each at its least.
-double left_rows(const PartRow& row, const RowBoundTerms& terms) {
+/// Cost of rows that are not driven, each at its least.
+double undriven_cost(const PartRow& row, const RowBoundTerms& terms) {
   const double inside = 0.5 * (row.inside_from + row.inside_to);
   return (row.to - row.from) * terms.under_price *
          std::max(0.0, inside - most_shift(row.from, row.to, terms));
 }
 
-/// The same moved at once, where the row cannot become wider than the strip.
-AffineBound left_together(const PartRow& row, double least, const RowBoundTerms& terms) {
+/// The same rows moved at once, where the row cannot become wider than the strip.
+AffineBound undriven_together(const PartRow& row, double least, const RowBoundTerms& terms) {
   const BoundaryPart& part = *row.parts.front();
   const double from = inside_of(part, row.from, terms.width_m), to = inside_of(part, row.to, terms.width_m);
   if (std::max(from, to) + most_shift(row.from, row.to, terms) > terms.width_m) return {least, 0, 0};
@@ -137,13 +137,13 @@ RowBounds row_cost_bound(std::span<const BoundaryPart> parts, const RowBoundTerm
   RowBounds sum;
   rows.for_each(parts, terms.width_m, cuts, [&](const PartRow& row) {
     while (next != undriven.end() && next->to <= row.from) ++next;
-    const bool is_left = next != undriven.end() && next->from <= row.from;
-    const double least = is_left ? left_rows(row, terms) : spared(row, terms);
+    const bool is_undriven = next != undriven.end() && next->from <= row.from;
+    const double least = is_undriven ? undriven_cost(row, terms) : least_cost_of(row, terms);
     sum.apart += least;
     if (row.parts.size() != 1)
       sum.together.constant += least;
     else
-      sum.together += is_left ? left_together(row, least, terms) : along_part(row, terms);
+      sum.together += is_undriven ? undriven_together(row, least, terms) : along_part(row, terms);
   });
   return sum;
 }

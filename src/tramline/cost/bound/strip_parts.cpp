@@ -5,7 +5,7 @@
 namespace tramline {
 namespace {
 
-/// The part of a → b, whose x grow from `low` to `high` or fall, between left and right.
+/// The part of a → b, whose x grows from `low` to `high` or fall, between left and right.
 BoundaryPart clipped(Point a, Point b, double left, double right) {
   const auto cut = [&](Point p) {
     const double x = std::clamp(p.x, left, right);
@@ -39,7 +39,7 @@ void StripParts::collect(const std::vector<Ring>& outline, const StripGrid& grid
   sorted_.resize(parts_.size());
   for (std::size_t i = parts_.size(); i-- > 0;)
     sorted_[--first_[static_cast<std::size_t>(strip_[i]) + 1]] = parts_[i];
-  // Each first_[k + 1] has come down to where strip k begins.
+  // Each first_[k + 1] has been counted down to the start of strip k.
   first_.erase(first_.begin());
   first_.push_back(parts_.size());
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The boundary of a region by strips that are wider than those of the grid.
+// The boundary of a region cut at strips that are wider than those of the grid.
 
 #include <span>
 #include <vector>
@@ -18,13 +18,13 @@ struct BoundaryPart {
   double highest() const { return std::max(from.y, to.y); }
 };
 
-/// Every edge cut at the sides of the strips that it meets. Made once and collected into again, so that the
-/// memory is reused.
+/// Every edge cut at the sides of the strips that it meets. Kept from one collection to the next, for its
+/// memory.
 class StripParts {
  public:
   /// Strip k reaches from line k − margin_m to line k + 1 + margin_m. O(n + K).
   void collect(const std::vector<Ring>& outline, const StripGrid& grid, StripRange range, double margin_m);
-  /// Of the strip range.first + i. Valid until the next call of collect.
+  /// The parts in the strip range.first + i. Valid until the next call of collect.
   std::span<BoundaryPart> in(std::size_t i) {
     return {sorted_.data() + first_[i], first_[i + 1] - first_[i]};
   }

@@ -18,7 +18,7 @@ Interval narrow_part(const PartRow& row, double limit) {
   return from < limit ? Interval{row.from, at} : Interval{at, row.to};
 }
 
-/// How far across the parts of a row go for each metre along, all summed.
+/// Sum of the parts' extents across per metre along.
 double flatness(const PartRow& row) {
   double sum = 0;
   for (const BoundaryPart* part : row.parts)
@@ -26,12 +26,12 @@ double flatness(const PartRow& row) {
   return sum;
 }
 
-/// What of a row is too narrow to be driven wherever the boundary moves; nothing where to < from.
+/// The part of the rows too narrow to be driven wherever the boundary moves; nothing where to < from.
 Interval barred_part(const PartRow& row, const RowBoundTerms& moving, const DrivenTerms& driven) {
   const double limit = driven.least_width_m - kWidthTolerance - most_shift(row.from, row.to, moving);
   if (std::min(row.inside_from, row.inside_to) >= limit) return {row.to, row.from};
   const Interval narrow = narrow_part(row, limit - 2 * driven.shear_m * flatness(row));
-  // Nearer to its ends other parts may come into the row.
+  // Nearer to its ends other parts may reach into the row.
   return {std::max(narrow.from, row.from + driven.shear_m), std::min(narrow.to, row.to - driven.shear_m)};
 }
 

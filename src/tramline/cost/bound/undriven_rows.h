@@ -1,5 +1,5 @@
 #pragma once
-// Where along a strip no grid of a box drives.
+// The rows of a strip that no grid of a box drives.
 
 #include "tramline/cost/bound/boundary_windows.h"
 #include "tramline/cost/bound/row_cost_bound.h"
@@ -7,17 +7,17 @@
 
 namespace tramline {
 
-/// How a strip is driven, and how far the boundary may move in it.
+/// The terms of driving a strip and of the boundary's moves in it.
 struct DrivenTerms {
   double least_width_m = 0;  ///< of a row that may be driven
-  double shortest_m = 0;     ///< piece that is driven
-  double shear_m = 0;        ///< columns of the strip move along by no more
+  double shortest_m = 0;     ///< least length of a driven piece
+  double shear_m = 0;        ///< largest move of the strip's columns along
 };
 
 /// Stretches of a run (windows with land between them, and none before or beyond) that are in no piece,
-/// wherever the boundary moves: too little of each of their rows lies inside, or they lie between such rows,
-/// too near to one another for a piece. Put into `out`, sorted, reaching a shear beyond the run. For end
-/// rules by width, where no obstacle is near. O(p log p).
+/// wherever the boundary moves: too little of each of their rows lies inside, or they are too short for a
+/// piece between such rows. Written to `out`, sorted, reaching a shear beyond the run. For end rules by
+/// width, where no obstacle is near. O(p log p).
 void find_undriven_rows(std::span<const BoundaryWindow> run, const RowBoundTerms& moving,
                         const DrivenTerms& driven, Intervals& out);
 

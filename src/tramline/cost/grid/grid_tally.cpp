@@ -73,9 +73,9 @@ void GridTally::add_obstructed_strips(StripFold& fold, const StripGrid& grid, St
   for (const Track& strip : family.tracks) add_obstructed_strip(strip, grid, sums);
 }
 
-/// As cut_pieces() has them; most strips have no passable land, and need no pieces made.
+/// The pieces as cut_pieces() makes them; most strips have no passable land and need none made.
 void GridTally::add_obstructed_strip(const Track& strip, const StripGrid& grid, Sums& sums) const {
-  if (strip.by_passable.empty()) {
+  if (strip.passable_stretches.empty()) {
     for (const Interval& whole : strip.stretches) {
       if (whole.length() < least_length_m()) continue;
       sums.add(whole.length(), strip.subfield.area_between(whole.from, whole.to), terms_.width_m);

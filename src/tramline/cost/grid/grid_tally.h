@@ -1,5 +1,5 @@
 #pragma once
-// What the tracks of one subfield amount to for any offset of their grid, without building them.
+// The tally of one subfield's tracks for any offset of their grid, without building them.
 
 #include <algorithm>
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace tramline {
 
-/// What all grids over one subfield share.
+/// The terms shared by all grids over one subfield.
 struct GridTerms {
   double width_m = 1;
   double min_length_m = 0;
@@ -27,7 +27,7 @@ struct TurnedSubfield {
   std::vector<Ring> outline;  ///< the rings of the shape
   TurnedGround ground;
   Box reach;                   ///< of the shape
-  std::vector<Box> obstacles;  ///< of all that is not plain ground
+  std::vector<Box> obstacles;  ///< of everything that is not plain land
   double area_m2 = 0;
 };
 
@@ -39,12 +39,12 @@ class GridTally {
   /// Precondition: the field's outer ring, where it is hard (ground.field), is that of the shape.
   GridTally(const TrackFrame& frame, const Polygon& shape, TurnedGround ground, const GridTerms& terms);
 
-  /// Of the grid with line 0 at the coordinate across `origin_m`: with tally_of's meaning for a field
-  /// that is this subfield alone. O(n + K).
+  /// The tally of the grid with line 0 at the coordinate across `origin_m`, as tally_of() for a field that is
+  /// this subfield alone. O(n + K).
   Tally at(double origin_m) const;
   const TurnedSubfield& subfield() const { return subfield_; }
   const GridTerms& terms() const { return terms_; }
-  /// The end rule where no obstacle comes near: at a hard boundary every swath ends inside.
+  /// The end rule where no obstacle comes near; at a hard boundary every swath ends inside.
   const EndCriterion& plain_criterion() const { return plain_criterion_; }
   StripGrid grid(double origin_m) const { return {subfield_.frame, origin_m, terms_.width_m}; }
 
@@ -55,10 +55,10 @@ class GridTally {
     void add(double length_m, double inside_m2, double width_m);
   };
 
-  /// Those that obstacles come near. Are there any?
+  /// Marks the strips that obstacles come near. False where there are none.
   bool mark_obstructed(const StripGrid& grid, StripRange range, StripMask& out) const;
-  /// Strips that no obstacle comes near, and that the boundary does not cross plainly. The fold holds
-  /// them, as it does those that obstacles come near.
+  /// Adds the strips that no obstacle comes near and that the boundary does not cross plainly. The fold holds
+  /// them as well as those that obstacles come near.
   void add_open_strips(StripFold& fold, const StripMask& open, Sums& sums) const;
   void add_obstructed_strips(StripFold& fold, const StripGrid& grid, StripRange range,
                              const StripMask& obstructed, Sums& sums) const;

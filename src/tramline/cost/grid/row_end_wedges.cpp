@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-/// ∫ y dx below a chain and the heights at two places across, gathered edge by edge while the boundary
+/// ∫ y dx below a chain and the heights at two coordinates across, gathered edge by edge while the boundary
 /// passes through a strip. x is measured from the strip's left line.
 class Passage {
  public:
@@ -43,7 +43,7 @@ class Passage {
   /// The region lies to the left of the boundary's direction: above what runs to the right.
   RowEndWedge end() const {
     const bool begins = from_left_;
-    // Heights against the region: a swath that begins runs on over ground that is higher than its end.
+    // Heights relative to the region: a swath that begins covers land that is higher than its end.
     const bool rises_across = rightward_ ? rises_ : falls_;
     const bool narrow_side_left = begins == rises_across;
     const Share& split = narrow_side_left ? low_ : high_;
@@ -106,7 +106,7 @@ void RowEndWedges::add(int strip, const RowEndWedge& end) {
   first = static_cast<int>(links_.size()) - 1;
 }
 
-void RowEndWedges::spoil(int strip) {
+void RowEndWedges::mark_intricate(int strip) {
   if (strip >= range_.first && strip <= range_.last)
     intricate_[static_cast<std::size_t>(strip - range_.first)] = 1;
 }
@@ -114,14 +114,14 @@ void RowEndWedges::spoil(int strip) {
 void RowEndWedges::walk(const Ring& ring) {
   const StripGrid& grid = *grid_;
   const std::size_t n = ring.size();
-  // From a vertex whose edge leaves its strip, so that every passage is met from its beginning.
+  // From a vertex whose edge leaves its strip, so that every passage is walked from its beginning.
   std::size_t start = 0;
   int strip = grid.strip_at(ring[0].x);
   for (; start < n; ++start) {
     const int next = grid.strip_at(ring[start + 1 == n ? 0 : start + 1].x);
     if (next != strip) break;
   }
-  if (start == n) return spoil(strip);  // within one strip
+  if (start == n) return mark_intricate(strip);  // within one strip
 
   const double width = grid.width_m;
   Passage passage(width, criterion_, true);
@@ -138,7 +138,7 @@ void RowEndWedges::walk(const Ring& ring) {
       if (begun) {
         passage.add(from.x - left, from.y, to.x - left, to.y);
         if (passage.turns_back() || passage.comes_from_left() != right)
-          spoil(strip);
+          mark_intricate(strip);
         else
           add(strip, passage.end());
       }
@@ -152,10 +152,10 @@ void RowEndWedges::walk(const Ring& ring) {
   }
 }
 
-RowEndWedges::InStrip RowEndWedges::in_strip(std::size_t place) {
-  if (intricate_[place] != 0) return {};
+RowEndWedges::InStrip RowEndWedges::in_strip(std::size_t index) {
+  if (intricate_[index] != 0) return {};
   sorted_.clear();
-  for (int i = first_[place]; i >= 0; i = links_[static_cast<std::size_t>(i)].next)
+  for (int i = first_[index]; i >= 0; i = links_[static_cast<std::size_t>(i)].next)
     sorted_.push_back(links_[static_cast<std::size_t>(i)].end);
   std::sort(sorted_.begin(), sorted_.end(),
             [](const RowEndWedge& a, const RowEndWedge& b) { return a.lowest < b.lowest; });

@@ -1,5 +1,5 @@
 #pragma once
-// Where a boundary simply passes through a strip, and what a swath that ends there works in vain.
+// The passages of a boundary through a strip, and the area that a swath ending there works in vain.
 
 #include <vector>
 
@@ -14,12 +14,12 @@ struct RowEndWedge {
   bool begins = false;  ///< the region lies beyond it along the direction, not before it
   double lowest = 0;    ///< coordinates along of the passage
   double highest = 0;
-  double at = 0;       ///< where the end rule lets the swath end
-  double over_m2 = 0;  ///< what the swath then works outside the region
+  double at = 0;       ///< position where the end rule lets the swath end
+  double over_m2 = 0;  ///< area that the swath then works outside the region
 };
 
-/// The passages of a region's boundary by strip. Strips in which it does anything else are intricate:
-/// of their passages nothing is known.
+/// The passages of a region's boundary by strip. Strips in which the boundary does anything else are
+/// intricate: nothing is known of their passages.
 class RowEndWedges {
  public:
   /// `outline` are the region's rings in the grid's turned plane, outer ones counter-clockwise.
@@ -27,15 +27,14 @@ class RowEndWedges {
   void collect(const std::vector<Ring>& outline, const StripGrid& grid, StripRange range,
                const EndCriterion& criterion);
 
-  /// The strip's passages from low to high, where they bound pieces one after another: first one that
-  /// begins, then one that ends, and so on. Empty with `plain` false where they do not, or where the
-  /// strip is intricate.
+  /// The strip's passages from low to high, where they bound consecutive pieces: first one that begins, then
+  /// one that ends, and so on. Empty with `plain` false where they do not, or where the strip is intricate.
   struct InStrip {
     bool plain = false;
     const RowEndWedge* begin = nullptr;
     const RowEndWedge* end = nullptr;
   };
-  InStrip in_strip(std::size_t place);
+  InStrip in_strip(std::size_t index);
 
  private:
   struct Link {
@@ -44,7 +43,7 @@ class RowEndWedges {
   };
   void walk(const Ring& ring);
   void add(int strip, const RowEndWedge& end);
-  void spoil(int strip);
+  void mark_intricate(int strip);
 
   const StripGrid* grid_ = nullptr;
   StripRange range_;

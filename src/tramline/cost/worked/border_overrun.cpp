@@ -70,7 +70,7 @@ bool follow_curve(const LaidTracks& tracks) {
                      [](const LaidPiece& piece) { return !piece.path.empty(); });
 }
 
-/// Where the pieces keep to their tracks, in the field's frame.
+/// The parts in which the pieces keep to their tracks, in the field's frame.
 std::vector<Path> paths_of(const LaidTracks& tracks) {
   const StripGrid& grid = tracks.grid;
   const auto on_field = [&grid](Point p) { return grid.frame.to_field(p); };
@@ -87,7 +87,7 @@ std::vector<Path> paths_of(const LaidTracks& tracks) {
   return out;
 }
 
-/// Of every subfield, what the swaths of all others cover of it and its own do not.
+/// The part of every subfield that the swaths of all others cover and its own do not.
 double covered_along_curves(const std::vector<Subfield>& subfields, const std::vector<LaidTracks>& tracks) {
   const double width_m = tracks.front().grid.width_m;
   std::vector<std::vector<Path>> lines;

@@ -1,5 +1,5 @@
 #pragma once
-// What swaths that run past a border between subfields cover beyond it.
+// The area that swaths cover beyond a border between subfields.
 
 #include <vector>
 
@@ -8,8 +8,8 @@
 
 namespace tramline {
 
-/// `tracks` by subfield. Land of all subfields that swaths of other subfields, detours left aside, cover and
-/// their own do not, m². Straight ones are cut by convex clipping, curved ones by lines and arcs
+/// Land of all subfields that swaths of other subfields cover and their own do not, m²; detours are left out.
+/// `tracks` by subfield. Straight ones are cut by convex clipping, curved ones by lines and arcs
 /// (newly_covered_area()).
 double covered_by_neighbours_m2(const std::vector<Subfield>& subfields,
                                 const std::vector<LaidTracks>& tracks);

@@ -10,13 +10,13 @@ bool has_detours(const LaidTracks& tracks) {
                      [](const LaidPiece& piece) { return !piece.detours.empty(); });
 }
 
-/// One detour's share; the ground counts it as taken afterwards.
-double take(const std::vector<Ring>& body, double width_m, std::size_t family, std::size_t track,
-            const TrackDetour& detour, WorkedGround& ground) {
+/// Area that one detour newly covers; `ground` counts it as covered afterwards.
+double newly_covered_by(const std::vector<Ring>& body, double width_m, std::size_t family, std::size_t track,
+                        const TrackDetour& detour, WorkedGround& ground) {
   const Box window = reach_of(detour.path, width_m);
   RisingCurves curves;
   for (const Ring& ring : body) append_ring(ring, Layer::kBody, window, curves);
-  ground.append_taken(family, window, reaches_of(detour.path, width_m), {}, curves);
+  ground.append_covered(family, window, reaches_of(detour.path, width_m), {}, curves);
   append_band(detour.path, width_m, Layer::kNew, curves);
   TrackWork work = ground.at(family, track);
   work.detours.push_back(detour);
@@ -38,7 +38,7 @@ double covered_by_detours_m2(const Region& body, const std::vector<TrackFamily>&
     for (const Ring& ring : rings_of(body)) turned.push_back(grid.frame.to_track(ring));
     for (const LaidPiece& piece : tracks[i].pieces)
       for (const TrackDetour& detour : piece.detours)
-        sum += take(turned, grid.width_m, i, place_of(families[i], piece), detour, ground);
+        sum += newly_covered_by(turned, grid.width_m, i, index_in_family(families[i], piece), detour, ground);
   }
   return sum;
 }

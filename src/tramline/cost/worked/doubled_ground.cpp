@@ -13,7 +13,7 @@
 namespace tramline {
 namespace {
 
-/// Where curved pieces keep to their tracks, segment by segment.
+/// The parts in which curved pieces keep to their tracks, segment by segment.
 class CurvedSwaths {
  public:
   explicit CurvedSwaths(const Plan& plan) : width_m_(plan.machine.width_m) {
@@ -31,7 +31,7 @@ class CurvedSwaths {
 
   struct Swath {
     PathSegment line;
-    std::size_t part = 0;  ///< of a piece: its swaths follow one another
+    std::size_t part = 0;  ///< index in its piece, whose swaths follow one another
     std::size_t subfield = 0;
   };
   const std::vector<Swath>& all() const { return swaths_; }

@@ -39,7 +39,7 @@ std::vector<double> overlap_by_kinked_piece(const Region& body, const std::vecto
   std::vector<double> out;
   for (const TrackPiece& piece : pieces) out.push_back(width_m * length(piece));
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    // Along the cell its window holds little else.
+    // In a frame along the cell its window holds little else.
     const TrackFrame frame(cells[i].along);
     const Ring own = frame.to_track(cells[i].ring);
     const Box window = bounds(own);

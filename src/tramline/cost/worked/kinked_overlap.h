@@ -1,5 +1,5 @@
 #pragma once
-// What each swath works in vain where tracks are made one from another, with kinks (S2.14).
+// The area each swath works in vain where tracks are made one from another, with kinks (S2.14).
 
 #include <vector>
 
@@ -8,12 +8,11 @@
 
 namespace tramline {
 
-/// As overlap_by_piece(), of pieces of straight segments that meet in kinks: width · length less what the
-/// cells of the swath (kinked_cells()) cover of the body that no cell before them does, m². What a swath
-/// works twice by itself counts, so the sum is Σ w·L − area(body ∩ ∪ swaths), the overlap of
-/// zhou_tally() without the grid of its booleans. Closed form, exact up to rounding (newly_covered_area()).
-/// O(n·(m
-/// + k)) for n cells, m edges of the body and k cells before and near one.
+/// As overlap_by_piece(), for pieces of straight segments that meet in kinks: width · length less the body
+/// that the cells of the swath (kinked_cells()) cover and no cell before them does, m². Area that a swath
+/// works twice by itself counts, so the sum is Σ w·L − area(body ∩ ∪ swaths), the overlap of zhou_tally()
+/// without the grid of its booleans. Closed form, exact up to rounding (newly_covered_area()). O(n·(m + k))
+/// for n cells, m edges of the body and k cells before and near one.
 std::vector<double> overlap_by_kinked_piece(const Region& body, const std::vector<TrackPiece>& pieces,
                                             double width_m);
 

@@ -15,7 +15,7 @@
 namespace tramline {
 namespace {
 
-/// The body as a subfield's tracks see it: along them, so that the window of a swath holds few of its edges.
+/// The body in the frame of a subfield's tracks, so that the window of a swath holds few of its edges.
 struct TurnedBody {
   TrackFrame frame;
   std::vector<Ring> rings;
@@ -31,7 +31,7 @@ std::vector<TurnedBody> turned_bodies(const Region& body, const std::vector<Subf
 }
 
 /// Straight swaths of one grid lie beside or behind one another; lines over gaps may lie half over each
-/// other. Swaths along curves of one family have no ground in common where they keep to their tracks.
+/// other. Swaths along curves of one family have no area in common where they keep to their tracks.
 bool may_meet(const TrackPiece& a, const TrackPiece& b, double width_m) {
   if (a.subfield != b.subfield || !a.detours.empty() || !b.detours.empty()) return true;
   if (!a.curve.empty() || !b.curve.empty()) return false;
@@ -42,7 +42,7 @@ bool may_meet(const TrackPiece& a, const TrackPiece& b, double width_m) {
   return std::max(one, other) > kSamePlace_m && std::min(one, other) < length_m - kSamePlace_m;
 }
 
-/// A piece with the line it drives.
+/// A piece with its path.
 struct DrivenLine {
   const TrackPiece& piece;
   Path line;
@@ -57,9 +57,9 @@ DrivenLine driven_line(const TrackPiece& piece, double width_m) {
   return out;
 }
 
-/// Adds what a piece before may have worked of the ground of one now, in the field's frame: parts may come
-/// twice.
-void append_taken(const DrivenLine& before, const DrivenLine& now, double width_m, std::vector<Path>& out) {
+/// Adds the area of a later piece that an earlier one may have worked, in the field's frame: parts may be
+/// added twice.
+void append_covered(const DrivenLine& before, const DrivenLine& now, double width_m, std::vector<Path>& out) {
   if (!may_meet(before.piece, now.piece, width_m) || !intersects(before.reach, now.reach)) return;
   const auto append = [&out](std::vector<Path> runs) {
     std::move(runs.begin(), runs.end(), std::back_inserter(out));
@@ -69,7 +69,7 @@ void append_taken(const DrivenLine& before, const DrivenLine& now, double width_
   } else if (before.piece.subfield != now.piece.subfield) {
     append(runs_near(before.line, before.reaches, now.reaches));
   } else {
-    // But for detours they have no ground in common.
+    // Except for detours they have no area in common.
     for (const Detour& detour : before.piece.detours)
       append(runs_near(detour.path, reaches_of(detour.path, width_m), now.reaches));
     for (const Detour& detour : now.piece.detours)
@@ -77,8 +77,8 @@ void append_taken(const DrivenLine& before, const DrivenLine& now, double width_
   }
 }
 
-/// A curved piece without detours has said what of its swath lies outside its own subfield. That is its
-/// overlap where there is no other subfield to work in.
+/// A curved piece without detours states the area of its swath outside its own subfield. That is its overlap
+/// where there is no other subfield to work in.
 bool has_its_own_overlap(const TrackPiece& piece, const std::vector<Subfield>& subfields) {
   return !piece.curve.empty() && piece.detours.empty() &&
          (subfields.size() == 1 || *piece.overlap_m2 < kNoOverlap_m2);
@@ -99,7 +99,7 @@ std::vector<double> overlap_by_piece(const Region& body, const std::vector<Subfi
     driven.push_back(driven_line(piece, width_m));
     std::vector<Path> taken;
     for (std::size_t i = 0; i + 1 < driven.size(); ++i)
-      append_taken(driven[i], driven.back(), width_m, taken);
+      append_covered(driven[i], driven.back(), width_m, taken);
     if (has_its_own_overlap(piece, subfields) && taken.empty()) {
       out.push_back(*piece.overlap_m2);
       continue;

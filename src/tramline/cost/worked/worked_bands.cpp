@@ -20,29 +20,30 @@ class Block {
  public:
   explicit Block(const ContourElement& along) : along_(along) {}
 
-  /// Where along the reference the segment of a track runs; nullopt where it is no parallel of this one.
+  /// Positions along the reference that the segment of a track runs beside; nullopt where it is not parallel
+  /// to this segment.
   std::optional<Interval> shadow_of(const PathSegment& segment, double right_m) const {
     if (segment.straight() != along_.straight) return std::nullopt;
     const std::optional<double> a = foot_of(segment.from, right_m), b = foot_of(segment.to, right_m);
     if (!a || !b || std::abs(*b - *a) <= kSamePlace_m) return std::nullopt;
     const double curvature = *a < *b ? segment.curvature : -segment.curvature;
-    if (!along_.straight && std::abs(curvature * (along_.reach + right_m) - 1) > kPathRadius_share)
+    if (!along_.straight && std::abs(curvature * (along_.signed_radius + right_m) - 1) > kPathRadius_share)
       return std::nullopt;
     return Interval{std::min(*a, *b), std::max(*a, *b)};
   }
 
   void add(int track, const Interval& shadow) { worked_[track].push_back(shadow); }
 
-  /// What is worked, appended as polygons in the field's frame.
-  void append_ground(double width_m, double sagitta_m, Region& out) {
+  /// Appends the worked area as polygons in the field's frame.
+  void append_worked(double width_m, double sagitta_m, Region& out) {
     for (const Polygon& part : faces_of(edges(width_m))) {
-      Polygon placed{on_field(part.outer, sagitta_m), {}};
-      for (const Ring& hole : part.holes) placed.holes.push_back(on_field(hole, sagitta_m));
-      append_valid(std::move(placed), out);
+      Polygon in_field{on_field(part.outer, sagitta_m), {}};
+      for (const Ring& hole : part.holes) in_field.holes.push_back(on_field(hole, sagitta_m));
+      append_valid(std::move(in_field), out);
     }
   }
 
-  /// A polygon that is one; what rounding folds where the inner edge of an arc shrinks to a point is mended.
+  /// Appends a polygon, made valid where rounding folds it as the inner edge of an arc shrinks to a point.
   static void append_valid(Polygon polygon, Region& out) {
     if (!find_invalidity(polygon)) {
       out.push_back(std::move(polygon));
@@ -52,26 +53,26 @@ class Block {
   }
 
  private:
-  /// The place along the segment of a point so far to its right, from 0 to its length; nullopt where it is
-  /// not beside it.
+  /// The position along the segment of a point at this distance to its right, from 0 to its length; nullopt
+  /// where it is not beside it.
   std::optional<double> foot_of(Point p, double right_m) const {
-    double place = 0, off_m = 0;
+    double position = 0, off_m = 0;
     if (along_.straight) {
-      place = dot(along_.heading, p - along_.from);
+      position = dot(along_.heading, p - along_.from);
       off_m = cross(p - along_.from, along_.heading) - right_m;
     } else {
-      const Point from_centre = (1 / (along_.reach + right_m)) * (p - along_.centre);
+      const Point from_centre = (1 / (along_.signed_radius + right_m)) * (p - along_.centre);
       const Point first{along_.heading.y, -along_.heading.x};
-      place = along_.reach * std::atan2(cross(first, from_centre), dot(first, from_centre));
-      off_m = (length(from_centre) - 1) * (along_.reach + right_m);
+      position = along_.signed_radius * std::atan2(cross(first, from_centre), dot(first, from_centre));
+      off_m = (length(from_centre) - 1) * (along_.signed_radius + right_m);
     }
     if (!(std::abs(off_m) <= kSamePlace_m)) return std::nullopt;
-    if (place < -kSamePlace_m || place > along_.length + kSamePlace_m) return std::nullopt;
-    if (place < kSamePlace_m) return 0;
-    return place > along_.length - kSamePlace_m ? along_.length : place;
+    if (position < -kSamePlace_m || position > along_.length + kSamePlace_m) return std::nullopt;
+    if (position < kSamePlace_m) return 0;
+    return position > along_.length - kSamePlace_m ? along_.length : position;
   }
 
-  /// Across to the right, and along: turned as the field is.
+  /// Edges of the worked area: x across to the right, y along, oriented as in the field.
   std::vector<DirectedEdge> edges(double width_m) {
     for (auto& [track, shadows] : worked_) shadows = joined(std::move(shadows));
     static const Intervals nothing;
@@ -101,20 +102,20 @@ class Block {
     Ring out;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
-      const double reach = along_.reach + a.x;
-      const Point from = place(a), to = place(b);
+      const double signed_radius = along_.signed_radius + a.x;
+      const Point from = to_field(a), to = to_field(b);
       if (a.x != b.x || along_.straight || distance(from, to) < kSamePlace_m) {
         out.push_back(from);
         continue;
       }
-      const double curvature = b.y > a.y ? 1 / reach : -1 / reach;
+      const double curvature = b.y > a.y ? 1 / signed_radius : -1 / signed_radius;
       std::vector<Point> arc = chords({{from, to, curvature}}, sagitta_m);
       out.insert(out.end(), arc.begin(), arc.end() - 1);
     }
     return out;
   }
 
-  Point place(Point across_and_along) const {
+  Point to_field(Point across_and_along) const {
     return beside(along_, along_.start + across_and_along.y, across_and_along.x);
   }
 
@@ -122,8 +123,7 @@ class Block {
   std::map<int, Intervals> worked_;  ///< by track
 };
 
-/// Which of the blocks a segment runs along. Tracks follow the reference: mostly the last one or its
-/// neighbours.
+/// The block that a segment runs along. Tracks follow the reference: mostly the last one or its neighbours.
 class BlockFinder {
  public:
   explicit BlockFinder(std::vector<Block>& blocks) : blocks_(blocks) {}
@@ -174,7 +174,7 @@ std::vector<Region> worked_bands(const Path& reference, const std::vector<TrackP
     finish_corner();
   }
   Region ground;
-  for (Block& block : blocks) block.append_ground(width_m, sagitta_m, ground);
+  for (Block& block : blocks) block.append_worked(width_m, sagitta_m, ground);
   out[0] = unite(ground);
   return out;
 }

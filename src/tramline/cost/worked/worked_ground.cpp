@@ -19,7 +19,7 @@ bool follows_curve(const TrackFamily& family) {
   return !family.tracks.empty() && !is_straight(family.tracks.front());
 }
 
-/// Places of the tracks whose swaths, or whose detours, can reach into the window; of curved ones all.
+/// Indices of the tracks whose swaths, or whose detours, can reach into the window; of curved ones all.
 /// Precondition: one track for each strip from the first on.
 StripRange tracks_near(const TrackFamily& family, const Box& window, double bulge_m) {
   if (family.tracks.empty()) return {};
@@ -36,8 +36,8 @@ Ring corners(const Box& box) {
   return {{box.min_x, box.min_y}, {box.max_x, box.min_y}, {box.max_x, box.max_y}, {box.min_x, box.max_y}};
 }
 
-/// What begins (+1) and ends (−1) at a line between two strips, within the window. Where swaths of both
-/// touch there the line is no border: most lines that run through the window are left out.
+/// Borders of worked land along a line between two strips within the window: it begins (+1) or ends (−1).
+/// Where swaths of both strips touch the line is no border: most lines through the window are left out.
 void append_border(const Intervals& left, const Intervals& right, double x, const Box& window,
                    RisingCurves& out) {
   auto before = left.begin(), after = right.begin();
@@ -68,7 +68,7 @@ WorkedGround ground_worked(const std::vector<TrackFamily>& families, const std::
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     std::vector<TrackWork> works(families[i].tracks.size());
     for (const LaidPiece& piece : tracks[i].pieces) {
-      TrackWork& work = works[place_of(families[i], piece)];
+      TrackWork& work = works[index_in_family(families[i], piece)];
       for (const Interval& part : parts_on_track(piece)) work.on_track.push_back(part);
       if (parts == Parts::kAll)
         work.detours.insert(work.detours.end(), piece.detours.begin(), piece.detours.end());
@@ -116,8 +116,8 @@ const TrackWork& WorkedGround::at(std::size_t family, std::size_t track) const {
   return families_[family].worked[track].work;
 }
 
-void WorkedGround::append_taken(std::size_t family, const Box& window, const std::vector<Box>& boxes,
-                                std::optional<std::size_t> except, RisingCurves& out) const {
+void WorkedGround::append_covered(std::size_t family, const Box& window, const std::vector<Box>& boxes,
+                                  std::optional<std::size_t> except, RisingCurves& out) const {
   const Family& home = families_[family];
   append_detours(home, window, boxes, except, out);
   if (follows_curve(home.tracks))
@@ -133,8 +133,8 @@ bool WorkedGround::is_alone(std::size_t family, const Box& box, std::size_t trac
   const Family& own = families_[family];
   const StripRange near = tracks_near(own.tracks, box, own.bulge_m);
   for (int k = near.first; k <= near.last; ++k) {
-    const auto place = static_cast<std::size_t>(k);
-    if (place != track && meets_any(box, own.worked[place].reach)) return false;
+    const auto index = static_cast<std::size_t>(k);
+    if (index != track && meets_any(box, own.worked[index].reach)) return false;
   }
   return true;
 }
@@ -143,9 +143,9 @@ void WorkedGround::append_detours(const Family& from, const Box& window, const s
                                   std::optional<std::size_t> except, RisingCurves& out) {
   const StripRange near = tracks_near(from.tracks, window, from.bulge_m);
   for (int k = near.first; k <= near.last; ++k) {
-    const auto place = static_cast<std::size_t>(k);
-    if (except && *except == place) continue;
-    const Worked& track = from.worked[place];
+    const auto index = static_cast<std::size_t>(k);
+    if (except && *except == index) continue;
+    const Worked& track = from.worked[index];
     for (std::size_t i = 0; i < track.reach.size(); ++i)
       if (meets_any(track.reach[i], boxes))
         append_band(track.work.detours[i].path, from.tracks.grid.width_m, Layer::kTaken, out);
@@ -161,11 +161,11 @@ void WorkedGround::append_rows(const Family& from, const Box& window, std::optio
   static const Intervals kNothing;
   const Intervals* left = &kNothing;
   for (int k = near.first; k <= near.last + 1; ++k) {
-    const auto place = static_cast<std::size_t>(k);
+    const auto index = static_cast<std::size_t>(k);
     const double x = grid.line(first_index + k);
     const bool worked =
-        k <= near.last && !(except && *except == place) && grid.line(first_index + k + 1) > window.min_x;
-    const Intervals* right = worked ? &from.worked[place].work.on_track : &kNothing;
+        k <= near.last && !(except && *except == index) && grid.line(first_index + k + 1) > window.min_x;
+    const Intervals* right = worked ? &from.worked[index].work.on_track : &kNothing;
     if (x > window.max_x) break;
     append_border(*left, *right, x < window.min_x ? window.min_x - 1 : x, window, out);
     left = right;
@@ -191,11 +191,11 @@ void WorkedGround::append_foreign(const Family& from, const Family& to, const Bo
   const auto move = [&](Point p) { return ours.to_track(theirs.to_field(p)); };
   const StripRange near = tracks_near(from.tracks, seen, from.bulge_m);
   for (int k = near.first; k <= near.last; ++k) {
-    const auto place = static_cast<std::size_t>(k);
-    const Worked& track = from.worked[place];
+    const auto index = static_cast<std::size_t>(k);
+    const Worked& track = from.worked[index];
     if (!follows_curve(from.tracks))
       for (const Interval& part : track.work.on_track) {
-        const Box box = swath_box(from.tracks.grid, from.tracks.tracks[place], part);
+        const Box box = swath_box(from.tracks.grid, from.tracks.tracks[index], part);
         if (!intersects(box, seen)) continue;
         Ring ring = corners(box);
         for (Point& p : ring) p = move(p);
@@ -218,7 +218,7 @@ WorkedGround worked_by(const std::vector<TrackFamily>& families, const std::vect
   return ground_worked(families, tracks, Parts::kAll);
 }
 
-std::size_t place_of(const TrackFamily& family, const LaidPiece& piece) {
+std::size_t index_in_family(const TrackFamily& family, const LaidPiece& piece) {
   // Strips follow one another without a gap.
   if (piece.path.empty() && !family.tracks.empty())
     return static_cast<std::size_t>(piece.track - family.tracks.front().index);

@@ -1,5 +1,5 @@
 #pragma once
-// The swaths of a plan in the making, ready to be asked what they cover near one place.
+// The swaths of a plan in the making, indexed for what they cover near a given box.
 
 #include <optional>
 #include <vector>
@@ -9,28 +9,29 @@
 
 namespace tramline {
 
-/// What is worked of one track.
+/// The parts of one track that are worked.
 struct TrackWork {
   Intervals on_track;  ///< ascending, apart
   std::vector<TrackDetour> detours;
 };
 inline bool is_driven(const TrackWork& work) { return !work.on_track.empty() || !work.detours.empty(); }
 
-/// Swaths by family and track: rows of strips, swaths along curves, and detours of both. Families may lie in
-/// different planes. Refers to the families.
+/// The worked land, as swaths by family and track: rows of strips, swaths along curves, and detours of both.
+/// Families may lie in different planes. Refers to the families.
 class WorkedGround {
  public:
   explicit WorkedGround(const std::vector<TrackFamily>& families);
-  /// Replaces what is worked of one track. `track` is its place in the family.
+  /// Replaces the worked parts of one track. `track` is its index in the family.
   void set(std::size_t family, std::size_t track, TrackWork work);
   const TrackWork& at(std::size_t family, std::size_t track) const;
 
-  /// Adds, as taken, every swath that reaches into one of the boxes, which lie in the window, in the plane of
-  /// a family; without those of its track `except`. O(tracks near the window) of strips, O(tracks) of curves.
-  void append_taken(std::size_t family, const Box& window, const std::vector<Box>& boxes,
-                    std::optional<std::size_t> except, RisingCurves& out) const;
-  /// Is a swath that keeps to its track in this box of its plane met by no other swath for certain? Then what
-  /// it covers is what of its subfield lies in it. Only where there are no other families.
+  /// Adds, as kTaken, every swath that reaches into one of the boxes, which lie in the window, in the plane
+  /// of a family; without those of its track `except`. O(tracks near the window) of strips, O(tracks) of
+  /// curves.
+  void append_covered(std::size_t family, const Box& window, const std::vector<Box>& boxes,
+                      std::optional<std::size_t> except, RisingCurves& out) const;
+  /// Whether no other swath can meet a swath that keeps to its track in this box of its plane. Then it covers
+  /// exactly the part of its subfield in it. True only where there are no other families.
   bool is_alone(std::size_t family, const Box& box, std::size_t track) const;
 
  private:
@@ -41,13 +42,13 @@ class WorkedGround {
   struct Worked {
     TrackWork work;
     std::vector<Box> reach;      ///< of the detours
-    std::vector<Swath> along{};  ///< where a curved track is kept to
-    Box whole{};                 ///< of those
+    std::vector<Swath> along{};  ///< parts of a curved track that are kept to
+    Box whole{};                 ///< of all of `along`
   };
   struct Family {
     const TrackFamily& tracks;
     std::vector<Worked> worked;  ///< by track
-    double bulge_m = 0;          ///< how far any detour has ever left its strip
+    double bulge_m = 0;          ///< largest distance by which a detour has ever left its strip
   };
   static void append_rows(const Family& from, const Box& window, std::optional<std::size_t> except,
                           RisingCurves& out);
@@ -60,17 +61,17 @@ class WorkedGround {
   std::vector<Family> families_;
 };
 
-/// What is worked where tracks are kept to, and what whole tracks work. `tracks` by family.
+/// The land worked where pieces keep to their tracks, and by whole pieces with detours. `tracks` by family.
 WorkedGround worked_on_tracks(const std::vector<TrackFamily>& families,
                               const std::vector<LaidTracks>& tracks);
 WorkedGround worked_by(const std::vector<TrackFamily>& families, const std::vector<LaidTracks>& tracks);
 
-/// The place of a piece's track in its family. O(1) in strips, O(tracks) along curves. Precondition: it has
+/// The index of a piece's track in its family. O(1) in strips, O(tracks) along curves. Precondition: it has
 /// one.
-std::size_t place_of(const TrackFamily& family, const LaidPiece& piece);
+std::size_t index_in_family(const TrackFamily& family, const LaidPiece& piece);
 
-/// A box that the swath of a part of a track does not leave, in the family's plane: on a straight track the
-/// very rectangle.
+/// A box that contains the swath of a part of a track, in the family's plane: on a straight track the exact
+/// rectangle.
 Box swath_box(const StripGrid& grid, const Track& track, const Interval& part);
 
 }  // namespace tramline

@@ -15,7 +15,7 @@ bool worth_keeping(double area_m2, const Ring& around) {
   return area_m2 > kThinnestOverlap_m * perimeter(around);
 }
 
-/// Where one of two is a rectangle, the area of their intersection comes without building it.
+/// Where one of two is a rectangle, the area of their intersection is found without building it.
 Region overlap_of(const Ring& a, const Ring& b) {
   if (is_rectangle(b)) {
     Ring both = convex_intersection(a, b);

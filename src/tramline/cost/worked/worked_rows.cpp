@@ -5,7 +5,7 @@
 namespace tramline {
 namespace {
 
-/// What is worked of each strip.
+/// The worked parts of each strip.
 std::map<int, Intervals> worked_by_strip(const LaidTracks& tracks) {
   std::map<int, Intervals> out;
   for (const LaidPiece& piece : tracks.pieces)

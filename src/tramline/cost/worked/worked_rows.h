@@ -1,5 +1,5 @@
 #pragma once
-// The ground that the straight swaths of a subfield work, as one region.
+// The area that the straight swaths of a subfield work, as one region.
 
 #include "tramline/geometry/interval.h"
 #include "tramline/geometry/polygon/faces.h"
@@ -8,13 +8,14 @@
 
 namespace tramline {
 
-/// The union of the swaths of all straight parts, in the field's frame: swaths of one grid share strip
-/// lines, so that it is a walk along these, and no polygon boolean. Parts may touch in corners. O(n log n)
+/// The union of the swaths of all straight parts, in the field's frame: swaths of one grid share strip lines,
+/// so the union is a walk along these instead of a polygon boolean. Parts may touch in corners. O(n log n)
 /// for n pieces.
 Region worked_rows(const LaidTracks& tracks);
 
-/// Along the line across `line` between two strips of which these parts are worked: upwards where only the
-/// left one is, downwards where only the right one is. Plane: x across, y along.
+/// Appends the edges along the line at the coordinate across `line` between two strips of which these parts
+/// are worked: upwards where only the left one is, downwards where only the right one is. Plane: x across, y
+/// along.
 void append_edges_along(double line, const Intervals& left, const Intervals& right,
                         std::vector<DirectedEdge>& out);
 

@@ -1,5 +1,5 @@
 #pragma once
-// An index of boxes: which of them may meet a given one?
+// An index of boxes that finds those that meet a given one.
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace tramline {
 
-/// Boxes sorted into the square cells of a grid. Built once, read by any number of threads.
+/// Boxes sorted into the square cells of a grid. Built once, and safe to read from any number of threads.
 class BoxGrid {
  public:
   BoxGrid() = default;
@@ -35,9 +35,9 @@ class BoxGrid {
     int first_column, last_column, first_row, last_row;
   };
 
-  int column_of(double x) const { return place((x - bounds_.min_x) / cell_m_, columns_); }
-  int row_of(double y) const { return place((y - bounds_.min_y) / cell_m_, rows_); }
-  static int place(double cell, int count) {
+  int column_of(double x) const { return cell_index((x - bounds_.min_x) / cell_m_, columns_); }
+  int row_of(double y) const { return cell_index((y - bounds_.min_y) / cell_m_, rows_); }
+  static int cell_index(double cell, int count) {
     return static_cast<int>(std::clamp(std::floor(cell), 0.0, static_cast<double>(count - 1)));
   }
   Cells cells_of(const Box& box) const {

@@ -1,5 +1,5 @@
 #pragma once
-// The edges of a region by place.
+// A spatial index of the edges of a region.
 
 #include <vector>
 
@@ -8,7 +8,8 @@
 
 namespace tramline {
 
-/// The edges of a region, ready to be met by paths. Rings oriented: outer counter-clockwise, holes clockwise.
+/// The edges of a region, indexed for the intersection with paths. Rings oriented: outer counter-clockwise,
+/// holes clockwise.
 class EdgeIndex {
  public:
   explicit EdgeIndex(const Region& oriented);

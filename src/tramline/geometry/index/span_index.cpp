@@ -15,7 +15,7 @@ SpanIndex::SpanIndex(const std::vector<Interval>& spans) : first_(3, 0) {
     high = std::max(high, span.to);
     sum += span.length();
   }
-  // As many buckets as spans, but where the spans are long: they would be put into too many.
+  // As many buckets as spans, except where the spans are long and would be put into too many.
   constexpr double kMostEntriesPerSpan = 8;
   const auto most = static_cast<double>(spans.size());
   const double extent = high - low_;

@@ -1,5 +1,5 @@
 #pragma once
-// Which stretches of a line contain a value.
+// An index of the stretches of a line that contain a value.
 
 #include <cstdint>
 #include <span>
@@ -9,13 +9,13 @@
 
 namespace tramline {
 
-/// A fixed set of closed stretches, sorted into buckets of equal width. Made in O(n), and O(n) large.
+/// A fixed set of closed stretches, sorted into buckets of equal width. O(n) to build and to store.
 class SpanIndex {
  public:
   explicit SpanIndex(const std::vector<Interval>& spans);
 
-  /// The numbers of all spans that contain the value, and of some that only come near it; ascending.
-  /// Mostly about as many as contain it.
+  /// The indices of all spans that contain the value, and of some that only come near it; ascending. Mostly
+  /// about as many as contain it.
   std::span<const std::uint32_t> near(double value) const;
 
  private:
@@ -23,7 +23,7 @@ class SpanIndex {
 
   double low_ = 0;
   double buckets_per_unit_ = 0;
-  std::vector<std::uint32_t> first_;  ///< where each bucket begins, and the end
+  std::vector<std::uint32_t> first_;  ///< start of each bucket, and the end of the last
   std::vector<std::uint32_t> numbers_;
 };
 

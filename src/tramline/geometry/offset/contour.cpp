@@ -18,10 +18,10 @@ ContourElement element_of(const PathSegment& segment) {
   out.length = length(segment);
   out.straight = segment.straight();
   if (out.straight) return out;
-  out.reach = 1 / segment.curvature;
+  out.signed_radius = 1 / segment.curvature;
   out.turn = turning(segment);
   // From the tangent and not from the chord, so that tangents of parallels stay continuous.
-  out.centre = segment.from + out.reach * left_of(out.heading);
+  out.centre = segment.from + out.signed_radius * left_of(out.heading);
   out.half_cosine = std::cos(0.5 * out.turn);
   return out;
 }
@@ -48,9 +48,9 @@ bool nearer_than(const ContourElement& e, Point p, double distance_m) {
   if (dot(d, d) < distance_m * distance_m) return true;
   // The far end begins the next element; that of the last one is looked at by the caller.
   const Point from_centre = p - e.centre;
-  const double away = std::sqrt(dot(from_centre, from_centre)), radius = std::abs(e.reach);
+  const double away = std::sqrt(dot(from_centre, from_centre)), radius = std::abs(e.signed_radius);
   if (std::abs(away - radius) >= distance_m) return false;
-  const Point outward = (e.reach > 0 ? -1.0 : 1.0) * left_of(e.heading + e.heading_to);
+  const Point outward = (e.signed_radius > 0 ? -1.0 : 1.0) * left_of(e.heading + e.heading_to);
   const double norm = 2 * std::abs(e.half_cosine);
   if (norm < kHalfTurn_rad) return dot(from_centre, e.heading) >= 0;  // half a circle
   return dot(from_centre, outward) >= e.half_cosine * away * norm;
@@ -63,8 +63,8 @@ Box box_of(const ContourElement& e) {
     box.extend(e.from + e.length * e.heading);
     return box;
   }
-  box.extend(e.centre - e.reach * left_of(e.heading_to));
-  return box.grown(std::abs(e.reach) * (1 - e.half_cosine));
+  box.extend(e.centre - e.signed_radius * left_of(e.heading_to));
+  return box.grown(std::abs(e.signed_radius) * (1 - e.half_cosine));
 }
 
 /// Boxes of the segments first … last − 1 and of all that they are put together from.
@@ -116,23 +116,23 @@ Contour contour_of(const Path& path) {
   return out;
 }
 
-std::size_t element_at(const Contour& contour, double place) {
-  const auto next = std::lower_bound(contour.elements.begin() + 1, contour.elements.end(), place,
+std::size_t element_at(const Contour& contour, double position) {
+  const auto next = std::lower_bound(contour.elements.begin() + 1, contour.elements.end(), position,
                                      [](const ContourElement& e, double s) { return e.start < s; });
   return static_cast<std::size_t>(next - contour.elements.begin()) - 1;
 }
 
-Point heading_at(const ContourElement& element, double place) {
-  if (element.straight || place <= element.start) return element.heading;
-  if (place >= element.start + element.length) return element.heading_to;
-  return turned(element.heading, element.turn * (place - element.start) / element.length);
+Point heading_at(const ContourElement& element, double position) {
+  if (element.straight || position <= element.start) return element.heading;
+  if (position >= element.start + element.length) return element.heading_to;
+  return turned(element.heading, element.turn * (position - element.start) / element.length);
 }
 
-Point beside(const ContourElement& element, double place, double distance_m) {
+Point beside(const ContourElement& element, double position, double distance_m) {
   if (element.straight)
-    return element.from + std::clamp(place - element.start, 0.0, element.length) * element.heading -
+    return element.from + std::clamp(position - element.start, 0.0, element.length) * element.heading -
            distance_m * left_of(element.heading);
-  return element.centre - (element.reach + distance_m) * left_of(heading_at(element, place));
+  return element.centre - (element.signed_radius + distance_m) * left_of(heading_at(element, position));
 }
 
 void append_parallel(const Contour& contour, double from, double to, double distance_m, Path& out) {
@@ -146,7 +146,7 @@ void append_parallel(const Contour& contour, double from, double to, double dist
     if (!going_on) at = beside(e, low, distance_m);
     going_on = true;
     const Point end = beside(e, high, distance_m);
-    // Where headings meet but for rounding, what is short comes to end behind where the one before ended.
+    // Where headings agree up to rounding, a short part may end behind the end of the one before.
     const bool ahead = dot(end - at, heading_at(e, 0.5 * (low + high))) > 0;
     if (!ahead || distance(at, end) <= kShortest_m) continue;
     out.push_back({at, end, curvature_beside(e, distance_m)});

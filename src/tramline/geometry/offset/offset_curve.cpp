@@ -20,8 +20,8 @@ double clockwise(const OffsetCurve& arc, Point p) {
 
 bool lies_on(const OffsetCurve& curve, Point p) {
   const double slack = curve.straight() ? kTouch_m : kTouch_m / curve.radius;
-  const double place = place_on(curve, p);
-  return place >= -slack && place <= curve.extent + slack;
+  const double position = position_on(curve, p);
+  return position >= -slack && position <= curve.extent + slack;
 }
 
 void ends_on_each_other(const OffsetCurve& a, const OffsetCurve& b, std::vector<Point>& out) {
@@ -96,13 +96,13 @@ OffsetCurve offset_arc(Point centre, double radius_m, Point from, Point to) {
   return out;
 }
 
-double place_on(const OffsetCurve& curve, Point p) {
+double position_on(const OffsetCurve& curve, Point p) {
   return curve.straight() ? dot(p - curve.from, curve.along) : clockwise(curve, p);
 }
 
-Point point_at(const OffsetCurve& curve, double place) {
-  if (curve.straight()) return curve.from + place * curve.along;
-  const double c = std::cos(place), s = std::sin(place);
+Point point_at(const OffsetCurve& curve, double position) {
+  if (curve.straight()) return curve.from + position * curve.along;
+  const double c = std::cos(position), s = std::sin(position);
   const Point u = curve.along;
   return curve.centre + curve.radius * Point{c * u.x + s * u.y, c * u.y - s * u.x};
 }

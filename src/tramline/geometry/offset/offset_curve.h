@@ -1,5 +1,5 @@
 #pragma once
-// Lines and arcs at a fixed distance from edges and corners, as carriers on which places are numbers.
+// Lines and arcs at a fixed distance from edges and corners, with positions along them as numbers.
 
 #include <vector>
 
@@ -15,7 +15,7 @@ struct OffsetCurve {
   double extent = 0;  ///< length of the line, or angle of the arc
   double radius = 0;  ///< 0: a line
   Point centre{};     ///< of an arc
-  Box box{};          ///< contains it, with a little to spare
+  Box box{};          ///< contains the curve, with a small margin
 
   bool straight() const { return radius == 0; }
 };
@@ -27,16 +27,16 @@ OffsetCurve offset_arc(Point centre, double radius_m, Point from, Point to);
 
 /// Length or angle from the curve's start to the point of it that is nearest to `p`, which has to lie near
 /// the curve or its carrier.
-double place_on(const OffsetCurve& curve, Point p);
-Point point_at(const OffsetCurve& curve, double place);
+double position_on(const OffsetCurve& curve, Point p);
+Point point_at(const OffsetCurve& curve, double position);
 /// Unit vector in driving direction.
 Point heading_at(const OffsetCurve& curve, Point p);
 /// 1/m, positive to the left.
 inline double curvature(const OffsetCurve& curve) { return curve.straight() ? 0 : -1 / curve.radius; }
 
-/// Where two curves meet, the ends of both included, up to kTouch_m. Of curves that run into one another
-/// (on one line, on one circle): the ends of each that lie on the other. Every point lies on both carriers
-/// up to rounding, however flat the crossing. O(1).
+/// The points where two curves meet, the ends of both included, up to kTouch_m. For curves on one line or one
+/// circle: the ends of each that lie on the other. Every point lies on both carriers up to rounding, however
+/// flat the crossing. O(1).
 std::vector<Point> meetings(const OffsetCurve& a, const OffsetCurve& b);
 
 }  // namespace tramline

@@ -12,7 +12,7 @@
 namespace tramline {
 namespace {
 
-/// Of an arc's radius: what rounding may do to the distance from it.
+/// Relative to an arc's radius: largest rounding of a distance from the arc.
 constexpr double kRoundingOfRadius_share = 4e-16;
 
 /// The parallel of one element.
@@ -20,14 +20,14 @@ struct Branch {
   Box box;
   Point from;
   Point to;
-  double reach = 0;  ///< of an arc: signed radius
-  Point middle;      ///< of an arc: unit vector from the centre to its middle
+  double signed_radius = 0;  ///< of an arc
+  Point middle;              ///< of an arc: unit vector from the centre to its middle
   bool alive = false;
 };
 
 Branch branch_of(const ContourElement& e, double distance) {
   Branch out;
-  out.alive = reaches(e, distance);
+  out.alive = has_parallel(e, distance);
   if (!out.alive) return out;
   if (e.straight) {
     out.from = e.from - distance * left_of(e.heading);
@@ -35,22 +35,22 @@ Branch branch_of(const ContourElement& e, double distance) {
     out.box = bounds(out.from, out.to);
     return out;
   }
-  out.reach = e.reach + distance;
-  out.from = e.centre - out.reach * left_of(e.heading);
-  out.to = e.centre - out.reach * left_of(e.heading_to);
-  out.box = bounds(out.from, out.to).grown(std::abs(out.reach) * (1 - e.half_cosine));
+  out.signed_radius = e.signed_radius + distance;
+  out.from = e.centre - out.signed_radius * left_of(e.heading);
+  out.to = e.centre - out.signed_radius * left_of(e.heading_to);
+  out.box = bounds(out.from, out.to).grown(std::abs(out.signed_radius) * (1 - e.half_cosine));
   const Point sum = e.heading + e.heading_to;
   const double norm = length(sum);
   const Point heading =
       norm > kHalfTurn_rad ? (1 / norm) * sum : (e.turn > 0 ? 1.0 : -1.0) * left_of(e.heading);
-  out.middle = (out.reach > 0 ? -1.0 : 1.0) * left_of(heading);
+  out.middle = (out.signed_radius > 0 ? -1.0 : 1.0) * left_of(heading);
   return out;
 }
 
 /// A crossing as one of the two branches sees it.
 struct Cut {
-  double place;
-  friend bool operator<(const Cut& a, const Cut& b) { return a.place < b.place; }
+  double position;
+  friend bool operator<(const Cut& a, const Cut& b) { return a.position < b.position; }
 };
 
 class FrontMaker {
@@ -61,7 +61,7 @@ class FrontMaker {
     for (const ContourElement& e : contour.elements) {
       branches_.push_back(branch_of(e, distance));
       same_distance_ =
-          std::max(same_distance_, kSameDistance_m + kRoundingOfRadius_share * std::abs(e.reach));
+          std::max(same_distance_, kSameDistance_m + kRoundingOfRadius_share * std::abs(e.signed_radius));
     }
   }
 
@@ -127,7 +127,7 @@ class FrontMaker {
     const ContourElement& e = contour_.elements[line];
     const Point to_centre = contour_.elements[arc].centre - branches_[line].from;
     const double foot = dot(to_centre, e.heading), off = cross(e.heading, to_centre);
-    const double reach = branches_[arc].reach, square = (reach - off) * (reach + off);
+    const double radius = branches_[arc].signed_radius, square = (radius - off) * (radius + off);
     if (square < 0) return;
     const double half = std::sqrt(square);
     for (const double along : {foot - half, foot + half}) {
@@ -141,7 +141,7 @@ class FrontMaker {
     const Point apart = contour_.elements[j].centre - contour_.elements[i].centre;
     const double square = dot(apart, apart);
     if (square < kConcentric_m2) return;
-    const double a = branches_[i].reach, b = branches_[j].reach;
+    const double a = branches_[i].signed_radius, b = branches_[j].signed_radius;
     const double share = 0.5 * (1 + (a - b) * (a + b) / square);
     const double height = a * a - share * share * square;
     if (height < 0) return;
@@ -153,12 +153,12 @@ class FrontMaker {
     }
   }
 
-  /// How far along the element, in its own measure, the arc's point p lies; negative where it does not.
+  /// Position of p along the element, in its own measure; negative where p is not on the arc.
   double along_arc(std::size_t i, Point p) const {
     const ContourElement& e = contour_.elements[i];
     const Branch& branch = branches_[i];
     const Point from_centre = p - e.centre;
-    const double radius = std::abs(branch.reach);
+    const double radius = std::abs(branch.signed_radius);
     const Point from_start = p - branch.from, from_end = p - branch.to;
     if (dot(from_centre, branch.middle) < e.half_cosine * radius - kTouch_m &&
         std::min(dot(from_start, from_start), dot(from_end, from_end)) > kTouch_m * kTouch_m)
@@ -191,8 +191,8 @@ class FrontMaker {
       double at = from;
       std::size_t element = i;
       for (auto cut = std::lower_bound(cuts_.begin(), cuts_.end(), Cut{from});; ++cut) {
-        const bool done = cut == cuts_.end() || cut->place >= to;
-        const double next = done ? to : cut->place;
+        const bool done = cut == cuts_.end() || cut->position >= to;
+        const double next = done ? to : cut->position;
         if (next > at + kShortest_m) {
           element = add_part(at, next, element);
           at = next;
@@ -203,21 +203,21 @@ class FrontMaker {
     }
   }
 
-  /// A part is asked in the middle of the longest element on it. Gives the element where it ends.
+  /// A part is tested in the middle of the longest element on it. Returns the element where it ends.
   std::size_t add_part(double from, double to, std::size_t element) {
-    double longest = -1, place = 0;
+    double longest = -1, position = 0;
     std::size_t at = element;
     for (;; ++element) {
       const ContourElement& e = contour_.elements[element];
       const double low = std::max(from, e.start), high = std::min(to, e.start + e.length);
       if (high - low > longest) {
         longest = high - low;
-        place = 0.5 * (low + high);
+        position = 0.5 * (low + high);
         at = element;
       }
       if (e.start + e.length >= to) break;
     }
-    if (keeps_away(contour_, beside(contour_.elements[at], place, distance_), distance_ - same_distance_,
+    if (keeps_away(contour_, beside(contour_.elements[at], position, distance_), distance_ - same_distance_,
                    nearer_)) {
       if (!out_.feet.empty() && from - out_.feet.back().to < kSameFoot_m)
         out_.feet.back().to = to;
@@ -231,7 +231,7 @@ class FrontMaker {
     struct End {
       Point point;
       Point heading;
-      double place;
+      double position;
     };
     std::vector<End> starts;
     for (const Interval& feet : out_.feet) {
@@ -261,7 +261,8 @@ class FrontMaker {
         best = &start;
         turn = std::max(0.0, right);
       }
-      if (best != nullptr) out_.corners.push_back({feet.to, best->place, midpoint(end, best->point), turn});
+      if (best != nullptr)
+        out_.corners.push_back({feet.to, best->position, midpoint(end, best->point), turn});
     }
   }
 

@@ -15,12 +15,12 @@
 namespace tramline {
 namespace {
 
-/// An edge of a offset_boundary, or a disc (from == to).
+/// An edge of an offset boundary, or a disc (from == to).
 struct Guard {
   Point from;
   Point to;
   double distance_m = 0;
-  Box box;  ///< of all that is nearer
+  Box box;  ///< contains all that is nearer
 };
 
 /// A curve at some guard's distance. Its own guards are two consecutive ones: edges at a corner, or twice
@@ -32,7 +32,7 @@ struct Candidate {
 };
 
 struct CurveCut {
-  double place = 0;
+  double position = 0;
   Point at;
   std::size_t node = 0;
 };
@@ -49,7 +49,7 @@ struct Piece {
 
 struct Arrangement {
   const std::vector<OffsetBoundary>* offset_boundaries = nullptr;
-  std::vector<char> outer;  ///< by offset_boundary: the land is inside the ring
+  std::vector<char> outer;  ///< by offset boundary: the land is inside the ring
   std::vector<Guard> guards;
   std::vector<Candidate> candidates;
   std::vector<std::vector<CurveCut>> cuts;  ///< by candidate
@@ -68,7 +68,7 @@ void add_guard(Arrangement& to, Point a, Point b, double distance_m) {
   to.guards.push_back({a, b, distance_m, bounds(a, b).grown(distance_m)});
 }
 
-void add_shore(Arrangement& to, const OffsetBoundary& offset_boundary, std::size_t index) {
+void add_boundary(Arrangement& to, const OffsetBoundary& offset_boundary, std::size_t index) {
   const std::size_t n = offset_boundary.ring.size(), first = to.guards.size();
   const double d = offset_boundary.distance_m;
   std::vector<Point> normals;
@@ -110,8 +110,8 @@ void add_disc(Arrangement& to, const OffsetDisc& disc) {
         {offset_arc(disc.centre, disc.radius_m, at(i), at(i + 1)), disc.offset_boundary, {guard, guard}});
 }
 
-/// A line and the arc about one of its edge's ends touch where one goes over into the other.
-bool go_over(const Candidate& a, const Candidate& b) {
+/// Whether one is a line and the other the arc about an end of its edge: these touch where they join.
+bool touch_at_join(const Candidate& a, const Candidate& b) {
   if (a.curve.straight() == b.curve.straight()) return false;
   const Candidate& line = a.curve.straight() ? a : b;
   const Candidate& arc = a.curve.straight() ? b : a;
@@ -120,7 +120,7 @@ bool go_over(const Candidate& a, const Candidate& b) {
 
 void cut(Arrangement& a, std::size_t candidate, Point at) {
   const OffsetCurve& curve = a.candidates[candidate].curve;
-  a.cuts[candidate].push_back({std::clamp(place_on(curve, at), 0.0, curve.extent), at, 0});
+  a.cuts[candidate].push_back({std::clamp(position_on(curve, at), 0.0, curve.extent), at, 0});
 }
 
 /// Cuts candidates where they meet. Sweeps over x, so that only candidates at one x are compared.
@@ -140,7 +140,7 @@ void cut_at_meetings(Arrangement& a) {
   for (const std::size_t i : order) {
     std::erase_if(open, [&](std::size_t j) { return a.candidates[j].curve.box.max_x < left(i); });
     for (const std::size_t j : open) {
-      if (go_over(a.candidates[i], a.candidates[j])) continue;
+      if (touch_at_join(a.candidates[i], a.candidates[j])) continue;
       for (const Point p : meetings(a.candidates[i].curve, a.candidates[j].curve)) {
         cut(a, i, p);
         cut(a, j, p);
@@ -150,7 +150,7 @@ void cut_at_meetings(Arrangement& a) {
   }
 }
 
-/// Gives cuts at one place one node.
+/// Gives cuts at the same point the same node.
 void name_nodes(Arrangement& a) {
   std::vector<CurveCut*> all;
   for (auto& cuts : a.cuts)
@@ -170,7 +170,8 @@ void name_nodes(Arrangement& a) {
   }
 }
 
-/// Whether a point of the candidate is free; nullopt: it is not. `near` are guards that may be nearer.
+/// How surely a point of the candidate is free; nullopt where it is not. `near` are guards that may be
+/// nearer.
 std::optional<Standing> standing(const Arrangement& a, const Candidate& candidate, Point p,
                                  const std::vector<std::size_t>& near) {
   Standing out = Standing::kFree;
@@ -184,9 +185,9 @@ std::optional<Standing> standing(const Arrangement& a, const Candidate& candidat
   return out;
 }
 
-/// Around a disc, or where one offset_boundary is kept off farther than the next, there may be land beyond
-/// the offset_boundaries.
-bool beyond_shores(const Arrangement& a, Point p) {
+/// Around a disc, or where one offset boundary has a larger distance than the next, there may be land beyond
+/// the offset boundaries.
+bool beyond_boundaries(const Arrangement& a, Point p) {
   for (std::size_t i = 0; i < a.outer.size(); ++i)
     if (contains((*a.offset_boundaries)[i].ring, p) != (a.outer[i] != 0)) return true;
   return false;
@@ -202,13 +203,13 @@ void keep_free_pieces(Arrangement& a) {
       if (intersects(a.guards[g].box, reach)) near.push_back(g);
     auto& cuts = a.cuts[i];
     std::stable_sort(cuts.begin(), cuts.end(),
-                     [](const CurveCut& p, const CurveCut& q) { return p.place < q.place; });
+                     [](const CurveCut& p, const CurveCut& q) { return p.position < q.position; });
     const CurveCut* last = &cuts.front();
     for (const CurveCut& next : cuts) {
       if (next.node == last->node) continue;
-      const Point middle = point_at(candidate.curve, 0.5 * (last->place + next.place));
+      const Point middle = point_at(candidate.curve, 0.5 * (last->position + next.position));
       const auto is = standing(a, candidate, middle, near);
-      if (is && !beyond_shores(a, middle)) a.pieces.push_back({i, *last, next, *is, false});
+      if (is && !beyond_boundaries(a, middle)) a.pieces.push_back({i, *last, next, *is, false});
       last = &next;
     }
   }
@@ -216,7 +217,7 @@ void keep_free_pieces(Arrangement& a) {
                    [](const Piece& p, const Piece& q) { return p.from.node < q.from.node; });
 }
 
-/// How far to the left one turns at a node, rad; going back counts as left.
+/// Turn to the left at a node, rad; going back counts as left.
 double turn(const Arrangement& a, const Piece& from, const Piece& to) {
   const Point before = heading_at(a.candidates[from.candidate].curve, from.to.at);
   const Point after = heading_at(a.candidates[to.candidate].curve, to.from.at);
@@ -256,7 +257,7 @@ OffsetPiece finished(const Arrangement& a, const Piece& piece) {
           candidate.offset_boundary};
 }
 
-/// From a piece that is free for sure back to it.
+/// A closed walk from a piece that is free for sure back to it.
 OffsetRing walk(Arrangement& a, Piece& start) {
   OffsetRing out;
   Piece* piece = &start;
@@ -280,7 +281,7 @@ std::vector<OffsetRing> offset_rings(const std::vector<OffsetBoundary>& offset_b
   a.offset_boundaries = &offset_boundaries;
   for (const OffsetBoundary& offset_boundary : offset_boundaries)
     a.outer.push_back(signed_area(offset_boundary.ring) > 0 ? 1 : 0);
-  for (std::size_t i = 0; i < offset_boundaries.size(); ++i) add_shore(a, offset_boundaries[i], i);
+  for (std::size_t i = 0; i < offset_boundaries.size(); ++i) add_boundary(a, offset_boundaries[i], i);
   for (const OffsetDisc& disc : discs) add_disc(a, disc);
   cut_at_meetings(a);
   name_nodes(a);
@@ -296,7 +297,7 @@ Region offset_region(const std::vector<OffsetRing>& rings, double sagitta_m) {
   for (const OffsetRing& ring : rings) {
     std::vector<Point> points;
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      // What comes before decides where a piece begins: the two agree up to rounding.
+      // The piece before decides where a piece begins: the two agree up to rounding.
       PathSegment segment = ring[i].segment;
       const Point previous = ring[i == 0 ? ring.size() - 1 : i - 1].segment.to;
       if (distance(previous, segment.to) < kSameNode_m) continue;

@@ -5,26 +5,26 @@
 #include <cmath>
 #include <deque>
 
-#include "tramline/geometry/offset/parallel_level.h"
+#include "tramline/geometry/offset/parallel_pair.h"
 #include "tramline/geometry/tolerances.h"
 
 namespace tramline {
 namespace {
 
-/// Levels of one family; those computed last are kept.
-class Levels {
+/// The track pairs of one family; the last ones computed are kept.
+class Pairs {
  public:
-  Levels(const Path& reference, const TrackLimits& limits, Sides sides)
+  Pairs(const Path& reference, const TrackLimits& limits, Sides sides)
       : contour_(contour_of(reference)), limits_(limits), sides_(sides) {}
 
   const Contour& contour() const { return contour_; }
   const TrackLimits& limits() const { return limits_; }
 
-  const ParallelLevel& at(double distance) {
-    for (const ParallelLevel& level : kept_)
-      if (std::abs(level.distance_m - distance) < kSameDistance_m) return level;
+  const ParallelPair& at(double distance) {
+    for (const ParallelPair& pair : kept_)
+      if (std::abs(pair.distance_m - distance) < kSameDistance_m) return pair;
     if (kept_.size() > 24) kept_.pop_front();
-    kept_.push_back(parallel_level(contour_, distance, limits_, sides_));
+    kept_.push_back(parallel_pair(contour_, distance, limits_, sides_));
     return kept_.back();
   }
 
@@ -32,7 +32,7 @@ class Levels {
   Contour contour_;
   const TrackLimits& limits_;
   Sides sides_;
-  std::deque<ParallelLevel> kept_;
+  std::deque<ParallelPair> kept_;
 };
 
 bool within(const Intervals& outer, const Interval& inner) {
@@ -41,16 +41,17 @@ bool within(const Intervals& outer, const Interval& inner) {
   });
 }
 
-/// What arcs work of this track's own, and of the tracks nearer to the reference. Beyond what is wide for
-/// them all, so only tracks so near that this one's far side is nearer than their discs' centres count.
-Intervals worked_by_arcs(Levels& levels, double distance) {
-  const TrackLimits& limits = levels.limits();
-  Intervals all = levels.at(distance).lost;
+/// The stretches of this track that the arcs of its own and of the tracks nearer to the reference work. They
+/// lie beyond what is wide for all of these, so only tracks count that are so near that this one's far side
+/// is nearer than the centres of their discs.
+Intervals worked_by_arcs(Pairs& pairs, double distance) {
+  const TrackLimits& limits = pairs.limits();
+  Intervals all = pairs.at(distance).lost;
   for (double lower = distance - limits.width_m;
        lower > 0.49 * limits.width_m &&
        lower + limits.least_radius_m() > distance + 0.5 * limits.width_m - kSameDistance_m;
        lower -= limits.width_m) {
-    const Intervals lost = levels.at(lower).lost;
+    const Intervals lost = pairs.at(lower).lost;
     all.insert(all.end(), lost.begin(), lost.end());
   }
   std::sort(all.begin(), all.end(), [](const Interval& a, const Interval& b) { return a.from < b.from; });
@@ -61,23 +62,23 @@ Intervals worked_by_arcs(Levels& levels, double distance) {
 
 class TrackMaker {
  public:
-  TrackMaker(Levels& levels, double distance)
-      : contour_(levels.contour()),
+  TrackMaker(Pairs& pairs, double distance)
+      : contour_(pairs.contour()),
         distance_(distance),
-        radius_(levels.limits().least_radius_m()),
-        level_(levels.at(distance)) {
+        radius_(pairs.limits().least_radius_m()),
+        pair_(pairs.at(distance)) {
     bool narrow = false;
-    for (const Interval& stretch : level_.stretches) narrow = narrow || !within(level_.wide, stretch);
-    const Intervals worked = narrow ? worked_by_arcs(levels, distance) : Intervals{};
-    for (const Interval& stretch : level_.stretches)
+    for (const Interval& stretch : pair_.stretches) narrow = narrow || !within(pair_.wide, stretch);
+    const Intervals worked = narrow ? worked_by_arcs(pairs, distance) : Intervals{};
+    for (const Interval& stretch : pair_.stretches)
       parts_.push_back(stretch.to > stretch.from ? without({stretch}, worked) : Intervals{});
   }
 
-  /// The tracks that begin on one side, by place on the contour.
+  /// The tracks that begin on one side, by position on the contour.
   std::vector<ParallelTrack> make(bool left) {
     std::vector<const TrackJoin*> next(parts_.size(), nullptr);
     std::vector<bool> entered(parts_.size(), false), done(parts_.size(), false);
-    for (const TrackJoin& join : level_.joins) {
+    for (const TrackJoin& join : pair_.joins) {
       next[join.before] = &join;
       entered[join.after] = true;
     }
@@ -100,14 +101,14 @@ class TrackMaker {
 
   void follow(std::size_t first, const std::vector<const TrackJoin*>& next, std::vector<bool>& done,
               bool left, bool loop, std::vector<Placed>& out) {
-    const bool wanted = contour_.on_left(level_.stretches[first].from) == left;
+    const bool wanted = contour_.on_left(pair_.stretches[first].from) == left;
     Path path;
     bool whole = true;
-    double from = level_.stretches[first].from;
+    double from = pair_.stretches[first].from;
     for (std::size_t i = first;;) {
       done[i] = true;
       for (std::size_t p = 0; p < parts_[i].size(); ++p) {
-        // Only a stretch's free end is ever worked by other tracks, but what is left may lie apart.
+        // Only a stretch's free end is ever worked by other tracks, but the rest may be in several parts.
         if (p > 0) whole = !flush(path, left, wanted, from, out) && whole;
         if (path.empty()) from = parts_[i][p].from;
         append_parallel(contour_, parts_[i][p].from, parts_[i][p].to, distance_, path);
@@ -148,12 +149,12 @@ class TrackMaker {
   const Contour& contour_;
   double distance_;
   double radius_;
-  ParallelLevel level_;
-  std::vector<Intervals> parts_;  ///< of each stretch
+  ParallelPair pair_;
+  std::vector<Intervals> parts_;  ///< by stretch
 };
 
-std::vector<ParallelTrack> tracks_at(Levels& levels, double offset_m) {
-  std::vector<ParallelTrack> out = TrackMaker(levels, std::abs(offset_m)).make(offset_m < 0);
+std::vector<ParallelTrack> tracks_at(Pairs& pairs, double offset_m) {
+  std::vector<ParallelTrack> out = TrackMaker(pairs, std::abs(offset_m)).make(offset_m < 0);
   if (offset_m < 0) std::reverse(out.begin(), out.end());
   return out;
 }
@@ -168,8 +169,8 @@ Sides sides_for(bool right, bool left) {
 std::vector<ParallelTrack> parallel(const Path& reference, double offset_m, const TrackLimits& limits) {
   assert(std::abs(offset_m) >= 0.5 * limits.width_m * (1 - kRounding_share));
   assert(smallest_radius(reference) >= limits.least_radius_m() * (1 - kPathRadius_share));
-  Levels levels(reference, limits, sides_for(offset_m > 0, offset_m < 0));
-  return tracks_at(levels, offset_m);
+  Pairs pairs(reference, limits, sides_for(offset_m > 0, offset_m < 0));
+  return tracks_at(pairs, offset_m);
 }
 
 std::vector<FamilyTrack> parallel_family(const Path& reference, int first, int last,
@@ -188,12 +189,12 @@ void visit_family(const Path& reference, int first, int last, const TrackLimits&
                   const std::function<bool(int index, std::vector<ParallelTrack> tracks)>& visit) {
   const auto offset_m = [&limits](int index) { return (index + 0.5) * limits.width_m; };
   if (first < 0) {
-    Levels left(reference, limits, Sides::kLeft);
+    Pairs left(reference, limits, Sides::kLeft);
     for (int k = std::min(last, -1); k >= first; --k)
       if (!visit(k, tracks_at(left, offset_m(k)))) return;
   }
   if (last < 0) return;
-  Levels right(reference, limits, Sides::kRight);
+  Pairs right(reference, limits, Sides::kRight);
   for (int k = std::max(first, 0); k <= last; ++k)
     if (!visit(k, tracks_at(right, offset_m(k)))) return;
 }

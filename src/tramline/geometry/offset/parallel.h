@@ -1,15 +1,15 @@
 #pragma once
-// Tracks parallel to a reference line (S2.12, not recursive): each is made from the line itself, so the
-// hundredth costs what the first does and has no more rounding in it.
+// Tracks parallel to a reference line (S2.12, not recursive): each is made from the line itself, so that the
+// hundredth costs as much as the first and has no more rounding in it.
 //
-// The track at distance t follows the points that are t from the reference and whose normals reach on to
-// t + w/2 without coming nearer to another part of it. Swaths of one family, w apart, so never overlap:
-// every point of the plane has one nearest point on the reference, but for those where two fronts meet.
+// The track at distance t follows the points that are t from the reference and whose normals reach on to t +
+// w/2 without coming nearer to another part of it. So swaths of one family, w apart, never overlap: every
+// point of the plane has one nearest point on the reference, except where two fronts meet.
 //
 // Where fronts meet at a corner, a disc of radius ρ = max(r, w/2) rolls round it: an arc of radius ρ about
-// the point where the fronts at t + ρ meet joins the two branches. So the track is there the boundary of
-// E dilated by ρ, E being the points at t + ρ or more from the reference: never tighter than ρ, never
-// nearer than t. A corner sharper than the limit is not driven round: both branches end in it.
+// the point where the fronts at t + ρ meet joins the two branches. There the track is the boundary of E
+// dilated by ρ, with E the points at t + ρ or more from the reference: never tighter than ρ, never nearer
+// than t. A corner sharper than the limit is not driven round: both branches end in it.
 
 #include <functional>
 #include <vector>
@@ -19,7 +19,7 @@
 
 namespace tramline {
 
-/// What a family of tracks is made for.
+/// The machine and the limits that a family of tracks is made for.
 struct TrackLimits {
   double radius_m = 6;                          ///< least turning radius r, ≥ 0
   double width_m = 3;                           ///< working width and spacing w, > 0
@@ -36,14 +36,13 @@ struct ParallelTrack {
   friend bool operator==(const ParallelTrack& a, const ParallelTrack& b) = default;
 };
 
-/// The tracks at a signed distance from the reference: positive to its right (S2.2), negative to its left;
-/// by the place along the reference where they begin. Several where the reference bends round so far
-/// that fronts meet. What ground the tracks at |offset| − w, |offset| − 2w … work at their corners is
-/// left to them, as far as they can be in the way.
-/// The plane beyond the ends' normals gets no tracks: extend the reference first (extended_line.h).
-/// Preconditions: |offset| ≥ w/2; the reference's tangents are continuous, it is no tighter than ρ
-/// and does not cross itself; its ends may touch it.
-/// About O(n log n) for n segments; see offset_front().
+/// The tracks at a signed distance from the reference, positive to its right (S2.2), negative to its left,
+/// ordered by the position along the reference where they begin. There are several where the reference bends
+/// round so far that fronts meet. The land that the tracks at |offset| − w, |offset| − 2w … work at their
+/// corners is left to them, as far as they can be in the way.
+/// The plane beyond the normals at the ends gets no tracks: extend the reference first (extended_line.h).
+/// Preconditions: |offset| ≥ w/2; the reference's tangents are continuous, it is no tighter than ρ and does
+/// not cross itself; its ends may touch it. About O(n log n) for n segments; see offset_front().
 std::vector<ParallelTrack> parallel(const Path& reference, double offset_m, const TrackLimits& limits);
 
 /// Track `index` of a family, at the distance (index + ½)·w.
@@ -52,18 +51,18 @@ struct FamilyTrack {
   ParallelTrack track;
 };
 
-/// The tracks first … last of the family, by index; what parallel() gives for each, but what tracks have
-/// in common is computed once.
+/// The tracks first … last of the family, by index, equal to those of parallel(); what they have in common is
+/// computed once.
 std::vector<FamilyTrack> parallel_family(const Path& reference, int first, int last,
                                          const TrackLimits& limits);
 
 /// The same track by track, outwards from the reference: −1, −2 … first, then 0, 1 … last. `visit` gets the
-/// number and its tracks, none or several; where it gives false no more are made.
+/// index and its tracks, none or several; no more are made once it returns false.
 void visit_family(const Path& reference, int first, int last, const TrackLimits& limits,
                   const std::function<bool(int index, std::vector<ParallelTrack> tracks)>& visit);
 
 /// Length of the reference's segments moved by the signed distance to its right, none of them cut where it
-/// meets others: tracks there are no longer but for what discs rolled round corners add. m. O(n).
+/// meets others, m: tracks there are no longer except for what discs rolled round corners add. O(n).
 double uncut_length(const Path& reference, double offset_m);
 
 }  // namespace tramline

@@ -10,7 +10,7 @@
 namespace tramline {
 namespace {
 
-/// Up to which the box reaches from p on in the direction; 0 where it all lies behind.
+/// Length up to which the box reaches from p in the direction; 0 where all of it lies behind.
 double reach_ahead(Point p, Point direction, const Box& box) {
   double out = 0;
   for (const Point corner : {Point{box.min_x, box.min_y}, Point{box.max_x, box.min_y},
@@ -19,8 +19,8 @@ double reach_ahead(Point p, Point direction, const Box& box) {
   return out;
 }
 
-/// Share of the way from a to b at which the segment is first met. The path that begins at a does not count
-/// where it is no farther off than kShortest_m.
+/// Share of the way from a to b at which the segment is first reached. The path that begins at a does not
+/// count where it is no farther off than kShortest_m.
 std::optional<double> first_meeting(Point a, Point b, const PathSegment& segment) {
   const std::vector<Point> line = chords({segment}, kMeasuredSagitta_m);
   const double least = kShortest_m / distance(a, b);
@@ -31,7 +31,7 @@ std::optional<double> first_meeting(Point a, Point b, const PathSegment& segment
   return out;
 }
 
-/// Where the extension from a to b has to end. True where it is blocked.
+/// Shortens the extension from a to b to where it has to end. True where it is blocked.
 bool shorten(Point a, Point& b, const Path& path) {
   double share = 1;
   for (const PathSegment& segment : path)

@@ -17,8 +17,8 @@ double half_turn_tangent(Point before, Point after) {
   return -cross(before, after) / (1 + dot(before, after));
 }
 
-/// How far the right side of a swath is cut at each joint, per metre of half its width; negative where it is
-/// lengthened, and the left side then cut. 0 where ends are flat.
+/// Length by which the right side of a swath is cut at each joint, per metre of half its width; negative
+/// where it is lengthened and the left side is cut. 0 where ends are flat.
 class Mitres {
  public:
   Mitres(const Path& path, double half_m) {
@@ -34,7 +34,7 @@ class Mitres {
       if (sharp[i]) wanted[i] = 0;
     }
     cut_ = wanted;
-    // A joint made flat may leave too little of the next segment: until nothing changes.
+    // A joint made flat may leave too little of the next segment: repeated until nothing changes.
     for (bool changed = true; changed;) {
       changed = false;
       for (std::size_t i = 0; i < path.size(); ++i) {

@@ -1,6 +1,6 @@
 #pragma once
-// Polylines that keep their kinks, with S2's operators on them (S2.2): what no machine drives, but what
-// tracks are in the papers.
+// Polylines that keep their kinks, with S2's operators on them (S2.2): no machine drives them, but tracks are
+// such lines in the papers.
 
 #include <vector>
 
@@ -8,22 +8,22 @@
 
 namespace tramline {
 
-/// Straight segments through the points. Precondition: no two in a row coincide.
+/// Straight segments through the points. Precondition: no two consecutive points coincide.
 Path polyline_path(const std::vector<Point>& points);
 /// The inverse. Precondition: all segments straight.
 std::vector<Point> vertices_of(const Path& path);
 
-/// A path of straight segments only of which two meet at an angle: by more than kLeastKink_rad.
+/// Whether a path has straight segments only, two of which meet at an angle of more than kLeastKink_rad.
 bool has_kinks(const Path& path);
 
-/// The ground of a swath along a path of straight segments (Π of S2.2), a convex quadrilateral for each,
-/// counter-clockwise. Where segments meet, both sides are lengthened or cut to the bisector of the kink: what
-/// the swath gains outside it loses inside, so each quadrilateral has the area width · length and those of a
-/// swath only touch. Kinks sharper than 120° and those beside a segment too short for that have flat ends on
-/// both segments instead, which leave a wedge outside and lie over one another inside. O(n).
+/// The area of a swath along a path of straight segments (Π of S2.2), a convex quadrilateral for each,
+/// counter-clockwise. Where segments meet, both sides are lengthened or cut to the bisector of the kink: the
+/// swath gains outside it what it loses inside, so each quadrilateral has the area width · length, and those
+/// of a swath only touch. Kinks sharper than 120° and those beside a segment too short for that have flat
+/// ends on both segments instead, which leave a wedge outside and overlap inside. O(n).
 std::vector<Ring> kinked_cells(const Path& path, double width_m);
 
-/// The outline of the same: its two sides and flat ends, which crosses itself where flat ends meet.
+/// The outline of that area: its two sides and flat ends, which crosses itself where flat ends meet.
 Ring kinked_band(const Path& path, double width_m);
 
 }  // namespace tramline

@@ -12,8 +12,8 @@
 namespace tramline {
 namespace {
 
-/// An end of an edge on its way out: at `at` when the front is `since_m` off the line, then `speed` for each
-/// metre that the front moves.
+/// An end of an edge on its way outwards: at `at` when the front is `since_m` off the line, then `speed` for
+/// each metre that the front moves.
 struct Joint {
   Point at;
   double since_m = 0;
@@ -74,14 +74,14 @@ class Front {
     return away && dot(before, after) < -0.5;
   }
 
-  /// Half way round from one heading to the other; straight back turns away from the front, too.
+  /// Heading half way between the two; a turn straight back also turns away from the front.
   Point middle_of_turn(Point before, Point after) const {
     const double turn = std::abs(std::atan2(cross(before, after), dot(before, after)));
     const double half = (right_ ? 0.5 : -0.5) * turn, c = std::cos(half), s = std::sin(half);
     return {before.x * c - before.y * s, before.x * s + before.y * c};
   }
 
-  /// Of the corner between two edges: along the bisector, as fast as both keep up with.
+  /// Velocity of the corner between two edges per metre of the front: along the bisector.
   Point mitre_speed(Point before, Point after) const {
     constexpr double kNearlyBack = 0.02;  // turns of 168° and more have no corner to speak of
     const Point a = normal(before), b = normal(after);
@@ -93,7 +93,7 @@ class Front {
     along_.push_back(along);
   }
 
-  /// When edge i has no length left; infinite if it grows.
+  /// Offset at which edge i has no length any more; infinite if it grows.
   double vanishing(std::size_t i, double now_m) const {
     const double length_m = dot(joints_[i + 1].when(now_m) - joints_[i].when(now_m), along_[i]);
     const double shrinks = -dot(joints_[i + 1].speed - joints_[i].speed, along_[i]);
@@ -122,7 +122,7 @@ class Front {
   double off_m_ = 0;
 };
 
-/// A place where the line crosses itself, seen from one of the two edges.
+/// A point where the line crosses itself, as one of the two edges passes it.
 struct Passage {
   std::size_t edge;
   double share;  ///< of the edge
@@ -156,7 +156,7 @@ std::vector<Passage> passages_of(const std::vector<Point>& line) {
   return sorted;
 }
 
-/// The line cut where it crosses itself, and put together again without what lies too near.
+/// The line cut where it crosses itself, and joined again without the parts that lie too near.
 class Trimmer {
  public:
   Trimmer(const std::vector<Point>& line, const std::vector<Point>& source, double off_m)
@@ -196,7 +196,7 @@ class Trimmer {
     return out;
   }
 
-  /// Asked of the middle of its longest edge.
+  /// Tested at the middle of its longest edge.
   bool keeps_off(const std::vector<Point>& part) const {
     double longest_m = 0;
     Point middle{};
@@ -211,7 +211,7 @@ class Trimmer {
     return true;
   }
 
-  /// On from part to part, at every crossing as far ahead as possible.
+  /// The line followed from part to part, at every crossing as far ahead as possible.
   std::vector<Point> followed_from(std::size_t part, std::vector<bool>& used) const {
     std::vector<Point> out;
     for (std::size_t i = part;;) {

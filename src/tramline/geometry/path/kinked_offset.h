@@ -1,5 +1,5 @@
 #pragma once
-// The offset of a polyline, kinks and all (∥ of S2.2).
+// The offset of a polyline with its kinks (∥ of S2.2).
 
 #include <vector>
 
@@ -9,12 +9,11 @@ namespace tramline {
 
 /// The polyline `offset_m` to the right of another (negative: to the left). Every edge moves by the offset;
 /// at kinks edges meet in a mitre, and kinks that turn away by more than 120° are cut by an edge of their own
-/// at the offset's distance. An edge that has shrunk to nothing on the way is left out, and those beside it
-/// meet. Where the line then crosses itself what is nearer than the offset is cut away; of several lines
-/// that are left the longest one from end to end is the offset, and lobes closed in themselves are lost.
-/// Empty where nothing is left.
-/// Precondition: no two points in a row coincide, at least two. O(n·e + n log n) for n points of which e
-/// vanish; O(n²) where the offset crosses itself.
+/// at the offset's distance. An edge that shrinks to nothing on the way is left out, and its neighbours meet.
+/// Where the line then crosses itself, the parts nearer than the offset are cut away; of several remaining
+/// lines the longest one from end to end is the offset, and closed lobes are lost. Empty where nothing
+/// remains. Precondition: at least two points, no two consecutive ones coincide. O(n·e + n log n) for n
+/// points of which e vanish; O(n²) where the offset crosses itself.
 std::vector<Point> kinked_offset(const std::vector<Point>& line, double offset_m);
 
 }  // namespace tramline

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-/// Edges by length, then by place; `version` tells those that have changed since.
+/// Edges by length, then by position; `version` marks those that have changed since.
 using Entry = std::tuple<double, std::size_t, unsigned>;
 
 class Merger {
@@ -143,7 +143,7 @@ class Merger {
     return true;
   }
 
-  /// Of the ends of edge i the sharper is what cannot be driven.
+  /// The sharper end of edge i is the one that cannot be driven.
   void refuse(std::size_t i) {
     const std::size_t j = after_[i];
     out_.hairpin = tangent(j) > tangent(i) ? j : i;

@@ -69,7 +69,7 @@ Point at_height(Point a, Point b, double y) {
 
 // --- One curve in the sweep --------------------------------------------------------------------
 
-/// A curve with what the sweep asks of it. Coordinates are about a point of the new ground.
+/// A curve with what the sweep needs of it. Coordinates are relative to a point of the new layer.
 struct Bound {
   Point from;
   Point to;
@@ -81,10 +81,10 @@ struct Bound {
   Layer layer = Layer::kBody;
   int change = 0;
 
-  // Where the sweep is.
+  // State of the sweep.
   double x = 0;      ///< in the middle of the slab
-  int side = 0;      ///< 1: right end of counted ground, −1: left end, 0: neither
-  double since = 0;  ///< from which y on it has been so
+  int side = 0;      ///< 1: right end of counted area, −1: left end, 0: neither
+  double since = 0;  ///< y since when it has been so
 };
 
 Bound bound(const RisingCurve& curve, Point origin) {
@@ -204,8 +204,8 @@ struct Scratch {
   std::vector<Bound*> active;  ///< the bounds in the slab, from left to right
 };
 
-/// The curves that matter for new ground: nothing above, below or right of it does, and of what is left
-/// of it only the winding number.
+/// The curves that matter for the new layer: nothing above, below or right of it does, and left of it only
+/// the winding number.
 Heights collect_bounds(const RisingCurves& curves, Scratch& scratch) {
   scratch.bounds.clear();
   Box ground;
@@ -261,7 +261,7 @@ void collect_heights(Heights ground, Scratch& scratch) {
                 heights.end());
 }
 
-/// The counted ground beside a curve is summed up in one piece when it ends, not slab by slab.
+/// The counted area beside a curve is summed up once when it ends, not slab by slab.
 double turn_to_side(Bound& b, int side, double y) {
   if (side == b.side) return 0;
   const double sum = b.side == 0 ? 0 : b.side * integral(b, b.since, y);

@@ -50,7 +50,7 @@ bool cross_each_other(Point a, Point b, Point c, Point d) {
   return (side_c > 0) != (side_d > 0) && (side_a > 0) != (side_b > 0);
 }
 
-/// Of a segment: the chord's box, for an arc grown by its height above the chord.
+/// Box of a segment: that of the chord, for an arc grown by its height above the chord.
 Box box_of(const PathSegment& segment) {
   const Box box = bounds(segment.from, segment.to);
   if (segment.straight()) return box;
@@ -69,7 +69,7 @@ class Arc {
         middle_(turned(arc.from - centre_, 0.5 * turning(arc))),
         cos_half_(std::cos(0.5 * turning(arc))) {}
 
-  /// Does the ray from the centre through p meet the arc?
+  /// Whether the ray from the centre through p meets the arc.
   bool faces(Point p) const {
     const Point d = p - centre_;
     return dot(d, middle_) >= cos_half_ * tramline::length(d) * radius_;

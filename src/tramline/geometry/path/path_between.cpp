@@ -12,8 +12,8 @@ namespace {
 PathSegment part_of(const PathSegment& segment, double from, double to) {
   const double whole = length(segment);
   const SegmentFrame frame(segment, 0);
-  const Point a = from <= 0 ? segment.from : frame.place(from, 0);
-  const Point b = to >= whole ? segment.to : frame.place(to, 0);
+  const Point a = from <= 0 ? segment.from : frame.point_at(from, 0);
+  const Point b = to >= whole ? segment.to : frame.point_at(to, 0);
   return {a, b, segment.curvature};
 }
 

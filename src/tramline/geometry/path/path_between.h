@@ -1,5 +1,5 @@
 #pragma once
-// A stretch of a path.
+// The part of a path between two positions.
 
 #include "tramline/geometry/path/path.h"
 

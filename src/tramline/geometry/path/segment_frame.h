@@ -1,5 +1,5 @@
 #pragma once
-// One segment's coordinates.
+// The coordinates of one segment.
 
 #include <algorithm>
 #include <cmath>
@@ -8,12 +8,13 @@
 
 namespace tramline {
 
-/// A point as the segment sees it: metres to the right and along, or, for arcs, Cartesian coordinates
-/// about the centre whose first axis points to the arc's middle and in which the path turns left.
+/// The frame of a segment: metres to the right and along, or, for arcs, Cartesian coordinates about the
+/// centre whose first axis points to the arc's middle and in which the path turns left.
 class SegmentFrame {
  public:
   SegmentFrame(const PathSegment& segment, double half_width) : half_(half_width) {
-    // In roots where path.h takes hypotenuses and angles: this is done for every segment of every track.
+    // Square roots instead of the hypotenuses and angles of path.h: this is computed for every segment of
+    // every track.
     const Point chord = segment.to - segment.from;
     const double across = std::sqrt(dot(chord, chord));
     origin_ = segment.from;
@@ -48,7 +49,7 @@ class SegmentFrame {
   double along(Point q) const { return straight() ? q.y : radius_ * (std::atan2(q.y, q.x) + half_turn_); }
 
   /// The point of the field at a position along and a distance from the left end.
-  Point place(double along, double across) const {
+  Point point_at(double along, double across) const {
     if (straight()) return origin_ + along * ahead_ - (across - half_) * to_the_left(ahead_);
     const double angle = sense_ * (along / radius_ - half_turn_);
     const double c = std::cos(angle), s = std::sin(angle);

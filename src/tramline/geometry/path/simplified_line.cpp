@@ -11,7 +11,7 @@ std::vector<std::size_t> distinct_points(const std::vector<Point>& line) {
   std::vector<std::size_t> out;
   for (std::size_t i = 0; i < line.size(); ++i)
     if (out.empty() || distance(line[i], line[out.back()]) > kSamePlace_m) out.push_back(i);
-  // The line ends where it ends: what all but coincides with the end gives way to it.
+  // The last vertex stays: a vertex that nearly coincides with it gives way.
   if (out.size() > 1) out.back() = line.size() - 1;
   return out;
 }

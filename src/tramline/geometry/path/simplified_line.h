@@ -1,5 +1,5 @@
 #pragma once
-// Which vertices of a polyline carry its shape.
+// The vertices that carry a polyline's shape.
 
 #include <cstddef>
 #include <vector>
@@ -9,8 +9,8 @@
 namespace tramline {
 
 /// Indices, in increasing order, of vertices such that the line through them keeps within `tolerance_m` of
-/// all the others (Douglas and Peucker 1973); the first and the last are kept, and nothing of what lies
-/// within 1 µm of the vertex kept before it. O(n²) at worst, mostly O(n log n).
+/// all the others (Douglas and Peucker 1973); the first and the last are kept, and none within 1 µm of the
+/// vertex kept before it. O(n²) at worst, mostly O(n log n).
 std::vector<std::size_t> simplified_line(const std::vector<Point>& line, double tolerance_m);
 
 }  // namespace tramline

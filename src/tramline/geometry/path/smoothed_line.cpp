@@ -19,7 +19,7 @@ namespace {
 /// Wider arcs have centres so far away that distances from them lose digits, m.
 constexpr double kWidest = 1e5;
 
-/// How long the tangents of the arc at a kink have to be, and how long they had better be.
+/// Required and preferred length of the tangents of the arc at a kink.
 struct Tangents {
   double least = 0;
   double wanted = 0;

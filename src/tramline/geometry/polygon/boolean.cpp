@@ -194,7 +194,7 @@ double distance_to_ring(const Region& region, const Ring& ring) {
 
 Disc largest_disc(const Polygon& polygon, double tolerance_m) {
   const Geometry shape = to_geos(polygon);
-  // A line from the centre to the nearest place of the boundary.
+  // A line from the centre to the nearest point of the boundary.
   const Geometry spoke = checked(GEOSMaximumInscribedCircle_r(geos(), shape.get(), tolerance_m), "disc");
   const GEOSCoordSequence* ends = GEOSGeom_getCoordSeq_r(geos(), spoke.get());
   Disc disc;

@@ -85,7 +85,7 @@ class Walk {
   std::vector<bool> used_;
 };
 
-/// Takes a closed walk apart where it passes a point twice. No edge is walked twice, so only at a fork.
+/// Splits a closed walk where it passes a point twice: only at forks, since no edge is walked twice.
 void append_simple_rings(Cycle cycle, std::vector<Ring>& out) {
   std::sort(cycle.forks.begin(), cycle.forks.end(), PointBefore{});
   if (std::adjacent_find(cycle.forks.begin(), cycle.forks.end()) == cycle.forks.end()) {

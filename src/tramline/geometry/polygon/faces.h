@@ -1,5 +1,5 @@
 #pragma once
-// From directed boundary edges to polygons.
+// Polygons made from directed boundary edges.
 
 #include <vector>
 

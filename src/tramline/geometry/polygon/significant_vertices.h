@@ -1,5 +1,5 @@
 #pragma once
-// Which vertices of a ring carry its shape.
+// The vertices that carry a ring's shape.
 
 #include <cstddef>
 #include <vector>

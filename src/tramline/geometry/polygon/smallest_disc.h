@@ -1,5 +1,5 @@
 #pragma once
-// The smallest disc round points.
+// The smallest enclosing disc of points.
 
 #include <vector>
 
@@ -7,8 +7,8 @@
 
 namespace tramline {
 
-/// The smallest disc that contains all points, up to kSameDistance_m. Precondition: at least one point.
-/// O(n³) at worst, O(n) mostly: points that the disc so far contains cost nothing (Welzl 1991, iterated).
+/// The smallest disc that contains all points, up to kSameDistance_m. Precondition: at least one point. O(n³)
+/// at worst, O(n) mostly: points inside the disc found so far cost nothing (Welzl 1991, iterated).
 Disc smallest_disc(const std::vector<Point>& points);
 
 }  // namespace tramline

@@ -1,5 +1,5 @@
 #pragma once
-// How much of a region lies in the cross-sections of a path: cross_section.h for paths with arcs.
+// The part of a region in the cross-sections of a path: cross_section.h for paths with arcs.
 //
 // Along each segment the plane is seen in two coordinates, along it and across to the right; about an arc
 // these are angle and radius. A straight boundary edge is a line there, or r = d / cos(φ − φ₀), which is
@@ -26,11 +26,11 @@ struct SectionPart {
   Point edge;
 };
 
-/// A stretch of a segment over which the same parts are met.
+/// A stretch of a segment whose cross-sections cross the same parts.
 struct SectionSlab {
   double from = 0;  ///< positions along the segment
   double to = 0;
-  int right_inside = 0;  ///< 1 where the right end of the cross-section is in the region
+  int right_inside = 0;  ///< 1 where the right end of the cross-section is inside the region
   std::vector<std::size_t> parts{};
 };
 

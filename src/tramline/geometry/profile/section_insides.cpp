@@ -2,12 +2,12 @@
 #include <cmath>
 
 #include "tramline/geometry/profile/path_profile.h"
-#include "tramline/geometry/profile/section_across.h"
+#include "tramline/geometry/profile/section_parts.h"
 
 namespace tramline {
 namespace {
 
-/// How exactly positions are found on arcs, m.
+/// Accuracy of positions on arcs, m.
 constexpr double kPosition_m = 1e-9;
 
 class Insides {

@@ -3,10 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tramline/geometry/profile/section_across.h"
 #include "tramline/geometry/tolerances.h"
 
 namespace tramline {
+
+double across_at(const SegmentProfile& segment, double half_width, const SectionPart& part, double along) {
+  if (along <= part.from) return part.across_from;
+  if (along >= part.to) return part.across_to;
+  if (segment.radius == 0)
+    return part.across_from +
+           (part.across_to - part.across_from) * ((along - part.from) / (part.to - part.from));
+  const double angle = along / segment.radius - segment.half_turn;
+  const double radius = part.moment / (std::cos(angle) * part.edge.y - std::sin(angle) * part.edge.x);
+  const double across = segment.sense * (radius - segment.radius) + half_width;
+  const auto [low, high] = std::minmax(part.across_from, part.across_to);
+  return across >= low ? std::min(across, high) : low;  // NaN: low
+}
+
 namespace {
 
 class PartsMaker {
@@ -20,11 +33,11 @@ class PartsMaker {
     const int count = std::clamp(static_cast<int>(0.5 * out_.length / region.grid().cell_m()), 1, 1000);
     const double part = out_.length / count;
     const double bulge = frame_.straight() ? 0 : part * part / (4 * frame_.radius());
-    Point end = frame_.place(0, 0.5 * width_);
+    Point end = frame_.point_at(0, 0.5 * width_);
     for (int i = 1; i <= count; ++i) {
       Box box;
       box.extend(end);
-      end = frame_.place(i * part, 0.5 * width_);
+      end = frame_.point_at(i * part, 0.5 * width_);
       box.extend(end);
       region.grid().each_meeting(box.grown(0.5 * width_ + bulge + kSamePlace_m),
                                  [&](std::size_t e) { near.push_back(e); });
@@ -40,7 +53,7 @@ class PartsMaker {
   void add(Point from, Point to) {
     Point a = frame_.local(from), b = frame_.local(to);
     if (frame_.straight()) return add_monotonic(a, b);
-    // What lies behind the centre is on none of the arc's cross-sections: it turns by half a circle at most.
+    // Points behind the centre are on none of the arc's cross-sections: it turns by half a circle at most.
     if (a.x < 0 && b.x < 0) return;
     if (a.x < 0) a = {0, a.y + (b.y - a.y) * (a.x / (a.x - b.x))};
     if (b.x < 0) b = {0, b.y + (a.y - b.y) * (b.x / (b.x - a.x))};

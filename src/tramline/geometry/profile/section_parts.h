@@ -8,7 +8,11 @@
 
 namespace tramline {
 
-/// Where the boundary crosses the right ends of the cross-sections.
+/// Distance from the left end of the cross-section at which the part crosses it, m; beyond the part's ends as
+/// at them. `half_width` is that of the profile, `along` a position along the segment.
+double across_at(const SegmentProfile& segment, double half_width, const SectionPart& part, double along);
+
+/// A crossing of the boundary with the right ends of the cross-sections.
 struct RightCrossing {
   double along;
   int change;  ///< +1: the region begins there

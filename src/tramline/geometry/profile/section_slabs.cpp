@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "tramline/geometry/profile/section_across.h"
+#include "tramline/geometry/profile/section_parts.h"
 #include "tramline/geometry/tolerances.h"
 
 namespace tramline {
@@ -20,8 +20,8 @@ class SlabsMaker {
               [](const RightCrossing& a, const RightCrossing& b) { return a.along < b.along; });
     make_slabs();
     set_states(before.right_inside);
-    // An edge beside the right ends may cross them here as one segment sees it and there as the next one
-    // does: then the length inside jumps, and so it may where an edge lies along a cross-section.
+    // An edge beside the right ends may cross them at different positions in the frames of one segment and
+    // the next: then the length inside jumps, as it may where an edge lies along a cross-section.
     if (right_.near_start || before.right_inside < 0 ||
         std::abs(inside_at(out_.slabs.front(), 0) - before.inside_m) > kSamePlace_m)
       set_states(state_at_start(region));
@@ -68,7 +68,7 @@ class SlabsMaker {
     return sum;
   }
 
-  /// Asks for the middle of the widest gap between edges in the longest slab, and goes back from there.
+  /// Tests the middle of the widest gap between edges in the longest slab, and goes back from there.
   int state_at_start(const EdgeIndex& region) const {
     const auto longest = std::max_element(
         out_.slabs.begin(), out_.slabs.end(),
@@ -81,7 +81,7 @@ class SlabsMaker {
     std::size_t widest = 0;
     for (std::size_t i = 0; i + 1 < met.size(); ++i)
       if (met[i + 1].first - met[i].first > met[widest + 1].first - met[widest].first) widest = i;
-    const Point asked = frame_.place(along, 0.5 * (met[widest].first + met[widest + 1].first));
+    const Point asked = frame_.point_at(along, 0.5 * (met[widest].first + met[widest + 1].first));
     int state = region.contains(asked) ? 1 : 0;
     for (std::size_t i = widest + 1; i < met.size(); ++i) state -= met[i].second;
     for (const RightCrossing& crossing : right_.crossings)

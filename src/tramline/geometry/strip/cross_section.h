@@ -1,6 +1,6 @@
 #pragma once
-// How much of a region lies in the cross-sections of a strip: the quantity every end rule and the
-// closed-form tally are built on (ALGORITHMS: strip cost).
+// The part of a region in the cross-sections of a strip: the quantity that every end rule and the closed-form
+// tally are built on (ALGORITHMS: strip cost).
 
 #include <vector>
 
@@ -21,7 +21,7 @@ struct Slab {
   }
 };
 
-/// What of a region lies in one strip. Positions are coordinates along the tracks.
+/// The part of a region in one strip. Positions are coordinates along the tracks.
 struct StripProfile {
   std::vector<Slab> slabs;  ///< sorted, not overlapping; nothing of the region lies between them
   Intervals centre_line;    ///< where the strip's centre line is inside the region
@@ -38,7 +38,7 @@ struct StripProfile {
 std::vector<StripProfile> cross_sections(const Region& turned, const StripGrid& grid, StripRange range,
                                          const StripMask& wanted = {});
 
-/// Where the cross-section is at least `width_m` (> 0) long.
+/// The stretches in which the cross-section is at least `width_m` (> 0) long.
 Intervals where_at_least(const StripProfile& profile, double width_m);
 
 /// Area of the region within the strip between two positions along, m².

@@ -48,8 +48,8 @@ void StripFold::begin(const StripGrid& grid, StripRange range, const StripMask& 
   next_wanted_.resize(static_cast<std::size_t>(strips) + 1);
   next_wanted_.back() = strips;
   for (int i = strips - 1; i >= 0; --i) {
-    const auto place = static_cast<std::size_t>(i);
-    next_wanted_[place] = wanted.empty() || wanted[place] ? i : next_wanted_[place + 1];
+    const auto index = static_cast<std::size_t>(i);
+    next_wanted_[index] = wanted.empty() || wanted[index] ? i : next_wanted_[index + 1];
   }
 }
 
@@ -71,9 +71,9 @@ void StripFold::end() {
   centre_lines_.sort_in();
 }
 
-const StripProfile& StripFold::profile(std::size_t place) {
-  find_slabs(parts_.in(place), right_lines_.in(place));
-  find_centre_line(centre_lines_.in(place));
+const StripProfile& StripFold::profile(std::size_t index) {
+  find_slabs(parts_.in(index), right_lines_.in(index));
+  find_centre_line(centre_lines_.in(index));
   return profile_;
 }
 
@@ -87,28 +87,28 @@ void StripFold::add(const Corner& a, const Corner& b, const StripGrid& grid, Str
   if (first > last) return;
   for (int i = next_wanted_[static_cast<std::size_t>(first)]; i <= last;
        i = next_wanted_[static_cast<std::size_t>(i) + 1]) {
-    const auto place = static_cast<std::size_t>(i);
+    const auto index = static_cast<std::size_t>(i);
     const int k = range.first + i;
     const double line = grid.line(k), next_line = grid.line(k + 1);
     const Point from = k == k_left ? left : Point{line, along_at(left, right, line)};
     const Point to = k == k_right ? right : Point{next_line, along_at(left, right, next_line)};
     const int change = rightward ? +1 : -1;
-    if (k < k_right) right_lines_.add(place, {to.y, change});
+    if (k < k_right) right_lines_.add(index, {to.y, change});
     const double centre = grid.centre(k);
     if (left.x < centre && right.x >= centre)
-      centre_lines_.add(place, {along_at(left, right, centre), change});
-    add_part(place, from, to, rightward, line);
+      centre_lines_.add(index, {along_at(left, right, centre), change});
+    add_part(index, from, to, rightward, line);
   }
 }
 
-void StripFold::add_part(std::size_t place, Point from, Point to, bool rightward, double line) {
+void StripFold::add_part(std::size_t index, Point from, Point to, bool rightward, double line) {
   if (from.y == to.y) return;
   const bool rises = from.y < to.y;
   const double sign = rises == rightward ? +1 : -1;
   if (rises)
-    parts_.add(place, {from.y, to.y, from.x - line, to.x - line, sign});
+    parts_.add(index, {from.y, to.y, from.x - line, to.x - line, sign});
   else
-    parts_.add(place, {to.y, from.y, to.x - line, from.x - line, sign});
+    parts_.add(index, {to.y, from.y, to.x - line, from.x - line, sign});
 }
 
 void StripFold::list_events(std::span<const EdgePart> parts, std::span<const Crossing> right_line) {

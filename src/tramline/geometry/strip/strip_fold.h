@@ -20,12 +20,12 @@ class ByStrip {
     items_.push_back({strip, item});
     ++starts_[strip + 1];
   }
-  /// Afterwards in() may be called. The order in each strip is kept.
+  /// Sorts the items by strip, keeping the order within each. To be called before in().
   void sort_in() {
     for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
     sorted_.resize(items_.size());
-    places_.assign(starts_.begin(), starts_.end());
-    for (const Placed& placed : items_) sorted_[places_[placed.strip]++] = placed.item;
+    next_slots_.assign(starts_.begin(), starts_.end());
+    for (const Placed& placed : items_) sorted_[next_slots_[placed.strip]++] = placed.item;
   }
   std::span<Item> in(std::size_t strip) {
     return std::span(sorted_).subspan(starts_[strip], starts_[strip + 1] - starts_[strip]);
@@ -38,20 +38,20 @@ class ByStrip {
   };
   std::vector<Placed> items_;
   std::vector<Item> sorted_;
-  std::vector<std::size_t> starts_, places_;
+  std::vector<std::size_t> starts_, next_slots_;
 };
 
-/// Makes profiles strip by strip. To be kept from one fold to the next for its memory.
+/// Makes profiles strip by strip. Kept from one fold to the next to reuse its memory.
 class StripFold {
  public:
-  /// `rings` in the grid's turned plane, outer ones counter-clockwise, holes clockwise. Refers to nothing
-  /// afterwards. O(n + K) for n edges and K incidences of edges and strips that are wanted.
+  /// `rings` in the grid's turned plane, outer ones counter-clockwise, holes clockwise. Keeps no reference to
+  /// them. O(n + K) for n edges and K incidences of edges and strips that are wanted.
   void fold(std::span<const Ring> rings, const StripGrid& grid, StripRange range, const StripMask& wanted);
-  /// The rings of a region.
+  /// The same for the rings of a region.
   void fold(std::span<const Polygon> turned, const StripGrid& grid, StripRange range,
             const StripMask& wanted);
-  /// What lies in the strip range.first + place; valid until the next call. O(K log K) for its K edges.
-  const StripProfile& profile(std::size_t place);
+  /// The profile of the strip range.first + index; valid until the next call. O(K log K) for its K edges.
+  const StripProfile& profile(std::size_t index);
 
  private:
   /// The part of a boundary edge within one strip, bottom up. x is measured from the strip's left line.
@@ -62,7 +62,7 @@ class StripFold {
 
     double across_at(double along) const;
   };
-  /// The boundary crosses a line across the strips: the region begins (+1) or ends (−1) there.
+  /// A crossing of the boundary with a line along the strips: the region begins (+1) or ends (−1) there.
   struct Crossing {
     double along;
     int change;
@@ -78,13 +78,13 @@ class StripFold {
   void add_ring(const Ring& ring, const StripGrid& grid, StripRange range);
   void end();
   void add(const Corner& a, const Corner& b, const StripGrid& grid, StripRange range);
-  void add_part(std::size_t place, Point from, Point to, bool rightward, double line);
+  void add_part(std::size_t index, Point from, Point to, bool rightward, double line);
   void list_events(std::span<const EdgePart> parts, std::span<const Crossing> right_line);
   void find_slabs(std::span<EdgePart> parts, std::span<Crossing> right_line);
   void find_centre_line(std::span<Crossing> crossings);
 
   double width_m_ = 1;
-  std::vector<int> next_wanted_;  ///< by place: the first wanted strip from there on, as a place
+  std::vector<int> next_wanted_;  ///< by index: the index of the first wanted strip from there on
   ByStrip<EdgePart> parts_;
   ByStrip<Crossing> right_lines_, centre_lines_;
   std::vector<double> events_;

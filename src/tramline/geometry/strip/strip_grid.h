@@ -16,7 +16,7 @@ struct StripGrid {
 
   double line(int k) const { return origin_m + k * width_m; }
   double centre(int k) const { return origin_m + (k + 0.5) * width_m; }
-  /// The strip k with line(k) <= across < line(k + 1), by the very values of line().
+  /// The strip k with line(k) <= across < line(k + 1), exactly by the values of line().
   int strip_at(double across) const {
     int k = static_cast<int>(std::floor((across - origin_m) / width_m));
     while (across < line(k)) --k;
@@ -32,7 +32,7 @@ struct StripRange {
   int size() const { return last < first ? 0 : last - first + 1; }
 };
 
-/// Some of the strips of a range: true for those meant, by k − first; empty: all of them.
+/// A selection of the strips of a range, by k − first; empty: all of them.
 using StripMask = std::vector<bool>;
 
 /// The strips whose interior meets the box of turned coordinates by more than `slack_m`.

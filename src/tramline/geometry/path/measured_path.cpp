@@ -1,4 +1,4 @@
-#include "tramline/geometry/path/path_places.h"
+#include "tramline/geometry/path/measured_path.h"
 
 #include <algorithm>
 #include <cassert>
@@ -7,12 +7,12 @@
 
 namespace tramline {
 
-PathPlaces::PathPlaces(Path path) : path_(std::move(path)), starts_{0} {
+MeasuredPath::MeasuredPath(Path path) : path_(std::move(path)), starts_{0} {
   assert(std::all_of(path_.begin(), path_.end(), [](const PathSegment& s) { return s.from != s.to; }));
   for (const PathSegment& segment : path_) starts_.push_back(starts_.back() + tramline::length(segment));
 }
 
-PathPlace PathPlaces::at(double along_m) const {
+PathPoint MeasuredPath::at(double along_m) const {
   along_m = std::clamp(along_m, 0.0, length());
   const auto after = std::upper_bound(starts_.begin() + 1, starts_.end() - 1, along_m);
   const auto i = static_cast<std::size_t>(after - starts_.begin()) - 1;
