@@ -63,7 +63,7 @@ class PaperDetour {
   }
 
  private:
-  /// The heading of the line at the obstacle, in the middle of the stretch that cannot be driven. S1 has
+  /// A frame along the line at the obstacle, in the middle of the stretch that cannot be driven. S1 has
   /// straight tracks only: a curved one is replaced by its tangent there.
   PieceFrame frame_where_met(const Path& line) const {
     const ReferenceSide side(line);

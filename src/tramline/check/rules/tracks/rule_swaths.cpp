@@ -10,7 +10,7 @@
 namespace tramline::check {
 namespace {
 
-/// Headland lies beyond the edge of a body, and may be driven on; beyond a field's own edge there is nothing.
+/// With headlands the boundary is always hard: the headland is driven on, and there is no land beyond it.
 bool boundary_is_hard(const Plan& plan) {
   return plan.settings.boundary == EdgeKind::kHard || plan.settings.headlands > 0;
 }
