@@ -1,5 +1,5 @@
 #pragma once
-// The files of the page, as they lie in the program.
+// The files of the page, embedded in the program.
 
 #include <optional>
 #include <span>
@@ -14,7 +14,7 @@ struct Asset {
   std::string_view gzip;          ///< the same compressed; empty where that is not shorter
   std::string_view content_type;  ///< "text/html; charset=utf-8"
   std::string_view etag;          ///< quoted, from the bytes
-  bool lasting = false;           ///< the path changes with the content: may be kept for ever
+  bool lasting = false;  ///< whether the path changes with the content, so that it may be cached for ever
 };
 
 /// All files, ascending by path.

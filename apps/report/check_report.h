@@ -1,5 +1,5 @@
 #pragma once
-// What `tramline check` tells: a table for people, an object for programs.
+// The report of `tramline check`: a table for people, an object for programs.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace tramline::app {
 
-/// Stored against recomputed figures with their units, every violation with its place, the verdict last.
+/// Stored and recomputed figures with their units, every violation with its position, and the verdict last.
 std::string check_table(const std::string& plan_file, const Plan& plan, const check::Verdict& verdict);
 
 /// {plan, field_id, ok, complete, violations, recomputed, stored, not_verified}; recomputed is null where

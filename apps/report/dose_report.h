@@ -1,5 +1,5 @@
 #pragma once
-// What the command dose prints.
+// The report of `dose`.
 
 #include <nlohmann/json.hpp>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-// What `evaluate` says of a drive: as a table and as JSON.
+// The report of `evaluate`, as a table and as JSON.
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -16,8 +16,8 @@ namespace tramline::app {
 /// A plan's own tally, for comparison with what its drive covers.
 struct PlanTally {
   std::string plan;
-  double land_m2 = 0;  ///< the ground that the plan has to cover
-  double body_m2 = 0;  ///< of that, what is left to tracks
+  double land_m2 = 0;  ///< the area that the plan has to cover
+  double body_m2 = 0;  ///< the part of it for tracks
   Tally tally;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// What `plan --explain` says: what the cost is made of, and the runner-ups.
+// The report of `plan --explain`: the causes of the cost, and the runner-ups.
 
 #include <nlohmann/json.hpp>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-// What `compare` says about a front, and what `plan --front` adds.
+// The report of `compare` on a front, and the additions of `plan --front`.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace tramline::app {
 
-/// What was compared.
+/// The comparison to report.
 struct Comparison {
   const Field& field;
   const Machine& machine;
@@ -18,7 +18,7 @@ struct Comparison {
   const Front& front;
   const std::vector<Objective>& asked;  ///< further prices whose winners are wanted
   double seconds = 0;
-  bool cut_short = false;  ///< the searches were ended before they were through
+  bool cut_short = false;  ///< whether the searches were ended early
 };
 
 /// The keys of docs/json.md.
@@ -31,7 +31,7 @@ nlohmann::ordered_json front_json(const Front& front);
 /// asked for.
 std::string compare_table(const Comparison& comparison, const std::vector<Skipped>& skipped);
 
-/// A header, then a line for each point; commas, and full stops in numbers. Lists within a cell are parted
+/// A header, then a line for each point; commas, and full stops in numbers. Lists within a cell are separated
 /// by semicolons.
 std::string front_csv(const Front& front);
 

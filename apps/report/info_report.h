@@ -1,5 +1,5 @@
 #pragma once
-// What tramline info says, as text and as JSON.
+// The report of `tramline info`, as text and as JSON.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -15,7 +15,7 @@ std::string field_rows(const Field& field);
 /// One line for each field and refusal, for choosing among them.
 std::string candidate_rows(const FieldInput& input);
 
-/// One field with everything about its source; what was skipped concerns all fields and is not in it.
+/// One field with everything about its source; skipped features concern all fields and are not included.
 nlohmann::ordered_json field_json(const std::string& file, const FieldInput& input, const Field& field);
 /// The list of candidates.
 nlohmann::ordered_json candidates_json(const std::string& file, const FieldInput& input);

@@ -1,5 +1,5 @@
 #pragma once
-// What `evaluate` says of one job among several.
+// The report of `evaluate` on one job among several.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -14,7 +14,7 @@ std::string job_heading(const NumberedJob& job);
 
 /// The keys of an evaluation with those of its job before them (docs/json.md).
 nlohmann::ordered_json job_json(const NumberedJob& job, const Evaluation& evaluation);
-/// Of a job that was left out, and why.
+/// A job that was left out, with the reason.
 nlohmann::ordered_json job_json(const NumberedJob& job, const std::string& why);
 
 }  // namespace tramline::app

@@ -1,5 +1,5 @@
 #pragma once
-// What `plan` says about the ways its tracks take past obstacles.
+// The report of `plan` on the ways of its tracks past obstacles.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace tramline::app {
 
-/// Rows of the table: the detours, and the meetings with obstacles that were cut, with the reasons.
-/// Empty where no track meets an obstacle.
+/// Rows of the table: the detours, and the encounters where tracks are cut, with the reasons. Empty where no
+/// track reaches an obstacle.
 std::string obstacle_rows(const Plan& plan);
 
-/// Why a track that meets an obstacle was cut, in a few words. Precondition: it was.
+/// The reason why a track is cut at an obstacle, in a few words. Precondition: it is.
 std::string reason_for_cut(const Encounter& encounter, Avoidance avoid);
 
-/// Puts in the keys of docs/json.md from `avoid` to `encounters`.
+/// Adds the keys of docs/json.md from `avoid` to `encounters`.
 void add_obstacle_keys(nlohmann::ordered_json& out, const Plan& plan);
 
 }  // namespace tramline::app

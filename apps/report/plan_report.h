@@ -1,5 +1,5 @@
 #pragma once
-// What `plan` says about a plan.
+// The report of `plan`.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -12,8 +12,8 @@ namespace tramline::app {
 /// The keys of docs/json.md.
 nlohmann::ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, double seconds);
 
-/// A table for people of what plan_summary() leaves out: how the plan was searched for, its cost and the
-/// bound, repairs, what was left aside, and notes. Every number with its unit.
+/// A table for people with the details that plan_summary() omits: the search, its cost and the bound,
+/// repairs, skipped features, and notes. Every number with its unit.
 std::string plan_details(const Plan& plan, const std::vector<Skipped>& skipped, double seconds);
 
 }  // namespace tramline::app

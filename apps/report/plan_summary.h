@@ -1,5 +1,5 @@
 #pragma once
-// What `plan` says first: six lines for whoever drives, or one of them in a run over many fields.
+// The summary of a plan: six lines for the driver, or one line in a run over many fields.
 
 #include <string>
 #include <vector>
@@ -8,9 +8,8 @@
 
 namespace tramline::app {
 
-/// Hectares to work, passes, distance at work, land worked twice, land missed, and what is odd about the
-/// plan. Six lines, each with its unit, and one more where a front was asked for. O(n) in pieces and
-/// vertices.
+/// Hectares to work, passes, distance at work, land worked twice, land missed, and peculiarities of the plan.
+/// Six lines, each with its unit, and one more where a front was asked for. O(n) in pieces and vertices.
 std::string plan_summary(const Plan& plan, const std::vector<Skipped>& skipped);
 
 /// The same in one line that begins with the field's id, with the time it took.

@@ -24,9 +24,9 @@ Point in_input(const LocalFrame& frame, Point p) {
   return p + Point{frame.origin_x_m, frame.origin_y_m};
 }
 
-ordered_json left_json(const std::vector<LeftGap>& left, const LocalFrame& frame) {
+ordered_json left_json(const std::vector<UnworkedGap>& left, const LocalFrame& frame) {
   ordered_json out = ordered_json::array();
-  for (const LeftGap& gap : left) {
+  for (const UnworkedGap& gap : left) {
     const Point at = in_input(frame, gap.at);
     out.push_back({{"number", gap.number},
                    {"area_m2", gap.area_m2},
@@ -39,13 +39,13 @@ ordered_json left_json(const std::vector<LeftGap>& left, const LocalFrame& frame
   return out;
 }
 
-double sum_m2(const std::vector<LeftGap>& left) {
+double sum_m2(const std::vector<UnworkedGap>& left) {
   double sum = 0;
-  for (const LeftGap& gap : left) sum += gap.area_m2;
+  for (const UnworkedGap& gap : left) sum += gap.area_m2;
   return sum;
 }
 
-std::string left_rows(const std::vector<LeftGap>& left, const LocalFrame& frame, bool with_reasons) {
+std::string left_rows(const std::vector<UnworkedGap>& left, const LocalFrame& frame, bool with_reasons) {
   std::string out;
   for (std::size_t i = 0; i < std::min(kListed, left.size()); ++i) {
     const Point at = in_input(frame, left[i].at);
@@ -64,7 +64,7 @@ ordered_json repair_json(const RepairPlan& repair, double min_area_m2, double se
   out.erase("seconds");
   out["min_area_m2"] = min_area_m2;
   out["gaps"] = repair.gaps;
-  out["gaps_taken"] = repair.taken;
+  out["gaps_taken"] = repair.worked_gaps;
   out["gaps_ignored"] = left_json(repair.ignored, frame);
   out["gaps_unreachable"] = left_json(repair.unreachable, frame);
   out["gaps_not_worth"] = left_json(repair.not_worth, frame);
@@ -79,8 +79,9 @@ ordered_json repair_json(const RepairPlan& repair, double min_area_m2, double se
 
 std::string repair_table(const RepairPlan& repair, double min_area_m2, double seconds) {
   const LocalFrame& frame = repair.plan.field.frame;
-  std::string out = fmt::format("gaps         {}, {} worked; missed {:.1f} m² before, {:.1f} m² after\n",
-                                repair.gaps, repair.taken, repair.missed_before_m2, repair.missed_after_m2);
+  std::string out =
+      fmt::format("gaps         {}, {} worked; missed {:.1f} m² before, {:.1f} m² after\n", repair.gaps,
+                  repair.worked_gaps, repair.missed_before_m2, repair.missed_after_m2);
   out += fmt::format(
       "prices       left as they are the gaps cost {:.2f}; the passes cost {:.2f} and leave {:.2f}: {:.2f} "
       "saved\n",

@@ -1,5 +1,5 @@
 #pragma once
-// What `repair` says of a plan for missed ground: as a table and as JSON.
+// The report of `repair`, as a table and as JSON.
 
 #include <nlohmann/json.hpp>
 #include <string>

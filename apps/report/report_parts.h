@@ -1,5 +1,5 @@
 #pragma once
-// What the reports of all commands have in common.
+// The common parts of the reports of all commands.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace tramline::app {
 
-/// JSON as printed: `indent` spaces a level, -1 for a single line; no number is "-0", and bytes that are no
+/// JSON as printed: `indent` spaces a level, -1 for a single line; no number is "-0", and bytes that are not
 /// UTF-8 become U+FFFD.
 std::string json_text(const nlohmann::ordered_json& json, int indent);
 /// json_text() without a line break.
@@ -28,8 +28,8 @@ nlohmann::ordered_json number_json(double value);
 
 nlohmann::ordered_json repairs_json(const std::vector<Repair>& repairs);
 nlohmann::ordered_json skipped_json(const std::vector<Skipped>& skipped);
-/// What tells a field from all others: field_id, key, file, layer, feature and part (docs/json.md), and then
-/// the keys of `result`.
+/// The keys that identify a field: field_id, key, file, layer, feature and part (docs/json.md), and then the
+/// keys of `result`.
 nlohmann::ordered_json with_field_names(const Field& field, const nlohmann::ordered_json& result);
 /// A feature that was refused, in a run with --all: its names and `error`.
 nlohmann::ordered_json refusal_json(const std::string& file, const std::string& layer,

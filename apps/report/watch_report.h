@@ -1,5 +1,5 @@
 #pragma once
-// What `watch` says while the drive goes on, and at its end.
+// The report of `watch` during the drive, and at its end.
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,23 +10,23 @@
 
 namespace tramline::app {
 
-/// The evaluation so far, and what only a live one knows.
+/// The evaluation so far, with the data of a live one.
 struct LiveFigures {
   Evaluation evaluation;
   bool final = false;
-  bool settled = true;              ///< the figures are those of `evaluate`
+  bool settled = true;              ///< whether the figures are those of `evaluate`
   double present_m2_per_s = 0;      ///< NaN: not known
   double time_s = 0;                ///< of the last fix
   std::optional<bool> working;      ///< at the last fix
-  std::optional<double> stalled_s;  ///< no fix for so long, where that is too long
-  bool work_key = false;            ///< the space key switches work
+  std::optional<double> stalled_s;  ///< time without a fix, where that is too long
+  bool work_key = false;            ///< whether the space key switches work
   bool looks_ahead = false;
   std::optional<coverage::Ahead> ahead;  ///< nullopt: not known
 };
 
 /// NaN: not known.
 double present_ha_per_hour(const LiveFigures& live);
-/// Time for what is missed at the present rate, s; NaN: not known.
+/// Time to work the missed land at the present rate, s; NaN: not known.
 double remaining_s(const LiveFigures& live);
 /// Keys: docs/json.md.
 nlohmann::ordered_json live_json(const LiveFigures& live);

@@ -1,5 +1,5 @@
 #pragma once
-// How a drive is to be understood: what evaluate and watch have in common.
+// The options for reading a drive, common to evaluate and watch.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace tramline::app {
 
-/// As typed.
+/// The options as typed.
 struct DriveOptions {
   coverage::DriveSettings drive;
   io::LogOptions log;

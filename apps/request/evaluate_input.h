@@ -13,10 +13,10 @@
 
 namespace tramline::app {
 
-/// A log none of whose fixes is nearer to the field than this was driven elsewhere, m.
+/// A log without a fix nearer to the field than this was driven elsewhere, m.
 inline constexpr double kNear_m = 2000;
 
-/// What was to be worked. Frame: local metres.
+/// The land to work. Frame: local metres.
 struct WorkGround {
   std::string field_id;  ///< empty: no field
   Region ground;         ///< the field less its obstacles, passable ones too; empty: no field
@@ -28,11 +28,12 @@ std::optional<WorkGround> work_ground(const FieldOptions& options);
 /// The field a plan was made for: all of it, headlands included.
 WorkGround work_ground(const Plan& plan);
 
-/// What a plan's pieces and headland passes work, in another frame.
+/// The steps of a plan's pieces and headland passes in another frame.
 coverage::FurtherWork work_of(const Plan& plan, const LocalFrame& frame);
 
-/// The log in the frame of the ground, or in one of its own; `ground` then gets that. Throws kBadInput where
-/// no fix lies near the field, and says so where longitude and latitude seem to have changed places.
+/// The log in the frame of `ground` or, without a field, in a frame of its own, which `ground` then receives.
+/// Throws kBadInput where no fix lies near the field, with a hint where longitude and latitude seem to be
+/// swapped.
 WorkLog placed_on(WorkLog log, WorkGround& ground);
 
 }  // namespace tramline::app

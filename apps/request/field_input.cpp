@@ -17,10 +17,10 @@ namespace {
 
 constexpr long long kListed = 20;
 
-/// The obstacles of --obstacles and --passable, and which of them met a field so far.
+/// The obstacles of --obstacles and --passable, and which of them lie in a field read so far.
 struct Loose {
   std::vector<LooseObstacle> obstacles;
-  std::vector<char> met;
+  std::vector<char> used;
 };
 
 /// `plain_given`: the user said that coordinates are plain metres, whatever the file says.
@@ -42,14 +42,14 @@ Loose loose_obstacles(const FieldOptions& options, const Crs& crs, const std::st
   const bool plain_given = crs.plain() && !options.crs.empty();
   append_obstacles(options.obstacles_file, ObstacleKind::kObstacle, plain_given, definition, out.obstacles);
   append_obstacles(options.passable_file, ObstacleKind::kPassable, plain_given, definition, out.obstacles);
-  out.met.assign(out.obstacles.size(), 0);
+  out.used.assign(out.obstacles.size(), 0);
   return out;
 }
 
-std::vector<Skipped> not_met(const Loose& loose) {
+std::vector<Skipped> unused_obstacles(const Loose& loose) {
   std::vector<Skipped> out;
   for (std::size_t i = 0; i < loose.obstacles.size(); ++i)
-    if (!loose.met[i]) {
+    if (!loose.used[i]) {
       const Point at = loose.obstacles[i].bounds.centre();
       out.push_back({loose.obstacles[i].kind == ObstacleKind::kPassable ? "passable strip" : "obstacle",
                      fmt::format("{} at ({:.7g}, {:.7g})", loose.obstacles[i].origin, at.x, at.y),
@@ -83,7 +83,7 @@ class Admitter {
     Admission admission = tramline::admit(feature, context_);
     if (!loose_.obstacles.empty())
       for (Field& field : admission.fields)
-        place_obstacles(field, loose_.obstacles, options_.obstacle_size_m, loose_.met);
+        place_obstacles(field, loose_.obstacles, options_.obstacle_size_m, loose_.used);
     for (Field& field : admission.fields) {
       field.source.crs = options_.crs;
       field.source.input_crs = crs_.definition();
@@ -116,7 +116,7 @@ class Admitter {
   }
 
   FieldInput finish() {
-    for (Skipped& skipped : not_met(loose_)) input_.skipped.push_back(std::move(skipped));
+    for (Skipped& skipped : unused_obstacles(loose_)) input_.skipped.push_back(std::move(skipped));
     return std::move(input_);
   }
 

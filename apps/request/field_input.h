@@ -1,5 +1,5 @@
 #pragma once
-// Which field is meant, and the fields that leads to.
+// Selection of fields by the user's options, and the selected fields.
 
 #include <optional>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace tramline::app {
 
-/// As typed; empty where the user said nothing.
+/// The options as typed; empty where the user gave none.
 struct FieldOptions {
   std::string file, layer, where, crs, obstacles_file, passable_file;
   std::string id{};                ///< only the field of this id or key (field_key.h), as `info` lists them
@@ -19,10 +19,10 @@ struct FieldOptions {
   double obstacle_size_m = 7;
 };
 
-/// A feature that cannot be planned on.
+/// A feature that cannot be planned.
 struct Refusal {
   std::string field_id;
-  std::string sentence;  ///< what a run on this feature alone would have ended with
+  std::string sentence;  ///< the error of a run on this feature alone
   long long fid = -1;
 };
 
@@ -30,7 +30,7 @@ struct FieldInput {
   std::vector<Field> fields;  ///< in file order
   std::vector<Refusal> refusals;
   std::vector<Skipped> skipped;
-  // What was read.
+  // Facts about the input.
   std::string file;  ///< as the user named it
   std::string driver;
   std::string layer;
@@ -43,8 +43,7 @@ struct FieldInput {
 /// One feature, whose polygons become one field each, or with --all every feature; with --id one field of
 /// them, or with both all of that id. Throws bad_input when several features match without --all, listing the
 /// first 20 with id and area; when none or several are called what --id says; when a single feature is
-/// refused; and for whatever is wrong with the files. With --all a refused feature is listed and the rest
-/// goes on.
+/// refused; and for faults of the files. With --all a refused feature is listed and the others are processed.
 FieldInput load_fields(const FieldOptions& options);
 
 /// Like load_fields with --all, but reads at most `limit` features and never complains of several. With --id
@@ -52,8 +51,8 @@ FieldInput load_fields(const FieldOptions& options);
 FieldInput survey_fields(const FieldOptions& options, long long limit);
 
 /// The one field a plan was made from: by layer (or --layer; the only one with polygons where neither is
-/// found), feature number and part; --where is passed over. Throws bad_input when the file has no such
-/// feature, or the feature no such part, or is refused.
+/// found), feature number and part; --where is ignored. Throws bad_input when the file has no such feature,
+/// or the feature no such part, or is refused.
 Field load_field(const FieldOptions& options, const FieldSource& source);
 
 }  // namespace tramline::app

@@ -1,5 +1,5 @@
 #pragma once
-// What tells the fields of a run apart: ids in files are not always unique.
+// Keys that distinguish the fields of a run: ids in files are not always unique.
 
 #include <string>
 
@@ -14,10 +14,10 @@ inline std::string field_key(const Field& field) {
   return field_key(field.source.layer, field.source.fid, field.source.part);
 }
 
-/// Is the field meant by a user who says `id`: its id, or its key?
+/// Whether `id`, as given by a user, is the field's id or its key.
 bool is_named(const Field& field, const std::string& id);
 
-/// Could a part of the feature be meant? `feature_id`: as the fields of its parts begin.
+/// Whether `id` could be that of a part of the feature. `feature_id`: the beginning of the ids of its parts.
 bool may_be_named(const std::string& feature_id, const std::string& layer, long long fid,
                   const std::string& id);
 

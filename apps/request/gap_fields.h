@@ -1,5 +1,5 @@
 #pragma once
-// What a drive has missed, as fields to plan on.
+// The gaps of a drive, as fields to plan repairs on.
 
 #include <string>
 #include <vector>
@@ -10,17 +10,17 @@
 
 namespace tramline::app {
 
-/// One connected part of the field that was evaluated, with its obstacles, and what was missed there.
+/// One connected part of the evaluated field, with its obstacles and its missed land.
 struct GapField {
   Field field;
   std::vector<Gap> gaps;
   Region missed;
-  std::vector<DrivenLine> driven;  ///< the whole way of the machine
+  std::vector<DrivenLine> driven;  ///< the whole path of the machine
 };
 
-/// Those of an evaluation, one for each polygon of its field, in their order; Field::source says which.
-/// `file`: where the evaluation is from, for messages. Throws kBadInput where there was no field, and where
-/// nothing was missed. O(parts · gaps).
+/// The parts of an evaluation, one for each polygon of its field, in their order; Field::source names the
+/// polygon. `file`: file of the evaluation, for messages. Throws kBadInput where there was no field, and
+/// where nothing was missed. O(parts · gaps).
 std::vector<GapField> gap_fields(const Coverage& coverage, const std::string& file);
 
 }  // namespace tramline::app

@@ -1,5 +1,5 @@
 #pragma once
-// Everything there is to say about a plan file.
+// The complete verification of a plan file.
 
 #include <optional>
 
@@ -8,8 +8,9 @@
 
 namespace tramline::app {
 
-/// The verdict on the plan, on what its file repeats, and, where the field it was made for is given, on
-/// whether that is the same. Where shapes or pieces are unsound the rest would only repeat it.
+/// The verdict on the plan, on the data that its file repeats and, where the field it was made for is given,
+/// on whether that is the same. Where shapes or pieces are unsound the other checks are omitted, as they
+/// would only repeat it.
 check::Verdict judge(const io::PlanFile& file, const std::optional<Field>& input);
 
 }  // namespace tramline::app

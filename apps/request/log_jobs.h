@@ -1,5 +1,5 @@
 #pragma once
-// The jobs of a log: which are meant, and the field of each.
+// The selected jobs of a log, and the field of each.
 
 #include <cstddef>
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace tramline::app {
 
-/// One job and its place among those of its file.
+/// One job with its number among those of its file.
 struct NumberedJob {
   io::LogJob job;
   std::size_t number = 1;  ///< from 1
@@ -35,8 +35,8 @@ std::string date_text(double time_s);
 /// it, the partfield the job was recorded on, if it has a boundary.
 FieldOptions field_of_job(FieldOptions options, const std::string& log_file, const io::LogJob& job);
 
-/// Whether any fix lies near the ground; true without ground. Throws kBadInput where the one is in plain
-/// metres and the other is not.
+/// Whether any fix lies near the ground; true without ground. Throws kBadInput where only one of the two is
+/// in plain metres.
 bool lies_near(const WorkLog& log, const WorkGround& ground);
 
 }  // namespace tramline::app

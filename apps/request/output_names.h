@@ -8,10 +8,10 @@
 namespace tramline::app {
 
 /// The id with everything but letters of ASCII, digits, '.', '_' and '-' replaced by '-', without '.' and
-/// '-' at either end, cut at 80 bytes; "field" where nothing is left.
+/// '-' at either end, cut at 80 bytes; "field" where nothing remains.
 std::string as_file_name(const std::string& id);
 
-/// Hands out each name once: "-2", "-3" … is added to one that is taken.
+/// Returns each name once: "-2", "-3" … is appended to a name that is in use.
 class UniqueNames {
  public:
   std::string next(const std::string& wanted);
@@ -20,7 +20,7 @@ class UniqueNames {
   std::set<std::string> taken_;
 };
 
-/// What becomes of a name that was given for the files of a run.
+/// The use of a file name given for a run.
 enum class Naming {
   kAsGiven,  ///< for the one file there is
   kWithId,   ///< "plan.gpkg" becomes "plan-<field id>.gpkg", the id as a file name, each name once

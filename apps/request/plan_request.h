@@ -1,5 +1,5 @@
 #pragma once
-// What shapes a plan, as words and numbers of the user, and what they mean.
+// The options of a plan as given by the user, and their values.
 
 #include <optional>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace tramline::app {
 
-/// As typed; empty or unset where the user said nothing.
+/// The options as typed; empty or unset where the user gave none.
 struct PlanOptions {
   std::optional<double> width_m, radius_m, min_length_m;
   std::string machine_file;
@@ -34,16 +34,16 @@ struct PlanOptions {
 Machine machine_of(const PlanOptions& options);
 /// --weights o,u,t[,s[,d]], --prices o,u,t[,s[,d]] or --minimise. Throws kBadInput.
 Objective objective_of(const PlanOptions& options);
-/// o,u,t[,s[,d]] as typed after `option`; stops and further subfields that are not given cost what they do
-/// `otherwise`. Throws kBadInput.
+/// o,u,t[,s[,d]] as typed after `option`; prices of stops and further subfields that are not given are those
+/// of `otherwise`. Throws kBadInput.
 Objective prices_typed(const std::string& text, const char* option, const Objective& otherwise);
 /// The line of --ab or --guide, if any; `crs` as --crs was typed or as the fields have it. Throws kBadInput.
 std::optional<GuideLine> guide_of(const PlanOptions& options, const std::string& crs_definition);
 /// The settings for one field: with the guide in its metres. A line with bends makes the tracks curved.
 PlanSettings settings_for(const PlanSettings& settings, const std::optional<GuideLine>& guide,
                           const Field& field, const Machine& machine);
-/// Throws kBadInput for an unknown word, and for a threshold that is none. What else is out of range is
-/// left to validate_request().
+/// Throws kBadInput for an unknown word, and for an invalid threshold. Other ranges are checked by
+/// validate_request().
 PlanSettings settings_of(const PlanOptions& options);
 
 }  // namespace tramline::app

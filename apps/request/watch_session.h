@@ -21,8 +21,8 @@ class WatchSession {
   WatchSession(const WatchSession&) = delete;
   WatchSession& operator=(const WatchSession&) = delete;
 
-  /// Throws kBadInput where the stream is none, does not fit the field, or does not say how wide the machine
-  /// is and nobody else does.
+  /// Throws kBadInput where the stream is not a log, does not fit the field, or where neither the stream nor
+  /// an option gives the width of the machine.
   void add(std::string_view line);
   /// The end of the stream.
   void finish();
@@ -31,17 +31,17 @@ class WatchSession {
 
   const coverage::LiveCoverage& live() const { return live_; }
   std::size_t fixes() const { return live_.fixes(); }
-  /// The plane of what live() says: the field's, or one of the log's own, which may change as long as the
-  /// figures are not settled.
+  /// The plane of live(): the field's or, without a field, one of the log's own, which may change as long as
+  /// the figures are not settled.
   const LocalFrame& frame() const { return ground_.frame; }
   /// Whether the figures are those of `tramline evaluate`.
   bool settled() const { return live_.settled() && !lines_.doubtful() && !far_from_frame(); }
-  /// Whether the stream says by itself if the machine works.
+  /// Whether the stream itself reports if the machine works.
   bool tells_work() const { return lines_.own_columns().work; }
 
   coverage::RepeatRule repeat_rule() const { return settings_.repeat; }
 
-  /// What the sections come to; nullopt: not known.
+  /// The look-ahead of the sections; nullopt: not known.
   std::optional<coverage::Ahead> look_ahead(const coverage::SwitchRule& rule) const {
     return live_.look_ahead(rule);
   }

@@ -1,5 +1,5 @@
 #pragma once
-// What the routes share.
+// The state shared by all routes.
 
 #include <cstddef>
 #include <filesystem>
@@ -36,7 +36,7 @@ struct ServerSettings {
   Limits limits;
 };
 
-/// Comparisons that plans can still be taken from: a search for each of 16 prices is kept.
+/// The number of comparisons kept for fetching plans: each holds 16 searches.
 inline constexpr std::size_t kMostFronts = 8;
 
 /// Drives and live feeds: drives/drive_rooms.h.

@@ -304,7 +304,7 @@ TEST(CurvedPlans, wrong_stops_and_encounters) {
   plan.pieces[0].stop_at_end = true;
   EXPECT_EQ(found(plan), Names{"stops"});
   plan = blocked_arc_plan();
-  plan.encounters[0].at = check::place_on(plan.pieces[2].curve, 10);
+  plan.encounters[0].at = check::point_on(plan.pieces[2].curve, 10);
   EXPECT_EQ(found(plan), Names{"encounters"});
 }
 

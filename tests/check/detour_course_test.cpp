@@ -94,9 +94,9 @@ TEST(TrackLine, straight_ones_lead_both_ways) {
     EXPECT_NEAR(length(*path), 5, 1e-12);
     EXPECT_EQ(*back, reversed(*path));
   }
-  EXPECT_TRUE(line.place_of(from + 0.0009 * Point{0.8, -0.6}));
-  EXPECT_FALSE(line.place_of(from + 0.0011 * Point{0.8, -0.6}));
-  EXPECT_FALSE(line.place_of({std::nan(""), 0}));
+  EXPECT_TRUE(line.position_of(from + 0.0009 * Point{0.8, -0.6}));
+  EXPECT_FALSE(line.position_of(from + 0.0011 * Point{0.8, -0.6}));
+  EXPECT_FALSE(line.position_of({std::nan(""), 0}));
   EXPECT_FALSE(line.between(from, {1, 0}, from));
 }
 

@@ -30,7 +30,7 @@ TEST(PathDistance, of_random_segments) {
     double least = 1e9;
     constexpr int kLooks = 300;
     for (int k = 0; k <= kLooks; ++k) {
-      const Point p = check::place_on(Path{a}, length(a) * k / kLooks);
+      const Point p = check::point_on(Path{a}, length(a) * k / kLooks);
       least = std::min(least, distance_to_edge(b, p, p));
     }
     const double found = check::distance_between(a, b);

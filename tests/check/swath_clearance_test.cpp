@@ -70,14 +70,14 @@ TEST(SwathClearance, gaps_are_the_distances_of_the_band) {
 
 TEST(SwathClearance, places_outside_a_ring) {
   const Ring field = rectangle(0, -2, 100, 2);
-  EXPECT_FALSE(SwathClearance(kEast, straight_path({0, 0}, {100, 0}), 1).place_outside(field));
-  EXPECT_FALSE(SwathClearance(kEast, straight_path({0, 2}, {100, 2}), 1).place_outside(field));
-  EXPECT_FALSE(SwathClearance(kEast, straight_path({0, 2.0009}, {100, 2.0009}), 1).place_outside(field));
-  EXPECT_TRUE(SwathClearance(kEast, straight_path({0, 2.002}, {100, 2.002}), 1).place_outside(field));
-  EXPECT_TRUE(SwathClearance(kEast, straight_path({-1, 0}, {100, 0}), 1).place_outside(field));
-  EXPECT_FALSE(SwathClearance(kEast, straight_path({-1, 0}, {100, 0}), 1).place_pushed_outside(field));
-  EXPECT_TRUE(SwathClearance(kEast, straight_path({0, 50}, {100, 50}), 1).place_outside(field));
-  EXPECT_TRUE(SwathClearance(kEast, straight_path({0, 50}, {100, 50}), 1).place_pushed_outside(field));
+  EXPECT_FALSE(SwathClearance(kEast, straight_path({0, 0}, {100, 0}), 1).point_outside(field));
+  EXPECT_FALSE(SwathClearance(kEast, straight_path({0, 2}, {100, 2}), 1).point_outside(field));
+  EXPECT_FALSE(SwathClearance(kEast, straight_path({0, 2.0009}, {100, 2.0009}), 1).point_outside(field));
+  EXPECT_TRUE(SwathClearance(kEast, straight_path({0, 2.002}, {100, 2.002}), 1).point_outside(field));
+  EXPECT_TRUE(SwathClearance(kEast, straight_path({-1, 0}, {100, 0}), 1).point_outside(field));
+  EXPECT_FALSE(SwathClearance(kEast, straight_path({-1, 0}, {100, 0}), 1).point_pushed_outside(field));
+  EXPECT_TRUE(SwathClearance(kEast, straight_path({0, 50}, {100, 50}), 1).point_outside(field));
+  EXPECT_TRUE(SwathClearance(kEast, straight_path({0, 50}, {100, 50}), 1).point_pushed_outside(field));
 }
 
 }  // namespace

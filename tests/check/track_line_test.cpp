@@ -166,7 +166,7 @@ TEST(TrackLines, agree_with_parallels) {
       if (!line) continue;
       EXPECT_NEAR(length(*line), length(path), 0.01) << "seed " << seed << ", track " << each.index;
       for (const PathSegment& segment : path) {
-        const Point middle = check::place_on(segment, 0.5 * length(segment));
+        const Point middle = check::point_on(segment, 0.5 * length(segment));
         EXPECT_TRUE(check::holds(*line, middle)) << "seed " << seed << ", track " << each.index;
         with_corners += lines.line(each.index).rolls_round_corner(segment, middle) ? 1 : 0;
       }

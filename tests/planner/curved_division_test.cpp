@@ -87,11 +87,11 @@ TEST(CurvedDivision, IsNoneWhereNoEdgeBends) {
 
 /// Numbers stand for subfields: two may be joined to their sum, which saves what the table says.
 struct Looked {
-  std::vector<PairPlaces> asked;
+  std::vector<IndexPair> asked;
   std::vector<std::optional<MergedPair<int>>> operator()(const std::vector<int>& among,
-                                                         const std::vector<PairPlaces>& places) {
+                                                         const std::vector<IndexPair>& places) {
     std::vector<std::optional<MergedPair<int>>> out;
-    for (const PairPlaces& pair : places) {
+    for (const IndexPair& pair : places) {
       asked.push_back(pair);
       const int whole = among[pair.first] + among[pair.second];
       const double saving = whole == 3 ? 1 : whole == 6 ? 2 : whole == 7 ? 0 : -1;
@@ -107,7 +107,7 @@ TEST(JoinPairs, TakesThePairThatSavesMostAgainAndAgain) {
   Looked looked;
   const std::vector<int> left =
       merge_pairs(std::vector<int>{1, 2, 4, 5},
-                  [&looked](const std::vector<int>& among, const std::vector<PairPlaces>& places) {
+                  [&looked](const std::vector<int>& among, const std::vector<IndexPair>& places) {
                     return looked(among, places);
                   });
   EXPECT_EQ(left, (std::vector<int>{6, 6}));

@@ -48,8 +48,8 @@ struct Search {
   testing::Prepared prepared{{rectangle(), {}, {}, {}}};
   SearchResult found{candidate_on(prepared.task(), driven(90)), 0, {}, {}, {}, {}, {}};
 
-  void see(const std::vector<LinedSubfield>& grounds) {
-    found.seen.push_back(seen_plan(candidate_on(prepared.task(), grounds)));
+  void see(const std::vector<LinedSubfield>& lined_subfields) {
+    found.seen.push_back(seen_plan(candidate_on(prepared.task(), lined_subfields)));
   }
   Explanation explanation() const { return explanation_of(prepared.task(), found, SearchContext(1)); }
 };

@@ -9,7 +9,7 @@
 #include "properties/seeds.h"
 #include "tramline/planner/order/blocks.h"
 #include "tramline/planner/order/hop_ground.h"
-#include "tramline/planner/order/place_grid.h"
+#include "tramline/planner/order/point_grid.h"
 
 namespace tramline::order {
 namespace {
@@ -134,13 +134,13 @@ TEST(Blocks, FollowCurves) {
   EXPECT_EQ(blocks_of(lines, 6), (std::vector<Block>{{0, 1, 2}}));
 }
 
-TEST(PlaceGrid, FindsTheNearestOfThoseThatAreLeft) {
+TEST(PointGrid, FindsTheNearestOfThoseThatAreLeft) {
   testing::for_each_seed(50, [](std::mt19937_64& random, int number) {
     std::uniform_real_distribution<double> place(0, number % 2 == 0 ? 1000 : 10);
     std::vector<Point> places;
     for (int i = 0; i < 5 + 3 * number; ++i)
       places.push_back({place(random), place(random) / (1 + number % 7)});
-    PlaceGrid grid(places);
+    PointGrid grid(places);
     std::vector<std::size_t> left(places.size());
     for (std::size_t i = 0; i < left.size(); ++i) left[i] = i;
     for (const Point asked : std::vector<Point>(places)) {

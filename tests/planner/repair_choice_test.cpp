@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "tramline/planner/repair/repair_places.h"
+#include "tramline/planner/repair/line_positions.h"
 
 namespace tramline {
 namespace {
@@ -101,8 +101,8 @@ double cost_of(const Scene& scene, const std::vector<RepairLine>& lines) {
 
 std::vector<RepairLine> all_lines(const RepairGround& ground) {
   std::vector<RepairLine> out;
-  for (const LinePlace& place : repair_places(ground))
-    for (RepairLine& line : ground.lines_at(place)) out.push_back(std::move(line));
+  for (const LinePosition& position : line_positions(ground))
+    for (RepairLine& line : ground.lines_at(position)) out.push_back(std::move(line));
   return out;
 }
 
@@ -132,7 +132,7 @@ void expect_no_better_neighbour(const Scene& scene, const RepairGround& ground,
   for (const RepairLine& other : all_lines(ground)) {
     std::vector<RepairLine> more = lines;
     more.push_back(other);
-    EXPECT_GE(cost_of(scene, more), cost - 1e-6) << "with a line at " << other.place.left_m;
+    EXPECT_GE(cost_of(scene, more), cost - 1e-6) << "with a line at " << other.position.left_m;
   }
 }
 

@@ -81,7 +81,7 @@ TEST(RepairPlan, ARectangleInTheMiddleIsWorkedAlong) {
   EXPECT_NEAR(tally.uncovered_m2, 0, 1e-3);
   EXPECT_NEAR(done.missed_before_m2, 360, 1e-9);
   EXPECT_NEAR(done.missed_after_m2, 0, 1e-3);
-  EXPECT_EQ(done.taken, 1);
+  EXPECT_EQ(done.worked_gaps, 1);
   EXPECT_NEAR(area(done.plan.worked), 1e4 - 360, 1e-3);
   EXPECT_NEAR(done.cost_if_left, 36, 1e-6);
   EXPECT_NEAR(done.cost_of_passes, 2, 1e-3);
@@ -118,7 +118,7 @@ TEST(RepairPlan, EachGapKeepsToTheDirectionDrivenThere) {
 // costs 5.00 too, and a turn. One of 3 × 50 m costs 15.00, and the pass 4.00.
 TEST(RepairPlan, APassThatCostsMoreThanItsGapIsNotMade) {
   const RepairPlan done = repaired(square(), {box(40, 20, 41, 70), box(80, 20, 83, 70)});
-  EXPECT_EQ(done.taken, 1);
+  EXPECT_EQ(done.worked_gaps, 1);
   ASSERT_EQ(done.not_worth.size(), 1u);
   EXPECT_EQ(done.not_worth[0].number, 1);
   EXPECT_NEAR(done.not_worth[0].area_m2, 50, 1e-9);
@@ -159,7 +159,7 @@ Field with_nook() {
 TEST(RepairPlan, ANookNarrowerThanTheMachineIsListed) {
   const RepairPlan done = repaired(with_nook(), {box(40, 30, 52, 60), box(-10, 48, 0, 49.8)});
   EXPECT_EQ(done.gaps, 2);
-  EXPECT_EQ(done.taken, 1);
+  EXPECT_EQ(done.worked_gaps, 1);
   ASSERT_EQ(done.unreachable.size(), 1u);
   EXPECT_EQ(done.unreachable[0].number, 2);
   EXPECT_NEAR(done.unreachable[0].area_m2, 18, 1e-9);
@@ -185,7 +185,7 @@ TEST(RepairPlan, AFieldNotWorkedAtAllIsNothingToRepair) {
 
 TEST(RepairPlan, SmallGapsAreIgnoredAndListed) {
   const RepairPlan done = repaired(square(), {box(40, 30, 52, 60), box(70, 70, 71, 70.9)});
-  EXPECT_EQ(done.taken, 1);
+  EXPECT_EQ(done.worked_gaps, 1);
   ASSERT_EQ(done.ignored.size(), 1u);
   EXPECT_EQ(done.ignored[0].number, 2);
   EXPECT_NEAR(done.missed_after_m2, 0.9, 1e-3);

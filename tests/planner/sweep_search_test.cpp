@@ -17,7 +17,7 @@ TEST(SweepSearch, NeverCostsMoreThanToCutAllTracks) {
   field.outer = {{0, 0}, {30, 0}, {30, 300}, {0, 300}};
   const testing::Prepared prepared{{field, {}, {}, {}}};
   const SearchTask task = prepared.task();
-  std::vector<SweptGround> swept;
+  std::vector<SweptCandidate> swept;
   for (int i = 0; i < 60; ++i) swept.push_back({driven(task, 90), {1000, 1000, 0}});
   const double north = outlook_on(task, driven(task, 0)).cut;
   swept.push_back({driven(task, 0), {north, north, 1}});

@@ -39,9 +39,9 @@ Scene scene_of(std::mt19937_64& random) {
 }
 
 /// Candidates of the sweep, evenly taken where there are many, in order.
-std::vector<SweptGround> some_swept(const SearchTask& task) {
-  const std::vector<SweptGround> all = swept_grounds(task, SearchContext(1));
-  std::vector<SweptGround> out;
+std::vector<SweptCandidate> some_swept(const SearchTask& task) {
+  const std::vector<SweptCandidate> all = swept_candidates(task, SearchContext(1));
+  std::vector<SweptCandidate> out;
   const std::size_t step = (all.size() + kMostDirections - 1) / kMostDirections;
   for (std::size_t i = 0; i < all.size(); i += step) out.push_back(all[i]);
   return out;
@@ -54,12 +54,12 @@ struct Seen {
 };
 
 void look_at(const SearchTask& task, Seen& seen) {
-  const std::vector<SweptGround> swept = some_swept(task);
+  const std::vector<SweptCandidate> swept = some_swept(task);
   if (swept.empty()) return;
   ++seen.scenes;
   std::vector<Candidate> candidates;
-  for (const SweptGround& one : swept) {
-    candidates.push_back(candidate_on(task, one.grounds));
+  for (const SweptCandidate& one : swept) {
+    candidates.push_back(candidate_on(task, one.lined_subfields));
     const double cost = candidates.back().cost();
     EXPECT_LE(one.outlook.least, cost + 1e-9 * (1 + std::abs(cost)));
     seen.with_obstacles_met += one.outlook.least < one.outlook.cut ? 1 : 0;
@@ -81,7 +81,7 @@ void look_at(const SearchTask& task, Seen& seen) {
   }
   // What is known already has to be undercut.
   EXPECT_FALSE(cheapest_swept(task, swept, cheapest.cost(), SearchContext(1)));
-  for (const SweptGround& one : swept) seen.left_out += one.outlook.least > cheapest.cost() ? 1 : 0;
+  for (const SweptCandidate& one : swept) seen.left_out += one.outlook.least > cheapest.cost() ? 1 : 0;
 }
 
 TEST(OutlookProperties, NoCandidateCostsLessThanItsOutlookAndTheCheapestIsFound) {

@@ -109,7 +109,7 @@ TEST_F(RepairProperties, EveryGapIsTakenOrListed) {
   for_random_repairs(40, [](const Missed& missed, const RepairPlan& repair, double) {
     EXPECT_EQ(repair.gaps, static_cast<int>(missed.gaps.size()));
     const std::size_t left = repair.ignored.size() + repair.unreachable.size() + repair.not_worth.size();
-    EXPECT_EQ(repair.taken + static_cast<int>(left), repair.gaps);
+    EXPECT_EQ(repair.worked_gaps + static_cast<int>(left), repair.gaps);
   });
 }
 
@@ -148,7 +148,7 @@ TEST_F(RepairProperties, EveryPassWinsBackMoreThanItCosts) {
 // What is said of a gap that is left is a reason to leave it.
 TEST_F(RepairProperties, NoGapIsLeftThatIsSaidToBeWorthAPass) {
   for_random_repairs(40, [](const Missed&, const RepairPlan& repair, double) {
-    for (const LeftGap& gap : repair.not_worth) {
+    for (const UnworkedGap& gap : repair.not_worth) {
       double worked_m2 = 0, costs = 0, wins = 0;
       ASSERT_EQ(std::sscanf(gap.why.c_str(),
                             "a pass over %lf m² of it costs %lf with the turn to it and wins back %lf",

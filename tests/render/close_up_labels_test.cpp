@@ -55,9 +55,9 @@ Plan with_obstacles(const Region& shapes) {
 std::vector<Box> obstacle_numbers(const Plan& plan) {
   Canvas canvas = page();
   canvas.use(kView, 1);
-  std::vector<Box> taken;
-  draw_obstacle_numbers(canvas, plan, kMap, taken);
-  return taken;
+  std::vector<Box> occupied;
+  draw_obstacle_numbers(canvas, plan, kMap, occupied);
+  return occupied;
 }
 
 /// Two walls half a metre thick round an empty corner; thinner than a number is high.
@@ -105,9 +105,9 @@ using DrawLabels = void (*)(Canvas&, const Plan&, std::vector<Box>&);
 std::vector<Box> labels(const Plan& plan, DrawLabels draw) {
   Canvas canvas = page();
   canvas.use(kView, 1);
-  std::vector<Box> taken;
-  draw(canvas, plan, taken);
-  return taken;
+  std::vector<Box> occupied;
+  draw(canvas, plan, occupied);
+  return occupied;
 }
 
 /// The plan with poles wherever a label stands without them.
@@ -121,11 +121,11 @@ Plan poles_under(Plan plan, const std::vector<Box>& labels) {
 }
 
 TEST(CloseUpLabels, MakeWayForPoles) {
-  for (const DrawLabels draw : {DrawLabels([](Canvas&canvas, const Plan&plan, std::vector<Box>&taken) {
-                                  draw_radii(canvas, plan, 0, kMap, taken);
+  for (const DrawLabels draw : {DrawLabels([](Canvas&canvas, const Plan&plan, std::vector<Box>&occupied) {
+                                  draw_radii(canvas, plan, 0, kMap, occupied);
                                 }),
-                                DrawLabels([](Canvas&canvas, const Plan&plan, std::vector<Box>&taken) {
-                                  draw_strip_numbers(canvas, plan, kMap, taken);
+                                DrawLabels([](Canvas&canvas, const Plan&plan, std::vector<Box>&occupied) {
+                                  draw_strip_numbers(canvas, plan, kMap, occupied);
                                 })}) {
     const Plan plan = detour_plan();
     const std::vector<Box> before = labels(plan, draw);
@@ -140,7 +140,7 @@ TEST(CloseUpLabels, MakeWayForPoles) {
 
 TEST(RoomiestPlace, IsInsideHoweverThinThePolygon) {
   for (const Polygon& shape : {kCorner, kHorseshoe, kSlantingHedge}) {
-    const Point px = roomiest_place(shape, kView).centre;
+    const Point px = roomiest_point(shape, kView).centre;
     EXPECT_TRUE(contains(shape, in_field({px.x, px.y, px.x, px.y}).front().outer.front()));
   }
 }

@@ -1,7 +1,6 @@
 #pragma once
-// What a server has for drives.
-//
-// Apart from App, so that only who deals with drives knows the engine of coverage.
+// The state of a server for drives.
+// Separate from App, so that only code for drives depends on the coverage engine.
 
 #include <cstddef>
 #include <mutex>

@@ -1,5 +1,5 @@
 #pragma once
-// From a kept log to a kept drive.
+// Evaluates stored logs as stored drives.
 
 #include <filesystem>
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace tramline::server {
 
-/// A drive to be evaluated. Its log lies where DriveStore::log_file() says.
+/// A drive to be evaluated. Its log is at DriveStore::log_file().
 struct DriveOrder {
   std::string id, name, created;  ///< of the drive to be
   std::string field;              ///< id; empty: none

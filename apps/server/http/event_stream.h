@@ -30,15 +30,15 @@ class StreamPermits {
   std::atomic<bool> stopping_ = false;
 };
 
-/// Where events go. Not for several threads.
+/// A receiver of events. Not for several threads.
 class EventSink {
  public:
   explicit EventSink(httplib::DataSink& sink) : sink_(sink) {}
-  /// False where nobody listens any more.
+  /// Sends an event. False where nobody listens any more.
   bool send(const std::string& event, const nlohmann::ordered_json& data);
   /// `data`: JSON in one line.
   bool send_text(const std::string& event, const std::string& data);
-  /// Says nothing, but finds out whether somebody still listens.
+  /// Sends an empty message to find out whether somebody still listens.
   bool ping();
 
  private:

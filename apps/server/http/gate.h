@@ -1,5 +1,5 @@
 #pragma once
-// Who is let in.
+// Access control for requests.
 
 #include <httplib.h>
 
@@ -9,7 +9,7 @@
 
 namespace tramline::server {
 
-/// Does only this computer reach a server on this host?
+/// Whether a server on this host is reachable only from this computer.
 bool is_loopback(const std::string& host);
 
 /// Keeps out what other pages in the same browser send here: names that somebody has led to this computer
@@ -33,7 +33,7 @@ class Gate {
   std::string token_;
 };
 
-/// Compares in a time that does not tell how much is alike.
+/// Compares in a time that does not depend on the number of equal characters.
 bool same_secret(const std::string& a, const std::string& b);
 
 }  // namespace tramline::server

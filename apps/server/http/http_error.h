@@ -1,5 +1,5 @@
 #pragma once
-// What goes wrong in a request, as an answer: a status, a word for programs and a sentence for people.
+// Failures of requests as answers: a status, a code for programs and a sentence for people.
 
 #include <exception>
 #include <stdexcept>
@@ -7,7 +7,7 @@
 
 namespace tramline::server {
 
-/// The words a program can tell failures apart by, in the order of their statuses.
+/// The codes of failures for programs, in the order of their statuses.
 enum class Fault { kBadInput, kForbidden, kNotFound, kConflict, kTooLarge, kFailed, kBusy };
 
 int status_of(Fault fault);
@@ -25,7 +25,7 @@ class HttpError : public std::runtime_error {
 
 HttpError not_found(const std::string& what, const std::string& id);
 
-/// What an exception comes to for a client.
+/// The answer to a client for an exception.
 struct Answer {
   Fault fault = Fault::kFailed;
   std::string sentence;

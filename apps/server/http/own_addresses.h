@@ -1,5 +1,5 @@
 #pragma once
-// By which addresses others reach this machine.
+// The addresses under which others reach this machine.
 
 #include <string>
 #include <vector>

@@ -1,6 +1,5 @@
 #pragma once
-// Sentences of the library and of the requests, for those who sit before a page and not before a command
-// line.
+// Rewords messages of the library and of requests for users of the page instead of the command line.
 
 #include <nlohmann/json.hpp>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-// Which handler answers which request.
+// Dispatches requests to handlers.
 
 #include <httplib.h>
 
@@ -33,7 +33,7 @@ class Call {
       : request_(request), reader_(reader), most_bytes_(most_bytes) {}
 
   const httplib::Request& request() const { return request_; }
-  /// What stands in the path for {name}.
+  /// The part of the path for {name}.
   const std::string& part(const std::string& name) const;
   /// "?name=value"; empty where it is not there.
   std::string query(const std::string& name) const;

@@ -1,5 +1,5 @@
 #pragma once
-// How a drive is to be understood, as the page asks for it.
+// The options for reading a drive, from a request of the page.
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>

@@ -1,5 +1,5 @@
 #pragma once
-// Fields out of what was sent: a feature of a file, or a shape that was drawn.
+// Makes fields of uploaded data: a feature of a file, or a drawn shape.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -15,7 +15,7 @@ struct NewFields {
   std::vector<Skipped> skipped;
 };
 
-/// Which feature, and how it is to be read.
+/// The feature to read, and the options for reading it.
 struct FeatureChoice {
   std::optional<long long> fid;
   std::string layer, crs;

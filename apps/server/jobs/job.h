@@ -1,5 +1,5 @@
 #pragma once
-// One piece of work that takes longer than a request should.
+// A job: work that takes longer than a request should.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -12,7 +12,7 @@ enum class JobState { kQueued, kRunning, kDone, kFailed, kCancelled };
 const char* name(JobState state);  ///< queued, running, done, failed, cancelled
 inline bool is_over(JobState state) { return state != JobState::kQueued && state != JobState::kRunning; }
 
-/// What is known of a job at one moment.
+/// The state of a job at one moment.
 struct JobStatus {
   std::string id;
   std::string kind;  ///< plan, compare, evaluate, repair, check
@@ -32,7 +32,7 @@ nlohmann::ordered_json job_json(const JobStatus& status);
 /// Thrown within a job that has been cancelled; nothing else is to catch it.
 class JobCancelled {};
 
-/// What work sees of its job. May be used by several threads at once.
+/// The interface of a job for its work. May be used by several threads at once.
 class JobRun {
  public:
   virtual ~JobRun() = default;

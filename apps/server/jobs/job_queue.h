@@ -1,5 +1,5 @@
 #pragma once
-// Work in the background: some jobs at once, the others in a queue, the last ones remembered.
+// Runs jobs in the background: some at once, the others queued; the last finished ones are remembered.
 
 #include <chrono>
 #include <condition_variable>
@@ -21,7 +21,7 @@ using Work = std::function<nlohmann::ordered_json(JobRun&)>;
 
 class JobQueue {
  public:
-  /// How many run at once, how many may wait, and how many that are over are remembered.
+  /// The numbers of jobs that run at once, that may wait, and that are remembered after their end.
   explicit JobQueue(int at_once, std::size_t most_waiting = 100, std::size_t remembered = 50);
   JobQueue(const JobQueue&) = delete;
   JobQueue& operator=(const JobQueue&) = delete;

@@ -1,5 +1,5 @@
 #pragma once
-// From a field's own metres to the map of the page, and back.
+// Converts a field's local metres to the map of the page, and back.
 
 #include <nlohmann/json.hpp>
 #include <vector>

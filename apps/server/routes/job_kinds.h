@@ -1,6 +1,6 @@
 #pragma once
-// What POST /jobs can begin. Each reads the request whole before it begins anything, and throws bad_input or
-// HttpError(kNotFound) where something is wrong with it.
+// The kinds of jobs of POST /jobs. Each reads the whole request before it begins anything, and throws
+// bad_input or HttpError(kNotFound) where something is wrong with it.
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,5 +1,5 @@
 #pragma once
-// How a search follows the job it is a part of.
+// Connects a search with its job.
 
 #include <chrono>
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace tramline::server {
 
-/// Tells the job how far the search has come, and ends with the job. After so many `seconds` the search is
-/// asked to end with the best it has. The job has to be alive as long.
+/// Reports the progress of the search to the job, and ends the search with the job. After `seconds` the
+/// search is asked to end with the best plan it has. The job has to outlive it.
 inline Progress told_to(JobRun& run, std::optional<double> seconds = {}) {
   return [&run, seconds, start = std::chrono::steady_clock::now()](int done, int total) {
     run.progress(done, total);

@@ -1,5 +1,5 @@
 #pragma once
-// Drives that are kept: what they worked, and the log they were made from.
+// The store of drives: their coverage, and the logs they were made from.
 
 #include <cstddef>
 #include <filesystem>
@@ -17,7 +17,7 @@
 
 namespace tramline::server {
 
-/// A log as it came, and how it is to be understood.
+/// A log as received, with the options for reading it.
 struct DriveSource {
   std::string log_name;   ///< as the user's file, or the feed, is called
   std::string extension;  ///< of the file that is kept: ".csv.gz"

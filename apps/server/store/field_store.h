@@ -1,5 +1,5 @@
 #pragma once
-// Fields that are kept.
+// The store of fields.
 
 #include <functional>
 #include <map>

@@ -1,5 +1,5 @@
 #pragma once
-// Fronts that were found and from which plans may still be taken.
+// Recent fronts, kept for fetching plans from them.
 
 #include <cstddef>
 #include <deque>

@@ -1,5 +1,5 @@
 #pragma once
-// A front that was found, and what it was found for.
+// A front with the request it was computed for.
 
 #include <string>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Machines that are kept.
+// The store of machines.
 
 #include <filesystem>
 #include <mutex>

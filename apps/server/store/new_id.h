@@ -12,7 +12,7 @@ std::string new_id();
 /// [a-z0-9-]{1,64}
 bool is_id(std::string_view text);
 
-/// Hard to guess: 32 letters from the system's own source of chance.
+/// A secret token: 32 letters from the system's random source.
 std::string new_token();
 
 /// "2026-03-14T08:15:00Z"

@@ -1,5 +1,5 @@
 #pragma once
-// Plans that are kept: plan files like any other.
+// The store of plans, which are ordinary plan files.
 
 #include <filesystem>
 #include <map>
@@ -15,7 +15,7 @@
 
 namespace tramline::server {
 
-/// What the list of plans says, and what it takes to show one.
+/// An entry of the list of plans, with the data needed to show the plan.
 struct KeptPlan {
   std::string id;
   std::string name;
@@ -29,7 +29,7 @@ struct KeptPlan {
   bool draft = false;  ///< see PlanNotes
 };
 
-/// What is known of a plan beside what its file says anyway.
+/// Data on a plan in addition to those of its file.
 struct PlanNotes {
   std::string name;
   std::string field;

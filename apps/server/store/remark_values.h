@@ -1,5 +1,5 @@
 #pragma once
-// What the server notes in the files it keeps, as texts.
+// The remarks that the server stores in its files, as texts.
 
 #include <string>
 #include <vector>

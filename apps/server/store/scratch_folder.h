@@ -1,5 +1,5 @@
 #pragma once
-// Where files are made that are to be sent, or to be put in their place.
+// A temporary folder for files that are to be sent or moved to their final location.
 
 #include <filesystem>
 

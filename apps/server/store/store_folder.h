@@ -1,5 +1,5 @@
 #pragma once
-// The folder that a server keeps everything in.
+// The folder in which a server stores its files.
 
 #include <filesystem>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-// Small files that are there whole or not at all.
+// Writes small files whole or not at all.
 
 #include <filesystem>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-// What is in a file that was sent?
+// Determines the contents of an uploaded file.
 
 #include <nlohmann/json.hpp>
 

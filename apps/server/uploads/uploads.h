@@ -1,5 +1,5 @@
 #pragma once
-// Files that were sent and are not yet anything.
+// Uploaded files that have not been used yet.
 
 #include <chrono>
 #include <cstddef>

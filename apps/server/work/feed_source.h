@@ -1,5 +1,5 @@
 #pragma once
-// Where a live feed comes from, as one line of text.
+// The source of a live feed, as one line of text.
 
 #include <memory>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace tramline::server {
 
-/// What of this machine a live feed may be read from.
+/// The sources on this machine that a live feed may read.
 struct FeedSources {
   FeedFolders folders;          ///< files in them and below
   bool serial_devices = false;  ///< those that are attached here

@@ -95,7 +95,7 @@ void LiveFeed::add(const std::string& line) {
     way_of_rebuild_ = session_.live().rebuilds();
     way_ = way_of(drive->lines());
   } else if (session_.fixes() != before) {
-    way_.push_back(drive->place());
+    way_.push_back(drive->position());
   }
 }
 
@@ -263,7 +263,7 @@ WorkFrame FeedReader::frame() {
   out.figures = feed_->work_figures();
   out.changes = coverage::changes_since(seen_, live, session.repeat_rule());
   if (const coverage::WorkedDrive* drive = live.drive()) {
-    out.at = drive->place();
+    out.at = drive->position();
     out.heading = drive->heading();
   }
   const std::vector<Point>& way = feed_->way_;

@@ -1,5 +1,5 @@
 #pragma once
-// A drive that is followed while it goes on, by any number of readers.
+// A live drive that any number of readers can follow.
 
 #include <chrono>
 #include <condition_variable>
@@ -23,7 +23,7 @@
 
 namespace tramline::server {
 
-/// What a live feed is made of.
+/// The settings of a live feed.
 struct FeedOrder {
   std::unique_ptr<io::Feed> source;
   app::WorkGround ground;  ///< empty: no field
@@ -53,7 +53,7 @@ class LiveFeed {
   /// Without regions. O(1).
   app::LiveFigures figures() const;
   std::size_t fixes() const;
-  /// Why the feed ended by itself; "" where it did not.
+  /// The reason why the feed ended by itself; "" where it did not.
   std::string problem() const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// A recorded drive that can be worked again at any time.
+// A recorded drive that can be replayed at any time.
 
 #include <cstddef>
 #include <vector>

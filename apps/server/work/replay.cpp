@@ -38,7 +38,7 @@ void Replay::work(const Fix& fix) {
   worked_.add(fix, drive_->ready.log.booms);
   const CoverageAreas areas = worked_.areas();
   rate_.add(fix.time_s, drive_->ground.ground.empty() ? areas.covered_m2 : areas.covered_inside_m2);
-  line_.push_back(worked_.place());
+  line_.push_back(worked_.position());
 }
 
 void Replay::work_until(double clock_s, Clock::time_point until) {
@@ -74,7 +74,7 @@ WorkFrame Replay::frame() {
   out.fix = driven_;
   out.fixes = drive_->ready.log.fixes.size();
   out.time_s = drive_->clock_s[driven_ - 1];
-  out.at = worked_.place();
+  out.at = worked_.position();
   out.heading = worked_.heading();
   out.working = works(drive_->ready.log.fixes[driven_ - 1], drive_->ready);
   out.figures = figures();

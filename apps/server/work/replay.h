@@ -1,5 +1,5 @@
 #pragma once
-// A recorded drive worked once more, as fast as one likes to look on.
+// Replays a recorded drive at any speed.
 
 #include <chrono>
 #include <cstddef>

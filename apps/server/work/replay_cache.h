@@ -1,5 +1,5 @@
 #pragma once
-// Drives that were read and put in order a short while ago.
+// A cache of recently prepared drives.
 
 #include <cstddef>
 #include <functional>

@@ -1,5 +1,5 @@
 #pragma once
-// Ends the waiting of a poll() from another thread.
+// Wakes a poll() from another thread.
 
 namespace tramline::server {
 

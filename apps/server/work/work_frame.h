@@ -1,5 +1,5 @@
 #pragma once
-// What is new of a drive, for somebody who follows it.
+// The changes of a drive since the last frame, for a reader that follows it.
 
 #include <chrono>
 #include <cstddef>
@@ -16,12 +16,12 @@
 
 namespace tramline::server {
 
-/// Places of a whole way that are closer together than this are one for the eye, m.
+/// Points of a whole path that are closer together than this look like one, m.
 inline constexpr double kEye_m = 0.25;
 /// Frames are this far apart at least.
 inline constexpr std::chrono::milliseconds kFrameEvery{100};
 
-/// How far the work is.
+/// The progress of the work.
 struct WorkFigures {
   CoverageAreas areas;
   bool has_field = false;
@@ -45,7 +45,7 @@ struct WorkFrame {
   coverage::WorkChanges changes;
 };
 
-/// What is to be known of a feed beside its work.
+/// The state of a feed apart from its work.
 struct FeedState {
   std::string message;
   bool connected = false;
@@ -58,10 +58,10 @@ struct WorkEnd {
 /// Nothing new yet, or one of these.
 using WorkEvent = std::variant<std::monostate, WorkFrame, FeedState, WorkEnd>;
 
-/// A way of fewer places: those closer than `apart_m` to the last one kept are left out, but for the last.
+/// A path with fewer points: those closer than `apart_m` to the last one kept are left out, except the last.
 /// O(n).
 std::vector<Point> thinned(const std::vector<Point>& way, double apart_m);
-/// All lines as one way, in their order.
+/// All lines joined to one path, in their order.
 std::vector<Point> way_of(const std::vector<DrivenLine>& lines);
 
 }  // namespace tramline::server

@@ -1,5 +1,5 @@
 #pragma once
-// Events of work as the page gets them.
+// Events of work in the format for the page.
 
 #include <nlohmann/json.hpp>
 #include <optional>

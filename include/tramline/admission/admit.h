@@ -1,5 +1,6 @@
 #pragma once
-// Is this feature fit to plan on? Finds faults, repairs what is certain, reports it, and refuses the rest.
+// Admission of a feature as a field: finds faults, makes unambiguous repairs, reports them, and refuses the
+// rest.
 
 #include <string>
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace tramline {
 
-/// Where features come from, and how their coordinates are meant.
+/// The origin of features and the meaning of their coordinates.
 struct AdmissionContext {
   std::string file;
   std::string layer;
@@ -18,10 +19,10 @@ struct AdmissionContext {
   RingWinding winding = RingWinding::kFree;
 };
 
-/// What became of a feature.
+/// The result of admitting a feature.
 struct Admission {
   std::vector<Field> fields;     ///< at least one
-  std::vector<Skipped> skipped;  ///< lines and points beside the polygons
+  std::vector<Skipped> skipped;  ///< lines and points that the feature has besides polygons
 };
 
 /// The feature's id, or "layer:fid" when it has none.
@@ -31,9 +32,9 @@ std::string field_id(const RawFeature& feature, const std::string& layer);
 /// the id "…#2". Field coordinates are local metres. In every field the outer ring is simple and
 /// counter-clockwise, the obstacles are valid, lie within it and share no land.
 /// Throws bad_input, one sentence that names file and feature, for: no polygon, coordinates that are not
-/// finite or not on the globe, a CRS that cannot be right, no area, rings that leave open what they
-/// enclose or are one tangle, and boundaries with more corners than kMostCorners once thinned (thin_rings.h).
-/// O(n log n) per ring, and O(holes²) box tests.
+/// finite or not on the globe, a CRS that cannot be right, no area, rings that are tangled or do not
+/// determine what they enclose, and boundaries with more corners than kMostCorners once thinned
+/// (thin_rings.h). O(n log n) per ring, and O(holes²) box tests.
 Admission admit(const RawFeature& feature, const AdmissionContext& context);
 
 }  // namespace tramline

@@ -1,5 +1,5 @@
 #pragma once
-// Obstacle features from other files, checked once and brought to longitude and latitude.
+// Obstacle features from other files, checked once and converted to longitude and latitude.
 
 #include <string>
 #include <vector>
@@ -21,9 +21,10 @@ struct LooseObstacle {
   Box bounds;
 };
 
-/// The obstacles of a dataset. A layer without CRS takes that of the fields, a definition as Crs takes it.
-/// Where the fields are in plain metres coordinates are kept as they are, and a layer in degrees is refused.
-/// Throws bad_input naming file, feature and vertex for coordinates that are not finite or not on the
+/// The obstacles of a dataset. A layer without a CRS is read in `fields_crs`, a definition as accepted by
+/// Crs. Where the fields are in plain metres coordinates are kept as they are, and a layer in degrees is
+/// refused. Throws bad_input naming file, feature and vertex for coordinates that are not finite or not on
+/// the
 /// globe, and for features without geometry: an obstacle is never dropped. O(vertices).
 std::vector<LooseObstacle> read_obstacles(const RawDataset& dataset, ObstacleKind kind,
                                           const std::string& fields_crs);

@@ -1,5 +1,5 @@
 #pragma once
-// What the verifier has to say about a plan.
+// The verifier: checks a plan independently of the planner.
 
 #include <cstdint>
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace tramline::check {
 
-/// What a plan is judged by; a function of rules.h each, or several.
+/// The rules that a plan is checked against; each is one or more functions of rules.h.
 enum class Rule : std::uint8_t {
   kBody,
   kClearance,
@@ -36,38 +36,39 @@ enum class Rule : std::uint8_t {
   kTally,
   kWarnings,
 };
-/// As reports give it: "body", "swath overlap".
+/// The name used in reports: "body", "swath overlap".
 std::string_view name(Rule rule);
 
-/// One way in which a plan is not what it says.
+/// One contradiction between a plan and a rule.
 struct Violation {
   Rule rule = Rule::kShapes;
   std::string what;   ///< one sentence with the numbers
-  Point at;           ///< a place where it shows, local metres
-  double amount = 0;  ///< how much, in the unit named by `what`
+  Point at;           ///< a point where it shows, local metres
+  double amount = 0;  ///< its size, in the unit named by `what`
 };
 
 using Violations = std::vector<Violation>;
 
 struct Verdict {
-  Tally recomputed;   ///< of tracks and headland passes, by cells of ground
-  Tally track_tally;  ///< the same of the tracks alone, against the body
+  Tally recomputed;   ///< of tracks and headland passes, from cells of land
+  Tally track_tally;  ///< the same for the tracks alone, compared with the body
   std::vector<Violation> violations;
-  /// What else the plan says, by key or column: true or not, `violations` would be the same (not_verified.h).
+  /// Statements of the plan, by key or column, that cannot be verified: `violations` would be the same
+  /// whether they are true or not (not_verified.h).
   std::vector<std::string> not_verified;
-  /// False where shapes or pieces are so wrong that nothing else could be looked at: `recomputed` is
-  /// empty then.
+  /// False where shapes or pieces are so wrong that nothing else could be checked: `recomputed` is empty
+  /// then.
   bool complete = false;
 
   bool holds() const { return complete && violations.empty(); }
 };
 
-/// Judges a plan from its tracks: rebuilds the swaths, recomputes every area from cells between edges (the
-/// planner adds up closed forms: this is another road) and looks whether each piece obeys the
-/// definitions of the glossary. So it does with headlands: their ground is made again from the boundaries,
-/// and the passes are held against it. Areas may differ by 1e-6 of the field's area, and by what chords take
-/// from arcs (1e-5 m along detours and passes, 1e-4 m along curved tracks, 1e-3 m along round edges of
-/// headlands); lengths by 1 mm, radii by 1 %, headings where segments meet by 1°.
+/// Verifies a plan from its tracks: rebuilds the swaths, recomputes every area from cells between edges
+/// (independently of the planner, which adds up closed forms) and checks that each piece obeys the
+/// definitions of the glossary. Headlands are verified likewise: their land is recomputed from the
+/// boundaries, and the passes are compared with it. Areas may differ by 1e-6 of the field's area, and by the
+/// difference between chords and arcs (1e-5 m along detours and passes, 1e-4 m along curved tracks, 1e-3 m
+/// along round edges of headlands); lengths by 1 mm, radii by 1 %, headings where segments meet by 1°.
 ///
 /// Violations come in the order of the rules, then of the pieces. Throws Error(kFailure) only where
 /// GEOS fails. O(p·v + p log p) for p pieces and v vertices, while detours and curves

@@ -1,5 +1,5 @@
 #pragma once
-// How near a drive kept to the tracks that were planned, and whether it followed them at all.
+// The deviation of a drive from the planned tracks, and whether the drive followed them at all.
 
 #include <limits>
 #include <vector>
@@ -10,23 +10,23 @@
 
 namespace tramline::coverage {
 
-/// What is driven at work within half a working width of a planned track or headland pass follows it where
-/// its direction differs from the track's there by no more than this.
+/// A step at work within half a working width of a planned track or headland pass follows it if its direction
+/// differs from the track's there by no more than this.
 inline constexpr Angle kAlongTrack = Angle::degrees(15);
-/// A drive followed the plan where at least this share of its way at work did.
+/// A drive followed the plan if at least this share of its distance at work did.
 inline constexpr double kFollowedShare = 0.5;
 
-/// Looked at step by step and weighted by the way driven, m. NaN: there was nothing to measure.
+/// Computed step by step and weighted by the distance driven, m. NaN: there was nothing to measure.
 struct Deviation {
-  double along_m = 0;   ///< way at work that followed a track or headland pass
-  double beside_m = 0;  ///< way at work that followed none
+  double along_m = 0;   ///< distance at work that followed a track or headland pass
+  double beside_m = 0;  ///< distance at work that followed none
 
-  // Of the way that followed one: its distance from the nearest that it followed.
+  // For the steps that followed a track or pass: the distance from the nearest one that they followed.
   double mean_m = 0;
-  double p95_m = 0;  ///< for 95 % of that way it is no more than this
+  double p95_m = 0;  ///< for 95 % of these steps by length the distance is no more than this
   double most_m = 0;
 
-  // Of all the way at work, against the nearest track or pass whether it was followed or not.
+  // For all steps at work: relative to the nearest track or pass, whether followed or not.
   double median_distance_m = std::numeric_limits<double>::quiet_NaN();
   double median_angle_deg = std::numeric_limits<double>::quiet_NaN();  ///< between the directions, 0 to 90
 
@@ -34,8 +34,8 @@ struct Deviation {
   bool followed() const { return followed_share() >= kFollowedShare; }
 };
 
-/// Frame: the plan's field's. Looked at from fix to fix, at the middle of each step. O(steps · tracks near
-/// them).
+/// Frame: that of the plan's field. Evaluated from fix to fix, at the middle of each step. O(steps · tracks
+/// near them).
 Deviation deviation(const Plan& plan, const std::vector<DrivenLine>& lines);
 
 }  // namespace tramline::coverage

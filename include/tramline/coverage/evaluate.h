@@ -1,5 +1,5 @@
 #pragma once
-// From a drive to what it covered, repeated and missed (S3.8).
+// Evaluation of a drive: the land it covered, repeated and missed (S3.8).
 
 #include <cstddef>
 #include <functional>
@@ -12,32 +12,33 @@
 
 namespace tramline::coverage {
 
-/// Fixes done so far.
+/// A callback that receives the number of fixes evaluated so far.
 using FixProgress = std::function<void(std::size_t done, std::size_t total)>;
 
 /// Work that follows a log, such as that of a repair plan.
 struct FurtherWork {
   std::vector<WorkedStep> steps;            ///< runs numbered from 0
-  std::vector<std::vector<Point>> lines{};  ///< the way of each run
+  std::vector<std::vector<Point>> lines{};  ///< the path of each run
 };
 
-/// Takes the steps of a drive as they are worked.
+/// A callback that receives the steps of a drive as they are worked.
 using StepSink = std::function<void(const WorkedStep&)>;
 
-/// The widest the machine was at any fix, or DriveSettings::width_m. Throws kBadInput where no width is
+/// The largest width of the machine at any fix, or DriveSettings::width_m. Throws kBadInput where no width is
 /// known. O(fixes).
 double working_width_m(const WorkLog& log, const DriveSettings& drive);
 
-/// What a log's drive worked of the field. Fixes are taken in order of time. `field`: what was to be worked,
-/// local metres, oriented; empty: no field, and nothing missed. Field id, frame and what readers skipped are
-/// the caller's. `sink` gets every step too. `further`: work done after the log, on the same ground, in runs
-/// of its own; sink and slices know nothing of it. Throws kBadInput where no width is known, the slices are
-/// too many, or fewer than two fixes are left. A log with WorkLog::shapes worked these, and nothing between
-/// its fixes. O(fixes) and the regions. Precondition: local positions.
+/// Evaluates the drive of a log on a field. Fixes are processed in order of time. `field`: the land to work,
+/// local metres, oriented; empty: no field, and nothing missed. The caller sets the field id, the frame and
+/// the records that readers skipped. `sink` receives every step as well. `further`: work done after the log,
+/// on the same land, in runs of its own; it is not passed to the sink and not counted in slices. Throws
+/// kBadInput where no width is known, the slices are too many, or fewer than two fixes are left. For a log
+/// with WorkLog::shapes these are the work, and nothing is worked between its fixes. O(fixes) and the
+/// regions. Precondition: local positions.
 Coverage evaluate(WorkLog log, const Region& field, const EvaluateSettings& settings,
                   const FixProgress& progress, const StepSink& sink = {}, const FurtherWork& further = {});
 
-/// The same for steps that are known, such as those of a plan (plan_steps.h). `width_m`: of most.
+/// The same for given steps, such as those of a plan (plan_steps.h). `width_m`: the width of most of them.
 Coverage evaluate(const std::vector<WorkedStep>& steps, double width_m, const Region& field,
                   const EvaluateSettings& settings);
 

@@ -1,5 +1,5 @@
 #pragma once
-// A coordinate reference system of the input, and the way from it to WGS 84 and back.
+// A coordinate reference system of the input, with conversions to WGS 84 and back.
 //
 // Everywhere in tramline coordinates are in traditional GIS order: longitude, latitude; easting, northing.
 
@@ -11,7 +11,7 @@
 
 namespace tramline {
 
-/// What admission has to know about a projected CRS of the transverse Mercator family.
+/// The parameters of a transverse Mercator CRS that admission needs.
 struct TransverseMercatorGrid {
   double false_easting_m = 0;
   double central_meridian_deg = 0;
@@ -35,22 +35,23 @@ class Crs {
   bool plain() const { return impl_ == nullptr; }
   /// "ETRS89 / UTM zone 32N (EPSG:25832)"; "plain metres" without a CRS.
   const std::string& name() const { return name_; }
-  /// From which an equal Crs can be made, elsewhere too: "EPSG:25832" where the CRS has a code, else WKT2 on
-  /// one line; "none" for plain metres. Heights and datum shifts that came with the definition are left out.
+  /// A definition from which an equal Crs can be made, on other machines too: "EPSG:25832" where the CRS has
+  /// a code, else WKT2 on one line; "none" for plain metres. Heights and datum shifts that came with the
+  /// definition are left out.
   const std::string& definition() const { return definition_; }
-  /// Coordinates are longitude and latitude in degrees.
+  /// Whether coordinates are longitude and latitude in degrees.
   bool in_degrees() const { return in_degrees_; }
   /// Set for transverse Mercator grids in metres.
   const std::optional<TransverseMercatorGrid>& grid() const { return grid_; }
 
-  /// Whether the place is near the area that the CRS is made for, no more than two UTM zones away; true where
-  /// PROJ knows of none. Far outside, a projection still gives numbers.
+  /// Whether a position is within two UTM zones of the CRS's area of use; true where PROJ knows of no such
+  /// area. Far outside the area a projection still yields numbers.
   bool is_near(Point lonlat_deg) const;
 
   /// Longitude and latitude on WGS 84, degrees; nullopt where PROJ refuses the point (or a coordinate is
   /// not finite). Precondition: !plain().
   std::optional<Point> to_lonlat(Point input) const;
-  /// The inverse of to_lonlat, to 1e-6 m within the area the CRS is made for. Precondition: !plain().
+  /// The inverse of to_lonlat, to 1e-6 m within the CRS's area of use. Precondition: !plain().
   std::optional<Point> from_lonlat(Point lonlat_deg) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// From the input's coordinates to the plane a field is planned in, and back.
+// Conversion between the input's coordinates and the plane in which a field is planned.
 
 #include <memory>
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace tramline {
 
-/// Longitude and latitude to local metres and back, by the frame alone. Owns a PROJ context: one object
-/// on one thread at a time. Over a field the projection is true to better than 1e-12 m there and back.
+/// Converts longitude and latitude to local metres and back, by the frame alone. Owns a PROJ context: one
+/// object on one thread at a time. Over a field the projection is true to better than 1e-12 m there and back.
 class FrameProjection {
  public:
   /// Precondition: frame.geodetic.

@@ -1,5 +1,5 @@
 #pragma once
-// Square cells over the plane.
+// A grid of square cells over the plane.
 
 #include <cstddef>
 
@@ -9,7 +9,7 @@ namespace tramline {
 
 /// Rows from the south, columns from the west. Frame: local metres.
 struct CellGrid {
-  Point low;  ///< corner in the south-west
+  Point low;  ///< south-west corner
   double cell_m = 1;
   int columns = 0;
   int rows = 0;
@@ -23,7 +23,8 @@ struct CellGrid {
   Box box() const { return {low.x, low.y, low.x + columns * cell_m, low.y + rows * cell_m}; }
 };
 
-/// More cells than these are refused: a map and what it is made with then take some 400 MB.
+/// The most cells of a grid; larger ones are refused. At this size a map and its working memory take some 400
+/// MB.
 inline constexpr double kMostCells = 1e7;
 
 }  // namespace tramline

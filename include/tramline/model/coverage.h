@@ -1,5 +1,5 @@
 #pragma once
-// What was worked of a field, as areas and regions.
+// The result of an evaluation: what was worked of a field, as areas and regions.
 
 #include <array>
 #include <cstddef>
@@ -12,33 +12,32 @@
 
 namespace tramline {
 
-/// How often ground was worked is counted up to here: 0, 1, 2, 3 and more.
+/// The highest count of how often land was worked: 0, 1, 2, 3 and more.
 inline constexpr int kMostCounted = 3;
 
-/// Areas of what was worked so far, m². Without a field everything lies outside, and nothing is missed.
-///
-/// repeated: ground worked again that had been worked before and that no quad of the same run within the
-/// last w of travel covers. sliver: ground worked at least twice, but never repeated so: the inside of
-/// curves. repeated + sliver = worked at least twice, what S3 counts as repeated (S3.8).
+/// Areas worked so far, m². Without a field everything lies outside, and nothing is missed.
+/// repeated: land worked again that had been worked before and that no quad of the same run within the last w
+/// of travel covers. sliver: land worked at least twice without being repeated in this sense, such as the
+/// inside of curves. repeated + sliver = land worked at least twice, which S3 counts as repeated (S3.8).
 struct CoverageAreas {
   double gross_m2 = 0;           ///< Σ areas of the quads
   double covered_m2 = 0;         ///< worked once or more
-  double covered_inside_m2 = 0;  ///< of that, within the field
-  double outside_m2 = 0;         ///< of that, outside it
+  double covered_inside_m2 = 0;  ///< the part of covered_m2 within the field
+  double outside_m2 = 0;         ///< the part of covered_m2 outside the field
   double repeated_m2 = 0;
   double sliver_m2 = 0;
   double missed_m2 = 0;  ///< field − covered − not recorded
-  /// Ground that was not covered, but that the machine may have worked while the log has no fixes: of the
-  /// field, or anywhere where there is none. covered inside + missed + not recorded = field.
+  /// Land that was not covered, but that the machine may have worked while the log has no fixes: within the
+  /// field or, without a field, anywhere. covered inside + missed + not recorded = field.
   double not_recorded_m2 = 0;
-  /// Ground worked exactly 1, 2 times, 3 times or more; [0]: the field less what was covered, that is missed
-  /// and not recorded. Exact in every engine that counts; NaN where it was not asked for.
+  /// Land worked exactly once [1], twice [2], three times or more [3]; [0]: the field less what was covered,
+  /// that is missed and not recorded. Exact in every engine that counts; NaN where it was not asked for.
   std::array<double, kMostCounted + 1> worked_times_m2{};
 
   double worked_twice_m2() const { return repeated_m2 + sliver_m2; }
 };
 
-/// What a place may be.
+/// The classes of land that an evaluation tells apart.
 enum class Ground {
   kCovered,
   kRepeated,
@@ -49,18 +48,18 @@ enum class Ground {
   kOnce,        ///< worked exactly once
   kTwice,       ///< exactly twice
   kOften,       ///< three times or more
-  kAgain,       ///< twice or more: repeated ground and slivers
+  kAgain,       ///< twice or more: repeated land and slivers
 };
 
-/// A stretch of the drive: the places of the working implement, in order.
+/// A stretch of the drive: the positions of the working implement, in order.
 struct DrivenLine {
-  int run = -1;  ///< of the work; -1: driven without working
+  int run = -1;  ///< number of the working run; -1: driven without working
   std::vector<Point> line;
-  double from_s = 0;  ///< clock of the log; NaN without times
+  double from_s = 0;  ///< first time by the log's clock; NaN without times
   double to_s = 0;
 };
 
-/// One piece of missed ground.
+/// One piece of missed land.
 struct Gap {
   int number = 0;  ///< from 1, the largest first
   Polygon shape;
@@ -69,22 +68,22 @@ struct Gap {
   double widest_m = 0;  ///< diameter of the largest disc within it; NaN: not measured
 };
 
-/// How far the work was after so many fixes (S3's tables 2 and 3).
+/// The state of the work after a number of fixes (S3's tables 2 and 3).
 struct CoverageSlice {
   std::size_t fixes = 0;
   CoverageAreas areas;
   std::size_t covered_rings = 0;   ///< boundaries of the covered region
-  std::size_t missed_regions = 0;  ///< polygons of the missed one
-  double seconds = 0;              ///< spent on areas and regions up to here
+  std::size_t missed_regions = 0;  ///< polygons of the missed region
+  double seconds = 0;              ///< computing time for areas and regions up to here
 };
 
 /// The outcome of an evaluation. Frame: local metres.
 struct Coverage {
-  std::string log;  ///< where the drive is from
+  std::string log;  ///< name of the log
   std::string field_id;
   Region field;  ///< less its obstacles; empty: evaluated without a field
   LocalFrame frame;
-  double width_m = 0;  ///< given for it, or the widest that worked
+  double width_m = 0;  ///< working width as given, or the widest that worked
   std::string engine;
 
   CoverageAreas areas;

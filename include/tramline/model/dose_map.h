@@ -1,5 +1,5 @@
 #pragma once
-// How much was applied where.
+// A map of the amount applied.
 
 #include <optional>
 #include <string>
@@ -12,41 +12,40 @@
 
 namespace tramline {
 
-/// Ground by how much it got.
+/// One bin of the histogram: the area that received a rate within its limits.
 struct DoseBin {
   double from_per_ha = 0;
-  double to_per_ha = 0;  ///< infinite for the last
+  double to_per_ha = 0;  ///< infinite for the last bin
   double area_m2 = 0;
 };
 
-/// What the cells say together (docs/dose.md). The ground is the field, or covered ground where there is
-/// none.
+/// Statistics over all cells (docs/dose.md). `Ground` is the field or, without a field, the covered area.
 struct DoseFigures {
-  double total = 0;             ///< applied, on the ground and off it
-  double on_ground = 0;         ///< of that, on the ground
+  double total = 0;             ///< amount applied, on the ground and off it
+  double on_ground = 0;         ///< the part of it on the ground
   double ground_m2 = 0;         ///< area of the ground
-  double mean_per_ha = 0;       ///< on_ground by ground_m2
+  double mean_per_ha = 0;       ///< on_ground / ground_m2
   double reference_per_ha = 0;  ///< the nominal rate, or the mean where there is none
 
-  // Of cells of which half or more is ground, by how much of it they have.
-  double counted_m2 = 0;       ///< the ground of these
-  double cv = 0;               ///< standard deviation about the mean of these, by that mean
-  double share_within_10 = 0;  ///< from 0.9 to 1.1 of the reference
+  // Over the cells of which half or more is ground, weighted by the area of their ground.
+  double counted_m2 = 0;       ///< area of ground in these cells
+  double cv = 0;               ///< coefficient of variation: their standard deviation / their mean
+  double share_within_10 = 0;  ///< share of the area with 0.9 to 1.1 times the reference
   double least_per_ha = 0;
   double most_per_ha = 0;
   std::vector<DoseBin> histogram;
 };
 
-/// What the wind did.
+/// Drift by the wind.
 struct DoseDrift {
   double wind_mps = 0;
   Heading wind_from;
-  double share = 0;     ///< of all that was applied
+  double share = 0;     ///< share of the applied amount that drifts
   double shift_m = 0;   ///< downwind
-  double spread_m = 0;  ///< standard deviation about that
+  double spread_m = 0;  ///< standard deviation about the shift
 };
 
-/// Amounts in cells. Frame: local metres.
+/// The amount applied in each cell. Frame: local metres.
 struct DoseMap {
   std::string log;
   std::string field_id;  ///< empty: no field
@@ -54,21 +53,21 @@ struct DoseMap {
   LocalFrame frame;
   std::string unit;       ///< "l", "kg" …
   double width_m = 0;     ///< NaN: not known
-  double covered_m2 = 0;  ///< exact, by regions
+  double covered_m2 = 0;  ///< covered area, exact (from regions, not from cells)
 
   CellGrid grid;
-  std::vector<double> amount;    ///< in each cell
+  std::vector<double> amount;    ///< applied in each cell
   std::vector<float> ground;     ///< share of each cell that is ground, 0 to 1
-  std::vector<float> on_ground;  ///< of the amount in each cell, that on its ground
+  std::vector<float> on_ground;  ///< the part of each cell's amount that lies on its ground
   DoseFigures figures;
   std::optional<DoseDrift> drift;
 
-  double logged_amount = 0;   ///< by logged rates
-  double nominal_amount = 0;  ///< by the nominal rate
+  double logged_amount = 0;   ///< applied at logged rates
+  double nominal_amount = 0;  ///< applied at the nominal rate
   std::vector<std::string> warnings;
 };
 
-/// Amount by area of a cell, per hectare.
+/// The rate in a cell: amount per hectare.
 inline double rate_per_ha(const DoseMap& map, std::size_t cell) {
   return map.amount[cell] / map.grid.cell_area_m2() * 1e4;
 }

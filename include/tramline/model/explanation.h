@@ -1,5 +1,5 @@
 #pragma once
-// Why a plan is the one that was chosen: what its cost is made of, and what the next best would have cost.
+// Why a plan was chosen: what its cost is made of, and what the next best plans would have cost.
 
 #include <array>
 #include <cstddef>
@@ -11,14 +11,13 @@
 
 namespace tramline {
 
-/// Every bit of ground that is worked in vain or left has one cause. It depends on the strip, and on the
-/// row: the cross-section of the strip at one place along it. A row is full where the subfield takes up
-/// all of its width, and empty where it takes up none.
-///
-/// What straight swaths work outside their own subfield: seams within other subfields, as far as it is
-/// worked there anyway; row ends or sides beyond. What detours work, less what nothing else covers:
-/// detours. What of a subfield no swath covers: the first that its row answers to of detours, stops, short
-/// pieces, row ends (at a passable obstacle), seams, row ends, and sides.
+/// The cause of overlap or uncovered land. Every part of either has exactly one cause. The cause depends on
+/// the strip and on the row, which is the cross-section of the strip at one position along it. A row is full
+/// where the subfield takes up its whole width, and empty where it takes up none.
+/// What straight swaths work outside their own subfield counts as seams where another subfield's swaths work
+/// it anyway, and as row ends or sides elsewhere. What detours work, less the land that nothing else covers,
+/// counts as detours. Land of a subfield that no swath covers counts as the first of these that applies to
+/// its row: detours, stops, short pieces, row ends (at a passable obstacle), seams, row ends, sides.
 enum class Cause {
   /// The boundary passes through the strip: rows between a full one and an empty one, over no more than
   /// kLongestRowEnd widths; and rows into which a passable obstacle reaches.
@@ -31,7 +30,7 @@ enum class Cause {
   kGivenUp,      ///< land given up
   kTurns,
   kSubfields,  ///< every subfield after the first
-  kHeadland,   ///< what headland passes add; nothing of the tracks
+  kHeadland,   ///< what headland passes add, without anything of the tracks
 };
 inline constexpr std::size_t kCauseCount = 10;
 

@@ -1,5 +1,5 @@
 #pragma once
-// A field as admitted: what can be planned on.
+// A field as admitted, fit to be planned.
 
 #include <string>
 #include <vector>
@@ -18,19 +18,19 @@ enum class ObstacleKind {
 struct Obstacle {
   Polygon shape;  ///< local frame, oriented, inside the field's outer ring (clipped to it if need be)
   ObstacleKind kind = ObstacleKind::kObstacle;
-  std::string origin;  ///< place in the input: "hole 3", "pylons.geojson feature 12"
+  std::string origin;  ///< where in the input it comes from: "hole 3", "pylons.geojson feature 12"
 };
 
-/// Where in the user's files a field came from.
+/// The origin of a field in the user's files.
 struct FieldSource {
   std::string file;
   std::string layer;
   long long fid = -1;
   int part = 0;                  ///< 0-based part of a multipolygon
   std::string crs{};             ///< as the user gave it; empty: the file's own
-  std::string input_crs{};       ///< what the coordinates were read in, as Crs::definition(); empty: unknown
+  std::string input_crs{};       ///< CRS the coordinates were read in, as Crs::definition(); empty: unknown
   std::string obstacles_file{};  ///< further obstacles; empty: none
-  double obstacle_size_m = 0;    ///< of points and lines in it
+  double obstacle_size_m = 0;    ///< size given to points and lines in obstacles_file
   std::string passable_file{};
 };
 

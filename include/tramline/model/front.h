@@ -1,6 +1,6 @@
 #pragma once
-// The trade-off between overlap, uncovered land, turns and stops: plans of one field of which none is
-// better than another in everything.
+// The Pareto front of one field: plans that trade overlap, uncovered land, turns and stops against one
+// another, none of them better than another in everything.
 
 #include <cstddef>
 #include <string_view>
@@ -20,8 +20,8 @@ struct FrontPoint {
   double cost = 0;                    ///< at the prices of the front
 };
 
-/// Plans that stand out, as indices into Front::points. Among equals the plan that costs least at the
-/// prices of the front, then the first.
+/// The notable plans of a front, as indices into Front::points. Among equals the plan that costs least at the
+/// prices of the front counts, then the first.
 struct FrontMarks {
   std::size_t least_overlap = 0;
   std::size_t least_uncovered = 0;
@@ -30,23 +30,23 @@ struct FrontMarks {
   std::size_t given_prices = 0;  ///< the cheapest at the prices of the front
 };
 
-/// Ascending in overlap, then in uncovered land, turns and stops. Empty: no front was asked for.
+/// The points ascend in overlap, then in uncovered land, turns and stops. Empty: no front was asked for.
 struct Front {
   Objective prices;
   std::vector<FrontPoint> points;
   FrontMarks marks;
 };
 
-/// Turns and stops together: how often the machine leaves its work.
+/// Turns and stops together: how often the machine interrupts its work.
 constexpr int turns_and_stops(const Tally& tally) { return tally.turns + tally.stops; }
 
-/// What stands out in a point, for people: "least overlap", "knee"; empty for most points.
+/// The marks of a point as words for people: "least overlap", "knee"; empty for most points.
 std::vector<const char*> marks_of(const Front& front, std::size_t point);
 
 /// The mark that marks_of() has this word for; nullptr for any other.
 std::size_t* mark_named(FrontMarks& marks, std::string_view word);
 
-/// The points that are marked, ascending, each once. Empty where the front is.
+/// The indices of the marked points, ascending, each once. Empty for an empty front.
 std::vector<std::size_t> marked_points(const Front& front);
 
 }  // namespace tramline

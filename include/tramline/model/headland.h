@@ -1,5 +1,5 @@
 #pragma once
-// Passes round a field and its obstacles, and the ground they are there for (S2.4).
+// Headlands: passes round a field and its obstacles, and the land they are meant to work (S2.4).
 
 #include <cstddef>
 #include <vector>
@@ -9,14 +9,15 @@
 
 namespace tramline {
 
-/// Closed: it ends where it begins, in the direction it began in. The land that it goes round, or that is
-/// left for further passes, lies on its left: round the field it runs counter-clockwise, round an obstacle
-/// clockwise. Or open: from one end to the other, with the boundary that it follows on its right.
+/// One headland pass. A closed pass ends where it begins, in the direction it began in; the land that it goes
+/// round, or that remains for further passes, lies on its left: round the field it runs counter-clockwise,
+/// round an obstacle clockwise. An open pass runs from one end to the other, with the boundary that it
+/// follows on its right.
 struct HeadlandPass {
   Path path;
   int number = 1;             ///< 1 is the outermost, next to the boundary
   bool around_field = false;  ///< follows the field's boundary somewhere
-  /// Indices into Field::obstacles: those it goes round or follows, increasing.
+  /// Indices into Field::obstacles of those it goes round or follows, ascending.
   std::vector<std::size_t> obstacles;
 
   friend bool operator==(const HeadlandPass& a, const HeadlandPass& b) = default;
@@ -25,23 +26,22 @@ struct HeadlandPass {
 /// Frame: the field's local metres. field = ground ∪ body ∪ obstacles, which do not overlap.
 struct Headland {
   std::vector<HeadlandPass> passes;  ///< by number
-  std::vector<int> obstacle_passes;  ///< how many each obstacle has, by Field::obstacles; 0, also where the
-                                     ///< list ends early: no headland
-  Region ground;  ///< what the passes are there to work: nearer to a boundary than its passes are wide, but
-                  ///< for what none of them works and tracks can
+  std::vector<int> obstacle_passes;  ///< number of passes by index into Field::obstacles; 0, or beyond the
+                                     ///< end of the list: no headland
+  Region ground;  ///< the land the passes are meant to work: all that is nearer to a boundary than its passes
+                  ///< are wide, less what no pass works and tracks can
   double worked_m2 = 0;     ///< Σ width · length of the passes, without what lies on passable obstacles,
                             ///< where the work is interrupted
   double overlap_m2 = 0;    ///< worked outside `ground`, or worked there again
   double uncovered_m2 = 0;  ///< of `ground`: worked_m2 = area(ground) − uncovered_m2 + overlap_m2
-  Region unworked;          ///< `uncovered_m2` as a picture
+  Region unworked;          ///< the land of uncovered_m2, as polygons for display
 };
 
-/// Does the pass end where it begins?
+/// Whether the pass ends where it begins.
 bool is_closed(const HeadlandPass& pass);
 
-/// The ground that a pass works: a ring where it is closed, with flat ends where it is open. Chords stand for
-/// arcs (`sagitta_m`).
-/// Precondition: the swath does not meet itself.
+/// The land that a pass works: a ring for a closed pass, a band with flat ends for an open one. Arcs become
+/// chords (`sagitta_m`). Precondition: the swath does not touch itself.
 Polygon swath(const HeadlandPass& pass, double width_m, double sagitta_m);
 
 /// Length of all passes, m.

@@ -1,5 +1,5 @@
 #pragma once
-// The plane a field is planned in.
+// The plane in which a field is planned.
 
 namespace tramline {
 

@@ -1,6 +1,6 @@
 #pragma once
-// What a plan costs: S = λo·o + λu·u + λt·t + λs·stops + λd·(subfields − 1). With the last two prices 0 it is
-// the cost of Versleijen (2019), eq. 1.
+// The cost of a plan: S = λo·o + λu·u + λt·t + λs·stops + λd·(subfields − 1). With the last two prices at 0
+// it is the cost of Versleijen (2019), eq. 1.
 
 namespace tramline {
 
@@ -18,14 +18,15 @@ struct Objective {
   friend bool operator==(const Objective& a, const Objective& b) = default;
 };
 
-/// S1.8: one of the three weighs 99999, the others 1, stops and subfields nothing: S1 has no price for them.
+/// The scenarios of S1.8: the named quantity weighs 99999, the other two 1; stops and subfields weigh 0,
+/// because S1 has no price for them.
 enum class Scenario { kOverlap, kUncovered, kTurns };
 Objective weights_of(Scenario scenario);
 
 /// Cost of a tally under an objective, in the objective's unit.
 double cost(const Objective& objective, const Tally& tally);
 
-/// The share of the working width at which running on past a soft edge stops to pay:
+/// The share of the working width at which running on past a soft edge stops paying:
 /// λo/(λo+λu), ½ when both are 0 (DESIGN: end rule `cheapest`; ALGORITHMS §0.1 f*).
 double cheapest_share(const Objective& objective);
 

@@ -1,5 +1,5 @@
 #pragma once
-// A plan: every piece the machine drives over a field, and what it amounts to.
+// A plan: every piece the machine drives over a field, with its areas, counts and cost.
 
 #include <cstddef>
 #include <optional>
@@ -23,12 +23,12 @@ namespace tramline {
 /// Where a swath ends at a soft edge that crosses it obliquely (glossary: end rule).
 enum class EndRule { kCentre, kCover, kInside, kCheapest };
 enum class EdgeKind { kSoft, kHard };
-/// Every direction and offset, and the ground divided where that pays; or S1's search.
+/// kBest searches every direction and offset, and divides the land where that pays; kSweep is S1's search.
 enum class Strategy { kBest, kSweep };
-/// How tracks lie: along straight lines, along a curve, or whichever of them costs less.
+/// The shape of tracks: straight, along a curve, or whichever of the two costs less.
 enum class TrackShape { kStraight, kCurved, kAuto };
-/// How tracks along a line are made: each parallel to the line itself and drivable, or as in S2, each from
-/// the one before with all kinks (S2.11 to S2.13), to compare with.
+/// How tracks along a line are made. kParallel: each parallel to the line itself, and drivable. kPaper: as in
+/// S2, each from the one before it with all kinks (S2.11 to S2.13), for comparison.
 enum class TrackConstruction { kParallel, kPaper };
 /// How a cell gets its direction: the long side of the smallest bounding rectangle (S1.12), or
 /// across its least width.
@@ -40,8 +40,8 @@ struct PlanSettings {
   EndRule end_rule = EndRule::kCheapest;
   EdgeKind boundary = EdgeKind::kSoft;  ///< kind of the field's outer ring; obstacles are hard
   CellDirection cell_direction = CellDirection::kRectangle;
-  Angle direction_tolerance = Angle::degrees(0.01);  ///< with Strategy::kBest: finer is not looked for
-  /// S1.22. Directions nearer to one another have no border between them.
+  Angle direction_tolerance = Angle::degrees(0.01);  ///< resolution of directions with Strategy::kBest
+  /// S1.22. Neighbouring cells whose directions differ by less are merged.
   Angle merge_threshold = Angle::degrees(1);
   Angle decomposition_threshold = Angle::degrees(180);  ///< S1.16
   double short_edge_m = 0;     ///< S1.59: corners between edges that are both shorter split nothing
@@ -50,9 +50,9 @@ struct PlanSettings {
   double avoid_threshold_m = -1;  ///< S1.26, with Avoidance::kPaper; negative: the default, w
   double clearance_m = 0;         ///< kept between swaths and obstacles
   int headlands = 0;              ///< passes round the field (S2.4); with any, nothing leaves the field
-  int obstacle_headlands = 0;     ///< passes round each obstacle that tracks do not go round
+  int obstacle_headlands = 0;     ///< passes round each obstacle that tracks do not avoid by detours
   TrackShape shape = TrackShape::kStraight;
-  /// kPaper goes with the end rule cover and a soft boundary, and tracks along a line or a curve.
+  /// kPaper requires the end rule kCover, a soft boundary, and tracks along a line or a curve.
   TrackConstruction tracks = TrackConstruction::kParallel;
   /// Tracks run parallel to this line, local metres, and are numbered from it: it is the border of the
   /// swaths 0 and −1 (S2.6, S2.11, S2.13). Empty: the planner's choice.
@@ -77,21 +77,21 @@ std::optional<TrackShape> track_shape_named(std::string_view word);
 std::optional<TrackConstruction> track_construction_named(std::string_view word);
 std::optional<Passing> passing_named(std::string_view word);
 
-/// In a repair the work goes on over worked ground that is shorter than this along a line, m: what is shorter
+/// In a repair the work goes on over worked land that is shorter than this along a line, m: a shorter break
 /// is not worth switching off for.
 inline constexpr double kLeastBreak_m = 2;
 
-/// What a search proved about the plans it did not make. 0 where the strategy proves nothing: no cost is
-/// less.
+/// What a search proved about the plans it did not make. Where the strategy proves nothing a bound is 0,
+/// which no cost falls below.
 struct Proof {
   double bound = 0;                ///< no plan costs less (docs/bounds.md: the class of plans)
-  double one_direction_cost = 0;   ///< the best plan found with the ground undivided
-  double one_direction_bound = 0;  ///< no such plan costs less
-  bool cut_short = false;          ///< the search was ended before it was through
+  double one_direction_cost = 0;   ///< cost of the best plan found with the land undivided
+  double one_direction_bound = 0;  ///< no plan with the land undivided costs less
+  bool cut_short = false;          ///< the search was ended before it was complete
 };
 
-/// What the figures and layers of a plan count: tracks and headland passes against the land, or, in files of
-/// earlier versions, the tracks against the body alone.
+/// What the figures and layers of a plan count: tracks and headland passes compared with all land or, in
+/// files of earlier versions, tracks alone compared with the body.
 enum class PlanFigures { kTracksAndPasses, kTracks };
 
 /// (cost − bound)/cost; 0 where the cost is 0.
@@ -100,10 +100,10 @@ double gap(double cost, double bound);
 struct Subfield {
   Polygon shape;        ///< may contain passable obstacles
   Direction direction;  ///< of its tracks; where they follow a curve, that of the curve as a whole
-  Path reference{};     ///< what its tracks run parallel to, where they follow a line or a curve; else empty
+  Path reference{};     ///< line its tracks run parallel to, where they follow a line or a curve; else empty
 };
 
-/// A piece that was too short to drive (S1.14); reported, its land counts as uncovered.
+/// A piece that was too short to drive (S1.14). It is reported, and its land counts as uncovered.
 struct DroppedPiece {
   Point start;
   Point end;
@@ -125,15 +125,15 @@ struct Plan {
   std::vector<Subfield> subfields;
   std::vector<TrackPiece> pieces;  ///< in driving order
   std::vector<DroppedPiece> dropped;
-  std::vector<Encounter> encounters;  ///< by subfield, track and place along it
+  std::vector<Encounter> encounters;  ///< by subfield, track and position along it
   PlanFigures figures = PlanFigures::kTracksAndPasses;
-  /// Areas: all swaths and headland passes against the land, which is body and headland; counts and track
-  /// length: of the tracks. Σ width · length of both = area of the land − uncovered + overlap.
+  /// Areas: of all swaths and headland passes compared with the land, which is body and headland. Counts and
+  /// track length: of the tracks alone. Σ width · length of both = area of the land − uncovered + overlap.
   Tally tally;
-  Tally
-      track_tally;   ///< the same for the tracks alone, against the body; need not add up with the headland's
+  /// The same for the tracks alone, against the body; need not add up with the headland's.
+  Tally track_tally;
   double cost = 0;   ///< of `tally`
-  Region overlap;    ///< where work goes beyond the land, or over land worked already
+  Region overlap;    ///< land worked outside the land to work, or worked more than once
   Region uncovered;  ///< land that neither swath nor headland pass covers
   int directions_tried = 0;
   Proof proof;
@@ -141,18 +141,18 @@ struct Plan {
   Front front;  ///< other plans of the field to choose from, where they were asked for
 };
 
-/// What all work of a plan is there to cover: the field less its obstacles, passable ones too; of a repair,
-/// the gaps; with PlanFigures::kTracks, the body. m²
+/// The area that a plan has to cover, m²: the field less its obstacles, passable ones included; of a repair,
+/// the gaps; with PlanFigures::kTracks, the body.
 double land_m2(const Plan& plan);
 
 /// Σ w·L of tracks and passes − (land − uncovered + overlap), m²: 0 but for rounding, whatever the plan
 /// (S2.15).
 double identity_error_m2(const Plan& plan);
 
-/// Is it a plan for what another drive has missed?
+/// Whether it is a plan for the gaps that another drive has left.
 inline bool is_repair(const Plan& plan) { return !plan.worked.empty(); }
 
-/// Does any track follow a curve?
+/// Whether any track follows a curve.
 bool is_curved(const Plan& plan);
 
 /// How many tracks follow a curve, by subfield. Precondition: every piece belongs to a subfield.
@@ -161,7 +161,7 @@ std::vector<int> curved_tracks_by_subfield(const Plan& plan);
 /// "straight", "curved" or, where there are both, "straight and curved".
 const char* kind_of_tracks(const Plan& plan);
 
-/// The lines that tracks follow, each once, in the order of the subfields. O(subfields²).
+/// The reference lines that tracks follow, each once, in the order of the subfields. O(subfields²).
 std::vector<Path> references(const Plan& plan);
 
 /// The line that the tracks of all subfields follow; nullopt where some follow another one, or none.

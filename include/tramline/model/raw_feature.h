@@ -1,5 +1,5 @@
 #pragma once
-// What a vector file says, before anyone has judged it: plain values in the file's own coordinates.
+// The contents of a vector file before admission: plain values in the file's own coordinates.
 
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@ namespace tramline {
 /// One ring as written. Frame: the layer's CRS, traditional GIS order (longitude or easting first).
 struct RawRing {
   std::vector<Point> points;  ///< without the repeated last point
-  bool closed = true;         ///< the file repeated the first point at the end
+  bool closed = true;         ///< whether the file repeated the first point at the end
 };
 
 struct RawPolygon {
@@ -36,7 +36,8 @@ struct RawLayer {
   std::string geometry_type;  ///< as the layer declares it
   std::string crs;            ///< WKT; empty when the file declares none
   std::vector<RawFeature> features;
-  long long matching = 0;  ///< features that match the query; more than features.size() when it had a limit
+  /// Features that match the query; more than features.size() when the query had a limit.
+  long long matching = 0;
 };
 
 /// Whether the format of a file says which way round rings run.

@@ -1,5 +1,5 @@
 #pragma once
-// What the user has to be told: nothing is silently changed or dropped.
+// Reports to the user on changed and unused input: nothing is changed or dropped silently.
 
 #include <string>
 
@@ -10,12 +10,12 @@ namespace tramline {
 /// One repair of the input made by admission.
 struct Repair {
   std::string what;   ///< one sentence: "hole 2 reached outside the field; the outside part was removed"
-  std::string where;  ///< place in the input: "outer ring, vertex 14" or "hole 2"
+  std::string where;  ///< position in the input: "outer ring, vertex 14" or "hole 2"
   Point at;           ///< in the input's own coordinates
   double area_change_m2 = 0;  ///< change of the field's workable area (field minus obstacles)
 };
 
-/// Something of the input that was not used, and why.
+/// A part of the input that was not used, and why.
 struct Skipped {
   std::string what;
   std::string where;

@@ -4,7 +4,7 @@
 
 namespace tramline {
 
-/// What a set of tracks amounts to. Areas in m², lengths in m.
+/// Areas, lengths and counts of a set of tracks. Areas in m², lengths in m.
 /// Identity: worked_m2 = body − uncovered_m2 + overlap_m2.
 struct Tally {
   double worked_m2 = 0;     ///< Σ w·L
@@ -18,7 +18,7 @@ struct Tally {
   int subfields = 0;  ///< those with a piece; a repair has one
 };
 
-/// Subfields that have to be paid for: all but the first.
+/// The number of subfields that cost something: all but the first.
 constexpr int further_subfields(const Tally& tally) { return std::max(0, tally.subfields - 1); }
 
 }  // namespace tramline

@@ -1,5 +1,5 @@
 #pragma once
-// What a machine recorded while it worked: fixes as a log has them, before anything is concluded from them.
+// The log of a machine at work: fixes as recorded, before anything is concluded from them.
 
 #include <bitset>
 #include <cstddef>
@@ -15,8 +15,9 @@
 
 namespace tramline {
 
-/// One section of a machine: what lies between two lines along its way, metres from the middle of the
-/// machine, positive to the left. left_m > right_m; equal where the section has no width, and works nothing.
+/// One section of a machine, given by the offsets of its two ends from the middle of the machine, metres,
+/// positive to the left. left_m > right_m; the two are equal where the section has no width and works
+/// nothing.
 struct Section {
   double left_m = 0;
   double right_m = 0;
@@ -25,16 +26,16 @@ struct Section {
 };
 
 /// The sections of a machine at one time, from left to right; a machine without sections is one section.
-/// None: the machine works nothing.
+/// Empty: the machine works nothing.
 using Boom = std::vector<Section>;
 
-/// As many as ISO 11783-11 condenses into sixteen values (DDI 161-176).
+/// The number of section states that ISO 11783-11 condenses into sixteen values (DDI 161-176).
 inline constexpr std::size_t kMostSections = 256;
 using SectionStates = std::bitset<kMostSections>;
 
 enum class WorkState : std::uint8_t { kUnknown, kOff, kOn };
 
-/// What applied amounts are counted in.
+/// The unit of applied amounts.
 enum class AmountUnit : std::uint8_t { kUnknown, kLitres, kKilograms, kSeeds };
 /// "l", "kg", "seeds"; "" where it is not known.
 const char* name(AmountUnit unit);
@@ -46,13 +47,13 @@ struct Fix {
   Heading heading;                                           ///< NaN: not recorded
   double speed_mps = std::numeric_limits<double>::quiet_NaN();
   double rate_per_ha = std::numeric_limits<double>::quiet_NaN();  ///< applied, in WorkLog::rate_unit
-  int boom = -1;  ///< which of WorkLog::booms; -1: the log does not say how wide the machine worked
+  int boom = -1;  ///< index into WorkLog::booms; -1: the log does not say how wide the machine worked
   WorkState work = WorkState::kUnknown;
   bool has_sections = false;  ///< the states of sections are known
-  SectionStates sections;     ///< working ones, in the order of the boom
+  SectionStates sections;     ///< set for the working ones, in the order of the boom
   int unit = 0;               ///< fixes of different units (machines, rows of one machine) are never joined
-  int shape = -1;             ///< which of WorkLog::shapes it worked; -1: none
-  std::size_t record = 0;     ///< place in the file, from 1: line of a text, record of a binary file
+  int shape = -1;             ///< index into WorkLog::shapes of the shape it worked; -1: none
+  std::size_t record = 0;     ///< position in the file, from 1: line of a text, record of a binary file
 };
 
 /// One record that was not used.
@@ -68,29 +69,29 @@ struct SkippedRecords {
   std::vector<SkippedRecord> listed;
 
   void add(std::size_t record, std::string why);
-  /// Those of another reader, listed behind these.
+  /// Appends those of another reader.
   void add(const SkippedRecords& others);
 };
 
-/// What the machine's own counters grew by over a log. NaN: not recorded.
+/// The increase of the machine's own counters over a log. NaN: not recorded.
 struct MachineCounters {
   double area_m2 = std::numeric_limits<double>::quiet_NaN();
   double distance_m = std::numeric_limits<double>::quiet_NaN();  ///< at work
   double seconds = std::numeric_limits<double>::quiet_NaN();     ///< at work
 
-  /// Whether any was recorded.
+  /// Whether any counter was recorded.
   bool any() const;
-  /// Those of a log that follows. What only one of them has stands as it is.
+  /// Adds the counters of a log that follows. A counter that only one of the two has is kept as it is.
   void add(const MachineCounters& next);
 };
 
-/// Frame of the positions.
+/// The frame of positions.
 enum class Positions : std::uint8_t {
   kLonLat,  ///< WGS 84 longitude and latitude, degrees
-  kLocal,   ///< metres: of the field's frame, or plain ones
+  kLocal,   ///< metres, in the field's frame or in a plain plane
 };
 
-/// What Fix::time_s counts.
+/// The meaning of Fix::time_s.
 enum class Clock : std::uint8_t {
   kNone,   ///< no times
   kUtc,    ///< seconds since 1970-01-01T00:00 UTC (or local time where the log does not say)
@@ -104,17 +105,18 @@ struct WorkLog {
   Positions positions = Positions::kLonLat;
   Clock clock = Clock::kNone;
   AmountUnit rate_unit = AmountUnit::kUnknown;  ///< of Fix::rate_per_ha
-  std::vector<Boom> booms;                      ///< each different one once
+  std::vector<Boom> booms;                      ///< each distinct boom once
   std::vector<Fix> fixes;
-  /// Ground as it was recorded as worked, in the frame of the positions; then every fix has one, and nothing
-  /// is worked between fixes. Oriented.
+  /// Land recorded as worked, as polygons in the frame of the positions. Where there are any, every fix has
+  /// one, and nothing is worked between fixes. Oriented.
   std::vector<Polygon> shapes;
   SkippedRecords skipped;
   MachineCounters counters;
   std::vector<std::string> notes;  ///< what the reader assumed, one sentence each
 };
 
-/// Leaves the fixes for which `fault` is empty, in place and in order; the others are skipped and listed.
+/// Keeps the fixes for which `fault` returns an empty text, in their order; the others are counted as skipped
+/// and listed with the text.
 template <class Fault>
 void skip_faulty(WorkLog& log, Fault fault) {
   auto kept = log.fixes.begin();

@@ -1,5 +1,5 @@
 #pragma once
-// From a field, a machine and an objective to a plan.
+// Planning a field for a machine and an objective.
 
 #include <optional>
 
@@ -12,18 +12,19 @@ namespace tramline {
 /// Plans a field by the strategy of the settings. `threads` 0 uses all cores.
 /// Errors: kBadInput where the machine or the objective is not a number or out of range, or where no
 /// piece of the least length fits (the machine is too wide, or the field too small).
-/// Deterministic: the same plan for any number of threads, unless the progress wants an end before the search
-/// is through; the plan then says so (Proof::cut_short, and a warning).
+/// Deterministic: the plan is the same for any number of threads, unless the progress callback ends the
+/// search early; the plan then says so (Proof::cut_short, and a warning).
 Plan plan_field(const Field& field, const Machine& machine, const Objective& objective,
                 const PlanSettings& settings, int threads = 0, const Progress& progress = {});
 
 struct ExplainedPlan {
   Plan plan;
-  std::optional<Explanation> why;  ///< of straight tracks only: curved ones have no causes to tell
+  /// For straight tracks only: costs of curved tracks are not split into causes.
+  std::optional<Explanation> why;
 };
 
-/// The same plan, and why it is the one where it has straight tracks. Takes longer: runner-ups have to be
-/// laid out.
+/// The same plan and, where its tracks are straight, the explanation why it was chosen. Takes longer:
+/// runner-ups have to be laid out.
 ExplainedPlan plan_and_explain(const Field& field, const Machine& machine, const Objective& objective,
                                const PlanSettings& settings, int threads = 0, const Progress& progress = {});
 

@@ -4,14 +4,14 @@
 
 namespace tramline {
 
-/// What whoever asked for a plan wants of the search.
+/// The answer of a progress callback: whether the search is to go on.
 enum class Demand {
   kGoOn,
-  kEnd  ///< with the best plan there is, or as soon as there is one
+  kEnd  ///< end with the best plan found so far, or as soon as one is found
 };
 
-/// How far a search has come. Called from worker threads, one at a time, also when nothing has changed. What
-/// it throws ends the search without a plan.
+/// A callback that receives the progress of a search. Called from worker threads, one at a time, also when
+/// nothing has changed. An exception from it ends the search without a plan.
 using Progress = std::function<Demand(int done, int total)>;
 
 }  // namespace tramline

@@ -1,5 +1,5 @@
 #pragma once
-// Where a ring that crosses itself leaves it open what it encloses.
+// Land for which a self-crossing ring does not determine whether it is enclosed.
 
 #include "tramline/geometry/polygon/region.h"
 

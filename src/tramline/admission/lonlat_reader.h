@@ -1,5 +1,5 @@
 #pragma once
-// Points of files other than the field's, brought to where the fields are.
+// Converts points of other files than the field's to the coordinates of the fields.
 
 #include <string>
 
@@ -7,12 +7,12 @@
 
 namespace tramline {
 
-/// What follows the last slash.
+/// The part of the path after the last slash.
 std::string file_name(const std::string& path);
 
-/// Brings the points of one feature to longitude and latitude, one after another; plain metres stay as they
-/// are. Throws bad_input naming the subject and the vertex (from 1) for coordinates that are not finite, not
-/// on the globe, or outside the CRS. Refers to the CRS.
+/// Converts the points of one feature to longitude and latitude, one after another; plain metres are kept.
+/// Throws bad_input naming the subject and the vertex (from 1) for coordinates that are not finite, not on
+/// the globe, or outside the CRS. Refers to the CRS.
 class LonlatReader {
  public:
   LonlatReader(const Crs& crs, std::string subject) : crs_(crs), subject_(std::move(subject)) {}

@@ -1,5 +1,5 @@
 #pragma once
-// Step 4: which way the rings run.
+// Step 4: orients the rings.
 
 #include <vector>
 

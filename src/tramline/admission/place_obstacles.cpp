@@ -116,7 +116,7 @@ std::vector<Obstacle> less_obstacles(const std::vector<Obstacle>& passable,
 }  // namespace
 
 void place_obstacles(Field& field, const std::vector<LooseObstacle>& obstacles, double size_m,
-                     std::vector<char>& met) {
+                     std::vector<char>& used) {
   const std::vector<std::size_t> candidates = near(reach(field, size_m), obstacles);
   if (candidates.empty()) return;
   const Crs crs = field.frame.geodetic ? Crs("OGC:CRS84") : Crs();
@@ -128,7 +128,7 @@ void place_obstacles(Field& field, const std::vector<LooseObstacle>& obstacles, 
     RepairLog repair_log(obstacles[i].origin, projection);
     const Region inside = intersection(land_of(obstacles[i], size_m, repair_log), {{field.outer, {}}});
     if (area(inside) <= kNoArea_m2) continue;
-    met[i] = 1;
+    used[i] = 1;
     field.repairs.insert(field.repairs.end(), repair_log.repairs().begin(), repair_log.repairs().end());
     for (const Polygon& piece : inside)
       if (area(piece) > kNoArea_m2)

@@ -1,5 +1,5 @@
 #pragma once
-// Step 1: are the coordinates coordinates, and where do they lie in the field's plane?
+// Step 1: checks the coordinates and projects them to the field's plane.
 
 #include <string>
 
@@ -9,8 +9,8 @@
 
 namespace tramline {
 
-/// What is wrong with an input coordinate, as the end of a sentence ("has the latitude 123.4, beyond 90
-/// degrees"); empty when nothing is.
+/// The fault of an input coordinate, as the end of a sentence ("has the latitude 123.4, beyond 90 degrees");
+/// empty for a valid one.
 std::string coordinate_fault(Point input, const Crs& crs);
 
 /// Checks every vertex of the part. Throws bad_input, starting with `subject`, naming ring and vertex, for

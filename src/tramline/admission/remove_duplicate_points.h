@@ -1,5 +1,5 @@
 #pragma once
-// Step 2: consecutive vertices in the same place.
+// Step 2: removes consecutive vertices at the same position.
 
 #include "tramline/admission/repair_log.h"
 #include "tramline/admission/work_ring.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Step 3: out-and-back edges without width.
+// Step 3: removes out-and-back edges without width.
 
 #include "tramline/admission/repair_log.h"
 #include "tramline/admission/work_ring.h"

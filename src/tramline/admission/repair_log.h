@@ -1,5 +1,5 @@
 #pragma once
-// Book-keeping of one admission: what the feature is called, what was repaired, where.
+// The log of one admission: the name of the feature, and its repairs with their positions.
 
 #include <string>
 #include <vector>
@@ -11,8 +11,8 @@
 
 namespace tramline {
 
-/// Collects repairs of one part of a feature. Places are given in local metres and written down in the
-/// input's own coordinates. Keeps a reference to the projection.
+/// Collects repairs of one part of a feature. Positions are given in local metres and recorded in the input's
+/// own coordinates. Keeps a reference to the projection.
 class RepairLog {
  public:
   /// `subject` starts every refusal: "fields.geojson, feature 'bg/9'". `prefix_m` is the zone prefix that was

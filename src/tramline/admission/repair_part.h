@@ -1,5 +1,5 @@
 #pragma once
-// One polygon of a feature through all steps of repair.
+// Leads one polygon of a feature through all steps of repair.
 
 #include <vector>
 
@@ -9,7 +9,7 @@
 
 namespace tramline {
 
-/// One simple outer ring and what is inside it; several when the ring drawn crosses itself.
+/// One simple outer ring with its obstacles; a ring that crosses itself gives several.
 struct Lobe {
   Ring outer;  ///< simple, counter-clockwise, local metres
   std::vector<Obstacle> obstacles;

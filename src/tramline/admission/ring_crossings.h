@@ -1,5 +1,5 @@
 #pragma once
-// How often a ring crosses itself.
+// Counts the self-crossings of a ring.
 
 #include <cstddef>
 

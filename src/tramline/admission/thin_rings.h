@@ -1,5 +1,5 @@
 #pragma once
-// Step 2: boundaries with far more corners than their shape has.
+// Step 2: thins boundaries with far more corners than their shape needs.
 
 #include <cstddef>
 #include <vector>
@@ -12,11 +12,11 @@ namespace tramline {
 /// A polygon with no more corners than this, holes included, keeps every one of them.
 inline constexpr std::size_t kManyCorners = 5000;
 
-/// No field has more than this.
+/// The most corners of a field, holes included.
 inline constexpr std::size_t kMostCorners = 2 * kManyCorners;
 
-/// Where the rings together have more than kManyCorners corners, leaves corners out so that each ring keeps
-/// within 1 cm of all that it loses, or within 2, 5 or 10 cm, whichever first leaves no more than
+/// Where the rings together have more than kManyCorners corners, removes corners so that each ring stays
+/// within 1 cm of all removed corners, or within 2, 5 or 10 cm, whichever first results in no more than
 /// kManyCorners; noted once for each ring that changes, with the change of its area. Throws a refusal that
 /// names the numbers where even 10 cm leave more than kMostCorners. Time in proportion to the corners, memory
 /// that of the rings.

@@ -1,5 +1,5 @@
 #pragma once
-// Obstacles that overlap become one.
+// Unites obstacles that overlap.
 
 #include <vector>
 
@@ -10,8 +10,8 @@ namespace tramline {
 
 /// Unites obstacles whose interiors overlap by more than kNoArea_m2 (their origins are joined with " + "),
 /// until all are disjoint; obstacles that only touch stay apart. With a repair_log each union is noted as a
-/// repair: the overlap had been counted twice, so the workable area grows by it. A united one
-/// stands where its last member stood. O(n²) box tests.
+/// repair: the overlap had been counted twice, so the workable area grows by it. A united obstacle takes the
+/// position of its last member in the list. O(n²) box tests.
 std::vector<Obstacle> unite_obstacles(std::vector<Obstacle> obstacles, RepairLog* repair_log);
 
 }  // namespace tramline

@@ -7,7 +7,7 @@
 
 namespace tramline {
 
-/// A ring on its way through admission.
+/// A ring during admission.
 struct WorkRing {
   Ring points;              ///< local metres
   std::vector<int> vertex;  ///< number of each point in the input, from 1

@@ -9,7 +9,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// Nobody but the search knows a bound. A bound of 0 claims nothing.
+/// Bounds are known to the search alone. A bound of 0 claims nothing.
 void add_proof(const Plan& plan, Names& out) {
   if (plan.proof.bound != 0) out.emplace_back("proof.bound");
   if (plan.proof.one_direction_cost != 0) out.emplace_back("proof.one_direction_cost");
@@ -18,7 +18,7 @@ void add_proof(const Plan& plan, Names& out) {
   out.emplace_back("directions_tried");
 }
 
-/// What is counted nowhere is multiplied by nothing in the cost.
+/// Prices of things that the plan does not contain have no effect on its cost.
 void add_prices(const Plan& plan, Names& out) {
   if (plan.tally.overlap_m2 == 0) out.emplace_back("objective.overlap");
   if (plan.tally.uncovered_m2 == 0) out.emplace_back("objective.uncovered");
@@ -27,8 +27,7 @@ void add_prices(const Plan& plan, Names& out) {
   if (further_subfields(plan.tally) == 0) out.emplace_back("objective.subfield");
 }
 
-/// Settings that only say how the plan was looked for, and demands that a plan may fulfil by more than it has
-/// to.
+/// Settings that only determine how the plan was searched for, and requirements that a plan may exceed.
 void add_settings(const Plan& plan, Names& out) {
   for (const char* key :
        {"machine.radius_m", "machine.min_length_m", "settings.strategy", "settings.end_rule",

@@ -30,7 +30,7 @@ Verdict verify(const Plan& plan) {
   check_crossings(c, verdict.violations);
   check_encounters(c, verdict.violations);
   check_detours(c, verdict.violations);
-  check_meetings(c, verdict.violations);
+  check_listed_encounters(c, verdict.violations);
   check_ways(c, verdict.violations);
   check_avoidance(c, verdict.violations);
   const Tallies tallies = check_tally(c, stops, verdict.violations);

@@ -1,5 +1,5 @@
 #pragma once
-// Figures of an evaluation that nobody should act on without asking why.
+// Warnings about implausible figures of an evaluation.
 
 #include <string>
 #include <vector>
@@ -8,13 +8,15 @@
 
 namespace tramline::coverage {
 
-/// Beyond this share of the covered ground, repeated ground is more likely a wrong width than bad driving.
+/// A larger share of repeated land in the covered land is more likely due to a wrong width than to bad
+/// driving.
 inline constexpr double kDoubtfulRepeat = 0.5;
-/// The covered ground and the machine's own counter should be no further apart, as a share of the counter.
+/// The largest plausible difference between the covered area and the machine's own counter, as a share of the
+/// counter.
 inline constexpr double kDoubtfulCounter = 0.2;
 
-/// One sentence for each doubt: repeated ground beyond kDoubtfulRepeat, and covered ground further from the
-/// machine's counter than kDoubtfulCounter. None where nothing was counted.
+/// One sentence for each doubt: repeated land beyond kDoubtfulRepeat, and a covered area that differs from
+/// the machine's counter by more than kDoubtfulCounter. The latter is not checked without a counter.
 std::vector<std::string> doubts_on(const CoverageAreas& areas, const MachineCounters& counters,
                                    double width_m);
 

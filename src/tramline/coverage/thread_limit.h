@@ -1,12 +1,12 @@
 #pragma once
-// How many threads put regions together.
+// Limits the number of threads.
 
 #include <memory>
 
 namespace tramline::coverage {
 
-/// While it lives, this process works by as many threads at once; 0: by all there are. What comes of the work
-/// is the same. Of several limits the lowest holds.
+/// While it exists, this process uses at most this number of threads at once; 0: all. Results do not depend
+/// on it. Of several limits the lowest applies.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);

@@ -17,10 +17,10 @@ struct DestroyObject {
 using Context = std::unique_ptr<PJ_CONTEXT, DestroyContext>;
 using Object = std::unique_ptr<PJ, DestroyObject>;
 
-/// A context of its own: silent, and never on the network (the same input gives the same plan).
+/// A new context that prints nothing and never uses the network (the same input gives the same plan).
 Context make_context();
 
-/// What PROJ last complained about in this context.
+/// The last error of PROJ in this context.
 std::string last_error(PJ_CONTEXT* context);
 
 }  // namespace tramline::proj

@@ -1,5 +1,5 @@
 #pragma once
-// How many detours a plan has, and how tight they are.
+// The number of detours of a plan, and their smallest radius.
 
 #include <limits>
 

@@ -1,10 +1,10 @@
 #pragma once
-// How large things may be.
+// Limits on sizes.
 
 namespace tramline {
 
-/// Nothing in a field's local frame lies farther than this from its origin, and no length of a machine
-/// or a plan is larger, m. Beyond it arithmetic overflows sooner or later.
+/// The largest distance from the origin in a field's local frame, and the largest length of a machine or a
+/// plan, m. Beyond it arithmetic overflows sooner or later.
 inline constexpr double kFarthest_m = 1e7;
 
 }  // namespace tramline

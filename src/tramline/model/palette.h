@@ -1,7 +1,7 @@
 #pragma once
 // The colours of plans and evaluations, in pictures and in the styles of their files. Overlap and uncovered
-// land are an orange and a blue that people with any of the common colour deficiencies tell apart; everything
-// else is pale or grey, so that they stand out. What was worked again or missed has the same two.
+// land are an orange and a blue that people with any of the common colour deficiencies can distinguish;
+// everything else is pale or grey, so that they stand out. Land worked again or missed has the same two.
 
 #include <array>
 #include <cstdint>
@@ -33,7 +33,8 @@ inline constexpr Colour kInk = rgb(0x1E2420);
 inline constexpr Colour kFaintInk = rgb(0x5A635C);
 inline constexpr Colour kRule = rgb(0xC9CDC6);
 inline constexpr Colour kFieldColour = rgb(0xF1EFE8);
-/// Under the passes round the field and its obstacles: told from the body by being greyer, not by its hue.
+/// Under the passes round the field and its obstacles: distinguished from the body by being greyer, not by
+/// its hue.
 inline constexpr Colour kHeadlandColour = rgb(0xDEDACF);
 inline constexpr std::uint32_t kHeadlandPassHex = 0x7A4E1D;
 inline constexpr Colour kHeadlandPassColour = rgb(kHeadlandPassHex, 0.9);
@@ -60,21 +61,22 @@ inline constexpr Colour kDetourColour = rgb(kDetourHex);
 inline constexpr Colour kRadiusColour = rgb(kDetourHex, 0.85);
 inline constexpr Colour kDetourRim = rgb(kBackgroundHex, 0.9);
 
-/// What was worked, inside the field and beyond it.
+/// Covered land, inside the field and beyond it.
 inline constexpr std::uint32_t kCoveredHex = 0xBFDDA9;
 inline constexpr std::uint32_t kCoveredOutsideHex = 0xE4F0DA;
 inline constexpr Colour kCoveredColour = rgb(kCoveredHex);
 inline constexpr Colour kCoveredOutsideColour = rgb(kCoveredOutsideHex);
 inline constexpr Colour kCoveredEdge = rgb(0x86AE6B);
 inline constexpr Colour kTwiceHatch = rgb(0x8A3B00);
-/// What may have been worked and was not recorded: a yellow under dark lines, neither worked nor missed.
+/// Land that may have been worked and was not recorded: a yellow under dark lines, unlike worked and missed
+/// land.
 inline constexpr std::uint32_t kNotRecordedHex = 0xF2C500;
 inline constexpr Colour kNotRecordedColour = rgb(kNotRecordedHex);
 inline constexpr Colour kNotRecordedHatch = rgb(0x1E2420, 0.55);
 inline constexpr Colour kWorkedPathColour = rgb(0x26402A, 0.75);
 inline constexpr Colour kIdlePathColour = rgb(0x7B7B7B, 0.8);
 
-/// So many gaps bear a number, the largest.
+/// The number of gaps, the largest, that are numbered.
 inline constexpr int kGapsNumbered = 12;
 
 /// Tints of the subfields, used in turn.

@@ -2,8 +2,7 @@
 
 namespace tramline {
 
-/// The value, in its unit, and 0 for the negative zero of arithmetic, which files and reports would
-/// write as "-0".
+/// The value, with negative zero replaced by 0, because files and reports would write it as "-0".
 constexpr double plain_zero(double value) { return value + 0.0; }
 
 }  // namespace tramline

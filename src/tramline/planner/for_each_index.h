@@ -1,5 +1,5 @@
 #pragma once
-// The one parallel loop of the planner.
+// The parallel loop of the planner.
 
 #include <cstddef>
 #include <functional>
@@ -11,11 +11,12 @@ namespace tramline {
 
 /// Calls body(0) … body(count − 1), each once, in any order and on up to as many threads as the context
 /// allows, and returns when all are done. If calls throw, one of the exceptions is thrown on, and calls not
-/// yet begun may be left out. Reports before each. `body` must be safe to call concurrently.
+/// yet begun may be left out. Reports progress before each. `body` must be safe to call concurrently.
 void for_each_index(std::size_t count, const SearchContext& context,
                     const std::function<void(std::size_t)>& body);
 
-/// The same where a search that has to end may leave calls out, but for body(0). Gives which calls were made.
+/// The same, except that a search that has to end may leave out calls other than body(0). Returns which calls
+/// were made.
 std::vector<bool> for_each_index_until_end(std::size_t count, const SearchContext& context,
                                            const std::function<void(std::size_t)>& body);
 

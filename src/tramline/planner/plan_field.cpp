@@ -39,18 +39,18 @@ Candidate along_guide(const SearchTask& task) {
   const std::vector<Point>& guide = task.settings.guide;
   if (as_in_the_paper(task.settings)) return zhou_plan_along(task, guide);
   const Reference reference = reference_along(task, guide, 0);
-  std::vector<LinedSubfield> grounds;
+  std::vector<LinedSubfield> lined_subfields;
   for (const Polygon& part : task.ground.plannable) {
     const auto subfield = subfield_along(task, part, reference);
     assert(subfield);  // Unmoved, the reference keeps the radii it was smoothed to.
-    grounds.push_back({*subfield, 0});
+    lined_subfields.push_back({*subfield, 0});
   }
-  return candidate_on(task, grounds);
+  return candidate_on(task, lined_subfields);
 }
 
 enum class Explain { kNo, kYes };
 
-/// Of a candidate that stands by itself.
+/// The search result of a single candidate.
 Plan plan_of(const SearchTask& task, Candidate candidate, const SearchContext& context) {
   SearchResult found;
   found.best = std::move(candidate);
@@ -74,7 +74,7 @@ PlanningProblem with_shape(PlanningProblem problem, TrackShape shape) {
   return problem;
 }
 
-/// The straight search, unless preparing the field took it. What is found is taken out of `prepared`.
+/// The result of the straight search, moved out of `prepared` where preparing the field has made it already.
 SearchResult found_on(const SearchTask& task, Preparation& prepared, const SearchContext& context,
                       double no_more_than = kAnyCost) {
   if (!prepared.found) return straight_search(task, context, no_more_than);
@@ -85,8 +85,9 @@ SearchResult found_on(const SearchTask& task, Preparation& prepared, const Searc
 
 /// The cheapest of a straight plan, one along one curve in each part of the ground, and one with curves in
 /// some subfields of the straight one. Which obstacles have headlands is settled for straight and curved
-/// tracks by themselves, unless the settings say so for both. The curves come first, being sooner found: what
-/// costs more is then soon told. To explain a straight plan that has to be told as well.
+/// tracks by themselves, unless the settings say so for both. Curves are searched first because they are
+/// found sooner, so that more expensive straight plans are soon discarded; except to explain a straight plan,
+/// which needs these too.
 ExplainedPlan cheapest_shape(const PlanningProblem& problem, const SearchContext& context, Explain explain) {
   const PlanningProblem curved = with_shape(problem, TrackShape::kCurved);
   const PlanningProblem straight = with_shape(problem, TrackShape::kStraight);

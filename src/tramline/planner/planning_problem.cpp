@@ -10,7 +10,7 @@
 namespace tramline {
 namespace {
 
-/// More tracks than this no field has; the search would never end.
+/// No real field has more tracks than this; the search would never end.
 void require_feasible_size(const Field& field, const Machine& machine) {
   constexpr double kMostTracks = 1e5;
   const Box box = bounds(field.outer);

@@ -1,11 +1,11 @@
 #pragma once
-// What the planner is asked.
+// The problem that the planner solves.
 
 #include "tramline/model/plan.h"
 
 namespace tramline {
 
-/// A field, and what plans for it are made for and by.
+/// A field with the machine, prices and settings to plan it with.
 struct PlanningProblem {
   Field field;
   Machine machine;
@@ -13,9 +13,9 @@ struct PlanningProblem {
   PlanSettings settings;
 };
 
-/// The problem of a request. Where headlands are asked for the field's own boundary is hard, whatever the
-/// settings say. Throws kBadInput as validate_request() does, and where the field is so large that tracks
-/// could not be counted.
+/// The problem of a request. Where headlands are asked for, the field's own boundary is hard, whatever the
+/// settings say. Throws kBadInput as validate_request() does, and where the field is so large that the number
+/// of tracks would overflow.
 PlanningProblem planning_problem(const Field& field, const Machine& machine, const Objective& objective,
                                  const PlanSettings& settings);
 

@@ -18,7 +18,7 @@ bool has_headland(const std::vector<int>& passes, std::size_t obstacle) {
   return obstacle < passes.size() && passes[obstacle] > 0;
 }
 
-/// Those obstacles that may stay when headlands are looked for, by index.
+/// The field with only those obstacles for which `keep` is true; `indices` receives their indices.
 template <class Keep>
 Field with_obstacles(const Field& field, Keep keep, std::vector<std::size_t>& indices) {
   Field out = field;
@@ -44,7 +44,7 @@ Region body_with_passable(const Field& field, const HeadlandTerms& terms, const 
   return headland_of(bare, bare_terms).body;
 }
 
-/// The obstacles without a headland, sorted. The others do not meet tracks, but detours have to keep off
+/// The obstacles without a headland, sorted. Tracks do not reach the others, but detours have to keep off
 /// them.
 ClassifiedGround sorted_bare_obstacles(const PlanningProblem& problem, const std::vector<int>& passes) {
   const Field& field = problem.field;
@@ -59,12 +59,12 @@ ClassifiedGround sorted_bare_obstacles(const PlanningProblem& problem, const std
   return ground;
 }
 
-/// What headlands leave of ground on which the bare obstacles are sorted.
+/// The land inside the headlands, of land on which the bare obstacles are sorted.
 ClassifiedGround ground_behind(const PlanningProblem& problem, const HeadlandTerms& terms,
                                const HeadlandAndBody& headland, ClassifiedGround ground) {
   ground.body = headland.body;
-  // Land given up is the body's affair; what of it is headland no swath enters either, but to end there is no
-  // stop.
+  // Land given up belongs to the body. No swath enters the part of it that is headland either, but an end
+  // there is not a stop.
   const Region in_headland = difference(ground.given_up, headland.body);
   if (!in_headland.empty()) {
     ground.beyond = unite(ground.beyond, in_headland);
@@ -89,12 +89,12 @@ Region hard_field(const PlanningProblem& problem) {
 double short_edge_m(const HeadlandTerms& terms) {
   int most = terms.field_passes;
   for (const int passes : terms.obstacle_passes) most = std::max(most, passes);
-  // Edges of what passes leave lie about the turns of these.
+  // The edges that passes leave run round the turns of the passes.
   const double widest_m = std::max(most * terms.width_m, terms.radius_m + 0.5 * terms.width_m);
   return 2 * std::sqrt(8 * widest_m * kBodySagitta);
 }
 
-/// With the field's own passes, and with these round its obstacles; nullopt where none has room. `bare`:
+/// The field with its own passes and with these round its obstacles; nullopt where none has room. `bare`:
 /// sorted_bare_obstacles().
 std::optional<PreparedField> behind_headlands(const PlanningProblem& problem,
                                               const std::vector<int>& obstacle_passes,
@@ -118,7 +118,7 @@ std::optional<Preparation> only_prepared(std::optional<PreparedField> field) {
   return Preparation{std::move(*field), std::nullopt};
 }
 
-/// By obstacle; none for those that tracks go round.
+/// The number of passes by obstacle; 0 for those that tracks go round.
 std::vector<int> obstacle_passes(const PlanningProblem& problem, const std::vector<bool>& gone_round) {
   std::vector<int> out(problem.field.obstacles.size(), 0);
   for (std::size_t i = 0; i < out.size(); ++i)
@@ -127,7 +127,7 @@ std::vector<int> obstacle_passes(const PlanningProblem& problem, const std::vect
   return out;
 }
 
-/// The obstacles that some track meets and all go round.
+/// The obstacles that some track reaches and all such tracks go round.
 std::vector<bool> gone_round(const SearchTask& task, const Candidate& best) {
   std::vector<bool> met(task.field.obstacles.size(), false), cut = met;
   for (const Encounter& encounter : encounters_of(task, best))
@@ -139,7 +139,8 @@ std::vector<bool> gone_round(const SearchTask& task, const Candidate& best) {
   return met;
 }
 
-/// With a headland round those obstacles that tracks do not go round in the best plan without.
+/// The field with a headland round those obstacles that tracks do not go round in the best plan without
+/// headlands.
 std::optional<Preparation> prepared_by_search(const PlanningProblem& problem, const SearchContext& context) {
   const std::vector<int> no_passes(problem.field.obstacles.size(), 0);
   const bool field_has_passes = problem.settings.headlands > 0;
@@ -154,8 +155,8 @@ std::optional<Preparation> prepared_by_search(const PlanningProblem& problem, co
   if (passes != no_passes)
     return only_prepared(behind_headlands(problem, passes, sorted_bare_obstacles(problem, passes)));
   if (field_has_passes) return Preparation{std::move(*before), std::move(found)};
-  // The search was of the bare field: the same ground, but for the rounding of booleans, and for the corners
-  // that split it.
+  // The search used the bare field: the same land, except for the rounding of boolean operations and for the
+  // corners that split it.
   return only_prepared(behind_headlands(problem, no_passes, bare.ground));
 }
 

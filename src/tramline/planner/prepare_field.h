@@ -1,5 +1,5 @@
 #pragma once
-// A field made ready for its searches: obstacles sorted, headlands taken off (S2.5).
+// Prepares a field for its searches: sorts obstacles and cuts off headlands (S2.5).
 
 #include <optional>
 
@@ -11,30 +11,30 @@
 
 namespace tramline {
 
-/// The field as it is, whatever headlands are asked for.
+/// The field without headlands, whatever the settings ask for.
 PreparedField field_without_headlands(const PlanningProblem& problem);
 
-/// A field ready to be searched, and what has been found on it already.
+/// A field ready to be searched, with the search result already found on it, if any.
 struct Preparation {
   PreparedField field;
-  /// What straight_search() finds on it, where the search that has told which obstacles are gone round was of
-  /// this very field: round the field there are headlands, and round no obstacle. Its steps have not been
-  /// counted.
+  /// The result of straight_search() on this field. It is known where the search that determined which
+  /// obstacles are gone round was made on this same field, that is where the field has headlands and no
+  /// obstacle has. Its steps have not been counted.
   std::optional<SearchResult> found;
 };
 
-/// The field with the headlands that the settings ask for. Obstacles get their passes unless tracks go round
-/// them: those that every track goes round which meets them, in a plan of the same strategy without their
-/// headlands. Where settings_decide_headlands() none is gone round. Where the passes take the whole field
-/// there is no body, and so there are no tracks. nullopt where not even one pass has room.
+/// The field with the headlands that the settings ask for. An obstacle gets its passes unless tracks go round
+/// it, that is unless in a plan of the same strategy without obstacle headlands every track that reaches it
+/// goes round it. Where settings_decide_headlands() none is gone round. Where the passes cover the whole
+/// field there is no body, and so there are no tracks. nullopt where there is no room for even one pass.
 std::optional<Preparation> prepare_field(const PlanningProblem& problem, const SearchContext& context);
 
-/// What to tell a user for whom not even one pass has room.
+/// The error for a field without room for even one pass.
 Error no_room(const PlanningProblem& problem);
 
-/// Do the settings alone say which obstacles have headlands, and not what tracks do there? Under the end rule
-/// `cover`, which leaves nothing, where all tracks are cut, with curved tracks, and where no obstacle is to
-/// have any.
+/// Whether the settings alone determine which obstacles have headlands, independently of the tracks. They do
+/// under the end rule `cover`, which leaves no land uncovered, where all tracks are cut, with curved tracks,
+/// and where no obstacle is to have a headland.
 bool settings_decide_headlands(const PlanningProblem& problem);
 
 }  // namespace tramline

@@ -19,7 +19,7 @@ std::int64_t now_ns() {
 
 }  // namespace
 
-/// The progress of a search, and what it has last been told and answered.
+/// The callback of a search, with the counts it last received and its last answer.
 class SearchContext::SharedProgress {
  public:
   explicit SharedProgress(Progress progress) : progress_(std::move(progress)) {}

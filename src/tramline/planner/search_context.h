@@ -1,5 +1,5 @@
 #pragma once
-// What a search is run with: threads, and whoever asked for it, who is told of its progress and may end it.
+// The context of a search: its threads, and the callback that receives its progress and may end it.
 
 #include <memory>
 
@@ -7,37 +7,38 @@
 
 namespace tramline {
 
-/// Passed down to everything that takes long. Copies belong to the same search: they share its progress, and
-/// the wish that it end. Safe to use from several threads at once. It does not change what a search finds,
-/// unless the progress wants an end.
+/// Passed down to everything that takes long. Copies belong to the same search: they share its progress and
+/// the request to end it. Safe to use from several threads at once. It does not change what a search finds,
+/// unless the progress callback ends the search.
 class SearchContext {
  public:
-  /// `threads` 0: as many as there are cores. Without a progress nobody ends the search.
+  /// `threads` 0: as many as there are cores. Without a progress callback the search runs to its end.
   explicit SearchContext(int threads = 0, Progress progress = {});
 
   int threads() const { return threads_; }
 
-  /// For a step of the search that is one of many done at the same time.
+  /// A context for one of many steps of the search that run at the same time.
   SearchContext on_one_thread() const;
-  /// For a search within the search: its steps are not those that the progress is told of.
+  /// A context for a search within the search, whose steps are not reported to the callback.
   SearchContext uncounted() const;
 
-  /// So many of all steps are done: tells the progress at once.
+  /// Sets how many of all steps are done and calls the callback at once.
   void count(int done, int total) const;
-  /// Tells the progress the last counts again, at most some fifty times a second and never twice at once. To
-  /// be called now and then by everything that takes long: what the progress throws ends the search here.
+  /// Calls the callback with the last counts again, at most some fifty times a second and never twice at
+  /// once. Everything that takes long has to call this now and then: an exception from the callback ends the
+  /// search here.
   void report() const;
-  /// Is the search to end with what it has? Reports. Whoever is told so has to leave out what could still
-  /// better the plan.
+  /// Whether the search is to end with what it has. Reports. A caller that receives true has to skip whatever
+  /// could still improve the plan.
   bool has_to_end() const;
-  /// Has has_to_end() said so to anyone?
+  /// Whether has_to_end() has returned true to any caller.
   bool cut_short() const;
 
  private:
   class SharedProgress;
   int threads_;
   bool counts_ = true;
-  std::shared_ptr<SharedProgress> shared_;  ///< none: nobody is to be told
+  std::shared_ptr<SharedProgress> shared_;  ///< null: there is no callback
 };
 
 }  // namespace tramline

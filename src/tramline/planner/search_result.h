@@ -1,5 +1,5 @@
 #pragma once
-// What a search hands to the planner.
+// The result that a search passes to the planner.
 
 #include <limits>
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace tramline {
 
-/// As the most that plans may cost: no limit.
+/// No limit on the cost of plans.
 inline constexpr double kAnyCost = std::numeric_limits<double>::infinity();
 
-/// A plan the search has laid out and tallied on its way.
+/// A plan that the search has laid out and tallied.
 struct SeenPlan {
-  std::vector<LinedSubfield> grounds;  ///< candidate_on() makes the plan of it again
-  std::vector<Direction> directions;   ///< of the subfields that have tracks
+  std::vector<LinedSubfield> lined_subfields;  ///< input from which candidate_on() makes the plan again
+  std::vector<Direction> directions;           ///< of the subfields that have tracks
   Tally tally;
   double cost = 0;
 };
@@ -22,8 +22,8 @@ struct SeenPlan {
 SeenPlan seen_plan(const Candidate& candidate);
 
 /// One candidate of the sweep.
-struct SweptGround {
-  std::vector<LinedSubfield> grounds;
+struct SweptCandidate {
+  std::vector<LinedSubfield> lined_subfields;
   Outlook outlook;
 };
 
@@ -31,11 +31,11 @@ struct SearchResult {
   Candidate best;
   int directions_tried = 0;
   Proof proof;                 ///< of tracks on the body, headland passes left out
-  std::vector<SeenPlan> seen;  ///< of the whole field, in the order in which they were looked at
-  /// Plans of the whole field, undivided, that were priced and looked good; seen or not.
+  std::vector<SeenPlan> seen;  ///< plans of the whole field, in the order in which they were tried
+  /// Undivided plans of the whole field that were priced and looked good, whether in `seen` or not.
   std::vector<std::vector<LinedSubfield>> shortlist;
-  std::vector<SweptGround> swept;  ///< every candidate of the sweep
-  /// The best plan found that leaves the ground undivided, where the best of all divides it.
+  std::vector<SweptCandidate> swept;  ///< every candidate of the sweep
+  /// The best plan found that leaves the land undivided, where the best of all divides it.
   std::vector<LinedSubfield> undivided;
 };
 

@@ -29,12 +29,12 @@ void require_width(double value) {
         fmt::format("the working width must be more than 0 and at most {} m, not {}", kFarthest_m, value));
 }
 
-/// Negative: the default.
+/// A negative value stands for the default.
 void require_metres_or_default(double value, const char* what) {
   if (!(std::isfinite(value) && value < 0)) require_metres(value, 0, kFarthest_m, what);
 }
 
-/// What S2's own tracks know nothing of.
+/// Refuses settings that S2's construction does not support.
 void require_paper_rules(const PlanSettings& settings) {
   if (settings.end_rule != EndRule::kCover)
     throw bad_input(fmt::format(
@@ -50,7 +50,7 @@ void require_paper_rules(const PlanSettings& settings) {
 }  // namespace
 
 void require_metres(double value, double least, double most, const char* what) {
-  // Written so that NaN lies nowhere.
+  // Written so that NaN is refused.
   if (!(value >= least && value <= most))
     throw bad_input(fmt::format("the {} must lie between {} and {} m, not at {}", what, least, most, value));
 }

@@ -39,7 +39,7 @@ void warn_of_given_up_land(const Plan& plan, std::vector<std::string>& out) {
                   area(plan.given_up)));
 }
 
-/// Passes that were asked for round the field and had no room, and plans that are passes alone.
+/// Warns of requested passes round the field that had no room, and of plans that consist of passes alone.
 void warn_of_narrow_ground(const Plan& plan, std::vector<std::string>& out) {
   int most = 0;
   for (const HeadlandPass& pass : plan.headland.passes)
@@ -61,7 +61,7 @@ void warn_of_dropped_pieces(const Plan& plan, std::vector<std::string>& out) {
                             noun, min_length_m(plan.machine), total));
 }
 
-/// A machine that has just turned needs about that much to straighten up and work.
+/// The distance that a machine needs after a turn to straighten up and work, about.
 void warn_of_short_pieces(const Plan& plan, std::vector<std::string>& out) {
   const double least_m = 2 * plan.machine.radius_m + plan.machine.width_m;
   const auto is_short = [least_m](const TrackPiece& piece) { return length(piece) < least_m; };

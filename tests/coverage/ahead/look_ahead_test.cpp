@@ -78,7 +78,7 @@ TEST_F(Slanted, ThresholdsAndLatencies) {
 }
 
 TEST_F(Slanted, WhatIsTooLateIsCommandedNow) {
-  motion_.place = {50, 46};  // the left section lost half of its width half a metre back
+  motion_.position = {50, 46};  // the left section lost half of its width half a metre back
   SwitchRule rule;
   rule.off_latency_s = 0.5;
   const auto ahead = look_ahead(coverage_, field_, motion_, boom_, {4, SectionState{true, {}}}, rule);
@@ -100,7 +100,7 @@ TEST_F(Slanted, ACommandUnderWayIsNotGivenAgain) {
 
 TEST_F(Slanted, AMachineThatStandsSwitchesNothingAndKnowsWhatItStandsOver) {
   motion_.speed_mps = 0;
-  motion_.place = {50, 60};
+  motion_.position = {50, 60};
   const auto ahead = look_ahead(coverage_, field_, motion_, boom_, {4, SectionState{true, {}}}, {});
   for (const SectionAhead& section : ahead) {
     EXPECT_FALSE(section.next);
@@ -244,7 +244,7 @@ void for_random_scenes(int standard, Check check) {
 /// Of a section, at a distance ahead.
 double measured(const Scene& scene, const Section& section, double ahead_m) {
   const Point ahead = scene.motion.heading.unit(), left{-ahead.y, ahead.x};
-  const Point middle = scene.motion.place + ahead_m * ahead;
+  const Point middle = scene.motion.position + ahead_m * ahead;
   return open_share(scene.drive, middle + section.right_m * left, middle + section.left_m * left);
 }
 

@@ -1,17 +1,17 @@
 #pragma once
-// What the sections of a machine come to, and how they are to be switched, as plain values.
+// The land ahead of the sections of a machine, and how the sections are to be switched, as plain values.
 
 #include <optional>
 
 namespace tramline::coverage {
 
-/// How sections are switched. A section that is off goes on where at least `on_from` of its width needs work;
-/// one that is on goes off where less than `off_below` of it does. Between the two it stays as it is.
+/// The rule for switching sections. A section that is off goes on where at least `on_from` of its width needs
+/// work; one that is on goes off where less than `off_below` of it does. Between the two it stays as it is.
 struct SwitchRule {
   double on_from = 0.5;
   double off_below = 0.5;
   double on_latency_s = 0;   ///< from the command to the work
-  double off_latency_s = 0;  ///< from the command to its end
+  double off_latency_s = 0;  ///< from the command to the end of work
   double horizon_s = 5;      ///< how far ahead to look
 };
 
@@ -19,30 +19,30 @@ struct SwitchRule {
 /// longer than the latencies.
 void require_sensible(const SwitchRule& rule);
 
-/// A section to be switched.
+/// A switch of one section.
 struct Switch {
-  bool on = false;       ///< what to
-  double ahead_m = 0;    ///< where
-  double effect_s = 0;   ///< from now until it is there; not before a command given now works
-  double command_s = 0;  ///< from now until the command has to be given: earlier by the latency
+  bool on = false;       ///< the new state
+  double ahead_m = 0;    ///< distance ahead at which it takes effect
+  double effect_s = 0;   ///< time from now until the section is there; not less than the latency
+  double command_s = 0;  ///< time from now until the command has to be given: earlier by the latency
 };
 
-/// What the middle of a section lies over.
+/// The kind of land that the middle of a section lies over.
 enum class Over {
-  kOpen,      ///< ground that needs work
+  kOpen,      ///< land that needs work
   kWorked,    ///< worked already
   kOutside,   ///< beyond the field
   kObstacle,  ///< in a hole of the field
 };
 const char* name(Over over);  ///< open, worked, outside, obstacle
 
-/// One section, now and soon.
+/// The state of one section, now and in the near future.
 struct SectionAhead {
   bool on = false;  ///< now
   double need = 0;  ///< share of its width that needs work, now
   Over over = Over::kOpen;
   std::optional<Switch> next;
-  Over next_over = Over::kOpen;  ///< there
+  Over next_over = Over::kOpen;  ///< at the next switch
 };
 
 }  // namespace tramline::coverage

@@ -1,5 +1,5 @@
 #pragma once
-// From a drive, or from what one covered, to how much was applied where (S3.16).
+// Dose maps: the amount applied by a drive, or on the land that one covered (S3.16).
 
 #include "tramline/coverage/dose/dose_settings.h"
 #include "tramline/coverage/evaluate.h"
@@ -8,16 +8,18 @@
 
 namespace tramline::coverage {
 
-/// What a drive laid: every quad's amount (quad_amount.h) over its ground (slabs.h, lay_slab.h), so that the
-/// sum of all cells is what was sprayed; ground worked twice gets twice as much. Field id, field, frame and
-/// unit are the caller's. Throws kBadInput as evaluate() does, for a log with work and without rates where no
-/// nominal one is given, for one without times where a nominal speed is, for a bad pattern, and for too many
-/// cells. O(cells the quads meet, and evaluate()). The same whatever the threads.
+/// The dose map of a drive: the amount of each quad (quad_amount.h) is spread over its land (slabs.h,
+/// lay_slab.h), so that the sum of all cells is the amount sprayed; land worked twice gets twice as much. The
+/// caller sets field id, field, frame and unit. Throws kBadInput as evaluate() does, for a log with work and
+/// without rates where no nominal one is given, for one without times where a nominal speed is, for a bad
+/// pattern, and for too many cells. O(cells that the quads overlap, and evaluate()). The result is the same
+/// for any number of threads.
 DoseMap dose(WorkLog log, const Region& field, const DoseSettings& settings, const FixProgress& progress);
 
-/// The same of ground whose drive is not known: the nominal rate as often as it was worked. Ground worked
-/// three times or more counts as often as the areas say on average. Throws kBadInput without a nominal rate,
-/// where it was not counted or not drawn how often ground was worked, and for too many cells.
+/// The same where the drive is not known: the nominal rate as many times as land was worked. Land worked
+/// three times or more counts with the average number that follows from the areas. Throws kBadInput without a
+/// nominal rate, where the coverage lacks the areas or regions of how often land was worked, and for too many
+/// cells.
 DoseMap dose(const Coverage& coverage, const DoseSettings& settings);
 
 }  // namespace tramline::coverage

@@ -7,13 +7,13 @@
 namespace tramline::io {
 
 /// Writes an evaluation as a GeoPackage with the layers field, covered, repeated, missed, not_recorded,
-/// multiplicity, gaps and track, and the attribute tables metadata, layer_styles (how QGIS is to draw them,
-/// as our pictures do) and, where there are any, slices; empty layers exist too. Nothing is simplified.
+/// multiplicity, gaps and track, and the attribute tables metadata, layer_styles (styles for QGIS that match
+/// the pictures drawn here) and, where there are any, slices; empty layers exist too. Nothing is simplified.
 ///
 /// The polygons of field, covered, repeated, missed, not_recorded and of each multiplicity are sorted by
-/// area, the largest first; of equal ones, that whose bounding box begins further west, then further south,
-/// then as they come. A line of one place is written as twice that place; one of none has no shape. What is
-/// not known (NaN) is NULL in tables and empty in metadata.
+/// area, the largest first; among equals the one whose bounding box begins further west, then further south,
+/// then in their given order. A line of one point is written as that point twice; an empty line has no shape.
+/// Unknown values (NaN) are NULL in tables and empty in metadata.
 ///
 /// Coordinates are those of a plan file: for a geodetic frame the local metres in a transverse Mercator on
 /// WGS 84 defined in the file; for a plain frame the input plane (local metres plus the frame's origin), in

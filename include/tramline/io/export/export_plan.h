@@ -12,10 +12,11 @@ namespace tramline::io {
 struct ExportRequest {
   std::filesystem::path plan;  ///< a plan file
   std::filesystem::path file;  ///< its extension chooses the format
-  std::string crs;  ///< "source", "wgs84" or what Crs takes; empty: as the format has it, see below
-  std::vector<std::string> layers;  ///< of the plan file; empty: tracks, all with shapes in Shapefiles
-  double tolerance_m = 0.02;        ///< see below; 0: every vertex stays
-  std::string field{};              ///< key or id of a field in a file of many plans; empty: all of them
+  std::string crs;  ///< "source", "wgs84" or a definition for Crs; empty: the format's default, see below
+  /// Layers of the plan file; empty: tracks, or all with shapes in Shapefiles.
+  std::vector<std::string> layers;
+  double tolerance_m = 0.02;  ///< see below; 0: every vertex is kept
+  std::string field{};        ///< key or id of a field in a file of many plans; empty: all of them
 };
 
 struct ExportedLayer {
@@ -25,7 +26,7 @@ struct ExportedLayer {
 
 struct ExportReport {
   ExportFormat format = ExportFormat::kGeoJson;
-  std::string field_id;  ///< the first, where there are several
+  std::string field_id;  ///< that of the first field, where there are several
   std::size_t fields = 1;
   std::string crs;  ///< for people: "WGS 84 (EPSG:4326)"
   std::vector<ExportedLayer> layers;
@@ -34,16 +35,18 @@ struct ExportReport {
 
 /// Writes layers of a plan file to a file that other programs read: GeoJSON (RFC 7946) and KML in WGS 84,
 /// FlatGeobuf and zipped Shapefiles in the CRS the field was given in, unless the request names another.
-/// Lines and outlines run within `tolerance_m` of those in the plan file and have no more vertices than that
-/// takes; the field and its obstacles keep all of theirs. Features keep their order, and all columns are kept
-/// but `path` and `detours`, which mean nothing elsewhere (a count of the detours stands in their place).
+/// Lines and outlines stay within `tolerance_m` of those in the plan file and have no more vertices than that
+/// requires; the field and its obstacles keep all of theirs. Features keep their order, and all columns are
+/// kept except `path` and `detours`, which only tramline can read (they are replaced by the number of
+/// detours).
 ///
 /// The same plan file gives the same bytes; times inside follow time_of_files(). The file is written whole
 /// or not at all.
 ///
-/// Throws Error(kBadInput) where the tolerance is not from 0 to 10 m, the plan file is missing or no plan,
-/// the extension unknown, a layer unknown, without shapes or too many, everything asked for empty, or the CRS
-/// not possible (TargetCrs); Error(kFailure) where the file cannot be written. O(n) in vertices.
+/// Throws Error(kBadInput) where the tolerance is not from 0 to 10 m, the plan file is missing or not a plan,
+/// the extension unknown, a layer unknown or without shapes, the layers too many for the format, all
+/// requested layers empty, or the CRS not possible (TargetCrs); Error(kFailure) where the file cannot be
+/// written. O(n) in vertices.
 ExportReport export_plan(const ExportRequest& request);
 
 }  // namespace tramline::io

@@ -7,14 +7,14 @@
 
 namespace tramline::io {
 
-/// A field as write_field() wrote it.
+/// A field as written by write_field().
 struct StoredField {
-  Field field;       ///< to the bit; in a plain frame, which is shifted, to 1e-9 m
+  Field field;       ///< bit-identical; in a plain frame, which is shifted, to 1e-9 m
   Metadata remarks;  ///< without their prefix
 };
 
-/// Throws Error(kBadInput) naming the file, and the layer and feature at fault, where the file is missing,
-/// cut off, no field, or holds a value of another kind. O(n).
+/// Reads a field file. Throws Error(kBadInput) naming the file, and the layer and feature at fault, where the
+/// file is missing, truncated, not a field file, or holds a value of the wrong type. O(n).
 StoredField read_field(const std::filesystem::path& path);
 
 }  // namespace tramline::io

@@ -1,5 +1,5 @@
 #pragma once
-// The logs of a file, and its jobs: which of them belong together.
+// The logs of a file, and its jobs: groups of logs that belong together.
 
 #include <limits>
 #include <string>
@@ -14,15 +14,15 @@ struct LogEntry {
   std::string name;       ///< for LogOptions::log: "TLG00001"; empty for files that are one log
   std::string task_id;    ///< "TSK1"; empty outside task sets
   std::string task_name;  ///< designator of the task
-  std::string field_id;   ///< partfield it was recorded on: "PFD-2"; empty when the task names none
+  std::string field_id;   ///< partfield it was recorded on: "PFD-2"; empty if the task names none
 };
 
-/// What belongs together of a file of logs.
+/// The logs of a file that belong together.
 struct LogJob {
   WorkLog log;
-  std::vector<LogEntry> entries;     ///< the logs it is made of; none for files that are one log
-  std::vector<std::string> devices;  ///< as the file calls them
-  Clock clock = Clock::kNone;        ///< of the log, also where that was moved away
+  std::vector<LogEntry> entries;     ///< the logs it consists of; empty for files that are one log
+  std::vector<std::string> devices;  ///< names of the devices in the file
+  Clock clock = Clock::kNone;        ///< clock of the log, kept when `log` has been moved out
   double from_s = std::numeric_limits<double>::quiet_NaN();  ///< see WorkLog::clock
   double to_s = std::numeric_limits<double>::quiet_NaN();
 };

@@ -5,8 +5,8 @@
 
 namespace tramline::io {
 
-/// What has no shape, as keys and values: the table `metadata` of our files. Sorted by key. Numbers carry as
-/// many digits as it takes to read the same bits back.
+/// Data without shapes as keys and values: the table `metadata` of tramline's files. Sorted by key. Numbers
+/// have as many digits as are needed to restore the same bits.
 using Metadata = std::map<std::string, std::string>;
 
 /// The name of that table.

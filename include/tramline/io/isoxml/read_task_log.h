@@ -1,5 +1,5 @@
 #pragma once
-// Time logs of ISOXML task sets (ISO 11783-10, annex D).
+// Reads the time logs and partfields of ISOXML task sets (ISO 11783-10, annex D).
 
 #include <string>
 #include <vector>
@@ -10,22 +10,22 @@
 
 namespace tramline::io {
 
-/// The time log called `log` of a task set, or all of them in the order of its tasks, each with a unit of its
+/// The time log named `log` of a task set, or all of them in the order of its tasks, each with a unit of its
 /// own. `path`: see TaskFiles::open(). Throws bad_input for a task set without time logs, for a name that is
 /// not among them (listing those there are), for a log whose header or records are missing, and when no
 /// record has a possible position. O(size).
 WorkLog read_task_log(const std::string& path, const std::string& log);
 
-/// The same, each job by itself (fixes/job_groups.h), in the order of their first logs: with a name given,
-/// the one job of that log. Logs without a possible position are left out, which the first job tells. Throws
-/// like read_task_log(). O(size).
+/// The same, each job by itself (fixes/job_groups.h), in the order of their first logs; with a name given,
+/// only the job of that log. Logs without a possible position are left out, which the notes of the first job
+/// report. Throws like read_task_log(). O(size).
 std::vector<LogJob> read_task_jobs(const std::string& path, const std::string& log);
 
-/// The time logs of a task set; of a folder without TASKDATA.XML, those that lie in it cannot be listed.
+/// The time logs of a task set. Those in a folder without TASKDATA.XML cannot be listed.
 std::vector<LogEntry> list_task_logs(const std::string& path);
 
 /// The partfields of a task set as fields: layer "partfields" with one feature for each, called by its
-/// identifier ("PFD1"), and layer "obstacles" where there are some. What cannot be read is put into
+/// identifier ("PFD1"), and layer "obstacles" where there are some. Anything that cannot be read is listed in
 /// `skipped`. Throws bad_input like TaskFiles::open(), and when there is no partfield with a boundary.
 /// O(size).
 RawDataset read_partfields(const std::string& path);

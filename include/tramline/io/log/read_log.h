@@ -1,5 +1,5 @@
 #pragma once
-// Any log of a machine as a WorkLog: the format is recognised from the file itself.
+// Reads any log of a machine as a WorkLog; the format is recognised from the file itself.
 
 #include <string>
 #include <vector>
@@ -9,10 +9,10 @@
 
 namespace tramline::io {
 
-/// What the file does not say.
+/// Information that the file does not contain.
 struct LogOptions {
-  /// Which column of a text, or attribute of a vector file, is what: "lon=Xcoord,lat=Ycoord,time=T". Columns
-  /// not named here are found by their common names (docs/logs.md).
+  /// The meaning of columns of a text, or of attributes of a vector file: "lon=Xcoord,lat=Ycoord,time=T".
+  /// Columns not named here are found by their common names (docs/logs.md).
   std::string columns;
   /// CRS of x and y (anything Crs understands); positions come out as longitude and latitude. "none": plain
   /// metres. Empty: degrees where x and y can be degrees, plain metres otherwise.
@@ -30,9 +30,10 @@ struct LogOptions {
 /// expands to more than kMostExpanded bytes, and a file without any usable fix. Prints nothing. O(size).
 WorkLog read_log(const std::string& path, const LogOptions& options = {});
 
-/// The same, job by job: logs of a task set that are of other fields, machines or days are jobs of their own
-/// (job_groups.h), and so are the tracks of a GPX file. Every other file is one job. At least one. The name
-/// of a job of several is that of the file and its logs. Throws bad_input like read_log.
+/// The same, job by job: logs of a task set from different fields, machines or days are separate jobs
+/// (job_groups.h), and so are the tracks of a GPX file. Every other file is one job. The result is not empty.
+/// Where there are several jobs, the name of each is that of the file and its logs. Throws bad_input like
+/// read_log.
 std::vector<LogJob> read_jobs(const std::string& path, const LogOptions& options = {});
 
 /// The logs of an ISOXML task set in the order of its tasks; one entry without a name for other files.

@@ -10,10 +10,10 @@ namespace tramline::io {
 
 /// Writes a plan as a GeoPackage with the layers field, obstacles, body, headland, given_up, subfields,
 /// headland_passes, tracks, swaths, overlap, uncovered, headland_unworked, dropped and encounters, and the
-/// attribute tables metadata and layer_styles (how QGIS is to draw them, as our pictures do); empty layers
-/// exist too. A plan with a front has the attribute table front as well, a repair the layer worked. Curved
-/// tracks, those with detours and headland passes are drawn as chords (kChordSagitta) and have their exact
-/// path as text.
+/// attribute tables metadata and layer_styles (styles for QGIS that match the pictures drawn here); empty
+/// layers exist too. A plan with a front has the attribute table front as well, a repair the layer worked.
+/// Curved tracks, those with detours and headland passes are drawn as chords (kChordSagitta) and have their
+/// exact path as text.
 ///
 /// Coordinates: for a geodetic frame the field's local metres in a transverse Mercator on WGS 84
 /// defined in the file; for a plain frame the input plane (local metres plus the frame's origin), in

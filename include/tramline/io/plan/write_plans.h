@@ -6,24 +6,24 @@
 
 namespace tramline::io {
 
-/// A plan file that is to go into a file of many.
+/// A plan file to be included in a file of many plans.
 struct KeptPlan {
-  std::string key;  ///< of its field; no two are alike
+  std::string key;  ///< key of its field; no two are alike
   std::filesystem::path file;
 };
 
-/// Puts plans into one GeoPackage: the layers and tables of write_plan(), each with all rows of all plans, in
+/// Writes plans to one GeoPackage: the layers and tables of write_plan(), each with all rows of all plans, in
 /// the order given, and with the columns field_key and field_id before all others. Empty layers exist too.
 ///
 /// Coordinates: the plane of each field is its own, so shapes are put into one transverse Mercator on WGS 84
 /// centred on all fields (those in plain metres: into the input's own plane, as in a plan file), from which
-/// read_plan_file() brings them back to 1e-7 m; texts of paths stay as they are, to the bit. Which plane that
-/// is stands in metadata, under the key `collection` and an empty field_key.
+/// read_plan_file() restores them to 1e-7 m; texts of paths stay bit-identical. That plane is recorded in
+/// metadata, under the key `collection` and an empty field_key.
 ///
 /// The same plan files give the same bytes. The file is written whole or not at all; one plan is in memory at
-/// a time. Throws Error(kBadInput) where a file is no plan, where some are in plain metres and some on earth,
-/// and where they lie too far apart for one plane; Error(kFailure) where the file cannot be written.
-/// Precondition: plans is not empty. O(n) in vertices.
+/// a time. Throws Error(kBadInput) where a file is not a plan, where some are in plain metres and others
+/// georeferenced, and where they lie too far apart for one plane; Error(kFailure) where the file cannot be
+/// written. Precondition: plans is not empty. O(n) in vertices.
 void write_plans(const std::vector<KeptPlan>& plans, const std::filesystem::path& path);
 
 }  // namespace tramline::io

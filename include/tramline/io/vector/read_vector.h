@@ -1,5 +1,5 @@
 #pragma once
-// Any vector file, zip or database that OGR can open, as plain values.
+// Reads any vector file, zip or database that OGR can open, as plain values.
 
 #include <optional>
 #include <string>
@@ -12,7 +12,7 @@ namespace tramline::io {
 struct VectorQuery {
   std::string file;
   std::string layer;             ///< empty: the one layer with polygons
-  bool layer_is_hint = false;    ///< without a layer of that name read as if none had been named
+  bool layer_is_hint = false;    ///< if there is no layer of that name, read as if none had been named
   std::string where;             ///< OGR attribute filter, for example "crop = 'wheat'"; empty: all
   std::optional<long long> fid;  ///< only the feature with this number
   long long limit = -1;          ///< stop after so many features of a layer; negative: read all
@@ -20,7 +20,7 @@ struct VectorQuery {
 };
 
 /// Reads the features in file order. Arcs become chords of at most 1 degree (area error below 0.006 %).
-/// Throws bad_input, in one sentence, for: a missing file, a file that is no vector file or is cut off,
+/// Throws bad_input, in one sentence, for: a missing file, a file that is not a vector file or is truncated,
 /// an unknown layer (naming those found), several layers with polygons and no choice, a filter OGR does not
 /// understand, and a result without any feature. Prints nothing. O(size of the file).
 RawDataset read_vector(const VectorQuery& query);

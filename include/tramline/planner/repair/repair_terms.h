@@ -5,7 +5,7 @@
 
 namespace tramline {
 
-/// What repairs are laid for.
+/// The machine, prices and end rule of a repair.
 struct RepairTerms {
   Machine machine;
   Objective objective;

@@ -1,5 +1,5 @@
 #pragma once
-// One picture of how much was applied where.
+// The picture of a dose map.
 
 #include <filesystem>
 
@@ -16,7 +16,7 @@ namespace tramline::render {
 /// file cannot be written. O(cells).
 void draw_dose(const DoseMap& map, const std::filesystem::path& path, const PictureOptions& options = {});
 
-/// Where draw_dose() puts things: maps a place of the field to its pixel.
+/// The layout used by draw_dose(); its view maps a point of the field to its pixel.
 PageLayout layout_of(const DoseMap& map, const PictureOptions& options = {});
 
 }  // namespace tramline::render

@@ -1,12 +1,12 @@
 #pragma once
-// Where things go on the page. All page coordinates are pixels, x right, y down.
+// The layout of a page. All page coordinates are pixels, x right, y down.
 
 #include "tramline/geometry/polygon/region.h"
 #include "tramline/model/plan.h"
 
 namespace tramline::render {
 
-/// From the field's frame to the page: one scale, north up.
+/// The transformation from the field's frame to the page: one scale, north up.
 struct MapView {
   Point centre_m;   ///< the point of the field's frame in the middle of the map
   Point centre_px;  ///< the middle of the map on the page
@@ -37,8 +37,8 @@ PageLayout lay_out_page(const Box& drawn_m, int width_px, const std::vector<doub
 /// The box round everything a plan draws, m: field, swaths, dropped pieces.
 Box drawn_box(const Plan& plan);
 
-/// The column each legend block goes to, for blocks put one after the other into the column that is
-/// shortest so far (the leftmost of equals).
+/// The column of each legend block, where blocks are put one after the other into the column that is shortest
+/// so far (the leftmost among equals).
 std::vector<int> columns_of_blocks(const std::vector<double>& block_heights, int columns);
 
 }  // namespace tramline::render

@@ -1,5 +1,5 @@
 #pragma once
-// One picture of a plan.
+// The picture of a plan.
 
 #include <filesystem>
 
@@ -12,7 +12,7 @@ struct PictureOptions {
   int width_px = 1600;  ///< from 600 to 16000; the height follows from the field's shape
 };
 
-/// Throws bad_input for a width that no picture has.
+/// Throws bad_input for a width out of range.
 void require_picture_width(const PictureOptions& options);
 
 /// Draws the plan to a PNG, SVG or PDF by the file's extension, north up: field, headland and its passes,
@@ -22,7 +22,7 @@ void require_picture_width(const PictureOptions& options);
 /// the file cannot be written.
 void draw_plan(const Plan& plan, const std::filesystem::path& path, const PictureOptions& options = {});
 
-/// Where draw_plan() puts things: maps a place of the field to its pixel.
+/// The layout used by draw_plan(); its view maps a point of the field to its pixel.
 PageLayout layout_of(const Plan& plan, const PictureOptions& options = {});
 
 }  // namespace tramline::render

@@ -1,5 +1,5 @@
 #pragma once
-// One picture of a front: a chart of its points, and its plans that stand out.
+// The picture of a front: a chart of its points, and its marked plans.
 
 #include <filesystem>
 #include <vector>

@@ -50,10 +50,10 @@ void compare_regions(const Region& planned, const Region& input, const char* nam
   if (amount > tolerance)
     out.push_back({Rule::kField,
                    fmt::format("{} of the plan and of the input differ by {:.3f} m²", name, amount),
-                   place_on_largest(off), amount});
+                   point_on_largest(off), amount});
 }
 
-/// What admission did to the field and said of it: the same input is treated the same.
+/// Compares the repairs and warnings of admission: the same input has to give the same ones.
 void compare_reports(const Field& planned, const Field& input, std::vector<Violation>& out) {
   const auto same = [](const Repair& a, const Repair& b) { return a.what == b.what && a.where == b.where; };
   if (!std::equal(planned.repairs.begin(), planned.repairs.end(), input.repairs.begin(), input.repairs.end(),

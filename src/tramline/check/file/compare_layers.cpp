@@ -31,8 +31,9 @@ double distance_to_outline(Point p, const Ring& ring) {
   return out;
 }
 
-/// Largest distance between corresponding corners. Of rings that have not as many: between a corner of
-/// one and the outline of the other, less what arcs cut into other chords may differ by.
+/// Largest distance between corresponding corners. For rings with different numbers of corners: between a
+/// corner of one and the outline of the other, less the possible difference of arcs divided into other
+/// chords.
 double apart(const Ring& a, const Ring& b) {
   if (b.empty()) return std::numeric_limits<double>::infinity();
   double out = 0;

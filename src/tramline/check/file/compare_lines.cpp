@@ -14,18 +14,18 @@ namespace {
 
 constexpr double kOff_m = 2 * kChordSagitta;
 
-/// A place on a path: a segment, and the point of it.
+/// A position on a path: a segment, and a point on it.
 struct Station {
   std::size_t segment = 0;
   Point at;
 };
 
-/// Goes along a path with the vertices of a line that is to show it. All in the frame of the piece.
+/// Follows a path with the vertices of a line that should show it. All in the frame of the piece.
 class Walk {
  public:
   explicit Walk(const Path& path) : path_(path), at_{0, path.front().from} {}
 
-  /// The next vertex: is it on the path ahead, and the chord to it as near to all of the path between?
+  /// Whether the next vertex is on the path ahead, and the chord to it is near to all of the path between.
   bool goes_on_to(Point vertex) {
     for (std::size_t k = at_.segment; k < path_.size(); ++k) {
       if (distance_to_edge(path_[k], vertex, vertex) > kOff_m) continue;
@@ -37,7 +37,7 @@ class Walk {
     return false;
   }
 
-  /// Is nothing left of the path?
+  /// Whether the end of the path is reached.
   bool is_over() const {
     for (std::size_t k = at_.segment; k < path_.size(); ++k)
       if (distance(path_[k].to, at_.at) > kOff_m) return false;
@@ -75,7 +75,7 @@ class Walk {
   Station at_;
 };
 
-/// Where a line first leaves the path, as the index of a vertex; nullopt where it shows all of it.
+/// The index of the vertex at which a line first leaves the path; nullopt where it shows the whole path.
 std::optional<std::size_t> first_astray(const std::vector<Point>& line, const Path& path) {
   if (line.empty() || distance(line.front(), path.front().from) > kSaidTwice) return 0;
   Walk walk(path);
@@ -117,7 +117,7 @@ Bend worst_bend(const Path& line, double curvature) {
   return worst;
 }
 
-/// Somebody who edits the drawing means the drawing.
+/// Checks a line that does not agree with the path as if it were driven: it may have been edited on purpose.
 void judge_line(const Case& c, std::size_t index, const std::vector<Point>& line, Violations& out) {
   const std::string name = "the line stored for " + piece_name(index);
   const Path path = path_along(line);

@@ -17,7 +17,7 @@
 namespace tramline::check {
 namespace {
 
-/// A number that a warning has to give. Amounts are rounded in sentences, and found here by other means.
+/// A number that a warning has to state. Amounts are rounded in sentences, and computed here by other means.
 struct ExpectedFigure {
   double value = 0;
   bool is_count = false;

@@ -7,11 +7,11 @@
 
 namespace tramline::check {
 
-/// Does the plan warn of what there is to warn of, with the right figures, and of nothing else that can be
-/// told from it: land that stays unworked, swaths beyond the boundary, land given up, headland passes without
-/// room, tracks that are none, dropped and short pieces, and what was said of the field? Figures may be off
-/// by one in their last digit. Rule "warnings". Nothing is asked of files of earlier versions.
-/// Precondition: verify(plan).complete. O(v·n) for v vertices of overlap and n of the field.
+/// Checks that the plan has all warnings that follow from it, with the right figures, and no others of these
+/// kinds: land that stays unworked, swaths beyond the boundary, land given up, headland passes without room,
+/// a plan without tracks, dropped and short pieces, and warnings about the field. Figures may be off by one
+/// in their last digit. Rule "warnings". Files of earlier versions are not checked. Precondition:
+/// verify(plan).complete. O(v·n) for v vertices of overlap and n of the field.
 std::vector<Violation> compare_warnings(const Plan& plan);
 
 }  // namespace tramline::check

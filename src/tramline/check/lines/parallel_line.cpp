@@ -10,9 +10,9 @@
 namespace tramline::check {
 namespace {
 
-/// What the line does at a place is asked so near to it where it begins or ends just there, m.
+/// The line at a position where it begins or ends is evaluated this near to it, m.
 constexpr double kBeside_m = 2 * kLengthTolerance_m;
-/// The first step from an edge to where the line is beside it for sure, m; the next ones are longer.
+/// The first step from an edge to where the line is certainly beside it, m; further steps are longer.
 constexpr double kFirstStep_m = 1e-6;
 constexpr double kSharpestCorner = 2 * std::numbers::pi / 3;
 
@@ -45,7 +45,7 @@ bool ParallelLine::is_driven(double along_m) const {
   return reference_.keeps_off(reference_.beside(along_m, far_m), far_m);
 }
 
-/// Between a place where something holds and one where it does not.
+/// The last position at which something holds, between one where it holds and one where it does not.
 template <class Holds>
 double ParallelLine::last_that(Holds holds, double holds_m, double not_m) const {
   for (int i = 0; i < 60 && std::abs(not_m - holds_m) > kShortest_m; ++i) {
@@ -106,7 +106,7 @@ std::optional<double> ParallelLine::nearest_that_fits(double from_m, Way way) co
   return std::nullopt;
 }
 
-/// Where the disc fits again, if that is hardly further on than a place where it all but does.
+/// The position where the disc fits again, if that is hardly further on than one where it nearly fits.
 double ParallelLine::edge_behind(double along_m, Way way) const {
   if (fits(along_m)) return along_m;
   for (double step_m = kFirstStep_m; step_m < 0.1; step_m *= 4) {
@@ -119,7 +119,7 @@ double ParallelLine::edge_behind(double along_m, Way way) const {
 
 std::optional<double> ParallelLine::other_foot(double edge_m, Way way) const {
   const double far_m = off_m_ + least_radius_m_;
-  // A little further the other place is nearer; the flatter the corner, the further.
+  // A little further on the other position is nearer; the flatter the corner, the further.
   for (double further_m = kFirstStep_m; further_m < 0.1; further_m *= 10) {
     const double there_m = edge_m + (way == Way::kForwards ? further_m : -further_m);
     if (there_m < 0 || there_m > reference_.length_m()) return std::nullopt;
@@ -138,7 +138,7 @@ std::optional<ParallelLine::Corner> ParallelLine::corner_from(double edge_m) con
   Corner out{edge_m, *other, reference_.beside(edge_m, off_m_ + least_radius_m_), {}};
   const double turn = right_turn(reference_.heading_at(edge_m), reference_.heading_at(*other));
   if (turn < -kSameHeading || turn > kSharpestCorner + kSameHeading) return std::nullopt;
-  // A side that has room for the disc before a narrow place, too, is not entered behind that.
+  // A side that also has room for the disc before a narrow stretch is not entered behind that stretch.
   const Stretch entered = stretch(*other, Way::kBackwards);
   if (entered.last_wide_m && *entered.last_wide_m < *other - kBeside_m) return std::nullopt;
   const Point from = reference_.beside(edge_m, off_m_), to = reference_.beside(*other, off_m_);
@@ -167,12 +167,12 @@ std::optional<ParallelLine::Corner> ParallelLine::corner_with(Point p, double al
   return has_it(corner) ? corner : std::nullopt;
 }
 
-TrackPlace ParallelLine::beside(double along_m) const {
+TrackPosition ParallelLine::beside(double along_m) const {
   return {reference_.beside(along_m, off_m_), reference_.heading_at(along_m), along_m, 0, false};
 }
 
-/// Rounding must not put a place beyond the edge of where the line goes on.
-TrackPlace ParallelLine::settled(const Foot& foot) const {
+/// Rounding must not put a position beyond the end of the stretch.
+TrackPosition ParallelLine::settled(const Foot& foot) const {
   if (fits(foot.along_m)) return beside(foot.along_m);
   const double low_m = std::max(0.0, foot.along_m - kBeside_m);
   const double high_m = std::min(reference_.length_m(), foot.along_m + kBeside_m);
@@ -182,7 +182,7 @@ TrackPlace ParallelLine::settled(const Foot& foot) const {
   return beside(foot.along_m);
 }
 
-std::optional<TrackPlace> ParallelLine::place_of(Point p) const {
+std::optional<TrackPosition> ParallelLine::position_of(Point p) const {
   const Foot foot = reference_.foot_of(p, off_m_ + least_radius_m_ + kLengthTolerance_m);
   if (std::isinf(foot.off_m) || !foot.on_right || foot.off_m < off_m_ - kLengthTolerance_m)
     return std::nullopt;
@@ -190,13 +190,13 @@ std::optional<TrackPlace> ParallelLine::place_of(Point p) const {
   if (beside_it && !foot.square) return std::nullopt;
   if (beside_it && fits(settled(foot).along_m)) return settled(foot);
   const auto corner = corner_with(p, foot.along_m);
-  // The first decimetre of an arc is hardly off the side that it leaves.
+  // The first decimetre of an arc hardly deviates from the side that it leaves.
   if (beside_it && !(corner && corner->from_m < foot.along_m && foot.along_m < corner->to_m))
     return settled(foot);
   if (!corner) return std::nullopt;
   const Point outwards = (1 / distance(p, corner->centre)) * (p - corner->centre);
-  return TrackPlace{p, right_of(outwards), corner->from_m, round_of(corner->arc.front(), corner->centre, p),
-                    true};
+  return TrackPosition{p, right_of(outwards), corner->from_m,
+                       round_of(corner->arc.front(), corner->centre, p), true};
 }
 
 bool ParallelLine::rolls_round_corner(const PathSegment& arc, Point on_arc) const {
@@ -220,7 +220,7 @@ bool ParallelLine::rolls_round_corner(const PathSegment& arc, Point on_arc) cons
   return false;
 }
 
-Walk ParallelLine::walk(const TrackPlace& from, const TrackPlace& to) const {
+Walk ParallelLine::walk(const TrackPosition& from, const TrackPosition& to) const {
   const bool comes_back = before(to, from);
   Walk out;
   bool came_back = false;

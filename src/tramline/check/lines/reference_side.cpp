@@ -19,7 +19,7 @@ double distance_to(const Box& box, Point p) {
                     std::max({box.min_y - p.y, 0.0, p.y - box.max_y}));
 }
 
-/// How far along a segment the place on it nearest to a point is.
+/// The distance along a segment of its nearest position to a point.
 double along_of(const PathSegment& segment, Point p) {
   const double whole_m = length(segment);
   if (segment.straight())
@@ -32,7 +32,7 @@ double along_of(const PathSegment& segment, Point p) {
   return std::min(along_m, whole_m);
 }
 
-/// Does an end of the line lie on a segment that does not lead to it?
+/// Whether an end of the line lies on a segment other than the one that leads to it.
 bool end_touches(const Path& line) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     const double first_m = i > 0 ? distance_to_edge(line[i], line.front().from, line.front().from) : 1;
@@ -86,7 +86,7 @@ Foot ReferenceSide::foot_of(Point p, double within_m) const {
   if (nearest == line_.size()) return out;
   const double on_segment_m = along_of(line_[nearest], p);
   const Point heading = heading_on(line_[nearest], on_segment_m);
-  const Point across = p - check::place_on(line_[nearest], on_segment_m);
+  const Point across = p - check::point_on(line_[nearest], on_segment_m);
   out.along_m = starts_m_[nearest] + on_segment_m;
   out.off_m = off_m;
   out.on_right = cross(heading, across) < 0;
@@ -118,7 +118,7 @@ Point ReferenceSide::heading_at(double along_m) const {
 Point ReferenceSide::beside(double along_m, double off_m) const {
   const std::size_t i = segment_at(along_m);
   const double on_segment_m = along_m - starts_m_[i];
-  return check::place_on(line_[i], on_segment_m) + off_m * right_of(heading_on(line_[i], on_segment_m));
+  return check::point_on(line_[i], on_segment_m) + off_m * right_of(heading_on(line_[i], on_segment_m));
 }
 
 double ReferenceSide::curvature_at(double along_m) const { return line_[segment_at(along_m)].curvature; }
@@ -128,8 +128,8 @@ void ReferenceSide::append_beside(double from_m, double to_m, double off_m, Path
     const PathSegment& segment = line_[i];
     const double first_m = std::max(0.0, from_m - starts_m_[i]);
     const double last_m = std::min(to_m, starts_m_[i + 1]) - starts_m_[i];
-    const Point from = check::place_on(segment, first_m) + off_m * right_of(heading_on(segment, first_m));
-    const Point to = check::place_on(segment, last_m) + off_m * right_of(heading_on(segment, last_m));
+    const Point from = check::point_on(segment, first_m) + off_m * right_of(heading_on(segment, first_m));
+    const Point to = check::point_on(segment, last_m) + off_m * right_of(heading_on(segment, last_m));
     if (distance(from, to) <= kJoint_m) continue;
     out.push_back({from, to, segment.straight() ? 0 : 1 / (1 / segment.curvature + off_m)});
   }

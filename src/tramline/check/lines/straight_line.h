@@ -1,24 +1,25 @@
 #pragma once
-// The line of a straight track: endless, and measured exactly.
+// The line of a straight track: infinite, and measured exactly.
 
 #include <optional>
 
-#include "tramline/check/lines/track_place.h"
+#include "tramline/check/lines/track_position.h"
 
 namespace tramline::check {
 
-/// Through a point, in a heading. Places are counted from the point.
+/// A line through a point in a heading. Positions are measured from the point.
 class StraightLine {
  public:
   /// Precondition: the heading is a unit vector.
   StraightLine(Point through, Point heading);
 
-  /// The place across from a point, however far off.
-  TrackPlace foot_of(Point p) const;
-  /// Where a point lies on the line, or so near to it as kLengthTolerance_m; nullopt where it is off it.
-  std::optional<TrackPlace> place_of(Point p) const;
-  /// Forwards from one place to another; the line ends where the second lies behind.
-  Walk walk(const TrackPlace& from, const TrackPlace& to) const;
+  /// The position straight across from a point, however far off.
+  TrackPosition foot_of(Point p) const;
+  /// The position of a point on the line, to within kLengthTolerance_m; nullopt where the point is off the
+  /// line.
+  std::optional<TrackPosition> position_of(Point p) const;
+  /// Walks forwards from one position to another; the walk ends as kLineEnded where the second lies behind.
+  Walk walk(const TrackPosition& from, const TrackPosition& to) const;
 
  private:
   Point through_;

@@ -4,18 +4,18 @@
 
 namespace tramline::check {
 
-std::optional<TrackPlace> TrackLine::place_of(Point p) const {
-  return std::visit([p](const auto& line) { return line.place_of(p); }, line_);
+std::optional<TrackPosition> TrackLine::position_of(Point p) const {
+  return std::visit([p](const auto& line) { return line.position_of(p); }, line_);
 }
 
-Walk TrackLine::walk(const TrackPlace& from, const TrackPlace& to) const {
+Walk TrackLine::walk(const TrackPosition& from, const TrackPosition& to) const {
   return std::visit([&](const auto& line) { return line.walk(from, to); }, line_);
 }
 
 std::optional<Path> TrackLine::between(Point from, Point heading, Point to) const {
-  const std::optional<TrackPlace> first = place_of(from), last = place_of(to);
+  const std::optional<TrackPosition> first = position_of(from), last = position_of(to);
   if (!first || !last) return std::nullopt;
-  // On a straight line there is one way between two places, in whatever heading it is left.
+  // On a straight line there is one way between two positions, whatever the heading at the first.
   const bool back =
       std::holds_alternative<StraightLine>(line_) ? before(*last, *first) : dot(heading, first->heading) < 0;
   Walk way = back ? walk(*last, *first) : walk(*first, *last);

@@ -1,5 +1,5 @@
 #pragma once
-// The line of one track, straight or curved: where it would be driven if nothing stood in its way.
+// The line of one track, straight or curved: its course if there were no obstacles.
 
 #include <optional>
 #include <variant>
@@ -9,23 +9,24 @@
 
 namespace tramline::check {
 
-/// What rules ask of the line of a track, whatever its shape. Of a parallel it refers to the reference, which
-/// has to outlive it.
+/// The queries of rules about the line of a track of any shape. For a parallel it refers to the reference,
+/// which has to outlive it.
 class TrackLine {
  public:
   explicit TrackLine(const StraightLine& line) : line_(line) {}
   explicit TrackLine(const ParallelLine& line) : line_(line) {}
 
-  /// Where a point lies on the line, up to kLengthTolerance_m; nullopt where it is off it.
-  std::optional<TrackPlace> place_of(Point p) const;
-  /// Forwards from one place to another: passed where a corner leaves the second out. A line that comes back
-  /// to where it began is followed once round.
-  Walk walk(const TrackPlace& from, const TrackPlace& to) const;
-  /// What is driven along the line from one point to another; nullopt where it does not lead from the one to
-  /// the other. Points may be a millimetre off. Which way along a curve is told by the heading at the first:
-  /// such a line may be closed.
+  /// The position of a point on the line, to within kLengthTolerance_m; nullopt where the point is off the
+  /// line.
+  std::optional<TrackPosition> position_of(Point p) const;
+  /// Walks forwards from one position to another; the walk ends as kPassed where a corner skips the second. A
+  /// closed line is followed at most once round.
+  Walk walk(const TrackPosition& from, const TrackPosition& to) const;
+  /// The path along the line from one point to another; nullopt where the line does not lead from the one to
+  /// the other. Points may be a millimetre off. On a curve, which may be closed, the heading at the first
+  /// point determines the direction.
   std::optional<Path> between(Point from, Point heading, Point to) const;
-  /// Could the line come back to where it began?
+  /// Whether the line could be closed.
   bool may_close() const;
 
  private:

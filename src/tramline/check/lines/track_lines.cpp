@@ -11,7 +11,7 @@
 namespace tramline::check {
 namespace {
 
-/// A path that parallels can be made of: sound, no tighter than tracks, without kinks.
+/// Whether parallels can be made of the path: sound, no tighter than tracks, without kinks.
 bool can_be_followed(const Path& reference, double least_radius_m) {
   if (!fault_of(reference).empty() || smallest_radius(reference) < least_radius_m * (1 - kRadiusShare))
     return false;
@@ -21,7 +21,8 @@ bool can_be_followed(const Path& reference, double least_radius_m) {
   return true;
 }
 
-/// Ends and middles of all segments, and places a quarter of the width apart, or as near as so many can be.
+/// Sampling positions: ends and middles of all segments, and positions a quarter of the width apart, or as
+/// close as their largest number allows.
 std::vector<double> looks_along(const Path& reference, double width_m) {
   constexpr double kMost = 1e6;
   const double step_m = std::max(0.25 * width_m, length(reference) / kMost);

@@ -18,8 +18,8 @@ struct ArcEdge {
   double last = 0;
 };
 
-/// Inside and outside are told this far left of the cross-section, and followed from there. Its own end will
-/// not do: an edge of the land may run along it from one end of the arc to the other.
+/// Inside and outside are determined this far left of the cross-section, and followed from there. Its own end
+/// is not suitable: an edge of the land may run along it from one end of the arc to the other.
 constexpr double kBeyond_m = 1.37e-3;
 
 /// One arc of a path over a piece of land.
@@ -40,23 +40,23 @@ class Spokes {
         keep_near(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0], near);
   }
 
-  /// Between two neighbouring places the same edges meet the swath, and what lies just beyond its left side
-  /// is inside all the way or not at all.
+  /// Between two neighbouring positions the same edges cross the swath, and the strip just beyond its left
+  /// side is inside all the way or not at all.
   void look_between(double from_m, double to_m) {
     const double first = angle_at(from_m), last = angle_at(to_m);
     met_.clear();
     for (const ArcEdge& edge : edges_)
       if (edge.last >= first && edge.first <= last) met_.push_back(edge);
-    const Point beyond = place(0.5 * (from_m + to_m), -half_ - kBeyond_m);
+    const Point beyond = point_at(0.5 * (from_m + to_m), -half_ - kBeyond_m);
     inside_beyond_ = false;
     for (const Ring& ring : rings_)
       if (contains(ring, beyond)) inside_beyond_ = !inside_beyond_;
   }
 
-  /// Length of the cross-section at s, between these places, that lies inside.
+  /// Length of the cross-section at s, between these positions, that lies inside.
   double inside_at(double s) const {
     const double whole_m = 2 * half_ + kBeyond_m;
-    const Point from = place(s, -half_ - kBeyond_m), along = place(s, half_) - from;
+    const Point from = point_at(s, -half_ - kBeyond_m), along = point_at(s, half_) - from;
     cuts_.clear();
     for (const ArcEdge& edge : met_) {
       const double side_a = cross(along, edge.a - from), side_b = cross(along, edge.b - from);
@@ -78,7 +78,7 @@ class Spokes {
   }
 
   /// Where the length inside may bend or jump, sorted, with both ends of the arc.
-  std::vector<double> places() const {
+  std::vector<double> positions() const {
     std::vector<double> out{0, length_};
     for (const ArcEdge& edge : edges_) {
       keep(edge.a, out);
@@ -104,7 +104,7 @@ class Spokes {
   void keep_near(Point a, Point b, const Box& near) {
     if (!intersects(bounds(a, b), near)) return;
     const auto [first, last] = std::minmax({angle_of(a), angle_of(b)});
-    // What passes behind the centre meets no spoke, or all of them.
+    // An edge behind the centre crosses no spoke, or all of them.
     const bool behind = last - first > std::numbers::pi;
     constexpr double kAll = 4;
     edges_.push_back({a, b, behind ? -kAll : first - kRounding, behind ? kAll : last + kRounding});
@@ -119,7 +119,7 @@ class Spokes {
     const double angle = sense_ * s / radius_, c = std::cos(angle), sine = std::sin(angle);
     return {first_.x * c - first_.y * sine, first_.x * sine + first_.y * c};
   }
-  Point place(double s, double right_m) const {
+  Point point_at(double s, double right_m) const {
     return centre_ + (1 + sense_ * right_m / radius_) * spoke(s);
   }
   void keep_on(const ArcEdge& edge, double share, std::vector<double>& out) const {
@@ -147,7 +147,8 @@ class Spokes {
   mutable std::vector<double> cuts_;  ///< scratch
 };
 
-/// Where between two places, one on either side of what is required, the length inside is that.
+/// The position between two others, one on either side of the required length, where the length inside equals
+/// it.
 double crossing(const Spokes& spokes, double below, double above, double required_m) {
   constexpr int kHalvings = 30;
   for (int i = 0; i < kHalvings; ++i) {
@@ -161,14 +162,14 @@ void add_along_arc(Spokes spokes, double required_m, double begin_m, LongestStre
   constexpr int kLooks = 8;
   // As near to where it may jump as rounding allows.
   constexpr double kBeside = 1e-6;
-  const std::vector<double> places = spokes.places();
-  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    const double gap = places[i + 1] - places[i];
+  const std::vector<double> positions = spokes.positions();
+  for (std::size_t i = 0; i + 1 < positions.size(); ++i) {
+    const double gap = positions[i + 1] - positions[i];
     if (gap <= kNoStretch_m) continue;
-    spokes.look_between(places[i], places[i + 1]);
-    double before_at = places[i], before = spokes.inside_at(before_at + kBeside * gap);
+    spokes.look_between(positions[i], positions[i + 1]);
+    double before_at = positions[i], before = spokes.inside_at(before_at + kBeside * gap);
     for (int k = 1; k <= kLooks; ++k) {
-      const double at = k == kLooks ? places[i + 1] : places[i] + gap * k / kLooks;
+      const double at = k == kLooks ? positions[i + 1] : positions[i] + gap * k / kLooks;
       const double inside = spokes.inside_at(k == kLooks ? at - kBeside * gap : at);
       if (before < required_m || inside < required_m) {
         const double from = before < required_m ? before_at : crossing(spokes, at, before_at, required_m);

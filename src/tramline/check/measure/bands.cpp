@@ -27,9 +27,9 @@ class AlignedBand {
     for (double k = std::ceil((from + shortest) / step); k * step < to - shortest; ++k)
       angles.push_back(k * step);
     angles.push_back(to);
-    for (const double angle : angles) ring_.push_back(place(angle, outer_m));
+    for (const double angle : angles) ring_.push_back(point_at(angle, outer_m));
     for (auto angle = angles.rbegin(); angle != angles.rend(); ++angle)
-      ring_.push_back(place(*angle, inner_m));
+      ring_.push_back(point_at(*angle, inner_m));
     if (sense_ < 0) std::reverse(ring_.begin(), ring_.end());
   }
 
@@ -46,7 +46,7 @@ class AlignedBand {
     while (step > widest) step *= 0.5;
     return step;
   }
-  Point place(double angle, double radius_m) const {
+  Point point_at(double angle, double radius_m) const {
     return centre_ + radius_m * Point{std::cos(angle), sense_ * std::sin(angle)};
   }
 
@@ -126,7 +126,7 @@ Point heading_on(const PathSegment& segment, double along_m) {
   return {first.x * c - first.y * s, first.x * s + first.y * c};
 }
 
-Point place_on(const PathSegment& segment, double along_m) {
+Point point_on(const PathSegment& segment, double along_m) {
   if (segment.straight())
     return segment.from + (along_m / distance(segment.from, segment.to)) * (segment.to - segment.from);
   const double half_angle = 0.5 * along_m * segment.curvature;
@@ -183,7 +183,7 @@ Path begun_later(const Path& path, double by_m) {
       by_m = std::max(0.0, by_m - length_m);
       continue;
     }
-    out.push_back({by_m > 0 ? place_on(segment, by_m) : segment.from, segment.to, segment.curvature});
+    out.push_back({by_m > 0 ? point_on(segment, by_m) : segment.from, segment.to, segment.curvature});
     by_m = 0;
   }
   return out;
@@ -193,10 +193,10 @@ Path shortened(const Path& path, double by_m) {
   return reversed(begun_later(reversed(begun_later(path, by_m)), by_m));
 }
 
-Point place_on(const Path& path, double along_m) {
+Point point_on(const Path& path, double along_m) {
   for (const PathSegment& segment : path) {
     const double length_m = length(segment);
-    if (along_m <= length_m) return place_on(segment, along_m);
+    if (along_m <= length_m) return point_on(segment, along_m);
     along_m -= length_m;
   }
   return path.back().to;

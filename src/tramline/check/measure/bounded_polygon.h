@@ -1,5 +1,5 @@
 #pragma once
-// Polygons with their boxes, so that most of them are passed over without a look at their vertices.
+// Polygons with their boxes, so that most of them are skipped without reading their vertices.
 
 #include <vector>
 
@@ -20,10 +20,10 @@ BoundedRegion bounded_obstacles(const Field& field, ObstacleKind kind);
 /// Refers to the polygons of the region.
 BoundedRegion bounded(const Region& region);
 
-/// The area, m², that each part of some ground has in common with each polygon, summed.
+/// The sum of the areas, m², that each polygon of some land has in common with each polygon of the region.
 double area_common_to(const Region& ground, const BoundedRegion& region);
 
-/// The part of all polygons within a rectangle of the piece's frame; `at` lies on the largest part.
+/// The parts of all polygons within a rectangle of the piece's frame; `at` lies on the largest part.
 Clipped clipped(const BoundedRegion& region, const PieceFrame& frame, const Box& rectangle);
 
 }  // namespace tramline::check

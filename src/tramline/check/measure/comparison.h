@@ -4,13 +4,13 @@
 
 namespace tramline::check {
 
-/// Sums are rounded like any other: a comparison of sums allows for it.
+/// The rounding error to allow for when a sum of this value is compared.
 double rounding_of(double value);
 
-/// Stored figures of a tally against found ones. Rule "tally".
+/// Compares stored figures of a tally with recomputed ones. Rule "tally".
 class Comparison {
  public:
-  /// `of_what` amounts to the figures found: "the tracks".
+  /// `of_what` names the source of the recomputed figures: "the tracks".
   Comparison(const char* of_what, Point at, Violations& out) : of_what_(of_what), at_(at), out_(out) {}
   void number(const char* what, const char* unit, double stored, double found, double tolerance);
   void count(const char* what, int stored, int found);

@@ -13,7 +13,7 @@ struct SectionEdge {
   Point b;
 };
 
-/// The land's edges that a cross-section of the piece can meet, in the piece's frame.
+/// The edges of the land that a cross-section of the piece can cross, in the piece's frame.
 std::vector<SectionEdge> edges_beside(const Polygon& land, const PieceFrame& frame) {
   std::vector<SectionEdge> out;
   const auto append = [&](const Ring& ring) {
@@ -77,10 +77,10 @@ void LongestStretch::add(const Stretch& stretch) {
 void add_along_straight(const Polygon& land, const PieceFrame& frame, double half_m, double required_m,
                         double begin_m, LongestStretch& out) {
   const std::vector<SectionEdge> edges = edges_beside(land, frame);
-  const std::vector<double> places = breakpoints(edges, frame.length(), half_m);
+  const std::vector<double> positions = breakpoints(edges, frame.length(), half_m);
   std::vector<double> scratch;
-  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    const double from = places[i], gap = places[i + 1] - from;
+  for (std::size_t i = 0; i + 1 < positions.size(); ++i) {
+    const double from = positions[i], gap = positions[i + 1] - from;
     if (gap <= kNoStretch_m) continue;
     // Linear in between: two looks well away from the vertices give the values at both ends.
     const double at_quarter = inside_at(edges, from + 0.25 * gap, half_m, scratch);

@@ -1,5 +1,5 @@
 #pragma once
-// How much of a swath's cross-section lies on a piece of land, along the whole swath.
+// The length of a swath's cross-section on a polygon of land, along the whole swath.
 
 #include <vector>
 
@@ -18,16 +18,16 @@ struct Stretch {
 };
 
 /// The longest stretch of a path of lines and arcs on which the cross-section of half width `half_m` has less
-/// than `required_m` metres inside the land: in an odd number of its rings. Stretches may go on from one
-/// segment to the next. Along straight segments it is exact: the length inside is linear between the places
-/// where the land's edges meet the swath, and is looked at between all of them. About arcs cross-sections
-/// stand like the spokes of a wheel; there the length inside is looked at in eight places between those where
-/// an edge of the land meets the swath, its sides, or its foot from the arc's centre, and where that falls
-/// below what is required, by bisection. Zero length where there is none. O(v·k) for v vertices of the land,
-/// k of them within the swath.
+/// than `required_m` metres inside the land, that is, within an odd number of its rings. Stretches may go on
+/// from one segment to the next. Along straight segments it is exact: the length inside is linear between the
+/// positions where the land's edges cross the swath, and is evaluated between all of them. About arcs
+/// cross-sections are like the spokes of a wheel; there the length inside is evaluated at eight positions
+/// between those where an edge of the land crosses the swath or its sides or has its foot from the arc's
+/// centre, and where it falls below what is required, the limit is found by bisection. Zero length where
+/// there is none. O(v·k) for v vertices of the land, k of them within the swath.
 Stretch longest_below(const Polygon& land, const Path& path, double half_m, double required_m);
 
-/// Joins stretches that touch and keeps the longest. They come in their order along the piece.
+/// Joins stretches that touch and keeps the longest. They are added in their order along the piece.
 class LongestStretch {
  public:
   void add(const Stretch& stretch);
@@ -38,7 +38,7 @@ class LongestStretch {
   Stretch best_;
 };
 
-/// The stretches of one straight segment, which begins `begin_m` along its path.
+/// Adds the stretches of one straight segment, which begins `begin_m` along its path.
 void add_along_straight(const Polygon& land, const PieceFrame& frame, double half_m, double required_m,
                         double begin_m, LongestStretch& out);
 

@@ -76,13 +76,13 @@ void DetourCourse::look_at(const PathSegment& edge, Sides& out) const {
 
 /// On the right of the line, unless the ground between lies there, too: then it is on the other side.
 bool DetourCourse::is_right_of_detour(const PathSegment& segment, Point p) const {
-  Beside place = beside(segment, p);
-  if (std::abs(place.right_m) < kLengthTolerance_m) {
+  Beside foot = beside(segment, p);
+  if (std::abs(foot.right_m) < kLengthTolerance_m) {
     // On the line itself, which is an edge of the ground between.
-    p = p + (kLengthTolerance_m - place.right_m) * place.right;
-    place.right_m = kLengthTolerance_m;
+    p = p + (kLengthTolerance_m - foot.right_m) * foot.right;
+    foot.right_m = kLengthTolerance_m;
   }
-  return (place.right_m > 0) != contains(between_, p);
+  return (foot.right_m > 0) != contains(between_, p);
 }
 
 double DetourCourse::distance_to_line(const Polygon& land) const {

@@ -1,5 +1,5 @@
 #pragma once
-// A detour beside the line that it left: which side of it things are on.
+// A detour compared with the line that it replaces: on which side of the detour obstacles lie.
 
 #include <algorithm>
 #include <limits>
@@ -9,8 +9,8 @@
 
 namespace tramline::check {
 
-/// How near to the line that was left something lies, on either side of the detour, m; infinite where nothing
-/// does.
+/// The distances from the replaced line of something on either side of the detour, m; infinite where nothing
+/// lies on that side.
 struct Sides {
   double left_m = std::numeric_limits<double>::infinity();
   double right_m = std::numeric_limits<double>::infinity();
@@ -18,21 +18,22 @@ struct Sides {
   double nearest_m() const { return std::min(left_m, right_m); }
 };
 
-/// Left and right are those of the detour's heading.
+/// A detour and the line that it replaces. Left and right are those of the detour's heading.
 class DetourCourse {
  public:
-  /// `line`: what would have been driven from where the detour begins to where it ends. It turns by no more
-  /// than half a circle in one segment, and has no kinks.
+  /// `line`: the line that would have been driven from the beginning of the detour to its end. It turns by no
+  /// more than half a circle in one segment, and has no kinks.
   DetourCourse(Path line, const Path& detour);
 
-  /// Of the parts of a polygon that lie straight across from a place of the line; both 0 where the line
-  /// begins within it. O(v·k·m) for v vertices, k segments of the line and m chords of the detour.
+  /// The distances of the parts of a polygon that lie straight across from the line; both 0 where the line
+  /// begins within the polygon. O(v·k·m) for v vertices, k segments of the line and m chords of the detour.
   Sides sides_of(const Polygon& land) const;
-  /// How far a polygon is from the line, beyond its ends, too, m; 0 where they meet or it lies within.
+  /// The distance of a polygon from the line, including beyond its ends, m; 0 where they meet or the line
+  /// lies within.
   double distance_to_line(const Polygon& land) const;
-  /// Is there more ground between line and detour on the left of the line than on its right?
+  /// Whether more of the area between line and detour lies to the left of the line than to its right.
   bool goes_left() const;
-  /// Round all that is so near to the line, field frame.
+  /// The box round everything within `reach_m` of the line, field frame.
   Box line_box(double reach_m) const { return reach_of(line_, 2 * reach_m); }
 
  private:
@@ -40,7 +41,7 @@ class DetourCourse {
   bool is_right_of_detour(const PathSegment& segment, Point p) const;
 
   Path line_;
-  Ring between_;  ///< along the detour, and back along the line
+  Ring between_;  ///< the area between: along the detour, and back along the line
 };
 
 }  // namespace tramline::check

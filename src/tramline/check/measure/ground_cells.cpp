@@ -13,7 +13,7 @@ using Edges = std::vector<GroundEdge>;
 
 /// Windows with no more edges are cut into slabs.
 constexpr std::size_t kFewEdges = 24;
-/// Edges that meet in one place do not become fewer by halving.
+/// Edges that meet at one point do not become fewer by halving.
 constexpr int kMostHalvings = 48;
 
 double x_at(const GroundEdge& edge, double y) {

@@ -1,5 +1,5 @@
 #pragma once
-// Shapes laid over one another: which ground do they have in common, and how much is it?
+// Overlay of shapes: the areas that any number of shapes have in common, cell by cell.
 
 #include <cstddef>
 #include <functional>
@@ -9,20 +9,20 @@
 
 namespace tramline::check {
 
-/// A shape over a cell, and how often its polygons cover it: 1, or more where they lie over one another.
+/// A shape that covers a cell, and how many of its polygons do: 1, or more where they overlap.
 struct Cover {
   std::size_t shape = 0;
   int times = 0;
 };
 
-/// A trapezium that no edge runs through.
+/// A trapezium that no edge crosses.
 struct GroundCell {
   double area_m2 = 0;
   Point middle;
-  const std::vector<Cover>& covers;  ///< all shapes that hold it, ascending
+  const std::vector<Cover>& covers;  ///< all shapes that contain it, ascending
 };
 
-/// Edges of any number of shapes, each of any number of polygons, which may overlap.
+/// The edges of any number of shapes, each of any number of polygons, which may overlap.
 class GroundEdges {
  public:
   /// Outer rings count 1 inside and holes −1, whichever way they run.
@@ -34,7 +34,7 @@ class GroundEdges {
     Point low;
     Point high;
     std::size_t shape = 0;
-    int change = 0;  ///< of the shape's count, on the way across the edge towards growing x
+    int change = 0;  ///< change of the shape's count across the edge towards growing x
   };
   const std::vector<Edge>& edges() const { return edges_; }
   const Box& bounds() const { return bounds_; }
@@ -46,10 +46,10 @@ class GroundEdges {
   Box bounds_;
 };
 
-/// Visits all ground that lies in any shape, cell by cell. Neither overlays nor grids: the plane is halved
-/// until a window holds few edges, and there cut into slabs between the heights where edges begin, end and
+/// Visits all land that lies in any shape, cell by cell, without overlays or grids: the plane is halved until
+/// a window holds few edges, and the window is cut into slabs between the heights where edges begin, end and
 /// cross. So the areas of cells add up to those of the shapes but for rounding, 1e-16 of the window for each
-/// cell. O(n log n) for n edges while only a few lie at any one place.
+/// cell. O(n log n) for n edges of which only a few cross any one spot.
 void each_cell(const GroundEdges& ground, const std::function<void(const GroundCell&)>& visit);
 
 }  // namespace tramline::check

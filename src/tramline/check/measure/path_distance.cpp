@@ -19,7 +19,7 @@ class Round {
 
   Point centre() const { return centre_; }
   double radius() const { return radius_; }
-  Point place(Point direction) const { return centre_ + radius_ * direction; }
+  Point point_at(Point direction) const { return centre_ + radius_ * direction; }
   bool has(Point on_circle) const {
     const Point d = on_circle - centre_;
     return dot(d, middle_) >= cos_half_ * length(d) * radius_;
@@ -54,7 +54,7 @@ double between_insides(const PathSegment& first, const PathSegment& second) {
   if (meet(a, b, across, apart_m)) return 0;
   for (const double on_a : {-1.0, 1.0})
     for (const double on_b : {-1.0, 1.0}) {
-      const Point p = a.place(on_a * across), q = b.place(on_b * across);
+      const Point p = a.point_at(on_a * across), q = b.point_at(on_b * across);
       if (a.has(p) && b.has(q)) out = std::min(out, distance(p, q));
     }
   return out;

@@ -1,5 +1,5 @@
 #pragma once
-// The plane as seen from a piece, and areas of land within a rectangle lying along it.
+// The frame of a piece, and areas of land within rectangles aligned with it.
 
 #include <cassert>
 
@@ -9,7 +9,7 @@
 namespace tramline::check {
 
 /// Origin at the piece's start, x across (to the right), y along. Coordinates near the piece are
-/// small, so that areas of a square millimetre can be told from rounding.
+/// small, so that areas of a square millimetre stand out from rounding.
 class PieceFrame {
  public:
   /// Precondition: start != end.
@@ -36,14 +36,14 @@ class PieceFrame {
   double length_;
 };
 
-/// The frame in which a detour is looked at: that of its straight piece, or along its own chord where the
-/// piece is curved.
+/// The frame for checking a detour: that of its straight piece, or one along its own chord where the piece is
+/// curved.
 PieceFrame frame_of_detour(const TrackPiece& piece, const Path& detour);
 
-/// Land within a rectangle.
+/// The part of some land within a rectangle.
 struct Clipped {
   double area_m2 = 0;
-  Point at;  ///< a place on it, field frame; undefined where there is none
+  Point at;  ///< a point on it, field frame; undefined where there is none
 };
 
 /// The part of a polygon within a rectangle of the piece's frame. Clips ring by ring against the four

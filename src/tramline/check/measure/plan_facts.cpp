@@ -36,7 +36,7 @@ bool follows_curve(const Plan& plan, std::size_t subfield) {
   });
 }
 
-Point place_on_largest(const Region& region) {
+Point point_on_largest(const Region& region) {
   const auto largest = std::max_element(region.begin(), region.end(),
                                         [](const Polygon& a, const Polygon& b) { return area(a) < area(b); });
   return largest == region.end() ? Point{} : largest->outer.front();

@@ -13,7 +13,8 @@
 namespace tramline::check {
 namespace {
 
-/// Does the line from p to q begin and end on different sides of the line through a and b, a millimetre off?
+/// Whether the line from p to q begins and ends on different sides of the line through a and b, at least a
+/// millimetre off.
 bool parts(Point a, Point b, Point p, Point q) {
   const double least = kLengthTolerance_m * distance(a, b);
   const double at_p = cross(b - a, p - a), at_q = cross(b - a, q - a);

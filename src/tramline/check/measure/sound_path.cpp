@@ -9,7 +9,7 @@
 namespace tramline::check {
 namespace {
 
-/// What is wrong with a segment in itself, or "".
+/// The fault of a segment in itself, or "".
 std::string fault_in(const PathSegment& segment) {
   if (!on_the_map(segment.from) || !on_the_map(segment.to)) return "lies off the map";
   const double chord = distance(segment.from, segment.to);

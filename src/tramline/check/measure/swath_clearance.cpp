@@ -16,7 +16,7 @@ Box box_of(const PathSegment& segment) {
   return segment.straight() ? out : out.grown(0.5 * distance(segment.from, segment.to));
 }
 
-/// Does the path go forwards along the piece all the way? Headings on an arc lie between those at its
+/// Whether the path goes forwards along the piece all the way. Headings on an arc lie between those at its
 /// ends, on the side of its chord's.
 bool goes_forwards(const Path& path) {
   return std::all_of(path.begin(), path.end(), [](const PathSegment& segment) {
@@ -115,22 +115,22 @@ Point SwathClearance::some_point() const {
   return frame_.to_field(points.size() > 2 ? points[middle] : midpoint(points.front(), points.back()));
 }
 
-std::optional<Point> SwathClearance::place_outside(const std::vector<Edge>& near, const Ring& outer,
+std::optional<Point> SwathClearance::point_outside(const std::vector<Edge>& near, const Ring& outer,
                                                    Judged judged, Point from, Point to) const {
-  // Between the places where it meets the ring the chord is inside or outside as a whole.
-  std::vector<double> places{0, 1};
+  // Between its crossings of the ring the chord is inside or outside as a whole.
+  std::vector<double> shares{0, 1};
   const Point along = to - from;
   for (const Edge& edge : near) {
     const Point side = edge.b - edge.a;
     const double turn = cross(along, side);
     if (turn == 0) continue;
     const double t = cross(edge.a - from, side) / turn, u = cross(edge.a - from, along) / turn;
-    if (t > 0 && t < 1 && u >= 0 && u <= 1) places.push_back(t);
+    if (t > 0 && t < 1 && u >= 0 && u <= 1) shares.push_back(t);
   }
-  std::sort(places.begin(), places.end());
-  for (std::size_t i = 0; i + 1 < places.size(); ++i)
+  std::sort(shares.begin(), shares.end());
+  for (std::size_t i = 0; i + 1 < shares.size(); ++i)
     for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-      const Point p = from + (places[i] + share * (places[i + 1] - places[i])) * along;
+      const Point p = from + (shares[i] + share * (shares[i + 1] - shares[i])) * along;
       if (contains(outer, frame_.to_field(p))) continue;
       if (judged == Judged::kWhereLineIsInside && !contains(outer, frame_.to_field({0, p.y}))) continue;
       const bool touches = std::any_of(near.begin(), near.end(), [p](const Edge& edge) {
@@ -141,7 +141,7 @@ std::optional<Point> SwathClearance::place_outside(const std::vector<Edge>& near
   return std::nullopt;
 }
 
-std::optional<Point> SwathClearance::place_outside(const Ring& outer, Judged judged) const {
+std::optional<Point> SwathClearance::point_outside(const Ring& outer, Judged judged) const {
   const std::vector<Edge> near = near_edges(outer, 0);
   if (near.empty()) {
     const Point anywhere = some_point();
@@ -149,16 +149,16 @@ std::optional<Point> SwathClearance::place_outside(const Ring& outer, Judged jud
   }
   const std::vector<Point> line = chords(path_, kSideSagitta_m);
   for (std::size_t i = 0; i + 1 < line.size(); ++i)
-    if (const auto place = place_outside(near, outer, judged, line[i], line[i + 1])) return place;
+    if (const auto point = point_outside(near, outer, judged, line[i], line[i + 1])) return point;
   return std::nullopt;
 }
 
-std::optional<Point> SwathClearance::place_outside(const Ring& outer) const {
-  return place_outside(outer, Judged::kEverywhere);
+std::optional<Point> SwathClearance::point_outside(const Ring& outer) const {
+  return point_outside(outer, Judged::kEverywhere);
 }
 
-std::optional<Point> SwathClearance::place_pushed_outside(const Ring& outer) const {
-  return place_outside(outer, Judged::kWhereLineIsInside);
+std::optional<Point> SwathClearance::point_pushed_outside(const Ring& outer) const {
+  return point_outside(outer, Judged::kWhereLineIsInside);
 }
 
 }  // namespace tramline::check

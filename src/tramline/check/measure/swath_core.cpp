@@ -11,7 +11,7 @@ namespace tramline::check {
 namespace {
 
 /// A corner of the rectangle that lies outside, or its middle where only an edge bulges.
-Point place_outside(const Ring& outer, const PieceFrame& frame, const Box& box) {
+Point point_outside(const Ring& outer, const PieceFrame& frame, const Box& box) {
   for (const double x : {box.min_x, box.max_x})
     for (const double y : {box.min_y, box.max_y})
       if (!contains(outer, frame.to_field({x, y}))) return frame.to_field({x, y});
@@ -24,7 +24,7 @@ bool is_met(const Ring& ring, const Box& box) {
   return false;
 }
 
-Clipped sum_of(const Region& parts) { return {area(parts), place_on_largest(parts)}; }
+Clipped sum_of(const Region& parts) { return {area(parts), point_on_largest(parts)}; }
 
 }  // namespace
 
@@ -54,7 +54,7 @@ Clipped SwathCore::Rectangle::part_beyond(const Ring& outer) const {
   const double outside_m2 = area_m2() - clipped(Polygon{outer, {}}, frame, box).area_m2;
   // A difference of large areas: rounding grows with them.
   if (outside_m2 <= kAreaRounding * area_m2()) return {};
-  return {outside_m2, place_outside(outer, frame, box)};
+  return {outside_m2, point_outside(outer, frame, box)};
 }
 
 Clipped SwathCore::part_beyond(const Ring& outer) const {

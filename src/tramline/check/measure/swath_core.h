@@ -1,5 +1,5 @@
 #pragma once
-// The ground that the swath along a path works for certain, and how much land of some kind that is.
+// The land that the swath along a path works for certain, and its overlap with other land.
 
 #include <optional>
 #include <vector>
@@ -10,21 +10,21 @@
 
 namespace tramline::check {
 
-/// The swath along a path, a millimetre less on all sides: what only touches a swath is not in it. Along one
-/// straight segment areas are clipped exactly; else they are those of polygons, whose chords are within the
-/// millimetre. Empty where nothing is left.
+/// The swath along a path, a millimetre less on all sides: what only touches a swath is not in it. Along a
+/// single straight segment areas are clipped exactly; otherwise they are those of polygons, whose chords are
+/// within the millimetre. Empty where nothing remains.
 class SwathCore {
  public:
   SwathCore(const Path& path, double width_m);
 
   bool empty() const { return !rectangle_ && bands_.empty(); }
-  /// What of some land lies in it; `at` on the largest part. O(v) for v vertices of land near by along a
-  /// straight line, else an overlay for each segment there.
+  /// The part of some land that lies in it; `at` is on the largest part. O(v) for v vertices of land near by
+  /// along a straight line, else an overlay for each segment there.
   Clipped part_on(const BoundedRegion& land) const;
-  /// What of it lies outside a ring, nothing where that is rounding. O(v).
+  /// The part of it outside a ring; empty where that is only rounding. O(v).
   Clipped part_beyond(const Ring& outer) const;
-  /// Land thinner than the precision grid along a whole straight core is no land, m². Overlays, which are
-  /// made on that grid, have none.
+  /// The area below which land in a straight core does not count, m²: a sliver thinner than the precision
+  /// grid along the whole core. Overlays, which are made on that grid, have no such slivers.
   double slivers_m2() const;
 
  private:

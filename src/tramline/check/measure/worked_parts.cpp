@@ -59,10 +59,11 @@ void append_between_detours(const TrackPiece& piece, SwathParts& out) {
   const std::vector<PathSegment> straight = straight_parts(piece);
   // Between two detours, and before the first, there may be none: by place along the piece.
   const Point along = piece.end - piece.start;
-  const auto place = [&](Point p) { return dot(p - piece.start, along); };
+  const auto along_of = [&](Point p) { return dot(p - piece.start, along); };
   auto next = straight.begin();
   for (const Detour& detour : piece.detours) {
-    for (; next != straight.end() && place(next->to) <= place(detour.path.back().to); ++next) out.add(*next);
+    for (; next != straight.end() && along_of(next->to) <= along_of(detour.path.back().to); ++next)
+      out.add(*next);
     out.add(detour.path);
   }
   for (; next != straight.end(); ++next) out.add(*next);

@@ -1,5 +1,5 @@
 #pragma once
-// The swaths of a plan in parts that are easily laid over one another.
+// The swaths of a plan in parts that are suited for overlays.
 
 #include <vector>
 
@@ -8,30 +8,30 @@
 
 namespace tramline::check {
 
-/// Ground worked along one line: a straight swath with its detours, or a part of one, a segment of a curved
-/// swath, or a cell of one with kinks.
+/// Land worked along one line: a straight swath with its detours or a part of it, a segment of a curved
+/// swath, or a cell of a swath with kinks.
 struct WorkedPart {
-  std::size_t piece = 0;  ///< or the headland pass, counted on after the pieces
+  std::size_t piece = 0;  ///< index of the piece, or of the headland pass counted on after the pieces
   Path line;
   Region ground;        ///< arcs as chords
-  bool kinked = false;  ///< one of the cells between kinks: convex
-  /// How far the swath turns to either side up to the part and to its end, rad. Where it jumps or turns too
-  /// tightly to lie flat that counts as half a circle.
+  bool kinked = false;  ///< whether it is one of the (convex) cells between kinks
+  /// Angle that the swath turns to either side up to the beginning of the part and up to its end, rad. A
+  /// jump, or a turn too tight to lie flat, counts as half a circle.
   double turned_before = 0;
   double turned_after = 0;
 };
 
 /// All swaths in the order of the pieces, each from its start to its end; straight ones whole. O(n).
 std::vector<WorkedPart> worked_parts(const Plan& plan);
-/// The ground of headland passes, segment by segment, on to the owners after the pieces: pass k is owner
-/// pieces + k. O(n).
+/// The parts of headland passes, segment by segment; pass k has the owner index pieces + k. O(n).
 std::vector<WorkedPart> pass_parts(const Plan& plan, double sagitta_m = kChordSagitta);
-/// As worked_parts(), and straight ones parted where detours begin and end, which may lie over the rest.
+/// As worked_parts(), with straight swaths divided where detours begin and end; a detour may overlap the
+/// rest.
 std::vector<WorkedPart> parts_between_detours(const Plan& plan);
 
-/// False where the two have no ground in common for certain, or none that shows (kThinnestShown_m): their
-/// lines are too far apart, or follow one another in one swath within a quarter turn. There all headings are
-/// within 45° of one, along which a swath no tighter than half its width only goes forwards.
+/// Whether the two parts may overlap visibly (kThinnestShown_m). They do not where their lines are too far
+/// apart, or where they follow one another in one swath within a quarter turn: there all headings are within
+/// 45° of one direction, along which a swath no tighter than half its width only goes forwards.
 bool may_meet(const WorkedPart& earlier, const WorkedPart& later, double width_m);
 
 }  // namespace tramline::check

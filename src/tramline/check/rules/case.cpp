@@ -59,7 +59,7 @@ class Surroundings {
   double arcs_m_ = 0;
 };
 
-/// On passables the work is interrupted: what lies there is not worked, as often as it is driven over.
+/// On passables the work is interrupted: the area there is deducted as often as it is driven over.
 double worked_by_passes_m2(const Plan& plan, const std::vector<WorkedPart>& passes,
                            const BoundedRegion& passables) {
   double sum = 0;
@@ -88,7 +88,7 @@ const Region& counted_land(const Case& c) { return c.with_passes ? c.with_passes
 const std::vector<WorkedPart>& counted_parts(const Case& c) {
   return c.with_passes ? c.with_passes->parts : c.parts;
 }
-const WorkedBody& counted_work(const Case& c) { return c.with_passes ? c.with_passes->worked : c.worked; }
+const WorkedLand& counted_work(const Case& c) { return c.with_passes ? c.with_passes->worked : c.worked; }
 
 Case::Case(const Plan& of)
     : plan(of),

@@ -54,7 +54,7 @@ std::vector<SectionAhead> look_ahead(const TileCoverage& coverage, const Region&
     const double middle_m = 0.5 * (boom[i].left_m + boom[i].right_m);
     const auto over = [&](double ahead_m) {
       const double there_m = ahead_m + kUnderfoot_m;
-      return over_at(motion.place + there_m * ahead + middle_m * left, field, share_at(needs[i], there_m));
+      return over_at(motion.position + there_m * ahead + middle_m * left, field, share_at(needs[i], there_m));
     };
     SectionAhead section;
     section.on = states[i].on;

@@ -1,5 +1,5 @@
 #pragma once
-// What the machine comes to at present speed and heading, and what its sections should do about it.
+// The look-ahead at present speed and heading: the land ahead and the switching of sections.
 
 #include <cstddef>
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace tramline::coverage {
 
-/// Looks ahead for a boom, over rule.horizon_s. `field` as the engine's. `states`: of each section.
+/// Looks ahead for a boom, over rule.horizon_s. `field`: that of the engine. `states`: one for each section.
 /// Preconditions: sensible rule; as many states as sections. O(c log c) for the c cells ahead.
 std::vector<SectionAhead> look_ahead(const TileCoverage& coverage, const Region& field, const Motion& motion,
                                      const Boom& boom, const std::vector<SectionState>& states,

@@ -15,7 +15,7 @@ constexpr double kSame_m = 1e-9;
 /// x ahead, y to the left.
 class MachineFrame {
  public:
-  explicit MachineFrame(const Motion& motion) : place_(motion.place), ahead_(motion.heading.unit()) {}
+  explicit MachineFrame(const Motion& motion) : place_(motion.position), ahead_(motion.heading.unit()) {}
 
   Point seen(Point p) const {
     const Point d = p - place_;
@@ -72,12 +72,12 @@ std::vector<double> places_of(const std::vector<Edge>& edges, double reach_m) {
 /// Every stretch is summed from its own edges: rounding does not pile up.
 Need need_of(const RingSet& rings, double width_m, double reach_m) {
   const std::vector<Edge> edges = edges_of(rings);
-  const std::vector<double> places = places_of(edges, reach_m);
+  const std::vector<double> positions = places_of(edges, reach_m);
   Need out;
   std::vector<const Edge*> met;
   auto next = edges.begin();
-  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    const double from = places[i], to = places[i + 1];
+  for (std::size_t i = 0; i + 1 < positions.size(); ++i) {
+    const double from = positions[i], to = positions[i + 1];
     for (; next != edges.end() && next->from.x < from + kSame_m; ++next) met.push_back(&*next);
     std::erase_if(met, [&](const Edge* edge) { return edge->to.x < to - kSame_m; });
     double width_from = 0, width_to = 0;

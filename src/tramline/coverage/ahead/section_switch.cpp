@@ -48,9 +48,9 @@ std::optional<Switch> next_switch(const Need& need, double speed_mps, const Sect
   const double latency_s = on ? rule.off_latency_s : rule.on_latency_s;
   const double from_m = std::max(kUnderfoot_m, speed_mps * std::max(latency_s, state.turning_s.value_or(0)));
   for (const NeedStretch& stretch : need)
-    if (const std::optional<double> place = change_in(stretch, from_m, on, rule)) {
-      const double effect_s = *place / speed_mps;
-      return Switch{!on, *place, effect_s, std::max(0.0, effect_s - latency_s)};
+    if (const std::optional<double> position = change_in(stretch, from_m, on, rule)) {
+      const double effect_s = *position / speed_mps;
+      return Switch{!on, *position, effect_s, std::max(0.0, effect_s - latency_s)};
     }
   return std::nullopt;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// When a section has to be switched, so that it works what needs work and nothing else.
+// The time at which a section has to be switched, so that it works the land that needs work and nothing else.
 
 #include <optional>
 
@@ -8,17 +8,17 @@
 
 namespace tramline::coverage {
 
-/// What a section does now, and what was commanded and does not work yet.
+/// The present state of a section, with a command that has not taken effect yet, if any.
 struct SectionState {
   bool on = false;
-  std::optional<double> turning_s;  ///< from now until it is the other way round
+  std::optional<double> turning_s;  ///< time from now until the state changes
 
   bool commanded() const { return turning_s ? !on : on; }
 };
 
-/// The next switch of a section within its need; nullopt where there is none or the machine stands. It is the
-/// first place, from kUnderfoot_m on, that a command can still be in time for and at which the rule asks for
-/// the other state than the one commanded. O(stretches).
+/// The next switch of a section within its need; nullopt where there is none or the machine stands. It is at
+/// the first position, from kUnderfoot_m on, that a command can still reach in time and at which the rule
+/// asks for a state other than the commanded one. O(stretches).
 std::optional<Switch> next_switch(const Need& need, double speed_mps, const SectionState& state,
                                   const SwitchRule& rule);
 

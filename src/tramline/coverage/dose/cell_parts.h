@@ -1,5 +1,5 @@
 #pragma once
-// A convex polygon with a density that changes evenly, cut at the lines of a grid.
+// A convex polygon with a linearly varying density, cut at the lines of a grid.
 
 #include <cstdint>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace tramline::coverage {
 
-/// at + dot(slope, p).
+/// A linear density: at + dot(slope, p).
 struct EvenDensity {
   double at = 1;
   Point slope;
@@ -19,16 +19,16 @@ struct EvenDensity {
 /// The integral of the density over a polygon. O(corners).
 double integral(const SmallPolygon& polygon, const EvenDensity& density);
 
-/// What of it lies in the cell [column, column + 1) × [row, row + 1), in cells of the grid through the
-/// origin.
+/// The part of the integral in the cell [column, column + 1) × [row, row + 1), in cells of the grid through
+/// the origin.
 struct CellPart {
   std::int64_t column = 0;
   std::int64_t row = 0;
   double amount = 0;
 };
 
-/// Appends the integral of the density over the polygon's part in every cell it meets: exact, but for
-/// rounding, and their sum is the whole. O(cells). Precondition: at most eight corners.
+/// Appends the integral of the density over the polygon's part in every cell it overlaps: exact up to
+/// rounding; the sum of the parts is the whole. O(cells). Precondition: at most eight corners.
 void append_cell_parts(const SmallPolygon& polygon, const EvenDensity& density, double cell_m,
                        std::vector<CellPart>& out);
 

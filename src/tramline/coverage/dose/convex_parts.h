@@ -1,5 +1,5 @@
 #pragma once
-// The convex polygons of a quad, in double.
+// The convex polygons of a quad, in floating point.
 
 #include <array>
 #include <cstddef>
@@ -20,8 +20,8 @@ struct SmallPolygon {
 
 double area(const SmallPolygon& polygon);
 
-/// Itself where a quad is convex, two triangles where it is an arrow or crosses itself; whichever way it
-/// runs. Parts do not overlap, and may have no area. O(1).
+/// The quad itself where it is convex, two triangles where it is an arrow or crosses itself, in either
+/// orientation. Parts do not overlap, and may have no area. O(1).
 std::vector<SmallPolygon> convex_parts(const Quad& quad);
 
 }  // namespace tramline::coverage

@@ -27,15 +27,15 @@ void require_few_cells(double wide_m, double high_m, double cell_m) {
       cell_m, wide_m, high_m, cells, kMostCells, std::ceil(10 * enough_m / decade) * decade / 10));
 }
 
-LaidCells::Block& LaidCells::block_at(Place place) {
-  if (last_block_ != nullptr && place == last_) return *last_block_;
-  std::unique_ptr<Block>& block = blocks_[place];
+LaidCells::Block& LaidCells::block_at(CellIndex index) {
+  if (last_block_ != nullptr && index == last_) return *last_block_;
+  std::unique_ptr<Block>& block = blocks_[index];
   if (!block) {
     const bool first = high_column_ < low_column_;
-    low_column_ = first ? place.column : std::min(low_column_, place.column);
-    high_column_ = first ? place.column : std::max(high_column_, place.column);
-    low_row_ = first ? place.row : std::min(low_row_, place.row);
-    high_row_ = first ? place.row : std::max(high_row_, place.row);
+    low_column_ = first ? index.column : std::min(low_column_, index.column);
+    high_column_ = first ? index.column : std::max(high_column_, index.column);
+    low_row_ = first ? index.row : std::min(low_row_, index.row);
+    high_row_ = first ? index.row : std::max(high_row_, index.row);
     const double side_m = static_cast<double>(kSide) * cell_m_;
     // The blocks at the rim may be all but empty.
     require_few_cells(static_cast<double>(std::max<std::int64_t>(1, high_column_ - low_column_ - 1)) * side_m,
@@ -44,25 +44,25 @@ LaidCells::Block& LaidCells::block_at(Place place) {
     block = std::make_unique<Block>();
     block->fill(0);
   }
-  last_ = place;
+  last_ = index;
   last_block_ = block.get();
   return *block;
 }
 
 void LaidCells::add(std::span<const CellPart> parts) {
   for (const CellPart& part : parts) {
-    const Place place{block_of(part.column, kSide), block_of(part.row, kSide)};
-    const std::int64_t column = part.column - place.column * kSide, row = part.row - place.row * kSide;
-    block_at(place)[static_cast<std::size_t>(row * kSide + column)] += part.amount;
+    const CellIndex index{block_of(part.column, kSide), block_of(part.row, kSide)};
+    const std::int64_t column = part.column - index.column * kSide, row = part.row - index.row * kSide;
+    block_at(index)[static_cast<std::size_t>(row * kSide + column)] += part.amount;
   }
 }
 
 CellGrid LaidCells::grid(const Box& box, const Box& reach) const {
   std::int64_t low_column = INT64_MAX, high_column = INT64_MIN, low_row = INT64_MAX, high_row = INT64_MIN;
-  for (const auto& [place, block] : blocks_)
+  for (const auto& [index, block] : blocks_)
     for (std::int64_t i = 0; i < kSide * kSide; ++i) {
       if ((*block)[static_cast<std::size_t>(i)] == 0) continue;
-      const std::int64_t column = place.column * kSide + i % kSide, row = place.row * kSide + i / kSide;
+      const std::int64_t column = index.column * kSide + i % kSide, row = index.row * kSide + i / kSide;
       low_column = std::min(low_column, column);
       high_column = std::max(high_column, column);
       low_row = std::min(low_row, row);
@@ -94,12 +94,12 @@ std::vector<double> LaidCells::amounts(const CellGrid& grid) const {
   std::vector<double> out(grid.size(), 0.0);
   const auto left = static_cast<std::int64_t>(std::llround(grid.low.x / cell_m_));
   const auto bottom = static_cast<std::int64_t>(std::llround(grid.low.y / cell_m_));
-  for (const auto& [place, block] : blocks_)
+  for (const auto& [index, block] : blocks_)
     for (std::int64_t i = 0; i < kSide * kSide; ++i) {
       const double amount = (*block)[static_cast<std::size_t>(i)];
       if (amount == 0) continue;
-      const std::int64_t column = place.column * kSide + i % kSide - left;
-      const std::int64_t row = place.row * kSide + i / kSide - bottom;
+      const std::int64_t column = index.column * kSide + i % kSide - left;
+      const std::int64_t row = index.row * kSide + i / kSide - bottom;
       out[grid.index(static_cast<int>(column), static_cast<int>(row))] = amount;
     }
   return out;

@@ -1,5 +1,5 @@
 #pragma once
-// Amounts in cells of an unbounded grid.
+// Amounts applied to cells of an unbounded grid.
 
 #include <array>
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace tramline::coverage {
 
-/// Cells of the grid through the origin; only blocks of them that got something take memory.
+/// Cells of the grid through the origin; only blocks of cells that received an amount take memory.
 class LaidCells {
  public:
   explicit LaidCells(double cell_m) : cell_m_(cell_m) {}
@@ -21,36 +21,37 @@ class LaidCells {
   /// Throws kBadInput where the box round all cells has more than kMostCells. O(parts).
   void add(std::span<const CellPart> parts);
 
-  /// The cells that hold all that was laid and the box, and all of that again wherever in `reach` it is moved
-  /// by. Throws kBadInput where they are more than kMostCells.
+  /// The grid of cells that contains the box and all applied amounts, also when these are moved by any offset
+  /// in `reach`. Throws kBadInput where it has more than kMostCells.
   CellGrid grid(const Box& box, const Box& reach) const;
-  /// Precondition: a grid() of these cells.
+  /// The amounts of the cells of a grid. Precondition: a grid() of these cells.
   std::vector<double> amounts(const CellGrid& grid) const;
 
  private:
   static constexpr std::int64_t kSide = 64;
   using Block = std::array<double, kSide * kSide>;
-  struct Place {
+  struct CellIndex {
     std::int64_t column = 0;
     std::int64_t row = 0;
-    bool operator==(const Place&) const = default;
+    bool operator==(const CellIndex&) const = default;
   };
-  struct HashPlace {
-    std::size_t operator()(const Place& place) const {
-      return static_cast<std::size_t>(place.column * 0x9E3779B97F4A7C15LL ^ place.row);
+  struct HashIndex {
+    std::size_t operator()(const CellIndex& index) const {
+      return static_cast<std::size_t>(index.column * 0x9E3779B97F4A7C15LL ^ index.row);
     }
   };
 
-  Block& block_at(Place place);
+  Block& block_at(CellIndex index);
 
   double cell_m_;
-  std::unordered_map<Place, std::unique_ptr<Block>, HashPlace> blocks_;
-  Place last_;
+  std::unordered_map<CellIndex, std::unique_ptr<Block>, HashIndex> blocks_;
+  CellIndex last_;
   Block* last_block_ = nullptr;
   std::int64_t low_column_ = 0, high_column_ = -1, low_row_ = 0, high_row_ = -1;  ///< of blocks
 };
 
-/// Throws kBadInput, saying which cells would do, for more than kMostCells of this side over such ground.
+/// Throws kBadInput, naming a sufficient cell size, for more than kMostCells of this side over an area of
+/// this size.
 void require_few_cells(double wide_m, double high_m, double cell_m);
 
 }  // namespace tramline::coverage

@@ -1,5 +1,5 @@
 #pragma once
-// A slab's amount, laid on cells.
+// Distributes a slab's amount over cells.
 
 #include <vector>
 
@@ -8,9 +8,9 @@
 
 namespace tramline::coverage {
 
-/// Appends what each cell gets of a slab; the sum is slab.amount. It lies on the ground of the slab, denser
-/// or thinner from one side to the other as the slab says; where the machine hardly moved, on a strip 1 cm
-/// deep. O(cells). Precondition: a positive amount.
+/// Appends the part of a slab's amount for each cell; the sum is slab.amount. The amount lies on the land of
+/// the slab, with a density that varies from side to side as the slab says; where the machine hardly moved,
+/// on a strip 1 cm deep. O(cells). Precondition: a positive amount.
 void append_laid(const Slab& slab, double cell_m, std::vector<CellPart>& out);
 
 }  // namespace tramline::coverage

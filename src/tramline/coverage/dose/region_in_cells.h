@@ -1,5 +1,5 @@
 #pragma once
-// How much of each cell a region takes.
+// The area of a region in each cell.
 
 #include <vector>
 
@@ -8,8 +8,8 @@
 
 namespace tramline::coverage {
 
-/// The area of the region in every cell, m², exact but for rounding (1e-9 of a cell counts as none). O(cells
-/// and the edges' parts in cells). What lies outside of the grid is left out. Precondition: oriented.
+/// The area of the region in every cell, m², exact but for rounding (1e-9 of a cell counts as 0). O(cells and
+/// the edges' parts in cells). Parts outside the grid are ignored. Precondition: oriented.
 std::vector<double> area_in_cells(const Region& region, const CellGrid& grid);
 
 }  // namespace tramline::coverage

@@ -1,5 +1,5 @@
 #pragma once
-// The share of a spray that the wind takes along.
+// The drift of spray by the wind.
 
 #include <vector>
 
@@ -11,13 +11,14 @@ namespace tramline::coverage {
 
 DoseDrift drift_of(const WindSettings& wind);
 
-/// By how much anything is moved, m: the grid has to reach that far beyond what was laid.
+/// The range of offsets by which the wind moves amounts, m: the grid has to extend that far beyond the
+/// applied amounts.
 Box reach(const DoseDrift& drift, double cell_m);
 
-/// What the cells get of the drifting share of `laid`: the amount of a cell, taken as even over it, moved and
-/// spread, and summed over the cells it comes to. Its sum is drift.share times that of `laid` where nothing
-/// was laid nearer than reach() to the rim; what lies further than five standard deviations from the middle
-/// is laid within. O(cells · spread / cell). The same whatever the threads.
+/// The drifting share of `laid` by cell: the amount of each cell, taken as even over the cell, is moved and
+/// spread over the cells it reaches. The sum is drift.share times that of `laid` where nothing was applied
+/// nearer than reach() to the rim; the part beyond five standard deviations is distributed within. O(cells ·
+/// spread / cell). The result is the same for any number of threads.
 std::vector<double> drifted(const std::vector<double>& laid, const CellGrid& grid, const DoseDrift& drift);
 
 }  // namespace tramline::coverage

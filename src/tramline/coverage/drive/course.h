@@ -1,5 +1,5 @@
 #pragma once
-// The heading of a machine whose log has none: from the course of its antenna.
+// The heading of a machine whose log has none, derived from the course of its antenna.
 
 #include <optional>
 #include <vector>
@@ -11,23 +11,24 @@ namespace tramline::coverage {
 
 /// Shorter steps have no direction.
 inline constexpr double kLeastStep_m = 0.02;
-/// A course is taken over this distance at least: a centimetre of noise turns it by two degrees at most.
+/// A course is computed over at least this distance: a centimetre of noise turns it by two degrees at most.
 inline constexpr double kCourseBase_m = 0.25;
-/// A course further than this from the heading so far is that of a machine that reverses.
+/// A machine reverses if its course differs from the heading so far by more than this.
 inline constexpr Angle kReversing = Angle::degrees(120);
 
-/// Whether a machine that points there and moves along the course goes backwards.
+/// Whether a machine with this heading that moves along this course goes backwards.
 bool reverses(Heading heading, Heading course);
 
-/// Heading place by place. It is held where the machine stands, and turned round where it reverses.
+/// Derives the heading from successive positions. It is kept while the machine stands, and is opposite to the
+/// course where the machine reverses.
 class Course {
  public:
-  /// The heading at the next place; nullopt before it has moved. O(1).
-  std::optional<Heading> at(Point place);
+  /// The heading at the next position; nullopt before the machine has moved. O(1).
+  std::optional<Heading> at(Point position);
   void forget();
 
  private:
-  std::vector<Point> trail_;  ///< some of the last places, the newest last
+  std::vector<Point> trail_;  ///< some of the last positions, the newest last
   std::optional<Heading> heading_;
 };
 

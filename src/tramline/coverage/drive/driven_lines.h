@@ -1,5 +1,5 @@
 #pragma once
-// The drive as lines, for pictures and files.
+// The lines of a drive, for pictures and files.
 
 #include <map>
 #include <optional>
@@ -11,14 +11,14 @@
 
 namespace tramline::coverage {
 
-/// Collects the places of the implement to lines: a new one wherever a run of work begins or ends, and where
-/// fixes are not joined.
+/// Joins the positions of the implement to lines. A new line begins where a run of work begins or ends, and
+/// where fixes are not joined.
 class DrivenLines {
  public:
-  /// The next fix, where it found the implement, whether the drive went on to it, and the step that ended
-  /// there, if any.
-  void add(const Fix& fix, Point place, Continuity continuity, const std::optional<WorkedStep>& step);
-  /// All lines, in the order they began in.
+  /// Adds the next fix with the position of the implement, whether it is joined to the previous fix, and the
+  /// step that ended there, if any.
+  void add(const Fix& fix, Point position, Continuity continuity, const std::optional<WorkedStep>& step);
+  /// All lines, in the order of their beginnings.
   std::vector<DrivenLine> lines() const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Work that is interrupted on ground which is driven over.
+// Interruption of work on land that is only driven over.
 
 #include <vector>
 
@@ -8,8 +8,8 @@
 
 namespace tramline::coverage {
 
-/// The quads without what lies on the region, in quads and triangles (a corner twice) that only touch.
-/// O(quads · edges of the region, and their crossings). Precondition: convex quads.
+/// The parts of the quads outside the region, as quads and triangles (with one corner twice) that do not
+/// overlap. O(quads · edges of the region, and their crossings). Precondition: convex quads.
 std::vector<Quad> interrupted(const std::vector<Quad>& quads, const Region& region);
 
 }  // namespace tramline::coverage

@@ -19,7 +19,7 @@ bool is_plausible(const HoleEnd& from, const HoleEnd& to, Heading way, double us
   const bool straight_on = leads_along(from.heading, way) && leads_along(to.heading, way);
   const double seconds = to.time_s - from.time_s;
   if (std::isnan(seconds)) return straight_on;
-  const double speed_mps = distance(from.place, to.place) / seconds;  // infinite in no time
+  const double speed_mps = distance(from.position, to.position) / seconds;  // infinite in no time
   if (std::isnan(usual_mps)) return straight_on && speed_mps <= kFastestWork_mps;
   return speed_mps <= kMostOfUsual * usual_mps && (straight_on || speed_mps >= kLeastOfUsual * usual_mps);
 }
@@ -47,8 +47,8 @@ double UsualSpeed::mps() const {
 }
 
 std::vector<Quad> hole_strip(const HoleEnd& from, const HoleEnd& to, double usual_mps, QuadShape quads) {
-  if (distance(from.place, to.place) < kLeastStep_m) return {};
-  const Heading way = Heading::from_to(from.place, to.place);
+  if (distance(from.position, to.position) < kLeastStep_m) return {};
+  const Heading way = Heading::from_to(from.position, to.position);
   if (!is_plausible(from, to, way, usual_mps)) return {};
   const auto across = [&](const HoleEnd& end) {
     const bool fits = quads == QuadShape::kHeading && end.heading && leads_along(end.heading, way);
@@ -57,8 +57,8 @@ std::vector<Quad> hole_strip(const HoleEnd& from, const HoleEnd& to, double usua
   const Point rear = across(from), front = across(to);
   std::vector<Quad> out;
   for (const Section& section : in_both(from.working, to.working))
-    out.push_back({from.place + section.left_m * rear, from.place + section.right_m * rear,
-                   to.place + section.right_m * front, to.place + section.left_m * front});
+    out.push_back({from.position + section.left_m * rear, from.position + section.right_m * rear,
+                   to.position + section.right_m * front, to.position + section.left_m * front});
   return out;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What logs say of a machine that cannot be meant so.
+// Repairs logs whose data on the machine cannot be right.
 
 #include <optional>
 
@@ -7,14 +7,14 @@
 
 namespace tramline::coverage {
 
-/// No machine is wider, m.
+/// The greatest plausible width of a machine, m.
 inline constexpr double kWidestMachine_m = 60;
 
-/// The note on what mends the second of the faults below.
+/// The note on the repair of the second fault below.
 inline constexpr const char* kSectionsIgnored =
     "no section ever works, although the machine does: the states of sections are ignored";
 
-/// The log, with two faults mended that make it worthless otherwise, and noted:
+/// The log after repair of two faults that would make it worthless; repairs are noted:
 /// - widths of elements side by side that add up to more than kWidestMachine_m are copies of one: such a boom
 /// becomes one
 ///   section as wide as its widest;
@@ -22,16 +22,17 @@ inline constexpr const char* kSectionsIgnored =
 /// O(fixes).
 WorkLog log_without_faults(WorkLog log);
 
-/// The boom that is meant by one whose widths add up to more than kWidestMachine_m; nullopt for any other.
+/// The repaired boom for one whose widths add up to more than kWidestMachine_m; nullopt for any other boom.
 std::optional<Boom> mended(const Boom& boom);
-/// A fix of such a boom: its one section works where any did.
+/// A fix converted to such a repaired boom: its one section works where any section did.
 Fix with_one_section(Fix fix);
 
-/// Whether states of sections are states, told fix by fix.
+/// Determines fix by fix whether the states of sections can be trusted.
 class SectionTrust {
  public:
   void add(const Fix& fix);
-  /// Whether those so far are to be ignored: none ever works although the machine says that it does.
+  /// Whether the states so far are to be ignored: no section ever works although the machine reports that it
+  /// does.
   bool ignored() const { return says_ && !works_; }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Where a machine is and where it goes on to.
+// The motion of a machine: position, heading and speed.
 
 #include <limits>
 #include <optional>
@@ -11,25 +11,25 @@
 
 namespace tramline::coverage {
 
-/// At present speed and heading.
+/// Position, heading and speed of a machine at a fix.
 struct Motion {
-  Point place;  ///< the middle of what works, local metres
+  Point position;  ///< the middle of the working sections, local metres
   Heading heading;
-  double speed_mps = 0;  ///< ahead; 0 for a machine that stands or backs
+  double speed_mps = 0;  ///< forward speed; 0 for a machine that stands or reverses
 };
 
 /// Follows the motion of a drive, fix by fix.
 class MotionTrack {
  public:
-  /// `place`, `heading`: of the implement at the fix. The speed is the fix's own, or by the way since the one
-  /// before where the drive went on from there.
-  void add(const Fix& fix, Point place, std::optional<Heading> heading, Continuity continuity);
-  /// At the last fix; nullopt where the heading or the speed is not known.
+  /// `position`, `heading`: those of the implement at the fix. The speed is the fix's own or, where the fix
+  /// is joined to the previous one, follows from the distance between the two.
+  void add(const Fix& fix, Point position, std::optional<Heading> heading, Continuity continuity);
+  /// The motion at the last fix; nullopt where the heading or the speed is not known.
   std::optional<Motion> motion() const { return motion_; }
 
  private:
   std::optional<Motion> motion_;
-  Point place_;
+  Point position_;
   double time_s_ = std::numeric_limits<double>::quiet_NaN();
 };
 

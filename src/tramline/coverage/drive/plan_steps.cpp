@@ -13,7 +13,7 @@ namespace {
 
 /// A place on a path and the way it goes there.
 struct Pose {
-  Point place;
+  Point position;
   Point direction;  ///< unit vector
 };
 
@@ -55,8 +55,8 @@ Quad quad_between(const Pose& rear, const Pose& front, double width_m) {
   const auto left = [&](const Pose& pose) {
     return (width_m / 2) * Point{-pose.direction.y, pose.direction.x};
   };
-  return {rear.place + left(rear), rear.place - left(rear), front.place - left(front),
-          front.place + left(front)};
+  return {rear.position + left(rear), rear.position - left(rear), front.position - left(front),
+          front.position + left(front)};
 }
 
 void append(const Path& path, double width_m, int run, std::vector<WorkedStep>& out) {
@@ -64,7 +64,7 @@ void append(const Path& path, double width_m, int run, std::vector<WorkedStep>& 
   for (const PathSegment& segment : path) {
     const std::vector<Pose> along = poses(segment, width_m);
     for (std::size_t i = 1; i < along.size(); ++i) {
-      const double step_m = distance(along[i - 1].place, along[i].place);
+      const double step_m = distance(along[i - 1].position, along[i].position);
       travel_m += step_m;
       out.push_back(
           {{quad_between(along[i - 1], along[i], width_m)}, run, travel_m, step_m + width_m, out.size()});

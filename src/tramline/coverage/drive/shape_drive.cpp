@@ -110,8 +110,8 @@ class ShapesInTurn {
 
   double usual_width_m() const {
     const double usual = across_.empty() ? 0 : median(across_);
-    constexpr double kTold_m = 0.01;
-    if (usual > kTold_m) return std::round(usual / kTold_m) * kTold_m;
+    constexpr double kWidthStep_m = 0.01;
+    if (usual > kWidthStep_m) return std::round(usual / kWidthStep_m) * kWidthStep_m;
     double widest = 1e-3;
     for (const Polygon& shape : log_.shapes) {
       const Box box = bounds(shape.outer);

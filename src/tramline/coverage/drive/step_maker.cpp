@@ -94,12 +94,12 @@ std::optional<WorkedStep> StepMaker::step(Unit& unit, const End& to) {
   if (out.origins.empty()) return std::nullopt;
   const Bars ends = bars(from, to);
   out.quads.reserve(out.origins.size());
-  const auto place = [&ends](double offset_m, double share) {
+  const auto position = [&ends](double offset_m, double share) {
     return (1 - share) * ends.rear.at(offset_m) + share * ends.front.at(offset_m);
   };
   for (const auto& [section, begin, until] : out.origins)
-    out.quads.push_back({place(section.left_m, begin), place(section.right_m, begin),
-                         place(section.right_m, until), place(section.left_m, until)});
+    out.quads.push_back({position(section.left_m, begin), position(section.right_m, begin),
+                         position(section.right_m, until), position(section.left_m, until)});
   out.way_m = distance(ends.rear.middle, ends.front.middle);
   out.seconds = from.stood_s + to.time_s - from.time_s;
   unit.usual.add(out.way_m, to.time_s - from.time_s);
@@ -139,7 +139,7 @@ std::optional<WorkedStep> StepMaker::add(const Fix& fix, const std::vector<Boom>
     close_hole(unit);
   }
   heading_ = to.heading;
-  place_ = to.heading ? middle(to, *to.heading) : to.antenna;
+  position_ = to.heading ? middle(to, *to.heading) : to.antenna;
   if (!unit.last) {
     unit.last = std::move(to);
     return std::nullopt;

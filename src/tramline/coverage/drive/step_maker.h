@@ -1,5 +1,5 @@
 #pragma once
-// From the fixes of a log to the ground worked between them (S3.2).
+// Makes steps of work from the fixes of a log (S3.2).
 
 #include <cstddef>
 #include <limits>
@@ -15,43 +15,42 @@
 
 namespace tramline::coverage {
 
-/// How often fixes were not joined of which one at least was at work, and why.
+/// How often fixes, at least one of them at work, were not joined, by reason.
 struct Breaks {
   std::size_t gaps = 0;           ///< longer than max_gap_s
   std::size_t jumps = 0;          ///< longer than max_step_m
-  std::size_t backwards = 0;      ///< in time
+  std::size_t backwards = 0;      ///< backwards in time
   std::size_t without_width = 0;  ///< at work, and no width known
-  std::size_t holes = 0;          ///< of gaps and jumps, those that the machine may have worked over
+  std::size_t holes = 0;          ///< those of the gaps and jumps over which the machine may have worked
 };
 
-/// Joins fixes to steps, one after the other: what a live stream needs. O(sections) a fix.
-///
-/// A fix without a heading has that of its course (course.h). Fixes of different units are not joined, nor
-/// over a gap in time or place, nor backwards in time. The work of a unit is one run until it stops, or until
-/// two fixes are not joined. Where a step has no direction, being too short, the place it began at is kept
-/// for the next one, so that slow work is not lost. Between fixes that lie too far apart in time or place,
-/// and that both work, the ground counts as not recorded where the machine may have driven straight
+/// Joins fixes to steps, one after the other, as a live stream requires. O(sections) a fix.
+/// A fix without a heading gets that of its course (course.h). Fixes are not joined if they belong to
+/// different units, lie too far apart in time or position, or go backwards in time. The work of a unit is one
+/// run until it stops, or until two fixes are not joined. Where a step is too short to have a direction, its
+/// beginning is kept for the next one, so that slow work is not lost. Between fixes at work that lie too far
+/// apart in time or position, land counts as not recorded where the machine may have driven straight
 /// (log_hole.h).
 class StepMaker {
  public:
   explicit StepMaker(const DriveSettings& settings) : settings_(settings) {}
 
-  /// The step that ends at this fix; nullopt where nothing was worked. `booms`: of the fix's log.
+  /// The step that ends at this fix; nullopt where nothing was worked. `booms`: those of the fix's log.
   /// Precondition: position local and finite.
   std::optional<WorkedStep> add(const Fix& fix, const std::vector<Boom>& booms);
 
-  /// What the last fix tells not to be recorded: the strips of holes in the log, mostly none. The heading at
-  /// their front may have become known only now.
+  /// The land found by the last fix to be not recorded: the strips of holes in the log, usually none. A hole
+  /// may lie before an earlier fix, if the heading at its end has become known only now.
   const std::vector<Quad>& unrecorded() const { return unrecorded_; }
 
-  /// Of the last fix with the one before it of its unit.
+  /// Whether the last fix is joined to the previous one of its unit.
   Continuity continuity() const { return continuity_; }
-  /// Where the middle of what works was at the last fix; the antenna, as long as no heading is known.
-  Point place() const { return place_; }
+  /// The middle of the working sections at the last fix; the antenna as long as no heading is known.
+  Point position() const { return position_; }
   /// The machine's heading at the last fix; nullopt: not known.
   std::optional<Heading> heading() const { return heading_; }
   const Breaks& breaks() const { return breaks_; }
-  int runs() const { return runs_; }             ///< begun so far
+  int runs() const { return runs_; }             ///< number of runs begun so far
   double worked_s() const { return worked_s_; }  ///< time of the steps that worked, of all units together
   double worked_m() const { return worked_m_; }  ///< and their length
 
@@ -63,16 +62,16 @@ class StepMaker {
     std::optional<Heading> heading;
     Boom working;
     double rate_per_ha = std::numeric_limits<double>::quiet_NaN();
-    double stood_s = 0;  ///< at work, and not driven from there
+    double stood_s = 0;  ///< time at work while standing there
   };
-  /// Fixes that were not joined, and both work.
+  /// Two fixes that were not joined and are both at work.
   struct Hole {
     End before;
     End after;
   };
   struct Unit {
     std::optional<End> last;
-    std::optional<Hole> hole;  ///< the heading behind it is not known yet
+    std::optional<Hole> hole;  ///< a hole after which the heading is not known yet
     UsualSpeed usual;
     Course course;
     int run = -1;  ///< none
@@ -104,7 +103,7 @@ class StepMaker {
   std::size_t fixes_ = 0;
   Continuity continuity_ = Continuity::kBroken;
   std::vector<Quad> unrecorded_;
-  Point place_;
+  Point position_;
   std::optional<Heading> heading_;
   int runs_ = 0;
   double worked_s_ = 0;

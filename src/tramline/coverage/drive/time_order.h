@@ -7,11 +7,11 @@
 
 namespace tramline::coverage {
 
-/// How many fixes are earlier than the one before them, unit by unit. O(n).
+/// The number of fixes that are earlier than the previous fix of their unit. O(n).
 std::size_t out_of_order(const WorkLog& log);
 
-/// Fixes in order of time, those of the same time as they were; a fix without a time stays behind the one
-/// before it. O(n log n).
+/// The log with fixes in order of time; those of the same time keep their order, and a fix without a time
+/// stays after the one before it. O(n log n).
 WorkLog in_time_order(WorkLog log);
 
 }  // namespace tramline::coverage

@@ -107,8 +107,8 @@ std::optional<WorkedStep> WorkedDrive::add(const Fix& fix, const std::vector<Boo
   std::optional<WorkedStep> step = steps_.add(fix, booms);
   if (step) engine_->add(*step);
   engine_->add_unrecorded(steps_.unrecorded());
-  lines_.add(fix, steps_.place(), steps_.continuity(), step);
-  motion_.add(fix, steps_.place(), steps_.heading(), steps_.continuity());
+  lines_.add(fix, steps_.position(), steps_.continuity(), step);
+  motion_.add(fix, steps_.position(), steps_.heading(), steps_.continuity());
   return step;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// A drive as it is worked: fixes in, areas and regions out. What a batch and a live stream have in common.
+// The evaluation of a drive from fixes to areas and regions, common to batches and live streams.
 
 #include <cstddef>
 #include <memory>
@@ -17,55 +17,57 @@
 
 namespace tramline::coverage {
 
-/// A log as it is driven: mended, in order of time, with what only the whole of it tells.
+/// A repaired log in order of time, with the values that follow only from the whole log.
 struct PreparedLog {
   WorkLog log;
-  DriveSettings drive;  ///< with unknown_work
-  double width_m = 0;   ///< the widest the machine was anywhere, NaN where nothing is known
+  DriveSettings drive;  ///< with unknown_work determined
+  double width_m = 0;   ///< the largest width of the machine at any fix, NaN where nothing is known
   std::vector<std::string> warnings;
 };
 
 /// Precondition: local positions. O(n log n).
 PreparedLog prepared(WorkLog log, const DriveSettings& drive);
 
-/// The widest the machine is at any fix, or DriveSettings::width_m; NaN where nothing is known. O(fixes).
+/// The largest width of the machine at any fix, or DriveSettings::width_m; NaN where nothing is known.
+/// O(fixes).
 double widest_m(const WorkLog& log, const DriveSettings& drive);
 
-/// That so many fixes were late.
+/// The note that this number of fixes was out of order of time.
 std::string note_on_disorder(std::size_t fixes);
 
-/// Of the boom that has most; 1 without any.
+/// The largest number of sections of any boom; 1 without booms.
 std::size_t most_sections(const std::vector<Boom>& booms);
-/// Widest of a boom's places, m; 0 for one without sections.
+/// The distance between the outermost ends of a boom's sections, m; 0 for one without sections.
 double span_m(const Boom& boom);
 
-/// EvaluateSettings::shapes and repeat as in evaluate.h. Fixes come prepared.
+/// A drive under evaluation. EvaluateSettings::shapes and repeat have the meaning of evaluate(). Fixes have
+/// to be prepared.
 class WorkedDrive {
  public:
-  /// `drive`: of the prepared log. `sections`: as many as the machine has, about; both only for the size of
-  /// tiles.
+  /// `drive`: that of the prepared log. `width_m`, `sections`: approximate width and number of sections of
+  /// the machine, used only for the size of tiles.
   WorkedDrive(const Region& field, const EvaluateSettings& settings, const DriveSettings& drive,
               double width_m, std::size_t sections);
 
   /// The step that ends at the fix; nullopt where nothing was worked. O(quads).
   std::optional<WorkedStep> add(const Fix& fix, const std::vector<Boom>& booms);
-  /// Work that follows all fixes, in runs of its own. How long it takes is not known, nor is then the time at
-  /// work. O(quads).
+  /// Adds work that follows all fixes, in runs of its own. Its duration is not known, and so the time at work
+  /// is unknown afterwards. O(quads).
   void add(const FurtherWork& further);
   CoverageAreas areas() const { return engine_->areas(); }
   const Engine& engine() const { return *engine_; }
-  /// Where the middle of what works was at the last fix, and the machine's heading there; nullopt: not known.
-  Point place() const { return steps_.place(); }
+  /// The middle of the working sections at the last fix, and the machine's heading there; nullopt: not known.
+  Point position() const { return steps_.position(); }
   std::optional<Heading> heading() const { return steps_.heading(); }
-  double worked_s() const { return steps_.worked_s(); }  ///< of the log; 0 without times
-  /// The way so far. O(fixes).
+  double worked_s() const { return steps_.worked_s(); }  ///< time at work in the log; 0 without times
+  /// The driven lines so far. O(fixes).
   std::vector<DrivenLine> lines() const { return lines_.lines(); }
-  /// At the last fix; nullopt: not known.
+  /// The motion at the last fix; nullopt: not known.
   std::optional<Motion> motion() const { return motion_.motion(); }
 
-  /// Runs, time at work, lines, areas and warnings, added to `out`. `clock`: of the log.
+  /// Adds runs, time at work, lines, areas and warnings to `out`. `clock`: that of the log.
   void add_figures(Coverage& out, Clock clock) const;
-  /// Missed ground, gaps and, where asked for, shapes. O(regions).
+  /// Adds missed land, gaps and, where asked for, shapes. O(regions).
   void add_regions(Coverage& out) const;
 
  private:
@@ -79,9 +81,9 @@ class WorkedDrive {
   std::vector<DrivenLine> further_lines_;
 };
 
-/// Areas, with what counts as repeated by the rule.
+/// The areas with repeated land counted by the rule.
 CoverageAreas reported(CoverageAreas areas, RepeatRule repeat);
-/// The regions of `out`, whatever steps the engine got. O(regions).
+/// Adds the regions of the engine to `out`, whatever its steps came from. O(regions).
 void add_regions(Coverage& out, const Engine& engine, const EvaluateSettings& settings);
 
 }  // namespace tramline::coverage

@@ -1,5 +1,5 @@
 #pragma once
-// What of a drive is new to somebody who follows it.
+// Changes in a drive's covered land since a reader last looked.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,15 +12,16 @@
 
 namespace tramline::coverage {
 
-/// What one reader has of a drive: nothing at first.
+/// The state of a drive that one reader has seen; nothing at first.
 struct SeenWork {
   bool any = false;
-  std::size_t rebuilds = 0;  ///< LiveCoverage::rebuilds() then; tiles of another drive are nothing to it
-  std::uint64_t stamp = 0;   ///< TileCoverage::stamp() then
+  /// LiveCoverage::rebuilds() at that time; after a rebuild earlier tiles are obsolete.
+  std::size_t rebuilds = 0;
+  std::uint64_t stamp = 0;  ///< TileCoverage::stamp() at that time
 };
 
-/// Ground of one square tile, all of it; local metres. Tiles do not overlap, so that those of a reader may
-/// be put side by side.
+/// All covered and repeated land of one square tile; local metres. Tiles do not overlap, so a reader may
+/// simply collect them.
 struct TileWork {
   TileIndex index;
   Region covered;
@@ -28,14 +29,14 @@ struct TileWork {
 };
 
 struct WorkChanges {
-  bool all = false;  ///< what the reader had before counts no more
+  bool all = false;  ///< tiles that the reader received earlier are obsolete
   std::vector<TileWork> tiles;
 };
 
-/// The tiles that changed since `seen`, which is brought up to date. A reader who puts each in the place of
-/// the one of its index, and forgets all that came before one with `all`, has the drive's covered and
-/// repeated ground: region() of the same, but for rounding (TileCoverage::region). Nothing with another
-/// engine than the exact one. O(tiles) and O(cells) of those that changed.
+/// The tiles that changed since `seen`, which is updated. A reader that replaces each tile by the new one of
+/// the same index, and discards all earlier tiles when `all` is set, has the drive's covered and repeated
+/// land: the same as region(), up to rounding (TileCoverage::region). Empty with any engine but the exact
+/// one. O(tiles) and O(cells) of those that changed.
 WorkChanges changes_since(SeenWork& seen, const WorkedDrive& drive, RepeatRule repeat);
 /// The same while the drive goes on; `all` after every rebuild.
 WorkChanges changes_since(SeenWork& seen, const LiveCoverage& live, RepeatRule repeat);

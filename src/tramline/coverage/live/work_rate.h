@@ -1,23 +1,23 @@
 #pragma once
-// How fast the work goes at present.
+// The present rate of work.
 
 #include <deque>
 #include <limits>
 
 namespace tramline::coverage {
 
-/// The rate is that of so much driving, s.
+/// The rate is computed over this much driving time, s.
 inline constexpr double kRateWindow_s = 300;
 
-/// Ground gained by the time driven, over the last kRateWindow_s of it: turns count, breaks do not.
+/// Land gained per time driven, over the last kRateWindow_s of driving: turns count, breaks do not.
 class WorkRate {
  public:
   /// `longest_s`: longer gaps between fixes are breaks.
   explicit WorkRate(double longest_s) : longest_s_(longest_s) {}
 
-  /// The ground worked up to this fix, m². O(1) amortised.
+  /// Adds the area worked up to this fix, m². O(1) amortised.
   void add(double time_s, double worked_m2);
-  /// NaN without times, and before the first ten seconds.
+  /// The rate; NaN without times, and before the first ten seconds.
   double m2_per_s() const;
 
  private:

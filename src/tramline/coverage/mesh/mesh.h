@@ -1,5 +1,5 @@
 #pragma once
-// Meshes: the squares of a grid over the plane (S3.3), and what one of them knows of a region.
+// Meshes: the squares of a grid over the plane (S3.3), and their data on a region.
 
 #include <compare>
 #include <cstdint>

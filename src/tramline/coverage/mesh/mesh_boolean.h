@@ -8,18 +8,19 @@ namespace tramline::coverage {
 enum class MeshOperation {
   kUnion,
   kIntersection,
-  kResidual,  ///< of the second region in the first: what the first has and the second has not
+  kResidual,  ///< of the second region in the first: the first less the second
 };
 
 /// Every mesh of either boundary is classified against the other region (S3.6). One that is in both
-/// boundaries is coincident; any other lies wholly inside or outside the other region, which the last mesh
-/// before it in its row tells. Corner by corner the operation then says what the result is there: the mesh is
-/// valid where that leaves corners inside and outside, and belongs to the result's boundary; else invalid.
+/// boundaries is coincident; any other lies wholly inside or outside the other region, as determined by the
+/// last mesh before it in its row. Corner by corner the operation then says what the result is there: the
+/// mesh is valid where that leaves corners inside and outside, and belongs to the result's boundary; else
+/// invalid.
 ///
-/// S3 deletes and connects overlapping meshes (the ends of coincident runs) by tables of cases that know the
-/// neighbours along both sequences, one pair of runs at a time; they leave out boundaries that meet in more
-/// than that, a run of one mesh, or rings that touch themselves. The corners of the coincident mesh say the
-/// same in every case. The result is that of the operation on the corners inside: nothing is approximate.
+/// S3 deletes and connects overlapping meshes (the ends of coincident runs) by tables of cases of the
+/// neighbours along both sequences, one pair of runs at a time; the tables do not cover boundaries that meet
+/// in more than that, runs of one mesh, or rings that touch themselves. The corners of the coincident mesh
+/// give the same result in every case. The result is exactly that of the operation on the corners inside.
 
 /// O(meshes of the two).
 MeshRegion combined(const MeshRegion& a, const MeshRegion& b, MeshOperation operation);

@@ -1,5 +1,5 @@
 #pragma once
-// The engine of coverage that S3 describes: boundaries as meshes of a grid.
+// The coverage engine described by S3: boundaries as meshes of a grid.
 
 #include <cstddef>
 
@@ -15,38 +15,36 @@ inline constexpr double kMesh_m = 0.05;
 inline constexpr double kFineMesh_m = 0.02;
 
 /// Areas and regions of what was worked, to the resolution of a mesh (S3.8).
-///
-/// Coverage is the union of all quads. What a quad has in common with the coverage before it is repeated:
-/// quads that share a bar share meshes, but no ground. Leakage, here missed ground, is the residual of the
-/// coverage in the field; as in S3 it is computed when it is asked for.
-///
-/// What it does not know: whether ground was worked again by its own trail, so that repeated_m2 is all of
-/// what was worked twice and sliver_m2 is 0; and whether ground was worked more than twice:
+/// Coverage is the union of all quads. The intersection of a quad with the coverage before it is repeated:
+/// quads that share a bar share meshes, but no area. Leakage, here missed land, is the residual of the
+/// coverage in the field; as in S3 it is computed on request.
+/// Limitations: it does not know whether land was worked again by the machine's own trail, so repeated_m2 is
+/// all land worked twice and sliver_m2 is 0; and it does not know whether land was worked more than twice:
 /// worked_times_m2[2] and [3] are NaN. Areas are those of rings through the centres of meshes.
 class MeshCoverage {
  public:
   /// `field`: without obstacles, oriented; empty: no field. Throws Error(kBadInput) where mesh_m is not
-  /// positive, and where meshes do not reach (mesh/mesh_line.h).
+  /// positive, and for coordinates beyond the range of meshes (mesh/mesh_line.h).
   MeshCoverage(const Region& field, double mesh_m);
 
   /// O(meshes of the quads, and of the coverage beside them), with logarithms and row moves.
-  /// Throws Error(kBadInput) where meshes do not reach; what was worked before is then kept.
+  /// Throws Error(kBadInput) for coordinates beyond the range of meshes; earlier work is then kept.
   void add(const WorkedStep& step);
 
-  /// Ground that may have been worked and was not recorded. Throws as add() does.
+  /// Adds land that may have been worked and was not recorded. Throws as add() does.
   void add_unrecorded(const std::vector<Quad>& quads);
 
   /// O(meshes of coverage and field), for the leakage.
   CoverageAreas areas() const;
 
-  /// All such ground: rings through centres of meshes, simple, holes inside. O(meshes log meshes).
-  /// Throws Error(kBadInput) for ground worked exactly twice or more often, which is not counted here.
+  /// All land of this class: rings through centres of meshes, simple, holes inside. O(meshes log meshes).
+  /// Throws Error(kBadInput) for land worked exactly twice or more often, which is not counted here.
   Region region(Ground what) const;
 
   double mesh_m() const { return mesh_m_; }
   std::size_t coverage_meshes() const { return coverage_.meshes(); }  ///< on its boundary
   MeshRegion leakage() const;                                         ///< field less coverage
-  /// What was not recorded, less coverage, in the field where there is one.
+  /// Unrecorded land less coverage, within the field where there is one.
   MeshRegion unrecorded() const;
 
  private:

@@ -8,19 +8,19 @@
 
 namespace tramline::coverage {
 
-/// Coordinates are rounded to this part of a mesh, so that edges meant to lie on a line of the grid do, and
-/// everything else is done in whole numbers.
+/// Coordinates are rounded to this part of a mesh, so that edges meant to lie on a grid line do, and all
+/// further computation is in integers.
 inline constexpr std::int64_t kFinePerMesh = 1024;
 /// Largest coordinate, in meshes: 52 km at 0.05 m.
 inline constexpr std::int64_t kFarthestMesh = 1 << 20;
 
-/// A place in parts of a mesh.
+/// A point in parts of a mesh.
 struct FinePoint {
   std::int64_t x = 0;
   std::int64_t y = 0;
 };
 
-/// Throws Error(kBadInput) beyond kFarthestMesh, and for what is no number.
+/// Throws Error(kBadInput) beyond kFarthestMesh, and for NaN.
 FinePoint fine_point(Point p, double mesh_m);
 
 /// The mesh a point lies in. On a line of the grid: the one to the right of it, or above it.

@@ -1,5 +1,5 @@
 #pragma once
-// A region as the meshes of its boundary.
+// A region stored as the meshes of its boundary.
 
 #include <cstddef>
 #include <cstdint>
@@ -27,8 +27,8 @@ class MeshRegion {
   std::size_t meshes() const { return meshes_; }            ///< on the boundary
   std::int64_t corners_inside() const { return corners_; }  ///< of the grid
 
-  /// Puts other meshes in the place of the meshes [from, to) of a row; rows are added as needed. O(row).
-  /// Precondition: the row stays ordered, and when all rows are done, rows agree about the corners between.
+  /// Replaces the meshes [from, to) of a row by others; rows are added as needed. O(row). Precondition: the
+  /// row stays ordered, and when all rows are done, rows agree about the corners between.
   void replace(int y, std::size_t from, std::size_t to, std::span<const BoundaryMesh> meshes);
 
  private:
@@ -44,11 +44,11 @@ class MeshRegion {
 /// oriented, and both triangles of a bow-tie. Throws as fine_point(). O(n log n) for n meshes.
 MeshRegion mesh_region(const std::vector<Ring>& rings, double mesh_m);
 
-/// First mesh of a row at or behind x. O(log n).
+/// Index of the first mesh of a row at or after x. O(log n).
 std::size_t lower_mesh(std::span<const BoundaryMesh> row, std::int32_t x);
 
-/// Whether the corners behind meshes [0, index) of a row lie inside: the corners of every mesh from there to
-/// mesh `index`, which its boundary does not run through.
+/// Whether the corners after meshes [0, index) of a row lie inside, that is, those of every mesh from there
+/// to mesh `index`, which the boundary does not run through.
 inline bool inside_before(std::span<const BoundaryMesh> row, std::size_t index) {
   return index > 0 && (row[index - 1].inside & kNorthEast) != 0;
 }

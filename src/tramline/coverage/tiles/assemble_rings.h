@@ -1,5 +1,5 @@
 #pragma once
-// From the outlines of tiles to polygons.
+// Assembles the outlines of tiles to polygons.
 
 #include <vector>
 
@@ -13,8 +13,8 @@ namespace tramline::coverage {
 inline constexpr double kThinnest = 128;
 
 /// The polygons whose boundary the outlines are, with `border` added to it. Where tiles meet, boundaries
-/// walked both ways cancel. Rings are simple: where the ground touches itself at a point it is parted there.
-/// In the order of the least points of their boundary. O(n log n).
+/// walked both ways cancel. Rings are simple: where the region touches itself at a point it is separated
+/// there. Polygons are in the order of the least points of their boundaries. O(n log n).
 Region assembled(const std::vector<TileOutline>& outlines, std::vector<BorderEdge> border,
                  const TileFrame& frame);
 

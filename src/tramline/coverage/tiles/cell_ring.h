@@ -1,5 +1,5 @@
 #pragma once
-// The convex rings that tiles are made of, and how a line cuts them.
+// The convex rings that tiles consist of, and their division by a line.
 
 #include <algorithm>
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace tramline::coverage {
 std::int64_t twice_area(const TilePoint* points, std::size_t count);
 inline std::int64_t twice_area(const TileRing& ring) { return twice_area(ring.data(), ring.size()); }
 
-/// A box of a tile on a grid of 2^15 a side: contains what it bounds.
+/// A box in a tile on a grid of 2^15 a side; rounded outwards.
 struct CellBox {
   std::uint16_t min_x = 0;
   std::uint16_t min_y = 0;
@@ -35,7 +35,7 @@ struct CellBox {
 };
 CellBox box_of(const TileRing& ring);
 
-/// A line as a tile sees it, with the two corners between which it bounds something.
+/// A line in the coordinates of a tile, with the two corners between which it bounds a piece.
 struct TileLine {
   double nx = 0;
   double ny = 0;
@@ -49,18 +49,19 @@ struct TileLine {
 };
 TileLine tile_line(const GridLine& line, GridPoint from, GridPoint to, GridPoint corner);
 
-/// A convex piece as a tile sees it: what is left of all lines. Long sides first: they cut off pieces that
-/// last, and short ones cut little then.
+/// A convex piece in the coordinates of a tile: the intersection of the left sides of all lines. Long sides
+/// come first: they cut off parts that last, after which short ones cut little.
 struct TilePiece {
   std::vector<TileLine> lines;
   CellBox box;
 };
-/// `corner`: of the tile. Precondition: the piece meets the tile, `side` units wide.
+/// Converts a piece to the coordinates of a tile. `corner`: that of the tile. Precondition: the piece
+/// overlaps the tile, which is `side` units wide.
 void see(const ConvexPiece& piece, GridPoint corner, std::int64_t side, TilePiece& out);
 
-/// Splits a ring by a line; `distance`: of its points, positive inside. A part that is no wider than kOnLine
-/// is empty. Crossings are rounded, but within `side`: those on the border of the tile stay there; whichever
-/// way an edge is walked, and whichever side of the line is inside, its crossing is the same.
+/// Splits a ring by a line. `distance`: that of each point, positive inside. A part that is no wider than
+/// kOnLine is empty. Crossings are rounded, but within `side`: those on the border of the tile stay there;
+/// whichever way an edge is walked, and whichever side of the line is inside, its crossing is the same.
 void split(const TileRing& ring, const std::vector<double>& distance, const TileLine& line, std::int64_t side,
            TileRing& inside, TileRing& outside);
 

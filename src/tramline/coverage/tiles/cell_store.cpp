@@ -14,7 +14,7 @@ std::uint32_t spread(std::uint32_t bits) {
 }
 
 /// Places along a Z-order curve: what is close along it is close in the plane.
-std::uint32_t place_of(const CellBox& box) {
+std::uint32_t position_key(const CellBox& box) {
   const auto x = (std::uint32_t{box.min_x} + box.max_x) / 2, y = (std::uint32_t{box.min_y} + box.max_y) / 2;
   return spread(x) | spread(y) << 1;
 }
@@ -69,13 +69,13 @@ void CellStore::replace(std::size_t cell, const TileRing& ring, CellState state)
 void CellStore::keep(const std::vector<bool>& kept) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> order;  // place, cell
   for (std::size_t c = 0; c < heads_.size(); ++c)
-    if (kept[c]) order.emplace_back(place_of(boxes_[c]), static_cast<std::uint32_t>(c));
+    if (kept[c]) order.emplace_back(position_key(boxes_[c]), static_cast<std::uint32_t>(c));
   std::sort(order.begin(), order.end());
   std::vector<Head> heads;
   std::vector<CellBox> boxes;
   heads.reserve(order.size());
   boxes.reserve(order.size());
-  for (const auto& [place, cell] : order) {
+  for (const auto& [key, cell] : order) {
     heads.push_back(heads_[cell]);
     boxes.push_back(boxes_[cell]);
   }

@@ -1,5 +1,5 @@
 #pragma once
-// The cells of a tile, stored compactly: about 50 bytes each.
+// Compact storage for the cells of a tile: about 50 bytes each.
 
 #include <cstddef>
 #include <cstdint>
@@ -24,14 +24,14 @@ class CellStore {
     return {points_.data() + heads_[cell].first, heads_[cell].count};
   }
 
-  /// Contains the cells kBlock · block and following.
+  /// Contains the kBlock cells from kBlock · block on.
   const CellBox& block_box(std::size_t block) const { return blocks_[block]; }
 
   void set_state(std::size_t cell, CellState state) { heads_[cell].state = state; }
   void add(const TileRing& ring, CellState state);
   void replace(std::size_t cell, const TileRing& ring, CellState state);
-  /// Leaves the cells for which `kept` is true, those that lie together one after the other, and no spare
-  /// memory.
+  /// Keeps the cells for which `kept` is true, reorders them so that neighbours are consecutive, and frees
+  /// spare memory.
   void keep(const std::vector<bool>& kept);
   std::size_t bytes() const;
 

@@ -1,5 +1,5 @@
 #pragma once
-// Convex polygons on the grid of the plane: what a quad consists of, and what is left of it.
+// Convex polygons on the grid of the plane: the parts of quads.
 
 #include <cstdint>
 #include <vector>
@@ -42,7 +42,7 @@ ConvexPiece piece_of(const std::vector<GridPoint>& corners);
 /// Twice the area, square units.
 Int128 twice_area(const ConvexPiece& piece);
 
-/// What lies left and right of a line; empty where that is no wider than kOnLine.
+/// The parts left (inside) and right (outside) of a line; a part no wider than kOnLine is empty.
 void split(const ConvexPiece& piece, const GridLine& line, ConvexPiece& inside, ConvexPiece& outside);
 
 }  // namespace tramline::coverage

@@ -1,5 +1,5 @@
 #pragma once
-// Directed edges, of which those walked both ways cancel.
+// A sum of directed edges in which opposite edges cancel.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,10 +16,10 @@ class EdgeSum {
 
   void add(TilePoint from, TilePoint to);
 
-  /// Calls `visit(from, to)` for every edge that is left, in the order in which they came first; twice for
-  /// what was walked twice more one way than the other.
+  /// Calls `visit(from, to)` for every edge that remains, in the order of first addition; twice for an edge
+  /// added twice more in one direction than in the other.
   template <class Visit>
-  void each_left(Visit visit) const {
+  void each_remaining(Visit visit) const {
     for (const Edge& edge : edges_) {
       for (int i = 0; i < edge.net; ++i) visit(edge.least, edge.most);
       for (int i = 0; i < -edge.net; ++i) visit(edge.most, edge.least);
@@ -34,7 +34,7 @@ class EdgeSum {
   };
 
   std::vector<Edge> edges_;
-  std::vector<std::uint32_t> table_;  ///< numbers of edges by hash, plus 1; 0: free
+  std::vector<std::uint32_t> table_;  ///< indices of edges by hash, plus 1; 0: free
 };
 
 }  // namespace tramline::coverage

@@ -1,5 +1,5 @@
 #pragma once
-// The field as tiles see it: the first partition of each.
+// The initial partition of tiles by the field.
 
 #include <cstdint>
 #include <utility>
@@ -11,18 +11,18 @@
 
 namespace tramline::coverage {
 
-/// The boundary of a field on the grid, and which tiles it passes.
+/// The boundary of a field on the grid, and the tiles that it crosses.
 class FieldCells {
  public:
   FieldCells(const Region& field, const TileFrame& frame);
 
   /// Twice the area of the field, square units.
   Int128 twice_area() const { return twice_area_; }
-  /// Even-odd; units.
+  /// Whether the field contains a point, by the even-odd rule; units.
   bool contains(double x, double y) const;
-  /// Tiles that the boundary passes or touches, ascending.
+  /// Tiles that the boundary crosses or touches, ascending.
   std::vector<TileIndex> border_tiles() const;
-  /// The tile's square, cut along the boundary; each cell within the field or outside, not worked.
+  /// Partitions the tile's square along the boundary into cells within the field and outside, not worked.
   /// O(cells · segments of the boundary in the tile).
   void partition(TileIndex tile, CellStore& out, CutScratch& scratch) const;
 

@@ -1,5 +1,5 @@
 #pragma once
-// Fewer cells: neighbours in the same state whose union is convex become one.
+// Merges neighbouring cells in the same state whose union is convex.
 
 #include <cstdint>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace tramline::coverage {
 
-/// Memory that is used again and again.
+/// Scratch memory that is reused.
 struct MergeMemory {
   struct Entry {
     TilePoint from;
@@ -16,17 +16,17 @@ struct MergeMemory {
     std::uint32_t cell = 0;
     bool used = false;
   };
-  std::vector<Entry> table;         ///< directed edges by hash, and whose they are
-  std::vector<std::uint32_t> into;  ///< of each cell the one that it was merged into, or itself
+  std::vector<Entry> table;         ///< directed edges by hash, with their cells
+  std::vector<std::uint32_t> into;  ///< for each cell the one that it was merged into, or itself
   TileRing ring;
 };
 
-/// Merges cells that share a whole edge, until no two can be. Corners no further than kStraight off the line
-/// between their neighbours go; areas move in `totals` by what that does. Depends on the cells and their
-/// order alone. Expected O(edges).
+/// Merges cells that share a whole edge until no two can be merged. Corners no further than kStraight from
+/// the line between their neighbours are removed; `totals` is adjusted accordingly. The result depends on the
+/// cells and their order alone. Expected O(edges).
 void merge_cells(Tile& tile, Totals& totals, MergeMemory& memory);
 
-/// Merges where the tile has grown to twice the cells it had after the last time.
+/// Merges when the tile has grown to twice the number of cells it had after the last merge.
 void merge_when_due(Tile& tile, Totals& totals, MergeMemory& memory);
 
 }  // namespace tramline::coverage

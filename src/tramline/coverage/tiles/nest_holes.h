@@ -1,5 +1,5 @@
 #pragma once
-// Which outer ring a hole belongs to.
+// Assigns holes to outer rings.
 
 #include <cstddef>
 #include <vector>
@@ -13,7 +13,7 @@ using GridRing = std::vector<GridPoint>;
 /// Twice the area, positive where the ring runs counter-clockwise.
 Int128 twice_area(const GridRing& ring);
 
-/// For each hole the number of the outer ring that bounds the same ground; outer.size() where there is none.
+/// For each hole the index of the outer ring that bounds the same region; outer.size() where there is none.
 /// Preconditions: outer rings counter-clockwise, holes clockwise, simple; rings meet at points only.
 /// O(n log n) for rings spread evenly.
 std::vector<std::size_t> parents_of(const std::vector<GridRing>& holes, const std::vector<GridRing>& outer);

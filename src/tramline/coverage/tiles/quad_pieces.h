@@ -9,7 +9,7 @@
 
 namespace tramline::coverage {
 
-/// Appends what a quad works, whichever way it runs: itself where it is convex, two triangles where it is
+/// Appends the pieces of a quad of either orientation: itself where it is convex, two triangles where it is
 /// an arrow or crosses itself, nothing where it has no area on the grid. Pieces do not overlap.
 void append_pieces(const Quad& quad, const TileFrame& frame, std::vector<ConvexPiece>& out);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a run worked lately: ground that it may work again without repeating anything.
+// The recent work of runs: land that a run may work again without repeating.
 
 #include <array>
 #include <cstddef>
@@ -11,11 +11,11 @@
 
 namespace tramline::coverage {
 
-/// No machine is wider: a run's pieces are kept for that long a travel.
+/// Distance of travel for which a run's pieces are kept; no machine is wider.
 inline constexpr double kLongestReach_m = 100;
 
-/// The recent pieces of every run. Runs that have not been added to for longest are forgotten where all of
-/// them keep more than a quarter of a million pieces: they ended long ago.
+/// The recent pieces of every run. When more than a quarter of a million pieces are kept in total, the runs
+/// not extended for longest are forgotten: they ended long ago.
 class RecentSwaths {
  public:
   /// Preconditions: three or four sides; travel_m does not decrease within a run.
@@ -44,8 +44,8 @@ class RecentSwaths {
   struct Trail {
     std::vector<Worked> pieces;   ///< by travel
     std::vector<Octagon> blocks;  ///< round kBlock pieces each
-    std::size_t first = 0;        ///< those before it are forgotten
-    std::uint64_t used = 0;       ///< when
+    std::size_t first = 0;        ///< pieces before it are forgotten
+    std::uint64_t used = 0;       ///< time of last use
   };
   static bool apart(const ConvexPiece& piece, const Worked& worked, std::size_t& apart_by);
   static void forget_before(Trail& trail, double travel_m);

@@ -183,7 +183,7 @@ EdgeSum snapped(std::vector<TileEdge> edges, std::int32_t side) {
     EdgeSum out(edges.size() + edges.size() / 2);
     if (!snap_once(edges, side, out) || round == kMostRounds) return out;
     edges.clear();
-    out.each_left([&](TilePoint from, TilePoint to) { edges.push_back({from, to}); });
+    out.each_remaining([&](TilePoint from, TilePoint to) { edges.push_back({from, to}); });
   }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Edges of cells, made to meet at common points.
+// Snaps edges of cells to common points.
 
 #include <cstdint>
 #include <vector>
@@ -13,14 +13,14 @@ struct TileEdge {
   TilePoint to;
 };
 
-/// Points no further apart than this are one in an outline, and edges pass through a point so close, units.
-/// Several times what rounding can do to cells (tile_frame.h).
+/// Points no further apart than this become one in an outline, and edges pass through points this close,
+/// units. Several times the effect of rounding on cells (tile_frame.h).
 inline constexpr std::int32_t kSnap = 16;
 
-/// Cells that rounding has pulled apart or pushed over one another by a few units meet again: points that all
-/// but coincide become one, those that close to the border of the tile lie on it, and edges run through the
-/// points that they all but pass. Edges walked both ways cancel. What is left meets at points only. Expected
-/// O(n log n) for edges about as long as they lie apart.
+/// Closes gaps and overlaps of a few units that rounding has made between cells: points that nearly coincide
+/// become one, points near the border of the tile are moved onto it, and edges are led through the points
+/// that they nearly pass. Opposite edges cancel. The remaining edges meet at points only. Expected O(n log n)
+/// for edges about as long as they lie apart.
 EdgeSum snapped(std::vector<TileEdge> edges, std::int32_t side);
 
 }  // namespace tramline::coverage

@@ -19,10 +19,10 @@ bool any_near(const TilePiece& piece, StateSet states, const CellStore& cells, V
   return false;
 }
 
-enum class Meeting { kNone, kCut, kWithin };
+enum class Overlap { kNone, kCut, kWithin };
 
 /// How the piece meets a cell, judged line by line; fills scratch.cutting.
-Meeting meeting(const TilePiece& piece, std::span<const TilePoint> ring, CutScratch& scratch) {
+Overlap overlap_of(const TilePiece& piece, std::span<const TilePoint> ring, CutScratch& scratch) {
   scratch.cutting.assign(piece.lines.size(), 0);
   bool cut = false;
   for (std::size_t k = 0; k < piece.lines.size(); ++k) {
@@ -32,13 +32,13 @@ Meeting meeting(const TilePiece& piece, std::span<const TilePoint> ring, CutScra
       least = std::min(least, d);
       most = std::max(most, d);
     }
-    if (most <= kOnLine) return Meeting::kNone;
+    if (most <= kOnLine) return Overlap::kNone;
     if (least < -kOnLine) {
       scratch.cutting[k] = 1;
       cut = true;
     }
   }
-  return cut ? Meeting::kCut : Meeting::kWithin;
+  return cut ? Overlap::kCut : Overlap::kWithin;
 }
 
 /// Cuts a cell by the lines that scratch.cutting names: scratch.inside, and `parts` rings of
@@ -80,15 +80,15 @@ bool apply(const TilePiece& piece, const Transition& next, StateSet changing, st
   CellStore& cells = tile.cells;
   any_near(piece, changing, cells, [&](std::size_t c) {
     const std::span<const TilePoint> ring = cells.ring(c);
-    const Meeting met = meeting(piece, ring, scratch);
-    if (met == Meeting::kNone) return false;
+    const Overlap overlap = overlap_of(piece, ring, scratch);
+    if (overlap == Overlap::kNone) return false;
     std::size_t parts = 0;
-    if (met == Meeting::kCut && !cut(piece, ring, side, scratch, parts)) return false;
+    if (overlap == Overlap::kCut && !cut(piece, ring, side, scratch, parts)) return false;
     const CellState before = cells.state(c), after = next[before];
     const std::int64_t whole = twice_area(ring.data(), ring.size());
     changed = true;
     totals[before] -= whole;
-    if (met == Meeting::kWithin) {
+    if (overlap == Overlap::kWithin) {
       totals[after] += whole;
       cells.set_state(c, after);
       return false;
@@ -108,9 +108,10 @@ bool covers(const TilePiece& piece, StateSet states, std::int64_t side, const Ti
             CutScratch& scratch) {
   return any_near(piece, states, tile.cells, [&](std::size_t c) {
     const std::span<const TilePoint> ring = tile.cells.ring(c);
-    const Meeting met = meeting(piece, ring, scratch);
+    const Overlap overlap = overlap_of(piece, ring, scratch);
     std::size_t parts = 0;
-    return met == Meeting::kWithin || (met == Meeting::kCut && cut(piece, ring, side, scratch, parts));
+    return overlap == Overlap::kWithin ||
+           (overlap == Overlap::kCut && cut(piece, ring, side, scratch, parts));
   });
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The exact engine of coverage: areas current after every step, whatever has been worked before.
+// The exact coverage engine: areas are current after every step, whatever has been worked before.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,16 +18,15 @@ namespace tramline::coverage {
 /// The plane is cut into square tiles; each tile is a partition into convex cells, every one of them wholly
 /// inside or outside the field, worked the same number of times and repeated or not. A quad splits the cells
 /// whose state it changes and leaves the others alone; areas are sums over cells, kept as they change.
-/// Coordinates within a tile are integers finer than 1 µm (7.5 nm for tiles of 8 m), and what lies closer
-/// together than four of them is one.
-///
-/// Quads of one step are one another's own trail: where they overlap, the ground is sliver. A quad that
-/// crosses itself is its two triangles. Not safe to change from several threads at once.
+/// Coordinates within a tile are integers in units finer than 1 µm (7.5 nm for tiles of 8 m), and points
+/// closer together than four units count as one.
+/// Quads of one step belong to one another's own trail: land where they overlap is sliver. A quad that
+/// crosses itself counts as its two triangles. Not safe to change from several threads at once.
 class TileCoverage {
  public:
   struct Settings {
     double tile_m = 8;         ///< side of a tile, kLeastTile_m … kLargestTile_m; about the working width
-    bool multiplicity = true;  ///< count up to kMostCounted; else only once and again
+    bool multiplicity = true;  ///< count up to kMostCounted; otherwise only once, and more than once
   };
 
   /// `field`: without obstacles, oriented; empty: no field. Throws bad input for a side out of range.
@@ -36,42 +35,44 @@ class TileCoverage {
   TileCoverage& operator=(TileCoverage&&) noexcept;
   ~TileCoverage();
 
-  /// Amortised O(cells met). Preconditions: finite coordinates within kFarthest_m of the origin; travel_m
-  /// does not decrease within a run, and what lies further back than kLongestReach_m is forgotten.
+  /// Adds a step. Work further back in a run than kLongestReach_m is forgotten. Amortised O(cells
+  /// overlapped). Preconditions: finite coordinates within kFarthest_m of the origin; travel_m does not
+  /// decrease within a run.
   void add(const WorkedStep& step);
 
-  /// Ground that may have been worked and was not recorded. What is worked, before or after, is covered all
-  /// the same. O(cells met). Precondition as for add().
+  /// Adds land that may have been worked and was not recorded. Land that is worked, before or after, still
+  /// counts as covered. O(cells overlapped). Precondition as for add().
   void add_unrecorded(const std::vector<Quad>& quads);
 
   /// O(1).
   const CoverageAreas& areas() const;
 
-  /// All such ground. Rings simple, holes inside; vertices on a grid of 64 units, and parts thinner than two
-  /// of those (1 µm for tiles of 8 m) on average left out: their area is that of areas() up to about 1 µm
-  /// times the perimeter. Empty for ground that is not counted (kTwice, kOften without multiplicity). In a
-  /// stable order, on any number of threads. O(cells of such ground).
+  /// All land of this class. Rings are simple, holes inside; vertices lie on a grid of 64 units, and parts
+  /// thinner on average than two of those (1 µm for tiles of 8 m) are left out: the area equals that of
+  /// areas() up to about 1 µm times the perimeter. Empty for land that is not counted (kTwice, kOften without
+  /// multiplicity). The order is the same on any number of threads. O(cells of such land).
   Region region(Ground what) const;
 
-  /// Ground of the field (without a field: all ground) not worked yet that may lie within a convex ring, in
-  /// convex rings, counter-clockwise, that do not overlap: every such cell that reaches into it, whole.
-  /// Within 4 units. O(cells of the tiles it reaches into). Precondition: counter-clockwise.
+  /// Land of the field (without a field: all land) not worked yet near a convex ring, as convex,
+  /// counter-clockwise rings that do not overlap: each such cell that reaches into the ring, as a whole.
+  /// Exact within 4 units. O(cells of the tiles it reaches into). Precondition: counter-clockwise.
   std::vector<Ring> open_ground(const Ring& convex) const;
 
-  /// A square in which something changed, with what it holds now.
+  /// A tile in which something changed, with its present land of the requested class.
   struct Change {
     Box tile;
     Region ground;
     TileIndex index{};
   };
-  /// What changed after `stamp`, a value that stamp() had before; 0: every tile that was ever worked in.
-  /// Missed ground of other tiles is the field's own. In the order in which tiles were first worked in.
-  /// O(tiles), and O(cells) of those that changed; on several threads, with the same result on any number.
+  /// The tiles that changed after `stamp`, an earlier value of stamp(); 0: every tile that was ever worked
+  /// in. In all other tiles the missed land is the whole field. In the order in which tiles were first worked
+  /// in. O(tiles), and O(cells) of those that changed; on several threads, with the same result on any
+  /// number.
   std::vector<Change> changes_since(std::uint64_t stamp, Ground what) const;
-  /// Grows with every step that changes anything.
+  /// A number that grows with every step that changes anything.
   std::uint64_t stamp() const;
 
-  /// How much there is; for measurements.
+  /// Counts and memory, for measurements.
   struct Size {
     std::size_t tiles = 0;
     std::size_t cells = 0;

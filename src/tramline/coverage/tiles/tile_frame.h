@@ -1,5 +1,5 @@
 #pragma once
-// How the plane is cut into tiles, and the grid that all coordinates of the exact engine lie on.
+// The division of the plane into tiles, and the grid of all coordinates of the exact engine.
 
 #include <cmath>
 #include <cstdint>
@@ -13,13 +13,13 @@ namespace tramline::coverage {
 inline constexpr double kLeastTile_m = 0.25;
 inline constexpr double kLargestTile_m = 512;
 
-// What counts as the same place, in units. Crossings are rounded by 0.7 at most, and vertices that merged
-// cells lose lay no further than kStraight off the edge that remains.
+// Distances that count as zero, in units. Crossings are rounded by 0.7 at most, and vertices lost by merging
+// cells lay no further than kStraight from the remaining edge.
 /// A vertex no further from a line than this lies on it.
 inline constexpr double kOnLine = 4;
-/// A crossing this close to a corner of what cuts is that corner, in x and y.
+/// A crossing this close, in x and y, to a corner of the cutting piece is that corner.
 inline constexpr double kSamePlace = 2;
-/// A corner of merged cells no further than this from the line between its neighbours is none.
+/// A corner of merged cells no further than this from the line between its neighbours is removed.
 inline constexpr double kStraight = 1;
 
 struct TileIndex {

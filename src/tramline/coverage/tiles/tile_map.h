@@ -1,5 +1,5 @@
 #pragma once
-// The tiles that something was worked in, by place.
+// The tiles that were worked in, by index.
 
 #include <cstdint>
 #include <deque>
@@ -11,7 +11,7 @@
 
 namespace tramline::coverage {
 
-/// Tiles are made when they are first asked for, and stay where they are.
+/// Tiles are made on first use, and their addresses stay valid.
 class TileMap {
  public:
   /// The tile, or nullptr. O(1).
@@ -34,8 +34,8 @@ class TileMap {
   };
 
   std::deque<Tile> tiles_;
-  std::unordered_map<std::uint64_t, Tile*, Hash> by_place_;
-  Tile* last_ = nullptr;  ///< asked for last: mostly the next one too
+  std::unordered_map<std::uint64_t, Tile*, Hash> by_index_;
+  Tile* last_ = nullptr;  ///< the last one used, usually also the next
 };
 
 }  // namespace tramline::coverage

@@ -22,7 +22,7 @@ std::vector<TileEdge> outer_edges(const CellStore& cells, StateSet states) {
     const std::span<const TilePoint> ring = cells.ring(c);
     for (std::size_t i = 0; i < ring.size(); ++i) sum.add(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
   }
-  sum.each_left([&](TilePoint from, TilePoint to) { out.push_back({from, to}); });
+  sum.each_remaining([&](TilePoint from, TilePoint to) { out.push_back({from, to}); });
   return out;
 }
 
@@ -158,7 +158,7 @@ TileOutline outline_of(TileIndex tile, const CellStore& cells, StateSet states, 
   const auto width = static_cast<std::int32_t>(side);
   Border border(tile, width);
   std::vector<TileEdge> inner;
-  snapped(std::move(outer), width).each_left([&](TilePoint from, TilePoint to) {
+  snapped(std::move(outer), width).each_remaining([&](TilePoint from, TilePoint to) {
     const TileEdge edge{from, to};
     if (along_border(edge, width)) return border.add_edge(edge);
     inner.push_back(edge);

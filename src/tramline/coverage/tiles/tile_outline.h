@@ -1,5 +1,5 @@
 #pragma once
-// The boundary of some ground within a tile.
+// The boundary of a region within a tile.
 
 #include <cstdint>
 #include <vector>
@@ -9,20 +9,20 @@
 
 namespace tramline::coverage {
 
-/// A stretch of boundary along the border between tiles, ground on its left; units.
+/// A stretch of boundary along the border between tiles, with the region on its left; units.
 struct BorderEdge {
   bool upright = false;   ///< along a column's border; else along a row's
   std::int32_t line = 0;  ///< the number of the column east of it, or of the row north of it
-  std::int64_t from = 0;  ///< along it; from = to: something else ends here
+  std::int64_t from = 0;  ///< along it; from = to: only marks a point where another edge ends
   std::int64_t to = 0;
 };
 
-/// Frame: units from the tile's corner. Chains have the ground on their left, and no forks but at
-/// their ends; closed ones end where they begin.
+/// Frame: units from the tile's corner. Chains have the region on their left, and forks only at their ends;
+/// closed ones end where they begin.
 struct TileOutline {
   TileIndex tile;
   std::vector<TilePoint> points;    ///< of all chains, one after another
-  std::vector<std::uint32_t> ends;  ///< of each chain, one past its last point
+  std::vector<std::uint32_t> ends;  ///< for each chain, one past its last point
   std::vector<BorderEdge> border;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which tiles a convex piece or a segment reaches into.
+// The tiles that a convex piece or a segment reaches into.
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #pragma once
-// The part of the field that lies in tiles nothing has worked in.
+// The part of the field in tiles that were never worked in.
 
 #include <functional>
 #include <vector>
@@ -9,7 +9,8 @@
 
 namespace tramline::coverage {
 
-/// As boundaries: of the tiles that the field's boundary passes one by one, of the others in runs.
+/// The boundaries of that part: tiles that the field's boundary crosses are listed one by one, the others in
+/// runs.
 struct UntouchedGround {
   std::vector<TileIndex> border_tiles;
   std::vector<BorderEdge> border;  ///< of runs of tiles wholly within the field

@@ -1,5 +1,5 @@
 #pragma once
-// Everything of an evaluation that has no shape: the table `metadata` of a coverage file.
+// The data of an evaluation without shapes: the table `metadata` of a coverage file.
 
 #include <filesystem>
 
@@ -9,11 +9,11 @@
 namespace tramline::io {
 
 /// Figures, counts, names, local frame and remarks of an evaluation; the program's version, and worked hours
-/// for people. What is not known (NaN) is an empty text.
+/// for people. Unknown values (NaN) are empty texts.
 Metadata metadata_of(const Coverage& coverage);
 
 /// The inverse: fills those parts of `coverage`. Throws Error(kBadInput) naming `file` and the key where a
-/// key is missing, a number none or infinite, or the version one that cannot be read.
+/// key is missing, a number is invalid or infinite, or the version cannot be read.
 void apply_metadata(const Metadata& metadata, const std::filesystem::path& file, Coverage& coverage);
 
 }  // namespace tramline::io

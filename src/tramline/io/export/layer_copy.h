@@ -1,5 +1,5 @@
 #pragma once
-// One layer of a plan file copied into an export.
+// Copies one layer of a plan file into an export.
 
 #include <ogrsf_frmts.h>
 
@@ -12,18 +12,18 @@
 
 namespace tramline::io {
 
-/// What all layers of an export have in common.
+/// The settings common to all layers of an export.
 struct LayerWay {
   ExportFormat format;
   const TargetCrs& target;
   Point offset;            ///< offset_of() the field's frame
-  std::time_t time;        ///< of the file
+  std::time_t time;        ///< time stamp of the file
   double tolerance_m = 0;  ///< by which shapes may deviate from the plan's to need fewer vertices
 };
 
-/// Copies the features in their order, as export_plan() says, and gives their number. Texts that the format
-/// cannot hold whole are added to `shortened`. Failures of GDAL are left to the GdalErrors of the caller;
-/// throws Error(kBadInput) where the target has no place for a shape. O(n) in vertices.
+/// Copies the features in their order, as described at export_plan(), and returns their number. Texts that
+/// the format cannot hold whole are added to `shortened`. Failures of GDAL are left to the GdalErrors of the
+/// caller; throws Error(kBadInput) where a shape has no position in the target CRS. O(n) in vertices.
 int copy_layer(OGRLayer& from, GDALDataset& to, const LayerWay& way, std::vector<Skipped>& shortened);
 
 }  // namespace tramline::io

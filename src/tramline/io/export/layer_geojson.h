@@ -1,5 +1,5 @@
 #pragma once
-// One layer of a file of ours for a map on a screen.
+// One layer of a tramline file as GeoJSON, for a map on a screen.
 
 #include <filesystem>
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace tramline::io {
 
-/// The layer as GeoJSON (RFC 7946), with longitude and latitude on WGS 84; features, columns and drawn lines
-/// as export_plan() has them. `frame` is that of the file; a plain one is shown by the transverse Mercator
-/// centred on (0°, 0°), its local metres taken for those of that. Throws Error(kBadInput) where there is no
-/// such file or layer, or the layer has no shapes; Error(kFailure) where GDAL reports a failure. O(n).
+/// The layer as GeoJSON (RFC 7946), with longitude and latitude on WGS 84; features, columns and lines as in
+/// export_plan(). `frame` is that of the file; a plain one is shown as if its local metres were those of the
+/// transverse Mercator centred on (0°, 0°). Throws Error(kBadInput) where there is no such file or layer, or
+/// the layer has no shapes; Error(kFailure) where GDAL reports a failure. O(n).
 std::string layer_geojson(const std::filesystem::path& file, const LocalFrame& frame,
                           const std::string& layer);
 
-/// The geodetic frame that a map shows local metres of `frame` in: the frame itself, or that centred on
+/// The geodetic frame in which a map shows local metres of `frame`: the frame itself, or that centred on
 /// (0°, 0°).
 LocalFrame shown_frame(const LocalFrame& frame);
 

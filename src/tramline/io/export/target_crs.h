@@ -1,5 +1,5 @@
 #pragma once
-// The coordinate reference system of an export, and the way to it from the field's local metres.
+// The coordinate reference system of an export, with conversion from the field's local metres.
 
 #include <ogr_spatialref.h>
 
@@ -12,27 +12,28 @@
 
 namespace tramline::io {
 
-/// Goes from the field's local metres to the exported coordinates and back. Holds PROJ objects: neither
-/// copied nor moved, one thread at a time.
+/// Converts the field's local metres to the exported coordinates and back. Holds PROJ objects: neither copied
+/// nor moved, one thread at a time.
 class TargetCrs {
  public:
-  /// `asked`: "" for what the format does by itself, "source", "wgs84", or anything that Crs takes.
-  /// Throws Error(kBadInput) where PROJ does not know it, where the format allows only WGS 84 and it is
-  /// another, where the plan does not say its source, and where a field in plain metres is to be put
-  /// somewhere on earth.
+  /// `asked`: "" for the format's default, "source", "wgs84", or any definition accepted by Crs. Throws
+  /// Error(kBadInput) where PROJ does not know it, where the format allows only WGS 84 and another is asked
+  /// for, where the plan does not record its source CRS, and where a field in plain metres is to be
+  /// georeferenced.
   TargetCrs(const Field& field, const std::string& asked, ExportFormat format);
   TargetCrs(const TargetCrs&) = delete;
   TargetCrs& operator=(const TargetCrs&) = delete;
 
   /// "ETRS89 / UTM zone 32N (EPSG:25832)", "plain metres"
   const std::string& name() const { return crs_.name(); }
-  /// For the file.
+  /// The definition for the file.
   const OGRSpatialReference& reference() const { return reference_; }
   bool in_degrees() const { return crs_.in_degrees(); }
-  /// The field's plane itself, shifted: straight lines stay straight.
+  /// Whether it is the field's plane itself, shifted, so that straight lines stay straight.
   bool plain() const { return crs_.plain(); }
 
-  /// Throws Error(kBadInput) where the CRS has no such place, or one that it does not lead back from.
+  /// Throws Error(kBadInput) where the point has no position in the CRS, or one that cannot be converted
+  /// back.
   Point from_local(Point local_m) const;
   /// The inverse; nullopt where PROJ refuses the point.
   std::optional<Point> to_local(Point target) const;

@@ -5,7 +5,7 @@
 
 namespace tramline::io {
 
-/// The longest beginning of at most `bytes` bytes that splits no character.
+/// The longest prefix of at most `bytes` bytes that does not split a character.
 constexpr std::string_view utf8_prefix(std::string_view text, std::size_t bytes) {
   if (text.size() <= bytes) return text;
   while (bytes > 0 && (static_cast<unsigned char>(text[bytes]) & 0xC0) == 0x80) --bytes;

@@ -1,5 +1,5 @@
 #pragma once
-// A folder in memory, packed.
+// Zips a folder in memory.
 
 #include <cstddef>
 #include <ctime>

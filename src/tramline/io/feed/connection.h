@@ -1,5 +1,5 @@
 #pragma once
-// A TCP connection that is made again when it is lost.
+// A TCP connection that is reopened when it is lost.
 
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -18,19 +18,19 @@ struct HostPort {
 };
 HostPort host_and_port(const std::string& text, const std::string& option, const std::string& default_port);
 
-/// Never blocks after it was made.
+/// A connection that never blocks after construction.
 class Connection {
  public:
-  /// Connects, 10 s at most. Throws bad_input, with `what` in front, where nobody answers.
+  /// Connects, waiting 10 s at most. Throws bad_input, beginning with `what`, where nobody answers.
   Connection(const HostPort& place, std::string what);
 
-  /// -1 while there is none, or one is being made.
+  /// The descriptor; -1 while there is no connection, or one is being opened.
   int descriptor() const { return connected_ ? socket_.number() : -1; }
-  /// When try_again() is due.
+  /// The time until try_again() is due, ms.
   int wait_ms() const;
-  /// The connection is lost.
+  /// Closes a lost connection.
   void drop();
-  /// True when it is there again.
+  /// Tries to connect again; true when it is connected.
   bool try_again();
   ReadResult read(std::string& bytes, int& fault) { return read_some(socket_, bytes, fault); }
   void send(const std::string& text);
@@ -43,7 +43,7 @@ class Connection {
   bool begin();
   int pending_fault(int timeout_ms);
 
-  std::vector<Address> addresses_;  ///< found once: looking names up blocks
+  std::vector<Address> addresses_;  ///< looked up once, because name resolution blocks
   std::size_t next_ = 0;
   Descriptor socket_;
   bool connected_ = false;

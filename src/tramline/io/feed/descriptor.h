@@ -25,10 +25,10 @@ class Descriptor {
   int number_ = -1;
 };
 
-/// What one reading of a descriptor that does not block gave.
+/// The result of one non-blocking read of a descriptor.
 enum class ReadResult { kBytes, kNothingYet, kEnd, kFault };
 
-/// Appends what is there, 64 KiB at most. `fault`: the errno of kFault.
+/// Appends the available bytes, 64 KiB at most. `fault`: the errno of kFault.
 ReadResult read_some(const Descriptor& descriptor, std::string& bytes, int& fault);
 
 /// The words for an errno: "Connection refused".

@@ -1,5 +1,5 @@
 #pragma once
-// From bytes as they come to lines.
+// Splits a stream of bytes into lines.
 
 #include <string>
 #include <string_view>
@@ -7,13 +7,13 @@
 
 namespace tramline::io {
 
-/// Keeps the beginning of a line until its end comes. A line longer than kLongestLine is left out: it is no
+/// Keeps the beginning of a line until its end arrives. A line longer than kLongestLine is dropped: it is not
 /// text of a log.
 class LineSplitter {
  public:
   /// Appends the lines that the bytes complete, without their ends; a carriage return stays.
   void add(std::string_view bytes, std::vector<std::string>& lines);
-  /// The line whose end did not come; it is gone then.
+  /// Returns and removes the line whose end has not arrived.
   std::string take_rest();
   bool has_rest() const { return !rest_.empty(); }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The lines of a stream in a file, as they came.
+// A file that stores the lines of a stream unchanged.
 
 #include <condition_variable>
 #include <cstddef>
@@ -13,30 +13,30 @@
 
 namespace tramline::io {
 
-/// Lines that the program itself adds begin so; they are no part of the stream. For readers of logs they are
-/// what stands behind it: "#!work=1" says "#work=1".
+/// The prefix of lines that the program itself adds; they are not part of the stream. Readers of logs read
+/// them without the exclamation mark: "#!work=1" means "#work=1".
 inline constexpr const char* kOwnLine = "#!";
 
-/// Appends lines; each is with the operating system when append() comes back, and on the disk a second later.
-/// Locked: nobody else can open it so. What cannot be written, because the disk is full, is kept and tried
-/// again every second, 64 MiB at most.
+/// Appends lines; each is with the operating system when append() returns, and on the disk a second later.
+/// The file is locked against other writers of this kind. Data that cannot be written because the disk is
+/// full are kept and retried every second, 64 MiB at most.
 class RawLog {
  public:
-  /// Opens or makes it. What it holds after the last line end is cut off: it was being written when the
-  /// machine stopped. Throws bad_input where another process has it, or it cannot be written.
+  /// Opens or creates the file. Anything after the last line end is cut off: it was being written when the
+  /// machine stopped. Throws bad_input where another process has it open, or it cannot be written.
   explicit RawLog(std::string path);
   RawLog(const RawLog&) = delete;
   RawLog& operator=(const RawLog&) = delete;
   ~RawLog();
 
-  /// The lines that were there when it was opened.
+  /// Returns the lines that the file held when it was opened.
   std::vector<std::string> take_lines_before() { return std::move(before_); }
   void append(const std::string& lines_with_ends);
-  /// Tries once more to write what could not be written.
+  /// Tries once more to write the pending data.
   void retry();
-  /// Why the last lines are not in the file; "" when all are.
+  /// The reason why the last lines are not in the file; "" when all are.
   const std::string& fault() const { return fault_; }
-  /// In a forked process: the lock and the file are the parent's.
+  /// Releases the file without writing, for a forked process: lock and file belong to the parent.
   void abandon();
 
  private:
@@ -52,7 +52,7 @@ class RawLog {
   std::string fault_;
   bool lost_ = false;
 
-  // Bytes reach the disk by a thread of their own: waiting for one may take longer than fixes are apart.
+  // A separate thread syncs bytes to the disk: waiting for that may take longer than the interval of fixes.
   std::mutex mutex_;
   std::condition_variable wake_;
   bool dirty_ = false;

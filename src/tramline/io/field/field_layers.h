@@ -14,9 +14,9 @@ namespace tramline::io {
 /// Both layers, obstacles in their order. Failures of GDAL are left to the GdalErrors of the caller.
 void write_field_layers(const Target& target, const Field& field);
 
-/// The inverse: fills the outer ring and the obstacles. `seen` is told of every row and its polygon. Throws
-/// Error(kBadInput) naming file, layer and feature where there is not one field, or a value is missing or of
-/// another kind.
+/// The inverse: fills the outer ring and the obstacles. `seen` is called for every row with its polygon.
+/// Throws Error(kBadInput) naming file, layer and feature where there is not exactly one field, or a value is
+/// missing or of the wrong type.
 void read_field_layers(Rows& file, const std::filesystem::path& path, const FileKind& kind, Field& field,
                        const std::function<void(const Row&, const Polygon&)>& seen = {});
 

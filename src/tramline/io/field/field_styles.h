@@ -1,5 +1,5 @@
 #pragma once
-// How QGIS is to draw a field.
+// The QGIS styles of a field.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 namespace tramline::io {
 
 LayerStyle obstacles_style();
-/// Of a file that holds a field alone.
+/// The styles of a file that holds a single field.
 std::vector<LayerStyle> styles_of_field();
 
 }  // namespace tramline::io

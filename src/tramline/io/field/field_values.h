@@ -1,5 +1,5 @@
 #pragma once
-// Everything of a field that has no shape, as keys and values of the table `metadata`.
+// The data of a field without shapes, as keys and values of the table `metadata`.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace tramline::io {
 
-/// The one list of keys, walked by writers (const field) and by readers.
+/// Visits all keys, in the same order for writers (const field) and readers.
 template <class FieldOrConst, class Visitor>
 void each_field_value(FieldOrConst& field, Visitor&& visit) {
   visit("field.id", field.id);
@@ -30,11 +30,11 @@ void each_field_value(FieldOrConst& field, Visitor&& visit) {
   visit("frame.origin_y_m", field.frame.origin_y_m);
 }
 
-/// Came later than the rest: files without it are as good.
+/// A key added later than the others: files without it are valid too.
 inline constexpr const char* kInputCrsKey = "field.source.input_crs";
 
-/// Source files are named without their folders: a file does not carry the paths of the machine it was made
-/// on. To be called when all keys are there.
+/// Removes the folders of source files: a file must not contain paths of the machine it was made on. To be
+/// called when all keys are there.
 void leave_folders_out(Metadata& metadata);
 
 class FieldKeyWriter : public KeyWriter {

@@ -1,5 +1,5 @@
 #pragma once
-// The booms of a log, each different one once.
+// The distinct booms of a log.
 
 #include <map>
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace tramline::io {
 
-/// Hands out the numbers that Fix::boom holds.
+/// Assigns the numbers stored in Fix::boom.
 class BoomList {
  public:
-  /// The number of this boom; a new one for a boom that was not there yet. O(sections · log of booms).
+  /// The number of this boom, a new one for a new boom. O(sections · log of booms).
   int number_of(const Boom& boom);
   const std::vector<Boom>& booms() const { return booms_; }
 
@@ -22,15 +22,15 @@ class BoomList {
   std::map<std::vector<double>, int> numbers_;
 };
 
-/// Sections side by side from left to right, in the middle of the machine. A section without width keeps its
-/// place among the others and works nothing. Precondition: widths finite and not negative, metres.
+/// Sections side by side from left to right, centred on the machine. A section without width keeps its
+/// position in the order and works nothing. Precondition: widths finite and not negative, metres.
 Boom side_by_side(std::span<const double> widths_m);
 
-/// One section in the middle of the machine; none for no width.
+/// One section centred on the machine; none without a width.
 Boom one_section(double width_m);
 
-/// Tells of booms that are wider than machines are: lists of widths may give that of the whole machine for
-/// each section. Empty where there are none.
+/// A note on implausibly wide booms: lists of widths may give that of the whole machine for each section.
+/// Empty where there are none.
 std::string note_on_wide(std::span<const Boom> booms);
 
 }  // namespace tramline::io

@@ -1,14 +1,14 @@
 #pragma once
-// How far a machine's counter got over a log.
+// The increase of a machine's counter over a log.
 
 #include <optional>
 
 namespace tramline::io {
 
-/// Counters run on from what they showed before the log began, and begin anew where somebody resets them.
+/// Sums the increase of a counter that continues from its value before the log and may be reset.
 class CounterTotal {
  public:
-  /// A reading; negative ones and those that are no number are none.
+  /// Adds a reading; negative readings and NaN are ignored.
   void add(double reading);
   /// NaN before the second reading.
   double total() const;

@@ -1,5 +1,5 @@
 #pragma once
-// Courses over the ground taken as headings.
+// Headings derived from courses over ground.
 
 #include "tramline/geometry/angle.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// The lines of a text, one after the other, from a file that may be gzipped.
+// Reads the lines of a text one after the other, also from gzipped files.
 
 #include <cstddef>
 #include <memory>
@@ -8,23 +8,26 @@
 
 namespace tramline::io {
 
-/// Refused beyond this: what a compressed file expands to, or a file that has to be read whole.
+/// The largest expanded size of a compressed file, and of a file that has to be read whole; larger ones are
+/// refused.
 inline constexpr std::size_t kMostExpanded = std::size_t{1} << 30;
-/// Refused beyond this: a text that is held whole, and parsed into a tree several times its size.
+/// The largest text that is held whole and parsed into a tree several times its size; larger ones are
+/// refused.
 inline constexpr std::size_t kMostWholeText = std::size_t{128} << 20;
-/// No line of a log is as long.
+/// The limit on the length of a line; no line of a log is as long.
 inline constexpr std::size_t kLongestLine = std::size_t{1} << 20;
 
-/// No log has as many: 3 million fixes of NMEA come with up to 16 sentences each.
+/// The limit on the number of lines; no log has as many: 3 million fixes of NMEA come with up to 16 sentences
+/// each.
 inline constexpr std::size_t kMostLines = 50'000'000;
 
-/// Where lines come from.
+/// A source of lines.
 class Lines {
  public:
   virtual ~Lines() = default;
   /// The next line without its end; false after the last. A last line without an end counts.
   virtual bool next(std::string& line) = 0;
-  /// Why the text stopped before its end; empty when it did not.
+  /// The reason why the text stopped before its end; empty when it did not.
   virtual std::string cut_off() const { return {}; }
 };
 

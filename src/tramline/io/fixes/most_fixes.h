@@ -1,5 +1,5 @@
 #pragma once
-// How many fixes one log may have.
+// The limit on the number of fixes of one log.
 
 #include <cstddef>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-// Which positions a log can have.
+// Validates the positions of a log.
 
 #include <string>
 
@@ -7,13 +7,12 @@
 
 namespace tramline::io {
 
-/// Why this is no longitude and latitude of a machine: "latitude 97.3 is impossible"; empty when it can be
-/// one. 0, 0 is what receivers write that know no position.
+/// The reason why this cannot be the longitude and latitude of a machine: "latitude 97.3 is impossible";
+/// empty for a possible one. 0, 0 is written by receivers without a position.
 std::string fault_of_lonlat(Point lonlat_deg);
 
-/// Moves the fixes to `skipped` that are more than two degrees from where most of the log is: no machine
-/// works there and here, but a damaged record can look whole. Nothing happens to logs in local metres.
-/// O(fixes).
+/// Moves fixes more than two degrees from most of the log to `skipped`: no machine works that far apart, but
+/// a damaged record can look intact. Logs in local metres are not changed. O(fixes).
 void skip_strays(WorkLog& log);
 
 }  // namespace tramline::io

@@ -1,5 +1,5 @@
 #pragma once
-// How much memory a text of XML takes once it is parsed.
+// Limits the memory that XML takes once it is parsed.
 
 #include <cstddef>
 #include <string>
@@ -7,11 +7,12 @@
 
 namespace tramline::io {
 
-/// Refused beyond this: the tree of elements, texts and attributes that a parser makes of a text. A GPX file
-/// of 128 MiB whose points have a height and a time takes 512 MiB.
+/// The largest tree of elements, texts and attributes that a parser may make of a text; larger ones are
+/// refused. A GPX file of 128 MiB whose points have a height and a time takes 512 MiB.
 inline constexpr std::size_t kMostXmlTree = std::size_t{640} << 20;
 
-/// Bytes that the tree of this text takes at most, told from its marks alone. O(n), without memory.
+/// An upper bound of the bytes that the tree of this text takes, estimated from its markup characters alone.
+/// O(n), without memory.
 std::size_t xml_tree_bytes(std::string_view xml);
 
 /// Throws bad_input that begins with `place`, before anything is parsed, where the tree would be larger.

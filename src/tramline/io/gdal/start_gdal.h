@@ -1,5 +1,5 @@
 #pragma once
-// How GDAL is set up: what a file says opens neither a connection nor another file.
+// Configures GDAL so that the contents of a file open neither a connection nor another file.
 
 namespace tramline::io {
 
@@ -9,9 +9,9 @@ namespace tramline::io {
 /// anything; safe for several threads.
 void start_gdal();
 
-/// While one lives, GDAL may open connections: for an address that the user has typed, such as
-/// "WFS:https://…" or "/vsicurl/https://…", and not for what stands in a file. For the whole process, so that
-/// only a program that serves nobody else makes one. Precondition: start_gdal() was called.
+/// While one exists, GDAL may open connections: for an address that the user has typed, such as
+/// "WFS:https://…" or "/vsicurl/https://…", not for the contents of a file. It applies to the whole process,
+/// so only a program that does not serve others may create one. Precondition: start_gdal() was called.
 class ConnectionsAllowed {
  public:
   ConnectionsAllowed();

@@ -4,7 +4,7 @@
 
 namespace tramline::io {
 
-/// What tells the rows of one field from those of others in the same layers.
+/// The names that distinguish the rows of one field from those of others in the same layers.
 struct FieldNames {
   std::string key;  ///< unique in the file
   std::string id;

@@ -1,5 +1,5 @@
 #pragma once
-// What a GeoPackage of ours holds, for messages.
+// The kind of a tramline GeoPackage, for messages.
 
 namespace tramline::io {
 

@@ -1,5 +1,5 @@
 #pragma once
-// GDAL's error channel, caught: a library never prints.
+// Catches GDAL's errors: a library never prints.
 
 #include <cpl_error.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Values of every kind as the texts of the table `metadata`, and back.
+// Converts values of every kind to the texts of the table `metadata`, and back.
 
 #include <filesystem>
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace tramline::io {
 
-/// Puts values under keys. Zeros have no sign.
+/// Writes values under keys. Zeros have no sign.
 class KeyWriter {
  public:
   explicit KeyWriter(Metadata& out) : out_(out) {}
@@ -41,10 +41,10 @@ class KeyWriter {
 };
 
 /// The inverse. Every function throws Error(kBadInput) naming the file and the key where that is missing or
-/// has a value of another kind; numbers have to be finite.
+/// has a value of the wrong type; numbers have to be finite.
 class KeyReader {
  public:
-  /// All three have to be alive as long.
+  /// All three have to outlive this.
   KeyReader(const Metadata& metadata, const std::filesystem::path& file, const FileKind& kind)
       : metadata_(metadata), file_(file), kind_(kind) {}
 
@@ -62,7 +62,7 @@ class KeyReader {
   Error wrong(const std::string& key, const char* expected) const;
   /// "plan.gpkg: table metadata, reference"
   std::string place_of(const std::string& key) const;
-  /// Hands the JSON under the key to `take`; what that throws of nlohmann::json is reported as no list.
+  /// Passes the JSON under the key to `take`; exceptions of nlohmann::json are reported as "not a list".
   void parse(const std::string& key, const std::function<void(const nlohmann::json&)>& take) const;
 
  private:

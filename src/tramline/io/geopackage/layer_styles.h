@@ -1,5 +1,5 @@
 #pragma once
-// How QGIS is to draw the layers of a file of ours.
+// The QGIS styles of the layers of a tramline file.
 
 #include <ogrsf_frmts.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// The coordinate reference system a plan's local metres are written in.
+// The coordinate reference system in which a plan's local metres are written.
 
 #include <ogr_spatialref.h>
 
@@ -9,11 +9,11 @@
 namespace tramline::io {
 
 /// Geodetic frame: the local transverse Mercator on WGS 84. Plain frame: an engineering CRS in
-/// metres, tied to no place on earth. Throws Error(kFailure) where PROJ refuses the definition.
+/// metres, without a position on earth. Throws Error(kFailure) where PROJ refuses the definition.
 OGRSpatialReference crs_of(const LocalFrame& frame);
 
-/// What has to be added to local coordinates to get those of the CRS: the plain frame's origin, so
-/// that the plan lies on the plane it came from; (0, 0) for a geodetic frame.
+/// The offset to add to local coordinates to get those of the CRS: the plain frame's origin, so that the plan
+/// lies in the plane it came from; (0, 0) for a geodetic frame.
 Point offset_of(const LocalFrame& frame);
 
 }  // namespace tramline::io

@@ -1,5 +1,5 @@
 #pragma once
-// A folder in GDAL's memory: nothing half-written ever lies on the disk.
+// A folder in GDAL's memory, so that nothing half-written is ever on the disk.
 
 #include <cstddef>
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace tramline::io {
 
-/// Gone at the end of the scope, with everything in it.
+/// The folder is deleted at the end of the scope, with everything in it.
 class MemoryFolder {
  public:
   MemoryFolder();

@@ -1,5 +1,5 @@
 #pragma once
-// What whoever keeps a file of ours notes in it, beside what the file itself has to say.
+// Remarks that the program which keeps a tramline file stores in it, in addition to the file's own data.
 
 #include <filesystem>
 
@@ -8,14 +8,15 @@
 
 namespace tramline::io {
 
-/// Before the key of every remark in the table `metadata`; readers of the file itself pass over such keys.
+/// The prefix of the key of every remark in the table `metadata`; readers of the file itself ignore such
+/// keys.
 inline constexpr const char* kRemarkPrefix = "kept.";
 
 void add_remarks(const Metadata& remarks, Metadata& out);
-/// Without the prefix.
+/// The remarks in the table, with keys without the prefix.
 Metadata remarks_in(const Metadata& metadata);
 
-/// The table `metadata` of a file alone, remarks and all: much quicker than the whole. Throws
+/// The table `metadata` of a file including remarks: much faster than reading the whole file. Throws
 /// Error(kBadInput) naming the file where it is missing, cut off or has no such table.
 Metadata read_metadata(const std::filesystem::path& path, const FileKind& kind);
 

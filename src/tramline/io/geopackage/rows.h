@@ -1,5 +1,5 @@
 #pragma once
-// GeoPackages as rows: features with their place for messages, shapes in local metres.
+// GeoPackages as rows: features with their location for messages, shapes in local metres.
 
 #include <ogrsf_frmts.h>
 
@@ -17,18 +17,18 @@
 
 namespace tramline::io {
 
-/// The way from coordinates of a file to local metres.
+/// The conversion from coordinates of a file to local metres.
 struct FileToLocal {
-  Point offset;                              ///< taken off, at last
+  Point offset;                              ///< subtracted last
   std::function<Point(Point)> project = {};  ///< where the file is not in the field's own plane
   Point operator()(Point p) const { return (project ? project(p) : p) - offset; }
 };
 
 /// One feature of a layer. Every function throws Error(kBadInput) naming file, layer, feature and
-/// column where a value is missing, not finite or of another kind.
+/// column where a value is missing, not finite or of the wrong type.
 class Row {
  public:
-  /// `to_local` has to be alive as long.
+  /// `to_local` and `kind` have to outlive this.
   Row(const OGRFeature& feature, std::string place, const FileToLocal& to_local, const FileKind& kind)
       : feature_(feature), place_(std::move(place)), to_local_(to_local), kind_(kind) {}
 
@@ -44,7 +44,7 @@ class Row {
   int whole(const char* column) const { return feature_.GetFieldAsInteger(index(column)); }
   /// nullopt for NULL.
   std::optional<int> whole_if_any(const char* column) const;
-  /// Not negative.
+  /// A number that is not negative.
   std::size_t count(const char* column) const;
   bool flag(const char* column) const { return whole(column) != 0; }
   std::string text(const char* column) const { return feature_.GetFieldAsString(index(column)); }
@@ -57,7 +57,7 @@ class Row {
   std::vector<Point> line() const;
   std::pair<Point, Point> straight_line() const;
   Point point() const;
-  /// From coordinates in texts to local metres: taken off.
+  /// The offset to subtract from coordinates in texts to get local metres.
   Point offset() const { return to_local_.offset; }
 
  private:
@@ -77,22 +77,23 @@ class Row {
 /// An attribute filter for the rows of the field of this key, in a file of several.
 std::string filter_for(const std::string& field_key);
 
-/// A GeoPackage open for reading. Throws Error(kBadInput) where the file is missing, cut off or none.
+/// A GeoPackage open for reading. Throws Error(kBadInput) where the file is missing, truncated or not a
+/// GeoPackage.
 class Rows {
  public:
-  /// `errors` and `kind` have to be alive as long.
+  /// `errors` and `kind` have to outlive this.
   Rows(const std::filesystem::path& path, const FileKind& kind, GdalErrors& errors);
 
-  /// What is taken off all coordinates from now on.
+  /// Sets the offset to subtract from all coordinates from now on.
   void shift_by(Point offset) { to_local_.offset = offset; }
-  /// What is made of the coordinates of all shapes before that.
+  /// Sets the projection applied to the coordinates of all shapes before that.
   void project_by(std::function<Point(Point)> project) { to_local_.project = std::move(project); }
-  /// From now on only rows of the field of this key, in a file of several.
+  /// Restricts rows from now on to the field of this key, in a file of several.
   void only(const std::string& key) { key_ = key; }
 
   bool has(const char* name) { return file_->GetLayerByName(name) != nullptr; }
 
-  /// Hands every feature of a layer to `take`, in the order of the file.
+  /// Passes every feature of a layer to `take`, in the order of the file.
   void each(const char* name, const std::function<void(const Row&)>& take);
 
  private:

@@ -33,7 +33,7 @@ using Cell = std::variant<std::monostate, long long, double, bool, std::string>;
 
 /// A number, or NULL where there is none.
 Cell number_if(const std::optional<double>& number);
-/// A number, or NULL for one that is none.
+/// A number, or NULL for NaN.
 Cell number_unless_nan(double number);
 
 /// Local metres to the file's coordinates: the offset is added, or the point projected. Zeros have no sign.
@@ -63,12 +63,11 @@ class Table {
   /// `crs` is nullptr for a table without shapes.
   Table(GDALDataset& file, const char* name, OGRwkbGeometryType type, OGRSpatialReference* crs,
         std::initializer_list<Column> columns, const char* key = "fid");
-  /// In a file of several fields: adds to the layer where there is one, and every row has the names of its
-  /// field.
+  /// In a file of several fields an existing layer is extended, and every row has the names of its field.
   Table(const Target& target, const char* name, OGRwkbGeometryType type,
         std::initializer_list<Column> columns);
 
-  /// As many cells as columns.
+  /// Adds a row with as many cells as columns.
   void add(std::unique_ptr<OGRGeometry> shape, std::initializer_list<Cell> cells);
 
  private:
@@ -78,14 +77,14 @@ class Table {
   const FieldNames* names_ = nullptr;  ///< nullptr: the file is of one field
 };
 
-/// Where the layers of one file go.
+/// The destination of the layers of one file.
 struct Target {
   GDALDataset& file;
   OGRSpatialReference* crs;
-  Point offset;  ///< what has to be added to local metres in texts
+  Point offset;  ///< offset to add to local metres in texts
   Shapes shapes;
-  const FieldNames* names =
-      nullptr;  ///< of the field whose rows are written; nullptr: the file is of one field
+  /// Of the field whose rows are written; nullptr: the file is of one field.
+  const FieldNames* names = nullptr;
 };
 
 }  // namespace tramline::io

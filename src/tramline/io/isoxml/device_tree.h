@@ -16,8 +16,9 @@ inline constexpr unsigned kDevice = 1, kFunction = 2, kBin = 3, kSection = 4, kU
                           kNavigation = 7;
 }
 
-/// Elements by their places in a list, with who is part of whom. An element whose parent is not there is a
-/// root; so is one of each circle of parents, and what lies deeper than any machine is nested.
+/// Elements by their indices in a list, with their parents and children. An element whose parent is missing
+/// is a root; so is one element of each cycle of parents, and any element nested deeper than in any real
+/// machine.
 class DeviceTree {
  public:
   DeviceTree() = default;
@@ -27,7 +28,7 @@ class DeviceTree {
   std::size_t size() const { return elements_.size(); }
   const DeviceElement& operator[](std::size_t i) const { return elements_[i]; }
   std::optional<std::size_t> parent(std::size_t i) const { return parents_[i]; }
-  /// By their numbers.
+  /// The children in the order of their numbers.
   const std::vector<std::size_t>& children(std::size_t i) const { return children_[i]; }
   /// The roots of each device, by their numbers, device by device in the order given.
   const std::vector<std::vector<std::size_t>>& devices() const { return devices_; }

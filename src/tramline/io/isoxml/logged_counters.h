@@ -1,5 +1,5 @@
 #pragma once
-// The totals that a machine counts itself, from a time log.
+// The machine's own counters, from a time log.
 
 #include <cstddef>
 #include <map>
@@ -13,9 +13,9 @@
 
 namespace tramline::io {
 
-/// Total area (116, m²), effective total distance (117, mm) and effective total time (119, s) of the elements
-/// that count, or failing that of any. Where several elements count the same, the largest total stands: it is
-/// that of the whole machine.
+/// Total area (116, m²), effective total distance (117, mm) and effective total time (119, s) of the relevant
+/// elements, or failing that of any. Where several elements have the same counter, the largest total is used:
+/// it is that of the whole machine.
 class LoggedCounters {
  public:
   LoggedCounters(const TimeLogHeader& header, const std::vector<DeviceElement>& elements);
@@ -31,7 +31,7 @@ class LoggedCounters {
 
   double largest(unsigned ddi) const;
 
-  std::map<std::size_t, Counter> counters_;  ///< by the place in the header
+  std::map<std::size_t, Counter> counters_;  ///< by the index in the header
 };
 
 }  // namespace tramline::io

@@ -1,5 +1,5 @@
 #pragma once
-// From the values of a time log to what worked: boom, work state, states of sections, rate and counters.
+// Derives boom, work state, states of sections, rate and counters from the values of a time log.
 
 #include <cstddef>
 #include <map>
@@ -21,10 +21,10 @@
 
 namespace tramline::io {
 
-/// The machine of one time log, which may be several devices (telling_devices.h). Its boom is what its parts
-/// work across (working_parts.h), section by section where their states differ (part_states.h). A part of
-/// which the log tells no state works when anything does, unless it tells the states of others of the same
-/// whole. Setpoints (290-305) say what was asked for, not what was done, and are not read.
+/// The machine of one time log, which may be several devices (telling_devices.h). Its boom consists of the
+/// stretches that its parts work (working_parts.h), section by section where their states differ
+/// (part_states.h). A part without a logged state works when anything does, unless the log has states of
+/// other parts of the same whole. Setpoints (290-305) are requests, not results, and are not read.
 class LoggedMachine {
  public:
   /// `header` has to outlive this.
@@ -36,23 +36,23 @@ class LoggedMachine {
   void update(const TimeLogRecord& record);
   /// Sets boom, work, sections and rate of a fix. O(1) until one of them changes, then O(sections · log).
   void describe(Fix& fix, BoomList& booms);
-  /// Of the rates.
+  /// The unit of the rates.
   AmountUnit rate_unit() const { return rate_.unit(); }
-  /// Ids of the devices that count.
+  /// Ids of the relevant devices.
   const std::vector<std::string>& devices() const { return telling_.devices; }
-  /// Of these devices.
+  /// The elements of these devices.
   const std::vector<DeviceElement>& elements() const { return telling_.elements; }
-  /// What was assumed, one sentence each.
+  /// The assumptions made, one sentence each.
   std::vector<std::string> notes() const;
 
  private:
-  /// One section of the boom, and where its state stands.
+  /// One section of the boom, with the element that has its state.
   struct Piece {
     Section place;
     std::size_t bearer = 0;  ///< element that switches it
   };
 
-  /// What is told of the state of one element, apart from what is told of all.
+  /// The sources of the state of one element, apart from those common to all.
   struct Bearer {
     std::vector<StateSource> sources;
     bool follows = false;  ///< works when anything does
@@ -75,10 +75,10 @@ class LoggedMachine {
   std::vector<bool> parts_logged_;
   std::vector<std::string> notes_;
 
-  std::optional<std::vector<Piece>> pieces_;  ///< by the places as they are, from left to right
+  std::optional<std::vector<Piece>> pieces_;  ///< for the present positions, from left to right
   std::vector<StateSource> common_;           ///< of all pieces
   std::map<std::size_t, Bearer> bearers_;
-  std::optional<Fix> described_;  ///< by the values as they are
+  std::optional<Fix> described_;  ///< for the present values
 };
 
 }  // namespace tramline::io

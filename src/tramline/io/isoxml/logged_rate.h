@@ -14,17 +14,17 @@
 
 namespace tramline::io {
 
-/// The first rate logged of the elements that count, or failing that of any: volume, mass or number for an
-/// area (2, 7, 12). It holds until another is recorded.
+/// The first rate logged for the relevant elements, or failing that for any: volume, mass or number per area
+/// (2, 7, 12). It holds until another is recorded.
 class LoggedRate {
  public:
   LoggedRate(const TimeLogHeader& header, const std::vector<DeviceElement>& elements);
 
   void update(const TimeLogRecord& record);
-  /// NaN where none is known.
+  /// The rate per hectare; NaN where none is known.
   double per_ha() const;
   AmountUnit unit() const;
-  /// Where several are logged; else empty.
+  /// A note where several rates are logged; else empty.
   const std::string& note() const { return note_; }
 
  private:

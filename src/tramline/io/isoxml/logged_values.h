@@ -1,5 +1,5 @@
 #pragma once
-// What a time log has told so far of the elements of a tree.
+// The latest values of a time log for the elements of a tree.
 
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +19,7 @@ class LoggedValues {
  public:
   LoggedValues(const TimeLogHeader& header, const DeviceTree& tree);
 
-  /// What a record changed.
+  /// The kinds of values that a record changed.
   struct Change {
     bool places = false;  ///< widths and offsets
     bool states = false;
@@ -30,17 +30,18 @@ class LoggedValues {
   /// Whether the log has such values at all.
   bool is_logged(std::size_t element, unsigned ddi) const { return logged_.contains({element, ddi}); }
   bool has_condensed_states(std::size_t element) const;
-  /// As logged so far.
+  /// The value logged last.
   std::optional<std::int64_t> logged(std::size_t element, unsigned ddi) const;
-  /// As logged so far, or failing that as the device describes it.
+  /// The value logged last, or failing that the one in the device description.
   std::optional<std::int64_t> value(std::size_t element, unsigned ddi) const;
 
  private:
   using Key = std::pair<std::size_t, unsigned>;  ///< element, data dictionary identifier
 
   const DeviceTree& tree_;
-  std::vector<std::optional<Key>> keys_;  ///< of the header's values; none: of no element of the tree
-  std::vector<bool> fixed_;               ///< by the header
+  /// Keys of the header's values; nullopt: not of an element of the tree.
+  std::vector<std::optional<Key>> keys_;
+  std::vector<bool> fixed_;  ///< by the header
   std::map<Key, std::optional<std::int64_t>> logged_;
 };
 

@@ -17,8 +17,8 @@ RawDataset empty_partfields(const std::string& file);
 /// Adds a partfield: one feature with the polygons of its boundary (PLN types 1 and 9; exterior rings are LSG
 /// type 1, holes type 2), and one feature for each of its obstacles (PLN types 3 water, 4 building and 6
 /// obstacle). Rings may be closed or open, a PLN may have several exteriors (version 3) or one each (version
-/// 4); a hole belongs to the first exterior that its first point lies in, else to the first. What cannot be
-/// read is put into `skipped`.
+/// 4); a hole belongs to the first exterior that its first point lies in, else to the first. Anything that
+/// cannot be read is listed in `skipped`.
 void add_partfield(const pugi::xml_node& partfield, const std::string& file, RawDataset& dataset);
 
 }  // namespace tramline::io

@@ -1,5 +1,5 @@
 #pragma once
-// What TASKDATA.XML says about machines and tasks, as plain values.
+// The machines and tasks of TASKDATA.XML, as plain values.
 
 #include <functional>
 #include <map>
@@ -40,7 +40,7 @@ struct TaskData {
   RawDataset partfields;  ///< layers "partfields" and "obstacles", without those that are empty
 };
 
-/// Gives the text of an external file by its name; nullopt where there is none.
+/// Returns the text of an external file by its name; nullopt where there is none.
 using ExternalFile = std::function<std::optional<std::string>(const std::string&)>;
 
 /// Reads the text of a TASKDATA.XML. `path`: of the task set, for messages. Throws bad_input like
@@ -48,7 +48,7 @@ using ExternalFile = std::function<std::optional<std::string>(const std::string&
 TaskData parse_task_data(std::string_view xml, const ExternalFile& external, const std::string& path);
 
 /// Reads TASKDATA.XML and the external files it names (XFR). Throws bad_input, naming the file, for damaged
-/// XML and for a named external file that is missing. Without a TASKDATA.XML nothing is known. O(size).
+/// XML and for a named external file that is missing. Without a TASKDATA.XML the result is empty. O(size).
 TaskData read_task_data(const TaskFiles& files);
 
 }  // namespace tramline::io

@@ -1,5 +1,5 @@
 #pragma once
-// The files of an ISOXML task set, wherever they lie.
+// The files of an ISOXML task set, in a folder or a zip.
 
 #include <cstddef>
 #include <map>
@@ -8,7 +8,7 @@
 
 namespace tramline::io {
 
-/// No file of a task set is as large; what is, is refused.
+/// The limit on the size of a file of a task set; larger ones are refused.
 inline constexpr std::size_t kLargestTaskFile = std::size_t{128} << 20;
 
 /// The folder with TASKDATA.XML, on disk or in a zip. Names are found in any case, as terminals write them.
@@ -25,7 +25,7 @@ class TaskFiles {
   /// and when it expands to more than kLargestTaskFile bytes.
   std::optional<std::string> read(const std::string& name) const;
 
-  /// For messages: the path as the user named it.
+  /// The path as the user gave it, for messages.
   const std::string& path() const { return path_; }
   /// "TLG00001" when one time log was named rather than the task set.
   const std::string& only_log() const { return only_log_; }
@@ -33,7 +33,7 @@ class TaskFiles {
  private:
   std::string path_;
   std::string folder_;                        ///< as GDAL names it
-  std::map<std::string, std::string> names_;  ///< in capitals, as they are
+  std::map<std::string, std::string> names_;  ///< names in capitals, with the actual names
   std::string only_log_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which of the devices of a task set a time log is about.
+// The devices of a task set to which a time log refers.
 
 #include <string>
 #include <vector>
@@ -10,15 +10,15 @@
 namespace tramline::io {
 
 struct TellingDevices {
-  std::vector<DeviceElement> elements;  ///< of the devices that count
+  std::vector<DeviceElement> elements;  ///< of the relevant devices
   std::vector<std::string> devices;     ///< their ids; "" for elements that no device describes
-  std::vector<std::string> notes;       ///< what was assumed, one sentence each
+  std::vector<std::string> notes;       ///< the assumptions made, one sentence each
 };
 
-/// The devices of which the log has widths (67) or states (141, 161-176). Where several do, those count whose
-/// width is known, and where the log is silent on when they work, the first that has states; where no width
-/// is known, the one that the log tells most of. Elements that no device describes
-/// count as one device, each a part of its own. O(elements + values, · log).
+/// The devices for which the log has widths (67) or states (141, 161-176). Of several, those with a known
+/// width are relevant and, if the log has no work states of them, the first one with states; where no width
+/// is known, the device with the most logged values. Elements that no device describes count as one device,
+/// each a separate part. O(elements + values, · log).
 TellingDevices telling_devices(const TimeLogHeader& header, const std::vector<DeviceElement>& elements);
 
 }  // namespace tramline::io

@@ -10,9 +10,10 @@
 
 namespace tramline::io {
 
-/// One time log from its two files; `elements`: of all devices, may be empty. Without a heading and a speed,
-/// which time logs do not have. Records without a possible position are skipped. Throws bad_input for a
-/// header that cannot be read or that names no positions; the fixes may be none. O(size).
+/// Reads one time log from its two files. `elements`: those of all devices, may be empty. The fixes have no
+/// heading and no speed, because time logs do not contain them. Records without a possible position are
+/// skipped. Throws bad_input for a header that cannot be read or that names no positions. The result may have
+/// no fixes. O(size).
 WorkLog decode_time_log(std::string_view header_xml, std::string_view records,
                         const std::vector<DeviceElement>& elements, const std::string& place);
 

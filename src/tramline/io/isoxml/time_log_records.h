@@ -21,13 +21,13 @@ struct TimeLogRecord {
   double time_s = 0;       ///< since 1970-01-01T00:00; machines write local time
   Point lonlat_deg;        ///< NaN: the record has none
   int status = -1;         ///< of the position, ISO 11783-10 PTN@D; -1: not recorded
-  std::vector<std::pair<std::size_t, std::int32_t>> values;  ///< place in the header's list, value
+  std::vector<std::pair<std::size_t, std::int32_t>> values;  ///< index in the header's list, value
 };
 
-/// Takes a time log apart, one record after the other. A record that cannot be one (a time after midnight, a
-/// value that the header does not list) means that bytes were lost or added: the next place is looked for at
-/// which a record of the same day, near the last position, begins and is followed by another. What lies
-/// between is skipped and told.
+/// Parses a time log one record after the other. An impossible record (a time after midnight, a value that
+/// the header does not list) means that bytes were lost or added: parsing goes on at the next offset where a
+/// record of the same day, near the last position, begins and is followed by another. The bytes between are
+/// skipped and reported.
 class TimeLogRecords {
  public:
   /// Both have to outlive this.

@@ -1,5 +1,5 @@
 #pragma once
-// Which column of a table is what.
+// The meaning of the columns of a table.
 
 #include <array>
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace tramline::io {
 
-/// What a column can hold.
+/// The possible contents of a column.
 enum class LogColumn {
   kLon,
   kLat,
@@ -28,8 +28,8 @@ enum class LogColumn {
   kSectionsFromRight,  ///< the same from right to left
   kRate,               ///< applied, an amount for an area
   kCondensed,          ///< states as ISO 11783-11 condenses them (DDI 161): two bits a section
-  kCounterArea,        ///< what the machine has counted so far
-  kDistance,           ///< way since the last record; only tells the unit of a width that has none
+  kCounterArea,        ///< area counted by the machine so far
+  kDistance,           ///< distance since the last record; used only to find the unit of a width without one
   kMachine,
   kSection,
   kUnit,
@@ -40,18 +40,18 @@ inline constexpr std::size_t kColumns = static_cast<std::size_t>(LogColumn::kPas
 /// One column and its unit.
 struct ColumnUse {
   std::size_t index = 0;
-  double factor = 1;        ///< times this: metres, metres a second, degrees, amounts a hectare
-  bool unit_named = false;  ///< by the name of the column or by the user
+  double factor = 1;        ///< factor to metres, metres per second, degrees or amounts per hectare
+  bool unit_named = false;  ///< whether the name of the column or the user gives the unit
   AmountUnit amount = AmountUnit::kUnknown;  ///< of a rate
 };
 
-/// What the names of the position columns say about their frame.
+/// The frame of positions implied by the names of their columns.
 enum class PositionNames { kDegrees, kMetres, kEither };
 
-/// Where the positions of the rows of a table come from.
+/// The source of the positions of a table's rows.
 enum class PositionSource { kTable, kElsewhere };
 
-/// The columns of a table that are used.
+/// The columns of a table that are read.
 struct ColumnMap {
   std::array<std::optional<ColumnUse>, kColumns> uses;
   PositionNames position_names = PositionNames::kEither;
@@ -63,9 +63,9 @@ struct ColumnMap {
 
 /// Finds the columns by their common names (docs/logs.md): case, blanks and brackets do not matter, and where
 /// several fit, the commoner name wins. `wanted`: "lon=Xcoord,lat=Ycoord,width_ft=swath" names some or all of
-/// them; "width=" leaves one out. Throws bad_input, with `place` in front, for a word that is no column of a
-/// log, for a wanted column that the table does not have, and, unless the positions come from elsewhere, when
-/// there are none; the sentence lists the columns found.
+/// them; "width=" leaves one out. Throws bad_input, beginning with `place`, for a word that is not a column
+/// of a log, for a wanted column that the table does not have, and, unless the positions come from elsewhere,
+/// when there are none; the sentence lists the columns found.
 ColumnMap map_columns(std::span<const std::string> names, const std::string& wanted, PositionSource positions,
                       const std::string& place);
 

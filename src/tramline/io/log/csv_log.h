@@ -1,5 +1,5 @@
 #pragma once
-// Text tables of fixes: CSV and its relatives.
+// Text tables of fixes: CSV and similar formats.
 
 #include <optional>
 #include <string>
@@ -15,18 +15,19 @@ namespace tramline::io {
 
 /// Makes fixes of the lines of a table as they come: the header first, then one row after the other.
 ///
-/// The separator is the commonest of comma, semicolon and tab in the header, or what a line "sep=;" before it
-/// says; with semicolons and tabs a comma within a number is a decimal comma. Fields may be quoted, also over
-/// line ends. Empty lines, comments (#, % or //) and the header once more are passed over; a byte order mark
-/// and carriage returns are, too. Lines on work (state_lines.h) hold where the table has no column for it.
+/// The separator is the commonest of comma, semicolon and tab in the header, or the one given by a line
+/// "sep=;" before it; with semicolons and tabs a comma within a number is a decimal comma. Fields may be
+/// quoted, also over line ends. Empty lines, comments (#, % or //) and repeated headers are ignored, and so
+/// are a byte order mark and carriage returns. Lines on work (state_lines.h) apply where the table has no
+/// column for it.
 class CsvLog {
  public:
   /// `columns`: LogOptions::columns. `place`: for messages, "'log.csv'".
   CsvLog(std::string columns, std::string place);
 
   /// The fix of this line; nullopt for the header, comments, and rows without a usable position, which are
-  /// put into skipped(). Fix::record is the number of the line. Positions are not judged:
-  /// see settle_positions(). Throws bad_input for a header without the columns that are needed. O(line).
+  /// put into skipped(). Fix::record is the number of the line. Positions are not validated: see
+  /// settle_positions(). Throws bad_input for a header without the columns that are needed. O(line).
   std::optional<Fix> add(std::string_view line);
 
   /// Null before the header.
@@ -54,7 +55,7 @@ class CsvLog {
 };
 
 /// The log of a table whose rows have all been read. Precondition: a header. Throws bad_input like
-/// settle_positions(). `width_unit_m`: what the widths were multiplied by.
+/// settle_positions(). `width_unit_m` receives the factor by which widths were multiplied.
 WorkLog work_log_of(const CsvLog& csv, std::vector<Fix> fixes, std::span<const RecordedDistance> distances,
                     const std::string& crs, const std::string& place, double* width_unit_m = nullptr);
 

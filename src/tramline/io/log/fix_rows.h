@@ -1,5 +1,5 @@
 #pragma once
-// Rows of a table to fixes, one after the other: what CSV files and the attributes of vector files share.
+// Converts rows of a table to fixes, one after the other, for CSV files and attributes of vector files.
 
 #include <cstddef>
 #include <limits>
@@ -18,7 +18,7 @@
 
 namespace tramline::io {
 
-/// What tells a table from others of its kind.
+/// The format of a table.
 struct TableForm {
   std::string place;    ///< "'log.csv'", for messages
   std::string columns;  ///< LogOptions::columns
@@ -27,7 +27,7 @@ struct TableForm {
 };
 
 /// Makes one fix of one row. Widths of several sections ("3000|4500|3000") stand from left to right, side by
-/// side, in the middle of the machine. Positions are not judged: see settle_positions().
+/// side, in the middle of the machine. Positions are not validated: see settle_positions().
 class FixRows {
  public:
   /// Throws bad_input like map_columns().
@@ -44,16 +44,16 @@ class FixRows {
   const SkippedRecords& skipped() const { return skipped_; }
   Clock clock() const { return time_.clock(); }
   PositionNames position_names() const { return map_.position_names; }
-  /// Distance column of the last row, in the unit of the table; NaN: none.
+  /// The distance column of the last row, in the unit of the table; NaN: none.
   double last_distance() const { return last_distance_; }
   AmountUnit rate_unit() const {
     return map_[LogColumn::kRate] ? map_[LogColumn::kRate]->amount : AmountUnit::kUnknown;
   }
-  /// Of all machines together.
+  /// The counters of all machines together.
   MachineCounters counters() const;
   /// Whether the table leaves the unit of its widths open.
   bool width_unit_open() const;
-  /// What was assumed so far.
+  /// The assumptions made so far.
   std::vector<std::string> notes() const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Tracks of GPX files.
+// Reads the tracks of GPX files.
 
 #include <string>
 #include <string_view>
@@ -17,7 +17,7 @@ namespace tramline::io {
 /// kMostXmlTree, kMostFixes and kMostLogs. O(size).
 WorkLog read_gpx_log(std::string_view text, const std::string& place);
 
-/// The same, each job by itself (fixes/job_groups.h): tracks of other land or days are jobs of their own.
+/// The same, each job by itself (fixes/job_groups.h): tracks on different land or days are separate jobs.
 std::vector<LogJob> read_gpx_jobs(std::string_view text, const std::string& place);
 
 }  // namespace tramline::io

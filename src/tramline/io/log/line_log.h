@@ -1,5 +1,5 @@
 #pragma once
-// A log that comes line by line, of a kind that its first lines tell.
+// Reads a log line by line; its first lines determine the format.
 
 #include <cstddef>
 #include <optional>
@@ -19,21 +19,19 @@
 namespace tramline::io {
 
 /// Makes fixes of the lines of a CSV or NMEA stream as they come.
-///
-/// Some of what read_log() concludes needs the whole log: whether x and y are degrees, the unit of widths,
-/// which positions are strays, the date of what came before the first date, and that the machine worked
-/// before a first line said otherwise (state_lines.h). Fixes come out as the lines so far have it; settle()
-/// gives the log that read_log() would read from them, and what comes then follows it.
+/// Some conclusions of read_log() need the whole log: whether x and y are degrees, the unit of widths, which
+/// positions are strays, the date of fixes before the first date, and that the machine worked before a first
+/// line said otherwise (state_lines.h). Fixes are returned according to the lines so far; settle() returns
+/// the log that read_log() would read from them, and later fixes agree with it.
 class LineLog {
  public:
   enum class Kind { kOpen, kCsv, kNmea };
 
-  /// options.log is not used. `place`: for messages, "the stream". Throws bad_input for a CRS that is not
-  /// known.
+  /// options.log is not used. `place`: name for messages, "the stream". Throws bad_input for an unknown CRS.
   LineLog(LogOptions options, std::string place);
 
-  /// The fixes of this line, as a rule one or none; several where it tells of what kind the log is. With NMEA
-  /// the fix of an epoch comes with the first line of the next. Throws bad_input for a table without the
+  /// The fixes of this line, as a rule one or none; several where it determines the format of the log. With
+  /// NMEA the fix of an epoch comes with the first line of the next. Throws bad_input for a table without the
   /// columns that are needed, and where 8 KiB are neither table nor NMEA. O(line).
   std::vector<Fix> add(std::string_view line);
   /// The fix of an epoch that is still open, at the end of the stream.
@@ -42,15 +40,15 @@ class LineLog {
   Kind kind() const { return kind_; }
   /// Frame of the fixes.
   Positions positions() const { return positions_; }
-  /// Of the fixes so far.
+  /// The booms of the fixes so far.
   std::span<const Boom> booms() const { return booms_; }
-  /// Whether the log itself can say how wide the machine works, and whether it works.
+  /// Whether the log itself has columns for the width and the work of the machine.
   OwnColumns own_columns() const;
   std::size_t lines() const { return lines_; }
 
-  /// Whether fixes that came out may have to be read otherwise, ...
+  /// Whether returned fixes may have to be read again in another way, ...
   bool doubtful() const { return doubtful_ || urgent_; }
-  /// ... and have to be now.
+  /// ... and whether they have to be now.
   bool urgent() const { return urgent_; }
   /// The log so far as read_log() reads it; empty before the first usable fix. Its name is the caller's.
   /// O(fixes).
@@ -83,7 +81,7 @@ class LineLog {
   double width_unit_m_ = 1;
   std::vector<Boom> booms_;
   Box box_;                               ///< of the longitudes and latitudes
-  std::vector<std::string> whole_notes_;  ///< what only the whole log told, when it was looked at last
+  std::vector<std::string> whole_notes_;  ///< notes that need the whole log, from the last settle()
   SkippedRecords impossible_;             ///< positions, besides what the readers skip
   bool undated_ = false;                  ///< a fix came out before the date
   bool unstated_ = false;                 ///< ... or before the first line on work

@@ -1,19 +1,19 @@
 #pragma once
-// Which kind of log a file is.
+// Recognises the format of a log file.
 
 #include <cstddef>
 #include <string>
 
 namespace tramline::io {
 
-/// Bytes at the start of a file that tell what it is.
+/// The number of bytes at the start of a file from which its format is recognised.
 inline constexpr std::size_t kFirstBytes = 8192;
 
 enum class LogFormat { kCsv, kNmea, kGpx, kIsoxml, kVector };
 
-/// Told by the first bytes of the file, and by its name where those leave it open. A folder or a zip is a
-/// task set when it holds one, else vector files. Throws bad_input for a missing file and for one that is
-/// none of these.
+/// The format, recognised from the first bytes of the file, and from its name where those are not sufficient.
+/// A folder or a zip is a task set if it contains one, else vector files. Throws bad_input for a missing file
+/// and for one of another format.
 LogFormat log_format(const std::string& path);
 
 }  // namespace tramline::io

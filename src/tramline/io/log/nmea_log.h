@@ -16,14 +16,14 @@
 namespace tramline::io {
 
 /// Makes fixes of sentences as they come. Read are GGA and RMC (position), RMC and VTG (course, speed), HDT
-/// and THS (true heading), RMC and ZDA (date), of any talker; others are passed over. Sentences with the same
+/// and THS (true heading), RMC and ZDA (date), of any talker; others are ignored. Sentences with the same
 /// time are one epoch, and those without a time belong to the epoch they follow (a second GGA or RMC without
-/// a time begins another); so a fix comes out when the next epoch begins. A course is taken as a heading
-/// above kCourseHolds_mps only. Lines on work (state_lines.h) hold for the epochs whose position comes after
+/// a time begins another); so a fix is returned when the next epoch begins. A course is taken as a heading
+/// above kCourseHolds_mps only. Lines on work (state_lines.h) apply to the epochs whose position comes after
 /// them.
 ///
-/// Skipped and counted: lines without a sentence, wrong checksums, missing ones where others had one (a line
-/// that is cut off), epochs without a position fix, impossible positions.
+/// Skipped and counted: lines without a sentence, wrong checksums, missing checksums where others had one (a
+/// truncated line), epochs without a position fix, impossible positions.
 class NmeaLog {
  public:
   /// The fix of the epoch that this line ends, if there is one. Fix::record is the number of the line with
@@ -39,11 +39,11 @@ class NmeaLog {
   const SkippedRecords& skipped() const { return skipped_; }
   const std::vector<Boom>& booms() const { return booms_.booms(); }
   const StateLines& states() const { return states_; }
-  /// Sentences with a right checksum, or none, of whatever kind.
+  /// The number of sentences of any kind with a correct checksum or none.
   std::size_t sentences() const { return sentences_; }
 
  private:
-  /// What the sentences of one epoch say so far.
+  /// The values of the sentences of one epoch so far.
   struct Epoch {
     std::optional<double> of_day_s;
     std::optional<Point> lonlat_deg;
@@ -55,7 +55,7 @@ class NmeaLog {
     double course_deg = std::numeric_limits<double>::quiet_NaN();
     double heading_deg = std::numeric_limits<double>::quiet_NaN();
     std::optional<long long> date_days;
-    Fix state;  ///< width and work as lines say at the position
+    Fix state;  ///< width and work given by lines at the time of the position
   };
   class Fields;
 
@@ -65,7 +65,7 @@ class NmeaLog {
   void read_heading(std::string_view kind, const Fields& fields);
   void read_zda(const Fields& fields);
   void place(const Fields& fields, std::size_t latitude);
-  /// Begins another epoch where this is another time; the fix of the one before.
+  /// Begins a new epoch where the time differs, and returns the fix of the one before.
   std::optional<Fix> epoch_at(std::string_view kind, std::optional<double> of_day_s);
   double elapsed_s(const Epoch& epoch);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Times as tables write them.
+// Reads the times of tables.
 
 #include <optional>
 #include <string_view>
@@ -11,13 +11,13 @@ namespace tramline::io {
 /// Reads one time after the other. The first one that is understood decides what all are: date and time
 /// (ISO 8601, with or without a zone; kUtc), seconds or milliseconds since 1970 (kUtc), a time of day
 /// (kOfDay, counted on over midnight; kUtc with a date beside it), or a smaller number: seconds since a
-/// moment that is not known (kOther).
+/// an unknown moment (kOther).
 class TimeColumn {
  public:
-  /// `number_factor`: seconds in the unit of plain numbers, where the column's name tells it; 0: not known.
+  /// `number_factor`: seconds in the unit of plain numbers, where the column's name gives it; 0: not known.
   explicit TimeColumn(double number_factor = 0) : number_factor_(number_factor) {}
 
-  /// NaN for what is empty or written otherwise than the first.
+  /// The time, s; NaN for a text that is empty or in a format other than that of the first.
   double time_s(std::string_view time, std::string_view date = {});
   Clock clock() const;
 

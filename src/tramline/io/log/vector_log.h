@@ -1,5 +1,5 @@
 #pragma once
-// Points or worked ground of vector files as a log.
+// Reads points or worked land of vector files as a log.
 
 #include <string>
 
@@ -8,12 +8,12 @@
 namespace tramline::io {
 
 /// The features of a layer with their attributes as columns (see columns.h): points, or polygons, which are
-/// ground as it was worked (WorkLog::shapes). Which of the two, the first feature decides; others are
-/// skipped. Polygons without a column on time, work, width or rate are no log. `layer`: which one; empty: the
-/// only one with points, or where there is none, the only one with polygons. Features come in the order of
-/// the file, or by their times where those are not in order. `crs` replaces the layer's. Fix::record counts
-/// features from 1. Throws bad_input for a file that GDAL cannot read, for a layer that is not there, for
-/// several and no choice, and when no feature has a possible position. O(size).
+/// worked land (WorkLog::shapes). The first feature decides between the two; features of the other kind are
+/// skipped. Polygons without a column for time, work, width or rate are not a log. `layer`: the layer to
+/// read; empty: the only one with points, or where there is none, the only one with polygons. Features come
+/// in the order of the file, or by their times where those are not in order. `crs` replaces the layer's.
+/// Fix::record counts features from 1. Throws bad_input for a file that GDAL cannot read, for a missing
+/// layer, for several layers without a choice, and when no feature has a possible position. O(size).
 WorkLog read_vector_log(const std::string& path, const std::string& layer, const std::string& columns,
                         const std::string& crs);
 

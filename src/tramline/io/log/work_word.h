@@ -1,5 +1,5 @@
 #pragma once
-// Work states as tables and lines write them.
+// Parses the work states of tables and lines.
 
 #include <optional>
 #include <string_view>

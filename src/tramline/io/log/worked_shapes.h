@@ -1,5 +1,5 @@
 #pragma once
-// As-applied polygons: ground that a file says was worked.
+// As-applied polygons: land recorded as worked.
 
 #include <string>
 #include <vector>
@@ -11,13 +11,13 @@
 
 namespace tramline::io {
 
-/// The polygons of a feature with three finite corners or more each; a polygon with a corner that is no place
-/// is left out. Frame: the file's.
+/// The polygons of a feature with three or more corners each; a polygon with a corner that is not finite is
+/// left out. Frame: the file's.
 std::vector<Polygon> worked_shapes(const RawFeature& feature);
 
-/// What holds for a log of polygons once all are read: where rates are recorded and nothing else says what
-/// worked, a rate of 0 worked nothing. Throws bad_input where no column tells of time, work, width or rate:
-/// such polygons are fields rather than work.
+/// Completes a log of polygons once all are read: where rates are recorded but no work states, a rate of 0
+/// means no work. Throws bad_input where there is no column for time, work, width or rate: such polygons are
+/// fields rather than work.
 void finish_shapes(WorkLog& log, const FixRows& rows, const std::string& place);
 
 }  // namespace tramline::io

@@ -1,5 +1,5 @@
 #pragma once
-// Several machines in one file.
+// Reads and writes several machines in one file.
 
 #include <filesystem>
 #include <string>

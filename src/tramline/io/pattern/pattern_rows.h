@@ -7,7 +7,7 @@
 
 namespace tramline::io {
 
-/// read_pattern() from any lines; messages call them `name`.
+/// read_pattern() for any source of lines, called `name` in messages.
 SprayPattern read_pattern(Lines& lines, const std::string& name);
 
 }  // namespace tramline::io

@@ -1,5 +1,5 @@
 #pragma once
-// The plane that the plans of many fields are put into, each from its own.
+// The common plane of the plans of many fields.
 
 #include <functional>
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace tramline::io {
 
-/// In the middle of all: a transverse Mercator, or for plain frames the input plane. Throws Error(kBadInput)
-/// where some are plain and some not. Precondition: frames is not empty. O(n).
+/// The common frame: a transverse Mercator centred on all frames or, for plain frames, the input plane.
+/// Throws Error(kBadInput) where some are plain and some not. Precondition: frames is not empty. O(n).
 LocalFrame common_frame(const std::vector<LocalFrame>& frames);
 
-/// From local metres of one frame to those of another, both of the same kind. Not for several threads at
-/// once. Throws Error(kBadInput) where the other has no such place.
+/// A conversion of local metres of one frame to those of another, both of the same kind. Not for several
+/// threads at once. Throws Error(kBadInput) where a point has no position in the other frame.
 std::function<Point(Point)> way_between(const LocalFrame& from, const LocalFrame& to);
 
 }  // namespace tramline::io

@@ -1,5 +1,5 @@
 #pragma once
-// Which fields a plan file has the plans of.
+// The fields of a plan file.
 
 #include <filesystem>
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace tramline::io {
 
-/// The plane of the shapes in a plan file whose field has that frame.
+/// The plane of the shapes in a plan file whose field has the frame `field`.
 LocalFrame frame_of_layers(const std::filesystem::path& path, const LocalFrame& field);
 
-/// The fields of a file of many, in its order; none of one plan. Throws Error(kBadInput) where it is no plan
-/// file.
+/// The fields of a file of many plans, in its order; empty for a file of one plan. Throws Error(kBadInput)
+/// where it is not a plan file.
 std::vector<FieldNames> fields_in(const std::filesystem::path& path);
 
 /// The field that `asked` names, by key or id; the only one where `asked` is empty. Throws Error(kBadInput),

@@ -1,5 +1,5 @@
 #pragma once
-// What a plan file says about a front in words.
+// The texts of a plan file about a front.
 
 #include <cstddef>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace tramline::io {
 
-/// The driving directions as JSON list of degrees, and of radians, which give them back to the bit.
+/// The driving directions as a JSON list of degrees, and of radians, which restores them bit-identically.
 std::string degrees_text(const std::vector<Direction>& directions);
 std::string radians_text(const std::vector<Direction>& directions);
 /// The inverse of radians_text(). Throws Error(kBadInput) that begins with `place` where the text is of

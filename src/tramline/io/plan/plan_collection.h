@@ -1,5 +1,5 @@
 #pragma once
-// How a file of many plans says so (write_plans.h).
+// The mark of a file of many plans (write_plans.h).
 
 #include <filesystem>
 #include <optional>
@@ -10,14 +10,14 @@
 
 namespace tramline::io {
 
-/// The key of metadata that says in which plane the shapes of all fields are.
+/// The key of metadata that holds the plane of the shapes of all fields.
 inline constexpr const char* kCollectionKey = "collection";
 
-/// As text: JSON.
+/// The common frame as JSON.
 std::string collection_text(const LocalFrame& common);
 
-/// The plane of the shapes in a file of many; nullopt in one of one plan. Throws Error(kBadInput) where its
-/// text is of another form.
+/// The plane of the shapes in a file of many plans; nullopt in a file of one. Throws Error(kBadInput) where
+/// its text is malformed.
 std::optional<LocalFrame> collection_frame(Rows& file, const std::filesystem::path& path);
 
 }  // namespace tramline::io

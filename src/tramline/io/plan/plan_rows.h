@@ -1,5 +1,5 @@
 #pragma once
-// The layers and tables of one plan, written into a file of one plan or of many.
+// Writes the layers and tables of one plan into a file of one plan or of many.
 
 #include "tramline/io/geopackage/metadata.h"
 #include "tramline/io/geopackage/table.h"
@@ -7,7 +7,7 @@
 
 namespace tramline::io {
 
-/// All but the styles. Failures of GDAL are left to the GdalErrors of the caller.
+/// Writes everything except the styles. Failures of GDAL are left to the GdalErrors of the caller.
 void write_plan_rows(const Target& target, const Plan& plan, const Metadata& remarks);
 
 }  // namespace tramline::io

@@ -1,5 +1,5 @@
 #pragma once
-// What the layers of a plan file look like in QGIS: the colours of our own pictures.
+// The QGIS styles of the layers of a plan file, in the colours of tramline's own pictures.
 
 #include <vector>
 

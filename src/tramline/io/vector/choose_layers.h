@@ -1,5 +1,5 @@
 #pragma once
-// Which layers of a dataset are meant.
+// Chooses the layers of a dataset to read.
 
 #include <string>
 #include <vector>

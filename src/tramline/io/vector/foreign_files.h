@@ -1,5 +1,5 @@
 #pragma once
-// Files that somebody else has sent: what a program that serves others has to watch for.
+// Protection against files from others, for a program that serves others.
 
 #include <cstddef>
 #include <filesystem>
@@ -11,9 +11,9 @@ namespace tramline::io {
 /// threads read.
 void open_plain_files_only();
 
-/// Reads an archive (zip, KMZ, gzip; also archives within) from its beginning to its end, and keeps nothing.
+/// Checks an archive (zip, KMZ, gzip; also archives within) by reading all of it, without keeping anything.
 /// Throws bad_input where it holds more than `most_files` files or expands to more than `most_bytes`, before
-/// it has expanded any more than that; and where it cannot be read. Other files pass. O(expanded size).
+/// it has expanded more than that; and where it cannot be read. Other files are accepted. O(expanded size).
 void require_bounded_archive(const std::filesystem::path& file, std::size_t most_bytes, int most_files);
 
 }  // namespace tramline::io

@@ -1,5 +1,5 @@
 #pragma once
-// What follows a parser through JSON without keeping it.
+// A base for listeners that parse JSON without storing it.
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
@@ -7,8 +7,7 @@
 
 namespace tramline::io {
 
-/// Hears of nothing; each kind of listener overrides what it wants to know. A fault in the text ends the
-/// parsing.
+/// Ignores everything; derived listeners override the events they need. A fault in the text ends the parsing.
 class JsonListener : public nlohmann::json_sax<nlohmann::json> {
  public:
   bool start_object(std::size_t) override { return value(); }
@@ -28,7 +27,7 @@ class JsonListener : public nlohmann::json_sax<nlohmann::json> {
   }
 
  protected:
-  /// A value, or the beginning or the end of one, that no override above takes. False ends the parsing.
+  /// Called for a value, or its beginning or end, that has no override. False ends the parsing.
   virtual bool value() = 0;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which JSON is too large to be kept whole.
+// Detects JSON that is too large to be kept whole.
 
 #include <cstddef>
 #include <functional>
@@ -7,9 +7,9 @@
 
 namespace tramline::io {
 
-/// Is one of the values, of which a text may hold several one after another, larger than `most` bytes and no
-/// FeatureCollection? `read` says how much of the text has been read, `size` is its length in bytes; what
-/// follows on a fault of the text counts to the value with the fault. O(n), and a few bytes of memory for
+/// Whether one of the values, of which a text may hold several one after another, is larger than `most` bytes
+/// and not a FeatureCollection. `read` returns how much of the text has been read, `size` is its length in
+/// bytes; the text after a fault counts towards the value with the fault. O(n), and a few bytes of memory for
 /// each level of nesting.
 bool has_large_json_value(std::istream& text, const std::function<std::size_t()>& read, std::size_t size,
                           std::size_t most);

@@ -11,13 +11,14 @@ namespace tramline::io {
 /// bad_input, naming the place, for local grids that are not in metres.
 std::string layer_crs(const OGRSpatialReference* srs, const std::string& place);
 
-/// Which of a geometry's coordinates comes first.
+/// The order of a geometry's coordinates.
 enum class AxisOrder {
   kXFirst,  ///< longitude or easting
   kYFirst,
 };
 
-/// OGR hands out longitude first whatever the authority says, unless a driver maps the axes otherwise.
+/// The order used by OGR: longitude first whatever the authority says, unless a driver maps the axes
+/// otherwise.
 AxisOrder axis_order(const OGRSpatialReference* srs);
 
 }  // namespace tramline::io

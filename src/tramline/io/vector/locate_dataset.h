@@ -1,5 +1,5 @@
 #pragma once
-// From what the user typed to the name under which GDAL opens it.
+// Finds the name under which GDAL opens a file that the user has named.
 
 #include <cstddef>
 #include <string>
@@ -7,16 +7,16 @@
 
 namespace tramline::io {
 
-/// A database string such as "PG:dbname=farm" rather than a path.
+/// Whether it is a database string such as "PG:dbname=farm" rather than a path.
 bool is_database_string(const std::string& file);
 
-/// A folder, on disk or in a zip.
+/// Whether it is a folder, on disk or in a zip.
 bool is_folder(const std::string& name);
 
 /// The string with any password masked, for messages.
 std::string shown_name(const std::string& file);
 
-/// Refused beyond this: what a gzipped file, or a vector file in a zip, expands to.
+/// The largest expanded size of a gzipped file, or of a vector file in a zip; larger ones are refused.
 inline constexpr std::size_t kMostExpandedDataset = std::size_t{1} << 30;
 
 /// The names GDAL can open for `file`: the file itself (expanded where it is a .gz), or for a .zip each

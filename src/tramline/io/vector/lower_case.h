@@ -6,7 +6,7 @@
 
 namespace tramline::io {
 
-/// ASCII letters alone: what formats and drivers are called.
+/// The text with ASCII letters in lower case, enough for names of formats and drivers.
 inline std::string lower_case(std::string_view text) {
   std::string out(text);
   std::transform(out.begin(), out.end(), out.begin(),

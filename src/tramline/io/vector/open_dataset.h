@@ -1,5 +1,5 @@
 #pragma once
-// From a path to an open dataset of GDAL.
+// Opens a path as a dataset of GDAL.
 
 #include <gdal_priv.h>
 
@@ -12,8 +12,8 @@ namespace tramline::io {
 
 class GdalMessages;
 
-/// To be kept while the dataset is read: connections are allowed for an address or a database that the user
-/// has typed ("PG:dbname=farm", "/vsicurl/https://…"); nothing for the path of a file.
+/// A permission to be kept while the dataset is read: connections are allowed for an address or a database
+/// that the user has typed ("PG:dbname=farm", "/vsicurl/https://…"). nullptr for the path of a file.
 std::unique_ptr<ConnectionsAllowed> connections_for(const std::string& path);
 
 /// Opens a vector file, a folder of Shapefiles, a database, or the one dataset of a zip; of a zip with

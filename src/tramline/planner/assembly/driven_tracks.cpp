@@ -9,8 +9,8 @@ namespace {
 
 bool is_bent(const Path& reference) { return reference.size() > 1 || !reference.front().straight(); }
 
-/// With its path, even where that is straight, if its track is one of a curve's; S2's along a straight line
-/// are straight ones.
+/// The piece has a path, even a straight one, if its track belongs to a curve; S2's tracks along a straight
+/// line have none.
 bool is_written_as_curve(const SearchTask& task, const Subfield& subfield) {
   if (subfield.reference.empty()) return false;
   return task.settings.tracks == TrackConstruction::kParallel || is_bent(subfield.reference);
@@ -33,8 +33,8 @@ TrackPiece piece_on_field(const LaidPiece& piece, const StripGrid& grid, std::si
   return out;
 }
 
-/// The places of the pieces that come one after another, by line.
-std::vector<std::vector<std::size_t>> places_on(const std::vector<order::WorkedLine>& lines) {
+/// The indices of the pieces of each line, for pieces in consecutive order.
+std::vector<std::vector<std::size_t>> piece_indices_by_line(const std::vector<order::WorkedLine>& lines) {
   std::vector<std::vector<std::size_t>> out;
   std::size_t next = 0;
   for (const order::WorkedLine& line : lines) {
@@ -70,18 +70,18 @@ std::vector<TrackPiece> track_pieces(const SearchTask& task, const Candidate& ca
 }
 
 Driven driven_tracks(const SearchTask& task, const Candidate& candidate) {
-  std::vector<LaidPlace> laid;
+  std::vector<LaidIndex> laid;
   for (std::size_t i = 0; i < candidate.avoided.tracks.size(); ++i)
     for (std::size_t k = 0; k < candidate.avoided.tracks[i].pieces.size(); ++k) laid.push_back({i, k});
   const std::vector<order::WorkedLine> lines = order::lines_of(track_pieces(task, candidate));
-  const std::vector<std::vector<std::size_t>> places = places_on(lines);
+  const std::vector<std::vector<std::size_t>> piece_indices = piece_indices_by_line(lines);
   const order::Tour tour = order::best_tour(lines, task.field, task.machine.width_m);
   Driven out{order::pieces_on(tour, lines), {}, {}};
   for (const order::End end : tour) {
-    std::vector<std::size_t> along = places[order::line_of(end)];
+    std::vector<std::size_t> along = piece_indices[order::line_of(end)];
     if (!order::is_start(end)) std::reverse(along.begin(), along.end());
-    for (const std::size_t place : along) {
-      out.laid.push_back(laid[place]);
+    for (const std::size_t index : along) {
+      out.laid.push_back(laid[index]);
       out.back.push_back(!order::is_start(end));
     }
   }

@@ -8,29 +8,28 @@
 
 namespace tramline {
 
-/// A piece as it was laid.
-struct LaidPlace {
+/// The index of a piece before ordering.
+struct LaidIndex {
   std::size_t subfield = 0;
-  std::size_t piece = 0;  ///< of LaidTracks::pieces
+  std::size_t piece = 0;  ///< index into LaidTracks::pieces
 };
 
-/// The tracks as driven.
+/// The pieces of a candidate in driving order.
 struct Driven {
   std::vector<TrackPiece> pieces;
-  std::vector<LaidPlace> laid;  ///< by piece
-  std::vector<bool> back;       ///< by piece: driven against its track
+  std::vector<LaidIndex> laid;  ///< by piece: its index before ordering
+  std::vector<bool> back;       ///< by piece: whether it is driven against the direction of its track
 };
 
-/// The pieces of a candidate by subfield, track and place along it: not in driving order. Curved ones say
-/// what they would overlap by themselves, without detours (overlap_by_piece()).
+/// The pieces of a candidate by subfield, track and position along it, not in driving order. Curved pieces
+/// carry the overlap that they would have by themselves, without detours (overlap_by_piece()).
 std::vector<TrackPiece> track_pieces(const SearchTask& task, const Candidate& candidate);
 
-/// The same in the order and the way round in which they are driven (order::best_tour()).
+/// The same pieces in the order and directions in which they are driven (order::best_tour()).
 /// Connections between pieces are not planned.
 Driven driven_tracks(const SearchTask& task, const Candidate& candidate);
 
-/// The path of a piece in the field's frame, from one end to the other; of a straight one without its
-/// detours.
+/// The path of a piece in the field's frame, from one end to the other; without detours for a straight piece.
 Path line_of(const LaidPiece& piece, const StripGrid& grid);
 
 }  // namespace tramline

@@ -11,7 +11,7 @@
 namespace tramline {
 namespace {
 
-/// How far the piece is from what blocks its track.
+/// The distance of the piece from the obstacle that blocks its track.
 double off_by(const LaidPiece& piece, const Interval& between) {
   return std::max({0.0, piece.from - between.to, between.from - piece.to});
 }
@@ -22,7 +22,7 @@ using Track = std::pair<std::size_t, int>;  // by subfield and number in its fam
 std::map<Track, std::vector<std::size_t>> by_track(const Candidate& candidate, const Driven& driven) {
   std::map<Track, std::vector<std::size_t>> out;
   for (std::size_t i = 0; i < driven.laid.size(); ++i) {
-    const LaidPlace& laid = driven.laid[i];
+    const LaidIndex& laid = driven.laid[i];
     const LaidPiece& piece = candidate.avoided.tracks[laid.subfield].pieces[laid.piece];
     out[{laid.subfield, piece.track}].push_back(i);
   }
@@ -40,7 +40,7 @@ std::vector<Encounter> encounters_as_driven(const SearchTask& task, const Candid
     bool back = false;
     if (const auto found = tracks.find({encounter.subfield, encounter.track}); found != tracks.end())
       for (const std::size_t i : found->second) {
-        const LaidPlace& laid = driven.laid[i];
+        const LaidIndex& laid = driven.laid[i];
         const LaidPiece& piece = candidate.avoided.tracks[laid.subfield].pieces[laid.piece];
         if (piece.branch != encounter.branch) continue;
         const double off_m = off_by(piece, encounter.between);

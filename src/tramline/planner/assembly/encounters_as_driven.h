@@ -1,5 +1,5 @@
 #pragma once
-// Encounters in the words of the finished plan.
+// Renumbers encounters for the finished plan and turns their sides into driving direction.
 
 #include <vector>
 
@@ -7,9 +7,9 @@
 
 namespace tramline {
 
-/// The encounters of a candidate with its tracks numbered as in the driven pieces, and left and right seen in
-/// the direction in which the piece of its track next to it is driven, of two as near the one driven first
-/// (in that of the track where it is not driven). O(encounters · pieces).
+/// The encounters of a candidate, with tracks numbered as in the driven pieces. Left and right are those of
+/// the driving direction of the nearest piece of the encounter's track, of two equally near the one driven
+/// first; where the track is not driven, those of the track's direction. O(encounters · pieces).
 std::vector<Encounter> encounters_as_driven(const SearchTask& task, const Candidate& candidate,
                                             const Driven& driven);
 

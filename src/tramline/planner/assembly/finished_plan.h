@@ -1,20 +1,20 @@
 #pragma once
-// From what a search has found to a plan that can be driven, written and drawn.
+// Assembles the result of a search into a plan that can be driven, written and drawn.
 
 #include "tramline/planner/search_context.h"
 #include "tramline/planner/search_result.h"
 
 namespace tramline {
 
-/// Throws kBadInput where a candidate with this tally has no piece, saying why that may be; unless headland
-/// passes work more than the body: a narrow field is worked by them alone.
+/// Throws kBadInput, naming the likely reason, where a candidate with this tally has no piece; except where
+/// headland passes work more than the body, because a narrow field is worked by them alone.
 void require_tracks(const SearchTask& task, const Tally& tally);
 
-/// All that a plan has from its task.
+/// A plan with everything that its task determines, without tracks.
 Plan bare_plan(const SearchTask& task);
 
-/// The best candidate as a plan: its pieces in driving order, what was decided at obstacles, the land worked
-/// twice or left, warnings. Throws as require_tracks().
+/// The best candidate as a plan: its pieces in driving order, the choices at obstacles, overlap, uncovered
+/// land and warnings. Throws as require_tracks().
 Plan finished_plan(const SearchTask& task, SearchResult found, const SearchContext& context);
 
 }  // namespace tramline

@@ -13,7 +13,7 @@ bool has_headland(const SearchTask& task) {
   return !task.headland.ground.empty() || !task.headland.passes.empty();
 }
 
-/// Of the body, what headland passes work.
+/// The area of the body that headland passes work.
 double worked_of_body_m2(const SearchTask& task) {
   RisingCurves curves;
   Box window;
@@ -25,7 +25,7 @@ double worked_of_body_m2(const SearchTask& task) {
   return newly_covered_area(curves);
 }
 
-/// The cost of the best plan found that leaves the ground undivided.
+/// The cost of the best plan found that leaves the land undivided.
 double undivided_cost(const SearchTask& task, const SearchResult& found, const Plan& plan) {
   if (found.undivided.empty()) return plan.cost;
   return whole_cost(task, candidate_on(task, found.undivided));

@@ -21,7 +21,7 @@ void append_common(const Region& a, const Region& b, Region& out) {
     if (!is_sliver(both)) out.push_back(std::move(both));
 }
 
-/// Adds the passes of the headland to what is worked, and to what is worked twice.
+/// Adds the passes of the headland to the land worked, and to the land worked twice.
 void add_passes(const Plan& plan, TrackGround& all) {
   for (const HeadlandPass& pass : plan.headland.passes) {
     const Region parts = pass_ground_parts(pass.path, plan.machine.width_m, kLayerSagitta);
@@ -29,12 +29,12 @@ void add_passes(const Plan& plan, TrackGround& all) {
       for (Polygon& both : common_to_two(parts))
         if (!is_sliver(both)) all.doubled.push_back(std::move(both));
     Region ground = unite(parts);
-    for (const Region& other : all.grounds) append_common(ground, other, all.doubled);
-    all.grounds.push_back(std::move(ground));
+    for (const Region& other : all.regions) append_common(ground, other, all.doubled);
+    all.regions.push_back(std::move(ground));
   }
 }
 
-/// Those that lie not wholly inside the land.
+/// The polygons that do not lie wholly inside the land.
 Region reaching_out(const Region& parts, const EdgeIndex& land) {
   Region out;
   for (const Polygon& part : parts) {
@@ -52,7 +52,7 @@ void add_layers(Plan& plan, TrackGround tracks) {
   const Region land = land_of(plan);
   const EdgeIndex edges(land);
   plan.uncovered = land;
-  for (const Region& ground : tracks.grounds) {
+  for (const Region& ground : tracks.regions) {
     plan.uncovered = difference(plan.uncovered, ground);
     for (Polygon& part : difference(reaching_out(ground, edges), land))
       tracks.doubled.push_back(std::move(part));

@@ -1,5 +1,5 @@
 #pragma once
-// Where a plan works land twice or in vain and where it leaves land, as polygons.
+// The overlap and the uncovered land of a plan as polygons.
 
 #include <vector>
 
@@ -7,15 +7,16 @@
 
 namespace tramline {
 
-/// What the tracks of a plan work.
+/// The land that the tracks of a plan work.
 struct TrackGround {
-  std::vector<Region> grounds;  ///< together all that the swaths cover; the parts of one do not overlap
-  Region doubled;               ///< what more than one of them works; parts may overlap
+  /// Together they cover all that the swaths do; polygons of one region do not overlap.
+  std::vector<Region> regions;
+  Region doubled;  ///< land that more than one region covers; its polygons may overlap
 };
 
-/// The layers Plan::overlap and Plan::uncovered of tracks and headland passes together: pictures of the
-/// tally, without slivers between the chords of swaths that share an arc. Precondition: everything else but
-/// tally, cost and warnings is there.
+/// Sets the layers Plan::overlap and Plan::uncovered of tracks and headland passes together. They show the
+/// areas of the tally, without slivers between the chords of swaths that share an arc. Precondition: `plan`
+/// is complete except for tally, cost and warnings.
 void add_layers(Plan& plan, TrackGround tracks);
 
 }  // namespace tramline

@@ -14,7 +14,7 @@
 namespace tramline {
 namespace {
 
-/// What a subfield's tracks cost by themselves, borders with other subfields taken as plain edges.
+/// The cost of a subfield's tracks by themselves, with borders to other subfields counted as plain edges.
 double own_cost(const SearchTask& task, const Subfield& subfield, const LaidTracks& tracks) {
   return cost(task.objective, tally_of({subfield}, {tracks}, area(subfield.shape)));
 }
@@ -42,10 +42,10 @@ AvoidanceTask avoidance_task(const SearchTask& task, const Candidate& candidate)
           task.settings, candidate.subfields, candidate.families, task.body_m2};
 }
 
-/// The strips alone.
-Candidate laid_on(const SearchTask& task, const std::vector<LinedSubfield>& grounds) {
+/// The candidate with its strips, without ways past obstacles.
+Candidate laid_on(const SearchTask& task, const std::vector<LinedSubfield>& lined_subfields) {
   Candidate out;
-  for (const LinedSubfield& ground : grounds) {
+  for (const LinedSubfield& ground : lined_subfields) {
     out.subfields.push_back(ground.subfield);
     out.families.push_back(tracks_on(task, ground));
   }
@@ -64,8 +64,8 @@ TrackFamily tracks_on(const SearchTask& task, const LinedSubfield& ground) {
                          criterion);
 }
 
-Outlook outlook_on(const SearchTask& task, const std::vector<LinedSubfield>& grounds) {
-  const Candidate laid = laid_on(task, grounds);
+Outlook outlook_on(const SearchTask& task, const std::vector<LinedSubfield>& lined_subfields) {
+  const Candidate laid = laid_on(task, lined_subfields);
   const AvoidanceTask avoidance = avoidance_task(task, laid);
   const Avoided cut = all_cut(avoidance);
   Objective soft = task.objective;
@@ -74,13 +74,13 @@ Outlook outlook_on(const SearchTask& task, const std::vector<LinedSubfield>& gro
   return {cut.cost, cost(soft, cut.tally), decided ? cut.cost : least_cost_with_detours(avoidance, cut)};
 }
 
-Candidate candidate_on(const SearchTask& task, const std::vector<LinedSubfield>& grounds) {
-  Candidate out = laid_on(task, grounds);
+Candidate candidate_on(const SearchTask& task, const std::vector<LinedSubfield>& lined_subfields) {
+  Candidate out = laid_on(task, lined_subfields);
   out.avoided = choose_detours(avoidance_task(task, out));
   return out;
 }
 
-std::vector<LinedSubfield> grounds_of(const Candidate& candidate) {
+std::vector<LinedSubfield> lined_subfields_of(const Candidate& candidate) {
   std::vector<LinedSubfield> out;
   for (std::size_t i = 0; i < candidate.subfields.size(); ++i)
     out.push_back({candidate.subfields[i], candidate.families[i].grid.origin_m});

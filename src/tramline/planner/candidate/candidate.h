@@ -1,5 +1,5 @@
 #pragma once
-// One candidate of the search: a decomposition with its tracks and what it costs.
+// One candidate of the search: a decomposition with its tracks and their cost.
 
 #include <optional>
 
@@ -13,45 +13,45 @@ struct Candidate {
   std::vector<Subfield> subfields;
   std::vector<TrackFamily> families;  ///< by subfield
   Avoided avoided;                    ///< the tracks, their tally and cost
-  bool numbered_from_line_0 = false;  ///< straight tracks carry the numbers of their strips
+  bool numbered_from_line_0 = false;  ///< straight tracks keep the numbers of their strips
   std::optional<Region> worked{};     ///< with S2's tracks: the union of their swaths
 
   double cost() const { return avoided.cost; }
   bool works() const { return avoided.tally.pieces > 0; }
 };
 
-/// A subfield with the lines that its tracks lie along: the parallels of its reference or, where it has none,
-/// the strips of a grid.
+/// A subfield with the lines of its tracks: the parallels of its reference or, where it has none, the strips
+/// of a grid.
 struct LinedSubfield {
   Subfield subfield;
-  double origin_m = 0;  ///< of a grid: coordinate across of line 0, in the turned plane
+  double origin_m = 0;  ///< for a grid: coordinate of line 0 across the tracks, in the turned plane
 };
 
 /// All tracks of a subfield.
 TrackFamily tracks_on(const SearchTask& task, const LinedSubfield& ground);
 
-/// What candidate_on() makes the candidate of again.
-std::vector<LinedSubfield> grounds_of(const Candidate& candidate);
+/// The lined subfields from which candidate_on() makes the same candidate.
+std::vector<LinedSubfield> lined_subfields_of(const Candidate& candidate);
 
-/// What is known of a candidate before the ways past the obstacles are looked for.
+/// Costs that are known of a candidate before ways past the obstacles are searched for.
 struct Outlook {
-  double cut = 0;    ///< cost with all tracks cut at obstacles
-  double soft = 0;   ///< the same with a stop no dearer than a turn: as if most obstacles had a way round
-  double least = 0;  ///< whatever is done about obstacles, it costs no less
+  double cut = 0;   ///< cost with all tracks cut at obstacles
+  double soft = 0;  ///< the same with stops priced no higher than turns, as if most obstacles had a way round
+  double least = 0;  ///< lower bound of the cost, whatever ways past obstacles are chosen
 };
-Outlook outlook_on(const SearchTask& task, const std::vector<LinedSubfield>& grounds);
+Outlook outlook_on(const SearchTask& task, const std::vector<LinedSubfield>& lined_subfields);
 
-/// Tracks on the given grids, got past the obstacles and tallied. Pure.
-Candidate candidate_on(const SearchTask& task, const std::vector<LinedSubfield>& grounds);
+/// The candidate with tracks on the given lines, with ways past the obstacles chosen, and tallied. Pure.
+Candidate candidate_on(const SearchTask& task, const std::vector<LinedSubfield>& lined_subfields);
 
-/// S1.19: decompose, merge, lay tracks. Pure; safe to call from several threads, as is all of this.
+/// S1.19: decompose, merge, lay tracks. Pure; safe to call from several threads, as are all functions here.
 std::vector<LinedSubfield> swept(const SearchTask& task, Direction sweep);
 
-/// What was decided where its tracks meet obstacles; as encounters_in() gives it.
+/// The choices made where its tracks reach obstacles, in the form of encounters_in().
 std::vector<PlacedEncounter> encounters_of(const SearchTask& task, const Candidate& candidate);
 
-/// The number, among the tracks of its family, of the one that is track 0 of a subfield: the first that is
-/// driven or meets an obstacle; along curves, and where strips keep their numbers, that at the line itself.
+/// The number within its family of the track that becomes track 0 of a subfield: the first that is driven or
+/// reaches an obstacle; along curves, and where strips keep their numbers, the one at the line itself.
 int first_track(const Candidate& candidate, std::size_t subfield);
 
 }  // namespace tramline

@@ -9,7 +9,7 @@
 namespace tramline {
 namespace {
 
-/// All the way round the ground, anticlockwise as outer rings go.
+/// Whether the reference leads all the way round the land, counter-clockwise like outer rings.
 bool goes_round(const Path& reference) {
   return distance(reference.front().from, reference.back().to) <= 2 * kSeam_m;
 }

@@ -6,19 +6,19 @@
 
 namespace tramline {
 
-/// What tracks over a subfield that run parallel to a curve have to keep to.
+/// The land and the obstacles that tracks parallel to a curve have to respect on a subfield.
 CurvedGround curved_ground(const SearchTask& task, const Polygon& shape);
 
-/// How tight they may be.
+/// The least radii of curved tracks of the machine.
 TrackLimits track_limits(const Machine& machine);
 
-/// The numbers of the parallels of a subfield's reference that may reach it. Precondition: it has one, which
-/// leaves its box behind at both ends or goes all the way round.
+/// The numbers of the parallels of a subfield's reference that may reach the subfield. Precondition: the
+/// subfield has a reference, which extends beyond its box at both ends or goes all the way round.
 StripRange parallels_over(const SearchTask& task, const Subfield& subfield);
 
 EndCriterion end_criterion_of(const SearchTask& task);
 
-/// All parallels of a subfield's reference, offset by (k + ½)·w to either side, that may be driven somewhere.
+/// All parallels of a subfield's reference, offset by (k + ½)·w to either side, that can be driven somewhere.
 /// Precondition: as parallels_over().
 TrackFamily parallel_tracks(const SearchTask& task, const CurvedGround& ground, const Subfield& subfield);
 

@@ -28,10 +28,10 @@ double bend_of(const Chain& chain) {
   return most;
 }
 
-/// By how much the ring turns around vertex i, between the places `reach_m` before and after it, rad.
+/// By how much the ring turns around vertex i, between the points `reach_m` before and after it, rad.
 double turn_at(const Ring& ring, std::size_t i, double reach_m) {
   const std::size_t n = ring.size();
-  const auto place = [&](int step) {
+  const auto point_along = [&](int step) {
     Point at = ring[i];
     double left = reach_m;
     for (std::size_t k = 1; k < n; ++k) {
@@ -43,7 +43,7 @@ double turn_at(const Ring& ring, std::size_t i, double reach_m) {
     }
     return at;
   };
-  const Point in = ring[i] - place(-1), out = place(+1) - ring[i];
+  const Point in = ring[i] - point_along(-1), out = point_along(+1) - ring[i];
   return std::abs(std::atan2(cross(in, out), dot(in, out)));
 }
 

@@ -1,16 +1,16 @@
 #pragma once
-// What every candidate of one search shares.
+// The input that all candidates of one search share.
 
 #include "tramline/planner/planning_problem.h"
 #include "tramline/planner/prepared_field.h"
 
 namespace tramline {
 
-/// A problem, and the field prepared for it. Refers to its arguments, which have to outlive it.
+/// A problem and the field prepared for it. Refers to its arguments, which have to outlive it.
 struct SearchTask {
   SearchTask(const PlanningProblem& problem, const PreparedField& prepared)
       : SearchTask(problem, prepared, problem.objective) {}
-  /// At other prices than those of the problem.
+  /// The same at prices other than those of the problem.
   SearchTask(const PlanningProblem& problem, const PreparedField& prepared, const Objective& prices)
       : field(problem.field),
         machine(problem.machine),

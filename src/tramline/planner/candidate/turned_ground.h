@@ -1,5 +1,5 @@
 #pragma once
-// The ground of a search in the plane of one direction.
+// The land of a search in the turned plane of one direction.
 
 #include "tramline/planner/candidate/candidate.h"
 #include "tramline/tracks/straight_tracks.h"

@@ -19,14 +19,14 @@ constexpr std::size_t kMoved = 3;  ///< references that are tried in other place
 constexpr int kPlaces = 8;
 constexpr std::ptrdiff_t kDetoursTried = 3;  ///< families whose detours are looked for, by either order
 
-/// A reference in one place, and what its tracks cost.
+/// A reference at one sideways offset, and the cost of its tracks.
 struct TriedCurve {
   const Reference* reference = nullptr;
   double right_m = 0;
   Candidate candidate;
 };
 
-/// Along the boundary of some ground.
+/// References along the boundary of a piece of land.
 std::vector<Reference> references_of(const SearchTask& task, const Region& ground,
                                      const SearchContext& context) {
   const double width_m = task.machine.width_m;
@@ -53,8 +53,8 @@ void sort_best_first(std::vector<TriedCurve>& tried) {
   });
 }
 
-/// What the best so many have cost: what is certain to cost more need not be looked at to its end. Families
-/// that are given up for the last of them would not have been among them, whichever came first.
+/// The costs of the best few families so far: a family that is certain to cost more need not be completed. A
+/// family abandoned because of the last of these would not have been among them in any order.
 class BestCosts {
  public:
   explicit BestCosts(std::size_t count, double known = std::numeric_limits<double>::infinity())
@@ -82,30 +82,30 @@ class BestCosts {
   bool any_ = false;
 };
 
-/// All of them, sorted; those that are certain to be none of the best that `costs` holds may have been given
-/// up. A search that has to end leaves off once one of them works.
-void try_all(const SearchTask& task, const Polygon& part, BestCosts& costs, std::vector<TriedCurve>& places,
+/// Lays all of them and sorts them; those that are certain not to be among the best that `costs` holds may be
+/// abandoned. A search that has to end stops once one of them works.
+void try_all(const SearchTask& task, const Polygon& part, BestCosts& costs, std::vector<TriedCurve>& tried,
              const SearchContext& context) {
   const CurvedGround ground = curved_ground(task, part);
-  for_each_index(places.size(), context, [&](std::size_t i) {
+  for_each_index(tried.size(), context, [&](std::size_t i) {
     if (costs.any() && context.has_to_end()) return;
-    const auto subfield = subfield_along(task, part, *places[i].reference, places[i].right_m);
+    const auto subfield = subfield_along(task, part, *tried[i].reference, tried[i].right_m);
     if (!subfield) return;
-    places[i].candidate = plain_candidate(task, ground, *subfield, costs.last());
-    costs.offer(places[i].candidate);
+    tried[i].candidate = plain_candidate(task, ground, *subfield, costs.last());
+    costs.offer(tried[i].candidate);
   });
-  sort_best_first(places);
+  sort_best_first(tried);
 }
 
-/// With a stop no dearer than a turn: as if most obstacles had a way round.
+/// The cost with stops priced no higher than turns, as if most obstacles had a way round.
 double soft_cost(const SearchTask& task, const TriedCurve& tried) {
   Objective prices = task.objective;
   prices.stop = std::min(prices.stop, prices.turn);
   return cost(prices, tried.candidate.avoided.tally);
 }
 
-/// Those worth a look at detours: the cheapest as they are, and the cheapest of the rest if stops were cheap.
-/// Precondition: sorted.
+/// The families for which detours are worth a search: the cheapest as they are, and the cheapest of the rest
+/// if stops were cheap. Precondition: sorted.
 std::vector<TriedCurve> promising(const SearchTask& task, std::vector<TriedCurve> tried) {
   if (std::ssize(tried) > kDetoursTried)
     std::stable_sort(tried.begin() + kDetoursTried, tried.end(),
@@ -122,7 +122,8 @@ std::optional<TriedCurve> best_on(const SearchTask& task, const Polygon& part,
   std::vector<TriedCurve> all;
   for (const Reference& reference : references) {
     all.push_back({&reference, 0, {}});
-    // The land lies to the left of a boundary: so far out the first swath takes all of its bends.
+    // The land lies to the left of a boundary. Moved out so far, the first swath covers all bends of the
+    // boundary.
     if (reference.deviation_m > 0) all.push_back({&reference, reference.deviation_m, {}});
   }
   BestCosts best_few(kMoved);
@@ -142,24 +143,24 @@ std::optional<TriedCurve> best_on(const SearchTask& task, const Polygon& part,
   if (!asks_for_detours(task)) return std::move(all.front());
   all = promising(task, std::move(all));
   for_each_index_until_end(all.size(), context, [&](std::size_t i) {
-    all[i].candidate = candidate_on(task, grounds_of(all[i].candidate));
+    all[i].candidate = candidate_on(task, lined_subfields_of(all[i].candidate));
   });
   sort_best_first(all);
   return std::move(all.front());
 }
 
-/// Each part along its own curve, or all along that of one of them: what swaths work beyond their own part
-/// may decide.
-Candidate best_together(const SearchTask& task, const std::vector<LinedSubfield>& grounds,
+/// The cheaper of each part along its own curve and all parts along the curve of one of them: the land that
+/// swaths work beyond their own part may decide.
+Candidate best_together(const SearchTask& task, const std::vector<LinedSubfield>& lined_subfields,
                         const SearchContext& context) {
   context.report();
-  Candidate best = candidate_on(task, grounds);
+  Candidate best = candidate_on(task, lined_subfields);
   std::vector<Path> tried;
-  for (const LinedSubfield& one : grounds) {
+  for (const LinedSubfield& one : lined_subfields) {
     const Path& reference = one.subfield.reference;
     if (context.has_to_end() || std::find(tried.begin(), tried.end(), reference) != tried.end()) continue;
     tried.push_back(reference);
-    std::vector<LinedSubfield> along = grounds;
+    std::vector<LinedSubfield> along = lined_subfields;
     for (LinedSubfield& ground : along) {
       ground.subfield.direction = one.subfield.direction;
       ground.subfield.reference = reference;
@@ -182,26 +183,26 @@ std::optional<Candidate> best_along_own_edge(const SearchTask& task, const Polyg
 std::optional<BestCurve> best_curved(const SearchTask& task, const SearchContext& context) {
   const std::vector<Reference> references = references_of(task, task.ground.plannable, context);
   const Region& parts = task.ground.plannable;
-  std::vector<LinedSubfield> grounds;
+  std::vector<LinedSubfield> lined_subfields;
   BestCurve out;
   Subfield largest;
   double largest_m2 = 0;
   for (const Polygon& part : parts) {
     std::optional<TriedCurve> best = best_on(task, part, references, context);
-    grounds.push_back({best ? best->candidate.subfields.front() : Subfield{part, {}, {}}, 0});
+    lined_subfields.push_back({best ? best->candidate.subfields.front() : Subfield{part, {}, {}}, 0});
     if (best && area(part) > largest_m2) {
       out.line = best->reference->line;
-      largest = grounds.back().subfield;
+      largest = lined_subfields.back().subfield;
       largest_m2 = area(part);
     }
     if (best && parts.size() == 1) out.candidate = std::move(best->candidate);
   }
   if (largest_m2 == 0) return std::nullopt;
-  // A part that no curve suits by itself goes with the largest.
-  for (LinedSubfield& ground : grounds)
+  // A part that no curve suits by itself follows the curve of the largest part.
+  for (LinedSubfield& ground : lined_subfields)
     if (ground.subfield.reference.empty())
       ground.subfield = {ground.subfield.shape, largest.direction, largest.reference};
-  if (parts.size() > 1) out.candidate = best_together(task, grounds, context);
+  if (parts.size() > 1) out.candidate = best_together(task, lined_subfields, context);
   return out;
 }
 

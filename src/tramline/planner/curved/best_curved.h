@@ -11,18 +11,18 @@ namespace tramline {
 
 struct BestCurve {
   Candidate candidate;
-  std::vector<Point> line;  ///< what the curve of its largest part was made of
+  std::vector<Point> line;  ///< the line from which the curve of its largest part was made
 };
 
-/// For each part of the ground the cheapest family along a chain of boundary edges between two corners, at
-/// several levels of smoothing, the best of them moved sideways as well; detours are looked for in the
-/// cheapest of these, and in those that would be if a stop cost no more than a turn. nullopt where no chain
-/// is curved, or none has a track. Deterministic for any number of threads. O(parts · chains) families. With
-/// S2's tracks to be made from the line chosen, which has to have ends, chains all the way round are left
-/// out, and detours are not looked for.
+/// For each part of the land the cheapest family along a chain of boundary edges between two corners, tried
+/// at several levels of smoothing, the best of them also moved sideways. Detours are searched for in the
+/// cheapest families, and in those that would be cheapest if a stop cost no more than a turn. nullopt where
+/// no chain is curved, or none yields a track. Deterministic for any number of threads. O(parts · chains)
+/// families. With S2's construction the chosen line needs ends, so chains all the way round are left out, and
+/// detours are not searched for.
 std::optional<BestCurve> best_curved(const SearchTask& task, const SearchContext& context);
 
-/// The same for some of the ground as the only subfield, along chains of its own edges.
+/// The same for one piece of the land as the only subfield, along chains of its own edges.
 std::optional<Candidate> best_along_own_edge(const SearchTask& task, const Polygon& ground,
                                              const SearchContext& context);
 

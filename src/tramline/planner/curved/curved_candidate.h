@@ -1,5 +1,5 @@
 #pragma once
-// One subfield with tracks parallel to a curve, while the curve is looked for.
+// One subfield with tracks parallel to a curve, as tried while the curve is searched for.
 
 #include <optional>
 #include <vector>
@@ -9,34 +9,34 @@
 
 namespace tramline {
 
-/// What tracks run parallel to.
+/// The curve that tracks run parallel to.
 struct Reference {
-  std::vector<Point> line;  ///< what it was made of
+  std::vector<Point> line;  ///< the line from which it was made
   Path path;                ///< no tighter than the machine turns, not yet extended
-  double deviation_m = 0;   ///< from the line that was given
-  bool round = false;       ///< all the way round the ground, and back to where it began
+  double deviation_m = 0;   ///< largest distance from the given line
+  bool round = false;       ///< leads all the way round the land, back to where it began
 };
 
 /// The line smoothed to what the machine drives and to `tolerance_m`. Throws kBadInput for a line that
 /// smoothed() refuses, and where a line all the way round shrinks to a point.
 Reference reference_along(const SearchTask& task, const std::vector<Point>& line, double tolerance_m);
 
-/// The same for a line that nobody asked for; nullopt where reference_along() throws.
+/// The same for a line that the user did not give; nullopt where reference_along() throws.
 std::optional<Reference> try_reference_along(const SearchTask& task, const std::vector<Point>& line,
                                              double tolerance_m);
 
-/// The subfield along the reference, which is moved `right_m` to the right and extended along its end
-/// tangents across all the ground. nullopt where it cannot be moved so far.
+/// The subfield with tracks along the reference moved `right_m` to the right and extended along its end
+/// tangents across all the land. nullopt where it cannot be moved so far.
 std::optional<Subfield> subfield_along(const SearchTask& task, const Polygon& shape,
                                        const Reference& reference, double right_m = 0);
 
-/// As candidate_on() for this one subfield without ways past obstacles; `ground` is that of its shape. Its
-/// families are left empty. Where there is nothing for detours to go round it is given up, without a track,
-/// as soon as it is certain to cost more than `no_more_than`.
+/// As candidate_on() for this one subfield without ways past obstacles; `ground` belongs to its shape. The
+/// candidate's families stay empty. Where there is nothing for detours to go round, construction stops,
+/// without a track, as soon as the candidate is certain to cost more than `no_more_than`.
 Candidate plain_candidate(const SearchTask& task, const CurvedGround& ground, const Subfield& subfield,
                           double no_more_than);
 
-/// Whether tracks along curves may meet anything that they go round or cross.
+/// Whether curved tracks may reach anything that they go round or cross.
 bool asks_for_detours(const SearchTask& task);
 
 }  // namespace tramline

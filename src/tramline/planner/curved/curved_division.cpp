@@ -16,19 +16,19 @@ struct PricedGround {
   double price = kNone;
 };
 
-/// Prices of subfields add up to what a plan costs, but for what their swaths work of one another and one
-/// turn: a subfield has its own land missed, a turn to it from another, and the price of a further one.
+/// The prices of subfields add up to the cost of a plan, except for land of one that swaths of another work
+/// and for one turn: each counts its own missed land, a turn to it, and the price of a further subfield.
 double price_of(const SearchTask& task, const Candidate& alone) {
   const Objective& prices = task.objective;
   const double missed_elsewhere_m2 = task.body_m2 - area(alone.subfields.front().shape);
   return alone.cost() - prices.uncovered * missed_elsewhere_m2 + prices.turn + prices.subfield;
 }
 
-/// Infinitely dear where no curve has a track.
+/// Infinite cost where no curve has a track.
 PricedGround along_curve(const SearchTask& task, const Polygon& shape, const SearchContext& context) {
   const std::optional<Candidate> best = best_along_own_edge(task, shape, context);
   if (!best) return {{{shape, {}, {}}, 0}};
-  return {grounds_of(*best).front(), price_of(task, *best)};
+  return {lined_subfields_of(*best).front(), price_of(task, *best)};
 }
 
 PricedGround best_alone(const SearchTask& task, const LinedSubfield& straight, OtherSubfields others,
@@ -39,13 +39,13 @@ PricedGround best_alone(const SearchTask& task, const LinedSubfield& straight, O
   return price <= curved.price ? PricedGround{straight, price} : curved;
 }
 
-/// Neighbours along one curve where that costs less than the tracks of both.
+/// Joins neighbours along one curve where that costs less than the tracks of both.
 std::vector<PricedGround> joined_along_curves(const SearchTask& task, std::vector<PricedGround> grounds,
                                               const SearchContext& context) {
   using Pair = MergedPair<PricedGround>;
-  const auto look = [&](const std::vector<PricedGround>& among, const std::vector<PairPlaces>& places) {
+  const auto look = [&](const std::vector<PricedGround>& among, const std::vector<IndexPair>& index_pairs) {
     std::vector<std::optional<Pair>> found;
-    for (const PairPlaces& pair : places) {
+    for (const IndexPair& pair : index_pairs) {
       if (context.has_to_end()) break;
       const PricedGround &a = among[pair.first], &b = among[pair.second];
       const auto whole = merged_shape(a.ground.subfield.shape, b.ground.subfield.shape);
@@ -59,8 +59,8 @@ std::vector<PricedGround> joined_along_curves(const SearchTask& task, std::vecto
   return merge_pairs(std::move(grounds), look);
 }
 
-/// Empty where no subfield follows a curve. Those that have no tracks of their own go with the largest that
-/// does.
+/// Empty where no subfield follows a curve. Subfields without tracks of their own are joined to the largest
+/// that has some.
 std::vector<LinedSubfield> lined(const std::vector<PricedGround>& grounds) {
   const Subfield* largest = nullptr;
   for (const PricedGround& one : grounds) {
@@ -84,10 +84,11 @@ std::optional<Candidate> divided_along_curves(const SearchTask& task,
                                               OtherSubfields others, const SearchContext& context) {
   std::vector<PricedGround> alone;
   for (const LinedSubfield& straight : division) alone.push_back(best_alone(task, straight, others, context));
-  const std::vector<LinedSubfield> grounds = lined(joined_along_curves(task, std::move(alone), context));
-  if (grounds.empty()) return std::nullopt;
+  const std::vector<LinedSubfield> lined_subfields =
+      lined(joined_along_curves(task, std::move(alone), context));
+  if (lined_subfields.empty()) return std::nullopt;
   context.report();
-  return candidate_on(task, grounds);
+  return candidate_on(task, lined_subfields);
 }
 
 }  // namespace
@@ -97,7 +98,7 @@ std::optional<Candidate> best_division_along_curves(const SearchTask& task,
                                                     OtherSubfields others, const SearchContext& context) {
   std::optional<Candidate> best;
   for (const std::vector<LinedSubfield>& division : divisions) {
-    // Ground that is not divided has its curve already.
+    // Undivided land has its curve already.
     if (division.size() < 2 || context.has_to_end()) continue;
     std::optional<Candidate> found = divided_along_curves(task, division, others, context);
     if (found && (!best || is_better(found->avoided, best->avoided))) best = std::move(found);
@@ -105,13 +106,14 @@ std::optional<Candidate> best_division_along_curves(const SearchTask& task,
   return best;
 }
 
-std::vector<LinedSubfield> hopeful_division(const SearchTask& task, const std::vector<SweptGround>& swept) {
-  const SweptGround* best = nullptr;
-  for (const SweptGround& one : swept)
-    if (one.grounds.size() > task.ground.plannable.size() &&
+std::vector<LinedSubfield> hopeful_division(const SearchTask& task,
+                                            const std::vector<SweptCandidate>& swept) {
+  const SweptCandidate* best = nullptr;
+  for (const SweptCandidate& one : swept)
+    if (one.lined_subfields.size() > task.ground.plannable.size() &&
         (best == nullptr || one.outlook.soft < best->outlook.soft))
       best = &one;
-  return best == nullptr ? std::vector<LinedSubfield>{} : best->grounds;
+  return best == nullptr ? std::vector<LinedSubfield>{} : best->lined_subfields;
 }
 
 }  // namespace tramline

@@ -22,7 +22,7 @@ bool same_shapes(const std::vector<LinedSubfield>& a, const std::vector<LinedSub
 }
 
 std::vector<std::vector<LinedSubfield>> divisions_of(const SearchTask& task, const SearchResult& straight) {
-  std::vector<std::vector<LinedSubfield>> out{grounds_of(straight.best)};
+  std::vector<std::vector<LinedSubfield>> out{lined_subfields_of(straight.best)};
   std::vector<LinedSubfield> swept = hopeful_division(task, straight.swept);
   if (!same_shapes(out.front(), swept)) out.push_back(std::move(swept));
   return out;
@@ -46,7 +46,7 @@ std::optional<Candidate> curved_search(const SearchTask& task, const SearchConte
   const SearchResult straight = straight_search(task, context, whole->cost());
   std::optional<Candidate> divided =
       best_division_along_curves(task, divisions_of(task, straight), OtherSubfields::kCurved, context);
-  // Subfields joined to the whole again are it but for the rounding of booleans.
+  // Subfields joined to the whole again equal it up to the rounding of boolean operations.
   return divided && costs_less(divided->cost(), whole->cost()) ? divided : whole;
 }
 

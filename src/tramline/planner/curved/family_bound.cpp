@@ -9,7 +9,7 @@
 namespace tramline {
 namespace {
 
-/// By how much discs rolled round corners might lengthen a track, and more than that.
+/// A generous allowance for the length that discs rolled round corners may add to a track.
 constexpr double kLonger = 1.5;
 
 }  // namespace
@@ -27,7 +27,7 @@ double FamilyBound::after(int index, const LaidTracks& tracks) {
   return (sure + least_for_the_rest(index)) * (1 - kRounding_share) - kRounding_cost;
 }
 
-/// All of the body that is not worked yet is left, or worked by tracks that take a turn each.
+/// The land of the body not worked yet either stays uncovered or is worked by tracks that take a turn each.
 double FamilyBound::least_for_the_rest(int index) const {
   const double width_m = task_.machine.width_m;
   double longest_m = 0;

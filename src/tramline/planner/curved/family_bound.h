@@ -1,21 +1,22 @@
 #pragma once
-// What a family of curved tracks costs at least, while it is laid.
+// A lower bound of the cost of a family of curved tracks while it is being laid.
 
 #include "tramline/planner/candidate/candidate.h"
 #include "tramline/tracks/curved_tracks.h"
 
 namespace tramline {
 
-/// What a family without detours costs at least, while its tracks are laid one after another. Refers to its
+/// The least cost of a family without detours, while its tracks are laid one after another. Refers to its
 /// arguments.
 class FamilyBound {
  public:
-  /// Of tracks parallel to the reference with the numbers of the range.
+  /// For the tracks parallel to the reference with the numbers of the range.
   FamilyBound(const SearchTask& task, const Path& reference, const StripRange& range)
       : task_(task), reference_(reference), range_(range) {}
 
-  /// With the tracks up to this number, in the order of visit_family(): what these cost for certain, and the
-  /// least the rest of the body can. A little less for rounding. O(new pieces + segments of the reference).
+  /// The bound once the tracks up to this number are laid, in the order of visit_family(): the certain cost
+  /// of these plus the least cost of the rest of the body, less a little for rounding. O(new pieces +
+  /// segments of the reference).
   double after(int index, const LaidTracks& tracks);
 
  private:

@@ -32,9 +32,9 @@ bool alike(const Directions& a, const Directions& b) {
   return a.size() == b.size() && each_has_like(a, b) && each_has_like(b, a);
 }
 
-Directions directions_of(const Grounds& grounds) {
+Directions directions_of(const Grounds& lined_subfields) {
   Directions out;
-  for (const LinedSubfield& ground : grounds) out.push_back(ground.subfield.direction);
+  for (const LinedSubfield& ground : lined_subfields) out.push_back(ground.subfield.direction);
   return out;
 }
 
@@ -58,9 +58,9 @@ class Contest {
     for (SeenPlan& plan : laid) enter(std::move(plan));
   }
 
-  /// Could a plan that costs no less than `least` be among the runner-ups?
-  bool is_hopeful(const Grounds& grounds, double least) const {
-    const Directions directions = directions_of(grounds);
+  /// Whether a plan that costs at least `least` could be among the runner-ups.
+  bool is_hopeful(const Grounds& lined_subfields, double least) const {
+    const Directions directions = directions_of(lined_subfields);
     if (alike(directions, best_)) return false;
     const std::vector<const SeenPlan*> first = runner_ups();
     if (first.size() == kRunnerUps && first.back()->cost <= least) return false;
@@ -90,23 +90,24 @@ class Contest {
 };
 
 /// The sweep's plans have bounds: the lowest bounds first, until no other plan can be a runner-up.
-void enter_swept(const std::vector<SweptGround>& swept, Contest& contest) {
-  std::vector<const SweptGround*> waiting;
-  for (const SweptGround& plan : swept) waiting.push_back(&plan);
-  std::stable_sort(waiting.begin(), waiting.end(), [](const SweptGround* a, const SweptGround* b) {
+void enter_swept(const std::vector<SweptCandidate>& swept, Contest& contest) {
+  std::vector<const SweptCandidate*> waiting;
+  for (const SweptCandidate& plan : swept) waiting.push_back(&plan);
+  std::stable_sort(waiting.begin(), waiting.end(), [](const SweptCandidate* a, const SweptCandidate* b) {
     return a->outlook.least < b->outlook.least;
   });
   std::size_t laid = 0;
   for (auto next = waiting.begin(); next != waiting.end() && laid < kMostLaid;) {
     std::vector<const Grounds*> batch;
     for (; next != waiting.end() && batch.size() < kAtOnce; ++next)
-      if (contest.is_hopeful((*next)->grounds, (*next)->outlook.least)) batch.push_back(&(*next)->grounds);
+      if (contest.is_hopeful((*next)->lined_subfields, (*next)->outlook.least))
+        batch.push_back(&(*next)->lined_subfields);
     contest.lay_and_enter(batch);
     laid += batch.size();
   }
 }
 
-/// With its headland, as the chosen plan has been counted.
+/// Including its headland, as for the chosen plan.
 RunnerUp runner_up(const SearchTask& task, const std::vector<Direction>& directions, const Candidate& plan,
                    const Tally& best) {
   const Tally tally = whole_tally_of(task, plan);
@@ -136,12 +137,13 @@ Explanation explanation_of(const SearchTask& task, const SearchResult& found, co
   Contest contest(task, best, context);
   for (const SeenPlan& plan : found.seen) contest.enter(plan);
   std::vector<const Grounds*> shortlist;
-  for (const Grounds& grounds : found.shortlist) shortlist.push_back(&grounds);
+  for (const Grounds& lined_subfields : found.shortlist) shortlist.push_back(&lined_subfields);
   contest.lay_and_enter(shortlist);
   enter_swept(found.swept, contest);
   for (const SeenPlan* plan : contest.runner_ups()) {
     context.report();
-    out.runner_ups.push_back(runner_up(task, plan->directions, candidate_on(task, plan->grounds), tally));
+    out.runner_ups.push_back(
+        runner_up(task, plan->directions, candidate_on(task, plan->lined_subfields), tally));
   }
   const Candidate expected = along_longest_side(task, context);
   out.longest_side = runner_up(task, {longest_side(task.field, task.machine.width_m)}, expected, tally);

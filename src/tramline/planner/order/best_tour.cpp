@@ -11,13 +11,13 @@
 namespace tramline::order {
 namespace {
 
-/// How much longer than need be hops may be along straight lines, be it to keep clear of obstacles or since
-/// the way round is what counts.
+/// The factor by which hops along straight lines may exceed the shortest found, whether to keep clear of
+/// obstacles or because the way round is what counts.
 constexpr double kMostAbove = 1.2;
 /// Hops are far outside the field where the way round is longer by so many working widths.
 constexpr double kFar_widths = 2;
-/// What a hop through an obstacle or far outside counts where such hops are to be avoided, by the length of
-/// all hops: the dearest first.
+/// The prices of a hop through an obstacle or far outside where such hops are to be avoided, as shares of the
+/// length of all hops, the highest first.
 constexpr std::array kClear{1.0, 0.2, 0.05};
 constexpr std::size_t kFewLines = 200;
 
@@ -32,8 +32,8 @@ std::size_t place_of(std::size_t line, const Tour& tour) {
   return static_cast<std::size_t>(found - tour.begin());
 }
 
-/// The way round in which the first line comes in the first half; where it comes in the middle, that in which
-/// it is driven forwards.
+/// The direction of the tour in which the first line comes in the first half; where it comes in the middle,
+/// the one in which it is driven forwards.
 Tour turned(Tour tour) {
   const std::size_t first = place_of(0, tour), last = tour.size() - 1 - first;
   if (first > last || (first == last && !is_start(tour[first]))) return backwards(tour);
@@ -88,8 +88,7 @@ class Search {
     return whole_m <= by_track_m || barred_hops(tour, costs_) < barred_hops(by_track_, costs_);
   }
 
-  /// The cheapest of what comes of going block by block and of other tours to begin with; among equals the
-  /// first.
+  /// The cheapest result of going block by block and of other initial tours; among equals the first.
   Tour best_under(const HopPrices& prices, const std::vector<Tour>& others) {
     costs_.set_prices(prices);
     Tour best = shortened(block_by_block(blocks_, costs_));

@@ -2,7 +2,7 @@
 #include <array>
 #include <limits>
 
-#include "tramline/planner/order/place_grid.h"
+#include "tramline/planner/order/point_grid.h"
 #include "tramline/planner/order/shorten.h"
 #include "tramline/planner/order/tours.h"
 #include "tramline/planner/tolerances.h"
@@ -57,12 +57,12 @@ double cost_of(const BlockTour& tour, const std::vector<BlockWays>& ways, HopCos
   return out;
 }
 
-/// From the first block on always the nearest corner.
+/// Starts with the first block and always goes on to the nearest corner.
 BlockTour nearest_corner_first(const std::vector<BlockWays>& ways, const HopCosts& costs) {
   std::vector<Point> corners;
   for (const BlockWays& block : ways)
     for (const End entry : block.entry) corners.push_back(costs.at(entry));
-  PlaceGrid waiting(corners);
+  PointGrid waiting(corners);
   BlockTour out;
   for (std::vector<std::size_t> next{0}; !next.empty();
        next = waiting.nearest(costs.at(ways[out.back().block].exit[out.back().way]), 1)) {

@@ -13,7 +13,7 @@ namespace {
 /// the other.
 constexpr double kFarthest_widths = 1.01, kNearest_widths = 0.5;
 
-/// What a line follows; of straight ones without their detours.
+/// The path of a line; without detours for a straight one.
 struct Course {
   Path path;
   Box box;
@@ -29,9 +29,9 @@ Course course_of(const WorkedLine& line) {
 }
 
 bool lies_beside(const Course& course, Point p, double width_m) {
-  Box place;
-  place.extend(p);
-  if (!intersects(course.box, place.grown(kFarthest_widths * width_m))) return false;
+  Box around;
+  around.extend(p);
+  if (!intersects(course.box, around.grown(kFarthest_widths * width_m))) return false;
   double off = std::numeric_limits<double>::infinity();
   for (const PathSegment& segment : course.path) off = std::min(off, distance_to_edge(segment, p, p));
   return off >= kNearest_widths * width_m && off <= kFarthest_widths * width_m;
@@ -42,7 +42,7 @@ bool face(const Course& a, const Course& b, double width_m) {
          lies_beside(b, a.path.front().from, width_m) || lies_beside(b, a.path.back().to, width_m);
 }
 
-/// What a line faces on the track before or behind.
+/// The lines that a line faces on the track before or after it.
 struct Facing {
   std::size_t line = 0;
   int count = 0;

@@ -8,13 +8,13 @@
 
 namespace tramline::order {
 
-/// Lines on neighbouring tracks of a subfield, by track, each facing the one before and the one behind and no
-/// other: what is driven up and down without a thought (a cell of a boustrophedon decomposition). Indices.
+/// Indices of lines on neighbouring tracks of a subfield, by track, each facing the one before and the one
+/// after it and no other: they can simply be driven up and down (a cell of a boustrophedon decomposition).
 using Block = std::vector<std::size_t>;
 
 /// Every line in one block. Two lines face one another where one begins or ends beside the other, no farther
-/// off than tracks lie apart. Blocks by their first line. O(n log n) where few lines share a track; for
-/// curved ones times their segments.
+/// off than neighbouring tracks. Blocks are in the order of their first lines. O(n log n) where few lines
+/// share a track; for curved ones times their segments.
 std::vector<Block> blocks_of(const std::vector<WorkedLine>& lines, double width_m);
 
 }  // namespace tramline::order

@@ -1,5 +1,5 @@
 #pragma once
-// What hops between the ends of lines count when tours are compared.
+// The costs of hops between the ends of lines, by which tours are compared.
 
 #include <cmath>
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace tramline::order {
 
-/// What a hop counts besides its length, m.
+/// The additions to the length of a hop, m.
 struct HopPrices {
-  bool way_round = true;  ///< its length is that of the way round
-  double barred_m = 0;    ///< where it leads through an obstacle or far outside the field
-  double leaving_m = 0;   ///< where it does not lead to a track beside the one it comes from
+  bool way_round = true;  ///< its length is that of the way round obstacles, not of the straight line
+  double barred_m = 0;    ///< added where it leads through an obstacle or far outside the field
+  double leaving_m = 0;   ///< added where it does not lead to a track next to the one it comes from
 };
 
-/// The hops of one set of lines. What has been looked at once is kept: one serves one thread.
+/// The hops of one set of lines. Computed hops are cached, so one object serves one thread.
 class HopCosts {
  public:
   HopCosts(const std::vector<WorkedLine>& lines, const HopGround& ground);
@@ -29,11 +29,11 @@ class HopCosts {
   std::size_t lines() const { return tracks_.size(); }
   /// Along the straight line, m.
   double distance_m(End a, End b) const {
-    // As a root where point.h takes a hypotenuse: tours are compared by millions of these.
+    // A square root, although point.h uses a hypotenuse: comparing tours takes millions of these.
     const Point way = ends_[b] - ends_[a];
     return std::sqrt(dot(way, way));
   }
-  /// No more than cost(), without a look at the ground.
+  /// A lower bound of cost() that does not need the hop's way round.
   double least(End a, End b) const;
   /// Symmetric.
   double cost(End a, End b);
@@ -53,7 +53,7 @@ class HopCosts {
   std::unordered_map<std::uint64_t, Hop> known_;
 };
 
-/// Of all hops of a tour.
+/// The sum over all hops of a tour.
 double cost(const Tour& tour, HopCosts& costs);
 double length_m(const Tour& tour, const HopCosts& costs);
 int barred_hops(const Tour& tour, HopCosts& costs);

@@ -7,7 +7,7 @@
 namespace tramline::order {
 namespace {
 
-/// Pieces end on edges; meetings nearer to an end than this are the end itself, m.
+/// Pieces end on edges: crossings nearer to an end than this are the end itself, m.
 constexpr double kAtEdge_m = 0.01;
 /// A hop that touches an obstacle by less does not lead through it, m.
 constexpr double kTouchesObstacle_m = 0.1;
@@ -37,8 +37,8 @@ void HopGround::add(const Ring& ring, bool field) {
   rings_.push_back(std::move(out));
 }
 
-std::vector<HopGround::Meeting> HopGround::meetings(Point from, Point to) const {
-  std::vector<Meeting> out;
+std::vector<HopGround::EdgeCrossing> HopGround::edge_crossings(Point from, Point to) const {
+  std::vector<EdgeCrossing> out;
   const Point way = to - from;
   const double least = kAtEdge_m / length(way);
   grid_.each_meeting(bounds(from, to), [&](std::size_t edge) {
@@ -54,7 +54,7 @@ std::vector<HopGround::Meeting> HopGround::meetings(Point from, Point to) const 
     const double edge_m = ring.along_m[corner + 1] - ring.along_m[corner];
     out.push_back({edges_[edge].first, share, ring.along_m[corner] + beside * edge_m});
   });
-  std::sort(out.begin(), out.end(), [](const Meeting& x, const Meeting& y) {
+  std::sort(out.begin(), out.end(), [](const EdgeCrossing& x, const EdgeCrossing& y) {
     return std::pair(x.ring, x.share) < std::pair(y.ring, y.share);
   });
   return out;
@@ -86,27 +86,27 @@ double HopGround::nearest_along_m(const EdgeRing& ring, Point p) const {
   return out;
 }
 
-void HopGround::lead_round(std::size_t number, const std::vector<Meeting>& met, Point from, Point to,
+void HopGround::lead_round(std::size_t number, const std::vector<EdgeCrossing>& crossed, Point from, Point to,
                            Hop& hop) const {
   const EdgeRing& ring = rings_[number];
-  std::vector<double> places{0};
-  for (const Meeting& meeting : met) places.push_back(meeting.share);
-  places.push_back(1);
-  // Ends may lie on the edge, where inside and outside are a matter of rounding: the longest stretch tells.
+  std::vector<double> shares{0};
+  for (const EdgeCrossing& crossing : crossed) shares.push_back(crossing.share);
+  shares.push_back(1);
+  // Ends may lie on the edge, where inside and outside are a matter of rounding: the longest stretch decides.
   std::size_t longest = 0;
-  for (std::size_t i = 1; i + 1 < places.size(); ++i)
-    if (places[i + 1] - places[i] > places[longest + 1] - places[longest]) longest = i;
-  const Point middle = from + 0.5 * (places[longest] + places[longest + 1]) * (to - from);
+  for (std::size_t i = 1; i + 1 < shares.size(); ++i)
+    if (shares[i + 1] - shares[i] > shares[longest + 1] - shares[longest]) longest = i;
+  const Point middle = from + 0.5 * (shares[longest] + shares[longest + 1]) * (to - from);
   const bool longest_is_free = inside(number, middle) == ring.field;
   double through_m = 0, further_m = 0;
-  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
     const bool as_longest = (i % 2 == 0) == (longest % 2 == 0);
     if (as_longest == longest_is_free) continue;
-    const double begin = i == 0 ? nearest_along_m(ring, from) : met[i - 1].along_m;
-    const double end = i == met.size() ? nearest_along_m(ring, to) : met[i].along_m;
+    const double begin = i == 0 ? nearest_along_m(ring, from) : crossed[i - 1].along_m;
+    const double end = i == crossed.size() ? nearest_along_m(ring, to) : crossed[i].along_m;
     const double one_way = std::abs(end - begin);
     const double edge_m = std::min(one_way, ring.along_m.back() - one_way);
-    const double straight_m = (places[i + 1] - places[i]) * hop.length_m;
+    const double straight_m = (shares[i + 1] - shares[i]) * hop.length_m;
     through_m += straight_m;
     further_m += std::max(0.0, edge_m - straight_m);
   }
@@ -119,12 +119,12 @@ Hop HopGround::hop(Point from, Point to) const {
   Hop out;
   out.length_m = out.way_round_m = distance(from, to);
   if (out.length_m <= 2 * kAtEdge_m) return out;
-  const std::vector<Meeting> met = meetings(from, to);
+  const std::vector<EdgeCrossing> crossed = edge_crossings(from, to);
   const Box box = bounds(from, to);
-  auto next = met.begin();
+  auto next = crossed.begin();
   for (std::size_t i = 0; i < rings_.size(); ++i) {
     const auto first = next;
-    while (next != met.end() && next->ring == i) ++next;
+    while (next != crossed.end() && next->ring == i) ++next;
     if (first == next && !intersects(rings_[i].box, box) && !rings_[i].field) continue;
     lead_round(i, {first, next}, from, to, out);
   }

@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "tramline/planner/order/place_grid.h"
+#include "tramline/planner/order/point_grid.h"
 #include "tramline/planner/tolerances.h"
 
 namespace tramline::order {
@@ -16,8 +16,8 @@ constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 /// Ways of putting two neighbouring parts A and B of a tour back between what comes before and after.
 enum class Exchange { kTurnedTogether, kTurnedEach, kSwapped, kSwappedFirstTurned, kSwappedSecondTurned };
 
-/// Hops are named by the place of the stretch they lead to: hop p comes before the stretch in place p, hop 0
-/// before the first and hop n after the last, which cost nothing.
+/// Hops are numbered by the position of the stretch they lead to: hop p comes before the stretch at position
+/// p, hop 0 before the first and hop n after the last; these two cost nothing.
 struct Move {
   std::size_t p = 0, q = 0, r = 0;  ///< A is in the places p … q − 1, B in q … r − 1
   Exchange exchange = Exchange::kTurnedTogether;
@@ -139,11 +139,11 @@ class Shortening {
               {Join{from, b_end}, Join{b, a}, Join{a_end, to}});
   }
 
-  /// `move.gain` is what the old hops cost.
+  /// `move.gain` is the cost of the old hops.
   void try_joins(Move move, const std::array<Join, 3>& joins) {
     double gain = move.gain;
     for (const Join& join : joins) gain -= least(join);
-    // The ground is looked at last, and no more of it than it takes to tell.
+    // The exact costs of new hops are computed last, and only as many as are needed to decide.
     for (const Join& join : joins) {
       if (gain <= best_.gain) return;
       gain -= cost(join) - least(join);
@@ -181,13 +181,13 @@ class Shortening {
 }  // namespace
 
 NearEnds near_ends(const std::vector<Stretch>& stretches, const HopCosts& costs) {
-  std::vector<Point> places;
+  std::vector<Point> points;
   for (const Stretch& stretch : stretches)
-    for (const End end : stretch.ends) places.push_back(costs.at(end));
-  const PlaceGrid grid(places);
-  NearEnds out(places.size());
-  for (std::size_t end = 0; end < places.size(); ++end)
-    for (const std::size_t other : grid.nearest(places[end], kNear + 2))
+    for (const End end : stretch.ends) points.push_back(costs.at(end));
+  const PointGrid grid(points);
+  NearEnds out(points.size());
+  for (std::size_t end = 0; end < points.size(); ++end)
+    for (const std::size_t other : grid.nearest(points[end], kNear + 2))
       if (other / 2 != end / 2) out[end].push_back(other);
   return out;
 }

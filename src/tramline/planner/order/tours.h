@@ -1,5 +1,5 @@
 #pragma once
-// Tours to begin with: three ways of going over all lines.
+// Initial tours: three ways of visiting all lines.
 
 #include <vector>
 
@@ -8,17 +8,17 @@
 
 namespace tramline::order {
 
-/// Always the nearest end not driven yet, along straight lines; entering the first line by the
-/// given end. n steps, each as PlaceGrid::nearest().
+/// Goes to the nearest end not yet driven, along straight lines; enters the first line by the given end. n
+/// steps, each as PointGrid::nearest().
 Tour nearest_neighbour(const HopCosts& costs, End first);
 
-/// Subfield by subfield, from the first line of the first one and then from the nearest corner of one not yet
-/// worked; within it track after track, each the other way, whatever lies on them. Precondition: lines come
-/// by subfield, track and place along it.
+/// Subfield by subfield, starting with the first line of the first one and then with the nearest corner of a
+/// subfield not yet worked; within a subfield track after track in alternating directions, whatever lies on
+/// them. Precondition: lines are ordered by subfield, track and position along it.
 Tour track_by_track(const std::vector<WorkedLine>& lines, const HopCosts& costs);
 
-/// Block by block, each up and down. Blocks in an order that is shortened as lines are, each in the best of
-/// its four ways for that order.
+/// Block by block, each driven up and down. The order of blocks is shortened like that of lines, and each
+/// block is driven in the best of its four ways for that order.
 Tour block_by_block(const std::vector<Block>& blocks, HopCosts& costs);
 
 }  // namespace tramline::order

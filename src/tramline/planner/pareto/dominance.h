@@ -1,5 +1,5 @@
 #pragma once
-// Which of many tallies are worth a look.
+// Dominance among tallies: the Pareto front of a set.
 
 #include <cstddef>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace tramline {
 
-/// What plans are compared by. Areas in thousandths of a square metre: what is less is the rounding of large
-/// sums, and nobody's choice.
+/// The criteria by which plans are compared. Areas are in thousandths of a square metre: smaller differences
+/// are the rounding of large sums, not a choice.
 struct Criteria {
   long long overlap_milli_m2 = 0;
   long long uncovered_milli_m2 = 0;
@@ -20,14 +20,14 @@ struct Criteria {
 };
 Criteria criteria_of(const Tally& tally);
 
-/// Is `a` no worse than `b` in overlap, uncovered land, turns, stops and further subfields, and better in one
-/// of them? The last three are compared each by itself, for they have prices of their own: only so is the
-/// cheapest of a set among those that none dominates, whatever the prices are.
+/// Whether `a` is no worse than `b` in overlap, uncovered land, turns, stops and further subfields, and
+/// better in one of them. The last three are compared separately because they have separate prices: only then
+/// is the cheapest of a set among the undominated ones, whatever the prices are.
 bool dominates(const Tally& a, const Tally& b);
 
-/// The tallies that none of the others dominates, as indices, ascending in overlap, then in uncovered land,
-/// turns, stops and subfields. Of tallies that are equal in all five the first is kept. O(n²), in practice
-/// O(n log n + n · kept).
+/// Indices of the tallies that no other dominates, ascending in overlap, then in uncovered land, turns, stops
+/// and subfields. Of tallies that are equal in all five the first is kept. O(n²), in practice O(n log n + n ·
+/// kept).
 std::vector<std::size_t> undominated(const std::vector<Tally>& tallies);
 
 }  // namespace tramline

@@ -22,7 +22,7 @@
 
 namespace tramline {
 
-/// What all searches share, what each has found, and where each plan of the front is from.
+/// The common input of all searches, the result of each, and the origin of each plan of the front.
 struct TradeOffSearches {
   struct Search {
     Objective prices;
@@ -30,7 +30,7 @@ struct TradeOffSearches {
   };
   struct Origin {
     std::size_t search = 0;
-    std::vector<LinedSubfield> grounds;
+    std::vector<LinedSubfield> lined_subfields;
   };
   PlanningProblem problem;
   PreparedField prepared;        ///< whatever the prices
@@ -46,21 +46,21 @@ SearchTask task_of(const TradeOffSearches& all, std::size_t search) {
   return {all.problem, all.prepared, all.searches[search].prices};
 }
 
-/// A plan that may be of the front.
+/// A plan that may belong to the front.
 struct Laid {
   TradeOffSearches::Origin origin;
   Tally tally;
 };
 
-/// The plans the search has met, the one it has chosen first.
+/// The plans that the search has laid out; the chosen one comes first.
 std::vector<Laid> laid_by(std::size_t search, const SearchResult& found) {
   std::vector<Laid> out;
-  out.push_back({{search, grounds_of(found.best)}, found.best.avoided.tally});
-  for (const SeenPlan& seen : found.seen) out.push_back({{search, seen.grounds}, seen.tally});
+  out.push_back({{search, lined_subfields_of(found.best)}, found.best.avoided.tally});
+  for (const SeenPlan& seen : found.seen) out.push_back({{search, seen.lined_subfields}, seen.tally});
   return out;
 }
 
-/// Without what is dominated, and without plans that have no piece.
+/// Removes dominated plans and plans without a piece.
 std::vector<Laid> best_of(std::vector<Laid> laid) {
   std::erase_if(laid, [](const Laid& plan) { return plan.tally.pieces == 0; });
   std::vector<Tally> tallies;
@@ -70,7 +70,7 @@ std::vector<Laid> best_of(std::vector<Laid> laid) {
   return out;
 }
 
-/// `first`: what the first of them finds, where that is known.
+/// `first`: the result of the first search, where it is known.
 void run_searches(TradeOffSearches& all, std::optional<SearchResult> first, const SearchContext& context) {
   const std::vector<Objective> prices = prices_to_search(all.problem.objective);
   for (const Objective& one : prices) all.searches.push_back({one, {}});
@@ -84,8 +84,8 @@ void run_searches(TradeOffSearches& all, std::optional<SearchResult> first, cons
   });
 }
 
-/// Each plan after the prices of every search but its own: the same tracks may end elsewhere, and pass
-/// obstacles in another way.
+/// Each plan again at the prices of every other search: the same tracks may end elsewhere, and pass obstacles
+/// in another way.
 std::vector<Laid> laid_anew(const TradeOffSearches& all, const std::vector<Laid>& laid,
                             const SearchContext& context) {
   const std::size_t count = all.searches.size();
@@ -94,18 +94,20 @@ std::vector<Laid> laid_anew(const TradeOffSearches& all, const std::vector<Laid>
     const TradeOffSearches::Origin& origin = laid[i / count].origin;
     const std::size_t search = i % count;
     if (search == origin.search) return;
-    out[i] = {{search, origin.grounds}, candidate_on(task_of(all, search), origin.grounds).avoided.tally};
+    out[i] = {{search, origin.lined_subfields},
+              candidate_on(task_of(all, search), origin.lined_subfields).avoided.tally};
   });
   return out;
 }
 
-/// With the tallies of tracks and headland passes together, and without what is dominated by these.
+/// Replaces tallies by those of tracks and headland passes together, and removes plans that are then
+/// dominated.
 std::vector<Laid> with_headland(const TradeOffSearches& all, std::vector<Laid> laid,
                                 const SearchContext& context) {
   if (all.prepared.headland.passes.empty()) return laid;
   for_each_index(laid.size(), context, [&](std::size_t i) {
     const SearchTask task = task_of(all, laid[i].origin.search);
-    laid[i].tally = whole_tally_of(task, candidate_on(task, laid[i].origin.grounds));
+    laid[i].tally = whole_tally_of(task, candidate_on(task, laid[i].origin.lined_subfields));
   });
   return best_of(std::move(laid));
 }
@@ -116,7 +118,7 @@ Front front_of(const TradeOffSearches& all, const std::vector<Laid>& laid) {
   front.prices = prices;
   for (const Laid& plan : laid) {
     FrontPoint point{plan.tally, {}, all.searches[plan.origin.search].prices, cost(prices, plan.tally)};
-    for (const LinedSubfield& ground : plan.origin.grounds)
+    for (const LinedSubfield& ground : plan.origin.lined_subfields)
       point.directions.push_back(ground.subfield.direction);
     front.points.push_back(std::move(point));
   }
@@ -192,7 +194,7 @@ Plan plan_of(const TradeOff& trade_off, std::size_t point) {
   const TradeOffSearches::Origin& origin = trade_off.searches->origins[point];
   const SearchTask task = task_of(*trade_off.searches, origin.search);
   SearchResult laid = trade_off.searches->searches[origin.search].found;
-  laid.best = candidate_on(task, origin.grounds);
+  laid.best = candidate_on(task, origin.lined_subfields);
   return marked(trade_off, finished_plan(task, std::move(laid), SearchContext()));
 }
 

@@ -24,7 +24,7 @@ struct Way {
   Point to;
 };
 
-/// What of a way lies in a box, m.
+/// The length of a way within a box, m.
 double length_within(const Way& way, const Box& box) {
   double from = 0, to = 1;
   const Point step = way.to - way.from;
@@ -88,7 +88,7 @@ class Rose {
   double whole_m_ = 0;
 };
 
-/// The way at work, ready to be asked what was driven near a gap.
+/// The way at work, indexed by position to find what was driven near a gap.
 class WorkedWay {
  public:
   explicit WorkedWay(const std::vector<DrivenLine>& driven) {

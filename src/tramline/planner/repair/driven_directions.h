@@ -1,5 +1,5 @@
 #pragma once
-// In which directions the machine drove where it missed something.
+// The directions in which the machine drove near the gaps.
 
 #include <cstddef>
 #include <vector>
@@ -11,15 +11,16 @@ namespace tramline {
 
 /// The directions in which each gap may be worked.
 struct DrivenDirections {
-  std::vector<Direction> directions;              ///< each once
-  std::vector<std::vector<std::size_t>> of_gaps;  ///< indices into them, by gap; never none
+  std::vector<Direction> directions;              ///< all distinct
+  std::vector<std::vector<std::size_t>> of_gaps;  ///< indices into directions, by gap; at least one for each
 };
 
-/// Those in which most of the way at work was driven within a width of the gap (where none was, within four,
-/// sixteen … of them): one, or two where the second has at least a third of the way of the first, as at the
-/// end of rows. What differs by less than half a degree is one direction, that of the whole drive where it
-/// has it. A slim gap may be worked along its own length too where that is no more than 10° off. Without any
-/// drive gaps are worked along their length. Precondition: shapes with area. O(gaps · way near them).
+/// For each gap the directions in which the machine drove most of its working distance within one width of
+/// the gap (where it drove none, within four, sixteen … widths): one, or two where the second has at least a
+/// third of the distance of the first, as at the ends of rows. Directions that differ by less than half a
+/// degree are one, chosen from the directions of the whole drive where it has such. A slim gap may also be
+/// worked along its own length where that is no more than 10° off. Without any drive gaps are worked along
+/// their length. Precondition: shapes with area. O(gaps · way near them).
 DrivenDirections driven_directions(const std::vector<Gap>& gaps, const std::vector<DrivenLine>& driven,
                                    double width_m);
 

@@ -9,7 +9,7 @@
 namespace tramline {
 namespace {
 
-/// What it wins back less what it costs, on a line with others.
+/// The saving of a piece less its cost, on a line with others.
 double worth_of_piece(const LaidPiece& piece, const RepairTerms& terms) {
   const Objective& objective = terms.objective;
   const double width_m = terms.machine.width_m;
@@ -18,7 +18,7 @@ double worth_of_piece(const LaidPiece& piece, const RepairTerms& terms) {
   return objective.uncovered * piece.inside_m2 - objective.overlap * overlap_m2 - objective.stop * stops;
 }
 
-/// Stretches of one room, breaks worked through.
+/// The stretches within one stretch of open land, with short breaks worked through.
 Intervals stretches_in(const Interval& room, const Intervals& wanted) {
   Intervals out;
   for (const Interval& stretch : common(wanted, {room})) {

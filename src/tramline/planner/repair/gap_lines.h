@@ -1,5 +1,5 @@
 #pragma once
-// What a machine works of missed ground on one line.
+// The work on one line over gaps.
 
 #include <vector>
 
@@ -9,34 +9,34 @@
 
 namespace tramline {
 
-/// One uninterrupted drive along a strip. Between its pieces the work is off, on ground that may be driven.
+/// One uninterrupted drive along a strip. Between its pieces the machine drives over land with the work off.
 struct GapLine {
-  std::vector<LaidPiece> pieces;  ///< along the strip; those after the first are after a crossing
+  std::vector<LaidPiece> pieces;  ///< along the strip; all except the first come after a crossing
   double length_m = 0;            ///< of the pieces
-  double covered_m2 = 0;          ///< of the gaps
+  double covered_m2 = 0;          ///< area of gaps that it covers
   int stops = 0;
 };
 
-/// Which pieces a line has.
+/// Which pieces a line consists of.
 enum class WantedPieces {
-  kWorthDriving,  ///< those that win back more than they cost
+  kWorthDriving,  ///< those that save more than they cost
   kAll,
 };
 
-/// The lines on a strip, one at most for each stretch of open ground at least as long as the swath is wide.
-/// Their pieces lie where the end rule finds gaps (Track::subfield), breaks shorter than kLeastBreak_m are
-/// worked through, and every piece is wanted. Lines shorter than the machine's least length
+/// The lines on a strip, at most one for each stretch of open land that is at least as long as the swath is
+/// wide. Their pieces lie where the end rule finds gaps (Track::subfield), breaks shorter than kLeastBreak_m
+/// are worked through, and every piece is one of the `wanted`. Lines shorter than the machine's least length
 /// are left out. `open`: where a whole swath may lie. O(breaks of the profile).
 std::vector<GapLine> lines_on(const Track& strip, const Intervals& open, const RepairTerms& terms,
                               WantedPieces wanted);
 
-/// What a line costs, but for the turn to it: its stops and its overlap, where a piece shorter than w counts
-/// as one of w, and a line shorter than 2 w (the least length worth driving of S1.14) as one of that length:
-/// to get there, to switch on and off again costs something too, or else a long gap narrower than w would be
+/// The cost of a line without the turn to it: its stops and its overlap. A piece shorter than w counts as
+/// long as w, and a line shorter than 2 w (the least length worth driving of S1.14) as long as that, because
+/// getting there and switching on and off cost something too; otherwise a long gap narrower than w would be
 /// worked across in many short pieces.
 double price_of(const GapLine& line, const RepairTerms& terms);
 
-/// What is won by a line that works so much missed ground, less what it costs, but for the turn to it.
+/// The saving of a line that covers `covered_m2` of missed land, less its cost without the turn to it.
 double worth_of(const GapLine& line, double covered_m2, const RepairTerms& terms);
 
 }  // namespace tramline

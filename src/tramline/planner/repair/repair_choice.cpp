@@ -7,7 +7,7 @@
 
 #include "tramline/geometry/tolerances.h"
 #include "tramline/planner/for_each_index.h"
-#include "tramline/planner/repair/repair_places.h"
+#include "tramline/planner/repair/line_positions.h"
 #include "tramline/planner/tolerances.h"
 
 namespace tramline {
@@ -17,12 +17,12 @@ constexpr int kMostRounds = 8;
 /// With more lines than these, exchanges of two and more than two rounds take longer than they win.
 constexpr std::size_t kManyLines = 80;
 
-/// What rows of lines are laid for.
+/// The gaps that rows of lines are laid for.
 enum class RowsOver { kAllGaps, kOneGap };
 
-/// A place with the lines there over what is open.
+/// A position with its lines over the open land.
 struct CandidateLine {
-  LinePlace place;
+  LinePosition position;
   std::vector<RepairLine> lines;
   bool stale = true;
 };
@@ -48,7 +48,7 @@ class Choice {
     for (const std::size_t gap : order) lay_rows(gap, what);
   }
 
-  /// As long as a line is worth more than the turn to it.
+  /// Adds lines as long as one is worth more than the turn to it.
   void grow(std::size_t most = static_cast<std::size_t>(-1)) {
     for (std::size_t i = 0; i < most; ++i) {
       const RepairLine* line = best();
@@ -79,12 +79,12 @@ class Choice {
       if (candidates_[i].stale) stale.push_back(i);
     for_each_index(stale.size(), context_, [&](std::size_t k) {
       CandidateLine& candidate = candidates_[stale[k]];
-      candidate.lines = ground_.lines_at(candidate.place);
+      candidate.lines = ground_.lines_at(candidate.position);
       candidate.stale = false;
     });
   }
 
-  /// The line that is worth most; of equal ones that which works most, then the first.
+  /// The line that is worth most; among equals the one that works most, then the first.
   const RepairLine* best() {
     refresh();
     const RepairLine* out = nullptr;
@@ -98,21 +98,21 @@ class Choice {
   }
 
   void add(RepairLine line) {
-    const LinePlace place = line.place;
+    const LinePosition position = line.position;
     lines_.push_back(std::move(line));
     changed(lines_.back().swaths);
     const double width_m = ground_.terms().machine.width_m;
-    for (const double left_m : {place.left_m - width_m, place.left_m + width_m}) {
+    for (const double left_m : {position.left_m - width_m, position.left_m + width_m}) {
       const bool known =
           std::any_of(candidates_.begin(), candidates_.end(), [&](const CandidateLine& candidate) {
-            return candidate.place.direction == place.direction &&
-                   std::abs(candidate.place.left_m - left_m) < kSamePlace_m;
+            return candidate.position.direction == position.direction &&
+                   std::abs(candidate.position.left_m - left_m) < kSamePlace_m;
           });
-      if (!known) candidates_.push_back({{place.direction, left_m}, {}, true});
+      if (!known) candidates_.push_back({{position.direction, left_m}, {}, true});
     }
   }
 
-  /// These swaths were added or taken away: the lines beside them are others now.
+  /// Marks candidates near swaths that were added or removed: their lines have changed.
   void changed(const Region& swaths) {
     ground_.cover(lines_, swaths);
     const double width_m = ground_.terms().machine.width_m;
@@ -121,9 +121,9 @@ class Choice {
       boxes.push_back(bounds(ground_.frame(d).to_track(swaths)));
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
       CandidateLine& candidate = candidates_[i];
-      const Box& box = boxes[candidate.place.direction];
-      if (candidate.stale || candidate.place.left_m >= box.max_x ||
-          candidate.place.left_m + width_m <= box.min_x)
+      const Box& box = boxes[candidate.position.direction];
+      if (candidate.stale || candidate.position.left_m >= box.max_x ||
+          candidate.position.left_m + width_m <= box.min_x)
         continue;
       if (saved_ != nullptr) saved_->emplace_back(i, candidate);
       candidate.stale = true;
@@ -160,12 +160,12 @@ class Choice {
     return out;
   }
 
-  std::vector<RepairLine> rows_from(LinePlace place, double until_m, std::size_t gap, RowsOver what,
+  std::vector<RepairLine> rows_from(LinePosition position, double until_m, std::size_t gap, RowsOver what,
                                     double& worth) const {
     std::vector<RepairLine> out;
-    for (; place.left_m < until_m; place.left_m += ground_.terms().machine.width_m)
+    for (; position.left_m < until_m; position.left_m += ground_.terms().machine.width_m)
       for (RepairLine& line :
-           what == RowsOver::kAllGaps ? ground_.lines_at(place) : ground_.lines_at(place, gap)) {
+           what == RowsOver::kAllGaps ? ground_.lines_at(position) : ground_.lines_at(position, gap)) {
         const double gain = line.worth - turn();
         if (gain <= kLeastGain_cost) continue;
         worth += gain;
@@ -174,13 +174,13 @@ class Choice {
     return out;
   }
 
-  /// Beside one another, or one behind the other.
+  /// Whether two lines are side by side or one behind the other.
   bool are_neighbours(const RepairLine& a, const RepairLine& b) const {
-    return a.place.direction == b.place.direction &&
-           std::abs(a.place.left_m - b.place.left_m) < 2 * ground_.terms().machine.width_m;
+    return a.position.direction == b.position.direction &&
+           std::abs(a.position.left_m - b.position.left_m) < 2 * ground_.terms().machine.width_m;
   }
 
-  /// Leaves these lines out and lays the best ones in their stead, where that costs less.
+  /// Replaces these lines by the best ones, where that costs less.
   bool exchange(const std::vector<std::size_t>& indices) {
     if (context_.has_to_end()) return false;
     refresh();
@@ -235,7 +235,7 @@ double cost_with(const std::vector<RepairLine>& lines, const RepairGround& groun
 
 std::vector<RepairLine> chosen_lines(RepairGround& ground, const SearchContext& context) {
   std::vector<CandidateLine> candidates;
-  for (const LinePlace& place : repair_places(ground)) candidates.push_back({place, {}, true});
+  for (const LinePosition& position : line_positions(ground)) candidates.push_back({position, {}, true});
   const Region everywhere{ground.free()};
   constexpr int kSteps = 4;
   std::vector<RepairLine> best;

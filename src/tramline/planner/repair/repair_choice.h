@@ -1,5 +1,5 @@
 #pragma once
-// Which lines a repair drives.
+// Chooses the lines that a repair drives.
 
 #include <vector>
 
@@ -8,16 +8,16 @@
 
 namespace tramline {
 
-/// What lines cost with what they leave: the open ground at the price of missed land, their overlap (as
-/// price_of() has it for short ones), stops, and a turn to each line, the first too: the way to it costs
-/// no less. The ground has to be covered by just these. O(open ground).
+/// The cost of lines and of the land they leave: the open area at the price of missed land, the lines'
+/// overlap (counted for short ones as in price_of()), stops, and a turn to each line, including the first,
+/// since the way to it costs no less. `ground` has to be covered by exactly these lines. O(open area).
 double cost_with(const std::vector<RepairLine>& lines, const RepairGround& ground);
 
-/// Lines that together cost little, see cost_with(): none may be left out, or exchanged for others of
-/// repair_places(), and none of those may be added, so that it costs less; nor may two that are neighbours be
-/// exchanged for others. Begun once with the line that is worth most, time and again, and twice with the best
-/// rows of lines over wide gaps; the best outcome counts. Covers the ground. Deterministic for any number of
-/// threads. O(lines · places beside them) looks at the ground.
+/// A set of lines with low cost_with(): leaving out a line, exchanging one line or two neighbours for others
+/// of line_positions(), or adding one of these does not lower the cost. The search starts three times: once
+/// by adding the line of most worth again and again, and twice with the best rows of lines over wide gaps;
+/// the best outcome counts. `ground` is left covered by the result. Deterministic for any number of threads.
+/// O(lines · positions beside them) evaluations of the ground.
 std::vector<RepairLine> chosen_lines(RepairGround& ground, const SearchContext& context);
 
 }  // namespace tramline

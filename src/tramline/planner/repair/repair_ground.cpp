@@ -69,32 +69,32 @@ double RepairGround::open_m2() const {
   return sum;
 }
 
-std::vector<RepairLine> RepairGround::lines_at(const LinePlace& place) const {
-  const Turned& turned = turned_[place.direction];
-  const double right_m = place.left_m + terms_.machine.width_m;
+std::vector<RepairLine> RepairGround::lines_at(const LinePosition& position) const {
+  const Turned& turned = turned_[position.direction];
+  const double right_m = position.left_m + terms_.machine.width_m;
   Region gaps;
   for (std::size_t k = 0; k < turned.gaps.size(); ++k)
-    if (turned.boxes[k].min_x < right_m && turned.boxes[k].max_x > place.left_m)
+    if (turned.boxes[k].min_x < right_m && turned.boxes[k].max_x > position.left_m)
       gaps.insert(gaps.end(), turned.open[k].begin(), turned.open[k].end());
-  return lines_at(place, gaps, terms_.end_rule, WantedPieces::kWorthDriving);
+  return lines_at(position, gaps, terms_.end_rule, WantedPieces::kWorthDriving);
 }
 
-std::vector<RepairLine> RepairGround::lines_at(const LinePlace& place, std::size_t gap) const {
-  return lines_at(place, turned_[place.direction].frame.to_track(open_[gap]), terms_.end_rule,
+std::vector<RepairLine> RepairGround::lines_at(const LinePosition& position, std::size_t gap) const {
+  return lines_at(position, turned_[position.direction].frame.to_track(open_[gap]), terms_.end_rule,
                   WantedPieces::kWorthDriving);
 }
 
-std::vector<RepairLine> RepairGround::lines_over(std::size_t gap, const LinePlace& place,
+std::vector<RepairLine> RepairGround::lines_over(std::size_t gap, const LinePosition& position,
                                                  EndRule end_rule) const {
-  return lines_at(place, turned_[place.direction].frame.to_track(Region{shapes_[gap]}), end_rule,
+  return lines_at(position, turned_[position.direction].frame.to_track(Region{shapes_[gap]}), end_rule,
                   WantedPieces::kAll);
 }
 
-std::vector<RepairLine> RepairGround::lines_at(const LinePlace& place, const Region& turned_gaps,
+std::vector<RepairLine> RepairGround::lines_at(const LinePosition& position, const Region& turned_gaps,
                                                EndRule end_rule, WantedPieces wanted) const {
   if (turned_gaps.empty()) return {};
-  const Turned& turned = turned_[place.direction];
-  const StripGrid grid{turned.frame, place.left_m, terms_.machine.width_m};
+  const Turned& turned = turned_[position.direction];
+  const StripGrid grid{turned.frame, position.left_m, terms_.machine.width_m};
   constexpr StripRange kOne{0, 0};
   Track strip;
   strip.subfield = TrackProfile(cross_sections(turned_gaps, grid, kOne).front());
@@ -106,7 +106,7 @@ std::vector<RepairLine> RepairGround::lines_at(const LinePlace& place, const Reg
   RepairTerms terms = terms_;
   terms.end_rule = end_rule;
   for (GapLine& line : lines_on(strip, open, terms, wanted)) {
-    RepairLine found{place, std::move(line), {}, 0};
+    RepairLine found{position, std::move(line), {}, 0};
     found.worth = worth_of(found.line, found.line.covered_m2, terms_);
     found.swaths = swaths_of(found.line, grid);
     out.push_back(std::move(found));

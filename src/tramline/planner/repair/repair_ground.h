@@ -1,5 +1,5 @@
 #pragma once
-// The ground of a repair: gaps, what of them is open yet, and the lines that may be driven over them.
+// The state of a repair: gaps, their parts not yet covered, and the lines that may be driven over them.
 
 #include <string>
 #include <vector>
@@ -10,23 +10,23 @@
 
 namespace tramline {
 
-/// A place for a line: the strip with its left edge there, in one of the directions. Left of it as seen in
-/// the turned plane (track_frame.h).
-struct LinePlace {
+/// The position of a line: a strip in one of the directions, given by its left edge in the turned plane
+/// (track_frame.h).
+struct LinePosition {
   std::size_t direction = 0;
   double left_m = 0;
 };
 
-/// A line with its place.
+/// A line with its position.
 struct RepairLine {
-  LinePlace place;
+  LinePosition position;
   GapLine line;
-  Region swaths;     ///< of its pieces, in the field's frame, oriented
-  double worth = 0;  ///< when it was found, but for the turn to it: see worth_of()
+  Region swaths;     ///< swaths of its pieces, in the field's frame, oriented
+  double worth = 0;  ///< worth_of() at the time it was found, without the turn to it
 };
 
-/// Frame: the field's local metres. Gaps are seen by the directions they may be worked in; swaths of other
-/// directions cover what they meet all the same.
+/// Frame: the field's local metres. Lines of a direction are laid over the gaps that may be worked in it;
+/// swaths cover all gaps they overlap, whatever the direction.
 class RepairGround {
  public:
   /// `gaps`: those that are large enough.
@@ -37,24 +37,25 @@ class RepairGround {
   const Region& free() const { return free_; }  ///< the field less its obstacles, oriented
   std::size_t gaps() const { return shapes_.size(); }
   const Polygon& gap(std::size_t i) const { return shapes_[i]; }
-  const Region& open(std::size_t i) const { return open_[i]; }  ///< of that, what no line covers
+  const Region& open(std::size_t i) const { return open_[i]; }  ///< the part of gap(i) that no line covers
   double open_m2() const;                                       ///< of all gaps
   std::size_t directions() const { return turned_.size(); }
   const TrackFrame& frame(std::size_t direction) const { return turned_[direction].frame; }
 
-  /// Gaps worked in a direction, increasing.
+  /// Indices of the gaps that may be worked in a direction, ascending.
   const std::vector<std::size_t>& gaps_in(std::size_t direction) const { return turned_[direction].gaps; }
 
-  /// The lines there over what is open, as lines_on() has them. O(edges of the field and of the gaps that the
-  /// strip meets). Safe to call from several threads.
-  std::vector<RepairLine> lines_at(const LinePlace& place) const;
-  /// Those over what is open of one gap.
-  std::vector<RepairLine> lines_at(const LinePlace& place, std::size_t gap) const;
-  /// Those over one gap alone, as it is without any line, with all that the end rule finds, whatever that
-  /// costs.
-  std::vector<RepairLine> lines_over(std::size_t gap, const LinePlace& place, EndRule end_rule) const;
+  /// The lines at this position over the open land, as lines_on() gives them. O(edges of the field and of the
+  /// gaps that the strip crosses). Safe to call from several threads.
+  std::vector<RepairLine> lines_at(const LinePosition& position) const;
+  /// The same over the open land of one gap.
+  std::vector<RepairLine> lines_at(const LinePosition& position, std::size_t gap) const;
+  /// The same over one whole gap as if no line covered it, with all pieces that the end rule finds, whatever
+  /// they cost.
+  std::vector<RepairLine> lines_over(std::size_t gap, const LinePosition& position, EndRule end_rule) const;
 
-  /// Ground is covered, or open again, as these lines say. Only gaps that `changed` meets are looked at.
+  /// Sets the covered land to that of these lines; the rest is open. Only gaps that `changed` overlaps are
+  /// updated.
   void cover(const std::vector<RepairLine>& lines, const Region& changed);
 
  private:
@@ -67,7 +68,7 @@ class RepairGround {
     Region obstacles;
   };
   void turn(Turned& turned, std::size_t k) const;
-  std::vector<RepairLine> lines_at(const LinePlace& place, const Region& turned_gaps, EndRule end_rule,
+  std::vector<RepairLine> lines_at(const LinePosition& position, const Region& turned_gaps, EndRule end_rule,
                                    WantedPieces wanted) const;
 
   RepairTerms terms_;

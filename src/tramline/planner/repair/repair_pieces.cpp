@@ -8,13 +8,12 @@
 
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/planner/order/best_tour.h"
-#include "tramline/planner/repair/gap_pieces.h"
 #include "tramline/planner/tolerances.h"
 
 namespace tramline {
 namespace {
 
-/// A subfield, and which of the ground's directions is its.
+/// A subfield with the index of its direction in the ground.
 struct Part {
   Polygon shape;
   std::size_t direction = 0;
@@ -27,13 +26,13 @@ void append_parts(Region region, std::size_t direction, std::vector<Part>& out) 
     if (area(polygon) >= kNoGround_m2) out.push_back({oriented(std::move(polygon)), direction});
 }
 
-/// What the lines of each direction work of a gap, the direction with the least first.
+/// The parts of a gap that the lines of each direction work, by direction, the smallest area first.
 std::vector<std::pair<std::size_t, Region>> by_direction(const Polygon& gap,
                                                          const std::vector<RepairLine>& lines) {
   std::map<std::size_t, Region> swaths;
   for (const RepairLine& line : lines)
     for (const Polygon& swath : line.swaths)
-      if (intersects(bounds(swath), bounds(gap))) swaths[line.place.direction].push_back(swath);
+      if (intersects(bounds(swath), bounds(gap))) swaths[line.position.direction].push_back(swath);
   std::vector<std::pair<std::size_t, Region>> out;
   for (const auto& [direction, region] : swaths) {
     Region worked = intersection({gap}, unite(region));
@@ -54,12 +53,12 @@ void append_parts_of(const Polygon& gap, const std::vector<RepairLine>& lines, s
   append_parts(std::move(rest), worked.empty() ? 0 : worked.back().first, out);
 }
 
-/// Of the parts in the line's direction, that of which it works most.
+/// The index of the part in the line's direction of which the line works most.
 std::optional<std::size_t> part_of(const RepairLine& line, const std::vector<Part>& parts) {
   std::optional<std::size_t> best;
   double most_m2 = -1;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (parts[i].direction != line.place.direction) continue;
+    if (parts[i].direction != line.position.direction) continue;
     double common_m2 = 0;
     for (const Polygon& swath : line.swaths)
       if (intersects(bounds(swath), bounds(parts[i].shape)))
@@ -82,9 +81,29 @@ std::vector<LaidLine> sorted_lines(const std::vector<RepairLine>& lines, const s
   for (const RepairLine& line : lines)
     if (const auto part = part_of(line, parts)) out.push_back({*part, &line});
   const auto key = [](const LaidLine& laid) {
-    return std::tuple(laid.part, laid.line->place.left_m, laid.line->line.pieces.front().from);
+    return std::tuple(laid.part, laid.line->position.left_m, laid.line->line.pieces.front().from);
   };
   std::sort(out.begin(), out.end(), [&](const LaidLine& a, const LaidLine& b) { return key(a) < key(b); });
+  return out;
+}
+
+/// The pieces of a line, which lies on strip 0 of the grid, in the field's frame and in order along it. They
+/// get the given subfield and track number.
+std::vector<TrackPiece> pieces_of(const GapLine& line, const StripGrid& grid, std::size_t subfield,
+                                  int track) {
+  std::vector<TrackPiece> out;
+  const double across = grid.centre(0);
+  for (const LaidPiece& piece : line.pieces) {
+    TrackPiece driven;
+    driven.start = grid.frame.to_field({across, piece.from});
+    driven.end = grid.frame.to_field({across, piece.to});
+    driven.subfield = subfield;
+    driven.track = track;
+    driven.stop_at_start = piece.stop_at_from;
+    driven.stop_at_end = piece.stop_at_to;
+    driven.after_crossing = piece.after_crossing;
+    out.push_back(std::move(driven));
+  }
   return out;
 }
 
@@ -97,8 +116,8 @@ std::vector<TrackPiece> laid(const std::vector<RepairLine>& lines, const std::ve
   for (const LaidLine& next : sorted_lines(lines, parts)) {
     track = next.part == part ? track + 1 : 0;
     part = next.part;
-    const LinePlace& place = next.line->place;
-    const StripGrid grid{ground.frame(place.direction), place.left_m, ground.terms().machine.width_m};
+    const LinePosition& position = next.line->position;
+    const StripGrid grid{ground.frame(position.direction), position.left_m, ground.terms().machine.width_m};
     for (TrackPiece& piece : pieces_of(next.line->line, grid, next.part, track))
       out.push_back(std::move(piece));
   }

@@ -12,16 +12,17 @@
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/planner/for_each_index.h"
+#include "tramline/planner/repair/line_positions.h"
 #include "tramline/planner/repair/repair_pieces.h"
-#include "tramline/planner/repair/repair_places.h"
 #include "tramline/planner/tolerances.h"
 #include "tramline/planner/warnings.h"
 
 namespace tramline {
 namespace {
 
-/// Gaps that are large enough, the others listed.
-std::vector<Gap> large_ones(const std::vector<Gap>& gaps, double min_area_m2, std::vector<LeftGap>& ignored) {
+/// The gaps that are large enough; the others are listed.
+std::vector<Gap> large_ones(const std::vector<Gap>& gaps, double min_area_m2,
+                            std::vector<UnworkedGap>& ignored) {
   std::vector<Gap> out;
   for (const Gap& gap : gaps) {
     if (gap.area_m2 >= min_area_m2)
@@ -33,20 +34,21 @@ std::vector<Gap> large_ones(const std::vector<Gap>& gaps, double min_area_m2, st
   return out;
 }
 
-/// The pass over one gap alone that comes off best.
+/// The best pass over one gap alone.
 std::optional<RepairLine> best_pass_over(std::size_t gap, const RepairGround& ground, EndRule end_rule) {
   std::optional<RepairLine> best;
-  for (const LinePlace& place : places_over(gap, ground))
-    for (RepairLine& line : ground.lines_over(gap, place, end_rule))
+  for (const LinePosition& position : line_positions_over(gap, ground))
+    for (RepairLine& line : ground.lines_over(gap, position, end_rule))
       if (!best || line.worth > best->worth) best = std::move(line);
   return best;
 }
 
-/// Why a gap is left: what the best pass over it alone wins and costs; nullopt: none gets in.
+/// The reason why a gap is not worked: the saving and cost of the best pass over it alone; nullopt: no pass
+/// fits in.
 std::optional<std::string> price_of_pass(std::size_t gap, const RepairGround& ground) {
   const Objective& objective = ground.terms().objective;
   std::optional<RepairLine> best = best_pass_over(gap, ground, ground.terms().end_rule);
-  // What is too slim for the end rule to begin a swath at all can be entered nevertheless.
+  // A gap that is too slim for the end rule to begin a swath can still be entered.
   if (!best) best = best_pass_over(gap, ground, EndRule::kCover);
   if (!best) return std::nullopt;
   return fmt::format("a pass over {:.1f} m² of it costs {:.2f} with the turn to it and wins back {:.2f}",
@@ -63,21 +65,22 @@ std::string why_unreachable(const RepairGround& ground) {
 }
 
 /// Indices of the gaps that the lines work; the others are listed.
-std::vector<std::size_t> taken_on(const std::vector<Gap>& gaps, const RepairGround& ground,
-                                  const SearchContext& context, RepairPlan& out) {
-  std::vector<std::size_t> taken, left;
+std::vector<std::size_t> gaps_worked_on(const std::vector<Gap>& gaps, const RepairGround& ground,
+                                        const SearchContext& context, RepairPlan& out) {
+  std::vector<std::size_t> worked_gaps, unworked;
   for (std::size_t i = 0; i < gaps.size(); ++i)
-    (area(ground.gap(i)) - area(ground.open(i)) > kByChance_m2 ? taken : left).push_back(i);
-  std::vector<std::optional<std::string>> prices(left.size());
-  for_each_index(left.size(), context, [&](std::size_t k) { prices[k] = price_of_pass(left[k], ground); });
-  for (std::size_t k = 0; k < left.size(); ++k) {
-    const Gap& gap = gaps[left[k]];
+    (area(ground.gap(i)) - area(ground.open(i)) > kByChance_m2 ? worked_gaps : unworked).push_back(i);
+  std::vector<std::optional<std::string>> prices(unworked.size());
+  for_each_index(unworked.size(), context,
+                 [&](std::size_t k) { prices[k] = price_of_pass(unworked[k], ground); });
+  for (std::size_t k = 0; k < unworked.size(); ++k) {
+    const Gap& gap = gaps[unworked[k]];
     if (prices[k])
       out.not_worth.push_back({gap.number, gap.area_m2, gap.centre, *prices[k]});
     else
       out.unreachable.push_back({gap.number, gap.area_m2, gap.centre, why_unreachable(ground)});
   }
-  return taken;
+  return worked_gaps;
 }
 
 void require_gaps(const std::vector<Gap>& all, const std::vector<Gap>& large, const Field& field,
@@ -91,14 +94,14 @@ void require_gaps(const std::vector<Gap>& all, const std::vector<Gap>& large, co
 }
 
 void require_passes(const RepairPlan& repair, const RepairGround& ground, const Field& field) {
-  if (repair.taken > 0) return;
+  if (repair.worked_gaps > 0) return;
   const double width_m = ground.terms().machine.width_m;
   if (repair.not_worth.empty())
     throw bad_input(fmt::format(
         "none of the {} gaps of field '{}' can be repaired: {} are too small, and into {} no swath "
         "{:g} m wide fits without leaving the field; use a smaller --min-area or a narrower machine",
         repair.gaps, field.id, repair.ignored.size(), repair.unreachable.size(), width_m));
-  const LeftGap& largest = repair.not_worth.front();
+  const UnworkedGap& largest = repair.not_worth.front();
   throw bad_input(fmt::format(
       "none of the {} gaps of field '{}' is worth a pass: left as they are they cost {:.2f}, and any pass "
       "costs "
@@ -106,8 +109,8 @@ void require_passes(const RepairPlan& repair, const RepairGround& ground, const 
       repair.gaps, field.id, repair.cost_if_left, largest.number, largest.area_m2, largest.why));
 }
 
-/// Without pieces: body, worked ground and what was asked for.
-Plan bare_plan(const Field& field, const std::vector<std::size_t>& taken, const RepairGround& ground) {
+/// The plan without pieces: body, worked land and the request.
+Plan bare_plan(const Field& field, const std::vector<std::size_t>& worked_gaps, const RepairGround& ground) {
   Plan plan;
   plan.field = field;
   plan.machine = ground.terms().machine;
@@ -115,7 +118,7 @@ Plan bare_plan(const Field& field, const std::vector<std::size_t>& taken, const 
   plan.settings.end_rule = ground.terms().end_rule;
   plan.settings.boundary = EdgeKind::kHard;
   plan.settings.avoid = Avoidance::kCut;
-  for (const std::size_t i : taken) plan.body.push_back(ground.gap(i));
+  for (const std::size_t i : worked_gaps) plan.body.push_back(ground.gap(i));
   plan.body = unite(plan.body);
   plan.worked = difference(ground.free(), plan.body);
   std::erase_if(plan.worked, [](const Polygon& polygon) { return area(polygon) < kNoGround_m2; });
@@ -174,15 +177,15 @@ RepairPlan repair_plan(const Field& field, const std::vector<Gap>& gaps, const R
   const double width_m = terms.machine.width_m;
   RepairGround ground(field, large, driven_directions(large, driven, width_m), std::move(terms));
   const std::vector<RepairLine> lines = chosen_lines(ground, context);
-  const std::vector<std::size_t> taken = taken_on(large, ground, context, out);
+  const std::vector<std::size_t> worked_gaps = gaps_worked_on(large, ground, context, out);
   out.gaps = static_cast<int>(gaps.size());
-  out.taken = static_cast<int>(taken.size());
+  out.worked_gaps = static_cast<int>(worked_gaps.size());
   out.missed_before_m2 = area(missed);
   out.cost_if_left = ground.terms().objective.uncovered * out.missed_before_m2;
   require_passes(out, ground, field);
 
-  out.plan = bare_plan(field, taken, ground);
-  add_lines(out.plan, taken, lines, ground);
+  out.plan = bare_plan(field, worked_gaps, ground);
+  add_lines(out.plan, worked_gaps, lines, ground);
   add_tally(out.plan);
   const Region swaths = all_swaths(lines);
   WorkedRegions worked = worked_regions(out.plan.body, swaths);

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t kHinderedTries = 5;  ///< grids of either ranking that are tried with detours
 
-/// Cells of a sweep that are given the best grid each, and joined where that pays: every pair of them is
-/// looked at. More are tried as the sweep leaves them.
+/// The most cells of a sweep that each get their best grid and are joined where that pays, since every pair
+/// of them is tried. More cells are kept as the sweep made them.
 constexpr std::size_t kMostRegridded = 64;
 
 constexpr double kNoPrice = std::numeric_limits<double>::infinity();
@@ -31,7 +31,7 @@ std::vector<LinedSubfield> gridded(const std::vector<PricedSubfield>& subfields)
   return out;
 }
 
-/// What a plan costs besides what its parts cost each by itself: the first track needs no turn, and the first
+/// The cost of a plan less the sum of the costs of its parts: the first track needs no turn, and the first
 /// subfield is free.
 double beside_the_parts(const SearchTask& task) {
   const double given_up_m2 = std::max(0.0, task.body_m2 - area(task.ground.plannable));
@@ -39,7 +39,7 @@ double beside_the_parts(const SearchTask& task) {
   return price.uncovered * given_up_m2 - price.turn - price.subfield;
 }
 
-/// A part of the ground is a subfield more, or is left.
+/// Each part of the land is a further subfield, or stays uncovered.
 double least_of_part(const SearchTask& task, const Polygon& part, double bound) {
   return std::min(bound + task.objective.subfield, std::max(bound, task.objective.uncovered * area(part)));
 }
@@ -47,11 +47,11 @@ double least_of_part(const SearchTask& task, const Polygon& part, double bound) 
 using Grounds = std::vector<LinedSubfield>;
 
 struct Tried {
-  Grounds grounds;
+  Grounds lined_subfields;
   Candidate candidate;
 };
 
-/// One connected part of the ground, by itself.
+/// One connected part of the land, by itself.
 struct PartResult {
   Tried whole;        ///< undivided
   Grounds divided;    ///< empty where that does not pay
@@ -63,7 +63,10 @@ struct PartResult {
 class BestSearch {
  public:
   BestSearch(const SearchTask& task, const SearchContext& context, double no_more_than)
-      : task_(task), context_(context), no_more_than_(no_more_than), swept_(swept_grounds(task, context)) {}
+      : task_(task),
+        context_(context),
+        no_more_than_(no_more_than),
+        swept_(swept_candidates(task, context)) {}
 
   SearchResult run() {
     search_parts();
@@ -82,9 +85,9 @@ class BestSearch {
 
  private:
   void try_swept() {
-    const std::size_t cells = hopeful_sweep().grounds.size();
+    const std::size_t cells = hopeful_sweep().lined_subfields.size();
     if (cells > task_.ground.plannable.size() && cells <= kMostRegridded)
-      try_plan(regridded(hopeful_sweep().grounds));
+      try_plan(regridded(hopeful_sweep().lined_subfields));
     const double known =
         best_.works() ? std::min(best_.cost(), just_above(no_more_than_)) : just_above(no_more_than_);
     if (std::optional<Candidate> sweep = cheapest_swept(task_, swept_, known, context_)) {
@@ -101,8 +104,8 @@ class BestSearch {
     const std::size_t parts = task_.ground.plannable.size();
     for (std::size_t i = 0; i < parts; ++i) {
       PartResult found = search_part(i);
-      const Grounds& better = found.divided.empty() ? found.whole.grounds : found.divided;
-      whole.insert(whole.end(), found.whole.grounds.begin(), found.whole.grounds.end());
+      const Grounds& better = found.divided.empty() ? found.whole.lined_subfields : found.divided;
+      whole.insert(whole.end(), found.whole.lined_subfields.begin(), found.whole.lined_subfields.end());
       chosen.insert(chosen.end(), better.begin(), better.end());
       divided = divided || !found.divided.empty();
       bound += parts == 1 ? found.bound + task_.objective.subfield
@@ -138,14 +141,14 @@ class BestSearch {
     const Rival divide = [&](const PricedGrid& best) {
       along = best.direction;
       divided = divided_from({part, best});
-      // With detours in sight, what the parts cost with all tracks cut says little.
+      // Where detours are possible, the costs of parts with all tracks cut say little.
       return divided.size() < 2 || !task_.ground.hazards.empty() ? kNoPrice : price(task_, divided);
     };
     const BranchAndBoundResult found = branch_and_bound(task_, part, effort, context_, divide);
     const bool hindered = !found.unhindered.empty();
     std::vector<Grounds> ways{{gridded(part, found.grids.front())}};
     if (hindered) append_hindered_ways(index, found, ways);
-    // With detours in sight, what was not tried may be cheaper than it looks: it is no runner-up.
+    // Where detours are possible, an untried plan may be cheaper than it looks, so it is not a runner-up.
     Grounds shortlist;
     if (hindered)
       for (const Grounds& way : ways) shortlist.push_back(way.front());
@@ -166,7 +169,7 @@ class BestSearch {
     return out;
   }
 
-  /// The ground divided, each part with its best grid; one part where that does not pay.
+  /// The land divided, each part with its best grid; one part where division does not pay.
   std::vector<PricedSubfield> divided_from(const PricedSubfield& ground) const {
     std::vector<PricedSubfield> out = split_where_it_pays(task_, ground, context_);
     if (out.size() > 1) out = merge_where_it_pays(task_, std::move(out), context_);
@@ -199,8 +202,8 @@ class BestSearch {
     return effort;
   }
 
-  /// What is best with detours is neither best with all tracks cut nor best with stops for nothing: the
-  /// best few of either, and the sweep's.
+  /// The plans to try with detours: the best with detours need not be the best with all tracks cut nor the
+  /// best with free stops, so the best few of either are tried, and the sweep's.
   void append_hindered_ways(std::size_t part, const BranchAndBoundResult& found,
                             std::vector<Grounds>& ways) const {
     const Polygon& shape = task_.ground.plannable[part];
@@ -208,13 +211,14 @@ class BestSearch {
       if (i > 0 && i < found.grids.size()) ways.push_back({gridded(shape, found.grids[i])});
       if (i < found.unhindered.size()) ways.push_back({gridded(shape, found.unhindered[i])});
     }
-    std::vector<const SweptGround*> undivided;
-    for (const SweptGround& swept : swept_)
-      if (task_.ground.plannable.size() == 1 && swept.grounds.size() == 1) undivided.push_back(&swept);
-    std::stable_sort(undivided.begin(), undivided.end(), [](const SweptGround* a, const SweptGround* b) {
-      return a->outlook.soft < b->outlook.soft;
-    });
-    if (!undivided.empty()) ways.push_back(undivided.front()->grounds);
+    std::vector<const SweptCandidate*> undivided;
+    for (const SweptCandidate& swept : swept_)
+      if (task_.ground.plannable.size() == 1 && swept.lined_subfields.size() == 1)
+        undivided.push_back(&swept);
+    std::stable_sort(
+        undivided.begin(), undivided.end(),
+        [](const SweptCandidate* a, const SweptCandidate* b) { return a->outlook.soft < b->outlook.soft; });
+    if (!undivided.empty()) ways.push_back(undivided.front()->lined_subfields);
   }
 
   Tried cheapest_of(std::vector<Grounds> ways) const {
@@ -227,13 +231,14 @@ class BestSearch {
     return {std::move(ways[best]), std::move(candidates[best])};
   }
 
-  /// The same direction with the grid elsewhere: how tracks lie to an obstacle decides what detours cost.
+  /// The same direction with the grid at other offsets: the position of tracks relative to an obstacle
+  /// determines the cost of detours.
   void slide(Tried& tried) const {
     constexpr int kSteps = 8;
     if (context_.has_to_end()) return;
     std::vector<Grounds> ways;
     for (int i = 1; i < kSteps; ++i) {
-      ways.push_back(tried.grounds);
+      ways.push_back(tried.lined_subfields);
       ways.back().front().origin_m += task_.machine.width_m * i / kSteps;
     }
     Tried other = cheapest_of(std::move(ways));
@@ -241,27 +246,27 @@ class BestSearch {
   }
 
   /// The sweep's candidate that looks best before the ways past obstacles are known.
-  const SweptGround& hopeful_sweep() const {
-    return *std::min_element(swept_.begin(), swept_.end(), [](const SweptGround& a, const SweptGround& b) {
-      return a.outlook.soft < b.outlook.soft;
-    });
+  const SweptCandidate& hopeful_sweep() const {
+    return *std::min_element(
+        swept_.begin(), swept_.end(),
+        [](const SweptCandidate& a, const SweptCandidate& b) { return a.outlook.soft < b.outlook.soft; });
   }
 
   /// Its subfields, each with the best grid, and joined where that pays.
-  Grounds regridded(const Grounds& grounds) const {
+  Grounds regridded(const Grounds& lined_subfields) const {
     Region shapes;
-    for (const LinedSubfield& ground : grounds) shapes.push_back(ground.subfield.shape);
+    for (const LinedSubfield& ground : lined_subfields) shapes.push_back(ground.subfield.shape);
     std::vector<PricedSubfield> joined =
         merge_where_it_pays(task_, priced(task_, shapes, context_), context_);
     return gridded(joined);
   }
 
-  Candidate laid_out(const Grounds& grounds) const {
+  Candidate laid_out(const Grounds& lined_subfields) const {
     context_.report();
-    return candidate_on(task_, grounds);
+    return candidate_on(task_, lined_subfields);
   }
 
-  void try_plan(const Grounds& grounds) { keep(laid_out(grounds)); }
+  void try_plan(const Grounds& lined_subfields) { keep(laid_out(lined_subfields)); }
 
   void keep(Candidate candidate) {
     see(candidate);
@@ -273,7 +278,7 @@ class BestSearch {
     double& least = out_.proof.one_direction_cost;
     if (undivided_ && candidate.cost() >= least) return;
     least = candidate.cost();
-    undivided_ = grounds_of(candidate);
+    undivided_ = lined_subfields_of(candidate);
   }
 
   void see(const Candidate& candidate) { out_.seen.push_back(seen_plan(candidate)); }
@@ -281,7 +286,7 @@ class BestSearch {
   const SearchTask& task_;
   SearchContext context_;
   double no_more_than_;
-  std::vector<SweptGround> swept_;
+  std::vector<SweptCandidate> swept_;
   SearchResult out_;
   Candidate best_;
   std::optional<Grounds> undivided_;  ///< of the cheapest plan with undivided parts that has been seen
@@ -296,7 +301,8 @@ double least_cost_of_any_plan(const SearchTask& task) {
   const Box box = bounds(task.ground.plannable);
   double longest = std::hypot(box.width(), box.height());
   for (const Hazard& hazard : task.ground.hazards) {
-    // Round an obstacle, at most: half a turn about it on either side and into and out of the arcs.
+    // The longest way round an obstacle: half a turn about it on either side, and the arcs into and out of
+    // that.
     const Box around = bounds(hazard.shape);
     longest += 2 * (around.width() + around.height()) + 4 * std::numbers::pi * (arc + width_m);
   }

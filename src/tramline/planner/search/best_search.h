@@ -1,22 +1,22 @@
 #pragma once
-// The cheapest plan over all directions, offsets and divisions of the ground.
+// The search for the cheapest plan over all directions, offsets and divisions of the land.
 
 #include "tramline/planner/search_context.h"
 #include "tramline/planner/search_result.h"
 
 namespace tramline {
 
-/// Each connected part of the ground with the best grid of all directions and offsets (branch_and_bound), and
-/// divided where that pays (split_where_it_pays); S1's sweep, and its subfields with better grids and
-/// joined where that pays; all with detours. The cheapest is kept: never costlier than sweep_search() for the
-/// same task. Of plans that cost more than `no_more_than` any may be given, or none: nobody asks which is the
-/// cheapest. Deterministic for any number of threads.
+/// Compares: each connected part of the land with its best grid over all directions and offsets
+/// (branch_and_bound), also divided where that pays (split_where_it_pays); S1's sweep; and the sweep's
+/// subfields with better grids and joined where that pays; all with detours. The cheapest is kept, which
+/// never costs more than sweep_search() for the same task. If every plan costs more than `no_more_than`, the
+/// result may be any plan or none. Deterministic for any number of threads.
 SearchResult best_search(const SearchTask& task, const SearchContext& context,
                          double no_more_than = kAnyCost);
 
-/// No plan in which every piece that fits is driven costs less, whatever the subfields, directions, offsets
-/// and detours: a track works at most w times the length it can have, so that many are needed, or land is
-/// left.
+/// A lower bound of the cost of every plan in which each piece that fits is driven, whatever the subfields,
+/// directions, offsets and detours: a track works at most w times the length it can have, so a certain number
+/// of tracks is needed, or land stays uncovered.
 double least_cost_of_any_plan(const SearchTask& task);
 
 }  // namespace tramline

@@ -29,7 +29,7 @@ constexpr double kFirstHalfAngle = kHalfTurn / 360;
 constexpr double kLeastShift =
     1.0 / (1 << 18);  ///< widths by which the grids of a box differ that is not divided
 
-struct SearchBox : PlaceBox {
+struct SearchBox : PositionBox {
   double bound = 0;
 };
 
@@ -74,18 +74,18 @@ class GridSearch {
   }
 
  private:
-  PricedGrid priced(const FoundGrid& found) const { return pricing_.priced(found.place, found.cost); }
-  void offer(const GridPlace& place, const GridPrices& prices) {
-    list_.offer({place, prices.cut, prices.works});
-    if (hindered_) soft_list_.offer({place, prices.soft, prices.works});
+  PricedGrid priced(const FoundGrid& found) const { return pricing_.priced(found.position, found.cost); }
+  void offer(const GridPosition& position, const GridPrices& prices) {
+    list_.offer({position, prices.cut, prices.works});
+    if (hindered_) soft_list_.offer({position, prices.soft, prices.works});
   }
 
   void try_edges() {
-    const std::vector<GridPlace> flush =
+    const std::vector<GridPosition> flush =
         edge_aligned_grids(pricing_.part(), pricing_.bound().pivot, effort_.most_edges);
     const std::size_t count = effort_.edge_offsets;
-    std::vector<GridPlace> places(count * flush.size());
-    std::vector<GridPrices> prices(places.size());
+    std::vector<GridPosition> positions(count * flush.size());
+    std::vector<GridPrices> prices(positions.size());
     const std::vector<bool> made = for_each_index_until_end(flush.size(), context_, [&](std::size_t i) {
       const GridTally tally = pricing_.tally(flush[i].angle);
       const Box& reach = tally.subfield().reach;
@@ -93,15 +93,15 @@ class GridSearch {
       const double offsets[] = {flush[i].offset_m, reach.min_x - pivot, reach.max_x - pivot,
                                 flush[i].offset_m + 0.5 * pricing_.width_m()};
       for (std::size_t k = 0; k < count; ++k) {
-        places[count * i + k] = {flush[i].angle, offsets[k]};
+        positions[count * i + k] = {flush[i].angle, offsets[k]};
         prices[count * i + k] = pricing_.prices(tally, offsets[k]);
       }
     });
-    for (std::size_t i = 0; i < places.size(); ++i)
-      if (made[i / count]) offer(places[i], prices[i]);
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      if (made[i / count]) offer(positions[i], prices[i]);
   }
 
-  /// Steps to better neighbours, halved where there is none.
+  /// Moves to better neighbours, and halves the steps where there is none.
   void polish(GridShortlist& shortlist, bool soft, std::size_t most) {
     if (most == 0 || context_.has_to_end()) return;
     std::vector<FoundGrid> found = shortlist.list();
@@ -110,7 +110,7 @@ class GridSearch {
     std::erase_if(found, [&](const FoundGrid& one) { return one.polished || one.cost > worth_it; });
     for_each_index(found.size(), context_,
                    [&](std::size_t i) { improve(found[i], soft, kFirstTurn, kCoarse); });
-    // Coarse steps tell which hollows are deep.
+    // Coarse steps find out which minima are deep.
     std::stable_sort(found.begin(), found.end(), ranks_before);
     const bool finer = effort_.tolerance.radians() < kCoarse.radians();
     const std::size_t deep = finer ? std::min(found.size(), kFollowed) : 0;
@@ -121,24 +121,24 @@ class GridSearch {
     for (const FoundGrid& one : found) shortlist.offer(one);
   }
 
-  /// Along either axis, and such that what lies on a strip line at some place along the field stays on it:
-  /// the cost jumps where a piece comes or goes, and the best grids lie along such cliffs.
-  std::array<GridPlace, 12> steps(double turn, double shift) const {
+  /// Steps along either axis, and steps that keep a strip line on one point of the field: the cost jumps
+  /// where a piece appears or vanishes, and the best grids lie along such jumps.
+  std::array<GridPosition, 12> steps(double turn, double shift) const {
     const double reach = pricing_.radius_m();
-    std::array<GridPlace, 12> out{GridPlace{turn, 0}, {-turn, 0}, {0, shift}, {0, -shift}};
+    std::array<GridPosition, 12> out{GridPosition{turn, 0}, {-turn, 0}, {0, shift}, {0, -shift}};
     std::size_t i = 4;
     for (const double along : {-1.0, -0.5, 0.5, 1.0})
       for (const double sense : {turn, -turn}) out[i++] = {sense, sense * along * reach};
     return out;
   }
 
-  /// By steps that turn by less and less, from one angle to half the other.
+  /// Improves by steps that turn by less and less, from the first angle down to half the second.
   void improve(FoundGrid& best, bool soft, Angle from, Angle to) const {
     double turn = from.radians(), shift = pricing_.width_m() / 8 * (from.radians() / kFirstTurn.radians());
     while (turn > 0.5 * to.radians() && !context_.has_to_end()) {
       bool better = false;
-      for (const GridPlace& step : steps(turn, shift)) {
-        const GridPlace next{best.place.angle + step.angle, best.place.offset_m + step.offset_m};
+      for (const GridPosition& step : steps(turn, shift)) {
+        const GridPosition next{best.position.angle + step.angle, best.position.offset_m + step.offset_m};
         const GridPrices prices = pricing_.prices(next);
         const FoundGrid found{next, soft ? prices.soft : prices.cut, prices.works};
         if (!ranks_before(found, best)) continue;
@@ -180,12 +180,12 @@ class GridSearch {
     return cheapest - effort_.gap * std::abs(cheapest);
   }
 
-  /// A net over all directions and offsets, so that polishing finds the way into most hollows.
+  /// A net over all directions and offsets, so that small steps reach most minima.
   void scan() {
     constexpr std::size_t kOffsets = 5;
     const auto directions = static_cast<std::size_t>(effort_.scanned);
-    std::vector<GridPlace> places(kOffsets * directions);
-    std::vector<GridPrices> prices(places.size());
+    std::vector<GridPosition> positions(kOffsets * directions);
+    std::vector<GridPrices> prices(positions.size());
     const std::vector<bool> made = for_each_index_until_end(directions, context_, [&](std::size_t i) {
       const double angle = kHalfTurn * (static_cast<double>(i) + 0.5) / static_cast<double>(directions);
       const GridTally tally = pricing_.tally(angle);
@@ -193,12 +193,12 @@ class GridSearch {
         // Staggered from one direction to the next.
         const double share =
             (static_cast<double>(k) + (i % 2 == 0 ? 0.0 : 0.5)) / static_cast<double>(kOffsets);
-        places[kOffsets * i + k] = {angle, share * pricing_.width_m()};
-        prices[kOffsets * i + k] = pricing_.prices(tally, places[kOffsets * i + k].offset_m);
+        positions[kOffsets * i + k] = {angle, share * pricing_.width_m()};
+        prices[kOffsets * i + k] = pricing_.prices(tally, positions[kOffsets * i + k].offset_m);
       }
     });
-    for (std::size_t i = 0; i < places.size(); ++i)
-      if (made[i / kOffsets]) offer(places[i], prices[i]);
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      if (made[i / kOffsets]) offer(positions[i], prices[i]);
   }
 
   void branch() {
@@ -228,8 +228,8 @@ class GridSearch {
     if (!open_.empty()) bound_ = std::min(bound_, open_.top().bound);
   }
 
-  /// Has the bound risen enough since the last look? Later it rises more slowly: where the boxes that are
-  /// left would not close the gap at twice the pace, it is left open.
+  /// Whether the bound has risen enough since the last check. It rises ever more slowly: where the remaining
+  /// boxes would not close the gap even at twice the pace, the search stops.
   bool makes_headway(double closed) const {
     const double open_gap = target() - open_.top().bound;
     const double looks_left = static_cast<double>(effort_.most_boxes - boxes_) / kLookEvery;

@@ -1,5 +1,5 @@
 #pragma once
-// The best grids over one connected piece of ground: every direction, every offset.
+// The best grids over one connected part of the land, over every direction and offset.
 
 #include <functional>
 #include <vector>
@@ -9,37 +9,37 @@
 
 namespace tramline {
 
-/// How hard to look.
+/// Limits on the effort of a search.
 struct SearchEffort {
   std::size_t most_edges = 64;   ///< directions of edges that are tried
-  std::size_t edge_offsets = 4;  ///< of the grid, to each of them: 1 … 4
-  std::size_t polished = 4;      ///< of the best of them: how many are bettered by small steps
-  int scanned = 120;             ///< directions, evenly spread, that are looked at besides
-  int most_boxes = 5000;         ///< that are bounded; 0: no branch and bound, and no bound
-  double gap = 0.0075;           ///< stop where the bound is this near, relative
+  std::size_t edge_offsets = 4;  ///< offsets of the grid tried with each of them: 1 … 4
+  std::size_t polished = 4;      ///< how many of the best of them are improved by small steps
+  int scanned = 120;             ///< further directions tried, evenly spread
+  int most_boxes = 5000;         ///< boxes to bound; 0: no branch and bound, and no bound
+  double gap = 0.0075;           ///< stop when the bound is this near to the cost, relative
   Angle tolerance = Angle::degrees(0.01);
-  bool cut_too = true;       ///< where obstacles are, better also the grids that are best with all tracks cut
-  bool exact_offset = true;  ///< best_offset() for the best grid, where no obstacle hinders
+  bool cut_too = true;       ///< with obstacles: also improve the grids that are best with all tracks cut
+  bool exact_offset = true;  ///< best_offset() for the best grid where no obstacle is in the way
 };
 
 struct BranchAndBoundResult {
   std::vector<PricedGrid> grids;  ///< the best found, cheapest first, no two alike; not empty
-  /// The best if a stop cost no more than a turn, priced so; empty where no obstacle is.
+  /// The best grids if a stop cost no more than a turn, at that price; empty without obstacles.
   std::vector<PricedGrid> unhindered;
-  double bound = 0;  ///< no grid, with whatever detours, costs less
+  double bound = 0;  ///< no grid costs less, whatever its detours
   int boxes = 0;
 };
 
-/// What the ground costs otherwise, told the best grid found by edges and small steps (`unhindered` where
-/// obstacles are).
+/// Returns what the land costs in another way, such as divided, given the best grid found by edges and small
+/// steps (from `unhindered` where there are obstacles).
 using Rival = std::function<double(const PricedGrid& best)>;
 
-/// Branch and bound over boxes of direction × offset: all edge directions with the grid flush with the
-/// edge are the first incumbents, the box of least bound (least_cost) is divided next, and no box is looked
-/// into that cannot hold anything better. Directions nearer than the tolerance are one. Deterministic for
-/// any number of threads.
-/// `rival`, where given, is asked once: boxes that cannot hold anything cheaper than that are not looked
-/// into either, so that the bound of grids that do not win may stay further from their cost.
+/// Branch and bound over boxes of direction × offset: grids flush with an edge, in all edge directions, are
+/// the first incumbents; the box of least bound (least_cost) is divided next, and boxes that cannot hold
+/// anything better are discarded. Directions nearer than the tolerance are not distinguished. Deterministic
+/// for any number of threads. `rival`, where given, is called once: boxes that cannot hold anything cheaper
+/// than its result are discarded as well, so that the bound of grids that do not win may stay further from
+/// their cost.
 BranchAndBoundResult branch_and_bound(const SearchTask& task, const Polygon& part, const SearchEffort& effort,
                                       const SearchContext& context, const Rival& rival = {});
 

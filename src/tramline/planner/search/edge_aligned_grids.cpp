@@ -47,12 +47,12 @@ std::vector<Edges> by_direction(const std::vector<Edges>& edges) {
 
 }  // namespace
 
-std::vector<GridPlace> edge_aligned_grids(const Polygon& part, Point pivot, std::size_t most) {
+std::vector<GridPosition> edge_aligned_grids(const Polygon& part, Point pivot, std::size_t most) {
   std::vector<Edges> groups = by_direction(edges_by_ring(part));
   std::stable_sort(groups.begin(), groups.end(),
                    [](const Edges& a, const Edges& b) { return a.length > b.length; });
   if (groups.size() > most) groups.resize(most);
-  std::vector<GridPlace> out;
+  std::vector<GridPosition> out;
   for (const Edges& group : groups) {
     const TrackFrame frame = GridPricing::frame(group.angle);
     out.push_back({group.angle, frame.to_track(group.at).x - frame.to_track(pivot).x});

@@ -29,14 +29,14 @@ GridPrices GridPricing::prices(const GridTally& tally, double offset_m) const {
   return {separate_cost(task_.objective, sum), separate_cost(soft_, sum), sum.pieces > 0};
 }
 
-double GridPricing::least(const GridTally& tally, const PlaceBox& box, double enough) const {
+double GridPricing::least(const GridTally& tally, const PositionBox& box, double enough) const {
   return least_cost(tally, bound_, {origin(tally, box.middle.offset_m), box.half_offset_m, box.half_angle},
                     enough);
 }
 
-PricedGrid GridPricing::priced(const GridPlace& place, double cost) const {
-  const TrackFrame frame = GridPricing::frame(place.angle);
-  return {frame.direction(), frame.to_track(bound_.pivot).x + place.offset_m, cost};
+PricedGrid GridPricing::priced(const GridPosition& position, double cost) const {
+  const TrackFrame frame = GridPricing::frame(position.angle);
+  return {frame.direction(), frame.to_track(bound_.pivot).x + position.offset_m, cost};
 }
 
 double GridPricing::radius_m() const {

@@ -8,16 +8,17 @@
 namespace tramline {
 
 struct FoundGrid {
-  GridPlace place;
+  GridPosition position;
   double cost = 0;
   bool works = false;
-  bool polished = false;  ///< no small step betters it
+  bool polished = false;  ///< no small step improves it
 };
 
-/// Where turns are dear nothing is cheaper than to stay at home, which is no plan.
+/// Grids with a piece rank first, then the cheaper: where turns are expensive, driving nothing is cheapest,
+/// but that is no plan.
 bool ranks_before(const FoundGrid& a, const FoundGrid& b);
 
-/// A few of the cheapest: one that is much like a cheaper one is not kept.
+/// A few of the cheapest grids; one that is much like a cheaper one is not kept.
 class GridShortlist {
  public:
   explicit GridShortlist(double width_m) : width_m_(width_m) {}
@@ -27,7 +28,7 @@ class GridShortlist {
   const FoundGrid& best() const { return list_.front(); }
 
  private:
-  bool alike(const GridPlace& a, const GridPlace& b) const;
+  bool alike(const GridPosition& a, const GridPosition& b) const;
 
   double width_m_;
   std::vector<FoundGrid> list_;  ///< cheapest first

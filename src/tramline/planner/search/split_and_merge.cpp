@@ -20,7 +20,8 @@ constexpr double kHope = 0.5;               ///< relative; a closer look does no
 constexpr double kLeastShare = 0.01;        ///< of the cost of the whole; ground that costs less stays whole
 constexpr std::size_t kMostSubfields = 24;  ///< made of one piece of ground
 
-/// So many edges, so many grids at each, and so many of the best of these bettered by small steps.
+/// The number of edges, of grids at each edge, and of the best of these grids that are improved by small
+/// steps.
 SearchEffort effort(std::size_t edges, std::size_t offsets, std::size_t polished) {
   SearchEffort out;
   out.most_edges = edges;
@@ -32,7 +33,7 @@ SearchEffort effort(std::size_t edges, std::size_t offsets, std::size_t polished
   return out;
 }
 
-// One after the other, as what is looked at promises more.
+// From one effort to the next, for divisions that promise more.
 SearchEffort first_glance() { return effort(2, 2, 0); }
 SearchEffort glance() { return effort(4, 4, 0); }
 SearchEffort closer_look() { return effort(16, 4, 2); }
@@ -43,7 +44,7 @@ PricedSubfield priced_with(const SearchTask& task, const Polygon& shape, const S
   return {shape, found.unhindered.empty() ? found.grids.front() : found.unhindered.front()};
 }
 
-/// What a division that may yet pay costs at most at a glance.
+/// The highest quickly estimated cost at which a division may still pay.
 double not_worth_a_closer_look(double cost) { return cost + kHope * std::abs(cost); }
 
 double least_width(const Ring& ring) {
@@ -58,7 +59,7 @@ bool is_workable(const SearchTask& task, const PricedSubfield& subfield) {
   return !cut_pieces(family, min_length_m(task.machine)).pieces.empty();
 }
 
-/// Nobody drives two directions that differ by less than the merge threshold.
+/// Two directions that differ by less than the merge threshold are not worth driving separately.
 bool too_alike(const SearchTask& task, const PricedSubfield& a, const PricedSubfield& b) {
   return angle_between(a.grid.direction, b.grid.direction) < task.settings.merge_threshold;
 }
@@ -163,10 +164,10 @@ std::vector<PricedSubfield> merge_where_it_pays(const SearchTask& task, std::vec
                                                 const SearchContext& context) {
   using Pair = MergedPair<PricedSubfield>;
   const SearchContext each = context.on_one_thread();
-  const auto look = [&](const std::vector<PricedSubfield>& among, const std::vector<PairPlaces>& places) {
-    std::vector<std::optional<Pair>> found(places.size());
-    for_each_index_until_end(places.size(), context, [&](std::size_t i) {
-      const PricedSubfield &a = among[places[i].first], &b = among[places[i].second];
+  const auto look = [&](const std::vector<PricedSubfield>& among, const std::vector<IndexPair>& index_pairs) {
+    std::vector<std::optional<Pair>> found(index_pairs.size());
+    for_each_index_until_end(index_pairs.size(), context, [&](std::size_t i) {
+      const PricedSubfield &a = among[index_pairs[i].first], &b = among[index_pairs[i].second];
       const std::optional<Polygon> whole = merged_shape(a.shape, b.shape);
       if (!whole) return;
       const double apart = price(task, {a, b});
@@ -175,7 +176,7 @@ std::vector<PricedSubfield> merge_where_it_pays(const SearchTask& task, std::vec
         return;
       PricedSubfield one = priced_with(task, *whole, closer_look(), each);
       const double saving = needed ? kNever : apart - one.grid.cost;
-      found[i] = Pair{places[i], std::move(one), saving};
+      found[i] = Pair{index_pairs[i], std::move(one), saving};
     });
     return found;
   };

@@ -20,10 +20,10 @@ SearchResult guided_search(const SearchTask& task) {
   const std::vector<Point>& guide = task.settings.guide;
   const Direction along = Direction::along(guide.front(), guide.back());
   const double origin_m = TrackFrame(along).to_track(guide.front()).x;
-  std::vector<LinedSubfield> grounds;
-  for (const Polygon& part : task.ground.plannable) grounds.push_back({{part, along}, origin_m});
+  std::vector<LinedSubfield> lined_subfields;
+  for (const Polygon& part : task.ground.plannable) lined_subfields.push_back({{part, along}, origin_m});
   SearchResult out;
-  out.best = candidate_on(task, grounds);
+  out.best = candidate_on(task, lined_subfields);
   out.best.numbered_from_line_0 = true;
   out.directions_tried = 1;
   return out;

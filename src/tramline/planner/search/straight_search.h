@@ -1,17 +1,17 @@
 #pragma once
-// Straight tracks: the search of the task's strategy, or tracks along a line that was given.
+// The search for straight tracks: that of the task's strategy, or tracks along a given line.
 
 #include "tramline/planner/search_context.h"
 #include "tramline/planner/search_result.h"
 
 namespace tramline {
 
-/// What costs more than `no_more_than` need not be found: there is a cheaper plan already.
-/// Precondition: the guide is empty or one straight line.
+/// Searches by the task's strategy or along the guide. Plans that cost more than `no_more_than` need not be
+/// found, because there is a cheaper one already. Precondition: the guide is empty or one straight line.
 SearchResult straight_search(const SearchTask& task, const SearchContext& context,
                              double no_more_than = kAnyCost);
 
-/// All parts undivided, with strips along the guide: line 0 of the grid lies on it (S2.6).
+/// All parts undivided, with strips along the guide; line 0 of the grid lies on it (S2.6).
 SearchResult guided_search(const SearchTask& task);
 
 }  // namespace tramline

@@ -12,15 +12,15 @@
 namespace tramline {
 namespace {
 
-/// Candidates whose detours are looked for together, for any number of threads.
+/// The number of candidates whose detours are searched for in one batch, whatever the number of threads.
 constexpr std::size_t kAtOnce = 8;
 
-/// So many of those that look cheapest: where there are many edges and many obstacles, most of the candidates
-/// look alike until their detours are known. The best search tries the same ones, but for those that cannot
-/// be cheaper than what it has. More only while none of them has a track.
+/// The number of candidates with the lowest outlook that are tried: with many edges and many obstacles most
+/// candidates look alike until their detours are known. The best search tries the same ones, except those
+/// that cannot be cheaper than its best plan. More are tried only while none of them has a track.
 constexpr std::size_t kMostTried = 48;
 
-/// Where no corner splits the ground, every direction leaves it whole.
+/// Where no corner splits the land, every direction leaves it whole.
 bool is_cut_anywhere(const SearchTask& task) {
   const Region& ground = task.ground.plannable;
   return std::any_of(ground.begin(), ground.end(), [&](const Polygon& part) {
@@ -28,15 +28,15 @@ bool is_cut_anywhere(const SearchTask& task) {
   });
 }
 
-SweptGround swept_ground(const SearchTask& task, Direction sweep) {
-  SweptGround out{swept(task, sweep), {}};
-  out.outlook = outlook_on(task, out.grounds);
+SweptCandidate swept_ground(const SearchTask& task, Direction sweep) {
+  SweptCandidate out{swept(task, sweep), {}};
+  out.outlook = outlook_on(task, out.lined_subfields);
   return out;
 }
 
-/// The best outlook first. The candidate that is cheapest with all tracks cut is among those that are tried:
-/// else a search for ways past obstacles could end in a dearer plan than none.
-std::vector<std::size_t> by_outlook(const std::vector<SweptGround>& swept) {
+/// The best outlook first. The candidate that is cheapest with all tracks cut is always among those tried:
+/// otherwise a search for ways past obstacles could end in a more expensive plan than no search.
+std::vector<std::size_t> by_outlook(const std::vector<SweptCandidate>& swept) {
   std::vector<std::size_t> out(swept.size());
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = i;
   std::stable_sort(out.begin(), out.end(), [&swept](std::size_t a, std::size_t b) {
@@ -52,9 +52,9 @@ std::vector<std::size_t> by_outlook(const std::vector<SweptGround>& swept) {
 
 }  // namespace
 
-std::vector<SweptGround> swept_grounds(const SearchTask& task, const SearchContext& context) {
+std::vector<SweptCandidate> swept_candidates(const SearchTask& task, const SearchContext& context) {
   const std::vector<Direction> directions = sweep_directions(task.field);
-  std::vector<SweptGround> out(directions.size());
+  std::vector<SweptCandidate> out(directions.size());
   if (!directions.empty() && !is_cut_anywhere(task)) {
     std::fill(out.begin(), out.end(), swept_ground(task, directions.front()));
     context.count(static_cast<int>(out.size()), static_cast<int>(out.size()));
@@ -67,29 +67,30 @@ std::vector<SweptGround> swept_grounds(const SearchTask& task, const SearchConte
     const std::lock_guard lock(mutex);
     context.count(++done, static_cast<int>(directions.size()));
   });
-  std::vector<SweptGround> kept;
+  std::vector<SweptCandidate> kept;
   for (std::size_t i = 0; i < out.size(); ++i)
     if (made[i]) kept.push_back(std::move(out[i]));
   return kept;
 }
 
-std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vector<SweptGround>& swept,
+std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vector<SweptCandidate>& swept,
                                         double known, const SearchContext& context) {
   const std::vector<std::size_t> order = by_outlook(swept);
   std::optional<Candidate> best;
   std::size_t best_index = 0;
   bool any_works = false;
   for (std::size_t first = 0; first < order.size() && (first < kMostTried || !any_works); first += kAtOnce) {
-    const auto hopeful = [&](std::size_t place) {
-      return place < order.size() && swept[order[place]].outlook.least <= known;
+    const auto hopeful = [&](std::size_t rank) {
+      return rank < order.size() && swept[order[rank]].outlook.least <= known;
     };
     std::vector<std::size_t> batch;
-    for (std::size_t place = first; place < first + kAtOnce && hopeful(place); ++place)
-      batch.push_back(order[place]);
+    for (std::size_t rank = first; rank < first + kAtOnce && hopeful(rank); ++rank)
+      batch.push_back(order[rank]);
     if (batch.empty() || (any_works && context.has_to_end())) break;
     std::vector<Candidate> candidates(batch.size());
-    for_each_index(batch.size(), context,
-                   [&](std::size_t i) { candidates[i] = candidate_on(task, swept[batch[i]].grounds); });
+    for_each_index(batch.size(), context, [&](std::size_t i) {
+      candidates[i] = candidate_on(task, swept[batch[i]].lined_subfields);
+    });
     for (std::size_t i = 0; i < batch.size(); ++i) {
       any_works = any_works || candidates[i].works();
       const bool as_cheap = best && candidates[i].cost() == known && batch[i] < best_index;
@@ -104,7 +105,7 @@ std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vecto
 
 SearchResult sweep_search(const SearchTask& task, const SearchContext& context, double no_more_than) {
   SearchResult out;
-  out.swept = swept_grounds(task, context);
+  out.swept = swept_candidates(task, context);
   out.directions_tried = static_cast<int>(out.swept.size());
   if (auto best = cheapest_swept(task, out.swept, just_above(no_more_than), context))
     out.best = std::move(*best);

@@ -49,10 +49,10 @@ void draw_window(Canvas& canvas, const Plan& near, std::size_t obstacle, const C
   draw_faults(canvas, near);
   draw_obstacles(canvas, near);
   draw_lines(canvas, near, obstacle, layout.seen);
-  std::vector<Box> taken;
-  draw_obstacle_numbers(canvas, near, map, taken);
-  draw_radii(canvas, near, obstacle, map, taken);
-  draw_strip_numbers(canvas, near, map, taken);
+  std::vector<Box> occupied;
+  draw_obstacle_numbers(canvas, near, map, occupied);
+  draw_radii(canvas, near, obstacle, map, occupied);
+  draw_strip_numbers(canvas, near, map, occupied);
   cairo_restore(canvas.cr());
   draw_frame(canvas, map);
 }

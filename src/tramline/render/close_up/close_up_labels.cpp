@@ -77,26 +77,26 @@ class Obstacles {
   std::vector<std::pair<Box, Polygon>> shapes_;
 };
 
-bool is_free(const Box& box, const Box& map, const std::vector<Box>& taken) {
-  return within(box, map) &&
-         std::none_of(taken.begin(), taken.end(), [&](const Box& other) { return intersects(box, other); });
+bool is_free(const Box& box, const Box& map, const std::vector<Box>& occupied) {
+  return within(box, map) && std::none_of(occupied.begin(), occupied.end(),
+                                          [&](const Box& other) { return intersects(box, other); });
 }
 
 void write_at(Canvas& canvas, Point place, const Half& half, const std::string& text, const TextStyle& style,
-              std::vector<Box>& taken) {
-  taken.push_back(box_round(place, half));
+              std::vector<Box>& occupied) {
+  occupied.push_back(box_round(place, half));
   draw_text(canvas, place, text, style);
 }
 
 // Writes the text at the first of the places where it has room and hides no obstacle.
 bool write_at_first(Canvas& canvas, const std::vector<Point>& places, const std::string& text,
                     const TextStyle& style, const Box& map, const Obstacles& obstacles,
-                    std::vector<Box>& taken) {
+                    std::vector<Box>& occupied) {
   const Half half = half_size(canvas, text, style);
   for (const Point place : places) {
     const Box box = box_round(place, half);
-    if (!is_free(box, map, taken) || obstacles.meet(box)) continue;
-    write_at(canvas, place, half, text, style, taken);
+    if (!is_free(box, map, occupied) || obstacles.meet(box)) continue;
+    write_at(canvas, place, half, text, style, occupied);
     return true;
   }
   return false;
@@ -159,7 +159,7 @@ std::optional<NumberPlaces> places_of_number(Canvas& canvas, const TrackPiece& p
                                                                    : Entry::kInside;
   std::vector<Point> inwards = entry == Entry::kSecondEdge ? stretches.back() : stretches.front();
   if (entry == Entry::kSecondEdge) std::reverse(inwards.begin(), inwards.end());
-  const Point along = place_along(inwards, 0).along;
+  const Point along = point_along(inwards, 0).along;
   // As far in as the text needs beside a vertical edge of the map, or below a horizontal one; then farther
   // in, where something is in the way there.
   NumberPlaces out{entry, {}};
@@ -168,14 +168,14 @@ std::optional<NumberPlaces> places_of_number(Canvas& canvas, const TrackPiece& p
     const double step = 2 * half.height, most = length_of(inwards);
     double run = reach + kGap * canvas.scale();
     for (int i = 0; i < kPlacesOfNumber && run < most; ++i, run += step)
-      out.centres.push_back(place_along(inwards, run).at);
+      out.centres.push_back(point_along(inwards, run).at);
   }
   return out;
 }
 
 }  // namespace
 
-void draw_obstacle_numbers(Canvas& canvas, const Plan& near, const Box& map, std::vector<Box>& taken) {
+void draw_obstacle_numbers(Canvas& canvas, const Plan& near, const Box& map, std::vector<Box>& occupied) {
   const double k = canvas.scale();
   const TextStyle style{kTextSize, true, Align::kCentre, kInk, true};
   const Obstacles obstacles(canvas, near, map);
@@ -183,17 +183,17 @@ void draw_obstacle_numbers(Canvas& canvas, const Plan& near, const Box& map, std
     const Polygon& shape = near.field.obstacles[i].shape;
     const std::string text = std::to_string(i + 1);
     const Half half = half_size(canvas, text, style);
-    const RoomyPlace inside = roomiest_place(shape, canvas.view());
+    const RoomyPoint inside = roomiest_point(shape, canvas.view());
     const bool roomy = inside.room_px > std::max(half.width, half.height) + 2 * k;
-    if (roomy && is_free(box_round(inside.centre, half), map, taken))
-      write_at(canvas, inside.centre, half, text, style, taken);
+    if (roomy && is_free(box_round(inside.centre, half), map, occupied))
+      write_at(canvas, inside.centre, half, text, style, occupied);
     else
-      write_at_first(canvas, places_round(inside.centre, half, k), text, style, map, obstacles, taken);
+      write_at_first(canvas, places_round(inside.centre, half, k), text, style, map, obstacles, occupied);
   }
 }
 
 void draw_radii(Canvas& canvas, const Plan& near, std::size_t obstacle, const Box& map,
-                std::vector<Box>& taken) {
+                std::vector<Box>& occupied) {
   const TextStyle style{kSmallTextSize, true, Align::kCentre, kDetourColour, true};
   const Obstacles obstacles(canvas, near, map);
   for (const PathSegment& arc : tightest_arcs(near, obstacle)) {
@@ -201,11 +201,11 @@ void draw_radii(Canvas& canvas, const Plan& near, std::size_t obstacle, const Bo
     const Point hub = canvas.view().to_page(centre(arc));
     const Point rim = canvas.view().to_page(middle_of_arc(arc));
     const double step = half_size(canvas, text, style).height * 2;
-    write_at_first(canvas, places_along(hub, rim, step), text, style, map, obstacles, taken);
+    write_at_first(canvas, places_along(hub, rim, step), text, style, map, obstacles, occupied);
   }
 }
 
-void draw_strip_numbers(Canvas& canvas, const Plan& near, const Box& map, std::vector<Box>& taken) {
+void draw_strip_numbers(Canvas& canvas, const Plan& near, const Box& map, std::vector<Box>& occupied) {
   const TextStyle style{kSmallTextSize, false, Align::kCentre, kInk, true};
   const Obstacles obstacles(canvas, near, map);
   std::set<std::pair<int, int>> numbered;
@@ -216,7 +216,8 @@ void draw_strip_numbers(Canvas& canvas, const Plan& near, const Box& map, std::v
       const std::string text = strip_name(near, piece.subfield, piece.track);
       const auto places = places_of_number(canvas, piece, half_size(canvas, text, style), map);
       if (!places || places->entry != entry) continue;
-      if (write_at_first(canvas, places->centres, text, style, map, obstacles, taken)) numbered.insert(strip);
+      if (write_at_first(canvas, places->centres, text, style, map, obstacles, occupied))
+        numbered.insert(strip);
     }
   }
 }

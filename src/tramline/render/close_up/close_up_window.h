@@ -1,12 +1,12 @@
 #pragma once
-// What a close-up shows of a plan.
+// The part of a plan that a close-up shows.
 
 #include "tramline/model/plan.h"
 #include "tramline/render/page/page_layout.h"
 
 namespace tramline::render {
 
-/// Does the detour go round this obstacle, an index into Field::obstacles?
+/// Whether the detour goes round this obstacle, an index into Field::obstacles.
 bool avoids(const Detour& detour, std::size_t obstacle);
 
 /// The box round a path, to within a centimetre; m.
@@ -16,10 +16,10 @@ Box box_of(const Path& path);
 /// draws anything there; m.
 Box close_up_window(const Plan& plan, std::size_t obstacle);
 
-/// The land the page's map shows, m: the window and what the shape of the page adds.
+/// The box that the page's map shows, m: the window, extended to the shape of the map.
 Box shown_box(const PageLayout& page);
 
-/// The plan with those pieces and faults only that may be seen in the box; indices into subfields and
+/// The plan with only the pieces and faults that may be visible in the box; indices into subfields and
 /// obstacles keep their meaning. Without body, encounters and warnings.
 Plan part_in(const Plan& plan, const Box& box);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The table under a close-up: what was decided where tracks meet the obstacle.
+// The table under a close-up: the choices made where tracks reach the obstacle.
 
 #include <array>
 #include <string>
@@ -11,14 +11,14 @@
 
 namespace tramline::render {
 
-/// px at text scale 1.
+/// Height of the table, px at text scale 1.
 double height_of_table(const std::vector<EncounterRow>& rows);
 
-/// The four cells of a row as they are drawn into `box`, pixels of the page: cut where their column ends.
+/// The four cells of a row as drawn into `box`, pixels of the page: cut where their column ends.
 std::array<std::string, 4> cells_of(Canvas& canvas, const Box& box, const EncounterRow& row,
                                     const TextStyle& style);
 
-/// `box` in pixels of the page.
+/// Draws the table into `box`, pixels of the page.
 void draw_encounter_table(Canvas& canvas, const Box& box, const std::vector<EncounterRow>& rows);
 
 }  // namespace tramline::render

@@ -1,5 +1,5 @@
 #pragma once
-// What the legend of an evaluation says, as plain text.
+// The legend of an evaluation as plain text.
 
 #include <vector>
 

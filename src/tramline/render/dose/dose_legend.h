@@ -1,5 +1,5 @@
 #pragma once
-// What the legend of a map of amounts says, as plain text.
+// The legend of a dose map as plain text.
 
 #include <vector>
 
@@ -8,8 +8,8 @@
 
 namespace tramline::render {
 
-/// First the block over which the histogram is drawn, with rows that are empty; then the figures, and the
-/// wind where there was one.
+/// First a block of empty rows over which the histogram is drawn; then the figures, and the wind where there
+/// was any.
 std::vector<LegendBlock> legend_of(const DoseMap& map);
 
 }  // namespace tramline::render

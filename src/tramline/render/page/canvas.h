@@ -1,5 +1,5 @@
 #pragma once
-// A cairo surface that ends as the bytes of a picture, and the strokes and fills the layers are made of.
+// A cairo surface that yields the bytes of a picture, and the strokes and fills of which layers consist.
 
 #include <cairo.h>
 
@@ -34,7 +34,7 @@ class Canvas {
   double scale() const { return scale_; }
   void use(const MapView& view, double scale);
 
-  /// Ends the drawing and hands its bytes over; the canvas cannot be drawn on any more.
+  /// Ends the drawing and returns its bytes; nothing can be drawn on the canvas afterwards.
   std::string finish();
 
  private:
@@ -64,9 +64,9 @@ void fill(Canvas& canvas, const Region& region, Colour colour);
 void outline(Canvas& canvas, const Region& region, const Stroke& stroke);
 void line(Canvas& canvas, Point from, Point to, const Stroke& stroke);
 void curve(Canvas& canvas, const Path& path, const Stroke& stroke);
-/// How far chords may be off their arcs without being seen, m.
+/// The largest invisible distance of chords from their arcs, m.
 double sagitta_m(const MapView& view);
-/// Lines at 45° inside the region. Their phase is that of the page, so neighbours match.
+/// Lines at 45° inside the region. Their phase is that of the page, so hatches of neighbouring regions match.
 void hatch(Canvas& canvas, const Region& region, const Hatch& style);
 
 /// Shapes in pixels of the page.
@@ -78,7 +78,7 @@ void stroke_line(Canvas& canvas, const std::vector<Point>& points, const Stroke&
 void fill_shape(Canvas& canvas, const std::vector<Point>& points, Colour colour);
 /// Nothing is drawn outside the box until cairo's state is restored.
 void clip_to(Canvas& canvas, const Box& box);
-/// The same of a region in the field's metres.
+/// The same for a region in the field's metres.
 void clip_to(Canvas& canvas, const Region& region);
 void disc(Canvas& canvas, Point centre, double radius, Colour colour);
 

@@ -48,8 +48,9 @@ std::optional<TrackLabel> label_at_start(const TrackPiece& piece, std::size_t nu
                      centre.y + half_height + rim}};
 }
 
-bool meets_any(const Box& box, const std::vector<Box>& taken) {
-  return std::any_of(taken.begin(), taken.end(), [&](const Box& other) { return intersects(box, other); });
+bool meets_any(const Box& box, const std::vector<Box>& occupied) {
+  return std::any_of(occupied.begin(), occupied.end(),
+                     [&](const Box& other) { return intersects(box, other); });
 }
 
 struct Attempt {
@@ -58,7 +59,7 @@ struct Attempt {
 };
 
 Attempt label_every(std::size_t stride, const Plan& plan, const MapView& view, double scale,
-                    std::vector<Box> taken) {
+                    std::vector<Box> occupied) {
   Attempt attempt;
   const std::size_t wanted = plan.pieces.size() / stride + 1;
   const auto tolerated = static_cast<std::size_t>(kToleratedMisses * static_cast<double>(wanted));
@@ -67,12 +68,12 @@ Attempt label_every(std::size_t stride, const Plan& plan, const MapView& view, d
     if (number % stride != 0 && number != 1) continue;
     const auto label = label_at_start(plan.pieces[number - 1], number, view, scale);
     if (!label) continue;
-    if (meets_any(label->box, taken)) {
+    if (meets_any(label->box, occupied)) {
       // Number 1 is an extra where the stride is larger, and so is not missed.
       if (number % stride == 0 && ++misses > tolerated) return attempt;
       continue;
     }
-    taken.push_back(label->box);
+    occupied.push_back(label->box);
     attempt.labels.push_back(*label);
   }
   attempt.good = true;
@@ -82,10 +83,10 @@ Attempt label_every(std::size_t stride, const Plan& plan, const MapView& view, d
 }  // namespace
 
 // The roomiest of a grid of places; any inside where the polygon slips through the grid.
-RoomyPlace roomiest_place(const Polygon& polygon, const MapView& view) {
+RoomyPoint roomiest_point(const Polygon& polygon, const MapView& view) {
   assert(polygon.outer.size() >= 3);
   const Box box = bounds(polygon);
-  RoomyPlace best{view.to_page(interior_point(polygon)), 0};
+  RoomyPoint best{view.to_page(interior_point(polygon)), 0};
   for (int row = 0; row < kBadgeGrid; ++row) {
     for (int column = 0; column < kBadgeGrid; ++column) {
       const Point p{box.min_x + (column + 0.5) / kBadgeGrid * box.width(),
@@ -102,7 +103,7 @@ RoomyPlace roomiest_place(const Polygon& polygon, const MapView& view) {
 std::vector<SubfieldBadge> place_badges(const Plan& plan, const MapView& view, double scale) {
   std::vector<SubfieldBadge> out;
   for (std::size_t i = 0; i < plan.subfields.size(); ++i) {
-    const RoomyPlace place = roomiest_place(plan.subfields[i].shape, view);
+    const RoomyPoint place = roomiest_point(plan.subfields[i].shape, view);
     if (place.room_px >= 0.6 * kTrackBadgeRadius * scale) out.push_back({i, place.centre, place.room_px});
   }
   return out;
@@ -117,11 +118,11 @@ std::vector<Box> boxes_of(const std::vector<SubfieldBadge>& badges, double scale
 }
 
 std::vector<TrackLabel> place_track_labels(const Plan& plan, const MapView& view, double scale,
-                                           const std::vector<Box>& taken) {
+                                           const std::vector<Box>& occupied) {
   for (std::size_t decade = 1;; decade *= 10) {
     for (const std::size_t step : {1, 2, 5}) {
       const std::size_t stride = decade * step;
-      Attempt attempt = label_every(stride, plan, view, scale, taken);
+      Attempt attempt = label_every(stride, plan, view, scale, occupied);
       if (attempt.good || stride > plan.pieces.size()) return attempt.labels;
     }
   }

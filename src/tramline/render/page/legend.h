@@ -8,10 +8,10 @@
 
 namespace tramline::render {
 
-/// Heights of the blocks, px at text scale 1, as lay_out_page() wants them.
+/// Heights of the blocks, px at text scale 1, for lay_out_page().
 std::vector<double> heights_of(const std::vector<LegendBlock>& blocks);
 
-/// Where the rows of each block go, headings left out; pixels of the page.
+/// The boxes of the rows of each block without headings; pixels of the page.
 std::vector<Box> rows_of_blocks(const PageLayout& page, const std::vector<LegendBlock>& blocks);
 
 void draw_legend(Canvas& canvas, const PageLayout& page, const std::vector<LegendBlock>& blocks);

@@ -1,5 +1,5 @@
 #pragma once
-// What the legend says, as plain text.
+// The legend of a plan as plain text.
 
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace tramline::render {
 
-/// What stands in front of a row.
+/// The symbol in front of a row.
 enum class Symbol {
   kNone,
   kField,

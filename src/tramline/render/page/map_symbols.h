@@ -29,7 +29,7 @@ inline constexpr double kDetourRimWidth = 1.1;  ///< on each side
 inline constexpr double kHeadlandLine = 1.4;
 inline constexpr double kHeadlandDash = 9;
 inline constexpr double kReferenceLine = 2;
-inline constexpr double kReferenceBeyond = 18;  ///< how far it is drawn beyond the field
+inline constexpr double kReferenceBeyond = 18;  ///< length drawn beyond the field
 std::vector<double> reference_dashes(double scale);
 inline constexpr double kDroppedLine = 1.8;
 inline constexpr double kOutlineWidth = 2.2;
@@ -38,7 +38,7 @@ inline constexpr double kKeepOffLine = 1.6;
 inline constexpr double kKeepOffDash = 7;
 inline constexpr double kSwathEdgeLine = 0.8;
 inline constexpr double kRadiusLine = 1.2;
-/// Of the driven path; thinner where passes lie close together on the page.
+/// The width of the driven path; thinner where passes lie close together on the page.
 inline constexpr double kPathLine = 0.9;
 std::vector<double> idle_dashes(double scale);
 

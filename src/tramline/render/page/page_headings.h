@@ -1,11 +1,11 @@
 #pragma once
-// Which way pieces run on the page, where y points down.
+// The headings of pieces on the page, where y points down.
 
 #include "tramline/model/track.h"
 
 namespace tramline::render {
 
-/// A unit vector of the field, on the page.
+/// Converts a unit vector of the field to the page.
 inline Point on_page(Point along) { return {along.x, -along.y}; }
 
 /// Unit vectors at both ends of a piece. Precondition: start != end.

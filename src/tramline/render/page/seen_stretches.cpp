@@ -42,9 +42,9 @@ double length_of(const std::vector<Point>& line) {
   return sum;
 }
 
-PlaceOnLine place_along(const std::vector<Point>& line, double run) {
+PointOnLine point_along(const std::vector<Point>& line, double run) {
   assert(line.size() >= 2);
-  PlaceOnLine out{line.front(), {}};
+  PointOnLine out{line.front(), {}};
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const double chord = distance(line[i], line[i + 1]);
     if (chord == 0) continue;

@@ -1,5 +1,5 @@
 #pragma once
-// What a box shows of a line.
+// The parts of a line inside a box.
 
 #include <optional>
 #include <utility>
@@ -18,12 +18,12 @@ std::vector<std::vector<Point>> stretches_in(const std::vector<Point>& line, con
 
 double length_of(const std::vector<Point>& line);
 
-struct PlaceOnLine {
+struct PointOnLine {
   Point at;
   Point along;  ///< unit vector
 };
-/// The place so far along the line; its end where it is shorter. Precondition: two points or more that
-/// differ.
-PlaceOnLine place_along(const std::vector<Point>& line, double run);
+/// The position at a distance along the line; its end where the line is shorter. Precondition: two points or
+/// more that differ.
+PointOnLine point_along(const std::vector<Point>& line, double run);
 
 }  // namespace tramline::render

@@ -20,7 +20,7 @@ struct TextStyle {
   bool halo = false;  ///< a white rim that keeps the text readable over lines
 };
 
-/// Draws text with its capitals centred on at.y.
+/// Draws text with its capital letters centred on at.y.
 void draw_text(Canvas& canvas, Point at, const std::string& text, const TextStyle& style);
 
 /// Width on the page, px.
@@ -29,7 +29,7 @@ double text_width(Canvas& canvas, const std::string& text, const TextStyle& styl
 /// The text, cut and ended with "…" where it would be wider than width_px.
 std::string fitted(Canvas& canvas, const std::string& text, const TextStyle& style, double width_px);
 
-/// The text as valid UTF-8 without control characters; what is neither becomes "?".
+/// The text as valid UTF-8 without control characters; invalid bytes and control characters become "?".
 std::string printable(const std::string& text);
 
 }  // namespace tramline::render

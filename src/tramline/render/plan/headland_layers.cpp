@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "tramline/render/page/arrow_places.h"
+#include "tramline/render/page/arrow_positions.h"
 #include "tramline/render/page/page_headings.h"
 #include "tramline/render/plan/layers.h"
 
@@ -34,8 +34,8 @@ void draw_headland_passes(Canvas& canvas, const Plan& plan, const Box& seen) {
   const double metre = canvas.view().px_per_m;
   for (const HeadlandPass& pass : plan.headland.passes) {
     if ((pass.number - 1) % stride != 0) continue;
-    for (const PlaceOnLine& place :
-         arrow_places_round(pass.path, 2.5 * arrow / metre, kArrowsApart * k / metre, seen)) {
+    for (const PointOnLine& place :
+         arrow_positions_round(pass.path, 2.5 * arrow / metre, kArrowsApart * k / metre, seen)) {
       const Point heading = on_page(place.along);
       const Point tip = canvas.view().to_page(place.at) + (0.5 * arrow) * heading;
       draw_arrow_head(canvas, tip, heading, arrow, kHeadlandPassColour);

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "tramline/render/page/arrow_places.h"
+#include "tramline/render/page/arrow_positions.h"
 #include "tramline/render/page/page_headings.h"
 #include "tramline/render/page/visible_faults.h"
 #include "tramline/render/plan/layers.h"
@@ -64,7 +64,7 @@ void draw_arrow_heads(Canvas& canvas, const Plan& plan, const Box& seen) {
   int index = 0;
   for (const TrackPiece& piece : plan.pieces) {
     if (!drivable(piece) || index++ % stride != 0) continue;
-    const auto place = arrow_place(piece, 2.5 * arrow / canvas.view().px_per_m, seen);
+    const auto place = arrow_position(piece, 2.5 * arrow / canvas.view().px_per_m, seen);
     if (!place) continue;
     const Point heading = on_page(place->along);
     const Point tip = canvas.view().to_page(place->at) + (0.5 * arrow) * heading;

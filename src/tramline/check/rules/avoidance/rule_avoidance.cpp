@@ -25,7 +25,7 @@ void check_all_cut(const Case& c, Violations& out) {
                      c.plan.encounters[i].at, 1});
 }
 
-/// How far a polygon reaches across a heading.
+/// The extent of a polygon across a heading.
 double extent_across_m(const Polygon& shape, const PieceFrame& frame) {
   Box box;
   for (const Point p : shape.outer) box.extend(frame.to_local(p));
@@ -35,7 +35,7 @@ double extent_across_m(const Polygon& shape, const PieceFrame& frame) {
 /// S1 passes one obstacle at a time, and none as wide as the threshold.
 class PaperDetour {
  public:
-  /// `line`: the stretch of its track's line that the detour takes the place of.
+  /// `line`: the stretch of its track's line that the detour replaces.
   PaperDetour(const Case& c, const Detour& detour, std::string name, const Path& line,
               std::vector<const Encounter*> encounters)
       : c_(c),
@@ -63,8 +63,8 @@ class PaperDetour {
   }
 
  private:
-  /// Along the line as it runs where the obstacle is met, which is in the middle of what cannot be driven. S1
-  /// knows straight tracks only: a curved one is seen along its tangent there.
+  /// A frame along the line at the obstacle, in the middle of the stretch that cannot be driven. S1 has
+  /// straight tracks only: a curved one is replaced by its tangent there.
   PieceFrame frame_where_met(const Path& line) const {
     const ReferenceSide side(line);
     const double along_m =
@@ -76,7 +76,7 @@ class PaperDetour {
     const double given = c_.plan.settings.avoid_threshold_m;
     return given < 0 ? c_.plan.machine.width_m : given;
   }
-  /// Not only beside it: then it is not for its sake that the detour is driven.
+  /// Whether the obstacle lies on the line and not only beside it, where it is not the reason for the detour.
   bool on_its_track(std::size_t obstacle) const {
     const BoundedPolygon bounded{&c_.plan.field.obstacles[obstacle].shape, c_.obstacle_boxes[obstacle]};
     return replaced_.part_on({bounded}).area_m2 > kTouch_m2;
@@ -104,7 +104,7 @@ bool was_dropped(const Plan& plan, const Encounter& encounter) {
   });
 }
 
-/// S1 knows one way past an obstacle, and takes it unless another detour of the track is in its way.
+/// S1 has one way past an obstacle, and chooses it unless another detour of the track is in its way.
 std::string paper_fault(const Plan& plan, const Encounter& encounter) {
   if (encounter.left.possible && encounter.right.possible)
     return "can be passed on both sides, and S1's rule names one";
@@ -120,7 +120,7 @@ void check_paper(const Case& c, Violations& out) {
     for (std::size_t k = 0; k < piece.detours.size(); ++k) {
       const Detour& detour = piece.detours[k];
       // A detour that replaces nothing is a fault by itself (check_detours).
-      if (const std::optional<Path> line = line_left(c, piece, detour))
+      if (const std::optional<Path> line = replaced_line(c, piece, detour))
         PaperDetour(c, detour, detour_name(i, k), *line, encounters_at(c, piece, detour)).run(out);
     }
   }

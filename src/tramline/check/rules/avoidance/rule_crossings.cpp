@@ -10,7 +10,7 @@
 namespace tramline::check {
 namespace {
 
-/// Why the second piece is not the first one going on, or "" where it is.
+/// The reason why the second piece does not continue the first, or "" where it does.
 std::string not_in_line(const TrackPiece& first, const TrackPiece& second) {
   if (second.subfield != first.subfield || second.track != first.track) return "belongs to another track";
   const PieceFrame frame(first);
@@ -20,7 +20,7 @@ std::string not_in_line(const TrackPiece& first, const TrackPiece& second) {
   return "";
 }
 
-/// What is wrong with the gap between two pieces in line, or "".
+/// The fault of the gap between two pieces in line, or "".
 std::string wrong_gap(const Case& c, const TrackPiece& first, const TrackPiece& second) {
   const PieceFrame frame(first.end, second.start);
   const double width_m = c.plan.machine.width_m;
@@ -37,7 +37,8 @@ std::string wrong_gap(const Case& c, const TrackPiece& first, const TrackPiece& 
   return "";
 }
 
-/// The same along a curve: what lies between the two is known near the line from one to the other only.
+/// The same along a curve, where only land near the straight line from one piece to the other is known to be
+/// crossed.
 std::string not_going_on(const Case& c, const TrackPiece& first, const TrackPiece& second) {
   if (second.subfield != first.subfield || second.track != first.track)
     return "'s continuation belongs to another track";

@@ -19,19 +19,19 @@ bool includes(const std::vector<std::size_t>& all, std::size_t index) {
   return std::find(all.begin(), all.end(), index) != all.end();
 }
 
-/// Obstacles that may be entered are in nobody's way.
+/// Obstacles that may be entered do not block a track.
 bool stands_in_ways(const Obstacle& obstacle) { return obstacle.kind == ObstacleKind::kObstacle; }
 
-/// One detour against the obstacles and the encounters.
+/// Checks one detour against the obstacles and the encounters.
 class DetourCheck {
  public:
-  DetourCheck(const Case& c, const Detour& detour, std::string name, const Path& line_left,
+  DetourCheck(const Case& c, const Detour& detour, std::string name, const Path& replaced_line,
               std::vector<const Encounter*> encounters)
       : c_(c),
         detour_(detour),
         name_(std::move(name)),
         encounters_(std::move(encounters)),
-        course_(line_left, detour.path),
+        course_(replaced_line, detour.path),
         reach_m_(0.5 * c.plan.machine.width_m + c.plan.settings.clearance_m) {}
 
   void run(Violations& out) {
@@ -58,8 +58,8 @@ class DetourCheck {
   double in_the_way_m() const { return reach_m_ - kLengthTolerance_m; }
   bool is_in_the_way(const Sides& sides) const { return sides.nearest_m() < in_the_way_m(); }
 
-  /// What is wrong with what the detour says of an obstacle, or "". One may be named that is not in the way
-  /// of the line: land given up may join it to one that is, or the detour would have met it.
+  /// The fault of a detour with respect to an obstacle, or "". An obstacle may be named that does not block
+  /// the line: land given up may join it to one that does, or the detour would otherwise have hit it.
   std::string fault_about(std::size_t obstacle, bool named) {
     const Polygon& shape = c_.plan.field.obstacles[obstacle].shape;
     const Sides sides = course_.sides_of(shape);
@@ -70,13 +70,14 @@ class DetourCheck {
     }
     if (std::isinf(sides.nearest_m()) && course_.distance_to_line(shape) > reach_m_ + kLengthTolerance_m)
       return "is named, and does not lie beside it";
-    // One missing encounter is told once.
+    // One missing encounter is reported once.
     if (is_in_the_way(sides) && !encounters_.empty() && !names(encounters_, obstacle))
       return "is in its way, and no encounter there names it";
     return "";
   }
 
-  /// An obstacle with a bay may lie on both sides of a detour within the bay: passed is the part in the way.
+  /// An obstacle with a bay may lie on both sides of a detour within the bay: the part that blocks the line
+  /// counts.
   bool is_passed_on_wrong_side(const Sides& sides) const {
     const double passed_m = goes_left() ? sides.right_m : sides.left_m;
     const double other_m = goes_left() ? sides.left_m : sides.right_m;
@@ -95,7 +96,7 @@ class DetourCheck {
 
 }  // namespace
 
-std::optional<Path> line_left(const Case& c, const TrackPiece& piece, const Detour& detour) {
+std::optional<Path> replaced_line(const Case& c, const TrackPiece& piece, const Detour& detour) {
   const std::optional<TrackLine> line = c.lines.along(piece);
   if (!line) return std::nullopt;
   const PathSegment& first = detour.path.front();
@@ -107,7 +108,7 @@ void check_detours(const Case& c, Violations& out) {
     const TrackPiece& piece = c.plan.pieces[i];
     for (std::size_t k = 0; k < piece.detours.size(); ++k) {
       const Detour& detour = piece.detours[k];
-      if (const std::optional<Path> line = line_left(c, piece, detour))
+      if (const std::optional<Path> line = replaced_line(c, piece, detour))
         DetourCheck(c, detour, detour_name(i, k), *line, encounters_at(c, piece, detour)).run(out);
       else
         out.push_back({Rule::kEncounters,

@@ -26,11 +26,11 @@ Tracks tracks_of(const Plan& plan) {
 }
 
 bool extends_over(const Case& c, const TrackPiece& piece, const Detour& detour, Point at) {
-  const std::optional<Path> line = line_left(c, piece, detour);
+  const std::optional<Path> line = replaced_line(c, piece, detour);
   return line && holds(*line, at);
 }
 
-/// The detour that passes the place of an encounter; nullptr where none does.
+/// The detour that passes the point of an encounter; nullptr where none does.
 const Detour* detour_over(const Case& c, const Tracks& tracks, const Encounter& encounter) {
   const auto pieces = tracks.find({encounter.subfield, encounter.track});
   if (pieces == tracks.end()) return nullptr;
@@ -40,7 +40,7 @@ const Detour* detour_over(const Case& c, const Tracks& tracks, const Encounter& 
   return nullptr;
 }
 
-/// Does one of the pieces lead over a place, away from its ends?
+/// Whether one of the pieces leads over a point, away from its ends.
 bool driven_over(const Plan& plan, const std::vector<std::size_t>& pieces, Point at) {
   return std::any_of(pieces.begin(), pieces.end(), [&](std::size_t i) {
     const Path inner = shortened(centre_line(plan.pieces[i]), kLengthTolerance_m);
@@ -54,17 +54,17 @@ bool includes_all(const std::vector<std::size_t>& all, const std::vector<std::si
   });
 }
 
-/// Of a track that follows a curve it is asked how far the place is from the reference: in corners the line
-/// may be anywhere up to so far.
+/// For a track that follows a curve the distance of the point from the reference is checked: in corners the
+/// line may be anywhere up to that distance.
 bool may_lie_on_track(const Case& c, const TrackPiece& piece, Point at) {
-  if (!follows_curve(c.plan, piece.subfield)) return c.lines.along(piece)->place_of(at).has_value();
+  if (!follows_curve(c.plan, piece.subfield)) return c.lines.along(piece)->position_of(at).has_value();
   const TrackLines& lines = c.lines.of(piece.subfield);
   if (!lines.known()) return true;
   const std::vector<int> near = lines.tracks_near(at);
   return std::find(near.begin(), near.end(), piece.track) != near.end();
 }
 
-/// In which way the track is not cut at an encounter that no detour passes, or "".
+/// The fault of a track that should be cut at an encounter which no detour passes, or "".
 std::string cut_fault(const Case& c, const Tracks& tracks, const Encounter& encounter) {
   const auto pieces = tracks.find({encounter.subfield, encounter.track});
   if (pieces == tracks.end()) return "";
@@ -75,11 +75,11 @@ std::string cut_fault(const Case& c, const Tracks& tracks, const Encounter& enco
                                                            : "";
 }
 
-/// In which way an encounter is not what the tracks do, or "".
+/// The contradiction between an encounter and the tracks, or "".
 std::string contradiction(const Case& c, const Tracks& tracks, const Encounter& encounter) {
   const Plan& plan = c.plan;
   if (encounter.subfield >= plan.subfields.size()) return "is in a subfield that does not exist";
-  // Written so that NaN lies nowhere.
+  // Written so that NaN is a fault.
   if (!(std::abs(encounter.at.x) <= kFarthest_m && std::abs(encounter.at.y) <= kFarthest_m))
     return "lies off the map";
   if (!exist(plan, encounter.obstacles)) return "names an obstacle that does not exist";

@@ -6,7 +6,7 @@
 namespace tramline::check {
 namespace {
 
-/// Is there an obstacle without headland or land given up in the first millimetre ahead?
+/// Whether there is an obstacle without headland or land given up in the first millimetre ahead.
 bool blocked(const Case& c, Point end, Point heading) {
   const PieceFrame frame(end, end + heading);
   const double half = 0.5 * c.plan.machine.width_m;
@@ -14,7 +14,7 @@ bool blocked(const Case& c, Point end, Point heading) {
   return clipped(c.blocking, frame, beyond).area_m2 + clipped(c.given_up, frame, beyond).area_m2 > kTouch_m2;
 }
 
-/// Out of a piece, beyond its start and beyond its end.
+/// The directions out of a piece, at its start and at its end.
 Point heading_at_start(const TrackPiece& piece) {
   return piece.curve.empty() ? piece.start - piece.end : -1.0 * direction_at_start(piece.curve.front());
 }

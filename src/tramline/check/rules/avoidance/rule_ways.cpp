@@ -9,13 +9,13 @@
 namespace tramline::check {
 namespace {
 
-/// Costs of ways are differences of what whole tracks cost: they carry the rounding of those.
+/// Costs of ways are differences of the costs of whole tracks, with the rounding of these.
 double rounding_of_costs(const Plan& plan) {
   constexpr double kOfWays = 1e-6;
   return kOfWays + kRounding * std::abs(plan.cost);
 }
 
-/// What is wrong with what is said of one way past, or "".
+/// The fault of the data of one way past, or "".
 std::string fault_of(const WayPast& way, Passing side) {
   if (way.possible && !way.why_not.empty())
     return fmt::format("has a cost and a reason why not for passing {}", name(side));
@@ -26,7 +26,7 @@ std::string fault_of(const WayPast& way, Passing side) {
   return "";
 }
 
-/// What is said of the way that was chosen; nullptr for a cut, against which all costs are counted.
+/// The data of the chosen way; nullptr for a cut, relative to which all costs are counted.
 const WayPast* chosen_way(const Encounter& encounter) {
   if (encounter.chosen == Passing::kCut) return nullptr;
   return encounter.chosen == Passing::kLeft ? &encounter.left : &encounter.right;

@@ -12,9 +12,9 @@
 namespace tramline::check {
 namespace {
 
-/// Ground that is left counts as much as so much ground worked again.
+/// Area worked again that counts as much as one unit of uncovered area.
 constexpr double kMissed = 5;
-/// What working in vain in one stretch may amount to, m² worked again: about what two ends cost.
+/// The permitted useless work in one stretch, m² worked again: about the cost of two ends.
 constexpr double kStretch_m2 = 500;
 
 /// A short part of a pass.
@@ -33,7 +33,7 @@ std::vector<Slice> slices_of(const Plan& plan) {
       const double count = std::max(1.0, std::ceil(length_m / (0.5 * plan.machine.width_m)));
       Point from = segment.from;
       for (double k = 1; k <= count; ++k) {
-        const Point to = k < count ? place_on({segment}, length_m * k / count) : segment.to;
+        const Point to = k < count ? point_on({segment}, length_m * k / count) : segment.to;
         out.push_back({i, {{from, to, segment.curvature}}, 0});
         from = to;
       }
@@ -90,7 +90,7 @@ void check_worth(const Case& c, Violations& out) {
   std::vector<Slice> slices = slices_of(c.plan);
   find_worths(c, slices);
   const double width_m = c.plan.machine.width_m;
-  // Slices that are in vain in part only may lie on either side of where a stretch begins and ends.
+  // Slices that are only partly useless may lie on either side of the beginning and end of a stretch.
   const double most_m2 = kStretch_m2 + width_m * width_m;
   for (std::size_t first = 0, last = 0; first < slices.size(); first = last) {
     while (last < slices.size() && slices[last].pass == slices[first].pass) ++last;

@@ -11,10 +11,10 @@
 namespace tramline::check {
 namespace {
 
-/// Plans that differ by less in an area are one in it, m².
+/// Areas of plans that differ by less count as equal, m².
 constexpr double kSameArea_m2 = 1e-3;
 
-/// What plans of a front are compared by; less is better.
+/// The figures by which plans of a front are compared; less is better.
 std::vector<double> criteria(const Tally& tally) {
   const auto rounded = [](double area_m2) { return std::round(area_m2 / kSameArea_m2); };
   return {rounded(tally.overlap_m2), rounded(tally.uncovered_m2), static_cast<double>(tally.turns),
@@ -25,8 +25,8 @@ bool no_worse(const std::vector<double>& a, const std::vector<double>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), std::less_equal<>());
 }
 
-/// The land a plan is there to work, by its figures: that of the front's plans is that of the plan itself,
-/// less what headland passes work, the same for all.
+/// The area that a plan has to work, by its figures. For all plans of the front it is the same: that of the
+/// plan itself, less the area that headland passes work.
 double land_by_figures_m2(const Case& c, const Tally& tally) {
   return c.plan.machine.width_m * tally.track_length_m + tally.uncovered_m2 - tally.overlap_m2;
 }
@@ -72,7 +72,7 @@ class FrontCheck {
       report(i, "works more subfields than it has directions");
   }
 
-  /// A marked plan is the least of its kind.
+  /// Checks that a marked plan has the least value of its kind.
   void check_marks() {
     const FrontMarks& marks = front_.marks;
     const auto check = [&](std::size_t marked, const char* mark, auto figure, double same) {

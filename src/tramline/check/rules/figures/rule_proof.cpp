@@ -8,7 +8,7 @@
 namespace tramline::check {
 namespace {
 
-/// A bound and a cost it must not exceed: the cost is one of a plan that there is.
+/// A bound, and the cost of a known plan that it must not exceed.
 void check_below(const char* bound_name, double bound, const char* cost_name, double cost, Point at,
                  Violations& out) {
   // Written so that NaN is a violation too.

@@ -15,14 +15,14 @@
 namespace tramline::check {
 namespace {
 
-/// How finely curved pieces are looked at: whole fields of arcs, which overlays of more chords would take
-/// minutes for.
+/// The sagitta for curved pieces: whole fields of arcs, for which overlays with more chords would take
+/// minutes.
 constexpr double kCurveSagitta_m = kLayerSagitta;
 
-/// What chords may take from the ground of arcs, or add to it. Of detours: the sagitta along both edges,
-/// which together are twice as long as the path. Curved pieces lie side by side and share their edges; and
-/// what a chord takes along the outer edge of a piece that lies alone the one along its inner edge adds.
-/// Their detours may lie over them with either edge. The tally is that of the arcs.
+/// The possible difference in area between chords and arcs. For detours: the sagitta along both edges, which
+/// together are twice as long as the path. Curved pieces lie side by side and share their edges; and the area
+/// lost by a chord along the outer edge of an isolated piece is gained by the one along its inner edge. Their
+/// detours may lie over them with either edge. The tally is that of the arcs.
 double chord_tolerance_m2(const Plan& plan, double sagitta_m) {
   double detours_m = 0, curves_m = 0;
   for (const TrackPiece& piece : plan.pieces) {
@@ -36,7 +36,7 @@ double chord_tolerance_m2(const Plan& plan, double sagitta_m) {
   return sagitta_m * 2 * detours_m + kCurveSagitta_m * curves_m;
 }
 
-/// Of passes: the same, along both edges.
+/// For passes the same, along both edges.
 double pass_arcs_m(const Case& c) {
   double sum = 0;
   if (c.with_passes)
@@ -107,10 +107,10 @@ void compare_track_areas(const Case& c, const Tally& found, double tolerance, Vi
   compare.number("uncovered area of the body", " m²", stored.uncovered_m2, found.uncovered_m2, tolerance);
 }
 
-/// Ground in cells, by what lies over it.
+/// Land in cells, by the shapes that cover it.
 enum TalliedShape : std::size_t { kLand, kLayer, kFirstPart };
 
-/// An amount of ground and the middle of its largest cell.
+/// An area of land, and the middle of its largest cell.
 class Amount {
  public:
   void add(const GroundCell& cell) {
@@ -127,7 +127,8 @@ class Amount {
   Point at_;
 };
 
-/// The stored layers against the land that the swaths leave out, work twice or work beyond the body.
+/// Compares the stored layers with the land that the swaths leave uncovered, work twice or work beyond the
+/// body.
 class LayersOfLand {
  public:
   LayersOfLand(const Case& c, Violations& out)
@@ -146,7 +147,7 @@ class LayersOfLand {
     report(overlap_repeats_, tolerance_m2_, "the layer overlap repeats itself");
     report(uncovered_repeats_, tolerance_m2_, "the layer uncovered repeats itself");
     report(uncovered_off_, tolerance_m2_, "the layer uncovered differs from the land less the swaths");
-    // What is too thin to be shown may be left out of the layer along all its edges.
+    // Land too thin to be shown may be missing in the layer along all its edges.
     const double thin_m2 = kThinnestShown_m * perimeter_m(c_.plan.overlap);
     report(overlap_lacks_, tolerance_m2_ + thin_m2,
            "the layer overlap falls short of what is worked twice or beyond the land");
@@ -194,7 +195,7 @@ class LayersOfLand {
     });
   }
 
-  /// Parts of one swath that may_meet() knows to lie one behind the other.
+  /// Whether may_meet() rules out an overlap of two parts of one swath.
   bool follow_one_another(const Cover& a, const Cover& b) const {
     const WorkedPart &one = parts_[a.shape - kFirstPart], &other = parts_[b.shape - kFirstPart];
     return one.piece == other.piece && !may_meet(one, other, c_.plan.machine.width_m);

@@ -23,8 +23,8 @@ double least_track_m(const Plan& plan) {
   return std::max(min_length_m(plan.machine), 2 * plan.machine.width_m);
 }
 
-/// Parts in which no swath has room, by more than chords and the grid may take of it, and which are no strip
-/// of a third of the width, either, twice as long as a track has to be.
+/// The parts without room for a swath, allowing for chords and the grid, that are not strips of a third of
+/// the width and twice the least length of a track either.
 Region without_room(const Region& parts, const Plan& plan) {
   constexpr double kShare = 0.97;
   const double half_m = 0.5 * kShare * plan.machine.width_m, long_m = kShare * least_track_m(plan);
@@ -37,8 +37,8 @@ Region without_room(const Region& parts, const Plan& plan) {
   return out;
 }
 
-/// What is left of ground once it is made narrower by more than a swath on all sides: long enough for a track
-/// by itself.
+/// The land that remains after it is made narrower by more than a swath on all sides, where it is long enough
+/// for a track by itself.
 Region with_ample_room(const Region& ground, const Plan& plan) {
   constexpr double kHalf = 0.55;
   Region out = buffered(ground, -kHalf * plan.machine.width_m);

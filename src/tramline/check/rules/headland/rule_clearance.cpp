@@ -23,7 +23,7 @@ void check_land(const BoundedRegion& land, const char* of_what, double clearance
   }
 }
 
-/// All round a curved swath, its flat ends included.
+/// The clearance all round a curved swath, including its flat ends.
 void check_curve(const Case& c, const TrackPiece& piece, const std::string& name, Violations& out) {
   const double least_m = c.plan.settings.clearance_m - kLengthTolerance_m;
   if (least_m <= 0) return;
@@ -59,7 +59,7 @@ void check_clearance(const Case& c, Violations& out) {
       const Path& path = piece.detours[k].path;
       check_clearance_of(c, SwathClearance(frame_of_detour(piece, path), path, half), detour_name(i, k), out);
     }
-    // Where nothing has to be kept clear the rule about swaths says all.
+    // Without a clearance the rule about swaths covers everything.
     if (clearance_m <= 0) continue;
     if (!piece.curve.empty()) {
       check_curve(c, piece, "the swath of " + piece_name(i), out);

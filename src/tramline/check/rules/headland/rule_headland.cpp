@@ -39,14 +39,14 @@ void check_obstacle_passes(const Plan& plan, Violations& out) {
   }
 }
 
-/// The most passes that a boundary has which the pass names.
+/// The largest number of passes among the boundaries that the pass names.
 int most_passes(const Plan& plan, const HeadlandPass& pass) {
   int out = pass.around_field ? plan.settings.headlands : 0;
   for (const std::size_t i : pass.obstacles) out = std::max(out, passes_round(plan, i));
   return out;
 }
 
-/// What is wrong with a pass in itself, or "".
+/// The fault of a pass in itself, or "".
 std::string fault_of(const Plan& plan, const HeadlandPass& pass) {
   if (std::string fault = check::fault_of(pass.path); !fault.empty()) return fault;
   if (!exist(plan, pass.obstacles)) return "names an obstacle that does not exist";
@@ -68,8 +68,8 @@ void check_headland(const Plan& plan, Violations& out) {
     if (const std::string fault = fault_of(plan, passes[i]); !fault.empty()) {
       const Point at = passes[i].path.empty() ? Point{} : passes[i].path.front().from;
       out.push_back({Rule::kHeadland, pass_name(i) + " " + fault, at, 0});
-    } else if (const auto place = self_crossing_of(passes[i].path)) {
-      out.push_back({Rule::kHeadland, pass_name(i) + " crosses itself", *place, 0});
+    } else if (const auto point = self_crossing_of(passes[i].path)) {
+      out.push_back({Rule::kHeadland, pass_name(i) + " crosses itself", *point, 0});
     }
   }
 }

@@ -9,7 +9,7 @@
 namespace tramline::check {
 namespace {
 
-/// What the passes work.
+/// The areas that the passes work.
 struct HeadlandWork {
   double worked_m2 = 0;
   double covered_m2 = 0;  ///< of the headland
@@ -19,7 +19,7 @@ struct HeadlandWork {
   double arcs_m = 0;
 };
 
-/// On passables the work is interrupted: what lies there is not worked, as often as it is driven over.
+/// On passables the work is interrupted: the area there is deducted as often as it is driven over.
 HeadlandWork work(const Case& c) {
   enum Over : std::size_t { kHeadland, kUnworkedLayer, kPassables, kFirstPart };
   HeadlandWork out;

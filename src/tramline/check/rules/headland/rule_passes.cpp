@@ -1,15 +1,44 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
-#include "tramline/check/measure/pass_clearances.h"
+#include "tramline/check/measure/bands.h"
+#include "tramline/check/measure/sound_path.h"
+#include "tramline/check/measure/swath_clearance.h"
 #include "tramline/check/rules/rules.h"
 #include "tramline/check/tolerances.h"
 
 namespace tramline::check {
 namespace {
 
-/// One pass against the boundaries of the field.
+/// The last metres before the end, seen along the heading there. No swath that lies flat turns by a right
+/// angle on them.
+SwathClearance end_lane(const Path& path, double half_width_m) {
+  const double part_m = 1.5 * half_width_m;
+  const Path last = begun_later(path, std::max(0.0, length(path) - part_m));
+  const Point end = last.back().to, along = direction_at_end(last.back());
+  return {PieceFrame(end, end + along), last, half_width_m};
+}
+
+/// The swath of a headland pass as one or more swaths: a closed pass is one. An open one ends flat at both
+/// ends, so its last metres there are swaths of their own. Precondition: the pass has no fault
+/// (check_headland).
+std::vector<SwathClearance> pass_clearances(const HeadlandPass& pass, double width_m) {
+  assert(fault_of(pass.path).empty());
+  const Path& path = pass.path;
+  const double half_m = 0.5 * width_m;
+  const auto as_a_whole = [&](const Path& part) {
+    return SwathClearance(PieceFrame(part.front().from, part.front().to), part, half_m);
+  };
+  if (is_closed(pass)) return {as_a_whole(path)};
+  std::vector<SwathClearance> out{end_lane(path, half_m), end_lane(reversed(path), half_m)};
+  // The ends of the rest lie within the land of the pass.
+  if (const Path middle = shortened(path, half_m); !middle.empty()) out.push_back(as_a_whole(middle));
+  return out;
+}
+
+/// Checks one pass against the boundaries of the field.
 class PassCheck {
  public:
   PassCheck(const Case& c, std::size_t index, Violations& out)
@@ -21,8 +50,8 @@ class PassCheck {
 
   void run() const {
     for (const SwathClearance& swath : lanes_)
-      if (const auto place = swath.place_outside(c_.plan.field.outer)) {
-        out_.push_back({Rule::kSwaths, name_ + " leaves the field", *place, 0});
+      if (const auto point = swath.point_outside(c_.plan.field.outer)) {
+        out_.push_back({Rule::kSwaths, name_ + " leaves the field", *point, 0});
         return;
       }
     const double room_m = kept_m(c_.plan.settings.headlands);
@@ -52,7 +81,7 @@ class PassCheck {
     return out;
   }
 
-  /// Distance between the swath and a boundary that has so many passes.
+  /// The distance between the swath and a boundary with this number of passes.
   double kept_m(int passes) const {
     return pass_.number > passes ? 0 : (pass_.number - 1) * c_.plan.machine.width_m;
   }

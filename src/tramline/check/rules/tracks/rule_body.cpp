@@ -10,7 +10,7 @@ namespace tramline::check {
 
 namespace {
 
-/// The chords of body and ground are the same: nothing may be lost between the two.
+/// Body and headland have the same chords along their common border: no land may be lost between the two.
 void check_parting(const Case& c, const Region& ground, const std::string& name, const Region& land,
                    Violations& out) {
   report_land(Rule::kBody, intersection(c.plan.body, ground), c.area_tolerance_m2,

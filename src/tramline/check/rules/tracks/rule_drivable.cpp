@@ -25,7 +25,7 @@ void check_radii(const Path& path, double least_m, const std::string& name, Viol
   }
 }
 
-/// Where the heading jumps from one segment to the next.
+/// A jump of the heading from one segment to the next.
 class Joints {
  public:
   Joints(std::string name, Violations& out) : name_(std::move(name)), out_(out) {}
@@ -66,7 +66,7 @@ void check_piece(const TrackPiece& piece, double least_m, const std::string& nam
     joints.drive(path);
     return;
   }
-  // It comes from its line and goes on to it.
+  // A detour comes from its line and returns to it.
   const Point along = (1 / distance(piece.start, piece.end)) * (piece.end - piece.start);
   joints.leave(along);
   joints.drive(path);

@@ -12,7 +12,8 @@
 namespace tramline::check {
 namespace {
 
-/// What the end rule asks of every cross-section: so many metres inside, looked at so far to each side.
+/// The requirement of the end rule on every cross-section: the metres that have to be inside, and the half
+/// width to check.
 struct Demand {
   double half_m = 0;
   double required_m = 0;
@@ -51,8 +52,8 @@ Polygon land_within(const Box& box, const Region& land) {
   return out;
 }
 
-/// What a piece is asked to work: its subfield; of a repair, any gap. Tracks along one curve may go through
-/// several subfields.
+/// The land that a piece has to cover: its subfield; in a repair, any gap. Tracks along one curve may go
+/// through several subfields.
 Region land_asked_for(const Plan& plan, const TrackPiece& piece) {
   if (is_repair(plan)) return plan.body;
   const Subfield& own = plan.subfields[piece.subfield];
@@ -92,7 +93,7 @@ void check_ends(const Case& c, Violations& out) {
     for (const Path& part : parts_on_track(piece)) {
       const Polygon land = land_within(reach_of(part, 2 * asked.half_m), asked_for);
       const Stretch below = longest_below(land, part, asked.half_m, asked.required_m);
-      report(i, below, place_on(part, 0.5 * (below.from_m + below.to_m)));
+      report(i, below, point_on(part, 0.5 * (below.from_m + below.to_m)));
     }
   }
 }

@@ -19,7 +19,7 @@ struct Part {
   PathSegment segment;
 };
 
-/// Where two pieces are too near to one another.
+/// A point where two pieces are too near to one another.
 struct Nearest {
   double apart_m;
   Point at;
@@ -56,26 +56,26 @@ class Family {
   }
 
  private:
-  /// Boxes of long segments that lie across the axes would meet nearly every look.
+  /// Boxes of long oblique segments would match nearly every query, so segments are divided.
   void index_short_parts(const Part& stretch, std::vector<Box>& boxes) {
     const double length_m = length(stretch.segment), longest_m = 4 * width_m_;
     const int count = std::max(1, static_cast<int>(std::ceil(length_m / longest_m)));
     Point from = stretch.segment.from;
     for (int k = 1; k <= count; ++k) {
-      const Point to = k < count ? place_on(stretch.segment, length_m * k / count) : stretch.segment.to;
+      const Point to = k < count ? point_on(stretch.segment, length_m * k / count) : stretch.segment.to;
       short_parts_.push_back({stretch.piece, {from, to, stretch.segment.curvature}});
       boxes.push_back(reach_of({short_parts_.back().segment}, 0));
       from = to;
     }
   }
 
-  /// Across the track in so many places that no swath fits between them.
+  /// Looks across the track at so many positions that no swath fits between them.
   void look_beside(const Part& stretch) {
     const double length_m = length(stretch.segment), step_m = std::min(1.0, 0.5 * width_m_);
     const int looks = static_cast<int>(std::ceil(length_m / step_m));
     for (int i = 0; i <= looks; ++i) {
       const double along_m = length_m * i / std::max(1, looks);
-      const Point at = place_on(stretch.segment, along_m);
+      const Point at = point_on(stretch.segment, along_m);
       const Point heading = heading_on(stretch.segment, along_m);
       const Point across = (width_m_ - kLengthTolerance_m) * Point{-heading.y, heading.x};
       look_along(stretch.piece, at, at + across);

@@ -12,7 +12,7 @@
 namespace tramline::check {
 namespace {
 
-/// What is wrong with how a curve lies between the ends of its piece, or "". Precondition: a path.
+/// The fault of the position of a curve between the ends of its piece, or "". Precondition: a path.
 std::string fault_of_curve(const TrackPiece& piece) {
   if (const std::string fault = fault_of(piece.curve); !fault.empty()) return "'s curve: " + fault;
   if (distance(piece.curve.front().from, piece.start) > kJoint_m ||
@@ -21,14 +21,14 @@ std::string fault_of_curve(const TrackPiece& piece) {
   return "";
 }
 
-/// What of a piece no detour has taken yet. Those of a straight piece begin and end on its line; those of a
-/// curved one are parts of its curve.
+/// The rest of a piece that no detour has used yet. Detours of a straight piece begin and end on its line;
+/// those of a curved piece are parts of its curve.
 class FreeLine {
  public:
   explicit FreeLine(const TrackPiece& piece)
       : piece_(piece), frame_(piece), free_from_(piece.curve.begin()) {}
 
-  /// What is wrong with how the next detour lies on it, or "". Precondition: a sound path.
+  /// The fault of the position of the next detour on it, or "". Precondition: a sound path.
   std::string take(const Path& detour) {
     return piece_.curve.empty() ? take_from_line(detour) : take_from_curve(detour);
   }
@@ -56,7 +56,7 @@ class FreeLine {
   Path::const_iterator free_from_;
 };
 
-/// Precondition: the piece is sound but for its detours.
+/// Precondition: the piece is sound except for its detours.
 void check_detours_of(const Plan& plan, std::size_t index, Violations& out) {
   const TrackPiece& piece = plan.pieces[index];
   FreeLine free(piece);
@@ -116,7 +116,7 @@ void check_piece(const Plan& plan, std::size_t index, Violations& out) {
 }
 
 void check_size(double metres, double least_m, const char* what, Violations& out) {
-  // Written so that NaN is no size.
+  // Written so that NaN is a violation.
   if (metres >= least_m && metres <= kFarthest_m) return;
   out.push_back({Rule::kPieces, fmt::format("{} is {} m", what, metres), {}, metres});
 }

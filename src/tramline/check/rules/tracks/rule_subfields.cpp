@@ -17,7 +17,7 @@ void check_overlaps(const Case& c, Violations& out) {
       if (const double amount = area(common); amount > c.area_tolerance_m2)
         out.push_back({Rule::kSubfields,
                        fmt::format("subfields {} and {} overlap by {:.3f} m²", i + 1, j + 1, amount),
-                       place_on_largest(common), amount});
+                       point_on_largest(common), amount});
     }
 }
 
@@ -30,7 +30,7 @@ void check_subfields(const Case& c, Violations& out) {
   Region shapes;
   for (const Subfield& subfield : c.plan.subfields) shapes.push_back(subfield.shape);
   Region off = symmetric_difference(unite(land), unite(shapes));
-  // Whether a subfield goes on over a passable where that leads through a headland says nothing.
+  // It does not matter whether a subfield includes a passable where that leads through a headland.
   if (!c.near_boundaries.empty() && !c.passables.empty() && !off.empty()) {
     Region passables;
     for (const BoundedPolygon& passable : c.passables) passables.push_back(*passable.shape);
@@ -41,7 +41,7 @@ void check_subfields(const Case& c, Violations& out) {
     out.push_back(
         {Rule::kSubfields,
          fmt::format("the subfields together differ by {:.3f} m² from the land to be worked", amount),
-         place_on_largest(off), amount});
+         point_on_largest(off), amount});
 }
 
 }  // namespace tramline::check

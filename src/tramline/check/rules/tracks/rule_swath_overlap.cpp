@@ -9,7 +9,7 @@
 namespace tramline::check {
 namespace {
 
-/// What chords and grids may be off the area of a swath.
+/// The tolerance for the area of a swath due to chords and the grid.
 double tolerance_m2(const TrackPiece& piece, double width_m) {
   const double length_m = length(piece);
   return kAreaShare * width_m * length_m + kThinnestShown_m * 2 * (length_m + width_m) +

@@ -10,7 +10,7 @@
 namespace tramline::check {
 namespace {
 
-/// The ground behind a body's edge is driven on, and there is none behind that.
+/// With headlands the boundary is always hard: the headland is driven on, and there is no land beyond it.
 bool boundary_is_hard(const Plan& plan) {
   return plan.settings.boundary == EdgeKind::kHard || plan.settings.headlands > 0;
 }
@@ -57,8 +57,8 @@ void check_within_boundary(const Case& c, const SwathClearance& swath, const std
 
 void check_line_within_field(const Case& c, const SwathClearance& line, const std::string& name,
                              Violations& out) {
-  if (const auto place = line.place_pushed_outside(c.plan.field.outer))
-    out.push_back({Rule::kSwaths, name + " leaves the field", *place, 0});
+  if (const auto point = line.point_pushed_outside(c.plan.field.outer))
+    out.push_back({Rule::kSwaths, name + " leaves the field", *point, 0});
   else
     check_within_boundary(c, line, name, out);
 }
@@ -74,8 +74,8 @@ void check_swaths(const Case& c, Violations& out) {
     for (std::size_t k = 0; k < piece.detours.size(); ++k) {
       const Path& path = piece.detours[k].path;
       const SwathClearance swath(frame_of_detour(piece, path), path, half);
-      if (const auto place = swath.place_outside(c.plan.field.outer))
-        out.push_back({Rule::kSwaths, detour_name(i, k) + " leaves the field", *place, 0});
+      if (const auto point = swath.point_outside(c.plan.field.outer))
+        out.push_back({Rule::kSwaths, detour_name(i, k) + " leaves the field", *point, 0});
       else if (!curved)
         check_within_boundary(c, swath, detour_name(i, k), out);
     }

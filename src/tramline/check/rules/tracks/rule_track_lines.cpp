@@ -11,7 +11,7 @@
 namespace tramline::check {
 namespace {
 
-/// A place where a piece is off the line of its track.
+/// A point where a piece is off the line of its track.
 struct Off {
   Point at;
   double reference_m;  ///< from there to the reference
@@ -23,7 +23,7 @@ std::optional<Off> off_line(const TrackLines& lines, const ParallelLine& line, i
   const double length_m = length(segment), due_m = lines.off_m(track);
   const int looks = 2 * std::max(1, static_cast<int>(std::ceil(0.5 * length_m / width_m)));
   for (int i = 0; i <= looks; ++i) {
-    const Point at = i < looks ? place_on(segment, length_m * i / looks) : segment.to;
+    const Point at = i < looks ? point_on(segment, length_m * i / looks) : segment.to;
     const Foot near = lines.side_of(track).foot_of(at, due_m + kLengthTolerance_m);
     if (std::isfinite(near.off_m) && near.on_right && near.square && near.off_m >= due_m - kLengthTolerance_m)
       continue;

@@ -1,4 +1,4 @@
-#include "tramline/planner/order/place_grid.h"
+#include "tramline/planner/order/point_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,47 +9,47 @@
 
 namespace tramline::order {
 
-PlaceGrid::PlaceGrid(const std::vector<Point>& places) : places_(places) {
-  for (const Point p : places) box_.extend(p);
-  if (places.empty()) box_.extend(Point{});
+PointGrid::PointGrid(const std::vector<Point>& points) : points_(points) {
+  for (const Point p : points) box_.extend(p);
+  if (points.empty()) box_.extend(Point{});
   const double longer = std::max({box_.width(), box_.height(), kLeastGridOfPlaces_m});
   const double shorter = std::max(std::min(box_.width(), box_.height()), kFlattestGrid_share * longer);
-  cell_m_ = std::max(std::sqrt(2 * longer * shorter / static_cast<double>(places.size() + 1)),
+  cell_m_ = std::max(std::sqrt(2 * longer * shorter / static_cast<double>(points.size() + 1)),
                      kFlattestGrid_share * longer);
   columns_ = static_cast<int>(box_.width() / cell_m_) + 1;
   rows_ = static_cast<int>(box_.height() / cell_m_) + 1;
   cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
-  for (std::size_t i = 0; i < places.size(); ++i)
-    cells_[static_cast<std::size_t>(row_of(places[i]) * columns_ + column_of(places[i]))].push_back(i);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    cells_[static_cast<std::size_t>(row_of(points[i]) * columns_ + column_of(points[i]))].push_back(i);
 }
 
-int PlaceGrid::column_of(Point p) const {
+int PointGrid::column_of(Point p) const {
   return std::clamp(static_cast<int>(std::floor((p.x - box_.min_x) / cell_m_)), 0, columns_ - 1);
 }
 
-int PlaceGrid::row_of(Point p) const {
+int PointGrid::row_of(Point p) const {
   return std::clamp(static_cast<int>(std::floor((p.y - box_.min_y) / cell_m_)), 0, rows_ - 1);
 }
 
-void PlaceGrid::remove(std::size_t place) {
-  const Point p = places_[place];
-  std::erase(cells_[static_cast<std::size_t>(row_of(p) * columns_ + column_of(p))], place);
+void PointGrid::remove(std::size_t index) {
+  const Point p = points_[index];
+  std::erase(cells_[static_cast<std::size_t>(row_of(p) * columns_ + column_of(p))], index);
 }
 
-void PlaceGrid::add_cell(int column, int row, Point p, std::vector<Found>& found) const {
+void PointGrid::add_cell(int column, int row, Point p, std::vector<Found>& found) const {
   if (column < 0 || column >= columns_ || row < 0 || row >= rows_) return;
   for (const std::size_t i : cells_[static_cast<std::size_t>(row * columns_ + column)])
-    found.push_back({dot(places_[i] - p, places_[i] - p), i});
+    found.push_back({dot(points_[i] - p, points_[i] - p), i});
 }
 
-std::vector<std::size_t> PlaceGrid::nearest(Point p, std::size_t most) const {
+std::vector<std::size_t> PointGrid::nearest(Point p, std::size_t most) const {
   std::vector<Found> found;
   const int column = column_of(p), row = row_of(p);
   const auto before = [](const Found& a, const Found& b) {
-    return std::pair(a.reach_m2, a.place) < std::pair(b.reach_m2, b.place);
+    return std::pair(a.reach_m2, a.index) < std::pair(b.reach_m2, b.index);
   };
   for (int ring = 0; ring < std::max(columns_, rows_); ++ring) {
-    // Places in this square ring of cells and beyond are at least so far away.
+    // Points in this square ring of cells and beyond are at least so far away.
     const double least = std::max(0, ring - 1) * cell_m_;
     if (found.size() >= most && ring > 0) {
       std::nth_element(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(most - 1), found.end(),
@@ -63,7 +63,7 @@ std::vector<std::size_t> PlaceGrid::nearest(Point p, std::size_t most) const {
   }
   std::sort(found.begin(), found.end(), before);
   std::vector<std::size_t> out;
-  for (std::size_t i = 0; i < std::min(most, found.size()); ++i) out.push_back(found[i].place);
+  for (std::size_t i = 0; i < std::min(most, found.size()); ++i) out.push_back(found[i].index);
   return out;
 }
 

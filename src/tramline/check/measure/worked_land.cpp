@@ -1,15 +1,15 @@
-#include "tramline/check/measure/worked_body.h"
+#include "tramline/check/measure/worked_land.h"
 
 #include "tramline/check/measure/ground_cells.h"
 
 namespace tramline::check {
 
-WorkedBody worked_on(const Region& land, const std::vector<WorkedPart>& parts, std::size_t owners) {
+WorkedLand worked_on(const Region& land, const std::vector<WorkedPart>& parts, std::size_t owners) {
   constexpr std::size_t kLand = 0;
   GroundEdges ground;
   ground.add(land, kLand);
   for (std::size_t i = 0; i < parts.size(); ++i) ground.add(parts[i].ground, i + 1);
-  WorkedBody out;
+  WorkedLand out;
   out.useful_m2.assign(owners, 0);
   each_cell(ground, [&](const GroundCell& cell) {
     if (cell.covers.front().shape != kLand || cell.covers.size() < 2) return;

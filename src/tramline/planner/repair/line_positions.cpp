@@ -1,4 +1,4 @@
-#include "tramline/planner/repair/repair_places.h"
+#include "tramline/planner/repair/line_positions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,14 +22,14 @@ void append_rows(const Box& gap, double width_m, std::vector<double>& out) {
   }
 }
 
-/// Every eighth of a width, at the same places whatever the gap.
+/// Every eighth of a width, at the same positions whatever the gap.
 void append_phases(const Box& gap, double width_m, std::vector<double>& out) {
   const double step_m = width_m / 8;
   for (double k = std::ceil((gap.min_x - width_m) / step_m); k * step_m < gap.max_x; ++k)
     out.push_back(k * step_m);
 }
 
-/// Flush with what is parallel and must not be crossed.
+/// Flush with parallel edges that must not be crossed.
 void append_flush(const Region& turned_free, const Box& gaps, double width_m, std::vector<double>& out) {
   for (const Ring& ring : rings_of(turned_free))
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -44,11 +44,11 @@ void append_flush(const Region& turned_free, const Box& gaps, double width_m, st
     }
 }
 
-void keep_each_once(std::vector<double>& places) {
-  std::sort(places.begin(), places.end());
-  places.erase(
-      std::unique(places.begin(), places.end(), [](double a, double b) { return b - a < kSameStrip_m; }),
-      places.end());
+void keep_each_once(std::vector<double>& positions) {
+  std::sort(positions.begin(), positions.end());
+  positions.erase(std::unique(positions.begin(), positions.end(),
+                              [](double a, double b) { return b - a < kSameStrip_m; }),
+                  positions.end());
 }
 
 std::vector<double> places_in(std::size_t direction, const std::vector<std::size_t>& gaps,
@@ -70,15 +70,15 @@ std::vector<double> places_in(std::size_t direction, const std::vector<std::size
 
 }  // namespace
 
-std::vector<LinePlace> repair_places(const RepairGround& ground) {
-  std::vector<LinePlace> out;
+std::vector<LinePosition> line_positions(const RepairGround& ground) {
+  std::vector<LinePosition> out;
   for (std::size_t d = 0; d < ground.directions(); ++d)
     for (const double left_m : places_in(d, ground.gaps_in(d), ground)) out.push_back({d, left_m});
   return out;
 }
 
-std::vector<LinePlace> places_over(std::size_t gap, const RepairGround& ground) {
-  std::vector<LinePlace> out;
+std::vector<LinePosition> line_positions_over(std::size_t gap, const RepairGround& ground) {
+  std::vector<LinePosition> out;
   for (std::size_t d = 0; d < ground.directions(); ++d) {
     const std::vector<std::size_t>& gaps = ground.gaps_in(d);
     if (!std::binary_search(gaps.begin(), gaps.end(), gap)) continue;

@@ -1,4 +1,4 @@
-#include "tramline/render/page/arrow_places.h"
+#include "tramline/render/page/arrow_positions.h"
 
 #include <gtest/gtest.h>
 
@@ -13,18 +13,18 @@ const Box kEverything{-1e6, -1e6, 1e6, 1e6};
 
 TEST(ArrowPlace, IsTheMiddleOfAPlainPiece) {
   const TrackPiece piece{{0, 0}, {30, 40}, 0, 0};
-  const auto place = arrow_place(piece, 5, kEverything);
+  const auto place = arrow_position(piece, 5, kEverything);
   ASSERT_TRUE(place);
   EXPECT_EQ(place->at, (Point{15, 20}));
   EXPECT_NEAR(distance(place->along, {0.6, 0.8}), 0, 1e-12);
-  EXPECT_FALSE(arrow_place(piece, 50, kEverything));
+  EXPECT_FALSE(arrow_position(piece, 50, kEverything));
 }
 
 TEST(ArrowPlace, KeepsAwayFromDetours) {
   TrackPiece piece{{0, 0}, {120, 0}, 0, 0};
   piece.detours.push_back({sidestep_round(58, 0, 4, 6, 4), Passing::kLeft, {0}});
   const double end = piece.detours[0].path.back().to.x;
-  const auto place = arrow_place(piece, 5, kEverything);
+  const auto place = arrow_position(piece, 5, kEverything);
   ASSERT_TRUE(place);
   EXPECT_NEAR(place->at.x, end + 2.5, 1e-9) << "the detour is left nearer to the middle than it begins";
   EXPECT_NEAR(place->at.y, 0, 1e-9);
@@ -32,44 +32,44 @@ TEST(ArrowPlace, KeepsAwayFromDetours) {
 
 TEST(ArrowPlace, IsWhereThePieceIsSeen) {
   const TrackPiece piece{{0, 0}, {1000, 0}, 0, 0};
-  const auto place = arrow_place(piece, 5, {100, -10, 140, 10});
+  const auto place = arrow_position(piece, 5, {100, -10, 140, 10});
   ASSERT_TRUE(place);
   EXPECT_NEAR(place->at.x, 120, 1e-9);
-  EXPECT_FALSE(arrow_place(piece, 5, {100, 1, 140, 10}));
+  EXPECT_FALSE(arrow_position(piece, 5, {100, 1, 140, 10}));
 }
 
 TEST(ArrowPlace, IsOnTheCurveAndPointsAlongIt) {
   // A quarter circle to the left from (0, 0), heading east, to (100, 100).
   TrackPiece piece{{0, 0}, {100, 100}, 0, 0};
   piece.curve = {{{0, 0}, {100, 100}, 0.01}};
-  const auto place = arrow_place(piece, 5, kEverything);
+  const auto place = arrow_position(piece, 5, kEverything);
   ASSERT_TRUE(place);
   const double half = 50 * std::sqrt(2.0);
   EXPECT_NEAR(distance(place->at, {half, 100 - half}), 0, 0.01);
   EXPECT_NEAR(distance(place->along, {std::sqrt(0.5), std::sqrt(0.5)}), 0, 0.01);
-  EXPECT_FALSE(arrow_place(piece, 160, kEverything)) << "157 m are too short for that";
+  EXPECT_FALSE(arrow_position(piece, 160, kEverything)) << "157 m are too short for that";
 }
 
 TEST(ArrowPlace, IsInTheLongestStretchOfACurveThatIsSeen) {
   TrackPiece piece{{0, 0}, {200, 0}, 0, 0};
   piece.curve = {{{0, 0}, {200, 0}, 0.01}};  // half a circle through (100, −100)
-  const auto place = arrow_place(piece, 5, {-10, -40, 210, 10});
+  const auto place = arrow_position(piece, 5, {-10, -40, 210, 10});
   ASSERT_TRUE(place);
   EXPECT_NEAR(distance(place->at, {100, 0}), 100, 0.01);
   EXPECT_LT(place->at.y, -15);
   EXPECT_GT(place->at.y, -25);
-  EXPECT_FALSE(arrow_place(piece, 5, {90, -10, 110, 10})) << "inside the bend";
+  EXPECT_FALSE(arrow_position(piece, 5, {90, -10, 110, 10})) << "inside the bend";
 }
 
 TEST(ArrowPlacesRound, AreEvenlySpaced) {
   const Path round{
       {{0, 0}, {100, 0}, 0}, {{100, 0}, {100, 20}, 0.1}, {{100, 20}, {0, 20}, 0}, {{0, 20}, {0, 0}, 0.1}};
-  const auto places = arrow_places_round(round, 5, 100, kEverything);
+  const auto places = arrow_positions_round(round, 5, 100, kEverything);
   ASSERT_EQ(places.size(), 2u);
   EXPECT_NEAR(distance(places[0].at, {0.25 * length(round), 0}), 0, 0.01);
   EXPECT_NEAR(places[0].along.x, 1, 1e-9);
   EXPECT_NEAR(places[1].along.x, -1, 1e-9);
-  const auto seen = arrow_places_round(round, 5, 1000, {20, -5, 60, 25});
+  const auto seen = arrow_positions_round(round, 5, 1000, {20, -5, 60, 25});
   ASSERT_EQ(seen.size(), 2u) << "one on each stretch";
   EXPECT_NEAR(distance(seen[0].at, {40, 0}), 0, 1e-9);
   EXPECT_NEAR(distance(seen[1].at, {40, 20}), 0, 1e-9);
@@ -88,11 +88,11 @@ TEST(StretchesIn, LeaveAndComeBack) {
 
 TEST(PlaceAlong, GoesRoundCorners) {
   const std::vector<Point> line{{0, 0}, {10, 0}, {10, 0}, {10, 10}};
-  EXPECT_EQ(place_along(line, 0).at, (Point{0, 0}));
-  EXPECT_EQ(place_along(line, 0).along, (Point{1, 0}));
-  EXPECT_EQ(place_along(line, 13).at, (Point{10, 3}));
-  EXPECT_EQ(place_along(line, 13).along, (Point{0, 1}));
-  EXPECT_EQ(place_along(line, 30).at, (Point{10, 10}));
+  EXPECT_EQ(point_along(line, 0).at, (Point{0, 0}));
+  EXPECT_EQ(point_along(line, 0).along, (Point{1, 0}));
+  EXPECT_EQ(point_along(line, 13).at, (Point{10, 3}));
+  EXPECT_EQ(point_along(line, 13).along, (Point{0, 1}));
+  EXPECT_EQ(point_along(line, 30).at, (Point{10, 10}));
 }
 
 TEST(Clipped, GivesThePartInTheBox) {

@@ -1,5 +1,5 @@
 #pragma once
-// Which of many places are nearest?
+// A grid for finding the nearest of many points.
 
 #include <cstddef>
 #include <vector>
@@ -8,28 +8,28 @@
 
 namespace tramline::order {
 
-/// Places sorted into the square cells of a grid, from which they can be taken out.
-class PlaceGrid {
+/// Points sorted into the square cells of a grid, from which they can be removed.
+class PointGrid {
  public:
-  /// About one cell for two places. O(n)
-  explicit PlaceGrid(const std::vector<Point>& places);
+  /// Uses about one cell for two points. O(n)
+  explicit PointGrid(const std::vector<Point>& points);
 
-  void remove(std::size_t place);
+  void remove(std::size_t index);
 
-  /// The `most` places nearest to p that are not taken out, nearest first; among equals the one with the
-  /// lower number. O(cells within the reach of the answer + most·log most)
+  /// Indices of up to `most` points nearest to p that have not been removed, nearest first; among equals the
+  /// lower index. O(cells within the reach of the answer + most·log most)
   std::vector<std::size_t> nearest(Point p, std::size_t most) const;
 
  private:
   struct Found {
     double reach_m2 = 0;  ///< square of the distance
-    std::size_t place = 0;
+    std::size_t index = 0;
   };
   int column_of(Point p) const;
   int row_of(Point p) const;
   void add_cell(int column, int row, Point p, std::vector<Found>& found) const;
 
-  std::vector<Point> places_;
+  std::vector<Point> points_;
   Box box_;
   double cell_m_ = 1;
   int columns_ = 1;

@@ -16,7 +16,7 @@
 namespace tramline::check {
 namespace {
 
-/// What was laid in a subfield: a piece, or what was too short to be one.
+/// A piece of a subfield, or a dropped piece that was too short.
 struct Laid {
   Point start;
   Point end;
@@ -24,10 +24,10 @@ struct Laid {
   std::optional<std::size_t> piece;
 };
 
-/// The same on the line of its track: from the place that comes first in the line's heading.
-struct Placed {
-  TrackPlace from;
-  TrackPlace to;
+/// The same on the line of its track, from the position that comes first in the line's heading.
+struct LaidOnLine {
+  TrackPosition from;
+  TrackPosition to;
   std::optional<std::size_t> piece;
 };
 
@@ -35,13 +35,13 @@ struct Placed {
 struct LaidLine {
   TrackLine line;
   std::optional<int> track;  ///< where it is the line of that number
-  std::vector<Placed> laid;
+  std::vector<LaidOnLine> laid;
 };
 
-/// Between two things laid along one line.
+/// The gap between two pieces along one line.
 struct Gap {
-  const Placed& before;
-  const Placed& behind;
+  const LaidOnLine& before;
+  const LaidOnLine& behind;
   Path path;
 };
 
@@ -60,7 +60,7 @@ std::vector<Laid> laid_in(const Plan& plan, std::size_t subfield) {
   return out;
 }
 
-/// Straight lines in one direction, by their places: what the tracks are called is not asked.
+/// Straight lines in one direction, by their positions, whatever the numbers of their tracks.
 std::vector<LaidLine> straight_lines(std::vector<Laid> all, Point heading, Point origin) {
   const auto across_m = [=](const Laid& laid) {
     return -cross(heading, midpoint(laid.start, laid.end) - origin);
@@ -72,7 +72,7 @@ std::vector<LaidLine> straight_lines(std::vector<Laid> all, Point heading, Point
     const StraightLine line(midpoint(first->start, first->end), heading);
     out.push_back({TrackLine(line), std::nullopt, {}});
     for (; next != all.end() && across_m(*next) <= across_m(*first) + kLengthTolerance_m; ++next) {
-      TrackPlace from = line.foot_of(next->start), to = line.foot_of(next->end);
+      TrackPosition from = line.foot_of(next->start), to = line.foot_of(next->end);
       if (before(to, from)) std::swap(from, to);
       out.back().laid.push_back({from, to, next->piece});
     }
@@ -80,8 +80,8 @@ std::vector<LaidLine> straight_lines(std::vector<Laid> all, Point heading, Point
   return out;
 }
 
-/// The lines of numbered tracks. What number a dropped piece had the file does not say: it lies on all that
-/// it may be of.
+/// The lines of numbered tracks. The file does not give the number of a dropped piece, which is therefore put
+/// on all lines it may belong to.
 std::vector<LaidLine> numbered_lines(const Plan& plan, const std::vector<Laid>& all,
                                      const TrackLines& lines) {
   std::map<int, LaidLine> tracks;
@@ -91,7 +91,7 @@ std::vector<LaidLine> numbered_lines(const Plan& plan, const std::vector<Laid>& 
     for (const int number : numbers) {
       LaidLine& track =
           tracks.try_emplace(number, LaidLine{TrackLine(lines.line(number)), number, {}}).first->second;
-      auto from = track.line.place_of(laid.start), to = track.line.place_of(laid.end);
+      auto from = track.line.position_of(laid.start), to = track.line.position_of(laid.end);
       if (!from || !to) continue;
       // A piece may lie across the beginning of a closed line.
       const bool back = laid.piece ? dot(laid.heading, from->heading) < 0 : before(*to, *from);
@@ -113,13 +113,13 @@ std::vector<LaidLine> laid_lines(const Case& c, std::size_t subfield) {
   return lines.known() ? numbered_lines(c.plan, all, lines) : std::vector<LaidLine>{};
 }
 
-/// The gaps along one line against the encounters there.
+/// Checks the gaps along one line against the encounters there.
 class Meetings {
  public:
   Meetings(const Case& c, std::size_t subfield, LaidLine along, Violations& out)
       : c_(c), subfield_(subfield), along_(std::move(along)), out_(out) {
     std::stable_sort(along_.laid.begin(), along_.laid.end(),
-                     [](const Placed& a, const Placed& b) { return before(a.from, b.from); });
+                     [](const LaidOnLine& a, const LaidOnLine& b) { return before(a.from, b.from); });
   }
 
   void check() {
@@ -127,23 +127,23 @@ class Meetings {
   }
 
  private:
-  /// Up to what comes next: other lines of the same number may lie between.
+  /// The gap up to the next piece: other lines of the same number may lie between.
   void check_behind(std::size_t i) {
     const auto& laid = along_.laid;
     if (is_across_beginning(laid[i]) || goes_on(i)) return;
     for (std::size_t next = i + 1; next < laid.size(); ++next)
       if (before(laid[i].to, laid[next].from) && !leads_beyond(laid[i], laid[next])) return;
-    // What lies across the beginning of a closed line leaves no gap there.
+    // A piece across the beginning of a closed line leaves no gap there.
     if (along_.line.may_close() && std::none_of(laid.begin(), laid.end(), is_across_beginning))
       leads_beyond(laid[i], laid.front());
   }
 
-  static bool is_across_beginning(const Placed& laid) { return before(laid.to, laid.from); }
+  static bool is_across_beginning(const LaidOnLine& laid) { return before(laid.to, laid.from); }
 
-  /// Does something else go on where one ends? Of several that end there the first is asked.
+  /// Whether another piece begins where one ends. Of several that end there only the first is checked.
   bool goes_on(std::size_t i) const {
     const auto& laid = along_.laid;
-    const TrackPlace& end = laid[i].to;
+    const TrackPosition& end = laid[i].to;
     for (std::size_t other = 0; other < laid.size(); ++other) {
       if (other < i && !before(laid[other].to, end) && !before(end, laid[other].to)) return true;
       if (!before(end, laid[other].from) && before(end, laid[other].to)) return true;
@@ -151,8 +151,8 @@ class Meetings {
     return false;
   }
 
-  /// Judges the gap between the two; false where it leads from the one to the other, or ends.
-  bool leads_beyond(const Placed& from, const Placed& to) {
+  /// Checks the gap between the two; false where it leads from the one to the other, or ends.
+  bool leads_beyond(const LaidOnLine& from, const LaidOnLine& to) {
     Walk walk = along_.line.walk(from.to, to.from);
     if (walk.end == WalkEnd::kReached && !walk.path.empty()) check({from, to, std::move(walk.path)});
     return walk.end == WalkEnd::kPassed;
@@ -167,7 +167,7 @@ class Meetings {
     if (there.empty())
       out_.push_back({Rule::kEncounters,
                       describe(gap) + " is cut by an obstacle or land given up, and no encounter is there",
-                      place_on(gap.path, 0.5 * length(gap.path)), 1});
+                      point_on(gap.path, 0.5 * length(gap.path)), 1});
     else if (blocked.area_m2 > kTouch_m2)
       check_names(gap, core, there);
   }
@@ -181,8 +181,8 @@ class Meetings {
     return out;
   }
 
-  /// Which track a dropped piece was of is known only where the line tells.
-  bool is_of_track(const Encounter& encounter, const Placed& laid) const {
+  /// The track of a dropped piece is known only where its line has a number.
+  bool is_of_track(const Encounter& encounter, const LaidOnLine& laid) const {
     return laid.piece ? c_.plan.pieces[*laid.piece].track == encounter.track
                       : along_.track.value_or(encounter.track) == encounter.track;
   }
@@ -218,7 +218,7 @@ class Meetings {
 
 }  // namespace
 
-void check_meetings(const Case& c, Violations& out) {
+void check_listed_encounters(const Case& c, Violations& out) {
   if (is_repair(c.plan)) return;
   for (std::size_t i = 0; i < c.plan.subfields.size(); ++i)
     for (LaidLine& line : laid_lines(c, i)) Meetings(c, i, std::move(line), out).check();

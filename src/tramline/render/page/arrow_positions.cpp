@@ -1,4 +1,4 @@
-#include "tramline/render/page/arrow_places.h"
+#include "tramline/render/page/arrow_positions.h"
 
 #include <algorithm>
 #include <cassert>
@@ -32,36 +32,36 @@ std::optional<Point> on_straight_part(const TrackPiece& piece, double room_m, co
   return best;
 }
 
-std::optional<PlaceOnLine> on_curve(const Path& curve, double room_m, const Box& seen) {
-  std::optional<PlaceOnLine> best;
+std::optional<PointOnLine> on_curve(const Path& curve, double room_m, const Box& seen) {
+  std::optional<PointOnLine> best;
   double longest = room_m;
   for (const std::vector<Point>& stretch : stretches_in(chords(curve, kSagitta_m), seen)) {
     const double run = length_of(stretch);
     if (run <= longest) continue;
     longest = run;
-    best = place_along(stretch, 0.5 * run);
+    best = point_along(stretch, 0.5 * run);
   }
   return best;
 }
 
 }  // namespace
 
-std::optional<PlaceOnLine> arrow_place(const TrackPiece& piece, double room_m, const Box& seen) {
+std::optional<PointOnLine> arrow_position(const TrackPiece& piece, double room_m, const Box& seen) {
   assert(!piece.curve.empty() || piece.start != piece.end);
   if (!piece.curve.empty()) return on_curve(piece.curve, room_m, seen);
   const std::optional<Point> place = on_straight_part(piece, room_m, seen);
   if (!place) return std::nullopt;
-  return PlaceOnLine{*place, (1 / distance(piece.start, piece.end)) * (piece.end - piece.start)};
+  return PointOnLine{*place, (1 / distance(piece.start, piece.end)) * (piece.end - piece.start)};
 }
 
-std::vector<PlaceOnLine> arrow_places_round(const Path& path, double room_m, double apart_m,
-                                            const Box& seen) {
-  std::vector<PlaceOnLine> out;
+std::vector<PointOnLine> arrow_positions_round(const Path& path, double room_m, double apart_m,
+                                               const Box& seen) {
+  std::vector<PointOnLine> out;
   for (const std::vector<Point>& stretch : stretches_in(chords(path, kSagitta_m), seen)) {
     const double run = length_of(stretch);
     if (run <= room_m) continue;
     const int count = std::max(1, static_cast<int>(run / apart_m));
-    for (int i = 0; i < count; ++i) out.push_back(place_along(stretch, (i + 0.5) / count * run));
+    for (int i = 0; i < count; ++i) out.push_back(point_along(stretch, (i + 0.5) / count * run));
   }
   return out;
 }

@@ -1,6 +1,6 @@
 // Swaths laid over the body part by part, against the union of all of them.
 
-#include "tramline/check/measure/worked_body.h"
+#include "tramline/check/measure/worked_land.h"
 
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ Region ground_of(const std::vector<WorkedPart>& parts) {
 /// Of 1.5 ha and some 3 km of swaths: chords of neighbours (kLayerSagitta) and the grid of overlays.
 constexpr double kTolerance_m2 = 0.15;
 
-TEST(WorkedBody, covers_what_the_union_of_the_swaths_does) {
+TEST(WorkedLand, covers_what_the_union_of_the_swaths_does) {
   for (Plan plan : plans()) {
     // As they are, and with a piece driven once more somewhere else, across all others.
     for (const bool crossed : {false, true}) {
@@ -70,7 +70,7 @@ TEST(WorkedBody, covers_what_the_union_of_the_swaths_does) {
         plan.pieces.insert(plan.pieces.begin(), more);
       }
       const std::vector<WorkedPart> parts = check::worked_parts(plan);
-      const check::WorkedBody found = worked_on(plan.body, parts, plan.pieces.size());
+      const check::WorkedLand found = worked_on(plan.body, parts, plan.pieces.size());
       const Region land = ground_of(parts);
       EXPECT_NEAR(found.covered_m2, area(intersection(land, plan.body)), kTolerance_m2);
     }
@@ -78,7 +78,7 @@ TEST(WorkedBody, covers_what_the_union_of_the_swaths_does) {
 }
 
 // A path that comes back to itself works ground twice; one that only bends does not.
-TEST(WorkedBody, knows_swaths_that_meet_themselves) {
+TEST(WorkedLand, knows_swaths_that_meet_themselves) {
   Plan plan;
   plan.machine.width_m = 4;
   plan.body = {{{{-50, -50}, {50, -50}, {50, 50}, {-50, 50}}, {}}};
@@ -96,7 +96,7 @@ TEST(WorkedBody, knows_swaths_that_meet_themselves) {
   const double twice_m2 = 4 * length(piece) - area(land);
   // Legs from 0 to 20 m share a metre of their width, and each what the arcs at its ends bend into it.
   EXPECT_GT(twice_m2, 20);
-  const check::WorkedBody found = worked_on(plan.body, parts, plan.pieces.size());
+  const check::WorkedLand found = worked_on(plan.body, parts, plan.pieces.size());
   EXPECT_NEAR(found.covered_m2, area(land), 1e-2);
 }
 
