@@ -1,4 +1,4 @@
-// How numbers are written, everywhere on the page.
+// How numbers and sentences are written, everywhere on the page.
 
 const whole = new Intl.NumberFormat('en-GB', { maximumFractionDigits: 0 });
 const fixed = [0, 1, 2, 3].map(
@@ -67,3 +67,11 @@ const ENDS: Record<string, string> = {
   inside: 'stay inside',
 };
 export const endRule = (rule: string) => ENDS[rule] ?? rule;
+
+/** The library's messages begin in lower case and bear no full stop. */
+export function sentence(message: string): string {
+  const text = message.trim();
+  if (text === '') return text;
+  const whole = /[.!?…]$/.test(text) ? text : `${text}.`;
+  return /^[a-z]+\b(?![./_])/.test(whole) ? whole[0]!.toUpperCase() + whole.slice(1) : whole;
+}

@@ -1,6 +1,7 @@
 // Clicks and keys on the map while something is drawn or an edge is picked.
+import { add, stop, undo } from '../actions/drawing';
 import type { Feature, FieldFull, Place } from '../api/types';
-import { add, closed, drawing, undo } from '../state/drawing';
+import { closed, drawing } from '../state/drawing';
 import { fields } from '../state/fields';
 import { form } from '../state/plan_form';
 import { session } from '../state/session';
@@ -58,7 +59,7 @@ export function followDrawing({ map, fill }: Shown): void {
     const nearest = nearestEdge(openEdges(), place);
     if (!nearest) return;
     form.set({ line: nearest.edge.line });
-    drawing.set({ purpose: null, places: [] });
+    stop();
   };
   map.on('click', (event) => {
     if (drawing.get().purpose) take(event.lngLat.toArray());
@@ -67,7 +68,7 @@ export function followDrawing({ map, fill }: Shown): void {
     if (!drawing.get().purpose) return;
     if (event.key === 'Enter' || event.key === ' ') take(map.getCenter().toArray());
     else if (event.key === 'Backspace') undo();
-    else if (event.key === 'Escape') drawing.set({ purpose: null, places: [] });
+    else if (event.key === 'Escape') stop();
     else return;
     event.preventDefault();
   });

@@ -1,18 +1,18 @@
 // The map itself: made once, then kept in step with the stores. Loaded after the first paint.
 import maplibregl, { type GeoJSONSource, type Map as GlMap } from 'maplibre-gl';
+import { complain } from '../actions/notices';
 import type { Box, Place } from '../api/types';
 import { fields } from '../state/fields';
-import { complain } from '../state/notices';
 import { isNight, session, tilesHost } from '../state/session';
 import { followDrawing } from './drawing';
 import { drawGrid, scaleOf } from './grid';
 import { drawLabels, forgetLabels } from './labels';
 import { DAY, NIGHT } from './palette';
-import { mapStyle } from './style';
 import { followField } from './show_field';
 import { followPlan } from './show_plan';
 import { followWork } from './show_work';
 import type { Shown } from './shown';
+import { mapStyle } from './style';
 
 const calm = matchMedia('(prefers-reduced-motion: reduce)');
 const START: Place = [10, 51];

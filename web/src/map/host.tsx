@@ -1,13 +1,13 @@
 // The map's place on the page. The engine comes after the first paint.
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { Icon } from '../parts/icon';
+import { complain } from '../actions/notices';
+import { metres } from '../format';
 import { DrawingBar } from '../parts/drawing_bar';
-import { complain } from '../state/notices';
+import { Icon } from '../parts/icon';
 import { fields } from '../state/fields';
 import { review } from '../state/review';
 import { session, tilesHost } from '../state/session';
 import { useStore } from '../state/store';
-import { metres } from '../format';
 
 type Engine = typeof import('./engine');
 let loaded: Engine | null = null;

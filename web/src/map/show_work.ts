@@ -1,10 +1,11 @@
 import type { GeoJSONSource } from 'maplibre-gl';
+import { onFrame } from '../actions/replay';
 import type { FeatureCollection, Place, WorkFrame, WorkTile } from '../api/types';
+import { replay } from '../state/replay';
 import { DRIVE_LAYERS, review } from '../state/review';
-import { onFrame, replay } from '../state/replay';
 import { session } from '../state/session';
 import { fit } from './engine';
-import { NOTHING, collection, type Shown } from './shown';
+import { collection, NOTHING, type Shown } from './shown';
 import { TILE_SOURCES } from './style';
 import { DRIVE_PARTS } from './work_layers';
 

@@ -1,11 +1,12 @@
 // What to do while drawing, and a way to draw without pointing: coordinates, or metres from the last corner.
 import { useState } from 'preact/hooks';
-import type { Geometry, Place } from '../api/types';
+import { add, finish, stop, undo } from '../actions/drawing';
+import { complain } from '../actions/notices';
+import type { Place } from '../api/types';
+import { metres } from '../format';
 import { engine } from '../map/host';
 import { distance, moved } from '../map/metres';
-import { metres } from '../format';
-import { add, closed, drawing, finished, least, stop, undo, type Purpose } from '../state/drawing';
-import { attempt, complain } from '../state/notices';
+import { drawing, least, type Purpose } from '../state/drawing';
 import { useStore } from '../state/store';
 import { Button } from './button';
 
@@ -17,28 +18,6 @@ const WORDS: Record<Purpose, { title: string; done: string }> = {
   guide: { title: 'Click or tap the points of the line that tracks are to follow.', done: 'Follow this line' },
   edge: { title: 'Click or tap an edge of the field. With the keyboard: move the map until the edge is nearest to its middle, then press Enter.', done: '' },
 };
-
-type Done = (geometry: Geometry) => Promise<void>;
-let whenDone: Done = async () => {};
-/** What becomes of the shape. */
-export function drawFor(purpose: Purpose, done: Done): void {
-  whenDone = done;
-  drawing.set({ purpose, places: [] });
-  document.querySelector<HTMLElement>('.maplibregl-canvas')?.focus({ preventScroll: true });
-}
-
-function geometry(purpose: Purpose, places: Place[]): Geometry {
-  if (purpose === 'obstacle-point') return { type: 'Point', coordinates: places[0]! };
-  if (closed(purpose)) return { type: 'Polygon', coordinates: [[...places, places[0]!]] };
-  return { type: 'LineString', coordinates: places };
-}
-
-async function finish(): Promise<void> {
-  const { purpose, places } = drawing.get();
-  if (!purpose || !finished()) return;
-  const shape = geometry(purpose, places);
-  if (await attempt(() => whenDone(shape))) stop();
-}
 
 export function DrawingBar() {
   const purpose = useStore(drawing, (value) => value.purpose);

@@ -1,5 +1,8 @@
 import { useEffect } from 'preact/hooks';
-import { api } from '../../api/client';
+import { choose } from '../../actions/compare';
+import { attempt } from '../../actions/notices';
+import { deletePlan, openPlan } from '../../actions/plans';
+import { planFile } from '../../api/addresses';
 import type { PlanFull, PlanItem, PlanSummary } from '../../api/types';
 import { change, count, endRule, length, money, percent, squareMetres, when } from '../../format';
 import { Button } from '../../parts/button';
@@ -7,10 +10,9 @@ import { Select } from '../../parts/choice';
 import { Icon } from '../../parts/icon';
 import { More } from '../../parts/more';
 import { Sure } from '../../parts/sure';
-import { choose, compare } from '../../state/compare';
-import { attempt } from '../../state/notices';
+import { compare } from '../../state/compare';
 import { costOf, form } from '../../state/plan_form';
-import { deletePlan, openPlan, plans } from '../../state/plans';
+import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
 
 const called = (plan: PlanItem, all: PlanItem[]) => {
@@ -64,7 +66,7 @@ const Side = ({ side, title, plan, options }: SideProps) => (
     <Select label={title} value={plan?.id ?? ''} options={options} change={(id) => void attempt(() => choose(side, id))} />
     {plan && (
       <button type="button" class="picture" aria-label={`Show the ${title.toLowerCase()} on the map`} onClick={() => void attempt(() => openPlan(plan.id))}>
-        <img src={api.planFile(plan.id, 'png')} alt={`Picture of the ${title.toLowerCase()}`} loading="lazy" />
+        <img src={planFile(plan.id, 'png')} alt={`Picture of the ${title.toLowerCase()}`} loading="lazy" />
       </button>
     )}
   </div>

@@ -1,11 +1,12 @@
 import { useState } from 'preact/hooks';
+import { cancelFront, makeFront, openPoint } from '../../actions/compare';
+import { attempt } from '../../actions/notices';
 import type { FrontPoint } from '../../api/types';
 import { count, money, plural, squareMetres } from '../../format';
 import { Button } from '../../parts/button';
 import { More } from '../../parts/more';
 import { Progress } from '../../parts/progress';
-import { cancelFront, compare, makeFront, openPoint } from '../../state/compare';
-import { attempt } from '../../state/notices';
+import { compare } from '../../state/compare';
 import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
 import { Chart } from './chart';

@@ -1,11 +1,11 @@
 import { useState } from 'preact/hooks';
+import { drawFor } from '../../actions/drawing';
+import { changeField } from '../../actions/fields';
 import { Button } from '../../parts/button';
 import { Choice } from '../../parts/choice';
 import { More } from '../../parts/more';
 import { NumberField } from '../../parts/number_field';
-import { drawFor } from '../../parts/drawing_bar';
 import type { Purpose } from '../../state/drawing';
-import { changeField } from '../../state/fields';
 
 type Form = 'obstacle-point' | 'obstacle-area' | 'obstacle-line';
 

@@ -1,10 +1,11 @@
 import { useState } from 'preact/hooks';
+import { deleteField, openField } from '../../actions/fields';
+import { attempt } from '../../actions/notices';
 import { hectares, plural, when } from '../../format';
-import { Sure } from '../../parts/sure';
 import { Icon } from '../../parts/icon';
 import { arrowKeys, LONG, matching, Search } from '../../parts/search';
-import { deleteField, fields, openField } from '../../state/fields';
-import { attempt } from '../../state/notices';
+import { Sure } from '../../parts/sure';
+import { fields } from '../../state/fields';
 import { useStore } from '../../state/store';
 
 export function FieldList() {

@@ -1,12 +1,11 @@
+import { changeField } from '../../actions/fields';
+import { attempt } from '../../actions/notices';
+import { show } from '../../actions/session';
 import type { FieldFull } from '../../api/types';
-import { sentence } from '../../api/client';
-import { hectares, plural, squareMetres } from '../../format';
+import { hectares, plural, sentence, squareMetres } from '../../format';
 import { Button } from '../../parts/button';
 import { More } from '../../parts/more';
 import { TitleField } from '../../parts/title_field';
-import { changeField } from '../../state/fields';
-import { attempt } from '../../state/notices';
-import { show } from '../../state/session';
 import { AddObstacle } from './add_obstacle';
 
 export function OpenField({ field }: { field: FieldFull }) {

@@ -1,12 +1,12 @@
 // The verifier's verdict: the plan worked out anew from its tracks alone.
-import { sentence } from '../../api/client';
+import { attempt } from '../../actions/notices';
+import { cancelCheck, checkPlan } from '../../actions/planning';
 import type { Check, Checked, Place, PlanFull } from '../../api/types';
-import { count, ground, length, squareMetres } from '../../format';
+import { count, ground, length, sentence, squareMetres } from '../../format';
 import { engine } from '../../map/host';
 import { Button } from '../../parts/button';
 import { Progress } from '../../parts/progress';
-import { attempt } from '../../state/notices';
-import { cancelCheck, checkPlan, plans } from '../../state/plans';
+import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
 
 const ROWS: { label: string; of: (figures: Checked) => number; write: (value: number) => string }[] = [

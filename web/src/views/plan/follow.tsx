@@ -1,12 +1,11 @@
 // Tracks along an edge of the field, or along a line that is drawn.
+import { drawFor, pickEdge } from '../../actions/drawing';
 import type { Place } from '../../api/types';
 import { degrees, length } from '../../format';
 import { openEdges } from '../../map/drawing';
 import { bearing, distance } from '../../map/metres';
 import { Button } from '../../parts/button';
 import { Choice, Select } from '../../parts/choice';
-import { drawFor } from '../../parts/drawing_bar';
-import { drawing } from '../../state/drawing';
 import { form, type Shape } from '../../state/plan_form';
 import { useStore } from '../../state/store';
 
@@ -39,7 +38,7 @@ export function Follow() {
         ]}
         change={(value) => value !== 'line' && form.set({ line: edges.find((edge) => String(edge.number) === value)?.line ?? null })} />
       <div class="row">
-        <Button onClick={() => drawing.set({ purpose: 'edge', places: [] })}>Click an edge</Button>
+        <Button onClick={pickEdge}>Click an edge</Button>
         <Button onClick={() => drawFor('guide', async (geometry) => form.set({ line: geometry.coordinates as Place[] }))}>Draw a line</Button>
         {line && <Button kind="quiet" onClick={() => form.set({ line: null })}>Follow nothing</Button>}
       </div>

@@ -1,11 +1,12 @@
 // What is on the map, each thing with its size, to switch on and off.
+import { attempt } from '../../actions/notices';
+import { switchLayer } from '../../actions/plans';
 import type { LayerItem } from '../../api/types';
 import { ground, length } from '../../format';
 import { DAY, NIGHT, type Colours } from '../../map/palette';
 import { PARTS_OF } from '../../map/plan_layers';
 import { Switch } from '../../parts/switch';
-import { attempt } from '../../state/notices';
-import { isShown, plans, switchLayer } from '../../state/plans';
+import { isShown, plans } from '../../state/plans';
 import { isNight, session } from '../../state/session';
 import { useStore } from '../../state/store';
 

@@ -1,5 +1,6 @@
 import { useState } from 'preact/hooks';
-import { api } from '../../api/client';
+import { deleteMachine, storeMachine } from '../../actions/machines';
+import { attempt, note } from '../../actions/notices';
 import type { Machine } from '../../api/types';
 import { width } from '../../format';
 import { Button } from '../../parts/button';
@@ -9,9 +10,8 @@ import { More } from '../../parts/more';
 import { NumberField } from '../../parts/number_field';
 import { Sure } from '../../parts/sure';
 import { TitleField } from '../../parts/title_field';
-import { attempt, note } from '../../state/notices';
 import { form } from '../../state/plan_form';
-import { loadMachines, plans } from '../../state/plans';
+import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
 
 export function MachineForm() {
@@ -55,11 +55,7 @@ function SaveMachine() {
   const machines = useStore(plans, (value) => value.machines);
   const same = machines.find((one) => one.name === name.trim());
   const save = async () => {
-    const { width_m, radius_m, min_length_m } = form.get().machine;
-    const machine = { name: name.trim(), width_m, radius_m, ...(typeof min_length_m === 'number' ? { min_length_m } : {}) };
-    const stored = await (same?.id ? api.changeMachine(same.id, machine) : api.storeMachine(machine));
-    await loadMachines();
-    form.set({ machine: stored });
+    await storeMachine(name.trim(), same?.id);
     note(`${name.trim()} is ${same ? 'changed' : 'stored'}. Choose it for other fields, too.`);
     setName('');
   };
@@ -79,22 +75,13 @@ function SaveMachine() {
 function ChosenMachine({ machine }: { machine: Machine }) {
   const id = machine.id;
   if (!id) return null;
-  const rename = async (name: string) => {
-    const { width_m, radius_m, min_length_m } = machine;
-    const stored = await api.changeMachine(id, { name, width_m, radius_m, ...(typeof min_length_m === 'number' ? { min_length_m } : {}) });
-    await loadMachines();
-    form.set({ machine: stored });
-  };
   const remove = async () => {
-    await api.deleteMachine(id);
-    const { id: _, name: __, ...rest } = form.get().machine;
-    form.set({ machine: rest });
-    await loadMachines();
+    await deleteMachine(id);
     note(`${machine.name ?? 'The machine'} is deleted. Its width and radius stay in the form.`);
   };
   return (
     <div class="row tight">
-      <TitleField key={id} label="Name of the stored machine" value={machine.name ?? ''} save={(name) => void attempt(() => rename(name))} />
+      <TitleField key={id} label="Name of the stored machine" value={machine.name ?? ''} save={(name) => void attempt(() => storeMachine(name, id))} />
       <Sure label={`Delete the machine ${machine.name ?? ''}`} ask="Delete it" act={() => void attempt(remove)}><Icon name="bin" /></Sure>
     </div>
   );

@@ -1,10 +1,9 @@
-import type { PlanFull } from '../../api/types';
-import { change, count, degrees, hectares, length, money, percent, squareMetres } from '../../format';
-import { sentence } from '../../api/client';
+import type { PlanFull, Tally } from '../../api/types';
+import { change, count, degrees, hectares, length, money, percent, sentence, squareMetres } from '../../format';
 import { Figures, type Figure } from '../../parts/figures';
 import { More } from '../../parts/more';
 import { costOf, form } from '../../state/plan_form';
-import { plans, type Figures as Tally } from '../../state/plans';
+import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
 
 type Key = keyof Tally;

@@ -1,11 +1,11 @@
 // Which plan is open: its name, whether it stays, and how to be rid of it.
+import { attempt, note } from '../../actions/notices';
+import { deletePlan, keepPlan, renamePlan } from '../../actions/plans';
 import type { PlanFull } from '../../api/types';
 import { Button } from '../../parts/button';
 import { Icon } from '../../parts/icon';
 import { Sure } from '../../parts/sure';
 import { TitleField } from '../../parts/title_field';
-import { attempt, note } from '../../state/notices';
-import { deletePlan, keepPlan, renamePlan } from '../../state/plans';
 
 export function PlanHead({ plan }: { plan: PlanFull }) {
   const remove = async () => {

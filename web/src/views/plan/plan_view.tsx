@@ -1,11 +1,12 @@
+import { attempt } from '../../actions/notices';
+import { cancelPlan, makePlan } from '../../actions/planning';
+import { show } from '../../actions/session';
 import { Button } from '../../parts/button';
 import { Progress } from '../../parts/progress';
 import { Switch } from '../../parts/switch';
 import { fields } from '../../state/fields';
-import { attempt } from '../../state/notices';
 import { form } from '../../state/plan_form';
-import { cancelPlan, makePlan, plans } from '../../state/plans';
-import { show } from '../../state/session';
+import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
 import { CheckPlan } from './check_plan';
 import { Ends } from './ends';

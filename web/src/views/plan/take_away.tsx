@@ -1,11 +1,11 @@
 // Every file that can be made of a plan.
 import { useState } from 'preact/hooks';
-import { api } from '../../api/client';
+import { attempt } from '../../actions/notices';
+import { keepPlan } from '../../actions/plans';
+import { planFile } from '../../api/addresses';
 import type { PlanFull } from '../../api/types';
 import { Icon } from '../../parts/icon';
 import { More } from '../../parts/more';
-import { attempt } from '../../state/notices';
-import { keepPlan } from '../../state/plans';
 
 const FILES: { format: string; name: string; what: string; crs: boolean }[] = [
   { format: 'gpkg', name: 'GeoPackage', what: 'everything, for QGIS and for tramline', crs: false },
@@ -26,7 +26,7 @@ export function TakeAway({ plan }: { plan: PlanFull }) {
       <ul class="files">
         {FILES.map(({ format, name, what, crs: takes }) => (
           <li key={format}>
-            <a class="file" href={api.planFile(plan.id, format, takes ? crs : '')} download
+            <a class="file" href={planFile(plan.id, format, takes ? crs : '')} download
               onClick={() => plan.draft && void attempt(() => keepPlan(plan.id))}>
               <Icon name="down" />
               <span class="grow"><strong>{name}</strong><span class="sub">{what}</span></span>

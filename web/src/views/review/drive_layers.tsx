@@ -1,11 +1,12 @@
+import { switchDriveLayer } from '../../actions/drives';
+import { attempt } from '../../actions/notices';
+import type { DriveFull, FeatureCollection } from '../../api/types';
 import { ground, hectares, length } from '../../format';
 import { DAY, NIGHT } from '../../map/palette';
 import { Switch } from '../../parts/switch';
-import { attempt } from '../../state/notices';
-import { DRIVE_LAYERS, hasLayer, review, switchDriveLayer, type DriveLayer } from '../../state/review';
+import { DRIVE_LAYERS, hasLayer, review, type DriveLayer } from '../../state/review';
 import { isNight, session } from '../../state/session';
 import { useStore } from '../../state/store';
-import type { DriveFull, FeatureCollection } from '../../api/types';
 
 const TITLES: Record<DriveLayer, string> = {
   covered: 'Covered', repeated: 'Doubled', missed: 'Missed', not_recorded: 'Not recorded', multiplicity: 'How often', track: 'Way driven', gaps: 'Gaps, numbered',

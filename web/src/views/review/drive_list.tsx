@@ -1,8 +1,9 @@
+import { deleteDrive, openDrive } from '../../actions/drives';
+import { attempt } from '../../actions/notices';
 import { count, hectares, when } from '../../format';
 import { Icon } from '../../parts/icon';
 import { Sure } from '../../parts/sure';
-import { attempt } from '../../state/notices';
-import { deleteDrive, openDrive, review } from '../../state/review';
+import { review } from '../../state/review';
 import { useStore } from '../../state/store';
 
 export function DriveList() {

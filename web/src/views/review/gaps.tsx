@@ -1,15 +1,16 @@
 // What was missed, the largest first.
 import { useState } from 'preact/hooks';
+import { attempt } from '../../actions/notices';
+import { planTheGaps } from '../../actions/repair';
+import { stopReplay } from '../../actions/replay';
 import type { DriveFull } from '../../api/types';
 import { metres, squareMetres } from '../../format';
 import { engine } from '../../map/host';
 import { Button } from '../../parts/button';
 import { More } from '../../parts/more';
 import { NumberField } from '../../parts/number_field';
-import { attempt } from '../../state/notices';
 import { form } from '../../state/plan_form';
-import { planTheGaps, review } from '../../state/review';
-import { stopReplay } from '../../state/replay';
+import { review } from '../../state/review';
 import { useStore } from '../../state/store';
 
 const FEW = 8;

@@ -1,16 +1,16 @@
 // Attaching to a machine that is at work.
 import { useEffect, useState } from 'preact/hooks';
-import { api } from '../../api/client';
+import { endFeed, runningFeeds, switchWork, watch } from '../../actions/feeds';
+import { attempt } from '../../actions/notices';
+import { attach, stopReplay } from '../../actions/replay';
 import type { FeedItem } from '../../api/types';
 import { Button } from '../../parts/button';
 import { Select } from '../../parts/choice';
 import { More } from '../../parts/more';
 import { NumberField } from '../../parts/number_field';
 import { fields } from '../../state/fields';
-import { attempt, note } from '../../state/notices';
 import { form } from '../../state/plan_form';
-import { attach, replay, stopReplay } from '../../state/replay';
-import { loadDrives, openDrive, startFeed } from '../../state/review';
+import { replay } from '../../state/replay';
 import { useStore } from '../../state/store';
 import { WorkNumbers } from './replay_bar';
 
@@ -31,17 +31,14 @@ export function StartFeed() {
   const [width_m, setWidth] = useState<number | null>(form.get().machine.width_m);
   const [running, setRunning] = useState<FeedItem[]>([]);
   useEffect(() => {
-    api.feeds().then(setRunning, () => {});
+    void runningFeeds().then(setRunning);
   }, []);
-  const go = async () => {
-    const feed = await startFeed({
+  const go = () =>
+    watch({
       source: `${kind}://${where.trim()}`,
       ...(field ? { field } : {}),
       ...(width_m === null ? {} : { width_m }),
     });
-    if (field && fields.get().open?.id !== field) fields.set({ open: await api.field(field) });
-    attach(feed);
-  };
   const { where: asked, example } = KINDS[kind];
   return (
     <>
@@ -72,15 +69,8 @@ export function LiveFeed() {
   const id = state.id;
   if (id === null) return null;
   const toggle = async () => {
-    await api.feedWork(id, !work);
+    await switchWork(id, !work);
     setWork(!work);
-  };
-  const end = async () => {
-    const { drive } = await api.stopFeed(id);
-    stopReplay();
-    await loadDrives();
-    if (drive) await openDrive(drive);
-    else note('No fix came, so nothing was stored. Look whether the machine sends to this address, then watch it again.');
   };
   return (
     <section class="open" aria-labelledby="live-title">
@@ -91,7 +81,7 @@ export function LiveFeed() {
       {state.figures && <WorkNumbers figures={state.figures} />}
       <div class="row">
         <Button onClick={() => void attempt(toggle)}>{work ? 'Work is off' : 'Work is on again'}</Button>
-        <Button kind="main" onClick={() => void attempt(end)}>Stop and store the drive</Button>
+        <Button kind="main" onClick={() => void attempt(() => endFeed(id))}>Stop and store the drive</Button>
         <Button onClick={stopReplay}>Leave it running</Button>
       </div>
     </section>

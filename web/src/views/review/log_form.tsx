@@ -1,15 +1,16 @@
 // What is needed besides the log: which of its logs, which field, how wide, which plan was followed.
 import { useEffect, useState } from 'preact/hooks';
-import { api } from '../../api/client';
+import { evaluate } from '../../actions/drives';
+import { attempt } from '../../actions/notices';
+import { plansOf } from '../../actions/plans';
 import type { PlanItem, Upload } from '../../api/types';
 import { clock, count, money, timeOfDay, when, width } from '../../format';
 import { Button } from '../../parts/button';
 import { Select } from '../../parts/choice';
 import { NumberField } from '../../parts/number_field';
 import { fields } from '../../state/fields';
-import { attempt } from '../../state/notices';
 import { form } from '../../state/plan_form';
-import { evaluate, review } from '../../state/review';
+import { review } from '../../state/review';
 import { useStore } from '../../state/store';
 import { farFrom, fieldBelow, WhereDriven } from './where_driven';
 
@@ -38,7 +39,7 @@ export function LogForm({ upload }: { upload: Upload }) {
   useEffect(() => {
     setPlan(NONE);
     if (field === NONE) setPlansThere([]);
-    else void attempt(async () => setPlansThere(await api.plans(field)));
+    else void attempt(async () => setPlansThere(await plansOf(field)));
   }, [field]);
 
   const go = (on = field) =>

@@ -1,13 +1,12 @@
-import { api } from '../../api/client';
+import { renameDrive } from '../../actions/drives';
+import { attempt } from '../../actions/notices';
+import { driveFile } from '../../api/addresses';
 import type { Compared, DriveFull } from '../../api/types';
-import { count, hectares, hours, length, metres, percent, rate, squareMetres, width } from '../../format';
-import { sentence } from '../../api/client';
+import { count, hectares, hours, length, metres, percent, rate, sentence, squareMetres, width } from '../../format';
 import { Figures } from '../../parts/figures';
 import { Icon } from '../../parts/icon';
 import { More } from '../../parts/more';
 import { TitleField } from '../../parts/title_field';
-import { attempt } from '../../state/notices';
-import { renameDrive } from '../../state/review';
 import { Gaps } from './gaps';
 import { ReplayBar } from './replay_bar';
 
@@ -80,7 +79,7 @@ const DriveFiles = ({ id }: { id: string }) => (
     <h3>Take it away</h3>
     <ul class="files short">
       {FILES.map(({ format, name }) => (
-        <li key={format}><a class="file" href={api.driveFile(id, format)} download><Icon name="down" /><strong>{name}</strong></a></li>
+        <li key={format}><a class="file" href={driveFile(id, format)} download><Icon name="down" /><strong>{name}</strong></a></li>
       ))}
     </ul>
   </>

@@ -1,13 +1,13 @@
-import type { DriveFull } from '../../api/types';
+import { pause, play, seek, setSpeed, stopReplay } from '../../actions/replay';
+import type { DriveFull, WorkFigures } from '../../api/types';
 import { clock, count, hectares, rate, squareMetres, timeOfDay } from '../../format';
 import { Button } from '../../parts/button';
 import { Select } from '../../parts/choice';
 import { Figures } from '../../parts/figures';
 import { Icon } from '../../parts/icon';
 import { Slider } from '../../parts/slider';
-import { pause, play, replay, seek, setSpeed, stopReplay } from '../../state/replay';
+import { replay } from '../../state/replay';
 import { useStore } from '../../state/store';
-import type { WorkFigures } from '../../api/types';
 
 const SPEEDS = [0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
 
