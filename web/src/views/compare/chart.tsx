@@ -2,7 +2,7 @@
 import { useId } from 'preact/hooks';
 import type { FrontPoint } from '../../api/types';
 import { count, money, squareMetres } from '../../format';
-import { marksOf } from './trade_off';
+import { marksOf } from './marks';
 
 const W = 380;
 const H = 300;

@@ -10,15 +10,7 @@ import { compare } from '../../state/compare';
 import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
 import { Chart } from './chart';
-
-const MARKS: Record<string, string> = {
-  given_prices: 'cheapest at your prices',
-  knee: 'balanced',
-  least_overlap: 'least overlap',
-  least_uncovered: 'least uncovered',
-  fewest_turns_and_stops: 'fewest turns and stops',
-};
-export const marksOf = (point: FrontPoint) => point.marks.map((mark) => MARKS[mark] ?? mark).join(', ');
+import { marksOf } from './marks';
 
 export function TradeOff({ field }: { field: string }) {
   const front = useStore(compare, (value) => (value.field === field ? value.front : null));
