@@ -1,13 +1,12 @@
 import { attempt } from '../../actions/notices';
 import { cancelPlan, makePlan } from '../../actions/planning';
-import { show } from '../../actions/session';
-import { Button } from '../../parts/button';
 import { Progress } from '../../parts/progress';
 import { Switch } from '../../parts/switch';
 import { fields } from '../../state/fields';
 import { form } from '../../state/plan_form';
 import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
+import { NoField } from '../no_field';
 import { CheckPlan } from './check_plan';
 import { Ends } from './ends';
 import { Follow } from './follow';
@@ -16,15 +15,6 @@ import { Objective } from './objective';
 import { PlanFigures } from './plan_figures';
 import { PlanHead } from './plan_head';
 import { TakeAway } from './take_away';
-
-export function NoField() {
-  return (
-    <section>
-      <p>Open a field first: choose a file, or draw one.</p>
-      <Button kind="main" onClick={() => show('fields')}>Go to fields</Button>
-    </section>
-  );
-}
 
 export function PlanView() {
   const field = useStore(fields, (value) => value.open);
