@@ -4,8 +4,8 @@ import type { FeatureCollection, Place, WorkFrame, WorkTile } from '../api/types
 import { replay } from '../state/replay';
 import { DRIVE_LAYERS, review } from '../state/review';
 import { session } from '../state/session';
-import { fit } from './engine';
-import { collection, NOTHING, type Shown } from './shown';
+import { fit } from './camera';
+import { collection, NOTHING, type LiveMap } from './live_map';
 import { TILE_SOURCES } from './style';
 import { DRIVE_PARTS } from './work_layers';
 
@@ -30,7 +30,7 @@ function growTiles(source: GeoJSONSource, tiles: WorkTile[], kind: (typeof GROUN
 }
 
 /** Follows a stream of work: ground by tiles, the way, the machine. */
-function followStream({ map, fill }: Shown): void {
+function followStream({ map, fill }: LiveMap): void {
   const there = { covered: new Set<string>(), repeated: new Set<string>() };
   let way: Place[] = [];
   const clear = () => {
@@ -56,15 +56,15 @@ function followStream({ map, fill }: Shown): void {
   onFrame((frame) => (frame ? draw(frame) : clear()));
 }
 
-export function followWork(shown: Shown): void {
-  const { fill, visible } = shown;
+export function followWork(shown: LiveMap): void {
+  const { map, fill, visible } = shown;
   followStream(shown);
   const filled: Record<string, FeatureCollection | undefined> = {};
   let looked: string | null = null;
   const sync = () => {
     const here = session.get().view === 'review';
     const { drive, shapes, shown: on } = review.get();
-    if (drive && drive.id !== looked && drive.field === null && drive.bbox) fit(drive.bbox);
+    if (drive && drive.id !== looked && drive.field === null && drive.bbox) fit(map, drive.bbox);
     looked = drive?.id ?? null;
     const moving = replay.get().of !== null;
     for (const name of DRIVE_LAYERS) {

@@ -1,14 +1,14 @@
 // What to do while drawing, and a way to draw without pointing: coordinates, or metres from the last corner.
 import { useState } from 'preact/hooks';
-import { add, finish, stop, undo } from '../actions/drawing';
-import { complain } from '../actions/notices';
-import type { Place } from '../api/types';
-import { metres } from '../format';
-import { engine } from '../map/host';
-import { distance, moved } from '../map/metres';
-import { drawing, least, type Purpose } from '../state/drawing';
-import { useStore } from '../state/store';
-import { Button } from './button';
+import { add, finish, stop, undo } from '../../actions/drawing';
+import { complain } from '../../actions/notices';
+import type { Place } from '../../api/types';
+import { metres } from '../../format';
+import { engine } from '../../map/engine_loader';
+import { distance, moved } from '../../map/metres';
+import { Button } from '../../parts/button';
+import { drawing, least, type Purpose } from '../../state/drawing';
+import { useStore } from '../../state/store';
 
 const WORDS: Record<Purpose, { title: string; done: string }> = {
   field: { title: 'Click or tap the corners of the field, one after the other.', done: 'Store the field' },

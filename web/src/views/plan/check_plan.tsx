@@ -3,7 +3,7 @@ import { attempt } from '../../actions/notices';
 import { cancelCheck, checkPlan } from '../../actions/planning';
 import type { Check, Checked, Place, PlanFull } from '../../api/types';
 import { count, ground, length, sentence, squareMetres } from '../../format';
-import { engine } from '../../map/host';
+import { engine } from '../../map/engine_loader';
 import { Button } from '../../parts/button';
 import { Progress } from '../../parts/progress';
 import { plans } from '../../state/plans';

@@ -2,7 +2,7 @@
 import { drawFor, pickEdge } from '../../actions/drawing';
 import type { Place } from '../../api/types';
 import { degrees, length } from '../../format';
-import { openEdges } from '../../map/drawing';
+import { openEdges } from '../../map/edges';
 import { bearing, distance } from '../../map/metres';
 import { Button } from '../../parts/button';
 import { Choice, Select } from '../../parts/choice';

@@ -5,7 +5,7 @@ import { planTheGaps } from '../../actions/repair';
 import { stopReplay } from '../../actions/replay';
 import type { DriveFull } from '../../api/types';
 import { metres, squareMetres } from '../../format';
-import { engine } from '../../map/host';
+import { engine } from '../../map/engine_loader';
 import { Button } from '../../parts/button';
 import { More } from '../../parts/more';
 import { NumberField } from '../../parts/number_field';
