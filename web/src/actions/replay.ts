@@ -1,7 +1,7 @@
 // Running a stream of work. Frames go to whoever draws them; the figures go into the store.
 import { feedEvents, replayEvents } from '../api/addresses';
 import { AWAY } from '../api/errors';
-import { openStream, type Stream } from '../api/events';
+import { openStream, type Stream } from '../api/event_stream';
 import type { DriveFull, FeedItem, WorkFigures, WorkFrame } from '../api/types';
 import { replay } from '../state/replay';
 import { complain } from './notices';

@@ -3,7 +3,7 @@ import { sentence } from '../format';
 import { jobEvents } from './addresses';
 import { api } from './client';
 import { ApiError, AWAY } from './errors';
-import { openStream } from './events';
+import { openStream } from './event_stream';
 import type { Job, JobResult } from './types';
 
 /** What Cancel was pressed for. */

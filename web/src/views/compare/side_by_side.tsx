@@ -7,9 +7,9 @@ import type { PlanFull, PlanItem, PlanSummary } from '../../api/types';
 import { change, count, endRule, length, money, percent, squareMetres, when } from '../../format';
 import { Button } from '../../parts/button';
 import { Select } from '../../parts/choice';
+import { ConfirmButton } from '../../parts/confirm_button';
+import { Expander } from '../../parts/expander';
 import { Icon } from '../../parts/icon';
-import { More } from '../../parts/more';
-import { Sure } from '../../parts/sure';
 import { compare } from '../../state/compare';
 import { costOf, form } from '../../state/plan_form';
 import { plans } from '../../state/plans';
@@ -125,15 +125,15 @@ function Differences({ a, b }: { a: PlanFull; b: PlanFull }) {
 function AllPlans({ list }: { list: PlanItem[] }) {
   const open = useStore(plans, (value) => value.open?.id);
   return (
-    <More title={`All plans of this field (${list.length})`}>
+    <Expander title={`All plans of this field (${list.length})`}>
       <ul class="cards">
         {list.map((plan) => (
           <li key={plan.id} class="row tight">
             <Button aria-current={plan.id === open} onClick={() => void attempt(() => openPlan(plan.id))}>{called(plan, list)}</Button>
-            <Sure label={`Delete plan ${called(plan, list)}`} ask="Delete it" act={() => void attempt(() => deletePlan(plan.id))}><Icon name="bin" /></Sure>
+            <ConfirmButton label={`Delete plan ${called(plan, list)}`} ask="Delete it" act={() => void attempt(() => deletePlan(plan.id))}><Icon name="bin" /></ConfirmButton>
           </li>
         ))}
       </ul>
-    </More>
+    </Expander>
   );
 }

@@ -4,7 +4,7 @@ import { attempt } from '../../actions/notices';
 import type { FrontPoint } from '../../api/types';
 import { count, money, plural, squareMetres } from '../../format';
 import { Button } from '../../parts/button';
-import { More } from '../../parts/more';
+import { Expander } from '../../parts/expander';
 import { Progress } from '../../parts/progress';
 import { compare } from '../../state/compare';
 import { plans } from '../../state/plans';
@@ -48,7 +48,7 @@ function Points({ points }: { points: FrontPoint[] }) {
           </>
         ) : `${plural(points.length, 'plan')}. Point at one to see its numbers; click it to see it on the map.`}
       </p>
-      <More title="The same as a table">
+      <Expander title="The same as a table">
         <div class="wide-table" tabIndex={0} role="region" aria-label="Plans worth a choice">
           <table>
             <thead><tr><th>Plan</th><th>Overlap</th><th>Uncovered</th><th>Turns</th><th>Stops</th><th>Cost</th></tr></thead>
@@ -66,7 +66,7 @@ function Points({ points }: { points: FrontPoint[] }) {
             </tbody>
           </table>
         </div>
-      </More>
+      </Expander>
     </>
   );
 }

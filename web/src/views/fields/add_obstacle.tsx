@@ -3,7 +3,7 @@ import { drawFor } from '../../actions/drawing';
 import { changeField } from '../../actions/fields';
 import { Button } from '../../parts/button';
 import { Choice } from '../../parts/choice';
-import { More } from '../../parts/more';
+import { Expander } from '../../parts/expander';
 import { NumberField } from '../../parts/number_field';
 import type { Purpose } from '../../state/drawing';
 
@@ -19,7 +19,7 @@ export function AddObstacle() {
       changeField({ add: [{ kind, geometry, ...(form === 'obstacle-area' ? {} : { size_m }) }] }),
     );
   return (
-    <More title="Add an obstacle">
+    <Expander title="Add an obstacle">
       <Choice label="Its form" value={form} change={setForm}
         options={[
           { value: 'obstacle-point', label: 'Point' },
@@ -36,6 +36,6 @@ export function AddObstacle() {
           change={(value) => value !== null && setSize(value)} />
       )}
       <Button onClick={start}>Set it on the map</Button>
-    </More>
+    </Expander>
   );
 }

@@ -2,9 +2,9 @@ import { useState } from 'preact/hooks';
 import { deleteField, openField } from '../../actions/fields';
 import { attempt } from '../../actions/notices';
 import { hectares, plural, when } from '../../format';
+import { ConfirmButton } from '../../parts/confirm_button';
 import { Icon } from '../../parts/icon';
 import { arrowKeys, LONG, matching, Search } from '../../parts/search';
-import { Sure } from '../../parts/sure';
 import { fields } from '../../state/fields';
 import { useStore } from '../../state/store';
 
@@ -33,7 +33,7 @@ export function FieldList() {
                 </span>
               </span>
             </button>
-            <Sure label={`Delete ${field.name}`} ask="Delete it" act={() => void attempt(() => deleteField(field.id))}><Icon name="bin" /></Sure>
+            <ConfirmButton label={`Delete ${field.name}`} ask="Delete it" act={() => void attempt(() => deleteField(field.id))}><Icon name="bin" /></ConfirmButton>
           </li>
         ))}
       </ul>

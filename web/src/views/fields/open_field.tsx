@@ -4,7 +4,7 @@ import { show } from '../../actions/session';
 import type { FieldFull } from '../../api/types';
 import { hectares, plural, sentence, squareMetres } from '../../format';
 import { Button } from '../../parts/button';
-import { More } from '../../parts/more';
+import { Expander } from '../../parts/expander';
 import { TitleField } from '../../parts/title_field';
 import { AddObstacle } from './add_obstacle';
 
@@ -31,7 +31,7 @@ function Findings({ field }: { field: FieldFull }) {
   const number = repairs.length + skipped.length + warnings.length;
   if (number === 0) return <p class="fine">The boundary is sound: nothing had to be mended.</p>;
   return (
-    <More title={`${plural(number, 'remark')} on the file: what was mended or left aside`} open={number <= 4}>
+    <Expander title={`${plural(number, 'remark')} on the file: what was mended or left aside`} open={number <= 4}>
       <ul class="plain">
         {repairs.map((repair, i) => (
           <li key={i}>
@@ -43,7 +43,7 @@ function Findings({ field }: { field: FieldFull }) {
         ))}
         {warnings.map((warning, i) => <li key={i}>{sentence(warning)}</li>)}
       </ul>
-    </More>
+    </Expander>
   );
 }
 
@@ -66,7 +66,7 @@ function Obstacles({ field }: { field: FieldFull }) {
   const list = obstaclesOf(field);
   if (list.length === 0) return null;
   return (
-    <More title={`Obstacles, as numbered on the map (${list.length})`}>
+    <Expander title={`Obstacles, as numbered on the map (${list.length})`}>
       <ul class="plain">
         {list.map(({ number, kind, area_m2 }) => (
           <li key={number} class="between">
@@ -78,6 +78,6 @@ function Obstacles({ field }: { field: FieldFull }) {
           </li>
         ))}
       </ul>
-    </More>
+    </Expander>
   );
 }

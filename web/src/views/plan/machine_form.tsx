@@ -5,10 +5,10 @@ import type { Machine } from '../../api/types';
 import { width } from '../../format';
 import { Button } from '../../parts/button';
 import { Select } from '../../parts/choice';
+import { ConfirmButton } from '../../parts/confirm_button';
+import { Expander } from '../../parts/expander';
 import { Icon } from '../../parts/icon';
-import { More } from '../../parts/more';
 import { NumberField } from '../../parts/number_field';
-import { Sure } from '../../parts/sure';
 import { TitleField } from '../../parts/title_field';
 import { form } from '../../state/plan_form';
 import { plans } from '../../state/plans';
@@ -39,12 +39,12 @@ export function MachineForm() {
         <NumberField label="Working width" unit="m" value={machine.width_m} least={0.2} most={100} change={(v) => v !== null && set({ width_m: v })} />
         <NumberField label="Turning radius" unit="m" value={machine.radius_m} least={0} most={100} change={(v) => v !== null && set({ radius_m: v })} />
       </div>
-      <More title="More about the machine">
+      <Expander title="More about the machine">
         <NumberField label="Shortest piece worth driving" unit="m" value={machine.min_length_m ?? null} least={0} most={1000} optional
           hint="Left empty: twice the working width." change={(v) => set({ min_length_m: v })} />
         <ChosenMachine machine={machine} />
         <SaveMachine />
-      </More>
+      </Expander>
     </section>
   );
 }
@@ -82,7 +82,7 @@ function ChosenMachine({ machine }: { machine: Machine }) {
   return (
     <div class="row tight">
       <TitleField key={id} label="Name of the stored machine" value={machine.name ?? ''} save={(name) => void attempt(() => storeMachine(name, id))} />
-      <Sure label={`Delete the machine ${machine.name ?? ''}`} ask="Delete it" act={() => void attempt(remove)}><Icon name="bin" /></Sure>
+      <ConfirmButton label={`Delete the machine ${machine.name ?? ''}`} ask="Delete it" act={() => void attempt(remove)}><Icon name="bin" /></ConfirmButton>
     </div>
   );
 }

@@ -3,8 +3,8 @@ import { attempt, note } from '../../actions/notices';
 import { deletePlan, keepPlan, renamePlan } from '../../actions/plans';
 import type { PlanFull } from '../../api/types';
 import { Button } from '../../parts/button';
+import { ConfirmButton } from '../../parts/confirm_button';
 import { Icon } from '../../parts/icon';
-import { Sure } from '../../parts/sure';
 import { TitleField } from '../../parts/title_field';
 
 export function PlanHead({ plan }: { plan: PlanFull }) {
@@ -16,7 +16,7 @@ export function PlanHead({ plan }: { plan: PlanFull }) {
     <section class="plan-head" aria-label={`Open plan: ${plan.name}`}>
       <div class="row tight">
         <TitleField key={plan.id} label="Name of the plan" value={plan.name} save={(name) => void attempt(() => renamePlan(plan.id, name))} />
-        <Sure label={`Delete the plan ${plan.name}`} ask="Delete it" act={() => void attempt(remove)}><Icon name="bin" /></Sure>
+        <ConfirmButton label={`Delete the plan ${plan.name}`} ask="Delete it" act={() => void attempt(remove)}><Icon name="bin" /></ConfirmButton>
       </div>
       {plan.draft && (
         <div class="between">

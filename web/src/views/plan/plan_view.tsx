@@ -8,13 +8,13 @@ import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
 import { NoField } from '../no_field';
 import { CheckPlan } from './check_plan';
-import { Ends } from './ends';
-import { Follow } from './follow';
+import { CostsForm } from './costs_form';
+import { EndsForm } from './ends_form';
 import { MachineForm } from './machine_form';
-import { Objective } from './objective';
 import { PlanFigures } from './plan_figures';
+import { PlanFiles } from './plan_files';
 import { PlanHead } from './plan_head';
-import { TakeAway } from './take_away';
+import { TracksForm } from './tracks_form';
 
 export function PlanView() {
   const field = useStore(fields, (value) => value.open);
@@ -28,9 +28,9 @@ export function PlanView() {
       {open && <PlanFigures plan={open} />}
       <form onSubmit={(event) => { event.preventDefault(); void attempt(() => makePlan()); }}>
         <MachineForm />
-        <Objective />
-        <Ends />
-        <Follow />
+        <CostsForm />
+        <EndsForm />
+        <TracksForm />
         <div class={open && !job ? 'sticky' : 'sticky foot'}>
           {job ? (
             <Progress job={job} title="Planning" cancel={() => void attempt(cancelPlan)} />
@@ -41,7 +41,7 @@ export function PlanView() {
         <Switch on={again} label="Plan again by itself when something changes" change={(on) => form.set({ again: on })} />
       </form>
       {open && <CheckPlan plan={open} />}
-      {open && <TakeAway plan={open} />}
+      {open && <PlanFiles plan={open} />}
     </>
   );
 }

@@ -7,7 +7,7 @@ import type { DriveFull } from '../../api/types';
 import { metres, squareMetres } from '../../format';
 import { engine } from '../../map/engine_loader';
 import { Button } from '../../parts/button';
-import { More } from '../../parts/more';
+import { Expander } from '../../parts/expander';
 import { NumberField } from '../../parts/number_field';
 import { form } from '../../state/plan_form';
 import { review } from '../../state/review';
@@ -49,13 +49,13 @@ function PlanGaps() {
   const set = (change: Partial<typeof machine>) => form.set({ machine: { ...form.get().machine, ...change } });
   return (
     <>
-      <More title="With which machine">
+      <Expander title="With which machine">
         <div class="two">
           <NumberField label="Working width" unit="m" value={machine.width_m} least={0.2} most={100} change={(v) => v !== null && set({ width_m: v })} />
           <NumberField label="Turning radius" unit="m" value={machine.radius_m} least={0} most={100} change={(v) => v !== null && set({ radius_m: v })} />
         </div>
         <NumberField label="Leave gaps smaller than" unit="m²" value={least} least={0} most={100000} change={(v) => v !== null && setLeast(v)} />
-      </More>
+      </Expander>
       <Button kind="main" onClick={() => void attempt(() => planTheGaps(least))}>Plan the gaps</Button>
     </>
   );

@@ -6,7 +6,7 @@ import { attach, stopReplay } from '../../actions/replay';
 import type { FeedItem } from '../../api/types';
 import { Button } from '../../parts/button';
 import { Select } from '../../parts/choice';
-import { More } from '../../parts/more';
+import { Expander } from '../../parts/expander';
 import { NumberField } from '../../parts/number_field';
 import { fields } from '../../state/fields';
 import { form } from '../../state/plan_form';
@@ -45,7 +45,7 @@ export function StartFeed() {
       {running.map((feed) => (
         <div key={feed.id} class="row"><Button onClick={() => attach(feed)}>Watch {feed.name ?? feed.source ?? feed.id}</Button></div>
       ))}
-      <More title="Watch a machine at work">
+      <Expander title="Watch a machine at work">
         <form onSubmit={(event) => { event.preventDefault(); void attempt(go); }}>
           <Select label="It sends by" value={kind} change={setKind}
             options={(Object.keys(KINDS) as Kind[]).map((value) => ({ value, label: KINDS[value].label }))} />
@@ -58,7 +58,7 @@ export function StartFeed() {
           <NumberField label="Working width" unit="m" value={width_m} least={0.2} most={100} optional hint="Left empty: as the machine says." change={setWidth} />
           <button type="submit" class="button main" disabled={where.trim() === ''}>Watch it</button>
         </form>
-      </More>
+      </Expander>
     </>
   );
 }

@@ -3,9 +3,9 @@ import { attempt } from '../../actions/notices';
 import { driveFile } from '../../api/addresses';
 import type { Compared, DriveFull } from '../../api/types';
 import { count, hectares, hours, length, metres, percent, rate, sentence, squareMetres, width } from '../../format';
+import { Expander } from '../../parts/expander';
 import { Figures } from '../../parts/figures';
 import { Icon } from '../../parts/icon';
-import { More } from '../../parts/more';
 import { TitleField } from '../../parts/title_field';
 import { Gaps } from './gaps';
 import { ReplayBar } from './replay_bar';
@@ -58,12 +58,12 @@ function Remarks({ drive }: { drive: DriveFull }) {
   const { warnings = [], skipped_count = 0 } = drive.summary;
   if (warnings.length === 0 && skipped_count === 0) return null;
   return (
-    <More title="Remarks on the log">
+    <Expander title="Remarks on the log">
       <ul class="plain">
         {skipped_count > 0 && <li>{count(skipped_count)} records could not be used.</li>}
         {warnings.map((warning, i) => <li key={i}>{sentence(warning)}</li>)}
       </ul>
-    </More>
+    </Expander>
   );
 }
 

@@ -21,7 +21,7 @@ const said = (line: Place[]) => {
   return `${length(long)}, towards ${degrees(bearing(line[0]!, line[line.length - 1]!))}`;
 };
 
-export function Follow() {
+export function TracksForm() {
   const shape = useStore(form, (value) => value.shape);
   const line = useStore(form, (value) => value.line);
   const edges = openEdges().slice(0, LISTED);

@@ -6,7 +6,7 @@ import { Slider } from '../../parts/slider';
 import { form, priceAt, USUAL } from '../../state/plan_form';
 import { useStore } from '../../state/store';
 
-export function Objective() {
+export function CostsForm() {
   const by = useStore(form, (value) => value.by);
   return (
     <section aria-labelledby="objective-title">

@@ -4,8 +4,8 @@ import { attempt } from '../../actions/notices';
 import { keepPlan } from '../../actions/plans';
 import { planFile } from '../../api/addresses';
 import type { PlanFull } from '../../api/types';
+import { Expander } from '../../parts/expander';
 import { Icon } from '../../parts/icon';
-import { More } from '../../parts/more';
 
 const FILES: { format: string; name: string; what: string; crs: boolean }[] = [
   { format: 'gpkg', name: 'GeoPackage', what: 'everything, for QGIS and for tramline', crs: false },
@@ -18,7 +18,7 @@ const FILES: { format: string; name: string; what: string; crs: boolean }[] = [
   { format: 'pdf', name: 'Sheet', what: 'PDF, to print', crs: false },
 ];
 
-export function TakeAway({ plan }: { plan: PlanFull }) {
+export function PlanFiles({ plan }: { plan: PlanFull }) {
   const [crs, setCrs] = useState('');
   return (
     <section aria-labelledby="take-title">
@@ -34,13 +34,13 @@ export function TakeAway({ plan }: { plan: PlanFull }) {
           </li>
         ))}
       </ul>
-      <More title="Another coordinate system">
+      <Expander title="Another coordinate system">
         <label class="field">
           <span class="label">For Shapefiles and FlatGeobuf</span>
           <input type="text" placeholder="EPSG:25832" value={crs} onInput={(event) => setCrs(event.currentTarget.value.trim())} />
         </label>
         <p class="hint">Left empty: the system of the field’s own file.</p>
-      </More>
+      </Expander>
     </section>
   );
 }
