@@ -12,7 +12,7 @@ render(<App />, document.getElementById('page')!);
 addEventListener('dragover', (event) => event.preventDefault());
 addEventListener('drop', (event) => {
   event.preventDefault();
-  complain('Drop the file on the dashed place, or choose it with the button there.');
+  complain('Drop the file on the dashed box, or choose it with the button there.');
 });
 watchServer(() => void comeBack());
 planAtChanges();

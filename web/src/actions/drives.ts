@@ -21,7 +21,7 @@ export async function takeLogFile(file: File): Promise<void> {
     const what = upload.kind === 'fields' ? 'a file of fields: drop it under Fields' : upload.kind === 'plan' ? 'a plan, not a log: choose the file that the machine wrote' : null;
     throw new ApiError(
       'bad_input',
-      what ? `${file.name} is ${what}.` : `${file.name} is no log of a machine. Choose a CSV, NMEA, GPX or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
+      what ? `${file.name} is ${what}.` : `${file.name} is not the log of a machine. Choose a CSV, NMEA, GPX or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
       400,
     );
   }

@@ -25,5 +25,5 @@ export async function endFeed(feed: string): Promise<void> {
   stopReplay();
   await loadDrives();
   if (drive) await openDrive(drive);
-  else note('No fix came, so nothing was stored. Look whether the machine sends to this address, then watch it again.');
+  else note('No fix arrived, so nothing was stored. Check that the machine sends to this address, then watch it again.');
 }

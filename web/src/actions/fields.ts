@@ -33,7 +33,7 @@ export async function takeFieldFile(file: File): Promise<void> {
     const what = upload.kind === 'log' ? 'the log of a machine: drop it under Review' : upload.kind === 'plan' ? 'a plan, not a field: choose the file of the field itself' : null;
     throw new ApiError(
       'bad_input',
-      what ? `${file.name} is ${what}.` : `${file.name} holds no field. Choose a GeoJSON, GeoPackage, Shapefile, KML or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
+      what ? `${file.name} is ${what}.` : `${file.name} contains no field. Choose a GeoJSON, GeoPackage, Shapefile, KML or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
       400,
     );
   }
@@ -73,19 +73,19 @@ export async function takeFeatures(upload: Upload, features: UploadedFeature[]):
     fields.set({ busy: null, taking: false, ...(stopped ? {} : { choosing: null }) });
     await loadFields();
   }
-  note(`${plural(stored, 'field')} of ${upload.name} ${stored === 1 ? 'is' : 'are'} stored${stopped ? ', then you pressed Stop' : ''}. Open one under Your fields.`);
+  note(`${plural(stored, 'field')} of ${upload.name} ${stored === 1 ? 'is' : 'are'} stored${stopped ? '; you stopped the others' : ''}. Open one under Your fields.`);
   if (refused.length > 0) complain(`${plural(refused.length, 'field')} could not be stored. ${refused.slice(0, 3).join(' ')}`);
 }
 
 export async function takeFeature(upload: Upload, feature: UploadedFeature): Promise<void> {
-  const field = await busy('Looking over the field …', () => storeFeature(upload, feature));
+  const field = await busy('Checking the field …', () => storeFeature(upload, feature));
   fields.set({ choosing: null });
   await opened(await api.field(field.id));
   await loadFields();
 }
 
 export async function storeDrawnField(name: string, geometry: Geometry): Promise<void> {
-  const field = await busy('Looking over the field …', () => api.storeField({ name, geometry }));
+  const field = await busy('Checking the field …', () => api.storeField({ name, geometry }));
   await opened(await api.field(field.id));
   await loadFields();
 }
@@ -95,7 +95,7 @@ export async function changeField(change: { name?: string; add?: ObstacleDrawn[]
   if (!open) return;
   await api.changeField(open.id, change);
   fields.set({ open: await api.field(open.id) });
-  if (change.add || change.remove) closePlan(); // it was made for other ground
+  if (change.add || change.remove) closePlan(); // it was made for other land
   await loadFields();
 }
 
@@ -106,5 +106,5 @@ export async function deleteField(id: string): Promise<void> {
     fields.set({ open: null });
   }
   await loadFields();
-  note('The field is deleted. Its drives are still under Review, and its plans in the folder of the server.');
+  note('The field is deleted. Its drives are still under Review, and its plans are still in the server’s folder.');
 }

@@ -27,7 +27,7 @@ export async function attempt(action: () => Promise<unknown>): Promise<boolean> 
       if (!error.away) complain(error.message); // the banner already says that the server is away
     } else {
       console.error(error);
-      complain('Something on this page went wrong. Reload it; what was saved is still there.');
+      complain('Something went wrong on this page. Reload it; what was saved is still there.');
     }
     return false;
   }

@@ -20,7 +20,7 @@ export async function planTheGaps(least_m2: number): Promise<void> {
     stopReplay();
     await openPlan(result.plan);
     show('plan');
-    note('This is the plan for what was missed. Take it away as a file, or go back to Review.');
+    note('This is the plan for what was missed. Download it below, or go back to Review.');
   } finally {
     review.set({ job: null });
   }

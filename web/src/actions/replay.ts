@@ -8,7 +8,7 @@ import { complain } from './notices';
 
 type Draw = (frame: WorkFrame | null) => void;
 let draw: Draw = () => {};
-/** `draw` gets every frame, and null where the ground is to be cleared. */
+/** `draw` gets every frame, and null where the map is to be cleared. */
 export function onFrame(drawer: Draw): void {
   draw = drawer;
 }
@@ -48,7 +48,7 @@ function run(drive: string, at_s: number, only: boolean): void {
     shut();
     if (!replay.get().playing) return;
     replay.set({ playing: false });
-    complain('The replay broke off. Press Play to go on from here.');
+    complain('The replay was interrupted. Press Play to continue from here.');
   });
 }
 

@@ -21,7 +21,7 @@ function assertSize(file: File): void {
   if (limit !== undefined && file.size > limit) {
     throw new ApiError(
       'too_large',
-      `${file.name} has ${megabytes(file.size)}, and at most ${megabytes(limit)} are taken. Cut it into smaller files, or zip it.`,
+      `${file.name} is ${megabytes(file.size)} large, but the server takes at most ${megabytes(limit)}. Split it into smaller files, or zip it.`,
       413,
     );
   }

@@ -13,4 +13,4 @@ export class ApiError extends Error {
   }
 }
 
-export const AWAY = 'The tramline server does not answer. Start it again with “tramline serve”; this page then goes on by itself.';
+export const AWAY = 'The tramline server does not answer. Start it again with “tramline serve”; this page then reconnects by itself.';

@@ -71,7 +71,7 @@ function keepTiles(map: GlMap, visible: LiveMap['visible']): void {
     if ((event as { sourceId?: string }).sourceId !== 'tiles') return console.error(event.error);
     if (told || !session.get().tiles) return;
     told = true;
-    complain(`The background does not come from ${tilesHost()}. Check the network and the address after --tiles; everything else works without it.`);
+    complain(`The background could not be loaded from ${tilesHost()}. Check the network and the address after --tiles; everything else works without it.`);
   });
   if (!map.getLayer('tiles')) return;
   const sync = () => {
@@ -85,7 +85,7 @@ function keepTiles(map: GlMap, visible: LiveMap['visible']): void {
 
 function keepFocus(map: GlMap): void {
   const canvas = map.getCanvas();
-  canvas.setAttribute('aria-label', 'Map. Arrow keys move it, plus and minus zoom. While you draw, Enter sets a corner in the middle.');
+  canvas.setAttribute('aria-label', 'Map. Arrow keys move it, plus and minus zoom. While you draw, Enter sets a corner at the centre.');
   canvas.setAttribute('role', 'application');
 }
 
