@@ -8,7 +8,7 @@ export function Locked() {
   return (
     <section aria-labelledby="locked-title">
       <h2 id="locked-title">This page is locked</h2>
-      <p>Type the token that tramline printed with its address, or open the whole address with “#token=…” at its end.</p>
+      <p>Type the token that tramline printed with its address, or open that whole address, which ends with “#token=…”.</p>
       <form onSubmit={(event) => { event.preventDefault(); void attempt(() => unlock(token.trim())); }}>
         <label class="field">
           <span class="label">Token</span>

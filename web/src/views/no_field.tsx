@@ -6,7 +6,7 @@ export function NoField() {
   return (
     <section>
       <p>Open a field first: choose a file, or draw one.</p>
-      <Button kind="main" onClick={() => show('fields')}>Go to fields</Button>
+      <Button kind="main" onClick={() => show('fields')}>Go to Fields</Button>
     </section>
   );
 }

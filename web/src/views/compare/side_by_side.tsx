@@ -37,7 +37,7 @@ export function SideBySide() {
     return (
       <section>
         <h2>Two plans side by side</h2>
-        <p class="hint">There {list.length === 1 ? 'is one plan' : 'are no plans'} of this field yet. Make {list.length === 1 ? 'another' : 'two'} under Plan, or choose dots above.</p>
+        <p class="hint">{list.length === 1 ? 'This field has one plan so far. Make another under Plan, or click a dot above.' : 'This field has no plans yet. Make two under Plan, or click dots above.'}</p>
       </section>
     );
   }
@@ -85,7 +85,7 @@ const ROWS: Row[] = [
   { label: 'Turns', of: (s) => s.turns, write: count },
   { label: 'Stops', of: (s) => s.stops, write: count },
   { label: 'Tracks', of: (s) => s.tracks, write: count },
-  { label: 'Way on tracks', of: (s) => s.track_length_m, write: length },
+  { label: 'Length of tracks', of: (s) => s.track_length_m, write: length },
   { label: 'Detours', of: (s) => s.detours, write: count },
   { label: 'Headland passes', of: (s) => s.headland_passes, write: count },
 ];

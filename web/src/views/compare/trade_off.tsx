@@ -18,7 +18,7 @@ export function TradeOff({ field }: { field: string }) {
   return (
     <section aria-labelledby="front-title">
       <h2 id="front-title">Plans worth a choice</h2>
-      {!front && <p class="hint">Fewer turns cost overlap or uncovered land. This finds the plans of which none is better in everything, for the machine and the settings under Plan.</p>}
+      {!front && <p class="hint">Fewer turns mean more overlap or more uncovered land. This finds the plans that no other plan beats in every number, for the machine and the settings under Plan.</p>}
       {job ? (
         <Progress job={job} title="Comparing" cancel={() => void attempt(cancelFront)} />
       ) : (
@@ -41,12 +41,12 @@ function Points({ points }: { points: FrontPoint[] }) {
     <>
       <Chart points={points} open={opened?.point ?? null} hovered={hovered} hover={setHovered} choose={choose} />
       <p class="about" role="status">
-        {laying !== null ? `Laying plan ${laying} …` : about ? (
+        {laying !== null ? `Making plan ${laying} …` : about ? (
           <>
             <strong>Plan {about.point}</strong>
             {`: ${squareMetres(about.overlap_m2)} overlap, ${squareMetres(about.uncovered_m2)} uncovered, ${plural(about.turns, 'turn')}, ${plural(about.stops, 'stop')}, ${money(about.cost)}${about.marks.length > 0 ? ` – ${marksOf(about)}` : ''}.`}
           </>
-        ) : `${plural(points.length, 'plan')}. Point at one to see its numbers; click it to see it on the map.`}
+        ) : `${plural(points.length, 'plan')}. Point at one to see its numbers; click it to show it on the map.`}
       </p>
       <Expander title="The same as a table">
         <div class="wide-table" tabIndex={0} role="region" aria-label="Plans worth a choice">

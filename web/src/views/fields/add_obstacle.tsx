@@ -20,22 +20,22 @@ export function AddObstacle() {
     );
   return (
     <Expander title="Add an obstacle">
-      <Choice label="Its form" value={form} change={setForm}
+      <Choice label="Shape" value={form} change={setForm}
         options={[
           { value: 'obstacle-point', label: 'Point' },
           { value: 'obstacle-area', label: 'Area' },
           { value: 'obstacle-line', label: 'Line' },
         ]} />
-      <Choice label="May the machine cross it?" value={kind} change={setKind}
+      <Choice label="Can the machine cross it?" value={kind} change={setKind}
         options={[
           { value: 'obstacle', label: 'No' },
-          { value: 'passable', label: 'Yes, not working' },
+          { value: 'passable', label: 'Yes, without working' },
         ]} />
       {form !== 'obstacle-area' && (
         <NumberField label={form === 'obstacle-point' ? 'How wide it is' : 'How wide the line is'} unit="m" value={size_m} least={0.1} most={200}
           change={(value) => value !== null && setSize(value)} />
       )}
-      <Button onClick={start}>Set it on the map</Button>
+      <Button onClick={start}>Place it on the map</Button>
     </Expander>
   );
 }

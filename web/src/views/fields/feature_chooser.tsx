@@ -66,7 +66,7 @@ export function FeatureChooser({ upload }: { upload: Upload }) {
       <h2 id="choose-title">Which field of {upload.name}?</h2>
       {total > list.length && (
         <p class="fault">
-          The file has {plural(total, 'field')}, of which the first {list.length} are listed. Cut it into smaller files to get at the others.
+          The file has {plural(total, 'field')}, of which the first {list.length} are listed. Split it into smaller files to reach the others.
         </p>
       )}
       <p class="hint">Click a field to open it. To store several at once, tick them.</p>

@@ -31,7 +31,7 @@ function Findings({ field }: { field: FieldFull }) {
   const number = repairs.length + skipped.length + warnings.length;
   if (number === 0) return <p class="fine">The boundary is sound: nothing had to be mended.</p>;
   return (
-    <Expander title={`${plural(number, 'remark')} on the file: what was mended or left aside`} open={number <= 4}>
+    <Expander title={`${plural(number, 'remark')} on the file: what was mended or skipped`} open={number <= 4}>
       <ul class="plain">
         {repairs.map((repair, i) => (
           <li key={i}>
@@ -39,7 +39,7 @@ function Findings({ field }: { field: FieldFull }) {
           </li>
         ))}
         {skipped.map((skip, i) => (
-          <li key={i}>{sentence(`left aside: ${skip.what}, ${skip.why}`)} <span class="sub">{skip.where}</span></li>
+          <li key={i}>{sentence(`skipped: ${skip.what}, ${skip.why}`)} <span class="sub">{skip.where}</span></li>
         ))}
         {warnings.map((warning, i) => <li key={i}>{sentence(warning)}</li>)}
       </ul>

@@ -21,7 +21,7 @@ export function MapHost() {
   const [scale, setScale] = useState<Scale | null>(null);
   useEffect(() => {
     if (!webglWorks()) {
-      complain('This browser draws no maps (no WebGL 2). Everything else works; use another browser to see the field.');
+      complain('This browser cannot draw the map: it has no WebGL 2. Everything else works; use another browser to see the field.');
       return;
     }
     void loadEngine(() => box.current, setScale);
@@ -41,7 +41,7 @@ export function MapHost() {
 const short = (m: number) => (m >= 1000 ? `${m / 1000} km` : m >= 1 ? `${m} m` : metres(m));
 
 const ScaleBar = ({ length_m, width_px, grid_m }: Scale) => (
-  <div class="scale" role="img" aria-label={`Scale: the bar is ${short(length_m)} long, lines of the grid are ${short(grid_m)} apart`}>
+  <div class="scale" role="img" aria-label={`Scale: the bar is ${short(length_m)} long, and the lines of the grid are ${short(grid_m)} apart`}>
     <span class="bar" style={{ width: `${Math.round(width_px)}px` }} />
     <span>{short(length_m)}</span>
     <span class="grid-step">grid {short(grid_m)}</span>

@@ -2,7 +2,7 @@
 import { attempt } from '../../actions/notices';
 import { switchLayer } from '../../actions/plans';
 import type { LayerItem } from '../../api/types';
-import { ground, length } from '../../format';
+import { area, length } from '../../format';
 import { DAY, NIGHT, type Colours } from '../../map/palette';
 import { PARTS_OF } from '../../map/plan_layers';
 import { Switch } from '../../parts/switch';
@@ -19,14 +19,14 @@ const KNOWN: Record<string, { title: string; mark: Mark }> = {
   detours: { title: 'Detours', mark: { colour: 'Detour', form: 'line' } },
   headland_passes: { title: 'Headland passes', mark: { colour: 'HeadlandPass', form: 'line' } },
   headland: { title: 'Headland', mark: { colour: 'Headland', form: 'area' } },
-  headland_unworked: { title: 'Headland left', mark: { colour: 'Uncovered', form: 'area' } },
+  headland_unworked: { title: 'Headland left out', mark: { colour: 'Uncovered', form: 'area' } },
   subfields: { title: 'Subfields', mark: { colour: 'Passable', form: 'area' } },
   given_up: { title: 'Left out on purpose', mark: { colour: 'Uncovered', form: 'area' } },
   worked: { title: 'Worked before', mark: { colour: 'Covered', form: 'area' } },
   dropped: { title: 'Too short to drive', mark: { colour: 'Dropped', form: 'dashed' } },
 };
 
-const size = (layer: LayerItem) => (layer.m !== null ? length(layer.m) : layer.m2 !== null ? ground(layer.m2) : String(layer.features));
+const size = (layer: LayerItem) => (layer.m !== null ? length(layer.m) : layer.m2 !== null ? area(layer.m2) : String(layer.features));
 
 export function LayerList() {
   const layers = useStore(plans, (value) => value.layers);

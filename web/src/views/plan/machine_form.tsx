@@ -41,7 +41,7 @@ export function MachineForm() {
       </div>
       <Expander title="More about the machine">
         <NumberField label="Shortest piece worth driving" unit="m" value={machine.min_length_m ?? null} least={0} most={1000} optional
-          hint="Left empty: twice the working width." change={(v) => set({ min_length_m: v })} />
+          hint="If left empty: twice the working width." change={(v) => set({ min_length_m: v })} />
         <ChosenMachine machine={machine} />
         <SaveMachine />
       </Expander>
@@ -56,7 +56,7 @@ function SaveMachine() {
   const same = machines.find((one) => one.name === name.trim());
   const save = async () => {
     await storeMachine(name.trim(), same?.id);
-    note(`${name.trim()} is ${same ? 'changed' : 'stored'}. Choose it for other fields, too.`);
+    note(`${name.trim()} is ${same ? 'changed' : 'stored'}. You can choose it for other fields, too.`);
     setName('');
   };
   return (

@@ -56,7 +56,7 @@ function Remarks({ plan }: { plan: PlanFull }) {
     <Expander title={`Remarks (${warnings.length + (dropped.length > 0 ? 1 : 0)})`}>
       <ul class="plain">
         {warnings.map((warning, i) => <li key={i}>{sentence(warning)}</li>)}
-        {dropped.length > 0 && <li>{dropped.length} pieces were too short to be worth driving; their land counts as uncovered.</li>}
+        {dropped.length > 0 && <li>{dropped.length === 1 ? 'One piece was too short to be worth driving; its' : `${count(dropped.length)} pieces were too short to be worth driving; their`} land counts as uncovered.</li>}
       </ul>
     </Expander>
   );

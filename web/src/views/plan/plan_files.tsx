@@ -22,7 +22,7 @@ export function PlanFiles({ plan }: { plan: PlanFull }) {
   const [crs, setCrs] = useState('');
   return (
     <section aria-labelledby="take-title">
-      <h2 id="take-title">Take it away</h2>
+      <h2 id="take-title">Download</h2>
       <ul class="files">
         {FILES.map(({ format, name, what, crs: takes }) => (
           <li key={format}>
@@ -39,7 +39,7 @@ export function PlanFiles({ plan }: { plan: PlanFull }) {
           <span class="label">For Shapefiles and FlatGeobuf</span>
           <input type="text" placeholder="EPSG:25832" value={crs} onInput={(event) => setCrs(event.currentTarget.value.trim())} />
         </label>
-        <p class="hint">Left empty: the system of the field’s own file.</p>
+        <p class="hint">If left empty: the coordinate system of the field’s own file.</p>
       </Expander>
     </section>
   );

@@ -10,7 +10,7 @@ import { TitleField } from '../../parts/title_field';
 export function PlanHead({ plan }: { plan: PlanFull }) {
   const remove = async () => {
     await deletePlan(plan.id);
-    note('The plan is deleted. Make another one, or open one of this field under Compare.');
+    note('The plan is deleted. Make another one, or open another plan of this field under Compare.');
   };
   return (
     <section class="plan-head" aria-label={`Open plan: ${plan.name}`}>

@@ -38,7 +38,7 @@ export function PlanView() {
             <button type="submit" class="button main wide">{open ? 'Plan again' : 'Make the plan'}</button>
           )}
         </div>
-        <Switch on={again} label="Plan again by itself when something changes" change={(on) => form.set({ again: on })} />
+        <Switch on={again} label="Plan again automatically when something changes" change={(on) => form.set({ again: on })} />
       </form>
       {open && <CheckPlan plan={open} />}
       {open && <PlanFiles plan={open} />}

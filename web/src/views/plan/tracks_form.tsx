@@ -12,7 +12,7 @@ import { useStore } from '../../state/store';
 const SHAPES: { value: Shape; label: string }[] = [
   { value: 'straight', label: 'Straight' },
   { value: 'curved', label: 'Curved' },
-  { value: 'auto', label: 'What costs less' },
+  { value: 'auto', label: 'Whichever costs less' },
 ];
 const LISTED = 12;
 
@@ -29,7 +29,7 @@ export function TracksForm() {
   return (
     <section aria-labelledby="follow-title">
       <h2 id="follow-title">Tracks</h2>
-      <Choice label="Their shape" value={shape} options={SHAPES} change={(value) => form.set({ shape: value })} />
+      <Choice label="Shape" value={shape} options={SHAPES} change={(value) => form.set({ shape: value })} />
       <Select label="Parallel to" value={picked ? String(picked.number) : line ? 'line' : ''}
         options={[
           { value: '', label: 'whatever costs least' },
@@ -38,9 +38,9 @@ export function TracksForm() {
         ]}
         change={(value) => value !== 'line' && form.set({ line: edges.find((edge) => String(edge.number) === value)?.line ?? null })} />
       <div class="row">
-        <Button onClick={pickEdge}>Click an edge</Button>
+        <Button onClick={pickEdge}>Pick an edge</Button>
         <Button onClick={() => drawFor('guide', async (geometry) => form.set({ line: geometry.coordinates as Place[] }))}>Draw a line</Button>
-        {line && <Button kind="quiet" onClick={() => form.set({ line: null })}>Follow nothing</Button>}
+        {line && <Button kind="quiet" onClick={() => form.set({ line: null })}>Remove the line</Button>}
       </div>
     </section>
   );

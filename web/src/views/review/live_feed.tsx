@@ -20,7 +20,7 @@ const KINDS: Record<Kind, { label: string; where: string; example: string }> = {
   udp: { label: 'Network (UDP)', where: 'Port', example: ':4001' },
   gpsd: { label: 'gpsd', where: 'Host and port', example: 'localhost:2947' },
   serial: { label: 'Serial port', where: 'Device and speed', example: '/dev/ttyUSB0,115200' },
-  file: { label: 'File being written', where: 'Its path on this computer', example: '/home/somebody/today.csv' },
+  file: { label: 'File being written', where: 'Path on the server’s computer', example: '/home/somebody/today.csv' },
 };
 
 export function StartFeed() {
@@ -47,7 +47,7 @@ export function StartFeed() {
       ))}
       <Expander title="Watch a machine at work">
         <form onSubmit={(event) => { event.preventDefault(); void attempt(go); }}>
-          <Select label="It sends by" value={kind} change={setKind}
+          <Select label="Connection" value={kind} change={setKind}
             options={(Object.keys(KINDS) as Kind[]).map((value) => ({ value, label: KINDS[value].label }))} />
           <label class="field">
             <span class="label">{asked}</span>
@@ -55,7 +55,7 @@ export function StartFeed() {
           </label>
           <Select label="Field" value={field} change={setField}
             options={[{ value: '', label: 'none' }, ...list.map((one) => ({ value: one.id, label: one.name }))]} />
-          <NumberField label="Working width" unit="m" value={width_m} least={0.2} most={100} optional hint="Left empty: as the machine says." change={setWidth} />
+          <NumberField label="Working width" unit="m" value={width_m} least={0.2} most={100} optional hint="If left empty: as the machine says." change={setWidth} />
           <button type="submit" class="button main" disabled={where.trim() === ''}>Watch it</button>
         </form>
       </Expander>
@@ -80,7 +80,7 @@ export function LiveFeed() {
       </p>
       {state.figures && <WorkNumbers figures={state.figures} />}
       <div class="row">
-        <Button onClick={() => void attempt(toggle)}>{work ? 'Work is off' : 'Work is on again'}</Button>
+        <Button onClick={() => void attempt(toggle)}>{work ? 'Mark as not working' : 'Mark as working again'}</Button>
         <Button kind="main" onClick={() => void attempt(() => endFeed(id))}>Stop and store the drive</Button>
         <Button onClick={stopReplay}>Leave it running</Button>
       </div>

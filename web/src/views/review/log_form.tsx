@@ -64,11 +64,11 @@ export function LogForm({ upload }: { upload: Upload }) {
           {`${count(chosen.fixes)} fixes`}
           {chosen.from_s !== null && chosen.to_s !== null && ` in ${clock(chosen.to_s - chosen.from_s)} h`}
           {timeOfDay(chosen.from_s) && `, from ${timeOfDay(chosen.from_s)}`}
-          {chosen.width_m !== null ? `, ${width(chosen.width_m)} wide.` : '. The log does not say how wide the machine is.'}
+          {chosen.width_m !== null ? `, ${width(chosen.width_m)} wide.` : '. The log does not say how wide the machine works.'}
         </p>
       )}
       <Select label="Field" value={field} change={setField}
-        hint={field === NONE ? (partfields > 0 ? 'The field of the task set is taken.' : 'Without a field nothing can be missed: only what was worked is shown.') : ''}
+        hint={field === NONE ? (partfields > 0 ? 'The field in the task set is used.' : 'Without a field nothing can be missed: only what was worked is shown.') : ''}
         options={[{ value: NONE, label: partfields > 0 ? 'the one in the file' : 'none' }, ...list.map((one) => ({ value: one.id, label: one.name }))]} />
       {plansThere.length > 0 && (
         <Select label="Plan that was followed" value={plan} change={setPlan}
@@ -78,7 +78,7 @@ export function LogForm({ upload }: { upload: Upload }) {
           ]} />
       )}
       <NumberField label="Working width" unit="m" value={width_m ?? (needsWidth ? form.get().machine.width_m : null)} least={0.2} most={100} optional={!needsWidth}
-        hint={needsWidth ? '' : 'Left empty: as the log says.'} change={setWidth} />
+        hint={needsWidth ? '' : 'If left empty: as the log says.'} change={setWidth} />
       <div class="row">
         <Button kind="main" onClick={() => void go()}>Show what was worked</Button>
         <Button onClick={() => review.set({ upload: null })}>Back</Button>

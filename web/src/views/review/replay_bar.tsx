@@ -40,10 +40,10 @@ export const WorkNumbers = ({ figures: f }: { figures: WorkFigures }) => (
   <Figures label="Worked so far"
     list={[
       { label: 'Covered', value: hectares(f.covered_inside_m2 ?? f.covered_m2), tone: 'covered' },
-      { label: 'Doubled', value: squareMetres(f.repeated_m2), tone: 'overlap' },
+      { label: 'Repeated', value: squareMetres(f.repeated_m2), tone: 'overlap' },
       { label: 'Missed', value: f.missed_m2 === null ? '–' : hectares(f.missed_m2), tone: 'uncovered' },
       { label: 'Rate', value: rate(f.ha_per_hour) },
-      { label: 'Working, h', value: clock(f.worked_s) },
+      { label: 'At work, h', value: clock(f.worked_s) },
       { label: 'To go, h', value: f.remaining_s === null ? '–' : clock(f.remaining_s) },
     ]} />
 );
