@@ -31,7 +31,7 @@ flow('the way from a drawn field to a plan, by keyboard alone', {}, async ({ pag
     await mapSettled(page);
     await page.keyboard.press('Enter');
   }
-  await page.locator('.drawing-bar', { hasText: '4 set' }).waitFor();
+  await page.locator('.drawing-bar', { hasText: '4 points set' }).waitFor();
   await tabTo(page, '^Store the field$');
   await page.keyboard.press('Enter');
   await page.getByRole('region', { name: /^Open field/ }).waitFor();

@@ -15,7 +15,7 @@ flow('draw a field and an obstacle, then plan', {}, async ({ page }) => {
 
   await page.getByText('Add an obstacle').click();
   await page.getByLabel('How wide it is').fill('6');
-  await page.getByRole('button', { name: 'Set it on the map' }).click();
+  await page.getByRole('button', { name: 'Place it on the map' }).click();
   await clickMap(page, middle);
   await page.getByRole('button', { name: 'Add the obstacle' }).click();
   await page.getByText('1 obstacle').first().waitFor();

@@ -15,7 +15,7 @@ flow('a file of garbage', { expected: [/400/] }, async ({ page, server }) => {
   for (const [view, label] of [['Fields', 'Choose a file with a field'], ['Review', 'Choose the log of a machine']]) {
     await goTo(page, view);
     await chooseFile(page, label, file);
-    assert.match(await alert(page).innerText(), /^garbage\.geojson (holds no field|is no log of a machine)\. Choose a .* file\./);
+    assert.match(await alert(page).innerText(), /^garbage\.geojson (contains no field|is not the log of a machine)\. Choose a .* file\./);
     await page.getByRole('button', { name: 'Dismiss this message' }).first().click();
   }
   // And the page goes on.
@@ -42,7 +42,7 @@ flow('a file larger than the limit is not even sent', {}, async ({ page, server 
     Object.defineProperty(input, 'files', { value: [file] });
     input.dispatchEvent(new Event('change', { bubbles: true }));
   }, limit + 1);
-  assert.match(await alert(page).innerText(), /huge\.geojson has .* MB, and at most .* MB are taken\./);
+  assert.match(await alert(page).innerText(), /huge\.geojson is .* MB large, but the server takes at most .* MB\./);
   assert.equal(sent, 0);
 });
 

@@ -43,7 +43,7 @@ flow('a background that does not come is told of once, and all else works', { ar
   try {
     await openField(page, example('riverside.geojson'));
     await page.getByRole('button', { name: 'Background' }).click();
-    const notice = page.getByRole('alert').filter({ hasText: 'The background does not come from 127.0.0.1' });
+    const notice = page.getByRole('alert').filter({ hasText: 'The background could not be loaded from 127.0.0.1' });
     await notice.waitFor();
     assert.equal(await notice.count(), 1);
     assert.match(await page.locator('.attribution').innerText(), /^Background: 127\.0\.0\.1:\d+$/);

@@ -1,15 +1,16 @@
-import { MapHost } from './map/host';
+import { setTheme, show } from './actions/session';
 import { Icon, type IconName } from './parts/icon';
-import { Legend } from './parts/legend';
-import { Notices } from './parts/notices';
 import { fields } from './state/fields';
-import { session, setTheme, show, isNight, type View } from './state/session';
+import { isNight, session, type View } from './state/session';
 import { useStore } from './state/store';
 import { CompareView } from './views/compare/compare_view';
 import { FieldsView } from './views/fields/fields_view';
+import { Locked } from './views/locked';
+import { Legend } from './views/map/legend';
+import { MapHost } from './views/map/map_host';
+import { Notices } from './views/notices';
 import { PlanView } from './views/plan/plan_view';
 import { ReviewView } from './views/review/review_view';
-import { Locked } from './views/locked';
 
 const VIEWS: { view: View; title: string; icon: IconName }[] = [
   { view: 'fields', title: 'Fields', icon: 'field' },

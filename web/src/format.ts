@@ -1,4 +1,4 @@
-// How numbers are written, everywhere on the page.
+// How numbers and sentences are written, everywhere on the page.
 
 const whole = new Intl.NumberFormat('en-GB', { maximumFractionDigits: 0 });
 const fixed = [0, 1, 2, 3].map(
@@ -15,7 +15,7 @@ export const hectares = (m2: Maybe) => (missing(m2) ? NONE : `${digits(m2 / 1e4,
 /** Areas to compare with one another: m², finer where they are small. */
 export const squareMetres = (m2: Maybe) => (missing(m2) ? NONE : `${digits(m2, Math.abs(m2) < 10 ? 1 : 0)} m²`);
 /** Areas of any size, by themselves: m² up to ten hectares. */
-export const ground = (m2: Maybe) => (missing(m2) || Math.abs(m2) < 1e5 ? squareMetres(m2) : hectares(m2));
+export const area = (m2: Maybe) => (missing(m2) || Math.abs(m2) < 1e5 ? squareMetres(m2) : hectares(m2));
 export const metres = (m: Maybe) => (missing(m) ? NONE : `${digits(m, Math.abs(m) < 10 ? 2 : 0)} m`);
 export const width = (m: Maybe) => (missing(m) ? NONE : `${zeroed(String(Math.round(m * 100) / 100))} m`);
 export const length = (m: Maybe) => (missing(m) ? NONE : Math.abs(m) < 10_000 ? metres(m) : `${digits(m / 1000, 1)} km`);
@@ -67,3 +67,11 @@ const ENDS: Record<string, string> = {
   inside: 'stay inside',
 };
 export const endRule = (rule: string) => ENDS[rule] ?? rule;
+
+/** The library's messages begin in lower case and bear no full stop. */
+export function sentence(message: string): string {
+  const text = message.trim();
+  if (text === '') return text;
+  const whole = /[.!?…]$/.test(text) ? text : `${text}.`;
+  return /^[a-z]+\b(?![./_])/.test(whole) ? whole[0]!.toUpperCase() + whole.slice(1) : whole;
+}

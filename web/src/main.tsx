@@ -1,9 +1,10 @@
 import { render } from 'preact';
+import { complain } from './actions/notices';
+import { planAtChanges } from './actions/planning';
+import { watchServer } from './actions/server';
+import { applyTheme } from './actions/session';
+import { comeBack, start } from './actions/start';
 import { App } from './app';
-import { comeBack, start } from './start';
-import { complain } from './state/notices';
-import { planAtChanges } from './state/plans';
-import { applyTheme, watchServer } from './state/session';
 
 applyTheme();
 render(<App />, document.getElementById('page')!);
@@ -11,7 +12,7 @@ render(<App />, document.getElementById('page')!);
 addEventListener('dragover', (event) => event.preventDefault());
 addEventListener('drop', (event) => {
   event.preventDefault();
-  complain('Drop the file on the dashed place, or choose it with the button there.');
+  complain('Drop the file on the dashed box, or choose it with the button there.');
 });
 watchServer(() => void comeBack());
 planAtChanges();

@@ -1,23 +1,8 @@
 // Requests to the server. Every failure becomes an ApiError with one sentence for the user.
+import { sentence } from '../format';
+import { base } from './addresses';
+import { ApiError, AWAY } from './errors';
 import type * as T from './types';
-
-const base = '/api/v1';
-
-export class ApiError extends Error {
-  constructor(
-    readonly code: string,
-    message: string,
-    readonly status: number,
-  ) {
-    super(message);
-  }
-  /** The server could not be reached at all. */
-  get away(): boolean {
-    return this.status === 0;
-  }
-}
-
-export const AWAY = 'The tramline server does not answer. Start it again with “tramline serve”; this page then goes on by itself.';
 
 type Listener = (reachable: boolean) => void;
 let tell: Listener = () => {};
@@ -62,14 +47,6 @@ async function failure(response: Response): Promise<ApiError> {
   return new ApiError(code, message, response.status);
 }
 
-/** The library's messages begin in lower case and bear no full stop. */
-export function sentence(message: string): string {
-  const text = message.trim();
-  if (text === '') return text;
-  const whole = /[.!?…]$/.test(text) ? text : `${text}.`;
-  return /^[a-z]+\b(?![./_])/.test(whole) ? whole[0]!.toUpperCase() + whole.slice(1) : whole;
-}
-
 /** The whole answer; one that breaks off means that the server is away, or that this page is being left. */
 async function textOf(response: Response, signal?: AbortSignal): Promise<string> {
   try {
@@ -88,8 +65,6 @@ async function json<R>(method: string, path: string, body?: unknown, signal?: Ab
 }
 
 const id = encodeURIComponent;
-// Two centimetres are less than a screen shows, and a day's work is a third of the bytes.
-const SEEN = 'detail_m=0.02';
 
 export const api = {
   info: () => json<T.ServerInfo>('GET', ''),
@@ -120,8 +95,6 @@ export const api = {
   deletePlan: (plan: string) => json<void>('DELETE', `/plans/${id(plan)}`),
   planLayers: (plan: string) => json<T.LayerItem[]>('GET', `/plans/${id(plan)}/layers`),
   planLayer: (plan: string, layer: string) => json<T.FeatureCollection>('GET', `/plans/${id(plan)}/layers/${id(layer)}`),
-  planFile: (plan: string, format: string, crs = '') =>
-    `${base}/plans/${id(plan)}/files/${format}${crs ? `?crs=${id(crs)}` : ''}`,
   front: (front: string) => json<T.Front>('GET', `/fronts/${id(front)}`),
   layPoint: (front: string, point: number) => json<{ plan: string }>('POST', `/fronts/${id(front)}/points/${point}`),
 
@@ -129,17 +102,11 @@ export const api = {
   storeDrive: (request: T.DriveRequest) => json<T.Job>('POST', '/drives', request),
   drive: (drive: string) => json<T.DriveFull>('GET', `/drives/${id(drive)}`),
   driveLayer: (drive: string, layer: string) => json<T.FeatureCollection>('GET', `/drives/${id(drive)}/layers/${id(layer)}`),
-  driveFile: (drive: string, format: string) => `${base}/drives/${id(drive)}/files/${format}`,
   renameDrive: (drive: string, name: string) => json<unknown>('PATCH', `/drives/${id(drive)}`, { name }),
   deleteDrive: (drive: string) => json<void>('DELETE', `/drives/${id(drive)}`),
-  replay: (drive: string, from_s: number | null, speed: number) =>
-    `${base}/drives/${id(drive)}/replay?speed=${speed}&${SEEN}${from_s === null ? '' : `&from_s=${from_s}`}`,
 
   feeds: () => json<T.FeedItem[]>('GET', '/feeds'),
   startFeed: (request: T.FeedRequest) => json<T.FeedItem>('POST', '/feeds', request),
-  feedEvents: (feed: string) => `${base}/feeds/${id(feed)}/events?${SEEN}`,
   feedWork: (feed: string, on: boolean) => json<unknown>('POST', `/feeds/${id(feed)}/work`, { on }),
   stopFeed: (feed: string) => json<{ drive: string | null }>('DELETE', `/feeds/${id(feed)}`),
-
-  jobEvents: (job: string) => `${base}/jobs/${id(job)}/events`,
 };

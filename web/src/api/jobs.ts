@@ -1,6 +1,9 @@
 // A job from its start to its result, with progress and cancel.
-import { api, ApiError, AWAY, sentence } from './client';
-import { openStream } from './events';
+import { sentence } from '../format';
+import { jobEvents } from './addresses';
+import { api } from './client';
+import { ApiError, AWAY } from './errors';
+import { openStream } from './event_stream';
 import type { Job, JobResult } from './types';
 
 /** What Cancel was pressed for. */
@@ -28,7 +31,7 @@ export async function follow(job: Job, progress: (job: Job) => void): Promise<Jo
       resolve(state);
     };
     const stream = openStream(
-      api.jobEvents(job.id),
+      jobEvents(job.id),
       { progress: (state: Job) => (over(state) ? end(state) : progress(state)), done: end, failed: end, cancelled: end },
       () => {
         // The stream may have been shut after the last event got lost: ask once.

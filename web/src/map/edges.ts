@@ -1,5 +1,6 @@
 // The edges of a field as people see them: from corner to corner, bends between.
 import type { FieldFull, Place } from '../api/types';
+import { fields } from '../state/fields';
 import { bearing, between, distance } from './metres';
 
 export interface Edge {
@@ -33,7 +34,7 @@ function edgesOfRing(closedRing: Place[]): Place[][] {
 const lengthOf = (line: Place[]) => line.slice(1).reduce((sum, place, i) => sum + distance(line[i]!, place), 0);
 
 /** Edges of the outer boundary, the longest first. */
-export function edgesOf(field: FieldFull): Edge[] {
+function edgesOf(field: FieldFull): Edge[] {
   const rings: Place[][] = [];
   for (const { geometry, properties } of field.shapes.features) {
     if (properties['kind'] !== 'field' || !geometry) continue;
@@ -46,6 +47,18 @@ export function edgesOf(field: FieldFull): Edge[] {
     .filter((edge) => edge.length_m >= SHORTEST_M)
     .sort((a, b) => b.length_m - a.length_m)
     .map((edge, i) => ({ ...edge, number: i + 1 }));
+}
+
+let ofField: FieldFull | null = null;
+let edges: Edge[] = [];
+/** Edges of the open field; worked out once for each field. */
+export function openEdges(): Edge[] {
+  const field = fields.get().open;
+  if (field !== ofField) {
+    ofField = field;
+    edges = field ? edgesOf(field) : [];
+  }
+  return edges;
 }
 
 function distanceToSegment(p: Place, a: Place, b: Place): number {

@@ -1,51 +1,33 @@
 // The map itself: made once, then kept in step with the stores. Loaded after the first paint.
 import maplibregl, { type GeoJSONSource, type Map as GlMap } from 'maplibre-gl';
+import { complain } from '../actions/notices';
 import type { Box, Place } from '../api/types';
 import { fields } from '../state/fields';
-import { complain } from '../state/notices';
 import { isNight, session, tilesHost } from '../state/session';
-import { followDrawing } from './drawing';
-import { drawGrid, scaleOf } from './grid';
+import * as camera from './camera';
+import { drawGrid, scaleOf, type Scale } from './grid';
 import { drawLabels, forgetLabels } from './labels';
+import type { LiveMap } from './live_map';
 import { DAY, NIGHT } from './palette';
-import { mapStyle } from './style';
+import { followDrawing } from './show_drawing';
 import { followField } from './show_field';
 import { followPlan } from './show_plan';
 import { followWork } from './show_work';
-import type { Shown } from './shown';
+import { mapStyle } from './style';
 
-const calm = matchMedia('(prefers-reduced-motion: reduce)');
 const START: Place = [10, 51];
-let shown: Shown | null = null;
+let shown: LiveMap | null = null;
 
-/** Moves the map so that a box fills it, less what lies over it. */
-export function fit(box: Box): void {
-  if (!shown) return;
-  const { map } = shown;
-  const wide = map.getContainer().clientWidth > 760;
-  const padding = wide ? { top: 48, bottom: 56, left: 48, right: 360 } : { top: 20, bottom: 44, left: 62, right: 20 };
-  map.fitBounds(box, { padding, maxZoom: 20, animate: !calm.matches, duration: 500 });
-}
-
+export const fit = (box: Box) => shown && camera.fit(shown.map, box);
+export const look = (at: Place, size_m: number) => shown && camera.look(shown.map, at, size_m);
+export const zoomBy = (steps: number) => shown && camera.zoomBy(shown.map, steps);
 export const resized = () => shown?.map.resize();
-export const centre = (): Place => (shown ? shown.map.getCenter().toArray() : START);
 
-/** So that a place can be seen from near. */
-export function look(at: Place, size_m: number): void {
-  const span = Math.max(size_m, 10) * 2.5;
-  const lat = span / 111_000;
-  const lon = lat / Math.max(0.01, Math.cos((at[1] * Math.PI) / 180));
-  fit([at[0] - lon, at[1] - lat, at[0] + lon, at[1] + lat]);
-}
-
-type Scale = (length_m: number, width_px: number, grid_m: number) => void;
-
-function keepGrid(map: GlMap, scale: Scale): void {
+function keepGrid(map: GlMap, scaled: (scale: Scale) => void): void {
   let origin: Place = START;
   const draw = () => {
-    const grid = drawGrid(map, origin);
-    const { length_m, width_px } = scaleOf(map);
-    scale(length_m, width_px, grid);
+    const grid_m = drawGrid(map, origin);
+    scaled({ ...scaleOf(map), grid_m });
   };
   const anchor = () => {
     const box = fields.get().open?.bbox;
@@ -78,7 +60,7 @@ const GROUND = ['field-ground', 'plan:headland', 'plan:subfields'];
 const SEEN_THROUGH = 0.35;
 
 /** A background that does not come is told of once, until it is switched on anew. */
-function keepTiles(map: GlMap, visible: Shown['visible']): void {
+function keepTiles(map: GlMap, visible: LiveMap['visible']): void {
   let told = false;
   // What the map still asks for while the page is being left fails, and is no fault.
   let leaving = false;
@@ -89,7 +71,7 @@ function keepTiles(map: GlMap, visible: Shown['visible']): void {
     if ((event as { sourceId?: string }).sourceId !== 'tiles') return console.error(event.error);
     if (told || !session.get().tiles) return;
     told = true;
-    complain(`The background does not come from ${tilesHost()}. Check the network and the address after --tiles; everything else works without it.`);
+    complain(`The background could not be loaded from ${tilesHost()}. Check the network and the address after --tiles; everything else works without it.`);
   });
   if (!map.getLayer('tiles')) return;
   const sync = () => {
@@ -103,11 +85,11 @@ function keepTiles(map: GlMap, visible: Shown['visible']): void {
 
 function keepFocus(map: GlMap): void {
   const canvas = map.getCanvas();
-  canvas.setAttribute('aria-label', 'Map. Arrow keys move it, plus and minus zoom. While you draw, Enter sets a corner in the middle.');
+  canvas.setAttribute('aria-label', 'Map. Arrow keys move it, plus and minus zoom. While you draw, Enter sets a corner at the centre.');
   canvas.setAttribute('role', 'application');
 }
 
-export async function startMap(container: HTMLElement, scale: Scale): Promise<void> {
+export async function startMap(container: HTMLElement, scaled: (scale: Scale) => void): Promise<void> {
   maplibregl.setWorkerUrl('/map-worker.js');
   const map = new maplibregl.Map({
     container,
@@ -136,7 +118,7 @@ export async function startMap(container: HTMLElement, scale: Scale): Promise<vo
       for (const layer of layers) map.setLayoutProperty(layer, 'visibility', on ? 'visible' : 'none');
     },
   };
-  keepGrid(map, scale);
+  keepGrid(map, scaled);
   keepTheme(map);
   keepTiles(map, shown.visible);
   followField(shown);
@@ -146,11 +128,4 @@ export async function startMap(container: HTMLElement, scale: Scale): Promise<vo
   container.dataset['ready'] = 'true';
   // For the tests of the page, which look at what is drawn.
   Object.assign(window, { tramlineMap: map });
-}
-
-export function zoomBy(steps: number): void {
-  if (!shown) return;
-  const zoom = shown.map.getZoom() + steps;
-  if (calm.matches) shown.map.jumpTo({ zoom });
-  else shown.map.easeTo({ zoom, duration: 200 });
 }

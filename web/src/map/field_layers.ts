@@ -1,4 +1,4 @@
-// The field and its obstacles. At a review its ground has the colour of what is missed.
+// The field and its obstacles. At a review its land has the colour of what is missed.
 import type { LayerSpecification } from 'maplibre-gl';
 import type { Colours } from './palette';
 

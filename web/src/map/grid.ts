@@ -42,8 +42,14 @@ export function drawGrid(map: GlMap, origin: Place): number {
   return step;
 }
 
-/** The scale bar: a round length and how wide it is. */
-export function scaleOf(map: GlMap): { length_m: number; width_px: number } {
+/** The scale bar: a round length, how wide it is on the screen, and how far apart lines of the grid are. */
+export interface Scale {
+  length_m: number;
+  width_px: number;
+  grid_m: number;
+}
+
+export function scaleOf(map: GlMap): Pick<Scale, 'length_m' | 'width_px'> {
   const perPixel = metresPerPixel(map);
   const length_m = roundStep(perPixel * 70);
   return { length_m, width_px: length_m / perPixel };

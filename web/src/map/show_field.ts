@@ -1,11 +1,11 @@
 import { drawing } from '../state/drawing';
 import { fields } from '../state/fields';
 import { session } from '../state/session';
-import { fit } from './engine';
-import { NOTHING, type Shown } from './shown';
+import { fit } from './camera';
+import { NOTHING, type LiveMap } from './live_map';
 
 /** The open field on the map, fitted when another one is opened. */
-export function followField({ fill, visible }: Shown): void {
+export function followField({ map, fill, visible }: LiveMap): void {
   let shapes: unknown = null;
   let open: string | null = null;
   const sync = () => {
@@ -14,7 +14,7 @@ export function followField({ fill, visible }: Shown): void {
       shapes = field?.shapes;
       fill('field', field?.shapes ?? NOTHING);
     }
-    if (field && field.id !== open) fit(field.bbox);
+    if (field && field.id !== open) fit(map, field.bbox);
     open = field?.id ?? null;
   };
   fields.listen(sync);

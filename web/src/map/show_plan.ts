@@ -1,7 +1,7 @@
 import type { FeatureCollection } from '../api/types';
 import { isShown, plans } from '../state/plans';
 import { session } from '../state/session';
-import { NOTHING, type Shown } from './shown';
+import { NOTHING, type LiveMap } from './live_map';
 import { degreeLengths } from './metres';
 import { PARTS_OF } from './plan_layers';
 
@@ -25,7 +25,7 @@ function zoomOf(width_m: number, lat: number, px: number): number {
 }
 
 /** The open plan on the map, while a view is open that is about plans. */
-export function followPlan({ map, fill, visible }: Shown): void {
+export function followPlan({ map, fill, visible }: LiveMap): void {
   const filled: Record<string, FeatureCollection | undefined> = {};
   let fitted: string | null = null;
   const sync = () => {

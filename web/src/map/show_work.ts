@@ -1,20 +1,21 @@
 import type { GeoJSONSource } from 'maplibre-gl';
+import { onFrame } from '../actions/replay';
 import type { FeatureCollection, Place, WorkFrame, WorkTile } from '../api/types';
+import { replay } from '../state/replay';
 import { DRIVE_LAYERS, review } from '../state/review';
-import { onFrame, replay } from '../state/replay';
 import { session } from '../state/session';
-import { fit } from './engine';
-import { NOTHING, collection, type Shown } from './shown';
+import { fit } from './camera';
+import { collection, NOTHING, type LiveMap } from './live_map';
 import { TILE_SOURCES } from './style';
 import { DRIVE_PARTS } from './work_layers';
 
 type Polygons = WorkTile['covered'];
-const GROUND = ['covered', 'repeated'] as const;
+const LAND_KINDS = ['covered', 'repeated'] as const;
 /** Of the way driven, the newest so many places are drawn. */
 const TAIL = 4000;
 
 /** Changes only the tiles that came with the frame. */
-function growTiles(source: GeoJSONSource, tiles: WorkTile[], kind: (typeof GROUND)[number], there: Set<string>): void {
+function growTiles(source: GeoJSONSource, tiles: WorkTile[], kind: (typeof LAND_KINDS)[number], there: Set<string>): void {
   const remove: string[] = [];
   const add = [];
   for (const tile of tiles) {
@@ -28,20 +29,20 @@ function growTiles(source: GeoJSONSource, tiles: WorkTile[], kind: (typeof GROUN
   if (add.length + remove.length > 0) void source.updateData({ add, remove } as never);
 }
 
-/** Follows a stream of work: ground by tiles, the way, the machine. */
-function followStream({ map, fill }: Shown): void {
+/** Follows a stream of work: land by tiles, the way driven, the machine. */
+function followStream({ map, fill }: LiveMap): void {
   const there = { covered: new Set<string>(), repeated: new Set<string>() };
   let way: Place[] = [];
   const clear = () => {
     for (const name of TILE_SOURCES) fill(name, NOTHING);
-    for (const kind of GROUND) there[kind].clear();
+    for (const kind of LAND_KINDS) there[kind].clear();
     way = [];
     fill('work:line', NOTHING);
     fill('work:machine', NOTHING);
   };
   const draw = (frame: WorkFrame) => {
     if (frame.all) clear();
-    for (const kind of GROUND) growTiles(map.getSource(`work:${kind}`) as GeoJSONSource, frame.tiles, kind, there[kind]);
+    for (const kind of LAND_KINDS) growTiles(map.getSource(`work:${kind}`) as GeoJSONSource, frame.tiles, kind, there[kind]);
     way = [...way, ...frame.line].slice(-TAIL);
     fill('work:line', collection([{ type: 'Feature', properties: {}, geometry: { type: 'LineString', coordinates: way } }]));
     if (!frame.at) return;
@@ -55,15 +56,15 @@ function followStream({ map, fill }: Shown): void {
   onFrame((frame) => (frame ? draw(frame) : clear()));
 }
 
-export function followWork(shown: Shown): void {
-  const { fill, visible } = shown;
+export function followWork(shown: LiveMap): void {
+  const { map, fill, visible } = shown;
   followStream(shown);
   const filled: Record<string, FeatureCollection | undefined> = {};
   let looked: string | null = null;
   const sync = () => {
     const here = session.get().view === 'review';
     const { drive, shapes, shown: on } = review.get();
-    if (drive && drive.id !== looked && drive.field === null && drive.bbox) fit(drive.bbox);
+    if (drive && drive.id !== looked && drive.field === null && drive.bbox) fit(map, drive.bbox);
     looked = drive?.id ?? null;
     const moving = replay.get().of !== null;
     for (const name of DRIVE_LAYERS) {
@@ -72,7 +73,7 @@ export function followWork(shown: Shown): void {
         filled[name] = data;
         fill(`drive:${name}`, data ?? NOTHING);
       }
-      // While it is replayed the map shows the ground as it was, not as it came out.
+      // While it is replayed the map shows the land as it was, not as it came out.
       visible(DRIVE_PARTS[name]!, here && !moving && on[name] && data !== undefined);
     }
     visible(['work:covered', 'work:repeated', 'work:line', 'work:machine'], here && moving);

@@ -1,6 +1,4 @@
 // Sentences for the user: what went wrong and what to do, or what has been done.
-import { ApiError } from '../api/client';
-import { Cancelled } from '../api/jobs';
 import { store } from './store';
 
 export interface Notice {
@@ -9,36 +7,3 @@ export interface Notice {
   text: string;
 }
 export const notices = store<{ list: Notice[] }>({ list: [] });
-
-let last = 0;
-function add(kind: Notice['kind'], text: string): void {
-  const others = notices.get().list.filter((notice) => notice.text !== text);
-  const notice = { number: ++last, kind, text };
-  notices.set({ list: [...others, notice].slice(-3) });
-  if (kind === 'note') setTimeout(() => dismiss(notice.number), 8000);
-}
-export const note = (text: string) => add('note', text);
-export const complain = (text: string) => add('error', text);
-export function dismiss(number: number): void {
-  notices.set({ list: notices.get().list.filter((notice) => notice.number !== number) });
-}
-export function dismissErrors(): void {
-  notices.set({ list: notices.get().list.filter((notice) => notice.kind !== 'error') });
-}
-
-/** Runs an action of the user; a failure becomes a notice. True if it came through. */
-export async function attempt(action: () => Promise<unknown>): Promise<boolean> {
-  try {
-    await action();
-    return true;
-  } catch (error) {
-    if (error instanceof Cancelled) note('Cancelled. Nothing was changed.');
-    else if (error instanceof ApiError) {
-      if (!error.away) complain(error.message); // the banner already says that the server is away
-    } else {
-      console.error(error);
-      complain('Something on this page went wrong. Reload it; what was saved is still there.');
-    }
-    return false;
-  }
-}

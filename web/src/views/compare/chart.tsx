@@ -1,8 +1,8 @@
 // Overlap to the right, uncovered land upwards, turns as colour: each dot is a plan.
 import { useId } from 'preact/hooks';
 import type { FrontPoint } from '../../api/types';
-import { count, money, squareMetres } from '../../format';
-import { marksOf } from './trade_off';
+import { count, money, plural, squareMetres } from '../../format';
+import { marksOf } from './marks';
 
 const W = 380;
 const H = 300;
@@ -79,7 +79,7 @@ export function Chart({ points, open, hovered, hover, choose }: Props) {
     <figure class="chart">
       <svg
         viewBox={`0 0 ${W} ${H}`} role="listbox" tabIndex={0} aria-activedescendant={hovered === null ? undefined : `${name}-${hovered}`}
-        aria-label="Trade-off: overlap to the right, uncovered land upwards, larger dots turn and stop more often. Arrow keys go from plan to plan, Enter shows one."
+        aria-label="Trade-off: overlap to the right, uncovered land upwards; a larger dot means more turns and stops. Arrow keys go from plan to plan, Enter shows one on the map."
         onMouseMove={(event) => hover(nearest(event))} onMouseLeave={() => hover(null)} onKeyDown={key}
         onClick={(event) => {
           const point = nearest(event);
@@ -104,14 +104,14 @@ export function Chart({ points, open, hovered, hover, choose }: Props) {
           <g
             key={point.point} id={`${name}-${point.point}`} role="option" aria-selected={point.point === open}
             class={`dot ${point.point === open ? 'open' : ''} ${point.point === hovered ? 'hovered' : ''} ${point.marks.includes('given_prices') ? 'cheapest' : ''}`}
-            aria-label={`Plan ${point.point}: ${squareMetres(point.overlap_m2)} overlap, ${squareMetres(point.uncovered_m2)} uncovered, ${point.turns} turns, ${point.stops} stops, ${money(point.cost)}${point.marks.length > 0 ? `, ${marksOf(point)}` : ''}`}
+            aria-label={`Plan ${point.point}: ${squareMetres(point.overlap_m2)} overlap, ${squareMetres(point.uncovered_m2)} uncovered, ${plural(point.turns, 'turn')}, ${plural(point.stops, 'stop')}, ${money(point.cost)}${point.marks.length > 0 ? `, ${marksOf(point)}` : ''}`}
           >
             <circle class="seen" cx={x(point.overlap_m2)} cy={y(point.uncovered_m2)} r={radius(point)} />
             {point.marks.includes('knee') && <circle class="knee" cx={x(point.overlap_m2)} cy={y(point.uncovered_m2)} r={radius(point) + 3.5} />}
           </g>
         ))}
       </svg>
-      <figcaption class="hint">A larger dot turns and stops more often. Filled: cheapest at your prices; ringed: balanced.</figcaption>
+      <figcaption class="hint">A larger dot means more turns and stops. The filled dot is the cheapest at your prices, the ringed one is balanced.</figcaption>
     </figure>
   );
 }

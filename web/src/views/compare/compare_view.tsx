@@ -1,7 +1,7 @@
 import { fields } from '../../state/fields';
 import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
-import { NoField } from '../plan/plan_view';
+import { NoField } from '../no_field';
 import { Reasons } from './reasons';
 import { SideBySide } from './side_by_side';
 import { TradeOff } from './trade_off';

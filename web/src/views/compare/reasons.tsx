@@ -1,19 +1,19 @@
 // Why the plan on the map won: what its cost is made of, and what the next best would cost more.
 import type { Explain, PlanFull, RunnerUp } from '../../api/types';
-import { count, degrees, money, squareMetres } from '../../format';
+import { degrees, money, plural, squareMetres } from '../../format';
 
 const REASONS: Record<string, string> = {
   overlap: 'more overlap', uncovered: 'more uncovered land', turns: 'more turns', stops: 'more stops',
 };
 const CAUSES: Record<string, string> = {
-  'row ends': 'Ends of swaths at slanting edges', sides: 'Along the sides', seams: 'Between parts of the field', detours: 'Ways round obstacles',
+  'row ends': 'Ends of swaths at slanting edges', sides: 'Along the sides', seams: 'Between subfields', detours: 'Detours round obstacles',
   stops: 'Stops at obstacles', 'short pieces': 'Pieces too short to drive', 'given up': 'Left out on purpose', turns: 'Turns',
 };
 
 export function Reasons({ plan }: { plan: PlanFull }) {
   return (
     <section aria-labelledby="why-title">
-      <h2 id="why-title">Why the plan on the map</h2>
+      <h2 id="why-title">Why the plan on the map won</h2>
       {plan.explain ? <Told explain={plan.explain} /> : <p class="hint">This plan was stored without its reasons. Make it again under Plan to see them.</p>}
     </section>
   );
@@ -33,13 +33,13 @@ function Told({ explain }: { explain: Explain }) {
             <span class="sub">{[
               cause.overlap_m2 > 0.5 && `${squareMetres(cause.overlap_m2)} overlap`,
               cause.uncovered_m2 > 0.5 && `${squareMetres(cause.uncovered_m2)} uncovered`,
-              cause.count !== null && `${count(cause.count)} times`,
+              cause.count !== null && plural(cause.count, 'time'),
             ].filter(Boolean).join(', ')}</span>
           </li>
         ))}
       </ul>
       <h3>The next best plans</h3>
-      {explain.runner_ups.length === 0 ? <p class="hint">No plan of another kind was looked at.</p> : (
+      {explain.runner_ups.length === 0 ? <p class="hint">No plan of another kind was considered.</p> : (
         <ul class="plain">{explain.runner_ups.map((other, i) => <li key={i}>{told(other)}</li>)}</ul>
       )}
     </>
@@ -48,7 +48,7 @@ function Told({ explain }: { explain: Explain }) {
 
 function told(other: RunnerUp): string {
   const towards = other.direction_deg.slice(0, 3).map(degrees).join(', ');
-  const how = other.subfields > 1 ? `${other.subfields} parts, towards ${towards}` : `Tracks towards ${towards}`;
-  const saved = Object.entries(other.more_by).filter(([, more]) => more < -0.005).map(([what]) => what);
-  return `${how}: ${money(other.more)} dearer, mostly for ${REASONS[other.main_reason] ?? other.main_reason}${saved.length > 0 ? `, though it saves ${saved.join(' and ')}` : ''}.`;
+  const how = other.subfields > 1 ? `${other.subfields} subfields, towards ${towards}` : `Tracks towards ${towards}`;
+  const saved = Object.entries(other.more_by).filter(([, more]) => more < -0.005).map(([what]) => (what === 'uncovered' ? 'uncovered land' : what));
+  return `${how}: ${money(other.more)} dearer, mostly because of ${REASONS[other.main_reason] ?? other.main_reason}${saved.length > 0 ? `, although it saves ${saved.join(' and ')}` : ''}.`;
 }

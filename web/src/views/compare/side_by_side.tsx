@@ -1,16 +1,18 @@
 import { useEffect } from 'preact/hooks';
-import { api } from '../../api/client';
+import { choose } from '../../actions/compare';
+import { attempt } from '../../actions/notices';
+import { deletePlan, openPlan } from '../../actions/plans';
+import { planFile } from '../../api/addresses';
 import type { PlanFull, PlanItem, PlanSummary } from '../../api/types';
 import { change, count, endRule, length, money, percent, squareMetres, when } from '../../format';
 import { Button } from '../../parts/button';
 import { Select } from '../../parts/choice';
+import { ConfirmButton } from '../../parts/confirm_button';
+import { Expander } from '../../parts/expander';
 import { Icon } from '../../parts/icon';
-import { More } from '../../parts/more';
-import { Sure } from '../../parts/sure';
-import { choose, compare } from '../../state/compare';
-import { attempt } from '../../state/notices';
+import { compare } from '../../state/compare';
 import { costOf, form } from '../../state/plan_form';
-import { deletePlan, openPlan, plans } from '../../state/plans';
+import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
 
 const called = (plan: PlanItem, all: PlanItem[]) => {
@@ -35,7 +37,7 @@ export function SideBySide() {
     return (
       <section>
         <h2>Two plans side by side</h2>
-        <p class="hint">There {list.length === 1 ? 'is one plan' : 'are no plans'} of this field yet. Make {list.length === 1 ? 'another' : 'two'} under Plan, or choose dots above.</p>
+        <p class="hint">{list.length === 1 ? 'This field has one plan so far. Make another under Plan, or click a dot above.' : 'This field has no plans yet. Make two under Plan, or click dots above.'}</p>
       </section>
     );
   }
@@ -64,7 +66,7 @@ const Side = ({ side, title, plan, options }: SideProps) => (
     <Select label={title} value={plan?.id ?? ''} options={options} change={(id) => void attempt(() => choose(side, id))} />
     {plan && (
       <button type="button" class="picture" aria-label={`Show the ${title.toLowerCase()} on the map`} onClick={() => void attempt(() => openPlan(plan.id))}>
-        <img src={api.planFile(plan.id, 'png')} alt={`Picture of the ${title.toLowerCase()}`} loading="lazy" />
+        <img src={planFile(plan.id, 'png')} alt={`Picture of the ${title.toLowerCase()}`} loading="lazy" />
       </button>
     )}
   </div>
@@ -83,7 +85,7 @@ const ROWS: Row[] = [
   { label: 'Turns', of: (s) => s.turns, write: count },
   { label: 'Stops', of: (s) => s.stops, write: count },
   { label: 'Tracks', of: (s) => s.tracks, write: count },
-  { label: 'Way on tracks', of: (s) => s.track_length_m, write: length },
+  { label: 'Length of tracks', of: (s) => s.track_length_m, write: length },
   { label: 'Detours', of: (s) => s.detours, write: count },
   { label: 'Headland passes', of: (s) => s.headland_passes, write: count },
 ];
@@ -123,15 +125,15 @@ function Differences({ a, b }: { a: PlanFull; b: PlanFull }) {
 function AllPlans({ list }: { list: PlanItem[] }) {
   const open = useStore(plans, (value) => value.open?.id);
   return (
-    <More title={`All plans of this field (${list.length})`}>
+    <Expander title={`All plans of this field (${list.length})`}>
       <ul class="cards">
         {list.map((plan) => (
           <li key={plan.id} class="row tight">
             <Button aria-current={plan.id === open} onClick={() => void attempt(() => openPlan(plan.id))}>{called(plan, list)}</Button>
-            <Sure label={`Delete plan ${called(plan, list)}`} ask="Delete it" act={() => void attempt(() => deletePlan(plan.id))}><Icon name="bin" /></Sure>
+            <ConfirmButton label={`Delete plan ${called(plan, list)}`} ask="Delete it" act={() => void attempt(() => deletePlan(plan.id))}><Icon name="bin" /></ConfirmButton>
           </li>
         ))}
       </ul>
-    </More>
+    </Expander>
   );
 }

@@ -1,23 +1,16 @@
 import { useState } from 'preact/hooks';
+import { cancelFront, makeFront, openPoint } from '../../actions/compare';
+import { attempt } from '../../actions/notices';
 import type { FrontPoint } from '../../api/types';
 import { count, money, plural, squareMetres } from '../../format';
 import { Button } from '../../parts/button';
-import { More } from '../../parts/more';
+import { Expander } from '../../parts/expander';
 import { Progress } from '../../parts/progress';
-import { cancelFront, compare, makeFront, openPoint } from '../../state/compare';
-import { attempt } from '../../state/notices';
+import { compare } from '../../state/compare';
 import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
 import { Chart } from './chart';
-
-const MARKS: Record<string, string> = {
-  given_prices: 'cheapest at your prices',
-  knee: 'balanced',
-  least_overlap: 'least overlap',
-  least_uncovered: 'least uncovered',
-  fewest_turns_and_stops: 'fewest turns and stops',
-};
-export const marksOf = (point: FrontPoint) => point.marks.map((mark) => MARKS[mark] ?? mark).join(', ');
+import { marksOf } from './marks';
 
 export function TradeOff({ field }: { field: string }) {
   const front = useStore(compare, (value) => (value.field === field ? value.front : null));
@@ -25,7 +18,7 @@ export function TradeOff({ field }: { field: string }) {
   return (
     <section aria-labelledby="front-title">
       <h2 id="front-title">Plans worth a choice</h2>
-      {!front && <p class="hint">Fewer turns cost overlap or uncovered land. This finds the plans of which none is better in everything, for the machine and the settings under Plan.</p>}
+      {!front && <p class="hint">Fewer turns mean more overlap or more uncovered land. This finds the plans that no other plan beats in every number, for the machine and the settings under Plan.</p>}
       {job ? (
         <Progress job={job} title="Comparing" cancel={() => void attempt(cancelFront)} />
       ) : (
@@ -48,14 +41,14 @@ function Points({ points }: { points: FrontPoint[] }) {
     <>
       <Chart points={points} open={opened?.point ?? null} hovered={hovered} hover={setHovered} choose={choose} />
       <p class="about" role="status">
-        {laying !== null ? `Laying plan ${laying} …` : about ? (
+        {laying !== null ? `Making plan ${laying} …` : about ? (
           <>
             <strong>Plan {about.point}</strong>
             {`: ${squareMetres(about.overlap_m2)} overlap, ${squareMetres(about.uncovered_m2)} uncovered, ${plural(about.turns, 'turn')}, ${plural(about.stops, 'stop')}, ${money(about.cost)}${about.marks.length > 0 ? ` – ${marksOf(about)}` : ''}.`}
           </>
-        ) : `${plural(points.length, 'plan')}. Point at one to see its numbers; click it to see it on the map.`}
+        ) : `${plural(points.length, 'plan')}. Point at one to see its numbers; click it to show it on the map.`}
       </p>
-      <More title="The same as a table">
+      <Expander title="The same as a table">
         <div class="wide-table" tabIndex={0} role="region" aria-label="Plans worth a choice">
           <table>
             <thead><tr><th>Plan</th><th>Overlap</th><th>Uncovered</th><th>Turns</th><th>Stops</th><th>Cost</th></tr></thead>
@@ -73,7 +66,7 @@ function Points({ points }: { points: FrontPoint[] }) {
             </tbody>
           </table>
         </div>
-      </More>
+      </Expander>
     </>
   );
 }

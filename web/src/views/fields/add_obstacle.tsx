@@ -1,11 +1,11 @@
 import { useState } from 'preact/hooks';
+import { drawFor } from '../../actions/drawing';
+import { changeField } from '../../actions/fields';
 import { Button } from '../../parts/button';
 import { Choice } from '../../parts/choice';
-import { More } from '../../parts/more';
+import { Expander } from '../../parts/expander';
 import { NumberField } from '../../parts/number_field';
-import { drawFor } from '../../parts/drawing_bar';
 import type { Purpose } from '../../state/drawing';
-import { changeField } from '../../state/fields';
 
 type Form = 'obstacle-point' | 'obstacle-area' | 'obstacle-line';
 
@@ -19,23 +19,23 @@ export function AddObstacle() {
       changeField({ add: [{ kind, geometry, ...(form === 'obstacle-area' ? {} : { size_m }) }] }),
     );
   return (
-    <More title="Add an obstacle">
-      <Choice label="Its form" value={form} change={setForm}
+    <Expander title="Add an obstacle">
+      <Choice label="Shape" value={form} change={setForm}
         options={[
           { value: 'obstacle-point', label: 'Point' },
           { value: 'obstacle-area', label: 'Area' },
           { value: 'obstacle-line', label: 'Line' },
         ]} />
-      <Choice label="May the machine cross it?" value={kind} change={setKind}
+      <Choice label="Can the machine cross it?" value={kind} change={setKind}
         options={[
           { value: 'obstacle', label: 'No' },
-          { value: 'passable', label: 'Yes, not working' },
+          { value: 'passable', label: 'Yes, without working' },
         ]} />
       {form !== 'obstacle-area' && (
         <NumberField label={form === 'obstacle-point' ? 'How wide it is' : 'How wide the line is'} unit="m" value={size_m} least={0.1} most={200}
           change={(value) => value !== null && setSize(value)} />
       )}
-      <Button onClick={start}>Set it on the map</Button>
-    </More>
+      <Button onClick={start}>Place it on the map</Button>
+    </Expander>
   );
 }

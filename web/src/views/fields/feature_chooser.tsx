@@ -1,12 +1,12 @@
 // Which of the fields of a file?
-import type { Geometry, Place, Upload, UploadedFeature } from '../../api/types';
-import { sentence } from '../../api/client';
 import { useState } from 'preact/hooks';
-import { hectares, plural } from '../../format';
+import { stopTaking, takeFeature, takeFeatures } from '../../actions/fields';
+import { attempt } from '../../actions/notices';
+import type { Geometry, Place, Upload, UploadedFeature } from '../../api/types';
+import { hectares, plural, sentence } from '../../format';
 import { Button } from '../../parts/button';
 import { arrowKeys, matching, Search } from '../../parts/search';
-import { fields, stopTaking, takeFeature, takeFeatures } from '../../state/fields';
-import { attempt } from '../../state/notices';
+import { fields } from '../../state/fields';
 import { useStore } from '../../state/store';
 
 const SIZE = 56;
@@ -66,7 +66,7 @@ export function FeatureChooser({ upload }: { upload: Upload }) {
       <h2 id="choose-title">Which field of {upload.name}?</h2>
       {total > list.length && (
         <p class="fault">
-          The file has {plural(total, 'field')}, of which the first {list.length} are listed. Cut it into smaller files to get at the others.
+          The file has {plural(total, 'field')}, of which the first {list.length} are listed. Split it into smaller files to reach the others.
         </p>
       )}
       <p class="hint">Click a field to open it. To store several at once, tick them.</p>

@@ -1,10 +1,11 @@
 import { useState } from 'preact/hooks';
+import { deleteField, openField } from '../../actions/fields';
+import { attempt } from '../../actions/notices';
 import { hectares, plural, when } from '../../format';
-import { Sure } from '../../parts/sure';
+import { ConfirmButton } from '../../parts/confirm_button';
 import { Icon } from '../../parts/icon';
 import { arrowKeys, LONG, matching, Search } from '../../parts/search';
-import { deleteField, fields, openField } from '../../state/fields';
-import { attempt } from '../../state/notices';
+import { fields } from '../../state/fields';
 import { useStore } from '../../state/store';
 
 export function FieldList() {
@@ -32,7 +33,7 @@ export function FieldList() {
                 </span>
               </span>
             </button>
-            <Sure label={`Delete ${field.name}`} ask="Delete it" act={() => void attempt(() => deleteField(field.id))}><Icon name="bin" /></Sure>
+            <ConfirmButton label={`Delete ${field.name}`} ask="Delete it" act={() => void attempt(() => deleteField(field.id))}><Icon name="bin" /></ConfirmButton>
           </li>
         ))}
       </ul>

@@ -1,8 +1,9 @@
-import { DropZone } from '../../parts/drop_zone';
+import { drawFor } from '../../actions/drawing';
+import { storeDrawnField, takeFieldFile } from '../../actions/fields';
+import { attempt } from '../../actions/notices';
 import { Button } from '../../parts/button';
-import { drawFor } from '../../parts/drawing_bar';
-import { fields, storeDrawnField, takeFieldFile } from '../../state/fields';
-import { attempt } from '../../state/notices';
+import { DropZone } from '../../parts/drop_zone';
+import { fields } from '../../state/fields';
 import { useStore } from '../../state/store';
 import { FeatureChooser } from './feature_chooser';
 import { FieldList } from './field_list';

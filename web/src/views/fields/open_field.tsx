@@ -1,12 +1,11 @@
+import { changeField } from '../../actions/fields';
+import { attempt } from '../../actions/notices';
+import { show } from '../../actions/session';
 import type { FieldFull } from '../../api/types';
-import { sentence } from '../../api/client';
-import { hectares, plural, squareMetres } from '../../format';
+import { hectares, plural, sentence, squareMetres } from '../../format';
 import { Button } from '../../parts/button';
-import { More } from '../../parts/more';
+import { Expander } from '../../parts/expander';
 import { TitleField } from '../../parts/title_field';
-import { changeField } from '../../state/fields';
-import { attempt } from '../../state/notices';
-import { show } from '../../state/session';
 import { AddObstacle } from './add_obstacle';
 
 export function OpenField({ field }: { field: FieldFull }) {
@@ -32,7 +31,7 @@ function Findings({ field }: { field: FieldFull }) {
   const number = repairs.length + skipped.length + warnings.length;
   if (number === 0) return <p class="fine">The boundary is sound: nothing had to be mended.</p>;
   return (
-    <More title={`${plural(number, 'remark')} on the file: what was mended or left aside`} open={number <= 4}>
+    <Expander title={`${plural(number, 'remark')} on the file: what was mended or skipped`} open={number <= 4}>
       <ul class="plain">
         {repairs.map((repair, i) => (
           <li key={i}>
@@ -40,11 +39,11 @@ function Findings({ field }: { field: FieldFull }) {
           </li>
         ))}
         {skipped.map((skip, i) => (
-          <li key={i}>{sentence(`left aside: ${skip.what}, ${skip.why}`)} <span class="sub">{skip.where}</span></li>
+          <li key={i}>{sentence(`skipped: ${skip.what}, ${skip.why}`)} <span class="sub">{skip.where}</span></li>
         ))}
         {warnings.map((warning, i) => <li key={i}>{sentence(warning)}</li>)}
       </ul>
-    </More>
+    </Expander>
   );
 }
 
@@ -67,7 +66,7 @@ function Obstacles({ field }: { field: FieldFull }) {
   const list = obstaclesOf(field);
   if (list.length === 0) return null;
   return (
-    <More title={`Obstacles, as numbered on the map (${list.length})`}>
+    <Expander title={`Obstacles, as numbered on the map (${list.length})`}>
       <ul class="plain">
         {list.map(({ number, kind, area_m2 }) => (
           <li key={number} class="between">
@@ -79,6 +78,6 @@ function Obstacles({ field }: { field: FieldFull }) {
           </li>
         ))}
       </ul>
-    </More>
+    </Expander>
   );
 }

@@ -1,20 +1,20 @@
 // The verifier's verdict: the plan worked out anew from its tracks alone.
-import { sentence } from '../../api/client';
+import { attempt } from '../../actions/notices';
+import { cancelCheck, checkPlan } from '../../actions/planning';
 import type { Check, Checked, Place, PlanFull } from '../../api/types';
-import { count, ground, length, squareMetres } from '../../format';
-import { engine } from '../../map/host';
+import { count, area, length, sentence, squareMetres } from '../../format';
+import { engine } from '../../map/engine_loader';
 import { Button } from '../../parts/button';
 import { Progress } from '../../parts/progress';
-import { attempt } from '../../state/notices';
-import { cancelCheck, checkPlan, plans } from '../../state/plans';
+import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
 
 const ROWS: { label: string; of: (figures: Checked) => number; write: (value: number) => string }[] = [
   { label: 'Overlap', of: (f) => f.overlap_m2, write: squareMetres },
   { label: 'Uncovered', of: (f) => f.uncovered_m2, write: squareMetres },
-  { label: 'Worked', of: (f) => f.worked_m2, write: ground },
+  { label: 'Worked', of: (f) => f.worked_m2, write: area },
   { label: 'Tracks', of: (f) => f.tracks, write: count },
-  { label: 'Way on tracks', of: (f) => f.track_length_m, write: length },
+  { label: 'Length of tracks', of: (f) => f.track_length_m, write: length },
   { label: 'Turns', of: (f) => f.turns, write: count },
   { label: 'Stops', of: (f) => f.stops, write: count },
 ];
@@ -25,9 +25,9 @@ export function CheckPlan({ plan }: { plan: PlanFull }) {
   const checked = useStore(plans, (value) => (value.checked?.plan === plan.id ? value.checked.check : null));
   return (
     <section aria-labelledby="check-title">
-      <h2 id="check-title">Check it</h2>
+      <h2 id="check-title">Check</h2>
       {checked ? <Verdict check={checked} /> : (
-        <p class="hint">Looks at every track once more by another road: inside the field, clear of obstacles, drivable, and are the figures true?</p>
+        <p class="hint">An independent check looks at every track again: does it stay inside the field and clear of obstacles, can it be driven, and are the figures right?</p>
       )}
       {job ? <Progress job={job} title="Checking" cancel={() => void attempt(cancelCheck)} /> : (
         <Button onClick={() => void attempt(() => checkPlan(plan.id))}>{checked ? 'Check it again' : 'Check this plan'}</Button>
@@ -44,7 +44,7 @@ function Verdict({ check: { ok, violations, recomputed, stored } }: { check: Che
     <>
       <p role="status" class={ok ? 'verdict' : 'verdict fault'}>
         {ok
-          ? 'The plan holds: every track lies where it may, can be driven, and the figures are those found anew.'
+          ? 'The plan holds: every track lies where it may and can be driven, and the figures are right.'
           : `The plan does not hold in ${many === 1 ? 'one place' : `${count(many)} places`}. Make it again; if it still does not hold, do not drive it.`}
       </p>
       {many > 0 && (
@@ -59,7 +59,7 @@ function Verdict({ check: { ok, violations, recomputed, stored } }: { check: Che
       )}
       {recomputed && (
         <table class="differences">
-          <thead><tr><th /><th>Plan</th><th>Found anew</th></tr></thead>
+          <thead><tr><th /><th>Plan</th><th>Check</th></tr></thead>
           <tbody>
             {ROWS.map(({ label, of, write }) => (
               <tr key={label}><th scope="row">{label}</th><td>{write(of(stored))}</td><td>{write(of(recomputed))}</td></tr>

@@ -1,17 +1,17 @@
 import { useState } from 'preact/hooks';
-import { api } from '../../api/client';
+import { deleteMachine, storeMachine } from '../../actions/machines';
+import { attempt, note } from '../../actions/notices';
 import type { Machine } from '../../api/types';
 import { width } from '../../format';
 import { Button } from '../../parts/button';
 import { Select } from '../../parts/choice';
+import { ConfirmButton } from '../../parts/confirm_button';
+import { Expander } from '../../parts/expander';
 import { Icon } from '../../parts/icon';
-import { More } from '../../parts/more';
 import { NumberField } from '../../parts/number_field';
-import { Sure } from '../../parts/sure';
 import { TitleField } from '../../parts/title_field';
-import { attempt, note } from '../../state/notices';
 import { form } from '../../state/plan_form';
-import { loadMachines, plans } from '../../state/plans';
+import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
 
 export function MachineForm() {
@@ -39,12 +39,12 @@ export function MachineForm() {
         <NumberField label="Working width" unit="m" value={machine.width_m} least={0.2} most={100} change={(v) => v !== null && set({ width_m: v })} />
         <NumberField label="Turning radius" unit="m" value={machine.radius_m} least={0} most={100} change={(v) => v !== null && set({ radius_m: v })} />
       </div>
-      <More title="More about the machine">
+      <Expander title="More about the machine">
         <NumberField label="Shortest piece worth driving" unit="m" value={machine.min_length_m ?? null} least={0} most={1000} optional
-          hint="Left empty: twice the working width." change={(v) => set({ min_length_m: v })} />
+          hint="If left empty: twice the working width." change={(v) => set({ min_length_m: v })} />
         <ChosenMachine machine={machine} />
         <SaveMachine />
-      </More>
+      </Expander>
     </section>
   );
 }
@@ -55,12 +55,8 @@ function SaveMachine() {
   const machines = useStore(plans, (value) => value.machines);
   const same = machines.find((one) => one.name === name.trim());
   const save = async () => {
-    const { width_m, radius_m, min_length_m } = form.get().machine;
-    const machine = { name: name.trim(), width_m, radius_m, ...(typeof min_length_m === 'number' ? { min_length_m } : {}) };
-    const stored = await (same?.id ? api.changeMachine(same.id, machine) : api.storeMachine(machine));
-    await loadMachines();
-    form.set({ machine: stored });
-    note(`${name.trim()} is ${same ? 'changed' : 'stored'}. Choose it for other fields, too.`);
+    await storeMachine(name.trim(), same?.id);
+    note(`${name.trim()} is ${same ? 'changed' : 'stored'}. You can choose it for other fields, too.`);
     setName('');
   };
   return (
@@ -79,23 +75,14 @@ function SaveMachine() {
 function ChosenMachine({ machine }: { machine: Machine }) {
   const id = machine.id;
   if (!id) return null;
-  const rename = async (name: string) => {
-    const { width_m, radius_m, min_length_m } = machine;
-    const stored = await api.changeMachine(id, { name, width_m, radius_m, ...(typeof min_length_m === 'number' ? { min_length_m } : {}) });
-    await loadMachines();
-    form.set({ machine: stored });
-  };
   const remove = async () => {
-    await api.deleteMachine(id);
-    const { id: _, name: __, ...rest } = form.get().machine;
-    form.set({ machine: rest });
-    await loadMachines();
+    await deleteMachine(id);
     note(`${machine.name ?? 'The machine'} is deleted. Its width and radius stay in the form.`);
   };
   return (
     <div class="row tight">
-      <TitleField key={id} label="Name of the stored machine" value={machine.name ?? ''} save={(name) => void attempt(() => rename(name))} />
-      <Sure label={`Delete the machine ${machine.name ?? ''}`} ask="Delete it" act={() => void attempt(remove)}><Icon name="bin" /></Sure>
+      <TitleField key={id} label="Name of the stored machine" value={machine.name ?? ''} save={(name) => void attempt(() => storeMachine(name, id))} />
+      <ConfirmButton label={`Delete the machine ${machine.name ?? ''}`} ask="Delete it" act={() => void attempt(remove)}><Icon name="bin" /></ConfirmButton>
     </div>
   );
 }

@@ -1,10 +1,9 @@
-import type { PlanFull } from '../../api/types';
-import { change, count, degrees, hectares, length, money, percent, squareMetres } from '../../format';
-import { sentence } from '../../api/client';
+import type { PlanFull, Tally } from '../../api/types';
+import { change, count, degrees, hectares, length, money, percent, sentence, squareMetres } from '../../format';
+import { Expander } from '../../parts/expander';
 import { Figures, type Figure } from '../../parts/figures';
-import { More } from '../../parts/more';
 import { costOf, form } from '../../state/plan_form';
-import { plans, type Figures as Tally } from '../../state/plans';
+import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
 
 type Key = keyof Tally;
@@ -54,11 +53,11 @@ function Remarks({ plan }: { plan: PlanFull }) {
   const { warnings = [], dropped = [] } = plan.summary;
   if (warnings.length + dropped.length === 0) return null;
   return (
-    <More title={`Remarks (${warnings.length + (dropped.length > 0 ? 1 : 0)})`}>
+    <Expander title={`Remarks (${warnings.length + (dropped.length > 0 ? 1 : 0)})`}>
       <ul class="plain">
         {warnings.map((warning, i) => <li key={i}>{sentence(warning)}</li>)}
-        {dropped.length > 0 && <li>{dropped.length} pieces were too short to be worth driving; their land counts as uncovered.</li>}
+        {dropped.length > 0 && <li>{dropped.length === 1 ? 'One piece was too short to be worth driving; its' : `${count(dropped.length)} pieces were too short to be worth driving; their`} land counts as uncovered.</li>}
       </ul>
-    </More>
+    </Expander>
   );
 }

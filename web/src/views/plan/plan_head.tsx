@@ -1,22 +1,22 @@
 // Which plan is open: its name, whether it stays, and how to be rid of it.
+import { attempt, note } from '../../actions/notices';
+import { deletePlan, keepPlan, renamePlan } from '../../actions/plans';
 import type { PlanFull } from '../../api/types';
 import { Button } from '../../parts/button';
+import { ConfirmButton } from '../../parts/confirm_button';
 import { Icon } from '../../parts/icon';
-import { Sure } from '../../parts/sure';
 import { TitleField } from '../../parts/title_field';
-import { attempt, note } from '../../state/notices';
-import { deletePlan, keepPlan, renamePlan } from '../../state/plans';
 
 export function PlanHead({ plan }: { plan: PlanFull }) {
   const remove = async () => {
     await deletePlan(plan.id);
-    note('The plan is deleted. Make another one, or open one of this field under Compare.');
+    note('The plan is deleted. Make another one, or open another plan of this field under Compare.');
   };
   return (
     <section class="plan-head" aria-label={`Open plan: ${plan.name}`}>
       <div class="row tight">
         <TitleField key={plan.id} label="Name of the plan" value={plan.name} save={(name) => void attempt(() => renamePlan(plan.id, name))} />
-        <Sure label={`Delete the plan ${plan.name}`} ask="Delete it" act={() => void attempt(remove)}><Icon name="bin" /></Sure>
+        <ConfirmButton label={`Delete the plan ${plan.name}`} ask="Delete it" act={() => void attempt(remove)}><Icon name="bin" /></ConfirmButton>
       </div>
       {plan.draft && (
         <div class="between">

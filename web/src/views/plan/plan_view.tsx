@@ -1,29 +1,20 @@
-import { Button } from '../../parts/button';
+import { attempt } from '../../actions/notices';
+import { cancelPlan, makePlan } from '../../actions/planning';
 import { Progress } from '../../parts/progress';
 import { Switch } from '../../parts/switch';
 import { fields } from '../../state/fields';
-import { attempt } from '../../state/notices';
 import { form } from '../../state/plan_form';
-import { cancelPlan, makePlan, plans } from '../../state/plans';
-import { show } from '../../state/session';
+import { plans } from '../../state/plans';
 import { useStore } from '../../state/store';
+import { NoField } from '../no_field';
 import { CheckPlan } from './check_plan';
-import { Ends } from './ends';
-import { Follow } from './follow';
+import { CostsForm } from './costs_form';
+import { EndsForm } from './ends_form';
 import { MachineForm } from './machine_form';
-import { Objective } from './objective';
 import { PlanFigures } from './plan_figures';
+import { PlanFiles } from './plan_files';
 import { PlanHead } from './plan_head';
-import { TakeAway } from './take_away';
-
-export function NoField() {
-  return (
-    <section>
-      <p>Open a field first: choose a file, or draw one.</p>
-      <Button kind="main" onClick={() => show('fields')}>Go to fields</Button>
-    </section>
-  );
-}
+import { TracksForm } from './tracks_form';
 
 export function PlanView() {
   const field = useStore(fields, (value) => value.open);
@@ -37,9 +28,9 @@ export function PlanView() {
       {open && <PlanFigures plan={open} />}
       <form onSubmit={(event) => { event.preventDefault(); void attempt(() => makePlan()); }}>
         <MachineForm />
-        <Objective />
-        <Ends />
-        <Follow />
+        <CostsForm />
+        <EndsForm />
+        <TracksForm />
         <div class={open && !job ? 'sticky' : 'sticky foot'}>
           {job ? (
             <Progress job={job} title="Planning" cancel={() => void attempt(cancelPlan)} />
@@ -47,10 +38,10 @@ export function PlanView() {
             <button type="submit" class="button main wide">{open ? 'Plan again' : 'Make the plan'}</button>
           )}
         </div>
-        <Switch on={again} label="Plan again by itself when something changes" change={(on) => form.set({ again: on })} />
+        <Switch on={again} label="Plan again automatically when something changes" change={(on) => form.set({ again: on })} />
       </form>
       {open && <CheckPlan plan={open} />}
-      {open && <TakeAway plan={open} />}
+      {open && <PlanFiles plan={open} />}
     </>
   );
 }

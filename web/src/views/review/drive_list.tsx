@@ -1,8 +1,9 @@
+import { deleteDrive, openDrive } from '../../actions/drives';
+import { attempt } from '../../actions/notices';
 import { count, hectares, when } from '../../format';
+import { ConfirmButton } from '../../parts/confirm_button';
 import { Icon } from '../../parts/icon';
-import { Sure } from '../../parts/sure';
-import { attempt } from '../../state/notices';
-import { deleteDrive, openDrive, review } from '../../state/review';
+import { review } from '../../state/review';
 import { useStore } from '../../state/store';
 
 export function DriveList() {
@@ -22,7 +23,7 @@ export function DriveList() {
                 <span class="sub">{hectares(drive.covered_m2)} covered · {count(drive.fixes)} fixes · {when(drive.created)}</span>
               </span>
             </button>
-            <Sure label={`Delete ${drive.name}`} ask="Delete it" act={() => void attempt(() => deleteDrive(drive.id))}><Icon name="bin" /></Sure>
+            <ConfirmButton label={`Delete ${drive.name}`} ask="Delete it" act={() => void attempt(() => deleteDrive(drive.id))}><Icon name="bin" /></ConfirmButton>
           </li>
         ))}
       </ul>

@@ -1,15 +1,16 @@
 // What was missed, the largest first.
 import { useState } from 'preact/hooks';
+import { attempt } from '../../actions/notices';
+import { planTheGaps } from '../../actions/repair';
+import { stopReplay } from '../../actions/replay';
 import type { DriveFull } from '../../api/types';
 import { metres, squareMetres } from '../../format';
-import { engine } from '../../map/host';
+import { engine } from '../../map/engine_loader';
 import { Button } from '../../parts/button';
-import { More } from '../../parts/more';
+import { Expander } from '../../parts/expander';
 import { NumberField } from '../../parts/number_field';
-import { attempt } from '../../state/notices';
 import { form } from '../../state/plan_form';
-import { planTheGaps, review } from '../../state/review';
-import { stopReplay } from '../../state/replay';
+import { review } from '../../state/review';
 import { useStore } from '../../state/store';
 
 const FEW = 8;
@@ -31,7 +32,7 @@ export function Gaps({ drive }: { drive: DriveFull }) {
                 engine()?.look([gap.lon, gap.lat], Math.max(gap.widest_m * 4, Math.sqrt(gap.area_m2) * 2));
               }}>
               <span class="gap-number">{gap.number}</span>
-              <span class="grow"><strong>{squareMetres(gap.area_m2)}</strong><span class="sub">{metres(gap.widest_m)} wide at most</span></span>
+              <span class="grow"><strong>{squareMetres(gap.area_m2)}</strong><span class="sub">at most {metres(gap.widest_m)} wide</span></span>
             </button>
           </li>
         ))}
@@ -48,13 +49,13 @@ function PlanGaps() {
   const set = (change: Partial<typeof machine>) => form.set({ machine: { ...form.get().machine, ...change } });
   return (
     <>
-      <More title="With which machine">
+      <Expander title="Machine and smallest gap">
         <div class="two">
           <NumberField label="Working width" unit="m" value={machine.width_m} least={0.2} most={100} change={(v) => v !== null && set({ width_m: v })} />
           <NumberField label="Turning radius" unit="m" value={machine.radius_m} least={0} most={100} change={(v) => v !== null && set({ radius_m: v })} />
         </div>
-        <NumberField label="Leave gaps smaller than" unit="m²" value={least} least={0} most={100000} change={(v) => v !== null && setLeast(v)} />
-      </More>
+        <NumberField label="Ignore gaps smaller than" unit="m²" value={least} least={0} most={100000} change={(v) => v !== null && setLeast(v)} />
+      </Expander>
       <Button kind="main" onClick={() => void attempt(() => planTheGaps(least))}>Plan the gaps</Button>
     </>
   );

@@ -1,16 +1,16 @@
 // Attaching to a machine that is at work.
 import { useEffect, useState } from 'preact/hooks';
-import { api } from '../../api/client';
+import { endFeed, runningFeeds, switchWork, watch } from '../../actions/feeds';
+import { attempt } from '../../actions/notices';
+import { attach, stopReplay } from '../../actions/replay';
 import type { FeedItem } from '../../api/types';
 import { Button } from '../../parts/button';
 import { Select } from '../../parts/choice';
-import { More } from '../../parts/more';
+import { Expander } from '../../parts/expander';
 import { NumberField } from '../../parts/number_field';
 import { fields } from '../../state/fields';
-import { attempt, note } from '../../state/notices';
 import { form } from '../../state/plan_form';
-import { attach, replay, stopReplay } from '../../state/replay';
-import { loadDrives, openDrive, startFeed } from '../../state/review';
+import { replay } from '../../state/replay';
 import { useStore } from '../../state/store';
 import { WorkNumbers } from './replay_bar';
 
@@ -20,7 +20,7 @@ const KINDS: Record<Kind, { label: string; where: string; example: string }> = {
   udp: { label: 'Network (UDP)', where: 'Port', example: ':4001' },
   gpsd: { label: 'gpsd', where: 'Host and port', example: 'localhost:2947' },
   serial: { label: 'Serial port', where: 'Device and speed', example: '/dev/ttyUSB0,115200' },
-  file: { label: 'File being written', where: 'Its path on this computer', example: '/home/somebody/today.csv' },
+  file: { label: 'File being written', where: 'Path on the server’s computer', example: '/home/somebody/today.csv' },
 };
 
 export function StartFeed() {
@@ -31,26 +31,23 @@ export function StartFeed() {
   const [width_m, setWidth] = useState<number | null>(form.get().machine.width_m);
   const [running, setRunning] = useState<FeedItem[]>([]);
   useEffect(() => {
-    api.feeds().then(setRunning, () => {});
+    void runningFeeds().then(setRunning);
   }, []);
-  const go = async () => {
-    const feed = await startFeed({
+  const go = () =>
+    watch({
       source: `${kind}://${where.trim()}`,
       ...(field ? { field } : {}),
       ...(width_m === null ? {} : { width_m }),
     });
-    if (field && fields.get().open?.id !== field) fields.set({ open: await api.field(field) });
-    attach(feed);
-  };
   const { where: asked, example } = KINDS[kind];
   return (
     <>
       {running.map((feed) => (
         <div key={feed.id} class="row"><Button onClick={() => attach(feed)}>Watch {feed.name ?? feed.source ?? feed.id}</Button></div>
       ))}
-      <More title="Watch a machine at work">
+      <Expander title="Watch a machine at work">
         <form onSubmit={(event) => { event.preventDefault(); void attempt(go); }}>
-          <Select label="It sends by" value={kind} change={setKind}
+          <Select label="Connection" value={kind} change={setKind}
             options={(Object.keys(KINDS) as Kind[]).map((value) => ({ value, label: KINDS[value].label }))} />
           <label class="field">
             <span class="label">{asked}</span>
@@ -58,10 +55,10 @@ export function StartFeed() {
           </label>
           <Select label="Field" value={field} change={setField}
             options={[{ value: '', label: 'none' }, ...list.map((one) => ({ value: one.id, label: one.name }))]} />
-          <NumberField label="Working width" unit="m" value={width_m} least={0.2} most={100} optional hint="Left empty: as the machine says." change={setWidth} />
+          <NumberField label="Working width" unit="m" value={width_m} least={0.2} most={100} optional hint="If left empty: as the machine says." change={setWidth} />
           <button type="submit" class="button main" disabled={where.trim() === ''}>Watch it</button>
         </form>
-      </More>
+      </Expander>
     </>
   );
 }
@@ -72,15 +69,8 @@ export function LiveFeed() {
   const id = state.id;
   if (id === null) return null;
   const toggle = async () => {
-    await api.feedWork(id, !work);
+    await switchWork(id, !work);
     setWork(!work);
-  };
-  const end = async () => {
-    const { drive } = await api.stopFeed(id);
-    stopReplay();
-    await loadDrives();
-    if (drive) await openDrive(drive);
-    else note('No fix came, so nothing was stored. Look whether the machine sends to this address, then watch it again.');
   };
   return (
     <section class="open" aria-labelledby="live-title">
@@ -90,8 +80,8 @@ export function LiveFeed() {
       </p>
       {state.figures && <WorkNumbers figures={state.figures} />}
       <div class="row">
-        <Button onClick={() => void attempt(toggle)}>{work ? 'Work is off' : 'Work is on again'}</Button>
-        <Button kind="main" onClick={() => void attempt(end)}>Stop and store the drive</Button>
+        <Button onClick={() => void attempt(toggle)}>{work ? 'Mark as not working' : 'Mark as working again'}</Button>
+        <Button kind="main" onClick={() => void attempt(() => endFeed(id))}>Stop and store the drive</Button>
         <Button onClick={stopReplay}>Leave it running</Button>
       </div>
     </section>

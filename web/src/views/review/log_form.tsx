@@ -1,15 +1,16 @@
 // What is needed besides the log: which of its logs, which field, how wide, which plan was followed.
 import { useEffect, useState } from 'preact/hooks';
-import { api } from '../../api/client';
+import { evaluate } from '../../actions/drives';
+import { attempt } from '../../actions/notices';
+import { plansOf } from '../../actions/plans';
 import type { PlanItem, Upload } from '../../api/types';
 import { clock, count, money, timeOfDay, when, width } from '../../format';
 import { Button } from '../../parts/button';
 import { Select } from '../../parts/choice';
 import { NumberField } from '../../parts/number_field';
 import { fields } from '../../state/fields';
-import { attempt } from '../../state/notices';
 import { form } from '../../state/plan_form';
-import { evaluate, review } from '../../state/review';
+import { review } from '../../state/review';
 import { useStore } from '../../state/store';
 import { farFrom, fieldBelow, WhereDriven } from './where_driven';
 
@@ -38,7 +39,7 @@ export function LogForm({ upload }: { upload: Upload }) {
   useEffect(() => {
     setPlan(NONE);
     if (field === NONE) setPlansThere([]);
-    else void attempt(async () => setPlansThere(await api.plans(field)));
+    else void attempt(async () => setPlansThere(await plansOf(field)));
   }, [field]);
 
   const go = (on = field) =>
@@ -63,11 +64,11 @@ export function LogForm({ upload }: { upload: Upload }) {
           {`${count(chosen.fixes)} fixes`}
           {chosen.from_s !== null && chosen.to_s !== null && ` in ${clock(chosen.to_s - chosen.from_s)} h`}
           {timeOfDay(chosen.from_s) && `, from ${timeOfDay(chosen.from_s)}`}
-          {chosen.width_m !== null ? `, ${width(chosen.width_m)} wide.` : '. The log does not say how wide the machine is.'}
+          {chosen.width_m !== null ? `, ${width(chosen.width_m)} wide.` : '. The log does not say how wide the machine works.'}
         </p>
       )}
       <Select label="Field" value={field} change={setField}
-        hint={field === NONE ? (partfields > 0 ? 'The field of the task set is taken.' : 'Without a field nothing can be missed: only what was worked is shown.') : ''}
+        hint={field === NONE ? (partfields > 0 ? 'The field in the task set is used.' : 'Without a field nothing can be missed: only what was worked is shown.') : ''}
         options={[{ value: NONE, label: partfields > 0 ? 'the one in the file' : 'none' }, ...list.map((one) => ({ value: one.id, label: one.name }))]} />
       {plansThere.length > 0 && (
         <Select label="Plan that was followed" value={plan} change={setPlan}
@@ -77,7 +78,7 @@ export function LogForm({ upload }: { upload: Upload }) {
           ]} />
       )}
       <NumberField label="Working width" unit="m" value={width_m ?? (needsWidth ? form.get().machine.width_m : null)} least={0.2} most={100} optional={!needsWidth}
-        hint={needsWidth ? '' : 'Left empty: as the log says.'} change={setWidth} />
+        hint={needsWidth ? '' : 'If left empty: as the log says.'} change={setWidth} />
       <div class="row">
         <Button kind="main" onClick={() => void go()}>Show what was worked</Button>
         <Button onClick={() => review.set({ upload: null })}>Back</Button>

@@ -1,13 +1,12 @@
-import { api } from '../../api/client';
+import { renameDrive } from '../../actions/drives';
+import { attempt } from '../../actions/notices';
+import { driveFile } from '../../api/addresses';
 import type { Compared, DriveFull } from '../../api/types';
-import { count, hectares, hours, length, metres, percent, rate, squareMetres, width } from '../../format';
-import { sentence } from '../../api/client';
+import { count, hectares, hours, length, metres, percent, plural, rate, sentence, squareMetres, width } from '../../format';
+import { Expander } from '../../parts/expander';
 import { Figures } from '../../parts/figures';
 import { Icon } from '../../parts/icon';
-import { More } from '../../parts/more';
 import { TitleField } from '../../parts/title_field';
-import { attempt } from '../../state/notices';
-import { renameDrive } from '../../state/review';
 import { Gaps } from './gaps';
 import { ReplayBar } from './replay_bar';
 
@@ -21,10 +20,10 @@ export function OpenDrive({ drive }: { drive: DriveFull }) {
       <Figures label="The drive in numbers"
         list={[
           { label: 'Covered', value: hectares(inside), tone: 'covered', ...(s.field_area_m2 ? { change: `${percent(inside / s.field_area_m2)} of the field` } : {}) },
-          { label: 'Doubled', value: squareMetres(s.repeated_m2), tone: 'overlap', change: percent(s.repeated_rate) },
+          { label: 'Repeated', value: squareMetres(s.repeated_m2), tone: 'overlap', change: percent(s.repeated_rate) },
           { label: 'Missed', value: squareMetres(s.missed_m2), tone: 'uncovered', ...(s.field_area_m2 && s.missed_m2 !== null ? { change: percent(s.missed_m2 / s.field_area_m2) } : {}) },
           ...(s.not_recorded_m2 ? [{ label: 'Not recorded', value: squareMetres(s.not_recorded_m2) }] : []),
-          { label: 'Working', value: hours(s.worked_hours), change: rate(s.ha_per_hour) },
+          { label: 'Time at work', value: hours(s.worked_hours), change: rate(s.ha_per_hour) },
           { label: 'Outside the field', value: squareMetres(s.outside_m2) },
           { label: 'Width', value: width(s.width_m), change: `${count(s.fixes_used)} fixes` },
         ]} />
@@ -42,14 +41,14 @@ const PlannedDone = ({ compared: c }: { compared: Compared }) => (
     <h3>Planned against done</h3>
     <table class="differences">
       <tbody>
-        <tr><th scope="row">Planned ground</th><td>{hectares(c.planned_m2)}</td></tr>
+        <tr><th scope="row">Planned land</th><td>{hectares(c.planned_m2)}</td></tr>
         <tr><th scope="row">Planned, not worked</th><td>{squareMetres(c.planned_missed_m2)}</td></tr>
         <tr><th scope="row">Worked, not planned</th><td>{squareMetres(c.unplanned_m2)}</td></tr>
         {c.followed === false && <tr><th scope="row">The plan was not followed</th><td>{c.median_angle_deg != null ? `direction off by ${Math.round(c.median_angle_deg)}°` : ''}</td></tr>}
         <tr><th scope="row">Driven along tracks</th><td>{length(c.along_tracks_m)}</td></tr>
-        <tr><th scope="row">Driven beside them</th><td>{length(c.beside_tracks_m)}</td></tr>
-        <tr><th scope="row">Off the track, mean</th><td>{metres(c.deviation_mean_m)}</td></tr>
-        <tr><th scope="row">Off the track, most</th><td>{metres(c.deviation_most_m)}</td></tr>
+        <tr><th scope="row">Driven beside tracks</th><td>{length(c.beside_tracks_m)}</td></tr>
+        <tr><th scope="row">Distance from the track, mean</th><td>{metres(c.deviation_mean_m)}</td></tr>
+        <tr><th scope="row">Distance from the track, most</th><td>{metres(c.deviation_most_m)}</td></tr>
       </tbody>
     </table>
   </>
@@ -59,12 +58,12 @@ function Remarks({ drive }: { drive: DriveFull }) {
   const { warnings = [], skipped_count = 0 } = drive.summary;
   if (warnings.length === 0 && skipped_count === 0) return null;
   return (
-    <More title="Remarks on the log">
+    <Expander title="Remarks on the log">
       <ul class="plain">
-        {skipped_count > 0 && <li>{count(skipped_count)} records could not be used.</li>}
+        {skipped_count > 0 && <li>{plural(skipped_count, 'record')} could not be used.</li>}
         {warnings.map((warning, i) => <li key={i}>{sentence(warning)}</li>)}
       </ul>
-    </More>
+    </Expander>
   );
 }
 
@@ -77,10 +76,10 @@ const FILES = [
 ];
 const DriveFiles = ({ id }: { id: string }) => (
   <>
-    <h3>Take it away</h3>
+    <h3>Download</h3>
     <ul class="files short">
       {FILES.map(({ format, name }) => (
-        <li key={format}><a class="file" href={api.driveFile(id, format)} download><Icon name="down" /><strong>{name}</strong></a></li>
+        <li key={format}><a class="file" href={driveFile(id, format)} download><Icon name="down" /><strong>{name}</strong></a></li>
       ))}
     </ul>
   </>

@@ -1,13 +1,13 @@
-import type { DriveFull } from '../../api/types';
+import { pause, play, seek, setSpeed, stopReplay } from '../../actions/replay';
+import type { DriveFull, WorkFigures } from '../../api/types';
 import { clock, count, hectares, rate, squareMetres, timeOfDay } from '../../format';
 import { Button } from '../../parts/button';
 import { Select } from '../../parts/choice';
 import { Figures } from '../../parts/figures';
 import { Icon } from '../../parts/icon';
 import { Slider } from '../../parts/slider';
-import { pause, play, replay, seek, setSpeed, stopReplay } from '../../state/replay';
+import { replay } from '../../state/replay';
 import { useStore } from '../../state/store';
-import type { WorkFigures } from '../../api/types';
 
 const SPEEDS = [0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
 
@@ -40,10 +40,10 @@ export const WorkNumbers = ({ figures: f }: { figures: WorkFigures }) => (
   <Figures label="Worked so far"
     list={[
       { label: 'Covered', value: hectares(f.covered_inside_m2 ?? f.covered_m2), tone: 'covered' },
-      { label: 'Doubled', value: squareMetres(f.repeated_m2), tone: 'overlap' },
+      { label: 'Repeated', value: squareMetres(f.repeated_m2), tone: 'overlap' },
       { label: 'Missed', value: f.missed_m2 === null ? '–' : hectares(f.missed_m2), tone: 'uncovered' },
       { label: 'Rate', value: rate(f.ha_per_hour) },
-      { label: 'Working, h', value: clock(f.worked_s) },
+      { label: 'At work, h', value: clock(f.worked_s) },
       { label: 'To go, h', value: f.remaining_s === null ? '–' : clock(f.remaining_s) },
     ]} />
 );

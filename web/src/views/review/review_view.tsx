@@ -1,9 +1,10 @@
+import { cancelReview, takeLogFile } from '../../actions/drives';
+import { attempt } from '../../actions/notices';
 import { DropZone } from '../../parts/drop_zone';
 import { Progress } from '../../parts/progress';
 import { fields } from '../../state/fields';
-import { attempt } from '../../state/notices';
 import { replay } from '../../state/replay';
-import { cancelReview, review, takeLogFile } from '../../state/review';
+import { review } from '../../state/review';
 import { useStore } from '../../state/store';
 import { DriveList } from './drive_list';
 import { LiveFeed, StartFeed } from './live_feed';

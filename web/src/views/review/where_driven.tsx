@@ -37,7 +37,7 @@ export function WhereDriven({ bbox, open, chosen, below, go }: Props) {
     return (
       <div class="notice error" role="alert">
         <div class="grow">
-          <p>This log was not driven on {chosen.name}, but {farness(far_m)} away from it. {below ? `It was driven on ${below.name}.` : 'None of your fields lies there: bring that field first, or go on without one.'}</p>
+          <p>This log was not driven on {chosen.name}, but {farness(far_m)} away from it. {below ? `It was driven on ${below.name}.` : 'None of your fields lies there: add that field first, or go on without one.'}</p>
           <div class="row">
             {below && <Button onClick={() => go(below.id)}>Show it on {below.name}</Button>}
             <Button onClick={() => go('')}>Show it without a field</Button>

@@ -1,11 +1,11 @@
 // Every file that can be made of a plan.
 import { useState } from 'preact/hooks';
-import { api } from '../../api/client';
+import { attempt } from '../../actions/notices';
+import { keepPlan } from '../../actions/plans';
+import { planFile } from '../../api/addresses';
 import type { PlanFull } from '../../api/types';
+import { Expander } from '../../parts/expander';
 import { Icon } from '../../parts/icon';
-import { More } from '../../parts/more';
-import { attempt } from '../../state/notices';
-import { keepPlan } from '../../state/plans';
 
 const FILES: { format: string; name: string; what: string; crs: boolean }[] = [
   { format: 'gpkg', name: 'GeoPackage', what: 'everything, for QGIS and for tramline', crs: false },
@@ -18,15 +18,15 @@ const FILES: { format: string; name: string; what: string; crs: boolean }[] = [
   { format: 'pdf', name: 'Sheet', what: 'PDF, to print', crs: false },
 ];
 
-export function TakeAway({ plan }: { plan: PlanFull }) {
+export function PlanFiles({ plan }: { plan: PlanFull }) {
   const [crs, setCrs] = useState('');
   return (
     <section aria-labelledby="take-title">
-      <h2 id="take-title">Take it away</h2>
+      <h2 id="take-title">Download</h2>
       <ul class="files">
         {FILES.map(({ format, name, what, crs: takes }) => (
           <li key={format}>
-            <a class="file" href={api.planFile(plan.id, format, takes ? crs : '')} download
+            <a class="file" href={planFile(plan.id, format, takes ? crs : '')} download
               onClick={() => plan.draft && void attempt(() => keepPlan(plan.id))}>
               <Icon name="down" />
               <span class="grow"><strong>{name}</strong><span class="sub">{what}</span></span>
@@ -34,13 +34,13 @@ export function TakeAway({ plan }: { plan: PlanFull }) {
           </li>
         ))}
       </ul>
-      <More title="Another coordinate system">
+      <Expander title="Another coordinate system">
         <label class="field">
           <span class="label">For Shapefiles and FlatGeobuf</span>
           <input type="text" placeholder="EPSG:25832" value={crs} onInput={(event) => setCrs(event.currentTarget.value.trim())} />
         </label>
-        <p class="hint">Left empty: the system of the field’s own file.</p>
-      </More>
+        <p class="hint">If left empty: the coordinate system of the field’s own file.</p>
+      </Expander>
     </section>
   );
 }

@@ -1,14 +1,15 @@
-import { ground, hectares, length } from '../../format';
+import { switchDriveLayer } from '../../actions/drives';
+import { attempt } from '../../actions/notices';
+import type { DriveFull, FeatureCollection } from '../../api/types';
+import { area, hectares, length } from '../../format';
 import { DAY, NIGHT } from '../../map/palette';
 import { Switch } from '../../parts/switch';
-import { attempt } from '../../state/notices';
-import { DRIVE_LAYERS, hasLayer, review, switchDriveLayer, type DriveLayer } from '../../state/review';
+import { DRIVE_LAYERS, hasLayer, review, type DriveLayer } from '../../state/review';
 import { isNight, session } from '../../state/session';
 import { useStore } from '../../state/store';
-import type { DriveFull, FeatureCollection } from '../../api/types';
 
 const TITLES: Record<DriveLayer, string> = {
-  covered: 'Covered', repeated: 'Doubled', missed: 'Missed', not_recorded: 'Not recorded', multiplicity: 'How often', track: 'Way driven', gaps: 'Gaps, numbered',
+  covered: 'Covered', repeated: 'Repeated', missed: 'Missed', not_recorded: 'Not recorded', multiplicity: 'How often worked', track: 'Path driven', gaps: 'Gaps, numbered',
 };
 
 const sum = (shapes: FeatureCollection | undefined, key: string) =>
@@ -18,12 +19,12 @@ function size(name: DriveLayer, drive: DriveFull, shapes: FeatureCollection | un
   const s = drive.summary;
   switch (name) {
     case 'covered': return hectares(s.covered_m2);
-    case 'repeated': return ground(s.repeated_m2);
-    case 'missed': return ground(s.missed_m2);
-    case 'not_recorded': return ground(s.not_recorded_m2 ?? 0);
+    case 'repeated': return area(s.repeated_m2);
+    case 'missed': return area(s.missed_m2);
+    case 'not_recorded': return area(s.not_recorded_m2 ?? 0);
     case 'gaps': return String(drive.gaps.length);
     case 'track': return shapes ? length(sum(shapes, 'length_m')) : '';
-    case 'multiplicity': return shapes ? ground(sum(shapes, 'area_m2')) : '';
+    case 'multiplicity': return shapes ? area(sum(shapes, 'area_m2')) : '';
   }
 }
 

@@ -1,8 +1,9 @@
-import { dismiss, notices } from '../state/notices';
+import { dismiss } from '../actions/notices';
+import { AWAY } from '../api/errors';
+import { Icon } from '../parts/icon';
+import { notices } from '../state/notices';
 import { session } from '../state/session';
 import { useStore } from '../state/store';
-import { AWAY } from '../api/client';
-import { Icon } from './icon';
 
 export function Notices() {
   const list = useStore(notices, (value) => value.list);

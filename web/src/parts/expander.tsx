@@ -1,6 +1,6 @@
 import type { ComponentChildren } from 'preact';
 
-export const More = ({ title, open = false, children }: { title: ComponentChildren; open?: boolean; children: ComponentChildren }) => (
+export const Expander = ({ title, open = false, children }: { title: ComponentChildren; open?: boolean; children: ComponentChildren }) => (
   <details class="more" open={open}>
     <summary>{title}</summary>
     <div class="inside">{children}</div>

@@ -1,12 +1,12 @@
 // What is on the map, over it where there is room and below it where there is none.
 import { useState } from 'preact/hooks';
-import { plans } from '../state/plans';
-import { replay } from '../state/replay';
-import { review } from '../state/review';
-import { session } from '../state/session';
-import { useStore } from '../state/store';
-import { DriveLayers } from '../views/review/drive_layers';
-import { LayerList } from '../views/plan/layer_list';
+import { plans } from '../../state/plans';
+import { replay } from '../../state/replay';
+import { review } from '../../state/review';
+import { session } from '../../state/session';
+import { useStore } from '../../state/store';
+import { DriveLayers } from './drive_layer_list';
+import { LayerList } from './plan_layer_list';
 
 const narrow = matchMedia('(max-width: 760px)');
 

@@ -1,11 +1,12 @@
 // What is on the map, each thing with its size, to switch on and off.
+import { attempt } from '../../actions/notices';
+import { switchLayer } from '../../actions/plans';
 import type { LayerItem } from '../../api/types';
-import { ground, length } from '../../format';
+import { area, length } from '../../format';
 import { DAY, NIGHT, type Colours } from '../../map/palette';
 import { PARTS_OF } from '../../map/plan_layers';
 import { Switch } from '../../parts/switch';
-import { attempt } from '../../state/notices';
-import { isShown, plans, switchLayer } from '../../state/plans';
+import { isShown, plans } from '../../state/plans';
 import { isNight, session } from '../../state/session';
 import { useStore } from '../../state/store';
 
@@ -18,14 +19,14 @@ const KNOWN: Record<string, { title: string; mark: Mark }> = {
   detours: { title: 'Detours', mark: { colour: 'Detour', form: 'line' } },
   headland_passes: { title: 'Headland passes', mark: { colour: 'HeadlandPass', form: 'line' } },
   headland: { title: 'Headland', mark: { colour: 'Headland', form: 'area' } },
-  headland_unworked: { title: 'Headland left', mark: { colour: 'Uncovered', form: 'area' } },
+  headland_unworked: { title: 'Headland left out', mark: { colour: 'Uncovered', form: 'area' } },
   subfields: { title: 'Subfields', mark: { colour: 'Passable', form: 'area' } },
   given_up: { title: 'Left out on purpose', mark: { colour: 'Uncovered', form: 'area' } },
   worked: { title: 'Worked before', mark: { colour: 'Covered', form: 'area' } },
   dropped: { title: 'Too short to drive', mark: { colour: 'Dropped', form: 'dashed' } },
 };
 
-const size = (layer: LayerItem) => (layer.m !== null ? length(layer.m) : layer.m2 !== null ? ground(layer.m2) : String(layer.features));
+const size = (layer: LayerItem) => (layer.m !== null ? length(layer.m) : layer.m2 !== null ? area(layer.m2) : String(layer.features));
 
 export function LayerList() {
   const layers = useStore(plans, (value) => value.layers);

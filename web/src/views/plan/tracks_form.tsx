@@ -1,19 +1,18 @@
 // Tracks along an edge of the field, or along a line that is drawn.
+import { drawFor, pickEdge } from '../../actions/drawing';
 import type { Place } from '../../api/types';
 import { degrees, length } from '../../format';
-import { openEdges } from '../../map/drawing';
+import { openEdges } from '../../map/edges';
 import { bearing, distance } from '../../map/metres';
 import { Button } from '../../parts/button';
 import { Choice, Select } from '../../parts/choice';
-import { drawFor } from '../../parts/drawing_bar';
-import { drawing } from '../../state/drawing';
 import { form, type Shape } from '../../state/plan_form';
 import { useStore } from '../../state/store';
 
 const SHAPES: { value: Shape; label: string }[] = [
   { value: 'straight', label: 'Straight' },
   { value: 'curved', label: 'Curved' },
-  { value: 'auto', label: 'What costs less' },
+  { value: 'auto', label: 'Whichever costs less' },
 ];
 const LISTED = 12;
 
@@ -22,7 +21,7 @@ const said = (line: Place[]) => {
   return `${length(long)}, towards ${degrees(bearing(line[0]!, line[line.length - 1]!))}`;
 };
 
-export function Follow() {
+export function TracksForm() {
   const shape = useStore(form, (value) => value.shape);
   const line = useStore(form, (value) => value.line);
   const edges = openEdges().slice(0, LISTED);
@@ -30,7 +29,7 @@ export function Follow() {
   return (
     <section aria-labelledby="follow-title">
       <h2 id="follow-title">Tracks</h2>
-      <Choice label="Their shape" value={shape} options={SHAPES} change={(value) => form.set({ shape: value })} />
+      <Choice label="Shape" value={shape} options={SHAPES} change={(value) => form.set({ shape: value })} />
       <Select label="Parallel to" value={picked ? String(picked.number) : line ? 'line' : ''}
         options={[
           { value: '', label: 'whatever costs least' },
@@ -39,9 +38,9 @@ export function Follow() {
         ]}
         change={(value) => value !== 'line' && form.set({ line: edges.find((edge) => String(edge.number) === value)?.line ?? null })} />
       <div class="row">
-        <Button onClick={() => drawing.set({ purpose: 'edge', places: [] })}>Click an edge</Button>
+        <Button onClick={pickEdge}>Pick an edge</Button>
         <Button onClick={() => drawFor('guide', async (geometry) => form.set({ line: geometry.coordinates as Place[] }))}>Draw a line</Button>
-        {line && <Button kind="quiet" onClick={() => form.set({ line: null })}>Follow nothing</Button>}
+        {line && <Button kind="quiet" onClick={() => form.set({ line: null })}>Remove the line</Button>}
       </div>
     </section>
   );

@@ -1,23 +1,15 @@
 // The map's place on the page. The engine comes after the first paint.
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { Icon } from '../parts/icon';
-import { DrawingBar } from '../parts/drawing_bar';
-import { complain } from '../state/notices';
-import { fields } from '../state/fields';
-import { review } from '../state/review';
-import { session, tilesHost } from '../state/session';
-import { useStore } from '../state/store';
-import { metres } from '../format';
-
-type Engine = typeof import('./engine');
-let loaded: Engine | null = null;
-export const engine = () => loaded;
-
-interface Scale {
-  length_m: number;
-  width_px: number;
-  grid_m: number;
-}
+import { complain } from '../../actions/notices';
+import { metres } from '../../format';
+import { engine, loadEngine } from '../../map/engine_loader';
+import type { Scale } from '../../map/grid';
+import { Icon } from '../../parts/icon';
+import { fields } from '../../state/fields';
+import { review } from '../../state/review';
+import { session, tilesHost } from '../../state/session';
+import { useStore } from '../../state/store';
+import { DrawingBar } from './drawing_bar';
 
 function webglWorks(): boolean {
   const canvas = document.createElement('canvas');
@@ -29,15 +21,10 @@ export function MapHost() {
   const [scale, setScale] = useState<Scale | null>(null);
   useEffect(() => {
     if (!webglWorks()) {
-      complain('This browser draws no maps (no WebGL 2). Everything else works; use another browser to see the field.');
+      complain('This browser cannot draw the map: it has no WebGL 2. Everything else works; use another browser to see the field.');
       return;
     }
-    void import('./engine').then(async (module) => {
-      if (!box.current) return; // the page turned out to be locked
-      await module.startMap(box.current, (length_m, width_px, grid_m) => setScale({ length_m, width_px, grid_m }));
-      loaded = module;
-      new ResizeObserver(() => module.resized()).observe(box.current!);
-    });
+    void loadEngine(() => box.current, setScale);
   }, []);
   return (
     <section class="map" aria-label="Map">
@@ -54,7 +41,7 @@ export function MapHost() {
 const short = (m: number) => (m >= 1000 ? `${m / 1000} km` : m >= 1 ? `${m} m` : metres(m));
 
 const ScaleBar = ({ length_m, width_px, grid_m }: Scale) => (
-  <div class="scale" role="img" aria-label={`Scale: the bar is ${short(length_m)} long, lines of the grid are ${short(grid_m)} apart`}>
+  <div class="scale" role="img" aria-label={`Scale: the bar is ${short(length_m)} long, and the lines of the grid are ${short(grid_m)} apart`}>
     <span class="bar" style={{ width: `${Math.round(width_px)}px` }} />
     <span>{short(length_m)}</span>
     <span class="grid-step">grid {short(grid_m)}</span>
@@ -75,12 +62,12 @@ function MapButtons() {
   const fitAll = () => {
     const view = session.get().view;
     const box = (view === 'review' ? review.get().drive?.bbox : null) ?? fields.get().open?.bbox;
-    if (box) loaded?.fit(box);
+    if (box) engine()?.fit(box);
   };
   return (
     <div class="map-buttons">
-      <button type="button" class="button square" aria-label="Zoom in" onClick={() => loaded?.zoomBy(1)}><Icon name="plus" /></button>
-      <button type="button" class="button square" aria-label="Zoom out" onClick={() => loaded?.zoomBy(-1)}><Icon name="minus" /></button>
+      <button type="button" class="button square" aria-label="Zoom in" onClick={() => engine()?.zoomBy(1)}><Icon name="plus" /></button>
+      <button type="button" class="button square" aria-label="Zoom out" onClick={() => engine()?.zoomBy(-1)}><Icon name="minus" /></button>
       <button type="button" class="button square" aria-label="Show the whole field" onClick={fitAll}><Icon name="fit" /></button>
       {tiles !== null && (
         <button type="button" class="button" aria-pressed={tilesOn} onClick={() => session.set({ tiles: !tilesOn })}>Background</button>

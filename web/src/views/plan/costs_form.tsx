@@ -6,12 +6,12 @@ import { Slider } from '../../parts/slider';
 import { form, priceAt, USUAL } from '../../state/plan_form';
 import { useStore } from '../../state/store';
 
-export function Objective() {
+export function CostsForm() {
   const by = useStore(form, (value) => value.by);
   return (
     <section aria-labelledby="objective-title">
       <h2 id="objective-title">What it costs you</h2>
-      <Choice label="Say it with" value={by} change={(value) => form.set({ by: value })}
+      <Choice label="Set by" value={by} change={(value) => form.set({ by: value })}
         options={[{ value: 'prices', label: 'Prices' }, { value: 'sliders', label: 'Sliders' }]} />
       {by === 'prices' ? <ByPrices /> : <BySliders />}
     </section>
@@ -28,7 +28,7 @@ function ByPrices() {
         <NumberField label="Uncovered" unit="€/m²" value={prices.uncovered} least={0} most={1000} change={(v) => v !== null && set({ uncovered: v })} />
         <NumberField label="Turn" unit="€" value={prices.turn} least={0} most={100000} change={(v) => v !== null && set({ turn: v })} />
         <NumberField label="Stop and back out" unit="€" value={prices.stop} least={0} most={100000} change={(v) => v !== null && set({ stop: v })} />
-        <NumberField label="Further subfield" unit="€" value={prices.subfield} least={0} most={100000} change={(v) => v !== null && set({ subfield: v })} />
+        <NumberField label="Each further subfield" unit="€" value={prices.subfield} least={0} most={100000} change={(v) => v !== null && set({ subfield: v })} />
       </div>
       <Button kind="quiet" onClick={() => form.set({ prices: USUAL })}>Usual prices</Button>
     </>
@@ -38,16 +38,16 @@ function ByPrices() {
 function BySliders() {
   const sliders = useStore(form, (value) => value.sliders);
   const set = (change: Partial<typeof sliders>) => form.set({ sliders: { ...form.get().sliders, ...change } });
-  const price = (notch: number, usual: number, per: string) => (notch === 0 ? 'no matter' : `${money(priceAt(notch, usual))} ${per}`);
-  const ends: [string, string] = ['no matter', 'matters most'];
+  const price = (notch: number, usual: number, per: string) => (notch === 0 ? 'does not matter' : `${money(priceAt(notch, usual))} ${per}`);
+  const ends: [string, string] = ['does not matter', 'matters most'];
   return (
     <>
       <Slider label="Avoid overlap" value={sliders.overlap} least={0} most={10} step={1} ends={ends}
-        says={price(sliders.overlap, USUAL.overlap, 'a m²')} change={(overlap) => set({ overlap })} />
-      <Slider label="Leave nothing out" value={sliders.uncovered} least={0} most={10} step={1} ends={ends}
-        says={price(sliders.uncovered, USUAL.uncovered, 'a m²')} change={(uncovered) => set({ uncovered })} />
+        says={price(sliders.overlap, USUAL.overlap, 'per m²')} change={(overlap) => set({ overlap })} />
+      <Slider label="Avoid uncovered land" value={sliders.uncovered} least={0} most={10} step={1} ends={ends}
+        says={price(sliders.uncovered, USUAL.uncovered, 'per m²')} change={(uncovered) => set({ uncovered })} />
       <Slider label="Avoid turns" value={sliders.turns} least={0} most={10} step={1} ends={ends}
-        says={price(sliders.turns, USUAL.turn, 'a turn')} change={(turns) => set({ turns })} />
+        says={price(sliders.turns, USUAL.turn, 'per turn')} change={(turns) => set({ turns })} />
     </>
   );
 }

@@ -1,23 +1,11 @@
 // Clicks and keys on the map while something is drawn or an edge is picked.
-import type { Feature, FieldFull, Place } from '../api/types';
-import { add, closed, drawing, undo } from '../state/drawing';
-import { fields } from '../state/fields';
+import { add, stop, undo } from '../actions/drawing';
+import type { Feature, Place } from '../api/types';
+import { closed, drawing } from '../state/drawing';
 import { form } from '../state/plan_form';
 import { session } from '../state/session';
-import { edgesOf, nearestEdge, type Edge } from './edges';
-import { collection, NOTHING, type Shown } from './shown';
-
-let ofField: FieldFull | null = null;
-let edges: Edge[] = [];
-/** Edges of the open field; worked out once for each field. */
-export function openEdges(): Edge[] {
-  const field = fields.get().open;
-  if (field !== ofField) {
-    ofField = field;
-    edges = field ? edgesOf(field) : [];
-  }
-  return edges;
-}
+import { nearestEdge, openEdges } from './edges';
+import { collection, NOTHING, type LiveMap } from './live_map';
 
 function shape(places: Place[], ring: boolean): Feature[] {
   const points: Feature[] = places.map((place) => ({ type: 'Feature', properties: {}, geometry: { type: 'Point', coordinates: place } }));
@@ -31,7 +19,7 @@ const guideFeature = (line: Place[], chosen: boolean): Feature => ({
   type: 'Feature', properties: { chosen }, geometry: { type: 'LineString', coordinates: line },
 });
 
-export function followDrawing({ map, fill }: Shown): void {
+export function followDrawing({ map, fill }: LiveMap): void {
   const sync = () => {
     const { purpose, places } = drawing.get();
     fill('drawing', places.length > 0 ? collection(shape(places, closed(purpose))) : NOTHING);
@@ -58,7 +46,7 @@ export function followDrawing({ map, fill }: Shown): void {
     const nearest = nearestEdge(openEdges(), place);
     if (!nearest) return;
     form.set({ line: nearest.edge.line });
-    drawing.set({ purpose: null, places: [] });
+    stop();
   };
   map.on('click', (event) => {
     if (drawing.get().purpose) take(event.lngLat.toArray());
@@ -67,7 +55,7 @@ export function followDrawing({ map, fill }: Shown): void {
     if (!drawing.get().purpose) return;
     if (event.key === 'Enter' || event.key === ' ') take(map.getCenter().toArray());
     else if (event.key === 'Backspace') undo();
-    else if (event.key === 'Escape') drawing.set({ purpose: null, places: [] });
+    else if (event.key === 'Escape') stop();
     else return;
     event.preventDefault();
   });

@@ -3,7 +3,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { Button } from './button';
 
 /** A button that has to be pressed twice. */
-export function Sure({ label, ask, children, act }: { label: string; ask: string; children: ComponentChildren; act: () => void }) {
+export function ConfirmButton({ label, ask, children, act }: { label: string; ask: string; children: ComponentChildren; act: () => void }) {
   const [asked, setAsked] = useState(false);
   useEffect(() => {
     if (!asked) return;

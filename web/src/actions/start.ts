@@ -1,11 +1,14 @@
 // From the first request to what was open last.
-import { keepAddress, readAddress } from './state/address';
-import { loadFields, openField } from './state/fields';
-import { attempt } from './state/notices';
-import { loadMachines, loadPlans, openPlan } from './state/plans';
-import { loadDrives, openDrive } from './state/review';
-import { greet, session } from './state/session';
-import { fields } from './state/fields';
+import { api } from '../api/client';
+import { fields } from '../state/fields';
+import { session } from '../state/session';
+import { keepAddress, readAddress } from './address';
+import { loadDrives, openDrive } from './drives';
+import { loadFields, openField } from './fields';
+import { loadMachines } from './machines';
+import { attempt } from './notices';
+import { loadPlans, openPlan } from './plans';
+import { greet } from './server';
 
 const opened = readAddress();
 let kept = false;
@@ -23,6 +26,12 @@ export async function start(): Promise<void> {
   if (plan) await openPlan(plan).catch(() => {});
   if (drive) await openDrive(drive).catch(() => {});
   keepAddress();
+}
+
+/** Gives the server the token that was typed, and begins anew. */
+export async function unlock(token: string): Promise<void> {
+  await api.session(token);
+  await start();
 }
 
 /** After the server has been away. */

@@ -1,8 +1,8 @@
 // What is open stands in the address, so that a reload and a bookmark open it again.
-import { fields } from './fields';
-import { plans } from './plans';
-import { review } from './review';
-import { session, type View } from './session';
+import { fields } from '../state/fields';
+import { plans } from '../state/plans';
+import { review } from '../state/review';
+import { session, type View } from '../state/session';
 
 export interface Opened {
   view: View;

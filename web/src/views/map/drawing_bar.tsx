@@ -1,44 +1,23 @@
-// What to do while drawing, and a way to draw without pointing: coordinates, or metres from the last corner.
+// What to do while drawing, and a way to draw without pointing: coordinates, or metres from the last point.
 import { useState } from 'preact/hooks';
-import type { Geometry, Place } from '../api/types';
-import { engine } from '../map/host';
-import { distance, moved } from '../map/metres';
-import { metres } from '../format';
-import { add, closed, drawing, finished, least, stop, undo, type Purpose } from '../state/drawing';
-import { attempt, complain } from '../state/notices';
-import { useStore } from '../state/store';
-import { Button } from './button';
+import { add, finish, stop, undo } from '../../actions/drawing';
+import { complain } from '../../actions/notices';
+import type { Place } from '../../api/types';
+import { metres, plural } from '../../format';
+import { engine } from '../../map/engine_loader';
+import { distance, moved } from '../../map/metres';
+import { Button } from '../../parts/button';
+import { drawing, least, type Purpose } from '../../state/drawing';
+import { useStore } from '../../state/store';
 
 const WORDS: Record<Purpose, { title: string; done: string }> = {
   field: { title: 'Click or tap the corners of the field, one after the other.', done: 'Store the field' },
   'obstacle-point': { title: 'Click or tap the middle of the obstacle.', done: 'Add the obstacle' },
   'obstacle-line': { title: 'Click or tap the points of the line.', done: 'Add the obstacle' },
   'obstacle-area': { title: 'Click or tap the corners of the obstacle.', done: 'Add the obstacle' },
-  guide: { title: 'Click or tap the points of the line that tracks are to follow.', done: 'Follow this line' },
+  guide: { title: 'Click or tap the points of the line that the tracks are to follow.', done: 'Follow this line' },
   edge: { title: 'Click or tap an edge of the field. With the keyboard: move the map until the edge is nearest to its middle, then press Enter.', done: '' },
 };
-
-type Done = (geometry: Geometry) => Promise<void>;
-let whenDone: Done = async () => {};
-/** What becomes of the shape. */
-export function drawFor(purpose: Purpose, done: Done): void {
-  whenDone = done;
-  drawing.set({ purpose, places: [] });
-  document.querySelector<HTMLElement>('.maplibregl-canvas')?.focus({ preventScroll: true });
-}
-
-function geometry(purpose: Purpose, places: Place[]): Geometry {
-  if (purpose === 'obstacle-point') return { type: 'Point', coordinates: places[0]! };
-  if (closed(purpose)) return { type: 'Polygon', coordinates: [[...places, places[0]!]] };
-  return { type: 'LineString', coordinates: places };
-}
-
-async function finish(): Promise<void> {
-  const { purpose, places } = drawing.get();
-  if (!purpose || !finished()) return;
-  const shape = geometry(purpose, places);
-  if (await attempt(() => whenDone(shape))) stop();
-}
 
 export function DrawingBar() {
   const purpose = useStore(drawing, (value) => value.purpose);
@@ -50,7 +29,7 @@ export function DrawingBar() {
   return (
     <div class="drawing-bar" role="group" aria-label="Drawing">
       <p>
-        {title} {places.length > 0 && <strong>{places.length} set{last && before ? `, the last ${metres(distance(before, last))} long` : ''}.</strong>}
+        {title} {places.length > 0 && <strong>{plural(places.length, 'point')} set{last && before ? `, the last ${metres(distance(before, last))} from the one before` : ''}.</strong>}
       </p>
       {purpose !== 'edge' && <TypedPlace last={last ?? null} />}
       <div class="row">
@@ -68,7 +47,7 @@ function TypedPlace({ last }: { last: Place | null }) {
     const numbers = text.trim().split(/[\s;]+|,\s*/).filter((part) => part !== '').map(Number);
     const [a, b] = numbers;
     if (numbers.length !== 2 || a === undefined || b === undefined || !Number.isFinite(a) || !Number.isFinite(b)) {
-      complain(last ? 'Type two numbers: metres to the east and to the north of the last corner, such as “120 -40”.' : 'Type two numbers: longitude and latitude in degrees, such as “9.1478 52.6925”.');
+      complain(last ? 'Type two numbers: metres to the east and to the north of the last point, such as “120 -40”.' : 'Type two numbers: longitude and latitude in degrees, such as “9.1478 52.6925”.');
       return;
     }
     if (!last && (Math.abs(a) > 180 || Math.abs(b) > 85)) {
@@ -85,7 +64,7 @@ function TypedPlace({ last }: { last: Place | null }) {
   return (
     <form class="row" onSubmit={(event) => { event.preventDefault(); set(); }}>
       <label class="grow">
-        <span class="label">{last ? 'Or metres east and north of the last' : 'Or longitude and latitude, degrees'}</span>
+        <span class="label">{last ? 'Or metres east and north of the last point' : 'Or longitude and latitude in degrees'}</span>
         <input type="text" autocomplete="off" placeholder={last ? '120 -40' : '9.1478 52.6925'} value={text} onInput={(event) => setText(event.currentTarget.value)} />
       </label>
       <button type="submit" class="button">Set</button>

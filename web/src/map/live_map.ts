@@ -2,7 +2,7 @@
 import type { Map as GlMap } from 'maplibre-gl';
 import type { FeatureCollection } from '../api/types';
 
-export interface Shown {
+export interface LiveMap {
   map: GlMap;
   /** Replaces what a source holds. */
   fill(source: string, data: FeatureCollection): void;

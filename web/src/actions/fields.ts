@@ -1,0 +1,110 @@
+// Opening, storing and changing fields, and taking them from files.
+import { api } from '../api/client';
+import { ApiError } from '../api/errors';
+import type { FieldFull, Geometry, ObstacleDrawn, Upload, UploadedFeature } from '../api/types';
+import { plural, sentence } from '../format';
+import { fields } from '../state/fields';
+import { form } from '../state/plan_form';
+import { review } from '../state/review';
+import { complain, note } from './notices';
+import { closePlan, loadPlans } from './plans';
+import { busy, uploadFile } from './upload';
+
+export async function loadFields(): Promise<void> {
+  fields.set({ list: await api.fields() });
+}
+
+async function opened(field: FieldFull): Promise<void> {
+  if (fields.get().open?.id !== field.id) {
+    closePlan();
+    form.set({ line: null }); // an edge of the other field, or a line over it
+    if (review.get().drive?.field !== field.id) review.set({ drive: null });
+  }
+  fields.set({ open: field });
+  await loadPlans(field.id);
+}
+
+export const openField = (id: string) => busy('Opening the field …', async () => opened(await api.field(id)));
+
+/** A file of one field opens it; one of several asks which. */
+export async function takeFieldFile(file: File): Promise<void> {
+  const upload = await uploadFile(file);
+  if (upload.kind !== 'fields') {
+    const what = upload.kind === 'log' ? 'the log of a machine: drop it under Review' : upload.kind === 'plan' ? 'a plan, not a field: choose the file of the field itself' : null;
+    throw new ApiError(
+      'bad_input',
+      what ? `${file.name} is ${what}.` : `${file.name} contains no field. Choose a GeoJSON, GeoPackage, Shapefile, KML or ISOXML file. ${sentence(upload.message ?? '')}`.trim(),
+      400,
+    );
+  }
+  const features = upload.features ?? [];
+  const only = features[0];
+  if (features.length === 1 && only && only.refused === null) await takeFeature(upload, only);
+  else fields.set({ choosing: upload });
+}
+
+const storeFeature = (upload: Upload, { fid, layer }: UploadedFeature) =>
+  api.storeField({ upload: upload.id, fid, ...(layer === undefined ? {} : { layer }) });
+
+let stopped = false;
+export const stopTaking = () => void (stopped = true);
+
+/** Stores them in turn, without opening any. What cannot be stored is told of, and the others are stored all the same. */
+export async function takeFeatures(upload: Upload, features: UploadedFeature[]): Promise<void> {
+  const [only] = features;
+  if (features.length === 1 && only) return takeFeature(upload, only);
+  stopped = false;
+  fields.set({ taking: true });
+  let stored = 0;
+  const refused: string[] = [];
+  try {
+    for (const feature of features) {
+      if (stopped) break;
+      fields.set({ busy: `Storing ${feature.id}, ${stored + refused.length + 1} of ${features.length} …` });
+      try {
+        await storeFeature(upload, feature);
+        stored++;
+      } catch (error) {
+        if (!(error instanceof ApiError) || error.away) throw error;
+        refused.push(`${feature.id}: ${error.message}`);
+      }
+    }
+  } finally {
+    fields.set({ busy: null, taking: false, ...(stopped ? {} : { choosing: null }) });
+    await loadFields();
+  }
+  note(`${plural(stored, 'field')} of ${upload.name} ${stored === 1 ? 'is' : 'are'} stored${stopped ? '; you stopped the others' : ''}. Open one under Your fields.`);
+  if (refused.length > 0) complain(`${plural(refused.length, 'field')} could not be stored. ${refused.slice(0, 3).join(' ')}`);
+}
+
+export async function takeFeature(upload: Upload, feature: UploadedFeature): Promise<void> {
+  const field = await busy('Checking the field …', () => storeFeature(upload, feature));
+  fields.set({ choosing: null });
+  await opened(await api.field(field.id));
+  await loadFields();
+}
+
+export async function storeDrawnField(name: string, geometry: Geometry): Promise<void> {
+  const field = await busy('Checking the field …', () => api.storeField({ name, geometry }));
+  await opened(await api.field(field.id));
+  await loadFields();
+}
+
+export async function changeField(change: { name?: string; add?: ObstacleDrawn[]; remove?: number[] }): Promise<void> {
+  const open = fields.get().open;
+  if (!open) return;
+  await api.changeField(open.id, change);
+  fields.set({ open: await api.field(open.id) });
+  if (change.add || change.remove) closePlan(); // it was made for other land
+  await loadFields();
+}
+
+export async function deleteField(id: string): Promise<void> {
+  await api.deleteField(id);
+  if (fields.get().open?.id === id) {
+    closePlan();
+    fields.set({ open: null });
+  }
+  await loadFields();
+  note('The field is deleted. Its drives are still under Review, and its plans are still in the server’s folder.');
+}

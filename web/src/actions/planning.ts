@@ -1,0 +1,73 @@
+// The jobs that make a plan and check it.
+import { api } from '../api/client';
+import { follow } from '../api/jobs';
+import { fields } from '../state/fields';
+import { form, requestOf } from '../state/plan_form';
+import { plans } from '../state/plans';
+import { attempt } from './notices';
+import { loadPlans, openPlan } from './plans';
+
+let run = 0;
+
+/** Makes a plan as the form says, which the next one replaces if it is a draft; a run that is still going on is cancelled first. */
+export async function makePlan(draft = false): Promise<void> {
+  const field = fields.get().open;
+  if (!field) return;
+  const mine = ++run;
+  const going = plans.get().job;
+  if (going) await api.cancelJob(going.id).catch(() => {});
+  try {
+    const job = await api.startJob({ kind: 'plan', ...requestOf(form.get(), field.id), explain: true, ...(draft ? { draft } : {}) });
+    const result = await follow(job, (state) => mine === run && plans.set({ job: state }));
+    if (mine !== run || !result.plan) return;
+    await openPlan(result.plan);
+    await loadPlans(field.id);
+  } catch (error) {
+    if (mine === run) throw error;
+  } finally {
+    if (mine === run) plans.set({ job: null });
+  }
+}
+
+export async function cancelPlan(): Promise<void> {
+  const job = plans.get().job;
+  if (job) await api.cancelJob(job.id);
+}
+
+/** Works the plan out anew on the server, by another road than the one that made it. */
+export async function checkPlan(id: string): Promise<void> {
+  try {
+    const { check } = await follow(await api.startJob({ kind: 'check', plan: id }), (job) => plans.set({ checking: job }));
+    if (check) plans.set({ checked: { plan: id, check } });
+  } finally {
+    plans.set({ checking: null });
+  }
+}
+export async function cancelCheck(): Promise<void> {
+  const job = plans.get().checking;
+  if (job) await api.cancelJob(job.id);
+}
+
+const PAUSE_MS = 350;
+let timer = 0;
+
+/** What a plan comes out by: the name of a machine changes nothing. */
+function whatMatters(field: string): string {
+  const { machine: { name: _, ...machine }, ...rest } = requestOf(form.get(), field);
+  return JSON.stringify({ ...rest, machine });
+}
+
+/** Once a plan is there, changes of the form make the next one by themselves. */
+export function planAtChanges(): void {
+  let last = '';
+  form.listen(() => {
+    const field = fields.get().open;
+    const asked = field ? whatMatters(field.id) : '';
+    if (asked === last) return;
+    last = asked;
+    clearTimeout(timer);
+    const open = plans.get().open;
+    if (!form.get().again || !field || !open || open.field !== field.id) return;
+    timer = window.setTimeout(() => void attempt(() => makePlan(true)), PAUSE_MS);
+  });
+}

@@ -1,0 +1,15 @@
+// Addresses on the server that are followed rather than asked for: files to download, and streams.
+
+export const base = '/api/v1';
+const id = encodeURIComponent;
+// Two centimetres are less than a screen shows, and a day's work is a third of the bytes.
+const SEEN = 'detail_m=0.02';
+
+export const planFile = (plan: string, format: string, crs = '') =>
+  `${base}/plans/${id(plan)}/files/${format}${crs ? `?crs=${id(crs)}` : ''}`;
+export const driveFile = (drive: string, format: string) => `${base}/drives/${id(drive)}/files/${format}`;
+
+export const jobEvents = (job: string) => `${base}/jobs/${id(job)}/events`;
+export const feedEvents = (feed: string) => `${base}/feeds/${id(feed)}/events?${SEEN}`;
+export const replayEvents = (drive: string, from_s: number | null, speed: number) =>
+  `${base}/drives/${id(drive)}/replay?speed=${speed}&${SEEN}${from_s === null ? '' : `&from_s=${from_s}`}`;
