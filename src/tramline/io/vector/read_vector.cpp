@@ -28,9 +28,9 @@ bool is_id(const char* name) {
 std::string geojson_id(const OGRFeature& feature) {
   const char* text = feature.GetNativeData();
   if (text == nullptr) return {};
-  const auto json = nlohmann::json::parse(text, nullptr, false);
-  if (!json.is_object() || !json.contains("id")) return {};
-  const auto& id = json["id"];
+  const auto native = nlohmann::json::parse(text, nullptr, false);
+  if (!native.is_object() || !native.contains("id")) return {};
+  const auto& id = native["id"];
   return id.is_string() ? id.get<std::string>() : id.is_number() ? id.dump() : std::string{};
 }
 
