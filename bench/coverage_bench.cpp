@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "irregular_route.h"
+#include "quantiles.h"
 #include "tramline/coverage/engine.h"
 #include "tramline/coverage/tiles/tile_coverage.h"
 
@@ -158,13 +159,7 @@ void latencies(benchmark::State& state, const Work& work) {
     }
   }
   benchmark::DoNotOptimize(sum);
-  std::sort(micros.begin(), micros.end());
-  const auto quantile = [&](double share) {
-    return micros[static_cast<std::size_t>(share * static_cast<double>(micros.size() - 1))];
-  };
-  state.counters["p50_us"] = quantile(0.5);
-  state.counters["p99.9_us"] = quantile(0.999);
-  state.counters["max_us"] = quantile(1);
+  count_quantiles(std::move(micros), state);
   state.counters["quads/s"] = benchmark::Counter(quads_in(steps) * static_cast<double>(state.iterations()),
                                                  benchmark::Counter::kIsRate);
 }

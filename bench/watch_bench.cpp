@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "quantiles.h"
 #include "tramline/coverage/live/live_coverage.h"
 #include "tramline/geodesy/placed_log.h"
 #include "tramline/io/log/line_log.h"
@@ -72,13 +73,7 @@ void lines_with_48_sections(benchmark::State& state) {
     for (const double one : micros) all_s += 1e-6 * one;
   }
   benchmark::DoNotOptimize(sum);
-  std::sort(micros.begin(), micros.end());
-  const auto quantile = [&](double share) {
-    return micros[static_cast<std::size_t>(share * static_cast<double>(micros.size() - 1))];
-  };
-  state.counters["p50_us"] = quantile(0.5);
-  state.counters["p99.9_us"] = quantile(0.999);
-  state.counters["max_us"] = quantile(1);
+  count_quantiles(std::move(micros), state);
   state.counters["share_of_core_at_50_Hz"] = all_s / (0.02 * static_cast<double>(lines.size()));
 }
 BENCHMARK(lines_with_48_sections)->Arg(50000)->Arg(200000)->Iterations(1)->Unit(benchmark::kMillisecond);

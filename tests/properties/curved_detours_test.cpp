@@ -7,19 +7,13 @@
 #include <cstdlib>
 #include <random>
 
+#include "properties/draws.h"
 #include "tramline/check/verify.h"
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/planner/plan_field.h"
 
 namespace tramline {
 namespace {
-
-double uniform(std::mt19937_64& random, double from, double to) {
-  return std::uniform_real_distribution<double>(from, to)(random);
-}
-int any_of(std::mt19937_64& random, int from, int to) {
-  return std::uniform_int_distribution<int>(from, to)(random);
-}
 
 Point on(double radius_m, double angle) { return {radius_m * std::cos(angle), radius_m * std::sin(angle)}; }
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "planner/prepared.h"
+#include "properties/draws.h"
 #include "properties/random_field.h"
 #include "properties/seeds.h"
 #include "tramline/cost/strip_tally.h"
@@ -23,13 +24,6 @@
 
 namespace tramline {
 namespace {
-
-double uniform(std::mt19937_64& random, double from, double to) {
-  return std::uniform_real_distribution<double>(from, to)(random);
-}
-int any_of(std::mt19937_64& random, int from, int to) {
-  return std::uniform_int_distribution<int>(from, to)(random);
-}
 
 struct Scene {
   Region body;  ///< with holes

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "geometry/drivable.h"
+#include "properties/draws.h"
 #include "properties/random_field.h"
 #include "properties/seeds.h"
 #include "tramline/geometry/error.h"
@@ -20,13 +21,6 @@ namespace tramline {
 namespace {
 
 constexpr Box kWindow{-80, -80, 80, 80};
-
-double uniform(std::mt19937_64& random, double from, double to) {
-  return std::uniform_real_distribution<double>(from, to)(random);
-}
-int any_of(std::mt19937_64& random, int from, int to) {
-  return std::uniform_int_distribution<int>(from, to)(random);
-}
 
 std::vector<Point> random_line(std::mt19937_64& random) {
   const double most = uniform(random, 0.3, 1.6);

@@ -8,6 +8,7 @@
 
 #include "properties/random_field.h"
 #include "properties/seeds.h"
+#include "support/refusals.h"
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/geometry/tolerances.h"
@@ -43,12 +44,8 @@ Request random_request(std::mt19937_64& random) {
 
 /// The plan, or nothing where no track fits.
 std::optional<Plan> try_plan(const Field& field, const Request& request, int threads = 1) {
-  try {
-    return plan_field(field, request.machine, request.objective, request.settings, threads);
-  } catch (const Error& error) {
-    if (error.kind() != ErrorKind::kBadInput) throw;
-    return std::nullopt;
-  }
+  return testing_support::unless_refused(
+      [&] { return plan_field(field, request.machine, request.objective, request.settings, threads); });
 }
 
 class PlanProperties : public ::testing::Test {

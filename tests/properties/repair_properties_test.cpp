@@ -10,6 +10,7 @@
 
 #include "properties/random_field.h"
 #include "properties/seeds.h"
+#include "support/refusals.h"
 #include "tramline/check/verify.h"
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/polygon/boolean.h"
@@ -69,13 +70,10 @@ std::optional<RepairPlan> try_repair(const Missed& missed, double width_m, int t
   RepairTerms terms;
   terms.machine.width_m = width_m;
   terms.objective = {0.02, 0.10, 1, 5};
-  try {
+  return testing_support::unless_refused([&] {
     return repair_plan(missed.field, missed.gaps, missed.missed, missed.driven, terms, kMinArea_m2, threads,
                        {});
-  } catch (const Error& error) {
-    if (error.kind() != ErrorKind::kBadInput) throw;
-    return std::nullopt;
-  }
+  });
 }
 
 class RepairProperties : public ::testing::Test {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/drivable.h"
+#include "properties/draws.h"
 #include "properties/random_field.h"
 #include "properties/seeds.h"
 #include "tramline/geometry/error.h"
@@ -13,13 +14,6 @@
 
 namespace tramline {
 namespace {
-
-double uniform(std::mt19937_64& random, double from, double to) {
-  return std::uniform_real_distribution<double>(from, to)(random);
-}
-int any_of(std::mt19937_64& random, int from, int to) {
-  return std::uniform_int_distribution<int>(from, to)(random);
-}
 
 /// A walk with noise of some size at every point, some points twice, some all but twice.
 std::vector<Point> random_walk(std::mt19937_64& random) {

@@ -1,6 +1,7 @@
 // The picture of a plan with a headland and curved tracks.
 
 #include "curved_plan.h"
+#include "render/shows.h"
 
 #include <gtest/gtest.h>
 
@@ -23,13 +24,6 @@ std::map<std::string, std::string> rows(const std::vector<LegendBlock>& blocks) 
   for (const LegendBlock& block : blocks)
     for (const LegendRow& row : block.rows) out[row.text] = row.value;
   return out;
-}
-
-bool shows(const Plan& plan, Symbol symbol) {
-  for (const LegendBlock& block : legend_of(plan))
-    for (const LegendRow& row : block.rows)
-      if (row.symbol == symbol) return true;
-  return false;
 }
 
 /// The pixels within so many of the place that are nearer to this colour than `most` in every channel.

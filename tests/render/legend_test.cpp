@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "render/shows.h"
 #include "sample_plan.h"
 #include "tramline/render/page/legend_content.h"
 #include "tramline/render/page/map_decorations.h"
@@ -17,13 +18,6 @@ std::map<std::string, std::string> values(const Plan& plan) {
     for (const LegendRow& row : block.rows)
       if (row.symbol == Symbol::kNone) out[row.text] = row.value;
   return out;
-}
-
-bool shows(const Plan& plan, Symbol symbol) {
-  for (const LegendBlock& block : legend_of(plan))
-    for (const LegendRow& row : block.rows)
-      if (row.symbol == symbol) return true;
-  return false;
 }
 
 TEST(Legend, NumbersHaveTheirUnits) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <random>
 #include <string>
 
@@ -28,6 +29,17 @@ std::string refusal_of(Call call) {
   const Error error = error_of(call);
   EXPECT_EQ(error.kind(), ErrorKind::kBadInput) << error.what();
   return error.what();
+}
+
+/// The result of a call; nullopt where it refuses bad input.
+template <class Call>
+auto unless_refused(Call call) -> std::optional<decltype(call())> {
+  try {
+    return call();
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kBadInput) throw;
+    return std::nullopt;
+  }
 }
 
 /// The statement throws an Error that finds the user's input at fault, or that a run failed: another kind is

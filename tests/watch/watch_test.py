@@ -581,7 +581,7 @@ class Faults(Case):
             self.refused("--udp .* the port cannot be opened .*another program", "--udp",
                          str(taken.getsockname()[1]), *self.options)
         port = free_port()
-        self.refused("nobody answers at 127.0.0.1", "--tcp", f"127.0.0.1:{port}", *self.options, "-o",
+        self.refused("nothing answers at 127.0.0.1", "--tcp", f"127.0.0.1:{port}", *self.options, "-o",
                      str(self.folder / "out.gpkg"))
         self.assertEqual([p.name for p in self.folder.iterdir()], ["drive.nmea"], "nothing is left behind")
         self.refused("gpsd does not answer; is it running", "--gpsd", f"127.0.0.1:{port}", *self.options)

@@ -43,8 +43,8 @@ void FeedFolders::require(const fs::path& file) const {
     std::string list;
     for (const fs::path& folder : folders_) list += (list.empty() ? "" : ", ") + folder.string();
     throw bad_input(
-        fmt::format("'{}' is not in a folder that live feeds may read ({}); write it there, or start the "
-                    "server with --feed-dir and its folder",
+        fmt::format("'{}' is not in a folder that live feeds may read ({}); write it there, or name its "
+                    "folder for live feeds when the server is started",
                     file.string(), list));
   }
   const fs::file_status status = fs::status(resolved, fault);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "commands/command.h"
+#include "options/common_options.h"
 #include "options/field_options.h"
 #include "output/result_output.h"
 #include "report/check_report.h"

@@ -17,21 +17,6 @@ class Command {
   virtual int run() = 0;
 };
 
-inline void add_threads_option(CommandOptions& command, int& threads) {
-  command.add_option("--threads", threads, "Number of threads.")
-      .takes("N")
-      .in_range(0, 1024)
-      .shows_default("all cores");
-}
-
-/// --threads, for a command whose work is done by one thread: every command takes the option.
-inline void add_unused_threads_option(CommandOptions& command, int& threads) {
-  command.add_option("--threads", threads, "Accepted by every command; this one uses a single thread.")
-      .takes("N")
-      .in_range(0, 1024)
-      .shows_default("1");
-}
-
 std::unique_ptr<Command> make_plan_command();
 std::unique_ptr<Command> make_map_command();
 std::unique_ptr<Command> make_compare_command();

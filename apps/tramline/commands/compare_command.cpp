@@ -9,6 +9,7 @@
 
 #include "commands/command.h"
 #include "commands/many_fields.h"
+#include "options/common_options.h"
 #include "options/field_options.h"
 #include "options/plan_options.h"
 #include "output/output_target.h"
@@ -98,14 +99,9 @@ class CompareCommand : public Command {
     command.add_option("--csv", csv_, "Write a table of the plans to this .csv.")
         .takes("FILE")
         .shows_default("not written");
-    command
-        .add_option("--picture", picture_,
-                    "Draw the trade-off and the plans that stand out to this .png, .svg or .pdf.")
-        .takes("FILE")
-        .shows_default("not drawn");
-    command.add_option("-o,--output", output_, "Write one of the plans to this GeoPackage (.gpkg).")
-        .takes("FILE")
-        .shows_default("not written");
+    add_picture_option(command, picture_,
+                       "Draw the trade-off and the plans that stand out to this .png, .svg or .pdf.");
+    add_output_option(command, output_, "Write one of the plans to this GeoPackage (.gpkg).");
     command
         .add_option(
             "--point", point_,
@@ -113,8 +109,7 @@ class CompareCommand : public Command {
             "'uncovered', 'turns', or its number in the table.")
         .takes("WORD")
         .shows_default("given");
-    command.add_flag("--json", json_, "Print one JSON object per field.");
-    command.add_flag("--quiet", quiet_, "Print neither progress nor table.");
+    add_report_options(command, json_, "Print one JSON object per field.", quiet_);
     command.begin_group("Run");
     add_seconds_option(command, seconds_);
     add_threads_option(command, threads_);

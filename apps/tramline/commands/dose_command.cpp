@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "commands/command.h"
+#include "options/common_options.h"
 #include "options/drive_options.h"
 #include "options/field_options.h"
 #include "output/output_target.h"
@@ -76,18 +77,13 @@ class DoseCommand : public Command {
     add_rate_options(command);
     add_wind_options(command);
     command.begin_group("Output");
-    command.add_option("-o,--output", output_, "Write the map to this GeoTIFF (.tif).")
-        .takes("FILE")
-        .shows_default("not written");
-    command.add_option("--picture", picture_, "Draw the map to this .png, .svg or .pdf.")
-        .takes("FILE")
-        .shows_default("not drawn");
+    add_output_option(command, output_, "Write the map to this GeoTIFF (.tif).");
+    add_picture_option(command, picture_, "Draw the map to this .png, .svg or .pdf.");
     command.add_option("--cell", settings_.cell_m, "Side of a cell of the map, in metres.")
         .takes("M")
         .in_range(0.01, 1000.0)
         .shows_default();
-    command.add_flag("--json", json_, "Print one JSON object instead of the table.");
-    command.add_flag("--quiet", quiet_, "Print neither progress nor table.");
+    add_report_options(command, json_, "Print one JSON object instead of the table.", quiet_);
     command.begin_group("Run");
     add_threads_option(command, settings_.evaluate.threads);
     command.footer(kExample);

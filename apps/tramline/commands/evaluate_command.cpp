@@ -11,6 +11,7 @@
 
 #include "commands/command.h"
 #include "commands/evaluate_jobs.h"
+#include "options/common_options.h"
 #include "options/drive_options.h"
 #include "options/field_options.h"
 #include "output/output_target.h"
@@ -80,18 +81,13 @@ class EvaluateCommand : public Command {
     add_drive_options(command, drive_);
     add_engine_options(command);
     command.begin_group("Output");
-    command.add_option("-o,--output", output_, "Write the coverage to this GeoPackage (.gpkg).")
-        .takes("FILE")
-        .shows_default("not written");
-    command.add_option("--picture", picture_, "Draw the coverage to this .png, .svg or .pdf.")
-        .takes("FILE")
-        .shows_default("not drawn");
+    add_output_option(command, output_, "Write the coverage to this GeoPackage (.gpkg).");
+    add_picture_option(command, picture_, "Draw the coverage to this .png, .svg or .pdf.");
     command.add_option("--slice", settings_.slice, "Also report the figures after every so many fixes.")
         .takes("N")
         .in_range(1, 1000000000)
         .shows_default("at the end only");
-    command.add_flag("--json", json_, "Print one JSON object instead of the table.");
-    command.add_flag("--quiet", quiet_, "Print neither progress nor table.");
+    add_report_options(command, json_, "Print one JSON object instead of the table.", quiet_);
     command.begin_group("Run");
     add_threads_option(command, settings_.threads);
     command.footer(kExample);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "commands/command.h"
+#include "options/common_options.h"
 #include "output/output_target.h"
 #include "output/result_output.h"
 #include "report/report_parts.h"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "commands/command.h"
+#include "options/common_options.h"
 #include "options/field_options.h"
 #include "output/result_output.h"
 #include "report/info_report.h"

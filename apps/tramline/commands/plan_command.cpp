@@ -9,6 +9,7 @@
 #include "commands/command.h"
 #include "commands/many_fields.h"
 #include "commands/plan_run_input.h"
+#include "options/common_options.h"
 #include "options/field_options.h"
 #include "options/plan_options.h"
 #include "output/output_target.h"
@@ -63,12 +64,8 @@ class PlanCommand : public Command {
     add_plan_options(command, plan_options_);
     command.begin_group("Output");
     const Option output =
-        command.add_option("-o,--output", wanted_.plan, "Write the plan to this GeoPackage (.gpkg).")
-            .takes("FILE")
-            .shows_default("not written");
-    command.add_option("--picture", wanted_.picture, "Draw the plan to this .png, .svg or .pdf.")
-        .takes("FILE")
-        .shows_default("not drawn");
+        add_output_option(command, wanted_.plan, "Write the plan to this GeoPackage (.gpkg).");
+    add_picture_option(command, wanted_.picture, "Draw the plan to this .png, .svg or .pdf.");
     command
         .add_option("--zoom-obstacles", wanted_.close_ups,
                     "Draw a close-up of every obstacle into this folder, which is made if it is missing.")
@@ -85,8 +82,7 @@ class PlanCommand : public Command {
         "--front", front_,
         "Also look for other plans worth a choice (see 'tramline compare'), and keep their figures "
         "in the plan file and in --json.");
-    command.add_flag("--json", json_, "Print one JSON object per field.");
-    command.add_flag("--quiet", quiet_, "Print neither progress nor table.");
+    add_report_options(command, json_, "Print one JSON object per field.", quiet_);
     command.begin_group("Run");
     add_seconds_option(command, seconds_);
     command.add_flag(

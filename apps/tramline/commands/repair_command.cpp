@@ -9,6 +9,7 @@
 
 #include "commands/command.h"
 #include "commands/many_fields.h"
+#include "options/common_options.h"
 #include "options/field_options.h"
 #include "options/plan_options.h"
 #include "output/output_target.h"
@@ -60,14 +61,9 @@ class RepairCommand : public Command {
         .takes("WORD")
         .shows_default();
     command.begin_group("Output");
-    command.add_option("-o,--output", output_, "Write the plan to this GeoPackage (.gpkg).")
-        .takes("FILE")
-        .shows_default("not written");
-    command.add_option("--picture", picture_, "Draw the plan to this .png, .svg or .pdf.")
-        .takes("FILE")
-        .shows_default("not drawn");
-    command.add_flag("--json", json_, "Print one JSON object per field.");
-    command.add_flag("--quiet", quiet_, "Print neither progress nor table.");
+    add_output_option(command, output_, "Write the plan to this GeoPackage (.gpkg).");
+    add_picture_option(command, picture_, "Draw the plan to this .png, .svg or .pdf.");
+    add_report_options(command, json_, "Print one JSON object per field.", quiet_);
     command.begin_group("Run");
     add_seconds_option(command, seconds_);
     add_threads_option(command, threads_);

@@ -10,6 +10,7 @@
 
 #include "commands/command.h"
 #include "commands/watch_run.h"
+#include "options/common_options.h"
 #include "options/drive_options.h"
 #include "options/field_options.h"
 #include "output/output_target.h"
@@ -66,11 +67,8 @@ class WatchCommand : public Command {
     add_drive_options(command, drive_);
     add_look_ahead_options(command);
     command.begin_group("Output");
-    command
-        .add_option("-o,--output", output_.file,
-                    "Write the coverage to this GeoPackage (.gpkg), and the lines beside it (.gpkg.log).")
-        .takes("FILE")
-        .shows_default("not written");
+    add_output_option(command, output_.file,
+                      "Write the coverage to this GeoPackage (.gpkg), and the lines beside it (.gpkg.log).");
     command
         .add_option("--save-every", output_.save_every_s,
                     "Write the coverage so often, in seconds, besides at the end.")

@@ -17,6 +17,21 @@ std::string sensible_size(const std::string& text) {
 
 }  // namespace
 
+namespace {
+
+/// --where and --id.
+void add_feature_options(CommandOptions& command, FieldOptions& options) {
+  command.add_option("--where", options.where, "Read only features that match, such as \"crop='wheat'\".")
+      .takes("FILTER")
+      .shows_default("all features");
+  command
+      .add_option("--id", options.id, "Read only the field of this id or key, as 'tramline info' lists them.")
+      .takes("ID")
+      .shows_default("the only field");
+}
+
+}  // namespace
+
 void add_field_options(CommandOptions& command, FieldOptions& options) {
   command
       .add_option("FIELD", options.file,
@@ -27,13 +42,7 @@ void add_field_options(CommandOptions& command, FieldOptions& options) {
   command.add_option("--layer", options.layer, "Read this layer.")
       .takes("NAME")
       .shows_default("the only layer with polygons");
-  command.add_option("--where", options.where, "Read only features that match, such as \"crop='wheat'\".")
-      .takes("FILTER")
-      .shows_default("all features");
-  command
-      .add_option("--id", options.id, "Read only the field of this id or key, as 'tramline info' lists them.")
-      .takes("ID")
-      .shows_default("the only field");
+  add_feature_options(command, options);
   command.add_flag("--all", options.all, "Read every field of the file rather than one.");
   add_crs_option(command, options);
   command.begin_group("Obstacles");
@@ -51,13 +60,7 @@ void add_field_choice(CommandOptions& command, FieldOptions& options) {
   command.add_option("--layer", options.layer, "Read this layer of the field's file.")
       .takes("NAME")
       .shows_default("the only layer with polygons");
-  command.add_option("--where", options.where, "Read only features that match, such as \"crop='wheat'\".")
-      .takes("FILTER")
-      .shows_default("all features");
-  command
-      .add_option("--id", options.id, "Read only the field of this id or key, as 'tramline info' lists them.")
-      .takes("ID")
-      .shows_default("the only field");
+  add_feature_options(command, options);
   add_crs_option(command, options);
   add_obstacle_options(command, options);
   for (const char* option :

@@ -1,5 +1,19 @@
 #include "tramline/planner/for_each_index.h"
 
+namespace tramline {
+namespace {
+
+/// The body, with a report to the context before each call. Refers to both.
+auto reported(const SearchContext& context, const std::function<void(std::size_t)>& body) {
+  return [&context, &body](std::size_t i) {
+    context.report();
+    body(i);
+  };
+}
+
+}  // namespace
+}  // namespace tramline
+
 #ifdef __SANITIZE_THREAD__
 // Debian's TBB is not built for the thread sanitizer, which therefore does not see that TBB hands work
 // from thread to thread in good order, and reports every use of a task's data as a race. Plain threads
@@ -16,10 +30,7 @@ namespace tramline {
 void for_each_index(std::size_t count, const SearchContext& context,
                     const std::function<void(std::size_t)>& body) {
   const int threads = context.threads();
-  const auto report_and_call = [&](std::size_t i) {
-    context.report();
-    body(i);
-  };
+  const auto report_and_call = reported(context, body);
   std::atomic<std::size_t> next{0};
   std::exception_ptr first;
   std::mutex first_mutex;
@@ -55,10 +66,7 @@ namespace tramline {
 void for_each_index(std::size_t count, const SearchContext& context,
                     const std::function<void(std::size_t)>& body) {
   const int threads = context.threads();
-  const auto report_and_call = [&](std::size_t i) {
-    context.report();
-    body(i);
-  };
+  const auto report_and_call = reported(context, body);
   // More threads than cores are the caller's wish; without this TBB warns on stderr. Fewer are the arena's
   // business alone: the limit holds for the whole process, and would slow callers that plan several fields
   // at a time.

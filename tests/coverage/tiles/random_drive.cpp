@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "properties/draws.h"
 #include "properties/random_field.h"
 #include "tramline/geometry/polygon/boolean.h"
 
@@ -13,12 +14,6 @@ namespace {
 using coverage::Quad;
 using coverage::WorkedStep;
 
-double uniform(std::mt19937_64& random, double from, double to) {
-  return std::uniform_real_distribution<double>(from, to)(random);
-}
-int any_of(std::mt19937_64& random, int from, int to) {
-  return std::uniform_int_distribution<int>(from, to)(random);
-}
 bool one_in(std::mt19937_64& random, int n) { return any_of(random, 1, n) == 1; }
 
 struct Stretch {

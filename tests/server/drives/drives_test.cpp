@@ -117,7 +117,8 @@ TEST_F(Drives, WhatIsWrongIsSaidInASentence) {
 
   const Got field_file = here_.upload("f.geojson", polygon_json(field_here().front()).dump());
   ASSERT_EQ(field_file.status, 201) << field_file.text;
-  EXPECT_TRUE(mentions(here_.post("/drives", {{"upload", field_file.json.at("id")}}).message(), "no log"));
+  EXPECT_TRUE(
+      mentions(here_.post("/drives", {{"upload", field_file.json.at("id")}}).message(), "not a machine log"));
   EXPECT_EQ(here_.upload("empty.csv", "").status, 400);
 
   EXPECT_TRUE(mentions(failure_of({{"upload", upload_log("lon,lat\n10.5,52.3\n10.5001,52.3\n")}}),

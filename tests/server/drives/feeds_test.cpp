@@ -140,7 +140,7 @@ TEST_F(Feeds, ReadFilesOnlyBelowTheStoreAndTheFoldersNamed) {
   for (const std::filesystem::path& file : {other / "drive.csv", std::filesystem::path("/etc/passwd")}) {
     const Got refused = begun(file);
     EXPECT_EQ(refused.status, 400) << refused.text;
-    EXPECT_TRUE(mentions(refused.message(), "is in no folder that live feeds are read from")) << refused.text;
+    EXPECT_TRUE(mentions(refused.message(), "is not in a folder that live feeds may read")) << refused.text;
   }
 }
 

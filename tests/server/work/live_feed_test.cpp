@@ -274,11 +274,11 @@ TEST(FeedSource, FilesAreReadOnlyInTheFoldersThatWereNamed) {
   for (const char* name :
        {"farm-old/c.csv", "farm/../farm-old/c.csv", "farm/out.csv", "farm/zero.csv", "farm-old/none.csv"})
     EXPECT_TRUE(mentions(refusal_of([&] { open_feed(source(name), sources); }),
-                         "is in no folder that live feeds are read from"))
+                         "is not in a folder that live feeds may read"))
         << name;
   for (const char* file : {"file:///etc/passwd", "file:///dev/zero", "file:///proc/self/environ"})
     EXPECT_TRUE(mentions(refusal_of([&] { open_feed(file, sources); }),
-                         "is in no folder that live feeds are read from"))
+                         "is not in a folder that live feeds may read"))
         << file;
   for (const char* name : {"farm/pipe.csv", "farm/deep"})
     EXPECT_TRUE(
