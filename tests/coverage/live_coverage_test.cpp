@@ -161,7 +161,7 @@ TEST(LiveCoverage, DoubtsGroundThatIsWorkedAgainAndAgain) {
   live.settle();
   const std::vector<std::string> warnings = live.figures(head_of(log)).warnings;
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_NE(warnings.front().find("of the covered ground was worked again"), std::string::npos);
+  EXPECT_NE(warnings.front().find("of the covered land was worked again"), std::string::npos);
 }
 
 /// Somebody who follows a drive by its changes alone.

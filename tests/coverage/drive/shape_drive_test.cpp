@@ -110,7 +110,7 @@ TEST(Doubts, HalfTheGroundAgain) {
   EXPECT_TRUE(doubts_on(areas(100, 50), {}, 12).empty());
   const auto doubts = doubts_on(areas(100, 51), {}, 12);
   ASSERT_EQ(doubts.size(), 1U);
-  EXPECT_TRUE(mentions(doubts[0], "51 % of the covered ground was worked again")) << doubts[0];
+  EXPECT_TRUE(mentions(doubts[0], "51 % of the covered land was worked again")) << doubts[0];
   EXPECT_TRUE(mentions(doubts[0], "12 m wide")) << doubts[0];
   EXPECT_TRUE(doubts_on(areas(0, 0), {}, 12).empty());
 }
