@@ -56,7 +56,7 @@ class SearchEnd(unittest.TestCase):
         run = subprocess.run(self.command("plan", "--seconds", "0.3"), capture_output=True, text=True, check=True)
         plan = json.loads(run.stdout)
         self.assertTrue(plan["cut_short"])
-        self.assertIn("the search was stopped before its end", plan["warnings"][0])
+        self.assertIn("the search was ended before it was through", plan["warnings"][0])
         self.assertLessEqual(plan["bound"], plan["cost"])
         self.assertTrue(self.holds())
 

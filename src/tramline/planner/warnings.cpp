@@ -84,7 +84,8 @@ std::string unworked_land_warning(const Plan& plan) {
 
 void mark_cut_short(Plan& plan) {
   plan.proof.cut_short = true;
-  std::vector<std::string> all{"the search was stopped before its end: a longer one may find a cheaper plan"};
+  std::vector<std::string> all{
+      "the search was ended before it was through: a longer one may find a cheaper plan"};
   all.insert(all.end(), plan.warnings.begin(), plan.warnings.end());
   plan.warnings = std::move(all);
 }
