@@ -96,7 +96,7 @@ void set_handlers(httplib::Server& http, const Gate& gate, const Router& router)
                                                           httplib::Response& response) {
     if (response.body.empty())
       answer_fault(response, response.status,
-                   error_body(Fault::kBadInput, "the request is none that a server understands"));
+                   error_body(Fault::kBadInput, "the request is not one that a server understands"));
     return httplib::Server::HandlerResponse::Handled;
   };
   http.set_error_handler(in_json);

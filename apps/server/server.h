@@ -10,7 +10,7 @@
 
 namespace tramline::server {
 
-/// All routes there are, in the order of the API's description.
+/// Adds all routes, in the order of the API's description.
 void add_routes(Router& router, App& app);
 
 class Server {

@@ -53,7 +53,7 @@ std::string token_in_cookies(const std::string& cookies) {
   return "";
 }
 
-/// Longer than any; a number with something behind it is none.
+/// Longer than any; a number followed by anything else is not one.
 std::uint64_t length_of(const httplib::Request& request) {
   const std::string text = request.get_header_value("Content-Length");
   if (text.empty()) return 0;

@@ -13,15 +13,15 @@
 
 namespace tramline::server {
 
-/// Bodies that are not uploads.
+/// The largest body that is not an upload.
 inline constexpr std::size_t kMostJsonBytes = std::size_t{4} << 20;
 
-/// Lists and objects within one another, in the JSON of a body.
+/// The deepest nesting of lists and objects in the JSON of a body.
 inline constexpr int kDeepestJson = 32;
 
-/// Bodies that are being received at once; more are refused, so that some threads never wait for a sender.
+/// The number of bodies received at once. More are refused, so that some threads never wait for a sender.
 inline constexpr std::ptrdiff_t kMostBodies = 64;
-/// Bodies that come more slowly are given up, once kPatience_s have passed.
+/// A body that comes more slowly is refused once kPatience_s have passed.
 inline constexpr double kLeastBytesPer_s = 1024, kPatience_s = 20;
 
 /// A request on its way to its handler.
@@ -44,7 +44,7 @@ class Call {
   /// limit, kBadInput where it breaks off or comes more slowly than kLeastBytesPer_s, and kBusy where
   /// kMostBodies are being received already.
   void read_body(const Bytes& take) const;
-  /// The body as JSON, an object. Throws HttpError(kBadInput) for other JSON, what is none, and what is
+  /// The body as JSON, an object. Throws HttpError(kBadInput) for anything else, and for JSON that is
   /// nested deeper than kDeepestJson, and like read_body().
   nlohmann::ordered_json json() const;
 

@@ -14,7 +14,7 @@ nlohmann::ordered_json survey(Upload& upload);
 /// The fields of a file: {features, features_total}. Throws bad_input where it has none.
 nlohmann::ordered_json survey_fields_of(const Upload& upload);
 
-/// The logs of a file: {logs}. Throws bad_input where it is none.
+/// The logs of a file: {logs}. Throws bad_input where it is not a log.
 nlohmann::ordered_json survey_logs_of(const Upload& upload);
 
 }  // namespace tramline::server

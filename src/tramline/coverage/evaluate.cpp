@@ -21,7 +21,7 @@
 namespace tramline::coverage {
 namespace {
 
-/// How often progress is told, in fixes.
+/// The number of fixes between two reports of progress.
 constexpr std::size_t kProgressEvery = 1000;
 
 /// Keeps slices as they come due.

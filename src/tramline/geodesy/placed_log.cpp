@@ -19,7 +19,7 @@ namespace {
 /// Further from the frame's origin no machine works that field: what is left is a fault of the log.
 constexpr double kFarFromFrame_m = 1e6;
 
-/// Why a position is none; empty where it is one.
+/// The reason why a position is not one; empty where it is.
 std::string fault(Positions positions, Point p) {
   if (!std::isfinite(p.x) || !std::isfinite(p.y)) return "the position is no number";
   if (positions == Positions::kLocal)

@@ -1,5 +1,5 @@
 #pragma once
-// Passes in arms and necks where the machine has no room to turn: along the edge from end to end.
+// Passes in arms and narrow passages where the machine has no room to turn: along the edge from end to end.
 
 #include <vector>
 

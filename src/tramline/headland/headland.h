@@ -29,10 +29,10 @@ struct HeadlandAndBody : Headland {
 /// Round a corner that stands out into the land it runs along an arc at that distance, and swings wide where
 /// that would be tighter than the machine can turn; into all others it goes as far as the machine can turn.
 ///
-/// Boundaries whose swaths with one number would meet are driven round together. In a neck too narrow to turn
-/// in, both sides are driven, corners rounded as elsewhere, where that is possible and works more ground for
-/// the first time than again. A lobe where the machine cannot turn is left out, and so is a ring that would
-/// for the most part follow boundaries whose passes are all driven already.
+/// Boundaries whose swaths with one number would meet are driven round together. In a passage too narrow to
+/// turn in, both sides are driven, corners rounded as elsewhere, where that is possible and works more ground
+/// for the first time than again. A lobe where the machine cannot turn is left out, and so is a ring that
+/// would for the most part follow boundaries whose passes are all driven already.
 ///
 /// Ground that no pass works is body where a track fits: at least a width from every boundary that has a
 /// headland (no swath leaves the field there, however it ends), as wide as a swath, and as long as the least

@@ -132,7 +132,7 @@ void order_along(const std::vector<CentreLine>& centre_lines, std::vector<Stretc
 
 /// Groups of stretches whose ends may continue along the offset line instead of turning: if all of a group
 /// do, the results are rings again.
-std::vector<std::vector<std::size_t>> necks_between(const std::vector<Stretch>& stretches) {
+std::vector<std::vector<std::size_t>> passages_between(const std::vector<Stretch>& stretches) {
   std::vector<std::size_t> before(stretches.size());
   for (std::size_t i = 0; i < stretches.size(); ++i) before[stretches[i].after] = i;
   std::vector<bool> seen(stretches.size(), false);
@@ -238,19 +238,19 @@ std::vector<OffsetRing> joined_through_narrow_passages(std::vector<OffsetRing> c
   const ArcFits fits = [&](Point centre, Point before, Point after) {
     return keeps_off(turn_about(centre, land.radius_m, before, after), land.offset_boundaries);
   };
-  const auto necks = necks_between(stretches);
+  const auto passages = passages_between(stretches);
   const std::vector<std::size_t> idle = land.offset_boundaries.size() > 1
                                             ? idle_offset_lines(centre_lines, stretches)
                                             : std::vector<std::size_t>{};
-  if (necks.empty() && idle.empty()) return centres;
+  if (passages.empty() && idle.empty()) return centres;
 
   Choice choice(std::move(centres), land, cost);
   std::vector<Link> links;
   for (const Stretch& stretch : stretches) links.push_back({stretch.after, {}});
-  for (const std::vector<std::size_t>& neck : necks) {
+  for (const std::vector<std::size_t>& passage : passages) {
     std::vector<Link> changed = links;
     bool passes = true;
-    for (const std::size_t k : neck) {
+    for (const std::size_t k : passage) {
       const std::size_t to = stretches[k].along;
       std::optional<OffsetRing> way =
           passes ? rolling_circle_path(centre_lines, stretches[k].to, stretches[to].from, fits)

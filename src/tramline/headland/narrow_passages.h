@@ -1,5 +1,5 @@
 #pragma once
-// Passes through necks: land where a pass has room on both sides but the machine cannot turn.
+// Passes through narrow passages: land where a pass has room on both sides but the machine cannot turn.
 
 #include <functional>
 #include <vector>
@@ -15,16 +15,16 @@ struct RingsCost {
 };
 using CostOfRings = std::function<RingsCost(const std::vector<OffsetRing>&)>;
 
-/// Rings of turning_centres(land) that also pass necks, where that costs less. The circle needs no room in a
-/// neck: it rolls along one side, however near the other is; only what it draws has to be on the land. One by
-/// one, rings that face one another across a neck, or a ring that faces itself (round an obstacle), are
-/// joined by a line along each side; so are those that meet where several necks meet. Where the path cannot
-/// be driven, or would cross itself or another one more often, the neck is left out. Beside several
-/// boundaries, offset lines along which nothing is driven may become rings, too. (Beside a single boundary
-/// there are none: a closed path without an obstacle inside has room for the circle that it is nowhere
-/// tighter than; Pestov and Ionin 1959.)
+/// Rings of turning_centres(land) that also lead through narrow passages, where that costs less. The circle
+/// needs no room in a passage: it rolls along one side, however near the other is; only what it draws has to
+/// be on the land. One by one, rings that face one another across a passage, or a ring that faces itself
+/// (round an obstacle), are joined by a line along each side; so are those that meet where several passages
+/// meet. Where the path cannot be driven, or would cross itself or another one more often, the passage is
+/// left out. Beside several boundaries, offset lines along which nothing is driven may become rings, too.
+/// (Beside a single boundary there are none: a closed path without an obstacle inside has room for the circle
+/// that it is nowhere tighter than; Pestov and Ionin 1959.)
 ///
-/// O(n²) for n pieces of the offset line, and one evaluation of the cost for each neck.
+/// O(n²) for n pieces of the offset line, and one evaluation of the cost for each passage.
 std::vector<OffsetRing> joined_through_narrow_passages(std::vector<OffsetRing> centres,
                                                        const TurningRoom& land, const CostOfRings& cost);
 

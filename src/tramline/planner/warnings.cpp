@@ -31,7 +31,8 @@ void warn_of_overrun(const Plan& plan, std::vector<std::string>& out) {
 }
 
 void warn_of_given_up_land(const Plan& plan, std::vector<std::string>& out) {
-  constexpr double kWorthSaying_m2 = 0.05;  // what would be told as 0.0 m² is the grid of booleans
+  constexpr double kWorthSaying_m2 =
+      0.05;  // an area that would be reported as 0.0 m² is the grid of booleans
   if (area(plan.given_up) < kWorthSaying_m2) return;
   out.push_back(
       fmt::format("{:.1f} m² between obstacles, or between obstacles and the edge, are narrower than the "

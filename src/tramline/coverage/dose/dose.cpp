@@ -82,10 +82,10 @@ void require_rates(const WorkLog& log, const RateSettings& rates) {
 
 /// Told before the work: the map takes in the field and every place that may have been worked.
 void require_cells_for(const WorkLog& log, const Region& field, double cell_m) {
-  const bool told = says_work(log);
+  const bool logged = says_work(log);
   Box box = field.empty() ? Box{} : bounds(field);
   for (const Fix& fix : log.fixes)
-    if (told ? fix.work == WorkState::kOn : fix.work != WorkState::kOff) box.extend(fix.position);
+    if (logged ? fix.work == WorkState::kOn : fix.work != WorkState::kOff) box.extend(fix.position);
   if (!box.empty()) require_few_cells(box.width(), box.height(), cell_m);
 }
 

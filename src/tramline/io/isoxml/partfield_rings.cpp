@@ -18,7 +18,7 @@ constexpr std::string_view kBoundary = "1", kMainField = "9", kExterior = "1", k
 
 bool is_obstacle(std::string_view type) { return type == "3" || type == "4" || type == "6"; }
 
-/// The points of a line string; nullopt where one of them is none.
+/// The points of a line string; nullopt where one of them is not a point.
 std::optional<RawRing> ring_of(const pugi::xml_node& line, std::string& fault) {
   RawRing out;
   for (const pugi::xml_node point : line.children("PNT")) {

@@ -37,7 +37,7 @@ unsigned identifier(const pugi::xml_attribute& attribute) {
   return out;
 }
 
-/// Of a DPT: a signed number of 32 bits (ISO 11783-10). What does not fit is none.
+/// Of a DPT: a signed number of 32 bits (ISO 11783-10). A number that does not fit is ignored.
 std::optional<long long> property_value(const pugi::xml_attribute& attribute) {
   const std::optional<double> value = number_in(attribute.value());
   if (!value || !(std::abs(*value) <= 2147483648.0)) return std::nullopt;

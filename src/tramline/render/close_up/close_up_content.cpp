@@ -85,7 +85,7 @@ class EncounterRows {
  private:
   /// A detour that passes several meetings costs what it costs once, not at each of them.
   void tell_joint(std::string& cost, const Detour* detour, std::ptrdiff_t meetings) {
-    if (!told_.insert({detour, cost}).second)
+    if (!listed_.insert({detour, cost}).second)
       cost = "joint, counted above";
     else
       cost += fmt::format(", joint for {} meetings", meetings);
@@ -93,7 +93,7 @@ class EncounterRows {
 
   const Plan& plan_;
   std::size_t obstacle_;
-  std::set<std::pair<const Detour*, std::string>> told_;
+  std::set<std::pair<const Detour*, std::string>> listed_;
 };
 
 bool inside(Point p, const Box& box) {

@@ -35,7 +35,7 @@ const WayPast* chosen_way(const Encounter& encounter) {
 /// The chosen way costs least. What the encounters of a track cost is that of the track's best choice with
 /// this way here, all other tracks as they are, so that this holds for each of them whatever they were
 /// decided together with.
-std::string dearer_fault(const Plan& plan, const Encounter& encounter) {
+std::string expensive_choice_fault(const Plan& plan, const Encounter& encounter) {
   const WayPast* way = chosen_way(encounter);
   const double cost = way == nullptr ? 0 : way->cost;
   const auto cheaper = [&](double other) { return other < cost - rounding_of_costs(plan); };
@@ -57,7 +57,7 @@ std::string fault_of(const Plan& plan, const Encounter& encounter) {
   const WayPast* way = chosen_way(encounter);
   if (way != nullptr && !way->possible)
     return fmt::format("was to be passed {}, which is said not to be possible", name(encounter.chosen));
-  if (plan.settings.avoid == Avoidance::kCheapest) return dearer_fault(plan, encounter);
+  if (plan.settings.avoid == Avoidance::kCheapest) return expensive_choice_fault(plan, encounter);
   return "";
 }
 
