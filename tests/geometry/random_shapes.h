@@ -56,7 +56,8 @@ inline PathSegment arc_onwards(Point from, Point direction, double radius, doubl
   return {from, centre + turned(from - centre, turn), sense / radius};
 }
 
-/// Lines and arcs that join without a kink; it may cross itself.
+/// Lines and arcs that join without a kink; it may cross itself. Arcs of exactly half a circle are left out:
+/// their ends and curvature give their headings to half the digits only.
 inline Path random_smooth_path(RandomCase& random, int segments, double least_radius) {
   Path out;
   Point at{random.between(-20, 20), random.between(-20, 20)};
@@ -65,7 +66,7 @@ inline Path random_smooth_path(RandomCase& random, int segments, double least_ra
     if (random.whole(0, 1) == 0) {
       out.push_back({at, at + random.between(2, 40) * direction, 0});
     } else {
-      const double turn = (random.whole(0, 1) == 0 ? -1 : 1) * random.between(0.2, 2.6);
+      const double turn = (random.whole(0, 1) == 0 ? -1 : 1) * random.between(0.2, 3.1);
       out.push_back(arc_onwards(at, direction, random.between(least_radius, 40), turn));
       direction = turned(direction, turn);
     }

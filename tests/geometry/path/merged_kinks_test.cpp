@@ -55,6 +55,14 @@ TEST(MergedKinks, DrawsOppositeTurnsApart) {
   EXPECT_GE(distance(p, q), 2 * radius * std::tan(0.5 * turn));
 }
 
+// The same step 7.6 m behind a turn of 90°, whose arc takes 6 m: drawn apart by 0.7 m, with tangents of 1.1
+// m, its kinks would want 0.2 m more than there are. Of a step this small the middle is left.
+TEST(MergedKinks, LevelsAStepWithoutRoomToDrawItApart) {
+  const MergedKinks merged = merged_kinks({{0, 100}, {0, 0}, {7.6, 0}, {8.6, 1}, {108.6, 1}}, 6);
+  EXPECT_FALSE(merged.hairpin);
+  expect_line(merged.line, {{0, 100}, {0, 0}, {8.1, 0.5}, {108.6, 1}});
+}
+
 TEST(MergedKinks, DropsAKinkNextToAnEndThatIsNear) {
   expect_line(merged_kinks({{0, 0}, {1, 0}, {1, 100}}, 6).line, {{0, 0}, {1, 100}});
   expect_line(merged_kinks({{1, 100}, {1, 0}, {0, 0}}, 6).line, {{1, 100}, {0, 0}});

@@ -70,6 +70,14 @@ TEST(SectionSlabs, AskTheRegionWhereTheLengthInsideJumps) {
   EXPECT_NEAR(found.before.inside_m, 4, 1e-9);
 }
 
+// In open land the state and the length inside handed on from before contradict one another.
+TEST(SectionSlabs, AskTheRegionWhereTheStateBeforeDoesNotFitTheLengthInside) {
+  const Slabs found = slabs_of(box(-50, -50, 50, -40), {{0, 0}, {0, 30}, 0}, 4, {1, 0});
+  ASSERT_EQ(found.profile.slabs.size(), 1U);
+  EXPECT_EQ(found.profile.slabs[0].right_inside, 0);
+  EXPECT_EQ(found.before.right_inside, 0);
+}
+
 // A crossing within a touch of the last cross-section may be that of the next segment.
 TEST(SectionSlabs, DoNotPassOnWhatACrossingAtTheEndDecides) {
   const Region half = box(-50, -50, 50, 30);
