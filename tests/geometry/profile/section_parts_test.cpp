@@ -111,7 +111,7 @@ TEST(SectionParts, SayWhereAnEdgeMeetsTheRightEndsOfTheFirstOrLastCrossSection) 
 
 TEST(SectionParts, AreTheEdgesThatEachCrossSectionMeets) {
   int met = 0, beside = 0;
-  for (int number = 0; number < 400; ++number) {
+  for (int number = 0; number < 1000; ++number) {
     RandomCase random(number);
     const Region region = testing::random_region(random);
     const PathSegment segment = testing::random_segment(random);
@@ -141,7 +141,7 @@ TEST(SectionParts, AreTheEdgesThatEachCrossSectionMeets) {
 
 TEST(RightEnds, CrossTheBoundaryWhereTheyEnterAndLeave) {
   int crossed = 0;
-  for (int number = 0; number < 400; ++number) {
+  for (int number = 0; number < 1000; ++number) {
     RandomCase random(number);
     const Region region = testing::random_region(random);
     const PathSegment segment = testing::random_segment(random);
