@@ -19,7 +19,7 @@ Region box_region(double min_x, double min_y, double max_x, double max_y) {
 }
 
 /// A field from a lower chain to an upper one, both from left to right.
-struct Field {
+struct TwoChains {
   std::vector<Point> lower, upper;
   Ring ring() const {
     Ring out = lower;
@@ -48,7 +48,7 @@ bool monotone(const std::vector<double>& values) {
   return std::is_sorted(values.begin(), values.end()) || std::is_sorted(values.rbegin(), values.rend());
 }
 
-Field random_chains(std::mt19937_64& random) {
+TwoChains random_chains(std::mt19937_64& random) {
   std::uniform_real_distribution<double> across(0.01, 59.9), low(0, 13), high(15, 40);
   std::uniform_int_distribution<int> corners(0, 8);
   const auto chain = [&](std::uniform_real_distribution<double>& height) {
@@ -82,7 +82,7 @@ TEST(RowEndWedges, WorkInVainWhatBooleansSay) {
   RowEndWedges wedges;
   int plain = 0, intricate = 0;
   testing::for_each_seed(150, [&](std::mt19937_64& random, int number) {
-    const Field field = random_chains(random);
+    const TwoChains field = random_chains(random);
     std::uniform_real_distribution<double> width(3, 15), share(0.05, 0.95), off(0, 3);
     const StripGrid grid{TrackFrame(), -off(random), width(random)};
     const EndCriterion criterion{number % 3 == 0, share(random) * grid.width_m};
@@ -108,7 +108,7 @@ TEST(RowEndWedges, WorkInVainWhatBooleansSay) {
       if (::testing::Test::HasFatalFailure()) return;
     }
   });
-  if (testing::case_count(150) == 150) {
+  if (testing::case_count(150) >= 150) {
     EXPECT_GT(plain, 200);
     EXPECT_GT(intricate, 100);
   }
