@@ -64,7 +64,7 @@ TEST(Bridge, ReachesAsFarAsTheGap) {
   EXPECT_NEAR(area(between), 3.04 * 0.5 * (1 + 4.04), 1e-2);
 }
 
-// Each polygon of a region, and both of its neighbours at a time.
+// Parts of a region that touch along an edge are joined to the ring one by one.
 TEST(Bridge, HasOneForEachPartOfTheRegion) {
   const Ring wall = rectangle(0, 0, 10, 10);
   const Region sheds{

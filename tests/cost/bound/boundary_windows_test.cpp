@@ -126,7 +126,7 @@ std::vector<BoundaryPart> random_passage(std::mt19937_64& random, double width_m
   return out;
 }
 
-/// What an end at y costs, column by column: half of each part's area above and below y.
+/// What an end at y costs, column by column.
 double cost_of_end(const BoundaryWindow& window, double y, double over_price, double under_price) {
   constexpr int kColumns = 400;
   double sum = 0;

@@ -39,7 +39,7 @@ TEST(BorderOverrun, IsTheLandBeyondTheBorderThatNobodyElseCovers) {
   EXPECT_NEAR(covered_by_neighbours_m2(halves, {west, nothing}), 2 * 20, 1e-9);
   // The neighbour covers all of its own land.
   EXPECT_NEAR(covered_by_neighbours_m2(halves, {west, covering(halves[1], 10)}), 0, 1e-9);
-  // Its first strip begins 1.5 m beyond the border and leaves that much; it ends 3 m + 0.5 m beyond its own.
+  // Where its first strip begins 1.5 m beyond the border, it leaves that much to the neighbour.
   LaidTracks late = covering(halves[1], 11.5);
   std::erase_if(late.pieces, [&](const LaidPiece& piece) { return late.grid.line(piece.track) < 11; });
   EXPECT_NEAR(covered_by_neighbours_m2(halves, {west, late}), 1.5 * 20, 1e-9);
