@@ -97,6 +97,8 @@ TEST(PartRows, OfRandomRegionsAreAsLongInsideAsByBooleans) {
         ASSERT_GE(row.from, before);
         before = row.to;
         for (const double at : cuts) ASSERT_FALSE(row.from < at && at < row.to);
+        // Where ends nearly coincide a row is too thin for a height between them.
+        if (row.to - row.from < 1e-9) continue;
         for (const double share_up : {0.25, 0.75}) {
           const double y = row.from + share_up * (row.to - row.from);
           std::set<const BoundaryPart*> passing;
