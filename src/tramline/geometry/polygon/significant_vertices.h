@@ -10,7 +10,8 @@ namespace tramline {
 
 /// Indices, in increasing order, of vertices such that the ring through them keeps within `tolerance_m`
 /// of all the others (Douglas and Peucker 1973, from the two vertices farthest apart along the diagonal of
-/// the bounding box). At least three where the ring has an area. O(n²) at worst, mostly O(n log n).
+/// the bounding box). Only two where the ring is nowhere wider than the tolerance. O(n²) at worst, mostly
+/// O(n log n).
 std::vector<std::size_t> significant_vertices(const Ring& ring, double tolerance_m);
 
 }  // namespace tramline
