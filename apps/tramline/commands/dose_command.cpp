@@ -161,7 +161,8 @@ class DoseCommand : public Command {
         .shows_default();
     command
         .add_option("--drift-spread", wind_.spread,
-                    "Spread of the drifting droplets, as a share of how far they drift.")
+                    "Standard deviation of where the drifting droplets land, as a share of the distance that "
+                    "the wind carries them.")
         .takes("SHARE")
         .in_range(0.0, 2.0)
         .shows_default();

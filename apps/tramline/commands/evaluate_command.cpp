@@ -165,7 +165,9 @@ class EvaluateCommand : public Command {
         .takes("WORD")
         .one_of({"exact", "mesh"})
         .shows_default();
-    command.add_option("--mesh", settings_.mesh_m, "With --engine mesh: side of a mesh, in metres.")
+    command
+        .add_option("--mesh", settings_.mesh_m,
+                    "With --engine mesh: side of one square mesh of the grid, in metres.")
         .takes("M")
         .in_range(0.005, 1.0)
         .shows_default();

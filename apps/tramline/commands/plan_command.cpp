@@ -78,10 +78,9 @@ class PlanCommand : public Command {
     command.add_flag("--explain", explain_,
                      "Also report how the plan was found and why it was chosen: its cost by cause, the least "
                      "that any plan could cost, the next best plans, all repairs and notes.");
-    command.add_flag(
-        "--front", front_,
-        "Also look for other plans worth a choice (see 'tramline compare'), and keep their figures "
-        "in the plan file and in --json.");
+    command.add_flag("--front", front_,
+                     "Also look for other plans that are worth considering (see 'tramline compare'), and "
+                     "keep their figures in the plan file and in --json.");
     add_report_options(command, json_, "Print one JSON object per field.", quiet_);
     command.begin_group("Run");
     add_seconds_option(command, seconds_);

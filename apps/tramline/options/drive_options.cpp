@@ -41,7 +41,7 @@ void add_drive_options(CommandOptions& command, DriveOptions& options) {
       .shows_default("that of the log");
   command
       .add_option("--antenna-forward", drive.antenna_forward_m,
-                  "Distance of the antenna before the machine's middle, in metres.")
+                  "Distance of the antenna in front of the machine's middle, in metres.")
       .takes("M")
       .in_range(-100.0, 100.0)
       .shows_default();
@@ -60,15 +60,15 @@ void add_drive_options(CommandOptions& command, DriveOptions& options) {
   command.begin_group("Worked land");
   command
       .add_option("--quads", options.quads,
-                  "Land worked between two fixes: 'heading', square to the heading at either end, or "
-                  "'segment', a rectangle along the segment.")
+                  "Shape of the land worked between two fixes: 'heading', whose two ends are each square to "
+                  "the heading there, or 'segment', a rectangle along the line between the fixes.")
       .takes("WORD")
       .one_of({"heading", "segment"})
       .shows_default();
   command
       .add_option("--switch", options.switching,
-                  "Where work and sections switch: 'interpolate', half way between two fixes, or 'step', at "
-                  "the second.")
+                  "Where work and sections switch whose states differ between two fixes: 'interpolate', half "
+                  "way between the fixes, or 'step', at the second fix.")
       .takes("WORD")
       .one_of({"interpolate", "step"})
       .shows_default();
@@ -85,9 +85,10 @@ void add_drive_options(CommandOptions& command, DriveOptions& options) {
       .positive()
       .shows_default();
   command
-      .add_option("--repeat", options.repeat,
-                  "Land that counts as repeated: 'run', worked again where the same run had not just been "
-                  "at work, or 'strict', all land worked twice.")
+      .add_option(
+          "--repeat", options.repeat,
+          "Land that counts as repeated: 'run', land worked again, except what the same run had worked "
+          "within the last working width of its travel, or 'strict', all land worked twice or more.")
       .takes("WORD")
       .one_of({"run", "strict"})
       .shows_default();

@@ -56,7 +56,7 @@ void add_field_choice(CommandOptions& command, FieldOptions& options) {
           .add_option("--field", options.file,
                       "The field that was to be worked: any vector file, or an ISOXML task set.")
           .takes("FILE")
-          .shows_default("none, so no missed land");
+          .shows_default("none");
   command.add_option("--layer", options.layer, "Read this layer of the field's file.")
       .takes("NAME")
       .shows_default("the only layer with polygons");
@@ -81,8 +81,8 @@ void add_crs_option(CommandOptions& command, FieldOptions& options) {
 void add_obstacle_options(CommandOptions& command, FieldOptions& options) {
   command
       .add_option("--obstacles", options.obstacles_file,
-                  "A vector file of obstacles, beside the holes of the field: polygons, or lines and points, "
-                  "which are given a width.")
+                  "A vector file of obstacles, in addition to the holes of the field: polygons, or lines and "
+                  "points, which are given a width.")
       .takes("FILE")
       .shows_default("none");
   command

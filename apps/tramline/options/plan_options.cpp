@@ -8,17 +8,16 @@ namespace {
 void add_avoidance_options(CommandOptions& command, PlanOptions& o) {
   command.begin_group("Obstacles");
   command
-      .add_option(
-          "--avoid", o.avoid,
-          "What a track does at an obstacle: 'cut', end before it and begin again behind it; 'paper', go "
-          "round it "
-          "by the rule of Versleijen 2019, else be cut; 'cheapest', whichever way past it costs least.")
+      .add_option("--avoid", o.avoid,
+                  "What a track does at an obstacle. 'cut': it ends before the obstacle and begins again "
+                  "behind it. 'paper': it goes round by the rule of Versleijen 2019, and is cut where that "
+                  "rule allows no detour. 'cheapest': it takes whichever way past costs least.")
       .takes("WORD")
       .shows_default("cheapest");
   command
       .add_option("--avoid-threshold", o.avoid_threshold_m,
-                  "With --avoid paper: tracks go round obstacles that are narrower across them than this, in "
-                  "metres.")
+                  "With --avoid paper: tracks go round obstacles whose extent across the track is less than "
+                  "this, in metres.")
       .takes("M")
       .shows_default("the working width");
   command.add_option("--clearance", o.clearance_m, "Land kept free between swaths and obstacles, in metres.")
@@ -91,8 +90,9 @@ void add_objective_options(CommandOptions& command, PlanOptions& o) {
       command.add_option("--prices", o.prices,
                          "Prices of overlap (€/m²), uncovered land (€/m²), turns (€)[, stops (€)[, "
                          "further subfields (€)]].");
-  Option minimise = command.add_option("--minimise", o.minimise,
-                                       "'overlap', 'uncovered' or 'turns' before all else (weight 99999).");
+  Option minimise = command.add_option(
+      "--minimise", o.minimise,
+      "What to keep least before all else: 'overlap', 'uncovered' or 'turns'. It gets the weight 99999.");
   weights.takes("NUMBERS").shows_default("the prices").excludes(prices).excludes(minimise);
   prices.takes("NUMBERS").shows_default("0.02,0.10,1,5,5").excludes(minimise);
   minimise.takes("WORD").shows_default("the prices");
@@ -131,8 +131,8 @@ void add_plan_options(CommandOptions& command, PlanOptions& o) {
       .shows_default("1");
   command
       .add_option("--cell-direction", o.cell_direction,
-                  "Direction of a cell's tracks: 'rectangle', along its smallest bounding rectangle, or "
-                  "'width', across its least width.")
+                  "Direction of a cell's tracks: 'rectangle', along the long side of its smallest bounding "
+                  "rectangle, or 'width', at right angles to its least width.")
       .takes("WORD")
       .shows_default("rectangle");
   command.begin_group("Swaths");

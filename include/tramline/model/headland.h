@@ -28,8 +28,8 @@ struct Headland {
   std::vector<HeadlandPass> passes;  ///< by number
   std::vector<int> obstacle_passes;  ///< number of passes by index into Field::obstacles; 0, or beyond the
                                      ///< end of the list: no headland
-  Region ground;  ///< the land the passes are meant to work: all that is nearer to a boundary than its passes
-                  ///< are wide, less what no pass works and tracks can
+  Region ground;  ///< the land the passes are meant to work: all land nearer to a boundary than its passes
+                  ///< are wide, except land that no pass works but tracks can
   double worked_m2 = 0;     ///< Σ width · length of the passes, without what lies on passable obstacles,
                             ///< where the work is interrupted
   double overlap_m2 = 0;    ///< worked outside `ground`, or worked there again

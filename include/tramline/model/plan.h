@@ -30,8 +30,8 @@ enum class TrackShape { kStraight, kCurved, kAuto };
 /// How tracks along a line are made. kParallel: each parallel to the line itself, and drivable. kPaper: as in
 /// S2, each from the one before it with all kinks (S2.11 to S2.13), for comparison.
 enum class TrackConstruction { kParallel, kPaper };
-/// How a cell gets its direction: the long side of the smallest bounding rectangle (S1.12), or
-/// across its least width.
+/// How a cell gets its direction: along the long side of its smallest bounding rectangle (S1.12), or at right
+/// angles to its least width.
 enum class CellDirection { kRectangle, kWidth };
 
 /// Everything besides field, machine and objective that shapes a plan.
@@ -41,10 +41,11 @@ struct PlanSettings {
   EdgeKind boundary = EdgeKind::kSoft;  ///< kind of the field's outer ring; obstacles are hard
   CellDirection cell_direction = CellDirection::kRectangle;
   Angle direction_tolerance = Angle::degrees(0.01);  ///< resolution of directions with Strategy::kBest
-  /// S1.22. Neighbouring cells whose directions differ by less are merged.
+  /// S1.22. Neighbouring cells are merged whose directions differ by at most this (Strategy::kSweep), or by
+  /// less (kBest).
   Angle merge_threshold = Angle::degrees(1);
   Angle decomposition_threshold = Angle::degrees(180);  ///< S1.16
-  double short_edge_m = 0;     ///< S1.59: corners between edges that are both shorter split nothing
+  double short_edge_m = 0;     ///< S1.59: a corner between two shorter edges does not split the field
   double small_cell_m2 = 200;  ///< S1.21
   Avoidance avoid = Avoidance::kCheapest;
   double avoid_threshold_m = -1;  ///< S1.26, with Avoidance::kPaper; negative: the default, w
@@ -120,8 +121,9 @@ struct Plan {
   Region worked;  ///< of a repair: the field minus obstacles and gaps, worked before or left for good; swaths
                   ///< may run on over it. Empty: the plan is no repair
   Headland headland;
-  Region given_up;  ///< body between clustered obstacles (b), between obstacle and edge (c), and nearer
-                    ///< to an obstacle than the clearance; hard
+  /// The part of the body that lies between clustered obstacles, between an obstacle and the edge, or nearer
+  /// to an obstacle than the clearance; hard.
+  Region given_up;
   std::vector<Subfield> subfields;
   std::vector<TrackPiece> pieces;  ///< in driving order
   std::vector<DroppedPiece> dropped;
@@ -130,7 +132,8 @@ struct Plan {
   /// Areas: of all swaths and headland passes compared with the land, which is body and headland. Counts and
   /// track length: of the tracks alone. Σ width · length of both = area of the land − uncovered + overlap.
   Tally tally;
-  /// The same for the tracks alone, against the body; need not add up with the headland's.
+  /// The same for the tracks alone, compared with the body. Its sum with the headland's figures may differ
+  /// from `tally`.
   Tally track_tally;
   double cost = 0;   ///< of `tally`
   Region overlap;    ///< land worked outside the land to work, or worked more than once

@@ -24,8 +24,8 @@ namespace {
 Error no_curve(const Field& field, bool from_end_to_end) {
   if (from_end_to_end)
     return bad_input(
-        fmt::format("no edge of field '{}' from one corner to another is a curve, and tracks as in the paper "
-                    "need a line with two ends; give one with --guide, or leave --tracks paper out",
+        fmt::format("--tracks paper needs a line with two ends, and no edge of field '{}' that runs from one "
+                    "corner to another is a curve; give a line with --guide, or leave out --tracks paper",
                     field.id));
   return bad_input(
       fmt::format("no edge of field '{}' is a curve that tracks could follow; give a line with "

@@ -14,7 +14,7 @@ struct TurnedGround {
   Region hard;  ///< obstacles and given-up land
   Region passable;
   Region field;     ///< the field's outer ring where it is hard, else empty
-  Region beyond{};  ///< not part of the field: no swath enters it, and an end before it is no stop
+  Region beyond{};  ///< not part of the field: no swath enters it, and an end at it is not a stop
 };
 
 /// A track for each strip that the subfield reaches into. `turned` is the subfield in the grid's plane.
@@ -26,7 +26,8 @@ TrackFamily straight_tracks(const StripGrid& grid, const Polygon& turned, const 
 TrackFamily straight_tracks(const StripGrid& grid, StripRange range, const StripMask& wanted,
                             const Polygon& turned, const TurnedGround& ground, const EndCriterion& criterion);
 
-/// The same from the subfield's profiles, by k − range.first; those not wanted are ignored.
+/// The same from given profiles of the subfield: that of strip k has the index k − range.first. Profiles of
+/// strips that are not wanted are ignored.
 TrackFamily straight_tracks(const StripGrid& grid, StripRange range, const StripMask& wanted,
                             std::vector<StripProfile> subfield, const TurnedGround& ground,
                             const EndCriterion& criterion);

@@ -6,7 +6,7 @@
 
 namespace tramline::io {
 
-/// The value of cells without any amount and without ground.
+/// The value of cells that got nothing and lie outside the evaluated land.
 inline constexpr float kNoDose = -9999;
 
 /// Writes the map as a GeoTIFF of one band, float32, deflated: the applied amount per hectare in every cell,

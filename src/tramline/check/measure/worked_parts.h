@@ -11,12 +11,13 @@ namespace tramline::check {
 /// Land worked along one line: a straight swath with its detours or a part of it, a segment of a curved
 /// swath, or a cell of a swath with kinks.
 struct WorkedPart {
-  std::size_t piece = 0;  ///< index of the piece, or of the headland pass counted on after the pieces
+  std::size_t piece = 0;  ///< index of the piece; for headland pass k the number of pieces plus k
   Path line;
   Region ground;        ///< arcs as chords
   bool kinked = false;  ///< whether it is one of the (convex) cells between kinks
-  /// Angle that the swath turns to either side up to the beginning of the part and up to its end, rad. A
-  /// jump, or a turn too tight to lie flat, counts as half a circle.
+  /// Sum of all angles, to the left or to the right alike, through which the swath has turned by the
+  /// beginning of the part and by its end, rad. A jump in heading, or a turn too tight to lie flat, adds half
+  /// a circle.
   double turned_before = 0;
   double turned_after = 0;
 };

@@ -73,14 +73,17 @@ void require_rates(const WorkLog& log, const RateSettings& rates) {
                         return !std::isnan(fix.rate_per_ha);
                       });
   if (!logged && std::isnan(rates.nominal_per_ha))
-    throw bad_input(fmt::format("{} does not say how much was applied{}: give --nominal-rate", log.name,
-                                rates.use_logged ? "" : " that may be used"));
+    throw bad_input(
+        rates.use_logged
+            ? fmt::format("{} does not say how much was applied: give --nominal-rate", log.name)
+            : fmt::format("{}: no logged rate may be used (--no-logged-rate): give --nominal-rate",
+                          log.name));
   if (!std::isnan(rates.nominal_speed_mps) && log.clock == Clock::kNone)
     throw bad_input(
         fmt::format("{} has no times, so its speed is unknown: leave out --nominal-speed", log.name));
 }
 
-/// Told before the work: the map takes in the field and every place that may have been worked.
+/// Throws before the work starts. The map takes in the field and every position that may have been worked.
 void require_cells_for(const WorkLog& log, const Region& field, double cell_m) {
   const bool logged = says_work(log);
   Box box = field.empty() ? Box{} : bounds(field);

@@ -90,7 +90,8 @@ Region MeshCoverage::region(Ground what) const {
       break;
   }
   throw bad_input(
-      "meshes tell land worked once from land worked again, but not how often: take the exact engine");
+      "the mesh engine tells land worked once from land worked again, but not how often it was worked; use "
+      "the exact engine");
 }
 
 }  // namespace tramline::coverage

@@ -29,7 +29,8 @@ LocalFrame common_frame(const std::vector<LocalFrame>& frames) {
   if (std::any_of(frames.begin(), frames.end(),
                   [&](const LocalFrame& frame) { return frame.geodetic != first.geodetic; }))
     throw bad_input(
-        "some plans are in plain metres and some lie on earth; one file holds plans of one kind only");
+        "some plans are in plain metres and others have geographic positions; one file can hold plans of one "
+        "kind only");
   LocalFrame out;
   if (!first.geodetic) return out;
   double west = 0, east = 0, south = first.origin_lat_deg, north = south;
