@@ -21,7 +21,7 @@ constexpr std::size_t kMostPublicHeaders = 70;
 
 /// Folders with more, each with the reason.
 const std::map<std::string, std::string> kLargeFolders = {
-    {"docs", "a page for each subject, listed by its README"},
+    {"docs", "a page for each subject, to which the README of the project leads"},
     {"tests/properties", "one file for each property"},
     {"tests/real", "one file for each promise that is held against real data"},
 };

@@ -314,58 +314,70 @@ double by_steps(const std::function<double(double)>& pattern, double right_m, do
   return sum;
 }
 
+/// A drive with turns on the spot, standing, reversing and sections that switch.
+WorkLog random_drive(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  WorkLog drive = log({}, 12);
+  drive.booms = {boom(6, 12)};
+  Point at{1000 * unit(random), -1000 * unit(random)};
+  double heading = 360 * unit(random), time_s = 0;
+  for (int i = 0; i < 150; ++i) {
+    const double kind = unit(random);
+    heading += kind < 0.05 ? 170 : kind < 0.1 ? 40 : 8 * (unit(random) - 0.5);
+    const double way_m = kind > 0.9 ? 0 : kind > 0.8 ? -1 : 3 * unit(random);
+    const Heading now = Heading::clockwise_from_north(Angle::degrees(heading));
+    at = at + way_m * now.unit();
+    time_s += 0.2 + unit(random);
+    Fix f = fix(time_s, at, now.degrees());
+    if (unit(random) < 0.5) f.rate_per_ha = 300 * unit(random);
+    f.has_sections = true;
+    for (std::size_t k = 0; k < 6; ++k) f.sections[k] = unit(random) < 0.7;
+    drive.fixes.push_back(f);
+  }
+  return drive;
+}
+
+/// The amount by the definition, step by step, for the pattern of NothingIsLostOnAnyDrive.
+double amount_by_definition(const WorkLog& drive, const DoseSettings& settings) {
+  // Its own integral is 0.75·5 + 0.5 + 3 + 8 = 15.25 over 12 m.
+  const auto pattern = [](double s) {
+    const double relative = s < -1 ? 0.5 + 0.1 * (s + 6) : s < 0 ? -s : s < 2 ? 1.5 * s : 3 - 0.5 * (s - 2);
+    return relative * 12 / 15.25;
+  };
+  double expected = 0;
+  StepMaker steps([&] {
+    DriveSettings d = settings.evaluate.drive;
+    d.unknown_work = WorkState::kOff;
+    return d;
+  }());
+  for (const Fix& f : drive.fixes) {
+    const auto step = steps.add(f, drive.booms);
+    if (!step) continue;
+    for (const QuadOrigin& origin : step->origins) {
+      const double before = step->rate_before_per_ha, after = step->rate_after_per_ha;
+      const double share = origin.until - origin.from;
+      double rate = origin.from > 0 ? after : origin.until < 1 ? before : 0.5 * (before + after);
+      if (std::isnan(rate)) rate = std::isnan(before) ? after : before;
+      const double way_m = std::isnan(rate) && !std::isnan(settings.rates.nominal_speed_mps)
+                               ? settings.rates.nominal_speed_mps * step->seconds
+                               : step->way_m;
+      expected += (std::isnan(rate) ? 200 : rate) / 1e4 * way_m * share *
+                  by_steps(pattern, origin.section.right_m, origin.section.left_m);
+    }
+  }
+  return expected;
+}
+
 TEST(Dose, NothingIsLostOnAnyDrive) {
-  // Ways with turns on the spot, standing, reversing and sections that switch; the amount by the definition.
   for (unsigned seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> unit(0, 1);
-    WorkLog drive = log({}, 12);
-    drive.booms = {boom(6, 12)};
-    Point at{1000 * unit(random), -1000 * unit(random)};
-    double heading = 360 * unit(random), time_s = 0;
-    for (int i = 0; i < 150; ++i) {
-      const double kind = unit(random);
-      heading += kind < 0.05 ? 170 : kind < 0.1 ? 40 : 8 * (unit(random) - 0.5);
-      const double way_m = kind > 0.9 ? 0 : kind > 0.8 ? -1 : 3 * unit(random);
-      const Heading now = Heading::clockwise_from_north(Angle::degrees(heading));
-      at = at + way_m * now.unit();
-      time_s += 0.2 + unit(random);
-      Fix f = fix(time_s, at, now.degrees());
-      if (unit(random) < 0.5) f.rate_per_ha = 300 * unit(random);
-      f.has_sections = true;
-      for (std::size_t k = 0; k < 6; ++k) f.sections[k] = unit(random) < 0.7;
-      drive.fixes.push_back(f);
-    }
+    const WorkLog drive = random_drive(random);
     DoseSettings settings = settings_at(200, 0.3 + unit(random));
     settings.pattern = {{-6, 0.5}, {-1, 1}, {0, 0}, {2, 3}, {6, 1}};
     if (seed % 3 == 0) settings.rates.nominal_speed_mps = 1.5;
-    // Its own integral is 0.75·5 + 0.5 + 3 + 8 = 15.25 over 12 m.
-    const auto pattern = [](double s) {
-      const double relative = s < -1 ? 0.5 + 0.1 * (s + 6) : s < 0 ? -s : s < 2 ? 1.5 * s : 3 - 0.5 * (s - 2);
-      return relative * 12 / 15.25;
-    };
-    double expected = 0;
-    StepMaker steps([&] {
-      DriveSettings d = settings.evaluate.drive;
-      d.unknown_work = WorkState::kOff;
-      return d;
-    }());
-    for (const Fix& f : drive.fixes) {
-      const auto step = steps.add(f, drive.booms);
-      if (!step) continue;
-      for (const QuadOrigin& origin : step->origins) {
-        const double before = step->rate_before_per_ha, after = step->rate_after_per_ha;
-        const double share = origin.until - origin.from;
-        double rate = origin.from > 0 ? after : origin.until < 1 ? before : 0.5 * (before + after);
-        if (std::isnan(rate)) rate = std::isnan(before) ? after : before;
-        const double way_m = std::isnan(rate) && !std::isnan(settings.rates.nominal_speed_mps)
-                                 ? settings.rates.nominal_speed_mps * step->seconds
-                                 : step->way_m;
-        expected += (std::isnan(rate) ? 200 : rate) / 1e4 * way_m * share *
-                    by_steps(pattern, origin.section.right_m, origin.section.left_m);
-      }
-    }
+    const double expected = amount_by_definition(drive, settings);
     for (const bool windy : {false, true}) {
       if (windy)
         settings.wind =

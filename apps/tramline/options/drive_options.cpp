@@ -18,10 +18,7 @@ std::string sensible_width(const std::string& text) {
   return "";
 }
 
-}  // namespace
-
-void add_drive_options(CommandOptions& command, DriveOptions& options) {
-  coverage::DriveSettings& drive = options.drive;
+void add_log_options(CommandOptions& command, DriveOptions& options) {
   command.begin_group("Log");
   command
       .add_option("--columns", options.log.columns,
@@ -34,6 +31,9 @@ void add_drive_options(CommandOptions& command, DriveOptions& options) {
                   "metres.")
       .takes("CRS")
       .shows_default("degrees where they can be, else plain metres");
+}
+
+void add_mounting_options(CommandOptions& command, coverage::DriveSettings& drive) {
   command.begin_group("Machine");
   command.add_option("--width", drive.width_m, "Working width in metres, where the log has none.")
       .takes("M")
@@ -57,6 +57,9 @@ void add_drive_options(CommandOptions& command, DriveOptions& options) {
       .takes("M")
       .in_range(-100.0, 100.0)
       .shows_default();
+}
+
+void add_worked_land_options(CommandOptions& command, DriveOptions& options) {
   command.begin_group("Worked land");
   command
       .add_option("--quads", options.quads,
@@ -73,13 +76,13 @@ void add_drive_options(CommandOptions& command, DriveOptions& options) {
       .one_of({"interpolate", "step"})
       .shows_default();
   command
-      .add_option("--max-gap-s", drive.max_gap_s,
+      .add_option("--max-gap-s", options.drive.max_gap_s,
                   "Longest time between two fixes over which land counts as worked, in seconds.")
       .takes("S")
       .positive()
       .shows_default();
   command
-      .add_option("--max-step-m", drive.max_step_m,
+      .add_option("--max-step-m", options.drive.max_step_m,
                   "Longest distance between two fixes over which land counts as worked, in metres.")
       .takes("M")
       .positive()
@@ -92,6 +95,14 @@ void add_drive_options(CommandOptions& command, DriveOptions& options) {
       .takes("WORD")
       .one_of({"run", "strict"})
       .shows_default();
+}
+
+}  // namespace
+
+void add_drive_options(CommandOptions& command, DriveOptions& options) {
+  add_log_options(command, options);
+  add_mounting_options(command, options.drive);
+  add_worked_land_options(command, options);
 }
 
 }  // namespace tramline::app
