@@ -39,9 +39,9 @@ RisingCurves surroundings() {
   RisingCurves curves;
   append_ring(kField, Layer::kBody, kWindow, curves);
   append_ring(reversed(obstacle()), Layer::kBody, kWindow, curves);
-  append_box({-1.5, -50, 1.5, 19}, Layer::kTaken, kWindow, curves);
-  append_box({-1.5, 37, 1.5, 90}, Layer::kTaken, kWindow, curves);
-  append_box({1.5, -60, 4.5, 95}, Layer::kTaken, kWindow, curves);
+  append_box({-1.5, -50, 1.5, 19}, Layer::kCovered, kWindow, curves);
+  append_box({-1.5, 37, 1.5, 90}, Layer::kCovered, kWindow, curves);
+  append_box({1.5, -60, 4.5, 95}, Layer::kCovered, kWindow, curves);
   return curves;
 }
 

@@ -135,9 +135,9 @@ double newly_covered_area(const Scene& scene, const Box& window) {
   append_ring(scene.body.outer, Layer::kBody, window, curves);
   for (const Obstacle& hole : scene.body.obstacles)
     append_ring(reversed(hole.shape.outer), Layer::kBody, window, curves);
-  for (const Box& box : scene.boxes) append_box(box, Layer::kTaken, window, curves);
-  for (const Ring& ring : scene.rings) append_ring(ring, Layer::kTaken, window, curves);
-  for (const Path& path : scene.taken) append_band(path, scene.width, Layer::kTaken, curves);
+  for (const Box& box : scene.boxes) append_box(box, Layer::kCovered, window, curves);
+  for (const Ring& ring : scene.rings) append_ring(ring, Layer::kCovered, window, curves);
+  for (const Path& path : scene.taken) append_band(path, scene.width, Layer::kCovered, curves);
   for (const Path& path : scene.paths) append_band(path, scene.width, Layer::kNew, curves);
   return newly_covered_area(curves);
 }

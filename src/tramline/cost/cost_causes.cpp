@@ -128,7 +128,7 @@ class SubfieldAccount {
       const Box box = swath_box(family_.grid, strip, stretch);
       RisingCurves curves;
       for (const Ring& ring : shape_) append_ring(ring, Layer::kBody, box, curves);
-      for (const Ring& ring : passable_) append_ring(ring, Layer::kTaken, box, curves);
+      for (const Ring& ring : passable_) append_ring(ring, Layer::kCovered, box, curves);
       worked_.append_covered(subfield_, box, {box}, {}, curves);
       append_box(box, Layer::kNew, box, curves);
       sum += newly_covered_area(curves);

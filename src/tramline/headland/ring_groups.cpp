@@ -68,7 +68,7 @@ double missed_and_doubled_m2(const std::vector<HeadlandPass>& rings, const Groun
   }
   for (const HeadlandPass& pass : before)
     if (intersects(window, reach_of(pass.path, width_m)))
-      append_band(pass.path, width_m, Layer::kTaken, curves);
+      append_band(pass.path, width_m, Layer::kCovered, curves);
   for (const Ring& ring : rings_of(to_work.ground)) append_ring(ring, Layer::kBody, window, curves);
   return worked_m2 - (1 + kMissedToDoubled) * newly_covered_area(curves);
 }

@@ -25,7 +25,7 @@ class Bands {
   }
   void append_near(const Box& window, RisingCurves& out) const {
     for (std::size_t i = 0; i < segments_.size(); ++i)
-      if (intersects(window, boxes_[i])) append_band({segments_[i]}, width_m_, Layer::kTaken, out);
+      if (intersects(window, boxes_[i])) append_band({segments_[i]}, width_m_, Layer::kCovered, out);
   }
 
  private:

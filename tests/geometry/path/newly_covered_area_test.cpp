@@ -88,7 +88,7 @@ TEST(LayeredArea, OfTheLensOfTwoDiscs) {
       EXPECT_NEAR(newly_covered_area(both), lens(3, s, d), 1e-12) << s << ", " << angle;
 
       RisingCurves crescent = boxed();
-      append_disc({0, 0}, 3, Layer::kTaken, crescent);
+      append_disc({0, 0}, 3, Layer::kCovered, crescent);
       append_disc(other, s, Layer::kNew, crescent);
       EXPECT_NEAR(newly_covered_area(crescent), kPi * s * s - lens(3, s, d), 1e-12) << s << ", " << angle;
     }
@@ -98,7 +98,7 @@ TEST(LayeredArea, OfDiscsThatTouchCoincideOrShareACentre) {
   // Of halves, so that some touch in the middle of a slab.
   const auto outside_taken = [](Point centre, double radius) {
     RisingCurves curves = boxed();
-    append_halves({0, 0}, 2, Layer::kTaken, curves);
+    append_halves({0, 0}, 2, Layer::kCovered, curves);
     append_halves(centre, radius, Layer::kNew, curves);
     return newly_covered_area(curves);
   };
@@ -119,10 +119,10 @@ TEST(LayeredArea, OfADiscThatTouchesLines) {
     RisingCurves curves = boxed({by - 2, -100, by + 2, 100});
     append_halves({by, 7}, 2, Layer::kNew, curves);
     EXPECT_NEAR(newly_covered_area(curves), 4 * kPi, 1e-6) << "between two lines";
-    append_box({by + 2, -50, by + 5, 50}, Layer::kTaken, kEverywhere, curves);
-    append_box({by - 9, 9, by + 9, 50}, Layer::kTaken, kEverywhere, curves);
+    append_box({by + 2, -50, by + 5, 50}, Layer::kCovered, kEverywhere, curves);
+    append_box({by - 9, 9, by + 9, 50}, Layer::kCovered, kEverywhere, curves);
     EXPECT_NEAR(newly_covered_area(curves), 4 * kPi, 1e-6) << "taken ground on two sides";
-    append_ring({{by, 7}, {by + 2, 3}, {by + 2, 11}}, Layer::kTaken, kEverywhere, curves);
+    append_ring({{by, 7}, {by + 2, 3}, {by + 2, 11}}, Layer::kCovered, kEverywhere, curves);
     EXPECT_LT(newly_covered_area(curves), 4 * kPi - 0.1);
   }
 }
@@ -165,7 +165,7 @@ TEST(LayeredArea, OfAnAlmostStraightArcIsThatOfALine) {
         << curvature;
     // A line beside it crosses it at both ends: between them lies the arc's segment.
     curves = boxed();
-    append_ring({{0, 0}, {3, 40}, {-20, 20}}, Layer::kTaken, kEverywhere, curves);
+    append_ring({{0, 0}, {3, 40}, {-20, 20}}, Layer::kCovered, kEverywhere, curves);
     append_ring({{3, 40}, {-20, 20}, {0, 0}}, Layer::kNew, kEverywhere, curves);
     EXPECT_NEAR(newly_covered_area(curves), 0, 1e-12);
   }
@@ -200,19 +200,19 @@ TEST(LayeredArea, CountsGroundInSeveralNewShapesOnce) {
 TEST(LayeredArea, LeavesOutWhatIsTaken) {
   RisingCurves curves = boxed();
   append_box({0, 0, 10, 10}, Layer::kNew, kEverywhere, curves);
-  append_box({0, 0, 2, 10}, Layer::kTaken, kEverywhere, curves);       // along the left edge
-  append_box({2, 0, 4, 7}, Layer::kTaken, kEverywhere, curves);        // its neighbour
-  append_box({3, 6, 5, 20}, Layer::kTaken, kEverywhere, curves);       // overlaps that one
-  append_box({9, -10, 30, 10.5}, Layer::kTaken, kEverywhere, curves);  // out to the right
+  append_box({0, 0, 2, 10}, Layer::kCovered, kEverywhere, curves);       // along the left edge
+  append_box({2, 0, 4, 7}, Layer::kCovered, kEverywhere, curves);        // its neighbour
+  append_box({3, 6, 5, 20}, Layer::kCovered, kEverywhere, curves);       // overlaps that one
+  append_box({9, -10, 30, 10.5}, Layer::kCovered, kEverywhere, curves);  // out to the right
   // A square on its tip about (7, 5), half a diagonal of 1.
-  append_ring({{7, 4}, {8, 5}, {7, 6}, {6, 5}}, Layer::kTaken, kEverywhere, curves);
+  append_ring({{7, 4}, {8, 5}, {7, 6}, {6, 5}}, Layer::kCovered, kEverywhere, curves);
   EXPECT_NEAR(newly_covered_area(curves), 100 - 20 - 14 - (8 - 1) - 10 - 2, 1e-12);
 }
 
 TEST(LayeredArea, NeighboursLeaveNoGapBetweenThem) {
   RisingCurves curves = boxed();
   for (int i = 0; i < 7; ++i)
-    append_box({i * 0.1, i % 2 * 0.3, (i + 1) * 0.1, 9.1}, Layer::kTaken, kEverywhere, curves);
+    append_box({i * 0.1, i % 2 * 0.3, (i + 1) * 0.1, 9.1}, Layer::kCovered, kEverywhere, curves);
   append_box({0, 0.3, 0.7, 9.1}, Layer::kNew, kEverywhere, curves);
   EXPECT_NEAR(newly_covered_area(curves), 0, 1e-14);
 }
@@ -260,8 +260,8 @@ TEST(LayeredArea, BoxesAreRingsOfTheirCorners) {
                          {8, -20, 12, 20}, {11, 0, 12, 9}, {2, 12, 3, 15}, {-5, -5, 15, 15}};
   for (const Box& ground : grounds) {
     RisingCurves by_box, by_ring;
-    append_box(ground, Layer::kTaken, window, by_box);
-    append_ring(corners(ground), Layer::kTaken, window, by_ring);
+    append_box(ground, Layer::kCovered, window, by_box);
+    append_ring(corners(ground), Layer::kCovered, window, by_ring);
     EXPECT_EQ(by_box.size(), by_ring.size());
     for (const RisingCurve& curve : by_box)
       EXPECT_EQ(std::count(by_ring.begin(), by_ring.end(), curve), 1) << curve.from.x;
@@ -284,10 +284,10 @@ TEST(LayeredArea, PutsUpWithDegenerateShapes) {
   append_ring({}, Layer::kNew, kEverywhere, curves);
   append_ring({{0, 0}}, Layer::kNew, kEverywhere, curves);
   append_ring({{0, 0}, {5, 5}}, Layer::kNew, kEverywhere, curves);
-  append_ring({{0, 0}, {5, 5}, {5, 5}, {2, 2}, {0, 0}}, Layer::kTaken, kEverywhere, curves);
+  append_ring({{0, 0}, {5, 5}, {5, 5}, {2, 2}, {0, 0}}, Layer::kCovered, kEverywhere, curves);
   append_ring(corners(kLargeBody), Layer::kBody, Box{}, curves);
   curves.push_back({{0, 0}, {0, 0}, 0, Layer::kNew, 1});
-  curves.push_back({{0, 0}, {0, 0}, 0.5, Layer::kTaken, 1});
+  curves.push_back({{0, 0}, {0, 0}, 0.5, Layer::kCovered, 1});
   EXPECT_NEAR(newly_covered_area(curves), 0, 1e-12);
   append_band({{{0, 0}, {0, 0}, 0}, {{0, 0}, {0, 4}, 0}, {{0, 4}, {0, 4}, 0.2}}, 2, Layer::kNew, curves);
   EXPECT_NEAR(newly_covered_area(curves), 8, 1e-12);

@@ -108,7 +108,7 @@ double covered_along_curves(const std::vector<Subfield>& subfields, const std::v
     if (curves.empty()) continue;
     for (const Path& line : lines[host])
       for (const Path& run : runs_near(line, reaches_of(line, width_m), {window}))
-        append_band(run, width_m, Layer::kTaken, curves);
+        append_band(run, width_m, Layer::kCovered, curves);
     for (const Ring& ring : rings_of({subfields[host].shape}))
       append_ring(ring, Layer::kBody, window, curves);
     sum += newly_covered_area(curves);

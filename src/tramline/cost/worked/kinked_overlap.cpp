@@ -47,7 +47,7 @@ std::vector<double> overlap_by_kinked_piece(const Region& body, const std::vecto
     append_ring(own, Layer::kNew, window, curves);
     for (const Ring& ring : rings) append_ring(frame.to_track(ring), Layer::kBody, window, curves);
     grid.each_meeting(boxes[i], [&](std::size_t k) {
-      if (k < i) append_ring(frame.to_track(cells[k].ring), Layer::kTaken, window, curves);
+      if (k < i) append_ring(frame.to_track(cells[k].ring), Layer::kCovered, window, curves);
     });
     out[cells[i].piece] -= newly_covered_area(curves);
   }

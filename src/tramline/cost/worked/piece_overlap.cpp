@@ -112,7 +112,7 @@ std::vector<double> overlap_by_piece(const Region& body, const std::vector<Subfi
     const Box window = reach_of(own, width_m);
     RisingCurves curves;
     for (const Ring& ring : turned.rings) append_ring(ring, Layer::kBody, window, curves);
-    for (const Path& line : taken) append_band(in_frame(line), width_m, Layer::kTaken, curves);
+    for (const Path& line : taken) append_band(in_frame(line), width_m, Layer::kCovered, curves);
     append_band(own, width_m, Layer::kNew, curves);
     out.push_back(std::max(0.0, width_m * length(own) - newly_covered_area(curves)));
   }

@@ -50,7 +50,7 @@ void append_border(const Intervals& left, const Intervals& right, double x, cons
     double next = window.max_y;
     if (before != left.end()) next = std::min(next, ends ? before->to : before->from);
     if (after != right.end()) next = std::min(next, begins ? after->to : after->from);
-    if (ends != begins) out.push_back({{x, y}, {x, next}, 0, Layer::kTaken, begins ? 1 : -1});
+    if (ends != begins) out.push_back({{x, y}, {x, next}, 0, Layer::kCovered, begins ? 1 : -1});
     y = next;
   }
 }
@@ -148,7 +148,7 @@ void WorkedGround::append_detours(const Family& from, const Box& window, const s
     const Worked& track = from.worked[index];
     for (std::size_t i = 0; i < track.reach.size(); ++i)
       if (meets_any(track.reach[i], boxes))
-        append_band(track.work.detours[i].path, from.tracks.grid.width_m, Layer::kTaken, out);
+        append_band(track.work.detours[i].path, from.tracks.grid.width_m, Layer::kCovered, out);
   }
 }
 
@@ -179,7 +179,7 @@ void WorkedGround::append_along(const Family& from, const Box& window, std::opti
     if ((except && *except == k) || !intersects(track.whole, window)) continue;
     for (const Swath& swath : track.along)
       if (intersects(swath.reach, window))
-        append_band({swath.line}, from.tracks.grid.width_m, Layer::kTaken, out);
+        append_band({swath.line}, from.tracks.grid.width_m, Layer::kCovered, out);
   }
 }
 
@@ -199,13 +199,14 @@ void WorkedGround::append_foreign(const Family& from, const Family& to, const Bo
         if (!intersects(box, seen)) continue;
         Ring ring = corners(box);
         for (Point& p : ring) p = move(p);
-        append_ring(ring, Layer::kTaken, window, out);
+        append_ring(ring, Layer::kCovered, window, out);
       }
     for (const Swath& swath : track.along)
-      if (intersects(swath.reach, seen)) append_band(moved({swath.line}, move), width_m, Layer::kTaken, out);
+      if (intersects(swath.reach, seen))
+        append_band(moved({swath.line}, move), width_m, Layer::kCovered, out);
     for (std::size_t i = 0; i < track.reach.size(); ++i)
       if (intersects(track.reach[i], seen))
-        append_band(moved(track.work.detours[i].path, move), width_m, Layer::kTaken, out);
+        append_band(moved(track.work.detours[i].path, move), width_m, Layer::kCovered, out);
   }
 }
 

@@ -25,7 +25,7 @@ class WorkedGround {
   void set(std::size_t family, std::size_t track, TrackWork work);
   const TrackWork& at(std::size_t family, std::size_t track) const;
 
-  /// Adds, as kTaken, every swath that reaches into one of the boxes, which lie in the window, in the plane
+  /// Adds, as kCovered, every swath that reaches into one of the boxes, which lie in the window, in the plane
   /// of a family; without those of its track `except`. O(tracks near the window) of strips, O(tracks) of
   /// curves.
   void append_covered(std::size_t family, const Box& window, const std::vector<Box>& boxes,

@@ -12,7 +12,7 @@ namespace tramline {
 
 /// The meaning of a shape for the land inside it: it is to be covered, it has been covered, it would be
 /// covered now.
-enum class Layer : std::uint8_t { kBody, kTaken, kNew };
+enum class Layer : std::uint8_t { kBody, kCovered, kNew };
 
 /// A stretch of a shape's boundary along which y rises: a straight line, or part of an arc.
 struct RisingCurve {
@@ -43,11 +43,12 @@ void append_box(const Box& box, Layer layer, const Box& window, RisingCurves& ou
 /// tangents are continuous and radii at least half the width (up to rounding). O(n).
 void append_band(const Path& path, double width_m, Layer layer, RisingCurves& out);
 
-/// Area of the points inside kBody, not inside kTaken and inside kNew, m². Closed form: exact up to rounding,
-/// about 1e-16 of the squared size of the new area per curve and crossing; curves that touch, coincide or
-/// nearly coincide lose no more than that. The centre, and so the area, of an arc that is half a circle to
-/// within d times its length is known to √d only. Precondition: rings were added for windows that contain the
-/// whole new layer. O(n log n + n·a + k·a) for n curves, a of them at one height, that cross k times.
+/// Area of the points inside kBody, not inside kCovered and inside kNew, m². Closed form: exact up to
+/// rounding, about 1e-16 of the squared size of the new area per curve and crossing; curves that touch,
+/// coincide or nearly coincide lose no more than that. The centre, and so the area, of an arc that is half a
+/// circle to within d times its length is known to √d only. Precondition: rings were added for windows that
+/// contain the whole new layer. O(n log n + n·a + k·a) for n curves, a of them at one height, that cross k
+/// times.
 double newly_covered_area(const RisingCurves& curves);
 
 }  // namespace tramline
