@@ -338,7 +338,8 @@ class Check:
                 return
             time.sleep(0.01)
         # A single place is no drive; its log stays where it is.
-        self.single = {job["id"] for job in self.server.call("GET", "/jobs") if "without two" in str(job["error"])}
+        self.single = {job["id"] for job in self.server.call("GET", "/jobs")
+                       if "at least two are needed" in str(job["error"])}
         self.faults += [f"{job}" for job in self.server.call("GET", "/jobs")
                         if job["state"] != "done" and job["id"] not in self.single]
         self.listed["drives"] = {item["id"]: item for item in self.server.call("GET", "/drives")}
