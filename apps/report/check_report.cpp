@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -83,15 +84,37 @@ std::string not_verified_line(const std::vector<std::string>& names) {
   return out.empty() ? out : "not verified: " + out + "\n";
 }
 
+/// "radius: …, at x 1.000 m, y 2.000 m"
+std::string sentence(const check::Violation& violation) {
+  return fmt::format("{}: {}, at x {:.3f} m, y {:.3f} m\n", name(violation.rule), violation.what,
+                     violation.at.x, violation.at.y);
+}
+
+/// The first of them, and how many more there are; JSON has them all.
+std::string findings_text(const std::vector<check::Violation>& findings) {
+  constexpr std::size_t kPrinted = 20;
+  std::string out;
+  for (std::size_t i = 0; i < std::min(kPrinted, findings.size()); ++i)
+    out += "finding: " + sentence(findings[i]);
+  if (findings.size() > kPrinted)
+    out += fmt::format("{} more findings; --json lists them\n", findings.size() - kPrinted);
+  return out;
+}
+
+nlohmann::ordered_json to_json(const std::vector<check::Violation>& violations) {
+  nlohmann::ordered_json out = nlohmann::ordered_json::array();
+  for (const check::Violation& violation : violations) out.push_back(to_json(violation));
+  return out;
+}
+
 }  // namespace
 
 std::string check_table(const std::string& plan_file, const Plan& plan, const check::Verdict& verdict) {
   std::string out = fmt::format("{}: field {}, {} subfields, {} tracks\n", plan_file, plan.field.id,
                                 plan.subfields.size(), plan.pieces.size());
   out += figures(plan, verdict);
-  for (const check::Violation& violation : verdict.violations)
-    fmt::format_to(std::back_inserter(out), "{}: {}, at x {:.3f} m, y {:.3f} m\n", name(violation.rule),
-                   violation.what, violation.at.x, violation.at.y);
+  for (const check::Violation& violation : verdict.violations) out += sentence(violation);
+  out += findings_text(verdict.findings);
   out += not_verified_line(verdict.not_verified);
   if (verdict.violations.empty()) return out + "plan holds\n";
   return out + fmt::format("{} violation{}\n", verdict.violations.size(),
@@ -100,14 +123,18 @@ std::string check_table(const std::string& plan_file, const Plan& plan, const ch
 
 nlohmann::ordered_json check_json(const std::string& plan_file, const Plan& plan,
                                   const check::Verdict& verdict) {
-  nlohmann::ordered_json violations = nlohmann::ordered_json::array();
-  for (const check::Violation& violation : verdict.violations) violations.push_back(to_json(violation));
   nlohmann::ordered_json recomputed;
   if (verdict.complete) recomputed = to_json(verdict.recomputed);
-  return {
-      {"plan", plan_file},        {"field_id", plan.field.id},     {"key", field_key(plan.field)},
-      {"ok", verdict.holds()},    {"complete", verdict.complete},  {"violations", violations},
-      {"recomputed", recomputed}, {"stored", to_json(plan.tally)}, {"not_verified", verdict.not_verified}};
+  return {{"plan", plan_file},
+          {"field_id", plan.field.id},
+          {"key", field_key(plan.field)},
+          {"ok", verdict.holds()},
+          {"complete", verdict.complete},
+          {"violations", to_json(verdict.violations)},
+          {"findings", to_json(verdict.findings)},
+          {"recomputed", recomputed},
+          {"stored", to_json(plan.tally)},
+          {"not_verified", verdict.not_verified}};
 }
 
 }  // namespace tramline::app

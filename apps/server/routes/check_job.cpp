@@ -24,8 +24,9 @@ JobStatus begin_check(App& app, const ordered_json& json) {
     const check::Verdict verdict = app::judge(opened.file, std::nullopt);
     ordered_json out = app::check_json(plan.name, opened.file.plan, verdict);
     const ShownPlace place(opened.file.plan.field.frame);
-    for (ordered_json& violation : out["violations"])
-      violation["at"] = place.position({violation.at("x_m"), violation.at("y_m")});
+    for (const char* list : {"violations", "findings"})
+      for (ordered_json& entry : out[list])
+        entry["at"] = place.position({entry.at("x_m"), entry.at("y_m")});
     return ordered_json{{"check", std::move(out)}};
   });
 }

@@ -53,6 +53,9 @@ struct Verdict {
   Tally recomputed;   ///< of tracks and headland passes, from cells of land
   Tally track_tally;  ///< the same for the tracks alone, compared with the body
   std::vector<Violation> violations;
+  /// What the plan would break were it tramline's own, but does not promise: tracks made as a paper makes
+  /// them may be tighter than the machine's radius, or have kinks. Their areas are verified all the same.
+  std::vector<Violation> findings;
   /// Statements of the plan, by key or column, that cannot be verified: `violations` would be the same
   /// whether they are true or not (not_verified.h).
   std::vector<std::string> not_verified;

@@ -143,9 +143,17 @@ export interface JobResult {
 export interface Check {
   ok: boolean;
   complete: boolean;
-  violations: { rule: string; what: string; amount: number; at: Place }[];
+  violations: CheckedPlace[];
+  /** What the plan does not promise, such as that the detours of a paper can be driven. */
+  findings: CheckedPlace[];
   recomputed: Checked | null;
   stored: Checked;
+}
+export interface CheckedPlace {
+  rule: string;
+  what: string;
+  amount: number;
+  at: Place;
 }
 export interface Checked {
   overlap_m2: number;

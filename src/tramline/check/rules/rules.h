@@ -52,7 +52,8 @@ void check_swath_overlaps(const Case& c, Violations& out);
 /// given up. Where there is a clearance, straight and curved swaths keep it too.
 void check_clearance(const Case& c, Violations& out);
 /// The machine can drive every detour, curve and headland pass: no arc is too tight and no heading jumps.
-void check_drivable(const Case& c, Violations& out);
+/// Findings where the plan's tracks are made as a paper makes them.
+void check_drivable(const Case& c, Violations& out, Violations& findings);
 /// Each piece obeys the end rule over all its straight parts, or all along its curve. In a repair the land to
 /// cover is that of any gap, and the work may go on over breaks of less than kLeastBreak_m.
 void check_ends(const Case& c, Violations& out);

@@ -1,7 +1,7 @@
 // The verifier's verdict: the plan worked out anew from its tracks alone.
 import { attempt } from '../../actions/notices';
 import { cancelCheck, checkPlan } from '../../actions/planning';
-import type { Check, Checked, Place, PlanFull } from '../../api/types';
+import type { Check, Checked, CheckedPlace, Place, PlanFull } from '../../api/types';
 import { count, area, length, sentence, squareMetres } from '../../format';
 import { engine } from '../../map/engine_loader';
 import { Button } from '../../parts/button';
@@ -38,24 +38,36 @@ export function CheckPlan({ plan }: { plan: PlanFull }) {
 
 const show = (at: Place) => engine()?.look(at, NEAR_M);
 
-function Verdict({ check: { ok, violations, recomputed, stored } }: { check: Check }) {
+function Places({ places }: { places: CheckedPlace[] }) {
+  if (places.length === 0) return null;
+  return (
+    <ul class="plain">
+      {places.map(({ rule, what, at }, i) => (
+        <li key={i} class="between">
+          <span>{sentence(what)} <span class="sub">Rule: {rule}</span></span>
+          <Button kind="quiet" aria-label={`Show place ${i + 1} on the map`} onClick={() => show(at)}>Show</Button>
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+function Verdict({ check: { ok, violations, findings, recomputed, stored } }: { check: Check }) {
   const many = violations.length;
   return (
     <>
       <p role="status" class={ok ? 'verdict' : 'verdict fault'}>
         {ok
-          ? 'The plan holds: every track lies where it may and can be driven, and the figures are right.'
+          ? `The plan holds: every track lies where it may${findings.length === 0 ? ' and can be driven' : ''}, and the figures are right.`
           : `The plan does not hold in ${many === 1 ? 'one place' : `${count(many)} places`}. Make it again; if it still does not hold, do not drive it.`}
       </p>
-      {many > 0 && (
-        <ul class="plain">
-          {violations.map(({ rule, what, at }, i) => (
-            <li key={i} class="between">
-              <span>{sentence(what)} <span class="sub">Rule: {rule}</span></span>
-              <Button kind="quiet" aria-label={`Show place ${i + 1} on the map`} onClick={() => show(at)}>Show</Button>
-            </li>
-          ))}
-        </ul>
+      <Places places={violations} />
+      {findings.length > 0 && (
+        <details>
+          <summary>{findings.length === 1 ? 'One place' : `${count(findings.length)} places`} a machine cannot drive as drawn</summary>
+          <p class="hint">The plan was made by the rules of a paper, which do not promise that every track can be driven.</p>
+          <Places places={findings} />
+        </details>
       )}
       {recomputed && (
         <table class="differences">

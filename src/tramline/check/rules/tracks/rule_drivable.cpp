@@ -82,11 +82,13 @@ void check_pass(const HeadlandPass& pass, double least_m, const std::string& nam
 
 }  // namespace
 
-void check_drivable(const Case& c, Violations& out) {
+void check_drivable(const Case& c, Violations& out, Violations& findings) {
   const double least_m = least_radius_m(c.plan.machine);
+  const bool as_in_paper = c.plan.settings.tracks == TrackConstruction::kPaper;
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
     const TrackPiece& piece = c.plan.pieces[i];
-    if (!piece.detours.empty() || !piece.curve.empty()) check_piece(piece, least_m, piece_name(i), out);
+    if (!piece.detours.empty() || !piece.curve.empty())
+      check_piece(piece, least_m, piece_name(i), as_in_paper ? findings : out);
   }
   const auto& passes = c.plan.headland.passes;
   for (std::size_t i = 0; i < passes.size(); ++i) check_pass(passes[i], least_m, pass_name(i), out);
