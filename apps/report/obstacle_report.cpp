@@ -101,6 +101,7 @@ void add_obstacle_keys(ordered_json& out, const Plan& plan) {
   out["avoid"] = name(settings.avoid);
   out["avoid_threshold_m"] =
       settings.avoid_threshold_m < 0 ? plan.machine.width_m : settings.avoid_threshold_m;
+  out["avoid_room_m"] = settings.avoid_room_m < 0 ? ordered_json() : ordered_json(settings.avoid_room_m);
   out["clearance_m"] = settings.clearance_m;
   out["detours"] = detours.count();
   out["smallest_radius_m"] = detours.count() > 0 ? ordered_json(detours.smallest_radius_m) : ordered_json();

@@ -143,6 +143,7 @@ PlanSettings settings_of(const PlanOptions& o) {
                                    o.cell_direction, "rectangle or width");
   settings.avoid = chosen(avoidance_named(o.avoid), "--avoid", o.avoid, "cheapest, paper or cut");
   if (o.avoid_threshold_m) settings.avoid_threshold_m = length_typed(*o.avoid_threshold_m, kAvoidThreshold);
+  if (o.avoid_room_m) settings.avoid_room_m = length_typed(*o.avoid_room_m, kAvoidRoom);
   settings.clearance_m = o.clearance_m;
   settings.merge_threshold = Angle::degrees(o.merge_deg);
   settings.decomposition_threshold = Angle::degrees(o.decomposition_deg);

@@ -20,7 +20,7 @@ struct PlanOptions {
   std::string boundary = "soft";
   std::string cell_direction = "rectangle";
   std::string avoid = "cheapest";
-  std::optional<double> avoid_threshold_m;
+  std::optional<double> avoid_threshold_m, avoid_room_m;
   double clearance_m = 0;
   double merge_deg = 1;
   double decomposition_deg = 180;

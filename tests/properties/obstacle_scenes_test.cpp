@@ -91,6 +91,16 @@ void compare(const Plan& cheapest, const Plan& other, Problems& problems) {
       fmt::format("cheapest costs {}, {} only {}", cheapest.cost, name(other.settings.avoid), other.cost));
 }
 
+/// A detour as the paper draws it may be tighter than the machine can follow, and then cost less than any
+/// that it can.
+bool can_be_driven(const Plan& plan) {
+  const double least_m = std::max(plan.machine.radius_m, plan.machine.width_m / 2);
+  for (const TrackPiece& piece : plan.pieces)
+    for (const Detour& detour : piece.detours)
+      if (smallest_radius(detour.path) < least_m * (1 - 1e-9)) return false;
+  return true;
+}
+
 struct Outcome {
   Problems problems;
   bool planned = false;
@@ -106,13 +116,14 @@ Outcome outcome_of(const Scene& scene) {
   out.planned = cheapest.has_value();
   // Pieces too short to drive may be long enough once a detour joins them, so cheapest fits where others do
   // and S1's way may fit where cutting does not.
-  if (again.has_value() != out.planned || paper.has_value() > out.planned || cut.has_value() > out.planned)
+  const bool paper_alone = paper.has_value() > out.planned && can_be_driven(*paper);
+  if (again.has_value() != out.planned || paper_alone || cut.has_value() > out.planned)
     out.problems.emplace_back("tracks fit, and cheapest has none");
   if (!out.problems.empty() || !out.planned) return out;
   for (const auto* plan : {&cheapest, &paper, &cut})
     if (*plan) look_at(**plan, out.problems);
   for (const auto* plan : {&paper, &cut})
-    if (*plan) compare(*cheapest, **plan, out.problems);
+    if (*plan && can_be_driven(**plan)) compare(*cheapest, **plan, out.problems);
   if (!same(*cheapest, *again)) out.problems.emplace_back("one and two threads give different plans");
   out.with_detours = std::any_of(cheapest->pieces.begin(), cheapest->pieces.end(),
                                  [](const TrackPiece& piece) { return !piece.detours.empty(); });

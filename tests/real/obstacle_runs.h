@@ -14,6 +14,7 @@ struct PlanFigures {
   double cost = 0;
   int met = 0;    ///< encounters of tracks with obstacles
   int round = 0;  ///< those driven round
+  int tight = 0;  ///< detours tighter than the machine can follow
   int directions_tried = 0;
   double seconds = 0;  ///< processor time of planning on one thread
 };
@@ -35,7 +36,8 @@ PlanFigures planned(const Field& field, const Machine& machine, const Objective&
                     Plan& plan);
 
 /// Plans a field in all three ways and verifies each: the cheapest through its plan file, `scratch`. Faults
-/// are also a plan that costs more than paper or cut, and a direction that was not tried in each way.
+/// are also a plan that costs more than with all tracks cut, or more than by the paper's rule where that can
+/// be driven, and a direction that was not tried in each way.
 ObstacleRun run_obstacles(const Field& field, const Field& input, const Machine& machine,
                           const std::string& scratch);
 

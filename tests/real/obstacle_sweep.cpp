@@ -121,12 +121,17 @@ struct Summary {
   Spread cost;
   Spread cost_pct;
   Spread seconds;
+  int paper_met = 0;       ///< by the paper's rule: encounters,
+  int paper_round = 0;     ///< those driven round,
+  int paper_tight = 0;     ///< and detours that the machine could not follow
+  int paper_cheaper = 0;   ///< plans by the paper's rule that cost less, all of them with such detours
+  Spread paper_saved_pct;  ///< of these, by how much
 };
 
 Summary summary_of(const std::vector<ObstacleRun>& runs, const Machine& machine) {
   Summary out;
   out.machine = machine;
-  std::vector<double> turns, stops, cost, cost_pct, seconds;
+  std::vector<double> turns, stops, cost, cost_pct, seconds, paper_saved_pct;
   for (const ObstacleRun& run : runs) {
     out.failures += run.faults.empty() ? 0 : 1;
     out.refused += run.refused.empty() ? 0 : 1;
@@ -139,12 +144,20 @@ Summary summary_of(const std::vector<ObstacleRun>& runs, const Machine& machine)
     cost.push_back(run.cut.cost - run.cheapest.cost);
     cost_pct.push_back(run.cut.cost > 0 ? 100 * cost.back() / run.cut.cost : 0);
     seconds.push_back(run.cheapest.seconds);
+    out.paper_met += run.paper.met;
+    out.paper_round += run.paper.round;
+    out.paper_tight += run.paper.tight;
+    const double saved = run.cheapest.cost - run.paper.cost;
+    if (run.paper.tight == 0 || saved <= 1e-9 * run.paper.cost) continue;
+    ++out.paper_cheaper;
+    paper_saved_pct.push_back(100 * saved / run.cheapest.cost);
   }
   out.turns = spread_of(turns);
   out.stops = spread_of(stops);
   out.cost = spread_of(cost);
   out.cost_pct = spread_of(cost_pct);
   out.seconds = spread_of(seconds);
+  if (!paper_saved_pct.empty()) out.paper_saved_pct = spread_of(paper_saved_pct);
   return out;
 }
 
@@ -196,6 +209,18 @@ void print_table(const std::vector<Summary>& summaries) {
                s.seconds.most);
 }
 
+/// What the paper draws and the machine may be unable to follow, against the cheapest that it can.
+void print_paper_table(const std::vector<Summary>& summaries) {
+  fmt::print(
+      "\n| *w*, m | *r*, m | encounters | driven round | too tight to follow | plans that cost less | by, % "
+      "|\n"
+      "|--:|--:|--:|--:|--:|--:|---|\n");
+  for (const Summary& s : summaries)
+    fmt::print("| {} | {} | {} | {} | {} | {} of {} | {} |\n", s.machine.width_m, s.machine.radius_m,
+               s.paper_met, s.paper_round, s.paper_tight, s.paper_cheaper, s.plans,
+               s.paper_cheaper > 0 ? amounts(s.paper_saved_pct) : "");
+}
+
 int run_sweep(const RealFields& fields, const Request& request) {
   std::vector<Summary> summaries;
   int failures = 0;
@@ -212,6 +237,7 @@ int run_sweep(const RealFields& fields, const Request& request) {
       failures += summaries.back().failures + (summaries.back().plans == 0 ? 1 : 0);
     }
   print_table(summaries);
+  print_paper_table(summaries);
   return failures > 0 ? 1 : 0;
 }
 

@@ -67,7 +67,7 @@ SettingsInput settings_in(const ordered_json& json) {
   const JsonInput input(
       json, "settings",
       {"strategy", "end_rule", "boundary", "headlands", "obstacle_headlands", "curved", "line", "avoid",
-       "avoid_threshold_m", "clearance_m", "merge_deg", "decomposition_deg", "short_edge_m",
+       "avoid_threshold_m", "avoid_room_m", "clearance_m", "merge_deg", "decomposition_deg", "short_edge_m",
        "direction_tolerance_deg", "cell_direction", "tracks"});
   app::PlanOptions options;
   take_word(input, "strategy", options.strategy);
@@ -83,6 +83,7 @@ SettingsInput settings_in(const ordered_json& json) {
   take_number(input, "short_edge_m", options.short_edge_m);
   take_number(input, "direction_tolerance_deg", options.direction_tolerance_deg);
   options.avoid_threshold_m = input.number_if("avoid_threshold_m");
+  options.avoid_room_m = input.number_if("avoid_room_m");
   options.headlands = count_in(input, "headlands");
   options.obstacle_headlands = count_in(input, "obstacle_headlands");
   SettingsInput out{app::settings_of(options), {}};

@@ -20,6 +20,13 @@ void add_avoidance_options(CommandOptions& command, PlanOptions& o) {
                   "this, in metres.")
       .takes("M")
       .shows_default("the working width");
+  command
+      .add_option("--avoid-room", o.avoid_room_m,
+                  "With --avoid paper: the most by which a detour may leave its track, in metres; where it "
+                  "would have to go farther the track is cut. The thesis' own program allowed half the "
+                  "working width.")
+      .takes("M")
+      .shows_default("as far as it has to");
   command.add_option("--clearance", o.clearance_m, "Land kept free between swaths and obstacles, in metres.")
       .takes("M")
       .shows_default("0");

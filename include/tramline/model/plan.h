@@ -49,6 +49,9 @@ struct PlanSettings {
   double small_cell_m2 = 200;  ///< S1.21
   Avoidance avoid = Avoidance::kCheapest;
   double avoid_threshold_m = -1;  ///< S1.26, with Avoidance::kPaper; negative: the default, w
+  /// With Avoidance::kPaper: detours leave their track by this at most; negative: however far they have to.
+  /// Half the width is what the program of Versleijen 2019 allowed (§4.3, fig. 50 a).
+  double avoid_room_m = -1;
   double clearance_m = 0;         ///< kept between swaths and obstacles
   int headlands = 0;              ///< passes round the field (S2.4); with any, nothing leaves the field
   int obstacle_headlands = 0;     ///< passes round each obstacle that tracks do not avoid by detours

@@ -30,6 +30,8 @@ const char* sentence(Refusal refusal) {
       return "the track ends before the detour could";
     case Refusal::kTooTight:
       return "it is too tight in the middle";
+    case Refusal::kNoRoomBeside:
+      return "it would leave the track by more than it may";
     case Refusal::kMeetsObstacle:
       return "it would meet an obstacle";
     case Refusal::kSeveralObstacles:

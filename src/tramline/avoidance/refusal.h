@@ -21,6 +21,7 @@ enum class Refusal : std::uint8_t {
   // Reasons for the paper's constructions.
   kVersleijenEndsBefore,
   kTooTight,
+  kNoRoomBeside,
   kMeetsObstacle,
   kSeveralObstacles,
   kTooWide,

@@ -33,7 +33,7 @@ void add_settings(const Plan& plan, Names& out) {
        {"machine.radius_m", "machine.min_length_m", "settings.strategy", "settings.end_rule",
         "settings.boundary", "settings.cell_direction", "settings.direction_tolerance",
         "settings.merge_threshold", "settings.decomposition_threshold", "settings.short_edge_m",
-        "settings.small_cell_m2", "settings.avoid", "settings.avoid_threshold_m", "settings.clearance_m",
+        "settings.small_cell_m2", "settings.avoid", "settings.avoid_threshold_m", "settings.avoid_room_m", "settings.clearance_m",
         "settings.shape", "settings.tracks", "settings.guide"})
     out.emplace_back(key);
   const auto& passes = plan.headland.obstacle_passes;

@@ -67,6 +67,7 @@ void validate_request(const Machine& machine, const Objective& objective, const 
   constexpr double kMostClearance = 1000;
   require_metres(settings.clearance_m, 0, kMostClearance, "clearance");
   require_metres_or_default(settings.avoid_threshold_m, kAvoidThreshold);
+  require_metres_or_default(settings.avoid_room_m, kAvoidRoom);
   if (settings.tracks == TrackConstruction::kPaper) require_paper_rules(settings);
   constexpr double kFinestDirections_deg = 1e-4;
   require_degrees(settings.direction_tolerance, kFinestDirections_deg, 10, "direction tolerance");

@@ -13,8 +13,9 @@ void validate_request(const Machine& machine, const Objective& objective, const 
 /// `what` names the value. For callers that take no negative number for the default.
 void require_metres(double value, double least, double most, const char* what);
 
-/// The names of these two lengths in messages.
+/// The names of these lengths in messages.
 inline constexpr const char* kLeastTrackLength = "least track length";
 inline constexpr const char* kAvoidThreshold = "avoid threshold";
+inline constexpr const char* kAvoidRoom = "room for detours";
 
 }  // namespace tramline

@@ -252,10 +252,12 @@ TEST(CurvedDetours, by_s1_go_round_what_is_narrower_than_the_threshold) {
       }
       ASSERT_EQ(detours_in(avoided), 1);
       EXPECT_EQ(only.chosen, off > 0 ? Passing::kLeft : Passing::kRight);
-      // S1's pass radius: that of the pole and half the width are less than the machine needs.
+      // The middle arc of the paper, along the pole's buffer, is tighter than the machine can follow.
       for (const LaidPiece& piece : avoided.tracks.front().pieces)
         for (const TrackDetour& detour : piece.detours) {
-          EXPECT_NEAR(smallest_radius(detour.path), kRadius, 1e-9);
+          EXPECT_NEAR(smallest_radius(detour.path), 1 + kWidth / 2, 1e-5);
+          EXPECT_NEAR(radius(detour.path.front()), kRadius, 1e-9);
+          EXPECT_NEAR(radius(detour.path.back()), kRadius, 1e-9);
           EXPECT_NEAR(distance(centre(detour.path[1]), {0, 76.5 + off}), 0, 1e-4);
         }
     }

@@ -17,6 +17,18 @@ Obstruction obstruction(const TrackFamily& family, const Track& track, std::size
   return {family.grid, track, gap, machine.radius_m};
 }
 
+/// With Avoidance::kCheapest the paper's ways are drivable ones to choose from.
+VersleijenRule versleijen_rule(const PlanSettings& settings, double width_m) {
+  VersleijenRule out;
+  out.threshold_m = settings.avoid_threshold_m < 0 ? width_m : settings.avoid_threshold_m;
+  if (settings.avoid != Avoidance::kPaper) {
+    out.middle = DetourMiddle::kDrivable;
+    return out;
+  }
+  if (settings.avoid_room_m >= 0) out.room_m = settings.avoid_room_m;
+  return out;
+}
+
 void refuse_gaps(BlockedTrack& track, const WayRound& way, Refusal why) {
   for (std::size_t gap = way.first_gap; gap <= way.last_gap; ++gap)
     track.refused.push_back({Construction::kOwn, gap, way.detour.side, why});
@@ -100,9 +112,8 @@ void DetourDecisions::add_option(BlockedTrack& track, const WayRound& way) {
 
 void DetourDecisions::add_versleijen_option(BlockedTrack& track, std::size_t gap) {
   const TrackFamily& family = task_.families[track.family];
-  const double threshold = task_.settings.avoid_threshold_m;
   WayRound way = versleijen_detour(obstruction(family, track_of(track), gap, task_.machine),
-                                   threshold < 0 ? width_m_ : threshold, around_[track.family]);
+                                   versleijen_rule(task_.settings, width_m_), around_[track.family]);
   if (!way.possible()) {
     for (const Passing side : {Passing::kLeft, Passing::kRight})
       track.refused.push_back({Construction::kPaper, gap, side, way.why_not});

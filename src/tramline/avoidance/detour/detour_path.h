@@ -19,8 +19,7 @@ struct KeepOut {
 /// Treatment of a hull's corners by a path.
 enum class HullCorners {
   kDrivable,   ///< room is made for arcs of the path's radius
-  kAsTheyAre,  ///< discs keep their own radii, all equal, as in S1.34 and S1.38: the path may be tighter
-               ///< there
+  kAsTheyAre,  ///< discs keep their own radii, all equal: the path may be tighter there (Versleijen fig. 19)
 };
 
 /// The detour with the least displacement and the earliest return: arcs and lines with radii of at least

@@ -31,23 +31,54 @@ bool convex(const Ring& ring) {
   return true;
 }
 
-/// The discs that the middle of the detour runs along.
+/// The discs that the middle of the detour runs along, the least radius of a single one being `least`.
 std::vector<KeepOut> buffer_of(const TurnedHazard& hazard, const DetourFrame& frame, double half_width,
-                               double radius) {
+                               double least) {
   if (hazard.round)
-    return {{frame.to_detour(hazard.round->centre), std::max(hazard.round->radius + half_width, radius)}};
+    return {{frame.to_detour(hazard.round->centre), std::max(hazard.round->radius + half_width, least)}};
   std::vector<KeepOut> out;
   for (const Point corner : hazard.outline) out.push_back({frame.to_detour(corner), half_width});
   return out;
 }
 
-/// The reason why the path, fitted into the track, cannot be driven.
-Refusal fault_in_track(const Obstruction& o, const TrackDetour& detour, const Surroundings& around) {
+/// The largest y of a segment. No arc is longer than half a circle, so it lies on the other side of its chord
+/// than its centre: to the right of it where it turns left.
+double top_of(const PathSegment& segment) {
+  const double ends = std::max(segment.from.y, segment.to.y);
+  if (segment.straight()) return ends;
+  const Point top = centre(segment) + Point{0, radius(segment)};
+  const bool on_arc = segment.curvature * cross(segment.to - segment.from, top - segment.from) <= 0;
+  return on_arc ? top.y : ends;
+}
+
+/// Largest distance of the path from the track.
+double peak_m(const Path& path, const TrackSide& track) {
+  const Path aside = track.frame.to_detour(path);
+  double out = 0;
+  if (!track.curve) {
+    for (const PathSegment& segment : aside) out = std::max(out, top_of(segment));
+    return out;
+  }
+  for (const Point p : chords(aside)) {
+    double off = std::numeric_limits<double>::infinity();
+    for (const PathSegment& segment : track.curve->measured.path())
+      off = std::min(off, distance_to_edge(segment, p, p));
+    out = std::max(out, off);
+  }
+  return out;
+}
+
+/// The reason why the path, fitted into the track, is not to be driven.
+Refusal fault_in_track(const Obstruction& o, const TrackDetour& detour, const TrackSide& track,
+                       const VersleijenRule& rule, const Surroundings& around) {
   const Intervals& stretches = o.track.stretches;
   if (stretch_at(stretches, detour.from) != o.gap - 1 || stretch_at(stretches, detour.to) != o.gap)
     return Refusal::kVersleijenEndsBefore;
   const double width_m = o.grid.width_m, least = std::max(o.radius_m, 0.5 * width_m);
-  if (smallest_radius(detour.path) < least * (1 - kRounding_share)) return Refusal::kTooTight;
+  if (rule.middle == DetourMiddle::kDrivable &&
+      smallest_radius(detour.path) < least * (1 - kRounding_share))
+    return Refusal::kTooTight;
+  if (peak_m(detour.path, track) > rule.room_m + kSameDistance_m) return Refusal::kNoRoomBeside;
   const SwathLine line(detour.path, width_m);
   for (const TurnedHazard& hazard : around.hazards)
     if (runs_into(line, hazard)) return Refusal::kMeetsObstacle;
@@ -56,7 +87,7 @@ Refusal fault_in_track(const Obstruction& o, const TrackDetour& detour, const Su
 
 }  // namespace
 
-WayRound versleijen_detour(const Obstruction& o, double threshold_m, const Surroundings& around) {
+WayRound versleijen_detour(const Obstruction& o, const VersleijenRule& rule, const Surroundings& around) {
   WayRound out;
   out.first_gap = out.last_gap = o.gap;
   const Interval gap{o.track.stretches[o.gap - 1].to, o.track.stretches[o.gap].from};
@@ -69,18 +100,20 @@ WayRound versleijen_detour(const Obstruction& o, double threshold_m, const Surro
   const TurnedHazard& hazard = around.hazards[out.hazards.front()];
   const TrackSide to_the_left = track_side(o.grid, o.track, gap, Passing::kLeft);
   const TrackSide to_the_right = track_side(o.grid, o.track, gap, Passing::kRight);
-  if (!(extent_across(hazard, to_the_left) < threshold_m)) return refuse(Refusal::kTooWide);
-  if (!hazard.round && !convex(hazard.outline)) return refuse(Refusal::kKinkedBuffer);
+  if (!(extent_across(hazard, to_the_left) < rule.threshold_m)) return refuse(Refusal::kTooWide);
+  const bool drivable = rule.middle == DetourMiddle::kDrivable;
+  if (drivable && !hazard.round && !convex(hazard.outline)) return refuse(Refusal::kKinkedBuffer);
 
   const bool left = farthest(hazard, to_the_left.frame) <= farthest(hazard, to_the_right.frame);
   const TrackSide& track = left ? to_the_left : to_the_right;
   const double half = 0.5 * o.grid.width_m, radius = std::max(o.radius_m, half);
   std::optional<TrackDetour> found =
-      detour_beside(track, buffer_of(hazard, track.frame, half, radius), radius, HullCorners::kAsTheyAre);
+      detour_beside(track, buffer_of(hazard, track.frame, half, drivable ? radius : 0), radius,
+                    HullCorners::kAsTheyAre);
   out.detour.side = track.side;
   if (!found) return refuse(Refusal::kNoSide);
   out.detour = std::move(*found);
-  return refuse(fault_in_track(o, out.detour, around));
+  return refuse(fault_in_track(o, out.detour, track, rule, around));
 }
 
 }  // namespace tramline

@@ -21,6 +21,7 @@ namespace {
 constexpr const char* kFormat = "tramline plan";
 constexpr int kNewestVersion = kVersionWithOwnLines, kOldestVersion = 2;
 constexpr const char* kTracks = "settings.tracks";
+constexpr const char* kAvoidRoom = "settings.avoid_room_m";  // only where there is a limit
 constexpr const char* kReference = "reference";    // of all subfields
 constexpr const char* kReferences = "references";  // by subfield, where they have not all the same
 constexpr const char* kKind = "kind";
@@ -232,6 +233,7 @@ Metadata metadata_of(const Plan& plan) {
   writer(kCutShort, plan.proof.cut_short);
   out[kInputCrsKey] = plan.field.source.input_crs;
   writer(kTracks, plan.settings.tracks);
+  if (plan.settings.avoid_room_m >= 0) writer(kAvoidRoom, plan.settings.avoid_room_m);
   write_references(plan, writer);
   out["format"] = kFormat;
   out["format_version"] = std::to_string(has_own_lines(plan) ? kVersionWithOwnLines : kVersionWithSearchEnd);
@@ -265,6 +267,7 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   // Files from before there were these keys are as good plans.
   if (metadata.contains(kInputCrsKey)) plan.field.source.input_crs = reader.text(kInputCrsKey);
   if (metadata.contains(kTracks)) reader(kTracks, plan.settings.tracks);
+  if (metadata.contains(kAvoidRoom)) reader(kAvoidRoom, plan.settings.avoid_room_m);
   return version;
 }
 

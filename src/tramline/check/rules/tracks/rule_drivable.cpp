@@ -58,9 +58,29 @@ class Joints {
   std::optional<PathSegment> first_;
 };
 
-void check_piece(const TrackPiece& piece, double least_m, const std::string& name, Violations& out) {
+/// The middle of a detour as Versleijen 2019 draws it may be as tight as the obstacle's buffer, w/2 (fig. 19),
+/// which is a finding; its first and last segments are arcs that the machine can drive.
+void check_detour_as_printed(const Detour& detour, const Machine& machine, const std::string& name,
+                             Violations& out, Violations& findings) {
+  const Path middle(detour.path.begin() + 1, detour.path.end() - 1);
+  check_radii({detour.path.front(), detour.path.back()}, least_radius_m(machine), name, out);
+  check_radii(middle, 0.5 * machine.width_m, name, out);
+  check_radii(middle, least_radius_m(machine), name, findings);
+}
+
+void check_detours_as_printed(const TrackPiece& piece, std::size_t index, const Machine& machine,
+                              Violations& out, Violations& findings) {
+  for (std::size_t k = 0; k < piece.detours.size(); ++k)
+    if (piece.detours[k].path.size() > 2)
+      check_detour_as_printed(piece.detours[k], machine, detour_name(index, k), out, findings);
+    else
+      check_radii(piece.detours[k].path, least_radius_m(machine), detour_name(index, k), out);
+  for (const Path& part : parts_on_track(piece))
+    check_radii(part, least_radius_m(machine), piece_name(index), out);
+}
+
+void check_joints(const TrackPiece& piece, const std::string& name, Violations& out) {
   const Path path = centre_line(piece);
-  check_radii(path, least_m, name, out);
   Joints joints(name, out);
   if (!piece.curve.empty()) {
     joints.drive(path);
@@ -87,8 +107,12 @@ void check_drivable(const Case& c, Violations& out, Violations& findings) {
   const bool as_in_paper = c.plan.settings.tracks == TrackConstruction::kPaper;
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
     const TrackPiece& piece = c.plan.pieces[i];
-    if (!piece.detours.empty() || !piece.curve.empty())
-      check_piece(piece, least_m, piece_name(i), as_in_paper ? findings : out);
+    if (piece.detours.empty() && piece.curve.empty()) continue;
+    if (c.plan.settings.avoid == Avoidance::kPaper)
+      check_detours_as_printed(piece, i, c.plan.machine, out, findings);
+    else
+      check_radii(centre_line(piece), least_m, piece_name(i), as_in_paper ? findings : out);
+    check_joints(piece, piece_name(i), as_in_paper ? findings : out);
   }
   const auto& passes = c.plan.headland.passes;
   for (std::size_t i = 0; i < passes.size(); ++i) check_pass(passes[i], least_m, pass_name(i), out);
