@@ -244,7 +244,7 @@ TEST(ChooseDetours, ARowOfPolesIsPassedFromEndToEnd) {
     }
 }
 
-// What counts as narrow is S1's own matter: the search takes its plan only where that is cheaper.
+// What counts as narrow is Versleijen's own matter: the search takes its plan only where that is cheaper.
 TEST(ChooseDetours, NoThresholdMakesTheCheapestDearer) {
   std::vector<Ring> poles;
   for (int i = 0; i < 12; ++i) {
@@ -287,7 +287,7 @@ double length_past_pole() {
   return 100 - 2 * half + 24 * std::asin(half / 12);
 }
 
-/// Such a field, planned without S1's ways.
+/// Such a field, planned without Versleijen's ways.
 struct LongStrips {
   LongStrips(int strips, const std::vector<int>& long_strips, double least_m, double turn) {
     Machine with_least = machine(3, 6);
@@ -355,8 +355,8 @@ TEST(ChooseDetours, TheSecondPieceOfAPlanTakesATurn) {
   }
 }
 
-// S1 keeps the whole turning radius away from the pole's centre, on the left. A longer detour is the better
-// one here: nothing else works the ground beside a long strip.
+// Versleijen keeps the whole turning radius away from the pole's centre, on the left. A longer detour is the
+// better one here: nothing else works the ground beside a long strip.
 TEST(ChooseDetours, APlanOfS1IsComparedWithAllOtherWays) {
   Machine with_least = machine(3, 6);
   with_least.min_length_m = 60;

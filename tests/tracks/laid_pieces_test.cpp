@@ -83,7 +83,7 @@ TEST(EndRules, OnATriangleWithTheShortRowsDropped) {
 }
 
 TEST(HardEdges, CutTheWholeWidthOverTheObstaclesExtent) {
-  // S1.40: a diamond of 2 × 4 m in the middle of strip 1 cuts that strip from y = 48 to 52.
+  // Versleijen fig. 20: a diamond of 2 × 4 m in the middle of strip 1 cuts that strip from y = 48 to 52.
   Polygon field = box(0, 0, 9, 100);
   const Ring diamond{{4.5, 48}, {5.5, 50}, {4.5, 52}, {3.5, 50}};
   field.holes = {reversed(diamond)};

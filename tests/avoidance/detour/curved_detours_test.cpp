@@ -199,7 +199,7 @@ TEST(CurvedDetours, cost_the_same_on_both_sides_of_a_symmetric_curve) {
     for (const ParallelTrack& track : parallel(s, k * kWidth, {kRadius, kWidth}))
       family.push_back({k, track});
   PlanSettings settings;
-  settings.avoid_threshold_m = 0;  // S1 passes on one side only
+  settings.avoid_threshold_m = 0;  // Versleijen passes on one side only
   const Laid laid(box(-30, -60, 30, 60), {regular(16, 1, {0, 0})}, family, kMachine, {}, {}, settings);
   const auto encounters = encounters_in(laid.task(), choose_detours(laid.task()));
   ASSERT_EQ(encounters.size(), 1u);
@@ -252,7 +252,7 @@ TEST(CurvedDetours, by_s1_go_round_what_is_narrower_than_the_threshold) {
       }
       ASSERT_EQ(detours_in(avoided), 1);
       EXPECT_EQ(only.chosen, off > 0 ? Passing::kLeft : Passing::kRight);
-      // S1's pass radius: that of the pole and half the width are less than the machine needs.
+      // Versleijen's pass radius: that of the pole and half the width are less than the machine needs.
       for (const LaidPiece& piece : avoided.tracks.front().pieces)
         for (const TrackDetour& detour : piece.detours) {
           EXPECT_NEAR(smallest_radius(detour.path), kRadius, 1e-9);

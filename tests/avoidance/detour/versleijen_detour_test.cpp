@@ -1,5 +1,5 @@
-// S1's way round single obstacles, against the formulas of the thesis and what ADR 5 says where it leaves a
-// choice.
+// Versleijen's way round single obstacles, against the formulas of the thesis and what ADR 5 says where it
+// leaves a choice.
 
 #include "tramline/avoidance/detour/versleijen_detour.h"
 
@@ -41,8 +41,8 @@ double peak_of(const WayRound& way, double centre) {
   return most;
 }
 
-// S1.31-S1.35: a pass radius ρ = max(R_o + w/2, r), and ends √((ρ + r)² − (r ± c)²) before and behind, with +
-// where the circle's centre lies on the other side of the track.
+// Versleijen fig. 18, drivable: a pass radius ρ = max(R_o + w/2, r), and ends √((ρ + r)² − (r ± c)²) before
+// and behind, with + where the circle's centre lies on the other side of the track.
 TEST(VersleijenDetour, RoundACircleHasThePassRadiusAndTheLengthOfTheFormula) {
   for (const double width : {3.0, 6.0})
     for (const double radius : {3.0, 6.0, 12.0})
@@ -74,8 +74,9 @@ TEST(VersleijenDetour, IsOnTheLeftWhereBothSidesAreEqual) {
   EXPECT_EQ(way.detour.side, Passing::kLeft);
 }
 
-// S1.36-S1.38: along the buffer of w/2. A box from 0.3 m left to 0.7 m right of the track, 4 m long: the path
-// is 1.5 + 0.3 m off between its corners' arcs of 1.5 m, and with r = w/2 the ends lie √(3² − 1.2²) beyond.
+// Versleijen fig. 19: along the buffer of w/2. A box from 0.3 m left to 0.7 m right of the track, 4 m long:
+// the path is 1.5 + 0.3 m off between its corners' arcs of 1.5 m, and with r = w/2 the ends lie √(3² − 1.2²)
+// beyond.
 TEST(VersleijenDetour, RoundABoxFollowsItsBuffer) {
   const WayRound way = way_in_field(3, 1, {rectangle(19.2, 78, 20.2, 82)}, 3);
   ASSERT_TRUE(way.possible()) << sentence(way.why_not);
@@ -87,7 +88,7 @@ TEST(VersleijenDetour, RoundABoxFollowsItsBuffer) {
   EXPECT_NEAR(way.detour.length_m, 4 + 2 * 3 * std::acos(1.2 / 3), 1e-6);
 }
 
-// S1.61: corners of w/2 are too tight for a machine that turns on more.
+// Versleijen §4.2.2: corners of w/2 are too tight for a machine that turns on more.
 TEST(VersleijenDetour, IsRefusedWhereTheBufferIsTighterThanTheMachineTurns) {
   EXPECT_EQ(way_in_field(3, 1.6, {rectangle(19.2, 78, 20.2, 82)}, 3).why_not, Refusal::kTooTight);
 }

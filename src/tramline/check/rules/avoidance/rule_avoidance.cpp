@@ -32,7 +32,7 @@ double extent_across_m(const Polygon& shape, const PieceFrame& frame) {
   return box.width();
 }
 
-/// S1 passes one obstacle at a time, and none as wide as the threshold.
+/// Versleijen passes one obstacle at a time, and none as wide as the threshold.
 class PaperDetour {
  public:
   /// `line`: the stretch of its track's line that the detour replaces.
@@ -63,8 +63,8 @@ class PaperDetour {
   }
 
  private:
-  /// A frame along the line at the obstacle, in the middle of the stretch that cannot be driven. S1 has
-  /// straight tracks only: a curved one is replaced by its tangent there.
+  /// A frame along the line at the obstacle, in the middle of the stretch that cannot be driven. Versleijen
+  /// has straight tracks only: a curved one is replaced by its tangent there.
   PieceFrame frame_where_met(const Path& line) const {
     const ReferenceSide side(line);
     const double along_m =
@@ -104,7 +104,7 @@ bool was_dropped(const Plan& plan, const Encounter& encounter) {
   });
 }
 
-/// S1 has one way past an obstacle, and chooses it unless another detour of the track is in its way.
+/// Versleijen has one way past an obstacle, and chooses it unless another detour of the track is in its way.
 std::string paper_fault(const Plan& plan, const Encounter& encounter) {
   if (encounter.left.possible && encounter.right.possible)
     return "can be passed on both sides, and S1's rule names one";
