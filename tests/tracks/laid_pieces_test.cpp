@@ -41,7 +41,7 @@ LaidTracks lay(const Polygon& subfield, EndRule rule, const TurnedGround& ground
                     min_length);
 }
 
-// ALGORITHMS §0.1: an edge at angle φ to the tracks makes a wedge of ½w²cot φ at every row end; a row
+// An edge at angle φ to the tracks makes a wedge of ½w²cot φ at every row end; a row
 // that ends at fraction f of the run has o = wedge·f², u = wedge·(1 − f)². Here φ = 45° and w = 3:
 // wedge 4.5 m², ten rows, two ends each.
 const Polygon kParallelogram{{{0, 0}, {30, 30}, {30, 130}, {0, 100}}, {}};

@@ -27,7 +27,7 @@ Objective weights_of(Scenario scenario);
 double cost(const Objective& objective, const Tally& tally);
 
 /// The share of the working width at which running on past a soft edge stops paying:
-/// λo/(λo+λu), ½ when both are 0 (DESIGN: end rule `cheapest`; ALGORITHMS §0.1 f*).
+/// λo/(λo+λu), ½ when both are 0 (glossary: end rule `cheapest`).
 double cheapest_share(const Objective& objective);
 
 }  // namespace tramline

@@ -9,7 +9,7 @@ namespace tramline {
 /// Local metres. body = plannable ∪ given_up − passable; the parts of given_up and of the obstacles
 /// are hard: no swath enters them.
 struct ClassifiedGround {
-  Region body;       ///< what has to be covered (DESIGN: field minus obstacles)
+  Region body;       ///< what has to be covered (glossary: body)
   Region plannable;  ///< field minus obstacles and given-up land; passable obstacles still in it
   Region given_up;   ///< land no swath may work: between clustered obstacles, between an obstacle and
                      ///< the edge, inside a ring of them, and nearer to one than the clearance
