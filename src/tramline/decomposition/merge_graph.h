@@ -13,7 +13,7 @@ namespace tramline {
 struct MergeNode {
   std::vector<std::size_t> cells;  ///< members, by index of the original cell
   double area_m2 = 0;
-  Direction direction;             ///< of the largest part (Versleijen §2.2.3)
+  Direction direction;             ///< see merge()
   std::vector<Direction> history;  ///< directions that every later merge must respect (fig. 16), ascending
   std::map<std::size_t, double> shared;  ///< length of the common edge by neighbour, m
   bool alive = true;
