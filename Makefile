@@ -149,25 +149,25 @@ long-best-brute: build ## 200 random fields against brute force, and against the
 	TRAMLINE_CASES=200 $(BEST) --gtest_filter='-*NoGridCostsLess*'
 long-best-real: build ## the best search against the sweep over the real fields, default prices
 	$(LIMIT) $(RELEASE)/tests/real/best_real
-long-best-real-1: build ## the same, S1's scenario 1
+long-best-real-1: build ## the same, Versleijen's scenario 1
 	$(LIMIT) $(RELEASE)/tests/real/best_real --scenario 1
-long-best-real-2: build ## the same, S1's scenario 2
+long-best-real-2: build ## the same, Versleijen's scenario 2
 	$(LIMIT) $(RELEASE)/tests/real/best_real --scenario 2
-long-best-real-3: build ## the same, S1's scenario 3
+long-best-real-3: build ## the same, Versleijen's scenario 3
 	$(LIMIT) $(RELEASE)/tests/real/best_real --scenario 3
 long-tally-real: build ## the closed-form tally against polygon clipping over the real fields
 	$(LIMIT) $(RELEASE)/tests/real/tally_real
 
-# One scenario of S1 over all real fields: least overlap, least uncovered, fewest turns.
+# One scenario of Versleijen over all real fields: least overlap, least uncovered, fewest turns.
 SWEEP = $(LIMIT) $(RELEASE)/tests/real/sweep_real
-long-real-1: build ## S1's scenario 1 (least overlap) over the real fields
+long-real-1: build ## Versleijen's scenario 1 (least overlap) over the real fields
 	TRAMLINE_SCENARIO=1 $(SWEEP)
-long-real-2: build ## S1's scenario 2 (least uncovered) over the real fields
+long-real-2: build ## Versleijen's scenario 2 (least uncovered) over the real fields
 	TRAMLINE_SCENARIO=2 $(SWEEP)
-long-real-3: build ## S1's scenario 3 (fewest turns) over the real fields
+long-real-3: build ## Versleijen's scenario 3 (fewest turns) over the real fields
 	TRAMLINE_SCENARIO=3 $(SWEEP)
 
-# One working width over all real fields with obstacles: all tracks cut, as in S1, and cheapest.
+# One working width over all real fields with obstacles: all tracks cut, as in Versleijen, and cheapest.
 OBSTACLES = $(LIMIT) $(RELEASE)/tests/real/obstacle_sweep
 long-obstacles-3: build ## ways past the obstacles of the real fields, 3 m wide, and what a stop's price does
 	$(OBSTACLES) --width 3

@@ -169,8 +169,8 @@ void fixes_with_48_sections(benchmark::State& state) {
 }
 BENCHMARK(fixes_with_48_sections)->Arg(10)->Arg(50)->Unit(benchmark::kMillisecond);
 
-/// The drive like S3's, of which the mesh engine's costs are measured (mesh_bench.cpp); covered, repeated and
-/// missed areas after every point.
+/// The drive like Zhang's, of which the mesh engine's costs are measured (mesh_bench.cpp); covered, repeated
+/// and missed areas after every point.
 void exact_coverage(benchmark::State& state) {
   const std::vector<WorkedStep> steps = irregular_route();
   const auto count = static_cast<std::size_t>(state.range(0)) - 1;

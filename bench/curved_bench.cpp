@@ -1,4 +1,4 @@
-// What curved tracks cost (S2: 24.51 s for 30 ha at w = 2 m): one track, and a whole family from the
+// What curved tracks cost (Zhou: 24.51 s for 30 ha at w = 2 m): one track, and a whole family from the
 // reference line to the tally.
 
 #include <benchmark/benchmark.h>
@@ -109,7 +109,7 @@ void whole_family_covering(benchmark::State& state) {
 }
 BENCHMARK(whole_family_covering)->Arg(4)->Arg(2)->Arg(1)->Unit(benchmark::kMillisecond);
 
-/// The same map by S2's own construction, tracks and tally; `times_ours`: how many times as long as the
+/// The same map by Zhou's own construction, tracks and tally; `times_ours`: how many times as long as the
 /// family above takes, measured in the same run.
 void whole_family_as_in_the_paper(benchmark::State& state) {
   const Region body = field(60);
@@ -135,7 +135,7 @@ void whole_family_as_in_the_paper(benchmark::State& state) {
 }
 BENCHMARK(whole_family_as_in_the_paper)->Arg(4)->Arg(2)->Arg(1)->Unit(benchmark::kMillisecond);
 
-/// Without the tally, whose booleans S2 does not need: it takes rows to be disjoint.
+/// Without the tally, whose booleans Zhou does not need: it takes rows to be disjoint.
 void tracks_alone_as_in_the_paper(benchmark::State& state) {
   const Region body = field(60);
   const double width = static_cast<double>(state.range(0));

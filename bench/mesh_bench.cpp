@@ -1,4 +1,4 @@
-// What S3's engine costs on a drive like S3's own: its tables 2 and 3.
+// What Zhang's engine costs on a drive like its own: Zhang tables 2 and 3.
 
 #include <benchmark/benchmark.h>
 
@@ -39,7 +39,7 @@ void mesh_coverage(benchmark::State& state) {
 }
 BENCHMARK(mesh_coverage)->Apply(points_and_meshes)->Unit(benchmark::kMillisecond);
 
-/// The same, and at every point the leakage with its rings, as S3's table 2 has it.
+/// The same, and at every point the leakage with its rings, as Zhang table 2 has it.
 void mesh_leakage(benchmark::State& state) {
   const std::vector<WorkedStep> steps = irregular_route();
   const auto count = static_cast<std::size_t>(state.range(0)) - 1;

@@ -1,11 +1,11 @@
 #pragma once
-// A field of the kind S1 reports times for, made for measuring.
+// A field of the kind Versleijen reports times for, made for measuring.
 
 #include "tramline/model/field.h"
 
 namespace tramline::bench {
 
-/// 8 ha, two obstacles of 7 × 7 m and 69 distinct edge directions: S1's table 9 has 84.34 s for its
+/// 8 ha, two obstacles of 7 × 7 m and 69 distinct edge directions: Versleijen table 9 has 84.34 s for its
 /// field 1739 of that kind (7.9 ha, 2 obstacles, 69 directions).
 Field papers_field();
 

@@ -33,7 +33,7 @@ void count_directions(benchmark::State& state, int directions) {
       benchmark::Counter(static_cast<double>(directions), benchmark::Counter::kIsIterationInvariantRate);
 }
 
-/// S1's whole search on one core; its aim is 20 ms, S1 took 84.34 s for as many directions.
+/// Versleijen's whole search on one core; its aim is 20 ms, Versleijen took 84.34 s for as many directions.
 void sweep_of_papers_field(benchmark::State& state) {
   const PlanningProblem problem{papers_field(), {}, kFewestTurns, papers_settings()};
   const PreparedField prepared = field_without_headlands(problem);

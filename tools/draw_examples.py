@@ -247,7 +247,7 @@ def roadside(folder):
     brook = [(-13.1, 158.7), (-10.6, 118.3), (-4.0, 52.5)]
     outline = turned(road + lane + hedge + brook, -21.0)
     copse = turned(blob((131.0, 88.0), 17.0, 12.5, 11, 0.14, 9), -21.0)
-    # 2.4 m across: narrower than the machine, so that S1 drives round it.
+    # 2.4 m across: narrower than the machine, so that Versleijen drives round it.
     angles = [-2 * math.pi * i / 12 for i in range(12)]
     mast = turned([(287.5 + 1.2 * math.cos(angle), 61.0 + 1.2 * math.sin(angle)) for angle in angles], -21.0)
     coordinates = [closed(on_the_globe(ring, *place)) for ring in (outline, copse, mast)]

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws the pictures of docs/findings.md anew: examples/roadside.geojson under the three scenarios of S1.
+# Draws the pictures of docs/findings.md anew: examples/roadside.geojson under the three scenarios of Versleijen.
 # Usage: draw_findings.sh [BUILD_DIR]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Prints the tables of docs/findings.md: the findings of S1 (Versleijen 2019), measured anew.
+"""Prints the tables of docs/findings.md: the findings of Versleijen 2019, measured anew.
 
     tools/findings.py [--data DIR] [--tramline PATH] [--threads N]
 
-Every plan follows S1: its strategy, swaths ended where their centre line meets the edge, its rule at obstacles,
+Every plan follows Versleijen: its strategy, swaths ended where their centre line meets the edge, its rule at obstacles,
 3 m wide, turning radius 6 m. The real fields are in DIR/fields/fields.geojson (default for DIR: $TRAMLINE_DATA);
 without that file only the example fields are planned.
 """
@@ -21,14 +21,14 @@ from pathlib import Path
 from plan_shapes import measure
 
 ROOT = Path(__file__).resolve().parent.parent
-S1 = ["--strategy", "sweep", "--end-rule", "centre", "--width", "3"]
-# Weights of overlap (1/m²), uncovered (1/m²), a turn and a stop: S1's table 2, where stops cost nothing.
+VERSLEIJEN = ["--strategy", "sweep", "--end-rule", "centre", "--width", "3"]
+# Weights of overlap (1/m²), uncovered (1/m²), a turn and a stop: Versleijen table 2, where stops cost nothing.
 SCENARIOS = {"1": "99999,1,1,0", "2": "1,99999,1,0", "3": "1,1,99999,0"}
 PURE = {"overlap only": "1,0,0,0", "uncovered only": "0,1,0,0", "turns only": "0,0,1,0"}
 EXAMPLES = {"roadside": ["examples/roadside.geojson"],
             "oak-field": ["examples/two-farms.gpkg", "--layer", "parcels", "--where", "id='oak-field'"]}
 REAL = ["de-sh/39", "cz/58", "de-sh/4"]
-SIZES_M2 = (1e4, 22e4)  # S1's kind of field
+SIZES_M2 = (1e4, 22e4)  # Versleijen's kind of field
 
 
 class Planner:
@@ -36,7 +36,7 @@ class Planner:
         self.program, self.threads, self.file = program, threads, str(Path(folder) / "plan.gpkg")
 
     def plan(self, field, weights, merge=0, decomposition=180, radius=6, avoid="paper"):
-        command = [self.program, "plan", *field, *S1, "--weights", weights, "--merge", str(merge), "--decomposition",
+        command = [self.program, "plan", *field, *VERSLEIJEN, "--weights", weights, "--merge", str(merge), "--decomposition",
                    str(decomposition), "--radius", str(radius), "--avoid", avoid, "--threads", str(self.threads)]
         run = subprocess.run(command + ["--json", "-o", self.file], cwd=ROOT, capture_output=True, text=True)
         if run.returncode != 0:

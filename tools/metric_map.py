@@ -3,7 +3,7 @@
 
     tools/metric_map.py [--data DIR] [--tramline PATH] [table ...]
 
-Tables: time (straight, curved and both), sums (tracks, length, overlap), paper (S2's own construction against
+Tables: time (straight, curved and both), sums (tracks, length, overlap), paper (Zhou's own construction against
 parallel tracks). The fields are in DIR/fields/fields.geojson (default for DIR: $TRAMLINE_DATA); each plan runs on
 one thread and is held against its identity on the way.
 """

@@ -108,7 +108,7 @@ Machine machine_of(const PlanOptions& o) {
   Machine machine = o.machine_file.empty() ? Machine{} : io::read_machine(o.machine_file);
   if (o.width_m) machine.width_m = *o.width_m;
   if (o.radius_m) machine.radius_m = *o.radius_m;
-  // S2 drops no piece.
+  // Zhou drops no piece.
   if (machine.min_length_m < 0 && o.tracks == name(TrackConstruction::kPaper)) machine.min_length_m = 0;
   if (o.min_length_m) machine.min_length_m = length_typed(*o.min_length_m, kLeastTrackLength);
   return machine;

@@ -16,7 +16,7 @@ struct PlanOptions {
   std::string weights, prices, minimise;
   std::string strategy = "best";
   double direction_tolerance_deg = 0.01;
-  std::string end_rule;  ///< cheapest; with S2's tracks cover
+  std::string end_rule;  ///< cheapest; with Zhou's tracks cover
   std::string boundary = "soft";
   std::string cell_direction = "rectangle";
   std::string avoid = "cheapest";

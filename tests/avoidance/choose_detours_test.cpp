@@ -258,7 +258,7 @@ TEST(ChooseDetours, ARowOfPolesIsPassedFromEndToEnd) {
     }
 }
 
-// What counts as narrow is S1's own matter: the search takes its plan only where that is cheaper.
+// What counts as narrow is Versleijen's own matter: the search takes its plan only where that is cheaper.
 TEST(ChooseDetours, NoThresholdMakesTheCheapestDearer) {
   std::vector<Ring> poles;
   for (int i = 0; i < 12; ++i) {
@@ -301,7 +301,7 @@ double length_past_pole() {
   return 100 - 2 * half + 24 * std::asin(half / 12);
 }
 
-/// Such a field, planned without S1's ways.
+/// Such a field, planned without Versleijen's ways.
 struct LongStrips {
   LongStrips(int strips, const std::vector<int>& long_strips, double least_m, double turn) {
     Machine with_least = machine(3, 6);

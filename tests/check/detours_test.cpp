@@ -453,7 +453,7 @@ TEST(Detours, against_the_rule_of_the_paper) {
     plan.settings.avoid = Avoidance::kPaper;
     for (Encounter& encounter : plan.encounters)
       for (WayPast* way : {&encounter.left, &encounter.right})
-        if (way->cost > 0) *way = {false, 0, "S1 passes on the other side"};
+        if (way->cost > 0) *way = {false, 0, "the paper's rule passes on the other side"};
     change(plan);
     return found(plan);
   };

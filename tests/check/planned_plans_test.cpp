@@ -153,7 +153,7 @@ TEST(PlannedPlans, hold_where_a_detour_leads_past_an_obstacle_with_a_headland) {
     ADD_FAILURE() << name(each.rule) << ": " << each.what;
 }
 
-// S2's own tracks have kinks. That is all that is wrong with them where nothing is worked again, and the
+// Zhou's own tracks have kinks. That is all that is wrong with them where nothing is worked again, and the
 // figures are true: cells of swaths counted one by one against outlines of whole ones.
 TEST(PlannedPlans, with_kinks_are_found_undrivable_and_nothing_else) {
   Field field;

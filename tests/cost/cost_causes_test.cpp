@@ -88,7 +88,7 @@ Laid trapezium(double slope) {
   return {{{{{{0, 0}, {30, 0}, {30, 200 + 30 * slope}, {0, 200}}, {}}, kNorth}}};
 }
 
-// ALGORITHMS §0.1: with f = 0.10/(0.02 + 0.10) a wedge of ½w²·cot φ costs f² of it in overlap and (1 − f)² in
+// With f = 0.10/(0.02 + 0.10) a wedge of ½w²·cot φ costs f² of it in overlap and (1 − f)² in
 // land left.
 TEST(CostCauses, WedgesWhereAnEdgeCrossesTheTracksAreRowEnds) {
   for (const double slope : {0.25, 1.0, 3.0}) {

@@ -14,7 +14,7 @@ LaidPiece piece_along(const std::vector<Point>& line) {
   return out;
 }
 
-/// S2.15
+/// Σ w·L − overlap + uncovered against the body, as follows from Zhou §2.3.5.
 void expect_identity(const Tally& tally, double body_m2) {
   EXPECT_NEAR(tally.worked_m2, body_m2 - tally.uncovered_m2 + tally.overlap_m2, 1e-9);
 }

@@ -1,4 +1,4 @@
-// The exact engine on the routes over S3's pentagon (S3.10).
+// The exact engine on the routes over the pentagon of Zhang §3.1.
 
 #include <gtest/gtest.h>
 

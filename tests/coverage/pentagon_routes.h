@@ -1,5 +1,6 @@
 #pragma once
-// Routes over the pentagon of S3.10, each worked out in full: what every engine of coverage is held against.
+// Routes over the pentagon of Zhang §3.1, each worked out in full: what every engine of coverage is held
+// against.
 
 #include <string>
 #include <vector>

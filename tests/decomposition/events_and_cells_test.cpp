@@ -1,4 +1,4 @@
-// Scenes of the kind S1 describes for its figures 13 and 14: a field with an obstacle, split events at
+// Scenes of the kind Versleijen figs. 13 and 14 show: a field with an obstacle, split events at
 // the corners whose field-side angle exceeds the threshold, cells from cuts parallel to the sweep.
 
 #include <gtest/gtest.h>
@@ -135,7 +135,7 @@ TEST(Cuts, DoNotFollowAnEdge) {
   }
 }
 
-// Seven convex cells, as in S1's figure 14: a quadrilateral obstacle and one reflex corner in the
+// Seven convex cells, as in Versleijen fig. 14: a quadrilateral obstacle and one reflex corner in the
 // outline. Cuts at x = 20 (left corner of the obstacle, both ways), 40 (its top corner, up), 45 (its
 // bottom corner, down), 60 (right corner, both ways) and at the reflex corner (80, 50), down.
 TEST(SweepCells, AreSevenForAnObstacleAndANotch) {

@@ -78,7 +78,7 @@ TEST(Phase3, IsInclusiveAndModulo180) {
   EXPECT_EQ(subfields_of(apart).size(), 2u);
 }
 
-// S1.24, figure 16: b and c are equal and merge; a (90 − 12) and d (90 + 12) are each within 12
+// Versleijen §2.2.3, fig. 16: b and c are equal and merge; a (90 − 12) and d (90 + 12) are each within 12
 // degrees of bc but not of one another: bc takes one of them, not both.
 TEST(HistoryRule, LetsOneNeighbourInButNotBoth) {
   MergeGraph graph = row({{20, 78}, {20, 90}, {20, 90}, {30, 102}});

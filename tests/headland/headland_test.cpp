@@ -1,5 +1,5 @@
-// Headlands with lengths and areas known by hand (S2.4, S2.5). Where a path turns by τ at a corner, an arc of
-// radius R that touches both edges leaves R²·(tan(τ/2) − τ/2) of the corner, a quarter turn R²·(1 − π/4).
+// Headlands with lengths and areas known by hand (Zhou §2.3.3). Where a path turns by τ at a corner, an arc
+// of radius R that touches both edges leaves R²·(tan(τ/2) − τ/2) of the corner, a quarter turn R²·(1 − π/4).
 
 #include "tramline/headland/headland.h"
 

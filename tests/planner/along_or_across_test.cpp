@@ -1,4 +1,4 @@
-// What S1 found (chapters 3.1 and 4.1): plans of least overlap run across a field's longest edge, plans of
+// What Versleijen found (§3.1 and §4.1): plans of least overlap run across a field's longest edge, plans of
 // fewest turns along it. docs/findings.md has the figures.
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ Direction main_direction(const Plan& plan) {
       ->direction;
 }
 
-// S1's convention: under the centre rule a track's end overlaps as much as it leaves uncovered.
+// Versleijen's convention: under the centre rule a track's end overlaps as much as it leaves uncovered.
 Plan plan_for(const Field& field, const Objective& objective) {
   PlanSettings settings;
   settings.strategy = Strategy::kSweep;

@@ -1,4 +1,4 @@
-// S2's metric map by hand: headlands, tracks along a line, the three cases of S2.8.
+// The metric map of Zhou by hand: headlands, tracks along a line, the three cases of fig. 8.
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ Field field_of(Ring outer, const std::vector<Ring>& obstacles = {}) {
   return field;
 }
 
-/// S2's rules: ends cover everything, no piece is too short.
+/// Zhou's rules: ends cover everything, no piece is too short.
 Plan mapped(const Field& field, double width_m, PlanSettings settings) {
   settings.end_rule = EndRule::kCover;
   return plan_field(field, {"", width_m, 6, 0}, {}, settings, 1);
@@ -48,14 +48,14 @@ double overlap_between(const Plan& plan, double low, double high) {
   return area(intersection(difference(unite(swaths(plan)), plan.body), {{box(-1000, low, 1000, high), {}}}));
 }
 
-/// S2.15
+/// Σ w·L − overlap + uncovered against the body, as follows from Zhou §2.3.5.
 void expect_identity(const Plan& plan) {
   EXPECT_NEAR(identity_error_m2(plan), 0, 1e-6);
   EXPECT_NEAR(plan.track_tally.uncovered_m2, 0, 1e-6);
 }
 
-// 200 × 100 m, w = 4, two passes: the body begins 8 m in (S2.4, S2.5), 184 × 84 m; 21 tracks of 184 m (S2.6)
-// that neither overlap nor leave anything.
+// 200 × 100 m, w = 4, two passes: the body begins 8 m in (Zhou §2.3.3), 184 × 84 m; 21 tracks of 184 m (Zhou
+// §2.3.4) that neither overlap nor leave anything.
 TEST(MetricMap, OfARectangle) {
   PlanSettings settings;
   settings.headlands = 2;
@@ -70,7 +70,7 @@ TEST(MetricMap, OfARectangle) {
   expect_identity(plan);
 }
 
-// S2.6: 50 m across at w = 4 are ceil(50 / 4) = 13 tracks from the line; the last overhangs by 2 m.
+// Zhou §2.3.4: 50 m across at w = 4 are ceil(50 / 4) = 13 tracks from the line; the last overhangs by 2 m.
 TEST(MetricMap, CountsTracksFromTheLine) {
   const Plan plan = mapped(field_of(box(0, 0, 100, 50)), 4, along_x(0));
   EXPECT_EQ(plan.tally.pieces, 13);
@@ -83,7 +83,7 @@ TEST(MetricMap, CountsTracksFromTheLine) {
   expect_identity(plan);
 }
 
-// S2.13: a line in the middle has tracks on both sides, numbered 0, 1 … and −1, −2 …
+// Zhou §2.3.4: a line in the middle has tracks on both sides, numbered 0, 1 … and −1, −2 …
 TEST(MetricMap, NumbersTracksOnBothSidesOfTheLine) {
   const Plan plan = mapped(field_of(box(0, 0, 100, 40)), 4, along_x(20));
   std::set<int> numbers;
@@ -104,9 +104,10 @@ TEST(MetricMap, OfAnL) {
 
 // A block of 20 × 20 m in the middle with a headland of 4 m, so that tracks keep off a square of 28 m with
 // round corners of radius 4, y from 16 to 44. Strips from y = 0 in fours:
-// - 0 to 3 and 11 to 14 do not meet it (S2.8, case 1): 8 tracks of 120 m;
+// - 0 to 3 and 11 to 14 do not meet it (Zhou fig. 8, case 1): 8 tracks of 120 m;
 // - 5 to 9 lie within y = 20 … 40, where it is 28 m long: split (case 3) in two pieces of 46 m;
-// - 4 and 10 lie in the rounded bands: up to 50 m from either end some of the strip is body (S2.9), beyond
+// - 4 and 10 lie in the rounded bands: up to 50 m from either end some of the strip is body (Zhou fig. 9),
+// beyond
 //   that none: two pieces of 50 m each, over a quarter of the disc of 4 m.
 TEST(MetricMap, GoesPastAnObstacleAndStopsAtIt) {
   const Field field = field_of(box(0, 0, 120, 60), {box(50, 20, 70, 40)});
@@ -119,9 +120,9 @@ TEST(MetricMap, GoesPastAnObstacleAndStopsAtIt) {
   expect_identity(plan);
 }
 
-// The same with strips from y = 2: that from 14 to 18 m meets the headland in its upper half (S2.8, case 2)
-// and goes on. Over it: 20 · 2 m² along the block, and at either corner of the arc what lies below y = 18,
-// the segment of the disc between u = 0 and √12: ∫ √(16 − u²) − 2 du = √12 + 8 π/3 − 2 √12.
+// The same with strips from y = 2: that from 14 to 18 m meets the headland in its upper half (Zhou fig. 8,
+// case 2) and goes on. Over it: 20 · 2 m² along the block, and at either corner of the arc what lies below y
+// = 18, the segment of the disc between u = 0 and √12: ∫ √(16 − u²) − 2 du = √12 + 8 π/3 − 2 √12.
 TEST(MetricMap, GoesOnWhereAnObstacleTakesPartOfTheStrip) {
   const Field field = field_of(box(0, 0, 120, 60), {box(50, 20, 70, 40)});
   const Plan plan = mapped(field, 4, along_x(2, 0, 1));
@@ -208,13 +209,13 @@ TEST(MetricMap, RoundFieldsAreDrivenRoundAndRound) {
   EXPECT_NEAR(plan.tally.track_length_m, 2 * std::numbers::pi * 16 * 52, 2);
 }
 
-/// The same map by S2's own construction.
+/// The same map by Zhou's own construction.
 Plan as_in_the_paper(const Field& field, double width_m, PlanSettings settings) {
   settings.tracks = TrackConstruction::kPaper;
   return mapped(field, width_m, settings);
 }
 
-// Along a straight line S2's construction and strips are two roads to one map.
+// Along a straight line Zhou's construction and strips are two roads to one map.
 TEST(MetricMap, OfAStraightLineIsTheSameByThePapersConstruction) {
   const Field field = field_of({{0, 0}, {120, 0}, {131, 38}, {120, 70}, {3, 60}},
                                {box(50, 20, 70, 40), {{90, 30}, {104, 36}, {95, 50}}});

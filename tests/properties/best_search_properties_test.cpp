@@ -55,7 +55,7 @@ TEST(BestSearchProperties, NoGridCostsLessThanTheBound) {
     const Field field = testing::random_field(random, random() % 3 == 0 ? 3 : 0);
     const double width_m = between(random, 3, 12);
     Objective objective{between(random, 0, 1), between(random, 0, 1), between(random, 0, 3), 5};
-    // As under S1's scenarios.
+    // As under Versleijen's scenarios.
     if (random() % 4 == 0) (random() % 2 == 0 ? objective.overlap : objective.uncovered) = 99999;
     const testing::Prepared whole = prepared(field, width_m, objective);
     const SearchTask task = whole.task();

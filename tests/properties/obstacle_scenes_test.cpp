@@ -115,7 +115,7 @@ Outcome outcome_of(const Scene& scene) {
   const auto cut = try_plan(scene, Avoidance::kCut, 1);
   out.planned = cheapest.has_value();
   // Pieces too short to drive may be long enough once a detour joins them, so cheapest fits where others do
-  // and S1's way may fit where cutting does not.
+  // and the paper's way may fit where cutting does not.
   const bool paper_alone = paper.has_value() > out.planned && can_be_driven(*paper);
   if (again.has_value() != out.planned || paper_alone || cut.has_value() > out.planned)
     out.problems.emplace_back("tracks fit, and cheapest has none");

@@ -61,7 +61,7 @@ class PlanProperties : public ::testing::Test {
     EXPECT_GT(planned, case_count(standard) / 2);
   }
 
-  /// S2.14: what swaths overlap, each by itself, is what the plan does.
+  /// Zhou §2.3.5: what swaths overlap, each by itself, is what the plan does.
   void expect_overlaps_to_sum_up(int cases, TrackShape shape) {
     for_random_fields(cases, [shape](const Field& field, Request request) {
       request.settings.shape = shape;
@@ -106,7 +106,7 @@ TEST_F(PlanProperties, OverlapsOfStraightSwathsSumUp) {
 TEST_F(PlanProperties, OverlapsOfCurvedSwathsSumUp) { expect_overlaps_to_sum_up(50, TrackShape::kCurved); }
 
 /// The other road to what each swath overlaps: what polygon booleans leave of it after those before it. Along
-/// the first edges of the field, by parallel tracks with detours and by S2's own construction.
+/// the first edges of the field, by parallel tracks with detours and by Zhou's own construction.
 TEST_F(PlanProperties, OverlapsOfCurvedSwathsAgreeWithPolygonBooleans) {
   int detours = 0, kinked = 0;
   for_random_fields(10, [&](const Field& field, Request request) {

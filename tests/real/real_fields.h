@@ -58,7 +58,7 @@ std::vector<std::string> faults_of(const Plan& plan);
 /// The same of a plan file: also where it contradicts itself, and whether its field is that of the input.
 std::vector<std::string> faults_of_file(const std::string& file, const Field& input);
 
-/// S1.8: 1 least overlap, 2 least uncovered, 3 fewest turns.
+/// Versleijen table 2: 1 least overlap, 2 least uncovered, 3 fewest turns.
 Objective scenario(int number);
 
 /// How one field fared under one scenario and end rule.

@@ -1,4 +1,4 @@
-// Plans and verifies every curated real field under one scenario of S1 and all four end rules.
+// Plans and verifies every curated real field under one scenario of Versleijen and all four end rules.
 //
 //   TRAMLINE_SCENARIO=1 sweep_real [END_RULE]
 //
@@ -33,7 +33,7 @@ std::vector<Outcome> sweep(const RealFields& fields, int scenario_number, EndRul
   return out;
 }
 
-/// S1's kind of field: with obstacles, 1 to 22 ha.
+/// Versleijen's kind of field: with obstacles, 1 to 22 ha.
 bool like_the_papers(const Outcome& outcome) {
   return outcome.refused.empty() && outcome.obstacles > 0 && outcome.field_m2 >= 1e4 &&
          outcome.field_m2 <= 22e4;

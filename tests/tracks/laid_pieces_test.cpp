@@ -41,7 +41,7 @@ LaidTracks lay(const Polygon& subfield, EndRule rule, const TurnedGround& ground
                     min_length);
 }
 
-// ALGORITHMS §0.1: an edge at angle φ to the tracks makes a wedge of ½w²cot φ at every row end; a row
+// An edge at angle φ to the tracks makes a wedge of ½w²cot φ at every row end; a row
 // that ends at fraction f of the run has o = wedge·f², u = wedge·(1 − f)². Here φ = 45° and w = 3:
 // wedge 4.5 m², ten rows, two ends each.
 const Polygon kParallelogram{{{0, 0}, {30, 30}, {30, 130}, {0, 100}}, {}};
@@ -83,7 +83,7 @@ TEST(EndRules, OnATriangleWithTheShortRowsDropped) {
 }
 
 TEST(HardEdges, CutTheWholeWidthOverTheObstaclesExtent) {
-  // S1.40: a diamond of 2 × 4 m in the middle of strip 1 cuts that strip from y = 48 to 52.
+  // Versleijen fig. 20: a diamond of 2 × 4 m in the middle of strip 1 cuts that strip from y = 48 to 52.
   Polygon field = box(0, 0, 9, 100);
   const Ring diamond{{4.5, 48}, {5.5, 50}, {4.5, 52}, {3.5, 50}};
   field.holes = {reversed(diamond)};

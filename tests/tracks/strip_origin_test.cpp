@@ -13,7 +13,7 @@ double off_line(const StripGrid& grid, double across) {
   return std::abs(strips - std::round(strips)) * grid.width_m;
 }
 
-// S1.13: the grid lies on the longest edge parallel to the direction, here the right one.
+// Versleijen §2.2.1: the grid lies on the longest edge parallel to the direction, here the right one.
 TEST(StripGrids, LieOnTheLongestParallelEdge) {
   const Subfield trapezium{{{{0, 0}, {40, 0}, {40, 80}, {0, 50}}, {}}, kNorth};
   const auto grids = strip_grids(trapezium, 3);

@@ -60,8 +60,8 @@ TEST(RecursiveTracks, ShrinkInsideAKink) {
   }
 }
 
-// S2.8 on a rectangle of 100 × 12 m, w = 4, with a block over the middle track: beside it (case 1), beside
-// and into the next track (case 2: goes on), across (case 3: two pieces).
+// Zhou fig. 8 on a rectangle of 100 × 12 m, w = 4, with a block over the middle track: beside it (case 1),
+// beside and into the next track (case 2: goes on), across (case 3: two pieces).
 TEST(RecursiveTracks, KnowTheThreeCasesOfObstacles) {
   Polygon body{{{0, 0}, {100, 0}, {100, 12}, {0, 12}}, {{{40, 4}, {40, 9}, {60, 9}, {60, 4}}}};
   const LaidTracks tracks = zhou_tracks({{0, 0}, {100, 0}}, 4, {body}, 0);
@@ -100,7 +100,7 @@ TEST(RecursiveTracks, WorkAnArmAgainOnceItsEdgeIsGone) {
     EXPECT_NEAR(tracks.pieces[k].length_m, k < 5 ? lengths[k] : 8, 1e-3) << k;
 }
 
-// S2.6 to S2.9: along a straight line the same as strips that end where nothing is left to cover.
+// Zhou algorithm 1: along a straight line the same as strips that end where nothing is left to cover.
 TEST(RecursiveTracks, OfAStraightLineAreStraightStrips) {
   int compared = 0;
   for (unsigned seed = 1; seed <= 60; ++seed) {

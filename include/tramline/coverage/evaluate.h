@@ -1,5 +1,5 @@
 #pragma once
-// Evaluation of a drive: the land it covered, repeated and missed (S3.8).
+// Evaluation of a drive: the land it covered, repeated and missed (Zhang §3.1).
 
 #include <cstddef>
 #include <functional>

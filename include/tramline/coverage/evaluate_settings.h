@@ -31,7 +31,7 @@ struct DriveSettings {
 /// The engines that compute areas and regions.
 enum class EngineKind {
   kExact,  ///< tile_coverage.h
-  kMesh,   ///< S3's own (mesh_coverage.h)
+  kMesh,   ///< Zhang's own (mesh_coverage.h)
 };
 const char* name(EngineKind kind);  ///< exact, mesh
 
@@ -41,13 +41,13 @@ inline constexpr std::size_t kMostSlices = 1000;
 /// Which land that was worked again counts as repeated.
 enum class RepeatRule {
   kRun,     ///< land worked before the machine's own trail (WorkedStep::reach_m): slivers do not count
-  kStrict,  ///< all such land, as in S3
+  kStrict,  ///< all such land, as in Zhang
 };
 
 struct EvaluateSettings {
   DriveSettings drive;
   EngineKind engine = EngineKind::kExact;
-  double mesh_m = 0.05;  ///< S3.3
+  double mesh_m = 0.05;  ///< Zhang §2.3.1
   RepeatRule repeat = RepeatRule::kRun;
   std::size_t slice = 0;  ///< number of fixes per slice; 0: no slices. At most kMostSlices slices
   bool shapes = true;     ///< also give covered land, repeated land and land by times worked as regions

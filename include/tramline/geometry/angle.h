@@ -54,7 +54,7 @@ class Direction {
   double radians_ = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Smallest angle between two axes, in [0, 90] degrees. S1.25: compared modulo 180 degrees.
+/// Smallest angle between two axes, in [0, 90] degrees. Versleijen §2.2.3 compares axes: modulo 180 degrees.
 Angle angle_between(Direction a, Direction b);
 
 /// Where a machine points: clockwise from the frame's north, in [0, 360) degrees.

@@ -18,7 +18,7 @@ inline constexpr int kMostCounted = 3;
 /// Areas worked so far, m². Without a field everything lies outside, and nothing is missed.
 /// repeated: land worked again that had been worked before and that no quad of the same run within the last w
 /// of travel covers. sliver: land worked at least twice without being repeated in this sense, such as the
-/// inside of curves. repeated + sliver = land worked at least twice, which S3 counts as repeated (S3.8).
+/// inside of curves. repeated + sliver = land worked at least twice, which Zhang counts as repeated (§3.1).
 struct CoverageAreas {
   double gross_m2 = 0;           ///< Σ areas of the quads
   double covered_m2 = 0;         ///< worked once or more
@@ -68,7 +68,7 @@ struct Gap {
   double widest_m = 0;  ///< diameter of the largest disc within it; NaN: not measured
 };
 
-/// The state of the work after a number of fixes (S3's tables 2 and 3).
+/// The state of the work after a number of fixes (Zhang tables 2 and 3).
 struct CoverageSlice {
   std::size_t fixes = 0;
   CoverageAreas areas;

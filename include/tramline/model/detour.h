@@ -12,7 +12,7 @@ namespace tramline {
 /// The rule by which tracks get past obstacles.
 enum class Avoidance {
   kCheapest,  ///< whichever of left, right and cut costs least
-  kPaper,     ///< S1: round obstacles narrower than a threshold, by S1's constructions
+  kPaper,     ///< Versleijen: round obstacles narrower than a threshold, by Versleijen's constructions
   kCut,       ///< every track ends before an obstacle and begins again behind it
 };
 

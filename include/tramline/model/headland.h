@@ -1,5 +1,5 @@
 #pragma once
-// Headlands: passes round a field and its obstacles, and the land they are meant to work (S2.4).
+// Headlands: passes round a field and its obstacles, and the land they are meant to work (Zhou §2.3.3).
 
 #include <cstddef>
 #include <vector>

@@ -9,7 +9,7 @@ struct Machine {
   std::string name;
   double width_m = 3;
   double radius_m = 6;
-  double min_length_m = -1;  ///< shortest piece worth driving; negative: the default, 2 w (S1.14)
+  double min_length_m = -1;  ///< shortest piece worth driving; negative: the default, 2 w (Versleijen §2.2.1)
 };
 
 inline double min_length_m(const Machine& machine) {

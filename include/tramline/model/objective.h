@@ -18,8 +18,8 @@ struct Objective {
   friend bool operator==(const Objective& a, const Objective& b) = default;
 };
 
-/// The scenarios of S1.8: the named quantity weighs 99999, the other two 1; stops and subfields weigh 0,
-/// because S1 has no price for them.
+/// The scenarios of Versleijen table 2: the named quantity weighs 99999, the other two 1; stops and subfields
+/// weigh 0, because Versleijen has no price for them.
 enum class Scenario { kOverlap, kUncovered, kTurns };
 Objective weights_of(Scenario scenario);
 
@@ -27,7 +27,7 @@ Objective weights_of(Scenario scenario);
 double cost(const Objective& objective, const Tally& tally);
 
 /// The share of the working width at which running on past a soft edge stops paying:
-/// λo/(λo+λu), ½ when both are 0 (DESIGN: end rule `cheapest`; ALGORITHMS §0.1 f*).
+/// λo/(λo+λu), ½ when both are 0 (glossary: end rule `cheapest`).
 double cheapest_share(const Objective& objective);
 
 }  // namespace tramline

@@ -23,15 +23,16 @@ namespace tramline {
 /// Where a swath ends at a soft edge that crosses it obliquely (glossary: end rule).
 enum class EndRule { kCentre, kCover, kInside, kCheapest };
 enum class EdgeKind { kSoft, kHard };
-/// kBest searches every direction and offset, and divides the land where that pays; kSweep is S1's search.
+/// kBest searches every direction and offset, and divides the land where that pays; kSweep is Versleijen's
+/// search.
 enum class Strategy { kBest, kSweep };
 /// The shape of tracks: straight, along a curve, or whichever of the two costs less.
 enum class TrackShape { kStraight, kCurved, kAuto };
 /// How tracks along a line are made. kParallel: each parallel to the line itself, and drivable. kPaper: as in
-/// S2, each from the one before it with all kinks (S2.11 to S2.13), for comparison.
+/// Zhou §2.3.4, each from the one before it with all kinks, for comparison.
 enum class TrackConstruction { kParallel, kPaper };
-/// How a cell gets its direction: along the long side of its smallest bounding rectangle (S1.12), or at right
-/// angles to its least width.
+/// How a cell gets its direction: along the long side of its smallest bounding rectangle (Versleijen §2.2.1),
+/// or at right angles to its least width.
 enum class CellDirection { kRectangle, kWidth };
 
 /// Everything besides field, machine and objective that shapes a plan.
@@ -41,25 +42,25 @@ struct PlanSettings {
   EdgeKind boundary = EdgeKind::kSoft;  ///< kind of the field's outer ring; obstacles are hard
   CellDirection cell_direction = CellDirection::kRectangle;
   Angle direction_tolerance = Angle::degrees(0.01);  ///< resolution of directions with Strategy::kBest
-  /// S1.22. Neighbouring cells are merged whose directions differ by at most this (Strategy::kSweep), or by
-  /// less (kBest).
+  /// Versleijen §2.2.3. Neighbouring cells are merged whose directions differ by at most this
+  /// (Strategy::kSweep), or by less (kBest).
   Angle merge_threshold = Angle::degrees(1);
-  Angle decomposition_threshold = Angle::degrees(180);  ///< S1.16
-  double short_edge_m = 0;     ///< S1.59: a corner between two shorter edges does not split the field
-  double small_cell_m2 = 200;  ///< S1.21
+  Angle decomposition_threshold = Angle::degrees(180);  ///< Versleijen §2.2.2
+  double short_edge_m = 0;     ///< Versleijen §4.2.1: a corner of two shorter edges does not split the field
+  double small_cell_m2 = 200;  ///< Versleijen §2.2.3
   Avoidance avoid = Avoidance::kCheapest;
-  double avoid_threshold_m = -1;  ///< S1.26, with Avoidance::kPaper; negative: the default, w
+  double avoid_threshold_m = -1;  ///< Versleijen table 3, with Avoidance::kPaper; negative: the default, w
   /// With Avoidance::kPaper: detours leave their track by this at most; negative: however far they have to.
   /// Half the width is what the program of Versleijen 2019 allowed (§4.3, fig. 50 a).
   double avoid_room_m = -1;
-  double clearance_m = 0;         ///< kept between swaths and obstacles
-  int headlands = 0;              ///< passes round the field (S2.4); with any, nothing leaves the field
-  int obstacle_headlands = 0;     ///< passes round each obstacle that tracks do not avoid by detours
+  double clearance_m = 0;      ///< kept between swaths and obstacles
+  int headlands = 0;           ///< passes round the field (Zhou §2.3.3); with any, nothing leaves the field
+  int obstacle_headlands = 0;  ///< passes round each obstacle that tracks do not avoid by detours
   TrackShape shape = TrackShape::kStraight;
   /// kPaper requires the end rule kCover, a soft boundary, and tracks along a line or a curve.
   TrackConstruction tracks = TrackConstruction::kParallel;
   /// Tracks run parallel to this line, local metres, and are numbered from it: it is the border of the
-  /// swaths 0 and −1 (S2.6, S2.11, S2.13). Empty: the planner's choice.
+  /// swaths 0 and −1 (Zhou §2.3.4). Empty: the planner's choice.
   std::vector<Point> guide;
 };
 
@@ -107,7 +108,7 @@ struct Subfield {
   Path reference{};     ///< line its tracks run parallel to, where they follow a line or a curve; else empty
 };
 
-/// A piece that was too short to drive (S1.14). It is reported, and its land counts as uncovered.
+/// A piece that was too short to drive (Versleijen §2.2.1). It is reported, and its land counts as uncovered.
 struct DroppedPiece {
   Point start;
   Point end;
@@ -152,7 +153,7 @@ struct Plan {
 double land_m2(const Plan& plan);
 
 /// Σ w·L of tracks and passes − (land − uncovered + overlap), m²: 0 but for rounding, whatever the plan
-/// (S2.15).
+/// (follows from Zhou §2.3.5; Zhou table 4 meets it).
 double identity_error_m2(const Plan& plan);
 
 /// Whether it is a plan for the gaps that another drive has left.

@@ -22,11 +22,11 @@ struct TrackPiece {
   bool after_crossing = false;
   std::vector<Detour> detours{};  ///< in driving order; they do not overlap
   /// The path of a curved track from start to end: lines and arcs with continuous tangents, detours included;
-  /// or, as in S2, straight lines with kinks and without detours. Empty: a straight line except on the
+  /// or, as in Zhou, straight lines with kinks and without detours. Empty: a straight line except on the
   /// detours.
   Path curve{};
-  /// The area of its swath that lies outside the body or is worked by an earlier piece, m² (S2.14); unknown
-  /// in plans made by hand and in older files.
+  /// The area of its swath that lies outside the body or is worked by an earlier piece, m² (Zhou §2.3.5);
+  /// unknown in plans made by hand and in older files.
   std::optional<double> overlap_m2{};
 };
 

@@ -35,11 +35,11 @@ struct Avoided {
 bool is_better(const Avoided& a, const Avoided& b);
 
 /// The tracks with the detours that the settings ask for:
-/// - cut: none (S1.40);
-/// - paper: S1's (S1.26-S1.39), each track for itself;
+/// - cut: none (Versleijen fig. 20);
+/// - paper: Versleijen's (§2.2.4), each track for itself;
 /// - cheapest: track by track the choice that costs least while the others stay as they are, again and
-///   again until none changes, from the first plan above. Where S1's plan is cheaper still, the search goes
-///   on from there, S1's ways among the choices: never costlier than either.
+///   again until none changes, from the first plan above. Where Versleijen's plan is cheaper still, the
+///   search goes on from there, Versleijen's ways among the choices: never costlier than either.
 /// Costs are exact: every area is cut by lines and arcs. Deterministic.
 Avoided choose_detours(const AvoidanceTask& task);
 

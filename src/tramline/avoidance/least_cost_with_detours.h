@@ -5,7 +5,7 @@
 
 namespace tramline {
 
-/// All tracks cut at obstacles (S1.40), tallied.
+/// All tracks cut at obstacles (Versleijen fig. 20), tallied.
 Avoided all_cut(const AvoidanceTask& task);
 
 /// Whether any track meets an obstacle.

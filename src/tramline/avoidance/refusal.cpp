@@ -41,7 +41,7 @@ const char* sentence(Refusal refusal) {
     case Refusal::kKinkedBuffer:
       return "the obstacle's buffer has a kink";
     case Refusal::kVersleijenOtherSide:
-      return "S1 passes on the other side";
+      return "the paper's rule passes on the other side";
   }
   return "";
 }

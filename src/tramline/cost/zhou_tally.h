@@ -18,8 +18,8 @@ struct ZhouTally {
 
 /// The swaths cover of the body what their union does, every part counted once: overlap = Σ w·L − area(∪ ∩
 /// body) counts what is worked twice, also within one swath, and what is worked outside the body (more than
-/// S2.14, which takes rows to be disjoint); uncovered = area(body) − area(∪ ∩ body). With both Σ w·L = body −
-/// uncovered + overlap whatever the tracks are (S2.15). No part of a swath is larger than w times its length,
+/// Zhou §2.3.5, which takes rows to be disjoint); uncovered = area(body) − area(∪ ∩ body). With both Σ w·L =
+/// body − uncovered + overlap whatever the tracks are. No part of a swath is larger than w times its length,
 /// so no overlap is negative except for the grid that booleans are computed on. Precondition: paths of
 /// straight segments.
 ZhouTally zhou_tally(const LaidTracks& tracks, double width_m, const Region& body);

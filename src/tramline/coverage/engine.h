@@ -31,7 +31,7 @@ class Engine {
 double tile_for(double width_m, std::size_t sections);
 
 /// `field`: oriented; empty: no field. `width_m` and `sections`: approximate working width and number of
-/// sections, for the size of tiles. `mesh_m`: S3.3, for kMesh.
+/// sections, for the size of tiles. `mesh_m`: Zhang §2.3.1, for kMesh.
 std::unique_ptr<Engine> make_engine(EngineKind kind, const Region& field, double width_m,
                                     std::size_t sections, double mesh_m);
 

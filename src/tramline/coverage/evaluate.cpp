@@ -54,7 +54,7 @@ class Slices {
   std::vector<CoverageSlice> slices_;
 };
 
-/// Slivers as repeated ground, as S3 has it.
+/// Slivers as repeated ground, as Zhang has it.
 void count_slivers(Coverage& coverage) {
   for (CoverageSlice& slice : coverage.slices) slice.areas = reported(slice.areas, RepeatRule::kStrict);
 }

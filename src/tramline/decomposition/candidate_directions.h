@@ -1,5 +1,5 @@
 #pragma once
-// The directions that the sweep tries (S1.15).
+// The directions that the sweep tries (Versleijen §2.2.2).
 
 #include <vector>
 

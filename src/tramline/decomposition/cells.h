@@ -1,5 +1,5 @@
 #pragma once
-// The cells of one sweep direction (S1.17) and their own driving directions (S1.18).
+// The cells of one sweep direction and their own driving directions (Versleijen §2.2.2 and §2.2.1).
 
 #include "tramline/geometry/angle.h"
 #include "tramline/geometry/polygon/region.h"
@@ -18,7 +18,7 @@ struct Cell {
 std::vector<Cell> sweep_cells(const Region& plannable, Direction sweep, Angle threshold, CellDirection choice,
                               double short_edge_m = 0);
 
-/// The driving direction of a cell: by S1.12, or perpendicular to the true least width.
+/// The driving direction of a cell: by Versleijen §2.2.1, or perpendicular to the true least width.
 Direction driving_direction(const Ring& outer, CellDirection choice);
 
 }  // namespace tramline

@@ -1,5 +1,5 @@
 #pragma once
-// The lines along which the sweep cuts a polygon (S1.17).
+// The lines along which the sweep cuts a polygon (Versleijen §2.2.2).
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 #pragma once
-// The vertices at which the sweep splits a field (S1.16).
+// The vertices at which the sweep splits a field (Versleijen §2.2.2).
 
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace tramline {
 
-/// A vertex whose field-side interior angle exceeds the decomposition threshold (S1's event 1).
+/// A vertex whose field-side interior angle exceeds the decomposition threshold (Versleijen's event 1).
 struct SplitEvent {
   Point previous, vertex, next;  ///< consecutive on the ring, the field on the left
 };
@@ -18,8 +18,8 @@ struct SplitEvent {
 Angle interior_angle(Point previous, Point vertex, Point next);
 
 /// All split events of an oriented polygon, outer ring first. Corners between two edges that are both shorter
-/// than `short_edge_m` split nothing (S1.59): they come from how the boundary was measured, not from the
-/// field. O(n).
+/// than `short_edge_m` split nothing (Versleijen §4.2.1): they come from how the boundary was measured, not
+/// from the field. O(n).
 std::vector<SplitEvent> split_events(const Polygon& polygon, Angle threshold, double short_edge_m = 0);
 
 }  // namespace tramline

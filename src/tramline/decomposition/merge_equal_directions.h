@@ -8,7 +8,7 @@ namespace tramline {
 /// The rule for neighbours with the same driving direction.
 MergeRule equal_directions();
 
-/// S1.20: adjacent cells with the same driving direction become one.
+/// Versleijen §2.2.3, phase 1: adjacent cells with the same driving direction become one.
 void merge_equal_directions(MergeGraph& graph);
 
 }  // namespace tramline

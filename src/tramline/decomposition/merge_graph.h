@@ -13,8 +13,8 @@ namespace tramline {
 struct MergeNode {
   std::vector<std::size_t> cells;  ///< members, by index of the original cell
   double area_m2 = 0;
-  Direction direction;             ///< of the largest part (S1.23)
-  std::vector<Direction> history;  ///< directions that every later merge must respect (S1.24), ascending
+  Direction direction;             ///< see merge()
+  std::vector<Direction> history;  ///< directions that every later merge must respect (fig. 16), ascending
   std::map<std::size_t, double> shared;  ///< length of the common edge by neighbour, m
   bool alive = true;
 };
@@ -29,7 +29,7 @@ MergeGraph merge_graph(std::vector<Cell> cells);
 
 /// Whether the directions of both nodes enter the history, or only that of the larger one.
 enum class Remember { kBoth, kLargerOnly };
-/// Joins b into a: the larger of the two keeps its direction (S1.23; a tie: the lower index).
+/// Joins b into a: the larger of the two keeps its direction (Versleijen §2.2.3; a tie: the lower index).
 /// Precondition: a < b, both alive and neighbours.
 void merge(MergeGraph& graph, std::size_t a, std::size_t b, Remember remember);
 

@@ -17,9 +17,9 @@ struct MergeRule {
 };
 
 /// Merges, again and again, the eligible pair of neighbours with the longest shared edge (ties: the lower
-/// indices) until no pair is eligible. S1 leaves the order open (S1.25). O((E + M·d) log E) for E pairs of
-/// neighbours, M merges and the d neighbours of the merged-away node; where any change makes pairs eligible,
-/// d also counts the neighbours of the remaining node and of these neighbours.
+/// indices) until no pair is eligible. Versleijen §2.2.3 leaves the order open. O((E + M·d) log E) for E
+/// pairs of neighbours, M merges and the d neighbours of the merged-away node; where any change makes pairs
+/// eligible, d also counts the neighbours of the remaining node and of these neighbours.
 void merge_longest_edge_first(MergeGraph& graph, Remember remember, const MergeRule& rule);
 
 }  // namespace tramline

@@ -7,7 +7,7 @@
 namespace tramline {
 
 MergeRule similar_directions(Angle threshold) {
-  // "Equal to or between" (S1 §2.2.3) must not depend on the last bit of a rotation.
+  // "Equal to or between" (Versleijen §2.2.3) must not depend on the last bit of a rotation.
   const double limit = threshold.radians() + kInclusive_rad;
   // A history only grows: neighbours that it keeps apart stay apart.
   return {[limit](const MergeNode& a, const MergeNode& b) {

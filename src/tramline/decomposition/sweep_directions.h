@@ -7,7 +7,7 @@
 
 namespace tramline {
 
-/// Largest number of directions of which a sweep tries all; S1's fields have 69 at most.
+/// Largest number of directions of which a sweep tries all; Versleijen's fields have 69 at most.
 inline constexpr std::size_t kMostSweepDirections = 256;
 /// Of more directions, which are chords of curved edges, no two are tried that are nearer than 180 degrees /
 /// this.

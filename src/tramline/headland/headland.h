@@ -1,6 +1,6 @@
 #pragma once
 // Headlands: the passes round the field and its obstacles, the ground they work, and the body they leave
-// (S2.4, S2.5; headlands that meet or overlap, which S2 leaves open, are one).
+// (Zhou §2.3.3; headlands that meet or overlap, which Zhou leaves open, are one).
 
 #include <vector>
 

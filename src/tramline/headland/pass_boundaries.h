@@ -21,7 +21,7 @@ struct Boundary {
 /// The field's outer ring, then the obstacles that are not passable, without their holes.
 std::vector<Boundary> boundaries_of(const Field& field, const HeadlandTerms& terms);
 
-/// Distance between the boundary and the centre line of a pass, m (S2.4).
+/// Distance between the boundary and the centre line of a pass, m (Zhou §2.3.3).
 double pass_distance_m(const Boundary& boundary, int pass, double width_m);
 
 /// The land free for tracks as far as headlands are concerned, as a region with chords (kBodySagitta):

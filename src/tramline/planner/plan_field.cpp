@@ -67,7 +67,7 @@ ExplainedPlan straight_plan(const SearchTask& task, SearchResult found, const Se
   return out;
 }
 
-/// The problem with tracks of this shape. S2's own construction is for curved ones.
+/// The problem with tracks of this shape. Zhou's own construction is for curved ones.
 PlanningProblem with_shape(PlanningProblem problem, TrackShape shape) {
   problem.settings.shape = shape;
   if (shape == TrackShape::kStraight) problem.settings.tracks = TrackConstruction::kParallel;

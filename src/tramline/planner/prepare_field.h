@@ -1,5 +1,5 @@
 #pragma once
-// Prepares a field for its searches: sorts obstacles and cuts off headlands (S2.5).
+// Prepares a field for its searches: sorts obstacles and cuts off headlands (Zhou §2.3.3).
 
 #include <optional>
 

@@ -34,7 +34,7 @@ void require_metres_or_default(double value, const char* what) {
   if (!(std::isfinite(value) && value < 0)) require_metres(value, 0, kFarthest_m, what);
 }
 
-/// Refuses settings that S2's construction does not support.
+/// Refuses settings that Zhou's construction does not support.
 void require_paper_rules(const PlanSettings& settings) {
   if (settings.end_rule != EndRule::kCover)
     throw bad_input(fmt::format(

@@ -1,5 +1,6 @@
 #pragma once
-// Tracks parallel to a curve, over one subfield or several (S2.12, with the end rules of straight tracks).
+// Tracks parallel to a curve, over one subfield or several (Zhou algorithm 2, with the end rules of straight
+// tracks).
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 #pragma once
-// The end rules: which cross-sections of a strip may be driven (DESIGN: end rule).
+// The end rules: which cross-sections of a strip may be driven (glossary: end rule).
 
 #include "tramline/model/objective.h"
 #include "tramline/model/plan.h"
@@ -15,7 +15,7 @@ struct EndCriterion {
 };
 
 /// centre: the centre line; cover: any width at all; inside: the full width; cheapest: the share
-/// λo/(λo+λu) at which running on stops to pay, since dS/dy = λo(w − m) − λu·m (ALGORITHMS §0.1).
+/// λo/(λo+λu) at which running on stops to pay, since dS/dy = λo(w − m) − λu·m.
 EndCriterion end_criterion(EndRule rule, const Objective& objective, double width_m);
 
 /// The stretches in which a track may be driven by the end rule alone.

@@ -43,7 +43,7 @@ std::vector<Path> paths_on_track(const LaidPiece& piece);
 struct LaidTracks {
   StripGrid grid;
   std::vector<LaidPiece> pieces;   ///< by track, then along
-  std::vector<LaidPiece> dropped;  ///< shorter than the machine's least length (S1.14)
+  std::vector<LaidPiece> dropped;  ///< shorter than the machine's least length (Versleijen §2.2.1)
 };
 
 /// A stretch of a track, or several that detours join.
@@ -68,7 +68,7 @@ void append_joined(const Track& track, const JoinedStretch& joined, double min_l
 void append_pieces(const Track& track, const std::vector<TrackDetour>& detours, double min_length_m,
                    LaidTracks& out);
 
-/// All tracks without detours: every stretch ends before anything hard (S1.40).
+/// All tracks without detours: every stretch ends before anything hard (Versleijen fig. 20).
 LaidTracks cut_pieces(const TrackFamily& family, double min_length_m);
 
 }  // namespace tramline

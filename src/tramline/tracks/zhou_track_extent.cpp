@@ -12,7 +12,7 @@
 namespace tramline {
 namespace {
 
-/// Π of S2.2.
+/// Π of Zhou §2.2.
 Region buffer(const Path& path, double width_m) {
   const Polygon outline{kinked_band(path, width_m), {}};
   if (!find_invalidity(outline)) return {outline};
@@ -21,7 +21,7 @@ Region buffer(const Path& path, double width_m) {
   return unite(cells);
 }
 
-/// ⊥ of S2.2: positions along the path of the points nearest to p.
+/// ⊥ of Zhou §2.2: positions along the path of the points nearest to p.
 class Projection {
  public:
   explicit Projection(const Path& path) {

@@ -90,9 +90,9 @@ TEST(Decision, AWayIsPricedAboveACutOrHasItsReason) {
   EXPECT_EQ(why(1, Passing::kLeft, WaysPast::kBoth), "it would leave the field");
   EXPECT_EQ(why(1, Passing::kLeft, WaysPast::kPaper), "it is too tight in the middle");
   EXPECT_EQ(why(2, Passing::kLeft, WaysPast::kOwn), "the obstacle has no side to pass on");
-  // Not refused for its own sake: what is beside it was in the way, or S1 decided for the other side.
+  // Not refused for its own sake: what is beside it was in the way, or Versleijen decided for the other side.
   EXPECT_EQ(why(1, Passing::kRight, WaysPast::kOwn), "detours beside it are in the way");
-  EXPECT_EQ(why(1, Passing::kRight, WaysPast::kPaper), "S1 passes on the other side");
+  EXPECT_EQ(why(1, Passing::kRight, WaysPast::kPaper), "the paper's rule passes on the other side");
 }
 
 }  // namespace

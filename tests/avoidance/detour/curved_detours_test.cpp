@@ -199,7 +199,7 @@ TEST(CurvedDetours, cost_the_same_on_both_sides_of_a_symmetric_curve) {
     for (const ParallelTrack& track : parallel(s, k * kWidth, {kRadius, kWidth}))
       family.push_back({k, track});
   PlanSettings settings;
-  settings.avoid_threshold_m = 0;  // S1 passes on one side only
+  settings.avoid_threshold_m = 0;  // Versleijen passes on one side only
   const Laid laid(box(-30, -60, 30, 60), {regular(16, 1, {0, 0})}, family, kMachine, {}, {}, settings);
   const auto encounters = encounters_in(laid.task(), choose_detours(laid.task()));
   ASSERT_EQ(encounters.size(), 1u);

@@ -109,7 +109,7 @@ TEST(DetourPath, RoundOneDiscHasThePeakAndTheHalfLengthOfTheClosedForm) {
     const auto path = detour_path({{{40, c}, rho}}, r);
     ASSERT_TRUE(path);
     const double h = rho + c;
-    const double half = rho >= r ? std::sqrt((rho + r) * (rho + r) - (r - c) * (r - c))  // S1.35
+    const double half = rho >= r ? std::sqrt((rho + r) * (rho + r) - (r - c) * (r - c))  // Versleijen fig. 18
                                  : std::sqrt(4 * r * h - h * h);
     EXPECT_NEAR(peak(*path), h, 1e-6);
     EXPECT_NEAR(path->front().from.x, 40 - half, 1e-6);
@@ -136,7 +136,8 @@ TEST(DetourPath, RoundOneDiscIsThreeArcsAsLongAsAnglesTimesRadii) {
   }
 }
 
-// S1.34 and S1.35: a pass radius of max(R_o + w/2, r) and a half-length of √((ρ + r)² − (r ± |c|)²), with
+// Versleijen fig. 18, drivable: a pass radius of max(R_o + w/2, r) and a half-length of √((ρ + r)² − (r ±
+// |c|)²), with
 // + where the centre lies on the other side of the track.
 TEST(UnroundedDetourPath, RoundOnePassRadiusIsS1s) {
   for (const double obstacle : {0.3, 1.0, 4.0})

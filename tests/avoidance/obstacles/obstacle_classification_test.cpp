@@ -1,4 +1,4 @@
-// S1's obstacle categories b and c on scenes with areas known by hand; working width 3 m.
+// Versleijen's obstacle categories b and c on scenes with areas known by hand; working width 3 m.
 
 #include "tramline/avoidance/obstacles/obstacle_classification.h"
 

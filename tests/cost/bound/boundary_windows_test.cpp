@@ -163,7 +163,7 @@ TEST(BoundaryWindows, APassageCostsWhatTheBestOfAllEndsDoes) {
   });
 }
 
-// ½·w²·cot φ · λo·λu/(λo + λu): ALGORITHMS §0.1 for a straight edge, here 2 m a metre across.
+// ½·w²·cot φ · λo·λu/(λo + λu): docs/bounds.md for a straight edge, here 2 m a metre across.
 TEST(BoundaryWindows, AStraightPassageCostsWhatTheFormulaSays) {
   for (const bool begins : {true, false})
     for (const double sense : {1.0, -1.0}) {

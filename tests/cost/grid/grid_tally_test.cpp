@@ -6,7 +6,7 @@ namespace tramline {
 namespace {
 
 // A trapezium whose slanting side strips of 2 m cross in runs of 2 m: each end of a strip costs what the
-// wedge of ½·w²·cot φ says (ALGORITHMS §0.1), by hand 2 m² times f² over and (1 − f)² under.
+// wedge of ½·w²·cot φ says, by hand 2 m² times f² over and (1 − f)² under.
 TEST(GridTally, WedgesAtASlantingEdgeCostWhatTheFormulaSays) {
   const Polygon shape{{{0, 0}, {10, 0}, {10, 30}, {0, 20}}, {}};
   const TrackFrame north(Direction::clockwise_from_north(Angle::degrees(0)));

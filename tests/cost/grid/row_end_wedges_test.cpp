@@ -114,8 +114,8 @@ TEST(RowEndWedges, WorkInVainWhatBooleansSay) {
   }
 }
 
-// S1's wedge: a straight edge at φ to the strip, run over until a share f of the width is outside, leaves
-// ½·f²·w²·cot φ in vain (ALGORITHMS §0.1). Here w = 2 and cot φ = 3.
+// Versleijen's wedge: a straight edge at φ to the strip, run over until a share f of the width is outside,
+// leaves ½·f²·w²·cot φ in vain. Here w = 2 and cot φ = 3.
 TEST(RowEndWedges, OfAStraightEdgeAreThoseOfTheFormula) {
   const StripGrid grid{TrackFrame(), -1, 2};
   RowEndWedges wedges;

@@ -48,7 +48,7 @@ TEST(StepMaker, LeftIsLeftWhateverTheHeading) {
   const std::vector<WorkedStep> east = steps_of({fix(0, {0, 0}, 90), fix(1, {2, 0}, 90)});
   ASSERT_EQ(east.size(), 1U);
   expect_quad(east[0].quads.at(0), {{{0, 2}, {0, -2}, {2, -2}, {2, 2}}});
-  // S3's equations 3 and 4 change sides where the heading enters the lower half circle.
+  // Zhang eqs. 3 and 4 change sides where the heading enters the lower half circle.
   const std::vector<WorkedStep> west = steps_of({fix(0, {0, 0}, 270), fix(1, {-2, 0}, 270)});
   expect_quad(west[0].quads.at(0), {{{0, -2}, {0, 2}, {-2, 2}, {-2, -2}}});
   const std::vector<WorkedStep> south = steps_of({fix(0, {0, 0}, 180), fix(1, {0, -2}, 180)});

@@ -74,7 +74,7 @@ void expect_booleans(const std::vector<Ring>& a, const std::vector<Ring>& b) {
 }
 
 TEST(MeshRegion, KnowsTheCornersInside) {
-  // Corners (1..3, 1..2): S3's ring through the centres of the meshes is 3 by 2.
+  // Corners (1..3, 1..2): Zhang's ring through the centres of the meshes is 3 by 2.
   const MeshRegion region = mesh_region({box(0.5, 0.5, 3.5, 2.5)}, 1);
   EXPECT_EQ(region.corners_inside(), 6);
   EXPECT_EQ(region.meshes(), 10U);

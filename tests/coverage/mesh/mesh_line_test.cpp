@@ -20,7 +20,7 @@ MeshRing line(Point a, Point b) {
   return out;
 }
 
-/// What S3 finds when its line is drawn from the other end.
+/// What Zhang finds when its line is drawn from the other end.
 MeshRing line_back(Point a, Point b) {
   MeshRing out = line(b, a);
   std::reverse(out.begin(), out.end());

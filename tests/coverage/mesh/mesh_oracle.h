@@ -35,7 +35,7 @@ class CornerSet {
 };
 
 /// Corners that rings in meshes wind round other than 0 times. A corner on an edge counts as the place just
-/// below it, and a still much smaller bit to the left: what S3's floor makes of it.
+/// below it, and a still much smaller bit to the left: what Zhang's floor makes of it.
 CornerSet corners_of(const std::vector<Ring>& rings, int low, int high);
 
 CornerSet together(const CornerSet& a, const CornerSet& b, const std::function<bool(bool, bool)>& operation);

@@ -21,7 +21,7 @@ TEST(SmallestRectangle, OfAKiteLiesOnALongEdge) {
   EXPECT_NEAR(across_least_width(kite).degrees(), expected, 1e-9);
 }
 
-// S1.12 [AMB]: the smallest rectangle is not always across the least width. Triangle (0,0) (10,0)
+// Versleijen §2.2.1: the smallest rectangle is not always across the least width. Triangle (0,0) (10,0)
 // (5,9): every rectangle on an edge has area 2·45 = 90, so they tie; altitudes are 9 on the base and
 // 90/√106 = 8.74 on the sides.
 TEST(LeastWidth, OfATriangleIsItsLeastAltitude) {

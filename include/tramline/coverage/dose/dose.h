@@ -1,5 +1,5 @@
 #pragma once
-// Dose maps: the amount applied by a drive, or on the land that one covered (S3.16).
+// Dose maps: the amount applied by a drive, or on the land that one covered (Zhang §4).
 
 #include "tramline/coverage/dose/dose_settings.h"
 #include "tramline/coverage/evaluate.h"

@@ -1,5 +1,5 @@
 #pragma once
-// The drive of a plan as steps (S3.17).
+// The drive of a plan as steps (Zhang §5).
 
 #include <vector>
 

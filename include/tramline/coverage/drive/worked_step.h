@@ -11,15 +11,15 @@
 
 namespace tramline::coverage {
 
-/// The land that one run of adjacent working sections works between two fixes (S3.2): rear left, rear right,
-/// front right, front left. P' is always the left one, unlike in S3's equations 3 and 4, which change sides
-/// with the heading. It may cross itself where the machine turns on the spot (a bow-tie: two triangles, both
-/// worked), be run through in either sense where it reverses, and be empty where it stands.
+/// The land that one run of adjacent working sections works between two fixes (Zhang §2.1): rear left, rear
+/// right, front right, front left. P' is always the left one, unlike in Zhang eqs. 3 and 4, which change
+/// sides with the heading. It may cross itself where the machine turns on the spot (a bow-tie: two triangles,
+/// both worked), be run through in either sense where it reverses, and be empty where it stands.
 using Quad = std::array<Point, 4>;
 
 /// The shape of the quads of a step.
 enum class QuadShape {
-  kHeading,  ///< each end square to the heading there (S3's equations 3 and 4, but with left always left)
+  kHeading,  ///< each end square to the heading there (Zhang eqs. 3 and 4, but with left always left)
   kSegment,  ///< a rectangle along the step
 };
 

@@ -24,9 +24,9 @@ struct TradeOff {
 /// Throws kBadInput unless the settings ask for straight tracks: only these are compared.
 void require_straight_tracks(const PlanSettings& settings);
 
-/// The sets of prices that trade_off() searches for, no two alike: the given prices, S1's three scenarios,
-/// and the given prices with the price of overlap, that of uncovered land, or those of turns and stops
-/// multiplied by 1/8, 1/2, 2 and 8. At most 16.
+/// The sets of prices that trade_off() searches for, no two alike: the given prices, Versleijen's three
+/// scenarios, and the given prices with the price of overlap, that of uncovered land, or those of turns and
+/// stops multiplied by 1/8, 1/2, 2 and 8. At most 16.
 std::vector<Objective> prices_to_search(const Objective& given);
 
 /// The undominated plans (see dominates()) among all that the searches for prices_to_search() have laid out,

@@ -118,7 +118,7 @@ bool DetourDecisions::choose_paper_ways() {
   for (Decision& decision : tracks_) {
     std::vector<TrackDetour> detours;
     for (const TrackOption& option : decision.track.options) {
-      // Of two that run into each other on one track the first is driven: S1 says no more.
+      // Of two that run into each other on one track the first is driven: Versleijen says no more.
       if (!detours.empty() && detours.back().to > option.way.detour.from) continue;
       detours.push_back(option.way.detour);
     }

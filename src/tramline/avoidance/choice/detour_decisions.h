@@ -19,8 +19,8 @@ class DetourDecisions {
   /// Sets the ways to choose from. Present choices stay.
   void allow(WaysPast ways);
   WaysPast ways() const { return ways_; }
-  /// Chooses S1's way at every gap that has one. False where no gap has one. Precondition: these ways are
-  /// allowed.
+  /// Chooses Versleijen's way at every gap that has one. False where no gap has one. Precondition: these ways
+  /// are allowed.
   bool choose_paper_ways();
   /// Chooses the detours that these tracks have.
   void choose_from(const std::vector<LaidTracks>& tracks);

@@ -26,7 +26,7 @@ enum class HullCorners {
 /// `radius_m`, leaving and rejoining y = 0 tangentially, outside all discs. In the detour's frame.
 ///
 /// Round one disc of radius ρ at (0, c) it has three arcs. Its peak is h = ρ + c; its half-length is
-///   √((ρ + r)² − (r − c)²)   where ρ ≥ r (S1.35 with the sign of c on the passing side), and
+///   √((ρ + r)² − (r − c)²)   where ρ ≥ r (Versleijen fig. 18; c with its sign on the passing side), and
 ///   √(4rh − h²)              where ρ < r: the middle arc then has radius r and touches the disc at the peak.
 /// Round several it follows their drivable hull: each disc pressed from within against a disc of radius
 /// max(r, ρ), all with the same peak, and the upper convex hull of those.
@@ -34,7 +34,7 @@ enum class HullCorners {
 /// nullopt where no disc reaches over the track (there is nothing to drive round). Where the hull rises so
 /// steeply that an arc to it would turn by more than a right angle, a line leads up to it. Precondition: at
 /// least one disc, radius_m > 0. O(n log n). With kAsTheyAre it may be tighter than `radius_m` in the middle
-/// (S1.61): see smallest_radius().
+/// (Versleijen §4.2.2): see smallest_radius().
 std::optional<Path> detour_path(const std::vector<KeepOut>& discs, double radius_m,
                                 HullCorners corners = HullCorners::kDrivable);
 

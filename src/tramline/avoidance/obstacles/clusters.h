@@ -1,5 +1,5 @@
 #pragma once
-// S1's obstacle category b: obstacles closer together than the working width are one obstacle.
+// Versleijen's obstacle category b: obstacles closer together than the working width are one obstacle.
 
 #include "tramline/geometry/polygon/region.h"
 
@@ -11,8 +11,8 @@ struct Cluster {
   Region given_up;
 };
 
-/// Groups obstacles whose gap is less than `width_m` (S1.27), transitively, in the order of their first
-/// member. The land between members nearer than that is given up. O(n²) distances.
+/// Groups obstacles whose gap is less than `width_m` (Versleijen table 3), transitively, in the order of
+/// their first member. The land between members nearer than that is given up. O(n²) distances.
 std::vector<Cluster> clusters(const Region& obstacles, double width_m);
 
 }  // namespace tramline

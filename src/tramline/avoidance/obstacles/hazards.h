@@ -17,7 +17,7 @@ struct Circle {
 struct Hazard {
   Polygon shape;
   std::vector<std::size_t> obstacles;  ///< indices into Field::obstacles
-  std::optional<Circle> round;         ///< where it is one obstacle in the shape of a circle (S1.31)
+  std::optional<Circle> round;  ///< where it is one obstacle in the shape of a circle (Versleijen eq. 3)
 };
 
 /// The circle that a ring approximates, through its farthest vertex: at least 8 vertices lie on it to 1 % of

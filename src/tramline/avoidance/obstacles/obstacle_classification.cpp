@@ -29,9 +29,9 @@ Region with_clearance(const Region& obstacles, double clearance_m) {
   return buffered(obstacles, clearance_m / apothem, JoinStyle::kRound, kChordsPerQuadrant);
 }
 
-/// S1's obstacle category c: an obstacle nearer to the field's edge than the working width is joined to the
-/// edge (S1.28). Gives up the land between the edge and every cluster nearer to it than `width_m`. The rim of
-/// a clipped obstacle stays hard.
+/// Versleijen's obstacle category c: an obstacle nearer to the field's edge than the working width is joined
+/// to the edge (table 3). Gives up the land between the edge and every cluster nearer to it than `width_m`.
+/// The rim of a clipped obstacle stays hard.
 void clip_to_edge(std::vector<Cluster>& clusters, const Ring& outer, double width_m) {
   for (Cluster& cluster : clusters) {
     if (distance_to_ring(cluster.obstacles, outer) >= width_m) continue;

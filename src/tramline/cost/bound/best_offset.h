@@ -16,7 +16,7 @@ struct PricedOrigin {
 double separate_cost(const Objective& objective, const Tally& tally);
 
 /// The cheapest offset of all in [0, w). Between the offsets at which a vertex meets a strip line, or the
-/// line at which swaths end, the cost is quadratic where strips are plain (ALGORITHMS §0.5): each such
+/// line at which swaths end, the cost is quadratic where strips are plain: each such
 /// interval is evaluated at its ends and at the minimum of the parabola through three of its points, except
 /// where its bound shows that it holds nothing better than `known`. O(n² log n) at worst, mostly O(n log n).
 PricedOrigin best_offset(const GridTally& tally, const BoundTerms& terms, const PricedOrigin& known);

@@ -27,7 +27,7 @@ struct BoundTerms {
 /// The cost of one subfield, λo·o + λu·u + λt·(pieces − crossings) + λs·stops, is at least this for every
 /// grid of the box, whatever detours its tracks make: each strip is charged the least that its boundary can
 /// cost, window by window (boundary_windows.h). A plain passage costs its wedge with the least slope it can
-/// have (ALGORITHMS §0.1); elsewhere it is ∫ min(λo·(w − m), λu·m) dy over the cross-sections m(y) of the
+/// have (docs/bounds.md); elsewhere it is ∫ min(λo·(w − m), λu·m) dy over the cross-sections m(y) of the
 /// middle grid, less what they can change by, or λu·m where no grid of the box drives (undriven_rows.h); and
 /// λt for each piece that must be driven. Where λo and λu are far apart, lower values of the greater one
 /// bound the cost too, and change less as the boundary moves: the best of them counts. Stretches that a

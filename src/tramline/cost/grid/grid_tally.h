@@ -32,7 +32,7 @@ struct TurnedSubfield {
 };
 
 /// One subfield in the turned plane of one direction. Tracks are cut at obstacles. Strips that the
-/// boundary crosses plainly and that no obstacle comes near are summed in closed form (ALGORITHMS §0.1);
+/// boundary crosses plainly and that no obstacle comes near are summed in closed form;
 /// the others through their profiles, and only those that obstacles come near piece by piece.
 class GridTally {
  public:

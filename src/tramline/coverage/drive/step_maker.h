@@ -1,5 +1,5 @@
 #pragma once
-// Makes steps of work from the fixes of a log (S3.2).
+// Makes steps of work from the fixes of a log (Zhang §2.1).
 
 #include <cstddef>
 #include <limits>

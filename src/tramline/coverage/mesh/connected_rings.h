@@ -1,5 +1,5 @@
 #pragma once
-// Connects the meshes of a boundary to rings (S3.6).
+// Connects the meshes of a boundary to rings (Zhang §2.5).
 
 #include <vector>
 
@@ -12,7 +12,7 @@ namespace tramline::coverage {
 ///
 /// From each mesh the boundary goes on to the neighbour behind the side whose corners differ, the corner
 /// inside on its left. Where a mesh has two opposite corners inside, it turns left, so that they are not
-/// connected there. S3's rules for general, dual, additional and special segments have the same result.
+/// connected there. Zhang's rules for general, dual, additional and special segments have the same result.
 /// In the order of the rings' lowest leftmost meshes. O(n log n) for n meshes.
 std::vector<MeshRing> connected_rings(const MeshRegion& region);
 

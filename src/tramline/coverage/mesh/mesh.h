@@ -1,5 +1,5 @@
 #pragma once
-// Meshes: the squares of a grid over the plane (S3.3), and their data on a region.
+// Meshes: the squares of a grid over the plane (Zhang §2.3.1), and their data on a region.
 
 #include <compare>
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace tramline::coverage {
 
-/// The square [x, x + 1) × [y, y + 1), in sides of a mesh: S3's equation 5 without the factor d_g.
+/// The square [x, x + 1) × [y, y + 1), in sides of a mesh: Zhang eq. 5 without the factor d_g.
 struct Mesh {
   std::int32_t x = 0;
   std::int32_t y = 0;
@@ -29,7 +29,7 @@ struct BoundaryMesh {
   friend constexpr bool operator==(BoundaryMesh a, BoundaryMesh b) = default;
 };
 
-/// The centre of a mesh, m: a vertex of S3's regions.
+/// The centre of a mesh, m: a vertex of Zhang's regions.
 constexpr Point centre(Mesh mesh, double mesh_m) {
   return {(mesh.x + 0.5) * mesh_m, (mesh.y + 0.5) * mesh_m};
 }

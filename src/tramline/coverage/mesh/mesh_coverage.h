@@ -1,5 +1,5 @@
 #pragma once
-// The coverage engine described by S3: boundaries as meshes of a grid.
+// The coverage engine described by Zhang: boundaries as meshes of a grid.
 
 #include <cstddef>
 
@@ -10,14 +10,14 @@
 
 namespace tramline::coverage {
 
-/// S3.3.
+/// d_g of Zhang §2.3.1, m.
 inline constexpr double kMesh_m = 0.05;
 inline constexpr double kFineMesh_m = 0.02;
 
-/// Areas and regions of what was worked, to the resolution of a mesh (S3.8).
+/// Areas and regions of what was worked, to the resolution of a mesh (Zhang §3.1).
 /// Coverage is the union of all quads. The intersection of a quad with the coverage before it is repeated:
 /// quads that share a bar share meshes, but no area. Leakage, here missed land, is the residual of the
-/// coverage in the field; as in S3 it is computed on request.
+/// coverage in the field; as in Zhang it is computed on request.
 /// Limitations: it does not know whether land was worked again by the machine's own trail, so repeated_m2 is
 /// all land worked twice and sliver_m2 is 0; and it does not know whether land was worked more than twice:
 /// worked_times_m2[2] and [3] are NaN. Areas are those of rings through the centres of meshes.

@@ -16,7 +16,7 @@ constexpr std::int64_t floor_div(std::int64_t a, std::int64_t b) {
 }
 
 void append_column(std::int32_t x, std::int32_t from, std::int32_t to, std::vector<Mesh>& out) {
-  const std::int32_t growth = to < from ? -1 : 1;  // S3's equation 8
+  const std::int32_t growth = to < from ? -1 : 1;  // Zhang eq. 8
   for (std::int32_t y = from; y != to + growth; y += growth) out.push_back({x, y});
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The meshes that a line passes through (S3.4).
+// The meshes that a line passes through (Zhang §2.3.2).
 
 #include <cstdint>
 #include <vector>
@@ -29,9 +29,9 @@ Mesh mesh_at(FinePoint p);
 /// Appends the meshes that a line from a to b passes through, in order and both ends included; the first one
 /// is left out if `out` ends with it.
 ///
-/// Every mesh has a side in common with the one before. S3 grows meshes along the axis along which there are
-/// more of them; going along columns, and up and down within each, finds the same. Where the line passes
-/// through a corner of the grid, S3 finds two meshes that only touch there (its figure 4, E to J) and inserts
+/// Every mesh has a side in common with the one before. Zhang grows meshes along the axis along which there
+/// are more of them; going along columns, and up and down within each, finds the same. Where the line passes
+/// through a corner of the grid, Zhang finds two meshes that only touch there (fig. 4, E to J) and inserts
 /// one of the other two afterwards: here the upper one. A line and its reverse pass through the same meshes,
 /// and two lines that do not cross have meshes that do not cross. O(meshes).
 void append_mesh_line(FinePoint a, FinePoint b, std::vector<Mesh>& out);

@@ -15,7 +15,7 @@ namespace tramline::coverage {
 using MeshRow = std::vector<BoundaryMesh>;
 
 /// A region of any number of rings, known by the meshes that its boundary runs through; each of them knows
-/// which of its corners lie inside. Rings through the centres of the meshes, as S3 has them, enclose just
+/// which of its corners lie inside. Rings through the centres of the meshes, as Zhang has them, enclose just
 /// these corners, so that an area is the number of corners inside times the area of a mesh.
 class MeshRegion {
  public:

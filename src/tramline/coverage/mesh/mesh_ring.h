@@ -1,5 +1,5 @@
 #pragma once
-// The boundary of a polygon as a sequence of meshes (S3.4, S3.5).
+// The boundary of a polygon as a sequence of meshes (Zhang §2.3).
 
 #include <vector>
 

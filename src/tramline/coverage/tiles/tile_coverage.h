@@ -13,7 +13,7 @@
 
 namespace tramline::coverage {
 
-/// Exact areas and regions of what was worked, step by step (S3.6-S3.8).
+/// Exact areas and regions of what was worked, step by step (what Zhang §3.1 and §3.2 report).
 ///
 /// The plane is cut into square tiles; each tile is a partition into convex cells, every one of them wholly
 /// inside or outside the field, worked the same number of times and repeated or not. A quad splits the cells

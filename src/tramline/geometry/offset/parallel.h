@@ -1,6 +1,6 @@
 #pragma once
-// Tracks parallel to a reference line (S2.12, not recursive): each is made from the line itself, so that the
-// hundredth costs as much as the first and has no more rounding in it.
+// Tracks parallel to a reference line (Zhou algorithm 2, not recursive): each is made from the line itself,
+// so that the hundredth costs as much as the first and has no more rounding in it.
 //
 // The track at distance t follows the points that are t from the reference and whose normals reach on to t +
 // w/2 without coming nearer to another part of it. So swaths of one family, w apart, never overlap: every
@@ -36,13 +36,13 @@ struct ParallelTrack {
   friend bool operator==(const ParallelTrack& a, const ParallelTrack& b) = default;
 };
 
-/// The tracks at a signed distance from the reference, positive to its right (S2.2), negative to its left,
-/// ordered by the position along the reference where they begin. There are several where the reference bends
-/// round so far that fronts meet. The land that the tracks at |offset| − w, |offset| − 2w … work at their
-/// corners is left to them, as far as they can be in the way.
-/// The plane beyond the normals at the ends gets no tracks: extend the reference first (extended_line.h).
-/// Preconditions: |offset| ≥ w/2; the reference's tangents are continuous, it is no tighter than ρ and does
-/// not cross itself; its ends may touch it. About O(n log n) for n segments; see offset_front().
+/// The tracks at a signed distance from the reference, positive to its right (Zhou §2.2), negative to its
+/// left, ordered by the position along the reference where they begin. There are several where the reference
+/// bends round so far that fronts meet. The land that the tracks at |offset| − w, |offset| − 2w … work at
+/// their corners is left to them, as far as they can be in the way. The plane beyond the normals at the ends
+/// gets no tracks: extend the reference first (extended_line.h). Preconditions: |offset| ≥ w/2; the
+/// reference's tangents are continuous, it is no tighter than ρ and does not cross itself; its ends may touch
+/// it. About O(n log n) for n segments; see offset_front().
 std::vector<ParallelTrack> parallel(const Path& reference, double offset_m, const TrackLimits& limits);
 
 /// Track `index` of a family, at the distance (index + ½)·w.

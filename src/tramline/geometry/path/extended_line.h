@@ -1,5 +1,5 @@
 #pragma once
-// A reference line extended until it divides a box into two parts (S2.11).
+// A reference line extended until it divides a box into two parts (Zhou §2.3.4).
 
 #include "tramline/geometry/path/path.h"
 

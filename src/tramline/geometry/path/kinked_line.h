@@ -1,6 +1,6 @@
 #pragma once
-// Polylines that keep their kinks, with S2's operators on them (S2.2): no machine drives them, but tracks are
-// such lines in the papers.
+// Polylines that keep their kinks, with the operators of Zhou §2.2 on them: no machine drives them, but
+// tracks are such lines in the papers.
 
 #include <vector>
 
@@ -16,7 +16,7 @@ std::vector<Point> vertices_of(const Path& path);
 /// Whether a path has straight segments only, two of which meet at an angle of more than kLeastKink_rad.
 bool has_kinks(const Path& path);
 
-/// The area of a swath along a path of straight segments (Π of S2.2), a convex quadrilateral for each,
+/// The area of a swath along a path of straight segments (Π of Zhou §2.2), a convex quadrilateral for each,
 /// counter-clockwise. Where segments meet, both sides are lengthened or cut to the bisector of the kink: the
 /// swath gains outside it what it loses inside, so each quadrilateral has the area width · length, and those
 /// of a swath only touch. Kinks sharper than 120° and those beside a segment too short for that have flat

@@ -1,5 +1,5 @@
 #pragma once
-// The offset of a polyline with its kinks (∥ of S2.2).
+// The offset of a polyline with its kinks (∥ of Zhou §2.2).
 
 #include <vector>
 

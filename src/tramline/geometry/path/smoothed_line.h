@@ -1,5 +1,5 @@
 #pragma once
-// A reference line that a machine can drive (S2.21), in place of the kinked polyline that S2 offsets.
+// A reference line that a machine can drive (Zhou §4), in place of the kinked polyline that Zhou offsets.
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 // The part of a region in the cross-sections of a strip: the quantity that every end rule and the closed-form
-// tally are built on (ALGORITHMS: strip cost).
+// tally are built on.
 
 #include <vector>
 

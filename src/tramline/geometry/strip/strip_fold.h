@@ -1,5 +1,5 @@
 #pragma once
-// The boundary of a region folded into the strips of a grid (ALGORITHMS: strip cost).
+// The boundary of a region folded into the strips of a grid.
 
 #include <span>
 #include <vector>

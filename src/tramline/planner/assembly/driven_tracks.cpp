@@ -9,7 +9,7 @@ namespace {
 
 bool is_bent(const Path& reference) { return reference.size() > 1 || !reference.front().straight(); }
 
-/// The piece has a path, even a straight one, if its track belongs to a curve; S2's tracks along a straight
+/// The piece has a path, even a straight one, if its track belongs to a curve; Zhou's tracks along a straight
 /// line have none.
 bool is_written_as_curve(const SearchTask& task, const Subfield& subfield) {
   if (subfield.reference.empty()) return false;

@@ -19,8 +19,8 @@ double own_cost(const SearchTask& task, const Subfield& subfield, const LaidTrac
   return cost(task.objective, tally_of({subfield}, {tracks}, area(subfield.shape)));
 }
 
-/// The first line of the cheapest of the grids S1.13 leaves open, tracks cut; among equals the first. One
-/// without any track is chosen only where all are.
+/// The first line of the cheapest of the grids Versleijen §2.2.1 leaves open, tracks cut; among equals the
+/// first. One without any track is chosen only where all are.
 double best_origin(const SearchTask& task, const Subfield& subfield) {
   const std::vector<StripGrid> grids = strip_grids(subfield, task.machine.width_m);
   if (grids.size() == 1) return grids.front().origin_m;

@@ -14,7 +14,7 @@ struct Candidate {
   std::vector<TrackFamily> families;  ///< by subfield
   Avoided avoided;                    ///< the tracks, their tally and cost
   bool numbered_from_line_0 = false;  ///< straight tracks keep the numbers of their strips
-  std::optional<Region> worked{};     ///< with S2's tracks: the union of their swaths
+  std::optional<Region> worked{};     ///< with Zhou's tracks: the union of their swaths
 
   double cost() const { return avoided.cost; }
   bool works() const { return avoided.tally.pieces > 0; }
@@ -44,7 +44,8 @@ Outlook outlook_on(const SearchTask& task, const std::vector<LinedSubfield>& lin
 /// The candidate with tracks on the given lines, with ways past the obstacles chosen, and tallied. Pure.
 Candidate candidate_on(const SearchTask& task, const std::vector<LinedSubfield>& lined_subfields);
 
-/// S1.19: decompose, merge, lay tracks. Pure; safe to call from several threads, as are all functions here.
+/// Versleijen §2.2.5: decompose, merge, lay tracks. Pure; safe to call from several threads, as are all
+/// functions here.
 std::vector<LinedSubfield> swept(const SearchTask& task, Direction sweep);
 
 /// The choices made where its tracks reach obstacles, in the form of encounters_in().

@@ -1,5 +1,5 @@
 #pragma once
-// The tracks of a subfield parallel to its reference (S2.11-S2.13).
+// The tracks of a subfield parallel to its reference (Zhou §2.3.4).
 
 #include "tramline/planner/candidate/candidate.h"
 #include "tramline/tracks/curved_tracks.h"

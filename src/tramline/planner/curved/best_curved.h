@@ -1,5 +1,5 @@
 #pragma once
-// The best tracks parallel to a curve (S2.11-S2.13).
+// The best tracks parallel to a curve (Zhou §2.3.4).
 
 #include <optional>
 #include <vector>
@@ -18,8 +18,8 @@ struct BestCurve {
 /// at several levels of smoothing, the best of them also moved sideways. Detours are searched for in the
 /// cheapest families, and in those that would be cheapest if a stop cost no more than a turn. nullopt where
 /// no chain is curved, or none yields a track. Deterministic for any number of threads. O(parts · chains)
-/// families. With S2's construction the chosen line needs ends, so chains all the way round are left out, and
-/// detours are not searched for.
+/// families. With Zhou's construction the chosen line needs ends, so chains all the way round are left out,
+/// and detours are not searched for.
 std::optional<BestCurve> best_curved(const SearchTask& task, const SearchContext& context);
 
 /// The same for one piece of the land as the only subfield, along chains of its own edges.

@@ -8,12 +8,12 @@
 
 namespace tramline {
 
-/// The cheapest tracks along one curve in each part of the land (best_curved), or with S2's construction
+/// The cheapest tracks along one curve in each part of the land (best_curved), or with Zhou's construction
 /// along the best line. nullopt where no edge is a curve that tracks could follow.
 std::optional<Candidate> along_best_edge(const SearchTask& task, const SearchContext& context);
 
 /// The cheapest curved tracks: those of along_best_edge(), or tracks along a curve in each subfield of a
-/// division made for straight tracks (best_division_along_curves). S2's construction leaves the land
+/// division made for straight tracks (best_division_along_curves). Zhou's construction leaves the land
 /// undivided. nullopt where no edge is a curve that tracks could follow.
 std::optional<Candidate> curved_search(const SearchTask& task, const SearchContext& context);
 

@@ -31,9 +31,9 @@ std::vector<GapLine> lines_on(const Track& strip, const Intervals& open, const R
                               WantedPieces wanted);
 
 /// The cost of a line without the turn to it: its stops and its overlap. A piece shorter than w counts as
-/// long as w, and a line shorter than 2 w (the least length worth driving of S1.14) as long as that, because
-/// getting there and switching on and off cost something too; otherwise a long gap narrower than w would be
-/// worked across in many short pieces.
+/// long as w, and a line shorter than 2 w (the least length worth driving of Versleijen §2.2.1) as long as
+/// that, because getting there and switching on and off cost something too; otherwise a long gap narrower
+/// than w would be worked across in many short pieces.
 double price_of(const GapLine& line, const RepairTerms& terms);
 
 /// The saving of a line that covers `covered_m2` of missed land, less its cost without the turn to it.

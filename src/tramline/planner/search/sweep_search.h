@@ -1,5 +1,5 @@
 #pragma once
-// S1's search: one candidate for every distinct edge direction; the cheapest is kept.
+// Versleijen's search: one candidate for every distinct edge direction; the cheapest is kept.
 
 #include <optional>
 
@@ -8,8 +8,8 @@
 
 namespace tramline {
 
-/// S1.19 for every direction, in the order of candidate_directions(), counted for the progress. A search that
-/// has to end early may leave some out.
+/// Versleijen §2.2.5 for every direction, in the order of candidate_directions(), counted for the progress. A
+/// search that has to end early may leave some out.
 std::vector<SweptCandidate> swept_candidates(const SearchTask& task, const SearchContext& context);
 
 /// The cheapest of them with its detours; among equals that of the smallest sweep direction. Ways past

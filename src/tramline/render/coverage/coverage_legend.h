@@ -9,7 +9,7 @@
 namespace tramline::render {
 
 /// Symbols that occur, areas with their shares, the work, and the largest gaps: kGapsNumbered of them.
-/// Repeated land is a share of covered land (S3.8); missed, not recorded and covered land within it are
+/// Repeated land is a share of covered land (Zhang §3.1); missed, not recorded and covered land within it are
 /// shares of the field.
 std::vector<LegendBlock> legend_of(const Coverage& coverage);
 

@@ -32,7 +32,7 @@ double extent_across_m(const Polygon& shape, const PieceFrame& frame) {
   return box.width();
 }
 
-/// S1 passes one obstacle at a time, and none as wide as the threshold.
+/// Versleijen passes one obstacle at a time, and none as wide as the threshold.
 class PaperDetour {
  public:
   /// `line`: the stretch of its track's line that the detour replaces.
@@ -48,23 +48,24 @@ class PaperDetour {
   void run(Violations& out) const {
     if (const auto met = encounters_.size(); met > 1)
       out.push_back({Rule::kEncounters,
-                     fmt::format("{} passes {} encounters at once, against S1's rule", name_, met),
+                     fmt::format("{} passes {} encounters at once, against the paper's rule", name_, met),
                      detour_.path.front().from, static_cast<double>(met)});
     const auto& obstacles = c_.plan.field.obstacles;
     for (std::size_t k = 0; k < obstacles.size(); ++k) {
       if (obstacles[k].kind != ObstacleKind::kObstacle || !on_its_track(k)) continue;
       const double across_m = extent_across_m(obstacles[k].shape, frame_);
       if (across_m < threshold_m() + kLengthTolerance_m) continue;
-      out.push_back({Rule::kEncounters,
-                     fmt::format("{}: obstacle {} is {:.3f} m across, and S1's rule cuts from {:.3f} m on",
-                                 name_, k + 1, across_m, threshold_m()),
-                     obstacles[k].shape.outer.front(), across_m - threshold_m()});
+      out.push_back(
+          {Rule::kEncounters,
+           fmt::format("{}: obstacle {} is {:.3f} m across, and the paper's rule cuts from {:.3f} m on",
+                       name_, k + 1, across_m, threshold_m()),
+           obstacles[k].shape.outer.front(), across_m - threshold_m()});
     }
   }
 
  private:
-  /// A frame along the line at the obstacle, in the middle of the stretch that cannot be driven. S1 has
-  /// straight tracks only: a curved one is replaced by its tangent there.
+  /// A frame along the line at the obstacle, in the middle of the stretch that cannot be driven. Versleijen
+  /// has straight tracks only: a curved one is replaced by its tangent there.
   PieceFrame frame_where_met(const Path& line) const {
     const ReferenceSide side(line);
     const double along_m =
@@ -104,14 +105,14 @@ bool was_dropped(const Plan& plan, const Encounter& encounter) {
   });
 }
 
-/// S1 has one way past an obstacle, and chooses it unless another detour of the track is in its way.
+/// Versleijen has one way past an obstacle, and chooses it unless another detour of the track is in its way.
 std::string paper_fault(const Plan& plan, const Encounter& encounter) {
   if (encounter.left.possible && encounter.right.possible)
-    return "can be passed on both sides, and S1's rule names one";
+    return "can be passed on both sides, and the paper's rule names one";
   const bool possible = encounter.left.possible || encounter.right.possible;
   if (encounter.chosen != Passing::kCut || !possible) return "";
   if (has_detours(plan, encounter.subfield, encounter.track) || was_dropped(plan, encounter)) return "";
-  return "was to be cut, and S1's rule passes it";
+  return "was to be cut, and the paper's rule passes it";
 }
 
 void check_paper(const Case& c, Violations& out) {
