@@ -28,7 +28,6 @@ constexpr Refusal kReasons[] = {Refusal::kNoRoomBetween,
                                 Refusal::kMeetsObstacle,
                                 Refusal::kSeveralObstacles,
                                 Refusal::kTooWide,
-                                Refusal::kKinkedBuffer,
                                 Refusal::kVersleijenOtherSide};
 
 TEST(Refusal, EachHasItsOwnSentence) {

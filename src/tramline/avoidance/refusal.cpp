@@ -38,8 +38,6 @@ const char* sentence(Refusal refusal) {
       return "there are several obstacles";
     case Refusal::kTooWide:
       return "the obstacle is too wide across the track";
-    case Refusal::kKinkedBuffer:
-      return "the obstacle's buffer has a kink";
     case Refusal::kVersleijenOtherSide:
       return "the paper's rule passes on the other side";
   }

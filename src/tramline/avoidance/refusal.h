@@ -25,7 +25,6 @@ enum class Refusal : std::uint8_t {
   kMeetsObstacle,
   kSeveralObstacles,
   kTooWide,
-  kKinkedBuffer,
   kVersleijenOtherSide,
 };
 

@@ -27,9 +27,17 @@ struct SweptCandidate {
   Outlook outlook;
 };
 
+/// What Versleijen's search left out.
+struct SweepLimits {
+  int directions = 0;           ///< of all the field's edges
+  int directions_left_out = 0;  ///< since there are very many of them
+  int without_detours = 0;      ///< candidates whose detours were not looked for though they might be cheaper
+};
+
 struct SearchResult {
   Candidate best;
   int directions_tried = 0;
+  SweepLimits limits;          ///< of Strategy::kSweep
   Proof proof;                 ///< of tracks on the body, headland passes left out
   std::vector<SeenPlan> seen;  ///< plans of the whole field, in the order in which they were tried
   /// Undivided plans of the whole field that were priced and looked good, whether in `seen` or not.

@@ -83,6 +83,20 @@ std::string unworked_land_warning(const Plan& plan) {
   return fmt::format("{:.1f} % of the land, {:.0f} m², stays unworked", 100 * unworked / land, unworked);
 }
 
+void add_limits(const SweepLimits& limits, std::vector<std::string>& warnings) {
+  std::vector<std::string> all;
+  if (limits.directions_left_out > 0)
+    all.push_back(fmt::format(
+        "the edges of the field have {} directions, of which the sweep tries those {} of the longest edges",
+        limits.directions, limits.directions - limits.directions_left_out));
+  if (limits.without_detours > 0)
+    all.push_back(fmt::format(
+        "the sweep did not look for ways past obstacles in {} of its directions, which look more expensive",
+        limits.without_detours));
+  all.insert(all.end(), warnings.begin(), warnings.end());
+  warnings = std::move(all);
+}
+
 void mark_cut_short(Plan& plan) {
   plan.proof.cut_short = true;
   std::vector<std::string> all{

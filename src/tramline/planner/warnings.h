@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tramline/model/plan.h"
+#include "tramline/planner/search_result.h"
 
 namespace tramline {
 
@@ -16,6 +17,9 @@ inline constexpr const char* kConnectionsUnplanned =
 /// past the boundary and by how much, land given up between obstacles, dropped and short pieces, and
 /// kConnectionsUnplanned.
 std::vector<std::string> warnings_about(const Plan& plan);
+
+/// Says what the sweep left out, before all that is known already.
+void add_limits(const SweepLimits& limits, std::vector<std::string>& warnings);
 
 /// Marks a plan as that of a search that was ended early, in Proof::cut_short and in a warning.
 void mark_cut_short(Plan& plan);

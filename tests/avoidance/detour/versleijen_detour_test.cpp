@@ -236,9 +236,15 @@ TEST(VersleijenDetour, IsRefusedFromTheThresholdOn) {
   EXPECT_TRUE(way_in_field(3, 1, two_wide, below(2.001)).possible());
 }
 
-TEST(VersleijenDetour, IsRefusedRoundAShapeThatIsNotConvexWhereItIsToBeDriven) {
-  const Ring arrow{{19, 78}, {19.5, 79}, {20, 78}, {19.5, 82}};
-  EXPECT_EQ(way_in_field(3, 1, {arrow}, drivable_below(3)).why_not, Refusal::kKinkedBuffer);
+// The arrow's bay faces along the track: its hull is what the path goes round.
+TEST(VersleijenDetour, GoesRoundABayAsIfItWereFilledUp) {
+  const Ring arrow{{19, 78}, {19.5, 79}, {20, 78}, {19.5, 82}}, filled{{19, 78}, {20, 78}, {19.5, 82}};
+  const WayRound way = way_in_field(3, 1, {arrow}, drivable_below(3));
+  ASSERT_TRUE(way.possible()) << sentence(way.why_not);
+  const WayRound same = way_in_field(3, 1, {filled}, drivable_below(3));
+  EXPECT_NEAR(way.detour.from, same.detour.from, 1e-6);
+  EXPECT_NEAR(way.detour.to, same.detour.to, 1e-6);
+  EXPECT_NEAR(way.detour.length_m, same.detour.length_m, 1e-6);
 }
 
 // Only what reaches into the strip counts.

@@ -22,15 +22,6 @@ double extent_across(const TurnedHazard& hazard, const TrackSide& track) {
   return bounds(track.frame.to_detour(hazard.outline)).height();
 }
 
-bool convex(const Ring& ring) {
-  constexpr double kStraight_m2 = 1e-9;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point a = ring[i], b = ring[(i + 1) % ring.size()], c = ring[(i + 2) % ring.size()];
-    if (cross(b - a, c - b) < -kStraight_m2) return false;
-  }
-  return true;
-}
-
 /// The discs that the middle of the detour runs along, the least radius of a single one being `least`.
 std::vector<KeepOut> buffer_of(const TurnedHazard& hazard, const DetourFrame& frame, double half_width,
                                double least) {
@@ -102,7 +93,6 @@ WayRound versleijen_detour(const Obstruction& o, const VersleijenRule& rule, con
   const TrackSide to_the_right = track_side(o.grid, o.track, gap, Passing::kRight);
   if (!(extent_across(hazard, to_the_left) < rule.threshold_m)) return refuse(Refusal::kTooWide);
   const bool drivable = rule.middle == DetourMiddle::kDrivable;
-  if (drivable && !hazard.round && !convex(hazard.outline)) return refuse(Refusal::kKinkedBuffer);
 
   const bool left = farthest(hazard, to_the_left.frame) <= farthest(hazard, to_the_right.frame);
   const TrackSide& track = left ? to_the_left : to_the_right;

@@ -11,7 +11,7 @@ namespace tramline {
 enum class DetourMiddle {
   kAsPrinted,  ///< along the obstacle's buffer of w/2, however tight (Versleijen §2.2.4, fig. 18, fig. 19)
   kDrivable,   ///< round a circle with radius max(R + w/2, r); round any other shape only where its buffer
-               ///< can be driven
+               ///< is no tighter than the machine turns
 };
 
 /// What the rule allows.

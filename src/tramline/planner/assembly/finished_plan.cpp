@@ -103,6 +103,7 @@ Plan finished_plan(const SearchTask& task, SearchResult found, const SearchConte
   context.report();
   add_layers(plan, std::move(ground));
   plan.warnings = warnings_about(plan);
+  add_limits(found.limits, plan.warnings);
   return plan;
 }
 

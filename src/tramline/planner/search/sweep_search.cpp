@@ -20,6 +20,11 @@ constexpr std::size_t kAtOnce = 8;
 /// that cannot be cheaper than its best plan. More are tried only while none of them has a track.
 constexpr std::size_t kMostTried = 48;
 
+/// The one construction of Versleijen takes so little time that every candidate has its detours.
+std::size_t most_tried(const SearchTask& task, const std::vector<SweptCandidate>& swept) {
+  return task.settings.avoid == Avoidance::kPaper ? swept.size() : kMostTried;
+}
+
 /// Where no corner splits the land, every direction leaves it whole.
 bool is_cut_anywhere(const SearchTask& task) {
   const Region& ground = task.ground.plannable;
@@ -76,10 +81,11 @@ std::vector<SweptCandidate> swept_candidates(const SearchTask& task, const Searc
 std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vector<SweptCandidate>& swept,
                                         double known, const SearchContext& context) {
   const std::vector<std::size_t> order = by_outlook(swept);
+  const std::size_t most = most_tried(task, swept);
   std::optional<Candidate> best;
   std::size_t best_index = 0;
   bool any_works = false;
-  for (std::size_t first = 0; first < order.size() && (first < kMostTried || !any_works); first += kAtOnce) {
+  for (std::size_t first = 0; first < order.size() && (first < most || !any_works); first += kAtOnce) {
     const auto hopeful = [&](std::size_t rank) {
       return rank < order.size() && swept[order[rank]].outlook.least <= known;
     };
@@ -103,12 +109,23 @@ std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vecto
   return best;
 }
 
+SweepLimits sweep_limits(const SearchTask& task, const std::vector<SweptCandidate>& swept, double cost) {
+  SweepLimits out;
+  out.directions = static_cast<int>(candidate_directions(task.field).size());
+  out.directions_left_out = out.directions - static_cast<int>(sweep_directions(task.field).size());
+  const std::vector<std::size_t> order = by_outlook(swept);
+  for (std::size_t rank = most_tried(task, swept); rank < order.size(); ++rank)
+    out.without_detours += swept[order[rank]].outlook.least < cost ? 1 : 0;
+  return out;
+}
+
 SearchResult sweep_search(const SearchTask& task, const SearchContext& context, double no_more_than) {
   SearchResult out;
   out.swept = swept_candidates(task, context);
   out.directions_tried = static_cast<int>(out.swept.size());
   if (auto best = cheapest_swept(task, out.swept, just_above(no_more_than), context))
     out.best = std::move(*best);
+  if (out.best.works()) out.limits = sweep_limits(task, out.swept, out.best.cost());
   return out;
 }
 

@@ -19,6 +19,10 @@ std::vector<SweptCandidate> swept_candidates(const SearchTask& task, const Searc
 std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vector<SweptCandidate>& swept,
                                         double known, const SearchContext& context);
 
+/// What of the search was left out: directions beyond kMostSweepDirections, and candidates beyond those tried
+/// whose outlook is better than the cost of the best plan found.
+SweepLimits sweep_limits(const SearchTask& task, const std::vector<SweptCandidate>& swept, double cost);
+
 /// swept_candidates() followed by cheapest_swept(). The result has no plan where all cost more than
 /// `no_more_than`.
 SearchResult sweep_search(const SearchTask& task, const SearchContext& context,
