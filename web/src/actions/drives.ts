@@ -63,8 +63,13 @@ export async function evaluate(upload: Upload, chosen: DriveForm): Promise<void>
 /** The same log once more, with other options in the place of those that it has. */
 export async function evaluateAgain(drive: DriveFull, options: DriveOptions): Promise<void> {
   stopReplay();
-  const done = await finish(await api.startJob({ kind: 'evaluate', drive: drive.id, options }));
-  if (done) await openDrive(done);
+  try {
+    const job = await api.startJob({ kind: 'evaluate', drive: drive.id, options });
+    await follow(job, (state) => review.set({ job: state }));
+    await openDrive(drive.id); // before the job goes from the page, so that old figures do not come back
+  } finally {
+    review.set({ job: null });
+  }
   await loadDrives();
 }
 

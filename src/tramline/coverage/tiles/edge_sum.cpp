@@ -2,8 +2,6 @@
 
 #include <bit>
 
-#include "tramline/coverage/tiles/edge_hash.h"
-
 namespace tramline::coverage {
 
 EdgeSum::EdgeSum(std::size_t expected) : table_(std::bit_ceil(2 * expected + 8), 0) {

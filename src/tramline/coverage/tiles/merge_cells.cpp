@@ -5,8 +5,6 @@
 #include <cmath>
 #include <span>
 
-#include "tramline/coverage/tiles/edge_hash.h"
-
 namespace tramline::coverage {
 namespace {
 
