@@ -54,12 +54,16 @@ function WrongHeadings({ drive }: { drive: DriveFull }) {
   if (!found) return null;
   return (
     <div class="notice error" role="alert">
-      <p>
-        The headings in the log contradict the way driven: {count(found.off)} of {count(found.steps)} steps ({percent(found.share)}) are
-        more than 45° off, first at record {count(found.first.record)}.
-        {found.better === 'from-track' ? ' No reading of the angles fits.' : ` Read otherwise, all but ${count(found.better_off)} agree.`}
-      </p>
-      <Button onClick={() => void attempt(() => evaluateAgain(drive, { ...drive.options, headings: found.better }))}>{READINGS[found.better]}</Button>
+      <div class="grow">
+        <p>
+          The headings in the log contradict the way driven: {count(found.off)} of {count(found.steps)} steps ({percent(found.share)}) are
+          more than 45° off, first at record {count(found.first.record)}.
+          {found.better === 'from-track' ? ' No reading of the angles fits.' : ` Read otherwise, all but ${count(found.better_off)} agree.`}
+        </p>
+        <div class="row">
+          <Button onClick={() => void attempt(() => evaluateAgain(drive, { ...drive.options, headings: found.better }))}>{READINGS[found.better]}</Button>
+        </div>
+      </div>
     </div>
   );
 }
