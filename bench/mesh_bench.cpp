@@ -30,7 +30,7 @@ void mesh_coverage(benchmark::State& state) {
     for (std::size_t i = 0; i < count; ++i) engine.add(steps[i]);
     benchmark::DoNotOptimize(engine);
     state.PauseTiming();
-    meshes = engine.coverage_meshes();
+    meshes = engine.covered().meshes();
     covered = engine.region(Ground::kCovered);
     state.ResumeTiming();
   }
@@ -50,7 +50,7 @@ void mesh_leakage(benchmark::State& state) {
       engine.add(steps[i]);
       benchmark::DoNotOptimize(regions = engine.region(Ground::kMissed).size());
     }
-    meshes = engine.leakage().meshes();
+    meshes = engine.missed().meshes();
   }
   state.counters["meshes"] = static_cast<double>(meshes);
   state.counters["regions"] = static_cast<double>(regions);

@@ -17,6 +17,9 @@ constexpr std::size_t kGapsInJson = 100;
 constexpr std::size_t kGapsInTable = 12;
 
 bool has_field(const Coverage& coverage) { return !coverage.field.empty(); }
+FieldKnown field_known(const Coverage& coverage) {
+  return has_field(coverage) ? FieldKnown::kYes : FieldKnown::kNo;
+}
 double field_m2(const Coverage& coverage) { return area(coverage.field); }
 
 double repeated_rate(const CoverageAreas& areas) {
@@ -65,16 +68,39 @@ ordered_json skipped_list(const SkippedRecords& skipped) {
 
 ordered_json slices_json(const Coverage& coverage) {
   ordered_json out = ordered_json::array();
-  for (const CoverageSlice& slice : coverage.slices)
-    out.push_back({{"fixes", slice.fixes},
-                   {"covered_m2", slice.areas.covered_m2},
-                   {"repeated_m2", slice.areas.repeated_m2},
-                   {"missed_m2", of_field(coverage, slice.areas.missed_m2)},
-                   {"not_recorded_m2", slice.areas.not_recorded_m2},
-                   {"covered_rings", slice.covered_rings},
-                   {"missed_regions", slice.missed_regions},
-                   {"seconds", slice.seconds}});
+  for (const CoverageSlice& slice : coverage.slices) {
+    ordered_json& one = out.emplace_back();
+    one = {{"fixes", slice.fixes},
+           {"covered_m2", slice.areas.covered_m2},
+           {"repeated_m2", slice.areas.repeated_m2},
+           {"missed_m2", of_field(coverage, slice.areas.missed_m2)},
+           {"not_recorded_m2", slice.areas.not_recorded_m2},
+           {"covered_rings", slice.covered_rings},
+           {"missed_regions", slice.missed_regions}};
+    if (slice.meshes) one["meshes"] = meshes_json(*slice.meshes, field_known(coverage));
+    one["seconds"] = slice.seconds;
+  }
   return out;
+}
+
+ordered_json headings_json(const Coverage& coverage) {
+  const HeadingContradiction& found = *coverage.headings;
+  const Point at = in_input(coverage.frame, projection_of(coverage.frame), found.at);
+  return {{"read_as", found.read_as},
+          {"steps", found.steps},
+          {"off", found.off},
+          {"share", found.share()},
+          {"first", {{"record", found.record}, {"time_s", number_json(found.time_s)}, {"at", {at.x, at.y}}}},
+          {"better", found.better},
+          {"better_off", found.better_off}};
+}
+
+std::string mesh_row(const Coverage& coverage) {
+  if (!coverage.meshes) return "";
+  const auto [side_m, covered, missed] = *coverage.meshes;
+  std::string out = fmt::format("meshes       {} along covered land (at most {})", covered.now, covered.most);
+  if (has_field(coverage)) out += fmt::format(", {} along missed land (at most {})", missed.now, missed.most);
+  return out + fmt::format(", of {:g} m\n", side_m);
 }
 
 ordered_json tally_json(const PlanTally& plan, const CoverageAreas& areas) {
@@ -158,9 +184,10 @@ std::string area_rows(const Evaluation& evaluation) {
   out += machine_row(coverage);
   if (has_field(coverage))
     out += fmt::format("outside      {:.1f} m² of that, beyond the field\n", areas.outside_m2);
-  out += fmt::format("repeated     {:.1f} m², {:.2f} % of what is covered{}\n", areas.repeated_m2,
-                     100 * repeated_rate(areas),
-                     evaluation.repeat == coverage::RepeatRule::kStrict ? ", slivers included" : "");
+  out += fmt::format(
+      "repeated     {:.1f} m², {:.2f} % of what is covered{}\n", areas.repeated_m2,
+      100 * repeated_rate(areas),
+      evaluation.repeat == coverage::RepeatRule::kStrict || coverage.meshes ? ", slivers included" : "");
   if (areas.sliver_m2 > 0)
     out += fmt::format("slivers      {:.1f} m² worked twice on the inside of curves\n", areas.sliver_m2);
   if (has_field(coverage))
@@ -227,12 +254,17 @@ std::string plan_rows(const Evaluation& evaluation) {
 
 std::string slice_rows(const Coverage& coverage) {
   if (coverage.slices.empty()) return "";
-  std::string out = fmt::format("{:>9} {:>13} {:>13} {:>13} {:>6} {:>8}  {}\n", "fixes", "covered m²",
-                                "repeated m²", "missed m²", "rings", "regions", "time so far");
+  const bool meshes = coverage.slices.front().meshes.has_value();
+  std::string out =
+      fmt::format("{:>9} {:>13} {:>13} {:>13} {:>6} {:>8}{}  {}\n", "fixes", "covered m²", "repeated m²",
+                  "missed m²", "rings", "regions", meshes ? "  meshes: covered missed" : "", "time so far");
   for (const CoverageSlice& slice : coverage.slices)
-    out += fmt::format("{:>9} {:>12.2f} {:>12.2f} {:>12.2f} {:>6} {:>8}  {:.2f} ms\n", slice.fixes,
-                       slice.areas.covered_m2, slice.areas.repeated_m2, slice.areas.missed_m2,
-                       slice.covered_rings, slice.missed_regions, 1e3 * slice.seconds);
+    out += fmt::format(
+        "{:>9} {:>12.2f} {:>12.2f} {:>12.2f} {:>6} {:>8}{}  {:.2f} ms\n", slice.fixes, slice.areas.covered_m2,
+        slice.areas.repeated_m2, slice.areas.missed_m2, slice.covered_rings, slice.missed_regions,
+        slice.meshes ? fmt::format("{:>17} {:>6}", slice.meshes->covered.most, slice.meshes->missed.most)
+                     : "",
+        1e3 * slice.seconds);
   return out;
 }
 
@@ -249,6 +281,15 @@ std::string remark_rows(const Coverage& coverage) {
 }
 
 }  // namespace
+
+ordered_json meshes_json(const Meshes& meshes, FieldKnown field) {
+  const auto count = [](const MeshCount& meshes_of) {
+    return ordered_json{{"now", meshes_of.now}, {"most", meshes_of.most}};
+  };
+  return {{"side_m", meshes.side_m},
+          {"covered", count(meshes.covered)},
+          {"missed", field == FieldKnown::kYes ? count(meshes.missed) : ordered_json()}};
+}
 
 ordered_json evaluation_json(const Evaluation& evaluation) {
   const Coverage& coverage = evaluation.coverage;
@@ -277,6 +318,7 @@ ordered_json evaluation_json(const Evaluation& evaluation) {
   out["ha_per_hour"] = number_json(ha_per_hour(coverage));
   if (coverage.counters.any()) out["machine"] = machine_json(coverage.counters);
   out["engine"] = coverage.engine;
+  if (coverage.meshes) out["meshes"] = meshes_json(*coverage.meshes, field_known(coverage));
   out["worked_once_m2"] = number_json(areas.worked_times_m2[1]);
   out["worked_twice_m2"] = number_json(areas.worked_times_m2[2]);
   out["worked_more_m2"] = number_json(areas.worked_times_m2[3]);
@@ -285,6 +327,7 @@ ordered_json evaluation_json(const Evaluation& evaluation) {
   if (!evaluation.with.empty()) out["with"] = evaluation.with;
   if (evaluation.tally) out["plan"] = tally_json(*evaluation.tally, areas);
   if (evaluation.compared) out["plan"] = compared_json(*evaluation.compared);
+  if (coverage.headings) out["headings"] = headings_json(coverage);
   out["warnings"] = coverage.warnings;
   out["seconds"] = evaluation.seconds;
   return out;
@@ -296,7 +339,7 @@ std::string evaluation_table(const Evaluation& evaluation) {
   for (const std::string& plan : evaluation.with)
     with += fmt::format("with         the drive of {}, counted as done\n", plan);
   return drive_rows(coverage) + with + area_rows(evaluation) + gap_rows(coverage) + plan_rows(evaluation) +
-         slice_rows(coverage) +
+         mesh_row(coverage) + slice_rows(coverage) +
          fmt::format("time         {:.3f} s, engine '{}'\n", evaluation.seconds, coverage.engine) +
          remark_rows(coverage);
 }

@@ -30,6 +30,11 @@ struct Evaluation {
   double seconds = 0;
 };
 
+/// Whether a drive was evaluated on a field.
+enum class FieldKnown { kNo, kYes };
+
+/// {side_m, covered, missed}, each with `now` and `most`; missed is null without a field.
+nlohmann::ordered_json meshes_json(const Meshes& meshes, FieldKnown field);
 /// Keys: docs/json.md.
 nlohmann::ordered_json evaluation_json(const Evaluation& evaluation);
 std::string evaluation_table(const Evaluation& evaluation);

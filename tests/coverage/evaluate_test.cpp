@@ -127,6 +127,44 @@ TEST(Evaluate, TheInsideOfABendIsASliver) {
   EXPECT_NEAR(area(strict.repeated), 4, 1e-6);
 }
 
+/// 10 m to the east, 1 m to the north and 10 m back, as rectangles 4 m wide:
+///   A = [0, 10] x [-2, 2], B = [8, 12] x [0, 1], C = [0, 10] x [-1, 3].
+/// A and B share [8, 10] x [0, 1], 2 m2; A and C share [0, 10] x [-1, 2], 30 m2, and so does B with C what it
+/// shares with A. All is within one run and the last w of its travel: A ends at 10 m, C at 21 m, and its own
+/// trail reaches back 10 + 4 m.
+WorkLog u_turn() { return log({fix(0, {0, 0}), fix(1, {10, 0}), fix(2, {10, 1}), fix(3, {0, 1})}, 4); }
+
+// Where three steps overlap, at [8, 10] x [0, 1], what each shares with the land before adds up to
+// 2 + 30 m2, while 30 m2 of land were worked again: land counts once, however often it was worked.
+TEST(Evaluate, LandWorkedThreeTimesAsASliverCountsOnce) {
+  for (const EngineKind engine : {EngineKind::kExact, EngineKind::kMesh}) {
+    SCOPED_TRACE(name(engine));
+    EvaluateSettings settings;
+    settings.engine = engine;
+    settings.mesh_m = 0.25;  // all edges lie on its grid
+    settings.drive.quads = QuadShape::kSegment;
+    const Coverage run = evaluate(u_turn(), {}, settings, {});
+    settings.repeat = RepeatRule::kStrict;
+    settings.slice = 2;
+    const Coverage strict = evaluate(u_turn(), {}, settings, {});
+    EXPECT_NEAR(strict.areas.gross_m2, 40 + 4 + 40, 1e-6);
+    EXPECT_NEAR(strict.areas.covered_m2, 50 + 2, 1e-6);  // A and C together, and [10, 12] x [0, 1]
+    EXPECT_NEAR(strict.areas.gross_m2 - strict.areas.covered_m2, 2 + 30, 1e-6);
+    EXPECT_NEAR(strict.areas.repeated_m2, 30, 1e-6);
+    EXPECT_EQ(strict.areas.sliver_m2, 0) << "they are in the repeated land already";
+    EXPECT_NEAR(strict.areas.worked_twice_m2(), 30, 1e-6);
+    EXPECT_NEAR(area(strict.repeated), 30, 1e-6);
+    ASSERT_EQ(strict.slices.size(), 2U);
+    EXPECT_NEAR(strict.slices[1].areas.worked_twice_m2(), 30, 1e-6);
+    EXPECT_NEAR(run.areas.worked_twice_m2(), 30, 1e-6);
+    if (engine == EngineKind::kMesh) continue;
+    EXPECT_NEAR(run.areas.repeated_m2, 0, 1e-6);
+    EXPECT_NEAR(run.areas.sliver_m2, 30, 1e-6);
+    EXPECT_NEAR(strict.areas.worked_times_m2[2], 28, 1e-6);
+    EXPECT_NEAR(strict.areas.worked_times_m2[3], 2, 1e-6);
+  }
+}
+
 TEST(Evaluate, TheOrderOfRecordsDoesNotMatter) {
   WorkLog mixed = two_passes();
   std::swap(mixed.fixes[2], mixed.fixes[7]);

@@ -218,6 +218,37 @@ class Sources(Case):
             with path.open() as lines:
                 self.ended(self.watch(*options, stdin=lines), evaluate(path, *options))
 
+    def test_by_meshes(self):
+        options = [*self.field, "--engine", "mesh", "--mesh", "0.1", "--repeat", "strict"]
+        with self.csv.open() as lines:
+            code, last = self.watch(*options, stdin=lines).end()
+        self.assertEqual(code, 0)
+        evaluated = evaluate(self.csv, *options)
+        same(self, last, evaluated, 0)
+        self.assertEqual(last["engine"], "mesh")
+        self.assertEqual(last["meshes"], evaluated["meshes"])
+        self.assertGreater(last["meshes"]["missed"]["most"], 1000)
+
+    def test_headings_that_contradict_the_way(self):
+        # To the north and back to the south, 2 m a second, with angles anticlockwise from east.
+        path = self.folder / "angles.csv"
+        rows = [(2 * i, 90) for i in range(40)] + [(80 - 2 * i, 270) for i in range(40)]
+        path.write_text("time,x,y,heading,width_m\n" + "".join(
+            f"2026-05-06T08:{i // 60:02d}:{i % 60:02d}Z,{6 * (heading // 180)},{y},{heading},6\n"
+            for i, (y, heading) in enumerate(rows)))
+        for reading, wrong in (("compass", True), ("math", False), ("from-track", False)):
+            options = ["--log-crs", "none", "--headings", reading]
+            with path.open() as lines:
+                code, last = self.watch(*options, stdin=lines).end()
+            self.assertEqual(code, 0)
+            evaluated = evaluate(path, *options)
+            same(self, last, evaluated)
+            self.assertEqual(last["warnings"], evaluated["warnings"])
+            self.assertEqual(last.get("headings"), evaluated.get("headings"))
+            self.assertEqual("headings" in last, wrong, reading)
+            if wrong:
+                self.assertEqual(last["headings"]["better"], "math")
+
     def test_a_file_being_written(self):
         path = self.folder / "growing.nmea"
         text = self.nmea.read_text()

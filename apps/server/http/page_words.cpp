@@ -10,7 +10,7 @@ namespace tramline::server {
 namespace {
 
 /// Whole phrases first, then the options by themselves.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 52> kWords = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 57> kWords = {{
     {"take all with --all or choose one with --id", "choose one of them"},
     {"give it a width with --width", "give the working width"},
     {"give the field's CRS with --crs", "say which coordinate reference system the field is in"},
@@ -33,6 +33,10 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 52> kWords =
      "say that the machine cannot leave the field to turn, and they stay inside"},
     {"a smaller --min-length", "shorter pieces"},
     {"nothing is worked there without --width", "nothing is worked there unless you give the working width"},
+    {"give --headings from-track", "take the headings from the track"},
+    {"give --headings math", "read the headings as mathematical angles"},
+    {"give --headings compass", "read the headings as compass angles"},
+    {"without --engine mesh", "with the exact engine"},
     {"--direction-tolerance", "the direction tolerance"},
     {"--avoid-threshold", "the avoid threshold"},
     {"--obstacle-headlands", "the number of passes round obstacles"},
@@ -52,6 +56,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 52> kWords =
     {"--strategy", "the strategy"},
     {"--minimise", "what to minimise"},
     {"--end-rule", "the end rule"},
+    {"--headings", "the reading of headings"},
     {"--columns", "the columns"},
     {"--weights", "the weights"},
     {"--machine", "the machine"},

@@ -38,6 +38,15 @@ void take_positive(const JsonInput& input, const char* key, double& out) {
   out = *value;
 }
 
+void take_mesh(const JsonInput& input, double& out) {
+  const auto value = input.number_if("mesh_m");
+  if (!value) return;
+  if (!(*value >= app::kLeastMesh_m && *value <= app::kLargestMesh_m))
+    throw bad_input(fmt::format("{} has to be between {:g} and {:g} m, not {}", input.place_of("mesh_m"),
+                                app::kLeastMesh_m, app::kLargestMesh_m, *value));
+  out = *value;
+}
+
 void take_offset(const JsonInput& input, const char* key, double& out) {
   const auto value = input.number_if(key);
   if (!value) return;
@@ -56,12 +65,16 @@ app::DriveOptions drive_options_in(const ordered_json& options, std::optional<do
         fmt::format("width_m has to be more than 0 and at most {:g} m, not {}", kWidest_m, *width_m));
   if (width_m) out.drive.width_m = *width_m;
   if (options.is_null()) return out;
-  const JsonInput input(options, "options",
-                        {"quads", "switch", "repeat", "max_gap_s", "max_step_m", "antenna_forward_m",
-                         "antenna_right_m", "implement_behind_m", "columns", "log_crs"});
+  const JsonInput input(
+      options, "options",
+      {"quads", "switch", "repeat", "headings", "engine", "mesh_m", "max_gap_s", "max_step_m",
+       "antenna_forward_m", "antenna_right_m", "implement_behind_m", "columns", "log_crs"});
   take_word(input, "quads", {"heading", "segment"}, out.quads);
   take_word(input, "switch", {"interpolate", "step"}, out.switching);
   take_word(input, "repeat", {"run", "strict"}, out.repeat);
+  take_word(input, "headings", {"compass", "math", "from-track"}, out.headings);
+  take_word(input, "engine", {"exact", "mesh"}, out.engine);
+  take_mesh(input, out.mesh_m);
   take_positive(input, "max_gap_s", out.drive.max_gap_s);
   take_positive(input, "max_step_m", out.drive.max_step_m);
   take_offset(input, "antenna_forward_m", out.drive.antenna_forward_m);
@@ -77,6 +90,9 @@ ordered_json drive_options_json(const app::DriveOptions& options) {
   return {{"quads", options.quads},
           {"switch", options.switching},
           {"repeat", options.repeat},
+          {"headings", options.headings},
+          {"engine", options.engine},
+          {"mesh_m", options.mesh_m},
           {"max_gap_s", drive.max_gap_s},
           {"max_step_m", drive.max_step_m},
           {"antenna_forward_m", drive.antenna_forward_m},

@@ -151,8 +151,18 @@ JobStatus begin_drive(App& app, const ordered_json& json) {
 }
 
 JobStatus begin_evaluate(App& app, const ordered_json& json) {
-  const JsonInput input(json, "", {"kind", "drive"});
-  return evaluate_again(app, app.drives->store.get(input.text("drive")));
+  const JsonInput input(json, "", {"kind", "drive", "options"});
+  KeptDrive drive = app.drives->store.get(input.text("drive"));
+  if (input.has("options")) {
+    // Which log it is and how wide the machine is stay as they are.
+    app::DriveOptions& options = drive.source.options;
+    const double width_m = options.drive.width_m;
+    std::string log = std::move(options.log.log);
+    options =
+        drive_options_in(json.at("options"), width_m > 0 ? std::optional<double>(width_m) : std::nullopt);
+    options.log.log = std::move(log);
+  }
+  return evaluate_again(app, drive);
 }
 
 void finish_half_replaced(App& app) {

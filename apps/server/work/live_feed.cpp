@@ -233,6 +233,7 @@ WorkFigures LiveFeed::work_figures() const {
   const coverage::WorkedDrive* drive = session_.live().drive();
   out.worked_s = drive == nullptr || std::isnan(session_.live().last_s()) ? std::nan("") : drive->worked_s();
   out.present_m2_per_s = session_.live().present_m2_per_s();
+  if (drive != nullptr) out.meshes = drive->engine().meshes();
   return out;
 }
 

@@ -65,6 +65,7 @@ WorkFigures Replay::figures() const {
   out.has_field = !drive_->ground.ground.empty();
   out.worked_s = drive_->ready.log.clock == tramline::Clock::kNone ? std::nan("") : worked_.worked_s();
   out.present_m2_per_s = rate_.m2_per_s();
+  out.meshes = worked_.engine().meshes();
   return out;
 }
 

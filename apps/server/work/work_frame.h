@@ -25,8 +25,9 @@ inline constexpr std::chrono::milliseconds kFrameEvery{100};
 struct WorkFigures {
   CoverageAreas areas;
   bool has_field = false;
-  double worked_s = 0;          ///< NaN: not known
-  double present_m2_per_s = 0;  ///< ground gained by the time driven lately; NaN: not known
+  double worked_s = 0;           ///< NaN: not known
+  double present_m2_per_s = 0;   ///< ground gained by the time driven lately; NaN: not known
+  std::optional<Meshes> meshes;  ///< only with an engine of meshes
 };
 /// As `tramline watch` has it; NaN: not known.
 double remaining_s(const WorkFigures& figures);

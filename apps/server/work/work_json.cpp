@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <iterator>
 #include <utility>
 #include <vector>
 
+#include "report/evaluate_report.h"
 #include "report/report_parts.h"
 #include "server/http/page_words.h"
 #include "tramline/geometry/path/simplified_line.h"
@@ -106,6 +108,9 @@ ordered_json figures_json(const WorkFigures& figures) {
   out["not_recorded_m2"] = areas.not_recorded_m2;
   out["gross_m2"] = areas.gross_m2;
   out["sliver_m2"] = areas.sliver_m2;
+  if (figures.meshes)
+    out["meshes"] =
+        app::meshes_json(*figures.meshes, figures.has_field ? app::FieldKnown::kYes : app::FieldKnown::kNo);
   out["worked_s"] = app::number_json(figures.worked_s);
   out["ha_per_hour"] = app::number_json(figures.present_m2_per_s * 3600 / 1e4);
   out["remaining_s"] = app::number_json(remaining_s(figures));
@@ -128,7 +133,8 @@ std::string EventWriter::frame_text(const WorkFrame& frame) {
   head["all"] = frame.changes.all;
   std::string out = app::json_line(head);
   out.back() = ',';  // in the place of its brace
-  PlaceText text(*place_, detail_m_, out);
+  // Finer than what the outlines are made of there is nothing to be seen but the steps of meshes.
+  PlaceText text(*place_, detail_m_ > 0 ? std::max(detail_m_, frame.changes.grain_m) : 0, out);
   out += "\"line\":";
   text.line(frame.line);
   out += ",\"tiles\":[";

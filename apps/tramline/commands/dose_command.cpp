@@ -73,7 +73,8 @@ class DoseCommand : public Command {
         .takes("NAME")
         .shows_default("all logs");
     add_drive_options(command, drive_);
-    command.remove_option("--repeat");  // amounts do not depend on it
+    for (const char* option : {"--repeat", "--engine", "--mesh"})
+      command.remove_option(option);  // amounts do not depend on these
     add_rate_options(command);
     add_wind_options(command);
     command.begin_group("Output");

@@ -79,7 +79,6 @@ class EvaluateCommand : public Command {
         .in_range(1, 1000000)
         .shows_default("the only job");
     add_drive_options(command, drive_);
-    add_engine_options(command);
     command.begin_group("Output");
     add_output_option(command, output_, "Write the coverage to this GeoPackage (.gpkg).");
     add_picture_option(command, picture_, "Draw the coverage to this .png, .svg or .pdf.");
@@ -156,27 +155,9 @@ class EvaluateCommand : public Command {
     return evaluate_jobs(std::move(jobs), work, {json_, quiet_});
   }
 
-  void add_engine_options(CommandOptions& command) {
-    command
-        .add_option(
-            "--engine", engine_,
-            "How areas are found: 'exact', or 'mesh', the algorithm of Zhang et al. 2023, which is slow and "
-            "right to a few per mille.")
-        .takes("WORD")
-        .one_of({"exact", "mesh"})
-        .shows_default();
-    command
-        .add_option("--mesh", settings_.mesh_m,
-                    "With --engine mesh: side of one square mesh of the grid, in metres.")
-        .takes("M")
-        .in_range(0.005, 1.0)
-        .shows_default();
-  }
-
   coverage::EvaluateSettings settings() const {
     coverage::EvaluateSettings out = settings_;
     apply(drive_, out);
-    out.engine = engine_ == "mesh" ? coverage::EngineKind::kMesh : coverage::EngineKind::kExact;
     out.shapes = !output_.empty() || !picture_.empty();
     return out;
   }
@@ -281,7 +262,6 @@ class EvaluateCommand : public Command {
   coverage::EvaluateSettings settings_;
   std::string log_file_, plan_file_, output_, picture_;
   std::vector<std::string> with_files_;
-  std::string engine_ = "exact";
   std::optional<std::size_t> job_;
   bool json_ = false, quiet_ = false;
 };

@@ -32,6 +32,7 @@ constexpr const char* kExample =
     "  tramline watch --tcp tractor.local:5017 --width 6 --json\n"
     "  tramline watch --serial /dev/ttyUSB0,38400 --width 6 -o today.gpkg\n"
     "  tramline watch --follow drive.csv --field mill-field.geojson\n"
+    "  tramline watch --follow drive.csv --engine mesh --mesh 0.02\n"
     "  tramline watch --udp 4001 --field fields.gpkg --width 24 --look-ahead --on-latency 0.6 --json\n"
     "The lines are CSV or NMEA, recognised from the first ones. On a terminal the space key switches the "
     "work on\n"

@@ -31,6 +31,13 @@ void add_log_options(CommandOptions& command, DriveOptions& options) {
                   "metres.")
       .takes("CRS")
       .shows_default("degrees where they can be, else plain metres");
+  command
+      .add_option("--headings", options.headings,
+                  "How headings in the log are meant: 'compass', clockwise from north, 'math', anticlockwise "
+                  "from east, or 'from-track', not at all: they follow from the positions.")
+      .takes("WORD")
+      .one_of({"compass", "math", "from-track"})
+      .shows_default();
 }
 
 void add_mounting_options(CommandOptions& command, coverage::DriveSettings& drive) {
@@ -94,6 +101,20 @@ void add_worked_land_options(CommandOptions& command, DriveOptions& options) {
           "within the last working width of its travel, or 'strict', all land worked twice or more.")
       .takes("WORD")
       .one_of({"run", "strict"})
+      .shows_default();
+  command
+      .add_option(
+          "--engine", options.engine,
+          "How areas are found: 'exact', or 'mesh', the algorithm of Zhang et al. 2023, which is right to a "
+          "few per mille.")
+      .takes("WORD")
+      .one_of({"exact", "mesh"})
+      .shows_default();
+  command
+      .add_option("--mesh", options.mesh_m,
+                  "With --engine mesh: side of one square mesh of the grid, in metres.")
+      .takes("M")
+      .in_range(kLeastMesh_m, kLargestMesh_m)
       .shows_default();
 }
 

@@ -6,8 +6,9 @@
 
 namespace tramline::app {
 
-/// Declares --width, --columns, --log-crs, --quads, --switch, --max-gap-s, --max-step-m, the places of
-/// antenna and implement, and --repeat. `options` has to outlive the parse.
+/// Declares --columns, --log-crs, --headings, --width, the places of antenna and implement, --quads,
+/// --switch,
+/// --max-gap-s, --max-step-m, --repeat, --engine and --mesh. `options` has to outlive the parse.
 void add_drive_options(CommandOptions& command, DriveOptions& options);
 
 }  // namespace tramline::app

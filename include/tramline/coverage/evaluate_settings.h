@@ -15,10 +15,19 @@ enum class Switching {
   kStep,         ///< at the second fix: state and width of a step are those of its first fix
 };
 
+/// What the headings of a log mean.
+enum class HeadingReading {
+  kCompass,    ///< clockwise from north
+  kMath,       ///< anticlockwise from east
+  kFromTrack,  ///< ignored: headings follow from the positions
+};
+const char* name(HeadingReading reading);  ///< compass, math, from-track
+
 /// Settings by which fixes become worked land.
 struct DriveSettings {
   double width_m = std::numeric_limits<double>::quiet_NaN();  ///< used where a log does not give the width
   QuadShape quads = QuadShape::kHeading;
+  HeadingReading headings = HeadingReading::kCompass;
   Switching switching = Switching::kInterpolate;
   double max_gap_s = 10;                    ///< nothing is worked between fixes further apart in time
   double max_step_m = 15;                   ///< nor between fixes further apart in position
@@ -40,8 +49,8 @@ inline constexpr std::size_t kMostSlices = 1000;
 
 /// Which land that was worked again counts as repeated.
 enum class RepeatRule {
-  kRun,     ///< land worked before the machine's own trail (WorkedStep::reach_m): slivers do not count
-  kStrict,  ///< all such land, as in Zhang
+  kRun,     ///< land worked before the machine's own trail (WorkedStep::reach_m): slivers are apart
+  kStrict,  ///< all land worked twice or more, as in Zhang §3.1; there are no slivers then
 };
 
 struct EvaluateSettings {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,9 @@ inline constexpr int kMostCounted = 3;
 /// Areas worked so far, m². Without a field everything lies outside, and nothing is missed.
 /// repeated: land worked again that had been worked before and that no quad of the same run within the last w
 /// of travel covers. sliver: land worked at least twice without being repeated in this sense, such as the
-/// inside of curves. repeated + sliver = land worked at least twice, which Zhang counts as repeated (§3.1).
+/// inside of curves. repeated + sliver = land worked at least twice, which Zhang counts as repeated: by that
+/// rule (RepeatRule::kStrict) all of it is repeated_m2, and sliver_m2 is 0. In either, land counts once
+/// however often it was worked.
 struct CoverageAreas {
   double gross_m2 = 0;           ///< Σ areas of the quads
   double covered_m2 = 0;         ///< worked once or more
@@ -68,12 +71,42 @@ struct Gap {
   double widest_m = 0;  ///< diameter of the largest disc within it; NaN: not measured
 };
 
+/// The meshes that the boundaries of a region run through: outer ones and those of holes (Zhang table 2).
+struct MeshCount {
+  std::size_t now = 0;
+  std::size_t most = 0;  ///< the largest number after any step so far, and before the first
+};
+
+/// What only an engine of meshes has.
+struct Meshes {
+  double side_m = 0;  ///< of a square mesh
+  MeshCount covered;
+  MeshCount missed;  ///< 0 without a field
+};
+
+/// Headings of a log that contradict the way driven. A step here is a stretch of the way long and fast enough
+/// for its direction to be known; it is off where that is more than 45° from the heading at its end, and from
+/// the opposite.
+struct HeadingContradiction {
+  std::string read_as;         ///< compass or math: how the headings were read
+  std::size_t steps = 0;       ///< compared
+  std::size_t off = 0;         ///< of these
+  std::string better;          ///< math, compass or from-track: what fits the way driven
+  std::size_t better_off = 0;  ///< steps that are off when headings are read so
+  std::size_t record = 0;      ///< of the first fix whose heading is off: its position in the file, from 1
+  double time_s = 0;           ///< by the log's clock; NaN without times
+  Point at;                    ///< local metres
+
+  double share() const { return static_cast<double>(off) / static_cast<double>(steps); }
+};
+
 /// The state of the work after a number of fixes (Zhang tables 2 and 3).
 struct CoverageSlice {
   std::size_t fixes = 0;
   CoverageAreas areas;
   std::size_t covered_rings = 0;   ///< boundaries of the covered region
   std::size_t missed_regions = 0;  ///< polygons of the missed region
+  std::optional<Meshes> meshes;    ///< only with an engine of meshes
   double seconds = 0;              ///< computing time for areas and regions up to here
 };
 
@@ -101,6 +134,8 @@ struct Coverage {
   int runs = 0;
   double worked_s = 0;  ///< NaN without times
   MachineCounters counters;
+  std::optional<Meshes> meshes;                  ///< only with an engine of meshes
+  std::optional<HeadingContradiction> headings;  ///< only where they contradict the way driven
   SkippedRecords skipped;
   std::vector<std::string> warnings;
 };

@@ -2,7 +2,9 @@
 // The common interface of the coverage engines.
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "tramline/coverage/drive/worked_step.h"
@@ -13,6 +15,14 @@
 
 namespace tramline::coverage {
 
+/// All covered and repeated land of one square tile; local metres. Tiles do not overlap, so a reader may
+/// simply collect them.
+struct TileWork {
+  TileIndex index;
+  Region covered;
+  Region repeated;
+};
+
 /// Areas and regions of what was worked, step by step.
 class Engine {
  public:
@@ -22,6 +32,16 @@ class Engine {
   virtual void add_unrecorded(const std::vector<Quad>& quads) = 0;
   virtual CoverageAreas areas() const = 0;
   virtual Region region(Ground what) const = 0;
+  /// Only an engine of meshes has them.
+  virtual std::optional<Meshes> meshes() const { return std::nullopt; }
+
+  /// A number that grows with every step that changes anything.
+  virtual std::uint64_t stamp() const = 0;
+  /// The present land of the tiles that changed after `stamp`, an earlier value of stamp(); 0: of all.
+  /// O(tiles), and O(cells or meshes) of those that changed.
+  virtual std::vector<TileWork> tiles_since(std::uint64_t stamp, RepeatRule repeat) const = 0;
+  /// Corners of outlines are this far from the true outline or less, m; 0: exact.
+  virtual double grain_m() const { return 0; }
   /// The exact engine; nullptr for another engine.
   virtual const TileCoverage* tiles() const { return nullptr; }
 };

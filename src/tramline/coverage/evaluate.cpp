@@ -27,7 +27,8 @@ constexpr std::size_t kProgressEvery = 1000;
 /// Keeps slices as they come due.
 class Slices {
  public:
-  Slices(std::size_t every, const Engine& engine) : every_(every), engine_(engine) {}
+  Slices(std::size_t every, RepeatRule repeat, const Engine& engine)
+      : every_(every), repeat_(repeat), engine_(engine) {}
 
   void add(std::size_t fixes, bool last, double seconds) {
     if (every_ == 0 || (fixes % every_ != 0 && !last)) return;
@@ -40,7 +41,8 @@ class Slices {
         missed.begin(), missed.end(), [](const Polygon& p) { return area(p) >= kLeastGap_m2; }));
     regions_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     slice.fixes = fixes;
-    slice.areas = engine_.areas();
+    slice.areas = reported(engine_.areas(), repeat_);
+    slice.meshes = engine_.meshes();
     slice.seconds = seconds + regions_s_;
     slices_.push_back(slice);
   }
@@ -49,15 +51,11 @@ class Slices {
 
  private:
   std::size_t every_;
+  RepeatRule repeat_;
   const Engine& engine_;
   double regions_s_ = 0;
   std::vector<CoverageSlice> slices_;
 };
-
-/// Slivers as repeated ground, as Zhang has it.
-void count_slivers(Coverage& coverage) {
-  for (CoverageSlice& slice : coverage.slices) slice.areas = reported(slice.areas, RepeatRule::kStrict);
-}
 
 void require_ground(const WorkLog& log) {
   if (log.fixes.size() >= 2 || (!log.fixes.empty() && !log.shapes.empty())) return;
@@ -80,7 +78,6 @@ void finish(Coverage& out, WorkedDrive& drive, WorkLog& log, const EvaluateSetti
   out.warnings.insert(out.warnings.end(), doubts.begin(), doubts.end());
   log.fixes = std::vector<Fix>();
   drive.add_regions(out);
-  if (settings.repeat == RepeatRule::kStrict) count_slivers(out);
 }
 
 void require_few_slices(const WorkLog& log, std::size_t slice) {
@@ -131,7 +128,7 @@ Coverage evaluate(WorkLog given, const Region& field, const EvaluateSettings& se
   out.warnings = ready.warnings;
   out.width_m = working_width_m(log, settings.drive);
   WorkedDrive drive(field, settings, ready.drive, out.width_m, most_sections(log.booms));
-  Slices slices(settings.slice, drive.engine());
+  Slices slices(settings.slice, settings.repeat, drive.engine());
   const auto start = std::chrono::steady_clock::now();
   for (std::size_t i = 0; i < log.fixes.size(); ++i) {
     const std::optional<WorkedStep> step = drive.add(log.fixes[i], log.booms);
@@ -158,6 +155,7 @@ Coverage evaluate(const std::vector<WorkedStep>& steps, double width_m, const Re
   out.engine = name(settings.engine);
   out.worked_s = std::numeric_limits<double>::quiet_NaN();
   out.areas = reported(engine->areas(), settings.repeat);
+  out.meshes = engine->meshes();
   add_regions(out, *engine, settings);
   return out;
 }

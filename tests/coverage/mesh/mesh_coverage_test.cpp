@@ -10,6 +10,8 @@
 
 #include "coverage/mesh/mesh_oracle.h"
 #include "coverage/pentagon_routes.h"
+#include "tramline/coverage/mesh/connected_rings.h"
+#include "tramline/coverage/mesh/mesh_boolean.h"
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/polygon/boolean.h"
 
@@ -70,6 +72,49 @@ TEST(MeshCoverage, TwoRowsByHand) {
   EXPECT_TRUE(engine.region(Ground::kSliver).empty());
 }
 
+// The way through the meshes of a boundary goes from centre to centre, a side of a mesh at a time: there are
+// as many as sides of a mesh in the perimeter.
+TEST(MeshCoverage, MeshesAreCountedAlongAllBoundaries) {
+  const Region field{{ring(quad_box(0, 0, 10, 10)), {}}};
+  MeshCoverage engine(field, 0.5);
+  EXPECT_EQ(engine.meshes().missed.now, 80U);  // 40 m
+  EXPECT_EQ(engine.meshes().covered.now, 0U);
+  engine.add(step({quad_box(-2, 0, 4, 12)}));
+  EXPECT_EQ(engine.meshes().covered.now, 72U);  // 36 m
+  EXPECT_EQ(engine.meshes().missed.now, 64U);   // what is left, 6 m by 10 m
+  engine.add(step({quad_box(6, 4, 8, 6)}));     // a piece of its own, and a hole in what is missed
+  EXPECT_EQ(engine.meshes().covered.now, 72U + 16U);
+  EXPECT_EQ(engine.meshes().missed.now, 64U + 16U);
+  engine.add(step({quad_box(4, 0, 10, 12)}));  // all is one rectangle of 12 m by 12 m
+  EXPECT_EQ(engine.meshes().covered.now, 96U);
+  EXPECT_EQ(engine.meshes().covered.most, 96U);
+  EXPECT_EQ(engine.meshes().missed.now, 0U);
+  EXPECT_EQ(engine.meshes().missed.most, 80U);
+  EXPECT_EQ(engine.meshes().side_m, 0.5);
+}
+
+// A strip that may have been worked is neither missed nor covered, until it is worked.
+TEST(MeshCoverage, WhatWasNotRecordedByHand) {
+  const Region field{{ring(quad_box(0, 0, 10, 10)), {}}};
+  MeshCoverage engine(field, 0.5);
+  engine.add(step({quad_box(0, 0, 2, 10)}));
+  engine.add_unrecorded({quad_box(-2, 4, 12, 6)});  // 8 m of it in the field and open
+  EXPECT_EQ(engine.areas().not_recorded_m2, 8 * 2);
+  EXPECT_EQ(engine.areas().missed_m2, 100 - 20 - 16);
+  EXPECT_EQ(engine.areas().worked_times_m2[0], 80);
+  engine.add(step({quad_box(4, 0, 6, 10)}));
+  EXPECT_EQ(engine.areas().not_recorded_m2, 6 * 2);
+  EXPECT_EQ(engine.areas().missed_m2, 100 - 40 - 12);
+  EXPECT_EQ(engine.areas().covered_inside_m2, 40);
+  EXPECT_EQ(area(engine.region(Ground::kUnrecorded)), 12);
+  EXPECT_EQ(area(engine.region(Ground::kMissed)), 48);
+  MeshCoverage anywhere({}, 0.5);
+  anywhere.add(step({quad_box(0, 0, 2, 10)}));
+  anywhere.add_unrecorded({quad_box(-2, 4, 12, 6)});
+  EXPECT_EQ(anywhere.areas().not_recorded_m2, 12 * 2);
+  EXPECT_EQ(anywhere.areas().missed_m2, 0);
+}
+
 TEST(MeshCoverage, WithoutAFieldAllIsOutsideAndNothingMissed) {
   MeshCoverage engine({}, 0.5);
   engine.add(step({quad_box(1, 1, 3, 5)}));
@@ -125,6 +170,10 @@ TEST(MeshCoverage, RandomQuadsCornerByCorner) {
     EXPECT_EQ(areas.outside_m2, static_cast<double>(covered.count() - inside.count()));
     EXPECT_NEAR(area(engine.region(Ground::kRepeated)), areas.repeated_m2, 1e-9);
     EXPECT_NEAR(area(engine.region(Ground::kMissed)), areas.missed_m2, 1e-9);
+    // What is kept up to date quad by quad is what comes out anew.
+    const MeshRegion anew = combined(mesh_region({field[0]}, 1), engine.covered(), MeshOperation::kResidual);
+    EXPECT_EQ(engine.missed().meshes(), anew.meshes());
+    EXPECT_EQ(engine.region(Ground::kMissed), region_of(anew, 1));
   }
 }
 

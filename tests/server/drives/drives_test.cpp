@@ -112,6 +112,13 @@ TEST_F(Drives, WhatIsWrongIsSaidInASentence) {
   EXPECT_EQ(here_.post("/drives", {{"upload", log}, {"options", {{"quads", "round"}}}}).status, 400);
   EXPECT_EQ(here_.post("/drives", {{"upload", log}, {"options", {{"max_gap_s", 0}}}}).status, 400);
   EXPECT_EQ(here_.post("/drives", {{"upload", log}, {"options", {{"speed", 1}}}}).status, 400);
+  for (const ordered_json& wrong :
+       {ordered_json{{"engine", "meshes"}}, ordered_json{{"mesh_m", 0.001}}, ordered_json{{"mesh_m", 1.5}},
+        ordered_json{{"mesh_m", "fine"}}, ordered_json{{"headings", "north"}}}) {
+    const Got refused = here_.post("/drives", {{"upload", log}, {"options", wrong}});
+    EXPECT_EQ(refused.status, 400) << wrong;
+    EXPECT_TRUE(mentions(refused.message(), wrong.begin().key())) << refused.message();
+  }
   EXPECT_EQ(here_.post("/jobs", {{"kind", "evaluate"}, {"drive", "none"}}).status, 404);
   EXPECT_EQ(here_.post("/jobs", {{"kind", "repair"}, {"drive", "none"}, {"machine", {}}}).status, 404);
 

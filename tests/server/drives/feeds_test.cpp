@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <fstream>
+#include <map>
 #include <string>
 #include <thread>
 #include <vector>
@@ -97,6 +99,43 @@ TEST_F(Feeds, AreFollowedByTwoAndKeptAsADrive) {
   EXPECT_EQ(here.get("/feeds/" + feed).status, 404);
   EXPECT_TRUE(mentions(here.get("/drives/" + feed + "/files/log").text, "#!work=0"));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path() / "feeds"), {}), 0);
+}
+
+// Frames of a feed by meshes have the land and the number of meshes, and the drive at its end has the same.
+TEST_F(Feeds, AreMeasuredByMeshes) {
+  Served here(folder_.path());
+  const std::string feed = begin(here, {{"options", {{"engine", "mesh"}, {"mesh_m", 0.1}}}});
+  const std::vector<std::string> lines = csv_lines(300);
+  ordered_json end;
+  std::map<std::string, bool> tiles;  // by id: whether there is land in it
+  std::thread reader([&] {
+    here.follow("/feeds/" + feed + "/events", [&](const std::string& name, const ordered_json& data) {
+      if (name == "end") end = data.at("figures");
+      if (name != "frame") return true;
+      if (data.at("all")) tiles.clear();
+      for (const ordered_json& tile : data.at("tiles"))
+        tiles[tile.at("id").get<std::string>()] = !tile.at("covered").empty();
+      return true;
+    });
+  });
+  send(lines, 0, 301);
+  wait_for(here, feed, 300);
+  const ordered_json shown = here.get("/feeds/" + feed).json;
+  EXPECT_EQ(shown.at("options").at("engine"), "mesh");
+  EXPECT_EQ(shown.at("options").at("mesh_m"), 0.1);
+  EXPECT_EQ(shown.at("summary").at("engine"), "mesh");
+  EXPECT_GT(shown.at("summary").at("meshes").at("covered").at("now").get<int>(), 1000);
+  const Got ended = here.remove("/feeds/" + feed);
+  ASSERT_EQ(ended.status, 200) << ended.text;
+  reader.join();
+  const ordered_json drive = here.get("/drives/" + ended.json.at("drive").get<std::string>()).json;
+  EXPECT_EQ(drive.at("options").at("engine"), "mesh");
+  ASSERT_TRUE(end.is_object());
+  EXPECT_EQ(end.at("meshes").at("side_m"), 0.1);
+  EXPECT_TRUE(end.at("meshes").at("missed").is_null()) << "there is no field";
+  // The feed's plane is centred on its first place, the drive's on the middle of all.
+  EXPECT_NEAR(end.at("covered_m2"), drive.at("summary").at("covered_m2"), 1);
+  EXPECT_GT(std::count_if(tiles.begin(), tiles.end(), [](const auto& tile) { return tile.second; }), 50);
 }
 
 TEST_F(Feeds, WhatIsWrongIsSaidInASentence) {

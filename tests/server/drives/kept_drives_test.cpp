@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -115,6 +117,65 @@ TEST_F(Drives, IsEvaluatedAnewAndOutlivesTheServer) {
   second.follow("/drives/" + id + "/replay?speed=1000",
                 [&](const auto& name, const auto& data) { return shown.take(name, data); });
   EXPECT_EQ(shown.end.at("repeated_m2"), after.at("summary").at("repeated_m2"));
+}
+
+// The scale is the user's: the same drive by other meshes, and exactly again. Which log it is, how wide the
+// machine is and the name stay.
+TEST_F(Drives, IsEvaluatedAnewWithOtherOptions) {
+  const ordered_json exact = new_drive({{"upload", upload_log(joined(csv_lines(300)))},
+                                        {"field", new_field()},
+                                        {"name", "Tuesday"},
+                                        {"options", {{"max_gap_s", 20}}}});
+  const std::string id = exact.at("id");
+  const auto anew = [&](const ordered_json& options) {
+    const ordered_json job =
+        here_.job_of(here_.post("/jobs", {{"kind", "evaluate"}, {"drive", id}, {"options", options}}));
+    EXPECT_EQ(job.at("state"), "done") << job.dump();
+    return here_.get("/drives/" + id).json;
+  };
+  EXPECT_FALSE(exact.at("summary").contains("meshes"));
+  const ordered_json meshes = anew({{"engine", "mesh"}, {"mesh_m", 0.25}});
+  EXPECT_EQ(meshes.at("name"), "Tuesday");
+  EXPECT_EQ(meshes.at("options").at("engine"), "mesh");
+  EXPECT_EQ(meshes.at("options").at("max_gap_s"), 10) << "in the place of those that it had";
+  EXPECT_EQ(meshes.at("summary").at("meshes").at("side_m"), 0.25);
+  const double covered_m2 = exact.at("summary").at("covered_m2");
+  EXPECT_NEAR(meshes.at("summary").at("covered_m2"), covered_m2, 0.01 * covered_m2);
+  EXPECT_NE(meshes.at("summary").at("covered_m2"), exact.at("summary").at("covered_m2"));
+  ordered_json again = anew({{"max_gap_s", 20}});
+  ordered_json before = exact;
+  for (ordered_json* one : {&again, &before}) (*one)["summary"].erase("seconds");
+  EXPECT_EQ(again, before);
+  EXPECT_EQ(here_.post("/jobs", {{"kind", "evaluate"}, {"drive", id}, {"options", {{"mesh_m", 2}}}}).status,
+            400);
+  EXPECT_EQ(here_.get("/drives/" + id).json.at("options"), exact.at("options"));
+}
+
+// East, north, west, south: logged as angles anticlockwise from east.
+TEST_F(Drives, HeadingsThatContradictTheWayAreTold) {
+  const FrameProjection projection(frame_here());
+  std::string log = "time,lon,lat,width,heading\n";
+  Point at{0, 0};
+  for (int i = 0; i < 80; ++i) {
+    const Point place = projection.to_lonlat(at);
+    const int angle_deg = 90 * (i / 20);
+    log += fmt::format("{},{}\n", csv_line(i * 10, place, 6), angle_deg);
+    at = at + 1.5 * Point{std::cos(angle_deg * std::numbers::pi / 180),
+                          std::sin(angle_deg * std::numbers::pi / 180)};
+  }
+  const std::string upload = upload_log(log);
+  const ordered_json wrong = new_drive({{"upload", upload}});
+  const ordered_json& found = wrong.at("summary").at("headings");
+  EXPECT_EQ(found.at("read_as"), "compass");
+  EXPECT_EQ(found.at("steps"), 79);
+  EXPECT_GE(found.at("off").get<int>(), 76) << "all but perhaps where it turns";
+  EXPECT_EQ(found.at("better"), "math");
+  EXPECT_TRUE(mentions(wrong.at("summary").at("warnings").dump(), "headings"));
+  const ordered_json right = new_drive({{"upload", upload}, {"options", {{"headings", "math"}}}});
+  EXPECT_FALSE(right.at("summary").contains("headings"));
+  EXPECT_GT(right.at("covered_m2").get<double>(), 5 * wrong.at("covered_m2").get<double>());
+  const ordered_json track = new_drive({{"upload", upload}, {"options", {{"headings", "from-track"}}}});
+  EXPECT_NEAR(track.at("covered_m2"), right.at("covered_m2"), 0.05 * right.at("covered_m2").get<double>());
 }
 
 std::string task_set_with_partfield(const testing_support::TemporaryFolder& folder) {

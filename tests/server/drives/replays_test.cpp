@@ -42,6 +42,37 @@ TEST_F(Drives, TilesOfAReplayAddUpToTheWhole) {
   }
 }
 
+// By meshes, too: as they are, and for the eye, where outlines are within a mesh of those of meshes.
+TEST_F(Drives, TilesOfMeshesAddUpToTheWhole) {
+  const ordered_json drive = new_drive({{"upload", upload_log(joined(csv_lines(1500)))},
+                                        {"field", new_field()},
+                                        {"options", {{"engine", "mesh"}, {"mesh_m", 0.1}}}});
+  const ordered_json& summary = drive.at("summary");
+  EXPECT_EQ(summary.at("engine"), "mesh");
+  std::size_t bytes_of_all = 0;
+  for (const char* detail : {"", "&detail_m=0.02"}) {
+    SCOPED_TRACE(detail);
+    Shown shown;
+    std::size_t bytes = 0;
+    here_.follow(fmt::format("/drives/{}/replay?speed=1000{}", drive.at("id").get<std::string>(), detail),
+                 [&](const auto& name, const auto& data) {
+                   bytes += data.dump().size();
+                   return shown.take(name, data);
+                 });
+    ASSERT_TRUE(shown.end.is_object());
+    for (const char* key : {"covered_m2", "covered_inside_m2", "outside_m2", "repeated_m2", "missed_m2",
+                            "gross_m2", "sliver_m2", "meshes"})
+      EXPECT_EQ(shown.end.at(key), summary.at(key)) << key;
+    const bool all = bytes_of_all == 0;
+    if (all) bytes_of_all = bytes;
+    for (const char* of : {"covered", "repeated"})
+      EXPECT_NEAR(shown.area_m2(of), summary.at(std::string(of) + "_m2"),
+                  all ? 0.05 : 0.1 * shown.edges_m(of))
+          << of;
+    EXPECT_GT(shown.frames, 5);
+  }
+}
+
 // Outlines within 2 cm: no area differs by more than 2 cm along its edge, and no figure at all.
 TEST_F(Drives, TilesForTheEyeAreSmallerAndWithinWhatIsAskedFor) {
   std::vector<std::string> lines = csv_lines(1500);

@@ -2,7 +2,7 @@
 import { api } from '../api/client';
 import { ApiError } from '../api/errors';
 import { follow } from '../api/jobs';
-import type { Job, Upload } from '../api/types';
+import type { DriveFull, DriveOptions, Job, Upload } from '../api/types';
 import { sentence } from '../format';
 import { fields } from '../state/fields';
 import { DRIVE_LAYERS, hasLayer, review, type DriveLayer } from '../state/review';
@@ -33,6 +33,7 @@ export interface DriveForm {
   field: string | null;
   plan: string | null;
   width_m: number | null;
+  options: DriveOptions;
 }
 
 async function finish(job: Job): Promise<string | null> {
@@ -51,11 +52,25 @@ export async function evaluate(upload: Upload, chosen: DriveForm): Promise<void>
     ...(chosen.field === null ? {} : { field: chosen.field }),
     ...(chosen.plan === null ? {} : { plan: chosen.plan }),
     ...(chosen.width_m === null ? {} : { width_m: chosen.width_m }),
+    ...(Object.keys(chosen.options).length === 0 ? {} : { options: chosen.options }),
   });
   const drive = await finish(job);
   review.set({ upload: null });
   if (drive) await openDrive(drive);
   await Promise.all([loadDrives(), loadFields()]);
+}
+
+/** The same log once more, with other options in the place of those that it has. */
+export async function evaluateAgain(drive: DriveFull, options: DriveOptions): Promise<void> {
+  stopReplay();
+  try {
+    const job = await api.startJob({ kind: 'evaluate', drive: drive.id, options });
+    await follow(job, (state) => review.set({ job: state }));
+    await openDrive(drive.id); // before the job goes from the page, so that old figures do not come back
+  } finally {
+    review.set({ job: null });
+  }
+  await loadDrives();
 }
 
 export async function cancelReview(): Promise<void> {

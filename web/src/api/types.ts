@@ -129,7 +129,7 @@ export interface PlanRequest {
 
 export type JobRequest =
   | ({ kind: 'plan' | 'compare' } & PlanRequest)
-  | { kind: 'evaluate'; drive: string }
+  | { kind: 'evaluate'; drive: string; options?: DriveOptions }
   | { kind: 'repair'; drive: string; machine: Machine; min_area_m2?: number }
   | { kind: 'check'; plan: string };
 export interface JobResult {
@@ -270,6 +270,43 @@ export interface Front {
   front: FrontPoint[];
 }
 
+/** How a log is read and its land worked out; what is missing is as the server takes it. */
+export interface DriveOptions {
+  engine?: 'exact' | 'mesh';
+  mesh_m?: number;
+  quads?: 'heading' | 'segment';
+  repeat?: 'run' | 'strict';
+  headings?: HeadingReading;
+  switch?: 'interpolate' | 'step';
+  max_gap_s?: number;
+  max_step_m?: number;
+  antenna_forward_m?: number;
+  antenna_right_m?: number;
+  implement_behind_m?: number;
+  columns?: string;
+  log_crs?: string;
+}
+export type HeadingReading = 'compass' | 'math' | 'from-track';
+export interface MeshCount {
+  now: number;
+  most: number;
+}
+export interface Meshes {
+  side_m: number;
+  covered: MeshCount;
+  missed: MeshCount | null;
+}
+/** Headings of a log that contradict the way driven. */
+export interface HeadingContradiction {
+  read_as: HeadingReading;
+  steps: number;
+  off: number;
+  share: number;
+  first: { record: number; time_s: number | null; at: Place };
+  better: HeadingReading;
+  better_off: number;
+}
+
 export interface DriveItem {
   id: string;
   name: string;
@@ -303,6 +340,8 @@ export interface DriveSummary {
   worked_hours: number | null;
   ha_per_hour: number | null;
   skipped_count?: number;
+  meshes?: Meshes;
+  headings?: HeadingContradiction;
   warnings?: string[];
   plan?: Compared;
 }
@@ -331,6 +370,7 @@ export interface DriveFull {
   /** Where the log has no times, from_s and to_s are numbers of fixes. */
   clock?: 'none' | 'utc' | 'of_day' | 'other';
   summary: DriveSummary;
+  options: DriveOptions;
   gaps: Gap[];
   compared: Compared | null;
 }
@@ -341,13 +381,14 @@ export interface DriveRequest {
   plan?: string;
   width_m?: number;
   name?: string;
-  options?: Record<string, unknown>;
+  options?: DriveOptions;
 }
 export interface FeedRequest {
   source: string;
   field?: string;
   width_m?: number;
   name?: string;
+  options?: DriveOptions;
 }
 export interface FeedItem {
   id: string;
@@ -365,6 +406,7 @@ export interface WorkFigures {
   worked_s: number;
   ha_per_hour: number | null;
   remaining_s: number | null;
+  meshes?: Meshes;
 }
 export interface WorkTile {
   id: string;

@@ -131,9 +131,11 @@ std::optional<WorkedStep> StepMaker::add(const Fix& fix, const std::vector<Boom>
   continuity_ = joined ? Continuity::kJoined : Continuity::kBroken;
   unrecorded_.clear();
   if (!joined) begin_anew(unit, to);
-  const bool recorded = !std::isnan(fix.heading.degrees());
+  heading_check_.add(fix, continuity_);
+  const Heading logged = heading_read_as(settings_.headings, fix);
+  const bool recorded = !std::isnan(logged.degrees());
   const std::optional<Heading> course = unit.course.at(to.antenna);
-  to.heading = recorded ? std::optional(fix.heading) : course;
+  to.heading = recorded ? std::optional(logged) : course;
   if (unit.hole && to.heading) {
     unit.hole->after.heading = to.heading;
     close_hole(unit);

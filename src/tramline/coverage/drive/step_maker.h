@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tramline/coverage/drive/course.h"
+#include "tramline/coverage/drive/heading_check.h"
 #include "tramline/coverage/drive/log_hole.h"
 #include "tramline/coverage/drive/worked_step.h"
 #include "tramline/coverage/evaluate_settings.h"
@@ -25,12 +26,12 @@ struct Breaks {
 };
 
 /// Joins fixes to steps, one after the other, as a live stream requires. O(sections) a fix.
-/// A fix without a heading gets that of its course (course.h). Fixes are not joined if they belong to
-/// different units, lie too far apart in time or position, or go backwards in time. The work of a unit is one
-/// run until it stops, or until two fixes are not joined. Where a step is too short to have a direction, its
-/// beginning is kept for the next one, so that slow work is not lost. Between fixes at work that lie too far
-/// apart in time or position, land counts as not recorded where the machine may have driven straight
-/// (log_hole.h).
+/// Headings are read as DriveSettings::headings says; a fix without one gets that of its course (course.h).
+/// Fixes are not joined if they belong to different units, lie too far apart in time or position, or go
+/// backwards in time. The work of a unit is one run until it stops, or until two fixes are not joined. Where
+/// a step is too short to have a direction, its beginning is kept for the next one, so that slow work is not
+/// lost. Between fixes at work that lie too far apart in time or position, land counts as not recorded where
+/// the machine may have driven straight (log_hole.h).
 class StepMaker {
  public:
   explicit StepMaker(const DriveSettings& settings) : settings_(settings) {}
@@ -50,6 +51,7 @@ class StepMaker {
   /// The machine's heading at the last fix; nullopt: not known.
   std::optional<Heading> heading() const { return heading_; }
   const Breaks& breaks() const { return breaks_; }
+  const HeadingCheck& heading_check() const { return heading_check_; }
   int runs() const { return runs_; }             ///< number of runs begun so far
   double worked_s() const { return worked_s_; }  ///< time of the steps that worked, of all units together
   double worked_m() const { return worked_m_; }  ///< and their length
@@ -100,6 +102,7 @@ class StepMaker {
   DriveSettings settings_;
   std::map<int, Unit> units_;
   Breaks breaks_;
+  HeadingCheck heading_check_;
   std::size_t fixes_ = 0;
   Continuity continuity_ = Continuity::kBroken;
   std::vector<Quad> unrecorded_;

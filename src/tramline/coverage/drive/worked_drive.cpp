@@ -84,7 +84,9 @@ PreparedLog prepared(WorkLog log, const DriveSettings& drive) {
 }
 
 CoverageAreas reported(CoverageAreas areas, RepeatRule repeat) {
-  if (repeat == RepeatRule::kStrict) areas.repeated_m2 = areas.worked_twice_m2();
+  if (repeat == RepeatRule::kRun) return areas;
+  areas.repeated_m2 = areas.worked_twice_m2();
+  areas.sliver_m2 = 0;
   return areas;
 }
 
@@ -129,7 +131,10 @@ void WorkedDrive::add_figures(Coverage& out, Clock clock) const {
   const bool timed = clock != Clock::kNone && further_runs_ == 0;
   out.worked_s = timed ? steps_.worked_s() : std::numeric_limits<double>::quiet_NaN();
   out.areas = reported(engine_->areas(), settings_.repeat);
+  out.meshes = engine_->meshes();
   for (std::string& note : notes_on(steps_.breaks(), drive_)) out.warnings.push_back(std::move(note));
+  out.headings = steps_.heading_check().contradiction(drive_.headings);
+  if (out.headings) out.warnings.push_back(warning_on(*out.headings, clock));
 }
 
 void WorkedDrive::add_regions(Coverage& out) const {

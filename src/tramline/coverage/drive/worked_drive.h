@@ -81,7 +81,8 @@ class WorkedDrive {
   std::vector<DrivenLine> further_lines_;
 };
 
-/// The areas with repeated land counted by the rule.
+/// The areas of an engine with repeated land counted by the rule. By kStrict slivers are repeated land and
+/// nothing else: every square metre is in one of the two figures at most.
 CoverageAreas reported(CoverageAreas areas, RepeatRule repeat);
 /// Adds the regions of the engine to `out`, whatever its steps came from. O(regions).
 void add_regions(Coverage& out, const Engine& engine, const EvaluateSettings& settings);

@@ -226,7 +226,7 @@ Coverage LiveCoverage::figures(const WorkLog& head) const {
   if (state_->trust.ignored()) out.warnings.emplace_back(kSectionsIgnored);
   if (state_->late > 0) out.warnings.push_back(note_on_disorder(state_->late));
   if (!state_->drive) {
-    out.areas = areas();
+    out.areas = areas();  // no meshes: an engine is made when a width is known
     return out;
   }
   state_->drive->add_figures(out, head.clock);

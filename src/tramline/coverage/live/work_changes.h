@@ -17,26 +17,19 @@ struct SeenWork {
   bool any = false;
   /// LiveCoverage::rebuilds() at that time; after a rebuild earlier tiles are obsolete.
   std::size_t rebuilds = 0;
-  std::uint64_t stamp = 0;  ///< TileCoverage::stamp() at that time
-};
-
-/// All covered and repeated land of one square tile; local metres. Tiles do not overlap, so a reader may
-/// simply collect them.
-struct TileWork {
-  TileIndex index;
-  Region covered;
-  Region repeated;
+  std::uint64_t stamp = 0;  ///< Engine::stamp() at that time
 };
 
 struct WorkChanges {
   bool all = false;  ///< tiles that the reader received earlier are obsolete
   std::vector<TileWork> tiles;
+  double grain_m = 0;  ///< Engine::grain_m()
 };
 
 /// The tiles that changed since `seen`, which is updated. A reader that replaces each tile by the new one of
 /// the same index, and discards all earlier tiles when `all` is set, has the drive's covered and repeated
-/// land: the same as region(), up to rounding (TileCoverage::region). Empty with any engine but the exact
-/// one. O(tiles) and O(cells) of those that changed.
+/// land: the same as region(), up to rounding (TileCoverage::region). O(tiles), and O(cells or meshes) of
+/// those that changed.
 WorkChanges changes_since(SeenWork& seen, const WorkedDrive& drive, RepeatRule repeat);
 /// The same while the drive goes on; `all` after every rebuild.
 WorkChanges changes_since(SeenWork& seen, const LiveCoverage& live, RepeatRule repeat);

@@ -96,6 +96,7 @@ void combine_into(MeshRegion& a, const MeshRegion& b, MeshOperation operation) {
   for (int y = b.first_row(); y < b.end_row(); ++y) {
     const auto row = b.row(y);
     if (row.empty()) continue;
+    if (operation == MeshOperation::kResidual && a.row(y).empty()) continue;  // nothing to take from
     const Stretch near = beside(a.row(y), row);
     meshes.clear();
     append_combined(near, whole(row), operation, meshes);

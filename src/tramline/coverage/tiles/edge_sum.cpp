@@ -3,19 +3,6 @@
 #include <bit>
 
 namespace tramline::coverage {
-namespace {
-
-std::uint64_t packed(TilePoint p) {
-  return static_cast<std::uint64_t>(static_cast<std::uint32_t>(p.x)) << 32 | static_cast<std::uint32_t>(p.y);
-}
-
-std::size_t hash(TilePoint a, TilePoint b) {
-  std::uint64_t h = packed(a) * 0x9E3779B97F4A7C15ULL;
-  h = (h ^ h >> 29 ^ packed(b)) * 0xBF58476D1CE4E5B9ULL;
-  return static_cast<std::size_t>(h ^ h >> 32);
-}
-
-}  // namespace
 
 EdgeSum::EdgeSum(std::size_t expected) : table_(std::bit_ceil(2 * expected + 8), 0) {
   edges_.reserve(expected);
@@ -27,12 +14,12 @@ void EdgeSum::add(TilePoint from, TilePoint to) {
   if (2 * edges_.size() >= table_.size()) {
     table_.assign(2 * table_.size(), 0);
     for (std::size_t i = 0; i < edges_.size(); ++i) {
-      std::size_t slot = hash(edges_[i].least, edges_[i].most) & (table_.size() - 1);
+      std::size_t slot = edge_hash(edges_[i].least, edges_[i].most) & (table_.size() - 1);
       while (table_[slot] != 0) slot = (slot + 1) & (table_.size() - 1);
       table_[slot] = static_cast<std::uint32_t>(i + 1);
     }
   }
-  std::size_t slot = hash(least, most) & (table_.size() - 1);
+  std::size_t slot = edge_hash(least, most) & (table_.size() - 1);
   for (; table_[slot] != 0; slot = (slot + 1) & (table_.size() - 1)) {
     Edge& edge = edges_[table_[slot] - 1];
     if (edge.least != least || edge.most != most) continue;

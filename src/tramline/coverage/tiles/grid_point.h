@@ -1,6 +1,7 @@
 #pragma once
 // Points on the integer grid of the exact engine, in the plane and within a tile.
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -38,6 +39,18 @@ constexpr std::int64_t turn(TilePoint a, TilePoint b, TilePoint c) {
 }
 constexpr Int128 turn(GridPoint a, GridPoint b, GridPoint c) {
   return static_cast<Int128>(b.x - a.x) * (c.y - a.y) - static_cast<Int128>(b.y - a.y) * (c.x - a.x);
+}
+
+/// Both coordinates as one number.
+constexpr std::uint64_t packed(TilePoint p) {
+  return static_cast<std::uint64_t>(static_cast<std::uint32_t>(p.x)) << 32 | static_cast<std::uint32_t>(p.y);
+}
+
+/// A hash of a directed edge.
+constexpr std::size_t edge_hash(TilePoint from, TilePoint to) {
+  std::uint64_t h = packed(from) * 0x9E3779B97F4A7C15ULL;
+  h = (h ^ h >> 29 ^ packed(to)) * 0xBF58476D1CE4E5B9ULL;
+  return static_cast<std::size_t>(h ^ h >> 32);
 }
 
 /// Floor of a / b for b > 0.

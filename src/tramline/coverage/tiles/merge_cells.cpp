@@ -41,10 +41,6 @@ void unite(std::span<const TilePoint> a, std::size_t a_place, std::span<const Ti
   if (out.size() < 3 || out.size() > kMostCorners || twice_area(out) <= 0) out.clear();
 }
 
-std::uint64_t packed(TilePoint p) {
-  return static_cast<std::uint64_t>(static_cast<std::uint32_t>(p.x)) << 32 | static_cast<std::uint32_t>(p.y);
-}
-
 /// One go at the cells of a tile.
 class Merging {
  public:
@@ -80,10 +76,8 @@ class Merging {
   using Entry = MergeMemory::Entry;
 
   Entry& slot(TilePoint from, TilePoint to) {
-    std::uint64_t h = packed(from) * 0x9E3779B97F4A7C15ULL;
-    h = (h ^ h >> 29 ^ packed(to)) * 0xBF58476D1CE4E5B9ULL;
     const std::size_t mask = table_.size() - 1;
-    std::size_t i = static_cast<std::size_t>(h ^ h >> 32) & mask;
+    std::size_t i = edge_hash(from, to) & mask;
     while (table_[i].used && (table_[i].from != from || table_[i].to != to)) i = (i + 1) & mask;
     return table_[i];
   }

@@ -3,7 +3,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { endFeed, runningFeeds, switchWork, watch } from '../../actions/feeds';
 import { attempt } from '../../actions/notices';
 import { attach, stopReplay } from '../../actions/replay';
-import type { FeedItem } from '../../api/types';
+import type { DriveOptions, FeedItem } from '../../api/types';
 import { Button } from '../../parts/button';
 import { Select } from '../../parts/choice';
 import { Expander } from '../../parts/expander';
@@ -13,6 +13,7 @@ import { form } from '../../state/plan_form';
 import { replay } from '../../state/replay';
 import { useStore } from '../../state/store';
 import { WorkNumbers } from './replay_bar';
+import { WorkForm } from './work_form';
 
 type Kind = 'tcp' | 'udp' | 'gpsd' | 'serial' | 'file';
 const KINDS: Record<Kind, { label: string; where: string; example: string }> = {
@@ -29,6 +30,7 @@ export function StartFeed() {
   const [where, setWhere] = useState('');
   const [field, setField] = useState(fields.get().open?.id ?? '');
   const [width_m, setWidth] = useState<number | null>(form.get().machine.width_m);
+  const [options, setOptions] = useState<DriveOptions>({});
   const [running, setRunning] = useState<FeedItem[]>([]);
   useEffect(() => {
     void runningFeeds().then(setRunning);
@@ -38,6 +40,7 @@ export function StartFeed() {
       source: `${kind}://${where.trim()}`,
       ...(field ? { field } : {}),
       ...(width_m === null ? {} : { width_m }),
+      ...(Object.keys(options).length === 0 ? {} : { options }),
     });
   const { where: asked, example } = KINDS[kind];
   return (
@@ -56,6 +59,7 @@ export function StartFeed() {
           <Select label="Field" value={field} change={setField}
             options={[{ value: '', label: 'none' }, ...list.map((one) => ({ value: one.id, label: one.name }))]} />
           <NumberField label="Working width" unit="m" value={width_m} least={0.2} most={100} optional hint="If left empty: as the machine says." change={setWidth} />
+          <WorkForm options={options} change={setOptions} />
           <button type="submit" class="button main" disabled={where.trim() === ''}>Watch it</button>
         </form>
       </Expander>

@@ -3,7 +3,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { evaluate } from '../../actions/drives';
 import { attempt } from '../../actions/notices';
 import { plansOf } from '../../actions/plans';
-import type { PlanItem, Upload } from '../../api/types';
+import type { DriveOptions, PlanItem, Upload } from '../../api/types';
 import { clock, count, money, timeOfDay, when, width } from '../../format';
 import { Button } from '../../parts/button';
 import { Select } from '../../parts/choice';
@@ -13,6 +13,7 @@ import { form } from '../../state/plan_form';
 import { review } from '../../state/review';
 import { useStore } from '../../state/store';
 import { farFrom, fieldBelow, WhereDriven } from './where_driven';
+import { WorkForm } from './work_form';
 
 const NONE = '';
 
@@ -36,6 +37,7 @@ export function LogForm({ upload }: { upload: Upload }) {
   const [field, setField] = useState(likely);
   const needsWidth = !chosen || chosen.width_m === null;
   const [width_m, setWidth] = useState<number | null>(null);
+  const [options, setOptions] = useState<DriveOptions>({});
   useEffect(() => {
     setPlan(NONE);
     if (field === NONE) setPlansThere([]);
@@ -49,6 +51,7 @@ export function LogForm({ upload }: { upload: Upload }) {
         field: on || null,
         plan: (on === field && plan) || null,
         width_m: width_m ?? (needsWidth ? form.get().machine.width_m : null),
+        options,
       }),
     );
   return (
@@ -79,6 +82,7 @@ export function LogForm({ upload }: { upload: Upload }) {
       )}
       <NumberField label="Working width" unit="m" value={width_m ?? (needsWidth ? form.get().machine.width_m : null)} least={0.2} most={100} optional={!needsWidth}
         hint={needsWidth ? '' : 'If left empty: as the log says.'} change={setWidth} />
+      <WorkForm options={options} change={setOptions} />
       <div class="row">
         <Button kind="main" onClick={() => void go()}>Show what was worked</Button>
         <Button onClick={() => review.set({ upload: null })}>Back</Button>

@@ -1,14 +1,17 @@
-import { renameDrive } from '../../actions/drives';
+import { useState } from 'preact/hooks';
+import { evaluateAgain, renameDrive } from '../../actions/drives';
 import { attempt } from '../../actions/notices';
 import { driveFile } from '../../api/addresses';
-import type { Compared, DriveFull } from '../../api/types';
+import type { Compared, DriveFull, DriveOptions, HeadingReading } from '../../api/types';
 import { count, hectares, hours, length, metres, percent, plural, rate, sentence, squareMetres, width } from '../../format';
+import { Button } from '../../parts/button';
 import { Expander } from '../../parts/expander';
 import { Figures } from '../../parts/figures';
 import { Icon } from '../../parts/icon';
 import { TitleField } from '../../parts/title_field';
 import { Gaps } from './gaps';
-import { ReplayBar } from './replay_bar';
+import { meshFigures, ReplayBar } from './replay_bar';
+import { WorkForm } from './work_form';
 
 export function OpenDrive({ drive }: { drive: DriveFull }) {
   const s = drive.summary;
@@ -26,13 +29,52 @@ export function OpenDrive({ drive }: { drive: DriveFull }) {
           { label: 'Time at work', value: hours(s.worked_hours), change: rate(s.ha_per_hour) },
           { label: 'Outside the field', value: squareMetres(s.outside_m2) },
           { label: 'Width', value: width(s.width_m), change: `${count(s.fixes_used)} fixes` },
+          ...meshFigures(s.meshes),
         ]} />
+      <WrongHeadings drive={drive} />
       <ReplayBar drive={drive} />
       {drive.gaps.length > 0 && <Gaps drive={drive} />}
       {drive.compared && <PlannedDone compared={drive.compared} />}
+      <WorkAgain key={`again ${drive.id}`} drive={drive} />
       <Remarks drive={drive} />
       <DriveFiles id={drive.id} />
     </section>
+  );
+}
+
+const READINGS: Record<HeadingReading, string> = {
+  compass: 'Read them clockwise from north',
+  math: 'Read them anticlockwise from east',
+  'from-track': 'Take headings from the positions',
+};
+
+/** Headings that cannot be right make every other figure wrong: the user is told before anything else. */
+function WrongHeadings({ drive }: { drive: DriveFull }) {
+  const found = drive.summary.headings;
+  if (!found) return null;
+  return (
+    <div class="notice error" role="alert">
+      <div class="grow">
+        <p>
+          The headings in the log contradict the way driven: {count(found.off)} of {count(found.steps)} steps ({percent(found.share)}) are
+          more than 45° off, first at record {count(found.first.record)}.
+          {found.better === 'from-track' ? ' No reading of the angles fits.' : ` Read otherwise, all but ${count(found.better_off)} agree.`}
+        </p>
+        <div class="row">
+          <Button onClick={() => void attempt(() => evaluateAgain(drive, { ...drive.options, headings: found.better }))}>{READINGS[found.better]}</Button>
+        </div>
+      </div>
+    </div>
+  );
+}
+
+function WorkAgain({ drive }: { drive: DriveFull }) {
+  const [options, setOptions] = useState<DriveOptions>(drive.options);
+  return (
+    <>
+      <WorkForm options={options} change={setOptions} />
+      {options !== drive.options && <Button onClick={() => void attempt(() => evaluateAgain(drive, options))}>Work it out again</Button>}
+    </>
   );
 }
 

@@ -1,5 +1,5 @@
 import { pause, play, seek, setSpeed, stopReplay } from '../../actions/replay';
-import type { DriveFull, WorkFigures } from '../../api/types';
+import type { DriveFull, Meshes, WorkFigures } from '../../api/types';
 import { clock, count, hectares, rate, squareMetres, timeOfDay } from '../../format';
 import { Button } from '../../parts/button';
 import { Select } from '../../parts/choice';
@@ -36,6 +36,13 @@ export function ReplayBar({ drive }: { drive: DriveFull }) {
   );
 }
 
+/** How many meshes the boundaries run through; none with the exact engine. */
+export const meshFigures = (meshes: Meshes | undefined) =>
+  !meshes ? [] : [
+    { label: `Meshes of ${meshes.side_m} m, covered`, value: count(meshes.covered.now), change: `at most ${count(meshes.covered.most)}` },
+    ...(meshes.missed ? [{ label: `Meshes of ${meshes.side_m} m, missed`, value: count(meshes.missed.now), change: `at most ${count(meshes.missed.most)}` }] : []),
+  ];
+
 export const WorkNumbers = ({ figures: f }: { figures: WorkFigures }) => (
   <Figures label="Worked so far"
     list={[
@@ -45,5 +52,6 @@ export const WorkNumbers = ({ figures: f }: { figures: WorkFigures }) => (
       { label: 'Rate', value: rate(f.ha_per_hour) },
       { label: 'At work, h', value: clock(f.worked_s) },
       { label: 'To go, h', value: f.remaining_s === null ? '–' : clock(f.remaining_s) },
+      ...meshFigures(f.meshes),
     ]} />
 );
