@@ -99,6 +99,7 @@ void add_map_keys(ordered_json& out, const Plan& plan) {
   const double radius_m = least_radius_m(plan);
   out["kind"] = kind_of_tracks(plan);
   if (plan.settings.tracks != TrackConstruction::kParallel) out["construction"] = name(plan.settings.tracks);
+  if (!plan.settings.guide.empty()) out["ab_anchor"] = name(anchor_of(plan.settings));
   const std::optional<Path> common = common_reference(plan);
   out["reference"] = common ? reference_json(plan, *common) : ordered_json();
   if (!common && !references(plan).empty())

@@ -34,7 +34,7 @@ void add_settings(const Plan& plan, Names& out) {
         "settings.boundary", "settings.cell_direction", "settings.direction_tolerance",
         "settings.merge_threshold", "settings.decomposition_threshold", "settings.short_edge_m",
         "settings.small_cell_m2", "settings.avoid", "settings.avoid_threshold_m", "settings.clearance_m",
-        "settings.shape", "settings.tracks", "settings.guide"})
+        "settings.shape", "settings.tracks", "settings.guide", "settings.ab_anchor"})
     out.emplace_back(key);
   const auto& passes = plan.headland.obstacle_passes;
   if (std::none_of(passes.begin(), passes.end(), [](int n) { return n > 0; }))

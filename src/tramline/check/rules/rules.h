@@ -63,6 +63,9 @@ void check_parallel(const Case& c, Violations& out);
 /// width apart or less, it is (k + ½) widths from the reference on its side, or rolls round a corner. Not
 /// checked in a repair, nor along a reference that no machine could follow.
 void check_track_lines(const Case& c, Violations& out);
+/// Where tracks begin at the envelope of the body, the reference is a straight line, all subfields lie to its
+/// right, the nearest of them at the line, and track k runs (k + ½) widths from it. Not checked in a repair.
+void check_ab_anchor(const Case& c, Violations& out);
 /// No piece is too short to drive, except those between crossings.
 void check_length(const Case& c, Violations& out);
 /// A piece is flagged as ending in a stop where the first millimetre beyond it reaches an obstacle without

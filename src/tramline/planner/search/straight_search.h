@@ -11,7 +11,8 @@ namespace tramline {
 SearchResult straight_search(const SearchTask& task, const SearchContext& context,
                              double no_more_than = kAnyCost);
 
-/// All parts undivided, with strips along the guide; line 0 of the grid lies on it (S2.6).
+/// All parts undivided, with strips along the guide; line 0 of the grid lies on it, or on the
+/// envelope's side that takes its place (S2.6).
 SearchResult guided_search(const SearchTask& task);
 
 }  // namespace tramline
