@@ -143,7 +143,12 @@ std::string map_table_text(const MapTable& table, const std::vector<Skipped>& sk
   out += fmt::format(kMapRow, "direction", "width", "tracks", "length", "overlap", "uncovered", "turns",
                      "cost", "time") +
          "\n";
-  for (const MapCell& cell : table.cells) out += map_row(cell) + "\n";
+  const std::size_t widths = table.widths_m.size();
+  const bool grouped = directions > 1;
+  for (std::size_t width = 0; width < widths; ++width) {
+    if (grouped && width > 0) out += "\n";
+    for (std::size_t i = width; i < table.cells.size(); i += widths) out += map_row(table.cells[i]) + "\n";
+  }
   return out + best_rows(table);
 }
 

@@ -80,7 +80,8 @@ double least_radius_m(const Plan& plan) {
   double least = std::numeric_limits<double>::infinity();
   for (const TrackPiece& piece : plan.pieces)
     least = least == 0 || has_kinks(piece.curve) ? 0 : std::min(least, smallest_radius(centre_line(piece)));
-  for (const HeadlandPass& pass : plan.headland.passes) least = std::min(least, smallest_radius(pass.path));
+  for (const HeadlandPass& pass : plan.headland.passes)
+    least = has_kinks(pass.path) ? 0 : std::min(least, smallest_radius(pass.path));
   return least;
 }
 

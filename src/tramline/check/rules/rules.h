@@ -52,6 +52,7 @@ void check_swath_overlaps(const Case& c, Violations& out);
 /// given up. Where there is a clearance, straight and curved swaths keep it too.
 void check_clearance(const Case& c, Violations& out);
 /// The machine can drive every detour, curve and headland pass: no arc is too tight and no heading jumps.
+/// Plain headlands (HeadlandConstruction::kPlain) have corners.
 void check_drivable(const Case& c, Violations& out);
 /// Each piece obeys the end rule over all its straight parts, or all along its curve. In a repair the land to
 /// cover is that of any gap, and the work may go on over breaks of less than kLeastBreak_m.

@@ -22,6 +22,7 @@ constexpr const char* kFormat = "tramline plan";
 constexpr int kNewestVersion = kVersionWithOwnLines, kOldestVersion = 2;
 constexpr const char* kTracks = "settings.tracks";
 constexpr const char* kAbAnchor = "settings.ab_anchor";
+constexpr const char* kHeadlandConstruction = "headland.construction";
 constexpr const char* kReference = "reference";    // of all subfields
 constexpr const char* kReferences = "references";  // by subfield, where they have not all the same
 constexpr const char* kKind = "kind";
@@ -126,6 +127,7 @@ class Writer : public FieldKeyWriter {
   void operator()(const std::string& key, TrackShape value) const { out()[key] = name(value); }
   void operator()(const std::string& key, TrackConstruction value) const { out()[key] = name(value); }
   void operator()(const std::string& key, AbAnchor value) const { out()[key] = name(value); }
+  void operator()(const std::string& key, HeadlandConstruction value) const { out()[key] = name(value); }
   /// Degrees are for people; radians are what is read back, to the bit.
   void operator()(const std::string& key, Angle value) const {
     (*this)(key + "_deg", short_degrees(value));
@@ -168,6 +170,9 @@ class Reader : public FieldKeyReader {
     value = word(key, track_construction_named(text(key)));
   }
   void operator()(const std::string& key, AbAnchor& value) { value = word(key, ab_anchor_named(text(key))); }
+  void operator()(const std::string& key, HeadlandConstruction& value) {
+    value = word(key, headland_construction_named(text(key)));
+  }
   void operator()(const std::string& key, Angle& value) {
     double radians = 0;
     (*this)(key + "_rad", radians);
@@ -236,6 +241,7 @@ Metadata metadata_of(const Plan& plan) {
   out[kInputCrsKey] = plan.field.source.input_crs;
   writer(kTracks, plan.settings.tracks);
   writer(kAbAnchor, anchor_of(plan.settings));
+  writer(kHeadlandConstruction, plan.headland.construction);
   write_references(plan, writer);
   out["format"] = kFormat;
   out["format_version"] = std::to_string(has_own_lines(plan) ? kVersionWithOwnLines : kVersionWithSearchEnd);
@@ -271,6 +277,7 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   if (metadata.contains(kTracks)) reader(kTracks, plan.settings.tracks);
   plan.settings.ab_anchor = AbAnchor::kLine;
   if (metadata.contains(kAbAnchor)) reader(kAbAnchor, plan.settings.ab_anchor);
+  if (metadata.contains(kHeadlandConstruction)) reader(kHeadlandConstruction, plan.headland.construction);
   return version;
 }
 

@@ -6,6 +6,7 @@
 #include "tramline/render/page/map_decorations.h"
 #include "tramline/render/page/text.h"
 #include "tramline/render/plan/draw_plan.h"
+#include "tramline/render/plan/layers.h"
 #include "tramline/render/plan/small_map.h"
 
 namespace tramline::render {
@@ -63,6 +64,40 @@ Sheet lay_out_sheet(const Box& drawn_m, const std::vector<SmallMap>& maps, int w
   return out;
 }
 
+/// Of tracks too close together to be seen one by one, every how manieth is drawn.
+int drawn_every(double swath_px, double k) {
+  constexpr double kApart = 6;  ///< of the tracks drawn, px at text scale 1
+  if (swath_px >= kLeastStripe * k) return 1;
+  return static_cast<int>(std::ceil(kApart * k / swath_px));
+}
+
+/// The plan with those tracks only, and all that stop or leave their line.
+Plan thinned(Plan plan, int every) {
+  if (every == 1) return plan;
+  std::erase_if(plan.pieces, [every](const TrackPiece& piece) {
+    return piece.track % every != 0 && piece.detours.empty() && !piece.stop_at_start && !piece.stop_at_end;
+  });
+  return plan;
+}
+
+/// The legend of what small maps show.
+LegendBlock legend_of_sheet(const std::vector<Plan>& plans, const char* track) {
+  LegendBlock out = legend_of_all(plans);
+  std::erase_if(out.rows, [](const LegendRow& row) {
+    return row.symbol == Symbol::kHeadlandPass || row.symbol == Symbol::kReference;
+  });
+  for (LegendRow& row : out.rows)
+    if (row.symbol == Symbol::kTrack) row.text = track;
+  return out;
+}
+
+/// Of the narrowest swaths.
+double least_width_m(const std::vector<SmallMap>& maps) {
+  double out = maps.front().plan.machine.width_m;
+  for (const SmallMap& map : maps) out = std::min(out, map.plan.machine.width_m);
+  return out;
+}
+
 void draw_small_map_caption(Canvas& canvas, const SmallMap& map, const Box& map_px, double caption_height) {
   const double k = canvas.scale();
   const TextStyle bold{kTextSize, true}, plain{kSmallTextSize, false, Align::kLeft, kFaintInk};
@@ -83,16 +118,20 @@ void draw_small_maps(const std::string& title, const std::string& subtitle, cons
   if (maps.empty()) throw bad_input("there is no map to draw");
   std::vector<Plan> plans;
   for (const SmallMap& map : maps) plans.push_back(map.plan);
-  const std::vector<LegendBlock> legend{legend_of_all(plans)};
+  std::vector<LegendBlock> legend{legend_of_sheet(plans, "track")};
   const Box drawn = drawn_box(plans);
   const Sheet page = lay_out_sheet(drawn, maps, options.width_px, heights_of(legend).front());
+  const double m_per_px = small_map_scale(drawn, page.map(0), page.k);
+  if (drawn_every(least_width_m(maps) / m_per_px, page.k) > 1)
+    legend = {legend_of_sheet(plans, "track, where they are close only some of them")};
 
   Canvas canvas(format, page.width_px, page.height_px);
   canvas.use({}, page.k);
   draw_title(canvas, page.title, title, subtitle);
   for (std::size_t i = 0; i < maps.size(); ++i) {
     draw_small_map_caption(canvas, maps[i], page.map(i), page.caption_height);
-    draw_small_map(canvas, maps[i].plan, drawn, page.map(i), page.k);
+    const int every = drawn_every(plans[i].machine.width_m / m_per_px, page.k);
+    draw_small_map(canvas, thinned(plans[i], every), drawn, page.map(i), page.k);
   }
   draw_legend(canvas, page.panel, legend);
   write_whole(path, canvas.finish());

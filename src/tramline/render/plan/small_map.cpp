@@ -47,6 +47,10 @@ double small_map_height(const Box& drawn_m, double width_px) {
   return std::clamp(shape, 0.2, kTallestMap) * width_px;
 }
 
+double small_map_scale(const Box& drawn_m, const Box& map_px, double k) {
+  return 1 / view_of(drawn_m, map_px, kMapPadding * k).px_per_m;
+}
+
 void draw_small_map(Canvas& canvas, const Plan& plan, const Box& drawn_m, const Box& map_px, double k) {
   canvas.use(view_of(drawn_m, map_px, kMapPadding * k), kMapScale * k);
   draw_ground(canvas, plan);

@@ -18,6 +18,9 @@ Box drawn_box(const std::vector<Plan>& plans);
 /// The height of a map of this width, px, for what is drawn, m.
 double small_map_height(const Box& drawn_m, double width_px);
 
+/// How many metres of the field are a pixel of a map of this size.
+double small_map_scale(const Box& drawn_m, const Box& map_px, double k);
+
 /// Draws the plan into a box of the page, px: draw_plan()'s layers without numbers and arrow heads, for which
 /// small maps have no room. `drawn_m` fills the box. `k` is the text scale of the page, which the canvas uses
 /// again afterwards.

@@ -89,6 +89,7 @@ void check_drivable(const Case& c, Violations& out) {
     if (!piece.detours.empty() || !piece.curve.empty()) check_piece(piece, least_m, piece_name(i), out);
   }
   const auto& passes = c.plan.headland.passes;
+  if (c.plan.headland.construction == HeadlandConstruction::kPlain) return;
   for (std::size_t i = 0; i < passes.size(); ++i) check_pass(passes[i], least_m, pass_name(i), out);
 }
 
