@@ -57,7 +57,7 @@ Region within(const std::vector<Nested>& boundaries, Shape shape) {
   for (const Nested& boundary : boundaries)
     if (boundary.obstacle())
       for (const Polygon& part : shape(boundary)) taken.push_back(part);
-  return difference(shape(boundaries.front()), unite(taken));
+  return without_slivers(difference(shape(boundaries.front()), unite(taken)));
 }
 
 bool lies_on(Point p, const Region& region) {
@@ -119,7 +119,7 @@ HeadlandAndBody plain_headland_of(const Field& field, const HeadlandTerms& terms
   out.construction = HeadlandConstruction::kPlain;
   out.obstacle_passes = terms.obstacle_passes;
   const Region behind = within(nested, [](const Nested& b) { return b.border(); });
-  out.body = intersection(land, unite(behind, land_inside_obstacles(field, boundaries)));
+  out.body = without_slivers(intersection(land, unite(behind, land_inside_obstacles(field, boundaries))));
   out.ground = difference(land, out.body);
   for (int number = 1; number <= most; ++number)
     for (const Polygon& part : within(nested, [number](const Nested& b) { return b.centre(number); })) {

@@ -102,16 +102,30 @@ void append_mitred_land(const Ring& ring, double distance_m, Region& out) {
 
 }  // namespace
 
+namespace {
+
+/// Without what the precision grid leaves where strips meet.
+Region without_needles(Region region) {
+  const auto thin = [](const Ring& ring) {
+    return std::abs(signed_area(ring)) <= kThinnestShown_m * perimeter(ring);
+  };
+  std::erase_if(region, [&thin](const Polygon& part) { return thin(part.outer); });
+  for (Polygon& part : region) std::erase_if(part.holes, thin);
+  return region;
+}
+
+}  // namespace
+
 Region moved_inwards(const Region& region, double distance_m) {
   Region passed;
   for (const Ring& ring : rings_of(region)) append_mitred_land(ring, distance_m, passed);
-  return difference(region, unite(passed));
+  return without_needles(difference(region, unite(passed)));
 }
 
 Region moved_outwards(const Region& region, double distance_m) {
   Region all = region;
   for (const Ring& ring : rings_of(region)) append_mitred_land(reversed(ring), distance_m, all);
-  return unite(all);
+  return without_needles(unite(all));
 }
 
 Region land_near(const Ring& ring, double distance_m) {

@@ -43,7 +43,17 @@ void append_passed_over(const Ring& whole, double distance_m, Region& out) {
   }
 }
 
+bool is_thin(const Ring& ring) {
+  return without_idle_corners(ring).empty() || std::abs(signed_area(ring)) <= kMitredIdle_m * perimeter(ring);
+}
+
 }  // namespace
+
+Region without_slivers(Region region) {
+  std::erase_if(region, [](const Polygon& part) { return is_thin(part.outer); });
+  for (Polygon& part : region) std::erase_if(part.holes, is_thin);
+  return region;
+}
 
 Ring without_idle_corners(const Ring& ring) {
   Ring out;
@@ -56,14 +66,14 @@ Region mitred_inset(const Region& region, double distance_m) {
   assert(distance_m > 0);
   Region passed;
   for (const Ring& ring : rings_of(region)) append_passed_over(ring, distance_m, passed);
-  return difference(region, unite(passed));
+  return without_slivers(difference(region, unite(passed)));
 }
 
 Region mitred_outset(const Region& region, double distance_m) {
   assert(distance_m > 0);
   Region all = region;
   for (const Ring& ring : rings_of(region)) append_passed_over(reversed(ring), distance_m, all);
-  return unite(all);
+  return without_slivers(unite(all));
 }
 
 }  // namespace tramline

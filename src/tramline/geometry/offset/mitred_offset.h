@@ -16,6 +16,10 @@ Region mitred_inset(const Region& region, double distance_m);
 /// shrink. Precondition: as above.
 Region mitred_outset(const Region& region, double distance_m);
 
+/// The region without parts, and without holes, that are nowhere wider than about kMitredIdle_m: where strips
+/// of edges meet on the precision grid, booleans leave some.
+Region without_slivers(Region region);
+
 /// The ring through the vertices that matter to an offset; empty where it is nowhere wider than the
 /// tolerance.
 Ring without_idle_corners(const Ring& ring);
