@@ -39,6 +39,7 @@ void add_settings(const Plan& plan, Names& out) {
   const auto& passes = plan.headland.obstacle_passes;
   if (std::none_of(passes.begin(), passes.end(), [](int n) { return n > 0; }))
     out.emplace_back("settings.obstacle_headlands");
+  if (plan.headland.passes.empty()) out.emplace_back("headland.construction");
   if (!references(plan).empty()) out.emplace_back(common_reference(plan) ? "reference" : "references");
 }
 
