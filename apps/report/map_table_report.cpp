@@ -160,7 +160,7 @@ std::string map_table_csv(const MapTable& table) {
   for (const MapCell& cell : table.cells) {
     out += fmt::format(
         "{},{},{},{},", kind_word(cell.asked.kind),
-        has_direction(cell.asked) ? fmt::format("{}", cell.asked.direction.degrees()) : std::string(),
+        has_direction(cell.asked) ? fmt::format("{:.10g}", cell.asked.direction.degrees()) : std::string(),
         cell.asked.kind == Kind::kEdge ? fmt::format("{}", cell.asked.edge_m) : std::string(),
         cell.machine.width_m);
     if (!cell.refusal.empty()) {

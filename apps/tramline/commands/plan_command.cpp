@@ -137,12 +137,7 @@ class PlanCommand : public Command {
     require_only_tables();
     std::optional<DirectionWords> directions;
     if (!table_options_.directions.empty()) directions = direction_words(table_options_.directions);
-    std::vector<double> widths_m{machine_.width_m};
-    if (!table_options_.widths.empty()) widths_m = map_widths(table_options_.widths);
-    for (const double width_m : widths_m) {
-      machine_.width_m = width_m;
-      validate_request(machine_, objective_, settings_);
-    }
+    const std::vector<double> widths_m = widths_asked_for();
     const std::vector<std::string> inputs{field_options_.file, field_options_.obstacles_file,
                                           field_options_.passable_file, plan_options_.machine_file,
                                           plan_options_.guide_file};
@@ -154,21 +149,13 @@ class PlanCommand : public Command {
     const Naming naming = single ? Naming::kAsGiven : Naming::kWithId;
     OutputNames tables(table_options_.table_file, naming), pictures(wanted_.picture, naming);
     const auto work = [&](const Field& field) {
-      Machine first = machine_;
-      first.width_m = widths_m.front();
-      const MapTableTask task{field, machine_, settings_for(settings_, guide_, field, first), directions,
+      const MapTableTask task{field, machine_, settings_for(settings_, guide_, field, machine_), directions,
                               widths_m};
       const MapTableResult found = mapped(task, [&](const Machine& machine, const PlanSettings& settings) {
         ProgressLine progress(quiet_);
         return plan_field(field, machine, objective_, settings, threads_, shown(field, progress));
       });
-      if (!table_options_.table_file.empty()) {
-        const std::string csv = map_table_csv(found.table);
-        io::write_whole(tables.next(field.id), std::as_bytes(std::span(csv)));
-      }
-      if (!wanted_.picture.empty())
-        render::draw_small_maps(field.id.empty() ? "field" : field.id, picture_subtitle(found), found.shown,
-                                pictures.next(field.id));
+      write(found, field, tables, pictures);
       const std::vector<Skipped>& skipped = single ? input.skipped : kNothingSkipped;
       return FieldResult{map_table_json(found.table, skipped), map_table_text(found.table, skipped), {}};
     };
@@ -176,6 +163,28 @@ class PlanCommand : public Command {
     if (!single) return work_on_many_fields(input, report, work);
     const InterruptEndsSearches interruptible;
     return show_single(input.fields.front(), work(input.fields.front()), report);
+  }
+
+  /// The first is that of `machine_` then.
+  std::vector<double> widths_asked_for() {
+    std::vector<double> out{machine_.width_m};
+    if (!table_options_.widths.empty()) out = map_widths(table_options_.widths);
+    for (auto width_m = out.rbegin(); width_m != out.rend(); ++width_m) {
+      machine_.width_m = *width_m;
+      validate_request(machine_, objective_, settings_);
+    }
+    return out;
+  }
+
+  void write(const MapTableResult& found, const Field& field, OutputNames& tables,
+             OutputNames& pictures) const {
+    if (!table_options_.table_file.empty()) {
+      const std::string csv = map_table_csv(found.table);
+      io::write_whole(tables.next(field.id), std::as_bytes(std::span(csv)));
+    }
+    if (!wanted_.picture.empty())
+      render::draw_small_maps(field.id.empty() ? "field" : field.id, picture_subtitle(found), found.shown,
+                              pictures.next(field.id));
   }
 
   /// What makes no sense for a table of maps.
