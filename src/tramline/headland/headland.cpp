@@ -9,7 +9,7 @@
 #include "tramline/headland/pass_boundaries.h"
 #include "tramline/headland/pass_rings.h"
 #include "tramline/headland/pass_tally.h"
-#include "tramline/headland/plain_headland.h"
+#include "tramline/headland/plain/plain_headland.h"
 
 namespace tramline {
 namespace {

@@ -1,4 +1,4 @@
-#include "tramline/headland/plain_headland.h"
+#include "tramline/headland/plain/plain_headland.h"
 
 #include <algorithm>
 #include <cmath>
