@@ -80,7 +80,8 @@ double least_radius_m(const Plan& plan) {
   double least = std::numeric_limits<double>::infinity();
   for (const TrackPiece& piece : plan.pieces)
     least = least == 0 || has_kinks(piece.curve) ? 0 : std::min(least, smallest_radius(centre_line(piece)));
-  for (const HeadlandPass& pass : plan.headland.passes) least = std::min(least, smallest_radius(pass.path));
+  for (const HeadlandPass& pass : plan.headland.passes)
+    least = has_kinks(pass.path) ? 0 : std::min(least, smallest_radius(pass.path));
   return least;
 }
 
@@ -99,6 +100,7 @@ void add_map_keys(ordered_json& out, const Plan& plan) {
   const double radius_m = least_radius_m(plan);
   out["kind"] = kind_of_tracks(plan);
   if (plan.settings.tracks != TrackConstruction::kParallel) out["construction"] = name(plan.settings.tracks);
+  if (!plan.settings.guide.empty()) out["ab_anchor"] = name(anchor_of(plan.settings));
   const std::optional<Path> common = common_reference(plan);
   out["reference"] = common ? reference_json(plan, *common) : ordered_json();
   if (!common && !references(plan).empty())

@@ -133,6 +133,8 @@ PlanSettings settings_of(const PlanOptions& o) {
   settings.obstacle_headlands = o.obstacle_headlands;
   settings.shape = shape_of(o.curved);
   settings.tracks = chosen(track_construction_named(o.tracks), "--tracks", o.tracks, "parallel or paper");
+  if (!o.ab_anchor.empty())
+    settings.ab_anchor = chosen(ab_anchor_named(o.ab_anchor), "--ab-anchor", o.ab_anchor, "line or envelope");
   if (!o.end_rule.empty())
     settings.end_rule =
         chosen(end_rule_named(o.end_rule), "--end-rule", o.end_rule, "cheapest, centre, cover or inside");

@@ -28,6 +28,7 @@ struct PlanOptions {
   int headlands = 0, obstacle_headlands = 0;
   std::string ab, guide_file, guide_where, curved;
   std::string tracks = "parallel";
+  std::string ab_anchor;  ///< line; with straight tracks as in Zhou envelope
 };
 
 /// The machine file, overruled by --width, --radius and --min-length. Throws kBadInput.

@@ -175,5 +175,35 @@ TEST(PlannedPlans, with_kinks_are_found_undrivable_and_nothing_else) {
     EXPECT_EQ(each.rule, check::Rule::kDrivable) << each.what;
 }
 
+// Plain headlands and tracks from the envelope hold in every figure, with obstacles that are near one another
+// and near the edge.
+TEST(PlannedPlans, with_plain_headlands_hold) {
+  Field field;
+  field.id = "notched";
+  field.outer = {{0, 0}, {100, 0}, {100, 60}, {60, 60}, {60, 25}, {40, 60}, {0, 60}};
+  field.obstacles.push_back(
+      {{{{20, 20}, {30, 20}, {30, 30}, {20, 30}}, {}}, ObstacleKind::kObstacle, "pond"});
+  field.obstacles.push_back(
+      {{{{46, 20}, {54, 20}, {54, 22}, {48, 22}}, {}}, ObstacleKind::kObstacle, "mast"});
+  PlanSettings settings;
+  settings.tracks = TrackConstruction::kPaper;
+  settings.end_rule = EndRule::kCover;
+  settings.headlands = settings.obstacle_headlands = 2;
+  settings.guide = {{0, 30}, {100, 50}};
+  Plan plan = plan_field(field, {"", 4, 6, 0}, {}, settings, 1);
+  EXPECT_GT(plan.headland.passes.size(), 2U);
+  for (const check::Violation& each : check::verify(plan).violations)
+    ADD_FAILURE() << name(each.rule) << ": " << each.what;
+  const auto finds = [&plan](check::Rule rule) {
+    const std::vector<check::Violation> found = check::verify(plan).violations;
+    return std::any_of(found.begin(), found.end(), [rule](const auto& each) { return each.rule == rule; });
+  };
+  plan.headland.construction = HeadlandConstruction::kDrivable;
+  EXPECT_TRUE(finds(check::Rule::kDrivable)) << "kinks";
+  plan.headland.construction = HeadlandConstruction::kPlain;
+  for (Subfield& subfield : plan.subfields) subfield.reference = {{{0, 30}, {100, 50}, 0}};
+  EXPECT_TRUE(finds(check::Rule::kParallel)) << "the line is not the side of the envelope";
+}
+
 }  // namespace
 }  // namespace tramline

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <utility>
 
 #include "planner/prepared.h"
 #include "support/refusals.h"
@@ -215,26 +216,138 @@ Plan as_in_the_paper(const Field& field, double width_m, PlanSettings settings) 
   return mapped(field, width_m, settings);
 }
 
-// Along a straight line Zhou's construction and strips are two roads to one map.
+// Along a straight line Zhou's construction and strips are two roads to one map, wherever it is anchored.
 TEST(MetricMap, OfAStraightLineIsTheSameByThePapersConstruction) {
-  const Field field = field_of({{0, 0}, {120, 0}, {131, 38}, {120, 70}, {3, 60}},
-                               {box(50, 20, 70, 40), {{90, 30}, {104, 36}, {95, 50}}});
-  for (const double y : {-3.0, 0.0, 11.0}) {
-    for (const double rise : {0.0, 17.0}) {
-      PlanSettings settings = along_x(y, 1, 1);
-      settings.guide.back().y += rise;
-      const Plan strips = mapped(field, 4, settings), paper = as_in_the_paper(field, 4, settings);
-      EXPECT_EQ(paper.tally.pieces, strips.tally.pieces);
-      EXPECT_NEAR(paper.tally.track_length_m, strips.tally.track_length_m, 0.01);
-      EXPECT_NEAR(paper.track_tally.overlap_m2, strips.track_tally.overlap_m2, 0.05);
-      EXPECT_NEAR(paper.cost, strips.cost, 0.01);
-      EXPECT_NEAR(area(symmetric_difference(paper.overlap, strips.overlap)), 0, 0.1);
-      EXPECT_FALSE(is_curved(paper));
-      // Booleans move corners by micrometres.
-      EXPECT_NEAR(paper.track_tally.uncovered_m2, 0, 1e-2);
-      EXPECT_NEAR(identity_error_m2(paper), 0, 1e-2);
-    }
+  const Field field = field_of({{0, 0}, {120, 0}, {131, 38}, {120, 70}, {40, 25}, {3, 60}});
+  for (const AbAnchor anchor : {AbAnchor::kLine, AbAnchor::kEnvelope})
+    for (const double y : {-3.0, 0.0, 11.0})
+      for (const double rise : {0.0, 17.0}) {
+        PlanSettings settings = along_x(y);
+        settings.guide.back().y += rise;
+        settings.ab_anchor = anchor;
+        const Plan strips = mapped(field, 4, settings), paper = as_in_the_paper(field, 4, settings);
+        EXPECT_EQ(paper.tally.pieces, strips.tally.pieces);
+        EXPECT_NEAR(paper.tally.track_length_m, strips.tally.track_length_m, 0.01);
+        EXPECT_NEAR(paper.track_tally.overlap_m2, strips.track_tally.overlap_m2, 0.05);
+        EXPECT_NEAR(paper.cost, strips.cost, 0.01);
+        EXPECT_NEAR(area(symmetric_difference(paper.overlap, strips.overlap)), 0, 0.1);
+        EXPECT_FALSE(is_curved(paper));
+        // Booleans move corners by micrometres.
+        EXPECT_NEAR(paper.track_tally.uncovered_m2, 0, 1e-2);
+        EXPECT_NEAR(identity_error_m2(paper), 0, 1e-2);
+      }
+}
+
+// 100 × 60 m, w = 4, one pass, the line across the middle: the body is 92 × 52 m and its envelope itself.
+// Zhou's τ = ⌈52/4⌉ = 13 tracks of 92 m work it without overlap. From a line at y = 30 the borders of swaths
+// are at y = 2, 6 … 58: 14 of them for a body from 4 to 56, so that 2 m at either side, 368 m² in all, are
+// worked twice.
+TEST(MetricMap, BegunAtTheEnvelopeSavesATrack) {
+  const Field field = field_of(box(0, 0, 100, 60));
+  PlanSettings settings = along_x(30, 1);
+  settings.guide = {{40, 30}, {60, 30}};
+  const Plan line = mapped(field, 4, settings);
+  EXPECT_EQ(line.tally.pieces, 14);
+  EXPECT_NEAR(line.track_tally.overlap_m2, 368, 0.02);
+  EXPECT_EQ(line.settings.ab_anchor, AbAnchor::kLine);
+  settings.ab_anchor = AbAnchor::kEnvelope;
+  for (const bool reversed : {false, true}) {
+    if (reversed) std::swap(settings.guide.front(), settings.guide.back());
+    const Plan envelope = mapped(field, 4, settings);
+    EXPECT_EQ(envelope.tally.pieces, 13);
+    EXPECT_NEAR(envelope.tally.track_length_m, 13 * 92, 1e-6);
+    EXPECT_NEAR(envelope.track_tally.overlap_m2, 0, 1e-3);
+    expect_identity(envelope);
+    // On the left of the line: north of one to the east, south of one to the west.
+    ASSERT_EQ(envelope.subfields[0].reference.size(), 1U);
+    EXPECT_NEAR(envelope.subfields[0].reference[0].from.y, reversed ? 4 : 56, 1e-9);
+    for (const TrackPiece& piece : envelope.pieces)
+      EXPECT_NEAR(std::abs(piece.start.y - envelope.subfields[0].reference[0].from.y),
+                  std::abs(piece.track + 0.5) * 4, 1e-6);
   }
+}
+
+// The same by the paper's construction, headland included: the pass runs 2 m in, 2·(96 + 56) = 304 m, and
+// works the 6000 − 92·52 = 1216 m² = 4·304 of the headland once, corners too.
+TEST(MetricMap, OfARectangleByThePaperHasNoOverlapAtAll) {
+  PlanSettings settings = along_x(30, 1);
+  const Plan plan = as_in_the_paper(field_of(box(0, 0, 100, 60)), 4, settings);
+  EXPECT_EQ(plan.settings.ab_anchor, AbAnchor::kEnvelope);
+  EXPECT_EQ(plan.tally.pieces, 13);
+  EXPECT_NEAR(area(plan.body), 92 * 52, 1e-6);
+  ASSERT_EQ(plan.headland.passes.size(), 1U);
+  EXPECT_NEAR(length(plan.headland), 304, 1e-9);
+  EXPECT_NEAR(plan.headland.worked_m2, 1216, 1e-6);
+  EXPECT_NEAR(plan.headland.overlap_m2, 0, 1e-6);
+  EXPECT_NEAR(plan.headland.uncovered_m2, 0, 1e-6);
+  EXPECT_NEAR(plan.tally.overlap_m2, 0, 1e-2);
+  EXPECT_NEAR(plan.tally.uncovered_m2, 0, 1e-2);
+  EXPECT_NEAR(identity_error_m2(plan), 0, 1e-6);
+}
+
+// At 45° the 92 × 52 m of the body are (92 + 52)/√2 = 101.82 m across: τ = ⌈25.46⌉ = 26.
+TEST(MetricMap, BegunAtATurnedEnvelope) {
+  PlanSettings settings;
+  settings.headlands = 1;
+  settings.guide = {{50, 30}, {60, 40}};
+  const Plan plan = as_in_the_paper(field_of(box(0, 0, 100, 60)), 4, settings);
+  EXPECT_EQ(plan.tally.pieces, 26);
+  EXPECT_NEAR(plan.track_tally.uncovered_m2, 0, 1e-2);
+  // Through the corner (4, 56), the farthest on the left.
+  const PathSegment& side = plan.subfields[0].reference.front();
+  EXPECT_NEAR(distance_to_edge(side, {4, 56}, {4, 56}), 0, 1e-6);
+}
+
+// An L, w = 4, one pass: the ring keeps 2 m off with a corner at (18, 18), beside the corner (20, 20) that
+// stands out into the land, 184 m in all. The body has a corner at (16, 16): 52·12 + 12·20 = 864 m², and the
+// headland 1600 − 864 = 736 = 4·184 m². The body is 32 m high and begins at y = 36: 8 tracks, 5 of 12 m and 3
+// of 52 m.
+TEST(MetricMap, OfAnLByThePaper) {
+  const Field field = field_of({{0, 0}, {60, 0}, {60, 20}, {20, 20}, {20, 40}, {0, 40}});
+  const Plan plan = as_in_the_paper(field, 4, along_x(10, 1));
+  ASSERT_EQ(plan.headland.passes.size(), 1U);
+  EXPECT_EQ(plan.headland.construction, HeadlandConstruction::kPlain);
+  EXPECT_NEAR(length(plan.headland), 184, 1e-9);
+  EXPECT_NEAR(area(plan.body), 864, 1e-6);
+  EXPECT_NEAR(plan.headland.overlap_m2, 0, 1e-6);
+  EXPECT_NEAR(plan.headland.uncovered_m2, 0, 1e-6);
+  EXPECT_EQ(plan.tally.pieces, 8);
+  EXPECT_NEAR(plan.tally.track_length_m, 5 * 12 + 3 * 52, 1e-3);
+  EXPECT_NEAR(plan.track_tally.overlap_m2, 0, 1e-2);
+}
+
+// Two passes round a square obstacle of 10 m: rings of 14 and 22 m a side, and 26 m for the border b.
+TEST(MetricMap, OfAnObstacleByThePaper) {
+  const Field field = field_of(box(0, 0, 100, 80), {box(40, 35, 50, 45)});
+  const Plan plan = as_in_the_paper(field, 4, along_x(10, 1, 2));
+  ASSERT_EQ(plan.headland.passes.size(), 3U);
+  EXPECT_NEAR(length(plan.headland), 2 * (96 + 76) + 4 * 14 + 4 * 22, 1e-9);
+  EXPECT_NEAR(area(plan.body), 92 * 72 - 26 * 26, 1e-6);
+  EXPECT_NEAR(plan.headland.overlap_m2, 0, 1e-6);
+  EXPECT_NEAR(plan.headland.uncovered_m2, 0, 1e-6);
+}
+
+// 5 m from the edge, w = 4, an obstacle's pass and that of the field would overlap: they are one ring, which
+// keeps w/2 off both. Between them, where the centre lines are to be 2 m from either, is room for it.
+TEST(MetricMap, PlainPassesThatMeetAreOneRing) {
+  const Field field = field_of(box(0, 0, 100, 80), {box(40, 3, 50, 13)});
+  const Plan plan = as_in_the_paper(field, 4, along_x(10, 1, 1));
+  ASSERT_EQ(plan.headland.passes.size(), 1U);
+  const HeadlandPass& pass = plan.headland.passes[0];
+  EXPECT_TRUE(pass.around_field);
+  EXPECT_EQ(pass.obstacles, std::vector<std::size_t>{0});
+  // Up from y = 2 to 15 and down again, 14 m apart.
+  EXPECT_NEAR(length(pass.path), 2 * (96 + 76) + 2 * 13, 1e-6);
+}
+
+TEST(MetricMap, RefusesAnEnvelopeWithoutAStraightLine) {
+  const Field field = field_of(box(0, 0, 100, 60));
+  PlanSettings settings;
+  settings.ab_anchor = AbAnchor::kEnvelope;
+  EXPECT_REFUSED(mapped(field, 4, settings));
+  settings.guide = {{0, 0}, {50, 10}, {100, 0}};
+  settings.shape = TrackShape::kCurved;
+  EXPECT_REFUSED(mapped(field, 4, settings));
 }
 
 // A line that turns by 60° along the edge of a field of the same shape, 100 m to either side of the kink and

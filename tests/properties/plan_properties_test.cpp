@@ -148,6 +148,37 @@ TEST_F(PlanProperties, OverlapsOfCurvedSwathsAgreeWithPolygonBooleans) {
   EXPECT_GT(kinked, 0);
 }
 
+/// Zhou's L·w − O = |F_b|, with tracks that begin at the envelope on either side, by strips and by the
+/// paper's own construction along a straight line with its plain headlands.
+TEST_F(PlanProperties, MapsBegunAtTheEnvelopeCoverTheBody) {
+  for_random_fields(40, [&](Field field, Request request) {
+    std::erase_if(field.obstacles, [](const Obstacle& o) { return o.kind == ObstacleKind::kPassable; });
+    bool any = false;
+    for (const TrackConstruction tracks : {TrackConstruction::kParallel, TrackConstruction::kPaper}) {
+      request.settings = {};
+      request.settings.guide = {field.outer[1], field.outer[0]};
+      request.settings.ab_anchor = AbAnchor::kEnvelope;
+      request.settings.tracks = tracks;
+      request.settings.end_rule = EndRule::kCover;
+      request.settings.headlands = request.settings.obstacle_headlands = 1;
+      request.machine.min_length_m = 0;
+      const auto plan = try_plan(field, request);
+      if (!plan) continue;
+      any = true;
+      const double tolerance = 1e-6 * area(Polygon{field.outer, {}}) + 1e-3;
+      const Tally& tally = plan->track_tally;
+      EXPECT_NEAR(request.machine.width_m * tally.track_length_m - tally.overlap_m2, area(plan->body),
+                  tolerance);
+      EXPECT_NEAR(tally.uncovered_m2, 0, tolerance);
+      EXPECT_NEAR(identity_error_m2(*plan), 0, tolerance);
+      const Headland& headland = plan->headland;
+      EXPECT_NEAR(headland.worked_m2, area(headland.ground) - headland.uncovered_m2 + headland.overlap_m2,
+                  tolerance);
+    }
+    return any;
+  });
+}
+
 /// Hard land is entered by no swath; what the end rule promises holds for whole swaths.
 TEST_F(PlanProperties, SwathsKeepOffHardLandAndWithinTheirRule) {
   for_random_fields(100, [](const Field& field, const Request& request) {

@@ -68,7 +68,7 @@ SettingsInput settings_in(const ordered_json& json) {
       json, "settings",
       {"strategy", "end_rule", "boundary", "headlands", "obstacle_headlands", "curved", "line", "avoid",
        "avoid_threshold_m", "avoid_room_m", "clearance_m", "merge_deg", "decomposition_deg", "short_edge_m",
-       "direction_tolerance_deg", "cell_direction", "tracks"});
+       "direction_tolerance_deg", "cell_direction", "tracks", "ab_anchor"});
   app::PlanOptions options;
   take_word(input, "strategy", options.strategy);
   take_word(input, "end_rule", options.end_rule);
@@ -77,6 +77,7 @@ SettingsInput settings_in(const ordered_json& json) {
   take_word(input, "curved", options.curved);
   take_word(input, "avoid", options.avoid);
   take_word(input, "tracks", options.tracks);
+  take_word(input, "ab_anchor", options.ab_anchor);
   take_number(input, "clearance_m", options.clearance_m);
   take_number(input, "merge_deg", options.merge_deg);
   take_number(input, "decomposition_deg", options.decomposition_deg);

@@ -122,8 +122,9 @@ class CompareCommand : public Command {
     settings_ = settings_of(plan_options_);
     validate_request(machine_, objective_, settings_);
     if (settings_.tracks == TrackConstruction::kPaper || settings_.shape != TrackShape::kStraight ||
-        !plan_options_.ab.empty() || !plan_options_.guide_file.empty())
-      throw bad_input("compare chooses directions itself; leave out --curved, --ab, --guide and --tracks");
+        !plan_options_.ab.empty() || !plan_options_.guide_file.empty() || !plan_options_.ab_anchor.empty())
+      throw bad_input(
+          "compare chooses directions itself; leave out --curved, --ab, --ab-anchor, --guide and --tracks");
     for (const std::string& text : asked_) {
       prices_.push_back(prices_typed(text, "--for", objective_));
       validate_request(machine_, prices_.back(), settings_);

@@ -4,10 +4,12 @@
 
 #include <chrono>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "commands/command.h"
 #include "commands/many_fields.h"
+#include "commands/map_table_run.h"
 #include "commands/plan_run_input.h"
 #include "options/common_options.h"
 #include "options/field_options.h"
@@ -17,10 +19,13 @@
 #include "output/progress.h"
 #include "output/search_end.h"
 #include "report/explain_report.h"
+#include "report/map_table_report.h"
 #include "report/plan_report.h"
 #include "report/plan_summary.h"
 #include "request/field_key.h"
+#include "request/output_names.h"
 #include "tramline/geometry/error.h"
+#include "tramline/io/geopackage/whole_file.h"
 #include "tramline/planner/pareto/trade_off.h"
 #include "tramline/planner/plan_field.h"
 #include "tramline/planner/validate_request.h"
@@ -46,22 +51,31 @@ constexpr const char* kMapExample =
     "map.gpkg\n"
     "  tramline map field.geojson --width 4 --headlands 2 --curved auto --end-rule cover --picture map.png\n"
     "  tramline map field.geojson --width 6 --guide lines.gpkg --guide-where \"name='AB 1'\" --json\n"
-    "'tramline map' takes the options of 'tramline plan', and makes the same plan of them.\n"
+    "  tramline map field.geojson --headlands 2 --end-rule cover --directions edges,curved --widths 2,4,6 "
+    "\\\n"
+    "    --table maps.csv --picture maps.png\n"
+    "'tramline map' takes the options of 'tramline plan', and makes the same plan of them. With --directions "
+    "or\n"
+    "--widths it compares maps, and --picture shows all directions at the first width.\n"
     "Papers: Versleijen 2019, Path planning on agricultural fields with obstacles, MSc thesis, Wageningen\n"
     "University. Zhou et al. 2020, Agronomy 10:83.";
+
+const std::vector<Skipped> kNothingSkipped;
 
 /// The commands `plan` and `map`: the second is the first in the words of those who ask for the map of a
 /// field.
 class PlanCommand : public Command {
  public:
-  PlanCommand(const char* word, const char* about, const char* example)
-      : word_(word), about_(about), example_(example) {}
+  enum class Tables { kNone, kOfMaps };
+  PlanCommand(const char* word, const char* about, const char* example, Tables tables)
+      : word_(word), about_(about), example_(example), tables_(tables) {}
 
   CommandOptions setup(CLI::App& program) override {
     CommandOptions command(program, word_, about_);
     command.footer(example_);
     add_field_options(command, field_options_);
     add_plan_options(command, plan_options_);
+    if (tables_ == Tables::kOfMaps) add_map_table_options(command, table_options_);
     command.begin_group("Output");
     const Option output =
         add_output_option(command, wanted_.plan, "Write the plan to this GeoPackage (.gpkg).");
@@ -97,6 +111,9 @@ class PlanCommand : public Command {
     objective_ = objective_of(plan_options_);
     settings_ = settings_of(plan_options_);
     validate_request(machine_, objective_, settings_);
+    if (table_options_.asked()) return run_tables();
+    if (!table_options_.table_file.empty())
+      throw bad_input("--table writes the table of --directions or --widths: give one of these");
     const std::vector<std::string> inputs{field_options_.file, field_options_.obstacles_file,
                                           field_options_.passable_file, plan_options_.machine_file,
                                           plan_options_.guide_file};
@@ -115,6 +132,83 @@ class PlanCommand : public Command {
   }
 
  private:
+  /// A table of maps for each field.
+  int run_tables() {
+    require_only_tables();
+    std::optional<DirectionWords> directions;
+    if (!table_options_.directions.empty()) directions = direction_words(table_options_.directions);
+    const std::vector<double> widths_m = widths_asked_for();
+    const std::vector<std::string> inputs{field_options_.file, field_options_.obstacles_file,
+                                          field_options_.passable_file, plan_options_.machine_file,
+                                          plan_options_.guide_file};
+    require_writable(table_options_.table_file, "--table", {".csv"}, inputs);
+    require_writable(wanted_.picture, "--picture", {".png", ".svg", ".pdf"}, inputs);
+    const FieldInput input = load_fields(field_options_);
+    if (!input.fields.empty()) guide_ = guide_of(plan_options_, input.fields.front().source.input_crs);
+    const bool single = !field_options_.all && input.fields.size() == 1;
+    const Naming naming = single ? Naming::kAsGiven : Naming::kWithId;
+    OutputNames tables(table_options_.table_file, naming), pictures(wanted_.picture, naming);
+    const auto work = [&](const Field& field) {
+      const MapTableTask task{field, machine_, settings_for(settings_, guide_, field, machine_), directions,
+                              widths_m};
+      const MapTableResult found = mapped(task, [&](const Machine& machine, const PlanSettings& settings) {
+        ProgressLine progress(quiet_);
+        return plan_field(field, machine, objective_, settings, threads_, shown(field, progress));
+      });
+      write(found, field, tables, pictures);
+      const std::vector<Skipped>& skipped = single ? input.skipped : kNothingSkipped;
+      return FieldResult{map_table_json(found.table, skipped), map_table_text(found.table, skipped), {}};
+    };
+    const ManyFieldsReport report{json_, quiet_, "mapped"};
+    if (!single) return work_on_many_fields(input, report, work);
+    const InterruptEndsSearches interruptible;
+    return show_single(input.fields.front(), work(input.fields.front()), report);
+  }
+
+  /// The first is that of `machine_` then.
+  std::vector<double> widths_asked_for() {
+    std::vector<double> out{machine_.width_m};
+    if (!table_options_.widths.empty()) out = map_widths(table_options_.widths);
+    for (auto width_m = out.rbegin(); width_m != out.rend(); ++width_m) {
+      machine_.width_m = *width_m;
+      validate_request(machine_, objective_, settings_);
+    }
+    return out;
+  }
+
+  void write(const MapTableResult& found, const Field& field, OutputNames& tables,
+             OutputNames& pictures) const {
+    if (!table_options_.table_file.empty()) {
+      const std::string csv = map_table_csv(found.table);
+      io::write_whole(tables.next(field.id), std::as_bytes(std::span(csv)));
+    }
+    if (!wanted_.picture.empty())
+      render::draw_small_maps(field.id.empty() ? "field" : field.id, picture_subtitle(found), found.shown,
+                              pictures.next(field.id));
+  }
+
+  /// What makes no sense for a table of maps.
+  void require_only_tables() const {
+    if (plan_options_.width_m && !table_options_.widths.empty())
+      throw bad_input("--widths takes the place of --width: give one of them");
+    const bool line = !plan_options_.ab.empty() || !plan_options_.guide_file.empty();
+    if (!table_options_.directions.empty() && (line || !plan_options_.curved.empty()))
+      throw bad_input(
+          "--directions takes the place of --ab, --guide and --curved: leave them out, or --directions");
+    if (!wanted_.plan.empty() || !wanted_.close_ups.empty() || wanted_.one_file || explain_ || front_ ||
+        resume_)
+      throw bad_input(
+          "a table of maps writes no plan: with --directions or --widths leave out --output, --one-file, "
+          "--zoom-obstacles, --explain, --front and --resume");
+  }
+
+  static std::string picture_subtitle(const MapTableResult& found) {
+    if (found.table.cells.size() == found.table.widths_m.size())
+      return fmt::format("{} working widths", found.table.widths_m.size());
+    return fmt::format("{} directions, working width {:g} m", found.shown.size(),
+                       found.table.widths_m.front());
+  }
+
   int plan_single(const Field& field, const std::vector<Skipped>& skipped, PlanOutputs& outputs) const {
     const InterruptEndsSearches interruptible;
     const Planned planned = plan_one(field);
@@ -224,6 +318,8 @@ class PlanCommand : public Command {
   FieldOptions field_options_;
   PlanOptions plan_options_;
   std::optional<GuideLine> guide_;
+  Tables tables_;
+  MapTableOptions table_options_;
   WantedFiles wanted_;
   int threads_ = 0;
   std::optional<double> seconds_;
@@ -236,12 +332,13 @@ class PlanCommand : public Command {
 }  // namespace
 
 std::unique_ptr<Command> make_plan_command() {
-  return std::make_unique<PlanCommand>("plan", "Plan every pass over a field.", kExample);
+  return std::make_unique<PlanCommand>("plan", "Plan every pass over a field.", kExample,
+                                       PlanCommand::Tables::kNone);
 }
 std::unique_ptr<Command> make_map_command() {
   return std::make_unique<PlanCommand>(
       "map", "Map a field: headlands, body, tracks along a line or a curve, swaths and their overlap.",
-      kMapExample);
+      kMapExample, PlanCommand::Tables::kOfMaps);
 }
 
 }  // namespace tramline::app

@@ -47,11 +47,9 @@ void add_map_options(CommandOptions& command, PlanOptions& o) {
       .in_range(0, 100)
       .shows_default("0");
   command.begin_group("Tracks along a line");
-  Option ab =
-      command.add_option("--ab", o.ab,
-                         "Straight tracks along the line through two points, \"x1,y1 x2,y2\", in the "
-                         "field's coordinates or in longitude and latitude. The line is the border of "
-                         "the first swath.");
+  Option ab = command.add_option("--ab", o.ab,
+                                 "Straight tracks along the line through two points, \"x1,y1 x2,y2\", in the "
+                                 "field's coordinates or in longitude and latitude.");
   Option guide =
       command.add_option("--guide", o.guide_file,
                          "Tracks along the line in this vector file: parallel curves where it has bends.");
@@ -65,6 +63,14 @@ void add_map_options(CommandOptions& command, PlanOptions& o) {
                                      "How tracks along a line are made: 'parallel' to the line and fit to be "
                                      "driven, or 'paper' (Zhou et al. "
                                      "2020), each from the one before with all its kinks, for comparison.");
+  command
+      .add_option(
+          "--ab-anchor", o.ab_anchor,
+          "Where straight tracks along --ab or --guide begin: 'line', which is the border of the first "
+          "swath, or 'envelope' (Zhou et al. 2020), with the first swath along the edge of the land, on "
+          "the left of the line.")
+      .takes("WORD")
+      .shows_default("line; envelope with --tracks paper");
   ab.takes("POINTS").shows_default("none").excludes(guide).excludes(curved);
   guide.takes("FILE").shows_default("none").excludes(curved);
   where.takes("FILTER").shows_default("the only line").needs(guide);

@@ -2,12 +2,18 @@
 // Headlands: passes round a field and its obstacles, and the land they are meant to work (Zhou §2.3.3).
 
 #include <cstddef>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "tramline/geometry/path/path.h"
 #include "tramline/geometry/polygon/region.h"
 
 namespace tramline {
+
+/// How passes are made. kDrivable: lines and arcs that the machine can follow. kPlain: as in Zhou §2.3.3,
+/// offsets of the boundaries with all corners, for comparison.
+enum class HeadlandConstruction { kDrivable, kPlain };
 
 /// One headland pass. A closed pass ends where it begins, in the direction it began in; the land that it goes
 /// round, or that remains for further passes, lies on its left: round the field it runs counter-clockwise,
@@ -26,6 +32,7 @@ struct HeadlandPass {
 /// Frame: the field's local metres. field = ground ∪ body ∪ obstacles, which do not overlap.
 struct Headland {
   std::vector<HeadlandPass> passes;  ///< by number
+  HeadlandConstruction construction = HeadlandConstruction::kDrivable;
   std::vector<int> obstacle_passes;  ///< number of passes by index into Field::obstacles; 0, or beyond the
                                      ///< end of the list: no headland
   Region ground;  ///< the land the passes are meant to work: all land nearer to a boundary than its passes
@@ -37,11 +44,15 @@ struct Headland {
   Region unworked;          ///< the land of uncovered_m2, as polygons for display
 };
 
+const char* name(HeadlandConstruction how);  ///< drivable, plain
+/// The inverse of name(); nullopt for any other word.
+std::optional<HeadlandConstruction> headland_construction_named(std::string_view word);
+
 /// Whether the pass ends where it begins.
 bool is_closed(const HeadlandPass& pass);
 
 /// The land that a pass works: a ring for a closed pass, a band with flat ends for an open one. Arcs become
-/// chords (`sagitta_m`). Precondition: the swath does not touch itself.
+/// chords (`sagitta_m`). At kinks its sides meet in mitres. Precondition: the swath does not touch itself.
 Polygon swath(const HeadlandPass& pass, double width_m, double sagitta_m);
 
 /// Length of all passes, m.

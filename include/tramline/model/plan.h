@@ -31,6 +31,11 @@ enum class TrackShape { kStraight, kCurved, kAuto };
 /// How tracks along a line are made. kParallel: each parallel to the line itself, and drivable. kPaper: as in
 /// Zhou §2.3.4, each from the one before it with all kinks, for comparison.
 enum class TrackConstruction { kParallel, kPaper };
+/// Where straight tracks along a line lie. kLine: the line is the border of a swath. kEnvelope: as in
+/// Zhou §2.3.4 the first swath lies along that side of the envelope of the body that is parallel to the line
+/// and on its left, so that the tracks lie to the right of it. kDefault: kEnvelope for straight tracks made
+/// as in the paper, kLine for all others; no plan has it.
+enum class AbAnchor { kDefault, kLine, kEnvelope };
 /// How a cell gets its direction: along the long side of its smallest bounding rectangle (Versleijen §2.2.1),
 /// or at right angles to its least width.
 enum class CellDirection { kRectangle, kWidth };
@@ -60,9 +65,14 @@ struct PlanSettings {
   /// kPaper requires the end rule kCover, a soft boundary, and tracks along a line or a curve.
   TrackConstruction tracks = TrackConstruction::kParallel;
   /// Tracks run parallel to this line, local metres, and are numbered from it: it is the border of the
-  /// swaths 0 and −1 (Zhou §2.3.4). Empty: the planner's choice.
+  /// swaths 0 and −1 (Zhou §2.3.4), or is moved to where it is (`ab_anchor`). Empty: the planner's
+  /// choice.
   std::vector<Point> guide;
+  AbAnchor ab_anchor = AbAnchor::kDefault;  ///< kEnvelope requires a guide of two points
 };
+
+/// The anchor that the settings amount to: never kDefault.
+AbAnchor anchor_of(const PlanSettings& settings);
 
 const char* name(EndRule rule);           ///< centre, cover, inside, cheapest
 const char* name(EdgeKind kind);          ///< soft, hard
@@ -71,6 +81,7 @@ const char* name(CellDirection choice);   ///< rectangle, width
 const char* name(Avoidance choice);       ///< cheapest, paper, cut
 const char* name(TrackShape shape);       ///< straight, curved, auto
 const char* name(TrackConstruction how);  ///< parallel, paper
+const char* name(AbAnchor anchor);        ///< line, envelope; default
 const char* name(Passing way);            ///< left, right, cut
 /// The inverse of name(); nullopt for any other word.
 std::optional<EndRule> end_rule_named(std::string_view word);
@@ -80,6 +91,7 @@ std::optional<CellDirection> cell_direction_named(std::string_view word);
 std::optional<Avoidance> avoidance_named(std::string_view word);
 std::optional<TrackShape> track_shape_named(std::string_view word);
 std::optional<TrackConstruction> track_construction_named(std::string_view word);
+std::optional<AbAnchor> ab_anchor_named(std::string_view word);  ///< not for default
 std::optional<Passing> passing_named(std::string_view word);
 
 /// In a repair the work goes on over worked land that is shorter than this along a line, m: a shorter break

@@ -33,12 +33,13 @@ void add_settings(const Plan& plan, Names& out) {
        {"machine.radius_m", "machine.min_length_m", "settings.strategy", "settings.end_rule",
         "settings.boundary", "settings.cell_direction", "settings.direction_tolerance",
         "settings.merge_threshold", "settings.decomposition_threshold", "settings.short_edge_m",
-        "settings.small_cell_m2", "settings.avoid", "settings.avoid_threshold_m", "settings.avoid_room_m", "settings.clearance_m",
-        "settings.shape", "settings.tracks", "settings.guide"})
+        "settings.small_cell_m2", "settings.avoid", "settings.avoid_threshold_m", "settings.avoid_room_m",
+        "settings.clearance_m", "settings.shape", "settings.tracks", "settings.guide", "settings.ab_anchor"})
     out.emplace_back(key);
   const auto& passes = plan.headland.obstacle_passes;
   if (std::none_of(passes.begin(), passes.end(), [](int n) { return n > 0; }))
     out.emplace_back("settings.obstacle_headlands");
+  if (plan.headland.passes.empty()) out.emplace_back("headland.construction");
   if (!references(plan).empty()) out.emplace_back(common_reference(plan) ? "reference" : "references");
 }
 

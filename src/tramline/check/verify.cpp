@@ -27,6 +27,7 @@ Verdict verify(const Plan& plan) {
   check_parallel(c,
                  plan.settings.tracks == TrackConstruction::kPaper ? verdict.findings : verdict.violations);
   check_track_lines(c, verdict.violations);
+  check_ab_anchor(c, verdict.violations);
   check_length(c, verdict.violations);
   const int stops = check_stops(c, verdict.violations);
   check_crossings(c, verdict.violations);

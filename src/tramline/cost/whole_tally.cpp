@@ -66,7 +66,11 @@ Tally whole_tally(const Tally& tracks, const std::vector<TrackPiece>& pieces, co
       works.add_kinked(piece.curve);
     else
       works.add(centre_line(piece));
-  for (const HeadlandPass& pass : headland.passes) works.add(pass.path);
+  for (const HeadlandPass& pass : headland.passes)
+    if (has_kinks(pass.path))
+      works.add_kinked(pass.path);
+    else
+      works.add(pass.path);
   const double covered_m2 = works.area_on(body, headland.ground);
   Tally out = tracks;
   out.worked_m2 = tracks.worked_m2 + headland.worked_m2;

@@ -34,6 +34,11 @@ inline constexpr double kShortestStraight_m = 1e-7;
 /// Spacing of the precision grid, m. A vertex moves at most kGridSize/√2, so an area changes by at
 /// most about kGridSize · perimeter.
 inline constexpr double kGridSize = 1e-6;
+
+/// Vertices no farther from a ring through the others are none of its corners when it is offset with mitres,
+/// m: on the precision grid collinear vertices are no longer, and their kinks would grow into notches.
+inline constexpr double kMitredIdle_m = 1e-5;
+static_assert(kMitredIdle_m >= 10 * kGridSize);
 /// Points nearer to one another are one, m: the error of the precision grid, and the rounding of coordinates
 /// given to 1e-11 degrees. Far below what any receiver measures.
 inline constexpr double kSamePlace_m = 1e-6;

@@ -9,24 +9,15 @@
 #include "tramline/headland/pass_boundaries.h"
 #include "tramline/headland/pass_rings.h"
 #include "tramline/headland/pass_tally.h"
+#include "tramline/headland/plain/plain_headland.h"
 
 namespace tramline {
 namespace {
 
-/// Land inside obstacles that have a headland: the headland lies outside.
-Region inside_obstacles(const Field& field, const std::vector<Boundary>& boundaries) {
-  Region out;
-  for (const Boundary& boundary : boundaries)
-    if (boundary.obstacle && boundary.passes > 0)
-      for (const Ring& hole : field.obstacles[*boundary.obstacle].shape.holes)
-        out.push_back({reversed(hole), {}});
-  return out;
-}
-
 Region body_behind(const Field& field, const Region& land, const std::vector<Boundary>& boundaries,
                    double width_m) {
   Region behind = land_behind_headlands(boundaries, width_m);
-  const Region inside = inside_obstacles(field, boundaries);
+  const Region inside = land_inside_obstacles(field, boundaries);
   if (!inside.empty()) behind = unite(behind, inside);
   if (boundaries.front().passes > 0 && field.obstacles.empty()) return behind;
   return intersection(land, behind);
@@ -72,6 +63,7 @@ bool leaves_body(const Field& field, double width_m, int passes) {
 }  // namespace
 
 HeadlandAndBody headland_of(const Field& field, const HeadlandTerms& terms) {
+  if (terms.construction == HeadlandConstruction::kPlain) return plain_headland_of(field, terms);
   const std::vector<Boundary> boundaries = boundaries_of(field, terms);
   const Region land = body_of(field);
   HeadlandAndBody out;

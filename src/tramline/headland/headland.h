@@ -17,6 +17,7 @@ struct HeadlandTerms {
   std::vector<int> obstacle_passes;  ///< by Field::obstacles; 0, also where the list ends early: the obstacle
                                      ///< has no headland. Of no consequence for passable ones
   double min_length_m = 0;           ///< no track is shorter
+  HeadlandConstruction construction = HeadlandConstruction::kDrivable;
 };
 
 /// Headlands, except for Headland::unworked, and the body they leave.
@@ -24,10 +25,11 @@ struct HeadlandAndBody : Headland {
   Region body;  ///< what the tracks have to cover; empty where headlands take the whole field
 };
 
-/// Pass i runs (i − ½)·w from the boundaries that have that many passes; the headland is as many widths deep.
-/// It keeps half a width from the last pass of other boundaries, or from the obstacle where that has none.
-/// Round a corner that stands out into the land it runs along an arc at that distance, and swings wide where
-/// that would be tighter than the machine can turn; into all others it goes as far as the machine can turn.
+/// With HeadlandConstruction::kPlain as plain_headland_of(). Else pass i runs (i − ½)·w from the boundaries
+/// that have that many passes; the headland is as many widths deep. It keeps half a width from the last pass
+/// of other boundaries, or from the obstacle where that has none. Round a corner that stands out into the
+/// land it runs along an arc at that distance, and swings wide where that would be tighter than the machine
+/// can turn; into all others it goes as far as the machine can turn.
 ///
 /// Boundaries whose swaths with one number would meet are driven round together. In a passage too narrow to
 /// turn in, both sides are driven, corners rounded as elsewhere, where that is possible and works more ground

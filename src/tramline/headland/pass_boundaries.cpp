@@ -32,6 +32,15 @@ double pass_distance_m(const Boundary& boundary, int pass, double width_m) {
   return (std::min(pass, boundary.passes + 1) - 0.5) * width_m;
 }
 
+Region land_inside_obstacles(const Field& field, const std::vector<Boundary>& boundaries) {
+  Region out;
+  for (const Boundary& boundary : boundaries)
+    if (boundary.obstacle && boundary.passes > 0)
+      for (const Ring& hole : field.obstacles[*boundary.obstacle].shape.holes)
+        out.push_back({reversed(hole), {}});
+  return out;
+}
+
 Region land_behind_headlands(const std::vector<Boundary>& boundaries, double width_m) {
   std::vector<OffsetBoundary> offset_boundaries;
   double deepest = width_m;

@@ -24,6 +24,9 @@ std::vector<Boundary> boundaries_of(const Field& field, const HeadlandTerms& ter
 /// Distance between the boundary and the centre line of a pass, m (Zhou §2.3.3).
 double pass_distance_m(const Boundary& boundary, int pass, double width_m);
 
+/// Land inside obstacles that have a headland: the headland lies outside.
+Region land_inside_obstacles(const Field& field, const std::vector<Boundary>& boundaries);
+
 /// The land free for tracks as far as headlands are concerned, as a region with chords (kBodySagitta):
 /// obstacles without headland are still in it, and land outside where the field has no headland.
 Region land_behind_headlands(const std::vector<Boundary>& boundaries, double width_m);

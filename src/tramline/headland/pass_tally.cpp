@@ -14,7 +14,7 @@ void append_region(const Region& region, const Box& window, RisingCurves& out) {
 double worked_on(const Region& passable, const HeadlandPass& pass, double width_m) {
   RisingCurves curves;
   append_region(passable, reach_of(pass.path, width_m), curves);
-  append_band(pass.path, width_m, Layer::kNew, curves);
+  append_swath_area(pass.path, width_m, Layer::kNew, curves);
   return newly_covered_area(curves);
 }
 
@@ -26,7 +26,7 @@ void tally_passes(const Region& passable, double width_m, Headland& headland) {
   headland.worked_m2 = 0;
   for (const HeadlandPass& pass : headland.passes) {
     window.extend(reach_of(pass.path, width_m));
-    append_band(pass.path, width_m, Layer::kNew, curves);
+    append_swath_area(pass.path, width_m, Layer::kNew, curves);
     headland.worked_m2 += width_m * length(pass.path);
     if (!passable.empty()) headland.worked_m2 -= worked_on(passable, pass, width_m);
   }

@@ -29,6 +29,9 @@ inline constexpr double kNearerGroup_m = 1e-6;
 /// Pieces of a ring that are no longer may lie on no centre line, m: there are such where rings of two offset
 /// lines join.
 inline constexpr double kOffCentreLines_m = 1e-5;
+/// An edge of a plain pass whose middle is no farther from the offset of a boundary follows it, m: both were
+/// cut on the precision grid, and vertices within kMitredIdle_m left out.
+inline constexpr double kOnPlainRing_m = 1e-4;
 /// What reaches into a swath's sides by no more is not in its way, m: chords of bodies and boundaries lie
 /// beside arcs.
 inline constexpr double kBeside_m = 1e-4;

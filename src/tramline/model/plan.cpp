@@ -62,6 +62,24 @@ const char* name(TrackShape shape) {
 
 const char* name(TrackConstruction how) { return how == TrackConstruction::kPaper ? "paper" : "parallel"; }
 
+const char* name(AbAnchor anchor) {
+  switch (anchor) {
+    case AbAnchor::kDefault:
+      return "default";
+    case AbAnchor::kLine:
+      return "line";
+    case AbAnchor::kEnvelope:
+      return "envelope";
+  }
+  return "";
+}
+
+AbAnchor anchor_of(const PlanSettings& settings) {
+  if (settings.ab_anchor != AbAnchor::kDefault) return settings.ab_anchor;
+  const bool as_in_the_paper = settings.tracks == TrackConstruction::kPaper;
+  return as_in_the_paper && settings.guide.size() == 2 ? AbAnchor::kEnvelope : AbAnchor::kLine;
+}
+
 const char* name(Passing way) {
   switch (way) {
     case Passing::kLeft:
@@ -94,6 +112,9 @@ std::optional<TrackShape> track_shape_named(std::string_view word) {
 }
 std::optional<TrackConstruction> track_construction_named(std::string_view word) {
   return named(word, {TrackConstruction::kParallel, TrackConstruction::kPaper});
+}
+std::optional<AbAnchor> ab_anchor_named(std::string_view word) {
+  return named(word, {AbAnchor::kLine, AbAnchor::kEnvelope});
 }
 std::optional<Passing> passing_named(std::string_view word) {
   return named(word, {Passing::kLeft, Passing::kRight, Passing::kCut});

@@ -10,6 +10,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/planner/assembly/finished_plan.h"
 #include "tramline/planner/assembly/whole_figures.h"
+#include "tramline/planner/candidate/anchored_guide.h"
 #include "tramline/planner/curved/curved_candidate.h"
 #include "tramline/planner/curved/curved_search.h"
 #include "tramline/planner/curved/zhou_plan.h"
@@ -37,7 +38,7 @@ bool as_in_the_paper(const PlanSettings& settings) { return settings.tracks == T
 
 Candidate along_guide(const SearchTask& task) {
   const std::vector<Point>& guide = task.settings.guide;
-  if (as_in_the_paper(task.settings)) return zhou_plan_along(task, guide);
+  if (as_in_the_paper(task.settings)) return zhou_plan_along(task, anchored_guide(task));
   const Reference reference = reference_along(task, guide, 0);
   std::vector<LinedSubfield> lined_subfields;
   for (const Polygon& part : task.ground.plannable) {

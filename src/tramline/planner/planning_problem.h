@@ -14,8 +14,9 @@ struct PlanningProblem {
 };
 
 /// The problem of a request. Where headlands are asked for, the field's own boundary is hard, whatever the
-/// settings say. Throws kBadInput as validate_request() does, and where the field is so large that the number
-/// of tracks would overflow.
+/// settings say, and its anchor is not the default one but what that amounts to. Throws kBadInput as
+/// validate_request() does, where the envelope is to be the anchor of no line or of one with bends, and where
+/// the field is so large that the number of tracks would overflow.
 PlanningProblem planning_problem(const Field& field, const Machine& machine, const Objective& objective,
                                  const PlanSettings& settings);
 

@@ -99,8 +99,14 @@ double short_edge_m(const HeadlandTerms& terms) {
 std::optional<PreparedField> behind_headlands(const PlanningProblem& problem,
                                               const std::vector<int>& obstacle_passes,
                                               const ClassifiedGround& bare) {
-  const HeadlandTerms terms{problem.machine.width_m, problem.machine.radius_m, problem.settings.headlands,
-                            obstacle_passes, min_length_m(problem.machine)};
+  const HeadlandTerms terms{problem.machine.width_m,
+                            problem.machine.radius_m,
+                            problem.settings.headlands,
+                            obstacle_passes,
+                            min_length_m(problem.machine),
+                            problem.settings.tracks == TrackConstruction::kPaper
+                                ? HeadlandConstruction::kPlain
+                                : HeadlandConstruction::kDrivable};
   HeadlandAndBody headland = headland_of(problem.field, terms);
   if (headland.body.empty() && headland.passes.empty()) return std::nullopt;
   PreparedField out;

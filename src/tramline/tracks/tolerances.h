@@ -18,6 +18,10 @@ inline constexpr double kOpening_m = 1e-5;
 /// may nearly touch.
 inline constexpr double kNoPiece_m = 1e-3;
 
+/// Feet of a point on a polyline whose distances from the point differ by no more are all its feet, m:
+/// vertices of pieces are rounded to the precision grid, which changes a distance by less.
+inline constexpr double kEquidistant_m = 2e-6;
+
 /// Length beyond a piece's end that is searched for what it stops at, m.
 inline constexpr double kLookAhead_m = 1e-3;
 
@@ -31,6 +35,8 @@ inline constexpr double kSameLength_share = 1e-6;
 static_assert(kWidthTolerance >= 10 * kGridSize && kWidthTolerance < kNoPiece_m);
 // Chords deviate by no more than the tolerance of widths, and a stretch is longer than their deviation.
 static_assert(kChordSagitta <= kWidthTolerance && kLayerSagitta < kNoPiece_m);
+// Vertices on the precision grid are as near as they were meant to be.
+static_assert(kEquidistant_m > kGridSize && kEquidistant_m < kWidthTolerance);
 // A stretch of a parallel that is kept is long enough for a piece.
 static_assert(kShortestStretch_m >= kNoPiece_m);
 // The opening has a length and is too short for a break in the work.

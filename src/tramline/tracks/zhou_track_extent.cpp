@@ -7,6 +7,7 @@
 #include "tramline/geometry/path/kinked_line.h"
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/tracks/end_rule.h"
+#include "tramline/tracks/projection.h"
 #include "tramline/tracks/tolerances.h"
 
 namespace tramline {
@@ -21,42 +22,6 @@ Region buffer(const Path& path, double width_m) {
   return unite(cells);
 }
 
-/// ⊥ of Zhou §2.2: positions along the path of the points nearest to p.
-class Projection {
- public:
-  explicit Projection(const Path& path) {
-    double at = 0;
-    for (const PathSegment& segment : path) {
-      const double length_m = length(segment);
-      sides_.push_back({segment.from, (1 / length_m) * (segment.to - segment.from), length_m, at});
-      at += length_m;
-    }
-  }
-
-  double foot(Point p) const {
-    double least = std::numeric_limits<double>::infinity(), out = 0;
-    for (const Side& side : sides_) {
-      const Point to = p - side.from;
-      const double along = std::clamp(dot(to, side.along), 0.0, side.length_m);
-      const Point off = to - along * side.along;
-      const double square = dot(off, off);
-      if (square >= least) continue;
-      least = square;
-      out = side.at_m + along;
-    }
-    return out;
-  }
-
- private:
-  struct Side {
-    Point from;
-    Point along;
-    double length_m;
-    double at_m;
-  };
-  std::vector<Side> sides_;
-};
-
 }  // namespace
 
 Intervals zhou_track_extent(const Path& path, double width_m, const Polygon& body) {
@@ -67,9 +32,9 @@ Intervals zhou_track_extent(const Path& path, double width_m, const Polygon& bod
   for (const Polygon& piece : intersection(buffer(path, width_m - 2 * kWidthTolerance), {body})) {
     Interval reach{std::numeric_limits<double>::infinity(), 0};
     for (const Point vertex : piece.outer) {
-      const double foot = projection.foot(vertex);
-      reach.from = std::min(reach.from, foot);
-      reach.to = std::max(reach.to, foot);
+      const std::vector<double> feet = projection.feet(vertex);
+      reach.from = std::min(reach.from, feet.front());
+      reach.to = std::max(reach.to, feet.back());
     }
     if (reach.length() >= kNoPiece_m) pieces.push_back(reach);
   }

@@ -45,6 +45,8 @@ Plan headland_plan() {
   plan.settings.obstacle_headlands = 1;
   plan.settings.shape = TrackShape::kAuto;
   plan.settings.tracks = TrackConstruction::kPaper;
+  plan.settings.ab_anchor = AbAnchor::kEnvelope;
+  plan.headland.construction = HeadlandConstruction::kPlain;
   plan.settings.guide = {{-0.1, third}, {70.7, 20}, {180 + third, 1e-7}};
   plan.body = {{{{9, 9}, {191, 9}, {191, 91}, {9, 91}}, {}}};
   plan.headland.passes = {{round_box(2 + third, 2.1, 198, 97.9, 5.1), 1, true, {}},
@@ -124,6 +126,8 @@ TEST_F(HeadlandsInFiles, come_back_to_the_bit) {
   EXPECT_EQ(read.plan.settings.obstacle_headlands, 1);
   EXPECT_EQ(read.plan.settings.shape, TrackShape::kAuto);
   EXPECT_EQ(read.plan.settings.tracks, TrackConstruction::kPaper);
+  EXPECT_EQ(read.plan.settings.ab_anchor, AbAnchor::kEnvelope);
+  EXPECT_EQ(found.construction, HeadlandConstruction::kPlain);
   EXPECT_EQ(read.plan.settings.guide, plan.settings.guide);
   EXPECT_EQ(read.plan.subfields[0].reference, plan.subfields[0].reference);
   ASSERT_EQ(read.headland_lines.size(), 3u);

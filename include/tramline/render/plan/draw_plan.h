@@ -2,6 +2,8 @@
 // The picture of a plan.
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "tramline/model/plan.h"
 #include "tramline/render/page/page_layout.h"
@@ -21,6 +23,20 @@ void require_picture_width(const PictureOptions& options);
 /// file is written whole or not at all. Throws bad_input for another extension or width, Error(kFailure) when
 /// the file cannot be written.
 void draw_plan(const Plan& plan, const std::filesystem::path& path, const PictureOptions& options = {});
+
+/// A plan of a sheet of small maps, with what is said above its map.
+struct SmallMap {
+  Plan plan;
+  std::string heading;
+  std::vector<std::string> lines;  ///< below the heading
+};
+
+/// Draws plans of one field side by side to a PNG, SVG or PDF by the file's extension, all at one scale,
+/// north up, with a title, and a legend for all of them. The same input gives the same bytes. The file is
+/// written whole or not at all. Throws bad_input for another extension or width, and where there is no map;
+/// Error(kFailure) when the file cannot be written.
+void draw_small_maps(const std::string& title, const std::string& subtitle, const std::vector<SmallMap>& maps,
+                     const std::filesystem::path& path, const PictureOptions& options = {});
 
 /// The layout used by draw_plan(); its view maps a point of the field to its pixel.
 PageLayout layout_of(const Plan& plan, const PictureOptions& options = {});

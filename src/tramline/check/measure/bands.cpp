@@ -175,6 +175,11 @@ Region bands_along(const Path& path, double width_m, double sagitta_m) {
   return out;
 }
 
+Region pass_bands_along(const Path& path, HeadlandConstruction how, double width_m, double sagitta_m) {
+  return how == HeadlandConstruction::kPlain ? bands_along(path, width_m, sagitta_m)
+                                             : flat_bands_along(path, width_m, sagitta_m);
+}
+
 Path begun_later(const Path& path, double by_m) {
   Path out;
   for (const PathSegment& segment : path) {

@@ -5,6 +5,7 @@
 
 #include "tramline/geometry/path/path.h"
 #include "tramline/geometry/polygon/region.h"
+#include "tramline/model/headland.h"
 
 namespace tramline::check {
 
@@ -25,8 +26,14 @@ void append_ground(Ring ring, Folds folds, Region& out);
 /// have flat ends.
 Region bands_along(const Path& path, double width_m, double sagitta_m = kChordSagitta);
 
-/// The same with flat ends of every segment, even at kinks: the bands by which headland passes are counted.
+/// The same with flat ends of every segment, even at kinks: the bands by which drivable headland passes are
+/// counted.
 Region flat_bands_along(const Path& path, double width_m, double sagitta_m = kChordSagitta);
+
+/// The bands by which a pass is counted: with flat ends, and of a plain headland
+/// (HeadlandConstruction::kPlain) as bands_along().
+Region pass_bands_along(const Path& path, HeadlandConstruction how, double width_m,
+                        double sagitta_m = kChordSagitta);
 
 /// The path without its first `by_m`; empty where nothing remains.
 Path begun_later(const Path& path, double by_m);

@@ -12,6 +12,13 @@ namespace tramline::check {
 /// strips overlap.
 Region land_near(const Ring& ring, double distance_m);
 
+/// The region without the land that its edges pass over as they move inwards `distance_m`, and the region
+/// with the land that they pass over outwards: corners that part end in mitres, turns of more than 120° flat
+/// at the distance. Vertices within kThinnestShown_m of the line through their neighbours do not count. O(n
+/// log n) for n vertices where few edges are near one another.
+Region moved_inwards(const Region& region, double distance_m);
+Region moved_outwards(const Region& region, double distance_m);
+
 /// Total length of the arcs that the fans approximate, m.
 double arcs_about_corners_m(const Ring& ring, double distance_m);
 

@@ -105,7 +105,13 @@ std::vector<WorkedPart> pass_parts(const Plan& plan, double sagitta_m) {
   const double width_m = plan.machine.width_m;
   for (std::size_t k = 0; k < plan.headland.passes.size(); ++k) {
     SwathParts parts(plan.pieces.size() + k, width_m, out);
-    for (const PathSegment& segment : plan.headland.passes[k].path)
+    const Path& path = plan.headland.passes[k].path;
+    if (plan.headland.construction == HeadlandConstruction::kPlain) {
+      const Region bands = bands_along(path, width_m, sagitta_m);
+      for (std::size_t i = 0; i < path.size(); ++i) parts.add({path[i]}, {bands[i]}, true);
+      continue;
+    }
+    for (const PathSegment& segment : path)
       parts.add({segment}, flat_bands_along({segment}, width_m, sagitta_m));
   }
   return out;

@@ -27,7 +27,9 @@ BoundedRegion without_headland(const Plan& plan) {
 class Surroundings {
  public:
   Surroundings(const Plan& plan, int most_passes)
-      : width_m_(plan.machine.width_m), most_passes_(most_passes) {
+      : width_m_(plan.machine.width_m),
+        most_passes_(most_passes),
+        plain_(plan.headland.construction == HeadlandConstruction::kPlain) {
     add(plan.field.outer, plan.settings.headlands);
     Region holes;
     for (std::size_t i = 0; i < plan.field.obstacles.size(); ++i) {
@@ -43,18 +45,40 @@ class Surroundings {
 
   Region land() const { return land_; }
   /// Chords on both sides of the comparison.
-  double round_edges_m2() const { return (kRoundEdge_m + kFanSagitta_m) * arcs_m_; }
+  double round_edges_m2() const {
+    return (kRoundEdge_m + kFanSagitta_m) * arcs_m_ + kThinnestShown_m * moved_edges_m_;
+  }
 
  private:
   void add(const Ring& ring, int all_passes) {
     const int passes = std::min(all_passes, most_passes_);
     if (passes <= 0) return;
+    if (plain_) {
+      add_plain(ring, passes);
+      return;
+    }
     for (Polygon& part : land_near(ring, passes * width_m_)) land_.push_back(std::move(part));
     arcs_m_ += arcs_about_corners_m(ring, passes * width_m_);
   }
 
+  /// Pass by pass as in Zhou §2.3.3: half a width, whole ones, and half a width.
+  void add_plain(const Ring& ring, int passes) {
+    const bool inwards = signed_area(ring) > 0;
+    const Region whole{{inwards ? ring : reversed(ring), {}}};
+    Region last = whole;
+    for (int i = 0; i <= passes; ++i) {
+      const double by_m = (i == 0 || i == passes ? 0.5 : 1) * width_m_;
+      last = inwards ? moved_inwards(last, by_m) : moved_outwards(last, by_m);
+    }
+    const Region beside = inwards ? difference(whole, last) : last;
+    land_.insert(land_.end(), beside.begin(), beside.end());
+    moved_edges_m_ += perimeter(ring) * (passes + 1);
+  }
+
   double width_m_;
   int most_passes_;
+  bool plain_;
+  double moved_edges_m_ = 0;
   Region land_;
   double arcs_m_ = 0;
 };

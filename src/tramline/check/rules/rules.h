@@ -52,7 +52,8 @@ void check_swath_overlaps(const Case& c, Violations& out);
 /// given up. Where there is a clearance, straight and curved swaths keep it too.
 void check_clearance(const Case& c, Violations& out);
 /// The machine can drive every detour, curve and headland pass: no arc is too tight and no heading jumps.
-/// Findings where the plan's tracks are made as a paper makes them, and in the middle of the paper's detours.
+/// Findings where the plan's tracks are made as a paper makes them, and in the middle of the paper's detours;
+/// plain headlands (HeadlandConstruction::kPlain) have corners.
 void check_drivable(const Case& c, Violations& out, Violations& findings);
 /// Each piece obeys the end rule over all its straight parts, or all along its curve. In a repair the land to
 /// cover is that of any gap, and the work may go on over breaks of less than kLeastBreak_m.
@@ -64,6 +65,9 @@ void check_parallel(const Case& c, Violations& out);
 /// width apart or less, it is (k + ½) widths from the reference on its side, or rolls round a corner. Not
 /// checked in a repair, nor along a reference that no machine could follow.
 void check_track_lines(const Case& c, Violations& out);
+/// Where tracks begin at the envelope of the body, the reference is a straight line, all subfields lie to its
+/// right, the nearest of them at the line, and track k runs (k + ½) widths from it. Not checked in a repair.
+void check_ab_anchor(const Case& c, Violations& out);
 /// No piece is too short to drive, except those between crossings.
 void check_length(const Case& c, Violations& out);
 /// A piece is flagged as ending in a stop where the first millimetre beyond it reaches an obstacle without

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tramline/geometry/path/kinked_line.h"
 #include "tramline/geometry/tolerances.h"
 
 namespace tramline {
@@ -369,6 +370,14 @@ void append_band(const Path& path, double width_m, Layer layer, RisingCurves& ou
     right = next_right;
   }
   append_edge({right, left}, layer, out);
+}
+
+void append_swath_area(const Path& path, double width_m, Layer layer, RisingCurves& out) {
+  if (!has_kinks(path)) {
+    append_band(path, width_m, layer, out);
+    return;
+  }
+  for (const Ring& cell : kinked_cells(path, width_m)) append_ring(cell, layer, bounds(cell), out);
 }
 
 double newly_covered_area(const RisingCurves& curves) {

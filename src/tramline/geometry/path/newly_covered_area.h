@@ -43,6 +43,9 @@ void append_box(const Box& box, Layer layer, const Box& window, RisingCurves& ou
 /// tangents are continuous and radii at least half the width (up to rounding). O(n).
 void append_band(const Path& path, double width_m, Layer layer, RisingCurves& out);
 
+/// Adds the area of a swath along a path: append_band() or, where the path has kinks, its kinked_cells().
+void append_swath_area(const Path& path, double width_m, Layer layer, RisingCurves& out);
+
 /// Area of the points inside kBody, not inside kCovered and inside kNew, m². Closed form: exact up to
 /// rounding, about 1e-16 of the squared size of the new area per curve and crossing; curves that touch,
 /// coincide or nearly coincide lose no more than that. The centre, and so the area, of an arc that is half a

@@ -22,6 +22,8 @@ constexpr const char* kFormat = "tramline plan";
 constexpr int kNewestVersion = kVersionWithOwnLines, kOldestVersion = 2;
 constexpr const char* kTracks = "settings.tracks";
 constexpr const char* kAvoidRoom = "settings.avoid_room_m";  // only where there is a limit
+constexpr const char* kAbAnchor = "settings.ab_anchor";
+constexpr const char* kHeadlandConstruction = "headland.construction";
 constexpr const char* kReference = "reference";    // of all subfields
 constexpr const char* kReferences = "references";  // by subfield, where they have not all the same
 constexpr const char* kKind = "kind";
@@ -125,6 +127,8 @@ class Writer : public FieldKeyWriter {
   void operator()(const std::string& key, Avoidance value) const { out()[key] = name(value); }
   void operator()(const std::string& key, TrackShape value) const { out()[key] = name(value); }
   void operator()(const std::string& key, TrackConstruction value) const { out()[key] = name(value); }
+  void operator()(const std::string& key, AbAnchor value) const { out()[key] = name(value); }
+  void operator()(const std::string& key, HeadlandConstruction value) const { out()[key] = name(value); }
   /// Degrees are for people; radians are what is read back, to the bit.
   void operator()(const std::string& key, Angle value) const {
     (*this)(key + "_deg", short_degrees(value));
@@ -165,6 +169,10 @@ class Reader : public FieldKeyReader {
   }
   void operator()(const std::string& key, TrackConstruction& value) {
     value = word(key, track_construction_named(text(key)));
+  }
+  void operator()(const std::string& key, AbAnchor& value) { value = word(key, ab_anchor_named(text(key))); }
+  void operator()(const std::string& key, HeadlandConstruction& value) {
+    value = word(key, headland_construction_named(text(key)));
   }
   void operator()(const std::string& key, Angle& value) {
     double radians = 0;
@@ -234,6 +242,8 @@ Metadata metadata_of(const Plan& plan) {
   out[kInputCrsKey] = plan.field.source.input_crs;
   writer(kTracks, plan.settings.tracks);
   if (plan.settings.avoid_room_m >= 0) writer(kAvoidRoom, plan.settings.avoid_room_m);
+  writer(kAbAnchor, anchor_of(plan.settings));
+  writer(kHeadlandConstruction, plan.headland.construction);
   write_references(plan, writer);
   out["format"] = kFormat;
   out["format_version"] = std::to_string(has_own_lines(plan) ? kVersionWithOwnLines : kVersionWithSearchEnd);
@@ -268,6 +278,9 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   if (metadata.contains(kInputCrsKey)) plan.field.source.input_crs = reader.text(kInputCrsKey);
   if (metadata.contains(kTracks)) reader(kTracks, plan.settings.tracks);
   if (metadata.contains(kAvoidRoom)) reader(kAvoidRoom, plan.settings.avoid_room_m);
+  plan.settings.ab_anchor = AbAnchor::kLine;
+  if (metadata.contains(kAbAnchor)) reader(kAbAnchor, plan.settings.ab_anchor);
+  if (metadata.contains(kHeadlandConstruction)) reader(kHeadlandConstruction, plan.headland.construction);
   return version;
 }
 

@@ -13,6 +13,7 @@
 #include "tramline/planner/assembly/encounters_as_driven.h"
 #include "tramline/planner/assembly/track_ground.h"
 #include "tramline/planner/assembly/whole_figures.h"
+#include "tramline/planner/candidate/anchored_guide.h"
 #include "tramline/planner/warnings.h"
 
 namespace tramline {
@@ -38,9 +39,10 @@ void settle_overlaps(Plan& plan, const std::vector<Subfield>& subfields) {
   for (std::size_t i = 0; i < overlaps.size(); ++i) plan.pieces[i].overlap_m2 = overlaps[i];
 }
 
-/// Straight tracks along a line that was given follow it.
-void add_guide(const std::vector<Point>& guide, std::vector<Subfield>& subfields) {
-  if (guide.empty()) return;
+/// Straight tracks along a line that was given follow it, or the side of the envelope in its place.
+void add_guide(const SearchTask& task, std::vector<Subfield>& subfields) {
+  if (task.settings.guide.empty() || subfields.empty()) return;
+  const std::vector<Point> guide = anchored_guide(task);
   for (Subfield& subfield : subfields)
     if (subfield.reference.empty()) subfield.reference = straight_path(guide.front(), guide.back());
 }
@@ -95,7 +97,7 @@ Plan finished_plan(const SearchTask& task, SearchResult found, const SearchConte
   context.report();
   plan.subfields = found.best.subfields;
   TrackGround ground = track_ground(plan, found.best);
-  add_guide(task.settings.guide, plan.subfields);
+  add_guide(task, plan.subfields);
   set_figures(plan, found.best.avoided.tally);
   context.report();
   plan.directions_tried = found.directions_tried;

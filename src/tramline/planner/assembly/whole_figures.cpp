@@ -19,7 +19,7 @@ double worked_of_body_m2(const SearchTask& task) {
   Box window;
   for (const HeadlandPass& pass : task.headland.passes) {
     window.extend(reach_of(pass.path, task.machine.width_m));
-    append_band(pass.path, task.machine.width_m, Layer::kNew, curves);
+    append_swath_area(pass.path, task.machine.width_m, Layer::kNew, curves);
   }
   for (const Ring& ring : rings_of(task.ground.body)) append_ring(ring, Layer::kBody, window, curves);
   return newly_covered_area(curves);

@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "tramline/planner/candidate/anchored_guide.h"
 #include "tramline/planner/search/best_search.h"
 #include "tramline/planner/search/sweep_search.h"
 
@@ -17,7 +18,7 @@ SearchResult straight_search(const SearchTask& task, const SearchContext& contex
 }
 
 SearchResult guided_search(const SearchTask& task) {
-  const std::vector<Point>& guide = task.settings.guide;
+  const std::vector<Point> guide = anchored_guide(task);
   const Direction along = Direction::along(guide.front(), guide.back());
   const double origin_m = TrackFrame(along).to_track(guide.front()).x;
   std::vector<LinedSubfield> lined_subfields;

@@ -11,7 +11,8 @@ namespace tramline {
 SearchResult straight_search(const SearchTask& task, const SearchContext& context,
                              double no_more_than = kAnyCost);
 
-/// All parts undivided, with strips along the guide; line 0 of the grid lies on it (Zhou §2.3.4).
+/// All parts undivided, with strips along the guide; line 0 of the grid lies on it, or on the
+/// envelope's side that takes its place (Zhou §2.3.4).
 SearchResult guided_search(const SearchTask& task);
 
 }  // namespace tramline

@@ -11,7 +11,7 @@
 #include "tramline/render/page/legend.h"
 #include "tramline/render/page/map_decorations.h"
 #include "tramline/render/page/text.h"
-#include "tramline/render/plan/layers.h"
+#include "tramline/render/plan/small_map.h"
 #include "tramline/render/trade_off/front_chart.h"
 
 namespace tramline::render {
@@ -26,33 +26,6 @@ constexpr double kHeadingLineHeight = 22;  ///< of one line
 constexpr double kHeadingIndent = 36;
 constexpr double kHeadingLetter = 10.6;  ///< room for one, on average
 constexpr double kGap = 28;
-constexpr double kTallestMap = 1.2;  ///< of its width
-constexpr double kMapPadding = 8;
-/// Lines of small maps are thinner than those of a page of its own.
-constexpr double kMapScale = 0.6;
-
-/// Symbols that occur in any of the plans.
-LegendBlock legend_of_all(const std::vector<Plan>& plans) {
-  LegendBlock out{"Plans", {}};
-  for (const Plan& plan : plans) {
-    const LegendBlock symbols = legend_of(plan).front();
-    for (const LegendRow& row : symbols.rows)
-      if (std::none_of(out.rows.begin(), out.rows.end(),
-                       [&](const LegendRow& other) { return other.symbol == row.symbol; }))
-        out.rows.push_back(row);
-  }
-  std::stable_sort(out.rows.begin(), out.rows.end(),
-                   [](const LegendRow& a, const LegendRow& b) { return a.symbol < b.symbol; });
-  for (LegendRow& row : out.rows)
-    if (row.symbol == Symbol::kTrack) row.text = "track";  // small maps have no numbers
-  return out;
-}
-
-Box drawn_box(const std::vector<Plan>& plans) {
-  Box out;
-  for (const Plan& plan : plans) out.extend(render::drawn_box(plan));
-  return out;
-}
 
 /// The marks of a point, in as few lines as they go into.
 std::vector<std::string> heading_lines(const Front& front, std::size_t point, double width, double k) {
@@ -118,29 +91,10 @@ Layout lay_out(const Box& drawn_m, const Front& front, int width_px, double lege
   out.cell_width = (right - left - (out.columns - 1) * kGap * k) / out.columns;
   const auto headings = static_cast<double>(most_heading_lines(front, out.cell_width, k));
   out.caption_height = (kCaptionHeight + headings * kHeadingLineHeight) * k;
-  const double shape = std::max(drawn_m.height(), 0.01) / std::max(drawn_m.width(), 0.01);
-  out.map_height = std::clamp(shape, 0.2, kTallestMap) * out.cell_width;
+  out.map_height = small_map_height(drawn_m, out.cell_width);
   out.maps_top = out.chart.max_y + kGap * k;
   out.height_px = static_cast<int>(std::ceil(out.map(maps - 1).max_y + kMargin * k));
   return out;
-}
-
-MapView view_of(const Box& drawn_m, const Box& map, double padding) {
-  const double wide = std::max(drawn_m.width(), 0.01), high = std::max(drawn_m.height(), 0.01);
-  return {drawn_m.centre(), map.centre(),
-          std::min((map.width() - 2 * padding) / wide, (map.height() - 2 * padding) / high)};
-}
-
-/// draw_plan()'s layers without numbers and arrow heads, for which small maps have no room.
-void draw_small_map(Canvas& canvas, const Plan& plan) {
-  draw_ground(canvas, plan);
-  draw_swaths(canvas, plan);
-  draw_obstacles(canvas, plan);
-  draw_track_lines(canvas, plan);
-  draw_outlines(canvas, plan);
-  draw_faults(canvas, plan);
-  draw_detours(canvas, plan);
-  draw_stops(canvas, plan);
 }
 
 std::string count_of(int count, const char* one) {
@@ -200,9 +154,7 @@ void draw_trade_off(const Front& front, const std::vector<Plan>& plans, const st
   const std::vector<std::size_t> marked = marked_points(front);
   for (std::size_t i = 0; i < plans.size(); ++i) {
     draw_caption(canvas, page.caption(i), front, i, marked[i]);
-    canvas.use(view_of(drawn, page.map(i), kMapPadding * page.k), kMapScale * page.k);
-    draw_small_map(canvas, plans[i]);
-    canvas.use({}, page.k);
+    draw_small_map(canvas, plans[i], drawn, page.map(i), page.k);
   }
   write_whole(path, canvas.finish());
 }

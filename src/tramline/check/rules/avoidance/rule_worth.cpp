@@ -87,6 +87,7 @@ Worst worst_stretch(const std::vector<Slice>& slices, std::size_t first, std::si
 }  // namespace
 
 void check_worth(const Case& c, Violations& out) {
+  if (c.plan.headland.construction == HeadlandConstruction::kPlain) return;
   std::vector<Slice> slices = slices_of(c.plan);
   find_worths(c, slices);
   const double width_m = c.plan.machine.width_m;

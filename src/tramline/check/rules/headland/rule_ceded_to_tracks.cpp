@@ -52,6 +52,11 @@ void check_ceded_to_tracks(const Case& c, Violations& out) {
   if (is_repair(c.plan) || c.near_boundaries.empty()) return;
   const Region left = intersection(c.plan.body, c.near_boundaries);
   const double tolerance_m2 = c.area_tolerance_m2 + c.round_edges_m2;
+  if (c.plan.headland.construction == HeadlandConstruction::kPlain) {
+    report_land(Rule::kBody, left, tolerance_m2,
+                "{:.3f} m² of the body are nearer to a boundary than its plain passes are wide", out);
+    return;
+  }
   if (area(left) <= tolerance_m2 && c.plan.headland.unworked.empty()) return;
   Region bands;
   double all_arcs_m = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tramline/check/measure/bands.h"
 #include "tramline/check/measure/self_crossing.h"
 #include "tramline/check/measure/sound_path.h"
 #include "tramline/check/rules/rules.h"
@@ -49,6 +50,9 @@ int most_passes(const Plan& plan, const HeadlandPass& pass) {
 /// The fault of a pass in itself, or "".
 std::string fault_of(const Plan& plan, const HeadlandPass& pass) {
   if (std::string fault = check::fault_of(pass.path); !fault.empty()) return fault;
+  if (plan.headland.construction == HeadlandConstruction::kPlain &&
+      !(is_closed(pass) && is_kinked(pass.path)))
+    return "is no ring with corners, as those of a plain headland are";
   if (!exist(plan, pass.obstacles)) return "names an obstacle that does not exist";
   if (!std::is_sorted(pass.obstacles.begin(), pass.obstacles.end(), std::less_equal<>()))
     return "does not name its obstacles in order";

@@ -31,7 +31,9 @@ HeadlandWork work(const Case& c) {
   for (const HeadlandPass& pass : c.plan.headland.passes) {
     out.worked_m2 += c.plan.machine.width_m * length(pass.path);
     out.arcs_m += arcs_m(pass.path);
-    for (const Polygon& band : flat_bands_along(pass.path, c.plan.machine.width_m)) ground.add(band, parts++);
+    for (const Polygon& band :
+         pass_bands_along(pass.path, c.plan.headland.construction, c.plan.machine.width_m))
+      ground.add(band, parts++);
   }
   double largest_m2 = 0;
   each_cell(ground, [&](const GroundCell& cell) {

@@ -58,8 +58,8 @@ class Joints {
   std::optional<PathSegment> first_;
 };
 
-/// The middle of a detour as Versleijen 2019 draws it may be as tight as the obstacle's buffer, w/2 (fig. 19),
-/// which is a finding; its first and last segments are arcs that the machine can drive.
+/// The middle of a detour as Versleijen 2019 draws it may be as tight as the obstacle's buffer, w/2 (fig.
+/// 19), which is a finding; its first and last segments are arcs that the machine can drive.
 void check_detour_as_printed(const Detour& detour, const Machine& machine, const std::string& name,
                              Violations& out, Violations& findings) {
   const Path middle(detour.path.begin() + 1, detour.path.end() - 1);
@@ -115,6 +115,7 @@ void check_drivable(const Case& c, Violations& out, Violations& findings) {
     check_joints(piece, piece_name(i), as_in_paper ? findings : out);
   }
   const auto& passes = c.plan.headland.passes;
+  if (c.plan.headland.construction == HeadlandConstruction::kPlain) return;
   for (std::size_t i = 0; i < passes.size(); ++i) check_pass(passes[i], least_m, pass_name(i), out);
 }
 
