@@ -36,6 +36,11 @@ std::vector<Direction> directions_of(const Plan& plan) {
   return out;
 }
 
+std::ptrdiff_t given_subfields(const Plan& plan) {
+  return std::count_if(plan.subfields.begin(), plan.subfields.end(),
+                       [](const Subfield& subfield) { return !subfield.given_by.empty(); });
+}
+
 std::string repair_row(const Plan& plan) {
   return fmt::format("search       lines over gaps, ends '{}', boundary {}\n", name(plan.settings.end_rule),
                      name(plan.settings.boundary));
@@ -72,7 +77,8 @@ std::string proof_rows(const Plan& plan) {
 
 /// Was there a search that tells what no plan undercuts?
 bool is_proven(const Plan& plan) {
-  return plan.settings.strategy == Strategy::kBest && references(plan).empty() && !is_repair(plan);
+  return plan.settings.strategy == Strategy::kBest && references(plan).empty() && !is_repair(plan) &&
+         given_subfields(plan) == 0;
 }
 
 /// Of tracks and headland passes; infinite where all is straight, and 0 at a kink, m.

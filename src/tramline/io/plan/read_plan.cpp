@@ -290,12 +290,14 @@ PlanFile read_plan_file(const fs::path& path, const std::string& field) {
   read_field_layers(file, path, kPlanFile, out.plan.field,
                     [&](const Row& row, const Polygon& polygon) { derive_area(out, row, polygon); });
   read_region(file, layers::kBody, out.plan.body, out);
+  if (is_repair(metadata, version)) out.plan.kind = PlanKind::kRepair;
   if (version == kVersionWithRepairs || file.has(layers::kWorked))
     read_region(file, layers::kWorked, out.plan.worked, out);
   if (version >= kVersionWithHeadlands) read_headland(file, out);
   read_region(file, layers::kGivenUp, out.plan.given_up, out);
   read_subfields(file, out);
   apply_references(metadata, path, version, out.plan);
+  apply_given_land(metadata, path, out.plan);
   read_tracks(file, out);
   read_swaths(file, out);
   read_region(file, layers::kOverlap, out.plan.overlap, out);

@@ -1,0 +1,14 @@
+#pragma once
+// Parts that are too small to be worth a subfield.
+
+#include "tramline/planner/planning_problem.h"
+
+namespace tramline {
+
+/// Whether a part is smaller than PlanSettings::small_cell_m2, or nowhere as wide as the machine.
+bool is_sliver_part(const PlanningProblem& problem, const Polygon& part);
+
+/// "(11.2345678, 48.1234567)": a point as longitude and latitude, or in the metres of plain input.
+std::string place_of(const Field& field, Point local);
+
+}  // namespace tramline
