@@ -36,8 +36,8 @@ enum class CellDirection { kRectangle, kWidth };
 
 /// Land that the user wants to be subfields of its own: one for each connected part of it that tracks work.
 struct GivenSubfield {
-  Region shape;        ///< may reach beyond the field
-  std::string origin;  ///< "cuts.gpkg feature 3"
+  Region shape;                          ///< may reach beyond the field
+  std::string origin;                    ///< "cuts.gpkg feature 3"
   std::optional<Direction> direction{};  ///< of its tracks
   std::vector<Point> guide{};            ///< a line its tracks run parallel to; goes before the direction
 };
@@ -55,7 +55,7 @@ struct GivenLand {
   std::vector<GivenCut> cuts;  ///< of the land that no subfield takes up
   Region left_out;             ///< not to be worked: it is given up
   Region done;                 ///< worked before
-  Region elsewhere;            ///< not to be worked now: swaths may run on over it, as over land worked before
+  Region elsewhere;  ///< not to be worked now: swaths may run on over it, as over land worked before
   std::vector<std::string> remarks;  ///< what became of the shapes that the user drew; sentences
 
   bool divides() const { return !subfields.empty() || !cuts.empty(); }
@@ -151,15 +151,17 @@ struct Plan {
   Objective objective;
   PlanSettings settings;
   PlanKind kind = PlanKind::kField;
-  Region body;    ///< field minus obstacles, passable ones included, minus headlands, minus land worked before;
-                  ///< of a repair: the gaps
-  Region worked;  ///< the rest of the field minus obstacles, where the plan is not for all of it: worked before,
-                  ///< not to be worked now, or left for good; swaths may run on over it. Without headlands
+  Region body;  ///< field minus obstacles, passable ones included, minus headlands, minus land worked before;
+                ///< of a repair: the gaps
+  Region
+      worked;  ///< the rest of the field minus obstacles, where the plan is not for all of it: worked before,
+               ///< not to be worked now, or left for good; swaths may run on over it. Without headlands
   Headland headland;
   /// The part of the body that lies between clustered obstacles, between an obstacle and the edge, or nearer
   /// to an obstacle than the clearance; hard. Then the part that the user wants left out, as hard.
   Region given_up;
-  std::size_t left_out = 0;  ///< how many of the last polygons of given_up are land that the user wants left out
+  std::size_t left_out =
+      0;  ///< how many of the last polygons of given_up are land that the user wants left out
   std::vector<Subfield> subfields;
   std::vector<TrackPiece> pieces;  ///< in driving order
   std::vector<DroppedPiece> dropped;
@@ -191,8 +193,8 @@ double identity_error_m2(const Plan& plan);
 /// Whether it is a plan for the gaps that another drive has left.
 inline bool is_repair(const Plan& plan) { return plan.kind == PlanKind::kRepair; }
 
-/// The part of the land given up that the user wants left out. Precondition: left_out is at most the number of
-/// polygons given up.
+/// The part of the land given up that the user wants left out. Precondition: left_out is at most the number
+/// of polygons given up.
 Region left_out_land(const Plan& plan);
 
 /// Whether any track follows a curve.

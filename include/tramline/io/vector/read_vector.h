@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "tramline/model/raw_feature.h"
 
@@ -16,6 +17,7 @@ struct VectorQuery {
   std::string where;             ///< OGR attribute filter, for example "crop = 'wheat'"; empty: all
   std::optional<long long> fid;  ///< only the feature with this number
   long long limit = -1;          ///< stop after so many features of a layer; negative: read all
+  std::vector<std::string> attributes;  ///< to be read, whatever the case of their names in the file
   bool all_layers = false;       ///< read every layer, whatever its geometry (obstacle files)
 };
 

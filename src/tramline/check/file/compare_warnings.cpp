@@ -173,8 +173,8 @@ std::vector<Violation> compare_warnings(const Plan& plan) {
   };
   for (const Expected& expected :
        {of_unworked_land(plan), of_overrun(plan), of_given_up_land(plan), of_left_out_land(plan),
-        of_passes_without_room(plan), of_passes_alone(plan), of_dropped_pieces(plan), of_short_pieces(plan), of_cut_short(plan),
-        of_connections()}) {
+        of_passes_without_room(plan), of_passes_alone(plan), of_dropped_pieces(plan), of_short_pieces(plan),
+        of_cut_short(plan), of_connections()}) {
     const auto found = std::find_if(
         plan.warnings.begin(), plan.warnings.end(),
         [&](const std::string& sentence) { return sentence.find(expected.words) != std::string::npos; });

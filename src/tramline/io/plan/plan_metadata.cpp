@@ -27,8 +27,8 @@ constexpr const char* kReference = "reference";    // of all subfields
 constexpr const char* kReferences = "references";  // by subfield, where they have not all the same
 constexpr const char* kKind = "kind";
 constexpr const char* kRepair = "repair";
-constexpr const char* kGivenBy = "subfields.given_by";   // by subfield, where any was drawn
-constexpr const char* kLeftOut = "given_up.left_out";    // how many of the last polygons
+constexpr const char* kGivenBy = "subfields.given_by";  // by subfield, where any was drawn
+constexpr const char* kLeftOut = "given_up.left_out";   // how many of the last polygons
 
 /// The one list of keys, walked by the writer (const plan) and by the reader.
 template <class PlanOrConst, class Visitor>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "tramline/geodesy/shown_place.h"
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/planner/given/sliver_part.h"
 #include "tramline/planner/search/merge_pairs.h"
@@ -161,7 +162,8 @@ class Divider {
       out_.remarks.push_back(fmt::format(
           "a part of {} at {}, {:.1f} m², is smaller than {:g} m² or narrower than the working width and is "
           "joined to {}",
-          name_of(small), place_of(problem_.field, at), m2, problem_.settings.small_cell_m2, name_of(large)));
+          name_of(small), shown_place(problem_.field.frame, at), m2, problem_.settings.small_cell_m2,
+          name_of(large)));
     out_.parts[into].shape = *merged_shape(large.shape, small.shape);
     out_.parts.erase(out_.parts.begin() + static_cast<std::ptrdiff_t>(sliver));
   }

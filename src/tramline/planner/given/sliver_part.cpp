@@ -1,8 +1,5 @@
 #include "tramline/planner/given/sliver_part.h"
 
-#include <fmt/format.h>
-
-#include "tramline/geodesy/field_projection.h"
 #include "tramline/geometry/polygon/boolean.h"
 
 namespace tramline {
@@ -13,14 +10,6 @@ bool is_sliver_part(const PlanningProblem& problem, const Polygon& part) {
   const double width_m = problem.machine.width_m;
   const double across_m = 2 * largest_disc(part, 0.5 * kWidthTolerance_share * width_m).radius_m;
   return across_m < (1 - kWidthTolerance_share) * width_m;
-}
-
-std::string place_of(const Field& field, Point local) {
-  const LocalFrame& frame = field.frame;
-  if (!frame.geodetic)
-    return fmt::format("({:.2f}, {:.2f})", local.x + frame.origin_x_m, local.y + frame.origin_y_m);
-  const Point lonlat = FrameProjection(frame).to_lonlat(local);
-  return fmt::format("({:.7f}, {:.7f})", lonlat.x, lonlat.y);
 }
 
 }  // namespace tramline

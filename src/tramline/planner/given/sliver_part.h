@@ -8,7 +8,4 @@ namespace tramline {
 /// Whether a part is smaller than PlanSettings::small_cell_m2, or nowhere as wide as the machine.
 bool is_sliver_part(const PlanningProblem& problem, const Polygon& part);
 
-/// "(11.2345678, 48.1234567)": a point as longitude and latitude, or in the metres of plain input.
-std::string place_of(const Field& field, Point local);
-
 }  // namespace tramline
