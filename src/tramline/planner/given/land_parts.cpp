@@ -7,6 +7,7 @@
 
 #include "tramline/geodesy/shown_place.h"
 #include "tramline/geometry/polygon/boolean.h"
+#include "tramline/planner/given/narrow_tails.h"
 #include "tramline/planner/given/sliver_part.h"
 #include "tramline/planner/search/merge_pairs.h"
 #include "tramline/planner/tolerances.h"
@@ -68,6 +69,7 @@ class Divider {
 
   void run() {
     for (const GivenSubfield& subfield : problem_.settings.given.subfields) take(subfield);
+    cut_tails_off();
     cut_free_land();
     join_slivers();
   }
@@ -84,6 +86,23 @@ class Divider {
       out_.parts.push_back({std::move(shape), given.origin, given.direction, given.guide});
     free_ = difference(free_, given.shape);
     drop_specks_of(free_);
+  }
+
+  /// Tails of the free land beside polygons that were not drawn quite up to the edge or to one another become
+  /// parts, which are then joined as slivers are.
+  void cut_tails_off() {
+    if (out_.parts.empty()) return;
+    const double width_m = problem_.machine.width_m;
+    Region drawn;
+    for (const LandPart& part : out_.parts) drawn.push_back(part.shape);
+    Region tails;
+    for (const Polygon& part : free_)
+      for (Polygon& tail : narrow_tails(part, 0.5 * width_m, 2 * width_m))
+        if (distance_between({tail}, drawn) <= kSamePlace_m) tails.push_back(std::move(tail));
+    if (tails.empty()) return;
+    free_ = difference(free_, tails);
+    drop_specks_of(free_);
+    for (Polygon& tail : tails) out_.parts.push_back({std::move(tail)});
   }
 
   void cut_free_land() {

@@ -6,11 +6,14 @@
 
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/polygon/boolean.h"
+#include "tramline/planner/given/narrow_tails.h"
 #include "tramline/planner/given/sliver_part.h"
 #include "tramline/planner/tolerances.h"
 
 namespace tramline {
 namespace {
+
+constexpr double kBesideDone_m = 0.01;  ///< land nearer than this to land done lies beside it
 
 void drop_specks(Region& region) {
   std::erase_if(region, [](const Polygon& polygon) { return area(polygon) < kNoGround_m2; });
@@ -30,23 +33,38 @@ Error nothing_remains(const PlanningProblem& problem) {
       fmt::format("nothing of field '{}' is left to plan: --subfields leaves out all of it", field));
 }
 
-/// The parts beside land done that are not worth planning.
+/// The land beside land done that is not worth planning: parts that are slivers, and the tails of others,
+/// where so little of a swath would have land to work that not even the cheapest end rule begins one.
 Region leftovers(const PlanningProblem& problem, const Region& plannable) {
   Region out;
   const Region& done = problem.settings.given.done;
   if (done.empty()) return out;
-  for (const Polygon& part : plannable)
-    if (is_sliver_part(problem, part) && distance_between({part}, done) <= kSamePlace_m) out.push_back(part);
+  const double width_m = problem.machine.width_m;
+  constexpr double kNarrow_share = 1.0 / 6;
+  const auto beside_done = [&done](const Polygon& land) {
+    return distance_between({land}, done) <= kBesideDone_m;
+  };
+  for (const Polygon& part : plannable) {
+    if (!beside_done(part)) continue;
+    if (is_sliver_part(problem, part)) {
+      out.push_back(part);
+      continue;
+    }
+    for (Polygon& tail : narrow_tails(part, kNarrow_share * width_m, width_m))
+      if (beside_done(tail)) out.push_back(std::move(tail));
+  }
   return out;
 }
 
-void remark_leftovers(const PlanningProblem& problem, const Region& left, PreparedLand& out) {
-  if (left.empty()) return;
-  out.remarks.push_back(fmt::format(
-      "{} part{} of what --done leaves, {:.1f} m² in all, {} smaller than {:g} m² or narrower than the "
-      "working width and stay{} unplanned; 'tramline repair' plans passes over gaps",
-      left.size(), left.size() == 1 ? "" : "s", area(left), left.size() == 1 ? "is" : "are",
-      problem.settings.small_cell_m2, left.size() == 1 ? "s" : ""));
+void remark_leftovers(const Region& left, PreparedLand& out) {
+  constexpr double kWorthSaying_m2 = 0.05;
+  if (area(left) < kWorthSaying_m2) return;
+  const bool one = left.size() == 1;
+  out.remarks.push_back(
+      fmt::format("{} part{} of what --done leaves, {:.1f} m² in all, {} too small or too narrow to plan and "
+                  "stay{} unworked; "
+                  "'tramline repair' plans passes over gaps",
+                  left.size(), one ? "" : "s", area(left), one ? "is" : "are", one ? "s" : ""));
 }
 
 void take_off_worked(const PlanningProblem& problem, ClassifiedGround& ground, PreparedLand& out) {
@@ -55,7 +73,7 @@ void take_off_worked(const PlanningProblem& problem, ClassifiedGround& ground, P
   Region plannable = difference(ground.plannable, off);
   drop_specks(plannable);
   const Region left = leftovers(problem, plannable);
-  remark_leftovers(problem, left, out);
+  remark_leftovers(left, out);
   if (!left.empty()) {
     off = unite(off, unite(left));
     plannable = difference(plannable, left);
