@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "tramline/admission/loose_land.h"
+#include "tramline/admission/given/loose_land.h"
 #include "tramline/admission/repair_log.h"
 #include "tramline/admission/tolerances.h"
 #include "tramline/admission/unite_obstacles.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "tramline/admission/loose_land.h"
+#include "tramline/admission/given/loose_land.h"
 #include "tramline/admission/tolerances.h"
 #include "tramline/geodesy/field_projection.h"
 #include "tramline/geodesy/shown_place.h"

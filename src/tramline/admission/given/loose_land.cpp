@@ -1,4 +1,4 @@
-#include "tramline/admission/loose_land.h"
+#include "tramline/admission/given/loose_land.h"
 
 #include <fmt/format.h>
 
