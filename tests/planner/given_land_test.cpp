@@ -9,6 +9,7 @@
 #include "properties/seeds.h"
 #include "support/temporary_folder.h"
 #include "tramline/admission/given/place_subfields.h"
+#include "tramline/check/file/compare_warnings.h"
 #include "tramline/check/verify.h"
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/polygon/boolean.h"
@@ -305,6 +306,29 @@ TEST(GivenLand, ComesBackFromAFile) {
   EXPECT_EQ(back.subfields[0].given_by, "drawn feature 7");
   EXPECT_EQ(back.subfields[1].given_by, "");
   EXPECT_EQ(faults(back), "");
+}
+
+// The verifier has to see land that is lost between body and land done, and land left out that is worked.
+TEST(GivenLand, FaultsArePlantedAndFound) {
+  GivenLand given;
+  given.elsewhere = western_half();
+  given.left_out = {rectangle(90, -5, 110, 65)};
+  const Plan good = planned(given);
+  EXPECT_EQ(faults(good), "");
+  EXPECT_TRUE(check::compare_warnings(good).empty());
+
+  Plan lost = good;
+  lost.worked = difference(lost.worked, {rectangle(0, 0, 10, 10)});
+  EXPECT_NE(faults(lost).find("body and worked ground together differ"), std::string::npos);
+  Plan twice = good;
+  twice.worked = unite(twice.worked, {rectangle(50, 0, 60, 10)});
+  EXPECT_NE(faults(twice).find("body and worked ground overlap"), std::string::npos);
+  Plan entered = good;
+  entered.given_up = {rectangle(85, 0, 100, 60)};
+  EXPECT_NE(faults(entered).find("of land given up"), std::string::npos);
+  Plan unsaid = good;
+  unsaid.left_out = 0;
+  EXPECT_FALSE(check::compare_warnings(unsaid).empty());
 }
 
 LooseSubfield drawn(const Polygon& polygon, const std::string& origin) {
