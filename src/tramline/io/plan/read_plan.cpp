@@ -292,9 +292,10 @@ PlanFile read_plan_file(const fs::path& path, const std::string& field) {
   read_field_layers(file, path, kPlanFile, out.plan.field,
                     [&](const Row& row, const Polygon& polygon) { derive_area(out, row, polygon); });
   read_region(file, layers::kBody, out.plan.body, out);
-  if (is_repair(metadata, version)) out.plan.kind = PlanKind::kRepair;
   if (version == kVersionWithRepairs || file.has(layers::kWorked))
     read_region(file, layers::kWorked, out.plan.worked, out);
+  // By its layers, not by its word: the word is compared with them. Only repairs had worked land before.
+  if (!out.plan.worked.empty() && version < kVersionWithGivenLand) out.plan.kind = PlanKind::kRepair;
   if (version >= kVersionWithHeadlands) read_headland(file, out);
   read_region(file, layers::kGivenUp, out.plan.given_up, out);
   read_subfields(file, out);
