@@ -36,6 +36,11 @@ std::vector<Direction> directions_of(const Plan& plan) {
   return out;
 }
 
+std::ptrdiff_t given_subfields(const Plan& plan) {
+  return std::count_if(plan.subfields.begin(), plan.subfields.end(),
+                       [](const Subfield& subfield) { return !subfield.given_by.empty(); });
+}
+
 std::string repair_row(const Plan& plan) {
   return fmt::format("search       lines over gaps, ends '{}', boundary {}\n", name(plan.settings.end_rule),
                      name(plan.settings.boundary));
@@ -72,7 +77,8 @@ std::string proof_rows(const Plan& plan) {
 
 /// Was there a search that tells what no plan undercuts?
 bool is_proven(const Plan& plan) {
-  return plan.settings.strategy == Strategy::kBest && references(plan).empty() && !is_repair(plan);
+  return plan.settings.strategy == Strategy::kBest && references(plan).empty() && !is_repair(plan) &&
+         given_subfields(plan) == 0;
 }
 
 /// Of tracks and headland passes; infinite where all is straight, and 0 at a kink, m.
@@ -143,6 +149,8 @@ std::string tally_rows(const Plan& plan) {
   std::string out;
   out += fmt::format("subfields    {} (direction {})\n", plan.subfields.size(),
                      directions_text(directions_of(plan), kShown));
+  if (const std::ptrdiff_t given = given_subfields(plan); given > 0)
+    out += fmt::format("drawn        {} of them by hand\n", given);
   out += headland_rows(plan) + line_rows(plan);
   out +=
       fmt::format("tracks       {}, {:.1f} m in all; by themselves overlap {:.1f} m², uncovered {:.1f} m²\n",
@@ -178,6 +186,8 @@ ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, do
   out["directions_tried"] = plan.directions_tried;
   out["direction_deg"] = std::move(directions);
   out["subfields"] = plan.subfields.size();
+  if (given_subfields(plan) > 0)
+    for (const Subfield& subfield : plan.subfields) out["given_by"].push_back(subfield.given_by);
   out["further_subfields"] = further_subfields(tally);
   out["tracks"] = tally.pieces;
   out["turns"] = tally.turns;
@@ -190,6 +200,8 @@ ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, do
   out["uncovered_pct"] = percent_of_field(plan, tally.uncovered_m2);
   out["body_overlap_m2"] = plan.track_tally.overlap_m2;
   out["body_uncovered_m2"] = plan.track_tally.uncovered_m2;
+  if (plan.left_out > 0) out["left_out_m2"] = area(left_out_land(plan));
+  if (!plan.worked.empty() && !is_repair(plan)) out["land_done_m2"] = area(plan.worked);
   out["given_up_m2"] = area(plan.given_up);
   out["cost"] = plan.cost;
   add_map_keys(out, plan);

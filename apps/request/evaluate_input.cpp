@@ -36,20 +36,6 @@ class BetweenFrames {
   std::optional<FrameProjection> from_, to_;
 };
 
-/// Parts of a feature have a frame each.
-Region moved(Region region, const LocalFrame& from, const LocalFrame& to) {
-  if (from == to) return region;
-  const BetweenFrames between(from, to);
-  const auto move = [&](Ring& ring) {
-    for (Point& p : ring) p = between(p);
-  };
-  for (Polygon& polygon : region) {
-    move(polygon.outer);
-    std::for_each(polygon.holes.begin(), polygon.holes.end(), move);
-  }
-  return region;
-}
-
 WorkLog with_columns_swapped(WorkLog log) {
   for (Fix& fix : log.fixes) std::swap(fix.position.x, fix.position.y);
   return log;
@@ -75,10 +61,24 @@ void require_near(const WorkLog& log, const WorkGround& ground) {
 
 }  // namespace
 
+Region moved(Region region, const LocalFrame& from, const LocalFrame& to) {
+  if (from == to) return region;
+  const BetweenFrames between(from, to);
+  const auto move = [&](Ring& ring) {
+    for (Point& p : ring) p = between(p);
+  };
+  for (Polygon& polygon : region) {
+    move(polygon.outer);
+    std::for_each(polygon.holes.begin(), polygon.holes.end(), move);
+  }
+  return region;
+}
+
 std::optional<WorkGround> work_ground(const FieldOptions& options) {
   if (options.file.empty()) return std::nullopt;
   const FieldInput input = load_fields(options);
   WorkGround out;
+  // Parts of a feature have a frame each.
   for (const Field& field : input.fields) {
     if (out.field_id.empty()) {
       out.field_id = field.id;

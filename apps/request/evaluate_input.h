@@ -28,6 +28,9 @@ std::optional<WorkGround> work_ground(const FieldOptions& options);
 /// The field a plan was made for: all of it, headlands included.
 WorkGround work_ground(const Plan& plan);
 
+/// Shapes in another frame, both geodetic or both plain. Throws kBadInput where the two lie too far apart.
+Region moved(Region region, const LocalFrame& from, const LocalFrame& to);
+
 /// The steps of a plan's pieces and headland passes in another frame.
 coverage::FurtherWork work_of(const Plan& plan, const LocalFrame& frame);
 

@@ -22,6 +22,7 @@ Plan repair() {
   plan.settings.boundary = EdgeKind::kHard;
   plan.settings.end_rule = EndRule::kCover;
   plan.settings.avoid = Avoidance::kCut;
+  plan.kind = PlanKind::kRepair;
   plan.body = gaps;
   plan.worked = {{plan.field.outer,
                   {{{48, 30}, {52, 30}, {52, 10}, {48, 10}}, {{48, 80}, {52, 80}, {52, 60}, {48, 60}}}}};

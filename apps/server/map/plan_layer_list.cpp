@@ -50,7 +50,7 @@ ordered_json layer_list(const io::PlanFile& file) {
   ordered_json out = ordered_json::array();
   out.push_back(entry(layers::kField, "Field", 1, area(Polygon{plan.field.outer, {}})));
   out.push_back(entry(layers::kBody, "Land to work", plan.body));
-  if (is_repair(plan)) out.push_back(entry(layers::kWorked, "Worked before", plan.worked));
+  if (!plan.worked.empty()) out.push_back(entry(layers::kWorked, "Worked before", plan.worked));
   out.push_back(entry(layers::kSubfields, "Subfields", plan.subfields.size(), subfield_area(plan)));
   out.push_back(entry(layers::kHeadland, "Headland", plan.headland.ground));
   out.push_back(

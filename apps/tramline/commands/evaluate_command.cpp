@@ -167,7 +167,7 @@ class EvaluateCommand : public Command {
   Evaluation plan_alone(const Plan& plan) const {
     Evaluation out;
     const bool tracks_alone = plan.figures == PlanFigures::kTracks;
-    const Region land = is_repair(plan) || tracks_alone ? plan.body : work_ground(plan).ground;
+    const Region land = !plan.worked.empty() || tracks_alone ? plan.body : work_ground(plan).ground;
     out.coverage = coverage::evaluate(tracks_alone ? coverage::plan_steps(plan) : coverage::steps_of(plan),
                                       plan.machine.width_m, land, settings());
     out.coverage.lines = lines_of(plan, tracks_alone);

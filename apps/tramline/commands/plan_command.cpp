@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -41,6 +42,8 @@ constexpr const char* kExample =
     "  tramline plan field.geojson --width 3 --explain\n"
     "  tramline plan field.geojson --width 3 --clearance 0.5 --zoom-obstacles closeups\n"
     "  tramline plan field.geojson --width 3 --avoid paper --avoid-threshold 4 -o paper.gpkg\n"
+    "  tramline plan field.geojson --width 6 --subfields drawn.gpkg -o plan.gpkg --picture plan.png\n"
+    "  tramline plan field.geojson --width 3 --done plan-6m.gpkg -o rest.gpkg\n"
     "Without -o, --picture and --zoom-obstacles nothing is written.\n"
     "Papers: Versleijen 2019, Path planning on agricultural fields with obstacles, MSc thesis, Wageningen\n"
     "University. Zhou et al. 2020, Agronomy 10:83.";
@@ -76,6 +79,7 @@ class PlanCommand : public Command {
     add_field_options(command, field_options_);
     add_plan_options(command, plan_options_);
     if (tables_ == Tables::kOfMaps) add_map_table_options(command, table_options_);
+    add_land_options(command, land_options_);
     command.begin_group("Output");
     const Option output =
         add_output_option(command, wanted_.plan, "Write the plan to this GeoPackage (.gpkg).");
@@ -114,17 +118,23 @@ class PlanCommand : public Command {
     if (table_options_.asked()) return run_tables();
     if (!table_options_.table_file.empty())
       throw bad_input("--table writes the table of --directions or --widths: give one of these");
-    const std::vector<std::string> inputs{field_options_.file, field_options_.obstacles_file,
-                                          field_options_.passable_file, plan_options_.machine_file,
-                                          plan_options_.guide_file};
+    std::vector<std::string> inputs{field_options_.file,          field_options_.obstacles_file,
+                                    field_options_.passable_file, plan_options_.machine_file,
+                                    plan_options_.guide_file,     land_options_.subfields_file,
+                                    land_options_.only_file};
+    inputs.insert(inputs.end(), land_options_.done_files.begin(), land_options_.done_files.end());
     require_writable(wanted_.plan, "--output", {".gpkg"}, inputs);
     require_writable(wanted_.picture, "--picture", {".png", ".svg", ".pdf"}, inputs);
     require_folder(wanted_.close_ups, "--zoom-obstacles");
     if (resume_ && wanted_.plan.empty() && wanted_.picture.empty() && wanted_.close_ups.empty())
       throw bad_input(
           "--resume needs --output, --picture or --zoom-obstacles: what is finished is noted beside them");
-    const FieldInput input = load_fields(field_options_);
-    if (!input.fields.empty()) guide_ = guide_of(plan_options_, input.fields.front().source.input_crs);
+    FieldInput input = load_fields(field_options_);
+    if (!input.fields.empty()) {
+      const std::string& crs = input.fields.front().source.input_crs;
+      guide_ = guide_of(plan_options_, crs);
+      read_land(crs, input);
+    }
     const bool one_name = !field_options_.all && input.fields.size() == 1;
     const bool single = one_name && !wanted_.one_file && !resume_;
     PlanOutputs outputs(wanted_, input.fields, one_name ? Naming::kAsGiven : Naming::kWithId);
@@ -200,6 +210,12 @@ class PlanCommand : public Command {
       throw bad_input(
           "a table of maps writes no plan: with --directions or --widths leave out --output, --one-file, "
           "--zoom-obstacles, --explain, --front and --resume");
+    if (!land_options_.subfields_file.empty() || !land_options_.only_file.empty() ||
+        !land_options_.done_files.empty())
+      throw bad_input(
+          "a table of maps is of the whole field: with --directions or --widths leave out --subfields, "
+          "--only "
+          "and --done");
   }
 
   static std::string picture_subtitle(const MapTableResult& found) {
@@ -207,6 +223,21 @@ class PlanCommand : public Command {
       return fmt::format("{} working widths", found.table.widths_m.size());
     return fmt::format("{} directions, working width {:g} m", found.shown.size(),
                        found.table.widths_m.front());
+  }
+
+  void read_land(const std::string& crs, FieldInput& input) {
+    LandFiles files(land_options_, crs);
+    for (const Field& field : input.fields) given_[field_key(field)] = files.given_for(field);
+    const std::string fields = input.fields.size() == 1
+                                   ? fmt::format("field '{}'", input.fields.front().id)
+                                   : fmt::format("any of the {} fields", input.fields.size());
+    for (Skipped& skipped : files.finish(fields)) input.skipped.push_back(std::move(skipped));
+  }
+
+  PlanSettings settings_of_field(const Field& field) const {
+    PlanSettings out = settings_for(settings_, guide_, field, machine_);
+    if (const auto found = given_.find(field_key(field)); found != given_.end()) out.given = found->second;
+    return out;
   }
 
   int plan_single(const Field& field, const std::vector<Skipped>& skipped, PlanOutputs& outputs) const {
@@ -248,10 +279,11 @@ class PlanCommand : public Command {
     asked.field = field;
     asked.machine = machine_;
     asked.objective = objective_;
-    asked.settings = settings_for(settings_, guide_, field, machine_);
-    return digest_of(made_from_text(
-        asked, fmt::format("{}\n{}\n{}\n{} {} {} {}", wanted_.plan, wanted_.picture, wanted_.close_ups,
-                           wanted_.one_file, explain_, front_, seconds_.value_or(0))));
+    asked.settings = settings_of_field(field);
+    return digest_of(text_of(asked.settings.given) +
+                     made_from_text(asked, fmt::format("{}\n{}\n{}\n{} {} {} {}", wanted_.plan,
+                                                       wanted_.picture, wanted_.close_ups, wanted_.one_file,
+                                                       explain_, front_, seconds_.value_or(0))));
   }
 
   struct Planned {
@@ -262,7 +294,7 @@ class PlanCommand : public Command {
 
   Planned plan_one(const Field& field) const {
     ProgressLine progress(quiet_);
-    const PlanSettings settings = settings_for(settings_, guide_, field, machine_);
+    const PlanSettings settings = settings_of_field(field);
     const auto start = std::chrono::steady_clock::now();
     Planned out;
     if (front_) {
@@ -317,6 +349,8 @@ class PlanCommand : public Command {
   const char* example_;
   FieldOptions field_options_;
   PlanOptions plan_options_;
+  LandOptions land_options_;
+  std::map<std::string, GivenLand> given_;  ///< by field_key()
   std::optional<GuideLine> guide_;
   Tables tables_;
   MapTableOptions table_options_;

@@ -111,6 +111,32 @@ void add_objective_options(CommandOptions& command, PlanOptions& o) {
   minimise.takes("WORD").shows_default("the prices");
 }
 
+void add_land_options(CommandOptions& command, LandOptions& o) {
+  command.begin_group("Land");
+  command
+      .add_option(
+          "--subfields", o.subfields_file,
+          "Subfields drawn by hand, in a vector file: polygons, with the columns direction_deg (of the "
+          "tracks, degrees clockwise from north), guide (the name of a line in the file that they follow) "
+          "and skip (yes: land left out), all of which may be missing; and lines to cut the rest along. "
+          "All may run over the edge of the field.")
+      .takes("FILE")
+      .shows_default("the field is divided where that pays");
+  command
+      .add_option("--only", o.only_file,
+                  "Plan only the land inside the polygons of this file. The rest is not to be worked.")
+      .takes("FILE")
+      .shows_default("the whole field");
+  command
+      .add_option(
+          "--done", o.done_files,
+          "Plan what this leaves: a plan file, whose swaths count as done, a coverage file of 'tramline "
+          "evaluate', or polygons. May be given several times.")
+      .takes("FILE")
+      .shows_default("nothing is done")
+      .one_value_each_time();
+}
+
 void add_plan_options(CommandOptions& command, PlanOptions& o) {
   add_machine_options(command, o, "twice the working width");
   add_objective_options(command, o);

@@ -2,11 +2,14 @@
 // The options of `plan` that shape a plan.
 
 #include "options/command_options.h"
+#include "request/given_land.h"
 #include "request/plan_request.h"
 
 namespace tramline::app {
 
 void add_plan_options(CommandOptions& command, PlanOptions& options);
+/// --subfields, --only and --done.
+void add_land_options(CommandOptions& command, LandOptions& options);
 /// Of those only --width, --radius, --machine and --min-length, whose default is said in words.
 void add_machine_options(CommandOptions& command, PlanOptions& options, const char* least_length);
 /// Only --weights, --prices and --minimise.

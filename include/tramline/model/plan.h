@@ -40,6 +40,33 @@ enum class AbAnchor { kDefault, kLine, kEnvelope };
 /// or at right angles to its least width.
 enum class CellDirection { kRectangle, kWidth };
 
+/// Land that the user wants to be subfields of its own: one for each connected part of it that tracks work.
+struct GivenSubfield {
+  Region shape;                          ///< may reach beyond the field
+  std::string origin;                    ///< "cuts.gpkg feature 3"
+  std::optional<Direction> direction{};  ///< of its tracks
+  std::vector<Point> guide{};            ///< a line its tracks run parallel to; goes before the direction
+};
+
+/// A line that the user wants to divide land along. It may reach beyond the field.
+struct GivenCut {
+  std::vector<Point> line;
+  std::string origin;
+};
+
+/// What the user decides about the land of a field. Frame: the field's local metres. Subfields and land left
+/// out do not overlap one another.
+struct GivenLand {
+  std::vector<GivenSubfield> subfields;
+  std::vector<GivenCut> cuts;  ///< of the land that no subfield takes up
+  Region left_out;             ///< not to be worked: it is given up
+  Region done;                 ///< worked before
+  Region elsewhere;  ///< not to be worked now: swaths may run on over it, as over land worked before
+  std::vector<std::string> remarks;  ///< what became of the shapes that the user drew; sentences
+
+  bool divides() const { return !subfields.empty() || !cuts.empty(); }
+};
+
 /// Everything besides field, machine and objective that shapes a plan.
 struct PlanSettings {
   Strategy strategy = Strategy::kBest;
@@ -69,6 +96,7 @@ struct PlanSettings {
   /// choice.
   std::vector<Point> guide;
   AbAnchor ab_anchor = AbAnchor::kDefault;  ///< kEnvelope requires a guide of two points
+  GivenLand given;                          ///< not kept in plan files, where Plan says what became of it
 };
 
 /// The anchor that the settings amount to: never kDefault.
@@ -111,6 +139,10 @@ struct Proof {
 /// files of earlier versions, tracks alone compared with the body.
 enum class PlanFigures { kTracksAndPasses, kTracks };
 
+/// What a plan is made for: the land of a field, all of it or less what is done, or the gaps that another
+/// drive has left.
+enum class PlanKind { kField, kRepair };
+
 /// (cost − bound)/cost; 0 where the cost is 0.
 double gap(double cost, double bound);
 
@@ -118,6 +150,7 @@ struct Subfield {
   Polygon shape;        ///< may contain passable obstacles
   Direction direction;  ///< of its tracks; where they follow a curve, that of the curve as a whole
   Path reference{};     ///< line its tracks run parallel to, where they follow a line or a curve; else empty
+  std::string given_by{};  ///< where the user drew it: "cuts.gpkg feature 3"; empty: the planner's choice
 };
 
 /// A piece that was too short to drive (Versleijen §2.2.1). It is reported, and its land counts as uncovered.
@@ -133,13 +166,18 @@ struct Plan {
   Machine machine;
   Objective objective;
   PlanSettings settings;
-  Region body;    ///< field minus obstacles, passable ones included, minus headlands; of a repair: the gaps
-  Region worked;  ///< of a repair: the field minus obstacles and gaps, worked before or left for good; swaths
-                  ///< may run on over it. Empty: the plan is no repair
+  PlanKind kind = PlanKind::kField;
+  Region body;  ///< field minus obstacles, passable ones included, minus headlands, minus land worked before;
+                ///< of a repair: the gaps
+  Region
+      worked;  ///< the rest of the field minus obstacles, where the plan is not for all of it: worked before,
+               ///< not to be worked now, or left for good; swaths may run on over it. Without headlands
   Headland headland;
   /// The part of the body that lies between clustered obstacles, between an obstacle and the edge, or nearer
-  /// to an obstacle than the clearance; hard.
+  /// to an obstacle than the clearance; hard. Then the part that the user wants left out, as hard.
   Region given_up;
+  std::size_t left_out =
+      0;  ///< how many of the last polygons of given_up are land that the user wants left out
   std::vector<Subfield> subfields;
   std::vector<TrackPiece> pieces;  ///< in driving order
   std::vector<DroppedPiece> dropped;
@@ -160,8 +198,8 @@ struct Plan {
   Front front;  ///< other plans of the field to choose from, where they were asked for
 };
 
-/// The area that a plan has to cover, m²: the field less its obstacles, passable ones included; of a repair,
-/// the gaps; with PlanFigures::kTracks, the body.
+/// The area that a plan has to cover, m²: the field less its obstacles, passable ones included, and less the
+/// land worked before; of a repair, the gaps; with PlanFigures::kTracks, the body.
 double land_m2(const Plan& plan);
 
 /// Σ w·L of tracks and passes − (land − uncovered + overlap), m²: 0 but for rounding, whatever the plan
@@ -169,7 +207,11 @@ double land_m2(const Plan& plan);
 double identity_error_m2(const Plan& plan);
 
 /// Whether it is a plan for the gaps that another drive has left.
-inline bool is_repair(const Plan& plan) { return !plan.worked.empty(); }
+inline bool is_repair(const Plan& plan) { return plan.kind == PlanKind::kRepair; }
+
+/// The part of the land given up that the user wants left out. Precondition: left_out is at most the number
+/// of polygons given up.
+Region left_out_land(const Plan& plan);
 
 /// Whether any track follows a curve.
 bool is_curved(const Plan& plan);

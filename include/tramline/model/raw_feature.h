@@ -1,6 +1,7 @@
 #pragma once
 // The contents of a vector file before admission: plain values in the file's own coordinates.
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct RawFeature {
   long long fid = -1;
   std::string id;             ///< the feature's id property or GeoJSON id; empty when it has none
   std::string geometry_type;  ///< "Polygon", "Line String" …, "none" without a geometry
+  /// Texts of the attributes asked for, by the names they were asked by; those without a value are missing.
+  std::map<std::string, std::string> attributes{};
   bool had_z = false;
   bool had_m = false;
   bool was_curved = false;  ///< arcs were replaced by chords of at most 1 degree

@@ -26,7 +26,7 @@ LooseObstacle read_one(RawFeature feature, const Crs& crs, ObstacleKind kind, co
     for (Point& p : line) take(p);
   for (Point& p : out.points) take(p);
   if (out.bounds.empty())
-    throw bad_input(fmt::format("{}: the feature has no geometry; remove it or draw the obstacle", origin));
+    throw bad_input(fmt::format("{}: the feature has no geometry; remove it or draw it", origin));
   return out;
 }
 
@@ -41,7 +41,7 @@ std::vector<LooseObstacle> read_obstacles(const RawDataset& dataset, ObstacleKin
     const Crs crs = plain ? Crs() : Crs(layer.crs.empty() ? fields_crs : layer.crs);
     if (plain && !layer.crs.empty() && Crs(layer.crs).in_degrees())
       throw bad_input(
-          fmt::format("{}: the obstacles are in degrees but the field is in plain metres; give the field's "
+          fmt::format("{}: the shapes are in degrees but the field is in plain metres; give the field's "
                       "CRS with --crs",
                       dataset.file));
     for (const RawFeature& feature : layer.features) {

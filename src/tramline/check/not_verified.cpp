@@ -78,6 +78,10 @@ std::vector<std::string> not_verified(const Plan& plan) {
   add_front(plan, out);
   add_swaths(plan, out);
   if (!plan.given_up.empty()) out.emplace_back("given_up");
+  if (!plan.worked.empty() && !is_repair(plan)) out.emplace_back("worked");
+  if (std::any_of(plan.subfields.begin(), plan.subfields.end(),
+                  [](const Subfield& subfield) { return !subfield.given_by.empty(); }))
+    out.emplace_back("subfields.given_by");
   if (!plan.dropped.empty()) out.emplace_back("dropped");
   for (const char* key : {kRepairs, kFieldWarnings, kFrame}) out.emplace_back(key);
   if (plan.figures == PlanFigures::kTracks) out.emplace_back("warnings");

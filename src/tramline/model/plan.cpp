@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstddef>
 #include <initializer_list>
 
 namespace tramline {
@@ -133,6 +134,11 @@ double identity_error_m2(const Plan& plan) {
   const double by_passes_m2 = plan.figures == PlanFigures::kTracks ? 0 : plan.headland.worked_m2;
   return plan.machine.width_m * length_m + by_passes_m2 -
          (land_m2(plan) - plan.tally.uncovered_m2 + plan.tally.overlap_m2);
+}
+
+Region left_out_land(const Plan& plan) {
+  assert(plan.left_out <= plan.given_up.size());
+  return {plan.given_up.end() - static_cast<std::ptrdiff_t>(plan.left_out), plan.given_up.end()};
 }
 
 bool is_curved(const Plan& plan) {

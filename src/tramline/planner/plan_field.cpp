@@ -15,6 +15,7 @@
 #include "tramline/planner/curved/curved_search.h"
 #include "tramline/planner/curved/zhou_plan.h"
 #include "tramline/planner/explain/explanation.h"
+#include "tramline/planner/given/given_search.h"
 #include "tramline/planner/prepare_field.h"
 #include "tramline/planner/search/straight_search.h"
 #include "tramline/planner/warnings.h"
@@ -121,12 +122,33 @@ ExplainedPlan cheapest_shape(const PlanningProblem& problem, const SearchContext
   return out;
 }
 
+bool follows_curve(const Candidate& candidate) {
+  return std::any_of(candidate.subfields.begin(), candidate.subfields.end(),
+                     [](const Subfield& subfield) { return !subfield.reference.empty(); });
+}
+
+/// The plan where the user has divided the land.
+ExplainedPlan divided_as_given(const PlanningProblem& problem, const SearchContext& context,
+                               Explain explain) {
+  std::optional<Preparation> prepared = prepare_field(problem, context);
+  if (!prepared) throw no_room(problem);
+  const SearchTask task(problem, prepared->field);
+  if (area(task.ground.plannable) == 0) return {finished_plan(task, SearchResult{}, context), std::nullopt};
+  SearchResult found =
+      prepared->found ? std::move(*prepared->found) : given_search(problem, prepared->field, context);
+  const bool curved = follows_curve(found.best);
+  if (problem.settings.shape == TrackShape::kCurved && !curved) throw no_curve(problem.field, false);
+  if (!curved) return straight_plan(task, std::move(found), context, explain);
+  return {finished_plan(task, std::move(found), context), std::nullopt};
+}
+
 ExplainedPlan searched(const PlanningProblem& problem, const SearchContext& context, Explain explain) {
   const PlanSettings& settings = problem.settings;
   if (as_in_the_paper(settings) && settings.shape == TrackShape::kStraight && settings.guide.empty())
     throw bad_input(
         "tracks as in the paper follow a line: with --tracks paper give --ab, --guide or --curved");
   if (as_in_the_paper(settings)) require_zhou_ground(problem.field, settings);
+  if (settings.given.divides()) return divided_as_given(problem, context, explain);
   if (settings.shape == TrackShape::kAuto) return cheapest_shape(problem, context, explain);
   std::optional<Preparation> prepared = prepare_field(problem, context);
   if (!prepared) throw no_room(problem);

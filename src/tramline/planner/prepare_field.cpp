@@ -9,6 +9,9 @@
 #include "tramline/headland/body.h"
 #include "tramline/headland/headland.h"
 #include "tramline/headland/tolerances.h"
+#include "tramline/planner/given/given_search.h"
+#include "tramline/planner/given/land_parts.h"
+#include "tramline/planner/given/take_off.h"
 #include "tramline/planner/search/straight_search.h"
 
 namespace tramline {
@@ -94,6 +97,12 @@ double short_edge_m(const HeadlandTerms& terms) {
   return 2 * std::sqrt(8 * widest_m * kBodySagitta);
 }
 
+/// Takes off the land that the user wants off, and divides the rest as the user wants.
+void apply_given_land(const PlanningProblem& problem, PreparedField& field) {
+  take_off_given(problem, field.ground, field.given);
+  if (problem.settings.given.divides()) divide_as_given(problem, field.ground.plannable, field.given);
+}
+
 /// The field with its own passes and with these round its obstacles; nullopt where none has room. `bare`:
 /// sorted_bare_obstacles().
 std::optional<PreparedField> behind_headlands(const PlanningProblem& problem,
@@ -111,6 +120,7 @@ std::optional<PreparedField> behind_headlands(const PlanningProblem& problem,
   if (headland.body.empty() && headland.passes.empty()) return std::nullopt;
   PreparedField out;
   out.ground = ground_behind(problem, terms, headland, bare);
+  apply_given_land(problem, out);
   out.body_m2 = area(out.ground.body);
   out.headland = std::move(headland);
   out.short_edge_m = std::max(problem.settings.short_edge_m, short_edge_m(terms));
@@ -145,17 +155,24 @@ std::vector<bool> gone_round(const SearchTask& task, const Candidate& best) {
   return met;
 }
 
+bool takes_off_land(const GivenLand& given) {
+  return !given.left_out.empty() || !given.done.empty() || !given.elsewhere.empty();
+}
+
 /// The field with a headland round those obstacles that tracks do not go round in the best plan without
 /// headlands.
 std::optional<Preparation> prepared_by_search(const PlanningProblem& problem, const SearchContext& context) {
   const std::vector<int> no_passes(problem.field.obstacles.size(), 0);
   const bool field_has_passes = problem.settings.headlands > 0;
   const PreparedField bare = field_without_headlands(problem);
+  const bool as_sorted = !takes_off_land(problem.settings.given);
+  const ClassifiedGround sorted = as_sorted ? bare.ground : sorted_bare_obstacles(problem, no_passes);
   std::optional<PreparedField> before =
-      field_has_passes ? behind_headlands(problem, no_passes, bare.ground) : bare;
+      field_has_passes ? behind_headlands(problem, no_passes, sorted) : bare;
   if (!before) return std::nullopt;
   const SearchTask task(problem, *before);
-  SearchResult found = straight_search(task, context.uncounted());
+  SearchResult found = before->given.parts.empty() ? straight_search(task, context.uncounted())
+                                                   : given_search(problem, *before, context.uncounted());
   context.report();
   const std::vector<int> passes = obstacle_passes(problem, gone_round(task, found.best));
   if (passes != no_passes)
@@ -163,7 +180,7 @@ std::optional<Preparation> prepared_by_search(const PlanningProblem& problem, co
   if (field_has_passes) return Preparation{std::move(*before), std::move(found)};
   // The search used the bare field: the same land, except for the rounding of boolean operations and for the
   // corners that split it.
-  return only_prepared(behind_headlands(problem, no_passes, bare.ground));
+  return only_prepared(behind_headlands(problem, no_passes, sorted));
 }
 
 }  // namespace
@@ -171,6 +188,7 @@ std::optional<Preparation> prepared_by_search(const PlanningProblem& problem, co
 PreparedField field_without_headlands(const PlanningProblem& problem) {
   PreparedField out;
   out.ground = classify_obstacles(problem.field, problem.machine.width_m, problem.settings.clearance_m);
+  apply_given_land(problem, out);
   out.body_m2 = area(out.ground.body);
   out.short_edge_m = problem.settings.short_edge_m;
   out.hard_field = hard_field(problem);

@@ -1,10 +1,16 @@
 #pragma once
 // Data derived from a problem once, before any search.
 
+#include <cstdint>
+
 #include "tramline/avoidance/obstacles/obstacle_classification.h"
 #include "tramline/model/headland.h"
+#include "tramline/planner/given/prepared_land.h"
 
 namespace tramline {
+
+/// Whether a search may divide the land where that pays.
+enum class MayDivide : std::uint8_t { kYes, kNo };
 
 /// A field ready to be searched, with its obstacles sorted and its headlands cut off. Local metres.
 struct PreparedField {
@@ -20,6 +26,8 @@ struct PreparedField {
   /// lets it run on.
   Region hard_field;
   bool clearance_takes_all = false;  ///< there is land to work without the clearance, and none with it
+  PreparedLand given;                ///< what the user decided about the land
+  MayDivide may_divide = MayDivide::kYes;
 };
 
 }  // namespace tramline

@@ -47,6 +47,22 @@ void require_paper_rules(const PlanSettings& settings) {
         "--headlands");
 }
 
+/// Refuses what goes with land given by the user in no sensible way.
+void require_given_land(const PlanSettings& settings) {
+  const GivenLand& given = settings.given;
+  const bool takes_part = !given.done.empty() || !given.elsewhere.empty();
+  if (takes_part && (settings.headlands > 0 || settings.obstacle_headlands > 0))
+    throw bad_input(
+        "headland passes go round a whole field: with --done or --only leave out --headlands and "
+        "--obstacle-headlands");
+  if (settings.tracks == TrackConstruction::kPaper &&
+      (takes_part || given.divides() || !given.left_out.empty()))
+    throw bad_input(
+        "tracks as in the paper cover a whole field along one line: with --subfields, --only or --done leave "
+        "out "
+        "--tracks paper");
+}
+
 }  // namespace
 
 void require_metres(double value, double least, double most, const char* what) {
@@ -69,6 +85,7 @@ void validate_request(const Machine& machine, const Objective& objective, const 
   require_metres_or_default(settings.avoid_threshold_m, kAvoidThreshold);
   require_metres_or_default(settings.avoid_room_m, kAvoidRoom);
   if (settings.tracks == TrackConstruction::kPaper) require_paper_rules(settings);
+  require_given_land(settings);
   constexpr double kFinestDirections_deg = 1e-4;
   require_degrees(settings.direction_tolerance, kFinestDirections_deg, 10, "direction tolerance");
   require_metres(settings.short_edge_m, 0, kFarthest_m, "short edge");

@@ -33,11 +33,14 @@ void warn_of_overrun(const Plan& plan, std::vector<std::string>& out) {
 void warn_of_given_up_land(const Plan& plan, std::vector<std::string>& out) {
   constexpr double kWorthSaying_m2 =
       0.05;  // an area that would be reported as 0.0 m² is the grid of booleans
-  if (area(plan.given_up) < kWorthSaying_m2) return;
-  out.push_back(
-      fmt::format("{:.1f} m² between obstacles, or between obstacles and the edge, are narrower than the "
-                  "machine and are given up",
-                  area(plan.given_up)));
+  const double left_out_m2 = area(left_out_land(plan)), given_up_m2 = area(plan.given_up) - left_out_m2;
+  if (given_up_m2 >= kWorthSaying_m2)
+    out.push_back(
+        fmt::format("{:.1f} m² between obstacles, or between obstacles and the edge, are narrower than the "
+                    "machine and are given up",
+                    given_up_m2));
+  if (left_out_m2 >= kWorthSaying_m2)
+    out.push_back(fmt::format("{:.1f} m² are left out on purpose and count as uncovered", left_out_m2));
 }
 
 /// Warns of requested passes round the field that had no room, and of plans that consist of passes alone.
@@ -110,6 +113,8 @@ std::vector<std::string> warnings_about(const Plan& plan) {
   if (std::string unworked = unworked_land_warning(plan); !unworked.empty())
     out.push_back(std::move(unworked));
   out.insert(out.end(), plan.field.warnings.begin(), plan.field.warnings.end());
+  const std::vector<std::string>& remarks = plan.settings.given.remarks;
+  out.insert(out.end(), remarks.begin(), remarks.end());
   warn_of_overrun(plan, out);
   warn_of_given_up_land(plan, out);
   warn_of_narrow_ground(plan, out);

@@ -18,6 +18,7 @@ Plan repair() {
   plan.field.outer = {{0, 0}, {60, 0}, {60, 60}, {0, 60}};
   const Ring gap{{20, 20}, {20 + 1.0 / 3, 20}, {20 + 1.0 / 3, 40}, {20, 40}};
   plan.body = {{gap, {}}};
+  plan.kind = PlanKind::kRepair;
   plan.worked = {{plan.field.outer, {reversed(gap)}}};
   plan.subfields.push_back({plan.body.front(), Direction::clockwise_from_north(Angle::degrees(0))});
   plan.pieces.push_back({{20, 20}, {20, 40}, 0, 0});

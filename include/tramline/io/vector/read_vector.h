@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "tramline/model/raw_feature.h"
 
@@ -11,12 +12,13 @@ namespace tramline::io {
 /// What to read. `file` is a path (a .zip may hold the files in folders) or a database string ("PG:…").
 struct VectorQuery {
   std::string file;
-  std::string layer;             ///< empty: the one layer with polygons
-  bool layer_is_hint = false;    ///< if there is no layer of that name, read as if none had been named
-  std::string where;             ///< OGR attribute filter, for example "crop = 'wheat'"; empty: all
-  std::optional<long long> fid;  ///< only the feature with this number
-  long long limit = -1;          ///< stop after so many features of a layer; negative: read all
-  bool all_layers = false;       ///< read every layer, whatever its geometry (obstacle files)
+  std::string layer;                    ///< empty: the one layer with polygons
+  bool layer_is_hint = false;           ///< if there is no layer of that name, read as if none had been named
+  std::string where;                    ///< OGR attribute filter, for example "crop = 'wheat'"; empty: all
+  std::optional<long long> fid;         ///< only the feature with this number
+  long long limit = -1;                 ///< stop after so many features of a layer; negative: read all
+  std::vector<std::string> attributes;  ///< to be read, whatever the case of their names in the file
+  bool all_layers = false;              ///< read every layer, whatever its geometry (obstacle files)
 };
 
 /// Reads the features in file order. Arcs become chords of at most 1 degree (area error below 0.006 %).

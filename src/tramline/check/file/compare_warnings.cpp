@@ -108,11 +108,20 @@ Expected of_overrun(const Plan& plan) {
 
 Expected of_given_up_land(const Plan& plan) {
   constexpr double kWorthSaying_m2 = 0.05, kOpen_m2 = 1e-3;
-  const double given_up_m2 = area(plan.given_up);
+  const double given_up_m2 = area(plan.given_up) - area(left_out_land(plan));
   return {"narrower than the machine and are given up",
           given_up_m2 >= kWorthSaying_m2,
           std::abs(given_up_m2 - kWorthSaying_m2) < kOpen_m2,
           {amount(given_up_m2)}};
+}
+
+Expected of_left_out_land(const Plan& plan) {
+  constexpr double kWorthSaying_m2 = 0.05, kOpen_m2 = 1e-3;
+  const double left_out_m2 = area(left_out_land(plan));
+  return {"left out on purpose",
+          left_out_m2 >= kWorthSaying_m2,
+          std::abs(left_out_m2 - kWorthSaying_m2) < kOpen_m2,
+          {amount(left_out_m2)}};
 }
 
 Expected of_passes_without_room(const Plan& plan) {
@@ -163,9 +172,9 @@ std::vector<Violation> compare_warnings(const Plan& plan) {
     out.push_back({Rule::kWarnings, what, plan.field.outer.front(), 1});
   };
   for (const Expected& expected :
-       {of_unworked_land(plan), of_overrun(plan), of_given_up_land(plan), of_passes_without_room(plan),
-        of_passes_alone(plan), of_dropped_pieces(plan), of_short_pieces(plan), of_cut_short(plan),
-        of_connections()}) {
+       {of_unworked_land(plan), of_overrun(plan), of_given_up_land(plan), of_left_out_land(plan),
+        of_passes_without_room(plan), of_passes_alone(plan), of_dropped_pieces(plan), of_short_pieces(plan),
+        of_cut_short(plan), of_connections()}) {
     const auto found = std::find_if(
         plan.warnings.begin(), plan.warnings.end(),
         [&](const std::string& sentence) { return sentence.find(expected.words) != std::string::npos; });

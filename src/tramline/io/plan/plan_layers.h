@@ -18,7 +18,7 @@ namespace tramline::io::plan_layers {
 inline constexpr const char* kField = field_layers::kField;
 inline constexpr const char* kObstacles = field_layers::kObstacles;
 inline constexpr const char* kBody = "body";
-inline constexpr const char* kWorked = "worked";  ///< only of repairs
+inline constexpr const char* kWorked = "worked";  ///< only of repairs and of plans for a part of the land
 inline constexpr const char* kHeadland = "headland";
 inline constexpr const char* kGivenUp = "given_up";
 inline constexpr const char* kSubfields = "subfields";

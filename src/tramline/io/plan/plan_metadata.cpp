@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -19,7 +21,7 @@ namespace tramline::io {
 namespace {
 
 constexpr const char* kFormat = "tramline plan";
-constexpr int kNewestVersion = kVersionWithOwnLines, kOldestVersion = 2;
+constexpr int kNewestVersion = kVersionWithGivenLand, kOldestVersion = 2;
 constexpr const char* kTracks = "settings.tracks";
 constexpr const char* kAvoidRoom = "settings.avoid_room_m";  // only where there is a limit
 constexpr const char* kAbAnchor = "settings.ab_anchor";
@@ -28,6 +30,8 @@ constexpr const char* kReference = "reference";    // of all subfields
 constexpr const char* kReferences = "references";  // by subfield, where they have not all the same
 constexpr const char* kKind = "kind";
 constexpr const char* kRepair = "repair";
+constexpr const char* kGivenBy = "subfields.given_by";  // by subfield, where any was drawn
+constexpr const char* kLeftOut = "given_up.left_out";   // how many of the last polygons
 
 /// The one list of keys, walked by the writer (const plan) and by the reader.
 template <class PlanOrConst, class Visitor>
@@ -230,6 +234,25 @@ void write_references(const Plan& plan, const Writer& writer) {
   writer(kReferences, lines);
 }
 
+bool has_given_subfields(const Plan& plan) {
+  return std::any_of(plan.subfields.begin(), plan.subfields.end(),
+                     [](const Subfield& subfield) { return !subfield.given_by.empty(); });
+}
+
+void write_given_land(const Plan& plan, const Writer& writer) {
+  if (plan.left_out > 0) writer(kLeftOut, static_cast<int>(plan.left_out));
+  if (!has_given_subfields(plan)) return;
+  std::vector<std::string> origins;
+  for (const Subfield& subfield : plan.subfields) origins.push_back(subfield.given_by);
+  writer(kGivenBy, origins);
+}
+
+int version_for(const Plan& plan) {
+  if (has_given_subfields(plan) || plan.left_out > 0 || (!plan.worked.empty() && !is_repair(plan)))
+    return kVersionWithGivenLand;
+  return has_own_lines(plan) ? kVersionWithOwnLines : kVersionWithSearchEnd;
+}
+
 }  // namespace
 
 Metadata metadata_of(const Plan& plan) {
@@ -245,8 +268,9 @@ Metadata metadata_of(const Plan& plan) {
   writer(kAbAnchor, anchor_of(plan.settings));
   writer(kHeadlandConstruction, plan.headland.construction);
   write_references(plan, writer);
+  write_given_land(plan, writer);
   out["format"] = kFormat;
-  out["format_version"] = std::to_string(has_own_lines(plan) ? kVersionWithOwnLines : kVersionWithSearchEnd);
+  out["format_version"] = std::to_string(version_for(plan));
   out[kKind] = is_repair(plan) ? kRepair : "plan";
   leave_folders_out(out);
   // The kinds that no setting changes are written all the same: the file explains itself.
@@ -262,7 +286,7 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   int version = 0;
   reader("format_version", version);
   if (version < kOldestVersion || version > kNewestVersion)
-    throw reader.wrong("format_version", "from 2 to 7: read it with the tramline that wrote it");
+    throw reader.wrong("format_version", "from 2 to 8: read it with the tramline that wrote it");
   each_value(plan, reader);
   reader.shift_by(offset_of(plan.field.frame));
   if (version >= kVersionWithHeadlands) each_value_since_headlands(plan, reader);
@@ -291,12 +315,32 @@ void apply_references(const Metadata& metadata, const std::filesystem::path& fil
   Path common;
   reader(kReference, common);
   for (Subfield& subfield : plan.subfields) subfield.reference = common;
-  if (version < kVersionWithOwnLines) return;
+  if (!metadata.contains(kReferences)) {
+    if (version == kVersionWithOwnLines) throw reader.wrong(kReferences, "a path for each subfield");
+    return;
+  }
   std::vector<Path> own;
   reader(kReferences, own);
   if (own.size() != plan.subfields.size())
     throw reader.wrong(kReferences, "a path, which may be empty, for each subfield");
   for (std::size_t i = 0; i < own.size(); ++i) plan.subfields[i].reference = std::move(own[i]);
+}
+
+void apply_given_land(const Metadata& metadata, const std::filesystem::path& file, Plan& plan) {
+  Reader reader(metadata, file, kPlanFile);
+  if (metadata.contains(kLeftOut)) {
+    int count = 0;
+    reader(kLeftOut, count);
+    if (count < 0 || count > std::ssize(plan.given_up))
+      throw reader.wrong(kLeftOut, "at most the number of polygons given up");
+    plan.left_out = static_cast<std::size_t>(count);
+  }
+  if (!metadata.contains(kGivenBy)) return;
+  std::vector<std::string> origins;
+  reader(kGivenBy, origins);
+  if (origins.size() != plan.subfields.size())
+    throw reader.wrong(kGivenBy, "a text, which may be empty, for each subfield");
+  for (std::size_t i = 0; i < origins.size(); ++i) plan.subfields[i].given_by = std::move(origins[i]);
 }
 
 bool is_repair(const Metadata& metadata, int version) {

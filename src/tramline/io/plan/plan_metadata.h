@@ -19,8 +19,12 @@ inline constexpr int kVersionWithWholeFigures = 5;
 /// The first version that says whether the search was ended early.
 inline constexpr int kVersionWithSearchEnd = 6;
 /// The version of plans whose subfields follow lines of their own. All others are written in the previous
-/// version.
+/// version, unless a later one is needed.
 inline constexpr int kVersionWithOwnLines = 7;
+
+/// The version of plans for a part of the land, and of those with land left out or subfields drawn by the
+/// user.
+inline constexpr int kVersionWithGivenLand = 8;
 
 /// Machine, objective, settings, tally, local frame, source and remarks of a plan. The source file is
 /// named without its folder: a plan must not contain paths of the machine it was made on. Guide line and
@@ -31,6 +35,10 @@ Metadata metadata_of(const Plan& plan);
 /// naming `file` and the key where a key is missing, a word is unknown, a number not finite, or the version
 /// cannot be read.
 int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, Plan& plan);
+
+/// Sets what the user gave of the land: which subfields were drawn, and which land is left out, once both
+/// have been read. Throws as apply_metadata().
+void apply_given_land(const Metadata& metadata, const std::filesystem::path& file, Plan& plan);
 
 /// Sets the lines that the tracks of the subfields follow, once the subfields have been read. Throws as
 /// apply_metadata().

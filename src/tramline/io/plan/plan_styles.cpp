@@ -162,7 +162,7 @@ std::vector<LayerStyle> styles_with(std::string subfields, std::string tracks) {
 
 std::vector<LayerStyle> styles_of(const Plan& plan) {
   std::vector<LayerStyle> out = styles_with(subfields_style(plan), tracks_style(Detours::kFromColumns));
-  if (is_repair(plan))
+  if (!plan.worked.empty())
     out.push_back({plan_layers::kWorked, "worked before, or left for good",
                    fill_style(qml::simple_fill(kCoveredColour, kCoveredEdge, mm(1)))});
   return out;

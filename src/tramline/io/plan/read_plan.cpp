@@ -1,6 +1,7 @@
 #include "tramline/io/plan/read_plan.h"
 
 #include <fmt/format.h>
+#include <ogrsf_frmts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,7 @@
 
 #include "tramline/geometry/error.h"
 #include "tramline/io/field/field_layers.h"
+#include "tramline/io/gdal/start_gdal.h"
 #include "tramline/io/geopackage/gdal_errors.h"
 #include "tramline/io/geopackage/local_crs.h"
 #include "tramline/io/geopackage/metadata_table.h"
@@ -292,10 +294,13 @@ PlanFile read_plan_file(const fs::path& path, const std::string& field) {
   read_region(file, layers::kBody, out.plan.body, out);
   if (version == kVersionWithRepairs || file.has(layers::kWorked))
     read_region(file, layers::kWorked, out.plan.worked, out);
+  // By its layers, not by its word: the word is compared with them. Only repairs had worked land before.
+  if (!out.plan.worked.empty() && version < kVersionWithGivenLand) out.plan.kind = PlanKind::kRepair;
   if (version >= kVersionWithHeadlands) read_headland(file, out);
   read_region(file, layers::kGivenUp, out.plan.given_up, out);
   read_subfields(file, out);
   apply_references(metadata, path, version, out.plan);
+  apply_given_land(metadata, path, out.plan);
   read_tracks(file, out);
   read_swaths(file, out);
   read_region(file, layers::kOverlap, out.plan.overlap, out);
@@ -305,6 +310,19 @@ PlanFile read_plan_file(const fs::path& path, const std::string& field) {
   read_front(file, out);
   derive_of_metadata(out, metadata);
   return out;
+}
+
+bool is_plan_file(const fs::path& path) {
+  if (!EQUAL(path.extension().c_str(), ".gpkg")) return false;
+  const GdalErrors errors;
+  start_gdal();
+  RegisterOGRGeoPackage();
+  const char* const drivers[] = {"GPKG", nullptr};
+  const GDALDatasetUniquePtr file(
+      GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers, nullptr, nullptr));
+  return file != nullptr && file->GetLayerByName(layers::kTracks) != nullptr &&
+         file->GetLayerByName(layers::kSubfields) != nullptr &&
+         file->GetLayerByName(layers::kMetadata) != nullptr;
 }
 
 Plan read_plan(const fs::path& path, const std::string& field) { return read_plan_file(path, field).plan; }

@@ -160,7 +160,7 @@ Metadata with_remarks(Metadata metadata, const Metadata& remarks) {
 void write_plan_rows(const Target& target, const Plan& plan, const Metadata& remarks) {
   write_field_layers(target, plan.field);
   write_region(target, layers::kBody, plan.body);
-  if (is_repair(plan)) write_region(target, layers::kWorked, plan.worked);
+  if (!plan.worked.empty()) write_region(target, layers::kWorked, plan.worked);
   write_region(target, layers::kHeadland, plan.headland.ground);
   write_region(target, layers::kGivenUp, plan.given_up);
   write_subfields(target, plan);

@@ -44,10 +44,19 @@ std::string feature_id(const OGRFeature& feature) {
   return geojson_id(feature);
 }
 
-RawFeature raw_feature(const OGRFeature& feature, AxisOrder axes) {
+void add_attributes(const OGRFeature& feature, const std::vector<std::string>& names, RawFeature& out) {
+  for (const std::string& name : names) {
+    const int index = feature.GetFieldIndex(name.c_str());  // OGR compares names whatever their case
+    if (index >= 0 && feature.IsFieldSetAndNotNull(index))
+      out.attributes[name] = feature.GetFieldAsString(index);
+  }
+}
+
+RawFeature raw_feature(const OGRFeature& feature, AxisOrder axes, const VectorQuery& query) {
   RawFeature out;
   out.fid = feature.GetFID();
   out.id = feature_id(feature);
+  add_attributes(feature, query.attributes, out);
   flatten_geometry(feature.GetGeometryRef(), axes, out);
   return out;
 }
@@ -92,7 +101,7 @@ RawLayer read_layer(OGRLayer& layer, const VectorQuery& query, GdalMessages& mes
   if (query.fid) {
     const OGRFeatureUniquePtr feature(layer.GetFeature(*query.fid));
     if (!feature) throw bad_input(fmt::format("{} has no feature with number {}", place, *query.fid));
-    out.features.push_back(raw_feature(*feature, axes));
+    out.features.push_back(raw_feature(*feature, axes, query));
     out.matching = 1;
     return out;
   }
@@ -100,7 +109,7 @@ RawLayer read_layer(OGRLayer& layer, const VectorQuery& query, GdalMessages& mes
   while (query.limit < 0 || std::ssize(out.features) < query.limit) {
     const OGRFeatureUniquePtr feature(layer.GetNextFeature());
     if (!feature) break;
-    out.features.push_back(raw_feature(*feature, axes));
+    out.features.push_back(raw_feature(*feature, axes, query));
     check_reading(layer, query, place, messages);
   }
   check_reading(layer, query, place, messages);

@@ -78,6 +78,10 @@ Plan bare_plan(const SearchTask& task) {
   plan.settings = task.settings;
   plan.body = task.ground.body;
   plan.given_up = task.ground.given_up;
+  plan.left_out = task.given.left_out;
+  plan.worked = task.given.worked;
+  std::vector<std::string>& remarks = plan.settings.given.remarks;
+  remarks.insert(remarks.end(), task.given.remarks.begin(), task.given.remarks.end());
   plan.headland = task.headland;
   if (!plan.headland.ground.empty())
     plan.headland.unworked = unworked_ground(plan.headland, task.machine.width_m);
@@ -97,7 +101,7 @@ Plan finished_plan(const SearchTask& task, SearchResult found, const SearchConte
   context.report();
   plan.subfields = found.best.subfields;
   TrackGround ground = track_ground(plan, found.best);
-  add_guide(task, plan.subfields);
+  if (task.given.parts.empty()) add_guide(task, plan.subfields);
   set_figures(plan, found.best.avoided.tally);
   context.report();
   plan.directions_tried = found.directions_tried;

@@ -91,6 +91,8 @@ std::vector<LinedSubfield> swept(const SearchTask& task, Direction sweep) {
   std::vector<LinedSubfield> out;
   PlanSettings settings = task.settings;
   settings.short_edge_m = task.short_edge_m;
+  // No corner has an inside angle of more than a whole turn.
+  if (task.may_divide == MayDivide::kNo) settings.decomposition_threshold = Angle::degrees(360);
   for (const Subfield& subfield : decompose(task.ground.plannable, sweep, settings))
     out.push_back({subfield, best_origin(task, subfield)});
   return out;

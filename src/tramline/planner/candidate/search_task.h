@@ -21,7 +21,9 @@ struct SearchTask {
         hard_field(prepared.hard_field),
         body_m2(prepared.body_m2),
         short_edge_m(prepared.short_edge_m),
-        clearance_takes_all(prepared.clearance_takes_all) {}
+        clearance_takes_all(prepared.clearance_takes_all),
+        given(prepared.given),
+        may_divide(prepared.may_divide) {}
 
   const Field& field;
   const Machine& machine;
@@ -33,6 +35,8 @@ struct SearchTask {
   double body_m2;
   double short_edge_m;
   bool clearance_takes_all;
+  const PreparedLand& given;
+  MayDivide may_divide;
 };
 
 }  // namespace tramline

@@ -164,6 +164,9 @@ TradeOff trade_off(const Field& field, const Machine& machine, const Objective& 
   TradeOffSearches& all = *searches;
   all.problem = planning_problem(field, machine, prices, settings);
   require_straight_tracks(settings);
+  if (settings.given.divides())
+    throw bad_input(
+        "plans with subfields that are drawn cannot be compared; leave out --front or --subfields");
   const SearchContext context(threads, progress);
   std::optional<Preparation> prepared = prepare_field(all.problem, context);
   if (!prepared) throw no_room(all.problem);

@@ -118,6 +118,7 @@ Plan bare_plan(const Field& field, const std::vector<std::size_t>& worked_gaps, 
   plan.settings.end_rule = ground.terms().end_rule;
   plan.settings.boundary = EdgeKind::kHard;
   plan.settings.avoid = Avoidance::kCut;
+  plan.kind = PlanKind::kRepair;
   for (const std::size_t i : worked_gaps) plan.body.push_back(ground.gap(i));
   plan.body = unite(plan.body);
   plan.worked = difference(ground.free(), plan.body);

@@ -171,6 +171,7 @@ class BestSearch {
 
   /// The land divided, each part with its best grid; one part where division does not pay.
   std::vector<PricedSubfield> divided_from(const PricedSubfield& ground) const {
+    if (task_.may_divide == MayDivide::kNo) return {ground};
     std::vector<PricedSubfield> out = split_where_it_pays(task_, ground, context_);
     if (out.size() > 1) out = merge_where_it_pays(task_, std::move(out), context_);
     return out;

@@ -44,7 +44,8 @@ LegendBlock symbols(const Plan& plan) {
   add(true, Symbol::kField, "field");
   add(has(plan.field, ObstacleKind::kObstacle), Symbol::kObstacle, "obstacle");
   add(has(plan.field, ObstacleKind::kPassable), Symbol::kPassable, "passable obstacle, not worked");
-  add(is_repair(plan), Symbol::kCovered, "worked before, or left for good");
+  add(!plan.worked.empty(), Symbol::kCovered,
+      is_repair(plan) ? "worked before, or left for good" : "done, or not to be worked");
   add(!plan.headland.ground.empty(), Symbol::kHeadland, "headland");
   add(!plan.headland.passes.empty(), Symbol::kHeadlandPass, "headland pass");
   add(!plan.given_up.empty(), Symbol::kGivenUp, "given up on purpose (uncovered)");

@@ -23,7 +23,7 @@ void draw_hatched(Canvas& canvas, const Region& region, Colour ground, const Hat
 
 void draw_ground(Canvas& canvas, const Plan& plan) {
   fill(canvas, {{plan.field.outer, {}}}, kFieldColour);
-  if (is_repair(plan)) fill(canvas, plan.worked, kCoveredColour);
+  if (!plan.worked.empty()) fill(canvas, plan.worked, kCoveredColour);
   draw_headland_ground(canvas, plan);
   for (std::size_t i = 0; i < plan.subfields.size(); ++i) fill(canvas, {plan.subfields[i].shape}, tint(i));
 }

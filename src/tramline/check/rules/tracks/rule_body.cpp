@@ -27,8 +27,11 @@ void check_body(const Case& c, Violations& out) {
   Region obstacles;
   for (const Obstacle& obstacle : c.plan.field.obstacles) obstacles.push_back(obstacle.shape);
   const Region land = difference({{c.plan.field.outer, {}}}, unite(obstacles));
-  if (is_repair(c.plan)) {
+  if (!c.plan.worked.empty()) {
     check_parting(c, c.plan.worked, "worked ground", land, out);
+    if (!is_repair(c.plan))
+      report_land(Rule::kBody, difference(c.plan.given_up, c.plan.body), c.area_tolerance_m2,
+                  "{:.3f} m² of the land given up lie outside the body", out);
     return;
   }
   if (c.near_boundaries.empty() && c.plan.headland.ground.empty()) {

@@ -36,6 +36,13 @@ void check_subfields(const Case& c, Violations& out) {
     for (const BoundedPolygon& passable : c.passables) passables.push_back(*passable.shape);
     off = difference(off, intersection(unite(passables), c.near_boundaries));
   }
+  // Nor where it leads through land that is not to be worked.
+  const bool partly = !c.plan.worked.empty() || c.plan.left_out > 0;
+  if (partly && !c.passables.empty() && !off.empty()) {
+    Region passables;
+    for (const BoundedPolygon& passable : c.passables) passables.push_back(*passable.shape);
+    off = difference(off, unite(passables));
+  }
   const double tolerance_m2 = c.area_tolerance_m2 + (c.passables.empty() ? 0 : c.round_edges_m2);
   if (const double amount = area(off); amount > tolerance_m2)
     out.push_back(
