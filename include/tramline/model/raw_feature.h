@@ -1,6 +1,7 @@
 #pragma once
 // The contents of a vector file before admission: plain values in the file's own coordinates.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct RawFeature {
   std::vector<RawPolygon> polygons;
   std::vector<std::vector<Point>> lines;
   std::vector<Point> points;
+  std::vector<std::optional<double>> numbers{};  ///< of the columns asked for; none where it has no number
 };
 
 struct RawLayer {

@@ -21,6 +21,7 @@ namespace {
 constexpr const char* kFormat = "tramline plan";
 constexpr int kNewestVersion = kVersionWithOwnLines, kOldestVersion = 2;
 constexpr const char* kTracks = "settings.tracks";
+constexpr const char* kOrigin = "origin";  // only where it is not `planned`
 constexpr const char* kReference = "reference";    // of all subfields
 constexpr const char* kReferences = "references";  // by subfield, where they have not all the same
 constexpr const char* kKind = "kind";
@@ -124,6 +125,7 @@ class Writer : public FieldKeyWriter {
   void operator()(const std::string& key, Avoidance value) const { out()[key] = name(value); }
   void operator()(const std::string& key, TrackShape value) const { out()[key] = name(value); }
   void operator()(const std::string& key, TrackConstruction value) const { out()[key] = name(value); }
+  void operator()(const std::string& key, PlanOrigin value) const { out()[key] = name(value); }
   /// Degrees are for people; radians are what is read back, to the bit.
   void operator()(const std::string& key, Angle value) const {
     (*this)(key + "_deg", short_degrees(value));
@@ -164,6 +166,9 @@ class Reader : public FieldKeyReader {
   }
   void operator()(const std::string& key, TrackConstruction& value) {
     value = word(key, track_construction_named(text(key)));
+  }
+  void operator()(const std::string& key, PlanOrigin& value) {
+    value = word(key, plan_origin_named(text(key)));
   }
   void operator()(const std::string& key, Angle& value) {
     double radians = 0;
@@ -232,6 +237,7 @@ Metadata metadata_of(const Plan& plan) {
   writer(kCutShort, plan.proof.cut_short);
   out[kInputCrsKey] = plan.field.source.input_crs;
   writer(kTracks, plan.settings.tracks);
+  if (is_of_lines(plan)) writer(kOrigin, plan.origin);
   write_references(plan, writer);
   out["format"] = kFormat;
   out["format_version"] = std::to_string(has_own_lines(plan) ? kVersionWithOwnLines : kVersionWithSearchEnd);
@@ -265,6 +271,7 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   // Files from before there were these keys are as good plans.
   if (metadata.contains(kInputCrsKey)) plan.field.source.input_crs = reader.text(kInputCrsKey);
   if (metadata.contains(kTracks)) reader(kTracks, plan.settings.tracks);
+  if (metadata.contains(kOrigin)) reader(kOrigin, plan.origin);
   return version;
 }
 

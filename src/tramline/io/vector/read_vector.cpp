@@ -44,8 +44,20 @@ std::string feature_id(const OGRFeature& feature) {
   return geojson_id(feature);
 }
 
-RawFeature raw_feature(const OGRFeature& feature, AxisOrder axes) {
+std::vector<std::optional<double>> numbers_of(const OGRFeature& feature,
+                                              const std::vector<std::string>& columns) {
+  std::vector<std::optional<double>> out;
+  for (const std::string& column : columns) {
+    const int i = feature.GetFieldIndex(column.c_str());
+    const bool there = i >= 0 && feature.IsFieldSetAndNotNull(i);
+    out.push_back(there ? std::optional(feature.GetFieldAsDouble(i)) : std::nullopt);
+  }
+  return out;
+}
+
+RawFeature raw_feature(const OGRFeature& feature, AxisOrder axes, const VectorQuery& query) {
   RawFeature out;
+  out.numbers = numbers_of(feature, query.columns);
   out.fid = feature.GetFID();
   out.id = feature_id(feature);
   flatten_geometry(feature.GetGeometryRef(), axes, out);
@@ -63,8 +75,9 @@ std::string attribute_list(OGRLayer& layer) {
 /// Some drivers notice only while reading that the filter makes no sense.
 Error filter_fault(OGRLayer& layer, const VectorQuery& query, const std::string& place,
                    const GdalMessages& messages) {
-  return bad_input(fmt::format("--where \"{}\" is not a filter for {}, whose attributes are {}: {}",
-                               query.where, place, attribute_list(layer), messages.last()));
+  return bad_input(fmt::format("{} \"{}\" is not a filter for {}, whose attributes are {}: {}",
+                               where_option(query), query.where, place, attribute_list(layer),
+                               messages.last()));
 }
 
 void filter(OGRLayer& layer, const VectorQuery& query, const std::string& place, GdalMessages& messages) {
@@ -92,7 +105,7 @@ RawLayer read_layer(OGRLayer& layer, const VectorQuery& query, GdalMessages& mes
   if (query.fid) {
     const OGRFeatureUniquePtr feature(layer.GetFeature(*query.fid));
     if (!feature) throw bad_input(fmt::format("{} has no feature with number {}", place, *query.fid));
-    out.features.push_back(raw_feature(*feature, axes));
+    out.features.push_back(raw_feature(*feature, axes, query));
     out.matching = 1;
     return out;
   }
@@ -100,7 +113,7 @@ RawLayer read_layer(OGRLayer& layer, const VectorQuery& query, GdalMessages& mes
   while (query.limit < 0 || std::ssize(out.features) < query.limit) {
     const OGRFeatureUniquePtr feature(layer.GetNextFeature());
     if (!feature) break;
-    out.features.push_back(raw_feature(*feature, axes));
+    out.features.push_back(raw_feature(*feature, axes, query));
     check_reading(layer, query, place, messages);
   }
   check_reading(layer, query, place, messages);
@@ -114,8 +127,10 @@ void refuse_empty(const RawDataset& dataset, const VectorQuery& query) {
     if (!layer.features.empty()) return;
   const std::string file = shown_name(query.file);
   if (!query.where.empty())
-    throw bad_input(fmt::format("no feature of '{}' matches --where \"{}\"", file, query.where));
-  throw bad_input(fmt::format("'{}' holds no features; give a file with field boundaries", file));
+    throw bad_input(
+        fmt::format("no feature of '{}' matches {} \"{}\"", file, where_option(query), query.where));
+  throw bad_input(fmt::format("'{}' holds no features; give a file with {}", file,
+                              query.shapes == WantedShapes::kLines ? "lines" : "field boundaries"));
 }
 
 }  // namespace

@@ -1,0 +1,61 @@
+#include "tramline/planner/given/given_layers.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "tramline/cost/worked/doubled_ground.h"
+#include "tramline/cost/worked/worked_regions.h"
+#include "tramline/geometry/path/kinked_line.h"
+#include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/tolerances.h"
+#include "tramline/headland/body.h"
+#include "tramline/planner/given/given_pieces.h"
+
+namespace tramline {
+
+Region swath_grounds(const std::vector<Path>& paths, double width_m, double sagitta_m) {
+  Region out;
+  for (const Path& path : paths) {
+    if (!has_smooth_edges(path)) {
+      for (Ring& cell : kinked_cells(path, width_m)) out.push_back({std::move(cell), {}});
+      continue;
+    }
+    for (const PathSegment& segment : path) {
+      Polygon part{band({segment}, width_m, sagitta_m), {}};
+      if (!find_invalidity(part))
+        out.push_back(std::move(part));
+      else  // round an arc of half the width the inner edge shrinks to a point, and chords may fold there
+        for (Polygon& sound : made_valid(part)) out.push_back(std::move(sound));
+    }
+  }
+  return out;
+}
+
+Polygon land_about(const std::vector<const Path*>& paths, double width_m, const Region& land) {
+  assert(!paths.empty());
+  std::vector<Point> corners;
+  for (const Path* path : paths)
+    for (const Polygon& part : swath_grounds({*path}, width_m, kLayerSagitta))
+      corners.insert(corners.end(), part.outer.begin(), part.outer.end());
+  const Region hull = convex_hull(corners);
+  Region about = intersection(hull, land);
+  if (about.empty()) about = hull;
+  return *std::max_element(about.begin(), about.end(),
+                           [](const Polygon& a, const Polygon& b) { return area(a) < area(b); });
+}
+
+void add_layers_of_lines(const std::vector<Path>& tracks, const std::vector<Path>& passes, Plan& plan) {
+  Region swaths = swath_grounds(tracks, plan.machine.width_m, kLayerSagitta);
+  for (Polygon& part : swath_grounds(passes, plan.machine.width_m, kLayerSagitta))
+    swaths.push_back(std::move(part));
+  const Region land = body_of(plan.field), worked = unite(swaths);
+  plan.uncovered = difference(land, worked);
+  std::erase_if(plan.uncovered, is_sliver);
+  Region overlap = common_to_two(swaths);
+  std::erase_if(overlap, is_sliver);
+  for (Polygon& part : difference(worked, land)) overlap.push_back(std::move(part));
+  plan.overlap = unite(overlap);
+}
+
+}  // namespace tramline
