@@ -65,13 +65,19 @@ class ToField {
   std::optional<FrameProjection> from_, to_;
 };
 
+/// What a plan calls a crossing may no longer be one in another field.
+WayHere way_here(const TrackPiece& piece) {
+  return piece.after_crossing ? WayHere::kUnknown : WayHere::kTurn;
+}
+
 void append_lines_of(const Plan& plan, const Field& field, GivenLines& out) {
   const ToField to_field(plan.field.frame, field);
   for (std::size_t i = 0; i < plan.pieces.size(); ++i)
     out.tracks.push_back({to_field(centre_line(plan.pieces[i])), static_cast<int>(plan.pieces[i].subfield),
-                          fmt::format("track {}", i + 1)});
+                          fmt::format("track {}", i + 1), way_here(plan.pieces[i])});
   for (std::size_t i = 0; i < plan.headland.passes.size(); ++i)
-    out.passes.push_back({to_field(plan.headland.passes[i].path), 0, fmt::format("headland pass {}", i + 1)});
+    out.passes.push_back({to_field(plan.headland.passes[i].path), 0, fmt::format("headland pass {}", i + 1),
+                          WayHere::kUnknown});
 }
 
 bool is_machine_typed(const PlanOptions& options) {
@@ -127,7 +133,8 @@ PriceInput input_of_lines(const LinesOptions& lines, const FieldOptions& field, 
     Path path;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) path.push_back({points[i], points[i + 1], 0});
     (line.is_pass ? out.lines.passes : out.lines.tracks)
-        .push_back({std::move(path), line.subfield, line.origin});
+        .push_back({std::move(path), line.subfield, line.origin,
+                    line.after_turn ? WayHere::kTurn : WayHere::kUnknown});
   }
   return out;
 }

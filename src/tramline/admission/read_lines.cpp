@@ -16,7 +16,7 @@
 namespace tramline {
 namespace {
 
-enum Column : std::size_t { kOrder, kSubfield };
+enum Column : std::size_t { kOrder, kSubfield, kAfterCrossing, kAfterCrossingShort };
 
 double number_in(const RawFeature& feature, Column column, double otherwise) {
   return column < feature.numbers.size() ? feature.numbers[column].value_or(otherwise) : otherwise;
@@ -48,10 +48,12 @@ class LayerLines {
         out_.skipped.push_back({"feature", origin, fmt::format("it is no line: {}", feature->geometry_type)});
       LonlatReader read(crs_, origin);
       for (const std::vector<Point>& given : feature->lines) {
-        DrawnLine line{origin,
-                       {},
-                       static_cast<int>(number_in(*feature, kSubfield, 0)),
-                       layer_.name == "headland_passes"};
+        DrawnLine line;
+        line.origin = origin;
+        line.after_turn =
+            number_in(*feature, kAfterCrossing, 1) == 0 || number_in(*feature, kAfterCrossingShort, 1) == 0;
+        line.subfield = static_cast<int>(number_in(*feature, kSubfield, 0));
+        line.is_pass = layer_.name == "headland_passes";
         for (const Point p : given) line.points.push_back(read(p));
         out_.lines.push_back(std::move(line));
       }
@@ -81,7 +83,7 @@ class LayerLines {
 
 }  // namespace
 
-std::vector<std::string> columns_of_lines() { return {"order", "subfield"}; }
+std::vector<std::string> columns_of_lines() { return {"order", "subfield", "after_crossing", "after_x"}; }
 
 DrawnLines read_lines(const RawDataset& dataset, const std::string& fields_crs) {
   const bool plain = Crs(fields_crs).plain();

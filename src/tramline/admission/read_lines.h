@@ -16,8 +16,9 @@ namespace tramline {
 struct DrawnLine {
   std::string origin;  ///< "lines.geojson feature 3"
   std::vector<Point> points;
-  int subfield = 0;      ///< where an export of ours says so
-  bool is_pass = false;  ///< a headland pass of an export of ours
+  bool after_turn = false;  ///< an export of ours says that it goes on after no crossing
+  int subfield = 0;         ///< where an export of ours says so
+  bool is_pass = false;     ///< a headland pass of an export of ours
 };
 
 struct DrawnLines {

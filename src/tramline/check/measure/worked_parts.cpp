@@ -100,11 +100,21 @@ std::vector<WorkedPart> parts_between_detours(const Plan& plan) {
   return parts_of(plan, append_between_detours);
 }
 
+Region pass_bands(const Plan& plan, const HeadlandPass& pass, double sagitta_m) {
+  return (is_of_lines(plan) ? bands_along : flat_bands_along)(pass.path, plan.machine.width_m, sagitta_m);
+}
+
 std::vector<WorkedPart> pass_parts(const Plan& plan, double sagitta_m) {
   std::vector<WorkedPart> out;
   const double width_m = plan.machine.width_m;
   for (std::size_t k = 0; k < plan.headland.passes.size(); ++k) {
     SwathParts parts(plan.pieces.size() + k, width_m, out);
+    if (is_of_lines(plan) && is_kinked(plan.headland.passes[k].path)) {
+      const Region cells = pass_bands(plan, plan.headland.passes[k], sagitta_m);
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        parts.add({plan.headland.passes[k].path[i]}, {cells[i]}, true);
+      continue;
+    }
     for (const PathSegment& segment : plan.headland.passes[k].path)
       parts.add({segment}, flat_bands_along({segment}, width_m, sagitta_m));
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "tramline/cost/worked/doubled_ground.h"
@@ -13,6 +14,14 @@
 #include "tramline/planner/given/given_pieces.h"
 
 namespace tramline {
+namespace {
+
+bool have_arcs(const std::vector<Path>& paths) {
+  return std::any_of(paths.begin(), paths.end(),
+                     [](const Path& path) { return std::isfinite(smallest_radius(path)); });
+}
+
+}  // namespace
 
 Region swath_grounds(const std::vector<Path>& paths, double width_m, double sagitta_m) {
   Region out;
@@ -51,9 +60,11 @@ void add_layers_of_lines(const std::vector<Path>& tracks, const std::vector<Path
     swaths.push_back(std::move(part));
   const Region land = body_of(plan.field), worked = unite(swaths);
   plan.uncovered = difference(land, worked);
-  std::erase_if(plan.uncovered, is_sliver);
   Region overlap = common_to_two(swaths);
-  std::erase_if(overlap, is_sliver);
+  if (have_arcs(tracks) || have_arcs(passes)) {
+    std::erase_if(plan.uncovered, is_sliver);
+    std::erase_if(overlap, is_sliver);
+  }
   for (Polygon& part : difference(worked, land)) overlap.push_back(std::move(part));
   plan.overlap = unite(overlap);
 }

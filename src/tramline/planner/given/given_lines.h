@@ -1,6 +1,7 @@
 #pragma once
 // Lines that somebody else drew or planned.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -8,10 +9,14 @@
 
 namespace tramline {
 
+/// What is known of the way from the line before: lines alone say nothing, plans and exports of ours do.
+enum class WayHere : std::uint8_t { kUnknown, kTurn };
+
 struct GivenLine {
   Path path;         ///< as drawn; may have segments without length
   int subfield = 0;  ///< of lines exported by us, that of the plan; lines of one number are one subfield
   std::string name;  ///< for people: "lines.geojson feature 3"
+  WayHere way_here = WayHere::kUnknown;  ///< kTurn: it goes on after no crossing, whatever lies between
 };
 
 /// Frame: the field's local metres.

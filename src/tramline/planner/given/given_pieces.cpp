@@ -106,17 +106,18 @@ std::optional<Path> workable_path(const Path& given, double width_m, Rings rings
 
 bool has_smooth_edges(const Path& path) { return !has_kinks(path); }
 
-std::vector<TrackPiece> given_pieces(const std::vector<Path>& paths, const Region& hard,
+std::vector<TrackPiece> given_pieces(const std::vector<GivenLine>& lines, const Region& hard,
                                      const Region& passable, double width_m) {
   std::vector<TrackPiece> out;
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    const Path& path = paths[i];
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const Path& path = lines[i].path;
     assert(!path.empty());
     TrackPiece piece = piece_along(path);
     piece.stop_at_start = lies_against(hard, piece.start, -1.0 * direction_at_start(path.front()), width_m);
     piece.stop_at_end = lies_against(hard, piece.end, direction_at_end(path.back()), width_m);
-    piece.after_crossing =
-        i > 0 && !passable.empty() && goes_on_behind(paths[i - 1], path, passable, hard, width_m);
+    piece.after_crossing = i > 0 && !passable.empty() && lines[i].way_here != WayHere::kTurn &&
+                           goes_on_behind(lines[i - 1].path, path, passable, hard, width_m);
+    piece.subfield = static_cast<std::size_t>(lines[i].subfield);
     piece.track = piece.after_crossing ? out.back().track : static_cast<int>(i);
     out.push_back(std::move(piece));
   }

@@ -19,10 +19,10 @@ std::optional<Path> workable_path(const Path& given, double width_m, Rings rings
 /// Whether the swath along a workable path has smooth edges; else it is mitred.
 bool has_smooth_edges(const Path& path);
 
-/// The pieces along workable paths, in their order. `hard`: obstacles and other land that ends lie against.
-/// `passable`: land between two pieces that makes the second one go on after a crossing. O(n·v) for n pieces
-/// and v vertices of that land.
-std::vector<TrackPiece> given_pieces(const std::vector<Path>& paths, const Region& hard,
+/// The pieces along lines with workable paths, in their order. `hard`: obstacles and other land that ends lie
+/// against. `passable`: land between two pieces that makes the second one go on after a crossing. O(n·v) for
+/// n pieces and v vertices of that land.
+std::vector<TrackPiece> given_pieces(const std::vector<GivenLine>& lines, const Region& hard,
                                      const Region& passable, double width_m);
 
 }  // namespace tramline

@@ -22,28 +22,30 @@
 namespace tramline {
 namespace {
 
-/// The lines that have a length, as paths; the others are listed.
-struct WorkableLines {
-  std::vector<Path> paths;
-  std::vector<int> subfields;  ///< from 0, without gaps, by number
-};
-
-WorkableLines workable(const std::vector<GivenLine>& lines, double width_m, Rings rings,
-                       std::vector<Skipped>& skipped) {
-  WorkableLines out;
-  std::vector<int> numbers;
+/// The lines that have a length, with workable paths and subfields numbered from 0 without gaps; the others
+/// are listed.
+std::vector<GivenLine> workable(const std::vector<GivenLine>& lines, double width_m, Rings rings,
+                                std::vector<Skipped>& skipped) {
+  std::vector<GivenLine> out;
+  std::set<int> numbers;
   for (const GivenLine& line : lines) {
     std::optional<Path> path = workable_path(line.path, width_m, rings);
     if (!path) {
       skipped.push_back({"line", line.name, "it has no length"});
       continue;
     }
-    out.paths.push_back(*std::move(path));
-    numbers.push_back(line.subfield);
+    out.push_back(line);
+    out.back().path = *std::move(path);
+    numbers.insert(line.subfield);
   }
-  const std::set<int> all(numbers.begin(), numbers.end());
-  for (const int number : numbers)
-    out.subfields.push_back(static_cast<int>(std::distance(all.begin(), all.find(number))));
+  for (GivenLine& line : out)
+    line.subfield = static_cast<int>(std::distance(numbers.begin(), numbers.find(line.subfield)));
+  return out;
+}
+
+std::vector<Path> paths_of(const std::vector<GivenLine>& lines) {
+  std::vector<Path> out;
+  for (const GivenLine& line : lines) out.push_back(line.path);
   return out;
 }
 
@@ -64,16 +66,16 @@ Direction main_axis(const std::vector<const Path*>& paths) {
   return Direction::along({0, 0}, {std::cos(angle), std::sin(angle)});
 }
 
-std::vector<Subfield> subfields_of(const WorkableLines& lines, double width_m, const Region& land) {
-  const int count =
-      lines.subfields.empty() ? 0 : 1 + *std::max_element(lines.subfields.begin(), lines.subfields.end());
-  std::vector<Subfield> out;
-  for (int number = 0; number < count; ++number) {
-    std::vector<const Path*> paths;
-    for (std::size_t i = 0; i < lines.paths.size(); ++i)
-      if (lines.subfields[i] == number) paths.push_back(&lines.paths[i]);
-    out.push_back({land_about(paths, width_m, land), main_axis(paths)});
+std::vector<Subfield> subfields_of(const std::vector<GivenLine>& lines, double width_m, const Region& land) {
+  std::vector<std::vector<const Path*>> by_number;
+  for (const GivenLine& line : lines) {
+    const auto number = static_cast<std::size_t>(line.subfield);
+    if (number >= by_number.size()) by_number.resize(number + 1);
+    by_number[number].push_back(&line.path);
   }
+  std::vector<Subfield> out;
+  for (const std::vector<const Path*>& paths : by_number)
+    out.push_back({land_about(paths, width_m, land), main_axis(paths)});
   return out;
 }
 
@@ -209,23 +211,22 @@ PricedLines price_lines(const Field& field, const Machine& machine, const Object
   plan.settings.clearance_m = clearance_m;
   validate_request(machine, objective, plan.settings);
   const double width_m = machine.width_m;
-  const WorkableLines tracks = workable(lines.tracks, width_m, Rings::kAreOpened, out.skipped);
-  const WorkableLines passes = workable(lines.passes, width_m, Rings::kStay, out.skipped);
-  if (tracks.paths.empty() && passes.paths.empty()) throw no_line_with_length(lines);
+  const std::vector<GivenLine> tracks = workable(lines.tracks, width_m, Rings::kAreOpened, out.skipped);
+  const std::vector<Path> passes = paths_of(workable(lines.passes, width_m, Rings::kStay, out.skipped));
+  std::vector<Path> all = paths_of(tracks);
+  const std::vector<Path> centre_lines = all;
+  all.insert(all.end(), passes.begin(), passes.end());
+  if (all.empty()) throw no_line_with_length(lines);
   const ClassifiedGround ground = classify_obstacles(field, width_m, clearance_m);
   plan.given_up = ground.given_up;
-  plan.pieces = given_pieces(tracks.paths, ground.hard, ground.passable, width_m);
-  for (std::size_t i = 0; i < plan.pieces.size(); ++i)
-    plan.pieces[i].subfield = static_cast<std::size_t>(tracks.subfields[i]);
+  plan.pieces = given_pieces(tracks, ground.hard, ground.passable, width_m);
   const Region land = body_of(field);
-  plan.subfields = subfields_of(tracks, width_m, land);
-  set_headland(passes.paths, land, plan);
-  set_figures_of_lines(tracks.paths, passes.paths, plan);
+  plan.subfields = subfields_of(tracks, width_m, ground.plannable.empty() ? land : ground.plannable);
+  set_headland(passes, land, plan);
+  set_figures_of_lines(centre_lines, passes, plan);
   if (!(plan.tally.uncovered_m2 < area(land))) throw all_outside(plan);
   set_overlap_by_line(plan);
-  add_layers_of_lines(tracks.paths, passes.paths, plan);
-  std::vector<Path> all = tracks.paths;
-  all.insert(all.end(), passes.paths.begin(), passes.paths.end());
+  add_layers_of_lines(centre_lines, passes, plan);
   plan.warnings = warnings_about_lines(plan, all);
   return out;
 }
