@@ -27,6 +27,9 @@ inline constexpr double kLeastGridOfPlaces_m = 1e-6;
 inline constexpr double kSameStrip_m = 1e-4;
 /// The opening of a chain that goes all the way round, m: a line must not touch itself.
 inline constexpr double kSeam_m = 1e-3;
+/// The distance of chords from arcs of given lines that are too tight for the width, m: their swaths lie over
+/// themselves, the more often the more chords there are.
+inline constexpr double kTightSagitta_m = 0.01;
 /// A given line that ends where it begins is shortened by this, m: a piece has two ends.
 inline constexpr double kOpenedRing_m = 1e-4;
 /// Distances of pieces from what blocks their track that differ by no more count as equal, m: the difference

@@ -98,7 +98,8 @@ std::optional<Path> workable_path(const Path& given, double width_m, Rings rings
   const bool opened =
       rings == Rings::kAreOpened && distance(given.front().from, given.back().to) <= kSamePlace_m;
   if (!straight && !opened && lies_flat(given, width_m)) return given;
-  std::vector<Point> points = in_different_places(straight ? all_vertices(given) : chords(given));
+  std::vector<Point> points =
+      in_different_places(straight ? all_vertices(given) : chords(given, kTightSagitta_m));
   if (rings == Rings::kAreOpened) open_ring(points);
   if (points.size() < 2) return std::nullopt;
   return polyline_path(points);

@@ -19,8 +19,8 @@ struct PricedLines {
 /// area(land) − area(∪ swaths ∩ land), with the field less its obstacles for land; so Σ w·L = land −
 /// uncovered
 /// + overlap whatever the lines do: cross, double one another, leave the field or fold. Swaths of lines with
-/// kinks are those of kinked_cells(); arcs tighter than half the width are worked along their chords. What of
-/// the land the passes work is the plan's headland, the rest its body.
+/// kinks are those of kinked_cells(); arcs tighter than half the width are worked along chords within a
+/// centimetre. What of the land the passes work is the plan's headland, the rest its body.
 ///
 /// Turns are pieces − 1 − crossings. A piece is one after a crossing where it goes on ahead of the piece
 /// before it, no more than half a width beside it, behind a passable obstacle and no other. A stop is an end
