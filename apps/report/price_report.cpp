@@ -60,8 +60,9 @@ ordered_json lines_json(const Plan& plan, const std::vector<Skipped>& skipped, d
 }
 
 std::string given_rows(const PricedPlans& plans) {
-  return plan_summary(plans.given, plans.skipped) +
-         fmt::format("cost         {:.2f} = {}\n", plans.given.cost, prices_text(plans.given.objective));
+  return figure_rows(plans.given) +
+         fmt::format("cost         {:.2f} = {}\n", plans.given.cost, prices_text(plans.given.objective)) +
+         note_rows(plans.given.warnings) + skipped_rows(plans.skipped);
 }
 
 std::string rounded(double value, int digits) {
@@ -106,10 +107,7 @@ ordered_json price_json(const PricedPlans& plans) {
 
 std::string price_table(const PricedPlans& plans) {
   std::string out = given_rows(plans);
-  if (plans.planned != nullptr)
-    out += "\n" + comparison_rows(plans.given, *plans.planned);
-  else
-    out += skipped_rows(plans.skipped);
+  if (plans.planned != nullptr) out += "\n" + comparison_rows(plans.given, *plans.planned);
   return out;
 }
 

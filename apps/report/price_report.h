@@ -21,8 +21,9 @@ struct PricedPlans {
 /// (docs/json.md).
 nlohmann::ordered_json price_json(const PricedPlans& plans);
 
-/// A table for people: the rows of plan_summary() and the cost, or both plans side by side with the
-/// differences, planned less given, and their share of the given figure.
+/// A table for people: the rows of plan_summary(), the cost, all notes and what was skipped, and, with a plan
+/// to compare with, both side by side with the differences, planned less given, and their share of the given
+/// figure.
 std::string price_table(const PricedPlans& plans);
 
 }  // namespace tramline::app

@@ -92,6 +92,10 @@ PriceInput input_of_plan(const std::string& file, const FieldOptions& field, con
   PriceInput out;
   if (!field.file.empty()) out.field = field_typed(field, out.skipped);
   const bool many = !io::fields_in(file).empty();
+  if (many && field.file.empty())
+    throw bad_input(fmt::format(
+        "'{}' holds the plans of several fields: give the file of the fields with --field, and one with --id",
+        file));
   Plan plan = io::read_plan(file, many ? out.field.id : "");
   if (is_repair(plan))
     throw bad_input(fmt::format(

@@ -44,25 +44,24 @@ std::vector<OGRLayer*> exported_layers(const std::vector<OGRLayer*>& all) {
 std::vector<OGRLayer*> layers_with_lines(GDALDataset& dataset, const std::vector<OGRLayer*>& all,
                                          const std::string& file, std::vector<Skipped>& skipped) {
   std::vector<OGRLayer*> chosen = exported_layers(all);
+  if (!chosen.empty()) return chosen;
   bool polygons = false;
-  if (chosen.empty())
-    for (OGRLayer* layer : all) {
-      polygons = polygons || (!may_hold_lines(*layer) && may_hold_polygons(*layer));
-      if (may_hold_lines(*layer) && layer->GetFeatureCount() != 0) chosen.push_back(layer);
-    }
+  for (OGRLayer* layer : all) {
+    polygons = polygons || (!may_hold_lines(*layer) && may_hold_polygons(*layer));
+    if (may_hold_lines(*layer) && layer->GetFeatureCount() != 0) chosen.push_back(layer);
+  }
   if (chosen.empty())
     throw bad_input(fmt::format(
         "'{}' {}; found {}", file,
         polygons ? "holds areas, not lines: give a file with the centre lines" : "has no layer with lines",
         layer_list(dataset)));
-  const bool exported = chosen.size() == exported_layers(all).size();
-  if (chosen.size() > 1 && !exported)
+  if (chosen.size() > 1)
     throw bad_input(fmt::format("'{}' has several layers with lines; choose one with --lines-layer: {}", file,
                                 layer_list(dataset)));
   for (OGRLayer* layer : all)
     if (std::find(chosen.begin(), chosen.end(), layer) == chosen.end())
       skipped.push_back({fmt::format("layer {}", described(*layer)), file,
-                         may_hold_lines(*layer) ? "it holds nothing that is driven" : "it holds no lines"});
+                         may_hold_lines(*layer) ? "it holds no features" : "it holds no lines"});
   return chosen;
 }
 

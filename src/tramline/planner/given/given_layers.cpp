@@ -7,6 +7,7 @@
 
 #include "tramline/cost/worked/doubled_ground.h"
 #include "tramline/cost/worked/worked_regions.h"
+#include "tramline/geometry/error.h"
 #include "tramline/geometry/path/kinked_line.h"
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/geometry/tolerances.h"
@@ -20,6 +21,37 @@ bool have_arcs(const std::vector<Path>& paths) {
   return std::any_of(paths.begin(), paths.end(),
                      [](const Path& path) { return std::isfinite(smallest_radius(path)); });
 }
+
+/// Whether thin land is an effect of chords, or as real as all other.
+enum class Slivers { kAreLand, kOfChords };
+
+struct Layers {
+  Region overlap, uncovered;
+};
+
+Layers layers_of(const Region& swaths, const Region& land, Slivers slivers) {
+  const Region worked = unite(swaths);
+  Layers out{common_to_two(swaths), difference(land, worked)};
+  if (slivers == Slivers::kOfChords) {
+    std::erase_if(out.uncovered, is_sliver);
+    std::erase_if(out.overlap, is_sliver);
+  }
+  for (Polygon& part : difference(worked, land)) out.overlap.push_back(std::move(part));
+  out.overlap = unite(out.overlap);
+  return out;
+}
+
+Region moved_by(Region region, Point by) {
+  for (Polygon& polygon : region) {
+    for (Point& p : polygon.outer) p = p + by;
+    for (Ring& hole : polygon.holes)
+      for (Point& p : hole) p = p + by;
+  }
+  return region;
+}
+
+/// Lines that cross one another at will are rarely too much for an overlay, and then hardly on the next grid.
+constexpr int kMostTries = 5;
 
 }  // namespace
 
@@ -58,15 +90,20 @@ void add_layers_of_lines(const std::vector<Path>& tracks, const std::vector<Path
   Region swaths = swath_grounds(tracks, plan.machine.width_m, kLayerSagitta);
   for (Polygon& part : swath_grounds(passes, plan.machine.width_m, kLayerSagitta))
     swaths.push_back(std::move(part));
-  const Region land = body_of(plan.field), worked = unite(swaths);
-  plan.uncovered = difference(land, worked);
-  Region overlap = common_to_two(swaths);
-  if (have_arcs(tracks) || have_arcs(passes)) {
-    std::erase_if(plan.uncovered, is_sliver);
-    std::erase_if(overlap, is_sliver);
+  const Slivers slivers = have_arcs(tracks) || have_arcs(passes) ? Slivers::kOfChords : Slivers::kAreLand;
+  const Region land = body_of(plan.field);
+  for (int tries = 1;; ++tries) {
+    // Another grid: coordinates that lie otherwise between its points are rounded otherwise.
+    const Point by = (tries - 1) * Point{0.37 * kGridSize, 0.23 * kGridSize};
+    try {
+      Layers layers = layers_of(moved_by(swaths, by), moved_by(land, by), slivers);
+      plan.overlap = moved_by(std::move(layers.overlap), -1.0 * by);
+      plan.uncovered = moved_by(std::move(layers.uncovered), -1.0 * by);
+      return;
+    } catch (const Error&) {
+      if (tries == kMostTries) throw;
+    }
   }
-  for (Polygon& part : difference(worked, land)) overlap.push_back(std::move(part));
-  plan.overlap = unite(overlap);
 }
 
 }  // namespace tramline

@@ -186,8 +186,10 @@ std::vector<std::string> warnings_about_lines(const Plan& plan, const std::vecto
 }
 
 Error no_line_with_length(const GivenLines& lines) {
-  return bad_input(fmt::format("none of the {} lines has a length: draw each through two points at least",
-                               lines.tracks.size() + lines.passes.size()));
+  const std::size_t count = lines.tracks.size() + lines.passes.size();
+  return bad_input(fmt::format(
+      "{}: draw each line through two different points at least",
+      count == 1 ? "the only line has no length" : fmt::format("none of the {} lines has a length", count)));
 }
 
 Error all_outside(const Plan& plan) {
