@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "tramline/admission/read_lines.h"
+#include "tramline/admission/lines/read_lines.h"
 #include "tramline/geodesy/field_projection.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/plan/fields_in.h"
@@ -133,7 +133,7 @@ PriceInput input_of_lines(const LinesOptions& lines, const FieldOptions& field, 
   DrawnLines drawn = read_lines(io::read_vector(query), crs);
   for (Skipped& left_aside : drawn.skipped) out.skipped.push_back(std::move(left_aside));
   for (const DrawnLine& line : drawn.lines) {
-    const std::vector<Point> points = placed_line(line, !out.field.frame.geodetic, out.field);
+    const std::vector<Point> points = placed_line(line, out.field);
     Path path;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) path.push_back({points[i], points[i + 1], 0});
     (line.is_pass ? out.lines.passes : out.lines.tracks)

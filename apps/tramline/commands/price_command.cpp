@@ -63,6 +63,8 @@ class PriceCommand : public Command {
     add_plan_options(command, plan_options_);
     command.option("--width").shows_default("that of a plan file; other lines need it");
     command.option("--radius").shows_default("that of a plan file, else 6");
+    command.option("--prices").shows_default("those of a plan file, else 0.02,0.10,1,5,5");
+    command.option("--clearance").shows_default("that of a plan file, else 0");
     command.begin_group("Comparison");
     const Option compare = command.add_flag(
         "--compare", compare_, "Also plan the field, and report both plans and the differences.");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "tramline/cost/worked/doubled_ground.h"
@@ -29,15 +30,26 @@ struct Layers {
   Region overlap, uncovered;
 };
 
+/// As unite(), by halves where one overlay of all is too much.
+Region united(const Region& parts) {
+  try {
+    return unite(parts);
+  } catch (const Error&) {
+    if (parts.size() < 3) throw;
+  }
+  const auto middle = parts.begin() + static_cast<std::ptrdiff_t>(parts.size() / 2);
+  return unite(united({parts.begin(), middle}), united({middle, parts.end()}));
+}
+
 Layers layers_of(const Region& swaths, const Region& land, Slivers slivers) {
-  const Region worked = unite(swaths);
+  const Region worked = united(swaths);
   Layers out{common_to_two(swaths), difference(land, worked)};
   if (slivers == Slivers::kOfChords) {
     std::erase_if(out.uncovered, is_sliver);
     std::erase_if(out.overlap, is_sliver);
   }
   for (Polygon& part : difference(worked, land)) out.overlap.push_back(std::move(part));
-  out.overlap = unite(out.overlap);
+  out.overlap = united(out.overlap);
   return out;
 }
 

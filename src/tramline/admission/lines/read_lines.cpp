@@ -1,4 +1,4 @@
-#include "tramline/admission/read_lines.h"
+#include "tramline/admission/lines/read_lines.h"
 
 #include <fmt/format.h>
 
@@ -50,6 +50,7 @@ class LayerLines {
       for (const std::vector<Point>& given : feature->lines) {
         DrawnLine line;
         line.origin = origin;
+        line.plain = crs_.plain();
         line.after_turn =
             number_in(*feature, kAfterCrossing, 1) == 0 || number_in(*feature, kAfterCrossingShort, 1) == 0;
         line.subfield = static_cast<int>(number_in(*feature, kSubfield, 0));
@@ -97,8 +98,8 @@ DrawnLines read_lines(const RawDataset& dataset, const std::string& fields_crs) 
   return out;
 }
 
-std::vector<Point> placed_line(const DrawnLine& line, bool plain, const Field& field) {
-  if (plain == field.frame.geodetic)
+std::vector<Point> placed_line(const DrawnLine& line, const Field& field) {
+  if (line.plain == field.frame.geodetic)
     throw bad_input(fmt::format("{}: the line and field '{}' are not in the same coordinates; give --crs",
                                 line.origin, field.id));
   std::optional<FrameProjection> projection;

@@ -16,6 +16,7 @@ namespace tramline {
 struct DrawnLine {
   std::string origin;  ///< "lines.geojson feature 3"
   std::vector<Point> points;
+  bool plain = false;
   bool after_turn = false;  ///< an export of ours says that it goes on after no crossing
   int subfield = 0;         ///< where an export of ours says so
   bool is_pass = false;     ///< a headland pass of an export of ours
@@ -37,6 +38,6 @@ DrawnLines read_lines(const RawDataset& dataset, const std::string& fields_crs);
 
 /// The points of a line in the field's local metres. Throws bad_input naming the line where it is not in the
 /// field's kind of coordinates, or lies too far away for the field's plane.
-std::vector<Point> placed_line(const DrawnLine& line, bool plain, const Field& field);
+std::vector<Point> placed_line(const DrawnLine& line, const Field& field);
 
 }  // namespace tramline
