@@ -33,6 +33,8 @@ FIGURES = "overlap_m2, uncovered_m2, turns, stops, crossings, tracks, track_leng
 CHANGES = [
     ("bound above the cost", key("proof.bound", f"{COST} * 1.01"), FOUND),
     ("bound equal to the cost", key("proof.bound", COST), "proof.bound"),
+    ("a plan made here said to be of given lines", "INSERT INTO metadata (key, value) VALUES ('origin', 'lines')",
+     "origin"),
     ("bound raised a little", key("proof.bound", f"{COST} * 0.9"), "proof.bound"),
     ("negative bound", key("proof.bound", "'-1'"), FOUND),
     ("one-direction bound above its cost",
