@@ -169,7 +169,7 @@ def planted(plan, sql, folder):
         for trigger, in file.execute("SELECT name FROM sqlite_master WHERE type = 'trigger'").fetchall():
             file.execute(f'DROP TRIGGER "{trigger}"')
         words = sql.split()
-        rows = f"SELECT * FROM {words[2] if words[0] == 'DELETE' else words[1]}"
+        rows = f"SELECT * FROM {words[2] if words[0] in ('DELETE', 'INSERT') else words[1]}"
         try:
             before = file.execute(rows).fetchall()
         except sqlite3.OperationalError:
