@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstddef>
 #include <utility>
 
 #include "tramline/cost/worked/doubled_ground.h"
@@ -30,15 +29,31 @@ struct Layers {
   Region overlap, uncovered;
 };
 
-/// As unite(), by halves where one overlay of all is too much.
+/// Adds what a part has beside the region; nothing where that is too much for an overlay as well: these are
+/// pictures, and figures do not depend on them.
+void append_rest(const Polygon& part, Region& out) {
+  try {
+    for (Polygon& rest : difference({part}, out)) out.push_back(std::move(rest));
+  } catch (const Error&) {
+    return;
+  }
+}
+
+/// As unite(), part by part where one overlay of all is too much.
 Region united(const Region& parts) {
   try {
     return unite(parts);
   } catch (const Error&) {
-    if (parts.size() < 3) throw;
+    Region out;
+    for (const Polygon& part : parts) {
+      try {
+        out = unite(out, {part});
+      } catch (const Error&) {
+        append_rest(part, out);
+      }
+    }
+    return out;
   }
-  const auto middle = parts.begin() + static_cast<std::ptrdiff_t>(parts.size() / 2);
-  return unite(united({parts.begin(), middle}), united({middle, parts.end()}));
 }
 
 Layers layers_of(const Region& swaths, const Region& land, Slivers slivers) {
