@@ -173,6 +173,7 @@ ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, do
   for (const Subfield& subfield : plan.subfields) directions.push_back(subfield.direction.degrees());
   ordered_json out;
   out["field_id"] = plan.field.id;
+  if (is_of_lines(plan)) out["origin"] = name(plan.origin);
   out["area_m2"] = area_m2(plan.field);
   out["body_m2"] = area(plan.body);
   out["obstacles"] = obstacle_shapes(plan.field, ObstacleKind::kObstacle).size();

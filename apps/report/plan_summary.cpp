@@ -94,12 +94,15 @@ std::string front_row(const Plan& plan) {
 
 }  // namespace
 
-std::string plan_summary(const Plan& plan, const std::vector<Skipped>& skipped) {
+std::string figure_rows(const Plan& plan) {
   return ground_row(plan) + passes_row(plan) +
          fmt::format("distance     {:.3f} km at work\n", distance_km(plan)) +
          fmt::format("worked twice {}\n", share_text(plan, plan.tally.overlap_m2)) +
-         fmt::format("missed       {}\n", share_text(plan, plan.tally.uncovered_m2)) +
-         note_row(oddities(plan, skipped)) + front_row(plan);
+         fmt::format("missed       {}\n", share_text(plan, plan.tally.uncovered_m2));
+}
+
+std::string plan_summary(const Plan& plan, const std::vector<Skipped>& skipped) {
+  return figure_rows(plan) + note_row(oddities(plan, skipped)) + front_row(plan);
 }
 
 std::string plan_line(const Plan& plan, double seconds) {

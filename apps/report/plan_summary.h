@@ -12,6 +12,9 @@ namespace tramline::app {
 /// Six lines, each with its unit, and one more where a front was asked for. O(n) in pieces and vertices.
 std::string plan_summary(const Plan& plan, const std::vector<Skipped>& skipped);
 
+/// The rows of plan_summary() before its note.
+std::string figure_rows(const Plan& plan);
+
 /// The same in one line that begins with the field's id, with the time it took.
 std::string plan_line(const Plan& plan, double seconds);
 

@@ -33,6 +33,8 @@ FIGURES = "overlap_m2, uncovered_m2, turns, stops, crossings, tracks, track_leng
 CHANGES = [
     ("bound above the cost", key("proof.bound", f"{COST} * 1.01"), FOUND),
     ("bound equal to the cost", key("proof.bound", COST), "proof.bound"),
+    ("a plan made here said to be of given lines", "INSERT INTO metadata (key, value) VALUES ('origin', 'lines')",
+     "origin"),
     ("bound raised a little", key("proof.bound", f"{COST} * 0.9"), "proof.bound"),
     ("negative bound", key("proof.bound", "'-1'"), FOUND),
     ("one-direction bound above its cost",
@@ -167,7 +169,7 @@ def planted(plan, sql, folder):
         for trigger, in file.execute("SELECT name FROM sqlite_master WHERE type = 'trigger'").fetchall():
             file.execute(f'DROP TRIGGER "{trigger}"')
         words = sql.split()
-        rows = f"SELECT * FROM {words[2] if words[0] == 'DELETE' else words[1]}"
+        rows = f"SELECT * FROM {words[2] if words[0] in ('DELETE', 'INSERT') else words[1]}"
         try:
             before = file.execute(rows).fetchall()
         except sqlite3.OperationalError:

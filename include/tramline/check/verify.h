@@ -54,7 +54,8 @@ struct Verdict {
   Tally track_tally;  ///< the same for the tracks alone, compared with the body
   std::vector<Violation> violations;
   /// What the plan would break were it tramline's own, but does not promise: tracks made as a paper makes
-  /// them may be tighter than the machine's radius, or have kinks. Their areas are verified all the same.
+  /// them, and lines of others, may be tighter than the machine's radius, or have kinks; lines of others may
+  /// work obstacles. Their areas are verified all the same.
   std::vector<Violation> findings;
   /// Statements of the plan, by key or column, that cannot be verified: `violations` would be the same
   /// whether they are true or not (not_verified.h).
@@ -72,6 +73,9 @@ struct Verdict {
 /// boundaries, and the passes are compared with it. Areas may differ by 1e-6 of the field's area, and by the
 /// difference between chords and arcs (1e-5 m along detours and passes, 1e-4 m along curved tracks, 1e-3 m
 /// along round edges of headlands); lengths by 1 mm, radii by 1 %, headings where segments meet by 1°.
+///
+/// Of lines of others (PlanOrigin::kLines) only figures and counts are verified, and findings are listed of
+/// obstacles, radii and spacing: the rules by which plans are made here do not apply to them.
 ///
 /// Violations come in the order of the rules, then of the pieces. Throws Error(kFailure) only where
 /// GEOS fails. O(p·v + p log p) for p pieces and v vertices, while detours and curves

@@ -39,6 +39,9 @@ enum class AbAnchor { kDefault, kLine, kEnvelope };
 /// How a cell gets its direction: along the long side of its smallest bounding rectangle (Versleijen §2.2.1),
 /// or at right angles to its least width.
 enum class CellDirection { kRectangle, kWidth };
+/// Where the tracks of a plan come from. kPlanned: laid here. kLines: lines that somebody else drew or
+/// planned; only their figures are ours, and no rule of planning applies to them.
+enum class PlanOrigin { kPlanned, kLines };
 
 /// Land that the user wants to be subfields of its own: one for each connected part of it that tracks work.
 struct GivenSubfield {
@@ -111,6 +114,7 @@ const char* name(TrackShape shape);       ///< straight, curved, auto
 const char* name(TrackConstruction how);  ///< parallel, paper
 const char* name(AbAnchor anchor);        ///< line, envelope; default
 const char* name(Passing way);            ///< left, right, cut
+const char* name(PlanOrigin origin);      ///< planned, lines
 /// The inverse of name(); nullopt for any other word.
 std::optional<EndRule> end_rule_named(std::string_view word);
 std::optional<EdgeKind> edge_kind_named(std::string_view word);
@@ -121,10 +125,17 @@ std::optional<TrackShape> track_shape_named(std::string_view word);
 std::optional<TrackConstruction> track_construction_named(std::string_view word);
 std::optional<AbAnchor> ab_anchor_named(std::string_view word);  ///< not for default
 std::optional<Passing> passing_named(std::string_view word);
+std::optional<PlanOrigin> plan_origin_named(std::string_view word);
 
 /// In a repair the work goes on over worked land that is shorter than this along a line, m: a shorter break
 /// is not worth switching off for.
 inline constexpr double kLeastBreak_m = 2;
+
+/// The end of a given line is a stop where an obstacle begins within this distance ahead of it, m: exports
+/// are this exact. Ends of planned tracks are exact.
+inline constexpr double kAheadOfLine_m = 0.01;
+/// Less of it there does not count, m²: a tenth of a millimetre beside the swath.
+inline constexpr double kAheadOfLine_m2 = 1e-6;
 
 /// What a search proved about the plans it did not make. Where the strategy proves nothing a bound is 0,
 /// which no cost falls below.
@@ -147,7 +158,7 @@ enum class PlanKind { kField, kRepair };
 double gap(double cost, double bound);
 
 struct Subfield {
-  Polygon shape;        ///< may contain passable obstacles
+  Polygon shape;        ///< may contain passable obstacles; of given lines: about where they lie
   Direction direction;  ///< of its tracks; where they follow a curve, that of the curve as a whole
   Path reference{};     ///< line its tracks run parallel to, where they follow a line or a curve; else empty
   std::string given_by{};  ///< where the user drew it: "cuts.gpkg feature 3"; empty: the planner's choice
@@ -162,6 +173,7 @@ struct DroppedPiece {
 
 /// Frame: the field's local metres.
 struct Plan {
+  PlanOrigin origin = PlanOrigin::kPlanned;
   Field field;
   Machine machine;
   Objective objective;
@@ -212,6 +224,9 @@ inline bool is_repair(const Plan& plan) { return plan.kind == PlanKind::kRepair;
 /// The part of the land given up that the user wants left out. Precondition: left_out is at most the number
 /// of polygons given up.
 Region left_out_land(const Plan& plan);
+
+/// Whether its tracks are lines that somebody else drew or planned.
+inline bool is_of_lines(const Plan& plan) { return plan.origin == PlanOrigin::kLines; }
 
 /// Whether any track follows a curve.
 bool is_curved(const Plan& plan);

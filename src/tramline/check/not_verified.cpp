@@ -73,6 +73,7 @@ constexpr const char* kFrame = "frame";
 
 std::vector<std::string> not_verified(const Plan& plan) {
   Names out;
+  if (is_of_lines(plan)) out.emplace_back("origin");
   add_proof(plan, out);
   add_encounters(plan, out);
   add_front(plan, out);

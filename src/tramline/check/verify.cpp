@@ -5,6 +5,28 @@
 
 namespace tramline::check {
 
+namespace {
+
+/// Rules about figures and counts. How lines that somebody else drew are laid is no rule of ours: what they
+/// break of those that a machine or an obstacle imposes are findings.
+void check_lines(const Case& c, Verdict& verdict) {
+  check_body(c, verdict.violations);
+  check_swaths(c, verdict.findings);
+  check_drivable(c, verdict.findings, verdict.findings);
+  const int stops = check_stops(c, verdict.violations);
+  check_crossings(c, verdict.violations);
+  const Tallies tallies = check_tally(c, stops, verdict.violations);
+  verdict.recomputed = tallies.whole;
+  verdict.track_tally = tallies.tracks;
+  check_swath_overlaps(c, verdict.violations);
+  check_headland_tally(c, verdict.violations);
+  check_proof(c.plan, verdict.violations);
+  check_parallel(c, verdict.findings);
+  verdict.complete = true;
+}
+
+}  // namespace
+
 Verdict verify(const Plan& plan) {
   Verdict verdict;
   verdict.not_verified = not_verified(plan);
@@ -14,6 +36,10 @@ Verdict verify(const Plan& plan) {
   if (!verdict.violations.empty()) return verdict;
 
   const Case c(plan);
+  if (is_of_lines(plan)) {
+    check_lines(c, verdict);
+    return verdict;
+  }
   check_body(c, verdict.violations);
   check_ceded_to_tracks(c, verdict.violations);
   check_subfields(c, verdict.violations);

@@ -1,51 +1,11 @@
 #include "tramline/cost/whole_tally.h"
 
-#include <algorithm>
-
 #include "tramline/cost/settled_areas.h"
+#include "tramline/cost/worked/covered_land.h"
 #include "tramline/geometry/path/kinked_line.h"
-#include "tramline/geometry/path/newly_covered_area.h"
-#include "tramline/geometry/strip/track_frame.h"
 
 namespace tramline {
 namespace {
-
-/// Collects everything that is worked, turned so that most tracks lie across the sweep of
-/// newly_covered_area(): each is then met at few heights.
-class Works {
- public:
-  Works(Direction tracks, double width_m) : frame_(tracks.perpendicular()), width_m_(width_m) {}
-
-  void add(const Path& path) {
-    const Path turned = moved(path, [this](Point p) { return frame_.to_track(p); });
-    window_.extend(reach_of(turned, width_m_));
-    append_band(turned, width_m_, Layer::kNew, curves_);
-  }
-  /// A swath with kinks has no band; its cells have its area.
-  void add_kinked(const Path& path) {
-    for (const Ring& cell : kinked_cells(path, width_m_)) {
-      const Ring turned = frame_.to_track(cell);
-      window_.extend(bounds(turned));
-      append_ring(turned, Layer::kNew, bounds(turned), curves_);
-    }
-  }
-  double area_on(const Region& body, const Region& ground) {
-    append_land(body);
-    append_land(ground);
-    return newly_covered_area(curves_);
-  }
-
- private:
-  void append_land(const Region& land) {
-    for (const Ring& ring : rings_of(frame_.to_track(land)))
-      append_ring(ring, Layer::kBody, window_, curves_);
-  }
-
-  TrackFrame frame_;
-  double width_m_;
-  Box window_;
-  RisingCurves curves_;
-};
 
 /// Direction of the longest piece.
 Direction main_direction(const std::vector<TrackPiece>& pieces) {
@@ -60,21 +20,16 @@ Direction main_direction(const std::vector<TrackPiece>& pieces) {
 Tally whole_tally(const Tally& tracks, const std::vector<TrackPiece>& pieces, const Region& body,
                   const Headland& headland, double width_m) {
   if (headland.ground.empty() && headland.passes.empty()) return tracks;
-  Works works(main_direction(pieces), width_m);
+  std::vector<CoveringSwath> swaths;
   for (const TrackPiece& piece : pieces)
-    if (has_kinks(piece.curve))
-      works.add_kinked(piece.curve);
-    else
-      works.add(centre_line(piece));
+    swaths.push_back(
+        {centre_line(piece), has_kinks(piece.curve) ? SwathEdges::kMitred : SwathEdges::kSmooth});
   for (const HeadlandPass& pass : headland.passes)
-    if (has_kinks(pass.path))
-      works.add_kinked(pass.path);
-    else
-      works.add(pass.path);
-  const double covered_m2 = works.area_on(body, headland.ground);
+    swaths.push_back({pass.path, has_kinks(pass.path) ? SwathEdges::kMitred : SwathEdges::kSmooth});
+  const double covered = covered_m2(swaths, {&body, &headland.ground}, width_m, main_direction(pieces));
   Tally out = tracks;
   out.worked_m2 = tracks.worked_m2 + headland.worked_m2;
-  settle_areas(out, covered_m2, area(body) + area(headland.ground));
+  settle_areas(out, covered, area(body) + area(headland.ground));
   return out;
 }
 

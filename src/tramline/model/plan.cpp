@@ -93,6 +93,8 @@ const char* name(Passing way) {
   return "";
 }
 
+const char* name(PlanOrigin origin) { return origin == PlanOrigin::kLines ? "lines" : "planned"; }
+
 std::optional<EndRule> end_rule_named(std::string_view word) {
   return named(word, {EndRule::kCentre, EndRule::kCover, EndRule::kInside, EndRule::kCheapest});
 }
@@ -119,6 +121,10 @@ std::optional<AbAnchor> ab_anchor_named(std::string_view word) {
 }
 std::optional<Passing> passing_named(std::string_view word) {
   return named(word, {Passing::kLeft, Passing::kRight, Passing::kCut});
+}
+
+std::optional<PlanOrigin> plan_origin_named(std::string_view word) {
+  return named(word, {PlanOrigin::kPlanned, PlanOrigin::kLines});
 }
 
 double gap(double cost, double bound) { return cost > 0 ? (cost - bound) / cost : 0; }

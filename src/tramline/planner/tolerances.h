@@ -27,12 +27,23 @@ inline constexpr double kLeastGridOfPlaces_m = 1e-6;
 inline constexpr double kSameStrip_m = 1e-4;
 /// The opening of a chain that goes all the way round, m: a line must not touch itself.
 inline constexpr double kSeam_m = 1e-3;
+/// The distance of chords from arcs of given lines that are too tight for the width, m: their swaths lie over
+/// themselves, the more often the more chords there are.
+inline constexpr double kTightSagitta_m = 0.01;
+/// A given line that ends where it begins is shortened by this, m: a piece has two ends.
+inline constexpr double kOpenedRing_m = 1e-4;
 /// Distances of pieces from what blocks their track that differ by no more count as equal, m: the difference
 /// is rounding.
 inline constexpr double kAsNear_m = 1e-3;
 /// Land narrower than this across the strip does not make a piece worthwhile, m: the tails of a gap between
 /// two passes that all but touch.
 inline constexpr double kTail_m = 0.05;
+
+// Tolerances of headings.
+
+/// Where segments of a given line with arcs meet at more, its swath has no smooth edges, rad: tracks of plan
+/// files are more exact.
+inline constexpr double kLeastTurnAtJoint = 1e-3;
 
 // Tolerances of areas.
 
@@ -50,6 +61,8 @@ static_assert(kLeastGain_m2 < kNoGround_m2 && kNoGround_m2 < kByChance_m2);
 static_assert(kSamePlace_m < kSameStrip_m && kSameStrip_m < kNoPiece_m);
 // The seam has to survive the smoothing of the line.
 static_assert(kSeam_m > kSamePlace_m && kSeam_m >= kShortestStretch_m);
+// A ring stays open when it is read again.
+static_assert(kOpenedRing_m > kSamePlace_m);
 // A detour may begin at the beginning of its stretch.
 static_assert(kAsNear_m >= kNoPiece_m);
 // The tails of gaps are wider than what counts as no width.

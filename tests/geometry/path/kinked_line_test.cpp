@@ -103,6 +103,19 @@ TEST(KinkedLine, CellsHaveFlatEndsAtSharpKinksAndShortLegs) {
   }
 }
 
+// The tangent of half such a turn is a quotient of two roundings: whatever it comes out as, ends are flat.
+TEST(KinkedLine, ALineThatGoesStraightBackHasFlatEnds) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> place(-100, 100);
+  for (int i = 0; i < 1000; ++i) {
+    const Point a{place(random), place(random)}, b{place(random), place(random)};
+    for (const Ring& cell : kinked_cells(polyline_path({a, b, a + 0.3 * (b - a)}), 4)) {
+      ASSERT_NEAR(distance(cell[0], cell[3]), 4, 1e-9) << i;
+      ASSERT_NEAR(distance(cell[1], cell[2]), 4, 1e-9) << i;
+    }
+  }
+}
+
 // However wild the line: a swath's parts never have more ground than its width times its length.
 TEST(KinkedLine, CellsAreAsLargeAsTheirPartsOfTheTrackAreLong) {
   for (unsigned seed = 1; seed <= 200; ++seed) {

@@ -163,6 +163,15 @@ Expected of_cut_short(const Plan& plan) {
 
 Expected of_connections() { return {"connections between tracks are not planned", true, false, {}}; }
 
+/// Of lines of others only the warning about land is ours to repeat.
+std::vector<Expected> all_expected(const Plan& plan) {
+  if (is_of_lines(plan)) return {of_unworked_land(plan)};
+  return {
+      of_unworked_land(plan),       of_overrun(plan),      of_given_up_land(plan),  of_left_out_land(plan),
+      of_passes_without_room(plan), of_passes_alone(plan), of_dropped_pieces(plan), of_short_pieces(plan),
+      of_cut_short(plan),           of_connections()};
+}
+
 }  // namespace
 
 std::vector<Violation> compare_warnings(const Plan& plan) {
@@ -171,10 +180,7 @@ std::vector<Violation> compare_warnings(const Plan& plan) {
   const auto report = [&](const std::string& what) {
     out.push_back({Rule::kWarnings, what, plan.field.outer.front(), 1});
   };
-  for (const Expected& expected :
-       {of_unworked_land(plan), of_overrun(plan), of_given_up_land(plan), of_left_out_land(plan),
-        of_passes_without_room(plan), of_passes_alone(plan), of_dropped_pieces(plan), of_short_pieces(plan),
-        of_cut_short(plan), of_connections()}) {
+  for (const Expected& expected : all_expected(plan)) {
     const auto found = std::find_if(
         plan.warnings.begin(), plan.warnings.end(),
         [&](const std::string& sentence) { return sentence.find(expected.words) != std::string::npos; });

@@ -100,18 +100,25 @@ std::vector<WorkedPart> parts_between_detours(const Plan& plan) {
   return parts_of(plan, append_between_detours);
 }
 
+Region pass_bands(const Plan& plan, const HeadlandPass& pass, double sagitta_m) {
+  if (is_of_lines(plan)) return bands_along(pass.path, plan.machine.width_m, sagitta_m);
+  return pass_bands_along(pass.path, plan.headland.construction, plan.machine.width_m, sagitta_m);
+}
+
 std::vector<WorkedPart> pass_parts(const Plan& plan, double sagitta_m) {
   std::vector<WorkedPart> out;
   const double width_m = plan.machine.width_m;
   for (std::size_t k = 0; k < plan.headland.passes.size(); ++k) {
     SwathParts parts(plan.pieces.size() + k, width_m, out);
-    const Path& path = plan.headland.passes[k].path;
-    if (plan.headland.construction == HeadlandConstruction::kPlain) {
-      const Region bands = bands_along(path, width_m, sagitta_m);
-      for (std::size_t i = 0; i < path.size(); ++i) parts.add({path[i]}, {bands[i]}, true);
+    const HeadlandPass& pass = plan.headland.passes[k];
+    const bool has_corners = plan.headland.construction == HeadlandConstruction::kPlain ||
+                             (is_of_lines(plan) && is_kinked(pass.path));
+    if (has_corners) {
+      const Region cells = pass_bands(plan, pass, sagitta_m);
+      for (std::size_t i = 0; i < cells.size(); ++i) parts.add({pass.path[i]}, {cells[i]}, true);
       continue;
     }
-    for (const PathSegment& segment : path)
+    for (const PathSegment& segment : pass.path)
       parts.add({segment}, flat_bands_along({segment}, width_m, sagitta_m));
   }
   return out;

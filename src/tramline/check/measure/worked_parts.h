@@ -24,6 +24,9 @@ struct WorkedPart {
 
 /// All swaths in the order of the pieces, each from its start to its end; straight ones whole. O(n).
 std::vector<WorkedPart> worked_parts(const Plan& plan);
+/// The bands of a headland pass, segment by segment: with flat ends even at kinks, but of lines of others cut
+/// to kinks like tracks.
+Region pass_bands(const Plan& plan, const HeadlandPass& pass, double sagitta_m);
 /// The parts of headland passes, segment by segment; pass k has the owner index pieces + k. O(n).
 std::vector<WorkedPart> pass_parts(const Plan& plan, double sagitta_m = kChordSagitta);
 /// As worked_parts(), with straight swaths divided where detours begin and end; a detour may overlap the

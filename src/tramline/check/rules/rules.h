@@ -52,14 +52,14 @@ void check_swath_overlaps(const Case& c, Violations& out);
 /// given up. Where there is a clearance, straight and curved swaths keep it too.
 void check_clearance(const Case& c, Violations& out);
 /// The machine can drive every detour, curve and headland pass: no arc is too tight and no heading jumps.
-/// Findings where the plan's tracks are made as a paper makes them, and in the middle of the paper's detours;
-/// plain headlands (HeadlandConstruction::kPlain) have corners.
+/// Findings where the plan's tracks are lines of others or made as a paper makes them, and in the middle of
+/// the paper's detours; plain headlands (HeadlandConstruction::kPlain) have corners.
 void check_drivable(const Case& c, Violations& out, Violations& findings);
 /// Each piece obeys the end rule over all its straight parts, or all along its curve. In a repair the land to
 /// cover is that of any gap, and the work may go on over breaks of less than kLeastBreak_m.
 void check_ends(const Case& c, Violations& out);
-/// Where tracks follow a curve, no two pieces of a subfield lie less than the working width apart, across
-/// either of them.
+/// Where tracks follow a curve, and in a plan of lines of others, no two pieces of a subfield lie less than
+/// the working width apart, across either of them.
 void check_parallel(const Case& c, Violations& out);
 /// Where tracks follow a curve, every piece lies on the line of its track except on its detours: at samples a
 /// width apart or less, it is (k + ½) widths from the reference on its side, or rolls round a corner. Not
@@ -70,8 +70,9 @@ void check_track_lines(const Case& c, Violations& out);
 void check_ab_anchor(const Case& c, Violations& out);
 /// No piece is too short to drive, except those between crossings.
 void check_length(const Case& c, Violations& out);
-/// A piece is flagged as ending in a stop where the first millimetre beyond it reaches an obstacle without
-/// headland or land given up, and nowhere else. Returns the number of stops found.
+/// A piece is flagged as ending in a stop where the first millimetre beyond it (of lines of others: the first
+/// centimetre) reaches an obstacle without headland or land given up, and nowhere else. Returns the number of
+/// stops found.
 int check_stops(const Case& c, Violations& out);
 /// A piece after a crossing continues the line beyond a passable, with nothing else in the gap. Where tracks
 /// follow a curve the line between two pieces is not known: the second begins ahead of the first. In a repair

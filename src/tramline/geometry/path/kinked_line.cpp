@@ -11,6 +11,9 @@ namespace {
 
 /// tan(60°): half of the sharpest kink that is mitred.
 constexpr double kSteepest = 1.7320508075688772;
+/// Cosine of a turn that is certainly sharper. Where a line goes straight back the tangent of half the turn
+/// is a quotient of two roundings, which may be any number.
+constexpr double kCosineOfReturn = -0.9;
 
 /// tan(τ/2) for a turn of τ, right positive.
 double half_turn_tangent(Point before, Point after) {
@@ -30,7 +33,7 @@ class Mitres {
     std::vector<bool> sharp(path.size() + 1, false);
     for (std::size_t i = 1; i < path.size(); ++i) {
       wanted[i] = half_turn_tangent(along_[i - 1], along_[i]);
-      sharp[i] = !(std::abs(wanted[i]) <= kSteepest);
+      sharp[i] = !(std::abs(wanted[i]) <= kSteepest) || dot(along_[i - 1], along_[i]) < kCosineOfReturn;
       if (sharp[i]) wanted[i] = 0;
     }
     cut_ = wanted;

@@ -13,6 +13,10 @@ namespace tramline::io {
 /// The plane of the shapes in a plan file whose field has the frame `field`.
 LocalFrame frame_of_layers(const std::filesystem::path& path, const LocalFrame& field);
 
+/// Whether a file is a plan file, of one plan or of many; false where there is no such file, or none that can
+/// be read.
+bool is_plan_file(const std::filesystem::path& path);
+
 /// The fields of a file of many plans, in its order; empty for a file of one plan. Throws Error(kBadInput)
 /// where it is not a plan file.
 std::vector<FieldNames> fields_in(const std::filesystem::path& path);

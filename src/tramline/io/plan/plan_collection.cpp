@@ -71,6 +71,22 @@ LocalFrame frame_of_layers(const fs::path& path, const LocalFrame& field) {
   return collection_frame(file, path).value_or(field);
 }
 
+bool is_plan_file(const fs::path& path) {
+  try {
+    GdalErrors errors;
+    Rows file(path, kPlanFile, errors);
+    if (!file.has(kMetadataTable) || !file.has(plan_layers::kTracks)) return false;
+    bool found = false;
+    file.each(kMetadataTable, [&](const Row& row) {
+      if (!row.has("key") || !row.has("value")) return;
+      found = found || (row.text("key") == "format" && row.text("value") == kPlanFile.writer);
+    });
+    return found;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 std::vector<FieldNames> fields_in(const fs::path& path) {
   GdalErrors errors;
   Rows file(path, kPlanFile, errors);

@@ -26,6 +26,7 @@ constexpr const char* kTracks = "settings.tracks";
 constexpr const char* kAvoidRoom = "settings.avoid_room_m";  // only where there is a limit
 constexpr const char* kAbAnchor = "settings.ab_anchor";
 constexpr const char* kHeadlandConstruction = "headland.construction";
+constexpr const char* kOrigin = "origin";          // only where it is not `planned`
 constexpr const char* kReference = "reference";    // of all subfields
 constexpr const char* kReferences = "references";  // by subfield, where they have not all the same
 constexpr const char* kKind = "kind";
@@ -133,6 +134,7 @@ class Writer : public FieldKeyWriter {
   void operator()(const std::string& key, TrackConstruction value) const { out()[key] = name(value); }
   void operator()(const std::string& key, AbAnchor value) const { out()[key] = name(value); }
   void operator()(const std::string& key, HeadlandConstruction value) const { out()[key] = name(value); }
+  void operator()(const std::string& key, PlanOrigin value) const { out()[key] = name(value); }
   /// Degrees are for people; radians are what is read back, to the bit.
   void operator()(const std::string& key, Angle value) const {
     (*this)(key + "_deg", short_degrees(value));
@@ -177,6 +179,9 @@ class Reader : public FieldKeyReader {
   void operator()(const std::string& key, AbAnchor& value) { value = word(key, ab_anchor_named(text(key))); }
   void operator()(const std::string& key, HeadlandConstruction& value) {
     value = word(key, headland_construction_named(text(key)));
+  }
+  void operator()(const std::string& key, PlanOrigin& value) {
+    value = word(key, plan_origin_named(text(key)));
   }
   void operator()(const std::string& key, Angle& value) {
     double radians = 0;
@@ -267,6 +272,7 @@ Metadata metadata_of(const Plan& plan) {
   if (plan.settings.avoid_room_m >= 0) writer(kAvoidRoom, plan.settings.avoid_room_m);
   writer(kAbAnchor, anchor_of(plan.settings));
   writer(kHeadlandConstruction, plan.headland.construction);
+  if (is_of_lines(plan)) writer(kOrigin, plan.origin);
   write_references(plan, writer);
   write_given_land(plan, writer);
   out["format"] = kFormat;
@@ -305,6 +311,7 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   plan.settings.ab_anchor = AbAnchor::kLine;
   if (metadata.contains(kAbAnchor)) reader(kAbAnchor, plan.settings.ab_anchor);
   if (metadata.contains(kHeadlandConstruction)) reader(kHeadlandConstruction, plan.headland.construction);
+  if (metadata.contains(kOrigin)) reader(kOrigin, plan.origin);
   return version;
 }
 

@@ -72,8 +72,9 @@ std::string attribute_list(OGRLayer& layer) {
 /// Some drivers notice only while reading that the filter makes no sense.
 Error filter_fault(OGRLayer& layer, const VectorQuery& query, const std::string& place,
                    const GdalMessages& messages) {
-  return bad_input(fmt::format("--where \"{}\" is not a filter for {}, whose attributes are {}: {}",
-                               query.where, place, attribute_list(layer), messages.last()));
+  return bad_input(fmt::format("{} \"{}\" is not a filter for {}, whose attributes are {}: {}",
+                               where_option(query), query.where, place, attribute_list(layer),
+                               messages.last()));
 }
 
 void filter(OGRLayer& layer, const VectorQuery& query, const std::string& place, GdalMessages& messages) {
@@ -123,8 +124,10 @@ void refuse_empty(const RawDataset& dataset, const VectorQuery& query) {
     if (!layer.features.empty()) return;
   const std::string file = shown_name(query.file);
   if (!query.where.empty())
-    throw bad_input(fmt::format("no feature of '{}' matches --where \"{}\"", file, query.where));
-  throw bad_input(fmt::format("'{}' holds no features; give a file with field boundaries", file));
+    throw bad_input(
+        fmt::format("no feature of '{}' matches {} \"{}\"", file, where_option(query), query.where));
+  throw bad_input(fmt::format("'{}' holds no features; give a file with {}", file,
+                              query.shapes == WantedShapes::kLines ? "lines" : "field boundaries"));
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ void check_crossings(const Case& c, Violations& out) {
     if (!pieces[i].after_crossing) continue;
     if (i == 0) {
       report(i, "no piece comes before it");
-    } else if (follows_curve(c.plan, pieces[i].subfield)) {
+    } else if (follows_curve(c.plan, pieces[i].subfield) || is_of_lines(c.plan)) {
       if (const std::string why = not_going_on(c, pieces[i - 1], pieces[i]); !why.empty())
         report(i, piece_name(i - 1) + why);
     } else if (const std::string why = not_in_line(pieces[i - 1], pieces[i]); !why.empty()) {

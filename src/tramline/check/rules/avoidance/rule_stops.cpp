@@ -6,12 +6,15 @@
 namespace tramline::check {
 namespace {
 
-/// Whether there is an obstacle without headland or land given up in the first millimetre ahead.
+/// Whether there is an obstacle without headland or land given up in the first millimetre ahead; for lines of
+/// others, which are less exact, in the first centimetre.
 bool blocked(const Case& c, Point end, Point heading) {
   const PieceFrame frame(end, end + heading);
   const double half = 0.5 * c.plan.machine.width_m;
-  const Box beyond{-half, 0, half, kLengthTolerance_m};
-  return clipped(c.blocking, frame, beyond).area_m2 + clipped(c.given_up, frame, beyond).area_m2 > kTouch_m2;
+  const bool of_lines = is_of_lines(c.plan);
+  const Box beyond{-half, 0, half, of_lines ? kAheadOfLine_m : kLengthTolerance_m};
+  return clipped(c.blocking, frame, beyond).area_m2 + clipped(c.given_up, frame, beyond).area_m2 >
+         (of_lines ? kAheadOfLine_m2 : kTouch_m2);
 }
 
 /// The directions out of a piece, at its start and at its end.

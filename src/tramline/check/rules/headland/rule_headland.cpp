@@ -56,6 +56,7 @@ std::string fault_of(const Plan& plan, const HeadlandPass& pass) {
   if (!exist(plan, pass.obstacles)) return "names an obstacle that does not exist";
   if (!std::is_sorted(pass.obstacles.begin(), pass.obstacles.end(), std::less_equal<>()))
     return "does not name its obstacles in order";
+  if (is_of_lines(plan)) return "";  // they may be any number of passes, round anything
   if (pass.number < 1 || pass.number > most_passes(plan, pass))
     return fmt::format("is number {} round what has {}", pass.number, most_passes(plan, pass));
   return "";
@@ -72,6 +73,8 @@ void check_headland(const Plan& plan, Violations& out) {
     if (const std::string fault = fault_of(plan, passes[i]); !fault.empty()) {
       const Point at = passes[i].path.empty() ? Point{} : passes[i].path.front().from;
       out.push_back({Rule::kHeadland, pass_name(i) + " " + fault, at, 0});
+    } else if (is_of_lines(plan)) {
+      continue;  // they may cross themselves: each square metre counts once
     } else if (const auto point = self_crossing_of(passes[i].path)) {
       out.push_back({Rule::kHeadland, pass_name(i) + " crosses itself", *point, 0});
     }

@@ -3,6 +3,7 @@
 #include "tramline/check/measure/bands.h"
 #include "tramline/check/measure/comparison.h"
 #include "tramline/check/measure/ground_cells.h"
+#include "tramline/check/measure/worked_parts.h"
 #include "tramline/check/rules/rules.h"
 #include "tramline/check/tolerances.h"
 
@@ -31,9 +32,7 @@ HeadlandWork work(const Case& c) {
   for (const HeadlandPass& pass : c.plan.headland.passes) {
     out.worked_m2 += c.plan.machine.width_m * length(pass.path);
     out.arcs_m += arcs_m(pass.path);
-    for (const Polygon& band :
-         pass_bands_along(pass.path, c.plan.headland.construction, c.plan.machine.width_m))
-      ground.add(band, parts++);
+    for (const Polygon& band : pass_bands(c.plan, pass, kChordSagitta)) ground.add(band, parts++);
   }
   double largest_m2 = 0;
   each_cell(ground, [&](const GroundCell& cell) {

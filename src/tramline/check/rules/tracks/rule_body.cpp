@@ -34,7 +34,9 @@ void check_body(const Case& c, Violations& out) {
                   "{:.3f} m² of the land given up lie outside the body", out);
     return;
   }
-  if (c.near_boundaries.empty() && c.plan.headland.ground.empty()) {
+  if (is_of_lines(c.plan) && !c.plan.headland.ground.empty()) {
+    check_parting(c, c.plan.headland.ground, "headland", land, out);
+  } else if (c.near_boundaries.empty() && c.plan.headland.ground.empty()) {
     report_land(Rule::kBody, symmetric_difference(land, c.plan.body), c.area_tolerance_m2,
                 "the body differs from the field less its obstacles by {:.3f} m²", out);
   } else {

@@ -105,7 +105,7 @@ class Family {
 
 void check_parallel(const Case& c, Violations& out) {
   for (std::size_t i = 0; i < c.plan.subfields.size(); ++i)
-    if (follows_curve(c.plan, i)) Family(c, i).check(out);
+    if (follows_curve(c.plan, i) || is_of_lines(c.plan)) Family(c, i).check(out);
 }
 
 }  // namespace tramline::check

@@ -99,13 +99,13 @@ void check_piece(const Plan& plan, std::size_t index, Violations& out) {
       out.push_back({Rule::kPieces, name + fault, piece.start, 0});
     else
       check_detours_of(plan, index, out);
-    if (subfield.reference.empty() && !is_repair(plan))
+    if (subfield.reference.empty() && !is_repair(plan) && !is_of_lines(plan))
       out.push_back(
           {Rule::kPieces, name + " follows a curve, and its subfield has no reference line", piece.start, 0});
     return;
   }
   check_detours_of(plan, index, out);
-  if (follows_curve(plan, piece.subfield)) return;
+  if (follows_curve(plan, piece.subfield) || is_of_lines(plan)) return;
   const Direction direction = subfield.direction;
   const double off_m = std::abs(cross(piece.end - piece.start, direction.unit()));
   // Written so that an undefined direction (NaN) is a violation too.

@@ -1,0 +1,132 @@
+#include "tramline/admission/lines/read_lines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "tramline/admission/lonlat_reader.h"
+#include "tramline/geodesy/crs.h"
+#include "tramline/geodesy/field_projection.h"
+#include "tramline/geometry/error.h"
+
+namespace tramline {
+namespace {
+
+constexpr const char *kOrder = "order", *kSubfield = "subfield", *kAfterCrossing = "after_crossing",
+                     *kAfterCrossingShort = "after_x";
+
+/// What no number begins counts as none.
+double number_in(const RawFeature& feature, const char* column, double otherwise) {
+  const auto found = feature.attributes.find(column);
+  if (found == feature.attributes.end()) return otherwise;
+  const char* const begin = found->second.c_str();
+  char* end = nullptr;
+  const double value = std::strtod(begin, &end);
+  return end == begin ? otherwise : value;
+}
+
+Error without_lines(const RawDataset& dataset) {
+  bool areas = false, points = false;
+  for (const RawLayer& layer : dataset.layers)
+    for (const RawFeature& feature : layer.features) {
+      areas = areas || !feature.polygons.empty();
+      points = points || !feature.points.empty();
+    }
+  const char* instead = areas ? "areas, not lines" : points ? "points, not lines" : "no lines";
+  return bad_input(
+      fmt::format("'{}' holds {}: give a file with the centre lines of the tracks", dataset.file, instead));
+}
+
+/// The lines of one layer.
+class LayerLines {
+ public:
+  LayerLines(const RawDataset& dataset, const RawLayer& layer, const Crs& crs, DrawnLines& out)
+      : file_(file_name(dataset.file)), layer_(layer), crs_(crs), out_(out) {}
+
+  void append() {
+    for (const RawFeature* feature : in_order()) {
+      const std::string name = feature->id.empty() ? std::to_string(feature->fid) : feature->id;
+      const std::string origin = fmt::format("{} feature {}", file_, name);
+      if (feature->lines.empty())
+        out_.skipped.push_back({"feature", origin, fmt::format("it is no line: {}", feature->geometry_type)});
+      LonlatReader read(crs_, origin);
+      for (const std::vector<Point>& given : feature->lines) {
+        DrawnLine line;
+        line.origin = origin;
+        line.plain = crs_.plain();
+        line.after_turn =
+            number_in(*feature, kAfterCrossing, 1) == 0 || number_in(*feature, kAfterCrossingShort, 1) == 0;
+        line.subfield = static_cast<int>(number_in(*feature, kSubfield, 0));
+        line.is_pass = layer_.name == "headland_passes";
+        for (const Point p : given) line.points.push_back(read(p));
+        out_.lines.push_back(std::move(line));
+      }
+    }
+  }
+
+ private:
+  /// By the column `order` where every feature has one.
+  std::vector<const RawFeature*> in_order() const {
+    std::vector<const RawFeature*> out;
+    for (const RawFeature& feature : layer_.features) out.push_back(&feature);
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    const auto order = [](const RawFeature* feature) { return number_in(*feature, kOrder, kNone); };
+    const bool all = std::all_of(out.begin(), out.end(),
+                                 [&](const RawFeature* feature) { return std::isfinite(order(feature)); });
+    if (all)
+      std::stable_sort(out.begin(), out.end(),
+                       [&](const RawFeature* a, const RawFeature* b) { return order(a) < order(b); });
+    return out;
+  }
+
+  std::string file_;
+  const RawLayer& layer_;
+  const Crs& crs_;
+  DrawnLines& out_;
+};
+
+}  // namespace
+
+std::vector<std::string> columns_of_lines() {
+  return {kOrder, kSubfield, kAfterCrossing, kAfterCrossingShort};
+}
+
+DrawnLines read_lines(const RawDataset& dataset, const std::string& fields_crs) {
+  const bool plain = Crs(fields_crs).plain();
+  DrawnLines out;
+  out.skipped = dataset.skipped;
+  for (const RawLayer& layer : dataset.layers) {
+    const Crs crs = plain ? Crs() : Crs(layer.crs.empty() ? fields_crs : layer.crs);
+    LayerLines(dataset, layer, crs, out).append();
+  }
+  if (out.lines.empty()) throw without_lines(dataset);
+  return out;
+}
+
+std::vector<Point> placed_line(const DrawnLine& line, const Field& field) {
+  if (line.plain == field.frame.geodetic)
+    throw bad_input(fmt::format("{}: the line and field '{}' are not in the same coordinates; give --crs",
+                                line.origin, field.id));
+  std::optional<FrameProjection> projection;
+  if (field.frame.geodetic) projection.emplace(field.frame);
+  std::vector<Point> out;
+  for (const Point p : line.points) {
+    if (!projection) {
+      out.push_back(p - Point{field.frame.origin_x_m, field.frame.origin_y_m});
+      continue;
+    }
+    const std::optional<Point> local = projection->from_lonlat(p);
+    if (!local)
+      throw bad_input(
+          fmt::format("{}: ({:.7f}, {:.7f}) lies too far from field '{}'", line.origin, p.x, p.y, field.id));
+    out.push_back(*local);
+  }
+  return out;
+}
+
+}  // namespace tramline
