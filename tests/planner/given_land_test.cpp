@@ -14,6 +14,7 @@
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/io/plan/plan_metadata.h"
+#include "tramline/io/plan/fields_in.h"
 #include "tramline/io/plan/read_plan.h"
 #include "tramline/io/plan/write_plan.h"
 #include "tramline/planner/given/narrow_tails.h"

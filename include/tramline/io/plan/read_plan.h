@@ -55,9 +55,6 @@ struct PlanFile {
 /// restored to 1e-7 m. O(n log n).
 PlanFile read_plan_file(const std::filesystem::path& path, const std::string& field = {});
 
-/// Whether a file is a GeoPackage with the layers of a plan file; false where it cannot be opened.
-bool is_plan_file(const std::filesystem::path& path);
-
 /// The plan of read_plan_file() alone.
 Plan read_plan(const std::filesystem::path& path, const std::string& field = {});
 

@@ -1,7 +1,6 @@
 #include "tramline/io/plan/read_plan.h"
 
 #include <fmt/format.h>
-#include <ogrsf_frmts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +9,6 @@
 
 #include "tramline/geometry/error.h"
 #include "tramline/io/field/field_layers.h"
-#include "tramline/io/gdal/start_gdal.h"
 #include "tramline/io/geopackage/gdal_errors.h"
 #include "tramline/io/geopackage/local_crs.h"
 #include "tramline/io/geopackage/metadata_table.h"
@@ -310,19 +308,6 @@ PlanFile read_plan_file(const fs::path& path, const std::string& field) {
   read_front(file, out);
   derive_of_metadata(out, metadata);
   return out;
-}
-
-bool is_plan_file(const fs::path& path) {
-  if (!EQUAL(path.extension().c_str(), ".gpkg")) return false;
-  const GdalErrors errors;
-  start_gdal();
-  RegisterOGRGeoPackage();
-  const char* const drivers[] = {"GPKG", nullptr};
-  const GDALDatasetUniquePtr file(
-      GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers, nullptr, nullptr));
-  return file != nullptr && file->GetLayerByName(layers::kTracks) != nullptr &&
-         file->GetLayerByName(layers::kSubfields) != nullptr &&
-         file->GetLayerByName(layers::kMetadata) != nullptr;
 }
 
 Plan read_plan(const fs::path& path, const std::string& field) { return read_plan_file(path, field).plan; }
