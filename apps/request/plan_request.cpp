@@ -115,9 +115,12 @@ Machine machine_of(const PlanOptions& o) {
 }
 
 Objective objective_of(const PlanOptions& o) {
+  constexpr Objective kFree{0, 0, 0, 0, 0};
   if (!o.minimise.empty()) return weights_of(scenario_named(o.minimise));
-  if (!o.weights.empty()) return prices_typed(o.weights, "--weights", {0, 0, 0, 0, 0});
-  return o.prices.empty() ? Objective{} : prices_typed(o.prices, "--prices", {});
+  if (!o.weights.empty()) return prices_typed(o.weights, "--weights", kFree);
+  if (o.prices.empty()) return {};
+  // Stops and subfields have no price in Versleijen's eq. 1.
+  return prices_typed(o.prices, "--prices", o.like == "versleijen" ? kFree : Objective{});
 }
 
 Objective prices_typed(const std::string& text, const char* option, const Objective& otherwise) {

@@ -13,6 +13,7 @@ namespace tramline::app {
 struct PlanOptions {
   std::optional<double> width_m, radius_m, min_length_m;
   std::string machine_file;
+  std::string like;  ///< a paper: what was not typed is as there (paper_conventions.h)
   std::string weights, prices, minimise;
   std::string strategy = "best";
   double direction_tolerance_deg = 0.01;

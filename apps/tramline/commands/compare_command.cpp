@@ -113,10 +113,12 @@ class CompareCommand : public Command {
     command.begin_group("Run");
     add_seconds_option(command, seconds_);
     add_threads_option(command, threads_);
+    command_.emplace(command);
     return command;
   }
 
   int run() override {
+    take_conventions(*command_, plan_options_);
     machine_ = machine_of(plan_options_);
     objective_ = objective_of(plan_options_);
     settings_ = settings_of(plan_options_);
@@ -192,6 +194,7 @@ class CompareCommand : public Command {
   }
 
   FieldOptions field_options_;
+  std::optional<CommandOptions> command_;
   PlanOptions plan_options_;
   std::vector<std::string> asked_;
   std::string csv_, picture_, output_, point_ = "given";

@@ -107,10 +107,12 @@ class PlanCommand : public Command {
         "Continue an earlier run of the same command: fields that it has finished are not planned "
         "again.");
     add_threads_option(command, threads_);
+    command_.emplace(command);
     return command;
   }
 
   int run() override {
+    take_conventions(*command_, plan_options_);
     machine_ = machine_of(plan_options_);
     objective_ = objective_of(plan_options_);
     settings_ = settings_of(plan_options_);
@@ -348,6 +350,7 @@ class PlanCommand : public Command {
   const char* about_;
   const char* example_;
   FieldOptions field_options_;
+  std::optional<CommandOptions> command_;
   PlanOptions plan_options_;
   LandOptions land_options_;
   std::map<std::string, GivenLand> given_;  ///< by field_key()

@@ -68,10 +68,10 @@ class PriceCommand : public Command {
     command.begin_group("Comparison");
     const Option compare = command.add_flag(
         "--compare", compare_, "Also plan the field, and report both plans and the differences.");
-    for (const char* option :
-         {"--strategy", "--direction-tolerance", "--decomposition", "--short-edge", "--merge",
-          "--cell-direction", "--end-rule", "--boundary", "--avoid", "--avoid-threshold", "--headlands",
-          "--obstacle-headlands", "--ab", "--guide", "--curved", "--tracks", "--min-length"})
+    for (const char* option : {"--strategy", "--direction-tolerance", "--decomposition", "--short-edge",
+                               "--merge", "--cell-direction", "--end-rule", "--boundary", "--avoid",
+                               "--avoid-threshold", "--avoid-room", "--headlands", "--obstacle-headlands",
+                               "--ab", "--guide", "--curved", "--tracks", "--ab-anchor", "--min-length"})
       command.option(option).needs(compare);
     command.begin_group("Output");
     add_output_option(command, output_, "Write the lines as a plan to this GeoPackage (.gpkg).");
@@ -81,10 +81,12 @@ class PriceCommand : public Command {
     add_seconds_option(command, seconds_);
     command.option("--seconds").needs(compare);
     add_threads_option(command, threads_);
+    command_.emplace(command);
     return command;
   }
 
   int run() override {
+    take_conventions(*command_, plan_options_);
     const std::vector<std::string> inputs{lines_.file,
                                           field_options_.file,
                                           field_options_.obstacles_file,
@@ -123,6 +125,7 @@ class PriceCommand : public Command {
 
   LinesOptions lines_;
   FieldOptions field_options_;
+  std::optional<CommandOptions> command_;
   PlanOptions plan_options_;
   std::string output_, picture_;
   int threads_ = 0;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "request/paper_conventions.h"
+
 namespace tramline::app {
 namespace {
 
@@ -137,7 +139,24 @@ void add_land_options(CommandOptions& command, LandOptions& o) {
       .one_value_each_time();
 }
 
+void take_conventions(const CommandOptions& command, PlanOptions& o) {
+  const auto given = [&command](const std::string& option) {
+    if (option != "--minimise") return command.is_given(option);
+    return command.is_given(option) || command.is_given("--weights") || command.is_given("--prices");
+  };
+  for (const Convention& convention : conventions_like(o.like))
+    if (!given(convention.option)) convention.take(o);
+}
+
 void add_plan_options(CommandOptions& command, PlanOptions& o) {
+  command.begin_group("Conventions");
+  command
+      .add_option("--like", o.like,
+                  fmt::format("Plan as a paper does: options that are not given are those of 'versleijen' "
+                              "(Versleijen 2019): {}; or of 'zhou' (Zhou et al. 2020): {}.",
+                              conventions_text("versleijen"), conventions_text("zhou")))
+      .takes("WORD")
+      .shows_default("the program's own");
   add_machine_options(command, o, "twice the working width");
   add_objective_options(command, o);
   command.begin_group("Search");

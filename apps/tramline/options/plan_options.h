@@ -8,6 +8,8 @@
 namespace tramline::app {
 
 void add_plan_options(CommandOptions& command, PlanOptions& options);
+/// What --like stands for, but for options that were given. To be called after parsing. Throws kBadInput.
+void take_conventions(const CommandOptions& command, PlanOptions& options);
 /// --subfields, --only and --done.
 void add_land_options(CommandOptions& command, LandOptions& options);
 /// Of those only --width, --radius, --machine and --min-length, whose default is said in words.

@@ -37,7 +37,6 @@ struct SweepLimits {
 struct SearchResult {
   Candidate best;
   int directions_tried = 0;
-  SweepLimits limits;          ///< of Strategy::kSweep
   Proof proof;                 ///< of tracks on the body, headland passes left out
   std::vector<SeenPlan> seen;  ///< plans of the whole field, in the order in which they were tried
   /// Undivided plans of the whole field that were priced and looked good, whether in `seen` or not.
@@ -45,6 +44,7 @@ struct SearchResult {
   std::vector<SweptCandidate> swept;  ///< every candidate of the sweep
   /// The best plan found that leaves the land undivided, where the best of all divides it.
   std::vector<LinedSubfield> undivided;
+  SweepLimits limits{};  ///< of Strategy::kSweep
 };
 
 }  // namespace tramline

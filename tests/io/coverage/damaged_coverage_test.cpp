@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 Coverage with_slices() {
   Coverage out = two_passes();
-  out.slices = {{5, out.areas, 1, 1, 0.5}};
+  out.slices = {{5, out.areas, 1, 1, {}, 0.5}};
   return out;
 }
 
