@@ -131,6 +131,63 @@ TEST(PlannedPlans, hold_or_are_refused_whatever_the_lengths) {
   }
 }
 
+/// 120 × 90 m with a mast of 1.2 m radius, 64 corners, on the line of the eleventh track of 3 m.
+Plan round_a_mast(Avoidance avoid, double radius_m, double room_m = -1) {
+  Field field;
+  field.id = "mast";
+  field.outer = {{0, 0}, {120, 0}, {120, 90}, {0, 90}};
+  Ring mast;
+  for (int i = 0; i < 64; ++i) {
+    const double angle = -2 * std::numbers::pi * i / 64;
+    mast.push_back({60 + 1.2 * std::cos(angle), 31.5 + 1.2 * std::sin(angle)});
+  }
+  field.obstacles.push_back({{mast, {}}, ObstacleKind::kObstacle, "mast"});
+  PlanSettings settings;
+  settings.strategy = Strategy::kSweep;
+  settings.avoid = avoid;
+  settings.avoid_room_m = room_m;
+  return plan_field(field, {"", 3, radius_m, -1}, weights_of(Scenario::kTurns), settings, 1);
+}
+
+// Versleijen fig. 18: the middle arc has the radius R + w/2 = 2.7 m, whatever the machine turns on. The
+// verifier says so, and the plan holds.
+TEST(PlannedPlans, FindTightMiddlesOfThePapersDetoursAndHold) {
+  for (const double radius_m : {2.0, 6.0, 12.0}) {
+    SCOPED_TRACE(radius_m);
+    const Plan plan = round_a_mast(Avoidance::kPaper, radius_m);
+    const check::Verdict verdict = check::verify(plan);
+    EXPECT_TRUE(verdict.holds());
+    ASSERT_EQ(verdict.findings.size(), radius_m > 2.7 ? 1u : 0u);
+    if (verdict.findings.empty()) continue;
+    EXPECT_EQ(verdict.findings.front().rule, check::Rule::kDrivable);
+    EXPECT_NEAR(verdict.findings.front().amount, radius_m - 2.7, 1e-5);
+    EXPECT_NEAR(distance(verdict.findings.front().at, {60, 31.5}), 0, 2.7);
+  }
+}
+
+// The same arcs are violations where the plan promises that its tracks can be driven, and so are arcs at the
+// ends of a paper's detour.
+TEST(PlannedPlans, DoNotHoldWhereTightArcsAreNoPapers) {
+  Plan plan = round_a_mast(Avoidance::kPaper, 6);
+  plan.settings.avoid = Avoidance::kCheapest;
+  EXPECT_FALSE(check::verify(plan).holds());
+  Plan tighter_ends = round_a_mast(Avoidance::kPaper, 6);
+  tighter_ends.machine.radius_m = 7;
+  const check::Verdict verdict = check::verify(tighter_ends);
+  EXPECT_FALSE(verdict.holds());
+  EXPECT_EQ(verdict.violations.size(), 2u) << "arcs of 6 m before and behind";
+}
+
+// Versleijen fig. 50 (a): with half the width of room no detour of 2.7 m is driven.
+TEST(PlannedPlans, CutWhereADetourHasNoRoom) {
+  const Plan plan = round_a_mast(Avoidance::kPaper, 6, 1.5);
+  EXPECT_TRUE(check::verify(plan).holds());
+  ASSERT_EQ(plan.encounters.size(), 1u);
+  EXPECT_EQ(plan.encounters.front().chosen, Passing::kCut);
+  EXPECT_EQ(plan.encounters.front().left.why_not, "it would leave the track by more than it may");
+  EXPECT_EQ(round_a_mast(Avoidance::kPaper, 6, 2.71).encounters.front().chosen, Passing::kLeft);
+}
+
 // A headland goes round the pole in the west alone: tracks end there. One goes round the pole in the east all
 // the same, and past both: it is met with both.
 TEST(PlannedPlans, hold_where_a_detour_leads_past_an_obstacle_with_a_headland) {
