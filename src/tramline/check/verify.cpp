@@ -11,7 +11,7 @@ namespace {
 /// break of those that a machine or an obstacle imposes are findings.
 void check_lines(const Case& c, Verdict& verdict) {
   check_body(c, verdict.violations);
-  check_swaths(c, verdict.findings);
+  check_swaths(c, verdict.findings, verdict.findings);
   check_drivable(c, verdict.findings, verdict.findings);
   const int stops = check_stops(c, verdict.violations);
   check_crossings(c, verdict.violations);
@@ -43,15 +43,17 @@ Verdict verify(const Plan& plan) {
   check_body(c, verdict.violations);
   check_ceded_to_tracks(c, verdict.violations);
   check_subfields(c, verdict.violations);
-  check_swaths(c, verdict.violations);
+  // Tracks made as Zhou makes them may cross one another, run on where a fold has taken their
+  // land, and reach beyond the field with the mitres of their kinks.
+  Violations& of_zhou =
+      plan.settings.tracks == TrackConstruction::kPaper ? verdict.findings : verdict.violations;
+  check_swaths(c, verdict.violations, of_zhou);
   check_passes(c, verdict.violations);
   check_worth(c, verdict.violations);
   check_clearance(c, verdict.violations);
   check_drivable(c, verdict.violations, verdict.findings);
-  check_ends(c, verdict.violations);
-  // Tracks made as a paper makes them may cross one another.
-  check_parallel(c,
-                 plan.settings.tracks == TrackConstruction::kPaper ? verdict.findings : verdict.violations);
+  check_ends(c, of_zhou);
+  check_parallel(c, of_zhou);
   check_track_lines(c, verdict.violations);
   check_ab_anchor(c, verdict.violations);
   check_length(c, verdict.violations);

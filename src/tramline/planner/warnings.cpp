@@ -96,8 +96,9 @@ void add_limits(const SweepLimits& limits, std::vector<std::string>& warnings) {
     all.push_back(fmt::format(
         "the sweep did not look for ways past obstacles in {} of its directions, which look more expensive",
         limits.without_detours));
-  all.insert(all.end(), warnings.begin(), warnings.end());
-  warnings = std::move(all);
+  // Before the sentence that every plan has.
+  const auto last = warnings.empty() ? warnings.end() : warnings.end() - 1;
+  warnings.insert(last, all.begin(), all.end());
 }
 
 void mark_cut_short(Plan& plan) {

@@ -18,7 +18,7 @@ inline constexpr const char* kConnectionsUnplanned =
 /// kConnectionsUnplanned.
 std::vector<std::string> warnings_about(const Plan& plan);
 
-/// Says what the sweep left out, before all that is known already.
+/// Adds what the sweep left out to the warnings of warnings_about().
 void add_limits(const SweepLimits& limits, std::vector<std::string>& warnings);
 
 /// Marks a plan as that of a search that was ended early, in Proof::cut_short and in a warning.

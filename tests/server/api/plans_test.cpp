@@ -35,6 +35,15 @@ TEST_F(ServerTest, PlansAFieldAndKeepsThePlan) {
   EXPECT_EQ(served.get("/plans/" + id + "/layers").status, 404);
 }
 
+TEST_F(ServerTest, PlansAsInAPaperButForWhatIsGiven) {
+  const std::string field = served.field_of("plain-metres.gpkg");
+  const std::string id = served.planned(field, {{"like", "versleijen"}, {"end_rule", "cover"}});
+  const ordered_json summary = served.get("/plans/" + id).json["summary"];
+  EXPECT_EQ(summary["strategy"], "sweep");
+  EXPECT_EQ(summary["avoid"], "paper");
+  EXPECT_EQ(summary["end_rule"], "cover");
+}
+
 /// The plan's id; a draft that is made as a page does when something changes.
 std::string drafted(const Served& served, const std::string& field, double width_m) {
   const ordered_json job =

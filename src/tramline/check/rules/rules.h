@@ -37,7 +37,8 @@ void check_ceded_to_tracks(const Case& c, Violations& out);
 void check_subfields(const Case& c, Violations& out);
 /// No straight or curved swath enters an obstacle, a passable or land given up; no swath of any kind crosses
 /// a hard boundary, and no detour leaves the field. The boundary of a field with headland passes is hard.
-void check_swaths(const Case& c, Violations& out);
+/// `beyond`: what tracks work beyond it.
+void check_swaths(const Case& c, Violations& out, Violations& beyond);
 /// Swaths of headland passes stay in the field and enter no obstacle. Pass i keeps (i − ½)·w off every
 /// boundary that has at least i passes. A closed pass has the land it goes round on its left.
 void check_passes(const Case& c, Violations& out);

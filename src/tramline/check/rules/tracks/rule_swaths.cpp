@@ -34,12 +34,12 @@ void check_inside(const SwathCore& core, const Ring& outer, std::size_t index, V
                    beyond.at, beyond.area_m2});
 }
 
-void check_core(const Case& c, const Path& path, std::size_t index, Violations& out) {
+void check_core(const Case& c, const Path& path, std::size_t index, Violations& out, Violations& beyond) {
   const SwathCore core(path, c.plan.machine.width_m);
   check_clear(core, c.obstacles, "an obstacle", index, out);
   check_clear(core, c.passables, "a passable obstacle", index, out);
   check_clear(core, c.given_up, "land given up", index, out);
-  if (boundary_is_hard(c.plan)) check_inside(core, c.plan.field.outer, index, out);
+  if (boundary_is_hard(c.plan)) check_inside(core, c.plan.field.outer, index, beyond);
 }
 
 void check_within_boundary(const Case& c, const SwathClearance& swath, const std::string& name,
@@ -63,14 +63,14 @@ void check_line_within_field(const Case& c, const SwathClearance& line, const st
     check_within_boundary(c, line, name, out);
 }
 
-void check_swaths(const Case& c, Violations& out) {
+void check_swaths(const Case& c, Violations& out, Violations& beyond) {
   const double half = 0.5 * c.plan.machine.width_m;
   for (std::size_t i = 0; i < c.plan.pieces.size(); ++i) {
     const TrackPiece& piece = c.plan.pieces[i];
     const bool curved = !piece.curve.empty();
     // The detours of a curved piece are parts of its curve.
     for (const Path& path : curved ? std::vector<Path>{piece.curve} : parts_on_track(piece))
-      check_core(c, path, i, out);
+      check_core(c, path, i, out, beyond);
     for (std::size_t k = 0; k < piece.detours.size(); ++k) {
       const Path& path = piece.detours[k].path;
       const SwathClearance swath(frame_of_detour(piece, path), path, half);
