@@ -11,6 +11,9 @@ from draw_examples import blob, closed, feature, shifted, turned, write_geojson
 from plan_shapes import bearing
 
 
+UNEVEN_M = 0.15  # of tracks digitised from a photograph
+
+
 def signed_area(ring):
     return sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(ring, ring[1:] + ring[:1])) / 2
 
@@ -136,9 +139,9 @@ def reference_lines(rings_of):
     """What others would drive, by the name of the field: in two directions, obliquely, along the curved edge."""
     oksanen, liu, linne = rings_of["oksanen"], rings_of["liu"], rings_of["linne"]
     foot, top = oksanen[0][:4] + [oksanen[0][6]], [oksanen[0][6], *oksanen[0][3:6]]
-    arcs = []
+    arcs, chance = [], random.Random(14)
     for k in range(50):
-        radius = 420 - 3 * (k + 0.5)
+        radius = 420 - 3 * (k + 0.5) + UNEVEN_M * (2 * chance.random() - 1)
         arc = [(radius * math.sin(math.radians(a)), radius * math.cos(math.radians(a)) - 420) for a in range(-45, 46)]
         arcs += clipped(arc, linne, 6)
     return {"oksanen": straight_lines([foot, *oksanen[1:]], foot[0], foot[1], 2.5) + straight_lines([top], top[2], top[1], 2.5),

@@ -149,7 +149,7 @@ def draw(folder):
     for name, ring in (("pentagon", PENTAGON), ("irregular", IRREGULAR_FIELD)):
         write_geojson(folder / f"{name}.geojson", [feature("Polygon", [closed(ring)], id=name)], 3)
     for route in ROUTES:
-        lines = [f"{x:.6f},{y:.6f},{work}" for x, y, work in fixes(route)]
+        lines = [f"{x:.9f},{y:.9f},{work}" for x, y, work in fixes(route)]
         (folder / f"{route.name}.csv").write_text("\n".join(["x,y,work", *lines]) + "\n")
     lines = [f"{x:.6f},{y:.6f},{heading:.6f}" for x, y, heading in irregular_fixes()]
     (folder / "irregular.csv").write_text("\n".join(["x,y,heading", *lines]) + "\n")
