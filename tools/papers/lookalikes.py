@@ -51,15 +51,15 @@ def enlarged(outer, holes, area_m2):
 
 def fields():
     """The rings of each field by its name, the outer one first."""
-    bent = surveyed([(0, 0), (170, -22), (330, -18), (520, 24), (560, 110), (420, 202), (300, 228), (255, 292), (120, 268), (30, 148)],
-                    22, 2.0, 1739)
+    bent = surveyed([(0, 0), (170, -22), (330, -18), (520, 24), (560, 110), (420, 202), (300, 228), (255, 292), (120, 268),
+                     (30, 148)], 22, 2.0, 1739)
     elbow = surveyed([(0, 0), (280, -20), (290, 70), (120, 90), (150, 300), (60, 322)], 45, 1.6, 5458)
     ragged = surveyed([(0, 0), (140, 38), (270, -60), (352, 0), (330, 66), (226, 92), (196, 150), (254, 282), (150, 300),
                        (94, 150), (-60, 180), (-70, 90)], 14, 1.4, 1087)
     arc = [(420 * math.sin(math.radians(a)), 420 * math.cos(math.radians(a)) - 420) for a in range(-38, 39, 2)]
     inner = [(270 * math.sin(math.radians(a)), 270 * math.cos(math.radians(a)) - 420) for a in range(34, -41, -2)]
-    tongue = surveyed([(-470, 260), (-240, 150), (30, 190), (250, 120), (520, 210), (480, -170), (240, -250), (-40, -225), (-430, -300)],
-                      110, 3.0, 10)
+    tongue = surveyed([(-470, 260), (-240, 150), (30, 190), (250, 120), (520, 210), (480, -170),
+                       (240, -250), (-40, -225), (-430, -300)], 110, 3.0, 10)
     wave = [(x, -170 + 55 * math.sin(x / 150)) for x in range(-290, 291, 20)]
     back = [(x, 215 + 30 * math.sin(x / 190 + 1)) for x in range(290, -291, -20)]
     drawn = {
@@ -69,9 +69,10 @@ def fields():
         "oksanen": [[(0, 0), (236, -14), (258, 62), (150, 92), (168, 214), (62, 236), (18, 120)], pylon(120, 66, 15, 12)],
         "liu": [[(0, 0), (330, -40), (420, 130), (330, 290), (60, 260), (-40, 120)], pylon(110, 90, 20, 9),
                 pylon(235, 150, 50, 7), blob((300, 60), 6, 6, 12, 0.1, 3)],
-        "linne": [arc + inner, blob((-150, -90), 16, 11, 14, 0.3, 5), pylon(40, -78, 18), pylon(414.5 * math.sin(math.radians(17)), 414.5 * math.cos(math.radians(17)) - 420, -17)],
-        "zhou-10": enlarged(tongue, [blob((-180, 10), 34, 22, 16, 0.3, 7), pylon(60, 30, 20, 40), blob((300, 20), 26, 40, 16, 0.3, 8)],
-                            345100),
+        "linne": [arc + inner, blob((-150, -90), 16, 11, 14, 0.3, 5), pylon(40, -78, 18),
+                  pylon(414.5 * math.sin(math.radians(17)), 414.5 * math.cos(math.radians(17)) - 420, -17)],
+        "zhou-10": enlarged(tongue, [blob((-180, 10), 34, 22, 16, 0.3, 7), pylon(60, 30, 20, 40),
+                                     blob((300, 20), 26, 40, 16, 0.3, 8)], 345100),
         "zhou-2": enlarged(wave + back, [blob((-90, 10), 22, 16, 14, 0.2, 9), pylon(120, 40, 10, 24)], 227800),
     }
     return {name: [anticlockwise(rings[0]), *(anticlockwise(hole)[::-1] for hole in rings[1:])] for name, rings in drawn.items()}

@@ -120,7 +120,8 @@ def steps(a, b):
 
 POINTS, SPACING_M, BEND = 645, 0.4, 12
 # Points of a stretch, and half a turn (positive: to the right), or 0 for a row that wavers.
-STRETCHES = [(68, 0), (14, -1), (68, 0), (24, 1), (68, 0), (14, -1), (68, 0), (25, 1), (68, 0), (13, -1), (68, 0), (24, 1), (33, 0)]
+STRETCHES = [(68, 0), (14, -1), (68, 0), (24, 1), (68, 0), (14, -1), (68, 0), (25, 1), (68, 0), (13, -1),
+             (68, 0), (24, 1), (33, 0)]
 IRREGULAR_FIELD = [(-1.5, -29), (30, -32), (30.6, 5.2), (14, 6), (-1, 0)]
 
 

@@ -67,7 +67,8 @@ def scenario_table(name):
     return make
 
 
-WHY_SCENARIOS = ("Another outline, so other figures. What repeats: the factor of a scenario is least in that scenario, scenarios 1 and 2 take "
+WHY_SCENARIOS = ("Another outline, so other figures. What repeats: the factor of a scenario is least in that scenario, "
+                 "scenarios 1 and 2 take "
                  "more turns than 3, all percentages are below about 1.")
 
 
@@ -77,7 +78,8 @@ def table_9(program):
         plan = program.timed(f"Versleijen table 9, field like {name}", seconds, "plan", *field(f"field-{name}"), "--weights",
                              SCENARIOS["3"], "--threads", 1)
         rows.append([name, *beside(plan["obstacles"], obstacles, "{}"), *beside(plan["directions_tried"], directions, "{}")])
-    return Table("versleijen-table-9", "Versleijen table 9: directions tried", ["field", "obstacles", "printed", "directions", "printed"],
+    return Table("versleijen-table-9", "Versleijen table 9: directions tried",
+                 ["field", "obstacles", "printed", "directions", "printed"],
                  rows, "One direction for each different edge of field and obstacles. The times are in `times.md`.")
 
 
@@ -86,10 +88,13 @@ def table_10(program):
     for name, source in (("like 1087", field("field-1087")), ("roadside", ["examples/roadside.geojson", *PLAIN[2:]])):
         for merge, printed in MERGE.items():
             plan = program.json("plan", *source, "--weights", SCENARIOS["3"], "--merge", merge)
-            rows.append([name, str(merge), *figures_of(plan, printed if name == "like 1087" else [""] * 3), str(plan["subfields"])])
-    return Table("versleijen-table-10", "Versleijen table 10: merge thresholds on a field like 1087 and on `roadside`, scenario 3",
+            cells = figures_of(plan, printed if name == "like 1087" else [""] * 3)
+            rows.append([name, str(merge), *cells, str(plan["subfields"])])
+    return Table("versleijen-table-10", "Versleijen table 10: merge thresholds on a field like 1087 and on `roadside`, "
+                                        "scenario 3",
                  ["field", "merge °", *FIGURES, "subfields"], rows,
-                 "The thesis finds that small thresholds change nothing, and that 60° costs a turn. The field like 1087 is one subfield at "
+                 "The thesis finds that small thresholds change nothing, and that 60° costs a turn. The field like 1087 "
+                 "is one subfield at "
                  "any threshold; `roadside` shows what the thesis saw.")
 
 
@@ -100,7 +105,8 @@ def table_11(program):
         rows.append([str(threshold), *figures_of(plan, printed), *beside(plan["corners"], printed[3], "{}")])
     return Table("versleijen-table-11", "Versleijen table 11: decomposition thresholds on a field like 1087, scenario 3",
                  ["decomposition °", *FIGURES, "corners above", "printed"], rows,
-                 "Most corners are a little above 180°, as in the thesis. The thesis calls the first column the merge threshold, and plans 205°, "
+                 "Most corners are a little above 180°, as in the thesis. The thesis calls the first column the merge "
+                 "threshold, and plans 205°, "
                  "230° and 255° in its table 4: errors in print.")
 
 
@@ -118,17 +124,20 @@ def compared_table(number):
                              *beside(found["cost"], paper[3], "{:.0f}"), change, paper[4] if found is plan else ""])
         title = {"oksanen": "Oksanen's", "liu": "Liu's", "linne": "that near Linne"}[name]
         return Table(f"versleijen-table-{number}", f"Versleijen table {number}: a field like {title}",
-                     ["scenario", "plan", "overlap m²", "printed", "uncovered m²", "printed", "turns", "printed", "cost", "printed",
-                      "change %", "printed"], rows, WHY_COMPARED[name])
+                     ["scenario", "plan", "overlap m²", "printed", "uncovered m²", "printed", "turns", "printed", "cost",
+                      "printed", "change %", "printed"], rows, WHY_COMPARED[name])
     return make
 
 
 WHY_COMPARED = {
-    "oksanen": "Two directions are drawn as the other's plan, four subfields in the thesis. Least overlap and least uncovered are won by the "
+    "oksanen": "Two directions are drawn as the other's plan, four subfields in the thesis. Least overlap and least "
+               "uncovered are won by the "
                "search, turns are nearly equal, as printed.",
-    "liu": "The other's lines lie along no edge, as in the thesis, which the search would never try; ours are cut at obstacles, Liu's "
+    "liu": "The other's lines lie along no edge, as in the thesis, which the search would never try; ours are cut at "
+           "obstacles, Liu's "
            "go round some. His two large uncovered areas (404.7 and 510.3 m²) are not drawn again.",
-    "linne": "The other's lines are arcs, spaced unevenly by up to 0.15 m, so that their areas are of the printed size. What repeats: the search, "
+    "linne": "The other's lines are arcs, spaced unevenly by up to 0.15 m, so that their areas are of the printed size. "
+             "What repeats: the search, "
              "which has straight tracks only, overlaps and leaves less, and loses scenario 3 to curved tracks."}
 
 TABLES = {"versleijen-table-1": table_1, "versleijen-table-6": scenario_table("1739"), "versleijen-table-7": scenario_table("5458"),
@@ -153,7 +162,8 @@ def room_table(program):
         rows.append([what, str(plan["detours"]), str(plan["turns"]), f"{plan['overlap_m2']:.1f}", f"{plan['uncovered_m2']:.1f}"])
     return Table("versleijen-figure-50", "Versleijen figure 50 in numbers: room for detours on a field like Liu's, scenario 3",
                  ["a detour may leave its track by", "detours", "turns", "overlap m²", "uncovered m²"], rows,
-                 "The program of the thesis cut tracks that would have had to go farther than half the width; the thesis expects fewer turns "
+                 "The program of the thesis cut tracks that would have had to go farther than half the width; the "
+                 "thesis expects fewer turns "
                  "and more overlap without that error (its section 4.3).")
 
 
@@ -168,43 +178,47 @@ def figures(program):
     out = []
     for (name, scenario), number in {("1739", "1"): 24, ("1739", "3"): 27, ("5458", "1"): 28, ("5458", "3"): 30, ("1087", "1"): 31,
                                      ("1087", "3"): 33}.items():
-        out.append(picture(f"versleijen-figure-{number}", f"As Versleijen figure {number}: a field like {name}, least {MINIMISED[scenario]}.",
+        out.append(picture(f"versleijen-figure-{number}", f"As Versleijen figure {number}: a field like {name}, least "
+                                                          f"{MINIMISED[scenario]}.",
                            program, "plan", *field(f"field-{name}"), "--weights", SCENARIOS[scenario]))
     out.append(Figure("versleijen-figure-25", "As Versleijen figure 25: a pylon in a field like 1739, least overlap.",
                       lambda file: program.close_up(file, 1, *field("field-1739"), "--weights", SCENARIOS["1"])))
     for radius in (3, 6, 9, 12):
         out.append(Figure(f"versleijen-figure-37-{radius}m",
                           f"As Versleijen figures 18 and 37: the rule of the thesis round a mast, turning radius {radius} m.",
-                          lambda file, r=radius: program.close_up(file, 1, *WAYS_ROUND, "--where", "id = 'mast'", "--radius", r, *ANY_WIDTH)))
+                          lambda file, r=radius: program.close_up(file, 1, *WAYS_ROUND, "--where", "id = 'mast'", "--radius",
+                                                                  r, *ANY_WIDTH)))
     out.append(Figure("versleijen-figure-38", "As Versleijen figures 19 and 38: round a larger obstacle of any shape.",
                       lambda file: program.close_up(file, 1, *WAYS_ROUND, "--where", "id = 'copse'", "--radius", 6,
                                                     *ANY_WIDTH)))
     lines_figures, plan_figures = {"oksanen": 40, "liu": 44, "linne": 47}, {"oksanen": 43, "liu": 46, "linne": 49}
     for name, options, *_ in COMPARED.values():
         out.append(picture(f"versleijen-figure-{lines_figures[name]}",
-                           f"As Versleijen figure {lines_figures[name]}: the other's lines on the field like {name.title()}'s.", program, "price",
+                           f"As Versleijen figure {lines_figures[name]}: the other's lines on the field like "
+                           f"{name.title()}'s.", program, "price",
                            f"examples/papers/{name}-lines.geojson", "--field", *field(name), *options[:4]))
         out.append(picture(f"versleijen-figure-{plan_figures[name]}",
-                           f"As Versleijen figure {plan_figures[name]}: the same field, least turns.", program, "plan", *field(name), *options,
-                           "--weights", SCENARIOS["3"]))
-    out.append(picture("versleijen-figure-50", "As Versleijen figure 50: detours on the field like Liu's with room of half the width only.",
+                           f"As Versleijen figure {plan_figures[name]}: the same field, least turns.", program, "plan",
+                           *field(name), *options, "--weights", SCENARIOS["3"]))
+    out.append(picture("versleijen-figure-50", "As Versleijen figure 50: detours on the field like Liu's with room of "
+                                               "half the width only.",
                        program, "plan", *field("liu"), *COMPARED[13][1], "--weights", SCENARIOS["3"], "--avoid-room", 5))
     return out
 
 
 TITLE = "Versleijen 2019, repeated"
 INTRODUCTION = """
-*Path planning on agricultural fields with obstacles*, MSc thesis, Wageningen University. All plans are made with `--like versleijen`: 3 m
-wide, turning radius 6 m, thresholds of 0° and 180° where nothing else is said. The thesis prints neither the outlines of its fields
-nor the lines it compares with: those here are drawn, of the printed area and number of obstacles and of a kind like that in its figures
-(`examples/papers`). Compare how figures change from row to row, not the figures themselves.
+*Path planning on agricultural fields with obstacles*, MSc thesis, Wageningen University. All plans are made with `--like versleijen`:
+3 m wide, turning radius 6 m, thresholds of 0° and 180° where nothing else is said. The thesis prints neither the outlines of its
+fields nor the lines it compares with: those here are drawn, of the printed area and number of obstacles and of a kind like that in
+its figures (`examples/papers`). Compare how figures change from row to row, not the figures themselves.
 """
 ENDING = """
 ## Not repeated
 
 - Tables 2 to 5 are settings, and used here; table 3 is in [obstacles.md](../obstacles.md).
-- Figures 1 to 17, 20 to 23 and 39 explain, or show fields that are not printed. Figures 26, 29, 32, 34, 41, 42, 45 and 48 are further pictures
-  of the plans in tables 6 to 14.
+- Figures 1 to 17, 20 to 23 and 39 explain, or show fields that are not printed. Figures 26, 29, 32, 34, 41, 42, 45
+  and 48 are further pictures of the plans in tables 6 to 14.
 - Figures 35 and 36 are those of tables 10 and 11.
 - On real fields: [findings.md](../findings.md), by `tools/findings.py`.
 """

@@ -8,14 +8,16 @@ RECTANGLES = ["--field", "examples/papers/pentagon.geojson", *PLAIN, "--quads", 
 IRREGULAR = ["evaluate", "examples/papers/irregular.csv", "--field", "examples/papers/irregular.geojson", *PLAIN]
 MESHES = ("0.05", "0.02")
 # Printed: coverage, repeated, rate; each as in theory and by experiment.
-TABLE_1 = {"A3A2": ["1162.76", "1162.84", "70.66", "71.07", "6.08", "6.11"], "A3A4": ["1297.74", "1298.43", "130.42", "131.31", "10.05", "10.11"],
+TABLE_1 = {"A3A2": ["1162.76", "1162.84", "70.66", "71.07", "6.08", "6.11"],
+           "A3A4": ["1297.74", "1298.43", "130.42", "131.31", "10.05", "10.11"],
            "A1A2": ["1115.54", "1115.67", "58.37", "58.15", "5.23", "5.21"]}
 # Printed, by number of points: rings and most meshes of coverage, of leakage.
-TABLE_2 = {100: ["1", "888", "2", "4882"], 200: ["1", "2562", "2", "6542"], 300: ["2", "4340", "3", "9892"], 400: ["3", "5603", "4", "12418"],
-           500: ["4", "6788", "5", "14788"], 600: ["4", "9041", "6", "19088"], 645: ["4", "9945", "6", "20896"]}
+TABLE_2 = {100: ["1", "888", "2", "4882"], 200: ["1", "2562", "2", "6542"], 300: ["2", "4340", "3", "9892"],
+           400: ["3", "5603", "4", "12418"], 500: ["4", "6788", "5", "14788"], 600: ["4", "9041", "6", "19088"],
+           645: ["4", "9945", "6", "20896"]}
 # Printed, ms: coverage at 0.05 m, leakage at 0.05 m, coverage at 0.02 m.
-MILLISECONDS = {100: (783, 1087, 975), 200: (1560, 5940, 2274), 300: (2386, 16982, 4188), 400: (3274, 32556, 7198), 500: (4267, 51843, 12166),
-                600: (6004, 76816, 18445), 645: (6663, 90297, 21021)}
+MILLISECONDS = {100: (783, 1087, 975), 200: (1560, 5940, 2274), 300: (2386, 16982, 4188), 400: (3274, 32556, 7198),
+                500: (4267, 51843, 12166), 600: (6004, 76816, 18445), 645: (6663, 90297, 21021)}
 ENDS = {"strip": "strip", "centre": "centre line"}
 LEGS = {"none": "none", "direct": "direct", "square": "perpendicular", "along": "along the edge, or perpendicular"}
 
@@ -46,7 +48,8 @@ def pentagon_table(program):
     return Table("zhang-table-1", "Zhang table 1: routes over the pentagon",
                  ["first row along", "row ends", "legs", "coverage m²", "exact engine", "repeated m²", "exact engine", "leakage m²",
                   "exact engine", "rate %", *errors], rows,
-                 "Rows are 4 m wide; the values before those of the exact engine are by polygon booleans; errors of the mesh engine follow. The "
+                 "Rows are 4 m wide; the values before those of the exact engine are by polygon booleans; errors of the "
+                 "mesh engine follow. The "
                  "paper's own errors at 0.05 m are up to 0.53 ‰ of coverage and 6.8 ‰ of repeated land: the same order.")
 
 
@@ -62,8 +65,10 @@ def printed_table(_program):
     return Table("zhang-table-1-printed", "Zhang table 1 as printed",
                  ["direction", "coverage m²", "experiment", "‰", "repeated m²", "experiment", "‰", "rate %", "experiment",
                   "repeated / coverage, %", "nearest of the routes above"], rows,
-                 "The routes are those of another paper and not described. No route tried gives all three rows: A3A4 would need a path of 357 m, and "
-                 "eight rows with their legs have 334 m at most. The repeated land of A1A2 is that of the last route above; it leaves 12.5 m² "
+                 "The routes are those of another paper and not described. No route tried gives all three rows: A3A4 "
+                 "would need a path of 357 m, and "
+                 "eight rows with their legs have 334 m at most. The repeated land of A1A2 is that of the last route "
+                 "above; it leaves 12.5 m² "
                  "out, where the paper has no leakage.")
 
 
@@ -78,13 +83,16 @@ def table_2(program):
     rows = []
     for one, (points, printed) in zip(slices(program, "0.05"), TABLE_2.items()):
         covered, leaked, _ = MILLISECONDS[points]
-        program.times.append([f"Zhang table 2, {points} points, coverage and leakage", f"{one['seconds']:.4f}", f"{(covered + leaked) / 1000:.3f}"])
+        program.times.append([f"Zhang table 2: {points} points, coverage and leakage", f"{one['seconds']:.4f}",
+                              f"{(covered + leaked) / 1000:.3f}"])
         meshes = one["meshes"]
         rows.append([str(points), *beside(one["covered_rings"], printed[0], "{}"), *beside(meshes["covered"]["most"], printed[1], "{}"),
                      *beside(one["missed_regions"], printed[2], "{}"), *beside(meshes["missed"]["most"], printed[3], "{}")])
     return Table("zhang-table-2", "Zhang table 2: an irregular route, 0.05 m",
-                 ["points", "rings of coverage", "printed", "most meshes", "printed", "leakage regions", "printed", "most meshes", "printed"], rows,
-                 "Another route of the same kind, and a smaller field: fewer meshes. In the end coverage has one outer boundary and three holes, as "
+                 ["points", "rings of coverage", "printed", "most meshes", "printed", "leakage regions", "printed",
+                  "most meshes", "printed"], rows,
+                 "Another route of the same kind, and a smaller field: fewer meshes. In the end coverage has one outer "
+                 "boundary and three holes, as "
                  "printed. The times are in `times.md`.")
 
 
@@ -94,15 +102,17 @@ def table_3(program):
     for side in MESHES:
         found = slices(program, side)
         for one, points in zip(found, TABLE_2):
-            program.times.append([f"Zhang table 3, {points} points, {side} m", f"{one['seconds']:.4f}",
+            program.times.append([f"Zhang table 3: {points} points, {side} m (here all areas)", f"{one['seconds']:.4f}",
                                   f"{MILLISECONDS[points][0 if side == '0.05' else 2] / 1000:.3f}"])
-        rows.append([f"{side} m", *(f"{found[-1][key]:.2f}" for key in AREAS), *(per_mille(found[-1][key], exact[key]) for key in AREAS)])
+        rows.append([f"{side} m", *(f"{found[-1][key]:.2f}" for key in AREAS),
+                     *(per_mille(found[-1][key], exact[key]) for key in AREAS)])
     coarse, fine = rows[1], rows[2]
     rows.append(["0.05 against 0.02 m", "", "", "", *(per_mille(float(coarse[i]), float(fine[i])) for i in (1, 2, 3))])
     rows.append(["the same as printed", "", "", "", "0.3", "5.9", "6.8"])
     return Table("zhang-table-3", "Zhang table 3 and the errors of Zhang §3.2: mesh scales on the irregular route",
                  ["mesh", "coverage m²", "repeated m²", "leakage m²", "coverage ‰", "repeated ‰", "leakage ‰"], rows,
-                 "Errors are against the exact engine, of which the paper has none. Table 3 itself prints times, which are in `times.md`.")
+                 "Errors are against the exact engine, of which the paper has none. Table 3 itself prints times, which "
+                 "are in `times.md`.")
 
 
 AREAS = ("covered_m2", "repeated_m2", "missed_m2")
@@ -111,7 +121,8 @@ TABLES = {"zhang-table-1": pentagon_table, "zhang-table-1-printed": printed_tabl
 
 def figures(program):
     last = routes.ROUTES[-1]
-    return [Figure("zhang-table-1", "The pentagon of Zhang §3.1, driven from A1 to A2: row ends at the centre line, legs along the edge or perpendicular.",
+    return [Figure("zhang-table-1", "The pentagon of Zhang §3.1, driven from A1 to A2: row ends at the centre line, "
+                                    "legs along the edge or perpendicular.",
                    lambda file: program.picture(file, "evaluate", f"examples/papers/{last.name}.csv", *RECTANGLES)),
             Figure("zhang-figure-18", "As Zhang figure 18: coverage and leakage of an irregular route, mesh engine, 0.05 m.",
                    lambda file: program.picture(file, *IRREGULAR, *mesh("0.05")))]
@@ -119,9 +130,9 @@ def figures(program):
 
 TITLE = "Zhang et al. 2023, repeated"
 INTRODUCTION = """
-*Agronomy* 13:1631. The pentagon of §3.1 is printed, its routes are not: eleven that are fully described stand for them. The irregular
-route of §3.2 is not printed either; one of the same kind is drawn: 645 points, 4 m wide, beginning at 180°. Drives and fields are in
-`examples/papers`; land worked twice counts as repeated whoever worked it (`--repeat strict`).
+*Agronomy* 13:1631. The pentagon of §3.1 is printed, its routes are not: eleven that are fully described stand for them. The
+irregular route of §3.2 is not printed either; one of the same kind is drawn: 645 points, 4 m wide, beginning at 180°. Drives and
+fields are in `examples/papers`; land worked twice counts as repeated whoever worked it (`--repeat strict`).
 """
 ENDING = """
 ## Not repeated

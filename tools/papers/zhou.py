@@ -52,24 +52,30 @@ def table_3(program):
             program.times.append([f"Zhou table 3, {kind}, field like {number}, {width} m", f"{one['seconds']:.3f}", seconds])
             rows.append([number, kind, *beside(out["area_m2"] / 1e4, area), str(width), str(one["tracks"]),
                          f"{one['body_m2'] / 1e4:.2f}"])
-    return Table("zhou-table-3", "Zhou table 3: two of the twelve fields", ["field", "tracks", "area ha", "printed", "width m", "number", "body ha"],
-                 rows, "The table prints times, which are in `times.md`: straight maps took 1.16 s there, curved ones 7.69 s on average. "
+    return Table("zhou-table-3", "Zhou table 3: two of the twelve fields",
+                 ["field", "tracks", "area ha", "printed", "width m", "number", "body ha"],
+                 rows, "The table prints times, which are in `times.md`: straight maps took 1.16 s there, curved ones "
+                       "7.69 s on average. "
                  "The other ten fields have no more than an area.")
 
 
 def table_4(program):
     return Table("zhou-table-4", "Zhou table 4: a field like 10, four straight directions", COLUMNS,
                  map_rows(program, STRAIGHT, DIRECTIONS_4, TABLE_4),
-                 "The outline is drawn to the printed area, and its boundary is about as long. What repeats: length · width − overlap is the same in "
-                 "all directions, and is the body (in print, to the two decimals of the overlap); the direction changes the number of tracks by tens; "
+                 "The outline is drawn to the printed area, and its boundary is about as long. What repeats: length · "
+                 "width − overlap is the same in "
+                 "all directions, and is the body (in print, to the two decimals of the overlap); the direction changes "
+                 "the number of tracks by tens; "
                  "wider machines overlap more; fewer tracks are not less overlap.")
 
 
 def table_5(program):
     return Table("zhou-table-5", "Zhou table 5: a field like 2, two curved and two straight directions", COLUMNS,
                  map_rows(program, CURVED, DIRECTIONS_5, TABLE_5),
-                 "Another outline. In print, two cells contradict the others: at 4 m, d4 has tracks and overlap of the 6 m column; at 6 m, d1's "
-                 "overlap must be 0.33 ha, not 0.22. Ours agree to the last digit, but for what Zhou's own curved rows leave uncovered or work twice.")
+                 "Another outline. In print, two cells contradict the others: at 4 m, d4 has tracks and overlap of the "
+                 "6 m column; at 6 m, d1's "
+                 "overlap must be 0.33 ha, not 0.22. Ours agree to the last digit, but for what Zhou's own curved rows "
+                 "leave uncovered or work twice.")
 
 
 TABLES = {"zhou-table-3": table_3, "zhou-table-4": table_4, "zhou-table-5": table_5}
@@ -87,13 +93,13 @@ def figures(program):
 
 TITLE = "Zhou et al. 2020, repeated"
 INTRODUCTION = """
-*Agronomy* 10:83. All maps are made with `--like zhou`: two headland passes, tracks as in the paper's algorithms. The paper does not print its
-fields; two are drawn, one for straight and one for curved tracks, of the printed areas (`examples/papers`).
+*Agronomy* 10:83. All maps are made with `--like zhou`: two headland passes, tracks as in the paper's algorithms. The paper does not
+print its fields; two are drawn, one for straight and one for curved tracks, of the printed areas (`examples/papers`).
 """
 ENDING = """
 ## Not repeated
 
-- Tables 1 and 2 and figures 1 to 12 explain. Ten of the twelve fields of table 3 are known by their area only; the text gives field 11 as 74.58 ha,
-  the table as 74.98 ha.
+- Tables 1 and 2 and figures 1 to 12 explain. Ten of the twelve fields of table 3 are known by their area only; the text gives
+  field 11 as 74.58 ha, the table as 74.98 ha.
 - On real fields: [metric-map.md](../metric-map.md), by `tools/metric_map.py`.
 """
