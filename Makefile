@@ -65,6 +65,12 @@ gallery: program ## plan 24 real fields and draw them on one contact sheet, outs
 bench: build ## measure; table on the terminal, figures into bench/results/
 	tools/bench.py $(RELEASE)
 
+.PHONY: papers papers-real
+papers: program ## repeat the tables and figures of the three papers, into docs/papers
+	PYTHONPATH=tools python3 -B -m papers --tramline $(TRAMLINE)
+papers-real: program ## the same, and those that need the real fields of TRAMLINE_DATA, into out/papers
+	PYTHONPATH=tools python3 -B -m papers --tramline $(TRAMLINE) --real
+
 .PHONY: lint
 lint: packages-lint layout build/clang/build.ninja ## the layout, and clang-tidy over all sources
 	run-clang-tidy -quiet -j $(JOBS) -p build/clang '/(src/tramline|include/tramline|apps)/'
