@@ -135,7 +135,8 @@ WHY_COMPARED = {
                "search, turns are nearly equal, as printed.",
     "liu": "The other's lines lie along no edge, as in the thesis, which the search would never try; ours are cut at "
            "obstacles, Liu's "
-           "go round some. His two large uncovered areas (404.7 and 510.3 m²) are not drawn again.",
+           "go round some. His two large uncovered areas (404.7 and 510.3 m²) are not drawn again, and ours "
+           "save no turn in scenario 3: both plans have 35.",
     "linne": "The other's lines are arcs, spaced unevenly by up to 0.15 m, so that their areas are of the printed size. "
              "What repeats: the search, "
              "which has straight tracks only, overlaps and leaves less, and loses scenario 3 to curved tracks."}

@@ -75,7 +75,7 @@ def table_5(program):
                  "Another outline. In print, two cells contradict the others: at 4 m, d4 has tracks and overlap of the "
                  "6 m column; at 6 m, d1's "
                  "overlap must be 0.33 ha, not 0.22. Ours agree to the last digit, but for what Zhou's own curved rows "
-                 "leave uncovered or work twice.")
+                 "leave uncovered or work twice; and here, too, the curved tracks overlap less than the straight ones.")
 
 
 TABLES = {"zhou-table-3": table_3, "zhou-table-4": table_4, "zhou-table-5": table_5}
