@@ -85,7 +85,8 @@ bool is_machine_typed(const PlanOptions& options) {
 }
 
 bool are_prices_typed(const PlanOptions& options) {
-  return !options.like.empty() || !options.weights.empty() || !options.prices.empty() || !options.minimise.empty();
+  return !options.like.empty() || !options.weights.empty() || !options.prices.empty() ||
+         !options.minimise.empty();
 }
 
 PriceInput input_of_plan(const std::string& file, const FieldOptions& field, const PlanOptions& options) {

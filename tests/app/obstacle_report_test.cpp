@@ -68,8 +68,10 @@ TEST(ObstacleKeys, AreThoseOfTheDocumentation) {
   plan.machine.width_m = 4;
   nlohmann::ordered_json none;
   add_obstacle_keys(none, plan);
-  EXPECT_EQ(none.dump(), R"({"avoid":"cheapest","avoid_threshold_m":4.0,"avoid_room_m":null,"clearance_m":0.0,"detours":0,)"
-                         R"("smallest_radius_m":null,"encounters":[]})");
+  EXPECT_EQ(
+      none.dump(),
+      R"({"avoid":"cheapest","avoid_threshold_m":4.0,"avoid_room_m":null,"clearance_m":0.0,"detours":0,)"
+      R"("smallest_radius_m":null,"encounters":[]})");
 
   plan.settings.avoid = Avoidance::kPaper;
   plan.settings.avoid_threshold_m = 0;

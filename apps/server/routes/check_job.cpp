@@ -25,8 +25,7 @@ JobStatus begin_check(App& app, const ordered_json& json) {
     ordered_json out = app::check_json(plan.name, opened.file.plan, verdict);
     const ShownPlace place(opened.file.plan.field.frame);
     for (const char* list : {"violations", "findings"})
-      for (ordered_json& entry : out[list])
-        entry["at"] = place.position({entry.at("x_m"), entry.at("y_m")});
+      for (ordered_json& entry : out[list]) entry["at"] = place.position({entry.at("x_m"), entry.at("y_m")});
     return ordered_json{{"check", std::move(out)}};
   });
 }

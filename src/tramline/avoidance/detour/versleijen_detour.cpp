@@ -66,8 +66,7 @@ Refusal fault_in_track(const Obstruction& o, const TrackDetour& detour, const Tr
   if (stretch_at(stretches, detour.from) != o.gap - 1 || stretch_at(stretches, detour.to) != o.gap)
     return Refusal::kVersleijenEndsBefore;
   const double width_m = o.grid.width_m, least = std::max(o.radius_m, 0.5 * width_m);
-  if (rule.middle == DetourMiddle::kDrivable &&
-      smallest_radius(detour.path) < least * (1 - kRounding_share))
+  if (rule.middle == DetourMiddle::kDrivable && smallest_radius(detour.path) < least * (1 - kRounding_share))
     return Refusal::kTooTight;
   if (peak_m(detour.path, track) > rule.room_m + kSameDistance_m) return Refusal::kNoRoomBeside;
   const SwathLine line(detour.path, width_m);
@@ -97,9 +96,8 @@ WayRound versleijen_detour(const Obstruction& o, const VersleijenRule& rule, con
   const bool left = farthest(hazard, to_the_left.frame) <= farthest(hazard, to_the_right.frame);
   const TrackSide& track = left ? to_the_left : to_the_right;
   const double half = 0.5 * o.grid.width_m, radius = std::max(o.radius_m, half);
-  std::optional<TrackDetour> found =
-      detour_beside(track, buffer_of(hazard, track.frame, half, drivable ? radius : 0), radius,
-                    HullCorners::kAsTheyAre);
+  std::optional<TrackDetour> found = detour_beside(
+      track, buffer_of(hazard, track.frame, half, drivable ? radius : 0), radius, HullCorners::kAsTheyAre);
   out.detour.side = track.side;
   if (!found) return refuse(Refusal::kNoSide);
   out.detour = std::move(*found);

@@ -31,8 +31,8 @@ struct VersleijenRule {
 /// w/2, so the machine may be unable to follow (§4.2.2).
 ///
 /// Where the construction leaves the field, meets something else, or starts before the track does, `why_not`
-/// gives the reason and the track has to be cut (fig. 20). Radius at least max(r, w/2) at both ends. O(n log n)
-/// for n corners of the obstacle and O(m) for m others along it.
+/// gives the reason and the track has to be cut (fig. 20). Radius at least max(r, w/2) at both ends. O(n log
+/// n) for n corners of the obstacle and O(m) for m others along it.
 WayRound versleijen_detour(const Obstruction& obstruction, const VersleijenRule& rule,
                            const Surroundings& around);
 
