@@ -1,5 +1,7 @@
+#!/usr/bin/env bash
 # drive.csv: four sides of a square of 20 m, to the east first, a fix a metre and a second; its headings are
-# anticlockwise from east. Sourced by cases that read it.
+# anticlockwise from east. In the current folder.
+set -euo pipefail
 awk 'BEGIN {
   print "time,x,y,heading,width"
   print "2026-05-06T08:00:00Z,0,0,0,4"
