@@ -210,9 +210,9 @@ TEST(PlannedPlans, hold_where_a_detour_leads_past_an_obstacle_with_a_headland) {
     ADD_FAILURE() << name(each.rule) << ": " << each.what;
 }
 
-// Zhou's own tracks have kinks. That is all that is wrong with them where nothing is worked again, and the
+// Zhou's own tracks have kinks, which is all that is found where nothing is worked again. They hold, for the
 // figures are true: cells of swaths counted one by one against outlines of whole ones.
-TEST(PlannedPlans, with_kinks_are_found_undrivable_and_nothing_else) {
+TEST(PlannedPlans, with_kinks_hold_and_are_found_undrivable) {
   Field field;
   field.id = "bends";
   field.outer = {{0, 0}, {90, 10}, {170, -25}, {260, 5}, {250, 120}, {160, 90}, {70, 130}, {-10, 110}};
@@ -226,9 +226,9 @@ TEST(PlannedPlans, with_kinks_are_found_undrivable_and_nothing_else) {
   settings.guide = {{0, 0}, {90, 10}, {170, -25}, {260, 5}};
   const Plan plan = plan_field(field, {"", 4, 6, 0}, {}, settings, 1);
   const check::Verdict verdict = check::verify(plan);
-  EXPECT_TRUE(verdict.complete);
-  EXPECT_FALSE(verdict.violations.empty());
-  for (const check::Violation& each : verdict.violations)
+  EXPECT_TRUE(verdict.holds());
+  EXPECT_FALSE(verdict.findings.empty());
+  for (const check::Violation& each : verdict.findings)
     EXPECT_EQ(each.rule, check::Rule::kDrivable) << each.what;
 }
 
