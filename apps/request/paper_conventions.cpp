@@ -19,8 +19,8 @@ std::vector<Convention> versleijen() {
           {"--merge", "0", [](PlanOptions& o) { o.merge_deg = 0; }},
           {"--short-edge", "0", [](PlanOptions& o) { o.short_edge_m = 0; }},
           {"--cell-direction", "rectangle", [](PlanOptions& o) { o.cell_direction = "rectangle"; }},
-          {"--headlands", "0", [](PlanOptions& o) { o.headlands = 0; }},
-          {"--obstacle-headlands", "0", [](PlanOptions& o) { o.obstacle_headlands = 0; }},
+          {"--headlands", "0", [](PlanOptions& o) { o.headlands = "0"; }},
+          {"--obstacle-headlands", "0", [](PlanOptions& o) { o.obstacle_headlands = "0"; }},
           {"--minimise", "turns", [](PlanOptions& o) { o.minimise = "turns"; }}};
 }
 
@@ -32,7 +32,7 @@ std::vector<Convention> zhou() {
           {"--end-rule", "cover", [](PlanOptions& o) { o.end_rule = "cover"; }},
           {"--boundary", "soft", [](PlanOptions& o) { o.boundary = "soft"; }},
           {"--avoid", "cut", [](PlanOptions& o) { o.avoid = "cut"; }},
-          {"--headlands", "2", [](PlanOptions& o) { o.headlands = 2; }},
+          {"--headlands", "2", [](PlanOptions& o) { o.headlands = "2"; }},
           {"--obstacle-headlands", "those of --headlands",
            [](PlanOptions& o) { o.obstacle_headlands = o.headlands; }},
           {"--min-length", "0", [](PlanOptions& o) { o.min_length_m = 0; }}};

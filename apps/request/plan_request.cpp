@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <vector>
@@ -80,7 +81,58 @@ double length_typed(double value, const char* what) {
   return value;
 }
 
+constexpr int kMostPasses = 100, kMostSkipped = 1000;
+constexpr const char* kAuto = "auto";
+
+/// A whole number within the range; nullopt for any other text.
+std::optional<int> count_typed(std::string_view text, int least, int most) {
+  int value = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (fault != std::errc{} || end != text.data() + text.size() || value < least || value > most)
+    return std::nullopt;
+  return value;
+}
+
+/// "adjacent", "skip 4" or "4".
+std::optional<int> jump_typed(std::string_view text) {
+  if (text == "adjacent") return 1;
+  constexpr std::string_view kSkip = "skip";
+  if (text.starts_with(kSkip)) {
+    text.remove_prefix(kSkip.size());
+    while (text.starts_with(' ')) text.remove_prefix(1);
+  }
+  return count_typed(text, 1, kMostSkipped);
+}
+
+int passes_typed(const std::string& text, const char* option) {
+  if (const std::string fault = headlands_fault(text); !fault.empty())
+    throw bad_input(fmt::format("{} {}", option, fault));
+  return count_typed(text, 0, kMostPasses).value_or(0);
+}
+
+HeadlandRule rule_typed(const std::string& text) {
+  return text == kAuto ? HeadlandRule::kTurns : HeadlandRule::kPasses;
+}
+
+void set_headlands(const PlanOptions& o, PlanSettings& settings) {
+  settings.headlands = passes_typed(o.headlands, "--headlands");
+  settings.obstacle_headlands = passes_typed(o.obstacle_headlands, "--obstacle-headlands");
+  settings.headland_rule = rule_typed(o.headlands);
+  settings.obstacle_headland_rule = rule_typed(o.obstacle_headlands);
+}
+
 }  // namespace
+
+std::string headlands_fault(const std::string& text) {
+  if (text == kAuto || count_typed(text, 0, kMostPasses)) return "";
+  return fmt::format("takes a number of passes from 0 to {}, or auto, not '{}'", kMostPasses, text);
+}
+
+std::string spacing_fault(const std::string& text) {
+  if (jump_typed(text)) return "";
+  return fmt::format("takes 'adjacent', or 'skip K' with a number of tracks from 1 to {}, not '{}'",
+                     kMostSkipped, text);
+}
 
 std::optional<GuideLine> guide_of(const PlanOptions& o, const std::string& crs_definition) {
   if (!o.ab.empty()) {
@@ -132,8 +184,16 @@ PlanSettings settings_of(const PlanOptions& o) {
   PlanSettings settings;
   settings.strategy = chosen(strategy_named(o.strategy), "--strategy", o.strategy, "best or sweep");
   settings.direction_tolerance = Angle::degrees(o.direction_tolerance_deg);
-  settings.headlands = o.headlands;
-  settings.obstacle_headlands = o.obstacle_headlands;
+  set_headlands(o, settings);
+  settings.turns = o.turns || settings.headland_rule == HeadlandRule::kTurns ||
+                           settings.obstacle_headland_rule == HeadlandRule::kTurns
+                       ? TurnPlanning::kTurns
+                       : TurnPlanning::kNone;
+  if (const std::string fault = spacing_fault(o.spacing); !fault.empty())
+    throw bad_input(fmt::format("--spacing {}", fault));
+  settings.skip = jump_typed(o.spacing).value_or(1);
+  if (o.turn_room_m) settings.turn_room_m = length_typed(*o.turn_room_m, "room to turn beyond the boundary");
+  settings.towing_error_m = length_typed(o.towing_error_m, "lateral error of a towed implement");
   settings.shape = shape_of(o.curved);
   settings.tracks = chosen(track_construction_named(o.tracks), "--tracks", o.tracks, "parallel or paper");
   if (!o.ab_anchor.empty())

@@ -26,7 +26,11 @@ struct PlanOptions {
   double merge_deg = 1;
   double decomposition_deg = 180;
   double short_edge_m = 0;
-  int headlands = 0, obstacle_headlands = 0;
+  std::string headlands = "0", obstacle_headlands = "0";  ///< a number of passes, or auto
+  bool turns = false;
+  std::string spacing = "adjacent";
+  std::optional<double> turn_room_m;
+  double towing_error_m = 0.1;
   std::string ab, guide_file, guide_where, curved;
   std::string tracks = "parallel";
   std::string ab_anchor;  ///< line; with straight tracks as in Zhou envelope
@@ -44,6 +48,9 @@ std::optional<GuideLine> guide_of(const PlanOptions& options, const std::string&
 /// The settings for one field: with the guide in its metres. A line with bends makes the tracks curved.
 PlanSettings settings_for(const PlanSettings& settings, const std::optional<GuideLine>& guide,
                           const Field& field, const Machine& machine);
+/// What is wrong with --headlands or --obstacle-headlands as typed, or with --spacing; empty where nothing.
+std::string headlands_fault(const std::string& text);
+std::string spacing_fault(const std::string& text);
 /// Throws kBadInput for an unknown word, and for an invalid threshold. Other ranges are checked by
 /// validate_request().
 PlanSettings settings_of(const PlanOptions& options);

@@ -34,7 +34,7 @@ const std::set<std::pair<std::string, std::string>> kAlongAFloor = {{"admission"
 const std::map<std::pair<std::string, std::string>, Names> kOnlyHeaders = {
     {{"check", "geometry"},
      {"angle.h", "boolean.h", "box_grid.h", "convex_clip.h", "line_crossing.h", "path.h", "point.h",
-      "tolerances.h", "region.h"}},
+      "tolerances.h", "region.h", "steered_path.h"}},
 };
 
 struct ThirdParty {

@@ -17,11 +17,17 @@ namespace {
 
 using nlohmann::ordered_json;
 
-int count_in(const JsonInput& input, const char* key) {
+/// A number of passes, or the word auto.
+std::string passes_in(const JsonInput& input, const char* key) {
+  if (input.value(key).is_string()) {
+    if (input.text(key) != "auto")
+      throw bad_input(fmt::format("{} has to be a number of passes, or \"auto\"", input.place_of(key)));
+    return "auto";
+  }
   const long long count = input.whole_if(key).value_or(0);
   if (count < 0 || count > 100)
     throw bad_input(fmt::format("{} has to lie between 0 and 100", input.place_of(key)));
-  return static_cast<int>(count);
+  return std::to_string(count);
 }
 
 void take_word(const JsonInput& input, const char* key, std::string& word) {
@@ -65,11 +71,18 @@ Objective objective_in(const ordered_json& json) {
 
 SettingsInput settings_in(const ordered_json& json) {
   if (json.is_null()) return {};
-  const JsonInput input(
-      json, "settings",
-      {"like", "strategy", "end_rule", "boundary", "headlands", "obstacle_headlands", "curved", "line",
-       "avoid", "avoid_threshold_m", "avoid_room_m", "clearance_m", "merge_deg", "decomposition_deg",
-       "short_edge_m", "direction_tolerance_deg", "cell_direction", "tracks", "ab_anchor"});
+  const JsonInput input(json, "settings", {"like",           "strategy",
+                                           "end_rule",       "boundary",
+                                           "headlands",      "obstacle_headlands",
+                                           "curved",         "line",
+                                           "avoid",          "avoid_threshold_m",
+                                           "avoid_room_m",   "clearance_m",
+                                           "merge_deg",      "decomposition_deg",
+                                           "short_edge_m",   "direction_tolerance_deg",
+                                           "cell_direction", "tracks",
+                                           "ab_anchor",      "turns",
+                                           "spacing",        "turn_room_m",
+                                           "towing_error_m"});
   app::PlanOptions options;
   take_word(input, "like", options.like);
   for (const app::Convention& convention : app::conventions_like(options.like)) convention.take(options);
@@ -86,11 +99,15 @@ SettingsInput settings_in(const ordered_json& json) {
   take_number(input, "decomposition_deg", options.decomposition_deg);
   take_number(input, "short_edge_m", options.short_edge_m);
   take_number(input, "direction_tolerance_deg", options.direction_tolerance_deg);
+  take_word(input, "spacing", options.spacing);
+  take_number(input, "towing_error_m", options.towing_error_m);
+  options.turns = input.flag_if("turns").value_or(false);
+  options.turn_room_m = input.number_if("turn_room_m");
   options.avoid_threshold_m = input.number_if("avoid_threshold_m");
   options.avoid_room_m = input.number_if("avoid_room_m");
-  if (input.has("headlands")) options.headlands = count_in(input, "headlands");
+  if (input.has("headlands")) options.headlands = passes_in(input, "headlands");
   if (input.has("obstacle_headlands"))
-    options.obstacle_headlands = count_in(input, "obstacle_headlands");
+    options.obstacle_headlands = passes_in(input, "obstacle_headlands");
   else if (options.like == "zhou")
     options.obstacle_headlands = options.headlands;
   SettingsInput out{app::settings_of(options), {}};

@@ -35,19 +35,42 @@ void add_avoidance_options(CommandOptions& command, PlanOptions& o) {
 }
 
 void add_map_options(CommandOptions& command, PlanOptions& o) {
-  command.begin_group("Headlands");
+  command.begin_group("Headlands and turns");
   command
       .add_option("--headlands", o.headlands,
-                  "Number of passes round the field, outside the tracks; nothing then leaves the field.")
+                  "Number of passes round the field, outside the tracks; nothing then leaves the field. "
+                  "'auto': as many as the turns of this machine need, along those edges where tracks end.")
       .takes("N")
-      .in_range(0, 100)
+      .check(headlands_fault)
       .shows_default("0");
   command
       .add_option("--obstacle-headlands", o.obstacle_headlands,
-                  "Number of passes round each obstacle that tracks do not go round.")
+                  "Number of passes round each obstacle that tracks do not go round. 'auto': as many as the "
+                  "turns need, where they cost less than cuts and detours.")
       .takes("N")
-      .in_range(0, 100)
+      .check(headlands_fault)
       .shows_default("0");
+  command.add_flag("--turns", o.turns,
+                   "Plan the turn from each track to the next: the quickest manoeuvre that stays on the "
+                   "land. Automatic headlands imply it.");
+  command
+      .add_option("--spacing", o.spacing,
+                  "Which track follows: 'adjacent', or 'skip K' for one at least K tracks away, which "
+                  "turns in less room.")
+      .takes("WORD")
+      .check(spacing_fault)
+      .shows_default("adjacent");
+  command
+      .add_option("--turn-room", o.turn_room_m,
+                  "How far beyond a soft boundary without headland the machine may turn, in metres.")
+      .takes("M")
+      .shows_default("as far as it needs");
+  command
+      .add_option("--towing-error", o.towing_error_m,
+                  "The most by which a towed implement may be beside its track where the work begins, in "
+                  "metres.")
+      .takes("M")
+      .shows_default("0.1");
   command.begin_group("Tracks along a line");
   Option ab = command.add_option("--ab", o.ab,
                                  "Straight tracks along the line through two points, \"x1,y1 x2,y2\", in the "

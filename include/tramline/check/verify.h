@@ -34,6 +34,7 @@ enum class Rule : std::uint8_t {
   kSwathOverlap,
   kSwaths,
   kTally,
+  kTurns,
   kWarnings,
 };
 /// The name used in reports: "body", "swath overlap".

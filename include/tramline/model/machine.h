@@ -36,6 +36,9 @@ struct Machine {
   Turning turning{};
 };
 
+/// Machines that turn on the spot are planned as if this were the radius of their turns, m.
+inline constexpr double kLeastRadius_m = 0.01;
+
 inline double min_length_m(const Machine& machine) {
   return machine.min_length_m >= 0 ? machine.min_length_m : 2 * machine.width_m;
 }

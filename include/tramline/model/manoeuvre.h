@@ -1,6 +1,8 @@
 #pragma once
 // Manoeuvres: how a machine gets from the end of one track to the start of the next.
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -27,5 +29,23 @@ struct Manoeuvre {
 /// The time that the manoeuvre takes, s: lengths by the speeds of turning and reversing, and the changes of
 /// gear.
 double seconds(const Manoeuvre& manoeuvre, const Machine& machine);
+
+/// What became of a turn. kNoRoom: no manoeuvre of the machine stays on the land. kApart: none does, and the
+/// tracks are far apart: the way between them is more than a turn.
+enum class TurnState { kFits, kNoRoom, kApart };
+
+const char* name(TurnState state);  ///< fits, no_room, apart
+std::optional<TurnState> turn_state_named(std::string_view word);
+std::optional<ManoeuvreKind> manoeuvre_kind_named(std::string_view word);
+
+/// The turn from the end of one piece to the start of the next one in driving order.
+struct PlannedTurn {
+  std::size_t after = 0;  ///< index of the piece that it follows
+  TurnState state = TurnState::kFits;
+  Manoeuvre manoeuvre{};  ///< the quickest that fits; else the one that lacks least room, for display
+  double time_s = 0;
+  double missing_m = 0;        ///< how far it leaves the land, where it does not fit
+  double lateral_error_m = 0;  ///< of a towed implement where the work begins
+};
 
 }  // namespace tramline

@@ -13,6 +13,7 @@
 #include "tramline/model/front.h"
 #include "tramline/model/headland.h"
 #include "tramline/model/machine.h"
+#include "tramline/model/manoeuvre.h"
 #include "tramline/model/objective.h"
 #include "tramline/model/report.h"
 #include "tramline/model/tally.h"
@@ -70,6 +71,12 @@ struct GivenLand {
   bool divides() const { return !subfields.empty() || !cuts.empty(); }
 };
 
+/// How many headland passes there are. kPasses: as many as the settings say. kTurns: as many as the turns at
+/// the ends of the tracks need, and none along edges where no track ends.
+enum class HeadlandRule { kPasses, kTurns };
+/// Whether the turns between tracks are planned.
+enum class TurnPlanning { kNone, kTurns };
+
 /// Everything besides field, machine and objective that shapes a plan.
 struct PlanSettings {
   Strategy strategy = Strategy::kBest;
@@ -91,7 +98,19 @@ struct PlanSettings {
   double clearance_m = 0;      ///< kept between swaths and obstacles
   int headlands = 0;           ///< passes round the field (Zhou §2.3.3); with any, nothing leaves the field
   int obstacle_headlands = 0;  ///< passes round each obstacle that tracks do not avoid by detours
+  /// Passes by edge of Field::outer, from its vertex to the next one; empty: `headlands` everywhere.
+  std::vector<int> headland_edges;
+  HeadlandRule headland_rule = HeadlandRule::kPasses;
+  HeadlandRule obstacle_headland_rule = HeadlandRule::kPasses;
+  TurnPlanning turns = TurnPlanning::kNone;
   TrackShape shape = TrackShape::kStraight;
+  /// Within a block of tracks that lie side by side, each is followed by one at least so many tracks away; 1:
+  /// the planner's choice.
+  int skip = 1;
+  /// How far outside a soft boundary without headland the machine may turn, m; negative: as far as it needs.
+  double turn_room_m = -1;
+  /// The most by which a towed implement may be beside its track where the work begins, m.
+  double towing_error_m = 0.1;
   /// kPaper requires the end rule kCover, a soft boundary, and tracks along a line or a curve.
   TrackConstruction tracks = TrackConstruction::kParallel;
   /// Tracks run parallel to this line, local metres, and are numbered from it: it is the border of the
@@ -115,6 +134,8 @@ const char* name(TrackConstruction how);  ///< parallel, paper
 const char* name(AbAnchor anchor);        ///< line, envelope; default
 const char* name(Passing way);            ///< left, right, cut
 const char* name(PlanOrigin origin);      ///< planned, lines
+const char* name(HeadlandRule rule);      ///< passes, auto
+const char* name(TurnPlanning choice);    ///< none, planned
 /// The inverse of name(); nullopt for any other word.
 std::optional<EndRule> end_rule_named(std::string_view word);
 std::optional<EdgeKind> edge_kind_named(std::string_view word);
@@ -126,6 +147,8 @@ std::optional<TrackConstruction> track_construction_named(std::string_view word)
 std::optional<AbAnchor> ab_anchor_named(std::string_view word);  ///< not for default
 std::optional<Passing> passing_named(std::string_view word);
 std::optional<PlanOrigin> plan_origin_named(std::string_view word);
+std::optional<HeadlandRule> headland_rule_named(std::string_view word);
+std::optional<TurnPlanning> turn_planning_named(std::string_view word);
 
 /// In a repair the work goes on over worked land that is shorter than this along a line, m: a shorter break
 /// is not worth switching off for.
@@ -149,6 +172,10 @@ struct Proof {
 /// What the figures and layers of a plan count: tracks and headland passes compared with all land or, in
 /// files of earlier versions, tracks alone compared with the body.
 enum class PlanFigures { kTracksAndPasses, kTracks };
+
+/// Which ends of pieces are stops. kNoWayOff: those from which no turn leads away. kTouching: those against
+/// an obstacle without headland or land given up, as in files of earlier versions and of lines of others.
+enum class StopRule { kNoWayOff, kTouching };
 
 /// What a plan is made for: the land of a field, all of it or less what is done, or the gaps that another
 /// drive has left.
@@ -193,8 +220,10 @@ struct Plan {
   std::vector<Subfield> subfields;
   std::vector<TrackPiece> pieces;  ///< in driving order
   std::vector<DroppedPiece> dropped;
+  std::vector<PlannedTurn> turns;     ///< where settings.turns asks for them, by piece
   std::vector<Encounter> encounters;  ///< by subfield, track and position along it
   PlanFigures figures = PlanFigures::kTracksAndPasses;
+  StopRule stop_rule = StopRule::kNoWayOff;
   /// Areas: of all swaths and headland passes compared with the land, which is body and headland. Counts and
   /// track length: of the tracks alone. Σ width · length of both = area of the land − uncovered + overlap.
   Tally tally;

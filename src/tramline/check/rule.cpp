@@ -44,6 +44,8 @@ std::string_view name(Rule rule) {
       return "swaths";
     case Rule::kTally:
       return "tally";
+    case Rule::kTurns:
+      return "turns";
     case Rule::kWarnings:
       return "warnings";
   }

@@ -58,6 +58,7 @@ Verdict verify(const Plan& plan) {
   check_ab_anchor(c, verdict.violations);
   check_length(c, verdict.violations);
   const int stops = check_stops(c, verdict.violations);
+  check_turns(c, verdict.violations);
   check_crossings(c, verdict.violations);
   check_encounters(c, verdict.violations);
   check_detours(c, verdict.violations);

@@ -1,6 +1,16 @@
 #include "tramline/model/manoeuvre.h"
 
+#include <array>
+
 namespace tramline {
+namespace {
+
+constexpr std::array kStates = {TurnState::kFits, TurnState::kNoRoom, TurnState::kApart};
+constexpr std::array kKinds = {ManoeuvreKind::kU,        ManoeuvreKind::kOmega,  ManoeuvreKind::kUnequalArcs,
+                               ManoeuvreKind::kFishtail, ManoeuvreKind::kDubins, ManoeuvreKind::kReedsShepp,
+                               ManoeuvreKind::kBackOut};
+
+}  // namespace
 
 const char* name(ManoeuvreKind kind) {
   switch (kind) {
@@ -20,6 +30,30 @@ const char* name(ManoeuvreKind kind) {
       return "back_out";
   }
   return "";
+}
+
+const char* name(TurnState state) {
+  switch (state) {
+    case TurnState::kFits:
+      return "fits";
+    case TurnState::kNoRoom:
+      return "no_room";
+    case TurnState::kApart:
+      return "apart";
+  }
+  return "";
+}
+
+std::optional<TurnState> turn_state_named(std::string_view word) {
+  for (const TurnState state : kStates)
+    if (word == name(state)) return state;
+  return std::nullopt;
+}
+
+std::optional<ManoeuvreKind> manoeuvre_kind_named(std::string_view word) {
+  for (const ManoeuvreKind kind : kKinds)
+    if (word == name(kind)) return kind;
+  return std::nullopt;
 }
 
 double seconds(const Manoeuvre& manoeuvre, const Machine& machine) {

@@ -93,6 +93,8 @@ const char* name(Passing way) {
   return "";
 }
 
+const char* name(TurnPlanning choice) { return choice == TurnPlanning::kTurns ? "planned" : "none"; }
+const char* name(HeadlandRule rule) { return rule == HeadlandRule::kTurns ? "auto" : "passes"; }
 const char* name(PlanOrigin origin) { return origin == PlanOrigin::kLines ? "lines" : "planned"; }
 
 std::optional<EndRule> end_rule_named(std::string_view word) {
@@ -123,6 +125,12 @@ std::optional<Passing> passing_named(std::string_view word) {
   return named(word, {Passing::kLeft, Passing::kRight, Passing::kCut});
 }
 
+std::optional<HeadlandRule> headland_rule_named(std::string_view word) {
+  return named(word, {HeadlandRule::kPasses, HeadlandRule::kTurns});
+}
+std::optional<TurnPlanning> turn_planning_named(std::string_view word) {
+  return named(word, {TurnPlanning::kNone, TurnPlanning::kTurns});
+}
 std::optional<PlanOrigin> plan_origin_named(std::string_view word) {
   return named(word, {PlanOrigin::kPlanned, PlanOrigin::kLines});
 }

@@ -16,6 +16,7 @@
 #include "tramline/planner/curved/zhou_plan.h"
 #include "tramline/planner/explain/explanation.h"
 #include "tramline/planner/given/given_search.h"
+#include "tramline/planner/headland_choice/headlands_for_turns.h"
 #include "tramline/planner/prepare_field.h"
 #include "tramline/planner/search/straight_search.h"
 #include "tramline/planner/warnings.h"
@@ -163,8 +164,27 @@ ExplainedPlan searched(const PlanningProblem& problem, const SearchContext& cont
   return {plan_of(task, std::move(*curved), context), std::nullopt};
 }
 
+bool headlands_follow_turns(const PlanSettings& settings) {
+  return settings.headland_rule == HeadlandRule::kTurns ||
+         settings.obstacle_headland_rule == HeadlandRule::kTurns;
+}
+
+/// The plan without the headlands that are to follow from its turns.
+Plan layout_for_turns(PlanningProblem problem, const SearchContext& context) {
+  PlanSettings& settings = problem.settings;
+  settings.turns = TurnPlanning::kNone;
+  if (settings.headland_rule == HeadlandRule::kTurns) settings.headlands = 0;
+  if (settings.obstacle_headland_rule == HeadlandRule::kTurns) settings.obstacle_headlands = 0;
+  settings.headland_rule = settings.obstacle_headland_rule = HeadlandRule::kPasses;
+  return searched(problem, context, Explain::kNo).plan;
+}
+
 ExplainedPlan planned(const PlanningProblem& problem, const SearchContext& context, Explain explain) {
-  ExplainedPlan out = searched(problem, context, explain);
+  ExplainedPlan out;
+  if (headlands_follow_turns(problem.settings))
+    out.plan = plan_with_headlands_for_turns(problem, layout_for_turns(problem, context), context);
+  else
+    out = searched(problem, context, explain);
   if (context.cut_short()) mark_cut_short(out.plan);
   return out;
 }

@@ -13,6 +13,7 @@
 #include "tramline/planner/given/land_parts.h"
 #include "tramline/planner/given/take_off.h"
 #include "tramline/planner/search/straight_search.h"
+#include "tramline/planner/turning/turning_land.h"
 
 namespace tramline {
 namespace {
@@ -126,6 +127,7 @@ std::optional<PreparedField> behind_headlands(const PlanningProblem& problem,
   out.short_edge_m = std::max(problem.settings.short_edge_m, short_edge_m(terms));
   out.hard_field = hard_field(problem);
   out.clearance_takes_all = clearance_takes_all(problem, out.ground);
+  out.turning_land = std::make_shared<AllowedLand>(turning_land(problem));
   return out;
 }
 
@@ -193,6 +195,7 @@ PreparedField field_without_headlands(const PlanningProblem& problem) {
   out.short_edge_m = problem.settings.short_edge_m;
   out.hard_field = hard_field(problem);
   out.clearance_takes_all = clearance_takes_all(problem, out.ground);
+  out.turning_land = std::make_shared<AllowedLand>(turning_land(problem));
   return out;
 }
 
@@ -211,6 +214,11 @@ std::optional<Preparation> prepare_field(const PlanningProblem& problem, const S
   const std::vector<bool> none(problem.field.obstacles.size(), false);
   const std::vector<int> passes = obstacle_passes(problem, none);
   return only_prepared(behind_headlands(problem, passes, sorted_bare_obstacles(problem, passes)));
+}
+
+std::optional<PreparedField> field_behind(const PlanningProblem& problem,
+                                          const std::vector<int>& obstacle_passes) {
+  return behind_headlands(problem, obstacle_passes, sorted_bare_obstacles(problem, obstacle_passes));
 }
 
 Error no_room(const PlanningProblem& problem) {

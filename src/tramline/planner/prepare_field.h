@@ -29,6 +29,11 @@ struct Preparation {
 /// field there is no body, and so there are no tracks. nullopt where there is no room for even one pass.
 std::optional<Preparation> prepare_field(const PlanningProblem& problem, const SearchContext& context);
 
+/// The field behind its own headland as the settings say and behind these passes round its obstacles; nullopt
+/// where none has room.
+std::optional<PreparedField> field_behind(const PlanningProblem& problem,
+                                          const std::vector<int>& obstacle_passes);
+
 /// The error for a field without room for even one pass.
 Error no_room(const PlanningProblem& problem);
 

@@ -2,10 +2,12 @@
 // Data derived from a problem once, before any search.
 
 #include <cstdint>
+#include <memory>
 
 #include "tramline/avoidance/obstacles/obstacle_classification.h"
 #include "tramline/model/headland.h"
 #include "tramline/planner/given/prepared_land.h"
+#include "tramline/turns/room/allowed_land.h"
 
 namespace tramline {
 
@@ -28,6 +30,8 @@ struct PreparedField {
   bool clearance_takes_all = false;  ///< there is land to work without the clearance, and none with it
   PreparedLand given;                ///< what the user decided about the land
   MayDivide may_divide = MayDivide::kYes;
+  /// Where the machine may turn (turning_land()); shared by the parts of a divided field.
+  std::shared_ptr<const AllowedLand> turning_land{};
 };
 
 }  // namespace tramline

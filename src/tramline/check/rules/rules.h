@@ -71,10 +71,17 @@ void check_track_lines(const Case& c, Violations& out);
 void check_ab_anchor(const Case& c, Violations& out);
 /// No piece is too short to drive, except those between crossings.
 void check_length(const Case& c, Violations& out);
-/// A piece is flagged as ending in a stop where the first millimetre beyond it (of lines of others: the first
-/// centimetre) reaches an obstacle without headland or land given up, and nowhere else. Returns the number of
-/// stops found.
+/// A piece is flagged as ending in a stop where neither a quarter turn to the left nor one to the right leads
+/// off the track on land where the machine may turn, and nowhere else; ends before passables that the track
+/// crosses are none. In plans of earlier versions (StopRule::kTouching) and on lines of others, whose ends
+/// are less exact: where the first millimetre beyond reaches an obstacle without headland or land given up.
+/// Returns the number of stops found.
 int check_stops(const Case& c, Violations& out);
+/// Every planned turn begins where its piece ends and ends where the next one begins, in place and heading,
+/// without gaps; no tighter than the machine's radius, in reverse only where it may, steered no faster than
+/// it can; and where it is said to fit, its outline stays on the land, at places 5 cm apart. Its time is that
+/// of its lengths, speeds and changes of gear.
+void check_turns(const Case& c, Violations& out);
 /// A piece after a crossing continues the line beyond a passable, with nothing else in the gap. Where tracks
 /// follow a curve the line between two pieces is not known: the second begins ahead of the first. In a repair
 /// the crossed land is worked land within the field.

@@ -98,6 +98,27 @@ void each_value_since_whole_figures(PlanOrConst& plan, Visitor&& visit) {
 }
 
 constexpr const char* kCutShort = "proof.cut_short";
+constexpr const char* kStopRule = "stop_rule";  // only of plans whose stops are ends without a way off
+constexpr const char* kNoWayOff = "no_way_off";
+
+/// Settings that few plans have: a key is written only where the value is not the default one.
+template <class PlanOrConst, class Visitor>
+void each_turning_value(PlanOrConst& plan, Visitor&& visit) {
+  visit("settings.turns", plan.settings.turns);
+  visit("settings.headland_rule", plan.settings.headland_rule);
+  visit("settings.obstacle_headland_rule", plan.settings.obstacle_headland_rule);
+  visit("settings.skip", plan.settings.skip);
+  visit("settings.turn_room_m", plan.settings.turn_room_m);
+  visit("settings.towing_error_m", plan.settings.towing_error_m);
+}
+
+/// The values of `plan` that are not those of `other`, by their keys.
+Metadata that_differ(const Metadata& of, const Metadata& other) {
+  Metadata out;
+  for (const auto& [key, value] : of)
+    if (const auto found = other.find(key); found == other.end() || found->second != value) out[key] = value;
+  return out;
+}
 
 /// Counts and lengths are the same for tracks alone; the areas are read or, in older files, are all there is.
 void complete_track_tally(int version, Plan& plan) {
@@ -135,6 +156,8 @@ class Writer : public FieldKeyWriter {
   void operator()(const std::string& key, AbAnchor value) const { out()[key] = name(value); }
   void operator()(const std::string& key, HeadlandConstruction value) const { out()[key] = name(value); }
   void operator()(const std::string& key, PlanOrigin value) const { out()[key] = name(value); }
+  void operator()(const std::string& key, HeadlandRule value) const { out()[key] = name(value); }
+  void operator()(const std::string& key, TurnPlanning value) const { out()[key] = name(value); }
   /// Degrees are for people; radians are what is read back, to the bit.
   void operator()(const std::string& key, Angle value) const {
     (*this)(key + "_deg", short_degrees(value));
@@ -183,6 +206,12 @@ class Reader : public FieldKeyReader {
   void operator()(const std::string& key, PlanOrigin& value) {
     value = word(key, plan_origin_named(text(key)));
   }
+  void operator()(const std::string& key, HeadlandRule& value) {
+    value = word(key, headland_rule_named(text(key)));
+  }
+  void operator()(const std::string& key, TurnPlanning& value) {
+    value = word(key, turn_planning_named(text(key)));
+  }
   void operator()(const std::string& key, Angle& value) {
     double radians = 0;
     (*this)(key + "_rad", radians);
@@ -227,6 +256,28 @@ class Reader : public FieldKeyReader {
 
   Point offset_{};
 };
+
+/// A reader of those keys alone that the file has.
+class PresentKeys {
+ public:
+  PresentKeys(const Metadata& metadata, Reader& reader) : metadata_(metadata), reader_(reader) {}
+  template <class Value>
+  void operator()(const std::string& key, Value& value) {
+    if (metadata_.contains(key)) reader_(key, value);
+  }
+
+ private:
+  const Metadata& metadata_;
+  Reader& reader_;
+};
+
+void write_turning_values(const Plan& plan, Metadata& out) {
+  Metadata values, defaults;
+  const Plan plain;
+  each_turning_value(plan, Writer(values, {}));
+  each_turning_value(plain, Writer(defaults, {}));
+  out.merge(that_differ(values, defaults));
+}
 
 /// Is there a line that some of the tracks follow and others do not?
 bool has_own_lines(const Plan& plan) { return !common_reference(plan) && !references(plan).empty(); }
@@ -273,6 +324,8 @@ Metadata metadata_of(const Plan& plan) {
   writer(kAbAnchor, anchor_of(plan.settings));
   writer(kHeadlandConstruction, plan.headland.construction);
   if (is_of_lines(plan)) writer(kOrigin, plan.origin);
+  write_turning_values(plan, out);
+  if (plan.stop_rule == StopRule::kNoWayOff) out[kStopRule] = kNoWayOff;
   write_references(plan, writer);
   write_given_land(plan, writer);
   out["format"] = kFormat;
@@ -312,6 +365,9 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   if (metadata.contains(kAbAnchor)) reader(kAbAnchor, plan.settings.ab_anchor);
   if (metadata.contains(kHeadlandConstruction)) reader(kHeadlandConstruction, plan.headland.construction);
   if (metadata.contains(kOrigin)) reader(kOrigin, plan.origin);
+  PresentKeys present(metadata, reader);
+  each_turning_value(plan, present);
+  plan.stop_rule = metadata.contains(kStopRule) ? StopRule::kNoWayOff : StopRule::kTouching;
   return version;
 }
 

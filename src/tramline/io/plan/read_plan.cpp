@@ -22,6 +22,7 @@
 #include "tramline/io/plan/plan_collection.h"
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/io/plan/plan_metadata.h"
+#include "tramline/io/plan/turn_text.h"
 
 namespace tramline::io {
 namespace {
@@ -149,6 +150,32 @@ void read_tracks(Rows& file, PlanFile& out) {
     out.plan.pieces.push_back(std::move(piece));
     out.track_lines.push_back(std::move(line));
   }
+}
+
+/// Only plans that were asked for turns have the layer.
+void read_turns(Rows& file, PlanFile& out) {
+  if (!file.has(layers::kTurns)) return;
+  const auto word = [](const Row& row, const char* column, auto choice) {
+    if (!choice)
+      throw bad_input(fmt::format("{} is '{}', a word that this version of tramline does not know",
+                                  row.place_of(column), row.text(column)));
+    return *choice;
+  };
+  file.each(layers::kTurns, [&](const Row& row) {
+    PlannedTurn turn;
+    turn.after = static_cast<std::size_t>(row.whole("after")) - 1;
+    turn.state = word(row, "state", turn_state_named(row.text("state")));
+    turn.manoeuvre.kind = word(row, "kind", manoeuvre_kind_named(row.text("kind")));
+    turn.manoeuvre.word = row.text("word");
+    turn.manoeuvre.path = steered_from_text(row.text("stretches"), row.offset(), row.place_of("stretches"));
+    turn.time_s = row.number("time_s");
+    turn.missing_m = row.number("missing_m");
+    turn.lateral_error_m = row.number("lateral_error_m");
+    const Point at = row.line().front();
+    derive(out, row, "length_m", length(turn.manoeuvre.path), at);
+    derive(out, row, "gear_changes", gear_changes(turn.manoeuvre.path), at);
+    out.plan.turns.push_back(std::move(turn));
+  });
 }
 
 /// The index of the piece of this order number; nullopt where there is none.
@@ -300,6 +327,7 @@ PlanFile read_plan_file(const fs::path& path, const std::string& field) {
   apply_references(metadata, path, version, out.plan);
   apply_given_land(metadata, path, out.plan);
   read_tracks(file, out);
+  read_turns(file, out);
   read_swaths(file, out);
   read_region(file, layers::kOverlap, out.plan.overlap, out);
   read_region(file, layers::kUncovered, out.plan.uncovered, out);

@@ -17,6 +17,7 @@
 #include "tramline/io/plan/plan_metadata.h"
 #include "tramline/io/plan/plan_rows.h"
 #include "tramline/io/plan/plan_styles.h"
+#include "tramline/io/plan/turn_text.h"
 
 namespace tramline::io {
 namespace {
@@ -81,6 +82,29 @@ void write_tracks(const Target& target, const Plan& plan) {
                Heading::from_to(piece.start, piece.end).degrees(), length(piece), radius_cell(path),
                obstacles_avoided(piece), sides_text(piece), piece.stop_at_start, piece.stop_at_end,
                piece.after_crossing, path_text(path, target.offset), detours_text(piece)});
+  }
+}
+
+/// The way of the axle's middle; what a turn without any manoeuvre draws is the hop.
+std::vector<Point> drawn(const Plan& plan, const PlannedTurn& turn) {
+  const Path path = trace(turn.manoeuvre.path);
+  if (!path.empty()) return chords(path);
+  return {plan.pieces[turn.after].end, plan.pieces[turn.after + 1].start};
+}
+
+void write_turns(const Target& target, const Plan& plan) {
+  if (plan.turns.empty()) return;
+  Table table(
+      target, layers::kTurns, wkbLineString,
+      {integer("after"), text("state"), text("kind"), text("word"), integer("gear_changes"), real("length_m"),
+       real("time_s"), real("missing_m"), real("lateral_error_m"), text("stretches")});
+  for (const PlannedTurn& turn : plan.turns) {
+    const SteeredPath& path = turn.manoeuvre.path;
+    table.add(
+        target.shapes.line(drawn(plan, turn)),
+        {counted_from_1(turn.after), std::string(name(turn.state)), std::string(name(turn.manoeuvre.kind)),
+         turn.manoeuvre.word, gear_changes(path) + 0LL, length(path), turn.time_s, turn.missing_m,
+         turn.lateral_error_m, steered_text(path, target.offset)});
   }
 }
 
@@ -166,6 +190,7 @@ void write_plan_rows(const Target& target, const Plan& plan, const Metadata& rem
   write_subfields(target, plan);
   write_headland_passes(target, plan.headland);
   write_tracks(target, plan);
+  write_turns(target, plan);
   write_swaths(target, plan);
   write_region(target, layers::kOverlap, plan.overlap);
   write_region(target, layers::kUncovered, plan.uncovered);

@@ -75,7 +75,10 @@ Driven driven_tracks(const SearchTask& task, const Candidate& candidate) {
     for (std::size_t k = 0; k < candidate.avoided.tracks[i].pieces.size(); ++k) laid.push_back({i, k});
   const std::vector<order::WorkedLine> lines = order::lines_of(track_pieces(task, candidate));
   const std::vector<std::vector<std::size_t>> piece_indices = piece_indices_by_line(lines);
-  const order::Tour tour = order::best_tour(lines, task.field, task.machine.width_m);
+  const double width_m = task.machine.width_m;
+  const auto skip = static_cast<std::size_t>(task.settings.skip);
+  const order::Tour tour = skip > 1 ? order::skip_tour(lines, task.field, width_m, skip)
+                                    : order::best_tour(lines, task.field, width_m);
   Driven out{order::pieces_on(tour, lines), {}, {}};
   for (const order::End end : tour) {
     std::vector<std::size_t> along = piece_indices[order::line_of(end)];

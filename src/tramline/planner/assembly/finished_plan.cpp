@@ -14,6 +14,7 @@
 #include "tramline/planner/assembly/track_ground.h"
 #include "tramline/planner/assembly/whole_figures.h"
 #include "tramline/planner/candidate/anchored_guide.h"
+#include "tramline/planner/turning/planned_turns.h"
 #include "tramline/planner/warnings.h"
 
 namespace tramline {
@@ -90,10 +91,13 @@ Plan bare_plan(const SearchTask& task) {
 
 Plan finished_plan(const SearchTask& task, SearchResult found, const SearchContext& context) {
   require_tracks(task, found.best.avoided.tally);
+  settle_stops(task, found.best);
   Plan plan = bare_plan(task);
   Driven driven = driven_tracks(task, found.best);
   plan.pieces = std::move(driven.pieces);
   plan.dropped = dropped_pieces(found.best);
+  if (plan.settings.turns == TurnPlanning::kTurns)
+    plan.turns = planned_turns(task.turning_land, plan.machine, plan.pieces, plan.settings.towing_error_m);
   context.report();
   settle_overlaps(plan, found.best.subfields);
   context.report();

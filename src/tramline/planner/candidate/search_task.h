@@ -23,7 +23,8 @@ struct SearchTask {
         short_edge_m(prepared.short_edge_m),
         clearance_takes_all(prepared.clearance_takes_all),
         given(prepared.given),
-        may_divide(prepared.may_divide) {}
+        may_divide(prepared.may_divide),
+        turning_land(*prepared.turning_land) {}
 
   const Field& field;
   const Machine& machine;
@@ -37,6 +38,7 @@ struct SearchTask {
   bool clearance_takes_all;
   const PreparedLand& given;
   MayDivide may_divide;
+  const AllowedLand& turning_land;
 };
 
 }  // namespace tramline

@@ -4,13 +4,11 @@
 #include <optional>
 #include <utility>
 
-#include "tramline/cost/bound/best_offset.h"
 #include "tramline/decomposition/cells.h"
 #include "tramline/planner/curved/curved_candidate.h"
 #include "tramline/planner/curved/curved_search.h"
-#include "tramline/planner/for_each_index.h"
 #include "tramline/planner/given/part_problem.h"
-#include "tramline/planner/search/grid_pricing.h"
+#include "tramline/planner/search/best_along.h"
 #include "tramline/planner/search/straight_search.h"
 #include "tramline/tracks/strip_origin.h"
 
@@ -18,41 +16,6 @@ namespace tramline {
 namespace {
 
 using Lined = std::vector<LinedSubfield>;
-
-/// The cheapest offset of all over land without obstacles; with obstacles, of those tracks are cut at.
-double cheapest_origin(const SearchTask& task, const Subfield& subfield, double known_m) {
-  const GridPricing pricing(task, subfield.shape);
-  const GridTally tally = pricing.tally(subfield.direction.angle().radians());
-  const PricedOrigin known{known_m, separate_cost(task.objective, tally.at(known_m))};
-  return best_offset(tally, pricing.bound(), known).origin_m;
-}
-
-/// The origins to try: those of Versleijen §2.2.1 and, if the strategy looks for more, the cheapest of all
-/// and others between, since the position of tracks relative to an obstacle determines the cost of detours.
-std::vector<double> origins_to_try(const SearchTask& task, const Subfield& subfield) {
-  std::vector<double> out;
-  for (const StripGrid& grid : strip_grids(subfield, task.machine.width_m)) out.push_back(grid.origin_m);
-  if (task.settings.strategy == Strategy::kSweep) return out;
-  const double cheapest_m = cheapest_origin(task, subfield, out.front());
-  out.insert(out.begin(), cheapest_m);
-  constexpr int kSteps = 8;
-  if (!task.ground.hazards.empty())
-    for (int k = 1; k < kSteps; ++k) out.push_back(cheapest_m + task.machine.width_m * k / kSteps);
-  return out;
-}
-
-/// The part with tracks in the direction, at the best offset.
-LinedSubfield best_along(const SearchTask& task, Subfield subfield, const SearchContext& context) {
-  const std::vector<double> origins = origins_to_try(task, subfield);
-  std::vector<Candidate> candidates(origins.size());
-  for_each_index(origins.size(), context, [&](std::size_t i) {
-    candidates[i] = candidate_on(task, {{subfield, origins[i]}});
-  });
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < origins.size(); ++i)
-    if (is_better(candidates[i].avoided, candidates[best].avoided)) best = i;
-  return {std::move(subfield), origins[best]};
-}
 
 /// The part with tracks along a given line: its straight line is the border of two swaths.
 LinedSubfield lined_along(const SearchTask& whole, const Polygon& shape, const std::vector<Point>& guide) {

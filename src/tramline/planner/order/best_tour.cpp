@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tramline/planner/order/shorten.h"
+#include "tramline/planner/order/skip_pattern.h"
 #include "tramline/planner/order/tours.h"
 
 namespace tramline::order {
@@ -123,6 +124,19 @@ class Search {
 Tour best_tour(const std::vector<WorkedLine>& lines, const Field& field, double width_m) {
   if (lines.empty()) return {};
   return Search(lines, field, width_m).run();
+}
+
+Tour skip_tour(const std::vector<WorkedLine>& lines, const Field& field, double width_m, std::size_t jump) {
+  if (lines.empty()) return {};
+  const HopGround ground(field, kFar_widths * width_m);
+  HopCosts costs(lines, ground);
+  std::vector<Block> blocks;
+  for (const Block& block : blocks_of(lines, width_m)) {
+    Block skipping;
+    for (const std::size_t place : skip_pattern(block.size(), jump)) skipping.push_back(block[place]);
+    blocks.push_back(std::move(skipping));
+  }
+  return block_by_block(blocks, costs);
 }
 
 std::vector<TrackPiece> pieces_on(const Tour& tour, const std::vector<WorkedLine>& lines) {

@@ -1,6 +1,7 @@
 #pragma once
 // The order and the directions in which lines are driven.
 
+#include <cstddef>
 #include <vector>
 
 #include "tramline/model/field.h"
@@ -19,6 +20,11 @@ namespace tramline::order {
 /// Deterministic; about O(n log n) evaluations of hops.
 /// Precondition: lines are ordered by subfield, track and position along it.
 Tour best_tour(const std::vector<WorkedLine>& lines, const Field& field, double width_m);
+
+/// Block by block, each in the order of skip_pattern(): no hop within a block leads to a track closer than
+/// `jump` tracks, where the block has enough. Otherwise as block_by_block(). Preconditions: those of
+/// best_tour(), jump ≥ 1.
+Tour skip_tour(const std::vector<WorkedLine>& lines, const Field& field, double width_m, std::size_t jump);
 
 /// The pieces of the lines as the tour drives them.
 std::vector<TrackPiece> pieces_on(const Tour& tour, const std::vector<WorkedLine>& lines);

@@ -1,0 +1,44 @@
+#pragma once
+// Where a machine may turn, and how far it leaves that land.
+
+#include <cstddef>
+#include <vector>
+
+#include "tramline/check/turning/driven_machine.h"
+#include "tramline/geometry/polygon/region.h"
+#include "tramline/model/plan.h"
+
+namespace tramline::check {
+
+/// How far something is off the land.
+struct Excursion {
+  double depth_m = 0;  ///< 0: it stays on the land
+  Point at;
+};
+
+/// The field without its obstacles, passable ones included; where the boundary is soft and has no headland,
+/// also the land outside, as far as the settings allow.
+class TurningGround {
+ public:
+  explicit TurningGround(const Plan& plan);
+
+  /// The deepest excursion of the outline at places at most `step_m` apart along the path.
+  Excursion deepest(const SteeredPath& path, const Machine& machine, double step_m) const;
+
+ private:
+  struct BoundedRing {
+    Ring ring;
+    Box box;
+    bool field = false;  ///< the land is inside; else outside
+  };
+  using Outline = std::vector<Side>;
+  void measure(const BoundedRing& ring, const std::vector<Outline>& outlines, const Box& reach,
+               Excursion& deepest) const;
+  void measure(const BoundedRing& ring, const std::vector<Side>& near_edges, const Side& side,
+               Excursion& deepest) const;
+
+  std::vector<BoundedRing> rings_;
+  double beyond_m_ = 0;  ///< of the field's ring, that is land as well
+};
+
+}  // namespace tramline::check

@@ -1,0 +1,152 @@
+#include "tramline/planner/headland_choice/headlands_for_turns.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "tramline/planner/assembly/finished_plan.h"
+#include "tramline/planner/headland_choice/needed_passes.h"
+#include "tramline/planner/headland_choice/relaid.h"
+#include "tramline/planner/prepare_field.h"
+
+namespace tramline {
+namespace {
+
+/// So many times passes are added where turns lack room. Each time the ends of tracks move a little.
+constexpr int kMostRounds = 4;
+constexpr int kMostPasses = 100;
+
+struct Tried {
+  Plan plan;
+  PassesByBoundary passes;
+  PassesByBoundary lacking;
+};
+
+bool any(const PassesByBoundary& passes) {
+  const auto some = [](const std::vector<int>& all) {
+    return std::any_of(all.begin(), all.end(), [](int n) { return n > 0; });
+  };
+  return some(passes.edges) || some(passes.obstacles);
+}
+
+int deepest(const PassesByBoundary& passes) {
+  int out = 0;
+  for (const int n : passes.edges) out = std::max(out, n);
+  for (const int n : passes.obstacles) out = std::max(out, n);
+  return out;
+}
+
+int turns_without_room(const Plan& plan) {
+  return static_cast<int>(std::count_if(plan.turns.begin(), plan.turns.end(), [](const PlannedTurn& turn) {
+    return turn.state == TurnState::kNoRoom;
+  }));
+}
+
+/// A turn without room costs what backing out of a stop does.
+double whole_price(const Plan& plan) { return plan.cost + plan.objective.stop * turns_without_room(plan); }
+
+bool is_better(const Plan& a, const Plan& b) {
+  const int of_a = turns_without_room(a) + a.tally.stops, of_b = turns_without_room(b) + b.tally.stops;
+  return of_a != of_b ? of_a < of_b : a.cost < b.cost;
+}
+
+class HeadlandsForTurns {
+ public:
+  HeadlandsForTurns(const PlanningProblem& problem, const Plan& layout, const SearchContext& context)
+      : problem_(problem), layout_(layout), context_(context) {
+    problem_.settings.turns = TurnPlanning::kTurns;
+  }
+
+  Plan run() {
+    const PassesByBoundary first = as_set(needed_passes(layout_));
+    std::optional<Tried> best = improved(first);
+    // A field too small for all of them gets as many as leave room for tracks.
+    for (int most = deepest(first) - 1; !best && most >= 0; --most)
+      best = improved(no_more_than(first, most));
+    if (!best) throw no_room(problem_);
+    if (problem_.settings.obstacle_headland_rule == HeadlandRule::kTurns) leave_out_obstacles(*best);
+    return std::move(best->plan);
+  }
+
+ private:
+  /// What the settings decide instead of the turns.
+  PassesByBoundary as_set(PassesByBoundary passes) const {
+    const PlanSettings& settings = problem_.settings;
+    if (settings.headland_rule == HeadlandRule::kPasses)
+      std::fill(passes.edges.begin(), passes.edges.end(), settings.headlands);
+    if (settings.obstacle_headland_rule == HeadlandRule::kPasses)
+      for (std::size_t i = 0; i < passes.obstacles.size(); ++i)
+        passes.obstacles[i] =
+            problem_.field.obstacles[i].kind == ObstacleKind::kObstacle ? settings.obstacle_headlands : 0;
+    return passes;
+  }
+
+  static PassesByBoundary no_more_than(PassesByBoundary passes, int most) {
+    for (int& n : passes.edges) n = std::min(n, most);
+    for (int& n : passes.obstacles) n = std::min(n, most);
+    return passes;
+  }
+
+  /// The best plan of a few rounds, each with the passes added that the one before lacked.
+  std::optional<Tried> improved(PassesByBoundary passes) {
+    std::optional<Tried> best;
+    for (int round = 0; round < kMostRounds; ++round) {
+      context_.report();
+      std::optional<Tried> tried = tried_with(passes);
+      if (!tried) return best;
+      const PassesByBoundary lacking = tried->lacking;
+      if (!best || is_better(tried->plan, best->plan)) best = std::move(tried);
+      const PassesByBoundary more = as_set(sum(passes, lacking));
+      if (!any(lacking) || more == passes) return best;
+      passes = more;
+    }
+    return best;
+  }
+
+  static PassesByBoundary sum(PassesByBoundary a, const PassesByBoundary& b) {
+    for (std::size_t i = 0; i < a.edges.size(); ++i)
+      a.edges[i] = std::min(a.edges[i] + b.edges[i], kMostPasses);
+    for (std::size_t i = 0; i < a.obstacles.size(); ++i)
+      a.obstacles[i] = std::min(a.obstacles[i] + b.obstacles[i], kMostPasses);
+    return a;
+  }
+
+  /// nullopt where no track is left.
+  std::optional<Tried> tried_with(const PassesByBoundary& passes) {
+    PlanningProblem problem = problem_;
+    problem.settings.headland_edges = passes.edges;
+    problem.settings.boundary = any({passes.edges, {}}) ? EdgeKind::kHard : problem_.settings.boundary;
+    const std::optional<PreparedField> prepared = field_behind(problem, passes.obstacles);
+    if (!prepared || area(prepared->ground.plannable) == 0) return std::nullopt;
+    SearchResult found = relaid(problem, *prepared, layout_.subfields, context_.uncounted());
+    if (!found.best.works()) return std::nullopt;
+    found.directions_tried = layout_.directions_tried;
+    Tried out{finished_plan(SearchTask(problem, *prepared), std::move(found), context_), passes, {}};
+    out.lacking = lacking_passes(out.plan, *prepared->turning_land);
+    return out;
+  }
+
+  /// Obstacles lose their headland one by one where that costs less, the first ones first.
+  void leave_out_obstacles(Tried& best) {
+    for (std::size_t i = 0; i < best.passes.obstacles.size(); ++i) {
+      if (best.passes.obstacles[i] == 0) continue;
+      PassesByBoundary fewer = best.passes;
+      fewer.obstacles[i] = 0;
+      std::optional<Tried> without = tried_with(fewer);
+      if (without && whole_price(without->plan) < whole_price(best.plan)) best = std::move(*without);
+    }
+  }
+
+  PlanningProblem problem_;
+  const Plan& layout_;
+  SearchContext context_;
+};
+
+}  // namespace
+
+Plan plan_with_headlands_for_turns(const PlanningProblem& problem, const Plan& layout,
+                                   const SearchContext& context) {
+  return HeadlandsForTurns(problem, layout, context).run();
+}
+
+}  // namespace tramline

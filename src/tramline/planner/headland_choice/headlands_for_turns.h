@@ -1,0 +1,20 @@
+#pragma once
+// Headlands as deep as the turns of the machine need, where tracks end, and nowhere else.
+
+#include "tramline/model/plan.h"
+#include "tramline/planner/planning_problem.h"
+#include "tramline/planner/search_context.h"
+
+namespace tramline {
+
+/// The plan with the layout of `layout`, which is a plan of the same problem without the headlands to be
+/// chosen: its directions, curves and subfields are kept, and the tracks are laid anew on the body that the
+/// headlands leave. Passes begin as those that the turns of the layout need (needed_passes()); where turns
+/// still leave the land, more are added, a few times. Where the field has no room for all of them, the plan
+/// with the fewest turns without room is taken; its turns say how much room is missing. Obstacles whose
+/// headlands are to be chosen get them where that costs less than cutting tracks at them or driving round.
+/// Throws as finished_plan().
+Plan plan_with_headlands_for_turns(const PlanningProblem& problem, const Plan& layout,
+                                   const SearchContext& context);
+
+}  // namespace tramline

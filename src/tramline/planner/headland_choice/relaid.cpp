@@ -1,0 +1,78 @@
+#include "tramline/planner/headland_choice/relaid.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/polygon/interior_point.h"
+#include "tramline/planner/given/part_problem.h"
+#include "tramline/planner/search/best_along.h"
+
+namespace tramline {
+namespace {
+
+/// Ground smaller than this between two subfields is rounding, m².
+constexpr double kSliver_m2 = 1;
+
+bool same_lines(const Subfield& a, const Subfield& b) {
+  return a.direction == b.direction && a.reference == b.reference;
+}
+
+const Subfield& nearest_of(const std::vector<Subfield>& layout, const Polygon& part) {
+  const Point inside = interior_point(part);
+  double least = std::numeric_limits<double>::infinity();
+  const Subfield* nearest = &layout.front();
+  for (const Subfield& subfield : layout) {
+    const double off_m = distance_between({subfield.shape}, line_neighbourhood(inside, inside, 0.01));
+    if (off_m >= least) continue;
+    least = off_m;
+    nearest = &subfield;
+  }
+  return *nearest;
+}
+
+/// The parts of the ground with the lines of the subfield that each lies in.
+std::vector<Subfield> parts_of(const Region& ground, const std::vector<Subfield>& layout) {
+  std::vector<Subfield> out;
+  const auto as = [](const Polygon& shape, const Subfield& like) {
+    return Subfield{shape, like.direction, like.reference, like.given_by};
+  };
+  const bool undivided = std::all_of(layout.begin(), layout.end(),
+                                     [&](const Subfield& one) { return same_lines(one, layout.front()); });
+  if (undivided) {
+    for (const Polygon& part : ground) out.push_back(as(part, layout.front()));
+    return out;
+  }
+  Region rest = ground;
+  for (const Subfield& subfield : layout) {
+    for (const Polygon& part : intersection(ground, {subfield.shape}))
+      if (area(part) >= kSliver_m2) out.push_back(as(part, subfield));
+    rest = difference(rest, {subfield.shape});
+  }
+  for (const Polygon& part : rest)
+    if (area(part) >= kSliver_m2) out.push_back(as(part, nearest_of(layout, part)));
+  return out;
+}
+
+}  // namespace
+
+SearchResult relaid(const PlanningProblem& problem, const PreparedField& prepared,
+                    const std::vector<Subfield>& layout, const SearchContext& context) {
+  const SearchTask task(problem, prepared);
+  std::vector<LinedSubfield> lined;
+  for (Subfield& part : parts_of(prepared.ground.plannable, layout)) {
+    if (!part.reference.empty()) {
+      lined.push_back({std::move(part), 0});
+      continue;
+    }
+    const PartProblem alone(problem, prepared, {part.shape}, MayDivide::kNo);
+    const SearchTask alone_task = alone.task();
+    lined.push_back(best_along(alone_task, std::move(part), context));
+  }
+  SearchResult out;
+  out.best = candidate_on(task, lined);
+  out.directions_tried = 1;
+  return out;
+}
+
+}  // namespace tramline

@@ -1,0 +1,31 @@
+#pragma once
+// The turns between the pieces of a plan.
+
+#include <vector>
+
+#include "tramline/model/manoeuvre.h"
+#include "tramline/model/track.h"
+#include "tramline/turns/room/allowed_land.h"
+
+namespace tramline {
+
+/// The hop from one piece to the next: the end of the one and the start of the other, along their tracks.
+struct Hop {
+  Pose end;
+  Pose start;
+};
+Hop hop_between(const TrackPiece& from, const TrackPiece& to);
+
+/// All manoeuvres of the machine over a hop, quickest first, with the straight ways on which the implement is
+/// lifted before them and driven in line (`run_in_m`) and lowered after them.
+std::vector<Manoeuvre> manoeuvres_over(const Hop& hop, const Machine& machine, double run_in_m);
+
+/// The turn from each piece to the next one in driving order, except across passable obstacles: the quickest
+/// manoeuvre of the machine that stays on the land, from where the work ends to where it begins, the way on
+/// which the implement is lifted and lowered included. A towed implement gets as much run-in as brings its
+/// lateral error at the first worked metre under `towing_error_m` where there is room for it. O(n) for n
+/// pieces, times the manoeuvres of a machine and the room test.
+std::vector<PlannedTurn> planned_turns(const AllowedLand& land, const Machine& machine,
+                                       const std::vector<TrackPiece>& pieces, double towing_error_m);
+
+}  // namespace tramline

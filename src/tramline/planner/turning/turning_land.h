@@ -1,0 +1,13 @@
+#pragma once
+// The land that a machine may turn on.
+
+#include "tramline/planner/planning_problem.h"
+
+namespace tramline {
+
+/// The field without its obstacles, worked or not; passable ones are crossed straight on, not turned on.
+/// Where the boundary is soft and has no headland also the land outside, as far as PlanSettings::turn_room_m
+/// says or, where that is negative, as far as any manoeuvre leads. Local metres.
+Region turning_land(const PlanningProblem& problem);
+
+}  // namespace tramline
