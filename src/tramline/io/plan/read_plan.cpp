@@ -173,7 +173,7 @@ void read_turns(Rows& file, PlanFile& out) {
     turn.lateral_error_m = row.number("lateral_error_m");
     const Point at = row.line().front();
     derive(out, row, "length_m", length(turn.manoeuvre.path), at);
-    derive(out, row, "gear_changes", gear_changes(turn.manoeuvre.path), at);
+    derive(out, row, "gear_changes", gear_changes(turn.manoeuvre), at);
     out.plan.turns.push_back(std::move(turn));
   });
 }

@@ -103,7 +103,7 @@ void write_turns(const Target& target, const Plan& plan) {
     table.add(
         target.shapes.line(drawn(plan, turn)),
         {counted_from_1(turn.after), std::string(name(turn.state)), std::string(name(turn.manoeuvre.kind)),
-         turn.manoeuvre.word, gear_changes(path) + 0LL, length(path), turn.time_s, turn.missing_m,
+         turn.manoeuvre.word, gear_changes(turn.manoeuvre) + 0LL, length(path), turn.time_s, turn.missing_m,
          turn.lateral_error_m, steered_text(path, target.offset)});
   }
 }

@@ -129,9 +129,14 @@ class TurnCheck {
       add(fmt::format("takes {:.3f} s, not {:.3f} s", time_s, turn_.time_s), turn_.time_s - time_s);
   }
 
+  /// Tracks are worked forwards, before the turn and after it.
   static int gear_changes_of(const SteeredPath& path) {
-    int out = 0;
-    for (std::size_t i = 1; i < path.size(); ++i) out += path[i].gear != path[i - 1].gear ? 1 : 0;
+    int out = path.back().gear == Gear::kReverse ? 1 : 0;
+    Gear gear = Gear::kForward;
+    for (const SteeredStretch& stretch : path) {
+      out += stretch.gear != gear ? 1 : 0;
+      gear = stretch.gear;
+    }
     return out;
   }
 
