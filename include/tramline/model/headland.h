@@ -42,6 +42,8 @@ struct Headland {
   double overlap_m2 = 0;    ///< worked outside `ground`, or worked there again
   double uncovered_m2 = 0;  ///< of `ground`: worked_m2 = area(ground) − uncovered_m2 + overlap_m2
   Region unworked;          ///< the land of uncovered_m2, as polygons for display
+  /// Number of passes by edge of Field::outer, where they differ; empty: as many round the whole field.
+  std::vector<int> edge_passes{};
 };
 
 const char* name(HeadlandConstruction how);  ///< drivable, plain

@@ -40,12 +40,25 @@ Region opened(const Region& region, double width_m) {
   return buffered(buffered(region, -half, JoinStyle::kMitre), half, JoinStyle::kMitre);
 }
 
+Strip wide_strip(double width_m, double least_length_m) { return {width_m, least_length_m}; }
+Strip narrow_strip(double width_m, double least_length_m) {
+  return {width_m * kNarrowestStrip, least_length_m * kNarrowStripLength};
+}
+
 }  // namespace
+
+Region without_room_for_tracks(const Region& region, double width_m, double least_length_m) {
+  Region out = region;
+  std::erase_if(out, [&](const Polygon& part) {
+    return holds_a_track(part, wide_strip(width_m, least_length_m)) ||
+           holds_a_track(part, narrow_strip(width_m, least_length_m));
+  });
+  return out;
+}
 
 Region ceded_to_tracks(const HeadlandAndBody& headland, const ClearLand& clear, double width_m,
                        double least_length_m) {
-  const Strip wide{width_m, least_length_m};
-  const Strip narrow{width_m * kNarrowestStrip, least_length_m * kNarrowStripLength};
+  const Strip wide = wide_strip(width_m, least_length_m), narrow = narrow_strip(width_m, least_length_m);
   if (headland.uncovered_m2 <
       0.99 * std::min(wide.width_m * wide.least_length_m, narrow.width_m * narrow.least_length_m))
     return {};

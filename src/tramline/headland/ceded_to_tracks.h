@@ -25,4 +25,8 @@ struct ClearLand {
 Region ceded_to_tracks(const HeadlandAndBody& headland, const ClearLand& clear, double width_m,
                        double least_length_m);
 
+/// The parts of a region in which no track fits, by the same measure: neither as wide as a swath and
+/// `least_length_m` long nor narrower and longer.
+Region without_room_for_tracks(const Region& region, double width_m, double least_length_m);
+
 }  // namespace tramline

@@ -140,11 +140,13 @@ std::vector<Path> clear_stretches(const Path& path, const std::vector<OffsetBoun
   return out;
 }
 
+Path driven_on(Path path, const std::vector<SwathLimit>& limits, double width_m, double most_m) {
+  go_on(path, free_run_m({path.back().to, direction_at_end(path.back()), 0.5 * width_m}, limits, most_m));
+  return path;
+}
+
 Path driven_to_the_end(Path path, const std::vector<SwathLimit>& limits, double width_m, double most_m) {
-  for (int end = 0; end < 2; ++end) {
-    go_on(path, free_run_m({path.back().to, direction_at_end(path.back()), 0.5 * width_m}, limits, most_m));
-    path = reversed(path);
-  }
+  for (int end = 0; end < 2; ++end) path = reversed(driven_on(std::move(path), limits, width_m, most_m));
   return path;
 }
 

@@ -19,8 +19,11 @@ struct SwathLimit {
   double distance_m = 0;
 };
 
-/// An open path extended straight at both ends as far as its swath, `width_m` wide and with flat ends, keeps
-/// its distance from the boundaries, but by no more than `most_m`. O(n) for n edges.
+/// An open path extended straight at its end as far as its swath, `width_m` wide and with flat ends, keeps its
+/// distance from the boundaries, but by no more than `most_m`. O(n) for n edges.
+Path driven_on(Path path, const std::vector<SwathLimit>& limits, double width_m, double most_m);
+
+/// An open path extended straight at both ends in the same way. O(n) for n edges.
 Path driven_to_the_end(Path path, const std::vector<SwathLimit>& limits, double width_m, double most_m);
 
 }  // namespace tramline

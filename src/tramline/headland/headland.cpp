@@ -1,11 +1,13 @@
 #include "tramline/headland/headland.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/headland/body.h"
 #include "tramline/headland/ceded_to_tracks.h"
+#include "tramline/headland/edges/chain_passes.h"
 #include "tramline/headland/pass_boundaries.h"
 #include "tramline/headland/pass_rings.h"
 #include "tramline/headland/pass_tally.h"
@@ -23,9 +25,56 @@ Region body_behind(const Field& field, const Region& land, const std::vector<Bou
   return intersection(land, behind);
 }
 
+/// Passes along chains of edges, from the first number that not all edges of the field have.
+struct ChainsByNumber {
+  int first = 1;
+  std::vector<std::vector<ChainToFollow>> chains;  ///< of number first + i
+
+  const std::vector<ChainToFollow>& with(int number) const {
+    static const std::vector<ChainToFollow> kNone;
+    const int i = number - first;
+    return i < 0 || i >= std::ssize(chains) ? kNone : chains[static_cast<std::size_t>(i)];
+  }
+  int last() const { return first - 1 + static_cast<int>(chains.size()); }
+  Region ground() const {
+    Region out;
+    for (const auto& same_number : chains)
+      for (const ChainToFollow& chain : same_number)
+        out.insert(out.end(), chain.ground.land.begin(), chain.ground.land.end());
+    return unite(out);
+  }
+};
+
+ChainsByNumber chains_of(const Field& field, const HeadlandTerms& terms) {
+  ChainsByNumber out;
+  out.first = 1 + passes_everywhere(terms.edge_passes);
+  for (int number = out.first; number <= passes_anywhere(terms.edge_passes); ++number) {
+    out.chains.emplace_back();
+    for (EdgeChain& chain : chains_with(field.outer, terms.edge_passes, number)) {
+      ChainGround ground = ground_along(chain, field.outer, number * terms.width_m);
+      out.chains.back().push_back({std::move(chain), std::move(ground)});
+    }
+  }
+  return out;
+}
+
+double least_track_m(const HeadlandTerms& terms) { return std::max(terms.min_length_m, 2 * terms.width_m); }
+
+/// Takes the ground of chains off the body, and the parts of it beside them where no track fits.
+void take_chains_off(const ChainsByNumber& chains, const HeadlandTerms& terms, Region& body) {
+  const Region ground = chains.ground();
+  if (ground.empty()) return;
+  body = difference(body, ground);
+  Region narrow = without_room_for_tracks(body, terms.width_m, least_track_m(terms));
+  std::erase_if(narrow,
+                [&](const Polygon& part) { return distance_between({part}, ground) > kSamePlace_m; });
+  if (!narrow.empty()) body = difference(body, narrow);
+}
+
 /// The land where tracks may end in any direction, a width from every boundary that has passes, and where
 /// they may also reach over the edge of their ground, a width from every boundary.
-ClearLand clear_of_boundaries(std::vector<Boundary> boundaries, double width_m) {
+ClearLand clear_of_boundaries(std::vector<Boundary> boundaries, const ChainsByNumber& chains,
+                              double width_m) {
   bool all = true;
   for (Boundary& boundary : boundaries) {
     all = all && boundary.passes > 0;
@@ -35,14 +84,15 @@ ClearLand clear_of_boundaries(std::vector<Boundary> boundaries, double width_m) 
   out.for_track_ends = land_behind_headlands(boundaries, width_m);
   for (Boundary& boundary : boundaries) boundary.passes = 1;
   out.for_track_sides = all ? out.for_track_ends : land_behind_headlands(boundaries, width_m);
+  for (const ChainToFollow& chain : chains.with(1))
+    out.for_track_ends = difference(out.for_track_ends, chain.ground.land);
   return out;
 }
 
-void leave_to_tracks(const Field& field, const Region& land, const std::vector<Boundary>& boundaries,
+void leave_to_tracks(const Field& field, const Region& land, const ClearLand& clear,
                      const HeadlandTerms& terms, HeadlandAndBody& out) {
-  const double w = terms.width_m, least_m = std::max(terms.min_length_m, 2 * w);
-  if (out.uncovered_m2 <= 0) return;
-  const Region ceded = ceded_to_tracks(out, clear_of_boundaries(boundaries, w), w, least_m);
+  const double w = terms.width_m;
+  const Region ceded = ceded_to_tracks(out, clear, w, least_track_m(terms));
   if (ceded.empty()) return;
   out.body = unite(out.body, ceded);
   out.ground = difference(land, out.body);
@@ -62,28 +112,39 @@ bool leaves_body(const Field& field, double width_m, int passes) {
 
 }  // namespace
 
-HeadlandAndBody headland_of(const Field& field, const HeadlandTerms& terms) {
+HeadlandAndBody headland_of(const Field& field, const HeadlandTerms& asked) {
+  assert(asked.edge_passes.empty() || asked.edge_passes.size() == field.outer.size());
+  HeadlandTerms terms = asked;
+  if (!terms.edge_passes.empty()) terms.field_passes = passes_everywhere(terms.edge_passes);
+  if (terms.field_passes == passes_anywhere(terms.edge_passes)) terms.edge_passes.clear();
   if (terms.construction == HeadlandConstruction::kPlain) return plain_headland_of(field, terms);
   const std::vector<Boundary> boundaries = boundaries_of(field, terms);
   const Region land = body_of(field);
   HeadlandAndBody out;
   out.obstacle_passes = terms.obstacle_passes;
-  const int most = deepest(boundaries);
+  out.edge_passes = terms.edge_passes;
+  const ChainsByNumber chains = chains_of(field, terms);
+  const int most = std::max(deepest(boundaries), chains.last());
   if (most == 0) {
     out.body = land;
     return out;
   }
   out.body = body_behind(field, land, boundaries, terms.width_m);
+  take_chains_off(chains, terms, out.body);
   out.ground = difference(land, out.body);
   const Region passable = obstacle_shapes(field, ObstacleKind::kPassable);
+  const auto add = [&](std::vector<HeadlandPass> passes) {
+    out.passes.insert(out.passes.end(), std::make_move_iterator(passes.begin()),
+                      std::make_move_iterator(passes.end()));
+  };
   for (int number = 1; number <= most; ++number) {
-    std::vector<HeadlandPass> rings =
-        pass_rings(boundaries, terms, number, {out.ground, passable, terms.width_m}, out.passes);
-    out.passes.insert(out.passes.end(), std::make_move_iterator(rings.begin()),
-                      std::make_move_iterator(rings.end()));
+    for (const ChainToFollow& chain : chains.with(number))
+      add(passes_along(chain, boundaries, terms, number, passable, out.passes));
+    add(pass_rings(boundaries, terms, number, {out.ground, passable, terms.width_m}, out.passes));
   }
   tally_passes(passable, terms.width_m, out);
-  leave_to_tracks(field, land, boundaries, terms, out);
+  if (out.uncovered_m2 > 0)
+    leave_to_tracks(field, land, clear_of_boundaries(boundaries, chains, terms.width_m), terms, out);
   return out;
 }
 

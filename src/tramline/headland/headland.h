@@ -18,6 +18,9 @@ struct HeadlandTerms {
                                      ///< has no headland. Of no consequence for passable ones
   double min_length_m = 0;           ///< no track is shorter
   HeadlandConstruction construction = HeadlandConstruction::kDrivable;
+  /// By edges of Field::outer, edge i from vertex i to vertex i + 1; empty: field_passes along all of them,
+  /// else field_passes does not count. Different numbers require kDrivable.
+  std::vector<int> edge_passes{};
 };
 
 /// Headlands, except for Headland::unworked, and the body they leave.
@@ -40,10 +43,18 @@ struct HeadlandAndBody : Headland {
 /// headland (no swath leaves the field there, however it ends), as wide as a swath, and as long as the least
 /// length or two widths, whichever is more. The rest counts as uncovered.
 ///
+/// With different numbers by edge, as many passes as all edges have go round the field. Each further pass runs
+/// along every chain of edges that have it, without regard to the others, as an open path: round corners as
+/// above, and at the ends of the chain straight on until its swath reaches the boundary, an obstacle, or a
+/// pass driven before. Where that is farther off than twice the pass's depth (the field widens, or hardly
+/// turns) the pass ends at right angles to the chain. The headland is the land along the chains (chain_ground.h).
+/// Parts of the body beside it without room for a track go to it.
+///
 /// No pass leaves the field or enters an obstacle with its swath (up to 1e-6 m). Passable obstacles do not
 /// bend passes. Ground inside a hole of an obstacle is body without headland.
 ///
 /// O(n²) for n corners, less where they are far apart compared to the distances.
+/// Preconditions: edge_passes is empty or has a number for each edge.
 HeadlandAndBody headland_of(const Field& field, const HeadlandTerms& terms);
 
 /// `uncovered_m2` as a region: the ground that no pass works, exact to about kBodySagitta at arcs. Unworked
