@@ -53,6 +53,10 @@ inline constexpr Colour kSwathEdgeColour = rgb(0x2F3B2F, 0.4);
 inline constexpr Colour kKeepOffColour = kObstacleColour;
 inline constexpr std::uint32_t kTrackHex = 0x3A463B;
 inline constexpr Colour kTrackColour = rgb(kTrackHex, 0.85);
+inline constexpr std::uint32_t kTurnHex = 0x1E7B4F;
+inline constexpr Colour kTurnColour = rgb(kTurnHex);
+inline constexpr std::uint32_t kNoRoomHex = 0xC62828;
+inline constexpr Colour kNoRoomColour = rgb(kNoRoomHex);
 inline constexpr Colour kDroppedColour = rgb(0x6E6E6E);
 // Darker than overlap and uncovered land, and drawn on a white rim: its shape tells it apart from them
 // even where its hue does not.

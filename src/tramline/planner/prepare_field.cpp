@@ -85,7 +85,10 @@ bool clearance_takes_all(const PlanningProblem& problem, const ClassifiedGround&
 }
 
 Region hard_field(const PlanningProblem& problem) {
-  const bool hard = problem.settings.boundary == EdgeKind::kHard && problem.settings.headlands == 0;
+  const std::vector<int>& edges = problem.settings.headland_edges;
+  const bool all_round = edges.empty() ? problem.settings.headlands > 0
+                                       : *std::min_element(edges.begin(), edges.end()) > 0;
+  const bool hard = problem.settings.boundary == EdgeKind::kHard && !all_round;
   return hard ? Region{{problem.field.outer, {}}} : Region{};
 }
 
@@ -116,7 +119,8 @@ std::optional<PreparedField> behind_headlands(const PlanningProblem& problem,
                             min_length_m(problem.machine),
                             problem.settings.tracks == TrackConstruction::kPaper
                                 ? HeadlandConstruction::kPlain
-                                : HeadlandConstruction::kDrivable};
+                                : HeadlandConstruction::kDrivable,
+                            problem.settings.headland_edges};
   HeadlandAndBody headland = headland_of(problem.field, terms);
   if (headland.body.empty() && headland.passes.empty()) return std::nullopt;
   PreparedField out;

@@ -13,8 +13,9 @@ namespace tramline {
 namespace {
 
 /// So many times passes are added where turns lack room. Each time the ends of tracks move a little.
-constexpr int kMostRounds = 4;
-constexpr int kMostPasses = 100;
+constexpr int kMostRounds = 6;
+/// Passes beyond those that the deepest turn of the layout needs: round corners turns reach deeper.
+constexpr int kMorePasses = 2;
 
 struct Tried {
   Plan plan;
@@ -59,11 +60,13 @@ class HeadlandsForTurns {
 
   Plan run() {
     const PassesByBoundary first = as_set(needed_passes(layout_));
+    most_passes_ = deepest(first) + kMorePasses;
     std::optional<Tried> best = improved(first);
     // A field too small for all of them gets as many as leave room for tracks.
     for (int most = deepest(first) - 1; !best && most >= 0; --most)
       best = improved(no_more_than(first, most));
     if (!best) throw no_room(problem_);
+    if (problem_.settings.headland_rule == HeadlandRule::kTurns) go_all_round(*best);
     if (problem_.settings.obstacle_headland_rule == HeadlandRule::kTurns) leave_out_obstacles(*best);
     return std::move(best->plan);
   }
@@ -103,11 +106,13 @@ class HeadlandsForTurns {
     return best;
   }
 
-  static PassesByBoundary sum(PassesByBoundary a, const PassesByBoundary& b) {
-    for (std::size_t i = 0; i < a.edges.size(); ++i)
-      a.edges[i] = std::min(a.edges[i] + b.edges[i], kMostPasses);
-    for (std::size_t i = 0; i < a.obstacles.size(); ++i)
-      a.obstacles[i] = std::min(a.obstacles[i] + b.obstacles[i], kMostPasses);
+  PassesByBoundary sum(PassesByBoundary a, const PassesByBoundary& b) const {
+    const auto add = [this](std::vector<int>& to, const std::vector<int>& more) {
+      for (std::size_t i = 0; i < to.size(); ++i)
+        to[i] = std::max(to[i], std::min(to[i] + more[i], most_passes_));
+    };
+    add(a.edges, b.edges);
+    add(a.obstacles, b.obstacles);
     return a;
   }
 
@@ -126,6 +131,15 @@ class HeadlandsForTurns {
     return out;
   }
 
+  /// A pass along the bare edges where that costs less than the land left beside tracks that end inside them.
+  void go_all_round(Tried& best) {
+    PassesByBoundary more = best.passes;
+    for (int& n : more.edges) n = std::max(n, 1);
+    if (more == best.passes) return;
+    std::optional<Tried> round = tried_with(more);
+    if (round && whole_price(round->plan) < whole_price(best.plan)) best = std::move(*round);
+  }
+
   /// Obstacles lose their headland one by one where that costs less, the first ones first.
   void leave_out_obstacles(Tried& best) {
     for (std::size_t i = 0; i < best.passes.obstacles.size(); ++i) {
@@ -140,6 +154,7 @@ class HeadlandsForTurns {
   PlanningProblem problem_;
   const Plan& layout_;
   SearchContext context_;
+  int most_passes_ = 0;
 };
 
 }  // namespace

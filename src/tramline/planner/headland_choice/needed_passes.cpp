@@ -88,6 +88,9 @@ class Sides {
 /// How far the line of a track may run on beyond a soft edge, in widths, and the boundary be ahead of an end.
 constexpr double kBehind_widths = 4, kAhead_m = 1e4;
 
+/// Cosine of the angle within which two edges are one side.
+constexpr double kSameSide = 0.94;
+
 double turn_width_m(const Plan& plan) {
   const double across_m = plan.settings.skip * plan.machine.width_m;
   return 2 * (std::max(2 * plan.machine.radius_m, across_m) + plan.machine.width_m);
@@ -127,8 +130,10 @@ class Needs {
     direction_ = hop.end.heading.unit();
     const auto from = place_at(plan_, hop.end, hop.end.heading.unit());
     const auto to = place_at(plan_, hop.start, -1.0 * hop.start.heading.unit());
+    // Round a corner the land beyond one side says nothing about the other.
+    if (from && to && dot(from->outward, to->outward) < kSameSide) return;
     int least = std::numeric_limits<int>::max(), at_end = 0, at_start = 0;
-    for (const Manoeuvre& way : manoeuvres_over(hop, plan_.machine, 0)) {
+    for (const Manoeuvre& way : manoeuvres_over(hop, plan_.machine, {})) {
       if (way.path.empty()) continue;
       const int end = from ? passes_before(*from, way.path, hop.end.at) : 0;
       const int start = to ? passes_before(*to, way.path, hop.start.at) : 0;
@@ -137,9 +142,9 @@ class Needs {
       at_end = end;
       at_start = start;
     }
-    if (from && to && !from->obstacle && !to->obstacle &&
-        distance(hop.end.at, hop.start.at) <= turn_width_m(plan_)) {
-      sides_.take_up(from->along_m, to->along_m, std::max(at_end, at_start));
+    if (from && to && !from->obstacle && !to->obstacle) {
+      if (distance(hop.end.at, hop.start.at) <= turn_width_m(plan_))
+        sides_.take_up(from->along_m, to->along_m, std::max(at_end, at_start));
       return;
     }
     take(from, at_end);

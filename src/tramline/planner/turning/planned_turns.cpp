@@ -18,16 +18,18 @@ constexpr double kFar_turns = 3;
 
 /// The manoeuvre with the straight ways on which the implement is lifted before it and, after it, driven in
 /// line and lowered.
-Manoeuvre whole(Manoeuvre manoeuvre, const Hop& hop, const Turning& turning, double run_in_m) {
+Manoeuvre whole(Manoeuvre manoeuvre, const Hop& hop, const Turning& turning, const StraightWays& more) {
   SteeredPath path;
   const double back_m = reach_back_m(turning);
   const auto add_straight = [&path](const Pose& from, double length_m) {
     if (length_m > 0) path.push_back({from, length_m});
   };
-  add_straight({hop.end.at + back_m * hop.end.heading.unit(), hop.end.heading}, turning.lift_m);
+  add_straight({hop.end.at + back_m * hop.end.heading.unit(), hop.end.heading},
+               turning.lift_m + more.before_m);
   path.insert(path.end(), manoeuvre.path.begin(), manoeuvre.path.end());
-  const double before_m = turning.lower_m + run_in_m;
-  add_straight({hop.start.at + (back_m - before_m) * hop.start.heading.unit(), hop.start.heading}, before_m);
+  const double in_line_m = turning.lower_m + more.after_m;
+  add_straight({hop.start.at + (back_m - in_line_m) * hop.start.heading.unit(), hop.start.heading},
+               in_line_m);
   manoeuvre.path = std::move(path);
   return manoeuvre;
 }
@@ -36,12 +38,19 @@ bool far_apart(const Hop& hop, const Machine& machine) {
   return distance(hop.end.at, hop.start.at) > kFar_turns * (2 * machine.radius_m + 2 * machine.width_m);
 }
 
+/// The quickest with room; nullptr where there is none.
+const Manoeuvre* first_that_fits(const std::vector<Manoeuvre>& ways, const AllowedLand& land,
+                                 const Outline& outline) {
+  for (const Manoeuvre& way : ways)
+    if (land.fits(way.path, outline)) return &way;
+  return nullptr;
+}
+
 /// The quickest way with room, or else the one that lacks least.
 PlannedTurn best_of(const std::vector<Manoeuvre>& ways, const AllowedLand& land, const Outline& outline) {
   PlannedTurn out;
-  for (const Manoeuvre& way : ways) {
-    if (!land.fits(way.path, outline)) continue;
-    out.manoeuvre = way;
+  if (const Manoeuvre* fits = first_that_fits(ways, land, outline)) {
+    out.manoeuvre = *fits;
     return out;
   }
   out.state = TurnState::kNoRoom;
@@ -60,14 +69,38 @@ double error_of(const PlannedTurn& turn, const Outline& outline) {
   return std::abs(lateral_error_m(turn.manoeuvre.path, outline, 0));
 }
 
+/// Where nothing fits the machine drives straight on before it turns, or comes into line farther off: past a
+/// pylon beside the end, or out of a corner. The least such ways first.
+PlannedTurn with_straight_ways(const Hop& hop, const AllowedLand& land, const Machine& machine,
+                               const StraightWays& least) {
+  constexpr int kMostSteps = 6;
+  const Outline outline = outline_of(machine);
+  const double step_m = 0.5 * std::max(machine.radius_m, machine.width_m);
+  PlannedTurn first;
+  for (int sum = 0; sum <= kMostSteps; ++sum)
+    for (int before = 0; before <= sum; ++before) {
+      const StraightWays ways{least.before_m + before * step_m, least.after_m + (sum - before) * step_m};
+      const std::vector<Manoeuvre> all = manoeuvres_over(hop, machine, ways);
+      if (sum == 0) {
+        first = best_of(all, land, outline);
+        if (first.state == TurnState::kFits || far_apart(hop, machine)) return first;
+      } else if (const Manoeuvre* fits = first_that_fits(all, land, outline)) {
+        PlannedTurn out;
+        out.manoeuvre = *fits;
+        return out;
+      }
+    }
+  return first;
+}
+
 PlannedTurn turn_over(const Hop& hop, const AllowedLand& land, const Machine& machine,
                       double towing_error_m) {
   const Outline outline = outline_of(machine);
-  PlannedTurn out = best_of(manoeuvres_over(hop, machine, 0), land, outline);
+  PlannedTurn out = with_straight_ways(hop, land, machine, {});
   out.lateral_error_m = error_of(out, outline);
   if (out.lateral_error_m > towing_error_m && towing_error_m > 0) {
     const double more_m = run_in_m(out.manoeuvre.path, outline, towing_error_m);
-    PlannedTurn longer = best_of(manoeuvres_over(hop, machine, more_m), land, outline);
+    PlannedTurn longer = with_straight_ways(hop, land, machine, {0, more_m});
     if (longer.state == TurnState::kFits || out.state != TurnState::kFits) {
       out = std::move(longer);
       out.lateral_error_m = error_of(out, outline);
@@ -86,13 +119,16 @@ Hop hop_between(const TrackPiece& from, const TrackPiece& to) {
   return {{from.end, Heading::from_to({0, 0}, ahead)}, {to.start, Heading::from_to({0, 0}, on)}};
 }
 
-std::vector<Manoeuvre> manoeuvres_over(const Hop& hop, const Machine& machine, double run_in_m) {
-  const Pose from = pose_after_work(hop.end.at, hop.end.heading, machine.turning);
+std::vector<Manoeuvre> manoeuvres_over(const Hop& hop, const Machine& machine, const StraightWays& more) {
+  Machine on_circles = machine;
+  on_circles.radius_m = std::max(machine.radius_m, kLeastRadius_m);
+  Pose from = pose_after_work(hop.end.at, hop.end.heading, machine.turning);
   Pose to = pose_before_work(hop.start.at, hop.start.heading, machine.turning);
-  to.at = to.at - run_in_m * to.heading.unit();
+  from.at = from.at + more.before_m * from.heading.unit();
+  to.at = to.at - more.after_m * to.heading.unit();
   std::vector<Manoeuvre> out;
-  for (Manoeuvre& manoeuvre : manoeuvres_between(from, to, machine))
-    out.push_back(whole(std::move(manoeuvre), hop, machine.turning, run_in_m));
+  for (Manoeuvre& manoeuvre : manoeuvres_between(from, to, on_circles))
+    out.push_back(whole(std::move(manoeuvre), hop, machine.turning, more));
   return out;
 }
 

@@ -16,9 +16,14 @@ struct Hop {
 };
 Hop hop_between(const TrackPiece& from, const TrackPiece& to);
 
-/// All manoeuvres of the machine over a hop, quickest first, with the straight ways on which the implement is
-/// lifted before them and driven in line (`run_in_m`) and lowered after them.
-std::vector<Manoeuvre> manoeuvres_over(const Hop& hop, const Machine& machine, double run_in_m);
+/// Straight ways besides those on which the implement is lifted and lowered, m.
+struct StraightWays {
+  double before_m = 0;  ///< before the machine turns
+  double after_m = 0;   ///< in line with the next track
+};
+
+/// All manoeuvres of the machine over a hop with the straight ways before and after them, quickest first.
+std::vector<Manoeuvre> manoeuvres_over(const Hop& hop, const Machine& machine, const StraightWays& more);
 
 /// The turn from each piece to the next one in driving order, except across passable obstacles: the quickest
 /// manoeuvre of the machine that stays on the land, from where the work ends to where it begins, the way on

@@ -63,6 +63,12 @@ void draw_swatch_line(Canvas& canvas, const Box& box, const LegendRow& row) {
     draw_arrow_head(canvas, box.centre() + Point{5 * k, 0}, {1, 0}, 10 * k, kFieldEdge);
   } else if (row.symbol == Symbol::kDetour) {
     draw_detour_swatch(canvas, box);
+  } else if (row.symbol == Symbol::kTurn) {
+    stroke_line(canvas, {left, right}, {kTurnColour, kTurnLine * k});
+  } else if (row.symbol == Symbol::kTurnInReverse) {
+    stroke_line(canvas, {left, right}, {kTurnColour, kTurnLine * k, {3 * k, 3 * k}});
+  } else if (row.symbol == Symbol::kNoRoom) {
+    stroke_line(canvas, {left, right}, {kNoRoomColour, kTurnLine * k});
   } else if (row.symbol == Symbol::kHeadlandPass) {
     stroke_line(canvas, {left, right},
                 {kHeadlandPassColour, kHeadlandLine * k, {kHeadlandDash * k, 0.5 * kHeadlandDash * k}});
@@ -121,6 +127,9 @@ void draw_symbol(Canvas& canvas, const Box& box, const LegendRow& row) {
     }
     case Symbol::kTrack:
     case Symbol::kDetour:
+    case Symbol::kTurn:
+    case Symbol::kTurnInReverse:
+    case Symbol::kNoRoom:
     case Symbol::kHeadlandPass:
     case Symbol::kReference:
     case Symbol::kTightestArc:

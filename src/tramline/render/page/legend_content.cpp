@@ -51,6 +51,17 @@ LegendBlock symbols(const Plan& plan) {
   add(!plan.given_up.empty(), Symbol::kGivenUp, "given up on purpose (uncovered)");
   add(!plan.pieces.empty(), Symbol::kTrack, "track, number at its start");
   add(summary_of_detours(plan).count() > 0, Symbol::kDetour, "detour round an obstacle");
+  const auto turns = [&](auto shown) {
+    return std::any_of(plan.turns.begin(), plan.turns.end(), shown);
+  };
+  add(turns([](const PlannedTurn& turn) { return turn.state == TurnState::kFits; }), Symbol::kTurn,
+      "turn, way of the axle");
+  add(turns([](const PlannedTurn& turn) {
+        return turn.state == TurnState::kFits && gear_changes(turn.manoeuvre) > 0;
+      }),
+      Symbol::kTurnInReverse, "turn, in reverse");
+  add(turns([](const PlannedTurn& turn) { return turn.state == TurnState::kNoRoom; }), Symbol::kNoRoom,
+      "turn without room");
   add(!references(plan).empty(), Symbol::kReference, "line that tracks follow");
   add(!plan.dropped.empty(), Symbol::kDropped, "dropped: too short to drive");
   add(has_stops(plan), Symbol::kStop, "stop: the machine backs out");

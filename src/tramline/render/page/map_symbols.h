@@ -25,6 +25,7 @@ const Hatch& not_recorded_hatch();
 /// Widths and dashes of lines, px at text scale 1.
 inline constexpr double kTrackLine = 1.1;
 inline constexpr double kDetourLine = 2.2;
+inline constexpr double kTurnLine = 1.3;
 inline constexpr double kDetourRimWidth = 1.1;  ///< on each side
 inline constexpr double kHeadlandLine = 1.4;
 inline constexpr double kHeadlandDash = 9;

@@ -91,6 +91,9 @@ Box drawn_box(const Plan& plan) {
   box.extend(bounds(plan.body));
   for (const TrackPiece& piece : plan.pieces)
     if (!(piece.start == piece.end)) box.extend(bounds(band(centre_line(piece), width_m, kSagitta)));
+  for (const PlannedTurn& turn : plan.turns)
+    if (turn.state != TurnState::kApart && length(turn.manoeuvre.path) > 0)
+      for (const Point p : chords(trace(turn.manoeuvre.path, kSagitta), kSagitta)) box.extend(p);
   for (const DroppedPiece& piece : plan.dropped) {
     box.extend(piece.start);
     box.extend(piece.end);

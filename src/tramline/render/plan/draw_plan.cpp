@@ -26,6 +26,7 @@ void draw_map(Canvas& canvas, const Plan& plan) {
   const Box drawn = drawn_box(plan);
   draw_headland_passes(canvas, plan, drawn);
   draw_track_lines(canvas, plan);
+  draw_turns(canvas, plan);
   draw_arrow_heads(canvas, plan, drawn);
   draw_outlines(canvas, plan);
   draw_references(canvas, plan, drawn);

@@ -56,6 +56,22 @@ void draw_track_lines(Canvas& canvas, const Plan& plan) {
     if (drivable(piece)) curve(canvas, centre_line(piece), {kTrackColour, thickness});
 }
 
+void draw_turns(Canvas& canvas, const Plan& plan) {
+  const double k = canvas.scale();
+  const double thickness = std::clamp(0.25 * swath_px(canvas, plan), 0.5 * k, kTurnLine * k);
+  for (const PlannedTurn& turn : plan.turns) {
+    if (turn.state == TurnState::kApart) continue;
+    const Colour colour = turn.state == TurnState::kFits ? kTurnColour : kNoRoomColour;
+    for (const SteeredStretch& stretch : turn.manoeuvre.path) {
+      const Path way = trace({stretch}, sagitta_m(canvas.view()));
+      if (way.empty()) continue;
+      Stroke stroke{colour, thickness};
+      if (stretch.gear == Gear::kReverse) stroke = {colour, thickness, {3 * thickness, 3 * thickness}};
+      curve(canvas, way, stroke);
+    }
+  }
+}
+
 void draw_arrow_heads(Canvas& canvas, const Plan& plan, const Box& seen) {
   const double k = canvas.scale();
   const double swath = std::max(0.05, swath_px(canvas, plan));
