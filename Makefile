@@ -135,7 +135,7 @@ LONG := long-properties long-scenes long-best-bound long-best-brute long-best-re
   long-best-real-2 long-best-real-3 long-tally-real long-real-1 long-real-2 long-real-3 \
   long-obstacles-3 long-obstacles-6 long-obstacles-12 long-obstacles-24 long-headlands \
   long-headland-plans-6 long-headland-plans-12 long-headland-plans-24 long-maps long-order \
-  long-coverage long-watch long-serve long-kills long-registers long-fuzz-logs long-fuzz-readers \
+  long-coverage long-manoeuvres long-watch long-serve long-kills long-registers long-fuzz-logs long-fuzz-readers \
   long-fuzz-coverage long-lint long-debug long-asan long-tsan long-clang
 
 .PHONY: long $(LONG)
@@ -207,6 +207,10 @@ long-order: build ## the driving order of all real fields, straight and curved: 
 long-coverage: build ## 10,000 random drives and all real logs: the exact engine of coverage against polygon booleans
 	$(LIMIT) $(RELEASE)/tests/real/coverage_real
 	TRAMLINE_CASES=10000 $(LIMIT) $(RELEASE)/tests/coverage/test_coverage_properties
+
+long-manoeuvres: build ## the shortest ways between 100,000 random pairs of poses: right, and no longer than OMPL's
+	TRAMLINE_CASES=100000 $(LIMIT) $(RELEASE)/tests/turns/test_turns_properties --gtest_filter='*Ompl'
+	TRAMLINE_CASES=3000 $(LIMIT) $(RELEASE)/tests/turns/test_turns_properties --gtest_filter='-*Ompl'
 
 long-watch: packages-test build ## `tramline watch` killed at 20 random moments and taken up again, and its other tests
 	TRAMLINE_KILLS=20 $(LIMIT) $(CTEST) --test-dir $(RELEASE) -L watch

@@ -40,7 +40,7 @@ inline std::optional<TurnLineTurn> with_line(double first, double line_m, double
   if (out.first == 0) out.line_m += 2 * curve.ahead_m;
   if (out.last == 0) out.line_m += 2 * curve.ahead_m;
   if (out.line_m < -kNoLine * curve.radius_m) return {};
-  out.line_m = std::max(0.0, out.line_m);
+  if (out.line_m <= kNoLine * curve.radius_m) out.line_m = 0;
   return out;
 }
 

@@ -26,16 +26,19 @@ std::optional<TurnLineTurn> left_back_left(const RelativePose& to, const TurnCur
   return {};
 }
 
+TurnSide opposite(TurnSide side) { return side == TurnSide::kLeft ? TurnSide::kRight : TurnSide::kLeft; }
+
 }  // namespace
 
 std::vector<Manoeuvre> fishtails(const Pose& from, const Pose& to, const TurnCurves& curves) {
   const RelativePose target = relative(from, to);
   std::vector<Manoeuvre> out;
   if (target.cosine >= 0) return out;
-  for (const TurnSide side : {TurnSide::kLeft, TurnSide::kRight}) {
+  const TurnSide towards = target.left > 0 ? TurnSide::kLeft : TurnSide::kRight;
+  for (const TurnSide side : {towards, opposite(towards)}) {
     const bool left = side == TurnSide::kLeft;
     const auto word = left_back_left(left ? target : target.mirrored(), curves.forward);
-    if (!word) continue;
+    if (!word) break;
     const char letter = left ? 'L' : 'R';
     if (auto manoeuvre =
             driven(from, {{letter, word->first}, {'S', word->line_m, Gear::kReverse}, {letter, word->last}},

@@ -18,11 +18,11 @@
 namespace tramline {
 namespace {
 
-void append(std::vector<Manoeuvre>& out, std::vector<Manoeuvre> more) {
+void add_manoeuvres(std::vector<Manoeuvre>& out, std::vector<Manoeuvre> more) {
   std::move(more.begin(), more.end(), std::back_inserter(out));
 }
 
-void append(std::vector<Manoeuvre>& out, std::optional<Manoeuvre> one) {
+void add_manoeuvres(std::vector<Manoeuvre>& out, std::optional<Manoeuvre> one) {
   if (one) out.push_back(std::move(*one));
 }
 
@@ -40,9 +40,9 @@ std::vector<Manoeuvre> words_in_reverse(const Pose& from, const Pose& to, const 
 
 std::vector<Manoeuvre> reversing(const Pose& from, const Pose& to, const TurnCurves& curves) {
   std::vector<Manoeuvre> out = fishtails(from, to, curves);
-  append(out, words_in_reverse(from, to, curves.reverse));
-  append(out, curves.forward.at_once() ? reeds_shepp_words(from, to, curves.forward.radius_m)
-                                       : three_turns(from, to, curves));
+  add_manoeuvres(out, words_in_reverse(from, to, curves.reverse));
+  add_manoeuvres(out, curves.forward.at_once() ? reeds_shepp_words(from, to, curves.forward.radius_m)
+                                               : three_turns(from, to, curves));
   return out;
 }
 
@@ -61,9 +61,9 @@ std::vector<Manoeuvre> manoeuvres_between(const Pose& from, const Pose& to, cons
          machine.turning.reverse_speed_mps > 0);
   const TurnCurves curves = turn_curves(machine);
   std::vector<Manoeuvre> out = dubins_words(from, to, curves.forward);
-  append(out, u_turn(from, to, curves.forward));
-  append(out, lead_and_turn(from, to, curves.forward));
-  if (machine.turning.reverse) append(out, reversing(from, to, curves));
+  add_manoeuvres(out, u_turn(from, to, curves.forward));
+  add_manoeuvres(out, lead_and_turn(from, to, curves.forward));
+  if (machine.turning.reverse) add_manoeuvres(out, reversing(from, to, curves));
   drop_repeated(out);  // the first keeps its name
   sort_by_time(out, machine);
   return out;

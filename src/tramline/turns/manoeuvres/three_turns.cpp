@@ -23,7 +23,7 @@ struct GearedTurn {
 };
 
 /// From the centre of a turn to that of the next, in the frame of the pose where they meet.
-Point between(const GearedTurn& a, const GearedTurn& b) {
+Point centre_to_centre(const GearedTurn& a, const GearedTurn& b) {
   const Point back = a.to_centre(), on = b.to_centre();
   return {on.x + back.x, on.y - back.y};
 }
@@ -35,7 +35,8 @@ std::optional<std::array<double, 3>> angles_of(const std::array<GearedTurn, 3>& 
                                                double bend) {
   const Point unit{to.cosine, to.sine}, last = turns[2].to_centre();
   const Point way = Point{to.ahead, to.left} - last.x * unit + last.y * left_of(unit) - turns[0].to_centre();
-  const Point first_leg = between(turns[0], turns[1]), second_leg = between(turns[1], turns[2]);
+  const Point first_leg = centre_to_centre(turns[0], turns[1]),
+              second_leg = centre_to_centre(turns[1], turns[2]);
   const double a = length(first_leg), b = length(second_leg), c = length(way);
   if (c > (a + b) * (1 + kTouches) || c < std::abs(a - b) || c <= kNoLine * a) return {};
   const auto corner = [](double beside, double other, double opposite) {

@@ -6,8 +6,11 @@
 namespace tramline {
 
 ManoeuvreKind kind_of_one_sided(const TurnLineTurn& word, const RelativePose& to) {
-  const bool turns = word.first > 0 && word.last > 0 && word.first + word.last < kWholeCircle;
-  if (!turns || to.cosine >= 0) return ManoeuvreKind::kDubins;
+  if (to.cosine >= 0 || word.first + word.last >= kWholeCircle) return ManoeuvreKind::kDubins;
+  const bool both = word.first > 0 && word.last > 0;
+  const bool one = !both && word.first + word.last > 0 && word.line_m == 0;
+  if (one) return ManoeuvreKind::kU;
+  if (!both) return ManoeuvreKind::kDubins;
   return std::abs(word.first - word.last) <= kEqualArcs_rad ? ManoeuvreKind::kU : ManoeuvreKind::kUnequalArcs;
 }
 

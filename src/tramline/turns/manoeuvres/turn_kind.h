@@ -9,8 +9,8 @@ namespace tramline {
 // Turns bring a machine back: their headings at start and end differ by more than a quarter circle. Sabelhaus
 // et al. (2013) name the turns of headlands so. Equal arcs: within kEqualArcs_rad.
 
-/// LSL or RSR: kU where both turns are equal and together less than a circle, kUnequalArcs where they are
-/// not equal, otherwise kDubins (a turn missing, a loop, a way on).
+/// LSL or RSR: kU where both turns are equal and together less than a circle, or are one without a line;
+/// kUnequalArcs where they are not equal, otherwise kDubins (a turn missing, a loop, a way on).
 ManoeuvreKind kind_of_one_sided(const TurnLineTurn& word, const RelativePose& to);
 
 /// LRL or RLR: kOmega where the first and the last turn are equal and each less than half a circle,

@@ -14,7 +14,7 @@
 namespace tramline {
 namespace {
 
-Pose ahead_of(const Pose& pose, double by_m) { return {pose.at + by_m * pose.heading.unit(), pose.heading}; }
+Pose led_on(const Pose& pose, double by_m) { return {pose.at + by_m * pose.heading.unit(), pose.heading}; }
 
 /// Puts a line before or after a manoeuvre; joins it with one that is there.
 Manoeuvre with_lead(Manoeuvre turn, const Pose& from, double lead_m) {
@@ -63,8 +63,8 @@ std::optional<Manoeuvre> lead_and_turn(const Pose& from, const Pose& to, const T
   const double half = 0.5 * target.turn;
   const double lead_m = target.ahead - target.left / std::tan(half);
   if (std::abs(lead_m) <= kEqualArcs_rad * curve.radius_m) return {};
-  const Pose level_from = lead_m > 0 ? ahead_of(from, lead_m) : from;
-  const Pose level_to = lead_m > 0 ? to : ahead_of(to, lead_m);
+  const Pose level_from = lead_m > 0 ? led_on(from, lead_m) : from;
+  const Pose level_to = lead_m > 0 ? to : led_on(to, lead_m);
   std::optional<Manoeuvre> turn = u_turn(level_from, level_to, curve);
   if (!turn) turn = omega_turn(level_from, level_to, curve);
   if (!turn) return {};
