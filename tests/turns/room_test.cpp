@@ -139,6 +139,7 @@ TEST(Room, OutsideTheLandThereIsNone) {
   EXPECT_GT(land.missing_m(half_circle(), outline_of(bar(12))), 100);
   EXPECT_TRUE(land.fits({}, outline_of(bar(12))));
   EXPECT_FALSE(AllowedLand({}).fits(half_circle(), outline_of(bar(12))));
+  EXPECT_TRUE(std::isinf(AllowedLand({}).missing_m(half_circle(), outline_of(bar(12)))));
 }
 
 TEST(Room, InsideAHoleThereIsNone) {

@@ -1,7 +1,6 @@
 #include "tramline/turns/room/missing_room.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -114,7 +113,6 @@ class MissingRoom {
 }  // namespace
 
 double missing_room_m(const Region& land, const SteeredPath& path, const Outline& outline) {
-  assert(!land.empty());
   return MissingRoom(land, path, outline).greatest();
 }
 
