@@ -1,0 +1,121 @@
+#include "tramline/turns/room/missing_room.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <queue>
+
+#include "tramline/geometry/index/edge_index.h"
+#include "tramline/turns/outline/tolerances.h"
+#include "tramline/turns/outline/towed_motion.h"
+
+namespace tramline {
+namespace {
+
+/// Places at which the distance is measured at the most: enough for kMissingRoom_m unless the outline runs
+/// along far outside for long.
+constexpr int kMostPlaces = 30000;
+
+/// Positive outside.
+double distance_from(const EdgeIndex& land, Point p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const EdgeIndex::Edge& edge : land.edges())
+    least = std::min(least, distance_to_segment(p, edge.from, edge.to));
+  return land.contains(p) ? -least : least;
+}
+
+/// Part of a side on a part of its way.
+struct SideOnWay {
+  const Box* part;
+  bool of_implement;
+  std::size_t stretch;
+  double from_m, to_m;  ///< on the stretch
+  Point from, to;       ///< on the side, in the part's frame
+  double at_most;       ///< bound of the distance from the land
+  double reach_of_way;  ///< bounds of how far a point of it is from the middle
+  double reach_of_side;
+  friend bool operator<(const SideOnWay& a, const SideOnWay& b) { return a.at_most < b.at_most; }
+};
+
+class MissingRoom {
+ public:
+  MissingRoom(const Region& land, const SteeredPath& path, const Outline& outline)
+      : land_(land), path_(path), outline_(outline) {
+    if (outline.tows()) towed_.emplace(path, outline);
+  }
+
+  double greatest() {
+    for (std::size_t i = 0; i < path_.size(); ++i) {
+      for (const Box& part : outline_.on_machine) add_sides(part, false, i, 0, path_[i].length_m);
+      if (!outline_.tows()) continue;
+      const double pieces = towed_->pieces(i);
+      for (const Box& part : outline_.on_implement)
+        for (double k = 0; k < pieces; ++k)
+          add_sides(part, true, i, k / pieces * path_[i].length_m, (k + 1) / pieces * path_[i].length_m);
+    }
+    while (!queue_.empty() && queue_.top().at_most > best_ + kMissingRoom_m && places_ < kMostPlaces) {
+      const SideOnWay widest = queue_.top();
+      queue_.pop();
+      halve(widest);
+    }
+    return best_;
+  }
+
+ private:
+  MotionPiece motion(const SideOnWay& side) const {
+    return side.of_implement ? towed_->motion(side.stretch, side.from_m, side.to_m)
+                             : machine_motion(path_[side.stretch], side.from_m, side.to_m);
+  }
+
+  void add_sides(const Box& part, bool of_implement, std::size_t stretch, double from_m, double to_m) {
+    const auto corners = corners_of(part);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      add({&part, of_implement, stretch, from_m, to_m, corners[i], corners[(i + 1) % corners.size()], 0, 0,
+           0});
+  }
+
+  void add(SideOnWay side) {
+    const double middle_m = 0.5 * (side.from_m + side.to_m);
+    const Placement frame = side.of_implement ? towed_->implement(side.stretch, middle_m)
+                                              : placed(pose_after(path_[side.stretch], middle_m));
+    const double from_land = distance_from(land_, to_ground(frame, midpoint(side.from, side.to)));
+    const MotionPiece piece = motion(side);
+    side.reach_of_way =
+        0.5 * (std::abs(piece.even.way_m) + std::abs(piece.even.turn_rad) * farthest_corner_m(*side.part)) +
+        2 * piece.margin_m(*side.part);
+    side.reach_of_side = 0.5 * distance(side.from, side.to);
+    side.at_most = from_land + side.reach_of_way + side.reach_of_side;
+    best_ = std::max(best_, from_land);
+    ++places_;
+    if (side.at_most > best_ + kMissingRoom_m) queue_.push(side);
+  }
+
+  void halve(const SideOnWay& whole) {
+    SideOnWay first = whole, second = whole;
+    if (whole.reach_of_way > whole.reach_of_side)
+      first.to_m = second.from_m = 0.5 * (whole.from_m + whole.to_m);
+    else
+      first.to = second.from = midpoint(whole.from, whole.to);
+    add(first);
+    add(second);
+  }
+
+  EdgeIndex land_;
+  const SteeredPath& path_;
+  const Outline& outline_;
+  std::optional<TowedMotion> towed_;
+  std::priority_queue<SideOnWay> queue_;
+  double best_ = 0;
+  int places_ = 0;
+};
+
+}  // namespace
+
+double missing_room_m(const Region& land, const SteeredPath& path, const Outline& outline) {
+  assert(!land.empty());
+  return MissingRoom(land, path, outline).greatest();
+}
+
+}  // namespace tramline

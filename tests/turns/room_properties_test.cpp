@@ -1,0 +1,263 @@
+// Room for turns against points of the outline looked at one by one, close together, on random land.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <numbers>
+
+#include "properties/draws.h"
+#include "properties/random_field.h"
+#include "properties/seeds.h"
+#include "tramline/geometry/polygon/boolean.h"
+#include "tramline/turns/outline/swept_outline.h"
+#include "tramline/turns/outline/swept_reach.h"
+#include "tramline/turns/room/allowed_land.h"
+
+namespace tramline {
+namespace {
+
+using testing::for_each_seed;
+
+enum class Steering { kLinesAndArcs, kClothoidsToo };
+
+SteeredPath random_path(std::mt19937_64& random, Steering steering, bool towed) {
+  SteeredPath out;
+  Pose at{{uniform(random, -3, 3), uniform(random, -3, 3)},
+          Heading::clockwise_from_north(Angle::degrees(uniform(random, 0, 360)))};
+  double curvature = 0;
+  const int stretches = any_of(random, 1, 4);
+  for (int i = 0; i < stretches; ++i) {
+    const int kind = any_of(random, 0, steering == Steering::kClothoidsToo ? 3 : 2);
+    const Gear gear = !towed && any_of(random, 0, 3) == 0 ? Gear::kReverse : Gear::kForward;
+    const double next = kind == 0 ? 0 : (any_of(random, 0, 1) == 0 ? -1 : 1) / uniform(random, 4, 12);
+    const double from = kind == 3 ? curvature : next;
+    const double length = any_of(random, 0, 4) == 0 ? uniform(random, 0, 35) : uniform(random, 0.5, 12);
+    out.push_back({at, length, from, next, gear});
+    curvature = next;
+    at = end_of(out.back());
+  }
+  return out;
+}
+
+Machine random_machine(std::mt19937_64& random, bool towed) {
+  Machine out;
+  out.width_m = any_of(random, 0, 2) == 0 ? uniform(random, 12, 28) : uniform(random, 2, 9);
+  const auto sometimes = [&](double most) { return any_of(random, 0, 1) * uniform(random, 0, most); };
+  out.turning.implement_offset_m = any_of(random, 0, 4) == 0 ? -sometimes(2) : sometimes(3);
+  out.turning.rear_overhang_m = sometimes(2);
+  out.turning.front_overhang_m = sometimes(4);
+  out.turning.vehicle_width_m = sometimes(3);
+  if (towed) {
+    out.turning.implement = Coupling::kTowed;
+    out.turning.drawbar_m = uniform(random, 2, 7);
+  }
+  return out;
+}
+
+/// A star about the start, with a few obstacles: from pylons to ponds, some as sharp as needles.
+Region random_land(std::mt19937_64& random) {
+  const double size = uniform(random, 12, 45);
+  Polygon out{
+      testing::random_star(random, {0, 0}, uniform(random, 0.3, 1) * size, size, any_of(random, 4, 14)), {}};
+  const int obstacles = any_of(random, 0, 3);
+  for (int i = 0; i < obstacles; ++i) {
+    const Point at{uniform(random, -30, 30), uniform(random, -30, 30)};
+    const double radius = any_of(random, 0, 1) == 0 ? 0.14 : uniform(random, 0.3, 4);
+    Polygon obstacle{testing::random_star(random, at, 0.4 * radius, radius, any_of(random, 4, 7)), {}};
+    if (length(at) < 2 || !contains(out, at) || distance_to_ring({obstacle}, out.outer) < 0.2) continue;
+    bool clear = true;
+    for (const Ring& hole : out.holes) clear = clear && distance_between({obstacle}, {{hole, {}}}) > 0.2;
+    if (clear) out.holes.push_back(reversed(obstacle.outer));
+  }
+  return {out};
+}
+
+/// Positive outside.
+double distance_from(const Region& land, Point p) {
+  double least = 1e9;
+  for (const Ring& ring : rings_of(land))
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      least = std::min(least, distance_to_segment(p, ring[i], ring[(i + 1) % ring.size()]));
+  return contains(land, p) ? -least : least;
+}
+
+/// The greatest distance from the land of points a centimetre apart on a part's four sides; near points that
+/// are far inside none is looked at.
+double greatest_distance(const Region& land, Point at, Point ahead, double rear, double front, double half) {
+  constexpr double kStep_m = 0.01;
+  const Point left = left_of(ahead);
+  const Ring corners{at + rear * ahead - half * left, at + front * ahead - half * left,
+                     at + front * ahead + half * left, at + rear * ahead + half * left};
+  double out = -1e9;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Point from = corners[i], to = corners[(i + 1) % 4];
+    const double end = distance(from, to);
+    for (double s = 0;; s = std::min(s, end)) {
+      const double off = distance_from(land, end > 0 ? from + (s / end) * (to - from) : from);
+      out = std::max(out, off);
+      if (s >= end) break;
+      s += std::max(kStep_m, -off - 0.03);
+    }
+  }
+  return out;
+}
+
+struct Seen {
+  double distance_m = -1e9;
+  int poses = 0;
+};
+
+/// The same over all poses, a centimetre apart; beyond poses that have room all round none is looked at. The
+/// implement is pulled along by its hitch in small steps.
+Seen seen_along(const Region& land, const SteeredPath& path, const Machine& machine) {
+  const Turning& turning = machine.turning;
+  const bool towed = turning.implement == Coupling::kTowed;
+  const double half = 0.5 * machine.width_m;
+  // no point of the outline drives faster than this against the axle
+  const double quickest = 1.5 + (half + 12) / 3;
+  Seen out;
+  Point implement = path.front().start.at -
+                    (turning.implement_offset_m + turning.drawbar_m) * path.front().start.heading.unit();
+  for (const SteeredStretch& stretch : path) {
+    double look_again_at = 0;
+    const double steps = std::ceil(stretch.length_m / 0.005) + 1;
+    for (double i = 0; i <= steps; ++i) {
+      const double s = i / steps * stretch.length_m;
+      if (!towed && s < look_again_at && i < steps) continue;
+      const Pose pose = pose_after(stretch, s);
+      const Point ahead = pose.heading.unit();
+      const Point hitch = pose.at - turning.implement_offset_m * ahead;
+      Point drawbar = ahead;
+      if (towed) {
+        const Point pull = hitch - implement;
+        // to the second order: along the mean of the drawbar before and after
+        const double way = length(pull) - turning.drawbar_m;
+        const Point first = implement + (way / length(pull)) * pull;
+        const Point mean =
+            midpoint((1 / length(pull)) * pull, (1 / distance(first, hitch)) * (hitch - first));
+        implement =
+            implement +
+            (dot(pull, mean) -
+             std::sqrt(std::max(
+                 0.0, dot(pull, mean) * dot(pull, mean) -
+                          dot(mean, mean) * (dot(pull, pull) - turning.drawbar_m * turning.drawbar_m)))) /
+                dot(mean, mean) * mean;
+        drawbar = (1 / distance(implement, hitch)) * (hitch - implement);
+      }
+      if (s < look_again_at && i < steps) continue;
+      ++out.poses;
+      const Point bar = towed ? implement : hitch;
+      double worst = greatest_distance(land, bar, drawbar, -turning.rear_overhang_m, 0, half);
+      if (towed) worst = std::max(worst, greatest_distance(land, bar, drawbar, 0, turning.drawbar_m, 0));
+      if (turning.front_overhang_m > 0 || turning.vehicle_width_m > 0)
+        worst = std::max(worst, greatest_distance(land, pose.at, ahead, 0, turning.front_overhang_m,
+                                                  0.5 * turning.vehicle_width_m));
+      out.distance_m = std::max(out.distance_m, worst);
+      look_again_at = s + std::max(0.0, -worst - 0.03) / quickest;
+    }
+  }
+  return out;
+}
+
+struct Count {
+  int fits = 0;
+  int leaves = 0;
+  int too_close = 0;
+};
+
+void expect_as_seen(Count& count, std::mt19937_64& random, Steering steering, bool towed) {
+  const SteeredPath path = random_path(random, steering, towed);
+  const Machine machine = random_machine(random, towed);
+  const Region land = random_land(random);
+  const Outline outline = outline_of(machine);
+  const AllowedLand allowed(land);
+  const Seen seen = seen_along(land, path, machine);
+  const bool fits = allowed.fits(path, outline);
+  constexpr double kLook_m = 0.03;
+  if (std::abs(seen.distance_m) < kLook_m) {
+    ++count.too_close;
+  } else {
+    EXPECT_EQ(fits, seen.distance_m < 0) << "seen " << seen.distance_m;
+    ++(fits ? count.fits : count.leaves);
+  }
+  if (seen.distance_m > 0) {
+    EXPECT_NEAR(allowed.missing_m(path, outline), seen.distance_m, 0.04);
+  }
+}
+
+void expect_enough(const Count& count, const char* what) {
+  std::cout << what << ": " << count.fits << " fit, " << count.leaves << " leave the land, "
+            << count.too_close << " too close to tell by looking\n";
+  const int all = count.fits + count.leaves + count.too_close;
+  if (all < 100) return;
+  EXPECT_GT(count.fits, all / 8);
+  EXPECT_GT(count.leaves, all / 8);
+  EXPECT_LT(count.too_close, all / 10);
+}
+
+TEST(RoomProperties, OnLinesAndArcsItIsAsSeen) {
+  Count count;
+  for_each_seed(250, [&](std::mt19937_64& random, int) {
+    expect_as_seen(count, random, Steering::kLinesAndArcs, false);
+  });
+  expect_enough(count, "lines and arcs");
+}
+
+TEST(RoomProperties, OnClothoidsItIsAsSeen) {
+  Count count;
+  for_each_seed(150, [&](std::mt19937_64& random, int) {
+    expect_as_seen(count, random, Steering::kClothoidsToo, false);
+  });
+  expect_enough(count, "clothoids too");
+}
+
+TEST(RoomProperties, OfTowedImplementsItIsAsSeen) {
+  Count count;
+  for_each_seed(120, [&](std::mt19937_64& random, int) {
+    expect_as_seen(count, random, Steering::kClothoidsToo, true);
+  });
+  expect_enough(count, "towed");
+}
+
+/// Land whose only edge nearby is a line, somewhere near the reach of the outline.
+TEST(RoomProperties, BeforeALineItIsTheReach) {
+  for_each_seed(2000, [&](std::mt19937_64& random, int number) {
+    const bool towed = number % 4 == 0, clothoids = number % 4 == 1;
+    const SteeredPath path =
+        random_path(random, clothoids ? Steering::kClothoidsToo : Steering::kLinesAndArcs, towed);
+    const Outline outline = outline_of(random_machine(random, towed));
+    const double angle = uniform(random, 0, 2 * std::numbers::pi);
+    const Point to{std::cos(angle), std::sin(angle)}, side = left_of(to);
+    const double reach = swept_reach_m(path, outline, {0, 0}, to);
+    // the edge is divided somewhere, so that what lies between corners counts too
+    const auto land_to = [&](double far) {
+      const Point middle = far * to + uniform(random, -20, 20) * side;
+      return AllowedLand({{{far * to - 400 * side, middle, far * to + 400 * side, -400 * to + 400 * side,
+                            -400 * to - 400 * side},
+                           {}}});
+    };
+    const bool bounded = towed || clothoids;
+    EXPECT_TRUE(land_to(reach).fits(path, outline));
+    EXPECT_FALSE(land_to(reach - (bounded ? 1.1e-3 : 1.1e-6)).fits(path, outline));
+    const double less = uniform(random, 0.05, 4);
+    EXPECT_NEAR(land_to(reach - less).missing_m(path, outline), less, 0.021);
+  });
+}
+
+TEST(RoomProperties, ThePolygonsOfTheOutlineReachAsFar) {
+  for_each_seed(20, [&](std::mt19937_64& random, int number) {
+    const bool towed = number % 3 == 0;
+    const SteeredPath path =
+        random_path(random, number % 3 == 1 ? Steering::kClothoidsToo : Steering::kLinesAndArcs, towed);
+    const Outline outline = outline_of(random_machine(random, towed));
+    const Box box = bounds(swept_outline(path, outline, 0.01));
+    EXPECT_NEAR(box.max_x, swept_reach_m(path, outline, {0, 0}, {1, 0}), 0.011);
+    EXPECT_NEAR(box.max_y, swept_reach_m(path, outline, {0, 0}, {0, 1}), 0.011);
+    EXPECT_NEAR(-box.min_x, swept_reach_m(path, outline, {0, 0}, {-1, 0}), 0.011);
+    EXPECT_NEAR(-box.min_y, swept_reach_m(path, outline, {0, 0}, {0, -1}), 0.011);
+  });
+}
+
+}  // namespace
+}  // namespace tramline
