@@ -181,6 +181,7 @@ ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, do
   out["width_m"] = plan.machine.width_m;
   out["radius_m"] = plan.machine.radius_m;
   out["min_length_m"] = min_length_m(plan.machine);
+  if (plan.machine.turning != Turning{}) out["turning"] = turning_json(plan.machine.turning);
   out["strategy"] = name(plan.settings.strategy);
   out["end_rule"] = name(plan.settings.end_rule);
   out["boundary"] = name(plan.settings.boundary);

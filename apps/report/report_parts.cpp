@@ -10,6 +10,7 @@
 
 #include "request/field_key.h"
 #include "tramline/model/plain_zero.h"
+#include "tramline/model/turning_values.h"
 
 namespace tramline::app {
 
@@ -102,6 +103,12 @@ std::string directions_text(const std::vector<Direction>& directions, std::size_
 std::string prices_text(const Objective& prices) {
   return fmt::format("{:g}·overlap + {:g}·uncovered + {:g}·turns + {:g}·stops + {:g}·further subfields",
                      prices.overlap, prices.uncovered, prices.turn, prices.stop, prices.subfield);
+}
+
+ordered_json turning_json(const Turning& turning) {
+  ordered_json out{{kReverseKey, turning.reverse}, {kImplementKey, name(turning.implement)}};
+  for (const TurningNumber& number : kTurningNumbers) out[number.key] = turning.*number.value;
+  return out;
 }
 
 ordered_json weights_json(const Objective& prices) {

@@ -8,6 +8,7 @@
 #include "request/field_input.h"
 #include "tramline/geometry/angle.h"
 #include "tramline/model/field.h"
+#include "tramline/model/machine.h"
 #include "tramline/model/objective.h"
 
 namespace tramline::app {
@@ -46,6 +47,8 @@ std::string directions_text(const std::vector<Direction>& directions, std::size_
 
 /// "0.02·overlap + 0.1·uncovered + 1·turns + 5·stops + 5·further subfields"
 std::string prices_text(const Objective& prices);
+/// The object `turning` of docs/json.md: all values, under the keys of the machine file.
+nlohmann::ordered_json turning_json(const Turning& turning);
 /// The object `weights` of docs/json.md.
 nlohmann::ordered_json weights_json(const Objective& prices);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -121,6 +122,29 @@ void set_headlands(const PlanOptions& o, PlanSettings& settings) {
   settings.obstacle_headland_rule = rule_typed(o.obstacle_headlands);
 }
 
+/// `turning` overruled by what was typed. A machine file's drawbar does not outlast its towed implement.
+Turning turning_typed(const TurningOptions& typed, const Turning& turning) {
+  Turning out = turning;
+  out.reverse = out.reverse || typed.reverse;
+  if (!typed.implement.empty()) {
+    const auto coupling = coupling_named(typed.implement);
+    if (!coupling)
+      throw bad_input(fmt::format("--implement takes mounted or towed, not '{}'", typed.implement));
+    out.implement = *coupling;
+    if (*coupling == Coupling::kMounted) out.drawbar_m = 0;
+  }
+  for (std::size_t i = 0; i < kTurningNumbers.size(); ++i) {
+    if (!typed.numbers[i]) continue;
+    const TurningNumber& number = kTurningNumbers[i];
+    if (const std::string fault = fault_of(number, *typed.numbers[i]); !fault.empty())
+      throw bad_input(fmt::format("{} {}", option_of(number), fault));
+    out.*number.value = *typed.numbers[i];
+  }
+  if (const std::string fault = drawbar_fault(out); !fault.empty())
+    throw bad_input(fmt::format("--drawbar {}", fault));
+  return out;
+}
+
 }  // namespace
 
 std::string headlands_fault(const std::string& text) {
@@ -132,6 +156,13 @@ std::string spacing_fault(const std::string& text) {
   if (jump_typed(text)) return "";
   return fmt::format("takes 'adjacent', or 'skip K' with a number of tracks from 1 to {}, not '{}'",
                      kMostSkipped, text);
+}
+
+std::string option_of(const TurningNumber& number) {
+  const std::string key = number.key;
+  std::string out = "--" + key.substr(0, key.rfind('_'));  // without its unit
+  std::replace(out.begin(), out.end(), '_', '-');
+  return out;
 }
 
 std::optional<GuideLine> guide_of(const PlanOptions& o, const std::string& crs_definition) {
@@ -163,6 +194,7 @@ Machine machine_of(const PlanOptions& o) {
   // Zhou drops no piece.
   if (machine.min_length_m < 0 && o.tracks == name(TrackConstruction::kPaper)) machine.min_length_m = 0;
   if (o.min_length_m) machine.min_length_m = length_typed(*o.min_length_m, kLeastTrackLength);
+  machine.turning = turning_typed(o.turning, machine.turning);
   return machine;
 }
 

@@ -1,17 +1,27 @@
 #pragma once
 // The options of a plan as given by the user, and their values.
 
+#include <array>
 #include <optional>
 #include <string>
 
 #include "tramline/admission/read_guide.h"
 #include "tramline/model/plan.h"
+#include "tramline/model/turning_values.h"
 
 namespace tramline::app {
+
+/// What the machine needs to turn, as typed; empty or unset where the user gave nothing.
+struct TurningOptions {
+  bool reverse = false;
+  std::string implement;
+  std::array<std::optional<double>, kTurningNumbers.size()> numbers{};  ///< in the order of kTurningNumbers
+};
 
 /// The options as typed; empty or unset where the user gave none.
 struct PlanOptions {
   std::optional<double> width_m, radius_m, min_length_m;
+  TurningOptions turning;
   std::string machine_file;
   std::string like;  ///< a paper: what was not typed is as there (paper_conventions.h)
   std::string weights, prices, minimise;
@@ -36,7 +46,10 @@ struct PlanOptions {
   std::string ab_anchor;  ///< line; with straight tracks as in Zhou envelope
 };
 
-/// The machine file, overruled by --width, --radius and --min-length. Throws kBadInput.
+/// "--turning-speed", the option for a number of kTurningNumbers.
+std::string option_of(const TurningNumber& number);
+/// The machine file, overruled by --width, --radius, --min-length and the options for turning. Throws
+/// kBadInput.
 Machine machine_of(const PlanOptions& options);
 /// --weights o,u,t[,s[,d]], --prices o,u,t[,s[,d]] or --minimise. Throws kBadInput.
 Objective objective_of(const PlanOptions& options);

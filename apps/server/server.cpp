@@ -110,6 +110,7 @@ void add_routes(Router& router, App& app) {
   add_upload_routes(router, app);
   add_field_routes(router, app);
   add_machine_routes(router, app);
+  add_turn_routes(router);
   add_job_routes(router, app);
   add_plan_routes(router, app);
   add_drive_routes(router, app);

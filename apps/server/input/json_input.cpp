@@ -20,7 +20,7 @@ constexpr std::size_t kMostPoints = 100'000;
 
 }  // namespace
 
-JsonInput::JsonInput(const ordered_json& json, std::string place, std::initializer_list<const char*> known)
+JsonInput::JsonInput(const ordered_json& json, std::string place, std::span<const char* const> known)
     : json_(json), place_(std::move(place)) {
   if (!json.is_object())
     throw bad_input(fmt::format("{} has to be an object in braces", place_.empty() ? "the request" : place_));

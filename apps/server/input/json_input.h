@@ -3,7 +3,9 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tramline/geometry/point.h"
@@ -16,7 +18,9 @@ class JsonInput {
  public:
   /// `place`: what comes before the keys in messages: "machine"; empty for the body itself. Throws where the
   /// JSON is no object, or has a key that is not among `known`: nothing that was asked for is passed over.
-  JsonInput(const nlohmann::ordered_json& json, std::string place, std::initializer_list<const char*> known);
+  JsonInput(const nlohmann::ordered_json& json, std::string place, std::initializer_list<const char*> known)
+      : JsonInput(json, std::move(place), std::span(known.begin(), known.size())) {}
+  JsonInput(const nlohmann::ordered_json& json, std::string place, std::span<const char* const> known);
 
   /// False for null too.
   bool has(const char* key) const;

@@ -4,12 +4,14 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "request/paper_conventions.h"
 #include "request/plan_request.h"
 #include "server/input/json_input.h"
 #include "server/map/shown_place.h"
 #include "tramline/geometry/error.h"
+#include "tramline/model/turning_values.h"
 #include "tramline/planner/validate_request.h"
 
 namespace tramline::server {
@@ -38,16 +40,40 @@ void take_number(const JsonInput& input, const char* key, double& number) {
   if (input.has(key)) number = input.number(key);
 }
 
+std::vector<const char*> turning_keys() {
+  std::vector<const char*> out{kReverseKey, kImplementKey};
+  for (const TurningNumber& number : kTurningNumbers) out.push_back(number.key);
+  return out;
+}
+
+Turning turning_in(const ordered_json& json, const std::string& place) {
+  const JsonInput input(json, place, turning_keys());
+  Turning out;
+  out.reverse = input.flag_if(kReverseKey).value_or(out.reverse);
+  if (input.has(kImplementKey)) {
+    const auto coupling = coupling_named(input.text(kImplementKey));
+    if (!coupling)
+      throw bad_input(fmt::format("{} has to be mounted or towed", input.place_of(kImplementKey)));
+    out.implement = *coupling;
+  }
+  for (const TurningNumber& number : kTurningNumbers)
+    out.*number.value = input.number_if(number.key).value_or(out.*number.value);
+  if (const std::string fault = turning_fault(out); !fault.empty())
+    throw bad_input(fmt::format("{}.{}", place, fault));
+  return out;
+}
+
 }  // namespace
 
 Machine machine_in(const ordered_json& json, const std::string& place) {
-  const JsonInput input(json, place, {"id", "name", "width_m", "radius_m", "min_length_m"});
+  const JsonInput input(json, place, {"id", "name", "width_m", "radius_m", "min_length_m", "turning"});
   app::PlanOptions options;
   options.width_m = input.number("width_m");
   options.radius_m = input.number("radius_m");
   options.min_length_m = input.number_if("min_length_m");
   Machine machine = app::machine_of(options);
   machine.name = name_of(input, "name");
+  if (input.has("turning")) machine.turning = turning_in(input.value("turning"), input.place_of("turning"));
   validate_request(machine, {}, {});
   return machine;
 }

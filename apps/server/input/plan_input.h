@@ -11,7 +11,8 @@ namespace tramline::server {
 
 class JsonInput;
 
-/// {name?, width_m, radius_m, min_length_m?}. Throws bad_input.
+/// {name?, width_m, radius_m, min_length_m?, turning?}, turning with keys of the machine file. Throws
+/// bad_input.
 Machine machine_in(const nlohmann::ordered_json& json, const std::string& place);
 /// {prices: {overlap, uncovered, turn, stop}} or {minimise}; none: the default prices. Throws bad_input.
 Objective objective_in(const nlohmann::ordered_json& json);

@@ -1,5 +1,6 @@
 // Machines that are kept.
 
+#include "report/report_parts.h"
 #include "server/input/plan_input.h"
 #include "server/routes/routes.h"
 #include "tramline/geometry/error.h"
@@ -13,11 +14,13 @@ ordered_json json_of(const io::ListedMachine& listed) {
   const Machine& machine = listed.machine;
   ordered_json shortest;
   if (machine.min_length_m >= 0) shortest = machine.min_length_m;
-  return {{"id", listed.id},
-          {"name", machine.name},
-          {"width_m", machine.width_m},
-          {"radius_m", machine.radius_m},
-          {"min_length_m", shortest}};
+  ordered_json out{{"id", listed.id},
+                   {"name", machine.name},
+                   {"width_m", machine.width_m},
+                   {"radius_m", machine.radius_m},
+                   {"min_length_m", shortest}};
+  if (machine.turning != Turning{}) out["turning"] = app::turning_json(machine.turning);
+  return out;
 }
 
 Machine named_machine(const ordered_json& json) {

@@ -1,5 +1,5 @@
 #pragma once
-// The routes of the API, a file for each family. All of them keep a reference to the App.
+// The routes of the API, a file for each family. Those that are given the App keep a reference to it.
 
 #include <string>
 
@@ -17,6 +17,7 @@ void add_session_routes(Router& router, App& app);
 void add_upload_routes(Router& router, App& app);
 void add_field_routes(Router& router, App& app);
 void add_machine_routes(Router& router, App& app);
+void add_turn_routes(Router& router);
 void add_plan_routes(Router& router, App& app);
 void add_drive_routes(Router& router, App& app);
 /// Also takes up the drives of feeds that a server before has left.

@@ -23,6 +23,7 @@ std::unique_ptr<Command> make_compare_command();
 std::unique_ptr<Command> make_price_command();
 std::unique_ptr<Command> make_evaluate_command();
 std::unique_ptr<Command> make_repair_command();
+std::unique_ptr<Command> make_turns_command();
 std::unique_ptr<Command> make_watch_command();
 std::unique_ptr<Command> make_dose_command();
 std::unique_ptr<Command> make_info_command();

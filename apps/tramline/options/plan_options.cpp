@@ -109,14 +109,51 @@ void add_machine_options(CommandOptions& command, PlanOptions& o, const char* le
   command.begin_group("Machine");
   command.add_option("--width", o.width_m, "Working width in metres.").takes("M").shows_default("3");
   command.add_option("--radius", o.radius_m, "Least turning radius in metres.").takes("M").shows_default("6");
-  command
-      .add_option("--machine", o.machine_file,
-                  "Machine file (TOML); --width and --radius take precedence over it.")
+  command.add_option("--machine", o.machine_file, "Machine file (TOML); options take precedence over it.")
       .takes("FILE")
       .shows_default("none");
   command.add_option("--min-length", o.min_length_m, "Shortest piece of a track worth driving, in metres.")
       .takes("M")
       .shows_default(least_length);
+}
+
+void add_turning_options(CommandOptions& command, TurningOptions& o) {
+  const Turning usual;
+  const auto add = [&](double Turning::*value, const char* unit, const char* help) {
+    for (std::size_t i = 0; i < kTurningNumbers.size(); ++i)
+      if (kTurningNumbers[i].value == value)
+        command.add_option(option_of(kTurningNumbers[i]), o.numbers[i], help)
+            .takes(unit)
+            .shows_default(fmt::format("{:g}", usual.*value));
+  };
+  command.begin_group("Turning");
+  command.add_flag("--reverse", o.reverse, "The machine may reverse when it turns.");
+  add(&Turning::working_speed_mps, "M/S", "Speed at work, in metres per second.");
+  add(&Turning::turning_speed_mps, "M/S", "Speed forward when turning, in metres per second.");
+  add(&Turning::reverse_speed_mps, "M/S", "Speed in reverse, in metres per second.");
+  add(&Turning::gear_change_s, "S", "Time to stop and start in the other gear, in seconds.");
+  add(&Turning::steering_time_s, "S",
+      "Time to steer from straight ahead to the smallest circle, in seconds.");
+  add(&Turning::lift_m, "M", "Distance driven straight on after the work ends, in metres.");
+  add(&Turning::lower_m, "M", "Distance driven straight before the work begins, in metres.");
+  command.begin_group("Vehicle and implement");
+  command
+      .add_option(
+          "--implement", o.implement,
+          "How the implement is coupled: 'mounted', it turns with the vehicle, or 'towed', it follows "
+          "on a drawbar.")
+      .takes("WORD")
+      .shows_default("mounted");
+  add(&Turning::implement_offset_m, "M",
+      "From the rear axle back to the line where a mounted implement works, or to the hitch of a towed one, "
+      "in "
+      "metres; negative for an implement in front of the axle.");
+  add(&Turning::drawbar_m, "M",
+      "With --implement towed: from the hitch to the implement's axle, where it works, in metres.");
+  add(&Turning::front_overhang_m, "M", "How far the vehicle reaches ahead of its rear axle, in metres.");
+  add(&Turning::rear_overhang_m, "M",
+      "How far the implement reaches behind the line where it works, in metres.");
+  add(&Turning::vehicle_width_m, "M", "Width of the vehicle, in metres.");
 }
 
 void add_objective_options(CommandOptions& command, PlanOptions& o) {
@@ -181,6 +218,7 @@ void add_plan_options(CommandOptions& command, PlanOptions& o) {
       .takes("WORD")
       .shows_default("the program's own");
   add_machine_options(command, o, "twice the working width");
+  add_turning_options(command, o.turning);
   add_objective_options(command, o);
   command.begin_group("Search");
   command

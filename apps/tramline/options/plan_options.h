@@ -14,6 +14,8 @@ void take_conventions(const CommandOptions& command, PlanOptions& options);
 void add_land_options(CommandOptions& command, LandOptions& options);
 /// Of those only --width, --radius, --machine and --min-length, whose default is said in words.
 void add_machine_options(CommandOptions& command, PlanOptions& options, const char* least_length);
+/// What the machine needs to turn: --reverse, --working-speed … --vehicle-width.
+void add_turning_options(CommandOptions& command, TurningOptions& options);
 /// Only --weights, --prices and --minimise.
 void add_objective_options(CommandOptions& command, PlanOptions& options);
 

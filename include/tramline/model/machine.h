@@ -1,11 +1,15 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace tramline {
 
 /// How an implement is coupled: it turns with the machine, or follows it on a drawbar.
 enum class Coupling { kMounted, kTowed };
+const char* name(Coupling coupling);  ///< mounted, towed
+std::optional<Coupling> coupling_named(std::string_view word);
 
 /// What a machine needs to turn at the end of a track. Lengths in metres, along the machine, from the middle
 /// of its rear axle. Without further word: a bar of the working width at the axle.
@@ -25,6 +29,8 @@ struct Turning {
   double rear_overhang_m = 0;     ///< of the implement, behind the line where it works
   double vehicle_width_m = 0;
   double steering_time_s = 0;  ///< from straight ahead to the smallest circle; 0: at once
+
+  bool operator==(const Turning& other) const = default;
 };
 
 /// Lengths in metres. width_m is the working width w, radius_m the least turning radius r of the axle.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tramline/check/rules/rules.h"
+#include "tramline/model/turning_values.h"
 
 namespace tramline::check {
 namespace {
@@ -41,6 +42,14 @@ void add_settings(const Plan& plan, Names& out) {
     out.emplace_back("settings.obstacle_headlands");
   if (plan.headland.passes.empty()) out.emplace_back("headland.construction");
   if (!references(plan).empty()) out.emplace_back(common_reference(plan) ? "reference" : "references");
+}
+
+/// Tracks and headland passes are judged by width and radius alone.
+void add_turning(const Plan& plan, Names& out) {
+  const Turning& turning = plan.machine.turning;
+  if (turning == Turning{}) return;
+  for (const char* key : {kReverseKey, kImplementKey}) out.push_back(std::string("machine.") + key);
+  for (const TurningNumber& number : kTurningNumbers) out.push_back(std::string("machine.") + number.key);
 }
 
 void add_encounters(const Plan& plan, Names& out) {
@@ -88,6 +97,7 @@ std::vector<std::string> not_verified(const Plan& plan) {
   if (plan.figures == PlanFigures::kTracks) out.emplace_back("warnings");
   add_prices(plan, out);
   add_settings(plan, out);
+  add_turning(plan, out);
   return out;
 }
 

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
 
 #include "tramline/geometry/error.h"
 #include "tramline/model/limits.h"
+#include "tramline/model/turning_values.h"
 
 namespace tramline {
 namespace {
@@ -75,6 +77,8 @@ void validate_request(const Machine& machine, const Objective& objective, const 
   require_width(machine.width_m);
   require_metres(machine.radius_m, 0, kFarthest_m, "turning radius");
   require_metres_or_default(machine.min_length_m, kLeastTrackLength);
+  if (const std::string fault = turning_fault(machine.turning); !fault.empty())
+    throw bad_input("the machine's " + fault);
   require_weight(objective.overlap, "overlap");
   require_weight(objective.uncovered, "uncovered land");
   require_weight(objective.turn, "turns");

@@ -25,5 +25,8 @@ inline constexpr double kSameStretch_m = 1e-7;
 inline constexpr double kEqualAmount = 1e-7;
 /// A turn may be sharper than the wheels can be turned by this share: a turn of exactly two full clothoids.
 inline constexpr double kSharper = 1e-9;
+/// A headland that lacks so little of a depth is deep enough: in passes where these are counted, in metres
+/// where depths are compared.
+inline constexpr double kSameDepth = 1e-9;
 
 }  // namespace tramline

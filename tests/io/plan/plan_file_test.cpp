@@ -15,8 +15,10 @@
 #include "support/refusals.h"
 #include "support/temporary_folder.h"
 #include "tramline/geometry/error.h"
+#include "tramline/io/plan/plan_metadata.h"
 #include "tramline/io/plan/read_plan.h"
 #include "tramline/io/plan/write_plan.h"
+#include "tramline/model/turning_values.h"
 
 namespace tramline {
 namespace {
@@ -132,6 +134,56 @@ TEST_F(PlanFileTest, comes_back_to_the_bit) {
   EXPECT_EQ(read.swaths, swaths(plan));
   for (const io::DerivedNumber& number : read.derived)
     EXPECT_NEAR(number.stored, number.from_shape, 1e-9) << number.where;
+}
+
+TEST_F(PlanFileTest, values_for_turning_come_back_and_ask_for_a_version_of_their_own) {
+  Plan plan = odd_plan();
+  EXPECT_EQ(io::metadata_of(plan).at("format_version"), "6");
+  EXPECT_EQ(io::metadata_of(plan).count("machine.lift_m"), 0U);
+  plan.machine.turning.reverse = true;
+  plan.machine.turning.implement = Coupling::kTowed;
+  double value = 1.1;
+  for (const TurningNumber& number : kTurningNumbers) plan.machine.turning.*number.value = value += 1.0 / 3;
+  EXPECT_EQ(io::metadata_of(plan).at("format_version"), "9");
+  io::write_plan(plan, file());
+  EXPECT_EQ(io::read_plan(file()).machine.turning, plan.machine.turning);
+}
+
+TEST_F(PlanFileTest, one_value_for_turning_is_enough_and_all_are_written) {
+  Plan plan = odd_plan();
+  plan.machine.turning.lift_m = 0.5;
+  const io::Metadata metadata = io::metadata_of(plan);
+  EXPECT_EQ(metadata.at("machine.turning_speed_mps"), "1.5");
+  EXPECT_EQ(metadata.at("machine.implement"), "mounted");
+  Plan read;
+  EXPECT_EQ(io::apply_metadata(metadata, file(), read), io::kVersionWithTurning);
+  EXPECT_EQ(read.machine.turning, plan.machine.turning);
+}
+
+TEST_F(PlanFileTest, values_for_turning_that_no_machine_has_are_bad_input) {
+  Plan plan = odd_plan();
+  plan.machine.turning.lift_m = 0.5;
+  for (const auto& [key, value] : {std::pair{"machine.turning_speed_mps", "0"},
+                                   {"machine.lift_m", "-1"},
+                                   {"machine.lift_m", "nan"},
+                                   {"machine.implement", "pushed"},
+                                   {"machine.implement", "towed"},
+                                   {"machine.reverse", "1"}}) {
+    io::Metadata metadata = io::metadata_of(plan);
+    metadata[key] = value;
+    Plan read;
+    const std::string sentence =
+        testing_support::refusal_of([&] { io::apply_metadata(metadata, file(), read); });
+    EXPECT_NE(sentence.find(value == std::string("towed") ? "machine.drawbar_m" : key), std::string::npos)
+        << sentence;
+  }
+  io::Metadata metadata = io::metadata_of(plan);
+  metadata.erase("machine.lower_m");
+  Plan read;
+  EXPECT_NE(testing_support::refusal_of([&] {
+              io::apply_metadata(metadata, file(), read);
+            }).find("machine.lower_m"),
+            std::string::npos);
 }
 
 TEST_F(PlanFileTest, a_plain_frame_is_written_in_the_input_plane) {

@@ -18,6 +18,56 @@ TEST_F(ServerTest, MachinesAreKeptChangedAndDeleted) {
   EXPECT_EQ(served.put(path, {{"name", "x"}, {"width_m", 3}, {"radius_m", 6}}).status, 404);
 }
 
+TEST_F(ServerTest, MachinesKeepWhatTheyNeedToTurn) {
+  const ordered_json turning{{"reverse", true}, {"implement", "towed"}, {"drawbar_m", 6}, {"lift_m", 1.5}};
+  const Got added =
+      served.post("/machines", {{"name", "s"}, {"width_m", 36}, {"radius_m", 7}, {"turning", turning}});
+  ASSERT_EQ(added.status, 201) << added.text;
+  EXPECT_EQ(added.json["turning"]["drawbar_m"], 6);
+  EXPECT_EQ(added.json["turning"]["turning_speed_mps"], 1.5);
+  EXPECT_EQ(served.get("/machines").json, ordered_json::array({added.json}));
+  const Got plain = served.post("/machines", {{"name", "p"}, {"width_m", 3}, {"radius_m", 6}});
+  EXPECT_FALSE(plain.json.contains("turning")) << plain.text;
+}
+
+TEST_F(ServerTest, RefusesWhatNoMachineNeedsToTurn) {
+  const auto refused = [&](const ordered_json& turning) {
+    const Got got =
+        served.post("/machines", {{"name", "s"}, {"width_m", 36}, {"radius_m", 7}, {"turning", turning}});
+    EXPECT_EQ(got.status, 400) << got.text;
+    return got.message();
+  };
+  EXPECT_NE(refused({{"turning_speed_mps", 0}}).find("turning.turning_speed_mps is 0"), std::string::npos);
+  EXPECT_NE(refused({{"drawbar_m", 3}}).find("turning.drawbar_m"), std::string::npos);
+  EXPECT_NE(refused({{"implement", "towed"}}).find("turning.drawbar_m is missing"), std::string::npos);
+  EXPECT_NE(refused({{"implement", "pushed"}}).find("mounted or towed"), std::string::npos);
+  EXPECT_NE(refused({{"width", 3}}).find("turning.width"), std::string::npos);
+  EXPECT_NE(refused(7).find("turning"), std::string::npos);
+}
+
+// w = 3, r = 6: 6 + sqrt(144 − 56.25) + 1.5 m for adjacent tracks, half a circle for jumps of 12 m.
+TEST_F(ServerTest, TurnsOfAMachine) {
+  const ordered_json machine{{"width_m", 3}, {"radius_m", 6}};
+  const Got got = served.post("/turns", {{"machine", machine}});
+  ASSERT_EQ(got.status, 200) << got.text;
+  ASSERT_EQ(got.json["spacings"].size(), 8U);
+  EXPECT_EQ(got.json["spacings"][0]["manoeuvres"][0]["kind"], "omega");
+  EXPECT_NEAR(got.json["spacings"][0]["manoeuvres"][0]["depth_m"], 16.8675, 1e-4);
+  EXPECT_EQ(got.json["spacings"][3]["manoeuvres"][0]["passes"], 3);
+  const Got one = served.post("/turns", {{"machine", machine}, {"spacing_m", 12}, {"angle_deg", 60}});
+  ASSERT_EQ(one.status, 200) << one.text;
+  EXPECT_EQ(one.json["spacings"].size(), 1U);
+  for (const ordered_json& body :
+       {ordered_json{{"machine", machine}, {"spacing_m", 0}},
+        ordered_json{{"machine", machine}, {"angle_deg", 0}},
+        ordered_json{{"machine", {{"width_m", 3}, {"radius_m", 0}}}}, ordered_json{{"spacing_m", 3}},
+        ordered_json{{"machine", machine}, {"spacing", 3}}}) {
+    const Got refused = served.post("/turns", body);
+    EXPECT_EQ(refused.status, 400) << refused.text;
+    EXPECT_FALSE(refused.message().empty());
+  }
+}
+
 TEST_F(ServerTest, RefusesMachinesThatAreNone) {
   const auto refused = [&](const ordered_json& body) {
     const Got got = served.post("/machines", body);

@@ -95,6 +95,8 @@ export interface Machine {
   width_m: number;
   radius_m: number;
   min_length_m?: number | null;
+  /** What it needs to turn; the form keeps it as it came. */
+  turning?: Record<string, unknown>;
 }
 
 export interface Prices {

@@ -93,9 +93,10 @@ export function requestOf(value: PlanForm, field: string): PlanRequest {
     settings.line = value.shape === 'straight' ? [begin, end] : value.line;
     delete settings.curved;
   }
-  const { name, width_m, radius_m, min_length_m } = value.machine;
+  const { name, width_m, radius_m, min_length_m, turning } = value.machine;
   const machine: Machine = { width_m, radius_m };
   if (name) machine.name = name;
   if (typeof min_length_m === 'number') machine.min_length_m = min_length_m;
+  if (turning) machine.turning = turning;
   return { field, machine, objective: { prices: pricesOf(value) }, settings };
 }

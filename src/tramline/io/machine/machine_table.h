@@ -14,8 +14,9 @@ struct ListedMachine {
   Machine machine;
 };
 
-/// Writes a GeoPackage with the attribute table machines: id, name, width_m, radius_m and min_length_m, which
-/// is NULL for the default. Bytes and errors as those of write_plan(). O(n).
+/// Writes a GeoPackage with the attribute table machines: id, name, width_m, radius_m, min_length_m, which is
+/// NULL for the default, and turning: the values of Turning as JSON, NULL where all are the defaults. Bytes
+/// and errors as those of write_plan(). O(n).
 void write_machines(const std::vector<ListedMachine>& machines, const std::filesystem::path& path);
 
 /// The inverse. Throws Error(kBadInput) naming file, row and column where the file is missing, cut off, has

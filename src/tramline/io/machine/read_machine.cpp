@@ -10,15 +10,16 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tramline/geometry/error.h"
 #include "tramline/model/limits.h"
+#include "tramline/model/turning_values.h"
 
 namespace tramline::io {
 namespace {
 
-constexpr std::array<std::string_view, 4> kKeys = {"name", "width_m", "turning_radius_m",
-                                                   "min_track_length_m"};
+constexpr std::array<const char*, 4> kKeys = {"name", "width_m", "turning_radius_m", "min_track_length_m"};
 // Far above any machine file: what is longer is something else.
 constexpr std::size_t kLargestFile = 1 << 20;
 // Each dot of a key is a table within a table, and tables are taken apart by a call for each.
@@ -70,14 +71,19 @@ Source parse(const std::filesystem::path& path) {
   throw bad_input(fmt::format("machine file {}, line {}: {}", source.file, place.begin.line, what));
 }
 
+std::vector<std::string_view> known_keys() {
+  std::vector<std::string_view> out(kKeys.begin(), kKeys.end());
+  out.insert(out.end(), {kReverseKey, kImplementKey});
+  for (const TurningNumber& number : kTurningNumbers) out.emplace_back(number.key);
+  return out;
+}
+
 void refuse_unknown_keys(const Source& source) {
-  for (const auto& [key, value] : source.table) {
-    bool known = false;
-    for (const std::string_view name : kKeys) known = known || key.str() == name;
-    if (!known)
+  const std::vector<std::string_view> known = known_keys();
+  for (const auto& [key, value] : source.table)
+    if (std::find(known.begin(), known.end(), key.str()) == known.end())
       refuse(source, key.source(),
-             fmt::format("{} is no key of a machine; known are {}", key.str(), fmt::join(kKeys, ", ")));
-  }
+             fmt::format("{} is no key of a machine; known are {}", key.str(), fmt::join(known, ", ")));
 }
 
 std::optional<double> length_m(const Source& source, std::string_view key, bool zero_allowed) {
@@ -90,6 +96,46 @@ std::optional<double> length_m(const Source& source, std::string_view key, bool 
            fmt::format("{} is {:g}, but must be a length {} 0 m and at most {} m", key, value,
                        zero_allowed ? "of at least" : "above", kFarthest_m));
   return value;
+}
+
+void take_number(const Source& source, const TurningNumber& number, Turning& turning) {
+  const toml::node* node = source.table.get(number.key);
+  if (node == nullptr) return;
+  if (!node->is_number()) refuse(source, node->source(), fmt::format("{} must be a number", number.key));
+  const double value = node->value<double>().value_or(std::nan(""));
+  if (const std::string fault = fault_of(number, value); !fault.empty())
+    refuse(source, node->source(), fmt::format("{} {}", number.key, fault));
+  turning.*number.value = value;
+}
+
+void take_reverse(const Source& source, Turning& turning) {
+  const toml::node* node = source.table.get(kReverseKey);
+  if (node == nullptr) return;
+  if (!node->is_boolean()) refuse(source, node->source(), "reverse must be true or false, without quotes");
+  turning.reverse = node->value<bool>().value_or(false);
+}
+
+/// How the implement is coupled, and that its drawbar goes with that.
+void take_implement(const Source& source, Turning& turning) {
+  const toml::node* node = source.table.get(kImplementKey);
+  if (node != nullptr) {
+    const auto coupling = coupling_named(node->value<std::string>().value_or(""));
+    if (!coupling)
+      refuse(source, node->source(), "implement must be \"mounted\" or \"towed\", with the quotes");
+    turning.implement = *coupling;
+  }
+  const std::string fault = drawbar_fault(turning);
+  if (fault.empty()) return;
+  const toml::node* drawbar = source.table.get(kDrawbarKey);
+  refuse(source, (drawbar != nullptr ? drawbar : node)->source(), fmt::format("{} {}", kDrawbarKey, fault));
+}
+
+Turning turning_in(const Source& source) {
+  Turning out;
+  take_reverse(source, out);
+  for (const TurningNumber& number : kTurningNumbers) take_number(source, number, out);
+  take_implement(source, out);
+  return out;
 }
 
 }  // namespace
@@ -108,6 +154,7 @@ Machine read_machine(const std::filesystem::path& path) {
   machine.width_m = *width;
   machine.radius_m = length_m(source, "turning_radius_m", true).value_or(machine.radius_m);
   machine.min_length_m = length_m(source, "min_track_length_m", true).value_or(machine.min_length_m);
+  machine.turning = turning_in(source);
   return machine;
 }
 

@@ -16,12 +16,13 @@
 #include "tramline/io/plan/path_text.h"
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/model/plain_zero.h"
+#include "tramline/model/turning_values.h"
 
 namespace tramline::io {
 namespace {
 
 constexpr const char* kFormat = "tramline plan";
-constexpr int kNewestVersion = kVersionWithGivenLand, kOldestVersion = 2;
+constexpr int kNewestVersion = kVersionWithTurning, kOldestVersion = 2;
 constexpr const char* kTracks = "settings.tracks";
 constexpr const char* kAvoidRoom = "settings.avoid_room_m";  // only where there is a limit
 constexpr const char* kAbAnchor = "settings.ab_anchor";
@@ -33,6 +34,8 @@ constexpr const char* kKind = "kind";
 constexpr const char* kRepair = "repair";
 constexpr const char* kGivenBy = "subfields.given_by";  // by subfield, where any was drawn
 constexpr const char* kLeftOut = "given_up.left_out";   // how many of the last polygons
+
+std::string turning_key(const char* key) { return std::string("machine.") + key; }
 
 /// The one list of keys, walked by the writer (const plan) and by the reader.
 template <class PlanOrConst, class Visitor>
@@ -303,7 +306,34 @@ void write_given_land(const Plan& plan, const Writer& writer) {
   writer(kGivenBy, origins);
 }
 
+/// All of them where any differs from the default: those who read the file need not know the defaults.
+void write_turning(const Turning& turning, const Writer& writer) {
+  if (turning == Turning{}) return;
+  writer(turning_key(kReverseKey), turning.reverse);
+  writer(turning_key(kImplementKey), std::string(name(turning.implement)));
+  for (const TurningNumber& number : kTurningNumbers) writer(turning_key(number.key), turning.*number.value);
+}
+
+Turning read_turning(const Reader& reader) {
+  Turning out;
+  reader(turning_key(kReverseKey), out.reverse);
+  const std::string implement = turning_key(kImplementKey);
+  const auto coupling = coupling_named(reader.text(implement));
+  if (!coupling) throw reader.wrong(implement, "mounted or towed");
+  out.implement = *coupling;
+  for (const TurningNumber& number : kTurningNumbers) {
+    const std::string key = turning_key(number.key);
+    reader(key, out.*number.value);
+    if (!fault_of(number, out.*number.value).empty()) throw reader.wrong(key, "a value that machines have");
+  }
+  if (!drawbar_fault(out).empty())
+    throw reader.wrong(turning_key(kDrawbarKey),
+                       "a length of a towed implement's drawbar, 0 for a mounted one");
+  return out;
+}
+
 int version_for(const Plan& plan) {
+  if (plan.machine.turning != Turning{}) return kVersionWithTurning;
   if (has_given_subfields(plan) || plan.left_out > 0 || (!plan.worked.empty() && !is_repair(plan)))
     return kVersionWithGivenLand;
   return has_own_lines(plan) ? kVersionWithOwnLines : kVersionWithSearchEnd;
@@ -328,6 +358,7 @@ Metadata metadata_of(const Plan& plan) {
   if (plan.stop_rule == StopRule::kNoWayOff) out[kStopRule] = kNoWayOff;
   write_references(plan, writer);
   write_given_land(plan, writer);
+  write_turning(plan.machine.turning, writer);
   out["format"] = kFormat;
   out["format_version"] = std::to_string(version_for(plan));
   out[kKind] = is_repair(plan) ? kRepair : "plan";
@@ -345,7 +376,7 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   int version = 0;
   reader("format_version", version);
   if (version < kOldestVersion || version > kNewestVersion)
-    throw reader.wrong("format_version", "from 2 to 8: read it with the tramline that wrote it");
+    throw reader.wrong("format_version", "from 2 to 9: read it with the tramline that wrote it");
   each_value(plan, reader);
   reader.shift_by(offset_of(plan.field.frame));
   if (version >= kVersionWithHeadlands) each_value_since_headlands(plan, reader);
@@ -355,6 +386,7 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
     plan.objective.subfield = 0;  // it had no price
     plan.figures = PlanFigures::kTracks;
   }
+  if (version >= kVersionWithTurning) plan.machine.turning = read_turning(reader);
   if (version >= kVersionWithSearchEnd) reader(kCutShort, plan.proof.cut_short);
   complete_track_tally(version, plan);
   // Files from before there were these keys are as good plans.

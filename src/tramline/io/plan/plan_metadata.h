@@ -25,6 +25,9 @@ inline constexpr int kVersionWithOwnLines = 7;
 /// The version of plans for a part of the land, and of those with land left out or subfields drawn by the
 /// user.
 inline constexpr int kVersionWithGivenLand = 8;
+/// The version of plans whose machine has other values for turning than the defaults. It may have whatever
+/// the versions before it have.
+inline constexpr int kVersionWithTurning = 9;
 
 /// Machine, objective, settings, tally, local frame, source and remarks of a plan. The source file is
 /// named without its folder: a plan must not contain paths of the machine it was made on. Guide line and
