@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 
 #include "tramline/geometry/point.h"
@@ -9,13 +10,25 @@
 namespace tramline {
 namespace {
 
-/// Whether the vertices lie near the other line's edges, in its order. The first edge near enough is taken:
-/// where any order of edges is possible, that is.
+/// Whether the vertices lie near the other line, in its order: each goes to the first point of the line that
+/// is near enough and not behind that of the vertex before it. Where any such points exist, these do.
 bool follows(const std::vector<Point>& vertices, const std::vector<Point>& line, double within_m) {
   std::size_t edge = 0;
+  double reached_m = 0;  // along that edge
   for (const Point p : vertices) {
-    while (edge + 1 < line.size() && distance_to_segment(p, line[edge], line[edge + 1]) > within_m) ++edge;
-    if (edge + 1 >= line.size()) return false;
+    for (;; ++edge, reached_m = 0) {
+      if (edge + 1 >= line.size()) return false;
+      const Point from = line[edge], to = line[edge + 1];
+      if (distance_to_segment(p, from, to) > within_m) continue;
+      const double length_m = distance(from, to);
+      if (length_m == 0) break;
+      const Point unit = (1 / length_m) * (to - from);
+      const double foot_m = dot(p - from, unit), off_m = cross(unit, p - from);
+      const double reach_m = std::sqrt(std::max(0.0, within_m * within_m - off_m * off_m));
+      if (foot_m + reach_m < reached_m) continue;
+      reached_m = std::max(reached_m, foot_m - reach_m);
+      break;
+    }
   }
   return true;
 }
