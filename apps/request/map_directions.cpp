@@ -63,10 +63,11 @@ MapDirections edge_directions(const Field& field, Angle merge) {
   }
   std::stable_sort(edges.begin(), edges.end(),
                    [](const MapDirection& a, const MapDirection& b) { return a.edge_m > b.edge_m; });
+  const Angle alike = std::max(merge, kEdgesAlike);
   MapDirections out;
   for (MapDirection& edge : edges) {
     const auto like = [&](const MapDirection& other) {
-      return angle_between(edge.direction, other.direction) <= merge;
+      return angle_between(edge.direction, other.direction) <= alike;
     };
     if (std::none_of(out.all.begin(), out.all.end(), like)) out.all.push_back(std::move(edge));
   }

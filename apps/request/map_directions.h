@@ -30,8 +30,12 @@ struct MapDirections {
 /// No more directions of edges than these are mapped, those of the longest edges.
 inline constexpr std::size_t kMostEdgeDirections = 16;
 
-/// The directions of the outer ring's edges, each that of its longest edge and at least `merge` from those of
-/// longer ones, longest edge first; equally long ones in the order of the ring. O(n²).
+/// Edges whose directions differ by no more than this are mapped once.
+inline constexpr Angle kEdgesAlike = Angle::degrees(5);
+
+/// The directions of the outer ring's edges, each that of its longest edge and farther than `merge` and
+/// kEdgesAlike from those of longer ones, longest edge first; equally long ones in the order of the ring.
+/// O(n²).
 MapDirections edge_directions(const Field& field, Angle merge);
 
 /// "edges,curved,0,45.5": words and degrees clockwise from north (Direction), in any order, each at most

@@ -7,9 +7,11 @@
 #include <optional>
 #include <utility>
 
+#include "tramline/admission/lines/path_along.h"
 #include "tramline/admission/lines/read_lines.h"
 #include "tramline/geodesy/field_projection.h"
 #include "tramline/geometry/error.h"
+#include "tramline/io/plan/exact_path.h"
 #include "tramline/io/plan/fields_in.h"
 #include "tramline/io/plan/read_plan.h"
 #include "tramline/io/vector/read_vector.h"
@@ -39,6 +41,7 @@ class ToField {
     to_.emplace(field.frame);
   }
 
+  /// Throws kBadInput where the path has no place in the field's plane.
   Path operator()(const Path& path) const {
     if (from_frame_ == field_.frame) return path;
     Path out = moved(path, [this](Point p) { return placed(p); });
@@ -113,6 +116,42 @@ PriceInput input_of_plan(const std::string& file, const FieldOptions& field, con
   return out;
 }
 
+/// Why lines are priced along the chords that are drawn, though an export knew their exact path.
+struct DrawnOnly {
+  int elsewhere = 0;   ///< they do not run along it any more
+  int unreadable = 0;  ///< the text is cut, or changed
+};
+
+/// The exact path of a line of our own export, as long as the line runs along it.
+std::optional<Path> exact_path_of(const DrawnLine& line, const std::vector<Point>& points, const Field& field,
+                                  DrawnOnly& reasons) {
+  if (line.exact_path.empty() || points.empty()) return std::nullopt;
+  const std::optional<io::ExactPath> exact = io::exact_path_from_text(line.exact_path);
+  if (!exact) {
+    ++reasons.unreadable;
+    return std::nullopt;
+  }
+  // Digits of coordinates in degrees, and of other programs.
+  constexpr double kDigits_m = 1e-3;
+  try {
+    const Path path = ToField(exact->frame, field)(exact->path);
+    if (std::optional<Path> out = path_along(path, points, exact->within_m + kDigits_m)) return out;
+  } catch (const Error&) {  // a path of another kind of coordinates, or of another part of the world
+  }
+  ++reasons.elsewhere;
+  return std::nullopt;
+}
+
+void append_notes(const DrawnOnly& reasons, std::size_t lines, std::vector<std::string>& notes) {
+  const auto add = [&](int count, const char* why) {
+    if (count > 0)
+      notes.push_back(
+          fmt::format("{} of {} lines {} priced as drawn: {}", count, lines, count == 1 ? "is" : "are", why));
+  };
+  add(reasons.elsewhere, "moved or cut since the export, off the path in the column exact_path");
+  add(reasons.unreadable, "the column exact_path is not as exported");
+}
+
 PriceInput input_of_lines(const LinesOptions& lines, const FieldOptions& field, const PlanOptions& options) {
   if (field.file.empty())
     throw bad_input("--field is needed: the lines of a file do not say which field is theirs");
@@ -133,14 +172,18 @@ PriceInput input_of_lines(const LinesOptions& lines, const FieldOptions& field, 
   const std::string& crs = out.field.source.input_crs;
   DrawnLines drawn = read_lines(io::read_vector(query), crs);
   for (Skipped& left_aside : drawn.skipped) out.skipped.push_back(std::move(left_aside));
+  DrawnOnly as_drawn;
   for (const DrawnLine& line : drawn.lines) {
     const std::vector<Point> points = placed_line(line, out.field);
     Path path;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) path.push_back({points[i], points[i + 1], 0});
+    if (std::optional<Path> exact = exact_path_of(line, points, out.field, as_drawn))
+      path = *std::move(exact);
     (line.is_pass ? out.lines.passes : out.lines.tracks)
         .push_back({std::move(path), line.subfield, line.origin,
                     line.after_turn ? WayHere::kTurn : WayHere::kUnknown});
   }
+  append_notes(as_drawn, drawn.lines.size(), out.lines.notes);
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tramline/cost/worked/worked_regions.h"
+#include "tramline/geometry/polygon/boolean.h"
 #include "tramline/tracks/straight_tracks.h"
 #include "tramline/tracks/strip_origin.h"
 
@@ -75,6 +76,26 @@ TEST(WorkedRegions, AreWhatIsDoubledOrOutsideAndWhatIsBare) {
   const WorkedRegions regions = worked_regions({box(0, 0, 10, 10)}, {box(0, 0, 6, 10), box(5, 0, 9, 11)});
   EXPECT_NEAR(area(regions.overlap), 10 + 4, 1e-6);  // doubled [5,6] × [0,10], outside [5,9] × [10,11]
   EXPECT_NEAR(area(regions.uncovered), 10, 1e-6);    // [9,10] × [0,10]
+}
+
+// A line driven there and, but for a tenth of a millimetre, back: corners of the two rectangles coincide but
+// for rounding, those of the intersection may come in another order, and an overlay of a ring that crosses
+// itself drops land silently.
+TEST(CommonToTwo, NeverCrossesItself) {
+  const Region pair{{{{-11.339874857993314, -22.185953612371925},
+                      {36.200580305407662, -67.049415897965233},
+                      {39.765000186903926, -63.272307870031696},
+                      {-7.7754549764970573, -18.408845584438389}},
+                     {}},
+                    {{{39.765072915595773, -63.27237650338644},
+                      {-7.7754549764970573, -18.408845584438389},
+                      {-11.339874857993314, -22.185953612371925},
+                      {36.20065303409951, -67.049484531319976}},
+                     {}}};
+  const Region both = common_to_two(pair);
+  ASSERT_EQ(both.size(), 1u);
+  EXPECT_FALSE(find_invalidity(both.front()).has_value());
+  EXPECT_NEAR(area(both), area(pair.front()), 1e-6);
 }
 
 TEST(Cost, IsTheWeightedSum) {

@@ -36,8 +36,9 @@ void add_map_table_options(CommandOptions& command, MapTableOptions& o) {
       .add_option(
           "--directions", o.directions,
           "Print a table of maps in these directions: 'edges' (of the field, longest first; those that "
-          "differ by no more than --merge are one), degrees clockwise from north, and 'curved' (along an "
-          "edge), separated by commas. Straight tracks begin at the edge of the land unless --ab-anchor "
+          "differ by no more than 5°, or --merge where that is more, are one), degrees clockwise from north, "
+          "and 'curved' (along an edge), separated by commas. Straight tracks begin at the edge of the land "
+          "unless --ab-anchor "
           "says line.")
       .takes("LIST")
       .shows_default("one map");

@@ -1,5 +1,6 @@
 // What is exported is read back through GDAL: layers, attributes, names, bytes, refusals.
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <set>
@@ -30,6 +31,64 @@ TEST_F(ExportTest, KmlTellsHeadlandPassesFromTracks) {
   EXPECT_NE(kml.find("<name>Headland pass 1</name>"), std::string::npos);
   EXPECT_NE(kml.find("FF1D4E7A"), std::string::npos) << "the colour of headland passes, as KML has it";
   EXPECT_NE(kml.find("FF3B463A"), std::string::npos) << "that of tracks";
+}
+
+TEST_F(ExportTest, ASingleLayerHoldsTheTracksAndThenThePasses) {
+  for (const char* name : {"lines.geojson", "lines.fgb"}) {
+    const ExportReport report = exported(name);
+    ASSERT_EQ(report.layers.size(), 2u) << name;
+    EXPECT_EQ(report.layers[0].name, "tracks");
+    EXPECT_EQ(report.layers[0].features, 3);
+    EXPECT_EQ(report.layers[1].name, "headland_passes");
+    EXPECT_EQ(report.layers[1].features, 1);
+    const auto file = open(folder_ / name);
+    ASSERT_EQ(file->GetLayerCount(), 1);
+    OGRLayer* layer = file->GetLayer(0);
+    EXPECT_STREQ(layer->GetName(), "tracks");
+    ASSERT_EQ(layer->GetFeatureCount(), 4);
+    std::vector<OGRFeatureUniquePtr> features;
+    while (OGRFeatureUniquePtr feature{layer->GetNextFeature()}) features.push_back(std::move(feature));
+    EXPECT_EQ(features[0]->GetFieldAsInteger("order"), 1);
+    const OGRFeature& pass = *features[3];
+    EXPECT_STREQ(pass.GetFieldAsString("kind"), "headland");
+    EXPECT_EQ(pass.GetFieldAsInteger("number"), 1);
+    EXPECT_EQ(pass.GetFieldAsInteger("around_field"), 1);
+    EXPECT_NEAR(pass.GetFieldAsDouble("length_m"), 80 + 20 * std::acos(-1.0), 1e-6);
+    EXPECT_FALSE(pass.IsFieldSetAndNotNull(pass.GetFieldIndex("order")));
+    EXPECT_FALSE(features[0]->IsFieldSetAndNotNull(features[0]->GetFieldIndex("number")));
+  }
+}
+
+TEST_F(ExportTest, TracksAloneAreThoseAsked) {
+  const ExportReport report = exported("tracks.geojson", "", {"tracks"});
+  ASSERT_EQ(report.layers.size(), 1u);
+  EXPECT_EQ(open(folder_ / "tracks.geojson")->GetLayer(0)->GetFeatureCount(), 3);
+}
+
+TEST_F(ExportTest, KmlHasAFolderOfPassesWhereThereAreSome) {
+  EXPECT_EQ(exported("all.kml").layers.size(), 2u);
+  EXPECT_EQ(open(folder_ / "all.kml")->GetLayerCount(), 2);
+}
+
+// By hand: the bend of the sample plan is a line of 20 m and an arc of 25 m radius.
+TEST_F(ExportTest, ExactPathsStandBesideChords) {
+  for (const char* name : {"paths.geojson", "paths.fgb", "paths.kml"}) {
+    exported(name, "", {"tracks"}, 0.05);
+    const auto file = open(folder_ / name);
+    OGRLayer* layer = file->GetLayer(0);
+    OGRFeatureUniquePtr bend;
+    while (OGRFeatureUniquePtr feature{layer->GetNextFeature()}) bend = std::move(feature);
+    const std::string text = bend->GetFieldAsString("exact_path");
+    EXPECT_NE(text.find(" within 0.05: -100 40; -80 40 0; -60 50 0.04"), std::string::npos) << name << text;
+    EXPECT_TRUE(text.starts_with("tmerc ")) << text;
+    EXPECT_LT(bend->GetFieldIndex("path"), 0);
+  }
+  exported("paths.zip");
+  EXPECT_LT(open("/vsizip/" + (folder_ / "paths.zip").string() + "/tracks.shp")
+                ->GetLayer(0)
+                ->GetLayerDefn()
+                ->GetFieldIndex("exact_path"),
+            0);
 }
 
 TEST_F(ExportTest, ShapefilesSayTheirCrsAndEncoding) {

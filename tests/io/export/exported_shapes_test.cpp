@@ -42,7 +42,7 @@ void expect_same_places(OGRLayer& plan, OGRLayer& file, double most) {
 }
 
 TEST_F(ExportTest, GeoJsonHasTheTracksInDegrees) {
-  const ExportReport report = exported("tracks.geojson");
+  const ExportReport report = exported("tracks.geojson", "", {"tracks"});
   ASSERT_EQ(report.layers.size(), 1u);
   EXPECT_EQ(report.layers[0].name, "tracks");
   EXPECT_EQ(report.layers[0].features, 3);
@@ -61,7 +61,7 @@ TEST_F(ExportTest, KmlHasTheTracksInDegrees) {
 }
 
 TEST_F(ExportTest, FlatGeobufIsInTheCrsOfTheFieldsFile) {
-  EXPECT_EQ(exported("tracks.fgb").crs, "ETRS89 / UTM zone 33N (EPSG:25833)");
+  EXPECT_EQ(exported("tracks.fgb", "", {"tracks"}).crs, "ETRS89 / UTM zone 33N (EPSG:25833)");
   const auto plan = open(plan_file()), file = open(folder_ / "tracks.fgb");
   EXPECT_STREQ(file->GetLayer(0)->GetSpatialRef()->GetAuthorityCode(nullptr), "25833");
   expect_same_places(*plan->GetLayerByName("tracks"), *file->GetLayer(0), 1e-4);

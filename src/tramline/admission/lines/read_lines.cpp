@@ -18,7 +18,7 @@ namespace tramline {
 namespace {
 
 constexpr const char *kOrder = "order", *kSubfield = "subfield", *kAfterCrossing = "after_crossing",
-                     *kAfterCrossingShort = "after_x";
+                     *kAfterCrossingShort = "after_x", *kKind = "kind", *kExactPath = "exact_path";
 
 /// What no number begins counts as none.
 double number_in(const RawFeature& feature, const char* column, double otherwise) {
@@ -28,6 +28,15 @@ double number_in(const RawFeature& feature, const char* column, double otherwise
   char* end = nullptr;
   const double value = std::strtod(begin, &end);
   return end == begin ? otherwise : value;
+}
+
+std::string text_in(const RawFeature& feature, const char* column) {
+  const auto found = feature.attributes.find(column);
+  return found == feature.attributes.end() ? std::string() : found->second;
+}
+
+bool is_pass(const RawLayer& layer, const RawFeature& feature) {
+  return layer.name == "headland_passes" || text_in(feature, kKind) == "headland";
 }
 
 Error without_lines(const RawDataset& dataset) {
@@ -62,7 +71,9 @@ class LayerLines {
         line.after_turn =
             number_in(*feature, kAfterCrossing, 1) == 0 || number_in(*feature, kAfterCrossingShort, 1) == 0;
         line.subfield = static_cast<int>(number_in(*feature, kSubfield, 0));
-        line.is_pass = layer_.name == "headland_passes";
+        line.is_pass = is_pass(layer_, *feature);
+        // Of a line that is in parts now, the path is that of none.
+        if (feature->lines.size() == 1) line.exact_path = text_in(*feature, kExactPath);
         for (const Point p : given) line.points.push_back(read(p));
         out_.lines.push_back(std::move(line));
       }
@@ -70,14 +81,15 @@ class LayerLines {
   }
 
  private:
-  /// By the column `order` where every feature has one.
+  /// By the column `order` where every track has one; headland passes follow the tracks.
   std::vector<const RawFeature*> in_order() const {
     std::vector<const RawFeature*> out;
     for (const RawFeature& feature : layer_.features) out.push_back(&feature);
     constexpr double kNone = std::numeric_limits<double>::infinity();
     const auto order = [](const RawFeature* feature) { return number_in(*feature, kOrder, kNone); };
-    const bool all = std::all_of(out.begin(), out.end(),
-                                 [&](const RawFeature* feature) { return std::isfinite(order(feature)); });
+    const bool all = std::all_of(out.begin(), out.end(), [&](const RawFeature* feature) {
+      return std::isfinite(order(feature)) || is_pass(layer_, *feature);
+    });
     if (all)
       std::stable_sort(out.begin(), out.end(),
                        [&](const RawFeature* a, const RawFeature* b) { return order(a) < order(b); });
@@ -93,7 +105,7 @@ class LayerLines {
 }  // namespace
 
 std::vector<std::string> columns_of_lines() {
-  return {kOrder, kSubfield, kAfterCrossing, kAfterCrossingShort};
+  return {kOrder, kSubfield, kAfterCrossing, kAfterCrossingShort, kKind, kExactPath};
 }
 
 DrawnLines read_lines(const RawDataset& dataset, const std::string& fields_crs) {

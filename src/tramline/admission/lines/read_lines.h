@@ -20,6 +20,7 @@ struct DrawnLine {
   bool after_turn = false;  ///< an export of ours says that it goes on after no crossing
   int subfield = 0;         ///< where an export of ours says so
   bool is_pass = false;     ///< a headland pass of an export of ours
+  std::string exact_path;   ///< the text of that column of such an export; empty: none
 };
 
 struct DrawnLines {
@@ -27,7 +28,8 @@ struct DrawnLines {
   std::vector<Skipped> skipped;  ///< features without a line
 };
 
-/// The columns to read with the features, for read_lines().
+/// The columns to read with the features, for read_lines(). Lines of a layer `headland_passes`, and those
+/// whose `kind` is `headland`, are headland passes.
 std::vector<std::string> columns_of_lines();
 
 /// All lines of a dataset, each part of a feature by itself. A layer without a CRS is read in `fields_crs`, a

@@ -1,6 +1,8 @@
 #include "tramline/cost/worked/worked_regions.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "tramline/cost/tolerances.h"
 #include "tramline/geometry/polygon/boolean.h"
@@ -15,12 +17,31 @@ bool worth_keeping(double area_m2, const Ring& around) {
   return area_m2 > kThinnestOverlap_m * perimeter(around);
 }
 
+/// Whether a ring turns left at every vertex and winds once: it does not cross itself.
+bool is_strictly_convex(const Ring& ring) {
+  int rises = 0;  // changes of its edges from going down to going up
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point in = ring[i] - ring[(i + n - 1) % n], out = ring[(i + 1) % n] - ring[i];
+    if (!(cross(in, out) > 0)) return false;
+    if (in.y < 0 && out.y >= 0) ++rises;
+  }
+  return rises == 1;
+}
+
+/// The intersection of two convex rings as a polygon that overlays accept. Vertices that nearly coincide may
+/// have changed places, so that the ring crosses itself, and an overlay would drop its land without a word.
+Region sound(Ring both) {
+  if (is_strictly_convex(both) || !find_invalidity({both, {}})) return {{std::move(both), {}}};
+  return convex_hull(both);
+}
+
 /// Where one of two is a rectangle, the area of their intersection is found without building it.
 Region overlap_of(const Ring& a, const Ring& b) {
   if (is_rectangle(b)) {
     Ring both = convex_intersection(a, b);
     if (!worth_keeping(std::abs(signed_area(both)), both)) return {};
-    if (is_rectangle(a)) return {{std::move(both), {}}};
+    if (is_rectangle(a)) return sound(std::move(both));
   } else if (is_rectangle(a)) {
     return overlap_of(b, a);
   }

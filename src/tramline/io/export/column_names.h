@@ -16,6 +16,9 @@ bool stays_in_plan_file(std::string_view column);
 
 /// The column with the number of detours of a track, exported in place of the detours.
 inline constexpr const char* kDetourCount = "detour_count";
+/// What the column `kind` says of headland passes in the layer of the tracks.
+inline constexpr const char* kHeadlandKind = "headland";
+
 /// The title that KML shows beside a feature: "Track 12", "Subfield 1", "Overlap 3". Precondition: number >
 /// 0.
 std::string title_of(std::string_view layer, int number);

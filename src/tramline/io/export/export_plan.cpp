@@ -4,6 +4,8 @@
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -37,10 +39,23 @@ std::vector<std::string> layers_with_shapes(GDALDataset& plan) {
   return out;
 }
 
+/// What is driven: the tracks, and headland passes where there are some.
+std::vector<std::string> lines_of(GDALDataset& plan) {
+  OGRLayer* const passes = plan.GetLayerByName(plan_layers::kHeadlandPasses);
+  if (passes == nullptr || passes->GetFeatureCount() == 0) return {plan_layers::kTracks};
+  return {plan_layers::kTracks, plan_layers::kHeadlandPasses};
+}
+
+/// Tracks and headland passes, in one layer where a file holds no more.
+bool are_lines(const std::vector<std::string>& layers) {
+  return layers.size() == 2 && std::all_of(layers.begin(), layers.end(), [](const std::string& name) {
+           return name == plan_layers::kTracks || name == plan_layers::kHeadlandPasses;
+         });
+}
+
 std::vector<std::string> chosen_layers(GDALDataset& plan, const ExportRequest& request, ExportFormat format) {
   const std::vector<std::string> all = layers_with_shapes(plan);
-  if (request.layers.empty())
-    return format == ExportFormat::kShapefiles ? all : std::vector<std::string>{plan_layers::kTracks};
+  if (request.layers.empty()) return format == ExportFormat::kShapefiles ? all : lines_of(plan);
   std::vector<std::string> out;
   for (const std::string& name : request.layers) {
     if (std::find(all.begin(), all.end(), name) == all.end())
@@ -48,7 +63,7 @@ std::vector<std::string> chosen_layers(GDALDataset& plan, const ExportRequest& r
                                   name, listed(all)));
     if (std::find(out.begin(), out.end(), name) == out.end()) out.push_back(name);
   }
-  if (single_layer(format) && out.size() > 1)
+  if (single_layer(format) && out.size() > 1 && !are_lines(out))
     throw bad_input(fmt::format("a {} file holds one layer, not {}; export to .zip or .kml, or one by one",
                                 name(format), listed(out)));
   return out;
@@ -86,37 +101,20 @@ GDALDatasetUniquePtr opened_plan(const std::filesystem::path& plan) {
   return out;
 }
 
-/// The file, or all that belongs into the zip, in the folder. Its name is always the same: some formats
-/// write it down.
-void write_layers(GDALDataset& plan, const Field& field, const std::vector<std::string>& layers,
-                  const TargetCrs& target, double tolerance_m, const std::string& name,
-                  ExportReport& report) {
-  const GDALDatasetUniquePtr file(
-      driver_for(report.format).Create(name.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-  if (file == nullptr) return;
-  const LayerWay way{report.format, target, offset_of(field.frame), time_of_files(), tolerance_m};
-  for (const std::string& layer : layers)
-    report.layers.push_back(
-        {layer, copy_layer(*plan.GetLayerByName(layer.c_str()), *file, way, report.shortened)});
-}
-
-void require_tolerance(double tolerance_m) {
-  constexpr double kMost_m = 10;
-  if (!(tolerance_m >= 0 && tolerance_m <= kMost_m))
-    throw bad_input(fmt::format("--tolerance must be from 0 to {} m, not {}", kMost_m, tolerance_m));
-}
-
 /// What is exported of a plan file: the field, in the frame of its layers, and the rows.
 struct Chosen {
   Field field;
   std::size_t fields = 1;
-  std::optional<std::string> key;  ///< only its rows; nullopt: all
+  std::optional<std::string> key;                           ///< only its rows; nullopt: all
+  std::map<std::string, LocalFrame, std::less<>> frames{};  ///< see LayerWay
 };
 
 Chosen chosen_from(const ExportRequest& request) {
   const std::vector<FieldNames> fields = fields_in(request.plan);
-  if (fields.empty()) return {read_plan(request.plan, request.field).field, 1, std::nullopt};
+  if (fields.empty())
+    return {read_plan(request.plan, request.field).field, 1, std::nullopt, frames_in(request.plan)};
   Chosen out;
+  out.frames = frames_in(request.plan);
   out.fields = fields.size();
   if (!request.field.empty() || fields.size() == 1) {
     out.key = chosen_field(fields, request.field, request.plan).key;
@@ -125,6 +123,34 @@ Chosen chosen_from(const ExportRequest& request) {
   out.field = read_plan(request.plan, out.key.value_or(fields.front().key)).field;
   out.field.frame = frame_of_layers(request.plan, out.field.frame);
   return out;
+}
+
+/// The file, or all that belongs into the zip, in the folder. Its name is always the same: some formats
+/// write it down.
+void write_layers(GDALDataset& from, const Chosen& plan, const std::vector<std::string>& layers,
+                  const TargetCrs& target, double tolerance_m, const std::string& name,
+                  ExportReport& report) {
+  const GDALDatasetUniquePtr file(
+      driver_for(report.format).Create(name.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+  if (file == nullptr) return;
+  const LayerWay way{report.format,   target,      offset_of(plan.field.frame),
+                     time_of_files(), tolerance_m, plan.frames};
+  if (single_layer(report.format) && are_lines(layers)) {
+    const auto [tracks, passes] =
+        copy_lines(*from.GetLayerByName(plan_layers::kTracks),
+                   *from.GetLayerByName(plan_layers::kHeadlandPasses), *file, way, report.shortened);
+    report.layers = {{plan_layers::kTracks, tracks}, {plan_layers::kHeadlandPasses, passes}};
+    return;
+  }
+  for (const std::string& layer : layers)
+    report.layers.push_back(
+        {layer, copy_layer(*from.GetLayerByName(layer.c_str()), *file, way, report.shortened)});
+}
+
+void require_tolerance(double tolerance_m) {
+  constexpr double kMost_m = 10;
+  if (!(tolerance_m >= 0 && tolerance_m <= kMost_m))
+    throw bad_input(fmt::format("--tolerance must be from 0 to {} m, not {}", kMost_m, tolerance_m));
 }
 
 /// Layers hand out the rows of that field only, from now on.
@@ -155,8 +181,8 @@ ExportReport export_plan(const ExportRequest& request) {
   const bool zipped = report.format == ExportFormat::kShapefiles;
   const MemoryFolder folder;
   const std::string result = zipped ? "plan.zip" : "plan" + request.file.extension().string();
-  write_layers(*from, plan.field, layers, target, request.tolerance_m,
-               zipped ? folder.path() : folder.file(result), report);
+  write_layers(*from, plan, layers, target, request.tolerance_m, zipped ? folder.path() : folder.file(result),
+               report);
   if (zipped) zip_files(folder, folder.files(), result, time_of_files());
   const std::span<const std::byte> bytes = folder.bytes(result);
   if (errors.any() || bytes.empty())

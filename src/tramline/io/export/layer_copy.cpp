@@ -14,6 +14,8 @@
 #include "tramline/io/export/projected_shapes.h"
 #include "tramline/io/export/thinned_shape.h"
 #include "tramline/io/export/utf8_prefix.h"
+#include "tramline/io/geopackage/field_names.h"
+#include "tramline/io/plan/exact_path.h"
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/model/palette.h"
 
@@ -55,22 +57,38 @@ std::string pen_of(std::string_view layer, bool detour) {
   return fmt::format("PEN(c:#{:06X},w:2px)", headland ? kHeadlandPassHex : detour ? kDetourHex : kTrackHex);
 }
 
-/// One layer on its way from the plan file to the export.
+OGRLayer* made_layer(OGRLayer& like, GDALDataset& file, const LayerWay& way) {
+  OGRSpatialReference reference(way.target.reference());
+  CPLStringList options = layer_options(way.format, way.time);
+  return file.CreateLayer(like.GetName(), &reference, like.GetGeomType(), options.List());
+}
+
+/// One layer on its way from the plan file to a layer of the export, which another may share.
 class LayerCopy {
  public:
-  LayerCopy(OGRLayer& from, const LayerWay& way, std::vector<Skipped>& shortened)
-      : from_(from), way_(way), shortened_(shortened) {}
+  LayerCopy(OGRLayer& from, OGRLayer& to, const LayerWay& way, std::vector<Skipped>& shortened)
+      : from_(from), to_(to), way_(way), shortened_(shortened) {}
 
-  /// Failures of GDAL are left to the GdalErrors of the caller.
-  int run(GDALDataset& file) {
-    OGRSpatialReference reference(way_.target.reference());
-    CPLStringList options = layer_options(way_.format, way_.time);
-    to_ = file.CreateLayer(from_.GetName(), &reference, from_.GetGeomType(), options.List());
-    if (to_ == nullptr) return 0;
-    make_columns();
+  /// All columns have to be there before the first feature.
+  void make_columns() {
+    if (way_.format == ExportFormat::kKml) title_ = add(OGRFieldDefn("Name", OFTString));
+    const OGRFeatureDefn& columns = *from_.GetLayerDefn();
+    for (int i = 0; i < columns.GetFieldCount(); ++i)
+      if (!stays_in_plan_file(columns.GetFieldDefn(i)->GetNameRef())) kept_.push_back({i, add_like(i)});
+    detours_ = columns.GetFieldIndex("detours");
+    if (detours_ >= 0) detour_count_ = add(OGRFieldDefn(shown(kDetourCount).c_str(), OFTInteger));
+    path_ = columns.GetFieldIndex("path");
+    key_ = columns.GetFieldIndex(kFieldKey);
+    if (path_ >= 0 && !way_.frames.empty() && way_.format != ExportFormat::kShapefiles)
+      exact_path_ = add(OGRFieldDefn(kExactPath, OFTString));
+  }
+
+  /// `kind`: what the column of that name says of all of them; nullptr: what it says in the plan file.
+  int copy_features(const char* kind = nullptr) {
+    if (kind != nullptr) kind_ = to_.GetLayerDefn()->GetFieldIndex("kind");
     int count = 0;
     from_.ResetReading();
-    while (const OGRFeatureUniquePtr feature{from_.GetNextFeature()}) copy(*feature, ++count);
+    while (const OGRFeatureUniquePtr feature{from_.GetNextFeature()}) copy(*feature, ++count, kind);
     return count;
   }
 
@@ -80,20 +98,12 @@ class LayerCopy {
     int to;
   };
 
-  void make_columns() {
-    if (way_.format == ExportFormat::kKml) title_ = add(OGRFieldDefn("Name", OFTString));
-    const OGRFeatureDefn& columns = *from_.GetLayerDefn();
-    for (int i = 0; i < columns.GetFieldCount(); ++i)
-      if (!stays_in_plan_file(columns.GetFieldDefn(i)->GetNameRef())) kept_.push_back({i, add_like(i)});
-    detours_ = columns.GetFieldIndex("detours");
-    if (detours_ >= 0) detour_count_ = add(OGRFieldDefn(shown(kDetourCount).c_str(), OFTInteger));
-  }
-
-  /// The number of the new column.
+  /// The number of the column: a new one, or that of this name where layers share it.
   int add(const OGRFieldDefn& column) {
-    if (to_->CreateField(const_cast<OGRFieldDefn*>(&column)) != OGRERR_NONE)
+    if (const int there = to_.GetLayerDefn()->GetFieldIndex(column.GetNameRef()); there >= 0) return there;
+    if (to_.CreateField(const_cast<OGRFieldDefn*>(&column)) != OGRERR_NONE)
       CPLError(CE_Failure, CPLE_AppDefined, "column %s was refused", column.GetNameRef());
-    return to_->GetLayerDefn()->GetFieldCount() - 1;
+    return to_.GetLayerDefn()->GetFieldCount() - 1;
   }
 
   std::string shown(const char* column) const {
@@ -125,9 +135,11 @@ class LayerCopy {
     return static_cast<int>(std::min(longest, kLongestText));
   }
 
-  void copy(const OGRFeature& source, int number) {
-    OGRFeature out(to_->GetLayerDefn());
+  void copy(const OGRFeature& source, int number, const char* kind) {
+    OGRFeature out(to_.GetLayerDefn());
     for (const auto [from, to] : kept_) copy_value(source, from, out, to);
+    if (kind_ >= 0) out.SetField(kind_, kind);
+    if (exact_path_ >= 0) out.SetField(exact_path_, exact_path_of(source).c_str());
     if (detours_ >= 0) out.SetField(detour_count_, count_of(source.GetFieldAsString(detours_)));
     if (title_ >= 0) {
       out.SetField(title_, title_of(from_.GetName(), number).c_str());
@@ -136,7 +148,7 @@ class LayerCopy {
     }
     if (const OGRGeometry* shape = source.GetGeometryRef())
       out.SetGeometryDirectly(exported(*shape).release());
-    if (to_->CreateFeature(&out) != OGRERR_NONE)
+    if (to_.CreateFeature(&out) != OGRERR_NONE)
       CPLError(CE_Failure, CPLE_AppDefined, "a feature of layer %s was refused", from_.GetName());
   }
 
@@ -150,6 +162,13 @@ class LayerCopy {
     if (thinning_m <= 0 || layer == plan_layers::kField || layer == plan_layers::kObstacles)
       return projected(shape, way_.offset, way_.target, most_aside_m);
     return projected(*thinned_shape(shape, thinning_m), way_.offset, way_.target, most_aside_m);
+  }
+
+  std::string exact_path_of(const OGRFeature& source) const {
+    const auto frame = way_.frames.find(key_ >= 0 ? source.GetFieldAsString(key_) : "");
+    if (frame == way_.frames.end()) return {};
+    return exact_path_text(frame->second, std::max(way_.tolerance_m, kMostAside_m),
+                           source.GetFieldAsString(path_));
   }
 
   static int count_of(const char* detours) {
@@ -170,18 +189,32 @@ class LayerCopy {
          fmt::format("the text has {} bytes, and a Shapefile takes {}", text.size(), kLongestText)});
   }
 
-  OGRLayer& from_;
+  OGRLayer &from_, &to_;
   const LayerWay& way_;
   std::vector<Skipped>& shortened_;
-  OGRLayer* to_ = nullptr;
   std::vector<Pair> kept_;
-  int title_ = -1, detours_ = -1, detour_count_ = -1;
+  int title_ = -1, detours_ = -1, detour_count_ = -1, path_ = -1, key_ = -1, exact_path_ = -1, kind_ = -1;
 };
 
 }  // namespace
 
 int copy_layer(OGRLayer& from, GDALDataset& to, const LayerWay& way, std::vector<Skipped>& shortened) {
-  return LayerCopy(from, way, shortened).run(to);
+  OGRLayer* const layer = made_layer(from, to, way);
+  if (layer == nullptr) return 0;
+  LayerCopy copy(from, *layer, way, shortened);
+  copy.make_columns();
+  return copy.copy_features();
+}
+
+std::pair<int, int> copy_lines(OGRLayer& tracks, OGRLayer& passes, GDALDataset& to, const LayerWay& way,
+                               std::vector<Skipped>& shortened) {
+  OGRLayer* const layer = made_layer(tracks, to, way);
+  if (layer == nullptr) return {};
+  LayerCopy first(tracks, *layer, way, shortened), second(passes, *layer, way, shortened);
+  first.make_columns();
+  second.make_columns();
+  const int track_count = first.copy_features();
+  return {track_count, second.copy_features(kHeadlandKind)};
 }
 
 }  // namespace tramline::io

@@ -9,6 +9,16 @@
 
 namespace tramline::io {
 
+/// Visits the keys of a frame.
+template <class FrameOrConst, class Visitor>
+void each_frame_value(FrameOrConst& frame, Visitor&& visit) {
+  visit("frame.geodetic", frame.geodetic);
+  visit("frame.origin_lon_deg", frame.origin_lon_deg);
+  visit("frame.origin_lat_deg", frame.origin_lat_deg);
+  visit("frame.origin_x_m", frame.origin_x_m);
+  visit("frame.origin_y_m", frame.origin_y_m);
+}
+
 /// Visits all keys, in the same order for writers (const field) and readers.
 template <class FieldOrConst, class Visitor>
 void each_field_value(FieldOrConst& field, Visitor&& visit) {
@@ -23,11 +33,7 @@ void each_field_value(FieldOrConst& field, Visitor&& visit) {
   visit("field.source.passable_file", field.source.passable_file);
   visit("field.repairs", field.repairs);
   visit("field.warnings", field.warnings);
-  visit("frame.geodetic", field.frame.geodetic);
-  visit("frame.origin_lon_deg", field.frame.origin_lon_deg);
-  visit("frame.origin_lat_deg", field.frame.origin_lat_deg);
-  visit("frame.origin_x_m", field.frame.origin_x_m);
-  visit("frame.origin_y_m", field.frame.origin_y_m);
+  each_frame_value(field.frame, visit);
 }
 
 /// A key added later than the others: files without it are valid too.

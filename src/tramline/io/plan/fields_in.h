@@ -2,6 +2,8 @@
 // The fields of a plan file.
 
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,10 @@ bool is_plan_file(const std::filesystem::path& path);
 /// The fields of a file of many plans, in its order; empty for a file of one plan. Throws Error(kBadInput)
 /// where it is not a plan file.
 std::vector<FieldNames> fields_in(const std::filesystem::path& path);
+
+/// The field's own frame by its key; by "" in a file of one plan. Throws Error(kBadInput) where it is not a
+/// plan file, and where one of them is malformed.
+std::map<std::string, LocalFrame, std::less<>> frames_in(const std::filesystem::path& path);
 
 /// The field that `asked` names, by key or id; the only one where `asked` is empty. Throws Error(kBadInput),
 /// naming those there are (the first 20), where it names none or several.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/field/field_values.h"
 #include "tramline/io/geopackage/gdal_errors.h"
 #include "tramline/io/plan/fields_in.h"
 #include "tramline/io/plan/plan_layers.h"
@@ -94,6 +95,22 @@ std::vector<FieldNames> fields_in(const fs::path& path) {
   file.each(plan_layers::kField, [&](const Row& row) {
     if (row.has(kFieldKey)) out.push_back({row.text(kFieldKey), row.text(kFieldId)});
   });
+  return out;
+}
+
+std::map<std::string, LocalFrame, std::less<>> frames_in(const fs::path& path) {
+  GdalErrors errors;
+  Rows file(path, kPlanFile, errors);
+  std::map<std::string, Metadata> tables;
+  file.each(kMetadataTable, [&](const Row& row) {
+    const std::string field = row.has(kFieldKey) ? row.text(kFieldKey) : std::string();
+    if (row.text("key").starts_with("frame.")) tables[field][row.text("key")] = row.text("value");
+  });
+  std::map<std::string, LocalFrame, std::less<>> out;
+  for (const auto& [field, table] : tables) {
+    const KeyReader read(table, path, kPlanFile);
+    each_frame_value(out[field], read);
+  }
   return out;
 }
 

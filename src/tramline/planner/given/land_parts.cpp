@@ -17,10 +17,6 @@ namespace {
 
 constexpr double kLeastBorder_m = 0.1;  ///< parts that share less do not count as neighbours
 
-void drop_specks_of(Region& region) {
-  std::erase_if(region, [](const Polygon& polygon) { return area(polygon) < kNoGround_m2; });
-}
-
 /// The line with its ends moved outwards along its first and last edge.
 std::vector<Point> lengthened(std::vector<Point> line, double by_m) {
   const auto moved = [by_m](Point end, Point from) {
@@ -77,7 +73,7 @@ class Divider {
  private:
   void take(const GivenSubfield& given) {
     Region taken = intersection(free_, given.shape);
-    drop_specks_of(taken);
+    drop_specks(taken);
     if (taken.empty()) {
       out_.remarks.push_back(given.origin + " holds no land to divide and changes nothing");
       return;
@@ -85,7 +81,7 @@ class Divider {
     for (Polygon& shape : taken)
       out_.parts.push_back({std::move(shape), given.origin, given.direction, given.guide});
     free_ = difference(free_, given.shape);
-    drop_specks_of(free_);
+    drop_specks(free_);
   }
 
   /// Tails of the free land beside polygons that were not drawn quite up to the edge or to one another become
@@ -101,7 +97,7 @@ class Divider {
         if (distance_between({tail}, drawn) <= kSamePlace_m) tails.push_back(std::move(tail));
     if (tails.empty()) return;
     free_ = difference(free_, tails);
-    drop_specks_of(free_);
+    drop_specks(free_);
     for (Polygon& tail : tails) out_.parts.push_back({std::move(tail)});
   }
 
@@ -113,7 +109,7 @@ class Divider {
     for (const Polygon& whole : free_) {
       Region faces;
       if (!lines.empty()) faces = split_by_lines(whole, lines);
-      drop_specks_of(faces);
+      drop_specks(faces);
       if (faces.size() < 2) {
         out_.parts.push_back({whole});
         continue;

@@ -15,10 +15,6 @@ namespace {
 
 constexpr double kBesideDone_m = 0.01;  ///< land nearer than this to land done lies beside it
 
-void drop_specks(Region& region) {
-  std::erase_if(region, [](const Polygon& polygon) { return area(polygon) < kNoGround_m2; });
-}
-
 Error nothing_remains(const PlanningProblem& problem) {
   const GivenLand& given = problem.settings.given;
   const std::string& field = problem.field.id;

@@ -21,8 +21,9 @@ struct GivenLine {
 
 /// Frame: the field's local metres.
 struct GivenLines {
-  std::vector<GivenLine> tracks;  ///< in driving order
-  std::vector<GivenLine> passes;  ///< round the field or obstacles; no turns are counted between them
+  std::vector<GivenLine> tracks;     ///< in driving order
+  std::vector<GivenLine> passes;     ///< round the field or obstacles; no turns are counted between them
+  std::vector<std::string> notes{};  ///< what the user is to know of how they were read
 };
 
 }  // namespace tramline

@@ -231,6 +231,7 @@ PricedLines price_lines(const Field& field, const Machine& machine, const Object
   set_overlap_by_line(plan);
   add_layers_of_lines(centre_lines, passes, plan);
   plan.warnings = warnings_about_lines(plan, all);
+  plan.warnings.insert(plan.warnings.end(), lines.notes.begin(), lines.notes.end());
   return out;
 }
 
