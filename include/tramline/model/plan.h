@@ -220,6 +220,9 @@ struct Plan {
   std::vector<Subfield> subfields;
   std::vector<TrackPiece> pieces;  ///< in driving order
   std::vector<DroppedPiece> dropped;
+  /// By edge of Field::outer, where turns were planned and the boundary is soft: how far beyond it turns
+  /// reach, m. Not kept in plan files.
+  std::vector<double> room_beyond_m;
   std::vector<PlannedTurn> turns;     ///< where settings.turns asks for them, by piece
   std::vector<Encounter> encounters;  ///< by subfield, track and position along it
   PlanFigures figures = PlanFigures::kTracksAndPasses;

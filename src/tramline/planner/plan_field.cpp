@@ -17,6 +17,7 @@
 #include "tramline/planner/explain/explanation.h"
 #include "tramline/planner/given/given_search.h"
 #include "tramline/planner/headland_choice/headlands_for_turns.h"
+#include "tramline/planner/headland_choice/room_beyond.h"
 #include "tramline/planner/prepare_field.h"
 #include "tramline/planner/search/straight_search.h"
 #include "tramline/planner/warnings.h"
@@ -185,6 +186,8 @@ ExplainedPlan planned(const PlanningProblem& problem, const SearchContext& conte
     out.plan = plan_with_headlands_for_turns(problem, layout_for_turns(problem, context), context);
   else
     out = searched(problem, context, explain);
+  if (!out.plan.turns.empty() && out.plan.settings.boundary == EdgeKind::kSoft)
+    out.plan.room_beyond_m = room_beyond_edges(out.plan);
   if (context.cut_short()) mark_cut_short(out.plan);
   return out;
 }

@@ -4,10 +4,13 @@
 #include <optional>
 #include <utility>
 
+#include "tramline/planner/assembly/driven_tracks.h"
 #include "tramline/planner/assembly/finished_plan.h"
+#include "tramline/planner/assembly/whole_figures.h"
 #include "tramline/planner/headland_choice/needed_passes.h"
 #include "tramline/planner/headland_choice/relaid.h"
 #include "tramline/planner/prepare_field.h"
+#include "tramline/planner/turning/planned_turns.h"
 
 namespace tramline {
 namespace {
@@ -18,8 +21,11 @@ constexpr int kMostRounds = 6;
 constexpr int kMorePasses = 2;
 
 struct Tried {
-  Plan plan;
   PassesByBoundary passes;
+  PlanningProblem problem;
+  PreparedField prepared;
+  SearchResult found;
+  Plan plan;  ///< field, machine, objective, settings, pieces, turns, stops and cost; no layers
   PassesByBoundary lacking;
 };
 
@@ -68,7 +74,7 @@ class HeadlandsForTurns {
     if (!best) throw no_room(problem_);
     if (problem_.settings.headland_rule == HeadlandRule::kTurns) go_all_round(*best);
     if (problem_.settings.obstacle_headland_rule == HeadlandRule::kTurns) leave_out_obstacles(*best);
-    return std::move(best->plan);
+    return finished_plan(SearchTask(best->problem, best->prepared), std::move(best->found), context_);
   }
 
  private:
@@ -121,13 +127,27 @@ class HeadlandsForTurns {
     PlanningProblem problem = problem_;
     problem.settings.headland_edges = passes.edges;
     problem.settings.boundary = any({passes.edges, {}}) ? EdgeKind::kHard : problem_.settings.boundary;
-    const std::optional<PreparedField> prepared = field_behind(problem, passes.obstacles);
+    std::optional<PreparedField> prepared = field_behind(problem, passes.obstacles);
     if (!prepared || area(prepared->ground.plannable) == 0) return std::nullopt;
     SearchResult found = relaid(problem, *prepared, layout_.subfields, context_.uncounted());
     if (!found.best.works()) return std::nullopt;
     found.directions_tried = layout_.directions_tried;
-    Tried out{finished_plan(SearchTask(problem, *prepared), std::move(found), context_), passes, {}};
-    out.lacking = lacking_passes(out.plan, *prepared->turning_land);
+    Plan plan = sketched(SearchTask(problem, *prepared), found.best);
+    PassesByBoundary lacking = lacking_passes(plan, *prepared->turning_land);
+    return Tried{passes,           std::move(problem), std::move(*prepared),
+                 std::move(found), std::move(plan),    std::move(lacking)};
+  }
+
+  static Plan sketched(const SearchTask& task, const Candidate& candidate) {
+    Plan out;
+    out.field = task.field;
+    out.machine = task.machine;
+    out.objective = task.objective;
+    out.settings = task.settings;
+    out.pieces = driven_tracks(task, candidate).pieces;
+    out.tally = whole_tally_of(task, candidate);
+    out.cost = cost(task.objective, out.tally);
+    out.turns = planned_turns(task.turning_land, task.machine, out.pieces, task.settings.towing_error_m);
     return out;
   }
 
