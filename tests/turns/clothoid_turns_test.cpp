@@ -78,7 +78,7 @@ TEST(ClothoidTurns, TheWheelsTurnNoFasterThanTheyCan) {
   };
   int without = 0;
   std::set<std::string> seen;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 150; ++i) {
     Machine machine = steered_machine(between(0.2, 4));
     machine.radius_m = between(3, 10);
     const double size = std::exp(between(0, 4));

@@ -18,7 +18,7 @@ inline Pose pose(double x, double y, double clockwise_degrees) {
 
 /// Its stretches, driven in small steps, lead from one pose to the other; stretches begin where the one
 /// before ends.
-inline void expect_leads(const Manoeuvre& manoeuvre, const Pose& from, const Pose& to, int steps = 1200) {
+inline void expect_leads(const Manoeuvre& manoeuvre, const Pose& from, const Pose& to, int steps = 500) {
   const double size = 1 + distance(from.at, to.at) + length(manoeuvre.path);
   EXPECT_LE(difference(driven(from, manoeuvre.path, steps).back(), to), 1e-9 * size) << manoeuvre.word;
   for (std::size_t i = 0; i < manoeuvre.path.size(); ++i) {
