@@ -78,8 +78,8 @@ TEST(ClothoidTurns, TheWheelsTurnNoFasterThanTheyCan) {
   };
   int without = 0;
   std::set<std::string> seen;
-  for (int i = 0; i < 300; ++i) {
-    Machine machine = steered_machine(between(0.2, 4));
+  for (int i = 0; i < 150; ++i) {
+    Machine machine = steered_machine(i % 5 == 0 ? between(5, 40) : between(0.2, 4));
     machine.radius_m = between(3, 10);
     const double size = std::exp(between(0, 4));
     const Pose from = pose(between(-size, size), between(-size, size), between(0, 360));
@@ -87,6 +87,9 @@ TEST(ClothoidTurns, TheWheelsTurnNoFasterThanTheyCan) {
     const double sharp = 1 / (machine.radius_m * machine.turning.steering_time_s);
     const auto all = manoeuvres_between(from, to, machine);
     without += all.empty() ? 1 : 0;
+    if (i % 5 != 0) {
+      EXPECT_FALSE(all.empty()) << i;
+    }
     for (const Manoeuvre& manoeuvre : all) {
       seen.insert(manoeuvre.word);
       expect_leads(manoeuvre, from, to);
@@ -100,6 +103,48 @@ TEST(ClothoidTurns, TheWheelsTurnNoFasterThanTheyCan) {
   for (const char* word :
        {"LSL", "RSR", "LSR", "RSL", "LRL", "RLR", "lsl", "LrL", "rLr", "lrL", "Lrl", "RsR"})
     EXPECT_TRUE(seen.count(word)) << word;
+}
+
+TEST(ClothoidTurns, WithoutDeflectionTheyAreALine) {
+  const TurnCurve curve = turn_curves(steered_machine(2)).forward;
+  for (const double ahead : {0.2, 1.0, 5.0, 60.0}) {
+    const auto words = dubins_words(kLastPose, pose(100, 200 + ahead, 0), curve);
+    ASSERT_FALSE(words.empty()) << ahead;
+    EXPECT_EQ(words.front().word, "S");
+    EXPECT_NEAR(length(words.front().path), ahead, 1e-9);
+  }
+  EXPECT_TRUE(dubins_words(kLastPose, kLastPose, curve).front().path.empty());
+}
+
+/// The pose after turns and lines from a pose: a letter and an amount for each.
+Pose led(Pose at, const std::vector<std::pair<char, double>>& parts, const TurnCurve& curve) {
+  for (const auto& [letter, amount] : parts)
+    at = letter == 'S' ? end_of(arc_from(at, amount, 0, Gear::kForward))
+                       : end_of(turn_from(at, amount, letter == 'L' ? TurnSide::kLeft : TurnSide::kRight,
+                                          Gear::kForward, curve)
+                                    ->back());
+  return at;
+}
+
+TEST(ClothoidTurns, WordsOfWhichATurnIsMissing) {
+  const TurnCurve curve = turn_curves(steered_machine(2)).forward;
+  const double line = 2 * curve.ahead_m;
+  const std::vector<std::vector<std::pair<char, double>>> words = {{{'S', 7}, {'R', 1}},
+                                                                   {{'L', 0.2}, {'S', 3}},
+                                                                   {{'R', 2}},
+                                                                   {{'S', 0.1}, {'L', 3}},
+                                                                   {{'S', line}, {'R', 4}, {'L', 1}},
+                                                                   {{'L', 1}, {'R', 4}, {'S', line}}};
+  for (const auto& parts : words) {
+    const Pose to = led(kLastPose, parts, curve);
+    std::string expected;
+    for (const auto& part : parts) expected += part.first;
+    const auto found = dubins_words(kLastPose, to, curve);
+    for (const Manoeuvre& word : found) expect_leads(word, kLastPose, to);
+    EXPECT_EQ(
+        std::count_if(found.begin(), found.end(), [&](const Manoeuvre& m) { return m.word == expected; }), 1)
+        << expected;
+  }
 }
 
 TEST(ClothoidTurns, LengthsFallToThoseOfArcsAsTheWheelsGetQuicker) {
@@ -139,6 +184,11 @@ TEST(ClothoidTurns, BetweenOneTurnAndTwoTheArcIsWider) {
       const auto turn = u_turn(kLastPose, next_pose(side * s), curve);
       ASSERT_TRUE(turn) << s;
       EXPECT_EQ(turn->kind, ManoeuvreKind::kU);
+      const auto all = manoeuvres_between(kLastPose, next_pose(side * s), steered_machine(2));
+      EXPECT_EQ(std::count_if(all.begin(), all.end(),
+                              [](const Manoeuvre& m) { return m.kind == ManoeuvreKind::kU; }),
+                1)
+          << s;
       expect_leads(*turn, kLastPose, next_pose(side * s));
       expect_no_tighter(*turn, 6);
       expect_steerable(*turn, curve.sharpness, curve.sharpness);
@@ -172,7 +222,10 @@ TEST(ThreeTurns, OfArcsAreThoseOfReedsAndShepp) {
     const Pose from = pose(0, 0, between(0, 360)),
                to = pose(between(-15, 15), between(-15, 15), between(0, 360));
     const auto turns = three_turns(from, to, arc_turns(6));
-    for (const Manoeuvre& word : turns) expect_leads(word, from, to);
+    for (const Manoeuvre& word : turns) {
+      expect_leads(word, from, to);
+      for (const SteeredStretch& stretch : word.path) EXPECT_LE(stretch.length_m, 6 * kClothoidPi + 1e-5);
+    }
     const Manoeuvre shortest = shortest_reeds_shepp(from, to, 6);
     if (shortest.word.size() != 3 || shortest.word.find_first_of("sS") != std::string::npos) continue;
     ASSERT_FALSE(turns.empty());

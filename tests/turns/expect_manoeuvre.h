@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "tramline/model/manoeuvre.h"
 #include "turns/integration.h"
@@ -16,11 +18,26 @@ inline Pose pose(double x, double y, double clockwise_degrees) {
   return {{x, y}, Heading::clockwise_from_north(Angle::degrees(clockwise_degrees))};
 }
 
+/// The word of a path, letter by letter: a turn goes on where the wheels are not straight between stretches.
+inline std::string spelled(const SteeredPath& path) {
+  std::string out;
+  bool turning = false;
+  for (const SteeredStretch& stretch : path) {
+    const double curvature = stretch.curvature_at_start + stretch.curvature_at_end;
+    const char letter = curvature > 0 ? 'L' : curvature < 0 ? 'R' : 'S';
+    const bool onward = turning && stretch.clothoid() == (stretch.curvature_at_end == 0);
+    if (!onward) out += stretch.gear == Gear::kForward ? letter : static_cast<char>(std::tolower(letter));
+    turning = stretch.clothoid() ? stretch.curvature_at_end != 0 : onward;
+  }
+  return out;
+}
+
 /// Its stretches, driven in small steps, lead from one pose to the other; stretches begin where the one
 /// before ends.
-inline void expect_leads(const Manoeuvre& manoeuvre, const Pose& from, const Pose& to, int steps = 1200) {
+inline void expect_leads(const Manoeuvre& manoeuvre, const Pose& from, const Pose& to, int steps = 500) {
   const double size = 1 + distance(from.at, to.at) + length(manoeuvre.path);
   EXPECT_LE(difference(driven(from, manoeuvre.path, steps).back(), to), 1e-9 * size) << manoeuvre.word;
+  EXPECT_EQ(spelled(manoeuvre.path), manoeuvre.word);
   for (std::size_t i = 0; i < manoeuvre.path.size(); ++i) {
     const Pose before = i == 0 ? from : end_of(manoeuvre.path[i - 1]);
     EXPECT_LE(difference(driven_pose(manoeuvre.path[i].start), before), 1e-9 * size) << manoeuvre.word;

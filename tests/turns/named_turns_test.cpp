@@ -40,6 +40,17 @@ TEST(UTurn, IsTwoQuarterTurnsAndALine) {
       }
 }
 
+TEST(UTurn, OfExactlyTwoRadiiIsOneHalfCircleInEveryDirection) {
+  for (int degrees = 0; degrees < 360; ++degrees) {
+    const Pose from = pose(-31.7, 1234.5, degrees);
+    const Pose to = end_of(arc_from(from, 6.1 * kTurnPi, -1 / 6.1, Gear::kForward));
+    const auto turn = u_turn(from, to, 6.1);
+    ASSERT_TRUE(turn) << degrees;
+    EXPECT_NEAR(length(turn->path), 6.1 * kTurnPi, 1e-9) << degrees;
+    EXPECT_EQ(turn->word, "R");
+  }
+}
+
 TEST(UTurn, IsNoneWhereTracksAreTooNearStaggeredOrGoOn) {
   EXPECT_FALSE(u_turn(kTrackEnd, next_start(11.9), 6));
   EXPECT_FALSE(u_turn(kTrackEnd, next_start(20, 1), 6));

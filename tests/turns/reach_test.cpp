@@ -52,6 +52,14 @@ double driven_reach(const SteeredPath& path, Point direction, Point fixed) {
   return most;
 }
 
+void expect_driven_reach(const SteeredStretch& stretch, Point direction, Point fixed, int number) {
+  const double expected = driven_reach({stretch}, direction, fixed);
+  const double found = reach({stretch}, direction, fixed);
+  // between two of the driven places at most step²/8 times the curvature of the point's way is missed
+  EXPECT_GE(found, expected - 1e-9) << number;
+  EXPECT_LE(found, expected + 2e-5) << number;
+}
+
 TEST(Reach, IsThatOfManyPlacesOnArcsAndClothoids) {
   std::mt19937_64 random(1);
   const auto between = [&](double low, double high) {
@@ -63,15 +71,31 @@ TEST(Reach, IsThatOfManyPlacesOnArcsAndClothoids) {
     SteeredStretch stretch{start, between(0.5, 40), between(-0.3, 0.3), between(-0.3, 0.3),
                            i % 2 == 0 ? Gear::kForward : Gear::kReverse};
     if (i % 5 == 0) stretch.curvature_at_end = stretch.curvature_at_start;
-    const Point direction = turned({1, 0}, between(0, 6.3));
     const Point fixed = i % 3 == 0   ? Point{0, 0}
                         : i % 3 == 1 ? Point{0, between(-8, 8)}
                                      : Point{between(-8, 8), between(-8, 8)};
-    const double expected = driven_reach({stretch}, direction, fixed);
-    const double found = reach({stretch}, direction, fixed);
-    // between two of the driven places at most step²/8 times the curvature of the point's way is missed
-    EXPECT_GE(found, expected - 1e-9) << i;
-    EXPECT_LE(found, expected + 2e-5) << i;
+    expect_driven_reach(stretch, turned({1, 0}, between(0, 6.3)), fixed, i);
+  }
+}
+
+TEST(Reach, PointsNearTheCentreOfATurnMoveToAndFro) {
+  // beside the axle by more than √3 of what they are ahead, and near the centre on the way: there the angle
+  // of their motion turns quickest
+  std::mt19937_64 random(7);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  for (int i = 0; i < 600; ++i) {
+    const Pose start{{between(-50, 50), between(-50, 50)},
+                     Heading::clockwise_from_north(Angle::radians(between(0, 6.3)))};
+    const double curvature = between(0.15, 0.4), to_each_side = between(0.02, 0.15);
+    const double side = i % 2 == 0 ? 1 : -1;
+    const SteeredStretch stretch{start, between(2, 12), side * (curvature - to_each_side),
+                                 side * (curvature + to_each_side),
+                                 i % 3 == 0 ? Gear::kForward : Gear::kReverse};
+    const Point fixed{between(-0.3, 0.3), side / curvature};
+    expect_driven_reach(stretch, turned({1, 0}, between(0, 6.3)), fixed, i);
+    if (HasFailure()) return;
   }
 }
 

@@ -133,9 +133,9 @@ TEST(Words, AreAsLongDrivenFromTheEndAndInTheMirror) {
     EXPECT_NEAR(reeds_shepp_length(mirrored_pose(from), mirrored_pose(to), radius_m), both, tolerance);
     EXPECT_NEAR(reeds_shepp_length(to, from, radius_m), both, tolerance);
     const Manoeuvre word = shortest_dubins(from, to, radius_m);
-    expect_leads({word.kind, word.word, turned_round(word.path)}, turned_about(to), turned_about(from));
-    const Pose axis = pose(0, 5, 0);
-    expect_leads({word.kind, word.word, mirrored(word.path, axis)}, mirrored_pose(from), mirrored_pose(to));
+    const SteeredPath round = turned_round(word.path), image = mirrored(word.path, pose(0, 5, 0));
+    expect_leads({word.kind, testing::spelled(round), round}, turned_about(to), turned_about(from));
+    expect_leads({word.kind, testing::spelled(image), image}, mirrored_pose(from), mirrored_pose(to));
     if (HasFailure()) return;
   }
 }

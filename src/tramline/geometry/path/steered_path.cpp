@@ -16,6 +16,10 @@ constexpr std::array<double, 4> kGaussWeight = {0.05061426814518813, 0.111190517
                                                 0.18134189168918100};
 /// Turning of a clothoid on which eight points are exact to 1e-13, rad.
 constexpr double kQuadratureStep_rad = 0.5;
+/// Half angles below which sin φ/φ is 1 − φ²/6 to rounding, rad.
+constexpr double kSmallHalfAngle_rad = 1e-4;
+/// Excess over half a circle that is rounding: such an arc stays one.
+constexpr double kHalfCircleNoise = 1e-12;
 
 double sense(Gear gear) { return gear == Gear::kForward ? 1 : -1; }
 
@@ -52,7 +56,7 @@ Point clothoid_end(const SteeredStretch& stretch, double after_m) {
 /// of angle φ is way · sin(φ/2)/(φ/2) long, at φ/2 from the heading.
 Point arc_end(const SteeredStretch& stretch, double way) {
   const double half = 0.5 * way * stretch.curvature_at_start;
-  const double shorter = std::abs(half) < 1e-4 ? 1 - half * half / 6 : std::sin(half) / half;
+  const double shorter = std::abs(half) < kSmallHalfAngle_rad ? 1 - half * half / 6 : std::sin(half) / half;
   return stretch.start.at + way * shorter * turned(stretch.start.heading.unit(), half);
 }
 
@@ -143,8 +147,9 @@ Path trace(const SteeredPath& path, double sagitta_m) {
     const double curvature = clothoid ? 0 : sense(stretch.gear) * stretch.curvature_at_start;
     const double half_circles = std::abs(curvature) * stretch.length_m / std::numbers::pi;
     const std::size_t parts =
-        clothoid ? chord_count(stretch, sagitta_m)
-                 : std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(half_circles - 1e-12)));
+        clothoid
+            ? chord_count(stretch, sagitta_m)
+            : std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(half_circles - kHalfCircleNoise)));
     Point from = stretch.start.at;
     for (std::size_t i = 1; i <= parts; ++i) {
       const double share = static_cast<double>(i) / static_cast<double>(parts);

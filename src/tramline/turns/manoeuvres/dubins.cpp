@@ -20,8 +20,7 @@ struct DubinsNumbers {
   ManoeuvreKind kind = ManoeuvreKind::kDubins;
 };
 
-/// Calls visit(numbers) for the words that exist, in the order LSL, RSR, LSR, RSL, LRL, RLR. `worth` is asked
-/// before a word with a line is worked out, with the distance that its line takes at least.
+/// Calls visit(numbers) for the words that exist, in the order LSL, RSR, LSR, RSL, LRL, RLR.
 template <class Visit>
 void for_each_dubins(const RelativePose& to, const TurnCurve& curve, Visit visit) {
   const std::array<RelativePose, 2> sides = {to, to.mirrored()};

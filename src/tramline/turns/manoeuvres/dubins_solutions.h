@@ -50,13 +50,18 @@ inline Point between_centres(const RelativePose& to, const TurnCurve& curve, Tur
   return {to.ahead - a * to.cosine - b * to.sine - a, to.left - a * to.sine + b * to.cosine - curve.aside_m};
 }
 
-/// LSL (Shkel and Lumelsky 2001, eq. 4).
+/// LSL (Shkel and Lumelsky 2001, eq. 4). Between poses in line that are nearer than 2a the centres lie in the
+/// order that the line from the one to the other is driven against: found only where both turns are none.
 inline std::optional<TurnLineTurn> left_line_left(const RelativePose& to, const TurnCurve& curve) {
   const Point way = between_centres(to, curve, TurnSide::kLeft);
   const double distance_m = std::sqrt(dot(way, way));
   const bool one_turn = distance_m <= kNoLine * curve.radius_m;
   const double heading = one_turn ? 0 : in_whole_circle(std::atan2(way.y, way.x));
-  return with_line(heading, distance_m - 2 * curve.ahead_m, in_whole_circle(to.turn - heading), distance_m,
+  const auto word = with_line(heading, distance_m - 2 * curve.ahead_m, in_whole_circle(to.turn - heading),
+                              distance_m, curve);
+  if (word || curve.at_once()) return word;
+  const double against = in_whole_circle(heading + 0.5 * kWholeCircle);
+  return with_line(against, -distance_m - 2 * curve.ahead_m, in_whole_circle(to.turn - against), distance_m,
                    curve);
 }
 
