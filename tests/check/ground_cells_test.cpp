@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 #include <random>
+#include <stdexcept>
 
 #include "check/plans.h"
 #include "tramline/geometry/polygon/boolean.h"
@@ -50,6 +51,23 @@ TEST(GroundCells, a_shape_that_lies_over_itself_counts_twice_there) {
   });
   EXPECT_DOUBLE_EQ(once_m2, 24);
   EXPECT_DOUBLE_EQ(twice_m2, 4);
+}
+
+/// A slanting swath that is driven thirty times: no halving leaves one of its sides aside.
+TEST(GroundCells, many_edges_along_one_line_are_not_halved_for_ever) {
+  GroundEdges ground;
+  const Ring swath{{0, 0}, {80, 60}, {78.2, 62.4}, {-1.8, 2.4}};
+  for (std::size_t shape = 0; shape < 30; ++shape) ground.add(Polygon{swath, {}}, shape);
+  constexpr int kPlenty = 100000;
+  int cells = 0;
+  double sum_m2 = 0;
+  const auto visit = [&](const GroundCell& cell) {
+    if (++cells > kPlenty) throw std::runtime_error("too many cells");
+    EXPECT_EQ(cell.covers.size(), 30u);
+    sum_m2 += cell.area_m2;
+  };
+  ASSERT_NO_THROW(check::each_cell(ground, visit));
+  EXPECT_NEAR(sum_m2, 300, 1e-9);
 }
 
 /// Stars of many corners over one another, so many that windows are halved often.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -15,6 +16,10 @@ using Edges = std::vector<GroundEdge>;
 constexpr std::size_t kFewEdges = 24;
 /// Edges that meet at one point do not become fewer by halving.
 constexpr int kMostHalvings = 48;
+/// Nor do those that lie on one line, such as the sides of swaths along a line that is driven many times, and
+/// there are windows all along it. Halvings that leave no edge aside before so many edges are cut anyway.
+constexpr int kMostInVain = 6;
+constexpr std::size_t kNotTooMany = 8 * kFewEdges;
 
 double x_at(const GroundEdge& edge, double y) {
   if (y <= edge.low.y) return edge.low.x;
@@ -141,26 +146,40 @@ class Halving {
  public:
   explicit Halving(const std::function<void(const GroundCell&)>& visit) : visit_(visit) {}
 
-  void visit(const Edges& edges, const Box& window, int halvings) {
+  void visit(const Edges& edges, const Box& window) { visit(edges, window, {}); }
+
+ private:
+  /// How the window came about.
+  struct Halved {
+    int times = 0;
+    int in_vain = 0;  ///< the last of them, which left no edge aside
+    std::size_t edges = std::numeric_limits<std::size_t>::max();
+  };
+
+  void visit(const Edges& edges, const Box& window, Halved halved) {
     if (edges.empty()) return;
-    if (inner(edges, window.min_x) <= kFewEdges || halvings >= kMostHalvings) {
+    const std::size_t count = inner(edges, window.min_x);
+    halved.in_vain = count < halved.edges ? 0 : halved.in_vain + 1;
+    const bool in_vain = halved.in_vain >= kMostInVain && count <= kNotTooMany;
+    if (count <= kFewEdges || halved.times >= kMostHalvings || in_vain) {
       cut(edges, window);
       return;
     }
+    halved.edges = count;
+    ++halved.times;
     const Point middle = window.centre();
     Box one = window, other = window;
     if (window.width() > window.height()) {
       one.max_x = other.min_x = middle.x;
-      visit(left_of(edges, middle.x), one, halvings + 1);
-      visit(right_of(edges, middle.x), other, halvings + 1);
+      visit(left_of(edges, middle.x), one, halved);
+      visit(right_of(edges, middle.x), other, halved);
     } else {
       one.max_y = other.min_y = middle.y;
-      visit(below(edges, middle.y), one, halvings + 1);
-      visit(above(edges, middle.y), other, halvings + 1);
+      visit(below(edges, middle.y), one, halved);
+      visit(above(edges, middle.y), other, halved);
     }
   }
 
- private:
   static std::size_t inner(const Edges& edges, double left) {
     return static_cast<std::size_t>(std::count_if(edges.begin(), edges.end(), [left](const GroundEdge& edge) {
       return edge.low.x != left || edge.high.x != left;
@@ -240,7 +259,7 @@ void GroundEdges::add(const Region& region, std::size_t shape) {
 }
 
 void each_cell(const GroundEdges& ground, const std::function<void(const GroundCell&)>& visit) {
-  Halving(visit).visit(ground.edges(), ground.bounds(), 0);
+  Halving(visit).visit(ground.edges(), ground.bounds());
 }
 
 }  // namespace tramline::check
