@@ -57,11 +57,13 @@ inline std::optional<TurnLineTurn> left_line_left(const RelativePose& to, const 
   const double distance_m = std::sqrt(dot(way, way));
   const bool one_turn = distance_m <= kNoLine * curve.radius_m;
   const double heading = one_turn ? 0 : in_whole_circle(std::atan2(way.y, way.x));
-  const auto word = with_line(heading, distance_m - 2 * curve.ahead_m, in_whole_circle(to.turn - heading),
-                              distance_m, curve);
-  if (word || curve.at_once()) return word;
-  const double against = in_whole_circle(heading + 0.5 * kWholeCircle);
-  return with_line(against, -distance_m - 2 * curve.ahead_m, in_whole_circle(to.turn - against), distance_m,
+  if (!curve.at_once()) {
+    const double against = in_whole_circle(heading + 0.5 * kWholeCircle);
+    if (const auto line = with_line(against, -distance_m - 2 * curve.ahead_m,
+                                    in_whole_circle(to.turn - against), distance_m, curve))
+      return line;
+  }
+  return with_line(heading, distance_m - 2 * curve.ahead_m, in_whole_circle(to.turn - heading), distance_m,
                    curve);
 }
 
