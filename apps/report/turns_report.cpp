@@ -15,15 +15,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string passes_text(int passes) { return fmt::format("{} {}", passes, passes == 1 ? "pass" : "passes"); }
-
-/// "unequal arcs"
-std::string kind_text(ManoeuvreKind kind) {
-  std::string out = name(kind);
-  std::replace(out.begin(), out.end(), '_', ' ');
-  return out;
-}
-
 bool is_adjacent(const TurnsReport& report, double spacing_m) {
   return std::abs(spacing_m - report.machine.width_m) <= kSameDepth;
 }
@@ -98,6 +89,14 @@ std::string need_sentence(const TurnsReport& report, const TurnRow& row) {
 }
 
 }  // namespace
+
+std::string kind_text(ManoeuvreKind kind) {
+  std::string out = name(kind);
+  std::replace(out.begin(), out.end(), '_', ' ');
+  return out;
+}
+
+std::string passes_text(int passes) { return fmt::format("{} {}", passes, passes == 1 ? "pass" : "passes"); }
 
 std::vector<std::string> turns_summary(const TurnsReport& report) {
   const std::vector<TurnRow> best = quickest_of_each(report.rows);

@@ -29,4 +29,8 @@ std::string turns_csv(const TurnsReport& report);
 /// each track.
 std::vector<std::string> turns_summary(const TurnsReport& report);
 
+/// "unequal arcs" and "3 passes", for people.
+std::string kind_text(ManoeuvreKind kind);
+std::string passes_text(int passes);
+
 }  // namespace tramline::app
