@@ -101,9 +101,9 @@ class TurnsCommand : public Command {
     std::vector<render::DrawnTurn> turns;
     for (const TurnRow& row : rows) {
       render::DrawnTurn turn;
-      turn.heading = fmt::format("{:g} m apart: {}", row.spacing_m, name(row.manoeuvre.kind));
-      turn.caption = fmt::format("{:.1f} m deep, {} passes, {:.1f} m long, {:.1f} s", row.depth_m, row.passes,
-                                 row.length_m, row.time_s);
+      turn.heading = fmt::format("{:g} m apart: {}", row.spacing_m, kind_text(row.manoeuvre.kind));
+      turn.caption = fmt::format("{:.1f} m deep, {}, {:.1f} m long, {:.1f} s", row.depth_m,
+                                 passes_text(row.passes), row.length_m, row.time_s);
       turn.path = row.manoeuvre.path;
       turn.swept = swept_outline(turn.path, outline, kSagitta_m);
       turn.spacing_m = row.spacing_m;

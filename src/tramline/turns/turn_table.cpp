@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "tramline/turns/manoeuvres/manoeuvre_choice.h"
 #include "tramline/turns/manoeuvres/reach.h"
@@ -50,11 +51,28 @@ TurnRow row_of(const Machine& machine, const Outline& outline, Angle border, Man
     out.depth_m = std::max(0.0, swept_reach_m(path, outline, kFirstEnd, unit));
     if (outline.tows()) out.run_in_m = run_in_m(path, outline, kTowedInLine_m);
   }
+  if (!path.empty()) {
+    const double ends_m = dot(end_of(path.back()).at - path.front().start.at, unit);
+    out.back_m = reach(path, Point{-unit.x, -unit.y}) - std::max(0.0, -ends_m);
+  }
   out.length_m = length(path);
   out.time_s = seconds(out.manoeuvre, machine);
   out.passes = passes_for(out.depth_m, machine.width_m);
   out.gear_changes = gear_changes(path);
   return out;
+}
+
+bool stays_off_tracks(const TurnRow& row) { return row.back_m <= kStaysOffTracks_m; }
+
+template <class Amount>
+std::size_t least_of(const std::vector<TurnRow>& rows, Amount&& amount) {
+  assert(!rows.empty());
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const bool off = stays_off_tracks(rows[i]), best_off = stays_off_tracks(rows[best]);
+    if (off != best_off ? off : amount(rows[i]) < amount(rows[best]) - kSameDepth) best = i;
+  }
+  return best;
 }
 
 }  // namespace
@@ -90,19 +108,6 @@ std::vector<TurnRow> turn_table(const Machine& machine, const TurnTableSettings&
   return out;
 }
 
-const TurnRow& quickest(const std::vector<TurnRow>& rows) {
-  assert(!rows.empty());
-  return *std::min_element(rows.begin(), rows.end(),
-                           [](const TurnRow& a, const TurnRow& b) { return a.time_s < b.time_s; });
-}
-
-const TurnRow& shallowest(const std::vector<TurnRow>& rows) {
-  assert(!rows.empty());
-  return *std::min_element(rows.begin(), rows.end(), [](const TurnRow& a, const TurnRow& b) {
-    return a.depth_m < b.depth_m - kSameDepth;
-  });
-}
-
 std::vector<TurnRow> rows_of(const std::vector<TurnRow>& rows, double spacing_m) {
   std::vector<TurnRow> out;
   for (const TurnRow& row : rows)
@@ -110,10 +115,21 @@ std::vector<TurnRow> rows_of(const std::vector<TurnRow>& rows, double spacing_m)
   return out;
 }
 
+std::size_t quickest(const std::vector<TurnRow>& rows) {
+  return least_of(rows, [](const TurnRow& row) { return row.time_s; });
+}
+
+std::size_t shallowest(const std::vector<TurnRow>& rows) {
+  return least_of(rows, [](const TurnRow& row) { return row.depth_m; });
+}
+
 std::vector<TurnRow> quickest_of_each(const std::vector<TurnRow>& rows) {
   std::vector<TurnRow> out;
-  for (const TurnRow& row : rows)
-    if (out.empty() || out.back().spacing_m != row.spacing_m) out.push_back(row);
+  for (const TurnRow& row : rows) {
+    if (!out.empty() && out.back().spacing_m == row.spacing_m) continue;
+    const std::vector<TurnRow> alike = rows_of(rows, row.spacing_m);
+    out.push_back(alike[quickest(alike)]);
+  }
   return out;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // What a machine needs to get from a track to its neighbours: how deep a headland, how long, how many passes.
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -24,9 +25,11 @@ struct TurnRow {
   Manoeuvre manoeuvre;      ///< the first track ends at the origin and leads along +y, the next is at +x
   double axle_depth_m = 0;  ///< how far the middle of the axle gets beyond the border, square to it
   double depth_m = 0;       ///< how far anything of machine and implement gets beyond it, at least 0
-  double length_m = 0;      ///< of the manoeuvre, without lift_m and lower_m
-  double time_s = 0;        ///< of the same
-  int passes = 0;           ///< headland passes of the working width that are together depth_m wide
+  /// How far the axle gets back over the tracks, square to the border, beyond where it begins and ends.
+  double back_m = 0;
+  double length_m = 0;  ///< of the manoeuvre, without lift_m and lower_m
+  double time_s = 0;    ///< of the same
+  int passes = 0;       ///< headland passes of the working width that are together depth_m wide
   int gear_changes = 0;
   /// Of a towed implement: driven straight on after the turn until its axle stays within kTowedInLine_m of
   /// the track; infinite where it never does.
@@ -49,14 +52,19 @@ Pose turn_ends(const Machine& machine, double spacing_m, Angle border);
 /// width_m > 0.
 int passes_for(double depth_m, double width_m);
 
-/// The first of the rows of least time or depth; rows of equal value by their order. Precondition: not empty.
-const TurnRow& quickest(const std::vector<TurnRow>& rows);
-const TurnRow& shallowest(const std::vector<TurnRow>& rows);
+/// A turn that gets back over the tracks by more than this, m, drives over land that is worked or to be
+/// worked: about the width of a wheel.
+inline constexpr double kStaysOffTracks_m = 0.5;
 
 /// The rows of one spacing; empty where there are none.
 std::vector<TurnRow> rows_of(const std::vector<TurnRow>& rows, double spacing_m);
 
-/// The row of the quickest manoeuvre to each spacing.
+/// Of rows of one spacing that with the least time, and that with the least depth, of equal ones the first:
+/// among those that stay off the tracks, or among all where none does. Precondition: not empty.
+std::size_t quickest(const std::vector<TurnRow>& rows);
+std::size_t shallowest(const std::vector<TurnRow>& rows);
+
+/// The quickest row of each spacing.
 std::vector<TurnRow> quickest_of_each(const std::vector<TurnRow>& rows);
 
 }  // namespace tramline

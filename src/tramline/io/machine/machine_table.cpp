@@ -51,7 +51,7 @@ void write_machines(const std::vector<ListedMachine>& machines, const std::files
     for (const auto& [id, machine] : machines)
       table.add(nullptr, {id, machine.name, machine.width_m, machine.radius_m,
                           machine.min_length_m >= 0 ? Cell(machine.min_length_m) : Cell(),
-                          machine.turning == Turning{} ? Cell() : Cell(turning_text(machine.turning))});
+                          machine.turning == Turning{} ? "" : turning_text(machine.turning)});
   });
 }
 

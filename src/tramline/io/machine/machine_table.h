@@ -15,7 +15,7 @@ struct ListedMachine {
 };
 
 /// Writes a GeoPackage with the attribute table machines: id, name, width_m, radius_m, min_length_m, which is
-/// NULL for the default, and turning: the values of Turning as JSON, NULL where all are the defaults. Bytes
+/// NULL for the default, and turning: the values of Turning as JSON, empty where all are the defaults. Bytes
 /// and errors as those of write_plan(). O(n).
 void write_machines(const std::vector<ListedMachine>& machines, const std::filesystem::path& path);
 
