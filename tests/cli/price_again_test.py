@@ -132,7 +132,7 @@ class PricedAgain(unittest.TestCase):
 
 
 def random_field(draw, smooth):
-    """A star-shaped field of some hectares in degrees, with small obstacles; `smooth`: its edges are curves."""
+    """A star-shaped field of a few hectares in degrees, with small obstacles; `smooth`: its edges are curves."""
     lat, lon = draw.uniform(-60, 60), draw.uniform(-170, 170)
     def ring(east_m, north_m, radii_m):
         out = []
@@ -142,13 +142,13 @@ def random_field(draw, smooth):
             out.append([lon + x / (111320 * math.cos(math.radians(lat))), lat + y / 111320])
         return out + out[:1]
     bays, phase = draw.randint(2, 3), draw.uniform(0, 2 * math.pi)
-    radii_m = [180 + 25 * math.sin(bays * 2 * math.pi * i / 60 + phase) for i in range(60)]
+    radii_m = [110 + 15 * math.sin(bays * 2 * math.pi * i / 60 + phase) for i in range(60)]
     if not smooth:
-        radii_m = [draw.uniform(110, 240) for _ in range(draw.randint(5, 12))]
+        radii_m = [draw.uniform(70, 150) for _ in range(draw.randint(5, 12))]
     rings = [ring(0, 0, radii_m)]
     for i in range(draw.randint(0, 4)):
-        angle, away_m = 2 * math.pi * (i + draw.uniform(0, 0.4)) / 4, draw.uniform(35, 60)
-        rings.append(ring(away_m * math.cos(angle), away_m * math.sin(angle), [draw.uniform(1, 6)] * 7)[::-1])
+        angle, away_m = 2 * math.pi * (i + draw.uniform(0, 0.4)) / 4, draw.uniform(20, 35)
+        rings.append(ring(away_m * math.cos(angle), away_m * math.sin(angle), [draw.uniform(1, 5)] * 7)[::-1])
     geometry = {"type": "Polygon", "coordinates": rings}
     return {"type": "FeatureCollection",
             "features": [{"type": "Feature", "properties": {"id": "random"}, "geometry": geometry}]}

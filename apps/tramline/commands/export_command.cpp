@@ -51,7 +51,7 @@ class ExportCommand : public Command {
                     "Export this layer of the plan. May be given several times for .zip and .kml.")
         .takes("NAME")
         .one_value_each_time()
-        .shows_default("every layer with shapes for .zip, else the tracks");
+        .shows_default("every layer with shapes for .zip, else tracks and headland passes");
     command
         .add_option(
             "--tolerance", tolerance_m_,

@@ -13,7 +13,8 @@ struct ExportRequest {
   std::filesystem::path plan;  ///< a plan file
   std::filesystem::path file;  ///< its extension chooses the format
   std::string crs;  ///< "source", "wgs84" or a definition for Crs; empty: the format's default, see below
-  /// Layers of the plan file; empty: tracks, or all with shapes in Shapefiles.
+  /// Layers of the plan file; empty: tracks and headland passes, or all with shapes in
+  /// Shapefiles.
   std::vector<std::string> layers;
   double tolerance_m = 0.02;  ///< see below; 0: every vertex is kept
   std::string field{};        ///< key or id of a field in a file of many plans; empty: all of them
@@ -37,8 +38,9 @@ struct ExportReport {
 /// FlatGeobuf and zipped Shapefiles in the CRS the field was given in, unless the request names another.
 /// Lines and outlines stay within `tolerance_m` of those in the plan file and have no more vertices than that
 /// requires; the field and its obstacles keep all of theirs. Features keep their order, and all columns are
-/// kept except `path` and `detours`, which only tramline can read (they are replaced by the number of
-/// detours).
+/// kept except `path` and `detours`, which only tramline can read: they are replaced by the number of detours
+/// and, but in Shapefiles, by `exact_path` (exact_path.h). Where a file holds one layer, headland passes
+/// follow the tracks in theirs, with the kind `headland`.
 ///
 /// The same plan file gives the same bytes; times inside follow time_of_files(). The file is written whole
 /// or not at all.
