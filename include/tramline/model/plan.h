@@ -99,6 +99,9 @@ struct PlanSettings {
   /// choice.
   std::vector<Point> guide;
   AbAnchor ab_anchor = AbAnchor::kDefault;  ///< kEnvelope requires a guide of two points
+  /// Passes by edge of Field::outer, edge i from vertex i to vertex i + 1; empty: `headlands` everywhere,
+  /// else `headlands` is the largest of them. Different numbers require TrackConstruction::kParallel.
+  std::vector<int> headland_edges{};
   GivenLand given;                          ///< not kept in plan files, where Plan says what became of it
 };
 

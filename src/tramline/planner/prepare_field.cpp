@@ -84,13 +84,16 @@ bool clearance_takes_all(const PlanningProblem& problem, const ClassifiedGround&
 }
 
 Region hard_field(const PlanningProblem& problem) {
-  const bool hard = problem.settings.boundary == EdgeKind::kHard && problem.settings.headlands == 0;
+  const PlanSettings& settings = problem.settings;
+  const bool bare_edges =
+      settings.headland_edges.empty() ? settings.headlands == 0 : passes_everywhere(settings.headland_edges) == 0;
+  const bool hard = settings.boundary == EdgeKind::kHard && bare_edges;
   return hard ? Region{{problem.field.outer, {}}} : Region{};
 }
 
 /// The chords that round the corners of a body are no corners to divide it at.
 double short_edge_m(const HeadlandTerms& terms) {
-  int most = terms.field_passes;
+  int most = std::max(terms.field_passes, passes_anywhere(terms.edge_passes));
   for (const int passes : terms.obstacle_passes) most = std::max(most, passes);
   // The edges that passes leave run round the turns of the passes.
   const double widest_m = std::max(most * terms.width_m, terms.radius_m + 0.5 * terms.width_m);
@@ -115,7 +118,8 @@ std::optional<PreparedField> behind_headlands(const PlanningProblem& problem,
                             min_length_m(problem.machine),
                             problem.settings.tracks == TrackConstruction::kPaper
                                 ? HeadlandConstruction::kPlain
-                                : HeadlandConstruction::kDrivable};
+                                : HeadlandConstruction::kDrivable,
+                            problem.settings.headland_edges};
   HeadlandAndBody headland = headland_of(problem.field, terms);
   if (headland.body.empty() && headland.passes.empty()) return std::nullopt;
   PreparedField out;

@@ -21,10 +21,12 @@ namespace tramline::io {
 namespace {
 
 constexpr const char* kFormat = "tramline plan";
-constexpr int kNewestVersion = kVersionWithGivenLand, kOldestVersion = 2;
+constexpr int kNewestVersion = kVersionWithEdgePasses, kOldestVersion = 2;
 constexpr const char* kTracks = "settings.tracks";
 constexpr const char* kAvoidRoom = "settings.avoid_room_m";  // only where there is a limit
 constexpr const char* kAbAnchor = "settings.ab_anchor";
+constexpr const char* kHeadlandEdges = "settings.headland_edges";
+constexpr const char* kEdgePasses = "headland.edge_passes";
 constexpr const char* kHeadlandConstruction = "headland.construction";
 constexpr const char* kOrigin = "origin";          // only where it is not `planned`
 constexpr const char* kReference = "reference";    // of all subfields
@@ -252,7 +254,14 @@ void write_given_land(const Plan& plan, const Writer& writer) {
   writer(kGivenBy, origins);
 }
 
+void write_edge_passes(const Plan& plan, const Writer& writer) {
+  if (!plan.settings.headland_edges.empty()) writer(kHeadlandEdges, plan.settings.headland_edges);
+  if (!plan.headland.edge_passes.empty()) writer(kEdgePasses, plan.headland.edge_passes);
+}
+
 int version_for(const Plan& plan) {
+  if (!plan.settings.headland_edges.empty() || !plan.headland.edge_passes.empty())
+    return kVersionWithEdgePasses;
   if (has_given_subfields(plan) || plan.left_out > 0 || (!plan.worked.empty() && !is_repair(plan)))
     return kVersionWithGivenLand;
   return has_own_lines(plan) ? kVersionWithOwnLines : kVersionWithSearchEnd;
@@ -275,6 +284,7 @@ Metadata metadata_of(const Plan& plan) {
   if (is_of_lines(plan)) writer(kOrigin, plan.origin);
   write_references(plan, writer);
   write_given_land(plan, writer);
+  write_edge_passes(plan, writer);
   out["format"] = kFormat;
   out["format_version"] = std::to_string(version_for(plan));
   out[kKind] = is_repair(plan) ? kRepair : "plan";
@@ -292,7 +302,7 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   int version = 0;
   reader("format_version", version);
   if (version < kOldestVersion || version > kNewestVersion)
-    throw reader.wrong("format_version", "from 2 to 8: read it with the tramline that wrote it");
+    throw reader.wrong("format_version", "from 2 to 9: read it with the tramline that wrote it");
   each_value(plan, reader);
   reader.shift_by(offset_of(plan.field.frame));
   if (version >= kVersionWithHeadlands) each_value_since_headlands(plan, reader);
@@ -312,6 +322,8 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   if (metadata.contains(kAbAnchor)) reader(kAbAnchor, plan.settings.ab_anchor);
   if (metadata.contains(kHeadlandConstruction)) reader(kHeadlandConstruction, plan.headland.construction);
   if (metadata.contains(kOrigin)) reader(kOrigin, plan.origin);
+  if (metadata.contains(kHeadlandEdges)) reader(kHeadlandEdges, plan.settings.headland_edges);
+  if (metadata.contains(kEdgePasses)) reader(kEdgePasses, plan.headland.edge_passes);
   return version;
 }
 

@@ -26,6 +26,9 @@ inline constexpr int kVersionWithOwnLines = 7;
 /// user.
 inline constexpr int kVersionWithGivenLand = 8;
 
+/// The version of plans with different numbers of headland passes along the edges of the field.
+inline constexpr int kVersionWithEdgePasses = 9;
+
 /// Machine, objective, settings, tally, local frame, source and remarks of a plan. The source file is
 /// named without its folder: a plan must not contain paths of the machine it was made on. Guide line and
 /// references are in the coordinates of the file, as paths of tracks are.
