@@ -117,6 +117,7 @@ void add_map_keys(ordered_json& out, const Plan& plan) {
   out["identity_error_m2"] = std::abs(identity_error_m2(plan));
   out["headland_passes"] = headland.passes.size();
   out["headland_m2"] = area(headland.ground);
+  if (!headland.edge_passes.empty()) out["headland_edge_passes"] = headland.edge_passes;
   out["headland_length_m"] = length(headland);
   out["headland_overlap_m2"] = headland.overlap_m2;
   out["headland_uncovered_m2"] = headland.uncovered_m2;

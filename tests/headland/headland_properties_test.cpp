@@ -13,7 +13,10 @@
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/headland/closed_path.h"
 #include "tramline/headland/drivable_rings.h"
+#include "tramline/headland/body.h"
+#include "tramline/headland/pass_ground.h"
 #include "tramline/headland/pass_tally.h"
+#include "tramline/headland/tolerances.h"
 #include "tramline/headland/turning_room.h"
 
 namespace tramline::testing {
@@ -47,6 +50,55 @@ TEST(HeadlandProperties, HoldForRandomFields) {
     const double width = std::uniform_real_distribution<double>(1, 12)(random);
     expect_no_faults(field, random_terms(random, field, width), seed);
   }
+}
+
+/// Numbers of passes by edge, in runs.
+std::vector<int> random_edge_passes(std::mt19937_64& random, std::size_t edges) {
+  const auto whole = [&](int from, int to) { return std::uniform_int_distribution<int>(from, to)(random); };
+  std::vector<int> out;
+  while (out.size() < edges) out.insert(out.end(), static_cast<std::size_t>(whole(1, 5)), whole(0, 3));
+  out.resize(edges);
+  return out;
+}
+
+/// How often passes cross one another, of those that lie side by side along the same boundary: none should.
+int crossings_of(const std::vector<HeadlandPass>& passes) {
+  int out = 0;
+  for (std::size_t i = 0; i < passes.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) out += meeting_count({passes[i].path, passes[j].path}) > 0 ? 1 : 0;
+  return out;
+}
+
+TEST(HeadlandProperties, HoldAlongSomeEdges) {
+  int passes = 0, crossings = 0;
+  for (int i = 0; i < case_count(100); ++i) {
+    const unsigned long long seed = base_seed() + static_cast<unsigned long long>(i);
+    std::mt19937_64 random(seed);
+    const Field field = random_field(random, i % 2 == 0 ? 0 : 8);
+    const double width = std::uniform_real_distribution<double>(1, 12)(random);
+    HeadlandTerms terms = random_terms(random, field, width);
+    terms.edge_passes = random_edge_passes(random, field.outer.size());
+    expect_no_faults(field, terms, seed);
+    const HeadlandAndBody found = headland_of(field, terms);
+    passes += static_cast<int>(found.passes.size());
+    crossings += crossings_of(found.passes);
+    // By polygons: the passes lie where they are meant to work, or beside it.
+    Region swaths;
+    double all_m2 = 0;
+    for (const HeadlandPass& pass : found.passes)
+      for (const Polygon& part : pass_ground_parts(pass.path, width, kLayerSagitta)) {
+        swaths.push_back(part);
+        all_m2 += area(part);
+      }
+    const double useful_m2 = area(intersection(unite(swaths), found.ground));
+    const double slack_m2 = 1e-3 * all_m2 + 1;
+    if (obstacle_shapes(field, ObstacleKind::kPassable).empty()) {
+      EXPECT_NEAR(found.overlap_m2, all_m2 - useful_m2, slack_m2) << "TRAMLINE_SEED=" << seed;
+      EXPECT_NEAR(found.uncovered_m2, area(found.ground) - useful_m2, slack_m2) << "TRAMLINE_SEED=" << seed;
+    }
+  }
+  // Where chains meet at sharp corners passes may cross; hardly ever elsewhere.
+  EXPECT_LT(crossings, passes / 20) << passes << " passes";
 }
 
 TEST(HeadlandProperties, HoldForScenesFullOfObstacles) {

@@ -57,6 +57,10 @@ bool is_closed(const HeadlandPass& pass);
 /// chords (`sagitta_m`). At kinks its sides meet in mitres. Precondition: the swath does not touch itself.
 Polygon swath(const HeadlandPass& pass, double width_m, double sagitta_m);
 
+/// Of numbers of passes by edge, the least and the largest; 0 where there are none.
+int passes_everywhere(const std::vector<int>& edge_passes);
+int passes_anywhere(const std::vector<int>& edge_passes);
+
 /// Length of all passes, m.
 double length(const Headland& headland);
 

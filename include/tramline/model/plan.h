@@ -98,8 +98,6 @@ struct PlanSettings {
   double clearance_m = 0;      ///< kept between swaths and obstacles
   int headlands = 0;           ///< passes round the field (Zhou §2.3.3); with any, nothing leaves the field
   int obstacle_headlands = 0;  ///< passes round each obstacle that tracks do not avoid by detours
-  /// Passes by edge of Field::outer, from its vertex to the next one; empty: `headlands` everywhere.
-  std::vector<int> headland_edges;
   HeadlandRule headland_rule = HeadlandRule::kPasses;
   HeadlandRule obstacle_headland_rule = HeadlandRule::kPasses;
   TurnPlanning turns = TurnPlanning::kNone;
@@ -118,7 +116,10 @@ struct PlanSettings {
   /// choice.
   std::vector<Point> guide;
   AbAnchor ab_anchor = AbAnchor::kDefault;  ///< kEnvelope requires a guide of two points
-  GivenLand given;                          ///< not kept in plan files, where Plan says what became of it
+  /// Passes by edge of Field::outer, edge i from vertex i to vertex i + 1; empty: `headlands` everywhere,
+  /// else `headlands` is the largest of them. Different numbers require TrackConstruction::kParallel.
+  std::vector<int> headland_edges{};
+  GivenLand given;  ///< not kept in plan files, where Plan says what became of it
 };
 
 /// The anchor that the settings amount to: never kDefault.

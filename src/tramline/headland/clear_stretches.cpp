@@ -53,8 +53,9 @@ struct SwathEnd {
 };
 
 /// Distance it may go until it meets the ring, m. What touches its end already is not in the way.
-double run_to_edges_m(const SwathEnd& end, const Ring& ring, double most_m) {
-  const double half_m = end.half_m - kBeside_m;
+double run_to_edges_m(const SwathEnd& end, const SwathLimit& limit, double most_m) {
+  const double half_m = end.half_m - limit.beside_m;
+  const Ring& ring = limit.ring;
   double out = most_m;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     Point a = end.local(ring[i]), b = end.local(ring[(i + 1) % ring.size()]);
@@ -94,7 +95,7 @@ double run_beside_m(const SwathEnd& end, const Ring& ring, double distance_m, do
 double free_run_m(const SwathEnd& end, const std::vector<SwathLimit>& limits, double most_m) {
   double out = most_m;
   for (const SwathLimit& limit : limits) {
-    out = run_to_edges_m(end, limit.ring, out);
+    out = run_to_edges_m(end, limit, out);
     if (limit.distance_m > 0) out = run_beside_m(end, limit.ring, limit.distance_m, out);
   }
   return out;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tramline/geometry/offset/offset_rings.h"
+#include "tramline/headland/tolerances.h"
 
 namespace tramline {
 
@@ -13,10 +14,12 @@ namespace tramline {
 std::vector<Path> clear_stretches(const Path& path, const std::vector<OffsetBoundary>& offset_boundaries,
                                   double step_m);
 
-/// A boundary and the distance that the edge of a swath has to keep from it, m; 0 where it may touch it.
+/// A boundary and the distance that the edge of a swath has to keep from it, m; 0 where it may touch it. What
+/// reaches into its sides by no more than `beside_m` is not in its way.
 struct SwathLimit {
   Ring ring;
   double distance_m = 0;
+  double beside_m = kBeside_m;
 };
 
 /// An open path extended straight at its end as far as its swath, `width_m` wide and with flat ends, keeps its

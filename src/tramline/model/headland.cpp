@@ -41,6 +41,14 @@ Polygon swath(const HeadlandPass& pass, double width_m, double sagitta_m) {
   return {band(pass.path, width_m, sagitta_m), {}};
 }
 
+int passes_everywhere(const std::vector<int>& edge_passes) {
+  return edge_passes.empty() ? 0 : *std::min_element(edge_passes.begin(), edge_passes.end());
+}
+
+int passes_anywhere(const std::vector<int>& edge_passes) {
+  return edge_passes.empty() ? 0 : *std::max_element(edge_passes.begin(), edge_passes.end());
+}
+
 double length(const Headland& headland) {
   double sum = 0;
   for (const HeadlandPass& pass : headland.passes) sum += length(pass.path);

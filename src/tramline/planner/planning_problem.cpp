@@ -35,16 +35,41 @@ void require_line_to_anchor(const PlanSettings& settings) {
       "leave --ab-anchor out");
 }
 
+/// Refuses numbers of passes that are not those of the field's edges.
+void require_edge_passes(const Field& field, const PlanSettings& settings) {
+  const std::vector<int>& passes = settings.headland_edges;
+  if (passes.empty()) return;
+  if (passes.size() != field.outer.size())
+    throw bad_input(fmt::format("field '{}' has {} edges, and numbers of headland passes are given for {}",
+                                field.id, field.outer.size(), passes.size()));
+  if (passes_everywhere(passes) < 0)
+    throw bad_input(fmt::format("an edge of field '{}' cannot have {} headland passes", field.id,
+                                passes_everywhere(passes)));
+  if (settings.tracks == TrackConstruction::kPaper && passes_everywhere(passes) != passes_anywhere(passes))
+    throw bad_input(
+        "headlands as in the paper go round the whole field: with --tracks paper give all edges the same number "
+        "of passes");
+}
+
+/// The same settings with `headlands` as the largest number by edge, which are left out where they are equal.
+void settle_headland_edges(PlanSettings& settings) {
+  if (settings.headland_edges.empty()) return;
+  settings.headlands = passes_anywhere(settings.headland_edges);
+  if (passes_everywhere(settings.headland_edges) == settings.headlands) settings.headland_edges.clear();
+}
+
 }  // namespace
 
 PlanningProblem planning_problem(const Field& field, const Machine& machine, const Objective& objective,
                                  const PlanSettings& settings) {
-  validate_request(machine, objective, settings);
+  require_edge_passes(field, settings);
+  PlanningProblem out{field, machine, objective, settings};
+  settle_headland_edges(out.settings);
+  validate_request(machine, objective, out.settings);
   require_line_to_anchor(settings);
   require_feasible_size(field, machine);
-  PlanningProblem out{field, machine, objective, settings};
   out.settings.ab_anchor = anchor_of(settings);
-  if (settings.headlands > 0) out.settings.boundary = EdgeKind::kHard;
+  if (out.settings.headlands > 0) out.settings.boundary = EdgeKind::kHard;
   return out;
 }
 

@@ -85,16 +85,16 @@ bool clearance_takes_all(const PlanningProblem& problem, const ClassifiedGround&
 }
 
 Region hard_field(const PlanningProblem& problem) {
-  const std::vector<int>& edges = problem.settings.headland_edges;
-  const bool all_round = edges.empty() ? problem.settings.headlands > 0
-                                       : *std::min_element(edges.begin(), edges.end()) > 0;
-  const bool hard = problem.settings.boundary == EdgeKind::kHard && !all_round;
+  const PlanSettings& settings = problem.settings;
+  const bool bare_edges =
+      settings.headland_edges.empty() ? settings.headlands == 0 : passes_everywhere(settings.headland_edges) == 0;
+  const bool hard = settings.boundary == EdgeKind::kHard && bare_edges;
   return hard ? Region{{problem.field.outer, {}}} : Region{};
 }
 
 /// The chords that round the corners of a body are no corners to divide it at.
 double short_edge_m(const HeadlandTerms& terms) {
-  int most = terms.field_passes;
+  int most = std::max(terms.field_passes, passes_anywhere(terms.edge_passes));
   for (const int passes : terms.obstacle_passes) most = std::max(most, passes);
   // The edges that passes leave run round the turns of the passes.
   const double widest_m = std::max(most * terms.width_m, terms.radius_m + 0.5 * terms.width_m);

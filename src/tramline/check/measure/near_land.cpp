@@ -104,6 +104,15 @@ void append_mitred_land(const Ring& ring, double distance_m, Region& out) {
 
 namespace {
 
+/// The strip along an edge, and the fan between it and the next one.
+void append_land_near(const RingEdge& edge, const RingEdge* next, double distance_m, Region& out) {
+  // A fan of less is a needle that rounding may turn over.
+  constexpr double kLeastTurn = 1e-7;
+  out.push_back({strip(edge, distance_m), {}});
+  if (next != nullptr && turn_out(edge, *next) > kLeastTurn)
+    out.push_back({fan(edge, *next, distance_m), {}});
+}
+
 /// Without what the precision grid leaves where strips meet.
 Region without_needles(Region region) {
   const auto thin = [](const Ring& ring) {
@@ -129,16 +138,20 @@ Region moved_outwards(const Region& region, double distance_m) {
 }
 
 Region land_near(const Ring& ring, double distance_m) {
-  // A fan of less is a needle that rounding may turn over.
-  constexpr double kLeastTurn = 1e-7;
   const std::vector<RingEdge> edges = edges_of(ring);
   Region parts;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const RingEdge& behind = edges[i + 1 < edges.size() ? i + 1 : 0];
-    parts.push_back({strip(edges[i], distance_m), {}});
-    if (turn_out(edges[i], behind) > kLeastTurn) parts.push_back({fan(edges[i], behind, distance_m), {}});
-  }
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    append_land_near(edges[i], &edges[i + 1 < edges.size() ? i + 1 : 0], distance_m, parts);
   return unite(parts);
+}
+
+Region land_near_line(const std::vector<Point>& line, double distance_m) {
+  std::vector<RingEdge> edges = edges_of(line);
+  edges.pop_back();  // that from the last point back to the first
+  Region out;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    append_land_near(edges[i], i + 1 < edges.size() ? &edges[i + 1] : nullptr, distance_m, out);
+  return out;
 }
 
 double arcs_about_corners_m(const Ring& ring, double distance_m) {

@@ -12,6 +12,9 @@ namespace tramline::check {
 /// strips overlap.
 Region land_near(const Ring& ring, double distance_m);
 
+/// The same beside a line of two points or more, without fans about its ends; the strips and fans may overlap.
+Region land_near_line(const std::vector<Point>& line, double distance_m);
+
 /// The region without the land that its edges pass over as they move inwards `distance_m`, and the region
 /// with the land that they pass over outwards: corners that part end in mitres, turns of more than 120° flat
 /// at the distance. Vertices within kThinnestShown_m of the line through their neighbours do not count. O(n

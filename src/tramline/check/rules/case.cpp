@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "tramline/check/measure/edge_runs.h"
 #include "tramline/check/measure/near_land.h"
 #include "tramline/check/measure/plan_facts.h"
 #include "tramline/check/tolerances.h"
@@ -30,7 +31,8 @@ class Surroundings {
       : width_m_(plan.machine.width_m),
         most_passes_(most_passes),
         plain_(plan.headland.construction == HeadlandConstruction::kPlain) {
-    add(plan.field.outer, plan.settings.headlands);
+    add(plan.field.outer, passes_round_field(plan));
+    add_along_edges(plan);
     Region holes;
     for (std::size_t i = 0; i < plan.field.obstacles.size(); ++i) {
       const int passes = passes_round(plan, i);
@@ -59,6 +61,18 @@ class Surroundings {
     }
     for (Polygon& part : land_near(ring, passes * width_m_)) land_.push_back(std::move(part));
     arcs_m_ += arcs_about_corners_m(ring, passes * width_m_);
+  }
+
+  /// Where some edges have more passes than others.
+  void add_along_edges(const Plan& plan) {
+    if (plan.headland.edge_passes.size() != plan.field.outer.size()) return;
+    const int most = std::min(most_passes_, passes_along_edges(plan));
+    for (int number = passes_round_field(plan) + 1; number <= most; ++number)
+      for (const EdgeRun& run : edge_runs(plan, number)) {
+        for (Polygon& part : land_beside(run, plan.field.outer, number * width_m_))
+          land_.push_back(std::move(part));
+        arcs_m_ += arcs_beside_m(run, number * width_m_);
+      }
   }
 
   /// Pass by pass as in Zhou §2.3.3: half a width, whole ones, and half a width.

@@ -68,6 +68,11 @@ void add_guard(Arrangement& to, Point a, Point b, double distance_m) {
   to.guards.push_back({a, b, distance_m, bounds(a, b).grown(distance_m)});
 }
 
+bool has_arc_about(const OffsetBoundary& offset_boundary, std::size_t corner) {
+  const std::vector<std::size_t>& covered = offset_boundary.covered_corners;
+  return offset_boundary.round_corners && !std::binary_search(covered.begin(), covered.end(), corner);
+}
+
 void add_boundary(Arrangement& to, const OffsetBoundary& offset_boundary, std::size_t index) {
   const std::size_t n = offset_boundary.ring.size(), first = to.guards.size();
   const double d = offset_boundary.distance_m;
@@ -89,7 +94,7 @@ void add_boundary(Arrangement& to, const OffsetBoundary& offset_boundary, std::s
                                      distance(corner, offset_boundary.ring[(next + 1) % n]));
     if (std::abs(turn) < kNoCorner_rad && dot(normals[i], normals[next]) > 0 && d * std::abs(turn) < shortest)
       ends[i] = starts[next] = midpoint(ends[i], starts[next]);
-    else if (turn < 0 && offset_boundary.round_corners)
+    else if (turn < 0 && has_arc_about(offset_boundary, next))
       to.candidates.push_back(
           {offset_arc(corner, d, ends[i], starts[next]), index, {first + i, first + next}});
   }

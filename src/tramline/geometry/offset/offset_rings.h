@@ -13,6 +13,8 @@ struct OffsetBoundary {
   Ring ring;
   double distance_m = 0;      ///< > 0
   bool round_corners = true;  ///< false: no arcs about corners that stand out into the land: discs cover them
+  /// Indices, ascending, of single vertices of which the same holds.
+  std::vector<std::size_t> covered_corners{};
 };
 
 /// A disc that has to be kept free as well.

@@ -10,7 +10,7 @@
 #include "tramline/headland/closed_path.h"
 #include "tramline/headland/drivable_rings.h"
 #include "tramline/headland/edges/chain_wall.h"
-#include "tramline/headland/pass_ground.h"
+#include "tramline/headland/path_stretch.h"
 #include "tramline/headland/ring_groups.h"
 #include "tramline/headland/rolling_circle_path.h"
 #include "tramline/headland/tolerances.h"
@@ -76,55 +76,125 @@ std::vector<Ring> fences(const ChainScene& scene) {
   return {fence_at(first_end(scene.to_follow.chain), scene), fence_at(last_end(scene.to_follow.chain), scene)};
 }
 
+/// So far before the end of its chain a path is cut, to go straight on: behind it turns about the end.
+constexpr double kBeforeEnd_m = 1e-4;
+
 /// The parts of the path beside the chain whose swaths are in the field.
-std::vector<Path> stretches_beside(const Path& path, const ChainScene& scene, double end_m) {
+std::vector<Path> stretches_beside(const Path& path, const ChainScene& scene) {
   std::vector<OffsetBoundary> in_the_way{
       {scene.boundaries.front().ring, 0.5 * scene.width_m() - kJustFits_m}};
-  for (Ring& fence : fences(scene)) in_the_way.push_back({std::move(fence), end_m});
+  for (Ring& fence : fences(scene)) in_the_way.push_back({std::move(fence), kBeforeEnd_m});
   for (const Boundary& obstacle : scene.obstacles)
     in_the_way.push_back({obstacle.ring, pass_distance_m(obstacle, scene.number, scene.width_m()) - kJustFits_m});
   return clear_stretches(path, in_the_way, 0.25 * scene.width_m());
 }
 
-void append_swath(const Path& path, double width_m, std::vector<SwathLimit>& limits) {
-  for (const Ring& ring : rings_of(pass_ground_parts(path, width_m, kLayerSagitta)))
-    limits.push_back({ring, 0});
-}
-
-/// What no swath may run over as it goes straight on.
-std::vector<SwathLimit> limits_of(const ChainScene& scene, const std::vector<HeadlandPass>& before) {
+/// What no swath may run over as it goes straight on, besides land worked before.
+std::vector<SwathLimit> limits_of(const ChainScene& scene) {
   std::vector<SwathLimit> out;
-  out.push_back({scene.boundaries.front().ring, 0});
+  // Chords are no part of it: a swath beside it comes nearer than it should by slack alone.
+  out.push_back({scene.boundaries.front().ring, 0, 2 * kNearerPass_m});
   for (const Boundary& obstacle : scene.obstacles)
-    out.push_back(
-        {obstacle.ring, std::min(scene.number - 1, obstacle.passes) * scene.width_m()});
+    out.push_back({obstacle.ring, std::min(scene.number - 1, obstacle.passes) * scene.width_m()});
   const std::vector<Ring> at_ends = fences(scene);
   if (scene.to_follow.ground.first == ChainEnding::kFlat) out.push_back({at_ends.front(), 0});
   if (scene.to_follow.ground.last == ChainEnding::kFlat) out.push_back({at_ends.back(), 0});
-  const Box reach = bounds(scene.to_follow.ground.land).grown(scene.farthest_on_m());
-  for (const HeadlandPass& pass : before)
-    if (intersects(reach, reach_of(pass.path, scene.width_m()))) append_swath(pass.path, scene.width_m(), out);
   return out;
 }
 
-/// The path driven straight on at both ends; where they would cross, the first one ends at the second.
-Path driven_straight_on(const Path& path, std::vector<SwathLimit> limits, const ChainScene& scene) {
+/// The share of a part of a path that is ground worked for the first time, of the area it works.
+double fresh_share(const Path& part, const GroundToWork& to_work, const std::vector<HeadlandPass>& before) {
+  const double all_m2 = to_work.width_m * length(part);
+  const double fresh_m2 =
+      (worth_m2({part}, to_work, before) + kEndsOfPass_m2 + all_m2) / (1 + kMissedToDoubled);
+  return fresh_m2 / all_m2;
+}
+
+/// A path whose last part, from `core_m` on, was added to a pass as it went straight on.
+class Extended {
+ public:
+  Extended(const Path& path, double core_m, const GroundToWork& to_work,
+           const std::vector<HeadlandPass>& before)
+      : path_(path), length_m_(length(path)), core_m_(core_m), to_work_(to_work), before_(before) {}
+
+  /// The path up to where going on is worth most: at most to the first land that is worked already. Its
+  /// beginning is not judged.
+  Path as_far_as_it_pays() const {
+    double at_m = std::max(0.5 * core_m_, core_m_ - kJudged_widths * to_work_.width_m);
+    double sum_m2 = 0, most_m2 = 0, best_m = at_m;
+    while (at_m < length_m_) {
+      const double to_m = std::min(length_m_, at_m + 0.25 * to_work_.width_m);
+      const double share = share_of(at_m, to_m);
+      if (share < kWorked_share) break;
+      sum_m2 += worth(share) * (to_m - at_m);
+      at_m = to_m;
+      if (sum_m2 < most_m2) continue;
+      most_m2 = sum_m2;
+      best_m = at_m;
+    }
+    if (best_m >= length_m_) return path_;
+    const double end_m = best_m + more_m(best_m, std::min(length_m_, best_m + 0.25 * to_work_.width_m));
+    return end_m <= 0 ? Path{} : stretch_of(path_, 0, end_m);
+  }
+
+ private:
+  static constexpr double kJudged_widths = 4, kWorked_share = 0.02;
+
+  static double worth(double share) { return (1 + kMissedToDoubled) * share - 1; }
+  double share_of(double from_m, double to_m) const {
+    const Path part = stretch_of(path_, from_m, to_m);
+    return part.empty() ? 0 : fresh_share(part, to_work_, before_);
+  }
+  /// How far it pays into the next step.
+  double more_m(double from_m, double to_m) const {
+    constexpr int kHalvings = 16;
+    constexpr double kSlice_m = 1e-3;
+    double pays_m = from_m, other_m = to_m;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle_m = 0.5 * (pays_m + other_m);
+      const bool pays = worth(share_of(std::max(0.0, middle_m - kSlice_m), middle_m)) > 0;
+      (pays ? pays_m : other_m) = middle_m;
+    }
+    return pays_m - from_m;
+  }
+
+  const Path& path_;
+  double length_m_;
+  double core_m_;
+  const GroundToWork& to_work_;
+  const std::vector<HeadlandPass>& before_;
+};
+
+/// The path driven straight on at its end, up to land worked before.
+Path driven_on_over_fresh_land(const Path& path, const std::vector<SwathLimit>& limits,
+                               const ChainScene& scene, const GroundToWork& to_work,
+                               const std::vector<HeadlandPass>& before) {
+  const Path farther = driven_on(path, limits, scene.width_m(), scene.farthest_on_m());
+  return Extended(farther, length(path), to_work, before).as_far_as_it_pays();
+}
+
+/// The same at both ends; where they would cross, the first one ends at the second. Empty where nothing is
+/// left.
+Path driven_straight_on(const Path& path, const ChainScene& scene, const GroundToWork& to_work,
+                        std::vector<HeadlandPass> before) {
   if (distance(path.front().from, path.back().to) < kSamePlace_m) return path;
-  Path out = driven_on(path, limits, scene.width_m(), scene.farthest_on_m());
-  const double more_m = length(out) - length(path);
-  if (more_m > kNoRun_m) append_swath({out.back()}, scene.width_m(), limits);
-  return reversed(driven_on(reversed(out), limits, scene.width_m(), scene.farthest_on_m()));
+  const std::vector<SwathLimit> limits = limits_of(scene);
+  const Path one = driven_on_over_fresh_land(path, limits, scene, to_work, before);
+  if (one.empty()) return {};
+  if (const double core_m = length(path); length(one) > core_m + kNoRun_m)
+    before.push_back({stretch_of(one, core_m, length(one)), scene.number, true, {}});
+  const Path both = driven_on_over_fresh_land(reversed(one), limits, scene, to_work, before);
+  return both.empty() ? Path{} : reversed(both);
 }
 
 /// The whole path where what it works in vain is little, else its parts that are worth driving.
 std::vector<Path> worthy_parts(const Path& path, const ChainScene& scene, const GroundToWork& to_work,
                                const std::vector<HeadlandPass>& before) {
   constexpr double kLeastFresh_share = 0.5;
-  if (length(path) < scene.least_length_m()) return {};
-  const double all_m2 = scene.width_m() * length(path);
-  const double fresh_m2 =
-      (worth_m2({path}, to_work, before) + kEndsOfPass_m2 + all_m2) / (1 + kMissedToDoubled);
-  if (all_m2 - fresh_m2 < kEndsOfPass_m2 && fresh_m2 > kLeastFresh_share * all_m2) return {path};
+  if (path.empty() || length(path) < scene.least_length_m()) return {};
+  const double share = fresh_share(path, to_work, before);
+  const double in_vain_m2 = (1 - share) * scene.width_m() * length(path);
+  if (in_vain_m2 < kEndsOfPass_m2 && share > kLeastFresh_share) return {path};
   return worth_driving(path, to_work, before, scene.least_length_m());
 }
 
@@ -155,7 +225,7 @@ std::vector<HeadlandPass> passes_along(const ChainToFollow& to_follow,
                                        const std::vector<HeadlandPass>& before) {
   const ChainScene scene{to_follow, boundaries, terms, number,
                          obstacles_near(to_follow, boundaries, terms, number)};
-  const RoomBeside beside =
+  const TurningRoom room =
       room_beside(to_follow.chain, scene.obstacles, terms.width_m, number, tightest_turn_m(terms));
   Region shapes;
   for (const Boundary& obstacle : scene.obstacles) shapes.push_back({reversed(obstacle.ring), {}});
@@ -163,13 +233,13 @@ std::vector<HeadlandPass> passes_along(const ChainToFollow& to_follow,
   const GroundToWork to_work{ground, passable, terms.width_m};
   std::vector<HeadlandPass> all = before;
   std::vector<Path> stretches;
-  for (const Path& path : paths_round(beside.room, terms.width_m))
-    for (Path& stretch : stretches_beside(path, scene, beside.end_m)) stretches.push_back(std::move(stretch));
+  for (const Path& path : paths_round(room, terms.width_m))
+    for (Path& stretch : stretches_beside(path, scene)) stretches.push_back(std::move(stretch));
   std::stable_sort(stretches.begin(), stretches.end(),
                    [](const Path& a, const Path& b) { return length(a) > length(b); });
   for (const Path& stretch : stretches)
     for (const Path& part :
-         worthy_parts(driven_straight_on(stretch, limits_of(scene, all), scene), scene, to_work, all))
+         worthy_parts(driven_straight_on(stretch, scene, to_work, all), scene, to_work, all))
       for (const Path& piece : parted_where_it_meets_itself(part))
         if (length(piece) >= scene.least_length_m()) all.push_back(pass_beside(piece, scene));
   return {all.begin() + static_cast<std::ptrdiff_t>(before.size()), all.end()};

@@ -1,7 +1,6 @@
 #include "tramline/headland/edges/chain_wall.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "tramline/headland/tolerances.h"
 #include "tramline/headland/wide_corners.h"
@@ -10,7 +9,7 @@ namespace tramline {
 namespace {
 
 /// Thickness of the wall, m: more than distances are distinguished by, less than matters.
-constexpr double kWall_m = 1e-4;
+constexpr double kWall_m = 1e-5;
 static_assert(kSamePlace_m < kWall_m && kSameDistance_m < kWall_m);
 
 /// There along the chain, and back on its other side.
@@ -29,44 +28,45 @@ Ring wall_along(const EdgeChain& chain) {
   return out;
 }
 
-/// Radius by which a disc about an end covers the corners of the wall there.
-double covering_m(double distance_m) { return distance_m + 2 * kWall_m; }
+/// Whether the arc is about a corner of the chain's own side, between its ends.
+bool about_chain(const OffsetPiece& arc, const EdgeChain& chain) {
+  return std::find(chain.begin() + 1, chain.end() - 1, arc.centre) != chain.end() - 1;
+}
 
-/// The arcs of the offset line without those about the ends of the wall.
-std::vector<OffsetRing> without_ends(std::vector<OffsetRing> rings, const EdgeChain& chain) {
-  const auto at_end = [&](const OffsetPiece& piece) {
-    return !piece.segment.straight() && piece.offset_boundary == 0 &&
-           std::min(distance(piece.centre, chain.front()), distance(piece.centre, chain.back())) < 2 * kWall_m;
-  };
-  for (OffsetRing& ring : rings) std::erase_if(ring, at_end);
+/// The arcs of the offset line that passes are driven along: not those behind the wall and about its ends.
+std::vector<OffsetRing> arcs_to_drive(std::vector<OffsetRing> rings, const EdgeChain& chain) {
+  for (OffsetRing& ring : rings)
+    std::erase_if(ring, [&](const OffsetPiece& piece) {
+      return !piece.segment.straight() && piece.offset_boundary == 0 && !about_chain(piece, chain);
+    });
   return rings;
+}
+
+/// The indices of the chain's vertices between its ends.
+std::vector<std::size_t> between_ends(const EdgeChain& chain) {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 1; i + 1 < chain.size(); ++i) out.push_back(i);
+  return out;
 }
 
 }  // namespace
 
-RoomBeside room_beside(const EdgeChain& chain, const std::vector<Boundary>& obstacles, double width_m,
-                       int number, double radius_m) {
-  RoomBeside out;
-  TurningRoom& room = out.room;
-  room.radius_m = radius_m;
+TurningRoom room_beside(const EdgeChain& chain, const std::vector<Boundary>& obstacles, double width_m,
+                        int number, double radius_m) {
+  TurningRoom out;
+  out.radius_m = radius_m;
   const double beside_m = (number - 0.5) * width_m - kJustFits_m;
-  room.offset_boundaries.push_back({wall_along(chain), beside_m});
+  out.offset_boundaries.push_back({wall_along(chain), beside_m});
   bool any_tight = beside_m < radius_m;
   for (const Boundary& obstacle : obstacles) {
     const double distance_m = pass_distance_m(obstacle, number, width_m) - kJustFits_m;
-    room.offset_boundaries.push_back({obstacle.ring, distance_m});
+    out.offset_boundaries.push_back({obstacle.ring, distance_m});
     any_tight = any_tight || distance_m < radius_m;
   }
-  if (any_tight)
-    room.discs = wide_corners(without_ends(offset_rings(room.offset_boundaries), chain), radius_m);
-  for (OffsetBoundary& offset_boundary : room.offset_boundaries)
-    offset_boundary.round_corners = offset_boundary.distance_m >= radius_m;
-  out.end_m = kWall_m;
-  if (beside_m < radius_m) {
-    const double cover_m = covering_m(beside_m);
-    for (const Point end : {chain.front(), chain.back()}) room.discs.push_back({end, cover_m, 0});
-    out.end_m += 1.5 * std::sqrt((cover_m - beside_m) * (cover_m + beside_m));
-  }
+  if (any_tight) out.discs = wide_corners(arcs_to_drive(offset_rings(out.offset_boundaries), chain), radius_m);
+  if (beside_m < radius_m) out.offset_boundaries.front().covered_corners = between_ends(chain);
+  for (std::size_t i = 1; i < out.offset_boundaries.size(); ++i)
+    out.offset_boundaries[i].round_corners = out.offset_boundaries[i].distance_m >= radius_m;
   return out;
 }
 

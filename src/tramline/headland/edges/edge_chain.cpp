@@ -1,6 +1,5 @@
 #include "tramline/headland/edges/edge_chain.h"
 
-#include <algorithm>
 #include <cassert>
 
 #include "tramline/geometry/tolerances.h"
@@ -17,14 +16,6 @@ void append_end_of(const Ring& ring, std::size_t edge, EdgeChain& chain) {
 }
 
 }  // namespace
-
-int passes_everywhere(const std::vector<int>& edge_passes) {
-  return edge_passes.empty() ? 0 : *std::min_element(edge_passes.begin(), edge_passes.end());
-}
-
-int passes_anywhere(const std::vector<int>& edge_passes) {
-  return edge_passes.empty() ? 0 : *std::max_element(edge_passes.begin(), edge_passes.end());
-}
 
 std::vector<EdgeChain> chains_with(const Ring& ring, const std::vector<int>& edge_passes, int number) {
   assert(edge_passes.size() == ring.size());

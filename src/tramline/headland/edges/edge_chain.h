@@ -10,11 +10,6 @@ namespace tramline {
 /// Consecutive edges of a ring, walked along it: the land is on the left. At least one edge, and not all.
 using EdgeChain = std::vector<Point>;
 
-/// The number of passes that all edges have: no less anywhere.
-int passes_everywhere(const std::vector<int>& edge_passes);
-/// The number that some edge has: no more anywhere.
-int passes_anywhere(const std::vector<int>& edge_passes);
-
 /// The longest runs of edges with at least `number` passes, by their first edges; none where all edges have
 /// that many. Edges without length are left out. Precondition: a number for each edge of the ring.
 std::vector<EdgeChain> chains_with(const Ring& ring, const std::vector<int>& edge_passes, int number);

@@ -26,6 +26,8 @@ constexpr int kNewestVersion = kVersionWithTurning, kOldestVersion = 2;
 constexpr const char* kTracks = "settings.tracks";
 constexpr const char* kAvoidRoom = "settings.avoid_room_m";  // only where there is a limit
 constexpr const char* kAbAnchor = "settings.ab_anchor";
+constexpr const char* kHeadlandEdges = "settings.headland_edges";
+constexpr const char* kEdgePasses = "headland.edge_passes";
 constexpr const char* kHeadlandConstruction = "headland.construction";
 constexpr const char* kOrigin = "origin";          // only where it is not `planned`
 constexpr const char* kReference = "reference";    // of all subfields
@@ -332,8 +334,15 @@ Turning read_turning(const Reader& reader) {
   return out;
 }
 
+void write_edge_passes(const Plan& plan, const Writer& writer) {
+  if (!plan.settings.headland_edges.empty()) writer(kHeadlandEdges, plan.settings.headland_edges);
+  if (!plan.headland.edge_passes.empty()) writer(kEdgePasses, plan.headland.edge_passes);
+}
+
 int version_for(const Plan& plan) {
-  if (plan.machine.turning != Turning{}) return kVersionWithTurning;
+  if (plan.machine.turning != Turning{} || !plan.settings.headland_edges.empty() ||
+      !plan.headland.edge_passes.empty() || !plan.turns.empty())
+    return kVersionWithTurning;
   if (has_given_subfields(plan) || plan.left_out > 0 || (!plan.worked.empty() && !is_repair(plan)))
     return kVersionWithGivenLand;
   return has_own_lines(plan) ? kVersionWithOwnLines : kVersionWithSearchEnd;
@@ -359,6 +368,7 @@ Metadata metadata_of(const Plan& plan) {
   write_references(plan, writer);
   write_given_land(plan, writer);
   write_turning(plan.machine.turning, writer);
+  write_edge_passes(plan, writer);
   out["format"] = kFormat;
   out["format_version"] = std::to_string(version_for(plan));
   out[kKind] = is_repair(plan) ? kRepair : "plan";
@@ -400,6 +410,8 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   PresentKeys present(metadata, reader);
   each_turning_value(plan, present);
   plan.stop_rule = metadata.contains(kStopRule) ? StopRule::kNoWayOff : StopRule::kTouching;
+  if (metadata.contains(kHeadlandEdges)) reader(kHeadlandEdges, plan.settings.headland_edges);
+  if (metadata.contains(kEdgePasses)) reader(kEdgePasses, plan.headland.edge_passes);
   return version;
 }
 

@@ -25,7 +25,8 @@ inline constexpr int kVersionWithOwnLines = 7;
 /// The version of plans for a part of the land, and of those with land left out or subfields drawn by the
 /// user.
 inline constexpr int kVersionWithGivenLand = 8;
-/// The version of plans whose machine has other values for turning than the defaults. It may have whatever
+/// The version of plans with turns, of those whose machine has other values for turning than the defaults,
+/// and of those with different numbers of headland passes along the edges of the field. It may have whatever
 /// the versions before it have.
 inline constexpr int kVersionWithTurning = 9;
 

@@ -124,9 +124,10 @@ class HeadlandsForTurns {
 
   /// nullopt where no track is left.
   std::optional<Tried> tried_with(const PassesByBoundary& passes) {
-    PlanningProblem problem = problem_;
-    problem.settings.headland_edges = passes.edges;
-    problem.settings.boundary = any({passes.edges, {}}) ? EdgeKind::kHard : problem_.settings.boundary;
+    PlanSettings settings = problem_.settings;
+    settings.headland_edges = passes.edges;
+    PlanningProblem problem =
+        planning_problem(problem_.field, problem_.machine, problem_.objective, settings);
     std::optional<PreparedField> prepared = field_behind(problem, passes.obstacles);
     if (!prepared || area(prepared->ground.plannable) == 0) return std::nullopt;
     SearchResult found = relaid(problem, *prepared, layout_.subfields, context_.uncounted());

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tramline/check/measure/bands.h"
+#include "tramline/check/measure/edge_runs.h"
 #include "tramline/check/measure/self_crossing.h"
 #include "tramline/check/measure/sound_path.h"
 #include "tramline/check/rules/rules.h"
@@ -40,6 +41,21 @@ void check_obstacle_passes(const Plan& plan, Violations& out) {
   }
 }
 
+/// The fault of the numbers of passes by edge, or "".
+std::string fault_of_edge_passes(const Plan& plan) {
+  const std::vector<int>& passes = plan.headland.edge_passes;
+  if (passes != plan.settings.headland_edges)
+    return "the edges of the field do not have the headland passes that were asked for";
+  if (passes.empty()) return "";
+  if (passes.size() != plan.field.outer.size())
+    return fmt::format("{} edges have numbers of headland passes, and the field has {}", passes.size(),
+                       plan.field.outer.size());
+  if (passes_everywhere(passes) < 0) return "an edge has fewer headland passes than none";
+  if (passes_anywhere(passes) == plan.settings.headlands) return "";
+  return fmt::format("no edge has more than {} headland passes, and {} were asked for", passes_anywhere(passes),
+                     plan.settings.headlands);
+}
+
 /// The largest number of passes among the boundaries that the pass names.
 int most_passes(const Plan& plan, const HeadlandPass& pass) {
   int out = pass.around_field ? plan.settings.headlands : 0;
@@ -67,6 +83,9 @@ std::string fault_of(const Plan& plan, const HeadlandPass& pass) {
 void check_headland(const Plan& plan, Violations& out) {
   check_depth(plan, plan.settings.headlands, "the field", out);
   check_depth(plan, plan.settings.obstacle_headlands, "obstacles", out);
+  const Point somewhere = plan.field.outer.empty() ? Point{} : plan.field.outer.front();
+  if (const std::string fault = fault_of_edge_passes(plan); !fault.empty())
+    out.push_back({Rule::kHeadland, fault, somewhere, 1});
   check_obstacle_passes(plan, out);
   const auto& passes = plan.headland.passes;
   for (std::size_t i = 0; i < passes.size(); ++i) {

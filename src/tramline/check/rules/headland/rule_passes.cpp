@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 
 #include "tramline/check/measure/bands.h"
+#include "tramline/check/measure/edge_runs.h"
 #include "tramline/check/measure/sound_path.h"
 #include "tramline/check/measure/swath_clearance.h"
 #include "tramline/check/rules/rules.h"
@@ -54,7 +57,8 @@ class PassCheck {
         out_.push_back({Rule::kSwaths, name_ + " leaves the field", *point, 0});
         return;
       }
-    const double room_m = kept_m(c_.plan.settings.headlands);
+    const int all_round = passes_round_field(c_.plan);
+    const double room_m = kept_m(all_round);
     check_distance(
         nearest([&](const SwathClearance& swath) { return swath.to_ring(c_.plan.field.outer, room_m); }),
         room_m, "the boundary");
@@ -69,6 +73,7 @@ class PassCheck {
                      }),
                      kept, fmt::format("obstacle {}", k + 1));
     }
+    if (pass_.around_field && pass_.number > all_round) check_beside_edges();
     if (is_closed(pass_)) check_sense();
   }
 
@@ -84,6 +89,28 @@ class PassCheck {
   /// The distance between the swath and a boundary with this number of passes.
   double kept_m(int passes) const {
     return pass_.number > passes ? 0 : (pass_.number - 1) * c_.plan.machine.width_m;
+  }
+
+  /// Passes along some edges of the field follow one run of them, or the obstacles they name, at their distance.
+  void check_beside_edges() const {
+    const double distance_m = (pass_.number - 0.5) * c_.plan.machine.width_m;
+    double nearest_m = std::numeric_limits<double>::infinity();
+    const auto follows = [&](double found_m) {
+      const double off_m = found_m - distance_m;
+      if (std::abs(off_m) < std::abs(nearest_m)) nearest_m = off_m;
+      return std::abs(off_m) <= kLengthTolerance_m;
+    };
+    for (const EdgeRun& run : edge_runs(c_.plan, pass_.number))
+      if (follows(distance_from(run, pass_.path))) return;
+    for (const std::size_t k : pass_.obstacles) {
+      EdgeRun round = c_.plan.field.obstacles[k].shape.outer;
+      round.push_back(round.front());
+      if (follows(distance_from(round, pass_.path))) return;
+    }
+    out_.push_back({Rule::kHeadland,
+                    fmt::format("{} is number {} and runs {:.4f} m beside its place along edges of the field",
+                                name_, pass_.number, std::abs(nearest_m)),
+                    pass_.path.front().from, std::abs(nearest_m)});
   }
 
   void check_distance(const Approach& found, double kept_m, const std::string& of_what) const {

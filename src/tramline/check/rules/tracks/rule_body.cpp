@@ -21,6 +21,25 @@ void check_parting(const Case& c, const Region& ground, const std::string& name,
               "body and " + name + " together differ from the field less its obstacles by {:.3f} m²", out);
 }
 
+/// With headlands along some edges: the parts of the land far from them that are too small for a track and no
+/// part of the body.
+Region given_to_headland(const Case& c, Region far) {
+  if (c.plan.headland.edge_passes.empty()) return {};
+  const double width_m = c.plan.machine.width_m;
+  const double long_m = std::max(min_length_m(c.plan.machine), 2 * width_m);
+  std::erase_if(far, [&](const Polygon& part) {
+    if (area(intersection({part}, c.plan.body)) > c.area_tolerance_m2) return true;
+    double extent_m = 0;
+    for (const Point a : part.outer)
+      for (const Point b : part.outer) extent_m = std::max(extent_m, distance(a, b));
+    // Allowing for mitred corners, chords and the grid.
+    constexpr double kShare = 1.03;
+    const bool wide = extent_m > kShare * long_m && !buffered({part}, -0.5 * kShare * width_m).empty();
+    return wide || (extent_m > 2 * kShare * long_m && !buffered({part}, -kShare * width_m / 6).empty());
+  });
+  return far;
+}
+
 }  // namespace
 
 void check_body(const Case& c, Violations& out) {
@@ -41,9 +60,10 @@ void check_body(const Case& c, Violations& out) {
                 "the body differs from the field less its obstacles by {:.3f} m²", out);
   } else {
     const double tolerance_m2 = c.area_tolerance_m2 + c.round_edges_m2;
-    report_land(Rule::kBody, difference(difference(land, c.near_boundaries), c.plan.body), tolerance_m2,
+    const Region far = difference(land, c.near_boundaries), given = given_to_headland(c, far);
+    report_land(Rule::kBody, difference(difference(far, given), c.plan.body), tolerance_m2,
                 "the body lacks {:.3f} m² of the field less its obstacles and headlands", out);
-    report_land(Rule::kBody, difference(c.plan.headland.ground, c.near_boundaries), tolerance_m2,
+    report_land(Rule::kBody, difference(difference(c.plan.headland.ground, c.near_boundaries), given), tolerance_m2,
                 "{:.3f} m² of the headland are farther from boundaries than its passes are wide", out);
     check_parting(c, c.plan.headland.ground, "headland", land, out);
   }
