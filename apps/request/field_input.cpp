@@ -7,7 +7,6 @@
 
 #include "request/field_key.h"
 #include "tramline/admission/admit.h"
-#include "tramline/admission/place_obstacles.h"
 #include "tramline/admission/read_obstacles.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/isoxml/read_fields.h"

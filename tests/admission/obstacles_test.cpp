@@ -4,7 +4,7 @@
 
 #include "admission/feature.h"
 #include "support/refusals.h"
-#include "tramline/admission/place_obstacles.h"
+#include "tramline/admission/read_obstacles.h"
 #include "tramline/geometry/error.h"
 
 namespace tramline::testing_features {

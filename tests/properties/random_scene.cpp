@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "properties/random_field.h"
-#include "tramline/admission/place_obstacles.h"
+#include "tramline/admission/read_obstacles.h"
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/geometry/tolerances.h"
 

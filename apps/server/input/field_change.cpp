@@ -13,7 +13,7 @@
 #include "server/input/geometry_input.h"
 #include "server/input/json_input.h"
 #include "server/map/shown_place.h"
-#include "tramline/admission/place_obstacles.h"
+#include "tramline/admission/read_obstacles.h"
 #include "tramline/geometry/error.h"
 
 namespace tramline::server {

@@ -1,4 +1,4 @@
-#include "tramline/admission/place_obstacles.h"
+#include "tramline/admission/read_obstacles.h"
 
 #include <fmt/format.h>
 

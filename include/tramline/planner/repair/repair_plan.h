@@ -5,11 +5,18 @@
 #include <vector>
 
 #include "tramline/model/coverage.h"
+#include "tramline/model/machine.h"
 #include "tramline/model/plan.h"
 #include "tramline/planner/progress.h"
-#include "tramline/planner/repair/repair_terms.h"
 
 namespace tramline {
+
+/// The machine, prices and end rule of a repair.
+struct RepairTerms {
+  Machine machine;
+  Objective objective;
+  EndRule end_rule = EndRule::kCheapest;
+};
 
 /// A gap that a repair does not work.
 struct UnworkedGap {

@@ -396,7 +396,8 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
     plan.objective.subfield = 0;  // it had no price
     plan.figures = PlanFigures::kTracks;
   }
-  if (version >= kVersionWithTurning) plan.machine.turning = read_turning(reader);
+  if (version >= kVersionWithTurning && metadata.contains(turning_key(kReverseKey)))
+    plan.machine.turning = read_turning(reader);
   if (version >= kVersionWithSearchEnd) reader(kCutShort, plan.proof.cut_short);
   complete_track_tally(version, plan);
   // Files from before there were these keys are as good plans.

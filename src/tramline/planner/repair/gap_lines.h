@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tramline/planner/repair/repair_terms.h"
+#include "tramline/planner/repair/repair_plan.h"
 #include "tramline/tracks/laid_pieces.h"
 #include "tramline/tracks/straight_tracks.h"
 
