@@ -289,5 +289,17 @@ TEST(PriceLines, LinesTooNearToOneAnotherAreFindings) {
                           [](const check::Violation& v) { return v.rule == check::Rule::kParallel; }));
 }
 
+// Two half circles of 10 m work a ring of 2π·10 m × 4 m; opened by a tenth of a millimetre, which is 4 cm².
+TEST(PriceLines, AClosedTrackKeepsItsArcs) {
+  GivenLines given;
+  given.tracks.push_back({{{{40, 20}, {20, 20}, 0.1}, {{20, 20}, {40, 20}, 0.1}}, 0, "ring"});
+  const Plan plan = priced(rectangle(), given).plan;
+  ASSERT_EQ(plan.pieces.size(), 1u);
+  EXPECT_NEAR(smallest_radius(centre_line(plan.pieces[0])), 10, 1e-9);
+  EXPECT_NEAR(plan.tally.track_length_m, 20 * std::numbers::pi, 1.1e-4);
+  EXPECT_NEAR(plan.tally.uncovered_m2, kField_m2 - 80 * std::numbers::pi, 5e-4);
+  EXPECT_NEAR(plan.tally.overlap_m2, 0, 5e-4);
+}
+
 }  // namespace
 }  // namespace tramline

@@ -43,6 +43,19 @@ void open_ring(std::vector<Point>& points) {
   points.back() = points.back() + (std::min(kOpenedRing_m, 0.5 * length(back)) / length(back)) * back;
 }
 
+/// The same for a path with arcs, which it keeps: its last segment ends sooner.
+void open_ring(Path& path) {
+  PathSegment& last = path.back();
+  const double off_m = std::min(kOpenedRing_m, 0.5 * length(last));
+  if (last.straight()) {
+    last.to = last.to - off_m * direction_at_end(last);
+    return;
+  }
+  const Point middle = centre(last), spoke = last.to - middle;
+  const double angle = -off_m * last.curvature, c = std::cos(angle), s = std::sin(angle);
+  last.to = middle + Point{spoke.x * c - spoke.y * s, spoke.x * s + spoke.y * c};
+}
+
 std::vector<Point> all_vertices(const Path& path) {
   std::vector<Point> out{path.front().from};
   for (const PathSegment& segment : path) out.push_back(segment.to);
@@ -97,7 +110,11 @@ std::optional<Path> workable_path(const Path& given, double width_m, Rings rings
   const bool straight = all_straight(given);
   const bool opened =
       rings == Rings::kAreOpened && distance(given.front().from, given.back().to) <= kSamePlace_m;
-  if (!straight && !opened && lies_flat(given, width_m)) return given;
+  if (!straight && lies_flat(given, width_m)) {
+    Path out = given;
+    if (opened) open_ring(out);
+    return out;
+  }
   std::vector<Point> points =
       in_different_places(straight ? all_vertices(given) : chords(given, kTightSagitta_m));
   if (rings == Rings::kAreOpened) open_ring(points);
