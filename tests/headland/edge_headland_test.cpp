@@ -83,7 +83,7 @@ TEST(EdgeHeadland, a_further_pass_stops_at_the_one_driven_before) {
   EXPECT_TRUE(is_closed(found.passes[0]));
   EXPECT_FALSE(is_closed(found.passes[1]));
   EXPECT_EQ(found.passes[1].number, 2);
-  EXPECT_NEAR(length(found.passes[1].path), 48, 1e-3);
+  EXPECT_NEAR(length(found.passes[1].path), 48, 0.01);
   EXPECT_NEAR(area(found.ground), 2 * 6 * 100 + 6 * 48 + 12 * 48, 1e-2);
 }
 
@@ -136,7 +136,7 @@ TEST(EdgeHeadland, numbers_that_change_at_a_corner) {
   const HeadlandAndBody found = sound_headland(rectangle_of(100, 60), edge_terms({0, 3, 2, 0}));
   ASSERT_EQ(found.passes.size(), 3U);
   EXPECT_EQ(found.passes[2].number, 3);
-  EXPECT_NEAR(length(found.passes[2].path), 48, 1e-3);
+  EXPECT_NEAR(length(found.passes[2].path), 48, 0.01);
 }
 
 /// An edge digitised with many vertices is one side.
@@ -153,7 +153,7 @@ TEST(EdgeHeadland, many_vertices_on_one_side) {
   passes.push_back(0);
   const HeadlandAndBody found = sound_headland(drawn_field(outer), edge_terms(passes));
   ASSERT_EQ(found.passes.size(), 2U);
-  for (const HeadlandPass& pass : found.passes) EXPECT_NEAR(length(pass.path), 60, 0.2);
+  for (const HeadlandPass& pass : found.passes) EXPECT_NEAR(length(pass.path), 60, 1);
 }
 
 /// An arm 9 m wide between two facing edges: each of them has its pass, and no second one fits.

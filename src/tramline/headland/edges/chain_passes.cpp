@@ -41,23 +41,36 @@ std::vector<Boundary> obstacles_near(const ChainToFollow& to_follow, const std::
   return out;
 }
 
-/// The lines that the machine can follow all round the chain's wall.
-std::vector<Path> paths_round(const TurningRoom& room, double width_m) {
-  const std::vector<CentreLine> centre_lines = centre_lines_along(offset_lines(room), room.radius_m);
+/// Marks the centre line that parts the end of a run from its beginning.
+constexpr std::size_t kNoBoundary = std::numeric_limits<std::size_t>::max();
+
+/// The centre lines along a run. Between the end of one that is not closed and its beginning lies one far away,
+/// too long to be left out.
+std::vector<CentreLine> centre_lines_of(const OffsetRun& run, double radius_m, double most_skipped_m) {
+  constexpr double kFarAway_m = 1e6;
+  std::vector<CentreLine> out = centre_lines_along({run.pieces}, radius_m);
+  if (run.closed || out.empty()) return out;
+  const Point far{bounds(run.pieces.front().segment.from, run.pieces.back().segment.to).max_x + kFarAway_m, 0};
+  out.back().straight_on = false;
+  out.back().next = out.size();
+  out.push_back({offset_line(far, far + Point{2 * most_skipped_m, 0}), kNoBoundary, 0, false});
+  return out;
+}
+
+/// The lines beside the chain that the machine can follow.
+std::vector<Path> paths_beside(const TurningRoom& room, const EdgeChain& chain, double width_m) {
   const ArcFits fits = [&](Point centre, Point before, Point after) {
     return keeps_off(turn_about(centre, room.radius_m, before, after), room.offset_boundaries);
   };
+  const double most_skipped_m = room.radius_m + width_m;
   std::vector<Path> out;
-  for (std::size_t first = 0, last = 0; first < centre_lines.size(); first = last) {
-    bool own = false;
-    do {
-      own = own || centre_lines[last].offset_boundary == 0;
-      ++last;
-    } while (last < centre_lines.size() && centre_lines[last - 1].next == last);
-    if (!own) continue;
-    RollingCirclePaths ways = rolling_circle_paths(centre_lines, first, fits, room.radius_m + width_m);
+  for (const OffsetRun& run : offset_runs(room, chain)) {
+    const std::vector<CentreLine> centre_lines = centre_lines_of(run, room.radius_m, most_skipped_m);
+    if (centre_lines.empty()) continue;
+    const RollingCirclePaths ways = rolling_circle_paths(centre_lines, 0, fits, most_skipped_m);
     if (ways.closed) out.push_back(closed_path(*ways.closed, room.radius_m));
-    for (const OffsetRing& way : ways.open) out.push_back(open_path(way, room.radius_m));
+    for (const OffsetRing& way : ways.open)
+      if (way.front().offset_boundary != kNoBoundary) out.push_back(open_path(way, room.radius_m));
   }
   std::erase_if(out, [](const Path& path) { return path.empty(); });
   return out;
@@ -77,7 +90,7 @@ std::vector<Ring> fences(const ChainScene& scene) {
 }
 
 /// So far before the end of its chain a path is cut, to go straight on: behind it turns about the end.
-constexpr double kBeforeEnd_m = 1e-4;
+constexpr double kBeforeEnd_m = 1e-3;
 
 /// The parts of the path beside the chain whose swaths are in the field.
 std::vector<Path> stretches_beside(const Path& path, const ChainScene& scene) {
@@ -233,7 +246,7 @@ std::vector<HeadlandPass> passes_along(const ChainToFollow& to_follow,
   const GroundToWork to_work{ground, passable, terms.width_m};
   std::vector<HeadlandPass> all = before;
   std::vector<Path> stretches;
-  for (const Path& path : paths_round(room, terms.width_m))
+  for (const Path& path : paths_beside(room, to_follow.chain, terms.width_m))
     for (Path& stretch : stretches_beside(path, scene)) stretches.push_back(std::move(stretch));
   std::stable_sort(stretches.begin(), stretches.end(),
                    [](const Path& a, const Path& b) { return length(a) > length(b); });

@@ -49,7 +49,53 @@ std::vector<std::size_t> between_ends(const EdgeChain& chain) {
   return out;
 }
 
+/// Whether the piece lies on the chain's own side of the wall: along one of its edges, about a corner between
+/// its ends, about a disc, or along another boundary.
+bool beside_chain(const OffsetPiece& piece, const EdgeChain& chain, const OffsetBoundary& wall) {
+  if (piece.offset_boundary != 0) return true;
+  if (!piece.segment.straight())
+    return about_chain(piece, chain) ||
+           std::find(wall.ring.begin(), wall.ring.end(), piece.centre) == wall.ring.end();
+  const double distance_m = wall.distance_m;
+  const Point middle = midpoint(piece.segment.from, piece.segment.to);
+  const Point foot = middle + distance_m * right_of(piece.from_heading);
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+    if (dot(chain[i + 1] - chain[i], piece.from_heading) > 0 &&
+        distance_to_segment(foot, chain[i], chain[i + 1]) < kWall_m)
+      return true;
+  return false;
+}
+
 }  // namespace
+
+std::vector<OffsetRun> offset_runs(const TurningRoom& room, const EdgeChain& chain) {
+  const OffsetBoundary& wall = room.offset_boundaries.front();
+  std::vector<OffsetRun> out;
+  for (const OffsetRing& ring : offset_lines(room)) {
+    std::vector<char> beside;
+    for (const OffsetPiece& piece : ring) beside.push_back(beside_chain(piece, chain, wall) ? 1 : 0);
+    const auto behind = std::find(beside.begin(), beside.end(), 0);
+    if (behind == beside.end()) {
+      out.push_back({ring, true});
+      continue;
+    }
+    const auto start = static_cast<std::size_t>(behind - beside.begin());
+    bool open = false;
+    for (std::size_t k = start; k < start + ring.size(); ++k) {
+      const std::size_t i = k % ring.size();
+      if (beside[i] != 0) {
+        if (!open) out.emplace_back();
+        out.back().pieces.push_back(ring[i]);
+      }
+      open = beside[i] != 0;
+    }
+  }
+  std::erase_if(out, [](const OffsetRun& run) {
+    return std::none_of(run.pieces.begin(), run.pieces.end(),
+                        [](const OffsetPiece& piece) { return piece.offset_boundary == 0; });
+  });
+  return out;
+}
 
 TurningRoom room_beside(const EdgeChain& chain, const std::vector<Boundary>& obstacles, double width_m,
                         int number, double radius_m) {

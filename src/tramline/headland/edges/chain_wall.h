@@ -12,4 +12,14 @@ namespace tramline {
 TurningRoom room_beside(const EdgeChain& chain, const std::vector<Boundary>& obstacles, double width_m,
                         int number, double radius_m);
 
+/// Consecutive pieces of an offset line.
+struct OffsetRun {
+  OffsetRing pieces;
+  bool closed = false;
+};
+
+/// The runs of the room's offset lines beside the chain: without what lies behind its wall and about its ends.
+/// Precondition: the room is room_beside() the chain. O(n·m) for n pieces and m edges.
+std::vector<OffsetRun> offset_runs(const TurningRoom& room, const EdgeChain& chain);
+
 }  // namespace tramline
