@@ -17,6 +17,7 @@
 namespace tramline {
 namespace {
 
+using testing::case_count;
 using testing::for_each_seed;
 
 enum class Steering { kLinesAndArcs, kClothoidsToo };
@@ -198,6 +199,9 @@ void expect_as_seen(Count& count, std::mt19937_64& random, Steering steering, bo
     ++count.too_close;
   } else {
     EXPECT_EQ(fits, seen.distance_m < 0) << "seen " << seen.distance_m;
+    if (!towed) {
+      EXPECT_EQ(fits, allowed.fits(retraced(path), outline)) << "driven back it sweeps the same land";
+    }
     ++(fits ? count.fits : count.leaves);
   }
   if (seen.distance_m > 0) {
@@ -262,6 +266,30 @@ TEST(RoomProperties, BeforeALineItIsTheReach) {
     const double less = uniform(random, 0.05, 4);
     EXPECT_NEAR(land_to(reach - less).missing_m(path, outline), less, 0.021);
   });
+}
+
+/// Land grown by the distance that is missing has room, and by less than that it has none.
+TEST(RoomProperties, WithTheMissingRoomAddedItFits) {
+  int looked_at = 0;
+  for_each_seed(400, [&](std::mt19937_64& random, int number) {
+    const bool towed = number % 4 == 0;
+    const SteeredPath path =
+        random_path(random, number % 4 == 1 ? Steering::kClothoidsToo : Steering::kLinesAndArcs, towed);
+    const Outline outline = outline_of(random_machine(random, towed));
+    const Region land = random_land(random);
+    const double missing = AllowedLand(land).missing_m(path, outline);
+    if (missing < 0.05 || missing > 6) return;
+    ++looked_at;
+    constexpr int kChords = 64;  // of a quarter circle
+    const double of_buffer =
+        0.015 * missing;  // GEOS leaves out what matters less than a hundredth of the distance
+    const auto grown = [&](double by_m) {
+      return AllowedLand(buffered(land, by_m, JoinStyle::kRound, kChords));
+    };
+    EXPECT_TRUE(grown(missing + of_buffer + 0.023).fits(path, outline)) << missing;
+    EXPECT_FALSE(grown(missing - of_buffer - 0.003).fits(path, outline)) << missing;
+  });
+  EXPECT_GT(looked_at, case_count(400) / 20);
 }
 
 TEST(RoomProperties, ThePolygonsOfTheOutlineReachAsFar) {
