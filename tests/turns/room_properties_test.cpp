@@ -17,6 +17,7 @@
 namespace tramline {
 namespace {
 
+using testing::case_count;
 using testing::for_each_seed;
 
 enum class Steering { kLinesAndArcs, kClothoidsToo };
@@ -198,6 +199,9 @@ void expect_as_seen(Count& count, std::mt19937_64& random, Steering steering, bo
     ++count.too_close;
   } else {
     EXPECT_EQ(fits, seen.distance_m < 0) << "seen " << seen.distance_m;
+    if (!towed) {
+      EXPECT_EQ(fits, allowed.fits(retraced(path), outline)) << "driven back it sweeps the same land";
+    }
     ++(fits ? count.fits : count.leaves);
   }
   if (seen.distance_m > 0) {
@@ -209,7 +213,7 @@ void expect_enough(const Count& count, const char* what) {
   std::cout << what << ": " << count.fits << " fit, " << count.leaves << " leave the land, "
             << count.too_close << " too close to tell by looking\n";
   const int all = count.fits + count.leaves + count.too_close;
-  if (all < 100) return;
+  if (all < 40) return;
   EXPECT_GT(count.fits, all / 8);
   EXPECT_GT(count.leaves, all / 8);
   EXPECT_LT(count.too_close, all / 10);
@@ -217,7 +221,7 @@ void expect_enough(const Count& count, const char* what) {
 
 TEST(RoomProperties, OnLinesAndArcsItIsAsSeen) {
   Count count;
-  for_each_seed(150, [&](std::mt19937_64& random, int) {
+  for_each_seed(80, [&](std::mt19937_64& random, int) {
     expect_as_seen(count, random, Steering::kLinesAndArcs, false);
   });
   expect_enough(count, "lines and arcs");
@@ -225,7 +229,7 @@ TEST(RoomProperties, OnLinesAndArcsItIsAsSeen) {
 
 TEST(RoomProperties, OnClothoidsItIsAsSeen) {
   Count count;
-  for_each_seed(150, [&](std::mt19937_64& random, int) {
+  for_each_seed(60, [&](std::mt19937_64& random, int) {
     expect_as_seen(count, random, Steering::kClothoidsToo, false);
   });
   expect_enough(count, "clothoids too");
@@ -233,7 +237,7 @@ TEST(RoomProperties, OnClothoidsItIsAsSeen) {
 
 TEST(RoomProperties, OfTowedImplementsItIsAsSeen) {
   Count count;
-  for_each_seed(120, [&](std::mt19937_64& random, int) {
+  for_each_seed(40, [&](std::mt19937_64& random, int) {
     expect_as_seen(count, random, Steering::kClothoidsToo, true);
   });
   expect_enough(count, "towed");
@@ -241,8 +245,9 @@ TEST(RoomProperties, OfTowedImplementsItIsAsSeen) {
 
 /// Land whose only edge nearby is a line, somewhere near the reach of the outline.
 TEST(RoomProperties, BeforeALineItIsTheReach) {
-  for_each_seed(2000, [&](std::mt19937_64& random, int number) {
-    const bool towed = number % 4 == 0, clothoids = number % 4 == 1;
+  for_each_seed(2000, [&](std::mt19937_64& random, int) {
+    const int kind = any_of(random, 0, 3);
+    const bool towed = kind == 0, clothoids = kind == 1;
     const SteeredPath path =
         random_path(random, clothoids ? Steering::kClothoidsToo : Steering::kLinesAndArcs, towed);
     const Outline outline = outline_of(random_machine(random, towed));
@@ -264,11 +269,39 @@ TEST(RoomProperties, BeforeALineItIsTheReach) {
   });
 }
 
-TEST(RoomProperties, ThePolygonsOfTheOutlineReachAsFar) {
-  for_each_seed(12, [&](std::mt19937_64& random, int number) {
-    const bool towed = number % 3 == 0;
+/// Land grown by the distance that is missing has room, and by less than that it has none.
+TEST(RoomProperties, WithTheMissingRoomAddedItFits) {
+  int looked_at = 0;
+  for_each_seed(400, [&](std::mt19937_64& random, int) {
+    const int kind = any_of(random, 0, 3);
+    const bool towed = kind == 0;
     const SteeredPath path =
-        random_path(random, number % 3 == 1 ? Steering::kClothoidsToo : Steering::kLinesAndArcs, towed);
+        random_path(random, kind == 1 ? Steering::kClothoidsToo : Steering::kLinesAndArcs, towed);
+    const Outline outline = outline_of(random_machine(random, towed));
+    const Region land = {{random_land(random).front().outer, {}}};  // GEOS drops what is left of small holes
+    const double missing = AllowedLand(land).missing_m(path, outline);
+    if (missing < 0.05 || missing > 6) return;
+    ++looked_at;
+    constexpr int kChords = 64;  // of a quarter circle
+    const double of_buffer =
+        0.015 * missing;  // GEOS leaves out what matters less than a hundredth of the distance
+    const auto grown = [&](double by_m) {
+      return AllowedLand(buffered(land, by_m, JoinStyle::kRound, kChords));
+    };
+    EXPECT_TRUE(grown(missing + of_buffer + 0.023).fits(path, outline)) << missing;
+    EXPECT_FALSE(grown(missing - of_buffer - 0.003).fits(path, outline)) << missing;
+  });
+  if (case_count(400) >= 100) {
+    EXPECT_GT(looked_at, case_count(400) / 20);
+  }
+}
+
+TEST(RoomProperties, ThePolygonsOfTheOutlineReachAsFar) {
+  for_each_seed(12, [&](std::mt19937_64& random, int) {
+    const int kind = any_of(random, 0, 2);
+    const bool towed = kind == 0;
+    const SteeredPath path =
+        random_path(random, kind == 1 ? Steering::kClothoidsToo : Steering::kLinesAndArcs, towed);
     Machine machine = random_machine(random, towed);
     // what has no width sweeps nothing along itself
     machine.turning.vehicle_width_m = std::max(1.0, machine.turning.vehicle_width_m);

@@ -24,14 +24,14 @@ double bound_between(double at_from, double at_to, double h, double most_second)
 
 /// Raises `best` to the greatest value of the function between two places, to kSweptReach_m.
 template <class Function>
-void raise(double& best, const Function& f, double from, double at_from, double to, double at_to,
-           double most_second) {
+void raise_reach(double& best, const Function& f, double from, double at_from, double to, double at_to,
+                 double most_second) {
   best = std::max({best, at_from, at_to});
   if (bound_between(at_from, at_to, to - from, most_second) <= best + kSweptReach_m) return;
   const double middle = 0.5 * (from + to), at_middle = f(middle);
   best = std::max(best, at_middle);
-  raise(best, f, from, at_from, middle, at_middle, most_second);
-  raise(best, f, middle, at_middle, to, at_to, most_second);
+  raise_reach(best, f, from, at_from, middle, at_middle, most_second);
+  raise_reach(best, f, middle, at_middle, to, at_to, most_second);
 }
 
 /// On a line or an arc. With the rates p of the distance and q of p, in the angle φ turned, the distance has
@@ -62,7 +62,7 @@ double reach_on_clothoid(const SteeredStretch& stretch, Point corner, Point unit
   const double out = length(corner);
   const double most_second = change * out + curvature * (1 + curvature * out);
   double best = -std::numeric_limits<double>::infinity();
-  raise(best, reach_at, 0, reach_at(0), stretch.length_m, reach_at(stretch.length_m), most_second);
+  raise_reach(best, reach_at, 0, reach_at(0), stretch.length_m, reach_at(stretch.length_m), most_second);
   return best;
 }
 
@@ -76,7 +76,7 @@ double reach_towed(const TowedMotion& motion, std::size_t stretch, Point corner,
                              (bounds.change_of_turning + bounds.turning * bounds.turning) * out;
   const double end = motion.path()[stretch].length_m;
   double best = -std::numeric_limits<double>::infinity();
-  raise(best, reach_at, 0, reach_at(0), end, reach_at(end), most_second);
+  raise_reach(best, reach_at, 0, reach_at(0), end, reach_at(end), most_second);
   return best;
 }
 

@@ -25,7 +25,7 @@ bool segment_meets(const Box& box, Point a, Point along) {
   return cut(a.x, along.x, box.min_x, box.max_x) && cut(a.y, along.y, box.min_y, box.max_y);
 }
 
-Point mirror(Point p) { return {p.x, -p.y}; }
+Point across_axis(Point p) { return {p.x, -p.y}; }
 
 }  // namespace
 
@@ -69,8 +69,8 @@ PartSweep::Way PartSweep::way(Point p, double side) const {
 
 bool PartSweep::meets(Point a, Point b) const {
   if (mirrored_) {
-    a = mirror(a);
-    b = mirror(b);
+    a = across_axis(a);
+    b = across_axis(b);
   }
   const Point along = b - a;
   if (turn_ == 0) return segment_meets(swept_, a, along);
