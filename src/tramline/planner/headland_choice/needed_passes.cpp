@@ -133,8 +133,10 @@ class Needs {
     // Round a corner the land beyond one side says nothing about the other.
     if (from && to && dot(from->outward, to->outward) < kSameSide) return;
     int least = std::numeric_limits<int>::max(), at_end = 0, at_start = 0;
-    for (const Manoeuvre& way : manoeuvres_over(hop, plan_.machine, {})) {
+    const std::vector<HopWay> ways = manoeuvres_over(hop, plan_.machine, {});
+    for (const auto& [way, over_tracks] : ways) {
       if (way.path.empty()) continue;
+      if (over_tracks && !ways.front().over_tracks) break;
       const int end = from ? passes_before(*from, way.path, hop.end.at) : 0;
       const int start = to ? passes_before(*to, way.path, hop.start.at) : 0;
       if (std::max(end, start) >= least) continue;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tramline/turns/manoeuvres/manoeuvre_choice.h"
+#include "tramline/turns/manoeuvres/reach.h"
 #include "tramline/turns/outline/run_in.h"
 #include "tramline/turns/track_ends.h"
 
@@ -34,20 +35,36 @@ Manoeuvre whole(Manoeuvre manoeuvre, const Hop& hop, const Turning& turning, con
   return manoeuvre;
 }
 
+/// The axle may be so far behind the ends of the tracks on the way, m: it is the implement that works them.
+constexpr double kBehindEnds_m = 0.5;
+
+/// The line through both ends, or square to the track where they lie one behind the other.
+bool leads_over_tracks(const SteeredPath& path, const Pose& from, const Pose& to) {
+  constexpr double kLeastSlope = 0.3;
+  const Point ahead = from.heading.unit(), across = to.at - from.at;
+  Point outward = ahead;
+  if (const double apart_m = length(across); apart_m > 0) {
+    const Point normal = (1 / apart_m) * left_of(across);
+    const double slope = dot(normal, ahead);
+    if (std::abs(slope) >= kLeastSlope) outward = slope > 0 ? normal : -1.0 * normal;
+  }
+  return reach(path, -1.0 * outward) > kBehindEnds_m;
+}
+
 bool far_apart(const Hop& hop, const Machine& machine) {
   return distance(hop.end.at, hop.start.at) > kFar_turns * (2 * machine.radius_m + 2 * machine.width_m);
 }
 
 /// The quickest with room; nullptr where there is none.
-const Manoeuvre* first_that_fits(const std::vector<Manoeuvre>& ways, const AllowedLand& land,
+const Manoeuvre* first_that_fits(const std::vector<HopWay>& ways, const AllowedLand& land,
                                  const Outline& outline) {
-  for (const Manoeuvre& way : ways)
-    if (land.fits(way.path, outline)) return &way;
+  for (const HopWay& way : ways)
+    if (land.fits(way.manoeuvre.path, outline)) return &way.manoeuvre;
   return nullptr;
 }
 
 /// The quickest way with room, or else the one that lacks least.
-PlannedTurn best_of(const std::vector<Manoeuvre>& ways, const AllowedLand& land, const Outline& outline) {
+PlannedTurn best_of(const std::vector<HopWay>& ways, const AllowedLand& land, const Outline& outline) {
   PlannedTurn out;
   if (const Manoeuvre* fits = first_that_fits(ways, land, outline)) {
     out.manoeuvre = *fits;
@@ -55,10 +72,10 @@ PlannedTurn best_of(const std::vector<Manoeuvre>& ways, const AllowedLand& land,
   }
   out.state = TurnState::kNoRoom;
   for (std::size_t i = 0; i < std::min(ways.size(), kMostMeasured); ++i) {
-    const double missing_m = land.missing_m(ways[i].path, outline);
+    const double missing_m = land.missing_m(ways[i].manoeuvre.path, outline);
     if (i > 0 && missing_m >= out.missing_m) continue;
     out.missing_m = missing_m;
-    out.manoeuvre = ways[i];
+    out.manoeuvre = ways[i].manoeuvre;
   }
   return out;
 }
@@ -80,7 +97,7 @@ PlannedTurn with_straight_ways(const Hop& hop, const AllowedLand& land, const Ma
   for (int sum = 0; sum <= kMostSteps; ++sum)
     for (int before = 0; before <= sum; ++before) {
       const StraightWays ways{least.before_m + before * step_m, least.after_m + (sum - before) * step_m};
-      const std::vector<Manoeuvre> all = manoeuvres_over(hop, machine, ways);
+      const std::vector<HopWay> all = manoeuvres_over(hop, machine, ways);
       if (sum == 0) {
         first = best_of(all, land, outline);
         if (first.state == TurnState::kFits || far_apart(hop, machine)) return first;
@@ -119,16 +136,20 @@ Hop hop_between(const TrackPiece& from, const TrackPiece& to) {
   return {{from.end, Heading::from_to({0, 0}, ahead)}, {to.start, Heading::from_to({0, 0}, on)}};
 }
 
-std::vector<Manoeuvre> manoeuvres_over(const Hop& hop, const Machine& machine, const StraightWays& more) {
+std::vector<HopWay> manoeuvres_over(const Hop& hop, const Machine& machine, const StraightWays& more) {
   Machine on_circles = machine;
   on_circles.radius_m = std::max(machine.radius_m, kLeastRadius_m);
   Pose from = pose_after_work(hop.end.at, hop.end.heading, machine.turning);
   Pose to = pose_before_work(hop.start.at, hop.start.heading, machine.turning);
   from.at = from.at + more.before_m * from.heading.unit();
   to.at = to.at - more.after_m * to.heading.unit();
-  std::vector<Manoeuvre> out;
-  for (Manoeuvre& manoeuvre : manoeuvres_between(from, to, on_circles))
-    out.push_back(whole(std::move(manoeuvre), hop, machine.turning, more));
+  std::vector<HopWay> out;
+  for (Manoeuvre& manoeuvre : manoeuvres_between(from, to, on_circles)) {
+    const bool over_tracks = leads_over_tracks(manoeuvre.path, from, to);
+    out.push_back({whole(std::move(manoeuvre), hop, machine.turning, more), over_tracks});
+  }
+  std::stable_sort(out.begin(), out.end(),
+                   [](const HopWay& a, const HopWay& b) { return !a.over_tracks && b.over_tracks; });
   return out;
 }
 

@@ -22,8 +22,16 @@ struct StraightWays {
   double after_m = 0;   ///< in line with the next track
 };
 
-/// All manoeuvres of the machine over a hop with the straight ways before and after them, quickest first.
-std::vector<Manoeuvre> manoeuvres_over(const Hop& hop, const Machine& machine, const StraightWays& more);
+/// A manoeuvre over a hop, and whether it leads back over the tracks, behind the line through both their
+/// ends.
+struct HopWay {
+  Manoeuvre manoeuvre;
+  bool over_tracks = false;
+};
+
+/// All manoeuvres of the machine over a hop with the straight ways before and after them: those that stay
+/// before the ends of the tracks, quickest first, then those that lead back over them.
+std::vector<HopWay> manoeuvres_over(const Hop& hop, const Machine& machine, const StraightWays& more);
 
 /// The turn from each piece to the next one in driving order, except across passable obstacles: the quickest
 /// manoeuvre of the machine that stays on the land, from where the work ends to where it begins, the way on
