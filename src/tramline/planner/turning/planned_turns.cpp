@@ -55,21 +55,26 @@ bool far_apart(const Hop& hop, const Machine& machine) {
   return distance(hop.end.at, hop.start.at) > kFar_turns * (2 * machine.radius_m + 2 * machine.width_m);
 }
 
-/// The quickest with room; nullptr where there is none.
-const Manoeuvre* first_that_fits(const std::vector<HopWay>& ways, const AllowedLand& land,
+enum class Side { kBeforeEnds, kOverTracks };
+
+/// The quickest with room on that side; nullptr where there is none.
+const Manoeuvre* first_that_fits(const std::vector<HopWay>& ways, Side side, const AllowedLand& land,
                                  const Outline& outline) {
   for (const HopWay& way : ways)
-    if (land.fits(way.manoeuvre.path, outline)) return &way.manoeuvre;
+    if (way.over_tracks == (side == Side::kOverTracks) && land.fits(way.manoeuvre.path, outline))
+      return &way.manoeuvre;
   return nullptr;
 }
 
-/// The quickest way with room, or else the one that lacks least.
-PlannedTurn best_of(const std::vector<HopWay>& ways, const AllowedLand& land, const Outline& outline) {
+PlannedTurn fitting(const Manoeuvre& manoeuvre) {
   PlannedTurn out;
-  if (const Manoeuvre* fits = first_that_fits(ways, land, outline)) {
-    out.manoeuvre = *fits;
-    return out;
-  }
+  out.manoeuvre = manoeuvre;
+  return out;
+}
+
+/// Of ways without room the one that lacks least.
+PlannedTurn without_room(const std::vector<HopWay>& ways, const AllowedLand& land, const Outline& outline) {
+  PlannedTurn out;
   out.state = TurnState::kNoRoom;
   for (std::size_t i = 0; i < std::min(ways.size(), kMostMeasured); ++i) {
     const double missing_m = land.missing_m(ways[i].manoeuvre.path, outline);
@@ -86,28 +91,28 @@ double error_of(const PlannedTurn& turn, const Outline& outline) {
   return std::abs(lateral_error_m(turn.manoeuvre.path, outline, 0));
 }
 
-/// Where nothing fits the machine drives straight on before it turns, or comes into line farther off: past a
-/// pylon beside the end, or out of a corner. The least such ways first.
+/// The quickest way that stays before the ends of the tracks. Where none has room the machine drives straight
+/// on before it turns, or comes into line farther off: past a pylon beside the end, or out of a corner; the
+/// least such ways first. Then the quickest of those that lead back over the tracks.
 PlannedTurn with_straight_ways(const Hop& hop, const AllowedLand& land, const Machine& machine,
                                const StraightWays& least) {
   constexpr int kMostSteps = 6;
   const Outline outline = outline_of(machine);
   const double step_m = 0.5 * std::max(machine.radius_m, machine.width_m);
-  PlannedTurn first;
-  for (int sum = 0; sum <= kMostSteps; ++sum)
+  const std::vector<HopWay> direct = manoeuvres_over(hop, machine, least);
+  if (const Manoeuvre* fits = first_that_fits(direct, Side::kBeforeEnds, land, outline))
+    return fitting(*fits);
+  const bool near = !far_apart(hop, machine);
+  for (int sum = 1; near && sum <= kMostSteps; ++sum)
     for (int before = 0; before <= sum; ++before) {
       const StraightWays ways{least.before_m + before * step_m, least.after_m + (sum - before) * step_m};
       const std::vector<HopWay> all = manoeuvres_over(hop, machine, ways);
-      if (sum == 0) {
-        first = best_of(all, land, outline);
-        if (first.state == TurnState::kFits || far_apart(hop, machine)) return first;
-      } else if (const Manoeuvre* fits = first_that_fits(all, land, outline)) {
-        PlannedTurn out;
-        out.manoeuvre = *fits;
-        return out;
-      }
+      if (const Manoeuvre* fits = first_that_fits(all, Side::kBeforeEnds, land, outline))
+        return fitting(*fits);
     }
-  return first;
+  if (const Manoeuvre* fits = first_that_fits(direct, Side::kOverTracks, land, outline))
+    return fitting(*fits);
+  return without_room(direct, land, outline);
 }
 
 PlannedTurn turn_over(const Hop& hop, const AllowedLand& land, const Machine& machine,
