@@ -198,7 +198,7 @@ ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, do
   out["turns"] = tally.turns;
   out["stops"] = tally.stops;
   out["crossings"] = tally.crossings;
-  if (!plan.turns.empty()) out["turning"] = turning_json(plan);
+  if (!plan.turns.empty()) out["planned_turns"] = planned_turns_json(plan);
   out["track_length_m"] = tally.track_length_m;
   out["overlap_m2"] = tally.overlap_m2;
   out["uncovered_m2"] = tally.uncovered_m2;

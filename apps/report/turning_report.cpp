@@ -52,7 +52,7 @@ std::string minutes(double time_s) { return fmt::format("{:.1f} min", time_s / 6
 
 }  // namespace
 
-ordered_json turning_json(const Plan& plan) {
+ordered_json planned_turns_json(const Plan& plan) {
   const TurningSum sum = sum_of(plan);
   ordered_json out = {{"planned", plan.turns.size()},
                       {"fitting", sum.fitting},

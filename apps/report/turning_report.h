@@ -8,8 +8,8 @@
 
 namespace tramline::app {
 
-/// The key `turning` (docs/json.md). Precondition: turns were planned.
-nlohmann::ordered_json turning_json(const Plan& plan);
+/// The key `planned_turns` (docs/json.md). Precondition: turns were planned.
+nlohmann::ordered_json planned_turns_json(const Plan& plan);
 
 /// Rows of the summary; "" where no turns were planned.
 std::string turning_rows(const Plan& plan);
