@@ -102,7 +102,7 @@ struct PlanSettings {
   /// Passes by edge of Field::outer, edge i from vertex i to vertex i + 1; empty: `headlands` everywhere,
   /// else `headlands` is the largest of them. Different numbers require TrackConstruction::kParallel.
   std::vector<int> headland_edges{};
-  GivenLand given;                          ///< not kept in plan files, where Plan says what became of it
+  GivenLand given;  ///< not kept in plan files, where Plan says what became of it
 };
 
 /// The anchor that the settings amount to: never kDefault.
