@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "properties/random_field.h"
 #include "properties/seeds.h"
@@ -47,6 +51,142 @@ TEST(PlannedPlans, hold_on_random_fields) {
     }
   }
   EXPECT_GT(2 * planned, cases);
+}
+
+/// Numbers of headland passes by edge, in runs; some edges have none.
+std::vector<int> random_headland_edges(std::mt19937_64& random, std::size_t edges) {
+  const auto pick = [&random](int least, int most) {
+    return std::uniform_int_distribution<int>(least, most)(random);
+  };
+  std::vector<int> out;
+  while (out.size() < edges)
+    out.insert(out.end(), static_cast<std::size_t>(pick(1, 4)), std::max(0, pick(-1, 2)));
+  out.resize(edges);
+  return out;
+}
+
+TEST(PlannedPlans, hold_with_headlands_along_some_edges) {
+  int planned = 0;
+  const int cases = case_count(40);
+  for (int i = 0; i < cases; ++i) {
+    testing::SeededRandom random(i);
+    const Field field = testing::random_field(random, i % 2 == 0 ? 0 : 4);
+    Machine machine;
+    machine.width_m = std::uniform_real_distribution<double>(1.5, 8)(random);
+    PlanSettings settings = random_settings(random);
+    settings.headland_edges = random_headland_edges(random, field.outer.size());
+    settings.obstacle_headlands = i % 4 == 1 ? 1 : 0;
+    try {
+      const Plan plan = plan_field(field, machine, Objective{}, settings, 1);
+      EXPECT_NEAR(identity_error_m2(plan), 0, 1e-6 * land_m2(plan));
+      for (const check::Violation& v : check::verify(plan).violations)
+        ADD_FAILURE() << name(v.rule) << ": " << v.what << ", case " << i;
+      ++planned;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::kBadInput) << error.what();
+    }
+  }
+  EXPECT_GT(2 * planned, cases);
+}
+
+/// 300 × 200 m with two passes along its western and eastern sides, where the tracks turn.
+Plan plan_with_turning_sides() {
+  Field field;
+  field.id = "sides";
+  field.outer = {{0, 0}, {300, 0}, {300, 200}, {0, 200}};
+  PlanSettings settings;
+  settings.headland_edges = {0, 2, 0, 2};
+  return plan_field(field, {"", 6, 6, -1}, Objective{}, settings, 1);
+}
+
+Path moved_by(const Path& path, Point by) {
+  return moved(path, [by](Point p) { return p + by; });
+}
+
+std::set<std::string> broken_rules(const Plan& plan) {
+  std::set<std::string> out;
+  for (const check::Violation& v : check::verify(plan).violations) out.emplace(name(v.rule));
+  return out;
+}
+
+TEST(PlannedPlans, leave_nothing_where_tracks_turn_at_two_sides) {
+  const Plan plan = plan_with_turning_sides();
+  EXPECT_EQ(broken_rules(plan), std::set<std::string>{});
+  EXPECT_EQ(plan.headland.passes.size(), 4U);
+  EXPECT_EQ(plan.settings.headlands, 2);
+  EXPECT_EQ(plan.settings.boundary, EdgeKind::kHard);
+  EXPECT_NEAR(area(plan.body), 276 * 200, 1e-3);
+  for (const Ring& ring : rings_of(swaths(plan)))
+    for (const Point p : ring) {
+      EXPECT_GT(p.y, -1e-6);
+      EXPECT_LT(p.y, 200 + 1e-6);
+    }
+}
+
+TEST(PlannedPlans, headlands_along_edges_that_are_not_what_they_should_be) {
+  const Plan sound = plan_with_turning_sides();
+  const auto broken = [&sound](const auto& change) {
+    Plan plan = sound;
+    change(plan);
+    return broken_rules(plan);
+  };
+  const double outwards_m = sound.headland.passes[0].path[0].from.x < 150 ? -0.1 : 0.1;
+  EXPECT_TRUE(broken([&](Plan& plan) {
+                auto& path = plan.headland.passes[0].path;
+                path = moved_by(path, {outwards_m, 0});
+              }).contains("swaths"));
+  EXPECT_TRUE(broken([&](Plan& plan) {
+                auto& path = plan.headland.passes[0].path;
+                path = moved_by(path, {-outwards_m, 0});
+              }).contains("tally"));
+  const auto second = std::find_if(sound.headland.passes.begin(), sound.headland.passes.end(),
+                                   [](const HeadlandPass& pass) { return pass.number == 2; });
+  ASSERT_NE(second, sound.headland.passes.end());
+  const auto at = static_cast<std::size_t>(second - sound.headland.passes.begin());
+  const double towards_m = second->path[0].from.x < 150 ? -0.1 : 0.1;
+  EXPECT_TRUE(broken([&](Plan& plan) {
+                plan.headland.passes[at].path = moved_by(plan.headland.passes[at].path, {towards_m, 0});
+              }).contains("headland"));
+  EXPECT_TRUE(broken([&](Plan& plan) {
+                plan.headland.passes[at].path = moved_by(plan.headland.passes[at].path, {0, 0.1});
+              }).contains("swaths"));
+  EXPECT_TRUE(broken([](Plan& plan) { plan.headland.passes.pop_back(); }).contains("tally"));
+  EXPECT_TRUE(broken([](Plan& plan) { plan.headland.edge_passes[0] = 1; }).contains("headland"));
+  EXPECT_TRUE(broken([](Plan& plan) {
+                plan.headland.edge_passes = plan.settings.headland_edges = {0, 1, 0, 2};
+              }).contains("body"));
+  EXPECT_TRUE(broken([](Plan& plan) {
+                plan.headland.edge_passes = plan.settings.headland_edges = {0, 2, 2};
+              }).contains("headland"));
+  EXPECT_TRUE(broken([](Plan& plan) { plan.body[0].outer[0].x += 0.5; }).contains("body"));
+}
+
+/// Numbers that no field has.
+TEST(PlannedPlans, refuse_headlands_along_edges_that_are_not_there) {
+  Field field;
+  field.id = "sides";
+  field.outer = {{0, 0}, {300, 0}, {300, 200}, {0, 200}};
+  PlanSettings settings;
+  for (const std::vector<int>& passes : {std::vector<int>{1, 2}, std::vector<int>{1, -1, 0, 0}}) {
+    settings.headland_edges = passes;
+    EXPECT_THROW(plan_field(field, {"", 6, 6, -1}, Objective{}, settings, 1), Error);
+  }
+}
+
+/// As many along every edge are as many round the field.
+TEST(PlannedPlans, equal_headlands_along_all_edges_are_those_round_the_field) {
+  Field field;
+  field.id = "sides";
+  field.outer = {{0, 0}, {300, 0}, {300, 200}, {0, 200}};
+  PlanSettings by_edge, all_round;
+  by_edge.headland_edges = {2, 2, 2, 2};
+  all_round.headlands = 2;
+  const Plan one = plan_field(field, {"", 6, 6, -1}, Objective{}, by_edge, 1);
+  const Plan other = plan_field(field, {"", 6, 6, -1}, Objective{}, all_round, 1);
+  EXPECT_EQ(one.headland.passes, other.headland.passes);
+  EXPECT_TRUE(one.settings.headland_edges.empty());
+  EXPECT_EQ(one.settings.headlands, 2);
+  EXPECT_EQ(one.cost, other.cost);
 }
 
 /// A block of 240 × 102 m, 17 swaths of 6 m, with an arm of 24 m that leaves its north-western corner and

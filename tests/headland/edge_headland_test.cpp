@@ -87,7 +87,8 @@ TEST(EdgeHeadland, a_further_pass_stops_at_the_one_driven_before) {
   EXPECT_NEAR(area(found.ground), 2 * 6 * 100 + 6 * 48 + 12 * 48, 1e-2);
 }
 
-/// Round a corner as all passes go: an arc of the turning radius, and nothing but its corners left or doubled.
+/// Round a corner as all passes go: an arc of the turning radius, and nothing but its corners left or
+/// doubled.
 TEST(EdgeHeadland, a_chain_of_two_edges_is_driven_round_its_corner) {
   const HeadlandAndBody found = sound_headland(rectangle_of(100, 60), edge_terms({0, 1, 1, 0}));
   ASSERT_EQ(found.passes.size(), 1U);
@@ -97,8 +98,8 @@ TEST(EdgeHeadland, a_chain_of_two_edges_is_driven_round_its_corner) {
   EXPECT_NEAR(area(found.ground), 6 * 100 + 6 * 54, 1e-3);
 }
 
-/// A slanted west side, 45°: behind its chain's end at the south the first pass ends at the corner, the second
-/// one runs on until its outer side meets the slanted side, 6 m farther.
+/// A slanted west side, 45°: behind its chain's end at the south the first pass ends at the corner, the
+/// second one runs on until its outer side meets the slanted side, 6 m farther.
 TEST(EdgeHeadland, goes_straight_on_to_a_slanted_boundary) {
   const Field field = drawn_field({{0, 0}, {100, 0}, {100, 60}, {-60, 60}});
   const HeadlandAndBody found = sound_headland(field, edge_terms({2, 0, 0, 0}));
@@ -168,7 +169,8 @@ TEST(EdgeHeadland, facing_edges_in_a_narrow_arm) {
 /// An obstacle without headland on the first pass's way: the pass goes round it.
 TEST(EdgeHeadland, an_obstacle_near_the_edge_is_passed) {
   Field field = rectangle_of(200, 200);
-  field.obstacles.push_back({{{{196, 90}, {198, 90}, {198, 92}, {196, 92}}, {}}, ObstacleKind::kObstacle, ""});
+  field.obstacles.push_back(
+      {{{{196, 90}, {198, 90}, {198, 92}, {196, 92}}, {}}, ObstacleKind::kObstacle, ""});
   const HeadlandAndBody found = sound_headland(field, edge_terms({0, 2, 0, 0}));
   ASSERT_GE(found.passes.size(), 2U);
   double longest_m = 0;

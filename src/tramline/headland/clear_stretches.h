@@ -22,8 +22,8 @@ struct SwathLimit {
   double beside_m = kBeside_m;
 };
 
-/// An open path extended straight at its end as far as its swath, `width_m` wide and with flat ends, keeps its
-/// distance from the boundaries, but by no more than `most_m`. O(n) for n edges.
+/// An open path extended straight at its end as far as its swath, `width_m` wide and with flat ends, keeps
+/// its distance from the boundaries, but by no more than `most_m`. O(n) for n edges.
 Path driven_on(Path path, const std::vector<SwathLimit>& limits, double width_m, double most_m);
 
 /// An open path extended straight at both ends in the same way. O(n) for n edges.

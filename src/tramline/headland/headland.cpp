@@ -66,8 +66,7 @@ void take_chains_off(const ChainsByNumber& chains, const HeadlandTerms& terms, R
   if (ground.empty()) return;
   body = difference(body, ground);
   Region narrow = without_room_for_tracks(body, terms.width_m, least_track_m(terms));
-  std::erase_if(narrow,
-                [&](const Polygon& part) { return distance_between({part}, ground) > kSamePlace_m; });
+  std::erase_if(narrow, [&](const Polygon& part) { return distance_between({part}, ground) > kSamePlace_m; });
   if (!narrow.empty()) body = difference(body, narrow);
 }
 

@@ -43,12 +43,12 @@ struct HeadlandAndBody : Headland {
 /// headland (no swath leaves the field there, however it ends), as wide as a swath, and as long as the least
 /// length or two widths, whichever is more. The rest counts as uncovered.
 ///
-/// With different numbers by edge, as many passes as all edges have go round the field. Each further pass runs
-/// along every chain of edges that have it, without regard to the others, as an open path: round corners as
-/// above, and at the ends of the chain straight on until its swath reaches the boundary, an obstacle, or a
+/// With different numbers by edge, as many passes as all edges have go round the field. Each further pass
+/// runs along every chain of edges that have it, without regard to the others, as an open path: round corners
+/// as above, and at the ends of the chain straight on until its swath reaches the boundary, an obstacle, or a
 /// pass driven before. Where that is farther off than twice the pass's depth (the field widens, or hardly
-/// turns) the pass ends at right angles to the chain. The headland is the land along the chains (chain_ground.h).
-/// Parts of the body beside it without room for a track go to it.
+/// turns) the pass ends at right angles to the chain. The headland is the land along the chains
+/// (chain_ground.h). Parts of the body beside it without room for a track go to it.
 ///
 /// No pass leaves the field or enters an obstacle with its swath (up to 1e-6 m). Passable obstacles do not
 /// bend passes. Ground inside a hole of an obstacle is body without headland.

@@ -47,7 +47,8 @@ void require_edge_passes(const Field& field, const PlanSettings& settings) {
                                 passes_everywhere(passes)));
   if (settings.tracks == TrackConstruction::kPaper && passes_everywhere(passes) != passes_anywhere(passes))
     throw bad_input(
-        "headlands as in the paper go round the whole field: with --tracks paper give all edges the same number "
+        "headlands as in the paper go round the whole field: with --tracks paper give all edges the same "
+        "number "
         "of passes");
 }
 

@@ -86,8 +86,8 @@ bool clearance_takes_all(const PlanningProblem& problem, const ClassifiedGround&
 
 Region hard_field(const PlanningProblem& problem) {
   const PlanSettings& settings = problem.settings;
-  const bool bare_edges =
-      settings.headland_edges.empty() ? settings.headlands == 0 : passes_everywhere(settings.headland_edges) == 0;
+  const bool bare_edges = settings.headland_edges.empty() ? settings.headlands == 0
+                                                          : passes_everywhere(settings.headland_edges) == 0;
   const bool hard = settings.boundary == EdgeKind::kHard && bare_edges;
   return hard ? Region{{problem.field.outer, {}}} : Region{};
 }

@@ -23,9 +23,9 @@ struct PreparedField {
   /// PlanSettings::short_edge_m, or more where headlands have rounded corners.
   double short_edge_m = 0;
   /// The field where its boundary is hard and limits swaths; empty where the boundary is soft or has a
-  /// headland all round. With such a headland, wherever a swath is driven it has body across it, which lies at least a width
-  /// from the boundary, and so no swath, straight or curved, crosses the boundary however far its end rule
-  /// lets it run on.
+  /// headland all round. With such a headland, wherever a swath is driven it has body across it, which lies
+  /// at least a width from the boundary, and so no swath, straight or curved, crosses the boundary however
+  /// far its end rule lets it run on.
   Region hard_field;
   bool clearance_takes_all = false;  ///< there is land to work without the clearance, and none with it
   PreparedLand given;                ///< what the user decided about the land

@@ -111,6 +111,26 @@ class HeadlandsInFiles : public testing::Test {
   fs::path file_;
 };
 
+/// Only plans with different numbers by edge have the keys, and the version that brought them.
+TEST_F(HeadlandsInFiles, passes_by_edge_come_back) {
+  Plan plan = headland_plan();
+  plan.settings.headland_edges = plan.headland.edge_passes = {2, 0, 1, 0};
+  io::write_plan(plan, file_);
+  const io::PlanFile read = io::read_plan_file(file_);
+  EXPECT_EQ(read.plan.headland.edge_passes, plan.headland.edge_passes);
+  EXPECT_EQ(read.plan.settings.headland_edges, plan.settings.headland_edges);
+  EXPECT_EQ(read.plan.field.outer.size(), 4U);
+  // The numbers are those of the edges still: the ring begins where it began.
+  EXPECT_LT(distance(read.plan.field.outer.front(), plan.field.outer.front()), 1e-6);
+  EXPECT_TRUE(says(metadata("format_version", "10"), {"format_version"}, plan));
+  EXPECT_TRUE(says(metadata("headland.edge_passes", "[1,-2]"), {"headland.edge_passes"}, plan));
+  EXPECT_TRUE(says(metadata("settings.headland_edges", "many"), {"settings.headland_edges"}, plan));
+
+  io::write_plan(headland_plan(), file_);
+  EXPECT_TRUE(io::read_plan_file(file_).plan.headland.edge_passes.empty());
+  EXPECT_EQ(bytes_of(file_).find("edge_passes"), std::string::npos);
+}
+
 TEST_F(HeadlandsInFiles, come_back_to_the_bit) {
   const Plan plan = headland_plan();
   const io::PlanFile read = io::read_plan_file(file_);

@@ -15,8 +15,8 @@ int passes_round_field(const Plan& plan);
 /// The largest number along any edge.
 int passes_along_edges(const Plan& plan);
 
-/// The longest runs of edges with at least `number` passes; none where all edges have as many. Precondition: a
-/// number for each edge, or none at all.
+/// The longest runs of edges with at least `number` passes; none where all edges have as many. Precondition:
+/// a number for each edge, or none at all.
 std::vector<EdgeRun> edge_runs(const Plan& plan, int number);
 
 /// The land of the field beside a run, by its definition: left of it and nearer than `depth_m`, and beyond

@@ -12,7 +12,8 @@ namespace tramline::check {
 /// strips overlap.
 Region land_near(const Ring& ring, double distance_m);
 
-/// The same beside a line of two points or more, without fans about its ends; the strips and fans may overlap.
+/// The same beside a line of two points or more, without fans about its ends; the strips and fans may
+/// overlap.
 Region land_near_line(const std::vector<Point>& line, double distance_m);
 
 /// The region without the land that its edges pass over as they move inwards `distance_m`, and the region

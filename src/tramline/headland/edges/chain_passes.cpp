@@ -44,13 +44,14 @@ std::vector<Boundary> obstacles_near(const ChainToFollow& to_follow, const std::
 /// Marks the centre line that parts the end of a run from its beginning.
 constexpr std::size_t kNoBoundary = std::numeric_limits<std::size_t>::max();
 
-/// The centre lines along a run. Between the end of one that is not closed and its beginning lies one far away,
-/// too long to be left out.
+/// The centre lines along a run. Between the end of one that is not closed and its beginning lies one far
+/// away, too long to be left out.
 std::vector<CentreLine> centre_lines_of(const OffsetRun& run, double radius_m, double most_skipped_m) {
   constexpr double kFarAway_m = 1e6;
   std::vector<CentreLine> out = centre_lines_along({run.pieces}, radius_m);
   if (run.closed || out.empty()) return out;
-  const Point far{bounds(run.pieces.front().segment.from, run.pieces.back().segment.to).max_x + kFarAway_m, 0};
+  const Point far{bounds(run.pieces.front().segment.from, run.pieces.back().segment.to).max_x + kFarAway_m,
+                  0};
   out.back().straight_on = false;
   out.back().next = out.size();
   out.push_back({offset_line(far, far + Point{2 * most_skipped_m, 0}), kNoBoundary, 0, false});
@@ -86,7 +87,8 @@ Ring fence_at(const ChainEnd& end, const ChainScene& scene) {
 }
 
 std::vector<Ring> fences(const ChainScene& scene) {
-  return {fence_at(first_end(scene.to_follow.chain), scene), fence_at(last_end(scene.to_follow.chain), scene)};
+  return {fence_at(first_end(scene.to_follow.chain), scene),
+          fence_at(last_end(scene.to_follow.chain), scene)};
 }
 
 /// So far before the end of its chain a path is cut, to go straight on: behind it turns about the end.
@@ -98,7 +100,8 @@ std::vector<Path> stretches_beside(const Path& path, const ChainScene& scene) {
       {scene.boundaries.front().ring, 0.5 * scene.width_m() - kJustFits_m}};
   for (Ring& fence : fences(scene)) in_the_way.push_back({std::move(fence), kBeforeEnd_m});
   for (const Boundary& obstacle : scene.obstacles)
-    in_the_way.push_back({obstacle.ring, pass_distance_m(obstacle, scene.number, scene.width_m()) - kJustFits_m});
+    in_the_way.push_back(
+        {obstacle.ring, pass_distance_m(obstacle, scene.number, scene.width_m()) - kJustFits_m});
   return clear_stretches(path, in_the_way, 0.25 * scene.width_m());
 }
 

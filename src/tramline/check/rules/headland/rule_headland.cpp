@@ -52,8 +52,8 @@ std::string fault_of_edge_passes(const Plan& plan) {
                        plan.field.outer.size());
   if (passes_everywhere(passes) < 0) return "an edge has fewer headland passes than none";
   if (passes_anywhere(passes) == plan.settings.headlands) return "";
-  return fmt::format("no edge has more than {} headland passes, and {} were asked for", passes_anywhere(passes),
-                     plan.settings.headlands);
+  return fmt::format("no edge has more than {} headland passes, and {} were asked for",
+                     passes_anywhere(passes), plan.settings.headlands);
 }
 
 /// The largest number of passes among the boundaries that the pass names.

@@ -7,7 +7,6 @@
 
 #include "tramline/check/measure/bands.h"
 #include "tramline/check/measure/edge_runs.h"
-#include "tramline/check/measure/plan_facts.h"
 #include "tramline/check/measure/sound_path.h"
 #include "tramline/check/measure/swath_clearance.h"
 #include "tramline/check/rules/rules.h"
@@ -93,35 +92,30 @@ class PassCheck {
   }
 
   /// A pass along some edges of the field keeps its distance from one run of them, or from an obstacle it
-  /// names, and is not much farther off than a turn takes it. Near its ends it may go straight on towards the
-  /// next of these edges, where passes before do not get.
+  /// names. Near its ends it may go straight on towards the next of these edges, where passes before do not
+  /// get.
   void check_beside_edges() const {
-    const Machine& machine = c_.plan.machine;
-    const double distance_m = (pass_.number - 0.5) * machine.width_m;
-    const double farther_m = least_radius_m(machine) + machine.width_m;
     constexpr double kMostOfHalf = 0.45;
+    const double width_m = c_.plan.machine.width_m, distance_m = (pass_.number - 0.5) * width_m;
     const double ends_m =
-        is_closed(pass_) ? 0 : std::min(distance_m + farther_m, kMostOfHalf * length(pass_.path));
+        is_closed(pass_) ? 0 : std::min(2 * (pass_.number + 1) * width_m, kMostOfHalf * length(pass_.path));
     const Path middle = ends_m > 0 ? shortened(pass_.path, ends_m) : pass_.path;
     double nearer_m = std::numeric_limits<double>::infinity();
-    const auto follows = [&](double found_m) {
-      if (found_m > distance_m + farther_m) return false;
+    const auto keeps_off = [&](double found_m) {
       nearer_m = std::min(nearer_m, distance_m - found_m);
       return found_m >= distance_m - kLengthTolerance_m;
     };
     for (const EdgeRun& run : edge_runs(c_.plan, pass_.number))
-      if (follows(distance_from(run, middle))) return;
+      if (keeps_off(distance_from(run, middle))) return;
     for (const std::size_t k : pass_.obstacles) {
       EdgeRun round = c_.plan.field.obstacles[k].shape.outer;
       round.push_back(round.front());
-      if (follows(distance_from(round, middle))) return;
+      if (keeps_off(distance_from(round, middle))) return;
     }
-    const std::string what =
-        std::isfinite(nearer_m)
-            ? fmt::format("{} is number {} and comes {:.4f} m nearer to edges of the field than it may", name_,
-                          pass_.number, nearer_m)
-            : fmt::format("{} is number {} and follows no edges with so many passes", name_, pass_.number);
-    out_.push_back({Rule::kHeadland, what, pass_.path.front().from, 1});
+    out_.push_back({Rule::kHeadland,
+                    fmt::format("{} is number {} and comes {:.4f} m nearer to edges of the field than it may",
+                                name_, pass_.number, nearer_m),
+                    pass_.path.front().from, nearer_m});
   }
 
   void check_distance(const Approach& found, double kept_m, const std::string& of_what) const {

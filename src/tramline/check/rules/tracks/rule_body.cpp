@@ -34,7 +34,10 @@ Region given_to_headland(const Case& c, Region far) {
       for (const Point b : part.outer) extent_m = std::max(extent_m, distance(a, b));
     // Allowing for mitred corners, chords and the grid.
     constexpr double kShare = 1.03;
-    const bool wide = extent_m > kShare * long_m && !buffered({part}, -0.5 * kShare * width_m).empty();
+    const double strips = area(part) / (kShare * kShare * width_m * long_m);
+    if (strips < 2.0 / 3) return false;  // less than the narrower and longer strip
+    const bool wide =
+        strips > 1 && extent_m > kShare * long_m && !buffered({part}, -0.5 * kShare * width_m).empty();
     return wide || (extent_m > 2 * kShare * long_m && !buffered({part}, -kShare * width_m / 6).empty());
   });
   return far;
@@ -63,7 +66,8 @@ void check_body(const Case& c, Violations& out) {
     const Region far = difference(land, c.near_boundaries), given = given_to_headland(c, far);
     report_land(Rule::kBody, difference(difference(far, given), c.plan.body), tolerance_m2,
                 "the body lacks {:.3f} m² of the field less its obstacles and headlands", out);
-    report_land(Rule::kBody, difference(difference(c.plan.headland.ground, c.near_boundaries), given), tolerance_m2,
+    report_land(Rule::kBody, difference(difference(c.plan.headland.ground, c.near_boundaries), given),
+                tolerance_m2,
                 "{:.3f} m² of the headland are farther from boundaries than its passes are wide", out);
     check_parting(c, c.plan.headland.ground, "headland", land, out);
   }
