@@ -97,6 +97,7 @@ TEST(Turns, WithoutRoomAreReported) {
 // One pass of 3 m: a quarter turn needs 7.5 m, so there is no way off any track.
 TEST(Stops, AreWhereNoTurnFits) {
   PlanSettings settings;
+  settings.turns = TurnPlanning::kTurns;
   settings.headlands = 1;
   const Plan shallow = plan_field(rectangle(100, 60), {"", 3, 6}, {}, settings);
   EXPECT_EQ(shallow.tally.stops, 2 * shallow.tally.pieces);
@@ -109,6 +110,7 @@ TEST(Stops, AnObstacleWithAHeadlandDeepEnoughHasNone) {
   Field field = rectangle(200, 100);
   field.obstacles = {{{{{90, 40}, {110, 40}, {110, 60}, {90, 60}}, {}}, ObstacleKind::kObstacle, "pond"}};
   PlanSettings settings;
+  settings.turns = TurnPlanning::kTurns;
   settings.avoid = Avoidance::kCut;
   const Plan bare = plan_field(field, {"", 3, 6}, {}, settings);
   EXPECT_GT(bare.tally.stops, 0);
@@ -119,15 +121,15 @@ TEST(Stops, AnObstacleWithAHeadlandDeepEnoughHasNone) {
   EXPECT_TRUE(verdict.holds()) << verdict.violations.front().what;
 }
 
-// The land is cut 2 m before a wall right across it. Tracks end at the cut, nothing touches the wall, and yet
+// The land is cut 6 m before a wall right across it. Tracks end at the cut, nothing touches the wall, and yet
 // there is no room to turn.
 TEST(Stops, ASeamJustBeforeAnObstacleAbolishesNone) {
   Field field = rectangle(200, 60);
-  field.obstacles = {{{{{100, -1}, {110, -1}, {110, 61}, {100, 61}}, {}}, ObstacleKind::kObstacle, "wall"}};
-  field.obstacles[0].shape.outer = {{100, 0}, {110, 0}, {110, 60}, {100, 60}};
+  field.obstacles = {{{{{100, 0}, {110, 0}, {110, 60}, {100, 60}}, {}}, ObstacleKind::kObstacle, "wall"}};
   PlanSettings settings;
+  settings.turns = TurnPlanning::kTurns;
   settings.boundary = EdgeKind::kHard;
-  settings.given.subfields = {{{{{{0, 0}, {98, 0}, {98, 60}, {0, 60}}, {}}},
+  settings.given.subfields = {{{{{{0, 0}, {94, 0}, {94, 60}, {0, 60}}, {}}},
                                "west",
                                Direction::clockwise_from_north(Angle::degrees(90)),
                                {}}};
@@ -136,7 +138,7 @@ TEST(Stops, ASeamJustBeforeAnObstacleAbolishesNone) {
   for (const TrackPiece& piece : plan.pieces)
     for (const auto& [end, stop] :
          {std::pair(piece.start, piece.stop_at_start), std::pair(piece.end, piece.stop_at_end)}) {
-      if (std::abs(end.x - 98) > 0.5) continue;
+      if (std::abs(end.x - 94) > 0.5) continue;
       ++ends_at_seam;
       EXPECT_TRUE(stop) << "at " << end.y;
     }
@@ -172,7 +174,7 @@ class TurnAttack : public testing::Test {
 };
 
 TEST_F(TurnAttack, AStretchMovedIsFound) {
-  expect_found([](Plan& plan) { stretch(plan, 1).start.at.x += 0.1; }, check::Rule::kTurns);
+  expect_found([](Plan& plan) { stretch(plan, 0).start.at.x += 0.1; }, check::Rule::kTurns);
 }
 
 TEST_F(TurnAttack, ATurnToAnotherTrackIsFound) {
@@ -215,6 +217,7 @@ TEST_F(TurnAttack, AStopThatIsNoneIsFound) {
 
 TEST_F(TurnAttack, AStopConcealedIsFound) {
   PlanSettings settings;
+  settings.turns = TurnPlanning::kTurns;
   settings.headlands = 1;
   Plan plan = plan_field(rectangle(100, 60), {"", 3, 6}, {}, settings);
   plan.pieces[0].stop_at_start = false;

@@ -227,7 +227,7 @@ struct Plan {
   std::vector<PlannedTurn> turns;     ///< where settings.turns asks for them, by piece
   std::vector<Encounter> encounters;  ///< by subfield, track and position along it
   PlanFigures figures = PlanFigures::kTracksAndPasses;
-  StopRule stop_rule = StopRule::kNoWayOff;
+  StopRule stop_rule = StopRule::kTouching;
   /// Areas: of all swaths and headland passes compared with the land, which is body and headland. Counts and
   /// track length: of the tracks alone. Σ width · length of both = area of the land − uncovered + overlap.
   Tally tally;

@@ -91,13 +91,12 @@ Plan bare_plan(const SearchTask& task) {
 
 Plan finished_plan(const SearchTask& task, SearchResult found, const SearchContext& context) {
   require_tracks(task, found.best.avoided.tally);
-  settle_stops(task, found.best);
   Plan plan = bare_plan(task);
   Driven driven = driven_tracks(task, found.best);
   plan.pieces = std::move(driven.pieces);
   plan.dropped = dropped_pieces(found.best);
-  if (plan.settings.turns == TurnPlanning::kTurns)
-    plan.turns = planned_turns(task.turning_land, plan.machine, plan.pieces, plan.settings.towing_error_m);
+  Tally tally = found.best.avoided.tally;
+  if (plan.settings.turns == TurnPlanning::kTurns) tally.stops = plan_turns(task.turning_land, plan);
   context.report();
   settle_overlaps(plan, found.best.subfields);
   context.report();
@@ -106,7 +105,7 @@ Plan finished_plan(const SearchTask& task, SearchResult found, const SearchConte
   plan.subfields = found.best.subfields;
   TrackGround ground = track_ground(plan, found.best);
   if (task.given.parts.empty()) add_guide(task, plan.subfields);
-  set_figures(plan, found.best.avoided.tally);
+  set_figures(plan, tally);
   context.report();
   plan.directions_tried = found.directions_tried;
   plan.proof = whole_proof(task, found, plan);

@@ -8,7 +8,6 @@
 #include "tramline/decomposition/decompose.h"
 #include "tramline/planner/candidate/parallel_tracks.h"
 #include "tramline/planner/candidate/turned_ground.h"
-#include "tramline/planner/turning/stops.h"
 #include "tramline/tracks/end_rule.h"
 #include "tramline/tracks/strip_origin.h"
 
@@ -78,16 +77,7 @@ Outlook outlook_on(const SearchTask& task, const std::vector<LinedSubfield>& lin
 Candidate candidate_on(const SearchTask& task, const std::vector<LinedSubfield>& lined_subfields) {
   Candidate out = laid_on(task, lined_subfields);
   out.avoided = choose_detours(avoidance_task(task, out));
-  settle_stops(task, out);
   return out;
-}
-
-void settle_stops(const SearchTask& task, Candidate& candidate) {
-  Avoided& avoided = candidate.avoided;
-  avoided.tally.stops = 0;
-  for (LaidTracks& tracks : avoided.tracks)
-    avoided.tally.stops += mark_stops(task.turning_land, task.machine, tracks);
-  avoided.cost = cost(task.objective, avoided.tally);
 }
 
 std::vector<LinedSubfield> lined_subfields_of(const Candidate& candidate) {

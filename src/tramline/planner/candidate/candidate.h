@@ -44,10 +44,6 @@ Outlook outlook_on(const SearchTask& task, const std::vector<LinedSubfield>& lin
 /// The candidate with tracks on the given lines, with ways past the obstacles chosen, and tallied. Pure.
 Candidate candidate_on(const SearchTask& task, const std::vector<LinedSubfield>& lined_subfields);
 
-/// Counts as stops the ends from which no turn leads away (mark_stops()), and the cost with them. The choice
-/// of ways past the obstacles counts the ends that touch something hard.
-void settle_stops(const SearchTask& task, Candidate& candidate);
-
 /// Versleijen §2.2.5: decompose, merge, lay tracks. Pure; safe to call from several threads, as are all
 /// functions here.
 std::vector<LinedSubfield> swept(const SearchTask& task, Direction sweep);

@@ -36,10 +36,8 @@ bool costs_less(double divided, double whole) {
 
 std::optional<Candidate> along_best_edge(const SearchTask& task, const SearchContext& context) {
   if (task.settings.tracks == TrackConstruction::kPaper) return zhou_plan_along_best(task, context);
-  std::optional<BestCurve> best = best_curved(task, context);
-  if (!best) return std::nullopt;
-  settle_stops(task, best->candidate);
-  return std::move(best->candidate);
+  if (std::optional<BestCurve> best = best_curved(task, context)) return std::move(best->candidate);
+  return std::nullopt;
 }
 
 std::optional<Candidate> curved_search(const SearchTask& task, const SearchContext& context) {

@@ -147,8 +147,8 @@ class HeadlandsForTurns {
     out.settings = task.settings;
     out.pieces = driven_tracks(task, candidate).pieces;
     out.tally = whole_tally_of(task, candidate);
+    out.tally.stops = plan_turns(task.turning_land, out);
     out.cost = cost(task.objective, out.tally);
-    out.turns = planned_turns(task.turning_land, task.machine, out.pieces, task.settings.towing_error_m);
     return out;
   }
 

@@ -207,7 +207,6 @@ PricedLines price_lines(const Field& field, const Machine& machine, const Object
   PricedLines out;
   Plan& plan = out.plan;
   plan.origin = PlanOrigin::kLines;
-  plan.stop_rule = StopRule::kTouching;
   plan.field = field;
   plan.machine = machine;
   plan.objective = objective;

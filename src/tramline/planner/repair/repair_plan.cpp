@@ -119,7 +119,6 @@ Plan bare_plan(const Field& field, const std::vector<std::size_t>& worked_gaps, 
   plan.settings.boundary = EdgeKind::kHard;
   plan.settings.avoid = Avoidance::kCut;
   plan.kind = PlanKind::kRepair;
-  plan.stop_rule = StopRule::kTouching;
   for (const std::size_t i : worked_gaps) plan.body.push_back(ground.gap(i));
   plan.body = unite(plan.body);
   plan.worked = difference(ground.free(), plan.body);

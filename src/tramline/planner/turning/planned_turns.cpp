@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "tramline/planner/turning/stops.h"
 #include "tramline/turns/manoeuvres/manoeuvre_choice.h"
 #include "tramline/turns/manoeuvres/reach.h"
 #include "tramline/turns/outline/run_in.h"
@@ -167,6 +168,12 @@ std::vector<PlannedTurn> planned_turns(const AllowedLand& land, const Machine& m
     out.back().after = i;
   }
   return out;
+}
+
+int plan_turns(const AllowedLand& land, Plan& plan) {
+  plan.turns = planned_turns(land, plan.machine, plan.pieces, plan.settings.towing_error_m);
+  plan.stop_rule = StopRule::kNoWayOff;
+  return mark_stops(land, plan.machine, plan.pieces);
 }
 
 }  // namespace tramline

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tramline/model/manoeuvre.h"
+#include "tramline/model/plan.h"
 #include "tramline/model/track.h"
 #include "tramline/turns/room/allowed_land.h"
 
@@ -40,5 +41,9 @@ std::vector<HopWay> manoeuvres_over(const Hop& hop, const Machine& machine, cons
 /// pieces, times the manoeuvres of a machine and the room test.
 std::vector<PlannedTurn> planned_turns(const AllowedLand& land, const Machine& machine,
                                        const std::vector<TrackPiece>& pieces, double towing_error_m);
+
+/// Fills in the turns of a plan with pieces, and marks as stops the ends without a way off (mark_stops()).
+/// Returns the number of stops.
+int plan_turns(const AllowedLand& land, Plan& plan);
 
 }  // namespace tramline

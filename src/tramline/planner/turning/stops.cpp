@@ -26,31 +26,7 @@ WayOut out_of_end(const TrackPiece& piece) {
   return {piece.end, direction_at_end(piece.curve.back())};
 }
 
-/// The line of a piece in the field's frame, without detours for a straight one.
-TrackPiece on_field(const LaidPiece& piece, const StripGrid& grid) {
-  const auto to_field = [&grid](Point p) { return grid.frame.to_field(p); };
-  TrackPiece out;
-  out.curve = moved(piece.path, to_field);
-  const double across = grid.centre(piece.track);
-  out.start = out.curve.empty() ? to_field({across, piece.from}) : out.curve.front().from;
-  out.end = out.curve.empty() ? to_field({across, piece.to}) : out.curve.back().to;
-  return out;
-}
-
 }  // namespace
-
-int mark_stops(const AllowedLand& land, const Machine& machine, LaidTracks& tracks) {
-  int stops = 0;
-  for (std::size_t i = 0; i < tracks.pieces.size(); ++i) {
-    LaidPiece& piece = tracks.pieces[i];
-    const bool crosses_next = i + 1 < tracks.pieces.size() && tracks.pieces[i + 1].after_crossing;
-    const TrackPiece line = on_field(piece, tracks.grid);
-    piece.stop_at_from = !piece.after_crossing && is_stop(land, machine, out_of_start(line));
-    piece.stop_at_to = !crosses_next && is_stop(land, machine, out_of_end(line));
-    stops += (piece.stop_at_from ? 1 : 0) + (piece.stop_at_to ? 1 : 0);
-  }
-  return stops;
-}
 
 int mark_stops(const AllowedLand& land, const Machine& machine, std::vector<TrackPiece>& pieces) {
   int stops = 0;
