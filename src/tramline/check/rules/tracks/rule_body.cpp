@@ -42,15 +42,17 @@ bool has_room(const Polygon& part, double width_m, double long_m) {
 }
 
 /// With headlands along some edges: the parts of the land far from them that are too small for a track, and
-/// hang together with the body nowhere.
+/// hang together with the rest of it nowhere.
 Region given_to_headland(const Case& c, const Region& far) {
   if (c.plan.headland.edge_passes.empty()) return {};
   constexpr double kNeck = 0.5;  // widths
   const double width_m = c.plan.machine.width_m;
   const double long_m = std::max(min_length_m(c.plan.machine), 2 * width_m);
   Region out = difference(far, c.plan.body);
+  // Headland left to tracks may lie beside such parts.
+  const Region rest = intersection(far, c.plan.body);
   std::erase_if(out, [&](const Polygon& part) {
-    return has_room(part, width_m, long_m) || common_border_m(part, c.plan.body) > kNeck * width_m;
+    return has_room(part, width_m, long_m) || common_border_m(part, rest) > kNeck * width_m;
   });
   return out;
 }
