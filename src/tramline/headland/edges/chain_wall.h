@@ -19,7 +19,7 @@ struct OffsetRun {
 };
 
 /// The runs of the room's offset lines beside the chain: without what lies behind its wall and about its
-/// ends. Precondition: the room is room_beside() the chain. O(n·m) for n pieces and m edges.
+/// ends. The room is that of room_beside() the chain. O(n·m) for n pieces and m edges.
 std::vector<OffsetRun> offset_runs(const TurningRoom& room, const EdgeChain& chain);
 
 }  // namespace tramline

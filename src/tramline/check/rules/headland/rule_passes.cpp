@@ -7,6 +7,7 @@
 
 #include "tramline/check/measure/bands.h"
 #include "tramline/check/measure/edge_runs.h"
+#include "tramline/check/measure/plan_facts.h"
 #include "tramline/check/measure/sound_path.h"
 #include "tramline/check/measure/swath_clearance.h"
 #include "tramline/check/rules/rules.h"
@@ -101,7 +102,9 @@ class PassCheck {
         is_closed(pass_) ? 0 : std::min(2 * (pass_.number + 1) * width_m, kMostOfHalf * length(pass_.path));
     const Path middle = ends_m > 0 ? shortened(pass_.path, ends_m) : pass_.path;
     double nearer_m = std::numeric_limits<double>::infinity();
+    const double beside_m = distance_m + least_radius_m(c_.plan.machine) + width_m;
     const auto keeps_off = [&](double found_m) {
+      if (found_m > beside_m) return false;  // it follows another one
       nearer_m = std::min(nearer_m, distance_m - found_m);
       return found_m >= distance_m - kLengthTolerance_m;
     };
@@ -112,6 +115,7 @@ class PassCheck {
       round.push_back(round.front());
       if (keeps_off(distance_from(round, middle))) return;
     }
+    if (!std::isfinite(nearer_m)) return;
     out_.push_back({Rule::kHeadland,
                     fmt::format("{} is number {} and comes {:.4f} m nearer to edges of the field than it may",
                                 name_, pass_.number, nearer_m),

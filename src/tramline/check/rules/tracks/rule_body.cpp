@@ -21,26 +21,40 @@ void check_parting(const Case& c, const Region& ground, const std::string& name,
               "body and " + name + " together differ from the field less its obstacles by {:.3f} m²", out);
 }
 
-/// With headlands along some edges: the parts of the land far from them that are too small for a track and no
-/// part of the body.
-Region given_to_headland(const Case& c, Region far) {
+/// Length of the border that a part has in common with the body, m, about.
+double common_border_m(const Polygon& part, const Region& body) {
+  constexpr double kReach_m = 0.01;
+  return area(intersection(buffered({part}, kReach_m), body)) / kReach_m;
+}
+
+bool has_room(const Polygon& part, double width_m, double long_m) {
+  // Allowing for mitred corners, chords and the grid.
+  constexpr double kShare = 1.03, kNarrow = 1.0 / 3;
+  double extent_m = 0;
+  for (const Point a : part.outer)
+    for (const Point b : part.outer) extent_m = std::max(extent_m, distance(a, b));
+  const double strips = area(part) / (kShare * kShare * width_m * long_m);
+  const auto holds = [&](double strip_m, double length_m) {
+    return extent_m > kShare * length_m && !buffered({part}, -0.5 * kShare * strip_m).empty();
+  };
+  return (strips > 1 && holds(width_m, long_m)) ||
+         (strips > 2 * kNarrow && holds(kNarrow * width_m, 2 * long_m));
+}
+
+/// With headlands along some edges: the parts of the land far from them that are too small for a track, and
+/// hang together with the rest of it nowhere.
+Region given_to_headland(const Case& c, const Region& far) {
   if (c.plan.headland.edge_passes.empty()) return {};
+  constexpr double kNeck = 0.5;  // widths
   const double width_m = c.plan.machine.width_m;
   const double long_m = std::max(min_length_m(c.plan.machine), 2 * width_m);
-  std::erase_if(far, [&](const Polygon& part) {
-    if (area(intersection({part}, c.plan.body)) > c.area_tolerance_m2) return true;
-    double extent_m = 0;
-    for (const Point a : part.outer)
-      for (const Point b : part.outer) extent_m = std::max(extent_m, distance(a, b));
-    // Allowing for mitred corners, chords and the grid.
-    constexpr double kShare = 1.03;
-    const double strips = area(part) / (kShare * kShare * width_m * long_m);
-    if (strips < 2.0 / 3) return false;  // less than the narrower and longer strip
-    const bool wide =
-        strips > 1 && extent_m > kShare * long_m && !buffered({part}, -0.5 * kShare * width_m).empty();
-    return wide || (extent_m > 2 * kShare * long_m && !buffered({part}, -kShare * width_m / 6).empty());
+  Region out = difference(far, c.plan.body);
+  // Headland left to tracks may lie beside such parts.
+  const Region rest = intersection(far, c.plan.body);
+  std::erase_if(out, [&](const Polygon& part) {
+    return has_room(part, width_m, long_m) || common_border_m(part, rest) > kNeck * width_m;
   });
-  return far;
+  return out;
 }
 
 }  // namespace
