@@ -8,7 +8,7 @@
 
 namespace tramline::app {
 
-/// The key `planned_turns` (docs/json.md). Precondition: turns were planned.
+/// The key `planned_turns` (docs/json.md). All 0 where none were planned.
 nlohmann::ordered_json planned_turns_json(const Plan& plan);
 
 /// Rows of the summary; "" where no turns were planned.

@@ -80,6 +80,15 @@ Candidate candidate_on(const SearchTask& task, const std::vector<LinedSubfield>&
   return out;
 }
 
+double cost_by_rule(const SearchTask& task, const std::vector<LinedSubfield>& lined_subfields) {
+  const Candidate laid = laid_on(task, lined_subfields);
+  PlanSettings settings = task.settings;
+  settings.avoid = Avoidance::kPaper;
+  return choose_detours({task.field, task.ground, task.machine, task.objective, settings, laid.subfields,
+                         laid.families, task.body_m2})
+      .cost;
+}
+
 std::vector<LinedSubfield> lined_subfields_of(const Candidate& candidate) {
   std::vector<LinedSubfield> out;
   for (std::size_t i = 0; i < candidate.subfields.size(); ++i)

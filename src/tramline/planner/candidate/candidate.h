@@ -44,6 +44,9 @@ Outlook outlook_on(const SearchTask& task, const std::vector<LinedSubfield>& lin
 /// The candidate with tracks on the given lines, with ways past the obstacles chosen, and tallied. Pure.
 Candidate candidate_on(const SearchTask& task, const std::vector<LinedSubfield>& lined_subfields);
 
+/// The cost with Versleijen's one construction at obstacles as it is printed, whatever the settings say.
+double cost_by_rule(const SearchTask& task, const std::vector<LinedSubfield>& lined_subfields);
+
 /// Versleijen §2.2.5: decompose, merge, lay tracks. Pure; safe to call from several threads, as are all
 /// functions here.
 std::vector<LinedSubfield> swept(const SearchTask& task, Direction sweep);

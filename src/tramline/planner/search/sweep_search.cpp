@@ -39,19 +39,40 @@ SweptCandidate swept_ground(const SearchTask& task, Direction sweep) {
   return out;
 }
 
-/// The best outlook first. The candidate that is cheapest with all tracks cut is always among those tried:
-/// otherwise a search for ways past obstacles could end in a more expensive plan than no search.
+/// The best outlook first.
 std::vector<std::size_t> by_outlook(const std::vector<SweptCandidate>& swept) {
   std::vector<std::size_t> out(swept.size());
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = i;
   std::stable_sort(out.begin(), out.end(), [&swept](std::size_t a, std::size_t b) {
     return swept[a].outlook.least < swept[b].outlook.least;
   });
-  const auto least_cut = std::min_element(out.begin(), out.end(), [&swept](std::size_t a, std::size_t b) {
-    return swept[a].outlook.cut < swept[b].outlook.cut;
-  });
-  if (least_cut - out.begin() >= static_cast<std::ptrdiff_t>(kMostTried))
-    std::rotate(out.begin() + kMostTried - 1, least_cut, least_cut + 1);
+  return out;
+}
+
+/// Puts the candidate of the least cost among the first ones, at the given rank, where it is behind it.
+template <class Cost>
+void bring_forward(std::vector<std::size_t>& order, std::size_t rank, const Cost& cost_of) {
+  if (order.size() <= rank) return;
+  std::vector<double> costs(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) costs[i] = cost_of(order[i]);
+  const auto least = order.begin() + (std::min_element(costs.begin(), costs.end()) - costs.begin());
+  const auto place = order.begin() + static_cast<std::ptrdiff_t>(rank);
+  if (least > place) std::rotate(place, least, least + 1);
+}
+
+/// The candidates that are cheapest with all tracks cut and by the one rule of Versleijen are always among
+/// those tried: otherwise a search for ways past obstacles could end in a dearer plan than no search.
+std::vector<std::size_t> order_of_trial(const SearchTask& task, const std::vector<SweptCandidate>& swept,
+                                        double known) {
+  constexpr std::size_t kBroughtForward = 2;
+  std::vector<std::size_t> out = by_outlook(swept);
+  bring_forward(out, kMostTried - kBroughtForward, [&](std::size_t i) { return swept[i].outlook.cut; });
+  const bool meets_some = task.settings.avoid == Avoidance::kCheapest && !task.ground.hazards.empty();
+  if (meets_some && swept.size() > kMostTried)
+    bring_forward(out, kMostTried - kBroughtForward, [&](std::size_t i) {
+      return swept[i].outlook.least <= known ? cost_by_rule(task, swept[i].lined_subfields)
+                                             : std::numeric_limits<double>::infinity();
+    });
   return out;
 }
 
@@ -80,7 +101,7 @@ std::vector<SweptCandidate> swept_candidates(const SearchTask& task, const Searc
 
 std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vector<SweptCandidate>& swept,
                                         double known, const SearchContext& context) {
-  const std::vector<std::size_t> order = by_outlook(swept);
+  const std::vector<std::size_t> order = order_of_trial(task, swept, known);
   const std::size_t most = most_tried(task, swept);
   std::optional<Candidate> best;
   std::size_t best_index = 0;
@@ -90,8 +111,8 @@ std::optional<Candidate> cheapest_swept(const SearchTask& task, const std::vecto
       return rank < order.size() && swept[order[rank]].outlook.least <= known;
     };
     std::vector<std::size_t> batch;
-    for (std::size_t rank = first; rank < first + kAtOnce && hopeful(rank); ++rank)
-      batch.push_back(order[rank]);
+    for (std::size_t rank = first; rank < first + kAtOnce; ++rank)
+      if (hopeful(rank)) batch.push_back(order[rank]);
     if (batch.empty() || (any_works && context.has_to_end())) break;
     std::vector<Candidate> candidates(batch.size());
     for_each_index(batch.size(), context, [&](std::size_t i) {
