@@ -1,3 +1,5 @@
+#include <iterator>
+
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/headland/headland.h"
@@ -7,14 +9,24 @@
 namespace tramline {
 namespace {
 
-/// The ground that the pass leaves. Bands whose inner edge shrinks to points may fold there by rounding,
-/// which the polygon engine does not always accept; slightly narrower ones do not fold.
-Region unworked_by(const HeadlandPass& pass, double width_m, const Region& ground) {
+/// The land that all passes work.
+Region worked_by_passes(const Headland& headland, double width_m) {
+  Region parts;
+  for (const HeadlandPass& pass : headland.passes) {
+    Region of_pass = pass_ground_parts(pass.path, width_m, kBodySagitta);
+    parts.insert(parts.end(), std::make_move_iterator(of_pass.begin()),
+                 std::make_move_iterator(of_pass.end()));
+  }
+  return unite(parts);
+}
+
+/// Bands whose inner edge shrinks to points may fold there by rounding, which the polygon engine does not
+/// always accept; slightly narrower ones do not fold.
+Region without_passes(const Headland& headland, double width_m) {
   constexpr int kTries = 4;
   for (int i = 0;; ++i) {
     try {
-      return difference(
-          ground, unite(pass_ground_parts(pass.path, width_m - i * 0.25 * kLayerSagitta, kBodySagitta)));
+      return difference(headland.ground, worked_by_passes(headland, width_m - i * 0.25 * kLayerSagitta));
     } catch (const Error& error) {
       if (i == kTries || error.kind() != ErrorKind::kFailure) throw;
     }
@@ -24,8 +36,8 @@ Region unworked_by(const HeadlandPass& pass, double width_m, const Region& groun
 }  // namespace
 
 Region unworked_ground(const Headland& headland, double width_m) {
-  Region out = headland.ground;
-  for (const HeadlandPass& pass : headland.passes) out = unworked_by(pass, width_m, out);
+  if (headland.passes.empty()) return headland.ground;
+  Region out = without_passes(headland, width_m);
   std::erase_if(out, [](const Polygon& part) { return area(part) < kBandsMeet_m2; });
   return out;
 }

@@ -177,7 +177,7 @@ Plan layout_for_turns(PlanningProblem problem, const SearchContext& context) {
   if (settings.headland_rule == HeadlandRule::kTurns) settings.headlands = 0;
   if (settings.obstacle_headland_rule == HeadlandRule::kTurns) settings.obstacle_headlands = 0;
   settings.headland_rule = settings.obstacle_headland_rule = HeadlandRule::kPasses;
-  return searched(problem, context, Explain::kNo).plan;
+  return searched(problem, context.for_layout(), Explain::kNo).plan;
 }
 
 ExplainedPlan planned(const PlanningProblem& problem, const SearchContext& context, Explain explain) {

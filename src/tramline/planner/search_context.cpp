@@ -78,6 +78,12 @@ SearchContext SearchContext::uncounted() const {
   return out;
 }
 
+SearchContext SearchContext::for_layout() const {
+  SearchContext out = *this;
+  out.layout_only_ = true;
+  return out;
+}
+
 void SearchContext::count(int done, int total) const {
   if (shared_ && counts_) shared_->count(done, total);
 }

@@ -9,7 +9,7 @@ namespace tramline {
 
 /// Passed down to everything that takes long. Copies belong to the same search: they share its progress and
 /// the request to end it. Safe to use from several threads at once. It does not change what a search finds,
-/// unless the progress callback ends the search.
+/// unless the progress callback ends the search, but how much of the plan is filled in (for_layout()).
 class SearchContext {
  public:
   /// `threads` 0: as many as there are cores. Without a progress callback the search runs to its end.
@@ -21,6 +21,11 @@ class SearchContext {
   SearchContext on_one_thread() const;
   /// A context for a search within the search, whose steps are not reported to the callback.
   SearchContext uncounted() const;
+
+  /// A context for a search of whose plan only subfields and pieces are needed: it is not finished with
+  /// overlaps, encounters, figures, a bound and layers.
+  SearchContext for_layout() const;
+  bool wants_layout_only() const { return layout_only_; }
 
   /// Sets how many of all steps are done and calls the callback at once.
   void count(int done, int total) const;
@@ -38,6 +43,7 @@ class SearchContext {
   class SharedProgress;
   int threads_;
   bool counts_ = true;
+  bool layout_only_ = false;
   std::shared_ptr<SharedProgress> shared_;  ///< null: there is no callback
 };
 

@@ -94,6 +94,12 @@ Plan finished_plan(const SearchTask& task, SearchResult found, const SearchConte
   Plan plan = bare_plan(task);
   Driven driven = driven_tracks(task, found.best);
   plan.pieces = std::move(driven.pieces);
+  plan.directions_tried = found.directions_tried;
+  if (context.wants_layout_only()) {
+    plan.subfields = std::move(found.best.subfields);
+    if (task.given.parts.empty()) add_guide(task, plan.subfields);
+    return plan;
+  }
   plan.dropped = dropped_pieces(found.best);
   Tally tally = found.best.avoided.tally;
   if (plan.settings.turns == TurnPlanning::kTurns) tally.stops = plan_turns(task.turning_land, plan);
@@ -107,7 +113,6 @@ Plan finished_plan(const SearchTask& task, SearchResult found, const SearchConte
   if (task.given.parts.empty()) add_guide(task, plan.subfields);
   set_figures(plan, tally);
   context.report();
-  plan.directions_tried = found.directions_tried;
   plan.proof = whole_proof(task, found, plan);
   context.report();
   add_layers(plan, std::move(ground));

@@ -1,22 +1,28 @@
 #include "tramline/planner/headland_choice/headlands_for_turns.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "tramline/planner/assembly/driven_tracks.h"
 #include "tramline/planner/assembly/finished_plan.h"
 #include "tramline/planner/assembly/whole_figures.h"
+#include "tramline/planner/for_each_index.h"
 #include "tramline/planner/headland_choice/needed_passes.h"
 #include "tramline/planner/headland_choice/relaid.h"
+#include "tramline/planner/headland_choice/shortened_tracks.h"
 #include "tramline/planner/prepare_field.h"
 #include "tramline/planner/turning/planned_turns.h"
+#include "tramline/planner/turning/turning_land.h"
 
 namespace tramline {
 namespace {
 
-/// So many times passes are added where turns lack room. Each time the ends of tracks move a little.
-constexpr int kMostRounds = 6;
+/// So many times passes are added where turns are foreseen to lack room. Each time the ends of tracks move.
+constexpr int kMostForeseen = 8;
+/// So many times they are added where turns lack room between tracks laid anew: their offset has changed.
+constexpr int kMostRounds = 2;
 /// Passes beyond those that the deepest turn of the layout needs: round corners turns reach deeper.
 constexpr int kMorePasses = 2;
 
@@ -67,17 +73,68 @@ class HeadlandsForTurns {
   Plan run() {
     const PassesByBoundary first = as_set(needed_passes(layout_));
     most_passes_ = deepest(first) + kMorePasses;
-    std::optional<Tried> best = improved(first);
+    std::optional<Tried> best = cheapest_of(ways_round(foreseen(first)));
     // A field too small for all of them gets as many as leave room for tracks.
     for (int most = deepest(first) - 1; !best && most >= 0; --most)
       best = improved(no_more_than(first, most));
     if (!best) throw no_room(problem_);
-    if (problem_.settings.headland_rule == HeadlandRule::kTurns) go_all_round(*best);
     if (problem_.settings.obstacle_headland_rule == HeadlandRule::kTurns) leave_out_obstacles(*best);
     return finished_plan(SearchTask(best->problem, best->prepared), std::move(best->found), context_);
   }
 
  private:
+  /// Passes where turns need them, and these with a pass along the bare edges too: that costs less where much
+  /// land would be left beside tracks that end inside.
+  std::vector<PassesByBoundary> ways_round(PassesByBoundary passes) const {
+    std::vector<PassesByBoundary> out{std::move(passes)};
+    if (problem_.settings.headland_rule != HeadlandRule::kTurns) return out;
+    PassesByBoundary all_round = out.front();
+    for (int& n : all_round.edges) n = std::max(n, 1);
+    if (all_round != out.front()) out.push_back(std::move(all_round));
+    return out;
+  }
+
+  /// Each improved(); the cheapest of them, the first among equals.
+  std::optional<Tried> cheapest_of(const std::vector<PassesByBoundary>& ways) const {
+    std::vector<std::optional<Tried>> tried(ways.size());
+    for_each_index(ways.size(), context_, [&](std::size_t i) { tried[i] = improved(ways[i]); });
+    std::optional<Tried> best;
+    for (std::optional<Tried>& one : tried)
+      if (one && (!best || whole_price(one->plan) < whole_price(best->plan))) best = std::move(one);
+    return best;
+  }
+
+  /// The passes with which most turns find room between the tracks of the layout, cut back as the passes
+  /// leave them. Of equals the fewest passes.
+  PassesByBoundary foreseen(PassesByBoundary passes) const {
+    if (!any(passes)) return passes;
+    const AllowedLand land(turning_land(problem_with(passes)));
+    Plan plan = layout_;
+    PassesByBoundary best = passes;
+    int fewest = std::numeric_limits<int>::max();
+    for (int round = 0; round < kMostForeseen; ++round) {
+      context_.report();
+      plan.pieces = shortened_tracks(layout_, passes);
+      const int stops = plan_turns(land, plan), without = turns_without_room(plan) + stops;
+      if (plan.pieces.empty()) return best;
+      if (without < fewest) {
+        fewest = without;
+        best = passes;
+      }
+      if (without == 0) return best;
+      const PassesByBoundary more = as_set(sum(passes, lacking_passes(plan, land)));
+      if (more == passes) return best;
+      passes = more;
+    }
+    return best;
+  }
+
+  PlanningProblem problem_with(const PassesByBoundary& passes) const {
+    PlanSettings settings = problem_.settings;
+    settings.headland_edges = passes.edges;
+    return planning_problem(problem_.field, problem_.machine, problem_.objective, settings);
+  }
+
   /// What the settings decide instead of the turns.
   PassesByBoundary as_set(PassesByBoundary passes) const {
     const PlanSettings& settings = problem_.settings;
@@ -97,7 +154,7 @@ class HeadlandsForTurns {
   }
 
   /// The best plan of a few rounds, each with the passes added that the one before lacked.
-  std::optional<Tried> improved(PassesByBoundary passes) {
+  std::optional<Tried> improved(PassesByBoundary passes) const {
     std::optional<Tried> best;
     for (int round = 0; round < kMostRounds; ++round) {
       context_.report();
@@ -123,11 +180,8 @@ class HeadlandsForTurns {
   }
 
   /// nullopt where no track is left.
-  std::optional<Tried> tried_with(const PassesByBoundary& passes) {
-    PlanSettings settings = problem_.settings;
-    settings.headland_edges = passes.edges;
-    PlanningProblem problem =
-        planning_problem(problem_.field, problem_.machine, problem_.objective, settings);
+  std::optional<Tried> tried_with(const PassesByBoundary& passes) const {
+    PlanningProblem problem = problem_with(passes);
     std::optional<PreparedField> prepared = field_behind(problem, passes.obstacles);
     if (!prepared || area(prepared->ground.plannable) == 0) return std::nullopt;
     SearchResult found = relaid(problem, *prepared, layout_.subfields, context_.uncounted());
@@ -150,15 +204,6 @@ class HeadlandsForTurns {
     out.tally.stops = plan_turns(task.turning_land, out);
     out.cost = cost(task.objective, out.tally);
     return out;
-  }
-
-  /// A pass along the bare edges where that costs less than the land left beside tracks that end inside them.
-  void go_all_round(Tried& best) {
-    PassesByBoundary more = best.passes;
-    for (int& n : more.edges) n = std::max(n, 1);
-    if (more == best.passes) return;
-    std::optional<Tried> round = tried_with(more);
-    if (round && whole_price(round->plan) < whole_price(best.plan)) best = std::move(*round);
   }
 
   /// Obstacles lose their headland one by one where that costs less, the first ones first.
