@@ -5,13 +5,11 @@
 #include <limits>
 #include <optional>
 
-#include "tramline/geometry/polygon/boolean.h"
-#include "tramline/geometry/polygon/interior_point.h"
 #include "tramline/planner/headland_choice/boundary_ahead.h"
 #include "tramline/planner/turning/planned_turns.h"
 #include "tramline/turns/outline/outline.h"
-#include "tramline/turns/outline/swept_outline.h"
 #include "tramline/turns/outline/swept_reach.h"
+#include "tramline/turns/room/places_off.h"
 #include "tramline/turns/turn_off.h"
 
 namespace tramline {
@@ -206,6 +204,9 @@ int& nearest_to(const Field& field, Point p, PassesByBoundary& passes) {
   return *nearest;
 }
 
+/// Places of the outline that are looked at, by width of the machine.
+constexpr double kStepsAWidth = 4;
+
 /// Where turns leave the land, and how many passes more that takes.
 class Lacking {
  public:
@@ -241,13 +242,10 @@ class Lacking {
 
   void add(const SteeredPath& path) {
     if (path.empty()) return;
-    constexpr double kSagitta_m = 0.05;
-    const double missing_m = land_.missing_m(path, outline_);
-    const int passes = passes_for(missing_m, plan_.machine.width_m);
+    const int passes = passes_for(land_.missing_m(path, outline_), plan_.machine.width_m);
     if (passes == 0) return;
-    for (const Polygon& off : difference(swept_outline(path, outline_, kSagitta_m), land_.land())) {
-      const Point middle = interior_point(off);
-      int& more = nearest_to(plan_.field, middle, more_);
+    for (const Point& off : places_off(land_.edges(), path, outline_, plan_.machine.width_m / kStepsAWidth)) {
+      int& more = nearest_to(plan_.field, off, more_);
       more = std::max(more, passes);
     }
   }

@@ -32,6 +32,8 @@ class AllowedLand {
 
   /// The land as given, oriented.
   const Region& land() const { return land_; }
+  /// Its edges, moved outwards by kTouchesEdge_m.
+  const LandEdges& edges() const { return exact_; }
 
  private:
   Region land_;
