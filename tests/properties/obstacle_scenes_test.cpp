@@ -173,6 +173,37 @@ TEST(ObstacleScenes, AreDrivenWithoutViolationWhateverIsDoneAboutObstacles) {
   EXPECT_GT(5 * with_detours, static_cast<int>(all.size())) << "scenes have to make detours worth while";
 }
 
+/// With turns planned, and stops where no turn fits.
+Problems problems_with_turns(unsigned long long seed) {
+  std::mt19937_64 random(seed);
+  Problems out;
+  try {
+    Scene scene = testing::random_scene(random);
+    scene.settings.turns = TurnPlanning::kTurns;
+    for (const Avoidance avoid : {Avoidance::kCheapest, Avoidance::kCut})
+      if (const auto plan = try_plan(scene, avoid, 1)) look_at(*plan, out);
+  } catch (const Error& error) {
+    if (std::string(error.what()).find("cover the whole field") == std::string::npos)
+      out.emplace_back(error.what());
+  }
+  return out;
+}
+
+// Room is decided exactly by the planner, and by places a few centimetres apart by the verifier.
+TEST(ObstacleScenes, HaveTurnsThatFitAndStopsWhereNoneDoes) {
+  const auto cases = static_cast<unsigned long long>(testing::case_count(kStandard) / 3);
+  for (unsigned long long seed = testing::base_seed(); seed < testing::base_seed() + cases; ++seed)
+    for (const std::string& problem : problems_with_turns(seed))
+      ADD_FAILURE() << "TRAMLINE_SEED=" << seed << " TRAMLINE_CASES=2: " << problem;
+}
+
+// A corner of an obstacle between two places of the machine that were looked at; and a machine that turns on
+// the spot, by several degrees on a few centimetres.
+TEST(ObstacleScenes, WithTurnsThatOnceFailedHold) {
+  for (const unsigned long long seed : {20260157, 20260211, 20260101})
+    for (const std::string& problem : problems_with_turns(seed)) ADD_FAILURE() << seed << ": " << problem;
+}
+
 // Scenes that were planned or judged wrongly once: detours into the bay of an obstacle, whose arms lie on
 // both sides of them; and a plan of one piece, which takes no turn.
 TEST(ObstacleScenes, ThatOnceFailedHold) {

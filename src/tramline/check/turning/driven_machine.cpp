@@ -8,6 +8,9 @@ namespace {
 
 /// A towed implement is drawn in steps no longer than this, m.
 constexpr double kDrawn_m = 0.005;
+/// The machine turns by no more than this in one step, rad: by Simpson's rule its place is then off by
+/// 1e-8 of the step at the most.
+constexpr double kTurned_rad = 0.1;
 
 struct Motion {
   Point at;
@@ -88,7 +91,9 @@ std::vector<MachinePlace> places_along(const SteeredPath& path, const Machine& m
   out.push_back(drawn.place());
   const bool towed = machine.turning.implement == Coupling::kTowed;
   for (const SteeredStretch& stretch : path) {
-    const double steps = std::max(1.0, std::ceil(stretch.length_m / step_m));
+    const double tightest = std::max(std::abs(stretch.curvature_at_start), std::abs(stretch.curvature_at_end));
+    const double even_m = std::min(step_m, tightest > 0 ? kTurned_rad / tightest : step_m);
+    const double steps = std::max(1.0, std::ceil(stretch.length_m / even_m));
     const double within = towed ? std::max(1.0, std::ceil(stretch.length_m / steps / kDrawn_m)) : 1;
     if (!(stretch.length_m > 0)) continue;
     const double each_m = stretch.length_m / (steps * within);

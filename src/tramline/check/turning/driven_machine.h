@@ -21,7 +21,7 @@ struct MachinePlace {
 
 /// The places at most `step_m` apart along the path, its start and its end among them. Lines and curvatures
 /// are integrated by the rule of Runge and Kutta; a towed implement is drawn after its hitch, which is exact
-/// as the steps become small. O(length/step).
+/// as the steps become small. Where it turns sharply, steps are shorter. O(length/step).
 std::vector<MachinePlace> places_along(const SteeredPath& path, const Machine& machine, double step_m);
 
 /// The outline of the vehicle and its implement.

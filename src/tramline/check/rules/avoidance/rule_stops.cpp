@@ -85,21 +85,39 @@ SteeredPath quarter_turn(Point end, Point ahead, const Machine& machine, double 
   return out;
 }
 
-/// By how much the better quarter turn leaves the land, m.
-double missing_m(const Case& c, const TurningGround& ground, Point end, Point ahead) {
-  constexpr double kPoses_m = 0.05;
+/// The distance between the places of the machine that are looked at, m.
+constexpr double kPoses_m = 0.05;
+
+/// A machine that takes up more room on every side.
+Machine widened(Machine machine, double by_m) {
+  machine.width_m += 2 * by_m;
+  machine.turning.rear_overhang_m += by_m;
+  if (machine.turning.vehicle_width_m > 0) {
+    machine.turning.vehicle_width_m += 2 * by_m;
+    machine.turning.front_overhang_m += by_m;
+  }
+  return machine;
+}
+
+/// By how much the better quarter turn of the plan's machine leaves the land, m, if it is as wide as
+/// `outline`.
+double missing_m(const Case& c, const TurningGround& ground, const Machine& outline, Point end, Point ahead) {
   double least = std::numeric_limits<double>::infinity();
   for (const double sense : {+1.0, -1.0}) {
     const SteeredPath path = quarter_turn(end, ahead, c.plan.machine, sense);
-    least = std::min(least, ground.deepest(path, c.plan.machine, kPoses_m).depth_m);
+    least = std::min(least, ground.deepest(path, outline, kPoses_m).depth_m);
     if (least == 0) break;
   }
   return least;
 }
 
-/// Excursions between nothing and a few millimetres decide nothing: poses are a few centimetres apart.
-void compare_room(bool flagged, double missing, const std::string& end_name, Point at, Violations& out) {
+/// A stop must be one for a machine that is wider by the distance between places: between two of them the
+/// outline may meet a corner. Where none is flagged, a few millimetres decide nothing.
+void compare_room(const Case& c, const TurningGround& ground, bool flagged, Point at, Point ahead,
+                  const std::string& end_name, Violations& out) {
   constexpr double kOutside_m = 0.005;
+  const Machine outline = flagged ? widened(c.plan.machine, kPoses_m) : c.plan.machine;
+  const double missing = missing_m(c, ground, outline, at, ahead);
   if (flagged && missing == 0)
     out.push_back({Rule::kStops,
                    fmt::format("the {} is flagged as a stop, but the machine can turn there", end_name), at,
@@ -122,13 +140,13 @@ int stops_without_way_off(const Case& c, Violations& out) {
     if (piece.after_crossing)
       compare(piece.stop_at_start, false, "start of " + piece_name(i), piece.start, out);
     else
-      compare_room(piece.stop_at_start, missing_m(c, ground, piece.start, heading_at_start(piece)),
-                   "start of " + piece_name(i), piece.start, out);
+      compare_room(c, ground, piece.stop_at_start, piece.start, heading_at_start(piece),
+                   "start of " + piece_name(i), out);
     if (crosses_next)
       compare(piece.stop_at_end, false, "end of " + piece_name(i), piece.end, out);
     else
-      compare_room(piece.stop_at_end, missing_m(c, ground, piece.end, heading_at_end(piece)),
-                   "end of " + piece_name(i), piece.end, out);
+      compare_room(c, ground, piece.stop_at_end, piece.end, heading_at_end(piece), "end of " + piece_name(i),
+                   out);
   }
   return stops;
 }

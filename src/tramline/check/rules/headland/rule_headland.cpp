@@ -32,8 +32,11 @@ void check_obstacle_passes(const Plan& plan, Violations& out) {
   for (std::size_t i = 0; i < std::min(passes.size(), obstacles.size()); ++i) {
     const bool may_have = obstacles[i].kind == ObstacleKind::kObstacle;
     const int most = may_have ? plan.settings.obstacle_headlands : 0;
-    // A boundary has all the passes that were asked for, or tracks go round it and it has none.
+    // A boundary has all the passes that were asked for, or tracks go round it and it has none. Where turns
+    // decide, it may have any number.
     if (passes[i] == 0 || passes[i] == most) continue;
+    const bool any_number = may_have && plan.settings.obstacle_headland_rule == HeadlandRule::kTurns;
+    if (any_number && passes[i] > 0 && passes[i] * plan.machine.width_m <= kFarthest_m) continue;
     out.push_back(
         {Rule::kHeadland,
          fmt::format("obstacle {} has {} headland passes, and {} were asked for", i + 1, passes[i], most),

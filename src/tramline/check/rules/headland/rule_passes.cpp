@@ -42,6 +42,9 @@ std::vector<SwathClearance> pass_clearances(const HeadlandPass& pass, double wid
   return out;
 }
 
+/// Places on a pass that are looked at.
+constexpr double kLeastPlaces = 100;
+
 /// Checks one pass against the boundaries of the field.
 class PassCheck {
  public:
@@ -92,28 +95,52 @@ class PassCheck {
     return pass_.number > passes ? 0 : (pass_.number - 1) * c_.plan.machine.width_m;
   }
 
+  /// The longest part of the pass that keeps its distance from the run, where what is before and behind it is
+  /// no longer than a pass may go straight on; else all of it. A closed pass does not go straight on.
+  Path part_beside(const EdgeRun& run, double distance_m) const {
+    if (is_closed(pass_)) return pass_.path;
+    const double width_m = c_.plan.machine.width_m, length_m = length(pass_.path);
+    const double step_m = std::min(0.25 * width_m, length_m / kLeastPlaces);
+    const double most_on_m = 2 * (pass_.number + 1) * width_m;
+    double best_from_m = 0, best_to_m = 0, from_m = 0;
+    bool keeps = false;
+    for (double at_m = 0; at_m <= length_m; at_m += step_m) {
+      const Point at = point_on(pass_.path, at_m);
+      if (distance_from(run, straight_path(at, at)) < distance_m - kLengthTolerance_m) {
+        keeps = false;
+        continue;
+      }
+      if (!keeps) from_m = at_m;
+      keeps = true;
+      if (at_m - from_m <= best_to_m - best_from_m) continue;
+      best_from_m = from_m;
+      best_to_m = at_m;
+    }
+    const double rest_m = length_m - best_to_m;
+    if (best_from_m > most_on_m + step_m || rest_m > most_on_m + step_m || best_to_m == best_from_m)
+      return pass_.path;
+    return reversed(begun_later(reversed(begun_later(pass_.path, best_from_m)), rest_m));
+  }
+
   /// A pass along some edges of the field keeps its distance from one run of them, or from an obstacle it
   /// names. Near its ends it may go straight on towards the next of these edges, where passes before do not
   /// get.
   void check_beside_edges() const {
-    constexpr double kMostOfHalf = 0.45;
     const double width_m = c_.plan.machine.width_m, distance_m = (pass_.number - 0.5) * width_m;
-    const double ends_m =
-        is_closed(pass_) ? 0 : std::min(2 * (pass_.number + 1) * width_m, kMostOfHalf * length(pass_.path));
-    const Path middle = ends_m > 0 ? shortened(pass_.path, ends_m) : pass_.path;
     double nearer_m = std::numeric_limits<double>::infinity();
     const double beside_m = distance_m + least_radius_m(c_.plan.machine) + width_m;
-    const auto keeps_off = [&](double found_m) {
+    const auto keeps_off = [&](const EdgeRun& run) {
+      const double found_m = distance_from(run, part_beside(run, distance_m));
       if (found_m > beside_m) return false;  // it follows another one
       nearer_m = std::min(nearer_m, distance_m - found_m);
       return found_m >= distance_m - kLengthTolerance_m;
     };
     for (const EdgeRun& run : edge_runs(c_.plan, pass_.number))
-      if (keeps_off(distance_from(run, middle))) return;
+      if (keeps_off(run)) return;
     for (const std::size_t k : pass_.obstacles) {
       EdgeRun round = c_.plan.field.obstacles[k].shape.outer;
       round.push_back(round.front());
-      if (keeps_off(distance_from(round, middle))) return;
+      if (keeps_off(round)) return;
     }
     if (!std::isfinite(nearer_m)) return;
     out_.push_back({Rule::kHeadland,
