@@ -189,6 +189,15 @@ Path driven_on_over_fresh_land(const Path& path, const std::vector<SwathLimit>& 
   return Extended(farther, length(path), to_work, before).as_far_as_it_pays();
 }
 
+/// An open path whose ends meet at an angle ends a little earlier: as a closed one it would have a kink.
+Path not_closed(Path path) {
+  constexpr double kEarlier_m = 0.01;
+  if (path.empty() || distance(path.front().from, path.back().to) > kSamePlace_m) return path;
+  const double meet = dot(direction_at_end(path.back()), direction_at_start(path.front()));
+  if (meet > 1 - kSamePlace_m) return path;
+  return stretch_of(path, 0, length(path) - kEarlier_m);
+}
+
 /// The same at both ends; where they would cross, the first one ends at the second. Empty where nothing is
 /// left.
 Path driven_straight_on(const Path& path, const ChainScene& scene, const GroundToWork& to_work,
@@ -257,7 +266,7 @@ std::vector<HeadlandPass> passes_along(const ChainToFollow& to_follow,
     for (const Path& part :
          worthy_parts(driven_straight_on(stretch, scene, to_work, all), scene, to_work, all))
       for (const Path& piece : parted_where_it_meets_itself(part))
-        if (length(piece) >= scene.least_length_m()) all.push_back(pass_beside(piece, scene));
+        if (length(piece) >= scene.least_length_m()) all.push_back(pass_beside(not_closed(piece), scene));
   return {all.begin() + static_cast<std::ptrdiff_t>(before.size()), all.end()};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/geometry/polygon/interior_point.h"
@@ -11,8 +12,9 @@
 namespace tramline {
 namespace {
 
-/// Ground smaller than this between two subfields is rounding, m².
-constexpr double kSliver_m2 = 1;
+/// Ground smaller than this is no subfield by itself, where it adjoins another one, m²; and as little is
+/// rounding.
+constexpr double kSliver_m2 = 1, kRounding_m2 = 1e-3;
 
 bool same_lines(const Subfield& a, const Subfield& b) {
   return a.direction == b.direction && a.reference == b.reference;
@@ -31,6 +33,19 @@ const Subfield& nearest_of(const std::vector<Subfield>& layout, const Polygon& p
   return *nearest;
 }
 
+/// Each sliver becomes part of the first subfield that it adjoins along an edge; else one of its own.
+void join_slivers(std::vector<Subfield> slivers, std::vector<Subfield>& subfields) {
+  for (Subfield& sliver : slivers) {
+    const bool joined = std::any_of(subfields.begin(), subfields.end(), [&](Subfield& subfield) {
+      Region both = unite({subfield.shape}, {sliver.shape});
+      if (both.size() != 1) return false;
+      subfield.shape = std::move(both.front());
+      return true;
+    });
+    if (!joined) subfields.push_back(std::move(sliver));
+  }
+}
+
 /// The parts of the ground with the lines of the subfield that each lies in.
 std::vector<Subfield> parts_of(const Region& ground, const std::vector<Subfield>& layout) {
   std::vector<Subfield> out;
@@ -43,14 +58,17 @@ std::vector<Subfield> parts_of(const Region& ground, const std::vector<Subfield>
     for (const Polygon& part : ground) out.push_back(as(part, layout.front()));
     return out;
   }
+  std::vector<Subfield> slivers;
+  const auto add = [&](const Polygon& part, const Subfield& like) {
+    if (area(part) >= kRounding_m2) (area(part) >= kSliver_m2 ? out : slivers).push_back(as(part, like));
+  };
   Region rest = ground;
   for (const Subfield& subfield : layout) {
-    for (const Polygon& part : intersection(ground, {subfield.shape}))
-      if (area(part) >= kSliver_m2) out.push_back(as(part, subfield));
+    for (const Polygon& part : intersection(ground, {subfield.shape})) add(part, subfield);
     rest = difference(rest, {subfield.shape});
   }
-  for (const Polygon& part : rest)
-    if (area(part) >= kSliver_m2) out.push_back(as(part, nearest_of(layout, part)));
+  for (const Polygon& part : rest) add(part, nearest_of(layout, part));
+  join_slivers(std::move(slivers), out);
   return out;
 }
 
