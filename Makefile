@@ -134,7 +134,8 @@ program: packages whole
 LONG := long-properties long-scenes long-best-bound long-best-brute long-best-real long-best-real-1 \
   long-best-real-2 long-best-real-3 long-tally-real long-real-1 long-real-2 long-real-3 \
   long-obstacles-3 long-obstacles-6 long-obstacles-12 long-obstacles-24 long-headlands \
-  long-headland-plans-6 long-headland-plans-12 long-headland-plans-24 long-maps long-order \
+  long-headland-plans-6 long-headland-plans-12 long-headland-plans-24 long-turns-3 long-turns-6 \
+  long-turns-24 long-maps long-order \
   long-coverage long-manoeuvres long-watch long-serve long-kills long-registers long-fuzz-logs long-fuzz-readers \
   long-fuzz-coverage long-lint long-debug long-asan long-tsan long-clang
 
@@ -196,6 +197,15 @@ long-headland-plans-12: build ## the same, 12 m wide
 	$(HEADLAND_PLANS) 12
 long-headland-plans-24: build ## the same, 24 m wide
 	$(HEADLAND_PLANS) 24
+
+# Headlands as the turns of one machine need them, over all real fields.
+AUTOMATIC_HEADLANDS = $(LIMIT) $(RELEASE)/tests/real/automatic_headlands
+long-turns-3: build ## automatic headlands over the real fields, 3 m wide and 6 m radius: no turn leaves the land
+	$(AUTOMATIC_HEADLANDS) 3 6 forward
+long-turns-6: build ## the same, 6 m wide and reversing
+	$(AUTOMATIC_HEADLANDS) 6 6 reversing
+long-turns-24: build ## the same, 24 m wide and 8 m radius
+	$(AUTOMATIC_HEADLANDS) 24 8 forward
 
 long-maps: build ## maps of all real fields, straight and curved, with headlands, verified
 	$(LIMIT) $(RELEASE)/tests/real/map_real
