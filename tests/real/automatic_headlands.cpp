@@ -11,10 +11,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -31,26 +33,31 @@ namespace fs = std::filesystem;
 /// Points are so far apart on the path and on the bar, and so far off the land they count, m.
 constexpr double kApart_m = 0.05, kOff_m = 0.005;
 
-/// A ring and those of its edges that are near a turn.
+using Edge = std::array<Point, 2>;
+
+/// A ring, with those of its edges that are near a turn, and that a ray from there to the right may cross.
 class RingNearby {
  public:
-  RingNearby(const Ring& ring, const Box& reach) : ring_(ring) {
+  RingNearby(const Ring& ring, const Box& reach) {
+    const Box right{reach.min_x, reach.min_y, std::numeric_limits<double>::infinity(), reach.max_y};
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-      if (intersects(bounds(a, b), reach)) near_.push_back({a, b});
+      const Edge edge{ring[i], ring[(i + 1) % ring.size()]};
+      const Box box = bounds(edge[0], edge[1]);
+      if (intersects(box, reach)) near_.push_back(edge);
+      if (intersects(box, right)) right_.push_back(edge);
     }
   }
 
+  /// Of a point within reach.
   bool inside(Point p) const {
     bool in = false;
-    for (std::size_t i = 0; i < ring_.size(); ++i)
-      if (crosses_ray(p, ring_[i], ring_[(i + 1) % ring_.size()])) in = !in;
+    for (const auto& [a, b] : right_)
+      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) in = !in;
     return in;
   }
 
   bool any_near() const { return !near_.empty(); }
 
-  /// Far from all edges every point is on the side of the first one.
   double distance_m(Point p) const {
     double out = std::numeric_limits<double>::infinity();
     for (const auto& [a, b] : near_) out = std::min(out, distance_to_segment(p, a, b));
@@ -58,12 +65,7 @@ class RingNearby {
   }
 
  private:
-  static bool crosses_ray(Point p, Point a, Point b) {
-    return (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
-  }
-
-  const Ring& ring_;
-  std::vector<std::array<Point, 2>> near_;
+  std::vector<Edge> near_, right_;
 };
 
 /// The places of the axle on a path and its direction there, in steps of the midpoint rule far shorter than
@@ -89,7 +91,7 @@ void each_place(const SteeredPath& path, const See& see) {
   }
 }
 
-/// How far a bar of the working width at the axle leaves the land on a turn, m. The plan's boundary is hard.
+/// How far a bar of the working width at the axle leaves the field, or gets into its obstacles, on a turn, m.
 double off_the_land_m(const Plan& plan, const PlannedTurn& turn) {
   const double half_m = 0.5 * plan.machine.width_m;
   Box reach;
@@ -98,6 +100,7 @@ double off_the_land_m(const Plan& plan, const PlannedTurn& turn) {
   double off_m = 0;
   const auto look = [&](const Ring& ring, bool land_inside) {
     const RingNearby nearby(ring, reach);
+    // Far from all edges every point is on the side of the first one.
     if (!nearby.any_near()) {
       if (nearby.inside(turn.manoeuvre.path.front().start.at) != land_inside) off_m = half_m;
       return;

@@ -37,7 +37,8 @@ std::optional<double> crossing(const Side& side, Point a, Point b) {
 
 TurningGround::TurningGround(const Plan& plan) {
   const PlanSettings& settings = plan.settings;
-  const bool hard = settings.boundary == EdgeKind::kHard || settings.headlands > 0;
+  const bool inside = settings.headland_rule == HeadlandRule::kTurns && settings.turn_room_m < 0;
+  const bool hard = settings.boundary == EdgeKind::kHard || settings.headlands > 0 || inside;
   if (hard || settings.turn_room_m >= 0) {
     rings_.push_back({plan.field.outer, bounds(plan.field.outer), true});
     if (!hard) beyond_m_ = settings.turn_room_m;

@@ -17,7 +17,8 @@ struct Excursion {
 };
 
 /// The field without its obstacles, passable ones included; where the boundary is soft and has no headland,
-/// also the land outside, as far as the settings allow.
+/// also the land outside, as far as the settings allow: where headlands follow the turns, as far as room
+/// beyond is given.
 class TurningGround {
  public:
   explicit TurningGround(const Plan& plan);

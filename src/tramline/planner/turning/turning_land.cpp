@@ -26,6 +26,7 @@ Region land_with_obstacles(const PlanningProblem& problem) {
   const PlanSettings& settings = problem.settings;
   if (settings.boundary == EdgeKind::kHard || settings.headlands > 0) return {{outer, {}}};
   if (settings.turn_room_m >= 0) return buffered({{outer, {}}}, settings.turn_room_m);
+  if (settings.headland_rule == HeadlandRule::kTurns) return {{outer, {}}};
   return all_round(outer, farthest_turn_m(problem.machine));
 }
 

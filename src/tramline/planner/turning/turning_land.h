@@ -7,7 +7,8 @@ namespace tramline {
 
 /// The field without its obstacles, worked or not; passable ones are crossed straight on, not turned on.
 /// Where the boundary is soft and has no headland also the land outside, as far as PlanSettings::turn_room_m
-/// says or, where that is negative, as far as any manoeuvre leads. Local metres.
+/// says or, where that is negative, as far as any manoeuvre leads; not at all where headlands were to be as
+/// deep as turns need, and found no room. Local metres.
 Region turning_land(const PlanningProblem& problem);
 
 }  // namespace tramline
