@@ -231,6 +231,19 @@ double distance_between(const Path& path, const Ring& ring) {
   return out;
 }
 
+/// Whether some of a part of a path that was driven straight on lies on the stretch beside the chain. What
+/// lies straight on alone follows no edge.
+bool is_beside_chain(const Path& part, const Path& stretch) {
+  constexpr double kPlaces = 50;
+  const double length_m = length(part);
+  for (double i = 0.5; i < kPlaces; ++i) {
+    const Point at = stretch_of(part, i / kPlaces * length_m, length_m).front().from;
+    for (const PathSegment& segment : stretch)
+      if (distance_to_edge(segment, at, at) < kSamePlace_m) return true;
+  }
+  return false;
+}
+
 HeadlandPass pass_beside(const Path& path, const ChainScene& scene) {
   HeadlandPass out{path, scene.number, true, {}};
   for (const Boundary& obstacle : scene.obstacles) {
@@ -266,7 +279,8 @@ std::vector<HeadlandPass> passes_along(const ChainToFollow& to_follow,
     for (const Path& part :
          worthy_parts(driven_straight_on(stretch, scene, to_work, all), scene, to_work, all))
       for (const Path& piece : parted_where_it_meets_itself(part))
-        if (length(piece) >= scene.least_length_m()) all.push_back(pass_beside(not_closed(piece), scene));
+        if (length(piece) >= scene.least_length_m() && is_beside_chain(piece, stretch))
+          all.push_back(pass_beside(not_closed(piece), scene));
   return {all.begin() + static_cast<std::ptrdiff_t>(before.size()), all.end()};
 }
 

@@ -107,6 +107,7 @@ class Needs {
   }
 
   PassesByBoundary run() {
+    most_ = most_passes();
     for (std::size_t i = 0; i + 1 < plan_.pieces.size(); ++i)
       if (!plan_.pieces[i + 1].after_crossing) add(hop_between(plan_.pieces[i], plan_.pieces[i + 1]));
     if (!plan_.pieces.empty()) add_outer_ends();
@@ -115,13 +116,28 @@ class Needs {
   }
 
  private:
+  /// Twice what the turn to the next track in order needs before a square border: turns in oblique corners
+  /// that would take more are not worth so much headland.
+  int most_passes() const {
+    constexpr int kObliqueBorders = 2;
+    const double across_m = std::max(1, plan_.settings.skip) * plan_.machine.width_m;
+    const Hop square{{{0, 0}, Heading::from_to({0, 0}, {1, 0})},
+                     {{0, across_m}, Heading::from_to({1, 0}, {0, 0})}};
+    int least = std::numeric_limits<int>::max();
+    for (const HopWay& way : manoeuvres_over(square, plan_.machine, {}))
+      if (!way.manoeuvre.path.empty())
+        least = std::min(least, passes_for(swept_reach_m(way.manoeuvre.path, outline_, {0, 0}, {1, 0}),
+                                           plan_.machine.width_m));
+    return kObliqueBorders * std::max(1, least);
+  }
+
   /// Passes that a manoeuvre needs before a boundary that lies `ahead_m` before the end of the track.
   int passes_before(const BoundaryPlace& place, const SteeredPath& path, Point end) const {
     const double depth_m = swept_reach_m(path, outline_, end, place.outward);
     const double slope = std::abs(dot(place.outward, direction_));
     // An inner seam with land enough behind it needs no headland at the boundary beyond.
     if (place.ahead_m * slope >= depth_m) return 0;
-    return passes_for(depth_m, plan_.machine.width_m);
+    return std::min(most_, passes_for(depth_m, plan_.machine.width_m));
   }
 
   void add(const Hop& hop) {
@@ -181,6 +197,7 @@ class Needs {
   const Plan& plan_;
   Outline outline_;
   Sides sides_;
+  int most_ = 0;
   Point direction_{};
   PassesByBoundary out_;
 };
