@@ -91,7 +91,8 @@ std::vector<MachinePlace> places_along(const SteeredPath& path, const Machine& m
   out.push_back(drawn.place());
   const bool towed = machine.turning.implement == Coupling::kTowed;
   for (const SteeredStretch& stretch : path) {
-    const double tightest = std::max(std::abs(stretch.curvature_at_start), std::abs(stretch.curvature_at_end));
+    const double tightest =
+        std::max(std::abs(stretch.curvature_at_start), std::abs(stretch.curvature_at_end));
     const double even_m = std::min(step_m, tightest > 0 ? kTurned_rad / tightest : step_m);
     const double steps = std::max(1.0, std::ceil(stretch.length_m / even_m));
     const double within = towed ? std::max(1.0, std::ceil(stretch.length_m / steps / kDrawn_m)) : 1;

@@ -51,9 +51,7 @@ LegendBlock symbols(const Plan& plan) {
   add(!plan.given_up.empty(), Symbol::kGivenUp, "given up on purpose (uncovered)");
   add(!plan.pieces.empty(), Symbol::kTrack, "track, number at its start");
   add(summary_of_detours(plan).count() > 0, Symbol::kDetour, "detour round an obstacle");
-  const auto turns = [&](auto shown) {
-    return std::any_of(plan.turns.begin(), plan.turns.end(), shown);
-  };
+  const auto turns = [&](auto shown) { return std::any_of(plan.turns.begin(), plan.turns.end(), shown); };
   add(turns([](const PlannedTurn& turn) { return turn.state == TurnState::kFits; }), Symbol::kTurn,
       "turn, way of the axle");
   add(turns([](const PlannedTurn& turn) {

@@ -26,8 +26,8 @@ void draw_obstacles(Canvas& canvas, const Plan& plan);
 void draw_outlines(Canvas& canvas, const Plan& plan);
 /// Centre lines, and dropped pieces dashed.
 void draw_track_lines(Canvas& canvas, const Plan& plan);
-/// The turns between tracks: the way of the axle's middle, dashed in reverse; those without room in red. Where
-/// tracks are far apart and nothing fits, nothing is drawn.
+/// The turns between tracks: the way of the axle's middle, dashed in reverse; those without room in red.
+/// Where tracks are far apart and nothing fits, nothing is drawn.
 void draw_turns(Canvas& canvas, const Plan& plan);
 /// An arrow head on each track, or on some of very close tracks, where it is inside `seen`, m.
 void draw_arrow_heads(Canvas& canvas, const Plan& plan, const Box& seen);
