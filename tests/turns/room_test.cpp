@@ -7,6 +7,7 @@
 
 #include "tramline/turns/outline/swept_reach.h"
 #include "tramline/turns/room/allowed_land.h"
+#include "tramline/turns/room/places_off.h"
 
 namespace tramline {
 namespace {
@@ -186,6 +187,27 @@ TEST(Room, ATowedBarCutsTheCornerAndSwingsWide) {
     EXPECT_FALSE(land_to(reach - 2.5e-3).fits(turn, outline));
     EXPECT_NEAR(land_to(reach - 1).missing_m(turn, outline), 1, 0.021);
   }
+}
+
+// A bar of 4 m driven north out of a field that ends 5 m ahead, and past a pole on its right.
+TEST(PlacesOff, AreThoseBeyondTheEdges) {
+  Polygon field = rectangle(-10, -1, 10, 5);
+  field.holes.push_back({{1.4, 2.9}, {1.4, 3.1}, {1.6, 3.1}, {1.6, 2.9}});
+  const AllowedLand land({field});
+  const SteeredPath path = joined(kNorthwards, {{6, 0}});
+  int beyond = 0, on_pole = 0;
+  for (const Point p : places_off(land.edges(), path, outline_of(bar(4)), 0.1)) {
+    const bool beyond_edge = p.y > 5 - 1e-6;
+    beyond += beyond_edge ? 1 : 0;
+    on_pole += beyond_edge ? 0 : 1;
+    EXPECT_LE(std::abs(p.x), 2 + 1e-9);
+    if (!beyond_edge) {
+      EXPECT_NEAR(std::max(std::abs(p.x - 1.5), std::abs(p.y - 3)), 0, 0.1 + 1e-9);
+    }
+  }
+  EXPECT_GT(beyond, 100);
+  EXPECT_GT(on_pole, 0);
+  EXPECT_TRUE(places_off(land.edges(), joined(kNorthwards, {{2.5, 0}}), outline_of(bar(4)), 0.1).empty());
 }
 
 }  // namespace
