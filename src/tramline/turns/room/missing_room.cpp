@@ -17,13 +17,68 @@ namespace {
 /// along far outside for long.
 constexpr int kMostPlaces = 30000;
 
-/// Positive outside.
-double distance_from(const EdgeIndex& land, Point p) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const EdgeIndex::Edge& edge : land.edges())
-    least = std::min(least, distance_to_segment(p, edge.from, edge.to));
-  return land.contains(p) ? -least : least;
+struct Reach {
+  Point middle;
+  double radius_m;
+};
+
+/// A disc that the outline does not leave on its way.
+Reach reach_of(const SteeredPath& path, const Outline& outline) {
+  Box places;
+  for (const SteeredStretch& stretch : path) places.extend(stretch.start.at);
+  const Point middle = places.centre();
+  double axle_m = 0, machine_m = 0, implement_m = 0;
+  for (const SteeredStretch& stretch : path)
+    axle_m = std::max(axle_m, distance(middle, stretch.start.at) + stretch.length_m);
+  for (const Box& part : outline.on_machine) machine_m = std::max(machine_m, farthest_corner_m(part));
+  for (const Box& part : outline.on_implement) implement_m = std::max(implement_m, farthest_corner_m(part));
+  if (outline.tows()) implement_m += std::abs(outline.hitch_m) + outline.drawbar_m;
+  return {middle, axle_m + std::max(machine_m, implement_m)};
 }
+
+/// The edges of the land that decide how far points of a disc are from it.
+class LandNearby {
+ public:
+  /// The edge nearest to a point of the disc is no farther from the middle than the edge nearest to that and
+  /// twice the radius. A ray to the right meets edges at heights of the disc alone.
+  LandNearby(const Region& land, const Reach& reach) {
+    const auto& [middle, radius_m] = reach;
+    const EdgeIndex all(land);
+    const auto off_m = [&at = reach.middle](const EdgeIndex::Edge& edge) {
+      return distance_to_segment(at, edge.from, edge.to);
+    };
+    double nearest_m = std::numeric_limits<double>::infinity();
+    for (const EdgeIndex::Edge& edge : all.edges()) nearest_m = std::min(nearest_m, off_m(edge));
+    for (const EdgeIndex::Edge& edge : all.edges()) {
+      if (off_m(edge) <= nearest_m + 2 * radius_m) near_.push_back(edge);
+      const auto [low, high] = std::minmax(edge.from.y, edge.to.y);
+      if (high >= middle.y - radius_m && low <= middle.y + radius_m &&
+          std::max(edge.from.x, edge.to.x) >= middle.x - radius_m)
+        right_.push_back(edge);
+    }
+  }
+
+  /// Positive outside.
+  double distance_from(Point p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const EdgeIndex::Edge& edge : near_)
+      least = std::min(least, distance_to_segment(p, edge.from, edge.to));
+    return contains(p) ? -least : least;
+  }
+
+ private:
+  bool contains(Point p) const {
+    bool inside = false;
+    for (const EdgeIndex::Edge& edge : right_) {
+      if ((edge.from.y > p.y) == (edge.to.y > p.y)) continue;
+      const double share = (p.y - edge.from.y) / (edge.to.y - edge.from.y);
+      if (edge.from.x + share * (edge.to.x - edge.from.x) > p.x) inside = !inside;
+    }
+    return inside;
+  }
+
+  std::vector<EdgeIndex::Edge> near_, right_;
+};
 
 /// Part of a side on a part of its way.
 struct SideOnWay {
@@ -41,7 +96,7 @@ struct SideOnWay {
 class MissingRoom {
  public:
   MissingRoom(const Region& land, const SteeredPath& path, const Outline& outline)
-      : land_(land), path_(path), outline_(outline) {
+      : land_(land, reach_of(path, outline)), path_(path), outline_(outline) {
     if (outline.tows()) towed_.emplace(path, outline);
   }
 
@@ -79,7 +134,7 @@ class MissingRoom {
     const double middle_m = 0.5 * (side.from_m + side.to_m);
     const Placement frame = side.of_implement ? towed_->implement(side.stretch, middle_m)
                                               : placed(pose_after(path_[side.stretch], middle_m));
-    const double from_land = distance_from(land_, to_ground(frame, midpoint(side.from, side.to)));
+    const double from_land = land_.distance_from(to_ground(frame, midpoint(side.from, side.to)));
     const MotionPiece piece = motion(side);
     side.reach_of_way =
         0.5 * (std::abs(piece.even.way_m) + std::abs(piece.even.turn_rad) * farthest_corner_m(*side.part)) +
@@ -101,7 +156,7 @@ class MissingRoom {
     add(second);
   }
 
-  EdgeIndex land_;
+  LandNearby land_;
   const SteeredPath& path_;
   const Outline& outline_;
   std::optional<TowedMotion> towed_;
