@@ -79,6 +79,7 @@ class HeadlandsForTurns {
       best = improved(no_more_than(first, most));
     if (!best) throw no_room(problem_);
     if (problem_.settings.obstacle_headland_rule == HeadlandRule::kTurns) leave_out_obstacles(*best);
+    move_to_best_offset(*best);
     return finished_plan(SearchTask(best->problem, best->prepared), std::move(best->found), context_);
   }
 
@@ -180,17 +181,34 @@ class HeadlandsForTurns {
   }
 
   /// nullopt where no track is left.
-  std::optional<Tried> tried_with(const PassesByBoundary& passes) const {
-    PlanningProblem problem = problem_with(passes);
-    std::optional<PreparedField> prepared = field_behind(problem, passes.obstacles);
+  std::optional<Tried> tried_with(const PassesByBoundary& passes, Offset offset = Offset::kOfLayout) const {
+    const PlanningProblem problem = problem_with(passes);
+    const std::optional<PreparedField> prepared = field_behind(problem, passes.obstacles);
     if (!prepared || area(prepared->ground.plannable) == 0) return std::nullopt;
-    SearchResult found = relaid(problem, *prepared, layout_.subfields, context_.uncounted());
+    return laid_on(passes, problem, *prepared, offset);
+  }
+
+  std::optional<Tried> laid_on(const PassesByBoundary& passes, const PlanningProblem& problem,
+                               const PreparedField& prepared, Offset offset) const {
+    SearchResult found = relaid(problem, prepared, layout_, offset, context_.uncounted());
     if (!found.best.works()) return std::nullopt;
     found.directions_tried = layout_.directions_tried;
-    Plan plan = sketched(SearchTask(problem, *prepared), found.best);
-    PassesByBoundary lacking = lacking_passes(plan, *prepared->turning_land);
-    return Tried{passes,           std::move(problem), std::move(*prepared),
-                 std::move(found), std::move(plan),    std::move(lacking)};
+    Plan plan = sketched(SearchTask(problem, prepared), found.best);
+    PassesByBoundary lacking = lacking_passes(plan, *prepared.turning_land);
+    return Tried{passes, problem, prepared, std::move(found), std::move(plan), std::move(lacking)};
+  }
+
+  /// The offset of the layout is the best one where passes along the sides are as wide as tracks. Elsewhere
+  /// another one may cost less. The ends of tracks, and with them the turns, move a little: passes that they
+  /// lack then are added once.
+  void move_to_best_offset(Tried& tried) const {
+    std::optional<Tried> moved = laid_on(tried.passes, tried.problem, tried.prepared, Offset::kBest);
+    if (!moved) return;
+    const PassesByBoundary more = as_set(sum(moved->passes, moved->lacking));
+    std::optional<Tried> again;
+    if (any(moved->lacking) && more != moved->passes) again = tried_with(more, Offset::kBest);
+    for (std::optional<Tried>* other : {&moved, &again})
+      if (*other && is_better((*other)->plan, tried.plan)) tried = std::move(**other);
   }
 
   static Plan sketched(const SearchTask& task, const Candidate& candidate) {

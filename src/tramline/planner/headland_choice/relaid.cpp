@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/geometry/polygon/interior_point.h"
+#include "tramline/geometry/strip/track_frame.h"
 #include "tramline/planner/given/part_problem.h"
 #include "tramline/planner/search/best_along.h"
 
@@ -72,15 +74,30 @@ std::vector<Subfield> parts_of(const Region& ground, const std::vector<Subfield>
   return out;
 }
 
+/// Coordinate across of a line between tracks of the layout in that direction; nullopt where there are none.
+std::optional<double> origin_in(const Plan& layout, const Subfield& part) {
+  const TrackFrame frame(part.direction);
+  for (const TrackPiece& piece : layout.pieces)
+    if (piece.curve.empty() && layout.subfields[piece.subfield].direction == part.direction)
+      return frame.to_track(piece.start).y - 0.5 * layout.machine.width_m;
+  return std::nullopt;
+}
+
 }  // namespace
 
-SearchResult relaid(const PlanningProblem& problem, const PreparedField& prepared,
-                    const std::vector<Subfield>& layout, const SearchContext& context) {
+SearchResult relaid(const PlanningProblem& problem, const PreparedField& prepared, const Plan& layout,
+                    Offset offset, const SearchContext& context) {
   const SearchTask task(problem, prepared);
   std::vector<LinedSubfield> lined;
-  for (Subfield& part : parts_of(prepared.ground.plannable, layout)) {
+  for (Subfield& part : parts_of(prepared.ground.plannable, layout.subfields)) {
     if (!part.reference.empty()) {
       lined.push_back({std::move(part), 0});
+      continue;
+    }
+    const std::optional<double> origin_m =
+        offset == Offset::kOfLayout ? origin_in(layout, part) : std::nullopt;
+    if (origin_m) {
+      lined.push_back({std::move(part), *origin_m});
       continue;
     }
     const PartProblem alone(problem, prepared, {part.shape}, MayDivide::kNo);
