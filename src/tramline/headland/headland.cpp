@@ -60,22 +60,21 @@ ChainsByNumber chains_of(const Field& field, const HeadlandTerms& terms) {
 
 double least_track_m(const HeadlandTerms& terms) { return std::max(terms.min_length_m, 2 * terms.width_m); }
 
-/// Takes the ground of chains off the body, and the parts of it beside them where no track fits. Returns
-/// these.
-Region take_chains_off(const ChainsByNumber& chains, const HeadlandTerms& terms, Region& body) {
+/// Takes the ground of chains off the body, and the parts of it beside them where no track fits.
+void take_chains_off(const ChainsByNumber& chains, const HeadlandTerms& terms, Region& body) {
   const Region ground = chains.ground();
-  if (ground.empty()) return {};
+  if (ground.empty()) return;
   body = difference(body, ground);
   Region narrow = without_room_for_tracks(body, terms.width_m, least_track_m(terms));
   std::erase_if(narrow, [&](const Polygon& part) { return distance_between({part}, ground) > kSamePlace_m; });
   if (!narrow.empty()) body = difference(body, narrow);
-  return narrow;
 }
 
 /// The land where tracks may end in any direction, a width from every boundary that has passes, and where
-/// they may also reach over the edge of their ground, a width from every boundary. Neither includes `narrow`.
+/// they may also reach over the edge of their ground, a width from every boundary. Neither includes the
+/// ground of chains.
 ClearLand clear_of_boundaries(std::vector<Boundary> boundaries, const ChainsByNumber& chains,
-                              const Region& narrow, double width_m) {
+                              double width_m) {
   bool all = true;
   for (Boundary& boundary : boundaries) {
     all = all && boundary.passes > 0;
@@ -85,7 +84,7 @@ ClearLand clear_of_boundaries(std::vector<Boundary> boundaries, const ChainsByNu
   out.for_track_ends = land_behind_headlands(boundaries, width_m);
   for (Boundary& boundary : boundaries) boundary.passes = 1;
   out.for_track_sides = all ? out.for_track_ends : land_behind_headlands(boundaries, width_m);
-  Region taken = narrow;
+  Region taken;
   for (const ChainToFollow& chain : chains.with(1))
     taken.insert(taken.end(), chain.ground.land.begin(), chain.ground.land.end());
   if (taken.empty()) return out;
@@ -136,7 +135,7 @@ HeadlandAndBody headland_of(const Field& field, const HeadlandTerms& asked) {
     return out;
   }
   out.body = body_behind(field, land, boundaries, terms.width_m);
-  const Region narrow = take_chains_off(chains, terms, out.body);
+  take_chains_off(chains, terms, out.body);
   out.ground = difference(land, out.body);
   const Region passable = obstacle_shapes(field, ObstacleKind::kPassable);
   const auto add = [&](std::vector<HeadlandPass> passes) {
@@ -150,7 +149,7 @@ HeadlandAndBody headland_of(const Field& field, const HeadlandTerms& asked) {
   }
   tally_passes(passable, terms.width_m, out);
   if (out.uncovered_m2 > 0)
-    leave_to_tracks(field, land, clear_of_boundaries(boundaries, chains, narrow, terms.width_m), terms, out);
+    leave_to_tracks(field, land, clear_of_boundaries(boundaries, chains, terms.width_m), terms, out);
   return out;
 }
 

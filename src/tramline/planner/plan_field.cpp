@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "tramline/geometry/error.h"
+#include "tramline/geometry/polygon/bounding_rectangle.h"
 #include "tramline/planner/assembly/finished_plan.h"
 #include "tramline/planner/assembly/whole_figures.h"
 #include "tramline/planner/candidate/anchored_guide.h"
@@ -17,6 +18,7 @@
 #include "tramline/planner/explain/explanation.h"
 #include "tramline/planner/given/given_search.h"
 #include "tramline/planner/headland_choice/headlands_for_turns.h"
+#include "tramline/planner/headland_choice/relaid.h"
 #include "tramline/planner/headland_choice/room_beyond.h"
 #include "tramline/planner/prepare_field.h"
 #include "tramline/planner/search/straight_search.h"
@@ -170,20 +172,64 @@ bool headlands_follow_turns(const PlanSettings& settings) {
          settings.obstacle_headland_rule == HeadlandRule::kTurns;
 }
 
-/// The plan without the headlands that are to follow from its turns.
-Plan layout_for_turns(PlanningProblem problem, const SearchContext& context) {
+/// The problem without the headlands that are to follow from the turns of its plan, which has none.
+PlanningProblem without_headlands_for_turns(PlanningProblem problem) {
   PlanSettings& settings = problem.settings;
   settings.turns = TurnPlanning::kNone;
   if (settings.headland_rule == HeadlandRule::kTurns) settings.headlands = 0;
   if (settings.obstacle_headland_rule == HeadlandRule::kTurns) settings.obstacle_headlands = 0;
   settings.headland_rule = settings.obstacle_headland_rule = HeadlandRule::kPasses;
-  return searched(problem, context.for_layout(), Explain::kNo).plan;
+  return problem;
+}
+
+/// The layout that a search finds for the land behind the passes; nothing where no track fits there.
+std::optional<Plan> directions_behind(PlanningProblem problem, int passes, const SearchContext& context) {
+  problem.settings.headlands = passes;
+  const std::optional<Preparation> behind = prepare_field(problem, context.uncounted());
+  if (!behind || area(behind->field.ground.plannable) == 0) return std::nullopt;
+  try {
+    Plan out = searched(problem, context.for_layout(), Explain::kNo).plan;
+    if (!out.subfields.empty()) return out;
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kBadInput) throw;
+  }
+  return std::nullopt;
+}
+
+/// One direction, along the length of the field.
+Plan directions_along(const PlanningProblem& problem) {
+  Plan out;
+  out.machine = problem.machine;
+  out.subfields.push_back({{problem.field.outer, {}}, across_least_width(problem.field.outer)});
+  return out;
+}
+
+/// The tracks over the whole field in the directions that are best behind the passes, or along its length
+/// where there is no room behind any.
+std::optional<Plan> layout_behind_passes(const PlanningProblem& bare, int passes,
+                                         const SearchContext& context) {
+  std::optional<Plan> directions;
+  for (; !directions && passes > 0; --passes) directions = directions_behind(bare, passes, context);
+  if (!directions) directions = directions_along(bare);
+  std::optional<Preparation> prepared = prepare_field(bare, context.uncounted());
+  if (!prepared) return std::nullopt;
+  SearchResult found = relaid(bare, prepared->field, *directions, Offset::kBest, context.uncounted());
+  if (!found.best.works()) return std::nullopt;
+  found.directions_tried = directions->directions_tried;
+  return finished_plan(SearchTask(bare, prepared->field), std::move(found), context.for_layout());
+}
+
+ExplainedPlan planned_with_headlands_for_turns(const PlanningProblem& problem, const SearchContext& context) {
+  const PlanningProblem bare = without_headlands_for_turns(problem);
+  const Plan layout = searched(bare, context.for_layout(), Explain::kNo).plan;
+  const auto behind_passes = [&](int passes) { return layout_behind_passes(bare, passes, context); };
+  return {plan_with_headlands_for_turns(problem, layout, behind_passes, context), std::nullopt};
 }
 
 ExplainedPlan planned(const PlanningProblem& problem, const SearchContext& context, Explain explain) {
   ExplainedPlan out;
   if (headlands_follow_turns(problem.settings))
-    out.plan = plan_with_headlands_for_turns(problem, layout_for_turns(problem, context), context);
+    out = planned_with_headlands_for_turns(problem, context);
   else
     out = searched(problem, context, explain);
   if (!out.plan.turns.empty() && out.plan.settings.boundary == EdgeKind::kSoft)

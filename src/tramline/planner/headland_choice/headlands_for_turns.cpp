@@ -55,8 +55,17 @@ int turns_without_room(const Plan& plan) {
   }));
 }
 
-/// A turn without room costs what backing out of a stop does.
-double whole_price(const Plan& plan) { return plan.cost + plan.objective.stop * turns_without_room(plan); }
+/// Whether more than one turn in so many is without room: then the tracks may lie the wrong way.
+constexpr int kSeldomWithoutRoom = 10;
+
+bool often_without_room(const Plan& plan) {
+  return kSeldomWithoutRoom * turns_without_room(plan) > static_cast<int>(plan.turns.size());
+}
+
+/// Over a turn without room the machine backs out of one track and into the next.
+double whole_price(const Plan& plan) {
+  return plan.cost + 2 * plan.objective.stop * turns_without_room(plan);
+}
 
 bool is_better(const Plan& a, const Plan& b) {
   const int of_a = turns_without_room(a) + a.tally.stops, of_b = turns_without_room(b) + b.tally.stops;
@@ -70,17 +79,24 @@ class HeadlandsForTurns {
     problem_.settings.turns = TurnPlanning::kTurns;
   }
 
-  Plan run() {
-    const PassesByBoundary first = as_set(needed_passes(layout_));
+  /// The cheapest plan found with its headlands, nothing where none leaves room for a track.
+  std::optional<Tried> cheapest() {
+    const PassesByBoundary first = needed();
     most_passes_ = deepest(first) + kMorePasses;
     std::optional<Tried> best = cheapest_of(ways_round(foreseen(first)));
     // A field too small for all of them gets as many as leave room for tracks.
     for (int most = deepest(first) - 1; !best && most >= 0; --most)
       best = improved(no_more_than(first, most));
-    if (!best) throw no_room(problem_);
-    if (problem_.settings.obstacle_headland_rule == HeadlandRule::kTurns) leave_out_obstacles(*best);
-    move_to_best_offset(*best);
-    return finished_plan(SearchTask(best->problem, best->prepared), std::move(best->found), context_);
+    return best;
+  }
+
+  /// The passes that the turns of the layout need.
+  PassesByBoundary needed() const { return as_set(needed_passes(layout_)); }
+
+  Plan finished(Tried best) {
+    if (problem_.settings.obstacle_headland_rule == HeadlandRule::kTurns) leave_out_obstacles(best);
+    move_to_best_offset(best);
+    return finished_plan(SearchTask(best.problem, best.prepared), std::move(best.found), context_);
   }
 
  private:
@@ -244,8 +260,20 @@ class HeadlandsForTurns {
 }  // namespace
 
 Plan plan_with_headlands_for_turns(const PlanningProblem& problem, const Plan& layout,
-                                   const SearchContext& context) {
-  return HeadlandsForTurns(problem, layout, context).run();
+                                   const OtherLayout& behind_passes, const SearchContext& context) {
+  HeadlandsForTurns search(problem, layout, context);
+  std::optional<Tried> best = search.cheapest();
+  if (!best || often_without_room(best->plan)) {
+    const std::optional<Plan> other = behind_passes(std::max(1, deepest(search.needed())));
+    if (other) {
+      HeadlandsForTurns again(problem, *other, context);
+      std::optional<Tried> along = again.cheapest();
+      if (along && (!best || whole_price(along->plan) < whole_price(best->plan)))
+        return again.finished(std::move(*along));
+    }
+  }
+  if (!best) throw no_room(problem);
+  return search.finished(std::move(*best));
 }
 
 }  // namespace tramline

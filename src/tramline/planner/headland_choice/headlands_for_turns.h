@@ -1,11 +1,18 @@
 #pragma once
 // Headlands as deep as the turns of the machine need, where tracks end, and nowhere else.
 
+#include <functional>
+#include <optional>
+
 #include "tramline/model/plan.h"
 #include "tramline/planner/planning_problem.h"
 #include "tramline/planner/search_context.h"
 
 namespace tramline {
+
+/// A layout in the directions that are best where so many passes go all round the field, or as many of these
+/// as leave room for tracks; nothing where none does.
+using OtherLayout = std::function<std::optional<Plan>(int passes)>;
 
 /// The plan with the layout of `layout`, which is a plan of the same problem without the headlands to be
 /// chosen: its directions, curves and subfields are kept, and the tracks are laid anew on the body that the
@@ -13,8 +20,9 @@ namespace tramline {
 /// still leave the land, more are added, a few times. Where the field has no room for all of them, the plan
 /// with the fewest turns without room is taken; its turns say how much room is missing. Obstacles whose
 /// headlands are to be chosen get them where that costs less than cutting tracks at them or driving round.
-/// Throws as finished_plan().
+/// Where many turns have no room, as where a long field would be driven crosswise from edge to edge, the
+/// other layout is tried too: a turn without room costs what two stops do. Throws as finished_plan().
 Plan plan_with_headlands_for_turns(const PlanningProblem& problem, const Plan& layout,
-                                   const SearchContext& context);
+                                   const OtherLayout& behind_passes, const SearchContext& context);
 
 }  // namespace tramline
