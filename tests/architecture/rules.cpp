@@ -18,7 +18,7 @@ using Names = std::set<std::string, std::less<>>;
 const std::vector<Names> kFloors = {{"geometry"}, {"model"},    {"geodesy", "admission", "coverage"},
                                     {"turns"},    {"headland"}, {"decomposition"},
                                     {"tracks"},   {"cost"},     {"avoidance"},
-                                    {"planner"}};
+                                    {"route"},    {"planner"}};
 
 const std::map<std::string, Names, std::less<>> kBeside = {
     {"check", {"geometry", "model", "coverage"}},

@@ -17,9 +17,9 @@
 
 #include "properties/seeds.h"
 #include "support/hops.h"
-#include "tramline/planner/order/best_tour.h"
-#include "tramline/planner/order/tours.h"
 #include "tramline/planner/plan_field.h"
+#include "tramline/route/order/best_tour.h"
+#include "tramline/route/order/tours.h"
 
 namespace tramline {
 namespace {

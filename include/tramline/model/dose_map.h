@@ -1,5 +1,5 @@
 #pragma once
-// A map of the amount applied.
+// A map of the amount applied, and the pattern across the machine in which it is.
 
 #include <optional>
 #include <string>
@@ -11,6 +11,16 @@
 #include "tramline/model/local_frame.h"
 
 namespace tramline {
+
+/// A relative rate at an offset across the machine. Between two points the rate changes linearly; beyond the
+/// outermost points it is 0. Two points at one offset are a jump.
+struct PatternPoint {
+  double offset_m = 0;  ///< from the machine's middle, positive to the left
+  double rate = 0;      ///< relative: only ratios count
+};
+
+/// The points from right to left or from left to right.
+using SprayPattern = std::vector<PatternPoint>;
 
 /// One bin of the histogram: the area that received a rate within its limits.
 struct DoseBin {

@@ -16,6 +16,7 @@
 #include "tramline/model/manoeuvre.h"
 #include "tramline/model/objective.h"
 #include "tramline/model/report.h"
+#include "tramline/model/route.h"
 #include "tramline/model/tally.h"
 #include "tramline/model/track.h"
 
@@ -74,8 +75,9 @@ struct GivenLand {
 /// How many headland passes there are. kPasses: as many as the settings say. kTurns: as many as the turns at
 /// the ends of the tracks need, and none along edges where no track ends.
 enum class HeadlandRule { kPasses, kTurns };
-/// Whether the turns between tracks are planned.
-enum class TurnPlanning { kNone, kTurns };
+/// What is planned between the tracks. kTurns: the turn from each to the next. kRoute: the whole route,
+/// headland passes and gates included.
+enum class TurnPlanning { kNone, kTurns, kRoute };
 
 /// Everything besides field, machine and objective that shapes a plan.
 struct PlanSettings {
@@ -105,6 +107,7 @@ struct PlanSettings {
   /// Within a block of tracks that lie side by side, each is followed by one at least so many tracks away; 1:
   /// the planner's choice.
   int skip = 1;
+  RouteSettings route{};  ///< with TurnPlanning::kRoute
   /// How far outside a soft boundary without headland the machine may turn, m; negative: as far as it needs.
   double turn_room_m = -1;
   /// The most by which a towed implement may be beside its track where the work begins, m.
@@ -136,7 +139,7 @@ const char* name(AbAnchor anchor);        ///< line, envelope; default
 const char* name(Passing way);            ///< left, right, cut
 const char* name(PlanOrigin origin);      ///< planned, lines
 const char* name(HeadlandRule rule);      ///< passes, auto
-const char* name(TurnPlanning choice);    ///< none, planned
+const char* name(TurnPlanning choice);    ///< none, planned, route
 /// The inverse of name(); nullopt for any other word.
 std::optional<EndRule> end_rule_named(std::string_view word);
 std::optional<EdgeKind> edge_kind_named(std::string_view word);
@@ -225,6 +228,7 @@ struct Plan {
   /// reach, m. Not kept in plan files.
   std::vector<double> room_beyond_m;
   std::vector<PlannedTurn> turns;     ///< where settings.turns asks for them, by piece
+  Route route;                        ///< where settings.turns asks for it
   std::vector<Encounter> encounters;  ///< by subfield, track and position along it
   PlanFigures figures = PlanFigures::kTracksAndPasses;
   StopRule stop_rule = StopRule::kTouching;

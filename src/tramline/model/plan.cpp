@@ -93,7 +93,17 @@ const char* name(Passing way) {
   return "";
 }
 
-const char* name(TurnPlanning choice) { return choice == TurnPlanning::kTurns ? "planned" : "none"; }
+const char* name(TurnPlanning choice) {
+  switch (choice) {
+    case TurnPlanning::kNone:
+      return "none";
+    case TurnPlanning::kTurns:
+      return "planned";
+    case TurnPlanning::kRoute:
+      return "route";
+  }
+  return "";
+}
 const char* name(HeadlandRule rule) { return rule == HeadlandRule::kTurns ? "auto" : "passes"; }
 const char* name(PlanOrigin origin) { return origin == PlanOrigin::kLines ? "lines" : "planned"; }
 
@@ -129,7 +139,7 @@ std::optional<HeadlandRule> headland_rule_named(std::string_view word) {
   return named(word, {HeadlandRule::kPasses, HeadlandRule::kTurns});
 }
 std::optional<TurnPlanning> turn_planning_named(std::string_view word) {
-  return named(word, {TurnPlanning::kNone, TurnPlanning::kTurns});
+  return named(word, {TurnPlanning::kNone, TurnPlanning::kTurns, TurnPlanning::kRoute});
 }
 std::optional<PlanOrigin> plan_origin_named(std::string_view word) {
   return named(word, {PlanOrigin::kPlanned, PlanOrigin::kLines});

@@ -13,7 +13,7 @@
 #include "tramline/planner/given/land_parts.h"
 #include "tramline/planner/given/take_off.h"
 #include "tramline/planner/search/straight_search.h"
-#include "tramline/planner/turning/turning_land.h"
+#include "tramline/route/turning/turning_land.h"
 
 namespace tramline {
 namespace {
@@ -131,7 +131,8 @@ std::optional<PreparedField> behind_headlands(const PlanningProblem& problem,
   out.short_edge_m = std::max(problem.settings.short_edge_m, short_edge_m(terms));
   out.hard_field = hard_field(problem);
   out.clearance_takes_all = clearance_takes_all(problem, out.ground);
-  out.turning_land = std::make_shared<AllowedLand>(turning_land(problem));
+  out.turning_land =
+      std::make_shared<AllowedLand>(turning_land(problem.field, problem.machine, problem.settings));
   return out;
 }
 
@@ -199,7 +200,8 @@ PreparedField field_without_headlands(const PlanningProblem& problem) {
   out.short_edge_m = problem.settings.short_edge_m;
   out.hard_field = hard_field(problem);
   out.clearance_takes_all = clearance_takes_all(problem, out.ground);
-  out.turning_land = std::make_shared<AllowedLand>(turning_land(problem));
+  out.turning_land =
+      std::make_shared<AllowedLand>(turning_land(problem.field, problem.machine, problem.settings));
   return out;
 }
 

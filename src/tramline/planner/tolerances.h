@@ -10,8 +10,6 @@ namespace tramline {
 
 // Tolerances of gains.
 
-/// Tours whose lengths differ by no more than this count as equal, m: they are sums of thousands of hops.
-inline constexpr double kLeastGain_m = 1e-6;
 /// The least saving of a repair, in units of cost: its areas come from the precision grid.
 inline constexpr double kLeastGain_cost = 1e-6;
 /// Covered areas of lines that differ by no more count as equal, m²: they come from the precision grid.
@@ -21,8 +19,6 @@ inline constexpr double kLeastSaving_share = 1e-6;
 
 // Tolerances of lengths.
 
-/// The least width and height of a grid of points, m: all points may coincide.
-inline constexpr double kLeastGridOfPlaces_m = 1e-6;
 /// Strips whose left edges are nearer to one another count as one, m: the lines over them work the same land.
 inline constexpr double kSameStrip_m = 1e-4;
 /// The opening of a chain that goes all the way round, m: a line must not touch itself.

@@ -10,8 +10,8 @@
 
 #include "tramline/check/verify.h"
 #include "tramline/geometry/error.h"
-#include "tramline/planner/order/skip_pattern.h"
 #include "tramline/planner/plan_field.h"
+#include "tramline/route/order/skip_pattern.h"
 
 namespace tramline {
 namespace {

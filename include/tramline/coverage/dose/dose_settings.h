@@ -7,7 +7,7 @@
 
 #include "tramline/coverage/evaluate_settings.h"
 #include "tramline/geometry/angle.h"
-#include "tramline/model/spray_pattern.h"
+#include "tramline/model/dose_map.h"
 
 namespace tramline::coverage {
 

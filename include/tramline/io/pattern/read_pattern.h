@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "tramline/model/spray_pattern.h"
+#include "tramline/model/dose_map.h"
 
 namespace tramline::io {
 

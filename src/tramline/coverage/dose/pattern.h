@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tramline/model/spray_pattern.h"
+#include "tramline/model/dose_map.h"
 
 namespace tramline::coverage {
 

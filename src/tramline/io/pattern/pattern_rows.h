@@ -3,7 +3,7 @@
 #include <string>
 
 #include "tramline/io/fixes/lines.h"
-#include "tramline/model/spray_pattern.h"
+#include "tramline/model/dose_map.h"
 
 namespace tramline::io {
 

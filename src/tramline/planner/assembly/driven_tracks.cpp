@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tramline/planner/order/best_tour.h"
+#include "tramline/route/order/best_tour.h"
 
 namespace tramline {
 namespace {

@@ -5,8 +5,8 @@
 #include <map>
 #include <utility>
 
-#include "tramline/planner/order/lines.h"
 #include "tramline/planner/tolerances.h"
+#include "tramline/route/order/lines.h"
 
 namespace tramline {
 namespace {

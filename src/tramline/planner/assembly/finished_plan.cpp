@@ -14,8 +14,8 @@
 #include "tramline/planner/assembly/track_ground.h"
 #include "tramline/planner/assembly/whole_figures.h"
 #include "tramline/planner/candidate/anchored_guide.h"
-#include "tramline/planner/turning/planned_turns.h"
 #include "tramline/planner/warnings.h"
+#include "tramline/route/turning/planned_turns.h"
 
 namespace tramline {
 namespace {

@@ -13,8 +13,8 @@
 #include "tramline/planner/headland_choice/relaid.h"
 #include "tramline/planner/headland_choice/shortened_tracks.h"
 #include "tramline/planner/prepare_field.h"
-#include "tramline/planner/turning/planned_turns.h"
-#include "tramline/planner/turning/turning_land.h"
+#include "tramline/route/turning/planned_turns.h"
+#include "tramline/route/turning/turning_land.h"
 
 namespace tramline {
 namespace {
@@ -125,7 +125,7 @@ class HeadlandsForTurns {
   /// leave them. Of equals the fewest passes.
   PassesByBoundary foreseen(PassesByBoundary passes) const {
     if (!any(passes)) return passes;
-    const AllowedLand land(turning_land(problem_with(passes)));
+    const AllowedLand land(turning_land(problem_.field, problem_.machine, problem_with(passes).settings));
     Plan plan = layout_;
     PassesByBoundary best = passes;
     int fewest = std::numeric_limits<int>::max();

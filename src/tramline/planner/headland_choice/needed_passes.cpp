@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "tramline/planner/headland_choice/boundary_ahead.h"
-#include "tramline/planner/turning/planned_turns.h"
+#include "tramline/route/turning/planned_turns.h"
 #include "tramline/turns/outline/outline.h"
 #include "tramline/turns/outline/swept_reach.h"
 #include "tramline/turns/room/places_off.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "tramline/planner/headland_choice/boundary_ahead.h"
-#include "tramline/planner/turning/planned_turns.h"
+#include "tramline/route/turning/planned_turns.h"
 #include "tramline/turns/outline/outline.h"
 #include "tramline/turns/outline/swept_reach.h"
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "tramline/geometry/polygon/boolean.h"
-#include "tramline/planner/order/best_tour.h"
 #include "tramline/planner/tolerances.h"
+#include "tramline/route/order/best_tour.h"
 
 namespace tramline {
 namespace {

@@ -1,4 +1,4 @@
-#include "tramline/planner/order/hop_costs.h"
+#include "tramline/route/order/hop_costs.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,11 +1,11 @@
-#include "tramline/planner/order/shorten.h"
+#include "tramline/route/order/shorten.h"
 
 #include <algorithm>
 #include <limits>
 #include <optional>
 
-#include "tramline/planner/order/point_grid.h"
-#include "tramline/planner/tolerances.h"
+#include "tramline/route/order/point_grid.h"
+#include "tramline/route/tolerances.h"
 
 namespace tramline::order {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "tramline/planner/order/hop_costs.h"
+#include "tramline/route/order/hop_costs.h"
 
 namespace tramline::order {
 

@@ -1,4 +1,4 @@
-#include "tramline/planner/order/skip_pattern.h"
+#include "tramline/route/order/skip_pattern.h"
 
 #include <algorithm>
 #include <cassert>

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "tramline/planner/order/blocks.h"
-#include "tramline/planner/order/hop_costs.h"
+#include "tramline/route/order/blocks.h"
+#include "tramline/route/order/hop_costs.h"
 
 namespace tramline::order {
 

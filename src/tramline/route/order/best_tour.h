@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tramline/model/field.h"
-#include "tramline/planner/order/lines.h"
+#include "tramline/route/order/lines.h"
 
 namespace tramline::order {
 

@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "tramline/planner/order/hop_ground.h"
-#include "tramline/planner/order/lines.h"
+#include "tramline/route/order/hop_ground.h"
+#include "tramline/route/order/lines.h"
 
 namespace tramline::order {
 

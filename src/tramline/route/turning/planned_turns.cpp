@@ -1,10 +1,10 @@
-#include "tramline/planner/turning/planned_turns.h"
+#include "tramline/route/turning/planned_turns.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "tramline/planner/turning/stops.h"
+#include "tramline/route/turning/stops.h"
 #include "tramline/turns/manoeuvres/manoeuvre_choice.h"
 #include "tramline/turns/manoeuvres/reach.h"
 #include "tramline/turns/outline/run_in.h"

@@ -1,11 +1,11 @@
-#include "tramline/planner/order/point_grid.h"
+#include "tramline/route/order/point_grid.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "tramline/geometry/tolerances.h"
-#include "tramline/planner/tolerances.h"
+#include "tramline/route/tolerances.h"
 
 namespace tramline::order {
 

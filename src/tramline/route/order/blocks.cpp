@@ -1,4 +1,4 @@
-#include "tramline/planner/order/blocks.h"
+#include "tramline/route/order/blocks.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "tramline/planner/order/lines.h"
+#include "tramline/route/order/lines.h"
 
 #include <algorithm>
 #include <utility>

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "tramline/planner/order/lines.h"
+#include "tramline/route/order/lines.h"
 
 namespace tramline::order {
 

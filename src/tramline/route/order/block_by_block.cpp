@@ -2,10 +2,10 @@
 #include <array>
 #include <limits>
 
-#include "tramline/planner/order/point_grid.h"
-#include "tramline/planner/order/shorten.h"
-#include "tramline/planner/order/tours.h"
-#include "tramline/planner/tolerances.h"
+#include "tramline/route/order/point_grid.h"
+#include "tramline/route/order/shorten.h"
+#include "tramline/route/order/tours.h"
+#include "tramline/route/tolerances.h"
 
 namespace tramline::order {
 namespace {

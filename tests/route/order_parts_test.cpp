@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "properties/seeds.h"
-#include "tramline/planner/order/blocks.h"
-#include "tramline/planner/order/hop_ground.h"
-#include "tramline/planner/order/point_grid.h"
+#include "tramline/route/order/blocks.h"
+#include "tramline/route/order/hop_ground.h"
+#include "tramline/route/order/point_grid.h"
 
 namespace tramline::order {
 namespace {

@@ -1,4 +1,4 @@
-#include "tramline/planner/turning/stops.h"
+#include "tramline/route/turning/stops.h"
 
 #include "tramline/geometry/path/path.h"
 #include "tramline/turns/turn_off.h"

@@ -1,5 +1,5 @@
-#include "tramline/planner/order/point_grid.h"
-#include "tramline/planner/order/tours.h"
+#include "tramline/route/order/point_grid.h"
+#include "tramline/route/order/tours.h"
 
 namespace tramline::order {
 

@@ -1,7 +1,7 @@
 #pragma once
 // The land that a machine may turn on.
 
-#include "tramline/planner/planning_problem.h"
+#include "tramline/model/plan.h"
 
 namespace tramline {
 
@@ -9,6 +9,6 @@ namespace tramline {
 /// Where the boundary is soft and has no headland also the land outside, as far as PlanSettings::turn_room_m
 /// says or, where that is negative, as far as any manoeuvre leads; not at all where headlands were to be as
 /// deep as turns need, and found no room. Local metres.
-Region turning_land(const PlanningProblem& problem);
+Region turning_land(const Field& field, const Machine& machine, const PlanSettings& settings);
 
 }  // namespace tramline

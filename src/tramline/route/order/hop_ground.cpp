@@ -1,4 +1,4 @@
-#include "tramline/planner/order/hop_ground.h"
+#include "tramline/route/order/hop_ground.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,7 +2,7 @@
 #include <limits>
 #include <utility>
 
-#include "tramline/planner/order/tours.h"
+#include "tramline/route/order/tours.h"
 
 namespace tramline::order {
 namespace {

@@ -1,13 +1,13 @@
-#include "tramline/planner/order/best_tour.h"
+#include "tramline/route/order/best_tour.h"
 
 #include <algorithm>
 #include <array>
 #include <iterator>
 #include <utility>
 
-#include "tramline/planner/order/shorten.h"
-#include "tramline/planner/order/skip_pattern.h"
-#include "tramline/planner/order/tours.h"
+#include "tramline/route/order/shorten.h"
+#include "tramline/route/order/skip_pattern.h"
+#include "tramline/route/order/tours.h"
 
 namespace tramline::order {
 namespace {

@@ -1,4 +1,4 @@
-#include "tramline/planner/turning/turning_land.h"
+#include "tramline/route/turning/turning_land.h"
 
 #include <cmath>
 
@@ -21,21 +21,19 @@ Region all_round(const Ring& outer, double margin_m) {
       {{{box.min_x, box.min_y}, {box.max_x, box.min_y}, {box.max_x, box.max_y}, {box.min_x, box.max_y}}, {}}};
 }
 
-Region land_with_obstacles(const PlanningProblem& problem) {
-  const Ring& outer = problem.field.outer;
-  const PlanSettings& settings = problem.settings;
+Region land_with_obstacles(const Ring& outer, const Machine& machine, const PlanSettings& settings) {
   if (settings.boundary == EdgeKind::kHard || settings.headlands > 0) return {{outer, {}}};
   if (settings.turn_room_m >= 0) return buffered({{outer, {}}}, settings.turn_room_m);
   if (settings.headland_rule == HeadlandRule::kTurns) return {{outer, {}}};
-  return all_round(outer, farthest_turn_m(problem.machine));
+  return all_round(outer, farthest_turn_m(machine));
 }
 
 }  // namespace
 
-Region turning_land(const PlanningProblem& problem) {
+Region turning_land(const Field& field, const Machine& machine, const PlanSettings& settings) {
   Region obstacles;
-  for (const Obstacle& obstacle : problem.field.obstacles) obstacles.push_back(obstacle.shape);
-  const Region land = land_with_obstacles(problem);
+  for (const Obstacle& obstacle : field.obstacles) obstacles.push_back(obstacle.shape);
+  const Region land = land_with_obstacles(field.outer, machine, settings);
   return obstacles.empty() ? land : difference(land, unite(obstacles));
 }
 

@@ -1,0 +1,91 @@
+#include "tramline/model/route.h"
+
+#include <algorithm>
+#include <array>
+
+namespace tramline {
+namespace {
+
+template <class Value, std::size_t count>
+std::optional<Value> named(std::string_view word, const std::array<Value, count>& values) {
+  const auto found =
+      std::find_if(values.begin(), values.end(), [&](Value value) { return word == name(value); });
+  return found == values.end() ? std::nullopt : std::optional(*found);
+}
+
+constexpr std::array kLegKinds = {LegKind::kWork, LegKind::kHeadland, LegKind::kTurn, LegKind::kTransit,
+                                  LegKind::kBackOut};
+constexpr std::array kOrders = {TrackOrder::kBest, TrackOrder::kBySpacing};
+constexpr std::array kTimes = {PassTime::kFirst, PassTime::kLast};
+constexpr std::array kSequences = {PassSequence::kAny, PassSequence::kInwards, PassSequence::kOutwards};
+
+/// The sum that a leg of this kind is part of.
+double& share_of(RouteSums& sums, LegKind kind) {
+  switch (kind) {
+    case LegKind::kWork:
+      return sums.working_m;
+    case LegKind::kHeadland:
+      return sums.headland_m;
+    case LegKind::kTransit:
+      return sums.transit_m;
+    case LegKind::kTurn:
+    case LegKind::kBackOut:
+      break;
+  }
+  return sums.turning_m;
+}
+
+}  // namespace
+
+const char* name(LegKind kind) {
+  switch (kind) {
+    case LegKind::kWork:
+      return "work";
+    case LegKind::kHeadland:
+      return "headland";
+    case LegKind::kTurn:
+      return "turn";
+    case LegKind::kTransit:
+      return "transit";
+    case LegKind::kBackOut:
+      return "back_out";
+  }
+  return "";
+}
+
+const char* name(TrackOrder order) { return order == TrackOrder::kBest ? "best" : "spacing"; }
+const char* name(PassTime time) { return time == PassTime::kFirst ? "first" : "last"; }
+
+const char* name(PassSequence sequence) {
+  switch (sequence) {
+    case PassSequence::kAny:
+      return "any";
+    case PassSequence::kInwards:
+      return "inwards";
+    case PassSequence::kOutwards:
+      return "outwards";
+  }
+  return "";
+}
+
+std::optional<LegKind> leg_kind_named(std::string_view word) { return named(word, kLegKinds); }
+std::optional<TrackOrder> track_order_named(std::string_view word) { return named(word, kOrders); }
+std::optional<PassTime> pass_time_named(std::string_view word) { return named(word, kTimes); }
+std::optional<PassSequence> pass_sequence_named(std::string_view word) { return named(word, kSequences); }
+
+double length(const RouteLeg& leg) { return length(leg.path); }
+
+RouteSums sums_of(const Route& route) {
+  RouteSums out;
+  for (const RouteLeg& leg : route.legs) {
+    const double length_m = length(leg);
+    out.length_m += length_m;
+    share_of(out, leg.kind) += length_m;
+    if (leg.gear == Gear::kReverse) out.reverse_m += length_m;
+    out.time_s += leg.time_s;
+    if (leg.missing_m > 0) ++out.without_room;
+  }
+  return out;
+}
+
+}  // namespace tramline

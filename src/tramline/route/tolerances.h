@@ -1,0 +1,13 @@
+#pragma once
+// Tolerances of routes and of the order of tracks.
+
+#include "tramline/turns/tolerances.h"
+
+namespace tramline {
+
+/// Tours whose lengths differ by no more than this count as equal, m: they are sums of thousands of hops.
+inline constexpr double kLeastGain_m = 1e-6;
+/// The least width and height of a grid of points, m: all points may coincide.
+inline constexpr double kLeastGridOfPlaces_m = 1e-6;
+
+}  // namespace tramline
