@@ -1,0 +1,31 @@
+#pragma once
+// Prices of the nodes that make the bound of a route large.
+
+#include <cstddef>
+#include <vector>
+
+#include "tramline/route/certificate/connection_bounds.h"
+
+namespace tramline::order {
+
+struct PricedBound {
+  std::vector<double> prices_s;  ///< by node
+  double bound_s = 0;            ///< bound_of() these prices
+};
+
+struct AscentEffort {
+  /// The time of the connections of a known route, s: how far the bound can rise at the most, which decides
+  /// how large the steps are.
+  double known_s = 0;
+  std::size_t steps = 0;  ///< 0: usual_steps()
+};
+
+/// How many steps best_bound() takes where none are asked for.
+std::size_t usual_steps(std::size_t lines);
+
+/// Prices found by subgradient ascent (Held and Karp 1971) over near nodes, and the bound that they prove
+/// over all nodes. Where near nodes were not all that matter, those missing are added and the ascent goes on.
+/// Deterministic. Preconditions: at least one line, at most two gates, known_s ≥ 0 and finite.
+PricedBound best_bound(const ConnectionBounds& bounds, const AscentEffort& effort);
+
+}  // namespace tramline::order

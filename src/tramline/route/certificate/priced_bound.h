@@ -1,0 +1,20 @@
+#pragma once
+// What no route can take less than: the bound of Held and Karp (1970) over the ends of lines.
+
+#include <vector>
+
+#include "tramline/route/certificate/connection_bounds.h"
+
+namespace tramline::order {
+
+/// The least time of all connections of a route together, as the prices of the nodes prove it: the least
+/// spanning tree over lines and gates, where joining two costs the least of the times between their nodes
+/// plus the prices of these nodes, less the sum of all prices, plus the smallest prices of as many line nodes
+/// as the route has ends without a gate (a route joins every node once, but for these). A bound for any
+/// prices. O(n²) calls of between(), none of least(). Precondition: a price for each node.
+double bound_of(const std::vector<double>& prices_s, const ConnectionBounds& bounds);
+
+/// The same number but for rounding, with far fewer calls of between(). O(n²) calls of least(), O(n) memory.
+double bound_of_pruned(const std::vector<double>& prices_s, const ConnectionBounds& bounds);
+
+}  // namespace tramline::order
