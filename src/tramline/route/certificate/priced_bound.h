@@ -1,6 +1,7 @@
 #pragma once
 // What no route can take less than: the bound of Held and Karp (1970) over the ends of lines.
 
+#include <cstddef>
 #include <vector>
 
 #include "tramline/route/certificate/connection_bounds.h"
@@ -16,5 +17,12 @@ double bound_of(const std::vector<double>& prices_s, const ConnectionBounds& bou
 
 /// The same number but for rounding, with far fewer calls of between(). O(n²) calls of least(), O(n) memory.
 double bound_of_pruned(const std::vector<double>& prices_s, const ConnectionBounds& bounds);
+
+/// The line nodes of the smallest prices, as many as a route has ends without a gate; among equals the first.
+/// Precondition: at least one line, at most two gates.
+std::vector<std::size_t> open_nodes(const std::vector<double>& prices_s, const ConnectionBounds& bounds);
+
+/// The bound, given the sum of the least spanning tree.
+double bound_with(double tree_s, const std::vector<double>& prices_s, const ConnectionBounds& bounds);
 
 }  // namespace tramline::order

@@ -1,0 +1,117 @@
+#include "tramline/route/certificate/near_joins.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#include "tramline/route/search/neighbours.h"
+
+namespace tramline::order {
+namespace {
+
+constexpr NeighbourCounts kNearNodes{24, 8};
+
+}  // namespace
+
+NearJoins::NearJoins(const ConnectionBounds& bounds) : bounds_(bounds) {
+  const std::size_t line_nodes = 2 * bounds.lines();
+  const auto apart = [&](std::size_t a, std::size_t b) { return a >= line_nodes && b >= line_nodes; };
+  const double never = std::numeric_limits<double>::max();
+  const Neighbours near = neighbours_of(
+      bounds.nodes(), [&](std::size_t a, std::size_t b) { return apart(a, b) ? never : bounds.least(a, b); },
+      [&](std::size_t a, std::size_t b) { return apart(a, b) ? never : bounds.between(a, b); }, kNearNodes);
+  for (std::size_t a = 0; a < near.size(); ++a)
+    for (const std::size_t b : near[a]) {
+      if (apart(a, b)) continue;
+      const bool both = std::find(near[b].begin(), near[b].end(), a) != near[b].end();
+      if (a < b || !both) joins_.push_back({a, b, bounds.between(a, b)});
+    }
+  join_all();
+  index();
+}
+
+void NearJoins::add(const std::vector<NodeJoin>& joins) {
+  joins_.insert(joins_.end(), joins.begin(), joins.end());
+  index();
+}
+
+/// Adds joins until all members are in one set (Borůvka 1926, by least()).
+void NearJoins::join_all() {
+  JoinedSets sets(members(bounds_));
+  std::size_t count = members(bounds_);
+  const auto join = [&](const NodeJoin& made) {
+    const bool joined = sets.join(member_of(made.a, bounds_.lines()), member_of(made.b, bounds_.lines()));
+    if (joined) --count;
+    return joined;
+  };
+  for (const NodeJoin& made : joins_) join(made);
+  while (count > 1)
+    for (NodeJoin& way : ways_between_sets(sets))
+      if (join(way)) {
+        way.cost_s = bounds_.between(way.a, way.b);
+        joins_.push_back(way);
+      }
+}
+
+/// From each set the join to another set that is the least by least().
+std::vector<NodeJoin> NearJoins::ways_between_sets(JoinedSets& sets) const {
+  const std::size_t lines = bounds_.lines();
+  std::vector<NodeJoin> best(members(bounds_), {0, 0, std::numeric_limits<double>::max()});
+  for (std::size_t a = 0; a < bounds_.nodes(); ++a)
+    for (std::size_t b = 0; b < std::min(a, 2 * lines); ++b) {
+      const std::size_t set_a = sets.set_of(member_of(a, lines)), set_b = sets.set_of(member_of(b, lines));
+      if (set_a == set_b) continue;
+      const NodeJoin way{a, b, bounds_.least(a, b)};
+      for (const std::size_t set : {set_a, set_b})
+        if (way.cost_s < best[set].cost_s) best[set] = way;
+    }
+  std::erase_if(best, [](const NodeJoin& way) { return way.a == way.b; });
+  return best;
+}
+
+void NearJoins::index() {
+  first_.assign(members(bounds_) + 1, 0);
+  for (const NodeJoin& join : joins_)
+    for (const std::size_t node : {join.a, join.b}) ++first_[member_of(node, bounds_.lines()) + 1];
+  for (std::size_t member = 1; member < first_.size(); ++member) first_[member] += first_[member - 1];
+  of_member_.resize(2 * joins_.size());
+  std::vector<std::size_t> next(first_);
+  for (std::size_t join = 0; join < joins_.size(); ++join)
+    for (const std::size_t node : {joins_[join].a, joins_[join].b})
+      of_member_[next[member_of(node, bounds_.lines())]++] = join;
+}
+
+const JoinTree& NearJoins::tree(const std::vector<double>& prices_s) {
+  tree_.joins.clear();
+  tree_.sum_s = 0;
+  key_s_.assign(members(bounds_), std::numeric_limits<double>::max());
+  heap_.clear();
+  reach_from(0, prices_s);
+  while (!heap_.empty()) {
+    std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
+    const Reached reached = heap_.back();
+    heap_.pop_back();
+    if (reached.cost_s != key_s_[reached.member]) continue;
+    tree_.joins.push_back(joins_[reached.join]);
+    tree_.sum_s += reached.cost_s;
+    reach_from(reached.member, prices_s);
+  }
+  return tree_;
+}
+
+/// The member is in the tree from now on.
+void NearJoins::reach_from(std::size_t member, const std::vector<double>& prices_s) {
+  key_s_[member] = -std::numeric_limits<double>::max();
+  for (std::size_t i = first_[member]; i < first_[member + 1]; ++i) {
+    const NodeJoin& join = joins_[of_member_[i]];
+    const std::size_t of_a = member_of(join.a, bounds_.lines());
+    const std::size_t other = of_a == member ? member_of(join.b, bounds_.lines()) : of_a;
+    const double cost_s = priced(join, prices_s);
+    if (cost_s >= key_s_[other]) continue;
+    key_s_[other] = cost_s;
+    heap_.push_back({cost_s, other, of_member_[i]});
+    std::push_heap(heap_.begin(), heap_.end(), std::greater<>());
+  }
+}
+
+}  // namespace tramline::order

@@ -1,0 +1,83 @@
+#include "tramline/route/search/shortened.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <random>
+
+#include "tramline/route/search/closed_tour.h"
+#include "tramline/route/search/double_bridge.h"
+#include "tramline/route/search/local_search.h"
+#include "tramline/route/tolerances.h"
+
+namespace tramline::order {
+namespace {
+
+/// The most lines of a run that a kick moves: so far away, changes seldom have to do with one another, and
+/// turning longer runs takes longer than searching.
+constexpr std::size_t kMostLinesKicked = 30;
+
+/// Those of the ends of the lines, and for the ends of the outside the ends of least cost.
+Neighbours with_outside(Neighbours neighbours, const EndCosts& costs) {
+  const std::size_t ends = neighbours.size();
+  std::size_t kept = 0;
+  for (const std::vector<End>& near : neighbours) kept = std::max(kept, near.size());
+  const auto nearest = [&](auto cost) {
+    std::vector<End> out(ends);
+    for (End end = 0; end < ends; ++end) out[end] = end;
+    std::stable_sort(out.begin(), out.end(), [&](End a, End b) { return cost(a) < cost(b); });
+    out.resize(std::min(kept, ends));
+    return out;
+  };
+  std::vector<End> finish = nearest([&](End end) { return costs.at_finish(end); });
+  std::vector<End> start = nearest([&](End end) { return costs.at_start(end); });
+  neighbours.push_back(std::move(finish));
+  neighbours.push_back(std::move(start));
+  return neighbours;
+}
+
+/// The same numbers on every machine, unlike those of the distributions of the standard library.
+std::size_t below(std::size_t limit, std::mt19937& random) {
+  return static_cast<std::size_t>((static_cast<std::uint64_t>(random()) * limit) >> 32U);
+}
+
+DoubleBridge random_kick(const ClosedTour& tour, std::mt19937& random) {
+  const std::size_t most = std::clamp<std::size_t>((tour.lines() - 1) / 3, 1, kMostLinesKicked);
+  std::array<std::size_t, 3> counts{};
+  for (std::size_t& count : counts) count = 1 + below(most, random);
+  return {below(tour.lines(), random), counts};
+}
+
+}  // namespace
+
+std::size_t usual_kicks(std::size_t lines) { return 8 * lines; }
+
+Tour shortened(const Tour& tour, const EndCosts& costs, const Neighbours& neighbours, std::size_t kicks) {
+  assert(tour.size() == costs.lines() && neighbours.size() == 2 * tour.size());
+  if (tour.size() < 2) return tour;
+  ClosedCosts closed(costs);
+  ClosedTour ring(tour, closed);
+  const Neighbours near = with_outside(neighbours, costs);
+  LocalSearch search(ring, near);
+  for (const End entered : tour) search.wait(entered);
+  search.wait(ring.start());
+  search.run();
+  std::mt19937 random;  // NOLINT(bugprone-random-generator-seed): the same kicks every time
+  double worse_s = 0;   // than the best tour so far, by rounding
+  for (std::size_t i = 0; i < kicks; ++i) {
+    ring.keep();
+    const DoubleBridge kick = random_kick(ring, random);
+    if (!kick.is_valid(ring)) continue;
+    double change_s = -kick.gain(ring);
+    kick.apply(ring);
+    for (const End changed : ring.changed_since(0)) search.wait(changed);
+    change_s -= search.run();
+    if (worse_s + change_s > kSameTime_s)
+      ring.undo_to(0);
+    else
+      worse_s = std::max(0.0, worse_s + change_s);
+  }
+  return ring.open();
+}
+
+}  // namespace tramline::order
