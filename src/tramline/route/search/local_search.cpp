@@ -1,66 +1,29 @@
 #include "tramline/route/search/local_search.h"
 
-#include "tramline/route/search/or_opt.h"
+#include <algorithm>
+
+#include "tramline/route/search/three_opt.h"
 #include "tramline/route/search/two_opt.h"
 #include "tramline/route/tolerances.h"
 
 namespace tramline::order {
 namespace {
 
-/// Moves that connect two ends, of all kinds.
-class MovesAbout {
- public:
-  explicit MovesAbout(ClosedTour& tour) : tour_(tour) {}
-
-  void look_at(End a, End b) {
-    const TwoOpt exchange(tour_, a, b);
-    if (exchange.is_valid()) {
-      const double gain = exchange.gain(tour_);
-      if (gain > gain_) {
-        gain_ = gain;
-        run_ = 0;
-        a_ = a;
-        b_ = b;
-      }
-    }
-    for (std::size_t count = 1; count <= kMostLinesMoved; ++count) {
-      look_at_run(a, count, b);
-      look_at_run(b, count, a);
-    }
-  }
-
-  /// What the best of them gained, s; 0 if none gains.
-  double apply_best() {
-    if (gain_ <= kSameTime_s) return 0;
-    if (run_ == 0)
-      TwoOpt(tour_, a_, b_).apply(tour_);
-    else
-      OrOpt(tour_, a_, run_, b_).apply(tour_);
-    return gain_;
-  }
-
- private:
-  void look_at_run(End a, std::size_t count, End b) {
-    const OrOpt move(tour_, a, count, b);
-    if (!move.is_valid()) return;
-    const double gain = move.gain(tour_);
-    if (gain <= gain_) return;
-    gain_ = gain;
-    run_ = count;
-    a_ = a;
-    b_ = b;
-  }
-
-  ClosedTour& tour_;
-  double gain_ = kSameTime_s;
-  std::size_t run_ = 0;  ///< lines moved; 0: an exchange
-  End a_ = 0, b_ = 0;
-};
+/// Ends tried for the third connection of a move.
+constexpr std::size_t kThirdEnds = 6;
 
 }  // namespace
 
 LocalSearch::LocalSearch(ClosedTour& tour, const Neighbours& neighbours)
-    : tour_(tour), neighbours_(neighbours), chain_(tour, neighbours), waits_(tour.lines(), false) {}
+    : tour_(tour), near_(neighbours.size()), waits_(tour.lines(), false) {
+  for (End end = 0; end < near_.size(); ++end) {
+    for (const End near : neighbours[end]) near_[end].push_back({near, tour_.between(end, near)});
+    for (const End outside : {tour_.start(), tour_.finish()})
+      if (line_of(end) != line_of(outside)) near_[end].push_back({outside, tour_.between(end, outside)});
+    std::stable_sort(near_[end].begin(), near_[end].end(),
+                     [](const NearEnd& x, const NearEnd& y) { return x.cost_s < y.cost_s; });
+  }
+}
 
 void LocalSearch::wait(End end) {
   if (waits_[line_of(end)]) return;
@@ -80,26 +43,49 @@ double LocalSearch::run() {
   return gained;
 }
 
-/// One move or chain that gains, and its gain, s; 0 if there is none.
+/// The best move that takes away the connection of the end and connects it with one near it. Its gain, s; 0
+/// if none gains.
 double LocalSearch::improve_at(End end) {
+  best_ = {};
+  best_.gain = kSameTime_s;
+  const End a = tour_.mate(end);
+  for (const NearEnd& near : near_[end]) {
+    const double ahead_s = tour_.mate_s(end) - near.cost_s;
+    if (ahead_s <= kSameTime_s) break;
+    if (near.end != a) look_past(a, near.end, ahead_s + tour_.mate_s(near.end));
+  }
+  if (best_.gain <= kSameTime_s) return 0;
   const std::size_t changes = tour_.changes();
-  double gain = best_move(end);
-  if (gain == 0) gain = chain_.improve(end);
-  if (gain > 0)
-    for (const End changed : tour_.changed_since(changes)) wait(changed);
-  return gain;
+  if (best_.three)
+    ThreeOpt(tour_, best_.a, best_.b, best_.c).apply(tour_);
+  else
+    TwoOpt(tour_, best_.a, best_.b).apply(tour_);
+  for (const End changed : tour_.changed_since(changes)) wait(changed);
+  return best_.gain;
 }
 
-double LocalSearch::best_move(End end) {
-  MovesAbout moves(tour_);
-  for (const End near : neighbours_[end]) {
-    if (tour_.between(end, near) >= tour_.mate_s(end)) break;
-    moves.look_at(end, near);
+/// Moves that take away the connections of a and b and connect the mate of a with b; so far they are ahead,
+/// the connection of b counted.
+void LocalSearch::look_past(End a, End b, double ahead_s) {
+  const End mate_of_a = tour_.mate(a), mate_of_b = tour_.mate(b);
+  if (tour_.may_exchange(mate_of_a, b)) {
+    const double gain = ahead_s - tour_.between(a, mate_of_b);
+    if (gain > best_.gain) best_ = {gain, mate_of_a, b, 0, false};
   }
-  for (const End outside : {tour_.start(), tour_.finish()})
-    if (line_of(end) != line_of(outside) && tour_.between(end, outside) < tour_.mate_s(end))
-      moves.look_at(end, outside);
-  return moves.apply_best();
+  const std::vector<NearEnd>& near = near_[mate_of_b];
+  for (std::size_t i = 0; i < std::min(near.size(), kThirdEnds); ++i) {
+    const End c = near[i].end;
+    const double further_s = ahead_s - near[i].cost_s;
+    if (further_s <= kSameTime_s) break;
+    const double most = further_s + tour_.mate_s(c);
+    if (most <= best_.gain) continue;
+    look_past(a, b, c, most);
+  }
+}
+
+void LocalSearch::look_past(End a, End b, End c, double ahead_s) {
+  const double gain = ahead_s - tour_.between(a, tour_.mate(c));
+  if (gain > best_.gain && ThreeOpt(tour_, a, b, c).is_valid()) best_ = {gain, a, b, c, true};
 }
 
 }  // namespace tramline::order

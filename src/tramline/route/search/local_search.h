@@ -1,10 +1,10 @@
 #pragma once
 // Improves a tour about given lines until no move gains.
 
+#include <cstddef>
 #include <vector>
 
 #include "tramline/route/search/closed_tour.h"
-#include "tramline/route/search/exchange_chain.h"
 #include "tramline/route/search/neighbours.h"
 
 namespace tramline::order {
@@ -21,14 +21,24 @@ class LocalSearch {
   double run();
 
  private:
+  struct NearEnd {
+    End end = 0;
+    double cost_s = 0;
+  };
+  struct FoundMove {
+    double gain = 0;
+    End a = 0, b = 0, c = 0;
+    bool three = false;
+  };
   double improve_at(End end);
-  double best_move(End end);
+  void look_past(End a, End b, double ahead_s);
+  void look_past(End a, End b, End c, double ahead_s);
 
   ClosedTour& tour_;
-  const Neighbours& neighbours_;
-  ExchangeChain chain_;
+  std::vector<std::vector<NearEnd>> near_;  ///< by end
   std::vector<std::size_t> waiting_;
   std::vector<bool> waits_;  ///< by line
+  FoundMove best_;
 };
 
 }  // namespace tramline::order

@@ -15,7 +15,7 @@ namespace {
 
 /// The most lines of a run that a kick moves: so far away, changes seldom have to do with one another, and
 /// turning longer runs takes longer than searching.
-constexpr std::size_t kMostLinesKicked = 30;
+constexpr std::size_t kMostLinesKicked = 10;
 
 /// Those of the ends of the lines, and for the ends of the outside the ends of least cost.
 Neighbours with_outside(Neighbours neighbours, const EndCosts& costs) {
