@@ -248,12 +248,12 @@ TEST(CurvedPiecesProperties, AreGivenUpOnlyWhereTheyCostMore) {
       const Candidate again = plain_candidate(task, ground, subfield, whole.cost());
       EXPECT_EQ(again.cost(), whole.cost());
       EXPECT_EQ(again.avoided.tally.pieces, whole.avoided.tally.pieces);
-      const Candidate dearer = plain_candidate(task, ground, subfield, 0.5 * whole.cost());
-      if (!dearer.works()) {
+      const Candidate costlier = plain_candidate(task, ground, subfield, 0.5 * whole.cost());
+      if (!costlier.works()) {
         ++given_up;
         EXPECT_FALSE(asks_for_detours(task));
       } else {
-        EXPECT_EQ(dearer.cost(), whole.cost());
+        EXPECT_EQ(costlier.cost(), whole.cost());
       }
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::kBadInput) throw;

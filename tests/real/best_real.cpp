@@ -3,8 +3,8 @@
 //   best_real [--scenario N] [--width W]
 //
 // Scenarios 1 to 3 are Versleijen's; 0, the default, are the default prices. Prints a line for everything
-// that is not well and a row for docs/performance.md; exit code 1 when a plan fails, is dearer than the
-// sweep's or lies below its bound.
+// that is not well and a row for docs/performance.md; exit code 1 when a plan fails, is more expensive than
+// the sweep's or lies below its bound.
 
 #include <fmt/format.h>
 

@@ -36,10 +36,10 @@ std::vector<std::string> notes_on(const Breaks& breaks, const DriveSettings& dri
 }
 
 void add_shapes(Coverage& coverage, const Engine& engine, RepeatRule repeat) {
-  coverage.covered = engine.region(Ground::kCovered);
-  coverage.repeated = engine.region(repeat == RepeatRule::kStrict ? Ground::kAgain : Ground::kRepeated);
-  coverage.worked_times = {Region{}, engine.region(Ground::kOnce), engine.region(Ground::kTwice),
-                           engine.region(Ground::kOften)};
+  coverage.covered = engine.region(LandClass::kCovered);
+  coverage.repeated = engine.region(repeat == RepeatRule::kStrict ? LandClass::kAgain : LandClass::kRepeated);
+  coverage.worked_times = {Region{}, engine.region(LandClass::kOnce), engine.region(LandClass::kTwice),
+                           engine.region(LandClass::kOften)};
 }
 
 }  // namespace
@@ -91,10 +91,10 @@ CoverageAreas reported(CoverageAreas areas, RepeatRule repeat) {
 }
 
 void add_regions(Coverage& out, const Engine& engine, const EvaluateSettings& settings) {
-  out.missed = engine.region(Ground::kMissed);
-  out.not_recorded = engine.region(Ground::kUnrecorded);
+  out.missed = engine.region(LandClass::kMissed);
+  out.not_recorded = engine.region(LandClass::kUnrecorded);
   out.gaps = gaps_of(out.missed);
-  if (settings.covered && !settings.shapes) out.covered = engine.region(Ground::kCovered);
+  if (settings.covered && !settings.shapes) out.covered = engine.region(LandClass::kCovered);
   if (settings.shapes) add_shapes(out, engine, settings.repeat);
 }
 
