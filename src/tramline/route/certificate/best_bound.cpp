@@ -13,12 +13,12 @@ namespace tramline::order {
 namespace {
 
 /// How often the ascent goes on with joins that it lacked.
-constexpr int kMostRounds = 4;
+constexpr int kMostRounds = 3;
 /// The step is halved after so many steps without a gain.
-constexpr std::size_t kPatience = 8;
+constexpr std::size_t kPatience = 15;
 /// The part of the direction that is kept from the step before (Volgenant and Jonker 1982).
-constexpr double kKept = 0.3;
-constexpr double kFirstStep = 1.5;
+constexpr double kKept = 0.85;
+constexpr double kFirstStep = 2;
 constexpr double kLeastStep = 1e-3;
 /// How far above the bound at hand the best one is expected where no route is known.
 constexpr double kExpectedRise = 0.05;
