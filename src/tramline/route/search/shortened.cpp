@@ -61,7 +61,7 @@ DoubleBridge random_kick(const ClosedTour& tour, const Neighbours& near, std::mt
 
 }  // namespace
 
-std::size_t usual_kicks(std::size_t lines) { return 8 * lines; }
+std::size_t usual_kicks(std::size_t lines) { return std::max<std::size_t>(1200, 8 * lines); }
 
 Tour shortened(const Tour& tour, const EndCosts& costs, const Neighbours& neighbours, std::size_t kicks) {
   assert(tour.size() == costs.lines() && neighbours.size() == 2 * tour.size());
