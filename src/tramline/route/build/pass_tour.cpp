@@ -30,13 +30,15 @@ bool same_boundary(const HeadlandPass& a, const HeadlandPass& b) {
 
 class PassTour {
  public:
-  PassTour(const Headland& headland, PassSequence sequence, const Connector& connector,
-           const LeastSeconds& least)
+  PassTour(const Headland& headland, const std::vector<std::size_t>& passes, PassSequence sequence,
+           const Connector& connector, const LeastSeconds& least)
       : headland_(headland),
         sequence_(sequence),
         connector_(connector),
         least_(least),
-        done_(headland.passes.size(), false) {
+        passes_(passes.size()),
+        done_(headland.passes.size(), true) {
+    for (const std::size_t pass : passes) done_[pass] = false;
     const Machine& machine = connector.ground().machine();
     const double spacing_m = std::max(kLeastEntrySpacing_m, kEntrySpacing_radii * machine.radius_m);
     for (const HeadlandPass& pass : headland.passes)
@@ -45,7 +47,7 @@ class PassTour {
 
   std::vector<WorkedPass> from(SteeredPath left) {
     std::vector<WorkedPass> out;
-    while (out.size() < headland_.passes.size()) {
+    while (out.size() < passes_) {
       out.push_back(left.empty() ? first() : next(left));
       const WorkedPass& worked = out.back();
       done_[worked.pass] = true;
@@ -74,11 +76,7 @@ class PassTour {
   /// Where nothing came before: the outermost pass, or the innermost where passes go outwards.
   WorkedPass first() const {
     std::size_t best = 0;
-    for (std::size_t i = 0; i < done_.size(); ++i)
-      if (has_its_turn(i)) {
-        best = i;
-        break;
-      }
+    while (done_[best] || !has_its_turn(best)) ++best;
     return {best, entries_[best].front(), {}};
   }
 
@@ -122,15 +120,17 @@ class PassTour {
   PassSequence sequence_;
   const Connector& connector_;
   const LeastSeconds& least_;
-  std::vector<bool> done_;
+  std::size_t passes_;
+  std::vector<bool> done_;  ///< or none of those asked for
   std::vector<std::vector<PassEntry>> entries_;
 };
 
 }  // namespace
 
-std::vector<WorkedPass> pass_tour(const Headland& headland, PassSequence sequence, const SteeredPath& left,
-                                  const Connector& connector, const LeastSeconds& least) {
-  return PassTour(headland, sequence, connector, least).from(left);
+std::vector<WorkedPass> pass_tour(const Headland& headland, const std::vector<std::size_t>& passes,
+                                  PassSequence sequence, const SteeredPath& left, const Connector& connector,
+                                  const LeastSeconds& least) {
+  return PassTour(headland, passes, sequence, connector, least).from(left);
 }
 
 }  // namespace tramline

@@ -25,6 +25,9 @@ std::vector<TrackPiece> pieces_of(const std::vector<order::WorkedLine>& lines) {
   return out;
 }
 
+/// What follows lines on the route: other lines, or the gate at its end, if any.
+enum class Behind { kMore, kGate };
+
 class RoutePlanner {
  public:
   RoutePlanner(const RouteTask& task, const std::vector<order::WorkedLine>& lines)
@@ -66,10 +69,27 @@ class RoutePlanner {
       legs_.add(connector_.from_gate(*out_.start, entered));
   }
 
+  /// Those round the outside first where passes come first, and last where they come last: the others lie between
+  /// them and the tracks.
   void add_passes() {
-    if (task_.headland.passes.empty()) return;
+    const PassSequence sequence = task_.settings.route.sequence;
+    std::vector<std::size_t> open, closed, all;
+    for (std::size_t i = 0; i < task_.headland.passes.size(); ++i) {
+      (is_closed(task_.headland.passes[i]) ? closed : open).push_back(i);
+      all.push_back(i);
+    }
+    if (sequence != PassSequence::kAny) return add_nearest(all);
+    const bool first = task_.settings.route.passes == PassTime::kFirst;
+    if (first) add_nearest(closed);
+    add_open(open);
+    if (!first) add_nearest(closed);
+  }
+
+  /// Passes in the order in which each is the nearest.
+  void add_nearest(const std::vector<std::size_t>& passes) {
+    if (passes.empty()) return;
     const std::vector<WorkedPass> tour =
-        pass_tour(task_.headland, task_.settings.route.sequence, left_, connector_, least_);
+        pass_tour(task_.headland, passes, task_.settings.route.sequence, left_, connector_, least_);
     for (const WorkedPass& worked : tour) {
       const HeadlandPass& pass = task_.headland.passes[worked.pass];
       SteeredPath axle = axle_path(pass, worked.entry, turning_);
@@ -82,25 +102,50 @@ class RoutePlanner {
     }
   }
 
+  /// Open passes, which have two ends like tracks, in the best order that is found.
+  void add_open(const std::vector<std::size_t>& passes) {
+    if (passes.empty()) return;
+    std::vector<RouteLine> lines;
+    order::Tour as_given;
+    for (const std::size_t pass : passes) {
+      as_given.push_back(2 * lines.size());
+      lines.push_back(route_line(task_.headland.passes[pass], pass, turning_));
+    }
+    KnownCosts costs(lines, connector_, least_);
+    set_ends(lines, Behind::kMore, costs);
+    const TrackTour tour = best_tour_with_ways({as_given}, costs);
+    for (std::size_t i = 0; i < tour.tour.size(); ++i) {
+      const order::End entered = tour.tour[i];
+      const SteeredPath& axle = lines[order::line_of(entered)].entered_by(entered).first;
+      if (i > 0)
+        legs_.add(tour.ways[i - 1]);
+      else
+        add_way_to(axle);
+      const std::size_t pass = passes[order::line_of(entered)];
+      const Sense sense = order::is_start(entered) ? Sense::kAlong : Sense::kAgainst;
+      legs_.add(task_.headland.passes[pass], pass, {0, sense, axle.front().start, end_of(axle)});
+      left_ = axle;
+    }
+  }
+
   /// What the way to the first line and that from the last one cost at least, by their ends.
-  void set_ends(KnownCosts& costs) const {
-    const bool passes_follow =
-        task_.settings.route.passes == PassTime::kLast && !task_.headland.passes.empty();
-    for (order::End end = 0; end < 2 * lines_.size(); ++end) {
-      const RouteLine& line = route_lines_[order::line_of(end)];
+  void set_ends(const std::vector<RouteLine>& lines, Behind behind, KnownCosts& costs) const {
+    for (order::End end = 0; end < 2 * lines.size(); ++end) {
+      const RouteLine& line = lines[order::line_of(end)];
       if (!left_.empty())
         costs.set_start(end, least_.between(end_of(left_), pose_entered_by(line, end)));
       else if (out_.start)
         costs.set_start(end, least_.to_gate(*out_.start, pose_entered_by(line, end)));
-      if (out_.end && !passes_follow)
-        costs.set_finish(end, least_.to_gate(*out_.end, pose_left_by(line, end)));
+      if (out_.end && behind == Behind::kGate) costs.set_finish(end, least_.to_gate(*out_.end, pose_left_by(line, end)));
     }
   }
 
   void add_tracks(const std::vector<order::Tour>& given) {
     if (lines_.empty()) return;
     KnownCosts costs(route_lines_, connector_, least_);
-    set_ends(costs);
+    const bool passes_follow =
+        task_.settings.route.passes == PassTime::kLast && !task_.headland.passes.empty();
+    set_ends(route_lines_, passes_follow ? Behind::kMore : Behind::kGate, costs);
     const bool best = task_.settings.route.order == TrackOrder::kBest;
     const TrackTour tour = best ? best_tour_with_ways(given, costs) : with_ways(given.front(), costs);
     std::size_t piece = 0;
