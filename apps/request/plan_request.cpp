@@ -59,8 +59,8 @@ TrackShape shape_of(const std::string& curved) {
   throw bad_input(fmt::format("--curved takes auto or always, not '{}'", curved));
 }
 
-/// "x1,y1 x2,y2"
-std::vector<double> four_numbers(const std::string& text) {
+/// As many numbers as there are, parted by commas and spaces; none where anything else is in the text.
+std::vector<double> coordinates_in(const std::string& text) {
   std::vector<double> out;
   const char* at = text.c_str();
   while (*at != '\0') {
@@ -71,8 +71,14 @@ std::vector<double> four_numbers(const std::string& text) {
     at = end;
     while (*at == ',' || *at == ' ') ++at;
   }
-  if (out.size() != 4 || *at != '\0')
-    throw bad_input(fmt::format("--ab takes two points, \"x1,y1 x2,y2\", not '{}'", text));
+  if (*at != '\0') out.clear();
+  return out;
+}
+
+/// "x1,y1 x2,y2"
+std::vector<double> four_numbers(const std::string& text) {
+  std::vector<double> out = coordinates_in(text);
+  if (out.size() != 4) throw bad_input(fmt::format("--ab takes two points, \"x1,y1 x2,y2\", not '{}'", text));
   return out;
 }
 
@@ -145,7 +151,50 @@ Turning turning_typed(const TurningOptions& typed, const Turning& turning) {
   return out;
 }
 
+/// "x,y" or the points of a file; nothing where nothing was typed.
+std::optional<GatePoints> gate_of(const std::string& text, const char* option,
+                                  const std::string& crs_definition) {
+  if (text.empty()) return std::nullopt;
+  const std::vector<double> numbers = coordinates_in(text);
+  if (numbers.size() == 2) return gate_of_point({numbers[0], numbers[1]}, option, crs_definition);
+  if (!numbers.empty())
+    throw bad_input(fmt::format("{} takes a point, \"x,y\", or a file of points, not '{}'", option, text));
+  io::VectorQuery query;
+  query.file = text;
+  query.all_layers = true;
+  return read_gates(io::read_vector(query), crs_definition);
+}
+
+constexpr const char* kBestOrder = "best";
+constexpr const char* kRoute = "whole";
+
+TurnPlanning turns_typed(const PlanOptions& o, const PlanSettings& settings) {
+  if (o.route.empty() || o.route == kRoute) return TurnPlanning::kRoute;
+  if (o.route != "none") throw bad_input(fmt::format("--route takes whole or none, not '{}'", o.route));
+  const bool follow = settings.headland_rule == HeadlandRule::kTurns ||
+                      settings.obstacle_headland_rule == HeadlandRule::kTurns;
+  return o.turns || follow ? TurnPlanning::kTurns : TurnPlanning::kNone;
+}
+
+/// The order of tracks: `skip` is that of --order where it names one, else that of --spacing.
+void set_order(const PlanOptions& o, PlanSettings& settings) {
+  if (const std::string fault = spacing_fault(o.spacing); !fault.empty())
+    throw bad_input(fmt::format("--spacing {}", fault));
+  settings.skip = jump_typed(o.spacing).value_or(1);
+  if (o.order.empty() || o.order == kBestOrder) return;
+  if (const std::string fault = order_fault(o.order); !fault.empty())
+    throw bad_input(fmt::format("--order {}", fault));
+  settings.skip = jump_typed(o.order).value_or(1);
+  settings.route.order = TrackOrder::kBySpacing;
+}
+
 }  // namespace
+
+std::string order_fault(const std::string& text) {
+  if (text == kBestOrder || jump_typed(text)) return "";
+  return fmt::format("takes 'best', 'adjacent', or 'skip K' with a number of tracks from 1 to {}, not '{}'",
+                     kMostSkipped, text);
+}
 
 std::string headlands_fault(const std::string& text) {
   if (text == kAuto || count_typed(text, 0, kMostPasses)) return "";
@@ -176,6 +225,15 @@ std::optional<GuideLine> guide_of(const PlanOptions& o, const std::string& crs_d
   query.where = o.guide_where;
   query.all_layers = true;
   return read_guide(io::read_vector(query), crs_definition);
+}
+
+Gates gates_of(const PlanOptions& o, const std::string& crs_definition) {
+  return {gate_of(o.start, "--start", crs_definition), gate_of(o.end, "--end", crs_definition)};
+}
+
+void place_gates(const Gates& gates, const Field& field, PlanSettings& settings) {
+  if (gates.start) settings.route.start = placed_gate(*gates.start, field);
+  if (gates.end) settings.route.end = placed_gate(*gates.end, field);
 }
 
 PlanSettings settings_for(const PlanSettings& settings, const std::optional<GuideLine>& guide,
@@ -217,13 +275,12 @@ PlanSettings settings_of(const PlanOptions& o) {
   settings.strategy = chosen(strategy_named(o.strategy), "--strategy", o.strategy, "best or sweep");
   settings.direction_tolerance = Angle::degrees(o.direction_tolerance_deg);
   set_headlands(o, settings);
-  settings.turns = o.turns || settings.headland_rule == HeadlandRule::kTurns ||
-                           settings.obstacle_headland_rule == HeadlandRule::kTurns
-                       ? TurnPlanning::kTurns
-                       : TurnPlanning::kNone;
-  if (const std::string fault = spacing_fault(o.spacing); !fault.empty())
-    throw bad_input(fmt::format("--spacing {}", fault));
-  settings.skip = jump_typed(o.spacing).value_or(1);
+  settings.turns = turns_typed(o, settings);
+  set_order(o, settings);
+  settings.route.passes =
+      chosen(pass_time_named(o.headland_time), "--headland-time", o.headland_time, "first or last");
+  settings.route.sequence = chosen(pass_sequence_named(o.pass_sequence), "--pass-sequence", o.pass_sequence,
+                                   "any, inwards or outwards");
   if (o.turn_room_m) settings.turn_room_m = length_typed(*o.turn_room_m, "room to turn beyond the boundary");
   settings.towing_error_m = length_typed(o.towing_error_m, "lateral error of a towed implement");
   settings.shape = shape_of(o.curved);

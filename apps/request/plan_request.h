@@ -39,6 +39,10 @@ struct PlanOptions {
   std::string headlands = "0", obstacle_headlands = "0";  ///< a number of passes, or auto
   bool turns = false;
   std::string spacing = "adjacent";
+  std::string route = "none";
+  std::string order;  ///< best; without a route as spacing
+  std::string headland_time = "last", pass_sequence = "any";
+  std::string start, end;  ///< of the route: "x,y", or a file
   std::optional<double> turn_room_m;
   double towing_error_m = 0.1;
   std::string ab, guide_file, guide_where, curved;
@@ -61,6 +65,17 @@ std::optional<GuideLine> guide_of(const PlanOptions& options, const std::string&
 /// The settings for one field: with the guide in its metres. A line with bends makes the tracks curved.
 PlanSettings settings_for(const PlanSettings& settings, const std::optional<GuideLine>& guide,
                           const Field& field, const Machine& machine);
+/// The gates of a route.
+struct Gates {
+  std::optional<GatePoints> start{};
+  std::optional<GatePoints> end{};
+};
+/// Those of --start and --end, if any; `crs` as for guide_of(). Throws kBadInput.
+Gates gates_of(const PlanOptions& options, const std::string& crs_definition);
+/// Sets the gates of the settings to those nearest to the field. Throws kBadInput where none is near.
+void place_gates(const Gates& gates, const Field& field, PlanSettings& settings);
+/// What is wrong with --order as typed; empty where nothing.
+std::string order_fault(const std::string& text);
 /// What is wrong with --headlands or --obstacle-headlands as typed, or with --spacing; empty where nothing.
 std::string headlands_fault(const std::string& text);
 std::string spacing_fault(const std::string& text);

@@ -135,6 +135,7 @@ class PlanCommand : public Command {
     if (!input.fields.empty()) {
       const std::string& crs = input.fields.front().source.input_crs;
       guide_ = guide_of(plan_options_, crs);
+      gates_ = gates_of(plan_options_, crs);
       read_land(crs, input);
     }
     const bool one_name = !field_options_.all && input.fields.size() == 1;
@@ -238,6 +239,7 @@ class PlanCommand : public Command {
 
   PlanSettings settings_of_field(const Field& field) const {
     PlanSettings out = settings_for(settings_, guide_, field, machine_);
+    place_gates(gates_, field, out);
     if (const auto found = given_.find(field_key(field)); found != given_.end()) out.given = found->second;
     return out;
   }
@@ -355,6 +357,7 @@ class PlanCommand : public Command {
   LandOptions land_options_;
   std::map<std::string, GivenLand> given_;  ///< by field_key()
   std::optional<GuideLine> guide_;
+  Gates gates_;
   Tables tables_;
   MapTableOptions table_options_;
   WantedFiles wanted_;

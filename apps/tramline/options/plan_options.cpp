@@ -61,6 +61,42 @@ void add_map_options(CommandOptions& command, PlanOptions& o) {
       .check(spacing_fault)
       .shows_default("adjacent");
   command
+      .add_option("--route", o.route,
+                  "'whole' plans the whole route: the order of tracks and headland passes and every metre "
+                  "between them, from the first to the last; so does --route alone.")
+      .takes("WORD")
+      .value_may_be_left_out()
+      .shows_default("none");
+  command
+      .add_option(
+          "--order", o.order,
+          "Which track follows on the route: 'best', the order that takes the least time, 'adjacent', "
+          "or 'skip K' as with --spacing.")
+      .takes("WORD")
+      .check(order_fault)
+      .shows_default("best");
+  command
+      .add_option("--headland-time", o.headland_time,
+                  "When the route works the headland passes: 'first', before all tracks, or 'last'.")
+      .takes("WORD")
+      .shows_default("last");
+  command
+      .add_option(
+          "--pass-sequence", o.pass_sequence,
+          "In which sequence it works the passes along one boundary: 'inwards', 'outwards', or 'any', "
+          "as the way is shortest.")
+      .takes("WORD")
+      .shows_default("any");
+  command
+      .add_option("--start", o.start,
+                  "Where the route starts: a point, \"x,y\", in the field's coordinates or in longitude and "
+                  "latitude, or a file of points of which the nearest counts.")
+      .takes("POINT|FILE")
+      .shows_default("at a track or a pass");
+  command.add_option("--end", o.end, "Where the route ends, likewise.")
+      .takes("POINT|FILE")
+      .shows_default("at a track or a pass");
+  command
       .add_option("--turn-room", o.turn_room_m,
                   "How far beyond a soft boundary without headland the machine may turn, in metres.")
       .takes("M")

@@ -1,5 +1,6 @@
 #pragma once
-// The line that tracks are to follow, from a file or from coordinates given by the user.
+// The line that tracks are to follow, and the gates of a route, from a file or from coordinates given by the
+// user.
 
 #include <string>
 #include <vector>
@@ -31,5 +32,25 @@ GuideLine guide_of_points(Point a, Point b, const std::string& origin, const std
 /// The line in the field's local metres, without repeated points. Throws bad_input naming the guide for a
 /// line without length, shorter than `least_m`, or nowhere in the field.
 std::vector<Point> placed_guide(const GuideLine& guide, const Field& field, double least_m);
+
+/// Places at which routes start or end, before they are converted to a field's frame. Coordinates as
+/// GuideLine.
+struct GatePoints {
+  std::string origin;
+  std::vector<Point> points;
+  bool plain = false;
+};
+
+/// The points of a dataset, and the first points of its lines. CRS and errors as read_guide().
+GatePoints read_gates(const RawDataset& dataset, const std::string& fields_crs);
+
+/// One point; CRS as guide_of_points().
+GatePoints gate_of_point(Point gate, const std::string& origin, const std::string& crs_definition);
+
+/// The gate nearest to the field, in its local metres. Throws bad_input where the nearest is farther from the
+/// field than kFarthestGate_m.
+Point placed_gate(const GatePoints& gates, const Field& field);
+
+inline constexpr double kFarthestGate_m = 500;
 
 }  // namespace tramline

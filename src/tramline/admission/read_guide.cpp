@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 
 #include "tramline/admission/lonlat_reader.h"
 #include "tramline/geodesy/field_projection.h"
@@ -21,13 +25,41 @@ GuideLine on_the_globe(const std::vector<Point>& line, const Crs& crs, const std
 
 bool may_be_degrees(Point p) { return std::abs(p.x) <= 180 && std::abs(p.y) <= 90; }
 
-Point placed(Point p, const GuideLine& guide, const std::optional<FrameProjection>& projection,
+/// The CRS of points that a user has typed: that of the fields or, where they cannot be in it, degrees if
+/// possible.
+Crs crs_typed(const std::vector<Point>& points, const std::string& crs_definition) {
+  Crs crs(crs_definition);
+  const bool degrees =
+      !crs.plain() && !crs.in_degrees() && std::all_of(points.begin(), points.end(), may_be_degrees);
+  return degrees ? Crs("EPSG:4326") : std::move(crs);
+}
+
+void require_same_coordinates(bool plain, const std::string& origin, const char* what, const Field& field) {
+  if (plain != field.frame.geodetic) return;
+  throw bad_input(fmt::format("{}: the {} and field '{}' are not in the same coordinates; give --crs", origin,
+                              what, field.id));
+}
+
+std::optional<FrameProjection> projection_of(const Field& field) {
+  std::optional<FrameProjection> out;
+  if (field.frame.geodetic) out.emplace(field.frame);
+  return out;
+}
+
+double distance_to_edge(const Field& field, Point p) {
+  double out = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < field.outer.size(); ++i)
+    out = std::min(out, distance_to_segment(p, field.outer[i], field.outer[(i + 1) % field.outer.size()]));
+  return out;
+}
+
+Point placed(Point p, const std::string& origin, const std::optional<FrameProjection>& projection,
              const Field& field) {
   if (!projection) return p - Point{field.frame.origin_x_m, field.frame.origin_y_m};
   const std::optional<Point> local = projection->from_lonlat(p);
   if (!local)
     throw bad_input(
-        fmt::format("{}: ({:.7f}, {:.7f}) lies too far from field '{}'", guide.origin, p.x, p.y, field.id));
+        fmt::format("{}: ({:.7f}, {:.7f}) lies too far from field '{}'", origin, p.x, p.y, field.id));
   return *local;
 }
 
@@ -59,22 +91,16 @@ GuideLine read_guide(const RawDataset& dataset, const std::string& fields_crs) {
 }
 
 GuideLine guide_of_points(Point a, Point b, const std::string& origin, const std::string& crs_definition) {
-  const Crs crs(crs_definition);
-  const bool degrees = !crs.plain() && !crs.in_degrees() && may_be_degrees(a) && may_be_degrees(b);
-  if (degrees) return on_the_globe({a, b}, Crs("EPSG:4326"), origin);
-  return on_the_globe({a, b}, crs, origin);
+  return on_the_globe({a, b}, crs_typed({a, b}, crs_definition), origin);
 }
 
 std::vector<Point> placed_guide(const GuideLine& guide, const Field& field, double least_m) {
-  if (guide.plain == field.frame.geodetic)
-    throw bad_input(fmt::format("{}: the line and field '{}' are not in the same coordinates; give --crs",
-                                guide.origin, field.id));
-  std::optional<FrameProjection> projection;
-  if (field.frame.geodetic) projection.emplace(field.frame);
+  require_same_coordinates(guide.plain, guide.origin, "line", field);
+  const std::optional<FrameProjection> projection = projection_of(field);
   std::vector<Point> out;
   double length_m = 0;
   for (const Point p : guide.points) {
-    const Point local = placed(p, guide, projection, field);
+    const Point local = placed(p, guide.origin, projection, field);
     if (!out.empty() && local == out.back()) continue;
     if (!out.empty()) length_m += distance(out.back(), local);
     out.push_back(local);
@@ -94,6 +120,44 @@ std::vector<Point> placed_guide(const GuideLine& guide, const Field& field, doub
         fmt::format("{}: the line lies outside field '{}'; draw it in the field or along its edge",
                     guide.origin, field.id));
   return out;
+}
+
+GatePoints read_gates(const RawDataset& dataset, const std::string& fields_crs) {
+  const bool plain = Crs(fields_crs).plain();
+  GatePoints out{file_name(dataset.file), {}, plain};
+  for (const RawLayer& layer : dataset.layers) {
+    const Crs crs = plain ? Crs() : Crs(layer.crs.empty() ? fields_crs : layer.crs);
+    LonlatReader read(crs, out.origin);
+    for (const RawFeature& feature : layer.features) {
+      for (const Point p : feature.points) out.points.push_back(read(p));
+      for (const std::vector<Point>& line : feature.lines)
+        if (!line.empty()) out.points.push_back(read(line.front()));
+    }
+  }
+  if (out.points.empty()) throw bad_input(fmt::format("'{}' holds no point for a gate", dataset.file));
+  return out;
+}
+
+GatePoints gate_of_point(Point gate, const std::string& origin, const std::string& crs_definition) {
+  const GuideLine line = on_the_globe({gate}, crs_typed({gate}, crs_definition), origin);
+  return {line.origin, line.points, line.plain};
+}
+
+Point placed_gate(const GatePoints& gates, const Field& field) {
+  require_same_coordinates(gates.plain, gates.origin, "gate", field);
+  const std::optional<FrameProjection> projection = projection_of(field);
+  std::optional<Point> nearest;
+  for (const Point p : gates.points) {
+    const std::optional<Point> local =
+        projection ? projection->from_lonlat(p)
+                   : std::optional(p - Point{field.frame.origin_x_m, field.frame.origin_y_m});
+    if (local && (!nearest || distance_to_edge(field, *local) < distance_to_edge(field, *nearest)))
+      nearest = local;
+  }
+  if (!nearest || distance_to_edge(field, *nearest) > kFarthestGate_m)
+    throw bad_input(fmt::format("{}: there is no gate within {:.0f} m of the edge of field '{}'",
+                                gates.origin, kFarthestGate_m, field.id));
+  return *nearest;
 }
 
 }  // namespace tramline

@@ -1,6 +1,8 @@
 #include "tramline/planner/assembly/driven_tracks.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "tramline/route/order/best_tour.h"
 
@@ -33,6 +35,16 @@ TrackPiece piece_on_field(const LaidPiece& piece, const StripGrid& grid, std::si
   return out;
 }
 
+/// Neighbouring tracks, and those about two radii away, where a U is shortest.
+std::vector<std::size_t> jumps_worth_trying(const Machine& machine) {
+  const auto most = static_cast<std::size_t>(std::ceil(2 * machine.radius_m / machine.width_m));
+  std::vector<std::size_t> out{1};
+  for (std::size_t jump = std::max<std::size_t>(2, most - std::min<std::size_t>(most, 1)); jump <= most + 1;
+       ++jump)
+    out.push_back(jump);
+  return out;
+}
+
 /// The indices of the pieces of each line, for pieces in consecutive order.
 std::vector<std::vector<std::size_t>> piece_indices_by_line(const std::vector<order::WorkedLine>& lines) {
   std::vector<std::vector<std::size_t>> out;
@@ -42,6 +54,18 @@ std::vector<std::vector<std::size_t>> piece_indices_by_line(const std::vector<or
     for (std::size_t i = 0; i < line.size(); ++i) out.back().push_back(next++);
   }
   return out;
+}
+
+/// The route, with tours of several spacings to begin from. `tour`: the one that the settings ask for.
+PlannedRoute route_over(const SearchTask& task, const std::vector<order::WorkedLine>& lines,
+                        const order::Tour& tour) {
+  std::vector<order::Tour> given{tour};
+  if (task.settings.route.order == TrackOrder::kBest)
+    for (const std::size_t jump : jumps_worth_trying(task.machine))
+      given.push_back(order::skip_tour(lines, task.field, task.machine.width_m, jump));
+  return planned_route(
+      {task.field, task.machine, task.settings, task.headland, task.ground.body, task.turning_land}, lines,
+      given);
 }
 
 }  // namespace
@@ -77,9 +101,14 @@ Driven driven_tracks(const SearchTask& task, const Candidate& candidate) {
   const std::vector<std::vector<std::size_t>> piece_indices = piece_indices_by_line(lines);
   const double width_m = task.machine.width_m;
   const auto skip = static_cast<std::size_t>(task.settings.skip);
-  const order::Tour tour = skip > 1 ? order::skip_tour(lines, task.field, width_m, skip)
-                                    : order::best_tour(lines, task.field, width_m);
-  Driven out{order::pieces_on(tour, lines), {}, {}};
+  order::Tour tour = skip > 1 ? order::skip_tour(lines, task.field, width_m, skip)
+                              : order::best_tour(lines, task.field, width_m);
+  std::optional<PlannedRoute> route;
+  if (task.settings.turns == TurnPlanning::kRoute) {
+    route = route_over(task, lines, tour);
+    tour = route->tour;
+  }
+  Driven out{order::pieces_on(tour, lines), {}, {}, std::move(route)};
   for (const order::End end : tour) {
     std::vector<std::size_t> along = piece_indices[order::line_of(end)];
     if (!order::is_start(end)) std::reverse(along.begin(), along.end());

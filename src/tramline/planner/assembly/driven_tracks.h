@@ -2,9 +2,11 @@
 // The pieces of a candidate in the order in which they are driven.
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "tramline/planner/candidate/candidate.h"
+#include "tramline/route/build/planned_route.h"
 
 namespace tramline {
 
@@ -17,16 +19,17 @@ struct LaidIndex {
 /// The pieces of a candidate in driving order.
 struct Driven {
   std::vector<TrackPiece> pieces;
-  std::vector<LaidIndex> laid;  ///< by piece: its index before ordering
-  std::vector<bool> back;       ///< by piece: whether it is driven against the direction of its track
+  std::vector<LaidIndex> laid;          ///< by piece: its index before ordering
+  std::vector<bool> back;               ///< by piece: whether it is driven against the direction of its track
+  std::optional<PlannedRoute> route{};  ///< where the settings ask for it
 };
 
 /// The pieces of a candidate by subfield, track and position along it, not in driving order. Curved pieces
 /// carry the overlap that they would have by themselves, without detours (overlap_by_piece()).
 std::vector<TrackPiece> track_pieces(const SearchTask& task, const Candidate& candidate);
 
-/// The same pieces in the order and directions in which they are driven (order::best_tour()).
-/// Connections between pieces are not planned.
+/// The same pieces in the order and directions in which they are driven: along the planned route where the
+/// settings ask for one, otherwise as order::best_tour() or order::skip_tour() say.
 Driven driven_tracks(const SearchTask& task, const Candidate& candidate);
 
 /// The path of a piece in the field's frame, from one end to the other; without detours for a straight piece.

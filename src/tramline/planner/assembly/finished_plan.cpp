@@ -15,7 +15,9 @@
 #include "tramline/planner/assembly/whole_figures.h"
 #include "tramline/planner/candidate/anchored_guide.h"
 #include "tramline/planner/warnings.h"
+#include "tramline/route/build/driven_over.h"
 #include "tramline/route/turning/planned_turns.h"
+#include "tramline/route/turning/stops.h"
 
 namespace tramline {
 namespace {
@@ -46,6 +48,17 @@ void add_guide(const SearchTask& task, std::vector<Subfield>& subfields) {
   const std::vector<Point> guide = anchored_guide(task);
   for (Subfield& subfield : subfields)
     if (subfield.reference.empty()) subfield.reference = straight_path(guide.front(), guide.back());
+}
+
+/// Fills in the route and marks the ends without a way off; returns their number.
+int add_route(const AllowedLand& land, PlannedRoute route, Plan& plan) {
+  plan.route.legs = std::move(route.legs);
+  plan.route.proof = std::move(route.proof);
+  plan.settings.route.start = route.start;
+  plan.settings.route.end = route.end;
+  plan.stop_rule = StopRule::kNoWayOff;
+  add_driven_over(plan);
+  return mark_stops(land, plan.machine, plan.pieces);
 }
 
 Error no_tracks(const SearchTask& task) {
@@ -103,6 +116,7 @@ Plan finished_plan(const SearchTask& task, SearchResult found, const SearchConte
   plan.dropped = dropped_pieces(found.best);
   Tally tally = found.best.avoided.tally;
   if (plan.settings.turns == TurnPlanning::kTurns) tally.stops = plan_turns(task.turning_land, plan);
+  if (driven.route) tally.stops = add_route(task.turning_land, std::move(*driven.route), plan);
   context.report();
   settle_overlaps(plan, found.best.subfields);
   context.report();

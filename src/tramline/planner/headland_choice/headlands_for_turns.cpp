@@ -75,7 +75,7 @@ bool is_better(const Plan& a, const Plan& b) {
 class HeadlandsForTurns {
  public:
   HeadlandsForTurns(const PlanningProblem& problem, const Plan& layout, const SearchContext& context)
-      : problem_(problem), layout_(layout), context_(context) {
+      : problem_(problem), asked_(problem.settings.turns), layout_(layout), context_(context) {
     problem_.settings.turns = TurnPlanning::kTurns;
   }
 
@@ -96,6 +96,7 @@ class HeadlandsForTurns {
   Plan finished(Tried best) {
     if (problem_.settings.obstacle_headland_rule == HeadlandRule::kTurns) leave_out_obstacles(best);
     move_to_best_offset(best);
+    best.problem.settings.turns = asked_;
     return finished_plan(SearchTask(best.problem, best.prepared), std::move(best.found), context_);
   }
 
@@ -252,6 +253,7 @@ class HeadlandsForTurns {
   }
 
   PlanningProblem problem_;
+  TurnPlanning asked_;  ///< of the plan; headlands are found with the turns between tracks
   const Plan& layout_;
   SearchContext context_;
   int most_passes_ = 0;

@@ -13,15 +13,13 @@ namespace tramline::order {
 namespace {
 
 /// How often the ascent goes on with joins that it lacked.
-constexpr int kMostRounds = 4;
+constexpr int kMostRounds = 3;
 /// The step is halved after so many steps without a gain.
-constexpr std::size_t kPatience = 8;
+constexpr std::size_t kPatience = 15;
 /// The part of the direction that is kept from the step before (Volgenant and Jonker 1982).
-constexpr double kKept = 0.3;
-constexpr double kFirstStep = 1.5;
+constexpr double kKept = 0.85;
+constexpr double kFirstStep = 2;
 constexpr double kLeastStep = 1e-3;
-/// How far above the bound at hand the best one is expected where no route is known.
-constexpr double kExpectedRise = 0.05;
 
 /// Prices that rise along the subgradient of the bound.
 class Ascent {
@@ -55,7 +53,8 @@ class Ascent {
   }
 
  private:
-  /// One step. False where every node is joined once: these prices are the best.
+  /// One step. False where these prices are the best: every node is joined once, or the bound meets the known
+  /// route.
   bool climb(const JoinTree& tree, double bound_s, double step) {
     std::vector<double> excess(prices_s_.size(), -1);  // joins of each node beyond the one it should have
     for (const NodeJoin& join : tree.joins) {
@@ -68,9 +67,8 @@ class Ascent {
       way_[node] = (1 - kKept) * excess[node] + kKept * way_[node];
       square += excess[node] * excess[node];
     }
-    if (square == 0) return false;
-    const double rise_s = std::max(known_s_ - bound_s, kExpectedRise * bound_s * (known_s_ > 0 ? 0.01 : 1));
-    const double length = step * rise_s / square;
+    if (square == 0 || known_s_ - bound_s <= kSameTime_s) return false;
+    const double length = step * (known_s_ - bound_s) / square;
     for (std::size_t node = 0; node < excess.size(); ++node) prices_s_[node] += length * way_[node];
     return true;
   }
@@ -87,7 +85,7 @@ class Ascent {
 std::size_t usual_steps(std::size_t lines) { return 100 + 40000 / std::max<std::size_t>(lines, 50); }
 
 PricedBound best_bound(const ConnectionBounds& bounds, const AscentEffort& effort) {
-  assert(bounds.lines() >= 1 && bounds.gates() <= 2);
+  assert(bounds.lines() >= 1 && bounds.gates() <= 2 && effort.known_s >= 0);
   NearJoins near(bounds);
   Ascent ascent(near, bounds, effort.known_s);
   std::size_t steps = effort.steps > 0 ? effort.steps : usual_steps(bounds.lines());

@@ -14,8 +14,8 @@ struct PricedBound {
 };
 
 struct AscentEffort {
-  /// The time of the connections of a known route, s: how far the bound can rise at the most, which decides
-  /// how large the steps are.
+  /// What the connections of a known route take, s: the bound cannot rise above it, and how far it is below
+  /// decides how large the steps are.
   double known_s = 0;
   std::size_t steps = 0;  ///< 0: usual_steps()
 };
@@ -25,7 +25,7 @@ std::size_t usual_steps(std::size_t lines);
 
 /// Prices found by subgradient ascent (Held and Karp 1971) over near nodes, and the bound that they prove
 /// over all nodes. Where near nodes were not all that matter, those missing are added and the ascent goes on.
-/// Deterministic. Preconditions: at least one line, at most two gates, known_s ≥ 0 and finite.
+/// Deterministic. Preconditions: at least one line, at most two gates, known_s ≥ 0.
 PricedBound best_bound(const ConnectionBounds& bounds, const AscentEffort& effort);
 
 }  // namespace tramline::order

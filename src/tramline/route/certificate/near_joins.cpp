@@ -70,15 +70,18 @@ std::vector<NodeJoin> NearJoins::ways_between_sets(JoinedSets& sets) const {
 }
 
 void NearJoins::index() {
+  const auto member = [&](std::size_t node) { return member_of(node, bounds_.lines()); };
   first_.assign(members(bounds_) + 1, 0);
   for (const NodeJoin& join : joins_)
-    for (const std::size_t node : {join.a, join.b}) ++first_[member_of(node, bounds_.lines()) + 1];
-  for (std::size_t member = 1; member < first_.size(); ++member) first_[member] += first_[member - 1];
-  of_member_.resize(2 * joins_.size());
+    for (const std::size_t node : {join.a, join.b}) ++first_[member(node) + 1];
+  for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+  arms_.resize(2 * joins_.size());
   std::vector<std::size_t> next(first_);
-  for (std::size_t join = 0; join < joins_.size(); ++join)
-    for (const std::size_t node : {joins_[join].a, joins_[join].b})
-      of_member_[next[member_of(node, bounds_.lines())]++] = join;
+  for (std::size_t i = 0; i < joins_.size(); ++i) {
+    const std::size_t a = member(joins_[i].a), b = member(joins_[i].b);
+    arms_[next[a]++] = {b, i, joins_[i]};
+    arms_[next[b]++] = {a, i, joins_[i]};
+  }
 }
 
 const JoinTree& NearJoins::tree(const std::vector<double>& prices_s) {
@@ -103,13 +106,11 @@ const JoinTree& NearJoins::tree(const std::vector<double>& prices_s) {
 void NearJoins::reach_from(std::size_t member, const std::vector<double>& prices_s) {
   key_s_[member] = -std::numeric_limits<double>::max();
   for (std::size_t i = first_[member]; i < first_[member + 1]; ++i) {
-    const NodeJoin& join = joins_[of_member_[i]];
-    const std::size_t of_a = member_of(join.a, bounds_.lines());
-    const std::size_t other = of_a == member ? member_of(join.b, bounds_.lines()) : of_a;
-    const double cost_s = priced(join, prices_s);
-    if (cost_s >= key_s_[other]) continue;
-    key_s_[other] = cost_s;
-    heap_.push_back({cost_s, other, of_member_[i]});
+    const Arm& arm = arms_[i];
+    const double cost_s = priced(arm.nodes, prices_s);
+    if (cost_s >= key_s_[arm.other]) continue;
+    key_s_[arm.other] = cost_s;
+    heap_.push_back({cost_s, arm.other, arm.join});
     std::push_heap(heap_.begin(), heap_.end(), std::greater<>());
   }
 }

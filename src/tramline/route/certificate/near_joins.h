@@ -22,6 +22,12 @@ class NearJoins {
   const JoinTree& tree(const std::vector<double>& prices_s);
 
  private:
+  /// A join as one of its members sees it.
+  struct Arm {
+    std::size_t other = 0;  ///< member
+    std::size_t join = 0;
+    NodeJoin nodes;
+  };
   struct Reached {
     double cost_s = 0;
     std::size_t member = 0, join = 0;
@@ -36,8 +42,8 @@ class NearJoins {
 
   const ConnectionBounds& bounds_;
   std::vector<NodeJoin> joins_;
-  std::vector<std::size_t> first_;  ///< by member: where its joins begin in of_member_
-  std::vector<std::size_t> of_member_;
+  std::vector<std::size_t> first_;  ///< by member: where its arms begin
+  std::vector<Arm> arms_;           ///< by member
   // Of the tree that grows.
   std::vector<double> key_s_;  ///< by member not in the tree: the cheapest join to it
   std::vector<Reached> heap_;

@@ -13,9 +13,8 @@
 namespace tramline::order {
 namespace {
 
-/// The most lines of a run that a kick moves: so far away, changes seldom have to do with one another, and
-/// turning longer runs takes longer than searching.
-constexpr std::size_t kMostLinesKicked = 10;
+/// From one connection to another that a kick changes with it.
+constexpr std::size_t kSteps = 6;
 
 /// Those of the ends of the lines, and for the ends of the outside the ends of least cost.
 Neighbours with_outside(Neighbours neighbours, const EndCosts& costs) {
@@ -41,16 +40,28 @@ std::size_t below(std::size_t limit, std::mt19937& random) {
   return static_cast<std::size_t>((static_cast<std::uint64_t>(random()) * limit) >> 32U);
 }
 
-DoubleBridge random_kick(const ClosedTour& tour, std::mt19937& random) {
-  const std::size_t most = std::clamp<std::size_t>((tour.lines() - 1) / 3, 1, kMostLinesKicked);
-  std::array<std::size_t, 3> counts{};
-  for (std::size_t& count : counts) count = 1 + below(most, random);
-  return {below(tour.lines(), random), counts};
+/// A line a few steps away from the line of this end, from one end to one of those near it and so on.
+std::size_t walked_place(End from, const ClosedTour& tour, const Neighbours& near, std::mt19937& random) {
+  End at = from;
+  for (std::size_t step = 0; step < kSteps; ++step) {
+    at = near[at][below(near[at].size(), random)];
+    if (below(2, random) == 0) at = other_end(at);
+  }
+  return tour.place(at);
+}
+
+/// Of four connections near one another (the random walk kick of Applegate, Cook and Rohe 2003).
+DoubleBridge random_kick(const ClosedTour& tour, const Neighbours& near, std::mt19937& random) {
+  const End from = below(2 * tour.lines(), random);
+  std::array<std::size_t, 4> places{tour.place(from)};
+  for (std::size_t i = 1; i < places.size(); ++i) places[i] = walked_place(from, tour, near, random);
+  std::sort(places.begin(), places.end());
+  return {tour.next(places[0]), {places[1] - places[0], places[2] - places[1], places[3] - places[2]}};
 }
 
 }  // namespace
 
-std::size_t usual_kicks(std::size_t lines) { return 8 * lines; }
+std::size_t usual_kicks(std::size_t lines) { return std::max<std::size_t>(1200, 8 * lines); }
 
 Tour shortened(const Tour& tour, const EndCosts& costs, const Neighbours& neighbours, std::size_t kicks) {
   assert(tour.size() == costs.lines() && neighbours.size() == 2 * tour.size());
@@ -66,7 +77,7 @@ Tour shortened(const Tour& tour, const EndCosts& costs, const Neighbours& neighb
   double worse_s = 0;   // than the best tour so far, by rounding
   for (std::size_t i = 0; i < kicks; ++i) {
     ring.keep();
-    const DoubleBridge kick = random_kick(ring, random);
+    const DoubleBridge kick = random_kick(ring, near, random);
     if (!kick.is_valid(ring)) continue;
     double change_s = -kick.gain(ring);
     kick.apply(ring);

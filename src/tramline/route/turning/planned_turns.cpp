@@ -52,10 +52,6 @@ bool leads_over_tracks(const SteeredPath& path, const Pose& from, const Pose& to
   return reach(path, -1.0 * outward) > kBehindEnds_m;
 }
 
-bool far_apart(const Hop& hop, const Machine& machine) {
-  return distance(hop.end.at, hop.start.at) > kFar_turns * (2 * machine.radius_m + 2 * machine.width_m);
-}
-
 enum class Side { kBeforeEnds, kOverTracks };
 
 /// The quickest with room on that side; nullptr where there is none.
@@ -92,25 +88,13 @@ double error_of(const PlannedTurn& turn, const Outline& outline) {
   return std::abs(lateral_error_m(turn.manoeuvre.path, outline, 0));
 }
 
-/// The quickest way that stays before the ends of the tracks. Where none has room the machine drives straight
-/// on before it turns, or comes into line farther off: past a pylon beside the end, or out of a corner; the
-/// least such ways first. Then the quickest of those that lead back over the tracks.
+/// turn_before_ends(), or the quickest of those that lead back over the tracks.
 PlannedTurn with_straight_ways(const Hop& hop, const AllowedLand& land, const Machine& machine,
                                const StraightWays& least) {
-  constexpr int kMostSteps = 6;
+  if (const std::optional<Manoeuvre> before = turn_before_ends(hop, land, machine, least))
+    return fitting(*before);
   const Outline outline = outline_of(machine);
-  const double step_m = 0.5 * std::max(machine.radius_m, machine.width_m);
   const std::vector<HopWay> direct = manoeuvres_over(hop, machine, least);
-  if (const Manoeuvre* fits = first_that_fits(direct, Side::kBeforeEnds, land, outline))
-    return fitting(*fits);
-  const bool near = !far_apart(hop, machine);
-  for (int sum = 1; near && sum <= kMostSteps; ++sum)
-    for (int before = 0; before <= sum; ++before) {
-      const StraightWays ways{least.before_m + before * step_m, least.after_m + (sum - before) * step_m};
-      const std::vector<HopWay> all = manoeuvres_over(hop, machine, ways);
-      if (const Manoeuvre* fits = first_that_fits(all, Side::kBeforeEnds, land, outline))
-        return fitting(*fits);
-    }
   if (const Manoeuvre* fits = first_that_fits(direct, Side::kOverTracks, land, outline))
     return fitting(*fits);
   return without_room(direct, land, outline);
@@ -135,6 +119,29 @@ PlannedTurn turn_over(const Hop& hop, const AllowedLand& land, const Machine& ma
 }
 
 }  // namespace
+
+bool far_apart(const Hop& hop, const Machine& machine) {
+  return distance(hop.end.at, hop.start.at) > kFar_turns * (2 * machine.radius_m + 2 * machine.width_m);
+}
+
+std::optional<Manoeuvre> turn_before_ends(const Hop& hop, const AllowedLand& land, const Machine& machine,
+                                          const StraightWays& least) {
+  constexpr int kMostSteps = 6;
+  const Outline outline = outline_of(machine);
+  const double step_m = 0.5 * std::max(machine.radius_m, machine.width_m);
+  const auto with_ways = [&](const StraightWays& ways) -> std::optional<Manoeuvre> {
+    const std::vector<HopWay> all = manoeuvres_over(hop, machine, ways);
+    const Manoeuvre* fits = first_that_fits(all, Side::kBeforeEnds, land, outline);
+    return fits != nullptr ? std::optional(*fits) : std::nullopt;
+  };
+  if (auto direct = with_ways(least)) return direct;
+  if (far_apart(hop, machine)) return std::nullopt;
+  for (int sum = 1; sum <= kMostSteps; ++sum)
+    for (int before = 0; before <= sum; ++before)
+      if (auto fits = with_ways({least.before_m + before * step_m, least.after_m + (sum - before) * step_m}))
+        return fits;
+  return std::nullopt;
+}
 
 Hop hop_between(const TrackPiece& from, const TrackPiece& to) {
   const Point ahead = from.curve.empty() ? from.end - from.start : direction_at_end(from.curve.back());

@@ -1,6 +1,7 @@
 #pragma once
 // The turns between the pieces of a plan.
 
+#include <optional>
 #include <vector>
 
 #include "tramline/model/manoeuvre.h"
@@ -33,6 +34,16 @@ struct HopWay {
 /// All manoeuvres of the machine over a hop with the straight ways before and after them: those that stay
 /// before the ends of the tracks, quickest first, then those that lead back over them.
 std::vector<HopWay> manoeuvres_over(const Hop& hop, const Machine& machine, const StraightWays& more);
+
+/// The quickest manoeuvre with room that stays before the ends of the tracks; where there is none, one that
+/// drives straight on before it turns, or comes into line farther off, with the least such ways: past a pylon
+/// beside the end, or out of a corner. nullopt where there is none, and where the ends are far apart unless
+/// it is direct.
+std::optional<Manoeuvre> turn_before_ends(const Hop& hop, const AllowedLand& land, const Machine& machine,
+                                          const StraightWays& least);
+
+/// Whether a hop is more than a turn: several times as far as a turn is wide.
+bool far_apart(const Hop& hop, const Machine& machine);
 
 /// The turn from each piece to the next one in driving order, except across passable obstacles: the quickest
 /// manoeuvre of the machine that stays on the land, from where the work ends to where it begins, the way on

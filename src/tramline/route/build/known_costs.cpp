@@ -1,0 +1,81 @@
+#include "tramline/route/build/known_costs.h"
+
+#include <algorithm>
+
+#include "tramline/turns/turn_off.h"
+
+namespace tramline {
+namespace {
+
+/// A way without room costs as if it were so much longer, s, for each metre that is missing and at all: it is
+/// taken where there is no other.
+constexpr double kWithoutRoom_s = 1000;
+/// Backing out of a dead end takes about so many radii there and back.
+constexpr double kBacking_radii = 1.5;
+
+double cost_of(const Way& way) {
+  return way.has_room() ? way.cost_s : way.cost_s + kWithoutRoom_s * (1 + way.missing_m);
+}
+
+}  // namespace
+
+KnownCosts::KnownCosts(const std::vector<RouteLine>& lines, const Connector& connector,
+                       const LeastSeconds& least)
+    : lines_(lines),
+      connector_(connector),
+      least_(least),
+      backing_s_(2 * lines.size(), 0),
+      at_start_(2 * lines.size(), 0),
+      at_finish_(2 * lines.size(), 0) {
+  const DrivingGround& ground = connector.ground();
+  const Turning& turning = ground.machine().turning;
+  const double back_m = kBacking_radii * std::max(ground.machine().radius_m, ground.machine().width_m);
+  for (order::End end = 0; end < 2 * lines.size(); ++end) {
+    const RouteLine& line = lines[order::line_of(end)];
+    left_.push_back(pose_left_by(line, end));
+    entered_.push_back(pose_entered_by(line, end));
+    const bool leads_off = std::ranges::any_of(ways_off(left_.back(), ground.machine()),
+                                               [&](const SteeredPath& way) { return ground.has_room(way); });
+    if (!leads_off)
+      backing_s_[end] =
+          2 * turning.gear_change_s + back_m / turning.reverse_speed_mps + back_m / turning.turning_speed_mps;
+  }
+}
+
+double KnownCosts::estimate(order::End left, order::End entered) const {
+  return least_.between(left_[left], entered_[entered]) + backing_s_[left] + backing_s_[entered];
+}
+
+double KnownCosts::one_way(order::End left, order::End entered) const {
+  const auto found = ways_.find(key(left, entered));
+  return found != ways_.end() ? cost_of(found->second) : estimate(left, entered);
+}
+
+double KnownCosts::between(order::End a, order::End b) const {
+  const order::End low = std::min(a, b), high = std::max(a, b);
+  const auto [known, is_new] = between_.try_emplace(key(low, high), 0);
+  if (is_new) {
+    const bool there = ways_.contains(key(a, b)), back = ways_.contains(key(b, a));
+    known->second = there == back ? 0.5 * (one_way(a, b) + one_way(b, a))
+                    : there       ? one_way(a, b)
+                                  : one_way(b, a);
+  }
+  return known->second;
+}
+
+order::Neighbours KnownCosts::neighbours() const {
+  return order::neighbours_of(
+      left_.size(), [this](std::size_t a, std::size_t b) { return least_.crude(left_[a], entered_[b]); },
+      [this](std::size_t a, std::size_t b) { return between(a, b); });
+}
+
+const Way& KnownCosts::way(order::End left, order::End entered) {
+  const auto found = ways_.find(key(left, entered));
+  if (found != ways_.end()) return found->second;
+  between_.erase(key(std::min(left, entered), std::max(left, entered)));
+  Way way = connector_.between(lines_[order::line_of(left)].left_by(left).last,
+                               lines_[order::line_of(entered)].entered_by(entered).first);
+  return ways_.emplace(key(left, entered), std::move(way)).first->second;
+}
+
+}  // namespace tramline

@@ -1,0 +1,62 @@
+#pragma once
+// What ways between the ends of lines cost, as far as it is known.
+
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "tramline/route/build/least_seconds.h"
+#include "tramline/route/build/route_lines.h"
+#include "tramline/route/connection/connector.h"
+#include "tramline/route/search/end_costs.h"
+#include "tramline/route/search/neighbours.h"
+
+namespace tramline {
+
+/// Costs of ways between lines: that of the way found, once it has been looked for, and until then what it
+/// costs at least where there is room, with what backing out takes at ends without a way off. Symmetric, as
+/// searches need it: where machine and implement sweep differently in the two senses, the mean of both. Not
+/// for several threads.
+class KnownCosts final : public order::EndCosts {
+ public:
+  /// All outlive the costs.
+  KnownCosts(const std::vector<RouteLine>& lines, const Connector& connector, const LeastSeconds& least);
+
+  std::size_t lines() const override { return lines_.size(); }
+  double between(order::End a, order::End b) const override;
+  double at_start(order::End entered) const override { return at_start_[entered]; }
+  double at_finish(order::End left) const override { return at_finish_[left]; }
+
+  /// The way from one end to another, found when it is first asked for. Precondition: ends of different
+  /// lines.
+  const Way& way(order::End left, order::End entered);
+
+  /// For each end the ends that are quickest reached from it, whatever room there is.
+  order::Neighbours neighbours() const;
+
+  /// What the way to a line costs that the route begins with, and that from the line that it ends with, by
+  /// the end entered or left; 0 until set.
+  void set_start(order::End entered, double cost_s) { at_start_[entered] = cost_s; }
+  void set_finish(order::End left, double cost_s) { at_finish_[left] = cost_s; }
+
+ private:
+  double estimate(order::End left, order::End entered) const;
+  double one_way(order::End left, order::End entered) const;
+  std::uint64_t key(order::End left, order::End entered) const {
+    return static_cast<std::uint64_t>(left) * 2 * lines_.size() + entered;
+  }
+
+  const std::vector<RouteLine>& lines_;
+  const Connector& connector_;
+  const LeastSeconds& least_;
+  std::vector<Pose> left_;
+  std::vector<Pose> entered_;
+  std::vector<double> backing_s_;  ///< by end: what backing out of it or into it takes; 0 with a way off
+  std::vector<double> at_start_;
+  std::vector<double> at_finish_;
+  std::unordered_map<std::uint64_t, Way> ways_;
+  mutable std::unordered_map<std::uint64_t, double> between_;
+};
+
+}  // namespace tramline

@@ -1,0 +1,36 @@
+#include "tramline/route/build/least_seconds.h"
+
+#include <algorithm>
+
+#include "tramline/turns/manoeuvres/dubins.h"
+#include "tramline/turns/manoeuvres/reeds_shepp.h"
+
+namespace tramline {
+namespace {
+
+Pose moved_on(const Pose& pose, double by_m) { return {pose.at + by_m * pose.heading.unit(), pose.heading}; }
+
+}  // namespace
+
+LeastSeconds::LeastSeconds(const Machine& machine)
+    : turning_(machine.turning),
+      radius_m_(std::max(machine.radius_m, kLeastRadius_m)),
+      reverses_(!outline_of(machine).tows()),
+      fastest_mps_(reverses_ ? std::max(turning_.turning_speed_mps, turning_.reverse_speed_mps)
+                             : turning_.turning_speed_mps) {}
+
+double LeastSeconds::between(const Pose& left, const Pose& entered) const {
+  const double straight_m = turning_.lift_m + turning_.lower_m;
+  const double forward_m = straight_m + dubins_length(moved_on(left, turning_.lift_m),
+                                                      moved_on(entered, -turning_.lower_m), radius_m_);
+  const double forward_s = forward_m / turning_.turning_speed_mps;
+  const double changes_s = 2 * turning_.gear_change_s;
+  if (!reverses_ || changes_s + distance(left.at, entered.at) / fastest_mps_ >= forward_s) return forward_s;
+  return std::min(forward_s, changes_s + reeds_shepp_length(left, entered, radius_m_) / fastest_mps_);
+}
+
+double LeastSeconds::crude(const Pose& left, const Pose& entered) const {
+  return distance(left.at, entered.at) / fastest_mps_;
+}
+
+}  // namespace tramline

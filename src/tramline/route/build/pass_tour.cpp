@@ -1,0 +1,136 @@
+#include "tramline/route/build/pass_tour.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace tramline {
+namespace {
+
+/// Of the entries of the nearest passes so many are tried for room, the quickest first.
+constexpr std::size_t kMostTried = 120;
+/// Where none of them has direct room, so many are looked for along the lines of the roadmap.
+constexpr std::size_t kMostSearched = 12;
+/// Entries of a closed pass are so far apart, as a share of the radius.
+constexpr double kEntrySpacing_radii = 0.5;
+constexpr double kLeastEntrySpacing_m = 2;
+
+struct Choice {
+  std::size_t pass = 0;
+  const PassEntry* entry = nullptr;
+  double least_s = 0;
+};
+
+/// Passes along one boundary: those round the field, or those that name the same obstacles.
+bool same_boundary(const HeadlandPass& a, const HeadlandPass& b) {
+  if (a.around_field && b.around_field) return true;
+  return std::any_of(a.obstacles.begin(), a.obstacles.end(), [&](std::size_t obstacle) {
+    return std::binary_search(b.obstacles.begin(), b.obstacles.end(), obstacle);
+  });
+}
+
+class PassTour {
+ public:
+  PassTour(const Headland& headland, const std::vector<std::size_t>& passes, PassSequence sequence,
+           const Connector& connector, const LeastSeconds& least)
+      : headland_(headland),
+        sequence_(sequence),
+        connector_(connector),
+        least_(least),
+        passes_(passes.size()),
+        done_(headland.passes.size(), true) {
+    for (const std::size_t pass : passes) done_[pass] = false;
+    const Machine& machine = connector.ground().machine();
+    const double spacing_m = std::max(kLeastEntrySpacing_m, kEntrySpacing_radii * machine.radius_m);
+    for (const HeadlandPass& pass : headland.passes)
+      entries_.push_back(entries_of(pass, spacing_m, machine.turning));
+  }
+
+  std::vector<WorkedPass> from(SteeredPath left) {
+    std::vector<WorkedPass> out;
+    while (out.size() < passes_) {
+      out.push_back(left.empty() ? first() : next(left));
+      const WorkedPass& worked = out.back();
+      done_[worked.pass] = true;
+      left = axle(worked.pass, worked.entry);
+    }
+    return out;
+  }
+
+ private:
+  SteeredPath axle(std::size_t pass, const PassEntry& entry) const {
+    return axle_path(headland_.passes[pass], entry, connector_.ground().machine().turning);
+  }
+
+  /// Whether no pass along the same boundary has to come before.
+  bool has_its_turn(std::size_t pass) const {
+    if (sequence_ == PassSequence::kAny) return true;
+    const HeadlandPass& one = headland_.passes[pass];
+    for (std::size_t i = 0; i < done_.size(); ++i) {
+      if (done_[i] || i == pass || !same_boundary(one, headland_.passes[i])) continue;
+      const int other = headland_.passes[i].number;
+      if (sequence_ == PassSequence::kInwards ? other < one.number : other > one.number) return false;
+    }
+    return true;
+  }
+
+  /// Where nothing came before: the outermost pass, or the innermost where passes go outwards.
+  WorkedPass first() const {
+    std::size_t best = 0;
+    while (done_[best] || !has_its_turn(best)) ++best;
+    return {best, entries_[best].front(), {}};
+  }
+
+  std::vector<Choice> choices(const Pose& left) const {
+    std::vector<Choice> out;
+    for (std::size_t pass = 0; pass < done_.size(); ++pass) {
+      if (done_[pass] || !has_its_turn(pass)) continue;
+      for (const PassEntry& entry : entries_[pass])
+        out.push_back({pass, &entry, least_.between(left, entry.entered)});
+    }
+    std::stable_sort(out.begin(), out.end(),
+                     [](const Choice& a, const Choice& b) { return a.least_s < b.least_s; });
+    return out;
+  }
+
+  /// The quickest of the direct ways with room; where none of those to the nearest entries has any, the way
+  /// of least cost to one of these.
+  WorkedPass next(const SteeredPath& left) const {
+    const std::vector<Choice> all = choices(end_of(left));
+    WorkedPass best;
+    double best_s = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < std::min(all.size(), kMostTried) && all[i].least_s < best_s; ++i) {
+      std::optional<Way> way = connector_.direct(left, axle(all[i].pass, *all[i].entry));
+      if (!way || way->time_s >= best_s) continue;
+      best_s = way->time_s;
+      best = {all[i].pass, *all[i].entry, std::move(*way)};
+    }
+    return best_s < std::numeric_limits<double>::infinity() ? best : by_search(left, all);
+  }
+
+  WorkedPass by_search(const SteeredPath& left, const std::vector<Choice>& all) const {
+    std::vector<SteeredPath> entered;
+    for (std::size_t i = 0; i < std::min(all.size(), kMostSearched); ++i)
+      entered.push_back(axle(all[i].pass, *all[i].entry));
+    Connector::WayToOne found = connector_.to_any(left, entered);
+    const Choice& choice = all[found.chosen];
+    return {choice.pass, *choice.entry, std::move(found.way)};
+  }
+
+  const Headland& headland_;
+  PassSequence sequence_;
+  const Connector& connector_;
+  const LeastSeconds& least_;
+  std::size_t passes_;
+  std::vector<bool> done_;  ///< or none of those asked for
+  std::vector<std::vector<PassEntry>> entries_;
+};
+
+}  // namespace
+
+std::vector<WorkedPass> pass_tour(const Headland& headland, const std::vector<std::size_t>& passes,
+                                  PassSequence sequence, const SteeredPath& left, const Connector& connector,
+                                  const LeastSeconds& least) {
+  return PassTour(headland, passes, sequence, connector, least).from(left);
+}
+
+}  // namespace tramline

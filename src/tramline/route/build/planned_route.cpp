@@ -1,0 +1,188 @@
+#include "tramline/route/build/planned_route.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "tramline/route/build/followed_lines.h"
+#include "tramline/route/build/gates.h"
+#include "tramline/route/build/leg_list.h"
+#include "tramline/route/build/pass_tour.h"
+#include "tramline/route/build/route_proof.h"
+#include "tramline/route/build/track_tour.h"
+
+namespace tramline {
+namespace {
+
+/// Poses of the roadmap are so far apart, as a share of the radius, and at least kLeastSpacing_m.
+constexpr double kRoadmapSpacing_radii = 0.75;
+constexpr double kLeastSpacing_m = 2;
+
+std::vector<TrackPiece> pieces_of(const std::vector<order::WorkedLine>& lines) {
+  std::vector<TrackPiece> out;
+  for (const order::WorkedLine& line : lines) out.insert(out.end(), line.begin(), line.end());
+  return out;
+}
+
+/// What follows lines on the route: other lines, or the gate at its end, if any.
+enum class Behind { kMore, kGate };
+
+class RoutePlanner {
+ public:
+  RoutePlanner(const RouteTask& task, const std::vector<order::WorkedLine>& lines)
+      : task_(task),
+        lines_(lines),
+        turning_(task.machine.turning),
+        ground_(task.turning_land, task.field, task.machine, task.body),
+        roadmap_([this] { return roadmap(); }),
+        connector_(ground_, roadmap_, task.settings.towing_error_m),
+        least_(task.machine),
+        legs_(task.field, turning_) {
+    for (const order::WorkedLine& line : lines) route_lines_.push_back(route_line(line, turning_));
+    out_.start = with_room(task.settings.route.start, ground_);
+    out_.end = with_room(task.settings.route.end, ground_);
+  }
+
+  PlannedRoute run(const std::vector<order::Tour>& given) {
+    const bool first = task_.settings.route.passes == PassTime::kFirst;
+    if (first) add_passes();
+    add_tracks(given);
+    if (!first) add_passes();
+    if (out_.end && !left_.empty()) legs_.add(connector_.to_gate(left_, *out_.end));
+    out_.legs = std::move(legs_).finished();
+    out_.proof = route_proof(task_, lines_, out_, least_);
+    return std::move(out_);
+  }
+
+ private:
+  Roadmap roadmap() const {
+    const double spacing_m = std::max(kLeastSpacing_m, kRoadmapSpacing_radii * ground_.machine().radius_m);
+    return {followed_lines(task_.headland, pieces_of(lines_), task_.field, ground_), spacing_m};
+  }
+
+  /// The way from where the route is, or from its gate, to the beginning of a work.
+  void add_way_to(const SteeredPath& entered) {
+    if (!left_.empty())
+      legs_.add(connector_.between(left_, entered));
+    else if (out_.start)
+      legs_.add(connector_.from_gate(*out_.start, entered));
+  }
+
+  /// Those round the outside first where passes come first, and last where they come last: the others lie between
+  /// them and the tracks.
+  void add_passes() {
+    const PassSequence sequence = task_.settings.route.sequence;
+    std::vector<std::size_t> open, closed, all;
+    for (std::size_t i = 0; i < task_.headland.passes.size(); ++i) {
+      (is_closed(task_.headland.passes[i]) ? closed : open).push_back(i);
+      all.push_back(i);
+    }
+    if (sequence != PassSequence::kAny) return add_nearest(all);
+    const bool first = task_.settings.route.passes == PassTime::kFirst;
+    if (first) add_nearest(closed);
+    add_open(open);
+    if (!first) add_nearest(closed);
+  }
+
+  /// Passes in the order in which each is the nearest.
+  void add_nearest(const std::vector<std::size_t>& passes) {
+    if (passes.empty()) return;
+    const std::vector<WorkedPass> tour =
+        pass_tour(task_.headland, passes, task_.settings.route.sequence, left_, connector_, least_);
+    for (const WorkedPass& worked : tour) {
+      const HeadlandPass& pass = task_.headland.passes[worked.pass];
+      SteeredPath axle = axle_path(pass, worked.entry, turning_);
+      if (!worked.before.path.empty())
+        legs_.add(worked.before);
+      else
+        add_way_to(axle);
+      legs_.add(pass, worked.pass, worked.entry);
+      left_ = std::move(axle);
+    }
+  }
+
+  /// Open passes, which have two ends like tracks, in the best order that is found.
+  void add_open(const std::vector<std::size_t>& passes) {
+    if (passes.empty()) return;
+    std::vector<RouteLine> lines;
+    order::Tour as_given;
+    for (const std::size_t pass : passes) {
+      as_given.push_back(2 * lines.size());
+      lines.push_back(route_line(task_.headland.passes[pass], pass, turning_));
+    }
+    KnownCosts costs(lines, connector_, least_);
+    set_ends(lines, Behind::kMore, costs);
+    const TrackTour tour = best_tour_with_ways({as_given}, costs);
+    for (std::size_t i = 0; i < tour.tour.size(); ++i) {
+      const order::End entered = tour.tour[i];
+      const SteeredPath& axle = lines[order::line_of(entered)].entered_by(entered).first;
+      if (i > 0)
+        legs_.add(tour.ways[i - 1]);
+      else
+        add_way_to(axle);
+      const std::size_t pass = passes[order::line_of(entered)];
+      const Sense sense = order::is_start(entered) ? Sense::kAlong : Sense::kAgainst;
+      legs_.add(task_.headland.passes[pass], pass, {0, sense, axle.front().start, end_of(axle)});
+      left_ = axle;
+    }
+  }
+
+  /// What the way to the first line and that from the last one cost at least, by their ends.
+  void set_ends(const std::vector<RouteLine>& lines, Behind behind, KnownCosts& costs) const {
+    for (order::End end = 0; end < 2 * lines.size(); ++end) {
+      const RouteLine& line = lines[order::line_of(end)];
+      if (!left_.empty())
+        costs.set_start(end, least_.between(end_of(left_), pose_entered_by(line, end)));
+      else if (out_.start)
+        costs.set_start(end, least_.to_gate(*out_.start, pose_entered_by(line, end)));
+      if (out_.end && behind == Behind::kGate) costs.set_finish(end, least_.to_gate(*out_.end, pose_left_by(line, end)));
+    }
+  }
+
+  void add_tracks(const std::vector<order::Tour>& given) {
+    if (lines_.empty()) return;
+    KnownCosts costs(route_lines_, connector_, least_);
+    const bool passes_follow =
+        task_.settings.route.passes == PassTime::kLast && !task_.headland.passes.empty();
+    set_ends(route_lines_, passes_follow ? Behind::kMore : Behind::kGate, costs);
+    const bool best = task_.settings.route.order == TrackOrder::kBest;
+    const TrackTour tour = best ? best_tour_with_ways(given, costs) : with_ways(given.front(), costs);
+    std::size_t piece = 0;
+    for (std::size_t i = 0; i < tour.tour.size(); ++i) {
+      const order::End entered = tour.tour[i];
+      const RouteLine& line = route_lines_[order::line_of(entered)];
+      if (i > 0)
+        legs_.add(tour.ways[i - 1]);
+      else
+        add_way_to(line.entered_by(entered).first);
+      const order::WorkedLine& worked = lines_[order::line_of(entered)];
+      legs_.add(order::is_start(entered) ? worked : order::backwards(worked), piece);
+      piece += worked.size();
+      left_ = line.entered_by(entered).last;
+    }
+    out_.tour = tour.tour;
+  }
+
+  const RouteTask& task_;
+  const std::vector<order::WorkedLine>& lines_;
+  Turning turning_;
+  DrivingGround ground_;
+  RoadmapOnDemand roadmap_;
+  Connector connector_;
+  LeastSeconds least_;
+  LegList legs_;
+  std::vector<RouteLine> route_lines_;
+  SteeredPath left_;  ///< the axle's way over the work that the route has come to; empty at its beginning
+  PlannedRoute out_;
+};
+
+}  // namespace
+
+PlannedRoute planned_route(const RouteTask& task, const std::vector<order::WorkedLine>& lines,
+                           const std::vector<order::Tour>& given) {
+  assert(!lines.empty() || !task.headland.passes.empty());
+  return RoutePlanner(task, lines).run(given);
+}
+
+}  // namespace tramline

@@ -1,0 +1,39 @@
+#pragma once
+// The whole route over a field: tracks, headland passes, and the ways between them.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tramline/model/plan.h"
+#include "tramline/route/order/lines.h"
+#include "tramline/turns/room/allowed_land.h"
+
+namespace tramline {
+
+/// What a route is planned on. All references outlive the call.
+struct RouteTask {
+  const Field& field;
+  const Machine& machine;
+  const PlanSettings& settings;
+  const Headland& headland;
+  const Region& body;               ///< the land of the tracks
+  const AllowedLand& turning_land;  ///< turning_land()
+};
+
+struct PlannedRoute {
+  order::Tour tour;  ///< over the lines
+  std::vector<RouteLeg> legs;
+  RouteProof proof;
+  std::optional<Point> start{};  ///< gates as driven: moved to where the machine has room
+  std::optional<Point> end{};
+};
+
+/// The route over all lines and headland passes, each once. Headland passes come before all tracks or after
+/// them. The order of the tracks is that of the settings or the best one found; `given` are tours to begin
+/// from, of which the first is the one that PlanSettings::skip asks for. Deterministic. Precondition: there
+/// is a line or a pass.
+PlannedRoute planned_route(const RouteTask& task, const std::vector<order::WorkedLine>& lines,
+                           const std::vector<order::Tour>& given);
+
+}  // namespace tramline

@@ -1,0 +1,25 @@
+#pragma once
+// The order of the tracks and the ways between them.
+
+#include <vector>
+
+#include "tramline/route/build/known_costs.h"
+
+namespace tramline {
+
+/// A tour over lines and the ways between them, one fewer than lines.
+struct TrackTour {
+  order::Tour tour;
+  std::vector<Way> ways;
+};
+
+/// The ways of a given tour, as it is or, where that costs less, driven from its end.
+TrackTour with_ways(const order::Tour& tour, KnownCosts& costs);
+
+/// A tour of little cost: up to kMostExact lines the best, otherwise the best found from the tours given and
+/// from others, by exchanges. Costs are lower bounds where no way has been looked for, so ways are looked for
+/// along the best tour, and the search is repeated from there until it stays or kMostRounds have passed; the
+/// best tour whose ways are known is returned. Deterministic.
+TrackTour best_tour_with_ways(const std::vector<order::Tour>& given, KnownCosts& costs);
+
+}  // namespace tramline

@@ -1,0 +1,61 @@
+#pragma once
+// Ways from the end of one work to the beginning of the next, with room for the machine.
+
+#include <optional>
+#include <vector>
+
+#include "tramline/route/connection/driving_ground.h"
+#include "tramline/route/connection/roadmap.h"
+#include "tramline/route/connection/way.h"
+#include "tramline/route/connection/way_search.h"
+
+namespace tramline {
+
+/// Finds ways. Safe to use from any number of threads.
+class Connector {
+ public:
+  /// `towing_error_m`: as PlanSettings. Both references outlive the connector.
+  Connector(const DrivingGround& ground, const RoadmapOnDemand& roadmap, double towing_error_m)
+      : ground_(ground), roadmap_(roadmap), towing_error_m_(towing_error_m) {}
+
+  /// The way from the end of one axle path to the beginning of another. In this order: a turn before the ends
+  /// of the tracks; the way of least cost along the lines of the roadmap and between them, back out of the
+  /// end or back into the beginning where that is quicker or nothing else has room; the shortest way without
+  /// room, with what it lacks. Preconditions: both have a length.
+  Way between(const SteeredPath& left, const SteeredPath& entered) const;
+
+  /// The quickest way without detours or reversing, where one has room: a shortest Dubins word that leads
+  /// forward, between the straight lines on which the implement is lifted and lowered.
+  std::optional<Way> direct(const SteeredPath& left, const SteeredPath& entered) const;
+
+  /// The way of least cost to any of several beginnings, and which: as between(), but for the turn.
+  /// Precondition: `entered` is not empty.
+  struct WayToOne {
+    std::size_t chosen = 0;
+    Way way;
+  };
+  WayToOne to_any(const SteeredPath& left, const std::vector<SteeredPath>& entered) const;
+
+  /// The same from a place, with any heading, or to one: at a gate.
+  Way from_gate(Point gate, const SteeredPath& entered) const;
+  Way to_gate(const SteeredPath& left, Point gate) const;
+
+  const DrivingGround& ground() const { return ground_; }
+
+ private:
+  std::optional<Way> turn(const SteeredPath& left, const SteeredPath& entered) const;
+  std::optional<Way> searched(const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends,
+                              std::size_t backing_begins, std::size_t* end) const;
+  Way without_room(const Pose& from, const Pose& to) const;
+  Way finished(LegKind kind, SteeredPath path) const;
+  WayEnd straight_out(const Pose& end) const;
+  WayEnd straight_in(const Pose& start) const;
+  std::vector<WayEnd> ways_out(const SteeredPath& left) const;
+  std::vector<WayEnd> ways_in(const SteeredPath& entered) const;
+
+  const DrivingGround& ground_;
+  const RoadmapOnDemand& roadmap_;
+  double towing_error_m_;
+};
+
+}  // namespace tramline

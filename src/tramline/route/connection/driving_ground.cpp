@@ -1,0 +1,63 @@
+#include "tramline/route/connection/driving_ground.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tramline/geometry/polygon/boolean.h"
+#include "tramline/route/connection/way.h"
+
+namespace tramline {
+namespace {
+
+/// The land with the passable obstacles on it; nothing where there are none.
+std::optional<AllowedLand> with_passables(const AllowedLand& land, const Field& field) {
+  Region all = land.land();
+  const std::size_t before = all.size();
+  for (const Obstacle& obstacle : field.obstacles)
+    if (obstacle.kind == ObstacleKind::kPassable) all.push_back(obstacle.shape);
+  if (all.size() == before) return std::nullopt;
+  return AllowedLand(unite(all));
+}
+
+constexpr double kMoreAcross = 3, kMoreAlongTrack = 0.5;
+
+Region oriented_all(const Region& region) {
+  Region out;
+  for (const Polygon& polygon : region) out.push_back(oriented(polygon));
+  return out;
+}
+
+}  // namespace
+
+DrivingGround::DrivingGround(const AllowedLand& turning_land, const Field& field, const Machine& machine,
+                             const Region& body)
+    : turning_(turning_land),
+      machine_(machine),
+      outline_(outline_of(machine)),
+      with_passables_(with_passables(turning_land, field)),
+      crop_(oriented_all(body)) {
+  machine_.radius_m = std::max(machine.radius_m, kLeastRadius_m);
+}
+
+bool DrivingGround::has_room_along(const SteeredPath& path) const {
+  return with_passables_ ? with_passables_->fits(path, outline_) : turning_.fits(path, outline_);
+}
+
+double DrivingGround::over_crop_m(const SteeredPath& path) const {
+  double out = 0;
+  for (const SteeredStretch& stretch : path) {
+    if (!(stretch.length_m > 0)) continue;
+    const double steps = std::ceil(stretch.length_m / kCropStep_m), each_m = stretch.length_m / steps;
+    for (double step = 0; step < steps; ++step)
+      if (crop_.contains(pose_after(stretch, (step + 0.5) * each_m).at)) out += each_m;
+  }
+  return out;
+}
+
+double cost_seconds(const SteeredPath& path, const DrivingGround& ground, CropDriven how) {
+  const Turning& turning = ground.machine().turning;
+  const double more = how == CropDriven::kAcross ? kMoreAcross : kMoreAlongTrack;
+  return idle_seconds(path, turning) + more * ground.over_crop_m(path) / turning.turning_speed_mps;
+}
+
+}  // namespace tramline

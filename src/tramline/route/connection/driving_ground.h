@@ -1,0 +1,52 @@
+#pragma once
+// The land that a route may use, and the part of it that is better left alone.
+
+#include <memory>
+#include <optional>
+
+#include "tramline/model/plan.h"
+#include "tramline/turns/outline/outline.h"
+#include "tramline/turns/room/allowed_land.h"
+
+namespace tramline {
+
+/// Prepared once for all ways of a plan. Safe to read from any number of threads.
+class DrivingGround {
+ public:
+  /// `turning_land`: the land that the machine may turn on, passable obstacles left out. `body`: the land of
+  /// the tracks.
+  DrivingGround(const AllowedLand& turning_land, const Field& field, const Machine& machine,
+                const Region& body);
+
+  const Machine& machine() const { return machine_; }
+  const Outline& outline() const { return outline_; }
+  const AllowedLand& turning() const { return turning_; }
+
+  /// Whether the outline has room on a way that turns.
+  bool has_room(const SteeredPath& path) const { return turning_.fits(path, outline_); }
+  /// The same for a way along a pass or a track, which may lead across passable obstacles.
+  bool has_room_along(const SteeredPath& path) const;
+
+  /// The length of the path over land of the tracks, in steps of kCropStep_m, m.
+  double over_crop_m(const SteeredPath& path) const;
+
+ private:
+  const AllowedLand& turning_;
+  Machine machine_;
+  Outline outline_;
+  std::optional<AllowedLand> with_passables_{};
+  LandEdges crop_;
+};
+
+inline constexpr double kCropStep_m = 2;
+
+/// What driving over crop counts besides its time, as a multiple of it: along a track, whose lines are there
+/// anyway, less than across the tracks.
+enum class CropDriven { kAcross, kAlongTrack };
+
+/// The time of a way, and what of it leads over crop, s: one drives round where that is not several times as
+/// far.
+double cost_seconds(const SteeredPath& path, const DrivingGround& ground,
+                    CropDriven how = CropDriven::kAcross);
+
+}  // namespace tramline

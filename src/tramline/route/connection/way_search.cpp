@@ -1,0 +1,208 @@
+#include "tramline/route/connection/way_search.h"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <queue>
+
+#include "tramline/route/connection/way.h"
+#include "tramline/turns/manoeuvres/dubins.h"
+
+namespace tramline {
+namespace {
+
+/// So many poses are left at the most; what is farther is not found.
+constexpr std::size_t kMostPoses = 4000;
+/// Lines of the roadmap are reached from so far, in radii and widths.
+constexpr double kReach_radii = 4, kReach_widths = 1;
+/// From the place where it begins a way may turn round: words up to the reach and so many circles.
+constexpr double kLongest_circles = 1;
+/// Between two lines words lead on: no more than this longer than the straight line, and a share of the
+/// radius.
+constexpr double kLeadsOn = 1.25, kLeadsOn_radii = 0.5;
+/// What remains is taken to be this much longer than the straight line: the search is far shorter, and what
+/// it finds at most as much worse.
+constexpr double kHaste = 1.2;
+
+enum class Step { kWord, kAlong };
+
+/// A step that may be taken, with a lower bound of its cost until it is settled.
+struct Proposal {
+  double estimate_s = 0;  ///< of the whole way
+  double cost_s = 0;      ///< up to the end of the step
+  std::size_t from = 0;
+  std::size_t to = 0;
+  Step step = Step::kWord;
+  bool settled = false;
+  std::size_t number = 0;  ///< breaks ties
+
+  friend bool operator>(const Proposal& a, const Proposal& b) {
+    return a.estimate_s != b.estimate_s ? a.estimate_s > b.estimate_s : a.number > b.number;
+  }
+};
+
+class WaySearch {
+ public:
+  WaySearch(const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends, const Roadmap& roadmap,
+            const DrivingGround& ground)
+      : begins_(begins),
+        ends_(ends),
+        roadmap_(roadmap),
+        ground_(ground),
+        radius_m_(ground.machine().radius_m),
+        speed_(ground.machine().turning.turning_speed_mps),
+        reach_m_(kReach_radii * radius_m_ + kReach_widths * ground.machine().width_m),
+        visits_(begins.size() + roadmap.poses().size() + ends.size()) {}
+
+  std::optional<FoundWay> run() {
+    for (std::size_t i = 0; i < begins_.size(); ++i) {
+      visits_[i].cost_s = begins_[i].cost_s;
+      visits_[i].reached = true;
+      leave(i);
+    }
+    std::size_t reached = 0;
+    while (!open_.empty() && reached < kMostPoses) {
+      const Proposal next = open_.top();
+      open_.pop();
+      if (visits_[next.to].reached) continue;
+      if (!next.settled) {
+        settle(next);
+        continue;
+      }
+      visits_[next.to].reached = true;
+      visits_[next.to].cost_s = next.cost_s;
+      visits_[next.to].from = next.from;
+      visits_[next.to].way = std::move(ways_[next.number]);
+      ++reached;
+      if (is_end(next.to)) return found(next.to);
+      leave(next.to);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Visit {
+    bool reached = false;
+    double cost_s = 0;
+    std::size_t from = 0;
+    SteeredPath way{};
+  };
+
+  bool is_begin(std::size_t place) const { return place < begins_.size(); }
+  bool is_end(std::size_t place) const { return place >= begins_.size() + roadmap_.poses().size(); }
+  std::size_t place_of_end(std::size_t end) const { return begins_.size() + roadmap_.poses().size() + end; }
+  const RoadmapPose& on_roadmap(std::size_t place) const { return roadmap_.poses()[place - begins_.size()]; }
+  const WayEnd& end_at(std::size_t place) const { return ends_[place - place_of_end(0)]; }
+  const Pose& pose(std::size_t place) const {
+    if (is_begin(place)) return begins_[place].pose;
+    return is_end(place) ? end_at(place).pose : on_roadmap(place).pose;
+  }
+
+  /// Of the way from a place to the nearest end.
+  double least_s(std::size_t place) const {
+    if (is_end(place)) return 0;
+    double out = std::numeric_limits<double>::infinity();
+    for (const WayEnd& end : ends_)
+      out = std::min(out, kHaste * distance(pose(place).at, end.pose.at) / speed_ + end.cost_s);
+    return out;
+  }
+
+  void propose(std::size_t from, std::size_t to, Step step, double step_s, bool settled, SteeredPath way) {
+    Proposal proposal;
+    proposal.cost_s = visits_[from].cost_s + step_s + (is_end(to) ? end_at(to).cost_s : 0);
+    proposal.estimate_s = proposal.cost_s + least_s(to);
+    proposal.from = from;
+    proposal.to = to;
+    proposal.step = step;
+    proposal.settled = settled;
+    proposal.number = ways_.size();
+    ways_.push_back(std::move(way));
+    open_.push(proposal);
+  }
+
+  void propose_word(std::size_t from, std::size_t to, double longest_m) {
+    if (visits_[to].reached) return;
+    const double length_m = dubins_length(pose(from), pose(to), radius_m_);
+    if (length_m <= longest_m) propose(from, to, Step::kWord, length_m / speed_, false, {});
+  }
+
+  void leave(std::size_t place) {
+    const double longest_m = reach_m_ + kLongest_circles * 2 * std::numbers::pi * radius_m_;
+    for (std::size_t end = 0; end < ends_.size(); ++end)
+      propose_word(place, place_of_end(end), std::numeric_limits<double>::infinity());
+    const bool on_line = !is_begin(place);
+    if (on_line && on_roadmap(place).next)
+      propose(place, begins_.size() + *on_roadmap(place).next, Step::kAlong,
+              length(on_roadmap(place).to_next) / speed_, false, {});
+    if (on_line)
+      change_lines(place);
+    else
+      roadmap_.each_near(pose(place).at, reach_m_,
+                         [&](std::size_t i) { propose_word(place, begins_.size() + i, longest_m); });
+  }
+
+  /// Words from a place on a line to others ahead that lead on.
+  void change_lines(std::size_t place) {
+    const RoadmapPose& from = on_roadmap(place);
+    const Point ahead = from.pose.heading.unit();
+    roadmap_.each_near(from.pose.at, reach_m_, [&](std::size_t i) {
+      const RoadmapPose& to = roadmap_.poses()[i];
+      const Point way = to.pose.at - from.pose.at;
+      if (to.line == from.line || dot(way, ahead) <= 0 || dot(way, to.pose.heading.unit()) <= 0) return;
+      propose_word(place, begins_.size() + i, kLeadsOn * tramline::length(way) + kLeadsOn_radii * radius_m_);
+    });
+  }
+
+  /// Replaces a proposal by the first word with room, at its own cost, or by nothing.
+  void settle(const Proposal& proposal) {
+    const std::size_t from = proposal.from, to = proposal.to;
+    if (proposal.step == Step::kAlong) {
+      const SteeredPath& way = on_roadmap(from).to_next;
+      if (ground_.has_room_along(way))
+        propose(from, to, Step::kAlong, cost_seconds(way, ground_, driven_along(from)), true, way);
+      return;
+    }
+    for (const Manoeuvre& word : dubins_words(pose(from), pose(to), radius_m_)) {
+      if (!word.path.empty() && !ground_.has_room(word.path)) continue;
+      propose(from, to, Step::kWord, cost_seconds(word.path, ground_), true, word.path);
+      return;
+    }
+  }
+
+  CropDriven driven_along(std::size_t place) const {
+    return on_roadmap(place).track ? CropDriven::kAlongTrack : CropDriven::kAcross;
+  }
+
+  FoundWay found(std::size_t place) const {
+    FoundWay out;
+    out.cost_s = visits_[place].cost_s;
+    out.end = place - place_of_end(0);
+    std::vector<const SteeredPath*> parts{&end_at(place).path};
+    for (; !is_begin(place); place = visits_[place].from) parts.push_back(&visits_[place].way);
+    out.begin = place;
+    parts.push_back(&begins_[place].path);
+    for (auto part = parts.rbegin(); part != parts.rend(); ++part)
+      out.path.insert(out.path.end(), (*part)->begin(), (*part)->end());
+    return out;
+  }
+
+  const std::vector<WayEnd>& begins_;
+  const std::vector<WayEnd>& ends_;
+  const Roadmap& roadmap_;
+  const DrivingGround& ground_;
+  double radius_m_;
+  double speed_;
+  double reach_m_;
+  std::vector<Visit> visits_;
+  std::vector<SteeredPath> ways_;  ///< by number of proposal; empty until settled
+  std::priority_queue<Proposal, std::vector<Proposal>, std::greater<>> open_;
+};
+
+}  // namespace
+
+std::optional<FoundWay> quickest_way(const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends,
+                                     const Roadmap& roadmap, const DrivingGround& ground) {
+  return WaySearch(begins, ends, roadmap, ground).run();
+}
+
+}  // namespace tramline

@@ -1,0 +1,189 @@
+// Plans the whole route over real fields with headlands as the turns need them, writes each plan to a file,
+// reads it back and verifies it; and looks for places where the machine leaves the land, by a road of its
+// own.
+//
+//   route_real WIDTH RADIUS forward|reversing [PREFIX [DUMP]]
+//
+// Fields whose id begins with PREFIX alone, where it is given. Prints a line for every field, and a summary;
+// exit code 1 where a plan does not hold or a leg that is said to fit leaves the land. DUMP: a folder for the
+// legs as text.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include "real/off_the_land.h"
+#include "real/real_fields.h"
+#include "tramline/geometry/error.h"
+#include "tramline/io/plan/write_plan.h"
+#include "tramline/planner/plan_field.h"
+
+namespace tramline::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kOff_m = 0.005;
+
+struct Fared {
+  bool planned = false;
+  std::size_t legs = 0, back_outs = 0, without_room = 0, outside = 0, faults = 0;
+  double gap = 0;
+  bool plain = false;  ///< convex and without obstacles
+};
+
+bool is_convex(const Ring& ring) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i], b = ring[(i + 1) % ring.size()], c = ring[(i + 2) % ring.size()];
+    if (cross(b - a, c - b) < 0) return false;
+  }
+  return true;
+}
+
+std::string plain_name(const Field& field) {
+  std::string name = fmt::format("{}-{}", field.id, field.source.part);
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+}
+
+std::string scratch_file(const Field& field) {
+  return (fs::temp_directory_path() / fmt::format("tramline-{}-{}.gpkg", ::getpid(), plain_name(field)))
+      .string();
+}
+
+void print_line(std::ofstream& out, const char* kind, const std::vector<Point>& line) {
+  out << kind;
+  for (const Point p : line) out << fmt::format(" {:.3f},{:.3f}", p.x, p.y);
+  out << "\n";
+}
+
+void dump(const Plan& plan, const std::string& folder) {
+  std::ofstream out(fs::path(folder) / (plain_name(plan.field) + ".txt"));
+  print_line(out, "field", plan.field.outer);
+  for (const Obstacle& obstacle : plan.field.obstacles) print_line(out, "hole", obstacle.shape.outer);
+  for (const RouteLeg& leg : plan.route.legs)
+    if (!leg.path.empty())
+      print_line(out,
+                 fmt::format("{}{}{}", name(leg.kind), leg.gear == Gear::kReverse ? "-r" : "",
+                             leg.missing_m > 0 ? "-x" : "")
+                     .c_str(),
+                 chords(trace(leg.path, 0.05), 0.05));
+}
+
+void look_at(const Plan& plan, Fared& out) {
+  out.legs = plan.route.legs.size();
+  for (const RouteLeg& leg : plan.route.legs) {
+    if (leg.kind == LegKind::kBackOut) ++out.back_outs;
+    if (leg.missing_m > 0) ++out.without_room;
+    if (leg.missing_m == 0 && !leg.work && !leg.path.empty() &&
+        off_the_land_m(plan.field, plan.machine.width_m, leg.path) > kOff_m) {
+      ++out.outside;
+      fmt::print("  {}: a {} leg leaves the land by {:.3f} m\n", plan.field.id, name(leg.kind),
+                 off_the_land_m(plan.field, plan.machine.width_m, leg.path));
+    }
+  }
+  const RouteSums sums = sums_of(plan.route);
+  out.gap = gap(sums.time_s, plan.route.proof.bound_s);
+}
+
+Fared plan_and_look(const Field& field, const Machine& machine, const std::string& folder) {
+  PlanSettings settings;
+  settings.headland_rule = settings.obstacle_headland_rule = HeadlandRule::kTurns;
+  settings.turns = TurnPlanning::kRoute;
+  Fared out;
+  std::vector<std::string> faults;
+  const std::string file = scratch_file(field);
+  try {
+    const Plan plan = plan_field(field, machine, {}, settings, 1);
+    out.planned = true;
+    out.plain = field.obstacles.empty() && is_convex(field.outer);
+    look_at(plan, out);
+    if (!folder.empty()) dump(plan, folder);
+    const RouteSums sums = sums_of(plan.route);
+    fmt::print(
+        "  {}: {} pieces, {} passes, {} legs, {:.0f} m working, {:.0f} m headland, {:.0f} m turning, {:.0f} "
+        "m "
+        "transit, {} back-outs, {} without room, gap {:.1f} %\n",
+        field.id, plan.pieces.size(), plan.headland.passes.size(), out.legs, sums.working_m, sums.headland_m,
+        sums.turning_m, sums.transit_m, out.back_outs, out.without_room, 100 * out.gap);
+    io::write_plan(plan, file);
+    faults = faults_of_file(file, field);
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::kBadInput) {
+      fmt::print("  {}: {}\n", field.id, error.what());
+      return out;
+    }
+    faults.emplace_back(std::string("the run failed: ") + error.what());
+  }
+  std::error_code ignored;
+  fs::remove(file, ignored);
+  out.faults = faults.size();
+  for (const std::string& fault : faults) fmt::print("  {}: {}\n", field.id, fault);
+  std::fflush(stdout);
+  return out;
+}
+
+/// The share of values that lie below it, from sorted ones.
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+void print_gaps(const char* what, const std::vector<double>& gaps) {
+  fmt::print("gap of {} {}: median {:.2f} %, 95th of 100 {:.2f} %\n", gaps.size(), what,
+             100 * quantile(gaps, 0.5), 100 * quantile(gaps, 0.95));
+}
+
+int run(const Machine& machine, const std::string& prefix, const std::string& folder) {
+  const auto fields = read_or_say();
+  if (!fields) return 0;
+  const std::vector<Fared> all = for_each_field(*fields, [&](const Field& field) {
+    return field.id.rfind(prefix, 0) == 0 ? plan_and_look(field, machine, folder) : Fared{};
+  });
+  Fared sum;
+  std::size_t planned = 0, faulty = 0, with_room = 0;
+  std::vector<double> plain_gaps, other_gaps;
+  for (const Fared& one : all) {
+    if (!one.planned) continue;
+    ++planned;
+    faulty += one.faults > 0 ? 1 : 0;
+    with_room += one.without_room == 0 ? 1 : 0;
+    sum.legs += one.legs;
+    sum.back_outs += one.back_outs;
+    sum.without_room += one.without_room;
+    sum.outside += one.outside;
+    (one.plain ? plain_gaps : other_gaps).push_back(one.gap);
+  }
+  print_gaps("convex fields without obstacles", plain_gaps);
+  print_gaps("other fields", other_gaps);
+  fmt::print(
+      "w {:g} m, r {:g} m{}: {} routes, {} faulty, {} with room everywhere; {} legs, {} back-outs, {} "
+      "without "
+      "room, {} outside the land\n",
+      machine.width_m, machine.radius_m, machine.turning.reverse ? ", reversing" : "", planned, faulty,
+      with_room, sum.legs, sum.back_outs, sum.without_room, sum.outside);
+  return faulty == 0 && sum.outside == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace tramline::testing
+
+int main(int count, char** words) {
+  const std::string_view gears = count > 3 ? words[3] : "";
+  if (gears != "forward" && gears != "reversing") {
+    std::fprintf(stderr, "usage: route_real WIDTH RADIUS forward|reversing [PREFIX [DUMP]]\n");
+    return 2;
+  }
+  tramline::Machine machine{"", std::atof(words[1]), std::atof(words[2]), -1};
+  machine.turning.reverse = gears == "reversing";
+  return tramline::testing::run(machine, count > 4 ? words[4] : "", count > 5 ? words[5] : "");
+}
