@@ -75,12 +75,12 @@ Fared plan_and_look(const Field& field, const Machine& machine) {
       fmt::print("  {}: {}\n", field.id, error.what());
       return out;
     }
-    faults.emplace_back(std::string("the run failed: ") + error.what());
+    add_failure(error, faults);
   }
   std::error_code ignored;
   fs::remove(file, ignored);
   out.faults = static_cast<int>(faults.size());
-  for (const std::string& fault : faults) fmt::print("  {}: {}\n", field.id, fault);
+  print_faults(field, faults);
   if (out.stops + out.without_room + out.outside > 0)
     fmt::print("  {}: {} turns, {} stops, {} without room (up to {:.1f} m missing), {} apart, {} outside\n",
                field.id, out.turns, out.stops, out.without_room, out.missing_m, out.apart, out.outside);

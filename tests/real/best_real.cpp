@@ -52,10 +52,9 @@ Comparison compare(const Field& field, const Request& request) {
     out.undivided = best.cost >= best.proof.one_direction_cost;
     out.hindered = !field.obstacles.empty();
   } catch (const Error& error) {
-    if (error.kind() != ErrorKind::kBadInput)
-      out.faults.push_back(std::string("the run failed: ") + error.what());
+    add_failure(error, out.faults);
   }
-  for (const std::string& fault : out.faults) fmt::print("  {}: {}\n", field.id, fault);
+  print_faults(field, out.faults);
   return out;
 }
 

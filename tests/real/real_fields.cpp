@@ -17,6 +17,15 @@
 #include "tramline/planner/plan_field.h"
 
 namespace tramline::testing {
+
+void add_failure(const Error& error, std::vector<std::string>& faults) {
+  if (error.kind() != ErrorKind::kBadInput) faults.push_back(std::string("the run failed: ") + error.what());
+}
+
+void print_faults(const Field& field, const std::vector<std::string>& faults) {
+  for (const std::string& fault : faults) fmt::print("  {}: {}\n", field.id, fault);
+}
+
 namespace {
 
 PlanSettings settings_with(EndRule end_rule) {
@@ -70,10 +79,8 @@ Outcome outcome_of(const Field& field, const Field& input, int scenario_number, 
     outcome.violations = faults_of_file(scratch, input);
     std::filesystem::remove(scratch);
   } catch (const Error& error) {
-    if (error.kind() == ErrorKind::kBadInput)
-      outcome.refused = error.what();
-    else
-      outcome.violations.push_back(std::string("the run failed: ") + error.what());
+    if (error.kind() == ErrorKind::kBadInput) outcome.refused = error.what();
+    add_failure(error, outcome.violations);
   }
   return outcome;
 }

@@ -121,12 +121,12 @@ Fared plan_and_look(const Field& field, const Machine& machine, const std::strin
       fmt::print("  {}: {}\n", field.id, error.what());
       return out;
     }
-    faults.emplace_back(std::string("the run failed: ") + error.what());
+    add_failure(error, faults);
   }
   std::error_code ignored;
   fs::remove(file, ignored);
   out.faults = faults.size();
-  for (const std::string& fault : faults) fmt::print("  {}: {}\n", field.id, fault);
+  print_faults(field, faults);
   std::fflush(stdout);
   return out;
 }
