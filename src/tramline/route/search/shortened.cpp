@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cstdint>
+#include <limits>
 #include <random>
+#include <utility>
 
 #include "tramline/route/search/closed_tour.h"
 #include "tramline/route/search/double_bridge.h"
@@ -118,6 +121,21 @@ Tour shortened(const Tour& tour, const EndCosts& costs, const Neighbours& neighb
   search.run();
   const double mean_s = connection_s(ring.open(), costs) / static_cast<double>(tour.size());
   return KickedTour(ring, search, near).kick(kicks, kTolerated * mean_s);
+}
+
+Tour shortened_best(const std::vector<Tour>& tours, const EndCosts& costs, const Neighbours& neighbours,
+                    std::size_t kicks) {
+  assert(!tours.empty());
+  Tour best;
+  double least_s = std::numeric_limits<double>::infinity();
+  for (const Tour& tour : tours) {
+    Tour found = shortened(tour, costs, neighbours, kicks / (2 * tours.size()));
+    const double cost_s = connection_s(found, costs);
+    if (cost_s >= least_s) continue;
+    least_s = cost_s;
+    best = std::move(found);
+  }
+  return shortened(best, costs, neighbours, kicks - kicks / 2);
 }
 
 }  // namespace tramline::order

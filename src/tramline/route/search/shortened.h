@@ -2,6 +2,7 @@
 // Shortens a tour by iterated local search.
 
 #include <cstddef>
+#include <vector>
 
 #include "tramline/route/search/end_costs.h"
 #include "tramline/route/search/neighbours.h"
@@ -17,5 +18,10 @@ std::size_t usual_kicks(std::size_t lines);
 /// best tour seen: never costs more than the tour given. Deterministic: no clock. Preconditions: the tour has
 /// every line of the costs once; neighbours are those of the ends of the same lines.
 Tour shortened(const Tour& tour, const EndCosts& costs, const Neighbours& neighbours, std::size_t kicks);
+
+/// The best of several tours, each shortened; half of the kicks are for all of them alike, the rest for the
+/// one that is best then. Preconditions: as above, and there is a tour.
+Tour shortened_best(const std::vector<Tour>& tours, const EndCosts& costs, const Neighbours& neighbours,
+                    std::size_t kicks);
 
 }  // namespace tramline::order
