@@ -101,6 +101,7 @@ void LocalSearch::look_past(End a, End b, double ahead_s) {
 
 void LocalSearch::look_past(End a, End b, End c, double ahead_s) {
   if (ahead_s <= std::min(best_.rate_s, farthest_.rate_s)) return;
+  if (line_of(a) == line_of(tour_.mate(c))) return;  // a line has no connection with itself
   const double gain = ahead_s - tour_.between(a, tour_.mate(c));
   if (gain <= best_.rate_s && ahead_s <= farthest_.rate_s) return;
   if (!ThreeOpt(tour_, a, b, c).is_valid()) return;
