@@ -12,7 +12,7 @@ program_packages=(
 # The rest of what is built: server, page, tests and benchmarks.
 build_packages=(
   libcpp-httplib-dev
-  libgtest-dev libbenchmark-dev libompl-dev
+  libgtest-dev libbenchmark-dev libompl-dev coinor-libcbc-dev
   gdal-bin python3 sqlite3 zip
 )
 # The page is built by these commands. Looked for as commands: a node from elsewhere brings its own npm, and does not

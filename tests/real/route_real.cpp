@@ -96,7 +96,10 @@ void look_at(const Plan& plan, Fared& out) {
 
 Fared plan_and_look(const Field& field, const Machine& machine, const std::string& folder) {
   PlanSettings settings;
-  settings.headland_rule = settings.obstacle_headland_rule = HeadlandRule::kTurns;
+  if (const char* h = std::getenv("HEADLANDS"))
+    settings.headlands = settings.obstacle_headlands = std::atoi(h);
+  else
+    settings.headland_rule = settings.obstacle_headland_rule = HeadlandRule::kTurns;
   settings.turns = TurnPlanning::kRoute;
   Fared out;
   std::vector<std::string> faults;

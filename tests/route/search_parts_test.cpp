@@ -32,7 +32,6 @@ TEST(NearNodes, AreTheNearestOfOtherLines) {
   const Neighbours two = neighbours_of(6, far, far, {2, 2});
   EXPECT_EQ(two[0], (std::vector<std::size_t>{2, 3}));
   EXPECT_EQ(two[3], (std::vector<std::size_t>{4, 1}));  // 9 and 10 away; node 5 is 10 away too
-            (std::vector<std::size_t>{4, 5}));  // 9 and 10 away; node 1 is 10 away too, but 5 was seen
   EXPECT_EQ(two[5], (std::vector<std::size_t>{3, 2}));
 }
 

@@ -69,6 +69,14 @@ void draw_swatch_line(Canvas& canvas, const Box& box, const LegendRow& row) {
     stroke_line(canvas, {left, right}, {kTurnColour, kTurnLine * k, {3 * k, 3 * k}});
   } else if (row.symbol == Symbol::kNoRoom) {
     stroke_line(canvas, {left, right}, {kNoRoomColour, kTurnLine * k});
+  } else if (row.symbol == Symbol::kTransit) {
+    stroke_line(canvas, {left, right}, {kTransitColour, kTurnLine * k});
+  } else if (row.symbol == Symbol::kBackOut) {
+    stroke_line(canvas, {left, right}, {kBackOutColour, kTurnLine * k, {3 * k, 3 * k}});
+  } else if (row.symbol == Symbol::kRouteStart) {
+    draw_route_mark(canvas, box.centre(), kRouteStartColour);
+  } else if (row.symbol == Symbol::kRouteEnd) {
+    draw_route_mark(canvas, box.centre(), kRouteEndColour);
   } else if (row.symbol == Symbol::kHeadlandPass) {
     stroke_line(canvas, {left, right},
                 {kHeadlandPassColour, kHeadlandLine * k, {kHeadlandDash * k, 0.5 * kHeadlandDash * k}});
@@ -130,6 +138,10 @@ void draw_symbol(Canvas& canvas, const Box& box, const LegendRow& row) {
     case Symbol::kTurn:
     case Symbol::kTurnInReverse:
     case Symbol::kNoRoom:
+    case Symbol::kTransit:
+    case Symbol::kBackOut:
+    case Symbol::kRouteStart:
+    case Symbol::kRouteEnd:
     case Symbol::kHeadlandPass:
     case Symbol::kReference:
     case Symbol::kTightestArc:

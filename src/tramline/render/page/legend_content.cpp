@@ -60,6 +60,16 @@ LegendBlock symbols(const Plan& plan) {
       Symbol::kTurnInReverse, "turn, in reverse");
   add(turns([](const PlannedTurn& turn) { return turn.state == TurnState::kNoRoom; }), Symbol::kNoRoom,
       "turn without room");
+  const auto legs = [&](auto shown) { return std::ranges::any_of(plan.route.legs, shown); };
+  const auto kind = [](LegKind wanted) {
+    return [wanted](const RouteLeg& leg) { return leg.kind == wanted && leg.missing_m == 0; };
+  };
+  add(legs(kind(LegKind::kTurn)), Symbol::kTurn, "turn, way of the axle");
+  add(legs(kind(LegKind::kTransit)), Symbol::kTransit, "transit, work off");
+  add(legs(kind(LegKind::kBackOut)), Symbol::kBackOut, "backing out or in, in reverse");
+  add(legs([](const RouteLeg& leg) { return leg.missing_m > 0; }), Symbol::kNoRoom, "way without room");
+  add(plan.route.planned(), Symbol::kRouteStart, "the route starts");
+  add(plan.route.planned(), Symbol::kRouteEnd, "the route ends");
   add(!references(plan).empty(), Symbol::kReference, "line that tracks follow");
   add(!plan.dropped.empty(), Symbol::kDropped, "dropped: too short to drive");
   add(has_stops(plan), Symbol::kStop, "stop: the machine backs out");

@@ -43,6 +43,12 @@ void draw_arrow_head(Canvas& canvas, Point tip, Point heading, double size, Colo
              colour);
 }
 
+void draw_route_mark(Canvas& canvas, Point at, Colour colour) {
+  const double k = canvas.scale();
+  disc(canvas, at, (kRouteMarkRadius + 1.5) * k, kDetourRim);
+  disc(canvas, at, kRouteMarkRadius * k, colour);
+}
+
 void draw_gap_badge(Canvas& canvas, Point centre, int number) {
   const double r = kGapBadgeRadius * canvas.scale();
   disc(canvas, centre, r, kUncoveredColour);

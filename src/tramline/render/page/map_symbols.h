@@ -11,6 +11,9 @@ namespace tramline::render {
 void draw_stop_mark(Canvas& canvas, Point at, double radius);
 void draw_arrow_head(Canvas& canvas, Point tip, Point heading, double size, Colour colour);
 
+/// Where a route starts or ends: a disc with a white rim.
+void draw_route_mark(Canvas& canvas, Point at, Colour colour);
+
 /// A number in a disc.
 void draw_gap_badge(Canvas& canvas, Point centre, int number);
 
@@ -35,6 +38,7 @@ std::vector<double> reference_dashes(double scale);
 inline constexpr double kDroppedLine = 1.8;
 inline constexpr double kOutlineWidth = 2.2;
 inline constexpr double kStopRadius = 4.2;
+inline constexpr double kRouteMarkRadius = 5;
 inline constexpr double kKeepOffLine = 1.6;
 inline constexpr double kKeepOffDash = 7;
 inline constexpr double kSwathEdgeLine = 0.8;

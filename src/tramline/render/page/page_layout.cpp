@@ -94,6 +94,9 @@ Box drawn_box(const Plan& plan) {
   for (const PlannedTurn& turn : plan.turns)
     if (turn.state != TurnState::kApart && length(turn.manoeuvre.path) > 0)
       for (const Point p : chords(trace(turn.manoeuvre.path, kSagitta), kSagitta)) box.extend(p);
+  for (const RouteLeg& leg : plan.route.legs)
+    if (length(leg) > 0)
+      for (const Point p : chords(trace(leg.path, kSagitta), kSagitta)) box.extend(p);
   for (const DroppedPiece& piece : plan.dropped) {
     box.extend(piece.start);
     box.extend(piece.end);

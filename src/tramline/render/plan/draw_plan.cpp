@@ -27,6 +27,7 @@ void draw_map(Canvas& canvas, const Plan& plan) {
   draw_headland_passes(canvas, plan, drawn);
   draw_track_lines(canvas, plan);
   draw_turns(canvas, plan);
+  draw_route(canvas, plan);
   draw_arrow_heads(canvas, plan, drawn);
   draw_outlines(canvas, plan);
   draw_references(canvas, plan, drawn);
@@ -42,6 +43,7 @@ void draw_map(Canvas& canvas, const Plan& plan) {
       place_track_labels(plan, canvas.view(), canvas.scale(), boxes_of(badges, canvas.scale()));
   draw_badges(canvas, plan, badges);
   draw_track_labels(canvas, labels);
+  draw_route_ends(canvas, plan);
 }
 
 }  // namespace

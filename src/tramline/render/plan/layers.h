@@ -29,6 +29,11 @@ void draw_track_lines(Canvas& canvas, const Plan& plan);
 /// The turns between tracks: the way of the axle's middle, dashed in reverse; those without room in red.
 /// Where tracks are far apart and nothing fits, nothing is drawn.
 void draw_turns(Canvas& canvas, const Plan& plan);
+/// The legs of the route with the work off: turns, transits, and backing out dashed as everything in reverse;
+/// those without room in red.
+void draw_route(Canvas& canvas, const Plan& plan);
+/// Where the route starts and where it ends.
+void draw_route_ends(Canvas& canvas, const Plan& plan);
 /// An arrow head on each track, or on some of very close tracks, where it is inside `seen`, m.
 void draw_arrow_heads(Canvas& canvas, const Plan& plan, const Box& seen);
 /// The parts of tracks that go round obstacles, on a white rim.

@@ -19,10 +19,10 @@ struct WorkedPass {
   Way before;  ///< the way to it; without path where the route begins with it
 };
 
-/// These passes, each once, from where the route is (`left`: the way of the axle up to there; empty: nowhere yet,
-/// then the first of them begins at its own beginning). The nearest pass in driving time comes next, of those whose
-/// turn it is by `sequence`: of passes along one boundary by their numbers. Of the places of a closed pass that is
-/// entered which is reached soonest with room. O(p²) ways for p passes.
+/// These passes, each once, from where the route is (`left`: the way of the axle up to there; empty: nowhere
+/// yet, then the first of them begins at its own beginning). The nearest pass in driving time comes next, of
+/// those whose turn it is by `sequence`: of passes along one boundary by their numbers. Of the places of a
+/// closed pass that is entered which is reached soonest with room. O(p²) ways for p passes.
 std::vector<WorkedPass> pass_tour(const Headland& headland, const std::vector<std::size_t>& passes,
                                   PassSequence sequence, const SteeredPath& left, const Connector& connector,
                                   const LeastSeconds& least);

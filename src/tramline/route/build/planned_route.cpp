@@ -69,8 +69,8 @@ class RoutePlanner {
       legs_.add(connector_.from_gate(*out_.start, entered));
   }
 
-  /// Those round the outside first where passes come first, and last where they come last: the others lie between
-  /// them and the tracks.
+  /// Those round the outside first where passes come first, and last where they come last: the others lie
+  /// between them and the tracks.
   void add_passes() {
     const PassSequence sequence = task_.settings.route.sequence;
     std::vector<std::size_t> open, closed, all;
@@ -136,7 +136,8 @@ class RoutePlanner {
         costs.set_start(end, least_.between(end_of(left_), pose_entered_by(line, end)));
       else if (out_.start)
         costs.set_start(end, least_.to_gate(*out_.start, pose_entered_by(line, end)));
-      if (out_.end && behind == Behind::kGate) costs.set_finish(end, least_.to_gate(*out_.end, pose_left_by(line, end)));
+      if (out_.end && behind == Behind::kGate)
+        costs.set_finish(end, least_.to_gate(*out_.end, pose_left_by(line, end)));
     }
   }
 

@@ -2,7 +2,9 @@
 // The costs of a tour that is closed by what comes before its start and after its finish.
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "tramline/route/search/end_costs.h"
@@ -21,9 +23,10 @@ class ClosedCosts {
   End start() const { return 2 * lines_ + 1; }
 
   double between(End a, End b) {
-    if (a > b) return between(b, a);
+    if (a > b) std::swap(a, b);
+    const std::uint64_t pair = std::uint64_t{a} << 32U | b;
     Known& known = known_[(a * kSpread + b) & (known_.size() - 1)];
-    if (known.a != a || known.b != b) known = {a, b, computed(a, b)};
+    if (known.pair != pair) known = {pair, computed(a, b)};
     return known.cost;
   }
 
@@ -31,8 +34,7 @@ class ClosedCosts {
   /// Odd, so that the costs of one end to those near it lie apart from those of the next end.
   static constexpr std::size_t kSpread = 2654435761U;
   struct Known {
-    End a = std::numeric_limits<End>::max();
-    End b = 0;
+    std::uint64_t pair = std::numeric_limits<std::uint64_t>::max();
     double cost = 0;
   };
   double computed(End a, End b) const;

@@ -5,7 +5,11 @@
 namespace tramline::order {
 
 ClosedTour::ClosedTour(const Tour& tour, ClosedCosts& costs)
-    : costs_(costs), entered_(tour), place_(costs.lines()), mate_s_(2 * costs.lines()) {
+    : costs_(costs),
+      entered_(tour),
+      place_(costs.lines()),
+      mate_(2 * costs.lines()),
+      mate_s_(2 * costs.lines()) {
   assert(tour.size() + 1 == costs.lines());
   entered_.push_back(costs_.finish());
   for (std::size_t at = 0; at < lines(); ++at) place_[line_of(entered_[at])] = at;
@@ -14,8 +18,9 @@ ClosedTour::ClosedTour(const Tour& tour, ClosedCosts& costs)
 
 void ClosedTour::connect(End a, End b) {
   const double cost = lines() > 1 ? between(a, b) : 0;
-  mate_s_[a] = cost;
-  mate_s_[b] = cost;
+  mate_[a] = b;
+  mate_[b] = a;
+  mate_s_[a] = mate_s_[b] = cost;
 }
 
 void ClosedTour::exchange(End a, End b) {

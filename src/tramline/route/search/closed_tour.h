@@ -26,10 +26,7 @@ class ClosedTour {
   std::size_t next(std::size_t place) const { return place + 1 == entered_.size() ? 0 : place + 1; }
   std::size_t previous(std::size_t place) const { return (place == 0 ? entered_.size() : place) - 1; }
 
-  End mate(End end) const {
-    const std::size_t at = place(end);
-    return entered_[at] == end ? left(previous(at)) : entered(next(at));
-  }
+  End mate(End end) const { return mate_[end]; }
   /// The cost of the connection to the mate.
   double mate_s(End end) const { return mate_s_[end]; }
   double between(End a, End b) const { return costs_.between(a, b); }
@@ -63,6 +60,7 @@ class ClosedTour {
   ClosedCosts& costs_;
   std::vector<End> entered_;        ///< by place
   std::vector<std::size_t> place_;  ///< by line
+  std::vector<End> mate_;           ///< by end
   std::vector<double> mate_s_;      ///< by end
   std::vector<Change> changes_;
 };

@@ -61,6 +61,22 @@ class TourPieces {
   std::vector<End> far_end_;  ///< of loose ends
 };
 
+/// Costs and the prices of the ends besides.
+class PricedCosts final : public EndCosts {
+ public:
+  PricedCosts(const EndCosts& costs, const std::vector<double>& prices_s)
+      : costs_(costs), prices_s_(prices_s) {}
+
+  std::size_t lines() const override { return costs_.lines(); }
+  double between(End a, End b) const override { return costs_.between(a, b) + prices_s_[a] + prices_s_[b]; }
+  double at_start(End entered) const override { return costs_.at_start(entered) + prices_s_[entered]; }
+  double at_finish(End left) const override { return costs_.at_finish(left) + prices_s_[left]; }
+
+ private:
+  const EndCosts& costs_;
+  const std::vector<double>& prices_s_;
+};
+
 /// The loose end at which the next piece is entered most cheaply; `last`: the end that was left, if any.
 End cheapest_entry(const std::vector<End>& loose, std::optional<End> last, const EndCosts& costs) {
   End best = loose.front();
@@ -93,6 +109,11 @@ Tour greedy_tour(const EndCosts& costs, const Neighbours& neighbours) {
     std::erase(loose, *last);
   }
   return out;
+}
+
+Tour greedy_tour(const EndCosts& costs, const Neighbours& neighbours, const std::vector<double>& prices_s) {
+  assert(prices_s.size() >= 2 * costs.lines());
+  return greedy_tour(PricedCosts(costs, prices_s), neighbours);
 }
 
 Tour entered_best(const std::vector<std::size_t>& order, const EndCosts& costs) {

@@ -9,8 +9,10 @@
 namespace tramline::order {
 namespace {
 
+/// Moves made one after the other, of which only all together gain.
+constexpr int kMostMoves = 2;
 /// Ends tried for the third connection of a move.
-constexpr std::size_t kThirdEnds = 6;
+constexpr std::size_t kThirdEnds = 4;
 
 }  // namespace
 
@@ -43,49 +45,68 @@ double LocalSearch::run() {
   return gained;
 }
 
-/// The best move that takes away the connection of the end and connects it with one near it. Its gain, s; 0
-/// if none gains.
+/// The best move that takes away the connection of the end and connects it with one near it; where none
+/// gains, the one that is farthest ahead is made and followed by another (Lin and Kernighan 1973). Its gain,
+/// s; 0 if none gains: then the tour is what it was.
 double LocalSearch::improve_at(End end) {
-  best_ = {};
-  best_.gain = kSameTime_s;
-  const End a = tour_.mate(end);
-  for (const NearEnd& near : near_[end]) {
-    const double ahead_s = tour_.mate_s(end) - near.cost_s;
-    if (ahead_s <= kSameTime_s) break;
-    if (near.end != a) look_past(a, near.end, ahead_s + tour_.mate_s(near.end));
-  }
-  if (best_.gain <= kSameTime_s) return 0;
   const std::size_t changes = tour_.changes();
-  if (best_.three)
-    ThreeOpt(tour_, best_.a, best_.b, best_.c).apply(tour_);
-  else
-    TwoOpt(tour_, best_.a, best_.b).apply(tour_);
-  for (const End changed : tour_.changed_since(changes)) wait(changed);
-  return best_.gain;
+  const End a = tour_.mate(end);
+  double ahead_s = tour_.mate_s(end);
+  for (int moves = 0; moves < kMostMoves; ++moves) {
+    best_ = {kSameTime_s};
+    farthest_ = {kSameTime_s};
+    look_from(a, ahead_s);
+    if (best_.rate_s > kSameTime_s) {
+      apply(best_);
+      for (const End changed : tour_.changed_since(changes)) wait(changed);
+      return best_.rate_s;
+    }
+    if (farthest_.rate_s <= kSameTime_s) break;
+    apply(farthest_);
+    ahead_s = farthest_.rate_s;
+  }
+  tour_.undo_to(changes);
+  return 0;
 }
 
-/// Moves that take away the connections of a and b and connect the mate of a with b; so far they are ahead,
-/// the connection of b counted.
+void LocalSearch::apply(const RatedMove& move) {
+  if (move.c)
+    ThreeOpt(tour_, move.a, move.b, *move.c).apply(tour_);
+  else
+    TwoOpt(tour_, tour_.mate(move.a), move.b).apply(tour_);
+}
+
+/// Moves that take away the connection of a. Of what was taken away and added before, that one counted,
+/// `ahead_s` remains.
+void LocalSearch::look_from(End a, double ahead_s) {
+  for (const NearEnd& near : near_[tour_.mate(a)]) {
+    if (ahead_s - near.cost_s <= kSameTime_s) break;
+    if (near.end != a) look_past(a, near.end, ahead_s - near.cost_s + tour_.mate_s(near.end));
+  }
+}
+
+/// Moves that take away the connections of a and b and connect the mate of a with b.
 void LocalSearch::look_past(End a, End b, double ahead_s) {
-  const End mate_of_a = tour_.mate(a), mate_of_b = tour_.mate(b);
-  if (tour_.may_exchange(mate_of_a, b)) {
+  const End mate_of_b = tour_.mate(b);
+  if (tour_.may_exchange(tour_.mate(a), b)) {
     const double gain = ahead_s - tour_.between(a, mate_of_b);
-    if (gain > best_.gain) best_ = {gain, mate_of_a, b, 0, false};
+    if (gain > best_.rate_s) best_ = {gain, a, b, {}};
   }
   const std::vector<NearEnd>& near = near_[mate_of_b];
   for (std::size_t i = 0; i < std::min(near.size(), kThirdEnds); ++i) {
-    const End c = near[i].end;
-    const double further_s = ahead_s - near[i].cost_s;
-    if (further_s <= kSameTime_s) break;
-    const double most = further_s + tour_.mate_s(c);
-    if (most <= best_.gain) continue;
-    look_past(a, b, c, most);
+    if (ahead_s - near[i].cost_s <= kSameTime_s) break;
+    look_past(a, b, near[i].end, ahead_s - near[i].cost_s + tour_.mate_s(near[i].end));
   }
 }
 
 void LocalSearch::look_past(End a, End b, End c, double ahead_s) {
+  if (ahead_s <= std::min(best_.rate_s, farthest_.rate_s)) return;
+  if (line_of(a) == line_of(tour_.mate(c))) return;  // a line has no connection with itself
   const double gain = ahead_s - tour_.between(a, tour_.mate(c));
-  if (gain > best_.gain && ThreeOpt(tour_, a, b, c).is_valid()) best_ = {gain, a, b, c, true};
+  if (gain <= best_.rate_s && ahead_s <= farthest_.rate_s) return;
+  if (!ThreeOpt(tour_, a, b, c).is_valid()) return;
+  if (gain > best_.rate_s) best_ = {gain, a, b, c};
+  if (ahead_s > farthest_.rate_s) farthest_ = {ahead_s, a, b, c};
 }
 
 }  // namespace tramline::order

@@ -2,6 +2,7 @@
 // Improves a tour about given lines until no move gains.
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "tramline/route/search/closed_tour.h"
@@ -25,20 +26,25 @@ class LocalSearch {
     End end = 0;
     double cost_s = 0;
   };
-  struct FoundMove {
-    double gain = 0;
-    End a = 0, b = 0, c = 0;
-    bool three = false;
+  /// A move, by the ends whose connections it takes away (TwoOpt, ThreeOpt), and what it is rated by, s.
+  struct RatedMove {
+    double rate_s = 0;
+    End a = 0, b = 0;
+    std::optional<End> c{};
   };
   double improve_at(End end);
+  void look_from(End a, double ahead_s);
   void look_past(End a, End b, double ahead_s);
   void look_past(End a, End b, End c, double ahead_s);
+  void apply(const RatedMove& move);
 
   ClosedTour& tour_;
   std::vector<std::vector<NearEnd>> near_;  ///< by end
   std::vector<std::size_t> waiting_;
   std::vector<bool> waits_;  ///< by line
-  FoundMove best_;
+  RatedMove best_;           ///< of those seen, by what the tour costs less
+  RatedMove
+      farthest_;  ///< by what was taken away less what was added, but for the connection that closes the ring
 };
 
 }  // namespace tramline::order

@@ -15,7 +15,7 @@ using PairCost = std::function<double(std::size_t, std::size_t)>;
 
 struct NeighbourCounts {
   std::size_t looked_at = 30;  ///< of each node those nearest by the estimate
-  std::size_t kept = 10;       ///< of these those nearest by the cost
+  std::size_t kept = 8;        ///< of these those nearest by the cost
 };
 
 /// The neighbours of `nodes` nodes. Of each node the first `looked_at` others by the estimate are looked at,

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cstdint>
+#include <limits>
 #include <random>
+#include <utility>
 
 #include "tramline/route/search/closed_tour.h"
 #include "tramline/route/search/double_bridge.h"
@@ -15,6 +18,8 @@ namespace {
 
 /// From one connection to another that a kick changes with it.
 constexpr std::size_t kSteps = 6;
+/// By how much a tour may be worse than the best one at first, in connections.
+constexpr double kTolerated = 2;
 
 /// Those of the ends of the lines, and for the ends of the outside the ends of least cost.
 Neighbours with_outside(Neighbours neighbours, const EndCosts& costs) {
@@ -43,7 +48,7 @@ std::size_t below(std::size_t limit, std::mt19937& random) {
 /// A line a few steps away from the line of this end, from one end to one of those near it and so on.
 std::size_t walked_place(End from, const ClosedTour& tour, const Neighbours& near, std::mt19937& random) {
   End at = from;
-  for (std::size_t step = 0; step < kSteps; ++step) {
+  for (std::size_t step = 0; step < kSteps && !near[at].empty(); ++step) {
     at = near[at][below(near[at].size(), random)];
     if (below(2, random) == 0) at = other_end(at);
   }
@@ -59,9 +64,50 @@ DoubleBridge random_kick(const ClosedTour& tour, const Neighbours& near, std::mt
   return {tour.next(places[0]), {places[1] - places[0], places[2] - places[1], places[3] - places[2]}};
 }
 
+/// A tour that is kicked again and again, and the best one seen.
+class KickedTour {
+ public:
+  KickedTour(ClosedTour& ring, LocalSearch& search, const Neighbours& near)
+      : ring_(ring), search_(search), near_(near), best_(ring.open()) {}
+
+  /// The tour may be a little worse than the best one meanwhile, by less and less (record-to-record travel of
+  /// Dueck 1993).
+  Tour kick(std::size_t kicks, double tolerated_s) {
+    for (std::size_t i = 0; i < kicks; ++i)
+      kick_once(tolerated_s * static_cast<double>(kicks - i) / static_cast<double>(kicks));
+    return best_;
+  }
+
+ private:
+  void kick_once(double tolerated_s) {
+    ring_.keep();
+    const DoubleBridge kick = random_kick(ring_, near_, random_);
+    if (!kick.is_valid(ring_)) return;
+    double change_s = -kick.gain(ring_);
+    kick.apply(ring_);
+    for (const End changed : ring_.changed_since(0)) search_.wait(changed);
+    change_s -= search_.run();
+    if (above_s_ + change_s > tolerated_s) {
+      ring_.undo_to(0);
+      return;
+    }
+    above_s_ += change_s;
+    if (above_s_ >= -kSameTime_s) return;
+    best_ = ring_.open();
+    above_s_ = 0;
+  }
+
+  ClosedTour& ring_;
+  LocalSearch& search_;
+  const Neighbours& near_;
+  std::mt19937 random_;  // NOLINT(bugprone-random-generator-seed): the same kicks every time
+  Tour best_;
+  double above_s_ = 0;  ///< how much the tour costs more than the best one
+};
+
 }  // namespace
 
-std::size_t usual_kicks(std::size_t lines) { return std::max<std::size_t>(1200, 8 * lines); }
+std::size_t usual_kicks(std::size_t lines) { return std::max<std::size_t>(500, 4 * lines); }
 
 Tour shortened(const Tour& tour, const EndCosts& costs, const Neighbours& neighbours, std::size_t kicks) {
   assert(tour.size() == costs.lines() && neighbours.size() == 2 * tour.size());
@@ -73,22 +119,23 @@ Tour shortened(const Tour& tour, const EndCosts& costs, const Neighbours& neighb
   for (const End entered : tour) search.wait(entered);
   search.wait(ring.start());
   search.run();
-  std::mt19937 random;  // NOLINT(bugprone-random-generator-seed): the same kicks every time
-  double worse_s = 0;   // than the best tour so far, by rounding
-  for (std::size_t i = 0; i < kicks; ++i) {
-    ring.keep();
-    const DoubleBridge kick = random_kick(ring, near, random);
-    if (!kick.is_valid(ring)) continue;
-    double change_s = -kick.gain(ring);
-    kick.apply(ring);
-    for (const End changed : ring.changed_since(0)) search.wait(changed);
-    change_s -= search.run();
-    if (worse_s + change_s > kSameTime_s)
-      ring.undo_to(0);
-    else
-      worse_s = std::max(0.0, worse_s + change_s);
+  const double mean_s = connection_s(ring.open(), costs) / static_cast<double>(tour.size());
+  return KickedTour(ring, search, near).kick(kicks, kTolerated * mean_s);
+}
+
+Tour shortened_best(const std::vector<Tour>& tours, const EndCosts& costs, const Neighbours& neighbours,
+                    std::size_t kicks) {
+  assert(!tours.empty());
+  Tour best;
+  double least_s = std::numeric_limits<double>::infinity();
+  for (const Tour& tour : tours) {
+    Tour found = shortened(tour, costs, neighbours, kicks / (2 * tours.size()));
+    const double cost_s = connection_s(found, costs);
+    if (cost_s >= least_s) continue;
+    least_s = cost_s;
+    best = std::move(found);
   }
-  return ring.open();
+  return shortened(best, costs, neighbours, kicks - kicks / 2);
 }
 
 }  // namespace tramline::order
