@@ -73,7 +73,7 @@ GuideLine guide_of_points(Point a, Point b, const std::string& origin, const std
 }
 
 std::vector<Point> placed_guide(const GuideLine& guide, const Field& field, double least_m) {
-  const PointPlacer placer(field, guide.plain, guide.origin, "line");
+  const PointPlacer placer(field, {guide.plain, guide.origin, "line"});
   std::vector<Point> out;
   double length_m = 0;
   for (const Point p : guide.points) {
@@ -121,7 +121,7 @@ GatePoints gate_of_point(Point gate, const std::string& origin, const std::strin
 }
 
 Point placed_gate(const GatePoints& gates, const Field& field) {
-  const PointPlacer placer(field, gates.plain, gates.origin, "gate");
+  const PointPlacer placer(field, {gates.plain, gates.origin, "gate"});
   std::optional<Point> nearest;
   for (const Point p : gates.points) {
     const std::optional<Point> local = placer.try_place(p);

@@ -2,17 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "tramline/geometry/error.h"
 
 namespace tramline {
 
-PointPlacer::PointPlacer(const Field& field, bool plain, std::string origin, const char* what)
-    : field_(field), origin_(std::move(origin)) {
-  if (plain == field.frame.geodetic)
+PointPlacer::PointPlacer(const Field& field, const PointSource& source)
+    : field_(field), origin_(source.origin) {
+  if (source.plain == field.frame.geodetic)
     throw bad_input(fmt::format("{}: the {} and field '{}' are not in the same coordinates; give --crs",
-                                origin_, what, field.id));
+                                origin_, source.what, field.id));
   if (field.frame.geodetic) projection_.emplace(field.frame);
 }
 

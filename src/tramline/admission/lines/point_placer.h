@@ -9,12 +9,18 @@
 
 namespace tramline {
 
-/// Places points given as longitude and latitude or, where `plain`, as plain metres. Refers to the field.
+/// Where points come from.
+struct PointSource {
+  bool plain = false;     ///< plain metres; otherwise longitude and latitude
+  std::string origin;     ///< for messages: "ab.gpkg feature 3"
+  const char* what = "";  ///< for messages: "line"
+};
+
+/// Places points of one source in the frame of a field. Refers to the field.
 class PointPlacer {
  public:
-  /// `origin` and `what` name the points in messages: "ab.gpkg feature 3", "line". Throws bad_input where the
-  /// points are in plain metres and the field is not, or the other way round.
-  PointPlacer(const Field& field, bool plain, std::string origin, const char* what);
+  /// Throws bad_input where the points are in plain metres and the field is not, or the other way round.
+  PointPlacer(const Field& field, const PointSource& source);
 
   /// In local metres; nullopt where the point lies too far away for the field's plane.
   std::optional<Point> try_place(Point p) const;

@@ -122,7 +122,7 @@ DrawnLines read_lines(const RawDataset& dataset, const std::string& fields_crs) 
 }
 
 std::vector<Point> placed_line(const DrawnLine& line, const Field& field) {
-  const PointPlacer placer(field, line.plain, line.origin, "line");
+  const PointPlacer placer(field, {line.plain, line.origin, "line"});
   std::vector<Point> out;
   for (const Point p : line.points) out.push_back(placer.place(p));
   return out;
