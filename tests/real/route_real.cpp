@@ -20,7 +20,7 @@
 #include <string>
 #include <string_view>
 
-#include "real/off_the_land.h"
+#include "support/off_the_land.h"
 #include "real/real_fields.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/plan/write_plan.h"

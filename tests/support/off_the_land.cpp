@@ -1,4 +1,4 @@
-#include "real/off_the_land.h"
+#include "support/off_the_land.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,273 @@
+// Whole routes: what is driven, in which order, joined end to end, on the land, and no longer than it has to be.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "properties/seeds.h"
+#include "support/off_the_land.h"
+#include "tramline/geometry/error.h"
+#include "tramline/planner/plan_field.h"
+
+namespace tramline {
+namespace {
+
+using testing::for_each_seed;
+using testing::off_the_land_m;
+using testing::random_field;
+
+Ring box(double min_x, double min_y, double max_x, double max_y) {
+  return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
+}
+
+Field rectangle(double width_m, double height_m) {
+  Field field;
+  field.id = "rectangle";
+  field.outer = box(0, 0, width_m, height_m);
+  return field;
+}
+
+Field with_obstacle(Field field, const Ring& ring, ObstacleKind kind) {
+  field.obstacles.push_back({{ring, {}}, kind, "drawn"});
+  return field;
+}
+
+PlanSettings whole_route(int headlands) {
+  PlanSettings settings;
+  settings.turns = TurnPlanning::kRoute;
+  settings.headlands = settings.obstacle_headlands = headlands;
+  return settings;
+}
+
+Pose end_of(const RouteLeg& leg) { return tramline::end_of(leg.path.back()); }
+
+/// Each leg begins in the pose in which the one before it ends, and in one gear.
+void expect_joined(const Plan& plan) {
+  const std::vector<RouteLeg>& legs = plan.route.legs;
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    ASSERT_FALSE(legs[i].path.empty()) << "leg " << i;
+    for (const SteeredStretch& stretch : legs[i].path) EXPECT_EQ(stretch.gear, legs[i].gear) << "leg " << i;
+    if (i == 0) continue;
+    const Pose before = end_of(legs[i - 1]), after = legs[i].path.front().start;
+    EXPECT_LT(distance(before.at, after.at), 1e-6) << "leg " << i;
+    EXPECT_GT(dot(before.heading.unit(), after.heading.unit()), 1 - 1e-9) << "leg " << i;
+  }
+}
+
+/// Every piece once, in the order of the plan, and every pass once, whole.
+void expect_all_driven(const Plan& plan) {
+  std::size_t next = 0;
+  std::vector<double> of_passes(plan.headland.passes.size(), 0);
+  for (const RouteLeg& leg : plan.route.legs) {
+    if (leg.kind == LegKind::kWork) {
+      ASSERT_EQ(leg.piece, next) << "pieces are not in order";
+      EXPECT_NEAR(length(leg), length(plan.pieces[next]), 1e-6);
+      ++next;
+    }
+    if (leg.pass) of_passes[*leg.pass] += length(leg);
+    EXPECT_EQ(leg.work, leg.kind == LegKind::kWork || leg.kind == LegKind::kHeadland);
+  }
+  EXPECT_EQ(next, plan.pieces.size());
+  for (std::size_t i = 0; i < of_passes.size(); ++i)
+    EXPECT_NEAR(of_passes[i], length(plan.headland.passes[i].path), 1e-5) << "pass " << i;
+}
+
+/// Beyond a soft boundary without headland the machine may turn.
+void expect_on_the_land(const Plan& plan) {
+  Field land = plan.field;
+  if (plan.settings.boundary == EdgeKind::kSoft && plan.settings.headlands == 0) {
+    const Box all = bounds(land.outer).grown(1000);
+    land.outer = box(all.min_x, all.min_y, all.max_x, all.max_y);
+  }
+  for (const RouteLeg& leg : plan.route.legs)
+    if (!leg.work && leg.missing_m == 0) {
+      EXPECT_LT(off_the_land_m(land, plan.machine.width_m, leg.path), 0.005) << name(leg.kind);
+    }
+}
+
+void expect_sound(const Plan& plan) {
+  expect_joined(plan);
+  expect_all_driven(plan);
+  const double time_s = sums_of(plan.route).time_s;
+  EXPECT_LE(plan.route.proof.bound_s, time_s * (1 + 1e-9));
+  EXPECT_GT(plan.route.proof.bound_s, 0);
+}
+
+// Ten tracks 12 m apart, r = 6: every turn is half a circle, 18.85 m, which no way between two tracks can beat. The
+// machine turns beyond the soft edge.
+TEST(Route, OfARectangleIsTheClosedForm) {
+  const Plan plan = plan_field(rectangle(400, 120), {"", 12, 6}, {}, whole_route(0));
+  ASSERT_EQ(plan.pieces.size(), 10U);
+  expect_sound(plan);
+  const RouteSums sums = sums_of(plan.route);
+  EXPECT_NEAR(sums.turning_m, 9 * std::numbers::pi * 6, 1e-6);
+  EXPECT_EQ(sums.transit_m, 0);
+  EXPECT_NEAR(sums.working_m, 10 * 400, 1e-6);
+  EXPECT_NEAR(sums.time_s, 4000 / 2.5 + 9 * std::numbers::pi * 6 / 1.5, 1e-6);
+  EXPECT_NEAR(plan.route.proof.bound_s, sums.time_s, 1e-3 * sums.time_s);
+}
+
+// Tracks 3 m apart, r = 6: from each to the next it takes an omega of r(π + 4 acos((r + s/2)/2r)) = 40.35 m.
+TEST(Route, OfNeighbouringTracksIsOmegas) {
+  PlanSettings settings = whole_route(0);
+  settings.route.order = TrackOrder::kBySpacing;
+  const Plan plan = plan_field(rectangle(400, 60), {"", 3, 6}, {}, settings);
+  ASSERT_EQ(plan.pieces.size(), 20U);
+  expect_sound(plan);
+  const double omega_m = 6 * (std::numbers::pi + 4 * std::acos(7.5 / 12));
+  EXPECT_NEAR(sums_of(plan.route).turning_m, 19 * omega_m, 1e-6);
+}
+
+TEST(Route, InTheBestOrderSavesAThirdOfTheWayBetweenNarrowTracks) {
+  PlanSettings adjacent = whole_route(6);
+  adjacent.route.order = TrackOrder::kBySpacing;
+  const Field field = rectangle(400, 160);
+  const Plan before = plan_field(field, {"", 3, 6}, {}, adjacent);
+  const Plan best = plan_field(field, {"", 3, 6}, {}, whole_route(6));
+  expect_sound(best);
+  expect_on_the_land(best);
+  ASSERT_GE(best.pieces.size(), 12U);
+  EXPECT_LT(sums_of(best.route).not_working_m(), 0.7 * sums_of(before.route).not_working_m());
+  EXPECT_LT(gap(sums_of(best.route).time_s, best.route.proof.bound_s), 0.02);
+}
+
+TEST(Route, WorksHeadlandPassesFirstOrLast) {
+  for (const PassTime time : {PassTime::kFirst, PassTime::kLast}) {
+    PlanSettings settings = whole_route(2);
+    settings.route.passes = time;
+    settings.route.sequence = PassSequence::kInwards;
+    const Plan plan = plan_field(rectangle(300, 150), {"", 6, 5}, {}, settings);
+    expect_sound(plan);
+    expect_on_the_land(plan);
+    std::vector<LegKind> work;
+    std::vector<int> numbers;
+    for (const RouteLeg& leg : plan.route.legs) {
+      if (leg.work) work.push_back(leg.kind);
+      if (leg.kind == LegKind::kHeadland) numbers.push_back(plan.headland.passes[*leg.pass].number);
+    }
+    EXPECT_EQ(numbers, (std::vector<int>{1, 2}));
+    EXPECT_EQ(work.front() == LegKind::kHeadland, time == PassTime::kFirst);
+    EXPECT_EQ(work.back() == LegKind::kHeadland, time == PassTime::kLast);
+    EXPECT_TRUE(std::is_sorted(work.begin(), work.end()) || std::is_sorted(work.rbegin(), work.rend()));
+  }
+}
+
+TEST(Route, StartsAndEndsAtGates) {
+  PlanSettings settings = whole_route(3);
+  settings.route.start = Point{20, 20};
+  settings.route.end = Point{280, 20};
+  const Plan plan = plan_field(rectangle(300, 150), {"", 6, 5}, {}, settings);
+  expect_sound(plan);
+  expect_on_the_land(plan);
+  EXPECT_LT(distance(plan.route.legs.front().path.front().start.at, {20, 20}), 1e-6);
+  EXPECT_LT(distance(end_of(plan.route.legs.back()).at, {280, 20}), 1e-6);
+  EXPECT_EQ(plan.route.legs.front().kind, LegKind::kTransit);
+}
+
+// A machine with a bar of 6 m has no room at a gate on the edge: the route begins as near as it has.
+TEST(Route, BeginsBesideAGateOnTheEdge) {
+  PlanSettings settings = whole_route(3);
+  settings.route.start = Point{150, 0};
+  const Plan plan = plan_field(rectangle(300, 150), {"", 6, 5}, {}, settings);
+  ASSERT_TRUE(plan.settings.route.start);
+  const Point start = plan.route.legs.front().path.front().start.at;
+  EXPECT_EQ(start, *plan.settings.route.start);
+  EXPECT_LE(distance(start, {150, 0}), 4);
+  expect_on_the_land(plan);
+}
+
+// Tracks end at a wall across the field, without headland: the machine gets away in reverse alone.
+TEST(Route, BacksOutOfDeadEnds) {
+  const Field field = with_obstacle(rectangle(300, 120), box(150, 6, 151, 114), ObstacleKind::kObstacle);
+  PlanSettings settings = whole_route(0);
+  settings.boundary = EdgeKind::kSoft;
+  settings.guide = {{0, 60}, {300, 60}};
+  const Plan plan = plan_field(field, {"", 6, 5}, {}, settings);
+  expect_sound(plan);
+  expect_on_the_land(plan);
+  ASSERT_GT(plan.tally.stops, 0);
+  EXPECT_TRUE(std::ranges::any_of(plan.route.legs, [](const RouteLeg& leg) {
+    return leg.kind == LegKind::kBackOut && leg.gear == Gear::kReverse;
+  }));
+  EXPECT_EQ(sums_of(plan.route).without_room, 0U);
+}
+
+TEST(Route, CrossesPassableStripsStraightOn) {
+  const Field field = with_obstacle(rectangle(300, 120), box(148, -5, 152, 125), ObstacleKind::kPassable);
+  PlanSettings settings = whole_route(2);
+  settings.guide = {{0, 60}, {300, 60}};
+  const Plan plan = plan_field(field, {"", 6, 5}, {}, settings);
+  expect_joined(plan);
+  expect_all_driven(plan);
+  ASSERT_GT(plan.tally.crossings, 0);
+  std::size_t crossings = 0;
+  for (std::size_t i = 1; i + 1 < plan.route.legs.size(); ++i) {
+    const RouteLeg& leg = plan.route.legs[i];
+    if (leg.kind == LegKind::kTransit && plan.route.legs[i - 1].kind == LegKind::kWork &&
+        plan.route.legs[i + 1].kind == LegKind::kWork && std::abs(length(leg) - 4) < 1e-6)
+      ++crossings;
+  }
+  EXPECT_EQ(crossings, static_cast<std::size_t>(plan.tally.crossings));
+}
+
+// A sprayer that works 5 m behind its axle and needs 4 m to lift and lower.
+TEST(Route, JoinsLegsOfImplementsBehindTheAxle) {
+  Machine machine{"", 6, 5};
+  machine.turning.implement_offset_m = 5;
+  machine.turning.lift_m = 2;
+  machine.turning.lower_m = 4;
+  const Plan plan = plan_field(rectangle(300, 150), machine, {}, whole_route(4));
+  expect_sound(plan);
+  EXPECT_EQ(sums_of(plan.route).without_room, 0U);
+}
+
+TEST(Route, IsTheSameForAnyNumberOfThreads) {
+  const Field field = with_obstacle(rectangle(300, 150), box(140, 60, 160, 80), ObstacleKind::kObstacle);
+  const Plan one = plan_field(field, {"", 3, 6}, {}, whole_route(2), 1);
+  const Plan two = plan_field(field, {"", 3, 6}, {}, whole_route(2), 2);
+  ASSERT_EQ(one.route.legs.size(), two.route.legs.size());
+  for (std::size_t i = 0; i < one.route.legs.size(); ++i) {
+    EXPECT_EQ(one.route.legs[i].time_s, two.route.legs[i].time_s);
+    EXPECT_EQ(one.route.legs[i].path.front().start.at, two.route.legs[i].path.front().start.at);
+  }
+  EXPECT_EQ(one.route.proof.node_prices_s, two.route.proof.node_prices_s);
+}
+
+// What legs with the work off lead over is worked before them or after them, or it is not worked at all.
+TEST(Route, TellsWorkedFromUnworkedLand) {
+  PlanSettings settings = whole_route(3);
+  const Field field = rectangle(300, 150);
+  settings.route.passes = PassTime::kFirst;
+  const Plan first = plan_field(field, {"", 6, 5}, {}, settings);
+  settings.route.passes = PassTime::kLast;
+  const Plan last = plan_field(field, {"", 6, 5}, {}, settings);
+  // Turns lie on the headland: worked before where passes come first, later where they come last.
+  EXPECT_GT(first.route.over_worked_m, 0.8 * sums_of(first.route).not_working_m());
+  EXPECT_GT(last.route.over_unworked_m, 0.5 * sums_of(last.route).not_working_m());
+  EXPECT_LE(last.route.over_worked_m + last.route.over_unworked_m, sums_of(last.route).not_working_m() + 1e-6);
+}
+
+// Fields with obstacles, with and without headlands: every piece and pass once, joined, on the land.
+TEST(RouteProperties, RandomFieldsAreDrivenWhole) {
+  for_each_seed(12, [](std::mt19937_64& random, int number) {
+    const Field field = random_field(random, 3);
+    PlanSettings settings = whole_route(number % 4);
+    if (number % 5 == 0) settings.route.passes = PassTime::kFirst;
+    Machine machine{"", number % 2 == 0 ? 6.0 : 3.0, 5};
+    machine.turning.reverse = number % 3 == 0;
+    try {
+      const Plan plan = plan_field(field, machine, {}, settings);
+      if (!plan.route.planned()) return;
+      expect_sound(plan);
+      expect_on_the_land(plan);
+    } catch (const Error& error) {
+      ASSERT_EQ(error.kind(), ErrorKind::kBadInput) << error.what();
+    }
+  });
+}
+
+}  // namespace
+}  // namespace tramline
