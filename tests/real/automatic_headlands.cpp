@@ -15,10 +15,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
-#include <string_view>
 
-#include "support/off_the_land.h"
 #include "real/real_fields.h"
+#include "support/off_the_land.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/plan/write_plan.h"
 #include "tramline/planner/plan_field.h"
@@ -119,12 +118,8 @@ int run(const Machine& machine, const std::string& prefix) {
 }  // namespace tramline::testing
 
 int main(int count, char** words) {
-  const std::string_view gears = count > 3 ? words[3] : "";
-  if (gears != "forward" && gears != "reversing") {
-    std::fprintf(stderr, "usage: automatic_headlands WIDTH RADIUS forward|reversing [PREFIX]\n");
-    return 2;
-  }
-  tramline::Machine machine{"", std::atof(words[1]), std::atof(words[2]), -1};
-  machine.turning.reverse = gears == "reversing";
-  return tramline::testing::run(machine, count > 4 ? words[4] : "");
+  const auto machine = tramline::testing::machine_in_words(
+      count, words, "automatic_headlands WIDTH RADIUS forward|reversing [PREFIX]");
+  if (!machine) return 2;
+  return tramline::testing::run(*machine, count > 4 ? words[4] : "");
 }

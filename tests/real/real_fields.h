@@ -59,6 +59,10 @@ std::vector<std::string> faults_of(const Plan& plan);
 /// The same of a plan file: also where it contradicts itself, and whether its field is that of the input.
 std::vector<std::string> faults_of_file(const std::string& file, const Field& input);
 
+/// The machine of a program's words WIDTH RADIUS forward|reversing; nullopt, with the usage on stderr, where
+/// they are none of these.
+std::optional<Machine> machine_in_words(int count, char** words, const char* usage);
+
 /// Adds the failure of a run to the faults; that a field was refused is not a fault.
 void add_failure(const Error& error, std::vector<std::string>& faults);
 /// Prints a line for each fault of a field.

@@ -18,10 +18,9 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <string_view>
 
-#include "support/off_the_land.h"
 #include "real/real_fields.h"
+#include "support/off_the_land.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/plan/write_plan.h"
 #include "tramline/planner/plan_field.h"
@@ -181,12 +180,8 @@ int run(const Machine& machine, const std::string& prefix, const std::string& fo
 }  // namespace tramline::testing
 
 int main(int count, char** words) {
-  const std::string_view gears = count > 3 ? words[3] : "";
-  if (gears != "forward" && gears != "reversing") {
-    std::fprintf(stderr, "usage: route_real WIDTH RADIUS forward|reversing [PREFIX [DUMP]]\n");
-    return 2;
-  }
-  tramline::Machine machine{"", std::atof(words[1]), std::atof(words[2]), -1};
-  machine.turning.reverse = gears == "reversing";
-  return tramline::testing::run(machine, count > 4 ? words[4] : "", count > 5 ? words[5] : "");
+  const auto machine = tramline::testing::machine_in_words(
+      count, words, "route_real WIDTH RADIUS forward|reversing [PREFIX [DUMP]]");
+  if (!machine) return 2;
+  return tramline::testing::run(*machine, count > 4 ? words[4] : "", count > 5 ? words[5] : "");
 }

@@ -62,16 +62,16 @@ void add_map_options(CommandOptions& command, PlanOptions& o) {
       .shows_default("adjacent");
   command
       .add_option("--route", o.route,
-                  "'whole' plans the whole route: the order of tracks and headland passes and every metre "
-                  "between them, from the first to the last; so does --route alone.")
+                  "With 'whole', or without a value, plan the whole route: the order of tracks and headland "
+                  "passes, and the way between each two of them.")
       .takes("WORD")
       .value_may_be_left_out()
       .shows_default("none");
   command
       .add_option(
           "--order", o.order,
-          "Which track follows on the route: 'best', the order that takes the least time, 'adjacent', "
-          "or 'skip K' as with --spacing.")
+          "Which track the route takes next: 'best', in the order that takes the least time, 'adjacent', the "
+          "one beside it, or 'skip K' as with --spacing.")
       .takes("WORD")
       .check(order_fault)
       .shows_default("best");
@@ -83,17 +83,17 @@ void add_map_options(CommandOptions& command, PlanOptions& o) {
   command
       .add_option(
           "--pass-sequence", o.pass_sequence,
-          "In which sequence it works the passes along one boundary: 'inwards', 'outwards', or 'any', "
-          "as the way is shortest.")
+          "In which sequence the route works the passes along one boundary: 'inwards', 'outwards', or 'any', "
+          "whichever makes the way shortest.")
       .takes("WORD")
       .shows_default("any");
   command
       .add_option("--start", o.start,
                   "Where the route starts: a point, \"x,y\", in the field's coordinates or in longitude and "
-                  "latitude, or a file of points of which the nearest counts.")
+                  "latitude, or a file of points, of which the one nearest to the field counts.")
       .takes("POINT|FILE")
       .shows_default("at a track or a pass");
-  command.add_option("--end", o.end, "Where the route ends, likewise.")
+  command.add_option("--end", o.end, "Where the route ends, given like --start.")
       .takes("POINT|FILE")
       .shows_default("at a track or a pass");
   command
