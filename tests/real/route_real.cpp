@@ -20,8 +20,8 @@
 #include <string>
 #include <string_view>
 
-#include "support/off_the_land.h"
 #include "real/real_fields.h"
+#include "support/off_the_land.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/plan/write_plan.h"
 #include "tramline/planner/plan_field.h"

@@ -12,7 +12,7 @@ namespace {
 /// So many tours are shortened, those that cost least.
 constexpr std::size_t kMostShortened = 3;
 /// A search that goes on from a good tour makes a share of the usual number of kicks.
-constexpr std::size_t kShareAgain = 4;
+constexpr std::size_t kShareAgain = 12;
 
 void sort_by_cost(std::vector<Tour>& tours, const EndCosts& costs) {
   std::vector<std::pair<double, std::size_t>> by_cost;
