@@ -196,7 +196,7 @@ void exact_leakage(benchmark::State& state) {
     TileCoverage engine(field, {coverage::tile_for(4, 1), true});
     for (std::size_t i = 0; i < count; ++i) {
       engine.add(steps[i]);
-      benchmark::DoNotOptimize(regions = engine.region(Ground::kMissed).size());
+      benchmark::DoNotOptimize(regions = engine.region(LandClass::kMissed).size());
     }
   }
   state.counters["regions"] = static_cast<double>(regions);

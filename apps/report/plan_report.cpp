@@ -65,13 +65,14 @@ std::string ground_rows(const Plan& plan) {
   return out;
 }
 
-/// How far from the best there is the plan could be, in the unit of the cost: of a plan that costs next to
-/// nothing a share would sound bad whatever it is.
+/// How much more than the best possible plan this one may cost, in the unit of the cost: a share would look
+/// large for any plan that costs almost nothing.
 std::string proof_rows(const Plan& plan) {
   const Proof& proof = plan.proof;
   return fmt::format(
-      "bound        no plan costs less than {:.2f}, so the best there is saves {:.2f} at most\n"
-      "undivided    in one direction {:.2f} is the best found, and none costs less than {:.2f}\n",
+      "bound        no plan costs less than {:.2f}, so a better plan could save {:.2f} at most\n"
+      "undivided    the best plan found with one direction costs {:.2f}, and none such costs less than "
+      "{:.2f}\n",
       proof.bound, plain_zero(std::max(0.0, plan.cost - proof.bound)), proof.one_direction_cost,
       proof.one_direction_bound);
 }

@@ -49,7 +49,7 @@ const storeFeature = (upload: Upload, { fid, layer }: UploadedFeature) =>
 let stopped = false;
 export const stopTaking = () => void (stopped = true);
 
-/** Stores them in turn, without opening any. What cannot be stored is told of, and the others are stored all the same. */
+/** Stores them in turn, without opening any. What cannot be stored is reported, and the others are stored all the same. */
 export async function takeFeatures(upload: Upload, features: UploadedFeature[]): Promise<void> {
   const [only] = features;
   if (features.length === 1 && only) return takeFeature(upload, only);

@@ -72,10 +72,10 @@ void check_ab_anchor(const Case& c, Violations& out);
 /// No piece is too short to drive, except those between crossings.
 void check_length(const Case& c, Violations& out);
 /// A piece is flagged as ending in a stop where neither a quarter turn to the left nor one to the right leads
-/// off the track on land where the machine may turn, and nowhere else; ends before passables that the track
-/// crosses are none. Where turns were
-/// not planned (StopRule::kTouching): where the first millimetre beyond reaches an obstacle without headland
-/// or land given up. Returns the number of stops found.
+/// off the track on land where the machine may turn, and nowhere else. Ends before passable obstacles that
+/// the track crosses are not stops. Where turns were not planned (StopRule::kTouching), a stop is an end
+/// whose first millimetre beyond reaches an obstacle without headland or given-up land. Returns the number of
+/// stops found.
 int check_stops(const Case& c, Violations& out);
 /// Every planned turn begins where its piece ends and ends where the next one begins, in place and heading,
 /// without gaps; no tighter than the machine's radius, in reverse only where it may, steered no faster than
