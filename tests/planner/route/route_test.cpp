@@ -1,4 +1,5 @@
-// Whole routes: what is driven, in which order, joined end to end, on the land, and no longer than it has to be.
+// Whole routes: what is driven, in which order, joined end to end, on the land, and no longer than it has to
+// be.
 
 #include <gtest/gtest.h>
 
@@ -96,8 +97,8 @@ void expect_sound(const Plan& plan) {
   EXPECT_GT(plan.route.proof.bound_s, 0);
 }
 
-// Ten tracks 12 m apart, r = 6: every turn is half a circle, 18.85 m, which no way between two tracks can beat. The
-// machine turns beyond the soft edge.
+// Ten tracks 12 m apart, r = 6: every turn is half a circle, 18.85 m, which no way between two tracks can
+// beat. The machine turns beyond the soft edge.
 TEST(Route, OfARectangleIsTheClosedForm) {
   const Plan plan = plan_field(rectangle(400, 120), {"", 12, 6}, {}, whole_route(0));
   ASSERT_EQ(plan.pieces.size(), 10U);
@@ -247,7 +248,8 @@ TEST(Route, TellsWorkedFromUnworkedLand) {
   // Turns lie on the headland: worked before where passes come first, later where they come last.
   EXPECT_GT(first.route.over_worked_m, 0.8 * sums_of(first.route).not_working_m());
   EXPECT_GT(last.route.over_unworked_m, 0.5 * sums_of(last.route).not_working_m());
-  EXPECT_LE(last.route.over_worked_m + last.route.over_unworked_m, sums_of(last.route).not_working_m() + 1e-6);
+  EXPECT_LE(last.route.over_worked_m + last.route.over_unworked_m,
+            sums_of(last.route).not_working_m() + 1e-6);
 }
 
 // Fields with obstacles, with and without headlands: every piece and pass once, joined, on the land.

@@ -39,6 +39,15 @@ HeadlandTerms beside_bare_boundaries(const Headland& headland, const Field& fiel
   return terms;
 }
 
+/// Of passes side by side those a radius or so apart, the innermost among them: what is between is reached
+/// from these.
+bool is_followed(const HeadlandPass& pass, const Headland& headland, const Machine& machine) {
+  const int step = std::max(1, static_cast<int>(machine.radius_m / machine.width_m));
+  int deepest = pass.number;
+  for (const HeadlandPass& other : headland.passes) deepest = std::max(deepest, other.number);
+  return (deepest - pass.number) % step == 0;
+}
+
 }  // namespace
 
 std::vector<FollowedLine> followed_lines(const Headland& headland, const std::vector<TrackPiece>& pieces,
@@ -46,6 +55,7 @@ std::vector<FollowedLine> followed_lines(const Headland& headland, const std::ve
   const Turning& turning = ground.machine().turning;
   std::vector<FollowedLine> out;
   for (const HeadlandPass& pass : headland.passes) {
+    if (!is_followed(pass, headland, ground.machine())) continue;
     const bool closed = is_closed(pass);
     out.push_back(
         {closed ? closed_axle_path(pass.path, 0, turning) : axle_path(pass.path, turning), closed, false});

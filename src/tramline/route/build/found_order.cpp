@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tramline/route/certificate/best_bound.h"
 #include "tramline/route/search/best_order_exactly.h"
 #include "tramline/route/search/first_tours.h"
 #include "tramline/route/search/shortened.h"
@@ -9,18 +10,37 @@
 namespace tramline::order {
 namespace {
 
-/// So many tours are shortened, those that cost least.
-constexpr std::size_t kMostShortened = 3;
+/// So many of the tours given are shortened, those that cost least, besides the greedy ones.
+constexpr std::size_t kMostGiven = 2;
 /// A search that goes on from a good tour makes a share of the usual number of kicks.
-constexpr std::size_t kShareAgain = 4;
+constexpr std::size_t kShareAgain = 12;
 
-void sort_by_cost(std::vector<Tour>& tours, const EndCosts& costs) {
+/// The costs as bounds of themselves: their node prices say which lines are hard to reach.
+class AsBounds final : public ConnectionBounds {
+ public:
+  explicit AsBounds(const EndCosts& costs) : costs_(costs) {}
+  std::size_t lines() const override { return costs_.lines(); }
+  std::size_t gates() const override { return 0; }
+  double between(std::size_t a, std::size_t b) const override { return costs_.between(a, b); }
+  double least(std::size_t a, std::size_t b) const override { return costs_.between(a, b); }
+
+ private:
+  const EndCosts& costs_;
+};
+
+Tour priced_greedy_tour(const EndCosts& costs, const Neighbours& neighbours, double known_s) {
+  const PricedBound priced = best_bound(AsBounds(costs), {known_s, 0});
+  return greedy_tour(costs, neighbours, priced.prices_s);
+}
+
+void keep_cheapest(std::vector<Tour>& tours, const EndCosts& costs) {
   std::vector<std::pair<double, std::size_t>> by_cost;
   for (std::size_t i = 0; i < tours.size(); ++i) by_cost.emplace_back(connection_s(tours[i], costs), i);
   std::sort(by_cost.begin(), by_cost.end());
-  std::vector<Tour> sorted;
-  for (const auto& [cost_s, i] : by_cost) sorted.push_back(std::move(tours[i]));
-  tours = std::move(sorted);
+  std::vector<Tour> kept;
+  for (const auto& [cost_s, i] : by_cost)
+    if (kept.size() < kMostGiven) kept.push_back(std::move(tours[i]));
+  tours = std::move(kept);
 }
 
 }  // namespace
@@ -29,14 +49,12 @@ Tour found_order(const EndCosts& costs, const Neighbours& neighbours, const std:
                  Effort effort) {
   if (costs.lines() <= kMostLinesExactly) return best_order_exactly(costs);
   std::vector<Tour> tours = given;
-  if (effort == Effort::kWhole || tours.empty()) tours.push_back(greedy_tour(costs, neighbours));
-  sort_by_cost(tours, costs);
-  tours.resize(std::min(tours.size(), effort == Effort::kWhole ? kMostShortened : 1));
-  const std::size_t kicks =
-      usual_kicks(costs.lines()) / (effort == Effort::kWhole ? tours.size() : kShareAgain);
-  for (Tour& tour : tours) tour = shortened(tour, costs, neighbours, kicks);
-  sort_by_cost(tours, costs);
-  return tours.front();
+  keep_cheapest(tours, costs);
+  if (effort == Effort::kAgain && !tours.empty())
+    return shortened(tours.front(), costs, neighbours, usual_kicks(costs.lines()) / kShareAgain);
+  tours.push_back(greedy_tour(costs, neighbours));
+  tours.push_back(priced_greedy_tour(costs, neighbours, std::max(0.0, connection_s(tours.back(), costs))));
+  return shortened_best(tours, costs, neighbours, usual_kicks(costs.lines()));
 }
 
 }  // namespace tramline::order

@@ -13,6 +13,10 @@ constexpr double kWithoutRoom_s = 1000;
 /// Backing out of a dead end takes about so many radii there and back.
 constexpr double kBacking_radii = 1.5;
 
+/// Ends farther apart than so many widths of a turn are reached along the headland, which is about so much
+/// farther.
+constexpr double kFar_turns = 3, kRoundAbout = 1.5;
+
 double cost_of(const Way& way) {
   return way.has_room() ? way.cost_s : way.cost_s + kWithoutRoom_s * (1 + way.missing_m);
 }
@@ -29,6 +33,7 @@ KnownCosts::KnownCosts(const std::vector<RouteLine>& lines, const Connector& con
       at_finish_(2 * lines.size(), 0) {
   const DrivingGround& ground = connector.ground();
   const Turning& turning = ground.machine().turning;
+  far_m_ = kFar_turns * 2 * (ground.machine().radius_m + ground.machine().width_m);
   const double back_m = kBacking_radii * std::max(ground.machine().radius_m, ground.machine().width_m);
   for (order::End end = 0; end < 2 * lines.size(); ++end) {
     const RouteLine& line = lines[order::line_of(end)];
@@ -43,7 +48,9 @@ KnownCosts::KnownCosts(const std::vector<RouteLine>& lines, const Connector& con
 }
 
 double KnownCosts::estimate(order::End left, order::End entered) const {
-  return least_.between(left_[left], entered_[entered]) + backing_s_[left] + backing_s_[entered];
+  const double least_s = least_.between(left_[left], entered_[entered]);
+  const bool far = distance(left_[left].at, entered_[entered].at) > far_m_;
+  return (far ? kRoundAbout * least_s : least_s) + backing_s_[left] + backing_s_[entered];
 }
 
 double KnownCosts::one_way(order::End left, order::End entered) const {

@@ -50,6 +50,7 @@ class KnownCosts final : public order::EndCosts {
   const std::vector<RouteLine>& lines_;
   const Connector& connector_;
   const LeastSeconds& least_;
+  double far_m_ = 0;
   std::vector<Pose> left_;
   std::vector<Pose> entered_;
   std::vector<double> backing_s_;  ///< by end: what backing out of it or into it takes; 0 with a way off

@@ -9,7 +9,9 @@ namespace tramline {
 namespace {
 
 /// Ways along the best tour are looked for so often.
-constexpr int kMostRounds = 12;
+constexpr int kMostRounds = 10;
+/// What was foreseen of a tour is near enough, as a share of it.
+constexpr double kForeseen = 1e-3;
 
 using order::Tour;
 
@@ -58,7 +60,7 @@ TrackTour best_tour_with_ways(const std::vector<Tour>& given, KnownCosts& costs)
     const double foreseen_s = order::connection_s(tour, costs);
     in_order(tour, costs);
     settled.push_back(tour);
-    if (order::connection_s(tour, costs) <= foreseen_s + kLeastGain_s) break;
+    if (order::connection_s(tour, costs) <= (1 + kForeseen) * foreseen_s + kLeastGain_s) break;
     tour = found_order(costs, neighbours, settled, order::Effort::kAgain);
   }
   return with_ways(cheapest(settled, costs), costs);

@@ -82,7 +82,7 @@ class Ascent {
 
 }  // namespace
 
-std::size_t usual_steps(std::size_t lines) { return 100 + 40000 / std::max<std::size_t>(lines, 50); }
+std::size_t usual_steps(std::size_t lines) { return 80 + 25000 / std::max<std::size_t>(lines, 50); }
 
 PricedBound best_bound(const ConnectionBounds& bounds, const AscentEffort& effort) {
   assert(bounds.lines() >= 1 && bounds.gates() <= 2 && effort.known_s >= 0);

@@ -42,7 +42,7 @@ class ShortcutSearch {
       for (const TreeEdge& edge : edges_[member]) {
         if (edge.member == before) continue;
         most_s_[edge.member] = std::max(most_s_[member], edge.cost_s);
-        stack_.push_back({edge.member, member});
+        stack_.emplace_back(edge.member, member);
       }
     }
   }

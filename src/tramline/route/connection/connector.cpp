@@ -19,6 +19,13 @@ constexpr std::array kBackSteps = {0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0};
 /// At a gate the machine may point anywhere; so many headings are tried.
 constexpr int kGateHeadings = 16;
 
+/// A way that takes longer than this and the changes of gear is compared with backing out, s.
+constexpr double kWorthBacking_s = 150;
+
+Pose turned_back(const Pose& pose) {
+  return {pose.at, Heading::clockwise_from_north(pose.heading.angle() + Angle::degrees(180))};
+}
+
 SteeredPath straight(const Pose& from, double length_m) {
   if (!(length_m > 0)) return {};
   return {arc_from(from, length_m, 0, Gear::kForward)};
@@ -120,12 +127,12 @@ std::vector<WayEnd> Connector::ways_in(const SteeredPath& entered) const {
 }
 
 std::optional<Way> Connector::searched(const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends,
-                                       std::size_t backing_begins, std::size_t* end) const {
-  auto found = quickest_way(begins, ends, roadmap_.get(), ground_);
+                                       std::size_t backing_begins, const Limit& limit) const {
+  auto found = quickest_way(begins, ends, roadmap_.get(), ground_, limit.no_more_than_s);
   if (!found) return std::nullopt;
   // The drawbar of a towed implement is in line at the beginning only: words had room by themselves.
   if (ground_.outline().tows() && !ground_.has_room(found->path)) return std::nullopt;
-  if (end != nullptr) *end = found->end;
+  if (limit.end != nullptr) *limit.end = found->end;
   const SteeredPath& in = ends[found->end].path;
   Way out = finished(LegKind::kTransit, std::move(found->path));
   out.cost_s = found->cost_s;
@@ -155,19 +162,43 @@ std::optional<Way> Connector::direct(const SteeredPath& left, const SteeredPath&
   return std::nullopt;
 }
 
+bool Connector::leads_off(const Pose& pose) const {
+  return std::ranges::any_of(ways_off(pose, ground_.machine()),
+                             [&](const SteeredPath& way) { return ground_.has_room(way); });
+}
+
+std::optional<Connector::WayToOne> Connector::without_or_with_backing(
+    const std::vector<WayEnd>& begins, const std::vector<std::vector<WayEnd>>& ends) const {
+  const Turning& turning = ground_.machine().turning;
+  std::vector<WayEnd> all_ends, straight_ends;
+  std::vector<std::size_t> of_all, of_straight;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    for (const WayEnd& end : ends[i]) {
+      all_ends.push_back(end);
+      of_all.push_back(i);
+    }
+    if (!leads_off(turned_back(ends[i].front().pose))) continue;
+    straight_ends.push_back(ends[i].front());
+    of_straight.push_back(i);
+  }
+  std::optional<WayToOne> out;
+  std::size_t end = 0;
+  if (!straight_ends.empty() && leads_off(begins.front().pose))
+    if (auto way = searched({begins.front()}, straight_ends, 1, {kAnyCost_s, &end}))
+      out = {of_straight[end], std::move(*way)};
+  const double limit_s = out ? out->way.cost_s : kAnyCost_s;
+  if (limit_s <= 2 * turning.gear_change_s + kWorthBacking_s) return out;
+  if (auto way = searched(begins, all_ends, 1, {limit_s, &end})) out = {of_all[end], std::move(*way)};
+  return out;
+}
+
 Connector::WayToOne Connector::to_any(const SteeredPath& left,
                                       const std::vector<SteeredPath>& entered) const {
   assert(!entered.empty());
   const std::vector<WayEnd> begins = ways_out(left);
-  std::vector<WayEnd> ends;
-  std::vector<std::size_t> of;  // by end
-  for (std::size_t i = 0; i < entered.size(); ++i)
-    for (WayEnd& end : ways_in(entered[i])) {
-      ends.push_back(std::move(end));
-      of.push_back(i);
-    }
-  std::size_t end = 0;
-  if (auto way = searched(begins, ends, 1, &end)) return {of[end], std::move(*way)};
+  std::vector<std::vector<WayEnd>> ends;
+  for (const SteeredPath& one : entered) ends.push_back(ways_in(one));
+  if (auto way = without_or_with_backing(begins, ends)) return std::move(*way);
   const WayEnd in = straight_in(entered.front().front().start);
   Way out = without_room(begins.front().pose, in.pose);
   out.path = joined(begins.front().path, out.path, in.path);
@@ -188,7 +219,7 @@ std::vector<WayEnd> any_heading(Point at) {
 
 Way Connector::from_gate(Point gate, const SteeredPath& entered) const {
   const std::vector<WayEnd> begins = any_heading(gate), ends = ways_in(entered);
-  if (auto way = searched(begins, ends, begins.size(), nullptr)) return std::move(*way);
+  if (auto way = searched(begins, ends, begins.size(), {kAnyCost_s, nullptr})) return std::move(*way);
   const Pose start = entered.front().start;
   const Heading towards = gate == start.at ? start.heading : Heading::from_to(gate, start.at);
   return without_room({gate, towards}, start);
@@ -196,7 +227,7 @@ Way Connector::from_gate(Point gate, const SteeredPath& entered) const {
 
 Way Connector::to_gate(const SteeredPath& left, Point gate) const {
   const std::vector<WayEnd> begins = ways_out(left), ends = any_heading(gate);
-  if (auto way = searched(begins, ends, 1, nullptr)) return std::move(*way);
+  if (auto way = searched(begins, ends, 1, {kAnyCost_s, nullptr})) return std::move(*way);
   const Pose end = end_of(left);
   const Heading towards = gate == end.at ? end.heading : Heading::from_to(end.at, gate);
   return without_room(end, {gate, towards});

@@ -43,9 +43,17 @@ class Connector {
   const DrivingGround& ground() const { return ground_; }
 
  private:
+  struct Limit {
+    double no_more_than_s = kAnyCost_s;
+    std::size_t* end = nullptr;  ///< set to the index of the end found
+  };
   std::optional<Way> turn(const SteeredPath& left, const SteeredPath& entered) const;
   std::optional<Way> searched(const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends,
-                              std::size_t backing_begins, std::size_t* end) const;
+                              std::size_t backing_begins, const Limit& limit) const;
+  /// The way without backing where both ends lead off, and, where it takes long or there is none, with it.
+  std::optional<WayToOne> without_or_with_backing(const std::vector<WayEnd>& begins,
+                                                  const std::vector<std::vector<WayEnd>>& ends) const;
+  bool leads_off(const Pose& pose) const;
   Way without_room(const Pose& from, const Pose& to) const;
   Way finished(LegKind kind, SteeredPath path) const;
   WayEnd straight_out(const Pose& end) const;

@@ -25,6 +25,8 @@ constexpr double kLeadsOn = 1.25, kLeadsOn_radii = 0.5;
 constexpr double kHaste = 1.2;
 
 enum class Step { kWord, kAlong };
+/// The cost of a step is a lower bound, or what it is with room.
+enum class Known { kAtLeast, kSettled };
 
 /// A step that may be taken, with a lower bound of its cost until it is settled.
 struct Proposal {
@@ -44,8 +46,9 @@ struct Proposal {
 class WaySearch {
  public:
   WaySearch(const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends, const Roadmap& roadmap,
-            const DrivingGround& ground)
-      : begins_(begins),
+            const DrivingGround& ground, double no_more_than_s)
+      : no_more_than_s_(no_more_than_s),
+        begins_(begins),
         ends_(ends),
         roadmap_(roadmap),
         ground_(ground),
@@ -107,14 +110,15 @@ class WaySearch {
     return out;
   }
 
-  void propose(std::size_t from, std::size_t to, Step step, double step_s, bool settled, SteeredPath way) {
+  void propose(std::size_t from, std::size_t to, Step step, double step_s, Known known, SteeredPath way) {
     Proposal proposal;
     proposal.cost_s = visits_[from].cost_s + step_s + (is_end(to) ? end_at(to).cost_s : 0);
     proposal.estimate_s = proposal.cost_s + least_s(to);
+    if (proposal.estimate_s >= no_more_than_s_) return;
     proposal.from = from;
     proposal.to = to;
     proposal.step = step;
-    proposal.settled = settled;
+    proposal.settled = known == Known::kSettled;
     proposal.number = ways_.size();
     ways_.push_back(std::move(way));
     open_.push(proposal);
@@ -123,7 +127,7 @@ class WaySearch {
   void propose_word(std::size_t from, std::size_t to, double longest_m) {
     if (visits_[to].reached) return;
     const double length_m = dubins_length(pose(from), pose(to), radius_m_);
-    if (length_m <= longest_m) propose(from, to, Step::kWord, length_m / speed_, false, {});
+    if (length_m <= longest_m) propose(from, to, Step::kWord, length_m / speed_, Known::kAtLeast, {});
   }
 
   void leave(std::size_t place) {
@@ -133,7 +137,7 @@ class WaySearch {
     const bool on_line = !is_begin(place);
     if (on_line && on_roadmap(place).next)
       propose(place, begins_.size() + *on_roadmap(place).next, Step::kAlong,
-              length(on_roadmap(place).to_next) / speed_, false, {});
+              length(on_roadmap(place).to_next) / speed_, Known::kAtLeast, {});
     if (on_line)
       change_lines(place);
     else
@@ -159,14 +163,23 @@ class WaySearch {
     if (proposal.step == Step::kAlong) {
       const SteeredPath& way = on_roadmap(from).to_next;
       if (ground_.has_room_along(way))
-        propose(from, to, Step::kAlong, cost_seconds(way, ground_, driven_along(from)), true, way);
+        propose(from, to, Step::kAlong, cost_seconds(way, ground_, driven_along(from)), Known::kSettled, way);
       return;
     }
-    for (const Manoeuvre& word : dubins_words(pose(from), pose(to), radius_m_)) {
-      if (!word.path.empty() && !ground_.has_room(word.path)) continue;
-      propose(from, to, Step::kWord, cost_seconds(word.path, ground_), true, word.path);
-      return;
-    }
+    if (settle_word(proposal, shortest_dubins(pose(from), pose(to), radius_m_))) return;
+    // Between two lines there are others that lead on.
+    if (!is_begin(from) && !is_end(to)) return;
+    const std::vector<Manoeuvre> words = dubins_words(pose(from), pose(to), radius_m_);
+    for (std::size_t i = 1; i < words.size(); ++i)
+      if (settle_word(proposal, words[i])) return;
+  }
+
+  /// Proposes the word where it has room, and says whether it has.
+  bool settle_word(const Proposal& proposal, const Manoeuvre& word) {
+    if (!word.path.empty() && !ground_.has_room(word.path)) return false;
+    propose(proposal.from, proposal.to, Step::kWord, cost_seconds(word.path, ground_), Known::kSettled,
+            word.path);
+    return true;
   }
 
   CropDriven driven_along(std::size_t place) const {
@@ -186,6 +199,7 @@ class WaySearch {
     return out;
   }
 
+  double no_more_than_s_;
   const std::vector<WayEnd>& begins_;
   const std::vector<WayEnd>& ends_;
   const Roadmap& roadmap_;
@@ -201,8 +215,9 @@ class WaySearch {
 }  // namespace
 
 std::optional<FoundWay> quickest_way(const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends,
-                                     const Roadmap& roadmap, const DrivingGround& ground) {
-  return WaySearch(begins, ends, roadmap, ground).run();
+                                     const Roadmap& roadmap, const DrivingGround& ground,
+                                     double no_more_than_s) {
+  return WaySearch(begins, ends, roadmap, ground, no_more_than_s).run();
 }
 
 }  // namespace tramline

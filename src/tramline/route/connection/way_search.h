@@ -2,6 +2,7 @@
 // The quickest way with room from one place to another, along the lines of a roadmap and between them.
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include "tramline/route/connection/roadmap.h"
 
 namespace tramline {
+
+inline constexpr double kAnyCost_s = std::numeric_limits<double>::infinity();
 
 /// One of several ways to begin or to end: the pose that is driven from or to, and what lies before or behind
 /// it.
@@ -28,8 +31,10 @@ struct FoundWay {
 /// Finds the way of least cost from any of the beginnings to any of the ends: shortest Dubins words between
 /// them and poses of the roadmap, and along its lines. Only what has room is used. Words are tried for room
 /// when the search comes to them (A* with costs that are lower bounds until then). nullopt where none is
-/// found within a fixed effort. Forward, but for the paths of the ends. Deterministic.
+/// found within a fixed effort, or none costs less than `no_more_than_s`. Forward, but for the paths of the
+/// ends. Deterministic.
 std::optional<FoundWay> quickest_way(const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends,
-                                     const Roadmap& roadmap, const DrivingGround& ground);
+                                     const Roadmap& roadmap, const DrivingGround& ground,
+                                     double no_more_than_s = kAnyCost_s);
 
 }  // namespace tramline

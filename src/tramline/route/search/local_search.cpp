@@ -35,8 +35,9 @@ void LocalSearch::wait(End end) {
 
 double LocalSearch::run() {
   double gained = 0;
-  for (std::size_t next = 0; next < waiting_.size(); ++next) {
-    const std::size_t line = waiting_[next];
+  std::size_t next = 0;
+  while (next < waiting_.size()) {
+    const std::size_t line = waiting_[next++];
     waits_[line] = false;
     for (const End end : {2 * line, 2 * line + 1})
       while (const double gain = improve_at(end)) gained += gain;
