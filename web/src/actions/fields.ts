@@ -4,7 +4,7 @@ import { ApiError } from '../api/errors';
 import type { FieldFull, Geometry, ObstacleDrawn, Upload, UploadedFeature } from '../api/types';
 import { plural, sentence } from '../format';
 import { fields } from '../state/fields';
-import { form } from '../state/plan_form';
+import { form, OF_THE_FIELD } from '../state/plan_form';
 import { review } from '../state/review';
 import { complain, note } from './notices';
 import { closePlan, loadPlans } from './plans';
@@ -17,7 +17,7 @@ export async function loadFields(): Promise<void> {
 async function opened(field: FieldFull): Promise<void> {
   if (fields.get().open?.id !== field.id) {
     closePlan();
-    form.set({ line: null }); // an edge of the other field, or a line over it
+    form.set(OF_THE_FIELD);
     if (review.get().drive?.field !== field.id) review.set({ drive: null });
   }
   fields.set({ open: field });

@@ -25,6 +25,7 @@ inline constexpr const char* kSubfields = "subfields";
 inline constexpr const char* kHeadlandPasses = "headland_passes";
 inline constexpr const char* kTracks = "tracks";
 inline constexpr const char* kTurns = "turns";  ///< only where turns were planned
+inline constexpr const char* kRouteLegs = "route_legs";  ///< only where a route was planned
 inline constexpr const char* kSwaths = "swaths";
 inline constexpr const char* kOverlap = "overlap";
 inline constexpr const char* kUncovered = "uncovered";
