@@ -80,8 +80,7 @@ std::vector<CoursePlace> course_of(const SteeredPath& path, double step_m) {
   double begins_m = 0;
   for (const SteeredStretch& stretch : path) {
     const std::vector<MachinePlace> places = places_along({stretch}, kAxleAlone, step_m);
-    const double each_m =
-        places.size() > 1 ? stretch.length_m / static_cast<double>(places.size() - 1) : 0;
+    const double each_m = places.size() > 1 ? stretch.length_m / static_cast<double>(places.size() - 1) : 0;
     for (std::size_t i = 0; i < places.size(); ++i)
       out.push_back({begins_m + static_cast<double>(i) * each_m, {places[i].axle, places[i].ahead}});
     begins_m += stretch.length_m;
