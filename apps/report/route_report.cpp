@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -14,8 +15,8 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json leg_json(const RouteLeg& leg, std::size_t seq) {
-  ordered_json out{{"seq", seq},           {"kind", name(leg.kind)},   {"gear", name(leg.gear)},
-                   {"work", leg.work},     {"length_m", length(leg)}, {"time_s", leg.time_s}};
+  ordered_json out{{"seq", seq},       {"kind", name(leg.kind)},  {"gear", name(leg.gear)},
+                   {"work", leg.work}, {"length_m", length(leg)}, {"time_s", leg.time_s}};
   if (leg.piece) out["piece"] = *leg.piece + 1;
   if (leg.pass) out["pass"] = *leg.pass + 1;
   if (leg.missing_m > 0) out["missing_m"] = leg.missing_m;
@@ -72,6 +73,7 @@ std::string room_row(const Route& route, const RouteSums& sums) {
 }  // namespace
 
 ordered_json route_json(const Plan& plan) {
+  assert(plan.route.planned());
   const Route& route = plan.route;
   const RouteSums sums = sums_of(route);
   ordered_json legs = ordered_json::array();
