@@ -37,7 +37,7 @@ double ahead_of_work_m(const Machine& machine) {
   return turning.implement_offset_m + (turning.implement == Coupling::kTowed ? turning.drawbar_m : 0);
 }
 
-AxleLine::AxleLine(const Path& path, bool closed) : closed_(closed) {
+AxleLine::AxleLine(const Path& path, PathEnds ends) : ends_(ends) {
   for (const PathSegment& segment : path) {
     if (segment.from == segment.to) continue;
     path_.push_back(segment);
@@ -48,7 +48,7 @@ AxleLine::AxleLine(const Path& path, bool closed) : closed_(closed) {
 }
 
 LinePlace AxleLine::place(double at_m) const {
-  if (closed_) {
+  if (ends_ == PathEnds::kMeet) {
     at_m = std::fmod(at_m, length_m_);
     if (at_m < 0) at_m += length_m_;
   }
@@ -80,8 +80,7 @@ std::vector<CoursePlace> course_of(const SteeredPath& path, double step_m) {
   double begins_m = 0;
   for (const SteeredStretch& stretch : path) {
     const std::vector<MachinePlace> places = places_along({stretch}, kAxleAlone, step_m);
-    const double each_m =
-        places.size() > 1 ? stretch.length_m / static_cast<double>(places.size() - 1) : 0;
+    const double each_m = places.size() > 1 ? stretch.length_m / static_cast<double>(places.size() - 1) : 0;
     for (std::size_t i = 0; i < places.size(); ++i)
       out.push_back({begins_m + static_cast<double>(i) * each_m, {places[i].axle, places[i].ahead}});
     begins_m += stretch.length_m;

@@ -1,6 +1,7 @@
 #include "tramline/check/turning/shortest_ways.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -95,7 +96,9 @@ double least_beginning_left(const Goal& goal) {
 // The families of Reeds and Shepp that begin on the left circle. `out` is where the machine points as it
 // leaves that circle.
 
-double unit_turns(const Goal& goal, Vector out, Vector in) { return shorter(1, out) + shorter(in, goal.ahead); }
+double unit_turns(const Goal& goal, Vector out, Vector in) {
+  return shorter(1, out) + shorter(in, goal.ahead);
+}
 
 /// One turn, a line, one turn.
 double turn_line_turn(const Goal& goal) {
@@ -114,9 +117,9 @@ double turn_line_turn(const Goal& goal) {
   return least;
 }
 
-/// Four turns, the inner two equally long. With `turn` as the first of these the way between the outer circles
-/// is 2·out·(−i)·(1 − turn + turn²) where both turn the machine to the same side, so that it ends turned
-/// by turn², and 2·out·(−i)·(2 − turn) where they cancel.
+/// Four turns, the inner two equally long. With `turn` as the first of these the way between the outer
+/// circles is 2·out·(−i)·(1 − turn + turn²) where both turn the machine to the same side, so that it ends
+/// turned by turn², and 2·out·(−i)·(2 − turn) where they cancel.
 double four_turns(const Goal& goal) {
   const Vector half = 0.5 * goal.to_right();
   const double apart = std::abs(half);
@@ -139,8 +142,8 @@ double four_turns(const Goal& goal) {
   return least;
 }
 
-/// A turn, a quarter circle the other way round, a line, a turn; `side`: whether the quarter turns the machine
-/// to the left. The line leads along side·i·out.
+/// A turn, a quarter circle the other way round, a line, a turn; `side`: whether the quarter turns the
+/// machine to the left. The line leads along side·i·out.
 double quarter_before_line(const Goal& goal) {
   double least = std::numeric_limits<double>::infinity();
   const Vector right = goal.to_right(), left = goal.to_left();
@@ -183,11 +186,13 @@ double least_reversing_beginning_left(const Goal& goal) {
 }  // namespace
 
 double least_forward_m(const Pose& from, const Pose& to, double radius_m) {
+  assert(radius_m > 0);
   const Goal goal = goal_of(from, to, radius_m);
   return radius_m * std::min(least_beginning_left(goal), least_beginning_left(goal.mirrored()));
 }
 
 double least_with_reversing_m(const Pose& from, const Pose& to, double radius_m) {
+  assert(radius_m > 0);
   const Goal goal = goal_of(from, to, radius_m), back = goal.back();
   return radius_m *
          std::min({least_reversing_beginning_left(goal), least_reversing_beginning_left(goal.mirrored()),

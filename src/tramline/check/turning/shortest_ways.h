@@ -1,6 +1,6 @@
 #pragma once
-// How long the shortest ways from one pose to another are, for a machine of least radius: lower bounds of every
-// way that it can drive.
+// How long the shortest ways from one pose to another are, for a machine of least radius: lower bounds of
+// every way that it can drive.
 
 #include "tramline/geometry/path/steered_path.h"
 

@@ -156,7 +156,8 @@ Excursion TurningGround::deepest(const SteeredPath& path, const Machine& machine
   }
   for (const SteeredStretch& whole : path)
     for (const SteeredStretch& stretch : sections_of(whole))
-      if (!clear_of_edges(stretch, outline_m)) measure(places_along({stretch}, machine, step_m), machine, out);
+      if (!clear_of_edges(stretch, outline_m))
+        measure(places_along({stretch}, machine, step_m), machine, out);
   return out;
 }
 

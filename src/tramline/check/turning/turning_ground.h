@@ -22,8 +22,8 @@ enum class Passables { kAreObstacles, kAreLand };
 enum class Beyond { kAsForTurns, kIsLand };
 
 /// The field without its obstacles, passable ones included unless they are land; where the boundary is soft
-/// and has no headland, also the land outside, as far as the settings allow: where headlands follow the turns,
-/// as far as room beyond is given.
+/// and has no headland, also the land outside, as far as the settings allow: where headlands follow the
+/// turns, as far as room beyond is given.
 class TurningGround {
  public:
   explicit TurningGround(const Plan& plan, Passables passables = Passables::kAreObstacles,

@@ -68,9 +68,10 @@ void check_route_areas(const Case& c, Violations& out) {
   const double tolerance_m2 = c.area_tolerance_m2 + chords_m2(plan);
   const auto compare = [&](const char* what, double driven_m2, double stated_m2) {
     if (std::abs(driven_m2 - stated_m2) <= tolerance_m2) return;
-    out.push_back({Rule::kRouteAreas,
-                   fmt::format("the route {} {:.4f} m², the plan states {:.4f} m²", what, driven_m2, stated_m2),
-                   plan.route.legs.front().path.front().start.at, driven_m2 - stated_m2});
+    out.push_back(
+        {Rule::kRouteAreas,
+         fmt::format("the route {} {:.4f} m², the plan states {:.4f} m²", what, driven_m2, stated_m2),
+         plan.route.legs.front().path.front().start.at, driven_m2 - stated_m2});
   };
   compare("works", found.gross_m2, plan.tally.worked_m2);
   compare("works in vain", found.gross_m2 - found.covered_inside_m2, plan.tally.overlap_m2);

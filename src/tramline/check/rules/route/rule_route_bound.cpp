@@ -71,14 +71,13 @@ class Bound {
     for (std::size_t first = 0, next = 0; first < count; first = next) {
       for (next = first + 1; next < count && plan_.pieces[next].after_crossing;) ++next;
       const auto back = [&](std::size_t i) {
-        return WorkedCourse(reversed(centre_line(plan_.pieces[i])), false, plan_.machine);
+        return WorkedCourse(reversed(centre_line(plan_.pieces[i])), PathEnds::kApart, plan_.machine);
       };
       add_line(course_of_piece(plan_, first), back(first), course_of_piece(plan_, next - 1), back(next - 1),
                nodes_);
       for (std::size_t i = first; i + 1 < next; ++i) {
         const WorkedCourse before = course_of_piece(plan_, i);
-        crossings_m_ +=
-            distance(before.axle(before.length_m()).at, course_of_piece(plan_, i + 1).axle(0).at);
+        crossings_m_ += distance(before.axle(before.length_m()).at, course_of_piece(plan_, i + 1).axle(0).at);
       }
       members_.push_back({nodes_.size() - 2, 2});
     }
@@ -87,7 +86,8 @@ class Bound {
   void add_passes() {
     for (std::size_t i = 0; i < plan_.headland.passes.size(); ++i) {
       if (is_closed(plan_.headland.passes[i])) continue;
-      const WorkedCourse pass = course_of_pass(plan_, i, false), back = course_of_pass(plan_, i, true);
+      const WorkedCourse pass = course_of_pass(plan_, i, PassSense::kAlong),
+                         back = course_of_pass(plan_, i, PassSense::kAgainst);
       add_line(pass, back, pass, back, nodes_);
       members_.push_back({nodes_.size() - 2, 2});
     }
@@ -104,22 +104,19 @@ class Bound {
     double out = crossings_m_ / turning_.turning_speed_mps;
     for (const TrackPiece& piece : plan_.pieces) out += length(piece) / turning_.working_speed_mps;
     for (const RouteLeg& leg : plan_.route.legs)
-      if (leg.pass)
-        out += length(leg) / (leg.work ? turning_.working_speed_mps : turning_.turning_speed_mps);
+      if (leg.pass) out += length(leg) / (leg.work ? turning_.working_speed_mps : turning_.turning_speed_mps);
     return out;
   }
 
   /// The least time from leaving by one pose to entering by another, s.
   double least_s(const Pose& left, const Pose& entered) const {
-    const double forward_m = turning_.lift_m + turning_.lower_m +
-                             least_forward_m(moved_on(left, turning_.lift_m),
-                                             moved_on(entered, -turning_.lower_m), radius_m_);
+    const double forward_m =
+        turning_.lift_m + turning_.lower_m +
+        least_forward_m(moved_on(left, turning_.lift_m), moved_on(entered, -turning_.lower_m), radius_m_);
     const double forward_s = forward_m / turning_.turning_speed_mps;
     const double changes_s = 2 * turning_.gear_change_s;
-    if (!reverses_ || changes_s + distance(left.at, entered.at) / fastest_mps_ >= forward_s)
-      return forward_s;
-    return std::min(forward_s,
-                    changes_s + least_with_reversing_m(left, entered, radius_m_) / fastest_mps_);
+    if (!reverses_ || changes_s + distance(left.at, entered.at) / fastest_mps_ >= forward_s) return forward_s;
+    return std::min(forward_s, changes_s + least_with_reversing_m(left, entered, radius_m_) / fastest_mps_);
   }
 
   double least_s(const Node& a, const Node& b) const {
@@ -207,8 +204,7 @@ void check_route_bound(const Case& c, Violations& out) {
     out.push_back({Rule::kRouteBound,
                    fmt::format("the bound of the route has {} prices, not one for each end and each gate",
                                route.proof.node_prices_s.size()),
-                   at,
-                   static_cast<double>(route.proof.node_prices_s.size())});
+                   at, static_cast<double>(route.proof.node_prices_s.size())});
     return;
   }
   const double found_s = bound.seconds();

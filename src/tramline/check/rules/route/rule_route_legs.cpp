@@ -12,8 +12,8 @@
 namespace tramline::check {
 namespace {
 
-/// A machine that has no room at a gate begins or ends beside it, at most so far away, m. It has room where in
-/// one of so many headings it can drive on so far, m.
+/// A machine that has no room at a gate begins or ends beside it, at most so far away, m. It has room where
+/// in one of so many headings it can drive on so far, m.
 constexpr double kMostBesideGate_m = 100;
 constexpr int kGateHeadings = 8;
 constexpr double kDrivesOn_m = 1;
@@ -53,8 +53,7 @@ class LegsCheck {
 
   void check_joint(std::size_t leg, const LinePlace& is, const LinePlace& before) {
     const double off_m = distance(is.at, before.at), turned = turned_deg(is.ahead, before.ahead);
-    if (off_m > kLengthTolerance_m)
-      add(leg, fmt::format("jumps by {:.3f} m", off_m), is.at, off_m);
+    if (off_m > kLengthTolerance_m) add(leg, fmt::format("jumps by {:.3f} m", off_m), is.at, off_m);
     if (turned > kHeadingTolerance_deg && !may_have_kinks(leg))
       add(leg, fmt::format("turns by {:.1f}° on the spot", turned), is.at, turned);
   }

@@ -61,8 +61,7 @@ class RoomCheck {
 
   void judge(std::size_t i, const Excursion& off) {
     const RouteLeg& leg = plan_.route.legs[i];
-    const std::string what =
-        fmt::format("{} leaves the land by {:.2f} m", leg_name(plan_, i), off.depth_m);
+    const std::string what = fmt::format("{} leaves the land by {:.2f} m", leg_name(plan_, i), off.depth_m);
     const Violation found{Rule::kRouteRoom, what, off.at, off.depth_m};
     if (leg.missing_m > 0) {
       if (leg.missing_m < off.depth_m - kMissing_m)
@@ -72,9 +71,8 @@ class RoomCheck {
       return;
     }
     if (off.depth_m <= kOutside_m) return;
-    const bool beyond_soft_edge =
-        leg.work && swaths_may_leave_ &&
-        obstacles_.deepest(leg.path, plan_.machine, kPoses_m).depth_m <= kOutside_m;
+    const bool beyond_soft_edge = leg.work && swaths_may_leave_ &&
+                                  obstacles_.deepest(leg.path, plan_.machine, kPoses_m).depth_m <= kOutside_m;
     (beyond_soft_edge ? findings_ : out_).push_back(found);
   }
 

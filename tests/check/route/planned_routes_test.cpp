@@ -103,8 +103,9 @@ TEST(PlannedRoutes, hold_for_machines_that_carry_tow_and_reverse) {
   expect_route_holds(l_shape(), of, whole_route(0));
 }
 
-// Its implement works behind the axle: where the axle comes out of the corner of a pass, r = 6 m, the rear corner of
-// the bar, 3 m behind and 3 m beside it, is farther from the middle of the arc than the boundary, 6 m + 3 m.
+// Its implement works behind the axle: where the axle comes out of the corner of a pass, r = 6 m, the rear
+// corner of the bar, 3 m behind and 3 m beside it, is farther from the middle of the arc than the boundary, 6
+// m + 3 m.
 TEST(PlannedRoutes, say_where_an_implement_swings_out_at_corners) {
   const Plan plan =
       plan_field(field_of(box(0, 0, 200, 100)), with_tractor(machine(6, 6)), {}, whole_route(3));

@@ -84,8 +84,8 @@ void add_way(Plan& plan, LegKind kind, const std::vector<std::pair<double, doubl
   add(plan, std::move(of));
 }
 
-/// Four tracks of 12 m on 200 m x 48 m with a soft edge, r = 6 m: half circles between them. Out of the last one
-/// the machine backs by 12 m and goes on by 6 m to its gate.
+/// Four tracks of 12 m on 200 m x 48 m with a soft edge, r = 6 m: half circles between them. Out of the last
+/// one the machine backs by 12 m and goes on by 6 m to its gate.
 Plan route_plan() {
   Plan plan;
   plan.field.id = "route";
@@ -161,7 +161,9 @@ void expect_found(const Plan& plan, const std::string& rule) {
   EXPECT_TRUE(found(plan).contains(rule)) << "no violation of " << rule << " among\n" << texts(plan);
 }
 /// No other rule of routes is broken.
-void expect_only(const Plan& plan, const std::string& rule) { EXPECT_EQ(found(plan), Names{rule}) << texts(plan); }
+void expect_only(const Plan& plan, const std::string& rule) {
+  EXPECT_EQ(found(plan), Names{rule}) << texts(plan);
+}
 
 TEST(CheckedRoute, made_by_hand_holds) {
   const Plan plan = route_plan();
@@ -202,9 +204,7 @@ TEST(CheckedRoute, works_pieces_where_they_are) {
   expect_found(timed(plan), "route order");
 }
 
-TEST(CheckedRoute, with_passes_made_by_hand_holds) {
-  EXPECT_EQ(texts(passes_plan()), "");
-}
+TEST(CheckedRoute, with_passes_made_by_hand_holds) { EXPECT_EQ(texts(passes_plan()), ""); }
 
 TEST(CheckedRoute, drives_each_pass_once_whole_and_in_place) {
   const Plan sound = passes_plan();
@@ -353,9 +353,11 @@ TEST(CheckedRoute, keeps_off_obstacles_where_it_turns) {
   plan.field.outer = rectangle(-50, -10, 260, 60);
   plan.field.obstacles = {{{rectangle(210, 10, 214, 14), {}}, ObstacleKind::kPassable, "ditch"}};
   const check::Verdict verdict = check::verify(plan);
-  EXPECT_TRUE(std::any_of(verdict.violations.begin(), verdict.violations.end(), [](const check::Violation& v) {
-    return v.rule == check::Rule::kRouteRoom && v.what.starts_with("leg 2 (turn)");
-  })) << texts(plan);
+  EXPECT_TRUE(std::any_of(verdict.violations.begin(), verdict.violations.end(),
+                          [](const check::Violation& v) {
+                            return v.rule == check::Rule::kRouteRoom && v.what.starts_with("leg 2 (turn)");
+                          }))
+      << texts(plan);
   plan.route.legs[1].kind = LegKind::kTransit;
   EXPECT_FALSE(found(plan).contains("route room")) << texts(plan);
 }
@@ -372,8 +374,8 @@ void expect_proves(Plan plan, double bound_s) {
 }
 
 TEST(CheckedRoute, has_a_bound_that_its_prices_prove) {
-  // Prices of 0: the tree joins the first gate to the first track (0 m) and to the second (12 m), the other one
-  // to the last track (6 m) and to the third (6 m along, 12 m across), and two tracks by a half circle.
+  // Prices of 0: the tree joins the first gate to the first track (0 m) and to the second (12 m), the other
+  // one to the last track (6 m) and to the third (6 m along, 12 m across), and two tracks by a half circle.
   const Plan plan = route_plan();
   expect_proves(plan, kWork_s + (12 + 6 + std::hypot(6, 12)) / 1.5 + kHalfCircle_s);
 }
