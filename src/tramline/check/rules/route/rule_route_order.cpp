@@ -205,7 +205,13 @@ class OrderCheck {
 }  // namespace
 
 void check_route_order(const Case& c, Violations& out) {
-  if (c.plan.route.planned()) OrderCheck(c, out).run();
+  if (c.plan.route.planned()) return OrderCheck(c, out).run();
+  const bool asked = c.plan.settings.turns == TurnPlanning::kRoute;
+  if (!asked || c.plan.pieces.empty()) return;
+  out.push_back(
+      {Rule::kRouteOrder,
+       fmt::format("there is no route, although one was asked for over {} pieces", c.plan.pieces.size()),
+       c.plan.pieces.front().start, static_cast<double>(c.plan.pieces.size())});
 }
 
 }  // namespace tramline::check
