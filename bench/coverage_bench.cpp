@@ -196,7 +196,7 @@ void exact_leakage(benchmark::State& state) {
     TileCoverage engine(field, {coverage::tile_for(4, 1), true});
     for (std::size_t i = 0; i < count; ++i) {
       engine.add(steps[i]);
-      benchmark::DoNotOptimize(regions = engine.region(Ground::kMissed).size());
+      benchmark::DoNotOptimize(regions = engine.region(LandClass::kMissed).size());
     }
   }
   state.counters["regions"] = static_cast<double>(regions);
@@ -213,7 +213,7 @@ void regions_of_a_day(benchmark::State& state) {
   const Work work{4, 10, 2.5, 0.05, 400000, 1};
   TileCoverage engine(field_of(work), {tile_of(work), true});
   for (const WorkedStep& step : boustrophedon(work)) engine.add(step);
-  const auto what = static_cast<Ground>(state.range(0));
+  const auto what = static_cast<LandClass>(state.range(0));
   std::size_t vertices = 0, polygons = 0;
   for (auto _ : state) {
     const Region region = engine.region(what);

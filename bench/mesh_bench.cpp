@@ -31,7 +31,7 @@ void mesh_coverage(benchmark::State& state) {
     benchmark::DoNotOptimize(engine);
     state.PauseTiming();
     meshes = engine.covered().meshes();
-    covered = engine.region(Ground::kCovered);
+    covered = engine.region(LandClass::kCovered);
     state.ResumeTiming();
   }
   state.counters["meshes"] = static_cast<double>(meshes);
@@ -48,7 +48,7 @@ void mesh_leakage(benchmark::State& state) {
     MeshCoverage engine(irregular_field(), mesh_m(state));
     for (std::size_t i = 0; i < count; ++i) {
       engine.add(steps[i]);
-      benchmark::DoNotOptimize(regions = engine.region(Ground::kMissed).size());
+      benchmark::DoNotOptimize(regions = engine.region(LandClass::kMissed).size());
     }
     meshes = engine.missed().meshes();
   }

@@ -86,7 +86,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   demand(std::abs(engine.areas().covered_m2 - (shapes.empty() ? 0 : area(unite(shapes)))) <= tolerance_m2);
   demand(std::abs(engine.areas().gross_m2 - area(shapes)) <= tolerance_m2);
   demand_same(engine.areas(), testing::literal_coverage(field, steps), tolerance_m2);
-  for (const Ground what : {Ground::kCovered, Ground::kMissed, Ground::kRepeated})
+  for (const LandClass what : {LandClass::kCovered, LandClass::kMissed, LandClass::kRepeated})
     for (const Polygon& polygon : engine.region(what)) demand(!find_invalidity(polygon));
   return 0;
 }

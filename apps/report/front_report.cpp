@@ -135,7 +135,8 @@ std::string compare_table(const Comparison& c, const std::vector<Skipped>& skipp
   const std::vector<std::size_t> shown = points_shown(c);
   for (const std::size_t point : shown) out += line_of(point_row(c.front, point));
   if (const std::size_t more = c.front.points.size() - shown.size(); more > 0)
-    out += fmt::format("\n{} more are much like one of these; --json and --csv give all\n", more);
+    out += fmt::format("\n{} more {} little from one of these; --json and --csv list all\n", more,
+                       more == 1 ? "plan differs" : "plans differ");
   if (!c.asked.empty()) out += "\n";
   for (const Objective& prices : c.asked) {
     const Winner winner = winner_for(c.front, prices);

@@ -9,6 +9,7 @@
 #include "report/front_report.h"
 #include "report/obstacle_report.h"
 #include "report/report_parts.h"
+#include "report/route_report.h"
 #include "report/turning_report.h"
 #include "tramline/geometry/path/kinked_line.h"
 #include "tramline/headland/body.h"
@@ -65,13 +66,14 @@ std::string ground_rows(const Plan& plan) {
   return out;
 }
 
-/// How far from the best there is the plan could be, in the unit of the cost: of a plan that costs next to
-/// nothing a share would sound bad whatever it is.
+/// How much more than the best possible plan this one may cost, in the unit of the cost: a share would look
+/// large for any plan that costs almost nothing.
 std::string proof_rows(const Plan& plan) {
   const Proof& proof = plan.proof;
   return fmt::format(
-      "bound        no plan costs less than {:.2f}, so the best there is saves {:.2f} at most\n"
-      "undivided    in one direction {:.2f} is the best found, and none costs less than {:.2f}\n",
+      "bound        no plan costs less than {:.2f}, so a better plan could save {:.2f} at most\n"
+      "undivided    the best plan found with one direction costs {:.2f}, and none such costs less than "
+      "{:.2f}\n",
       proof.bound, plain_zero(std::max(0.0, plan.cost - proof.bound)), proof.one_direction_cost,
       proof.one_direction_bound);
 }
@@ -160,7 +162,7 @@ std::string tally_rows(const Plan& plan) {
                   plain_zero(plan.track_tally.uncovered_m2));
   out += fmt::format("turns        {}\n", tally.turns);
   out += fmt::format("stops        {}\n", tally.stops);
-  out += turning_rows(plan);
+  out += turning_rows(plan) + route_rows(plan);
   out += obstacle_rows(plan);
   if (tally.crossings > 0) out += fmt::format("crossings    {}\n", tally.crossings);
   out += fmt::format("cost         {:.2f} = {}\n", plan.cost, prices_text(plan.objective));
@@ -199,6 +201,7 @@ ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, do
   out["stops"] = tally.stops;
   out["crossings"] = tally.crossings;
   if (!plan.turns.empty()) out["planned_turns"] = planned_turns_json(plan);
+  if (plan.route.planned()) out["route"] = route_json(plan);
   out["track_length_m"] = tally.track_length_m;
   out["overlap_m2"] = tally.overlap_m2;
   out["uncovered_m2"] = tally.uncovered_m2;

@@ -132,7 +132,7 @@ LandFiles::LandFiles(const LandOptions& options, const std::string& fields_crs, 
       done_shapes_.back().used.assign(done_shapes_.back().features.size(), 0);
     }
   }
-  done_met_.assign(done_lands_.size(), 0);
+  done_used_.assign(done_lands_.size(), 0);
 }
 
 GivenLand LandFiles::given_for(const Field& field) {
@@ -149,7 +149,7 @@ GivenLand LandFiles::given_for(const Field& field) {
       done.push_back(std::move(polygon));
   for (std::size_t i = 0; i < done_lands_.size(); ++i) {
     for (Polygon& polygon : within(done_lands_[i], field)) {
-      done_met_[i] = 1;
+      done_used_[i] = 1;
       done.push_back(std::move(polygon));
     }
   }
@@ -157,9 +157,9 @@ GivenLand LandFiles::given_for(const Field& field) {
   return out;
 }
 
-void LandFiles::require_met(const std::string& option, const std::string& file, bool met,
-                            const std::string& fields) {
-  if (met) return;
+void LandFiles::require_used(const std::string& option, const std::string& file, bool used,
+                             const std::string& fields) {
+  if (used) return;
   throw bad_input(
       fmt::format("nothing in the file '{}' of {} lies in {}: check its coordinates, and whether it "
                   "was drawn on another field",
@@ -177,25 +177,25 @@ std::vector<Skipped> LandFiles::finish(const std::string& fields) const {
                    "it does not meet any field read"});
   };
   if (!options_.subfields_file.empty())
-    require_met("--subfields", options_.subfields_file, any(used_), fields);
+    require_used("--subfields", options_.subfields_file, any(used_), fields);
   for (std::size_t i = 0; i < subfields_.size(); ++i)
     if (used_[i] == 0) add("subfield", subfields_[i].feature);
   std::vector<const Shapes*> all;
   if (only_) all.push_back(&*only_);
   for (const Shapes& shapes : done_shapes_) all.push_back(&shapes);
   for (const Shapes* shapes : all) {
-    require_met(shapes->option, shapes->file, any(shapes->used), fields);
+    require_used(shapes->option, shapes->file, any(shapes->used), fields);
     for (std::size_t i = 0; i < shapes->features.size(); ++i)
       if (shapes->used[i] == 0) add("polygon", shapes->features[i]);
   }
   for (const std::string& file : options_.done_files) {
-    bool is_land = false, met = false;
+    bool is_land = false, used = false;
     for (std::size_t i = 0; i < done_lands_.size(); ++i) {
       if (done_lands_[i].file != file) continue;
       is_land = true;
-      met = met || done_met_[i] != 0;
+      used = used || done_used_[i] != 0;
     }
-    if (is_land) require_met("--done", file, met, fields);
+    if (is_land) require_used("--done", file, used, fields);
   }
   return out;
 }

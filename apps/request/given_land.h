@@ -50,8 +50,8 @@ class LandFiles {
     std::vector<LooseObstacle> features;
     std::vector<char> used;
   };
-  static void require_met(const std::string& option, const std::string& file, bool met,
-                          const std::string& fields);
+  static void require_used(const std::string& option, const std::string& file, bool used,
+                           const std::string& fields);
 
   LandOptions options_;
   std::vector<LooseSubfield> subfields_;
@@ -59,7 +59,7 @@ class LandFiles {
   std::optional<Shapes> only_;
   std::vector<Shapes> done_shapes_;
   std::vector<DoneLand> done_lands_;
-  std::vector<char> done_met_;
+  std::vector<char> done_used_;
 };
 
 /// A text that differs wherever the given land does.

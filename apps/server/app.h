@@ -28,20 +28,21 @@ struct Limits {
 struct ServerSettings {
   std::filesystem::path folder;
   std::string host = "127.0.0.1";
-  int port = 0;                                     ///< 0: any that is free
-  std::string token;                                ///< empty: none is asked for
-  std::string tiles;                                ///< URL of raster tiles; empty: none
-  std::string tiles_attribution;                    ///< whom they are from; empty: their host is named
-  std::vector<std::filesystem::path> feed_folders;  ///< whose files live feeds may read, beside `folder`
+  int port = 0;                   ///< 0: any that is free
+  std::string token;              ///< empty: no token is required
+  std::string tiles;              ///< URL of raster tiles; empty: none
+  std::string tiles_attribution;  ///< the source of the tiles to name; empty: their host
+  std::vector<std::filesystem::path>
+      feed_folders;  ///< folders whose files live feeds may read, besides `folder`
   Limits limits;
 };
 
-/// The number of comparisons kept for fetching plans: each holds 16 searches.
+/// The number of comparisons that are kept so that plans can be fetched from them; each holds 16 searches.
 inline constexpr std::size_t kMostFronts = 8;
 
 /// Drives and live feeds: drives/drive_rooms.h.
 struct DriveRooms;
-/// `folder` and `warnings` as everywhere in App. Throws bad_input where a folder of feeds is not there.
+/// `folder` and `warnings` are those of App. Throws bad_input where a folder of feeds does not exist.
 std::shared_ptr<DriveRooms> make_drive_rooms(const StoreFolder& folder, const ServerSettings& settings,
                                              std::vector<std::string>& warnings);
 

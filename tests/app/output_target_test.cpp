@@ -51,7 +51,7 @@ class OutputTarget : public testing::Test {
 
 const std::string kTooLong(300, 'x');
 
-TEST_F(OutputTarget, takes_folders_that_can_be_made) {
+TEST_F(OutputTarget, TakesFoldersThatCanBeMade) {
   EXPECT_EQ(against_folder(folder_), "");
   EXPECT_EQ(against_folder(folder_ / "new"), "");
   EXPECT_EQ(against_folder(folder_ / "new/"), "");
@@ -59,7 +59,7 @@ TEST_F(OutputTarget, takes_folders_that_can_be_made) {
   EXPECT_TRUE(untouched());
 }
 
-TEST_F(OutputTarget, refuses_folders_that_cannot) {
+TEST_F(OutputTarget, RefusesFoldersThatCannot) {
   for (const fs::path& name : {folder_ / "notes", folder_ / "notes/below", folder_ / kTooLong,
                                folder_ / "new" / kTooLong, fs::path("/proc/closeups"), fs::path("/proc")}) {
     const std::string sentence = against_folder(name);
@@ -68,18 +68,18 @@ TEST_F(OutputTarget, refuses_folders_that_cannot) {
   EXPECT_TRUE(untouched());
 }
 
-TEST_F(OutputTarget, takes_files_that_can_be_written) {
+TEST_F(OutputTarget, TakesFilesThatCanBeWritten) {
   EXPECT_EQ(against_file(folder_ / "plan.gpkg"), "");
   EXPECT_TRUE(untouched());
 }
 
-TEST_F(OutputTarget, takes_extensions_in_any_case) {
+TEST_F(OutputTarget, TakesExtensionsInAnyCase) {
   EXPECT_EQ(against_file(folder_ / "PLAN.GPKG"), "");
   EXPECT_EQ(against_file(folder_ / "Plan.Gpkg"), "");
   EXPECT_NE(against_file(folder_ / "plan.GPK"), "");
 }
 
-TEST_F(OutputTarget, refuses_files_that_cannot) {
+TEST_F(OutputTarget, RefusesFilesThatCannot) {
   for (const fs::path& name : {folder_ / "missing/plan.gpkg", folder_ / "notes/plan.gpkg",
                                folder_ / (kTooLong + ".gpkg"), fs::path("/proc/plan.gpkg")}) {
     const std::string sentence = against_file(name);
@@ -88,7 +88,7 @@ TEST_F(OutputTarget, refuses_files_that_cannot) {
   EXPECT_TRUE(untouched());
 }
 
-TEST_F(OutputTarget, leaves_the_file_that_will_be_replaced) {
+TEST_F(OutputTarget, LeavesTheFileThatWillBeReplaced) {
   std::ofstream(folder_ / "plan.gpkg") << "older";
   EXPECT_EQ(against_file(folder_ / "plan.gpkg"), "");
   EXPECT_EQ(fs::file_size(folder_ / "plan.gpkg"), 5u);

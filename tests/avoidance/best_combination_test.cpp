@@ -72,7 +72,7 @@ TEST(BestCombination, EncounterCostsAreDifferencesOfPlans) {
         const WayPast& way = ways.names[i] == Passing::kLeft ? encounter.left : encounter.right;
         const std::vector<LaidPiece> pieces = joined(others, ways.ways[i]);
         const double more = cost_by_booleans(field, pieces) - cost_of_cut;
-        // What is left out as far too dear is dearer than a cut.
+        // What is left out as far too expensive is more expensive than a cut.
         if (!way.possible) {
           EXPECT_GT(more, 0) << way.why_not;
           continue;

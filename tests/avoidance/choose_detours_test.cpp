@@ -57,7 +57,7 @@ TEST(ChooseDetours, MirroredPolesCostTheSame) {
 }
 
 // If fewer stops came with a lower price, changing the plans round would make one of them cheaper.
-TEST(ChooseDetours, DearerStopsNeverMakeMoreOfThem) {
+TEST(ChooseDetours, CostlierStopsNeverMakeMoreOfThem) {
   int changed = 0;
   for (const Pole& pole : poles()) {
     SCOPED_TRACE(description(pole));
@@ -104,7 +104,7 @@ bool can_be_driven(const Avoided& found, double radius_m) {
   return true;
 }
 
-TEST(ChooseDetours, CheapestIsNeverDearerThanCutNorThanPaperWhereThatCanBeDriven) {
+TEST(ChooseDetours, CheapestIsNeverCostlierThanCutNorThanPaperWhereThatCanBeDriven) {
   int paper_drives_round = 0, drivable = 0;
   for (const Pole& pole : poles())
     for (const Objective& prices : {Objective{}, Objective{0, 0, 0, 0}, Objective{1, 0, 0, 0},
@@ -128,13 +128,13 @@ TEST(ChooseDetours, CheapestIsNeverDearerThanCutNorThanPaperWhereThatCanBeDriven
   EXPECT_GT(drivable, 20);
 }
 
-const Objective kDearStops{0.04, 0.10, 0.45, 1000};
+const Objective kExpensiveStops{0.04, 0.10, 0.45, 1000};
 
 // Half a metre of pole on a track of 3 m asks for h = 1.75 and √(4·12·1.75 − 1.75²) = 9.0 m behind it. There
 // are 5 m to the northern edge.
 TEST(ChooseDetours, ATrackThatEndsBeforeTheDetourWouldIsCut) {
   const auto pole_at = [](double y) { return rectangle(10.25, y - 0.25, 10.75, y + 0.25); };
-  const PoleField near(rectangle(0, 0, 21, 100), {pole_at(95)}, machine(3, 12), kDearStops);
+  const PoleField near(rectangle(0, 0, 21, 100), {pole_at(95)}, machine(3, 12), kExpensiveStops);
   EXPECT_EQ(detours_in(near.plan()), 0);
   EXPECT_EQ(near.plan().tally.stops, 2);
   const std::vector<PlacedEncounter> found = encounters_in(near.task(), near.plan());
@@ -142,7 +142,7 @@ TEST(ChooseDetours, ATrackThatEndsBeforeTheDetourWouldIsCut) {
   EXPECT_EQ(found[0].chosen, Passing::kCut);
   EXPECT_FALSE(found[0].left.possible || found[0].right.possible);
   EXPECT_EQ(found[0].left.why_not, "the track ends before a detour could");
-  const PoleField far(rectangle(0, 0, 21, 100), {pole_at(90)}, machine(3, 12), kDearStops);
+  const PoleField far(rectangle(0, 0, 21, 100), {pole_at(90)}, machine(3, 12), kExpensiveStops);
   EXPECT_EQ(detours_in(far.plan()), 1);
 }
 
@@ -152,7 +152,7 @@ TEST(ChooseDetours, DetoursThatWouldRunIntoEachOtherBecomeOne) {
   for (const double apart : {4.0, 8.0, 12.0, 17.0}) {
     SCOPED_TRACE(apart);
     const PoleField field(rectangle(0, 0, 21, 100), {pole_at(40), pole_at(40 + apart)}, machine(3, 12),
-                          kDearStops);
+                          kExpensiveStops);
     const Avoided found = field.plan();
     EXPECT_EQ(found.tally.stops, 0);
     ASSERT_EQ(found.tracks.front().pieces.size(), 7u);
@@ -161,7 +161,8 @@ TEST(ChooseDetours, DetoursThatWouldRunIntoEachOtherBecomeOne) {
     expect_own_tally(field, found);
     expect_off_poles(field, found);
   }
-  const PoleField field(rectangle(0, 0, 21, 100), {pole_at(30), pole_at(60)}, machine(3, 12), kDearStops);
+  const PoleField field(rectangle(0, 0, 21, 100), {pole_at(30), pole_at(60)}, machine(3, 12),
+                        kExpensiveStops);
   EXPECT_EQ(detours_in(field.plan()), 2);
   expect_own_tally(field, field.plan());
 }
@@ -175,7 +176,7 @@ TEST(ChooseDetours, PolesOnAlternateSidesArePassedWithoutOverlap) {
         SCOPED_TRACE(::testing::Message() << apart << " apart, off " << off << ", r " << radius);
         const auto pole = [](double x, double y) { return rectangle(x - 0.2, y - 0.2, x + 0.2, y + 0.2); };
         const PoleField field(rectangle(0, 0, 21, 120), {pole(10.5 + off, 60), pole(10.5 - off, 60 + apart)},
-                              machine(3, radius), kDearStops);
+                              machine(3, radius), kExpensiveStops);
         const Avoided found = field.plan();
         expect_own_tally(field, found);
         expect_off_poles(field, found);
@@ -194,8 +195,8 @@ std::vector<PlacedEncounter> encounters_by_a_spike(double tip_x, EdgeKind bounda
   settings.boundary = boundary;
   Ring outer{{0, 0}, {21, 0}, {21, 100}, {0, 100}};
   if (tip_x > 0) outer.insert(outer.end(), {{0, 54.05}, {tip_x, 54}, {0, 53.95}});
-  const PoleField field(outer, {rectangle(10.25, 49.75, 10.75, 50.25)}, machine(3, 12), kDearStops, settings,
-                        passable);
+  const PoleField field(outer, {rectangle(10.25, 49.75, 10.75, 50.25)}, machine(3, 12), kExpensiveStops,
+                        settings, passable);
   std::vector<PlacedEncounter> out;
   for (PlacedEncounter& encounter : encounters_in(field.task(), field.plan()))
     if (encounter.track == 3) out.push_back(std::move(encounter));
@@ -244,12 +245,12 @@ TEST(ChooseDetours, ARowOfPolesIsPassedFromEndToEnd) {
         row.push_back(rectangle(at.x - 0.2, at.y - 0.2, at.x + 0.2, at.y + 0.2));
       }
       const Ring outer = rectangle(0, 0, 21, 80 + 20 * apart);
-      const PoleField dear(outer, row, machine(3, 6), kDearStops);
-      const Avoided passed = dear.plan();
-      expect_own_tally(dear, passed);
-      expect_off_poles(dear, passed);
+      const PoleField expensive(outer, row, machine(3, 6), kExpensiveStops);
+      const Avoided passed = expensive.plan();
+      expect_own_tally(expensive, passed);
+      expect_off_poles(expensive, passed);
       EXPECT_EQ(passed.tally.stops, 0);
-      EXPECT_EQ(encounters_in(dear.task(), passed).size(), 20u);
+      EXPECT_EQ(encounters_in(expensive.task(), passed).size(), 20u);
       const PoleField usual(outer, row, machine(3, 6), {});
       const Avoided found = usual.plan();
       expect_own_tally(usual, found);
@@ -259,7 +260,7 @@ TEST(ChooseDetours, ARowOfPolesIsPassedFromEndToEnd) {
 }
 
 // What counts as narrow is Versleijen's own matter: the search takes its plan only where that is cheaper.
-TEST(ChooseDetours, NoThresholdMakesTheCheapestDearer) {
+TEST(ChooseDetours, NoThresholdMakesTheCheapestCostlier) {
   std::vector<Ring> poles;
   for (int i = 0; i < 12; ++i) {
     const Point at{3.0 + 2.3 * i, 20.0 + 13 * (i % 5)};
@@ -348,13 +349,13 @@ TEST(ChooseDetours, TheOnlyPieceOfAPlanTakesNoTurn) {
 // With the pieces of 50 m driven, the same detour takes a turn more than a cut, which leaves two pieces
 // of 49.75 m undriven.
 TEST(ChooseDetours, APieceMoreThanOthersTakesATurn) {
-  const LongStrips cheap(3, {1}, 49.9, 0), dear(3, {1}, 49.9, 1000);
+  const LongStrips cheap(3, {1}, 49.9, 0), expensive(3, {1}, 49.9, 1000);
   ASSERT_EQ(cheap.encounters.size(), 1u);
-  ASSERT_EQ(dear.encounters.size(), 1u);
+  ASSERT_EQ(expensive.encounters.size(), 1u);
   EXPECT_NE(cheap.encounters[0].chosen, Passing::kCut);
-  EXPECT_EQ(dear.encounters[0].chosen, Passing::kCut);
-  EXPECT_NEAR(dear.encounters[0].left.cost - cheap.encounters[0].left.cost, 1000, 1e-6);
-  EXPECT_NEAR(dear.encounters[0].right.cost - cheap.encounters[0].right.cost, 1000, 1e-6);
+  EXPECT_EQ(expensive.encounters[0].chosen, Passing::kCut);
+  EXPECT_NEAR(expensive.encounters[0].left.cost - cheap.encounters[0].left.cost, 1000, 1e-6);
+  EXPECT_NEAR(expensive.encounters[0].right.cost - cheap.encounters[0].right.cost, 1000, 1e-6);
 }
 
 // Only one of two such tracks is without a turn; which of them is, changes while they are decided.
@@ -391,7 +392,7 @@ TEST(ChooseDetours, OnlyTheObstaclesOfAClusterBesideADetourAreNamed) {
   // From a pole on the track at y = 50 away to the east, and then far north.
   for (int i = 0; i <= 3; ++i) chain.push_back(rectangle(10.4 + 2.5 * i, 49.8, 10.8 + 2.5 * i, 50.2));
   for (int i = 1; i <= 12; ++i) chain.push_back(rectangle(17.9, 49.8 + 2.5 * i, 18.3, 50.2 + 2.5 * i));
-  const PoleField field(rectangle(0, 0, 30, 120), chain, machine(3, 6), kDearStops);
+  const PoleField field(rectangle(0, 0, 30, 120), chain, machine(3, 6), kExpensiveStops);
   ASSERT_EQ(field.ground().hard.size(), 1u);
   const Avoided found = field.plan();
   int looked_at = 0;

@@ -14,7 +14,7 @@ namespace {
 
 using namespace testing_plans;
 
-TEST(Blindness, swath_moved_into_an_obstacle) {
+TEST(Blindness, SwathMovedIntoAnObstacle) {
   Plan plan = obstacle_plan();
   // From behind the obstacle's edge to 10 cm before its other side.
   for (TrackPiece& piece : plan.pieces)
@@ -25,7 +25,7 @@ TEST(Blindness, swath_moved_into_an_obstacle) {
   EXPECT_EQ(found(settled(plan)), Names{"swaths"});
 }
 
-TEST(Blindness, swath_two_millimetres_inside_an_obstacle) {
+TEST(Blindness, SwathTwoMillimetresInsideAnObstacle) {
   Plan plan = obstacle_plan();
   for (TrackPiece& piece : plan.pieces)
     if (piece.end.x == 40) piece.end.x = 40.0005;
@@ -35,7 +35,7 @@ TEST(Blindness, swath_two_millimetres_inside_an_obstacle) {
   EXPECT_EQ(found(settled(plan)), Names{"swaths"});
 }
 
-TEST(Blindness, swath_over_a_passable_and_over_land_given_up) {
+TEST(Blindness, SwathOverAPassableAndOverLandGivenUp) {
   Plan plan = crossing_plan();
   plan.pieces[0].end.x = 40.1;
   EXPECT_EQ(found(settled(plan)), Names{"swaths"});
@@ -46,7 +46,7 @@ TEST(Blindness, swath_over_a_passable_and_over_land_given_up) {
   EXPECT_EQ(found(settled(plan)), Names{"swaths"});
 }
 
-TEST(Blindness, swath_beyond_a_hard_boundary) {
+TEST(Blindness, SwathBeyondAHardBoundary) {
   Plan plan = triangle_plan(EndRule::kCheapest, cheapest_share(Objective{}));
   plan.settings.boundary = EdgeKind::kHard;
   EXPECT_EQ(found(plan), Names{"swaths"});
@@ -55,19 +55,19 @@ TEST(Blindness, swath_beyond_a_hard_boundary) {
   EXPECT_EQ(found(plan), Names{});
 }
 
-TEST(Blindness, removed_track_with_the_old_tally) {
+TEST(Blindness, RemovedTrackWithTheOldTally) {
   Plan plan = rectangle_plan();
   plan.pieces.erase(plan.pieces.begin() + 4);
   EXPECT_EQ(found(plan), Names{"tally"});
 }
 
-TEST(Blindness, field_corner_deleted) {
+TEST(Blindness, FieldCornerDeleted) {
   Plan plan = rectangle_plan();
   plan.field.outer.erase(plan.field.outer.begin() + 2);
   EXPECT_EQ(found(plan), Names{"body"});
 }
 
-TEST(Blindness, land_given_up_outside_the_body) {
+TEST(Blindness, LandGivenUpOutsideTheBody) {
   Plan plan = rectangle_plan();
   plan.given_up = {{rectangle(100.01, 0, 101, 10), {}}};
   // Its swaths now stop against that land, were it there.
@@ -75,7 +75,7 @@ TEST(Blindness, land_given_up_outside_the_body) {
   EXPECT_EQ(found(plan), Names{"body"});
 }
 
-TEST(Blindness, overlap_of_a_swath_that_is_not_its_own) {
+TEST(Blindness, OverlapOfASwathThatIsNotItsOwn) {
   Plan plan = rectangle_plan();
   for (TrackPiece& piece : plan.pieces) piece.overlap_m2 = 0;
   EXPECT_EQ(found(plan), Names{});
@@ -92,7 +92,7 @@ TEST(Blindness, overlap_of_a_swath_that_is_not_its_own) {
   EXPECT_EQ(found(plan), both);
 }
 
-TEST(Blindness, false_figures) {
+TEST(Blindness, FalseFigures) {
   const Plan honest = triangle_plan(EndRule::kCentre, 0.5);
   ASSERT_EQ(found(honest), Names{});
   const auto with = [&](auto change) {
@@ -117,7 +117,7 @@ TEST(Blindness, false_figures) {
 }
 
 /// Land worked twice within the field, and worked beyond it; by three swaths, too.
-TEST(Blindness, layers_of_land_that_are_not_so) {
+TEST(Blindness, LayersOfLandThatAreNotSo) {
   const auto with = [](Plan plan, auto change) {
     plan = settled(plan);
     EXPECT_EQ(found(plan), Names{});
@@ -145,7 +145,7 @@ TEST(Blindness, layers_of_land_that_are_not_so) {
 }
 
 /// A track beside the land, whose swath's side runs along its edge from one end to the other but for a slant.
-TEST(Blindness, land_along_the_side_of_a_swath) {
+TEST(Blindness, LandAlongTheSideOfASwath) {
   const auto slanted_by = [](double slant_m) {
     Plan plan = rectangle_plan();  // 30 m high, 3 m wide
     plan.settings.end_rule = EndRule::kCover;
@@ -162,7 +162,7 @@ TEST(Blindness, land_along_the_side_of_a_swath) {
   EXPECT_EQ(slanted_by(1e-3), 1u);
 }
 
-TEST(Blindness, piece_prolonged_past_its_end_rule) {
+TEST(Blindness, PieceProlongedPastItsEndRule) {
   const auto prolonged = [](EndRule rule, double f, double by) {
     Plan plan = triangle_plan(rule, f);
     plan.pieces[2].end.x += by;
@@ -178,7 +178,7 @@ TEST(Blindness, piece_prolonged_past_its_end_rule) {
 }
 
 /// Both ends of the piece obey the rule, the land falls away in between.
-TEST(Blindness, end_rule_broken_in_the_middle_of_a_piece) {
+TEST(Blindness, EndRuleBrokenInTheMiddleOfAPiece) {
   Plan plan = rectangle_plan();
   plan.field.outer = {{0, 0}, {45, 0}, {45, 2.7}, {55, 2.7}, {55, 0}, {100, 0}, {100, 30}, {0, 30}};
   plan.body = {{plan.field.outer, {}}};
@@ -190,7 +190,7 @@ TEST(Blindness, end_rule_broken_in_the_middle_of_a_piece) {
   EXPECT_NEAR(verdict.violations[0].at.x, 50, 1e-6);
 }
 
-TEST(Blindness, wrong_stop_flags) {
+TEST(Blindness, WrongStopFlags) {
   Plan plan = obstacle_plan();
   for (TrackPiece& piece : plan.pieces) piece.stop_at_start = false;
   EXPECT_EQ(found(plan), Names{"stops"});
@@ -199,7 +199,7 @@ TEST(Blindness, wrong_stop_flags) {
   EXPECT_EQ(found(plan), Names{"stops"});
 }
 
-TEST(Blindness, cuts_whose_encounters_are_missing) {
+TEST(Blindness, CutsWhoseEncountersAreMissing) {
   const auto with = [](auto change) {
     Plan plan = obstacle_plan();
     change(plan);
@@ -220,7 +220,7 @@ TEST(Blindness, cuts_whose_encounters_are_missing) {
 }
 
 /// Land given up has nobody's name, but the cut is an encounter. So is one before a dropped piece.
-TEST(Blindness, missing_encounters_beside_dropped_pieces_and_land_given_up) {
+TEST(Blindness, MissingEncountersBesideDroppedPiecesAndLandGivenUp) {
   Plan plan = given_up_plan();
   EXPECT_EQ(found(plan), Names{});
   plan.encounters.erase(plan.encounters.begin());
@@ -238,7 +238,7 @@ TEST(Blindness, missing_encounters_beside_dropped_pieces_and_land_given_up) {
   EXPECT_EQ(found(settled(plan)), Names{"encounters"});
 }
 
-TEST(Blindness, crossing_without_a_passable) {
+TEST(Blindness, CrossingWithoutAPassable) {
   Plan plan = rectangle_plan();
   TrackPiece second = plan.pieces[0];
   plan.pieces[0].end.x = 40;
@@ -248,7 +248,7 @@ TEST(Blindness, crossing_without_a_passable) {
   EXPECT_EQ(found(settled(plan)), Names{"crossings"});
 }
 
-TEST(Blindness, crossing_that_is_none) {
+TEST(Blindness, CrossingThatIsNone) {
   Plan other_track = crossing_plan();
   other_track.pieces[1].track = 5;
   EXPECT_EQ(found(other_track), Names{"crossings"});
@@ -262,7 +262,7 @@ TEST(Blindness, crossing_that_is_none) {
   EXPECT_EQ(found(backwards), Names{"crossings"});
 }
 
-TEST(Blindness, piece_too_short_to_drive) {
+TEST(Blindness, PieceTooShortToDrive) {
   Plan plan = rectangle_plan();
   plan.pieces[3].start.x = 5.9;
   plan.pieces[3].end.x = 0;
@@ -271,7 +271,7 @@ TEST(Blindness, piece_too_short_to_drive) {
   EXPECT_EQ(found(settled(plan)), Names{});
 }
 
-TEST(Blindness, overlapping_and_missing_subfields) {
+TEST(Blindness, OverlappingAndMissingSubfields) {
   Plan plan = two_subfields_plan();
   plan.subfields[1].shape.outer = {{39, 0}, {100, 0}, {100, 30}, {59, 30}};
   EXPECT_EQ(found(plan), Names{"subfields"});
@@ -280,7 +280,7 @@ TEST(Blindness, overlapping_and_missing_subfields) {
   EXPECT_EQ(found(plan), Names{"subfields"});
 }
 
-TEST(Blindness, unsound_pieces) {
+TEST(Blindness, UnsoundPieces) {
   const auto with = [](auto change) {
     Plan plan = rectangle_plan();
     change(plan.pieces[4]);
@@ -295,7 +295,7 @@ TEST(Blindness, unsound_pieces) {
 }
 
 // Files count from 1, and a number below that is an index beyond all others.
-TEST(Blindness, numbers_of_subfields_are_told_as_the_file_has_them) {
+TEST(Blindness, NumbersOfSubfieldsAreToldAsTheFileHasThem) {
   for (const int number : {-4, 0, 2}) {
     Plan plan = rectangle_plan();
     plan.pieces[4].subfield = static_cast<std::size_t>(number) - 1;
@@ -307,7 +307,7 @@ TEST(Blindness, numbers_of_subfields_are_told_as_the_file_has_them) {
   }
 }
 
-TEST(Blindness, unsound_shapes) {
+TEST(Blindness, UnsoundShapes) {
   Plan plan = rectangle_plan();
   std::swap(plan.field.outer[1], plan.field.outer[2]);
   EXPECT_EQ(found(plan), Names{"shapes"});

@@ -11,12 +11,12 @@ namespace {
 
 using namespace testing_plans;
 
-TEST(CompareFields, same_field) {
+TEST(CompareFields, SameField) {
   const Field field = crossing_plan().field;
   EXPECT_TRUE(check::compare_fields(field, field).empty());
 }
 
-TEST(CompareFields, a_deleted_corner_is_found_where_it_was) {
+TEST(CompareFields, ADeletedCornerIsFoundWhereItWas) {
   const Field input = rectangle_plan().field;
   Field planned = input;
   planned.outer.erase(planned.outer.begin() + 2);
@@ -26,7 +26,7 @@ TEST(CompareFields, a_deleted_corner_is_found_where_it_was) {
   EXPECT_NEAR(violations[0].amount, 1500, 1e-3);
 }
 
-TEST(CompareFields, obstacles_are_compared_by_kind) {
+TEST(CompareFields, ObstaclesAreComparedByKind) {
   const Field input = obstacle_plan().field;
   Field planned = input;
   planned.obstacles.clear();
@@ -36,7 +36,7 @@ TEST(CompareFields, obstacles_are_compared_by_kind) {
   EXPECT_EQ(check::compare_fields(planned, input).size(), 2u);
 }
 
-TEST(CompareFields, plain_frames_may_have_other_origins) {
+TEST(CompareFields, PlainFramesMayHaveOtherOrigins) {
   Field input = obstacle_plan().field, planned = input;
   planned.frame.origin_x_m = -10;
   for (Point& p : planned.outer) p.x += 10;
@@ -46,7 +46,7 @@ TEST(CompareFields, plain_frames_may_have_other_origins) {
   EXPECT_EQ(check::compare_fields(planned, input).size(), 1u);
 }
 
-TEST(CompareLayers, swaths_follow_from_tracks) {
+TEST(CompareLayers, SwathsFollowFromTracks) {
   const Plan plan = obstacle_plan();
   std::vector<int> order;
   for (std::size_t i = 0; i < plan.pieces.size(); ++i) order.push_back(static_cast<int>(i) + 1);
@@ -66,7 +66,7 @@ TEST(CompareLayers, swaths_follow_from_tracks) {
   EXPECT_EQ(check::compare_swaths(plan, gap, stored, order).size(), 1u);
 }
 
-TEST(CompareLayers, numbers_follow_from_shapes) {
+TEST(CompareLayers, NumbersFollowFromShapes) {
   std::vector<check::Violation> out;
   check::compare_number("layer tracks, feature 1, length_m", 100, 100.00001, 0, {}, out);
   EXPECT_TRUE(out.empty());

@@ -14,7 +14,7 @@ using check::longest_below;
 
 const Polygon kTriangle{{{0, 0}, {100, 0}, {0, 40}}, {}};
 
-TEST(CrossSection, linear_share_at_an_oblique_edge) {
+TEST(CrossSection, LinearShareAtAnObliqueEdge) {
   // Width 4 about y = 2: all inside up to x = 90, none from x = 100.
   const Path line = straight_path({0, 2}, {120, 2});
   EXPECT_NEAR(longest_below(kTriangle, line, 2, 4).from_m, 90, 1e-9);
@@ -24,7 +24,7 @@ TEST(CrossSection, linear_share_at_an_oblique_edge) {
   EXPECT_NEAR(longest_below(kTriangle, line, 2, 1).to_m, 120, 1e-12);
 }
 
-TEST(CrossSection, jumps_where_an_edge_lies_across) {
+TEST(CrossSection, JumpsWhereAnEdgeLiesAcross) {
   const Polygon step{{{0, 0}, {10, 0}, {10, 2}, {20, 2}, {20, 4}, {0, 4}}, {}};
   const Path line = straight_path({0, 2}, {20, 2});
   const check::Stretch below = longest_below(step, line, 2, 3);
@@ -33,7 +33,7 @@ TEST(CrossSection, jumps_where_an_edge_lies_across) {
   EXPECT_NEAR(below.least_m, 2, 1e-9);
 }
 
-TEST(CrossSection, holes_count_as_outside) {
+TEST(CrossSection, HolesCountAsOutside) {
   const Polygon holed{testing_plans::rectangle(0, 0, 20, 4),
                       {reversed(testing_plans::rectangle(8, 1, 9, 3))}};
   const Path line = straight_path({0, 2}, {20, 2});
@@ -44,7 +44,7 @@ TEST(CrossSection, holes_count_as_outside) {
 }
 
 /// An arc of 85 km that ends along an edge of the land, half a width beside it: all but a sliver is inside.
-TEST(CrossSection, land_that_ends_along_the_left_of_an_arc) {
+TEST(CrossSection, LandThatEndsAlongTheLeftOfAnArc) {
   constexpr double kRadius_m = 85e3, kLength_m = 800, kHalf_m = 6;
   const double turn = kLength_m / kRadius_m;
   std::mt19937 random(1);
@@ -64,7 +64,7 @@ TEST(CrossSection, land_that_ends_along_the_left_of_an_arc) {
   }
 }
 
-TEST(CrossSection, clipped_areas_are_right_down_to_a_square_micrometre) {
+TEST(CrossSection, ClippedAreasAreRightDownToASquareMicrometre) {
   const Polygon far{{{5000, 5000}, {5000 + 1e-3, 5000}, {5000, 5000 + 1e-3}}, {}};
   const check::PieceFrame frame({5000, 4990}, {5000, 5000});
   EXPECT_NEAR(check::clipped(far, frame, {-1, 10, 1, 11}).area_m2, 0.5e-6, 1e-14);
@@ -72,7 +72,7 @@ TEST(CrossSection, clipped_areas_are_right_down_to_a_square_micrometre) {
 }
 
 /// A comb whose teeth reach into the rectangle: the clipped ring falls into parts.
-TEST(CrossSection, clipping_a_comb_adds_up) {
+TEST(CrossSection, ClippingACombAddsUp) {
   const Polygon comb{
       {{0, 10}, {0, 0}, {1, 0}, {1, 8}, {2, 8}, {2, 0}, {3, 0}, {3, 8}, {4, 8}, {4, 0}, {5, 0}, {5, 10}}, {}};
   const check::PieceFrame frame({-5, 2}, {15, 2});

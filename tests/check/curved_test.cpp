@@ -24,7 +24,7 @@ void replace_curve(TrackPiece& piece, const Path& curve) {
 }
 
 /// Both halves of the land are subfields, and every track is in both.
-TEST(CurvedPlans, tracks_go_through_parts_that_lie_side_by_side) {
+TEST(CurvedPlans, TracksGoThroughPartsThatLieSideBySide) {
   Plan plan = arcs_plan();
   const Polygon first{ring_sector(30, 45, 0, 45), {}}, second{ring_sector(30, 45, 45, 90), {}};
   const Direction direction = plan.subfields[0].direction;
@@ -38,7 +38,7 @@ TEST(CurvedPlans, tracks_go_through_parts_that_lie_side_by_side) {
 }
 
 /// The inner two tracks are a subfield along the inner edge, the outer three one along the line between.
-TEST(CurvedPlans, subfields_follow_lines_of_their_own) {
+TEST(CurvedPlans, SubfieldsFollowLinesOfTheirOwn) {
   Plan plan = arcs_plan();
   const Direction direction = plan.subfields[0].direction;
   const Path inner = plan.subfields[0].reference,
@@ -56,7 +56,7 @@ TEST(CurvedPlans, subfields_follow_lines_of_their_own) {
   EXPECT_TRUE(found(settled(plan)).contains("parallel"));
 }
 
-TEST(CurvedPlans, arcs_about_one_point_hold_under_every_end_rule) {
+TEST(CurvedPlans, ArcsAboutOnePointHoldUnderEveryEndRule) {
   Plan plan = arcs_plan();
   for (const EndRule rule : {EndRule::kCentre, EndRule::kCover, EndRule::kInside, EndRule::kCheapest})
     for (const EdgeKind boundary : {EdgeKind::kSoft, EdgeKind::kHard}) {
@@ -71,27 +71,27 @@ TEST(CurvedPlans, arcs_about_one_point_hold_under_every_end_rule) {
   EXPECT_EQ(plan.tally.stops, 0);
 }
 
-TEST(CurvedPlans, follow_a_reference_line) {
+TEST(CurvedPlans, FollowAReferenceLine) {
   Plan plan = arcs_plan();
   plan.subfields[0].reference.clear();
   EXPECT_TRUE(found(plan).contains("pieces"));
 }
 
-TEST(CurvedPlans, obstacle_across_a_curved_track) {
+TEST(CurvedPlans, ObstacleAcrossACurvedTrack) {
   const Plan plan = blocked_arc_plan();
   expect_holds(plan);
   EXPECT_EQ(plan.tally.stops, 2);
   EXPECT_EQ(plan.tally.pieces, 6);
 }
 
-TEST(CurvedPlans, turning_and_moving_changes_nothing) {
+TEST(CurvedPlans, TurningAndMovingChangesNothing) {
   for (const double degrees : {1.0, 33.3, 122.4})
     for (const Plan& plan : {arcs_plan(), blocked_arc_plan()})
       expect_holds(settled(turned(plan, Angle::degrees(degrees), {-712.3, 455.1})));
 }
 
 /// A ditch like a spoke: the work is interrupted, and the track goes on.
-TEST(CurvedPlans, crossings) {
+TEST(CurvedPlans, Crossings) {
   Plan plan = arcs_plan();
   const auto on = [](double radius_m, double degrees) {
     const double radians = degrees * std::numbers::pi / 180;
@@ -122,7 +122,7 @@ TEST(CurvedPlans, crossings) {
   EXPECT_EQ(found(other), (Names{"crossings", "parallel"}));
 }
 
-TEST(CurvedPlans, crossing_without_a_passable) {
+TEST(CurvedPlans, CrossingWithoutAPassable) {
   Plan plan = arcs_plan();
   plan.pieces[0] = arc_piece(0, 0, 40);
   plan.pieces.insert(plan.pieces.begin() + 1, arc_piece(0, 44, 90));
@@ -131,7 +131,7 @@ TEST(CurvedPlans, crossing_without_a_passable) {
 }
 
 /// Nearer to its neighbour by ten centimetres, with a tally that says so.
-TEST(CurvedPlans, piece_moved_onto_its_neighbour) {
+TEST(CurvedPlans, PieceMovedOntoItsNeighbour) {
   Plan plan = arcs_plan();
   plan.settings.end_rule = EndRule::kCentre;
   const auto with_radius = [&plan](double radius_m) {
@@ -161,7 +161,7 @@ TEST(CurvedPlans, piece_moved_onto_its_neighbour) {
 }
 
 /// Away from its only neighbour: no two pieces are too near to one another.
-TEST(CurvedPlans, outermost_piece_off_its_distance) {
+TEST(CurvedPlans, OutermostPieceOffItsDistance) {
   const auto with = [](const Path& curve) {
     Plan plan = arcs_plan();
     plan.settings.end_rule = EndRule::kCentre;
@@ -182,7 +182,7 @@ TEST(CurvedPlans, outermost_piece_off_its_distance) {
   EXPECT_TRUE(with(bent).contains("parallel"));
 }
 
-TEST(CurvedPlans, tracks_of_other_numbers) {
+TEST(CurvedPlans, TracksOfOtherNumbers) {
   Plan plan = arcs_plan();
   std::swap(plan.pieces[1].track, plan.pieces[3].track);
   EXPECT_EQ(found(plan), Names{"parallel"});
@@ -196,13 +196,13 @@ TEST(CurvedPlans, tracks_of_other_numbers) {
   EXPECT_EQ(found(plan), Names{});
 }
 
-TEST(CurvedPlans, moved_piece_with_the_old_tally) {
+TEST(CurvedPlans, MovedPieceWithTheOldTally) {
   Plan plan = arcs_plan();
   replace_curve(plan.pieces[4], {{{43.4, 0}, {0, 43.4}, 1 / 43.4}});
   EXPECT_EQ(found(plan), (Names{"parallel", "tally"}));
 }
 
-TEST(CurvedPlans, curve_that_cannot_be_driven) {
+TEST(CurvedPlans, CurveThatCannotBeDriven) {
   Plan plan = arcs_plan();
   plan.machine.radius_m = 31.5;
   EXPECT_EQ(found(settled(plan)), Names{});
@@ -218,7 +218,7 @@ TEST(CurvedPlans, curve_that_cannot_be_driven) {
   EXPECT_TRUE(found(settled(plan)).contains("drivable"));
 }
 
-TEST(CurvedPlans, end_beyond_the_body) {
+TEST(CurvedPlans, EndBeyondTheBody) {
   const auto with_end = [](EndRule rule, double to_deg) {
     Plan plan = arcs_plan();
     plan.settings.end_rule = rule;
@@ -234,7 +234,7 @@ TEST(CurvedPlans, end_beyond_the_body) {
 
 /// North of the line y = h, which crosses the spokes obliquely, is nothing: at the angle φ a spoke is inside
 /// up to h/sin φ.
-TEST(CurvedPlans, ends_at_an_oblique_edge) {
+TEST(CurvedPlans, EndsAtAnObliqueEdge) {
   const double h = 25;
   Plan plan = arcs_plan();
   plan.field.outer = difference({{plan.field.outer, {}}}, {{rectangle(-50, h, 50, 50), {}}})[0].outer;
@@ -259,7 +259,7 @@ TEST(CurvedPlans, ends_at_an_oblique_edge) {
   }
 }
 
-TEST(CurvedPlans, swath_in_an_obstacle_or_beyond_a_hard_boundary) {
+TEST(CurvedPlans, SwathInAnObstacleOrBeyondAHardBoundary) {
   const auto with_end = [](double to_deg) {
     Plan plan = blocked_arc_plan();
     plan.pieces[2] = arc_piece(2, 0, to_deg);
@@ -290,13 +290,13 @@ TEST(CurvedPlans, swath_in_an_obstacle_or_beyond_a_hard_boundary) {
   EXPECT_TRUE(found(settled(plan)).contains("swaths"));
 }
 
-TEST(CurvedPlans, clearance) {
+TEST(CurvedPlans, Clearance) {
   Plan plan = blocked_arc_plan();
   plan.settings.clearance_m = 0.5;
   EXPECT_EQ(found(plan), Names{"clearance"});
 }
 
-TEST(CurvedPlans, wrong_stops_and_encounters) {
+TEST(CurvedPlans, WrongStopsAndEncounters) {
   Plan plan = blocked_arc_plan();
   plan.pieces[2].stop_at_end = false;
   EXPECT_EQ(found(plan), Names{"stops"});
@@ -309,7 +309,7 @@ TEST(CurvedPlans, wrong_stops_and_encounters) {
 }
 
 /// Where something lies across a curved track there is an encounter that names it.
-TEST(CurvedPlans, encounters_left_out) {
+TEST(CurvedPlans, EncountersLeftOut) {
   Plan plan = blocked_arc_plan();
   plan.encounters.clear();
   EXPECT_EQ(found(plan), Names{"encounters"});
@@ -322,7 +322,7 @@ TEST(CurvedPlans, encounters_left_out) {
   EXPECT_EQ(found(plan), Names{"encounters"});
 }
 
-TEST(CurvedPlans, false_figures) {
+TEST(CurvedPlans, FalseFigures) {
   const auto with = [](auto change) {
     Plan plan = blocked_arc_plan();
     change(plan);
@@ -337,7 +337,7 @@ TEST(CurvedPlans, false_figures) {
 }
 
 /// Land worked twice has to be in the layer.
-TEST(CurvedPlans, overlap_that_is_not_shown) {
+TEST(CurvedPlans, OverlapThatIsNotShown) {
   Plan plan = arcs_plan();
   replace_curve(plan.pieces[2], {{{37.6, 0}, {0, 37.6}, 1 / 37.6}});
   plan = settled(plan);
@@ -347,13 +347,13 @@ TEST(CurvedPlans, overlap_that_is_not_shown) {
   EXPECT_EQ(found(plan), (Names{"parallel", "tally"}));
 }
 
-TEST(CurvedPlans, too_short_a_curve) {
+TEST(CurvedPlans, TooShortACurve) {
   Plan plan = arcs_plan();
   plan.pieces[2] = arc_piece(2, 0, 9);  // 5.89 m of 6 m
   EXPECT_EQ(found(settled(plan)), Names{"length"});
 }
 
-TEST(CurvedPlans, unsound_curves) {
+TEST(CurvedPlans, UnsoundCurves) {
   const auto with = [](auto change) {
     Plan plan = arcs_plan();
     change(plan.pieces[2]);
@@ -376,7 +376,7 @@ TEST(CurvedPlans, unsound_curves) {
 }
 
 /// Of a family along a line with a bend, tracks may have straight pieces, in another direction than others.
-TEST(CurvedPlans, straight_pieces_of_a_bent_family) {
+TEST(CurvedPlans, StraightPiecesOfABentFamily) {
   Plan plan = arcs_plan();
   plan.field.outer = {{30, -20}, {45, -20}};
   for (const Point p : chords(Path{{{45, 0}, {0, 45}, 1 / 45.0}}, kLayerSagitta))
@@ -405,7 +405,7 @@ TEST(CurvedPlans, straight_pieces_of_a_bent_family) {
 }
 
 /// An obstacle between two straight pieces of a track that is bent elsewhere.
-TEST(CurvedPlans, obstacle_across_the_straight_part_of_a_bent_track) {
+TEST(CurvedPlans, ObstacleAcrossTheStraightPartOfABentTrack) {
   Plan plan = arcs_plan();
   const auto piece = [](Point start, Point end) {
     TrackPiece out;
@@ -423,7 +423,7 @@ TEST(CurvedPlans, obstacle_across_the_straight_part_of_a_bent_track) {
 }
 
 /// Against many looks with nothing clever about them, on land with corners and a hole under the swath.
-TEST(CurvedPlans, cross_sections_of_arcs) {
+TEST(CurvedPlans, CrossSectionsOfArcs) {
   const Polygon land{{{-60, -3}, {60, 1}, {35, 20}, {41, 24}, {22, 31}, {25, 60}, {-60, 60}},
                      {{{10, 33}, {6, 36}, {9, 39}, {12, 36}}}};
   const double half = 2;
@@ -452,7 +452,7 @@ TEST(CurvedPlans, cross_sections_of_arcs) {
 }
 
 /// A hundred long tracks along a line with many bends.
-TEST(CurvedPlans, large_plans_are_judged) {
+TEST(CurvedPlans, LargePlansAreJudged) {
   Plan plan;
   plan.machine.width_m = 3;
   const int tracks = 100, waves = 6;

@@ -38,7 +38,7 @@ DetourCourse straight_course() {
           {{{0, 0}, {10, 3}, 0}, {{10, 3}, {30, 3}, 0}, {{30, 3}, {40, 0}, 0}}};
 }
 
-TEST(DetourCourse, tells_the_sides_of_a_straight_line) {
+TEST(DetourCourse, TellsTheSidesOfAStraightLine) {
   const DetourCourse course = straight_course();
   EXPECT_TRUE(course.goes_left());
   expect_sides(course.sides_of(pole({20, 0})), kNowhere, 0);  // on the line, and so on the detour's right
@@ -50,7 +50,7 @@ TEST(DetourCourse, tells_the_sides_of_a_straight_line) {
   expect_sides(course.sides_of({rectangle(-5, -5, 45, 45), {}}), 0, 0);  // all about it
 }
 
-TEST(DetourCourse, is_mirrored_in_the_line) {
+TEST(DetourCourse, IsMirroredInTheLine) {
   const DetourCourse course(straight_path({0, 0}, {40, 0}),
                             {{{0, 0}, {10, -3}, 0}, {{10, -3}, {30, -3}, 0}, {{30, -3}, {40, 0}, 0}});
   EXPECT_FALSE(course.goes_left());
@@ -68,7 +68,7 @@ DetourCourse round_course(double radius_m) {
            {{-radius_m, 0}, {-20, 0}, 0}}};
 }
 
-TEST(DetourCourse, tells_the_sides_of_a_curve) {
+TEST(DetourCourse, TellsTheSidesOfACurve) {
   const DetourCourse outside = round_course(23), inside = round_course(17);
   EXPECT_FALSE(outside.goes_left());
   EXPECT_TRUE(inside.goes_left());
@@ -83,7 +83,7 @@ TEST(DetourCourse, tells_the_sides_of_a_curve) {
   EXPECT_NEAR(outside.distance_to_line(pole({20, -1})), 0.75, 1e-9);
 }
 
-TEST(TrackLine, straight_ones_lead_both_ways) {
+TEST(TrackLine, StraightOnesLeadBothWays) {
   const check::TrackLine line(check::StraightLine({3, 4}, {0.6, 0.8}));
   EXPECT_FALSE(line.may_close());
   const Point from{6, 8}, to{9, 12};

@@ -29,7 +29,7 @@ Detour bulge_by(const TrackPiece& piece, double away_m, double radius_m) {
   return bulge(piece, 50, away_m, radius_m, Passing::kLeft, {0});
 }
 
-TEST(Detours, hold_with_the_figures_of_their_arcs) {
+TEST(Detours, HoldWithTheFiguresOfTheirArcs) {
   const Plan plan = poles_plan();
   expect_holds(plan);
   // Each bulge is four times an arc of θ with r·sin θ a quarter of its extent.
@@ -47,7 +47,7 @@ TEST(Detours, hold_with_the_figures_of_their_arcs) {
   EXPECT_GT(plan.tally.uncovered_m2, 10);
 }
 
-TEST(Detours, hold_wherever_they_lie) {
+TEST(Detours, HoldWhereverTheyLie) {
   for (const double degrees : {1.0, 33.3, 89.99, 122.4, 271.0})
     for (const double clearance_m : {0.0, 0.7}) {
       const Plan plan = poles_plan(clearance_m);
@@ -58,7 +58,7 @@ TEST(Detours, hold_wherever_they_lie) {
     }
 }
 
-TEST(Detours, hold_under_every_end_rule_and_within_a_hard_boundary) {
+TEST(Detours, HoldUnderEveryEndRuleAndWithinAHardBoundary) {
   Plan plan = poles_plan();
   plan.settings.boundary = EdgeKind::kHard;
   for (const EndRule rule : {EndRule::kCentre, EndRule::kCover, EndRule::kInside, EndRule::kCheapest}) {
@@ -67,7 +67,7 @@ TEST(Detours, hold_under_every_end_rule_and_within_a_hard_boundary) {
   }
 }
 
-TEST(Detours, hold_on_either_side_in_either_heading) {
+TEST(Detours, HoldOnEitherSideInEitherHeading) {
   for (const Passing side : {Passing::kLeft, Passing::kRight}) {
     Plan plan = poles_plan();
     const double away = away_from_pole(6, 1.5, 0);
@@ -79,7 +79,7 @@ TEST(Detours, hold_on_either_side_in_either_heading) {
   }
 }
 
-TEST(Detours, hold_where_a_swath_turns_about_its_own_edge) {
+TEST(Detours, HoldWhereASwathTurnsAboutItsOwnEdge) {
   Plan plan = poles_plan();
   plan.machine.radius_m = 0;
   // Arcs of 88° and 176° about a pole that a wider turn could not pass as closely.
@@ -89,7 +89,7 @@ TEST(Detours, hold_where_a_swath_turns_about_its_own_edge) {
   expect_holds(settled(turned(plan, Angle::degrees(47.3), {333.3, 10})));
 }
 
-TEST(Detours, hold_from_the_very_start_to_the_very_end_of_a_piece) {
+TEST(Detours, HoldFromTheVeryStartToTheVeryEndOfAPiece) {
   Plan plan = poles_plan();
   TrackPiece& piece = plan.pieces[4];
   const double half = 50 - piece.detours[0].path.front().from.x;
@@ -102,7 +102,7 @@ TEST(Detours, hold_from_the_very_start_to_the_very_end_of_a_piece) {
   EXPECT_NEAR(distance(plan.pieces[4].start, plan.pieces[4].end), 2 * half, 1e-9);
 }
 
-TEST(Detours, two_in_one_piece) {
+TEST(Detours, TwoInOnePiece) {
   const Plan plan = [] {
     Plan out = poles_plan();
     const Ring pole = rectangle(79.75, 13.25, 80.25, 13.75);
@@ -120,7 +120,7 @@ TEST(Detours, two_in_one_piece) {
   EXPECT_EQ(found(swapped), Names{"pieces"});
 }
 
-TEST(Detours, pushed_into_an_obstacle) {
+TEST(Detours, PushedIntoAnObstacle) {
   const double away = away_from_pole(6, 1.5, 0);
   EXPECT_EQ(found(changed([&](TrackPiece& p) { p.detours = {bulge_by(p, away - 0.05, 6)}; })),
             Names{"clearance"});
@@ -129,7 +129,7 @@ TEST(Detours, pushed_into_an_obstacle) {
   EXPECT_EQ(found(changed([&](TrackPiece& p) { p.detours = {bulge_by(p, away - 0.0005, 6)}; })), Names{});
 }
 
-TEST(Detours, nearer_than_the_clearance) {
+TEST(Detours, NearerThanTheClearance) {
   Plan plan = poles_plan(0.5);
   plan.settings.clearance_m = 0.5005;
   EXPECT_EQ(found(plan), Names{});
@@ -143,7 +143,7 @@ TEST(Detours, nearer_than_the_clearance) {
 }
 
 /// Straight swaths that end before an obstacle keep the clearance there too.
-TEST(Detours, ends_nearer_than_the_clearance) {
+TEST(Detours, EndsNearerThanTheClearance) {
   Plan plan = obstacle_plan();
   plan.settings.clearance_m = 0.2;
   for (TrackPiece& piece : plan.pieces)
@@ -163,7 +163,7 @@ TEST(Detours, ends_nearer_than_the_clearance) {
   EXPECT_EQ(found(settled(plan)), Names{"clearance"});
 }
 
-TEST(Detours, over_a_passable_and_over_land_given_up) {
+TEST(Detours, OverAPassableAndOverLandGivenUp) {
   Plan plan = poles_plan();
   plan.given_up = {{rectangle(49.9, 14, 50.1, 14.3), {}}};
   EXPECT_EQ(found(settled(plan)), (Names{"clearance", "subfields"}));
@@ -178,7 +178,7 @@ TEST(Detours, over_a_passable_and_over_land_given_up) {
 }
 
 /// Smaller than any grid of samples, thinner than any area that counts: found all the same.
-TEST(Detours, over_tiny_and_needle_thin_obstacles) {
+TEST(Detours, OverTinyAndNeedleThinObstacles) {
   const auto with = [](const Ring& obstacle) {
     Plan plan = poles_plan();
     plan.field.obstacles.push_back({{obstacle, {}}, ObstacleKind::kObstacle, "peg"});
@@ -201,7 +201,7 @@ Path kinked(Path path, double by_deg) {
   return path;
 }
 
-TEST(Detours, with_kinks) {
+TEST(Detours, WithKinks) {
   const auto with = [](double by_deg) {
     return check::verify(
         changed([&](TrackPiece& p) { p.detours[0].path = kinked(p.detours[0].path, by_deg); }));
@@ -217,7 +217,7 @@ TEST(Detours, with_kinks) {
 }
 
 /// Leaving or rejoining the line at an angle, with no joint of arcs at fault.
-TEST(Detours, that_leave_the_line_at_an_angle) {
+TEST(Detours, ThatLeaveTheLineAtAnAngle) {
   EXPECT_EQ(found(changed([](TrackPiece& p) { p.detours[0].path.front().curvature = 0; })),
             Names{"drivable"});
   Plan plan = poles_plan();
@@ -228,7 +228,7 @@ TEST(Detours, that_leave_the_line_at_an_angle) {
   EXPECT_EQ(found(settled(plan)), Names{"drivable"});
 }
 
-TEST(Detours, too_tight) {
+TEST(Detours, TooTight) {
   const auto with = [](double radius_m) {
     return found(changed(
         [&](TrackPiece& p) { p.detours = {bulge_by(p, away_from_pole(radius_m, 1.5, 0), radius_m)}; }));
@@ -244,13 +244,13 @@ TEST(Detours, too_tight) {
   EXPECT_TRUE(found(settled(plan)).contains("drivable"));
 }
 
-TEST(Detours, a_track_outside_the_field) {
+TEST(Detours, ATrackOutsideTheField) {
   Plan plan = poles_plan();
   plan.pieces[9].start.y = plan.pieces[9].end.y = 31.6;
   EXPECT_EQ(found(settled(plan)), Names{"ends"});
 }
 
-TEST(Detours, that_leave_the_field) {
+TEST(Detours, ThatLeaveTheField) {
   Plan plan = poles_plan();
   // Round nothing, over the northern edge.
   plan.encounters.push_back(encounter_on(plan.pieces[9], {50, 28.5}, {}, Passing::kRight));
@@ -265,7 +265,7 @@ TEST(Detours, that_leave_the_field) {
 }
 
 /// A notch of the field thinner than a chord of the detour is long.
-TEST(Detours, that_cross_a_notch) {
+TEST(Detours, ThatCrossANotch) {
   Plan plan = poles_plan();
   plan.field.outer = {{0, 0}, {100, 0}, {100, 30}, {50.01, 30}, {50.005, 29}, {50, 30}, {0, 30}};
   plan.body[0].outer = plan.field.outer;
@@ -275,7 +275,7 @@ TEST(Detours, that_cross_a_notch) {
   EXPECT_EQ(found(settled(plan)), Names{"swaths"});
 }
 
-TEST(Detours, false_figures) {
+TEST(Detours, FalseFigures) {
   const auto with = [](auto change) {
     Plan plan = poles_plan();
     change(plan);
@@ -290,7 +290,7 @@ TEST(Detours, false_figures) {
   EXPECT_EQ(with([](Plan& p) { p.pieces[4].detours.clear(); }), (Names{"swaths", "encounters", "tally"}));
 }
 
-TEST(Detours, that_tell_another_story) {
+TEST(Detours, ThatTellAnotherStory) {
   const auto with = [](auto change) {
     Plan plan = poles_plan();
     change(plan.pieces[4].detours[0], plan.encounters[0]);
@@ -316,7 +316,7 @@ TEST(Detours, that_tell_another_story) {
 }
 
 /// The other arm lies on the side of passing, 10 m from the line and out of the way.
-TEST(Detours, into_a_bay_between_the_arms_of_an_obstacle) {
+TEST(Detours, IntoABayBetweenTheArmsOfAnObstacle) {
   const Plan plan = bay_plan();
   expect_holds(plan);
   expect_holds(settled(turned(plan, Angle::degrees(213.4), {-71, 1200})));
@@ -332,7 +332,7 @@ TEST(Detours, into_a_bay_between_the_arms_of_an_obstacle) {
 }
 
 /// Out of the way and on the side of passing only.
-TEST(Detours, that_name_an_obstacle_they_turn_towards) {
+TEST(Detours, ThatNameAnObstacleTheyTurnTowards) {
   Plan plan = poles_plan();
   const Ring pole = rectangle(49.75, 22.25, 50.25, 22.75);
   plan.field.obstacles[1].shape.outer = pole;
@@ -346,7 +346,7 @@ TEST(Detours, that_name_an_obstacle_they_turn_towards) {
 }
 
 /// Cuts said to be where there are none.
-TEST(Detours, cuts_that_are_none) {
+TEST(Detours, CutsThatAreNone) {
   const auto with = [](auto change) {
     Plan plan = poles_plan();
     plan.encounters.push_back(encounter_on(plan.pieces[2], {150, 7.5}, {}, Passing::kCut));
@@ -362,14 +362,14 @@ TEST(Detours, cuts_that_are_none) {
 }
 
 /// A piece that bears the number of a track that is cut elsewhere.
-TEST(Detours, cuts_beside_a_piece_of_their_number) {
+TEST(Detours, CutsBesideAPieceOfTheirNumber) {
   Plan plan = obstacle_plan();
   plan.pieces[0].track = 3;
   EXPECT_EQ(found(plan), Names{"encounters"});
 }
 
 /// A plan has to own up to every place where an obstacle changes what is driven.
-TEST(Detours, whose_encounters_are_deleted) {
+TEST(Detours, WhoseEncountersAreDeleted) {
   const auto without = [](std::size_t index) {
     Plan plan = poles_plan();
     plan.encounters.erase(plan.encounters.begin() + static_cast<long>(index));
@@ -386,7 +386,7 @@ TEST(Detours, whose_encounters_are_deleted) {
 }
 
 /// One detour past two poles that lie in its way: both are named where they are met.
-TEST(Detours, whose_encounters_leave_out_an_obstacle) {
+TEST(Detours, WhoseEncountersLeaveOutAnObstacle) {
   Plan plan = poles_plan();
   const Ring second = rectangle(50.75, 13.25, 51, 13.75);
   plan.field.obstacles.push_back({{second, {}}, ObstacleKind::kObstacle, "second pole"});
@@ -405,7 +405,7 @@ TEST(Detours, whose_encounters_leave_out_an_obstacle) {
 }
 
 /// What each way would cost, and why one is not possible, are what the decision rests on.
-TEST(Detours, decided_against_their_own_figures) {
+TEST(Detours, DecidedAgainstTheirOwnFigures) {
   const auto with = [](auto change) {
     Plan plan = poles_plan();
     change(plan.encounters[0]);
@@ -426,7 +426,7 @@ TEST(Detours, decided_against_their_own_figures) {
   EXPECT_EQ(with([](Encounter& e) { e.left.cost = kNaN; }), Names{"encounters"});
 }
 
-TEST(Detours, forgone_against_their_own_figures) {
+TEST(Detours, ForgoneAgainstTheirOwnFigures) {
   Plan plan = obstacle_plan();
   plan.encounters[0].left = {true, 0.001, ""};
   EXPECT_EQ(found(plan), Names{});
@@ -434,7 +434,7 @@ TEST(Detours, forgone_against_their_own_figures) {
   EXPECT_EQ(found(plan), Names{"encounters"});
 }
 
-TEST(Detours, in_a_plan_that_cuts_all_tracks) {
+TEST(Detours, InAPlanThatCutsAllTracks) {
   Plan plan = poles_plan();
   plan.settings.avoid = Avoidance::kCut;
   EXPECT_EQ(found(plan), Names{"encounters"});
@@ -448,7 +448,7 @@ TEST(Detours, in_a_plan_that_cuts_all_tracks) {
 }
 
 /// Tracks 4 and 5 of the obstacle, 2 m wide across them, and the poles, 0.5 m wide.
-TEST(Detours, against_the_rule_of_the_paper) {
+TEST(Detours, AgainstTheRuleOfThePaper) {
   const auto with = [](Plan plan, auto change) {
     plan.settings.avoid = Avoidance::kPaper;
     for (Encounter& encounter : plan.encounters)
@@ -483,7 +483,7 @@ TEST(Detours, against_the_rule_of_the_paper) {
             Names{});
 }
 
-TEST(Detours, unsound) {
+TEST(Detours, Unsound) {
   const auto with = [](auto change) {
     Plan plan = poles_plan();
     change(plan.pieces[4].detours[0]);
@@ -523,7 +523,7 @@ TEST(Detours, unsound) {
 }
 
 /// 40 tracks, 120 poles and as many detours.
-TEST(Detours, by_the_hundred_are_judged) {
+TEST(Detours, ByTheHundredAreJudged) {
   Plan plan;
   plan.field.outer = rectangle(0, 0, 180, 120);
   plan.machine.width_m = 3;

@@ -38,7 +38,7 @@ std::size_t vertex_near(const std::vector<Point>& line, double x) {
   return best;
 }
 
-TEST(DrawnLines, agree_with_their_paths) {
+TEST(DrawnLines, AgreeWithTheirPaths) {
   for (const Plan& plan : {poles_plan(), turned(poles_plan(), Angle::degrees(217), {1e4, -1e4}),
                            obstacle_plan(), crossing_plan()})
     EXPECT_TRUE(check::compare_lines(plan, drawn(plan)).empty());
@@ -52,7 +52,7 @@ TEST(DrawnLines, agree_with_their_paths) {
   EXPECT_TRUE(check::compare_lines(plan, lines).empty());
 }
 
-TEST(DrawnLines, off_by_more_than_chords_are) {
+TEST(DrawnLines, OffByMoreThanChordsAre) {
   EXPECT_EQ(after([](auto& line) { line[line.size() / 2].y += 1e-5; }), Names{});
   EXPECT_EQ(after([](auto& line) { line[line.size() / 2].y += 1e-4; }), Names{"layers"});
   EXPECT_EQ(after([](auto& line) { line.front().x -= 1e-4; }), Names{"layers"});
@@ -68,7 +68,7 @@ TEST(DrawnLines, off_by_more_than_chords_are) {
   EXPECT_EQ(check::compare_lines(plan, lines).size(), 1u);
 }
 
-TEST(DrawnLines, pushed_into_an_obstacle) {
+TEST(DrawnLines, PushedIntoAnObstacle) {
   EXPECT_EQ(after([](auto& line) {
               for (Point& p : line)
                 if (std::abs(p.x - 50) < 20) p.y -= 0.05 * (0.5 + 0.5 * std::cos((p.x - 50) / 20 * 3.14159));
@@ -78,7 +78,7 @@ TEST(DrawnLines, pushed_into_an_obstacle) {
   EXPECT_EQ(after([](auto& line) { line = {line.front(), line.back()}; }), (Names{"layers", "clearance"}));
 }
 
-TEST(DrawnLines, with_kinks_and_arcs_too_tight) {
+TEST(DrawnLines, WithKinksAndArcsTooTight) {
   // Five centimetres outwards at one vertex.
   EXPECT_EQ(after([](auto& line) { line[vertex_near(line, 50)].y += 0.05; }), (Names{"layers", "drivable"}));
   // Somebody else's bulge: every single chord turns by little, all together by too much.
@@ -96,7 +96,7 @@ TEST(DrawnLines, with_kinks_and_arcs_too_tight) {
             Names{"layers"});
 }
 
-TEST(DrawnLines, leaving_the_field) {
+TEST(DrawnLines, LeavingTheField) {
   const Plan plan = poles_plan();
   Lines lines = drawn(plan);
   TrackPiece other = plan.pieces[9];
@@ -107,7 +107,7 @@ TEST(DrawnLines, leaving_the_field) {
   EXPECT_EQ(names, (Names{"layers", "swaths"}));
 }
 
-TEST(DrawnLines, swaths_with_arcs_may_have_other_chords) {
+TEST(DrawnLines, SwathsWithArcsMayHaveOtherChords) {
   const Plan plan = poles_plan();
   std::vector<int> order;
   for (std::size_t i = 0; i < plan.pieces.size(); ++i) order.push_back(static_cast<int>(i) + 1);
@@ -122,7 +122,7 @@ TEST(DrawnLines, swaths_with_arcs_may_have_other_chords) {
   EXPECT_EQ(check::compare_swaths(plan, order, stored, order).size(), 1u);
 }
 
-TEST(DrawnLines, words_follow_from_paths) {
+TEST(DrawnLines, WordsFollowFromPaths) {
   std::vector<check::Violation> out;
   check::compare_text("layer tracks, feature 1, sides", "left", "left", {}, out);
   EXPECT_TRUE(out.empty());

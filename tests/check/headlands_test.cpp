@@ -30,7 +30,7 @@ Path shifted(const Path& path, Point by) {
 
 /// The outermost pass leaves the field's corners, the next one those between the two; the last one's inner
 /// edge takes something of the body's corners.
-TEST(Headlands, passes_with_rounded_corners) {
+TEST(Headlands, PassesWithRoundedCorners) {
   const Plan one = headland_plan(1), two = headland_plan(2);
   expect_holds(one);
   expect_holds(two);
@@ -44,7 +44,7 @@ TEST(Headlands, passes_with_rounded_corners) {
 
 /// What passes and tracks leave of body and headland counts once, and so do the figures of both together:
 /// none of the passes' corners lies in the body, whose corners they work a second time.
-TEST(Headlands, figures_are_those_of_tracks_and_passes) {
+TEST(Headlands, FiguresAreThoseOfTracksAndPasses) {
   const Plan plan = headland_plan(1);
   EXPECT_NEAR(plan.tally.uncovered_m2, 4 * kCornerShare * 4.5 * 4.5, 1e-3);
   EXPECT_NEAR(plan.tally.overlap_m2, 4 * kCornerShare * 1.5 * 1.5, 1e-3);
@@ -52,7 +52,7 @@ TEST(Headlands, figures_are_those_of_tracks_and_passes) {
 }
 
 /// The figures of the tracks alone are not those of the plan.
-TEST(Headlands, figures_that_leave_the_headland_out) {
+TEST(Headlands, FiguresThatLeaveTheHeadlandOut) {
   Plan plan = headland_plan(1);
   plan.tally.uncovered_m2 = plan.track_tally.uncovered_m2;
   plan.tally.overlap_m2 = plan.track_tally.overlap_m2;
@@ -60,14 +60,14 @@ TEST(Headlands, figures_that_leave_the_headland_out) {
   EXPECT_TRUE(found(plan).contains("tally"));
 }
 
-TEST(Headlands, layers_that_leave_the_headland_out) {
+TEST(Headlands, LayersThatLeaveTheHeadlandOut) {
   Plan plan = headland_plan(1);
   plan.uncovered.clear();
   EXPECT_TRUE(found(plan).contains("tally"));
 }
 
 /// Files of earlier versions speak of tracks alone; they are held to that.
-TEST(Headlands, figures_of_tracks_in_older_files) {
+TEST(Headlands, FiguresOfTracksInOlderFiles) {
   Plan plan = headland_plan(1);
   plan.figures = PlanFigures::kTracks;
   plan.tally = plan.track_tally;
@@ -77,7 +77,7 @@ TEST(Headlands, figures_of_tracks_in_older_files) {
   expect_holds(plan);
 }
 
-TEST(Headlands, work_is_interrupted_on_passables) {
+TEST(Headlands, WorkIsInterruptedOnPassables) {
   Plan plan = headland_and_ditch_plan();
   expect_holds(plan);
   EXPECT_NEAR(plan.headland.worked_m2, headland_plan(2).headland.worked_m2 - 4 * 3 * 3, 1e-6);
@@ -88,7 +88,7 @@ TEST(Headlands, work_is_interrupted_on_passables) {
 }
 
 /// The pass swings wide: round the corners it leaves more of the ground, at its outer edge it works the body.
-TEST(Headlands, round_an_obstacle) {
+TEST(Headlands, RoundAnObstacle) {
   const Plan plan = island_plan();
   expect_holds(plan);
   EXPECT_EQ(plan.tally.stops, 0);
@@ -98,7 +98,7 @@ TEST(Headlands, round_an_obstacle) {
   EXPECT_NEAR(plan.track_tally.overlap_m2, 4 * (std::numbers::pi / 4) * 9, 1e-2);
 }
 
-TEST(Headlands, turning_and_moving_changes_nothing) {
+TEST(Headlands, TurningAndMovingChangesNothing) {
   for (const double degrees : {1.0, 33.3, 122.4})
     for (const Plan& plan : {headland_plan(2), island_plan(), headland_and_ditch_plan()}) {
       const Plan other = turned(plan, Angle::degrees(degrees), {-712.3, 455.1});
@@ -106,7 +106,7 @@ TEST(Headlands, turning_and_moving_changes_nothing) {
     }
 }
 
-TEST(Headlands, pass_out_of_the_field_or_into_an_obstacle) {
+TEST(Headlands, PassOutOfTheFieldOrIntoAnObstacle) {
   Plan plan = headland_plan(2);
   plan.headland.passes[0].path = shifted(plan.headland.passes[0].path, {0, -0.05});
   EXPECT_EQ(found(settled(plan)), Names{"swaths"});
@@ -120,7 +120,7 @@ TEST(Headlands, pass_out_of_the_field_or_into_an_obstacle) {
   EXPECT_EQ(found(settled(plan)), Names{"swaths"});
 }
 
-TEST(Headlands, pass_nearer_to_its_boundary_than_its_number_says) {
+TEST(Headlands, PassNearerToItsBoundaryThanItsNumberSays) {
   Plan plan = headland_plan(2);
   plan.headland.passes[1].path = shifted(plan.headland.passes[1].path, {0, -0.05});
   EXPECT_EQ(found(settled(plan)), Names{"headland"});
@@ -134,7 +134,7 @@ TEST(Headlands, pass_nearer_to_its_boundary_than_its_number_says) {
   EXPECT_EQ(found(settled(plan)), Names{"headland"});
 }
 
-TEST(Headlands, second_pass_round_an_obstacle_nearer_than_it_may) {
+TEST(Headlands, SecondPassRoundAnObstacleNearerThanItMay) {
   Plan plan = island_plan();
   plan.settings.obstacle_headlands = 2;
   plan.headland.obstacle_passes = {2};
@@ -147,7 +147,7 @@ TEST(Headlands, second_pass_round_an_obstacle_nearer_than_it_may) {
   EXPECT_FALSE(names.contains("headland"));
 }
 
-TEST(Headlands, pass_that_cannot_be_driven) {
+TEST(Headlands, PassThatCannotBeDriven) {
   const auto with = [](const Path& path) {
     Plan plan = headland_plan(1);
     plan.headland.passes[0].path = path;
@@ -177,7 +177,7 @@ Path with_detour(const Path& detour) {
 constexpr double kLeft = 1 / kCorner_m, kRight = -kLeft;
 
 // Up at x = 33, a loop to the left, over its own track at (33, 23), and down.
-TEST(Headlands, pass_that_crosses_itself) {
+TEST(Headlands, PassThatCrossesItself) {
   Plan plan = headland_plan(1);
   plan.headland.passes[0].path = with_detour({{{30, 1.5}, {33, 4.5}, kLeft},
                                               {{33, 4.5}, {33, 26}, 0},
@@ -197,7 +197,7 @@ TEST(Headlands, pass_that_crosses_itself) {
 }
 
 // Up at x = 33 with a bulge to the right, down at x = 45 with one to the left: they touch at (39, 16).
-TEST(Headlands, pass_that_touches_itself) {
+TEST(Headlands, PassThatTouchesItself) {
   Plan plan = headland_plan(1);
   plan.headland.passes[0].path = with_detour({{{30, 1.5}, {33, 4.5}, kLeft},
                                               {{33, 4.5}, {33, 10}, 0},
@@ -246,7 +246,7 @@ constexpr double kWideLeft = 1 / 4.5, kWideRight = -kWideLeft;
 const Path kFreeSides{
     {{0, 10.5}, {9, 10.5}, 0}, {{9, 10.5}, {13.5, 6}, kWideRight}, {{13.5, 6}, {13.5, 0}, 0}};
 
-TEST(Headlands, open_pass_along_the_free_side_of_an_obstacle) {
+TEST(Headlands, OpenPassAlongTheFreeSideOfAnObstacle) {
   const Names about_passes{"headland", "swaths", "drivable", "shapes"};
   const auto faults = [&](const Path& path) {
     Names out;
@@ -272,7 +272,7 @@ TEST(Headlands, open_pass_along_the_free_side_of_an_obstacle) {
 }
 
 /// The same and on along the edges all round the field, where nobody asked for a pass.
-TEST(Headlands, ring_round_the_field_for_an_obstacle_at_its_edge) {
+TEST(Headlands, RingRoundTheFieldForAnObstacleAtItsEdge) {
   const Path ring{{{6, 10.5}, {9, 10.5}, 0},           {{9, 10.5}, {13.5, 6}, kWideRight},
                   {{13.5, 6}, {18, 1.5}, kWideLeft},   {{18, 1.5}, {94, 1.5}, 0},
                   {{94, 1.5}, {98.5, 6}, kWideLeft},   {{98.5, 6}, {98.5, 54}, 0},
@@ -296,7 +296,7 @@ TEST(Headlands, ring_round_the_field_for_an_obstacle_at_its_edge) {
   EXPECT_FALSE(asked_for(settled(twice)));
 }
 
-TEST(Headlands, passes_that_are_none) {
+TEST(Headlands, PassesThatAreNone) {
   const auto with = [](auto change) {
     Plan plan = headland_plan(2);
     change(plan);
@@ -318,7 +318,7 @@ TEST(Headlands, passes_that_are_none) {
   EXPECT_EQ(with([](Plan& p) { p.settings.headlands = -1; }), Names{"headland"});
 }
 
-TEST(Headlands, passes_of_obstacles_that_are_none) {
+TEST(Headlands, PassesOfObstaclesThatAreNone) {
   Plan plan = island_plan();
   plan.headland.passes[0].path = reversed(plan.headland.passes[0].path);
   EXPECT_EQ(found(plan), Names{"headland"});
@@ -331,7 +331,7 @@ TEST(Headlands, passes_of_obstacles_that_are_none) {
   EXPECT_EQ(found(plan), Names{"headland"});
 }
 
-TEST(Headlands, false_figures) {
+TEST(Headlands, FalseFigures) {
   for (const Plan& honest : {headland_plan(2), island_plan(), headland_and_ditch_plan()}) {
     ASSERT_EQ(found(honest), Names{});
     const auto with = [&](auto change) {
@@ -355,7 +355,7 @@ TEST(Headlands, false_figures) {
   EXPECT_EQ(found(plan), Names{"tally"});
 }
 
-TEST(Headlands, body_or_headland_in_the_wrong_place) {
+TEST(Headlands, BodyOrHeadlandInTheWrongPlace) {
   const auto with_body = [](const Ring& body, const Ring& ground_from) {
     Plan plan = headland_plan(2);
     plan.body = {{body, {}}};
@@ -386,7 +386,7 @@ TEST(Headlands, body_or_headland_in_the_wrong_place) {
 
 /// One pass of the three asked for is driven: the ground of the two others is 6 m wide, and tracks have room
 /// in it.
-TEST(Headlands, ground_left_to_tracks) {
+TEST(Headlands, GroundLeftToTracks) {
   const auto with_body = [](const Ring& body) {
     Plan plan = headland_plan(3);
     plan.headland.passes.resize(1);
@@ -404,14 +404,14 @@ TEST(Headlands, ground_left_to_tracks) {
   EXPECT_NE(with_body(rectangle(2.5, 3, 97, 57)), "") << "the pass works that";
 }
 
-TEST(Headlands, headland_where_none_was_asked_for) {
+TEST(Headlands, HeadlandWhereNoneWasAskedFor) {
   Plan plan = rectangle_plan();
   plan.headland.ground = {{rectangle(0, 0, 100, 3), {}}};
   EXPECT_EQ(found(settled(plan)), Names{"body"});
 }
 
 /// Behind the headland there is nothing to drive on, whatever is said of the boundary.
-TEST(Headlands, no_track_leaves_the_field) {
+TEST(Headlands, NoTrackLeavesTheField) {
   Plan plan = headland_plan(1);
   plan.settings.boundary = EdgeKind::kSoft;
   plan.pieces[4].end.x = 99.9;
@@ -421,7 +421,7 @@ TEST(Headlands, no_track_leaves_the_field) {
 }
 
 /// Where a headland goes round the obstacle, its ground may be run into; the obstacle may not.
-TEST(Headlands, tracks_before_an_obstacle_with_a_headland) {
+TEST(Headlands, TracksBeforeAnObstacleWithAHeadland) {
   const auto with_end_at = [](double x) {
     Plan plan = island_plan();
     for (TrackPiece& piece : plan.pieces)
@@ -439,8 +439,8 @@ TEST(Headlands, tracks_before_an_obstacle_with_a_headland) {
 }
 
 /// Of random places each is near if it is nearer than the distance: about corners of all kinds, across narrow
-/// necks, and where edges are far shorter than the distance.
-TEST(Headlands, near_land_is_what_is_near) {
+/// narrow passages, and where edges are far shorter than the distance.
+TEST(Headlands, NearLandIsWhatIsNear) {
   Ring ring{{0, 0}, {60, 0}, {60, 50}, {34, 50}, {33, 12}, {31, 11}, {29, 12}, {28, 50}, {8, 50}};
   for (int i = 1; i < 40; ++i)  // a round bay in the west side
     ring.push_back({8 - 8.0 * i / 40 + 6 * std::sin(std::numbers::pi * i / 40), 50 - 50.0 * i / 40});

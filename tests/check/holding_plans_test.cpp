@@ -14,7 +14,7 @@ namespace {
 
 using namespace testing_plans;
 
-TEST(HoldingPlans, rectangle_is_covered_exactly_under_every_end_rule) {
+TEST(HoldingPlans, RectangleIsCoveredExactlyUnderEveryEndRule) {
   Plan plan = rectangle_plan();
   for (const EndRule rule : {EndRule::kCentre, EndRule::kCover, EndRule::kInside, EndRule::kCheapest})
     for (const EdgeKind boundary : {EdgeKind::kSoft, EdgeKind::kHard}) {
@@ -30,14 +30,14 @@ TEST(HoldingPlans, rectangle_is_covered_exactly_under_every_end_rule) {
 }
 
 /// Each oblique end overlaps ½·w²·cot φ·(1−f)² and misses ½·w²·cot φ·f².
-TEST(HoldingPlans, triangle_with_centre_ends) {
+TEST(HoldingPlans, TriangleWithCentreEnds) {
   const Plan plan = triangle_plan(EndRule::kCentre, 0.5);
   expect_holds(plan);
   EXPECT_NEAR(plan.tally.overlap_m2, 10 * 5.0, 1e-4);
   EXPECT_NEAR(plan.tally.uncovered_m2, 10 * 5.0, 1e-4);
 }
 
-TEST(HoldingPlans, triangle_with_cheapest_ends) {
+TEST(HoldingPlans, TriangleWithCheapestEnds) {
   const double f = cheapest_share(Objective{});
   const Plan plan = triangle_plan(EndRule::kCheapest, f);
   expect_holds(plan);
@@ -45,7 +45,7 @@ TEST(HoldingPlans, triangle_with_cheapest_ends) {
   EXPECT_NEAR(plan.tally.uncovered_m2, 10 * 20 * f * f, 1e-4);
 }
 
-TEST(HoldingPlans, triangle_with_covering_and_inner_ends) {
+TEST(HoldingPlans, TriangleWithCoveringAndInnerEnds) {
   const Plan cover = triangle_plan(EndRule::kCover, 0);
   expect_holds(cover);
   EXPECT_NEAR(cover.tally.overlap_m2, 200, 1e-4);
@@ -57,7 +57,7 @@ TEST(HoldingPlans, triangle_with_covering_and_inner_ends) {
   EXPECT_NEAR(inside.tally.uncovered_m2, 200, 1e-4);
 }
 
-TEST(HoldingPlans, obstacle_cuts_two_swaths) {
+TEST(HoldingPlans, ObstacleCutsTwoSwaths) {
   const Plan plan = obstacle_plan();
   expect_holds(plan);
   EXPECT_EQ(plan.tally.pieces, 12);
@@ -67,14 +67,14 @@ TEST(HoldingPlans, obstacle_cuts_two_swaths) {
   EXPECT_NEAR(plan.tally.overlap_m2, 0, 1e-4);
 }
 
-TEST(HoldingPlans, subfields_may_work_each_others_border) {
+TEST(HoldingPlans, SubfieldsMayWorkEachOthersBorder) {
   const Plan plan = two_subfields_plan();
   expect_holds(plan);
   EXPECT_NEAR(plan.tally.overlap_m2, 2 * 10 * 3.0, 1e-4);
   EXPECT_NEAR(plan.tally.uncovered_m2, 0, 1e-4);
 }
 
-TEST(HoldingPlans, crossings_are_neither_turns_nor_stops) {
+TEST(HoldingPlans, CrossingsAreNeitherTurnsNorStops) {
   const Plan plan = crossing_plan();
   expect_holds(plan);
   EXPECT_EQ(plan.tally.pieces, 20);
@@ -83,20 +83,20 @@ TEST(HoldingPlans, crossings_are_neither_turns_nor_stops) {
   EXPECT_EQ(plan.tally.stops, 0);
 }
 
-TEST(HoldingPlans, short_pieces_beside_a_crossing_are_exempt) {
+TEST(HoldingPlans, ShortPiecesBesideACrossingAreExempt) {
   Plan plan = crossing_plan();
   plan.machine.min_length_m = 50;
   expect_holds(plan);
 }
 
-TEST(HoldingPlans, land_given_up_counts_as_uncovered_and_stops_the_machine) {
+TEST(HoldingPlans, LandGivenUpCountsAsUncoveredAndStopsTheMachine) {
   const Plan plan = given_up_plan();
   expect_holds(plan);
   EXPECT_EQ(plan.tally.stops, 4);
   EXPECT_NEAR(plan.tally.uncovered_m2, 2 * 60, 1e-4);
 }
 
-TEST(HoldingPlans, a_plan_without_pieces_misses_everything) {
+TEST(HoldingPlans, APlanWithoutPiecesMissesEverything) {
   Plan plan = rectangle_plan();
   plan.pieces.clear();
   plan = settled(plan);
@@ -112,7 +112,7 @@ Ring moved(const Ring& ring, const TrackFrame& frame, Point by) {
 }
 
 /// The same plan turned by some odd angle and moved away holds as well: nothing depends on the axes.
-TEST(HoldingPlans, turning_and_moving_changes_nothing) {
+TEST(HoldingPlans, TurningAndMovingChangesNothing) {
   for (const double degrees : {1.0, 33.3, 89.99, 122.4}) {
     Plan plan = triangle_plan(EndRule::kCheapest, cheapest_share(Objective{}));
     const TrackFrame frame(Direction::clockwise_from_north(Angle::degrees(degrees)));
@@ -134,7 +134,7 @@ TEST(HoldingPlans, turning_and_moving_changes_nothing) {
 }
 
 /// A round field of 1,300 vertices with 600 swaths and 20 round obstacles.
-TEST(HoldingPlans, large_plans_are_judged) {
+TEST(HoldingPlans, LargePlansAreJudged) {
   Plan plan;
   const auto circle = [](Point centre, double radius, int n) {
     Ring out;

@@ -41,7 +41,7 @@ PieceFrame random_piece(std::mt19937& random) {
   return {start, {coordinate(random), coordinate(random)}};
 }
 
-TEST(OtherRoads, clipped_areas_are_those_of_geos) {
+TEST(OtherRoads, ClippedAreasAreThoseOfGeos) {
   std::mt19937 random(1);
   for (int i = 0; i < 300; ++i) {
     const Polygon land = random_land(random);
@@ -56,7 +56,7 @@ TEST(OtherRoads, clipped_areas_are_those_of_geos) {
 
 /// Cross-sections measured one by one with GEOS: short of the demand everywhere on the stretch found,
 /// and nowhere short over a longer run.
-TEST(OtherRoads, stretches_short_of_a_demand_are_those_of_sampling) {
+TEST(OtherRoads, StretchesShortOfADemandAreThoseOfSampling) {
   std::mt19937 random(2);
   constexpr double kHalf = 3, kRequired = 2.5, kStep = 0.05;
   for (int i = 0; i < 40; ++i) {

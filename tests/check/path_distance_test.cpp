@@ -14,7 +14,7 @@
 namespace tramline {
 namespace {
 
-TEST(PathDistance, of_random_segments) {
+TEST(PathDistance, OfRandomSegments) {
   std::mt19937_64 random(7);
   const auto between = [&random](double from, double to) {
     return std::uniform_real_distribution<double>(from, to)(random);
@@ -43,7 +43,7 @@ TEST(PathDistance, of_random_segments) {
   EXPECT_GT(apart, 50);
 }
 
-TEST(PathDistance, of_arcs_about_one_centre) {
+TEST(PathDistance, OfArcsAboutOneCentre) {
   const PathSegment a{{10, 0}, {0, 10}, 0.1}, b{{0, 13}, {13, 0}, -1 / 13.0}, c{{0, -13}, {13, 0}, 1 / 13.0};
   EXPECT_NEAR(check::distance_between(a, b), 3, 1e-12);
   EXPECT_NEAR(check::distance_between(a, c), 3, 1e-12);
@@ -51,7 +51,7 @@ TEST(PathDistance, of_arcs_about_one_centre) {
 
 /// Bands of neighbours share the vertices between them, and are as large as width times length but for
 /// chords.
-TEST(Bands, side_by_side_share_their_edges) {
+TEST(Bands, SideBySideShareTheirEdges) {
   for (const double sense : {1.0, -1.0}) {
     const auto arc = [sense](double radius_m) {
       const Path path{{{radius_m, 1e-9}, {0, radius_m}, 1 / radius_m}};
@@ -74,7 +74,7 @@ TEST(Bands, side_by_side_share_their_edges) {
 }
 
 /// East, then north: what the first gains outside the kink it loses inside.
-TEST(Bands, meet_on_the_bisectors_of_kinks) {
+TEST(Bands, MeetOnTheBisectorsOfKinks) {
   const Region bands = check::bands_along({{{0, 0}, {10, 0}, 0}, {{10, 0}, {10, 10}, 0}}, 2);
   ASSERT_EQ(bands.size(), 2u);
   EXPECT_EQ(bands[0].outer, (Ring{{0, -1}, {11, -1}, {9, 1}, {0, 1}}));
@@ -89,7 +89,7 @@ TEST(Bands, meet_on_the_bisectors_of_kinks) {
 }
 
 /// As plans are made of.
-TEST(Bands, at_kinks_are_those_of_plans) {
+TEST(Bands, AtKinksAreThoseOfPlans) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> turn(-2.6, 2.6), step_m(0.5, 12);
   int flat = 0;
@@ -116,7 +116,7 @@ TEST(Bands, at_kinks_are_those_of_plans) {
   EXPECT_GT(flat, 400 + 100);
 }
 
-TEST(Bands, shortened_paths) {
+TEST(Bands, ShortenedPaths) {
   const Path path{{{0, 0}, {10, 0}, 0}, {{10, 0}, {20, 10}, 0.1}};
   const Path inner = check::shortened(path, 2);
   EXPECT_NEAR(length(inner), length(path) - 4, 1e-9);
@@ -127,7 +127,7 @@ TEST(Bands, shortened_paths) {
 
 // The first segment is 10 m but for rounding: nothing of it is left, or else the rest would have no
 // direction.
-TEST(Bands, no_segment_without_a_direction_is_left) {
+TEST(Bands, NoSegmentWithoutADirectionIsLeft) {
   const Path path{{{0, 0}, {10 + 1e-13, 0}, 0}, {{10 + 1e-13, 0}, {20, 10}, 0.1}};
   const Path rest = check::begun_later(path, 10);
   ASSERT_EQ(rest.size(), 1U);

@@ -39,7 +39,7 @@ Names judged_from_file(const Plan& plan, const std::string& edit = "") {
   return rules(verdict);
 }
 
-TEST(PlanFiles, plans_that_hold_hold_from_a_file_in_either_frame) {
+TEST(PlanFiles, PlansThatHoldHoldFromAFileInEitherFrame) {
   const LocalFrame geodetic{true, 13.3, 52.1, 0, 0}, plain{false, 0, 0, 500123.4, 5800456.7};
   for (Plan plan :
        {rectangle_plan(), triangle_plan(EndRule::kCheapest, cheapest_share(Objective{})),
@@ -51,14 +51,14 @@ TEST(PlanFiles, plans_that_hold_hold_from_a_file_in_either_frame) {
     }
 }
 
-TEST(PlanFiles, a_faulty_plan_stays_faulty) {
+TEST(PlanFiles, AFaultyPlanStaysFaulty) {
   Plan plan = rectangle_plan();
   plan.pieces.erase(plan.pieces.begin() + 4);
   EXPECT_EQ(judged_from_file(plan), Names{"tally"});
 }
 
 /// Each text and number that repeats what a path says, and each that the path is read from.
-TEST(PlanFiles, edited_detours_are_found) {
+TEST(PlanFiles, EditedDetoursAreFound) {
   const auto after = [](const std::string& edit) { return judged_from_file(poles_plan(), edit); };
   const auto set = [&after](const std::string& assignment) {
     return after("UPDATE tracks SET " + assignment + " WHERE fid = 5");

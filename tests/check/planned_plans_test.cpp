@@ -32,7 +32,7 @@ PlanSettings random_settings(std::mt19937_64& random) {
   return out;
 }
 
-TEST(PlannedPlans, hold_on_random_fields) {
+TEST(PlannedPlans, HoldOnRandomFields) {
   int planned = 0;
   const int cases = case_count(60);
   for (int i = 0; i < cases; ++i) {
@@ -65,7 +65,7 @@ std::vector<int> random_headland_edges(std::mt19937_64& random, std::size_t edge
   return out;
 }
 
-TEST(PlannedPlans, hold_with_headlands_along_some_edges) {
+TEST(PlannedPlans, HoldWithHeadlandsAlongSomeEdges) {
   int planned = 0;
   const int cases = case_count(40);
   for (int i = 0; i < cases; ++i) {
@@ -109,7 +109,7 @@ std::set<std::string> broken_rules(const Plan& plan) {
   return out;
 }
 
-TEST(PlannedPlans, leave_nothing_where_tracks_turn_at_two_sides) {
+TEST(PlannedPlans, LeaveNothingWhereTracksTurnAtTwoSides) {
   const Plan plan = plan_with_turning_sides();
   EXPECT_EQ(broken_rules(plan), std::set<std::string>{});
   EXPECT_EQ(plan.headland.passes.size(), 4U);
@@ -123,7 +123,7 @@ TEST(PlannedPlans, leave_nothing_where_tracks_turn_at_two_sides) {
     }
 }
 
-TEST(PlannedPlans, headlands_along_edges_that_are_not_what_they_should_be) {
+TEST(PlannedPlans, HeadlandsAlongEdgesThatAreNotWhatTheyShouldBe) {
   const Plan sound = plan_with_turning_sides();
   const auto broken = [&sound](const auto& change) {
     Plan plan = sound;
@@ -162,7 +162,7 @@ TEST(PlannedPlans, headlands_along_edges_that_are_not_what_they_should_be) {
 }
 
 /// Numbers that no field has.
-TEST(PlannedPlans, refuse_headlands_along_edges_that_are_not_there) {
+TEST(PlannedPlans, RefuseHeadlandsAlongEdgesThatAreNotThere) {
   Field field;
   field.id = "sides";
   field.outer = {{0, 0}, {300, 0}, {300, 200}, {0, 200}};
@@ -174,7 +174,7 @@ TEST(PlannedPlans, refuse_headlands_along_edges_that_are_not_there) {
 }
 
 /// As many along every edge are as many round the field.
-TEST(PlannedPlans, equal_headlands_along_all_edges_are_those_round_the_field) {
+TEST(PlannedPlans, EqualHeadlandsAlongAllEdgesAreThoseRoundTheField) {
   Field field;
   field.id = "sides";
   field.outer = {{0, 0}, {300, 0}, {300, 200}, {0, 200}};
@@ -207,7 +207,7 @@ Field block_with_bent_arm() {
 
 /// The block in straight tracks, the arm round its bend: 21 tracks, and next to nothing lost but at the
 /// border.
-TEST(PlannedPlans, of_straight_and_curved_subfields_hold) {
+TEST(PlannedPlans, OfStraightAndCurvedSubfieldsHold) {
   const Field field = block_with_bent_arm();
   Machine machine;
   machine.width_m = 6;
@@ -250,13 +250,13 @@ std::optional<bool> holds(const Machine& machine, const PlanSettings& settings) 
 }
 
 // A length is refused before planning, or the plan made with it holds: never planned and then refused.
-TEST(PlannedPlans, hold_up_to_the_largest_radius) {
+TEST(PlannedPlans, HoldUpToTheLargestRadius) {
   EXPECT_EQ(holds({"", 3, kFarthest_m, -1}, {}), true);
   EXPECT_EQ(holds({"", 3, std::nextafter(kFarthest_m, 1e8), -1}, {}), std::nullopt);
   EXPECT_EQ(holds({"", 3, 1e308, -1}, {}), std::nullopt);
 }
 
-TEST(PlannedPlans, hold_or_are_refused_whatever_the_lengths) {
+TEST(PlannedPlans, HoldOrAreRefusedWhateverTheLengths) {
   for (const double length_m : {1e3, 1e6, kFarthest_m, 1e8, 1e154, 1e308}) {
     SCOPED_TRACE(length_m);
     PlanSettings threshold, clearance;
@@ -330,7 +330,7 @@ TEST(PlannedPlans, CutWhereADetourHasNoRoom) {
 
 // A headland goes round the pole in the west alone: tracks end there. One goes round the pole in the east all
 // the same, and past both: it is met with both.
-TEST(PlannedPlans, hold_where_a_detour_leads_past_an_obstacle_with_a_headland) {
+TEST(PlannedPlans, HoldWhereADetourLeadsPastAnObstacleWithAHeadland) {
   Field field;
   field.id = "two poles";
   field.outer = {{0, 0}, {200, 0}, {200, 90}, {0, 90}};
@@ -352,7 +352,7 @@ TEST(PlannedPlans, hold_where_a_detour_leads_past_an_obstacle_with_a_headland) {
 
 // Zhou's own tracks have kinks, which is all that is found where nothing is worked again. They hold, for the
 // figures are true: cells of swaths counted one by one against outlines of whole ones.
-TEST(PlannedPlans, with_kinks_hold_and_are_found_undrivable) {
+TEST(PlannedPlans, WithKinksHoldAndAreFoundUndrivable) {
   Field field;
   field.id = "bends";
   field.outer = {{0, 0}, {90, 10}, {170, -25}, {260, 5}, {250, 120}, {160, 90}, {70, 130}, {-10, 110}};
@@ -374,7 +374,7 @@ TEST(PlannedPlans, with_kinks_hold_and_are_found_undrivable) {
 
 // Plain headlands and tracks from the envelope hold in every figure, with obstacles that are near one another
 // and near the edge.
-TEST(PlannedPlans, with_plain_headlands_hold) {
+TEST(PlannedPlans, WithPlainHeadlandsHold) {
   Field field;
   field.id = "notched";
   field.outer = {{0, 0}, {100, 0}, {100, 60}, {60, 60}, {60, 25}, {40, 60}, {0, 60}};

@@ -24,7 +24,7 @@ double gap(const SwathClearance& swath, const Ring& land, double reach_m = 10) {
   return swath.to_land({land, {}}, reach_m).gap_m;
 }
 
-TEST(SwathClearance, straight) {
+TEST(SwathClearance, Straight) {
   const SwathClearance swath(kEast, straight_path({20, 0}, {40, 0}), 1.5);
   EXPECT_NEAR(gap(swath, rectangle(25, 2, 30, 3)), 0.5, 1e-12);
   EXPECT_NEAR(gap(swath, rectangle(25, 1, 30, 3)), -0.5, 1e-12);
@@ -41,7 +41,7 @@ TEST(SwathClearance, straight) {
 }
 
 /// Random poles beside a bulge: the band's own distance by GEOS, less what its chords take.
-TEST(SwathClearance, gaps_are_the_distances_of_the_band) {
+TEST(SwathClearance, GapsAreTheDistancesOfTheBand) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> x(35, 65), y(-4, 8), size(0.01, 1), turn(0, 6.3);
   const TrackPiece piece{{0, 0}, {100, 0}, 0, 0};
@@ -68,7 +68,7 @@ TEST(SwathClearance, gaps_are_the_distances_of_the_band) {
   EXPECT_GT(within, 50);
 }
 
-TEST(SwathClearance, places_outside_a_ring) {
+TEST(SwathClearance, PlacesOutsideARing) {
   const Ring field = rectangle(0, -2, 100, 2);
   EXPECT_FALSE(SwathClearance(kEast, straight_path({0, 0}, {100, 0}), 1).point_outside(field));
   EXPECT_FALSE(SwathClearance(kEast, straight_path({0, 2}, {100, 2}), 1).point_outside(field));

@@ -33,7 +33,7 @@ std::optional<Path> between(const check::TrackLines& lines, int track, Point fro
 /// North, a quarter turn to the right of 10 m, east: x = 0 up to the origin, y = 10 from x = 10.
 Path elbow() { return {{{0, -60}, {0, 0}, 0}, {{0, 0}, {10, 10}, -0.1}, {{10, 10}, {70, 10}, 0}}; }
 
-TEST(TrackLines, follow_bends_that_have_room_for_the_machine) {
+TEST(TrackLines, FollowBendsThatHaveRoomForTheMachine) {
   const check::TrackLines lines = along(elbow(), 3, 6);
   // 1.5 m to the right the bend has 8.5 m left, 1.5 m to the left 11.5 m.
   const auto inner = between(lines, 0, {1.5, -20}, {0, 1}, {20, 8.5});
@@ -50,7 +50,7 @@ TEST(TrackLines, follow_bends_that_have_room_for_the_machine) {
 
 /// 4.5 m to the right 5.5 m are left, which is too tight: a disc of 6 m that touches both sides has its
 /// centre 10.5 m from both lines.
-TEST(TrackLines, roll_round_corners) {
+TEST(TrackLines, RollRoundCorners) {
   const check::TrackLines lines = along(elbow(), 3, 6);
   const auto path = between(lines, 1, {4.5, -20}, {0, 1}, {20, 5.5});
   ASSERT_TRUE(path);
@@ -89,7 +89,7 @@ TEST(TrackLines, roll_round_corners) {
 }
 
 /// Places off the line, of another track, or beyond the ends of the reference.
-TEST(TrackLines, do_not_lead_where_they_do_not_run) {
+TEST(TrackLines, DoNotLeadWhereTheyDoNotRun) {
   const check::TrackLines lines = along(elbow(), 3, 6);
   EXPECT_FALSE(between(lines, 1, {4.502, -20}, {0, 1}, {20, 5.5}));
   EXPECT_TRUE(between(lines, 1, {4.5005, -20}, {0, 1}, {20, 5.5}));
@@ -105,7 +105,7 @@ TEST(TrackLines, do_not_lead_where_they_do_not_run) {
 }
 
 /// A turn of 135° is not driven round: both sides are lines of their own.
-TEST(TrackLines, end_in_sharp_corners) {
+TEST(TrackLines, EndInSharpCorners) {
   const double half = std::numbers::sqrt2 / 2;
   const Point turned{10 + 10 * half, 10 * half};  // the arc's end, heading south-east; the centre is (10, 0)
   const Path reference{
@@ -120,7 +120,7 @@ TEST(TrackLines, end_in_sharp_corners) {
 }
 
 /// Round a circle of 40 m, anticlockwise: the tracks on its left are closed.
-TEST(TrackLines, come_back_to_where_they_began) {
+TEST(TrackLines, ComeBackToWhereTheyBegan) {
   const Path circle{{{40, 0}, {-40, 0}, 1 / 40.0}, {{-40, 0}, {40, 0}, 1 / 40.0}};
   const check::TrackLines lines = along(circle, 4, 6);
   EXPECT_TRUE(lines.line(-2).may_close());
@@ -144,7 +144,7 @@ Path wandering(std::mt19937& random, double radius_m) {
 }
 
 /// The parallels that plans are made of lead where these lines do, and are as long.
-TEST(TrackLines, agree_with_parallels) {
+TEST(TrackLines, AgreeWithParallels) {
   int compared = 0, with_corners = 0;
   for (unsigned seed = 0; seed < 40; ++seed) {
     std::mt19937 random(seed);

@@ -56,7 +56,7 @@ Region ground_of(const std::vector<WorkedPart>& parts) {
 /// Of 1.5 ha and some 3 km of swaths: chords of neighbours (kLayerSagitta) and the grid of overlays.
 constexpr double kTolerance_m2 = 0.15;
 
-TEST(WorkedLand, covers_what_the_union_of_the_swaths_does) {
+TEST(WorkedLand, CoversWhatTheUnionOfTheSwathsDoes) {
   for (Plan plan : plans()) {
     // As they are, and with a piece driven once more somewhere else, across all others.
     for (const bool crossed : {false, true}) {
@@ -78,7 +78,7 @@ TEST(WorkedLand, covers_what_the_union_of_the_swaths_does) {
 }
 
 // A path that comes back to itself works ground twice; one that only bends does not.
-TEST(WorkedLand, knows_swaths_that_meet_themselves) {
+TEST(WorkedLand, KnowsSwathsThatMeetThemselves) {
   Plan plan;
   plan.machine.width_m = 4;
   plan.body = {{{{-50, -50}, {50, -50}, {50, 50}, {-50, 50}}, {}}};

@@ -182,10 +182,11 @@ TEST(LiveCoverage, WhoFollowsTheChangesHasAllGround) {
         ++compared;
         if (!last || live.drive() == nullptr) continue;
         const Engine& engine = live.drive()->engine();
-        expect_same_ground(reader.ground(&TileWork::covered), engine.region(Ground::kCovered), 1e-3);
+        expect_same_ground(reader.ground(&TileWork::covered), engine.region(LandClass::kCovered), 1e-3);
         expect_same_ground(
             reader.ground(&TileWork::repeated),
-            engine.region(settings.repeat == RepeatRule::kStrict ? Ground::kAgain : Ground::kRepeated), 1e-3);
+            engine.region(settings.repeat == RepeatRule::kStrict ? LandClass::kAgain : LandClass::kRepeated),
+            1e-3);
         EXPECT_TRUE(changes_since(reader.seen, live, settings.repeat).tiles.empty());
       }
     }

@@ -40,7 +40,7 @@ Field rectangle_of(double width_m, double height_m) {
   return drawn_field({{0, 0}, {width_m, 0}, {width_m, height_m}, {0, height_m}});
 }
 
-TEST(EdgeHeadland, passes_along_two_ends_of_a_rectangle_leave_nothing) {
+TEST(EdgeHeadland, PassesAlongTwoEndsOfARectangleLeaveNothing) {
   const HeadlandAndBody found = sound_headland(rectangle_of(100, 60), edge_terms({0, 2, 0, 2}));
   ASSERT_EQ(found.passes.size(), 4U);
   for (const HeadlandPass& pass : found.passes) {
@@ -58,13 +58,13 @@ TEST(EdgeHeadland, passes_along_two_ends_of_a_rectangle_leave_nothing) {
 }
 
 /// Passes driven northwards on the east side: the edges on their right.
-TEST(EdgeHeadland, passes_run_with_their_edges_on_their_right) {
+TEST(EdgeHeadland, PassesRunWithTheirEdgesOnTheirRight) {
   const HeadlandAndBody found = sound_headland(rectangle_of(100, 60), edge_terms({0, 1, 0, 0}));
   ASSERT_EQ(found.passes.size(), 1U);
   EXPECT_GT(found.passes.front().path.back().to.y, found.passes.front().path.front().from.y);
 }
 
-TEST(EdgeHeadland, equal_numbers_are_those_all_round) {
+TEST(EdgeHeadland, EqualNumbersAreThoseAllRound) {
   const Field field = rectangle_of(100, 60);
   const HeadlandTerms all_round{kPassWidth_m, kTurn_m, 2, {}};
   const HeadlandAndBody found = headland_of(field, edge_terms({2, 2, 2, 2})),
@@ -77,7 +77,7 @@ TEST(EdgeHeadland, equal_numbers_are_those_all_round) {
 
 /// One pass all round, and a second one along the east only, between the first one's ends: its swath begins
 /// where the first one's ends, 6 m from south and north.
-TEST(EdgeHeadland, a_further_pass_stops_at_the_one_driven_before) {
+TEST(EdgeHeadland, AFurtherPassStopsAtTheOneDrivenBefore) {
   const HeadlandAndBody found = sound_headland(rectangle_of(100, 60), edge_terms({1, 2, 1, 1}));
   ASSERT_EQ(found.passes.size(), 2U);
   EXPECT_TRUE(is_closed(found.passes[0]));
@@ -89,7 +89,7 @@ TEST(EdgeHeadland, a_further_pass_stops_at_the_one_driven_before) {
 
 /// Round a corner as all passes go: an arc of the turning radius, and nothing but its corners left or
 /// doubled.
-TEST(EdgeHeadland, a_chain_of_two_edges_is_driven_round_its_corner) {
+TEST(EdgeHeadland, AChainOfTwoEdgesIsDrivenRoundItsCorner) {
   const HeadlandAndBody found = sound_headland(rectangle_of(100, 60), edge_terms({0, 1, 1, 0}));
   ASSERT_EQ(found.passes.size(), 1U);
   EXPECT_NEAR(length(found.passes.front().path), 57 + 97 - (2 - std::numbers::pi / 2) * kTurn_m, 1e-4);
@@ -100,7 +100,7 @@ TEST(EdgeHeadland, a_chain_of_two_edges_is_driven_round_its_corner) {
 
 /// A slanted west side, 45°: behind its chain's end at the south the first pass ends at the corner, the
 /// second one runs on until its outer side meets the slanted side, 6 m farther.
-TEST(EdgeHeadland, goes_straight_on_to_a_slanted_boundary) {
+TEST(EdgeHeadland, GoesStraightOnToASlantedBoundary) {
   const Field field = drawn_field({{0, 0}, {100, 0}, {100, 60}, {-60, 60}});
   const HeadlandAndBody found = sound_headland(field, edge_terms({2, 0, 0, 0}));
   ASSERT_EQ(found.passes.size(), 2U);
@@ -111,7 +111,7 @@ TEST(EdgeHeadland, goes_straight_on_to_a_slanted_boundary) {
 }
 
 /// Under the wing of an L: beyond the chain's end the field widens, and tracks go on there.
-TEST(EdgeHeadland, ends_flat_where_the_field_widens) {
+TEST(EdgeHeadland, EndsFlatWhereTheFieldWidens) {
   const Field field = drawn_field({{0, 0}, {100, 0}, {100, -80}, {200, -80}, {200, 60}, {0, 60}});
   const HeadlandAndBody found = sound_headland(field, edge_terms({3, 0, 0, 0, 0, 0}));
   ASSERT_EQ(found.passes.size(), 3U);
@@ -121,7 +121,7 @@ TEST(EdgeHeadland, ends_flat_where_the_field_widens) {
 }
 
 /// A corner that stands out into the land: an arc about it.
-TEST(EdgeHeadland, a_chain_round_a_corner_that_stands_out) {
+TEST(EdgeHeadland, AChainRoundACornerThatStandsOut) {
   const Field field = drawn_field({{0, 0}, {100, 0}, {100, -80}, {200, -80}, {200, 60}, {0, 60}});
   HeadlandTerms terms = edge_terms({1, 1, 0, 0, 0, 0});
   terms.radius_m = 3;  // that of the arc about the corner
@@ -133,7 +133,7 @@ TEST(EdgeHeadland, a_chain_round_a_corner_that_stands_out) {
 
 /// Three passes along the east, two along the north, which meet at a right angle: the third one runs on to
 /// the second one of the other side.
-TEST(EdgeHeadland, numbers_that_change_at_a_corner) {
+TEST(EdgeHeadland, NumbersThatChangeAtACorner) {
   const HeadlandAndBody found = sound_headland(rectangle_of(100, 60), edge_terms({0, 3, 2, 0}));
   ASSERT_EQ(found.passes.size(), 3U);
   EXPECT_EQ(found.passes[2].number, 3);
@@ -141,7 +141,7 @@ TEST(EdgeHeadland, numbers_that_change_at_a_corner) {
 }
 
 /// An edge digitised with many vertices is one side.
-TEST(EdgeHeadland, many_vertices_on_one_side) {
+TEST(EdgeHeadland, ManyVerticesOnOneSide) {
   Ring outer{{0, 0}, {100, 0}};
   std::vector<int> passes{0};
   for (int i = 1; i <= 60; ++i) {
@@ -158,7 +158,7 @@ TEST(EdgeHeadland, many_vertices_on_one_side) {
 }
 
 /// An arm 9 m wide between two facing edges: each of them has its pass, and no second one fits.
-TEST(EdgeHeadland, facing_edges_in_a_narrow_arm) {
+TEST(EdgeHeadland, FacingEdgesInANarrowArm) {
   const HeadlandAndBody found = sound_headland(rectangle_of(100, 9), edge_terms({2, 0, 2, 0}));
   ASSERT_EQ(found.passes.size(), 2U);
   EXPECT_NEAR(found.overlap_m2, 3 * 100, 1);
@@ -167,7 +167,7 @@ TEST(EdgeHeadland, facing_edges_in_a_narrow_arm) {
 }
 
 /// An obstacle without headland on the first pass's way: the pass goes round it.
-TEST(EdgeHeadland, an_obstacle_near_the_edge_is_passed) {
+TEST(EdgeHeadland, AnObstacleNearTheEdgeIsPassed) {
   Field field = rectangle_of(200, 200);
   field.obstacles.push_back(
       {{{{196, 90}, {198, 90}, {198, 92}, {196, 92}}, {}}, ObstacleKind::kObstacle, ""});
@@ -178,14 +178,14 @@ TEST(EdgeHeadland, an_obstacle_near_the_edge_is_passed) {
   EXPECT_GT(longest_m, 199);
 }
 
-TEST(EdgeHeadland, all_but_one_short_edge) {
+TEST(EdgeHeadland, AllButOneShortEdge) {
   const Field field = drawn_field({{0, 0}, {45, 0}, {55, 0}, {100, 0}, {100, 100}, {0, 100}});
   const HeadlandAndBody found = sound_headland(field, edge_terms({2, 0, 2, 2, 2, 2}));
   ASSERT_EQ(found.passes.size(), 2U);
   EXPECT_NEAR(area(found.ground), 100 * 100 - 76 * 76 - 10 * 12, 1e-3);
 }
 
-TEST(EdgeHeadland, one_edge_of_a_triangle) {
+TEST(EdgeHeadland, OneEdgeOfATriangle) {
   const Field field = drawn_field({{0, 0}, {120, 0}, {60, 100}});
   const HeadlandAndBody found = sound_headland(field, edge_terms({3, 0, 0}));
   ASSERT_EQ(found.passes.size(), 3U);
@@ -194,7 +194,7 @@ TEST(EdgeHeadland, one_edge_of_a_triangle) {
     EXPECT_NEAR(length(pass.path), 120 - 2 * 0.6 * 6 * pass.number, 1e-3);
 }
 
-TEST(EdgeHeadland, strips_do_not_reach_over_the_boundary_into_another_arm) {
+TEST(EdgeHeadland, StripsDoNotReachOverTheBoundaryIntoAnotherArm) {
   // Two arms, 5 m apart; the chain is the western arm's eastern side.
   const Field field =
       drawn_field({{0, 0}, {60, 0}, {60, 80}, {40, 80}, {40, 20}, {35, 20}, {35, 80}, {0, 80}});

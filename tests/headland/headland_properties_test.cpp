@@ -197,7 +197,7 @@ TEST(HeadlandProperties, HoldWhereThereAreNecks) {
     EXPECT_LE(all, apart + 1e-3) << "TRAMLINE_SEED=" << seed;
     through += all < apart - 1 ? 1 : 0;
   }
-  EXPECT_GT(10 * through, case_count(150)) << "the fields have too few necks";
+  EXPECT_GT(10 * through, case_count(150)) << "the fields have too few narrow passages";
 }
 
 }  // namespace

@@ -393,9 +393,10 @@ TEST(Headland, WorksAnArmTooNarrowToTurnIn) {
   }
 }
 
-// Both sides of a neck are driven, by the ring round the field; in one of 6.5 m the second one works 0.5 m.
+// Both sides of a narrow passage are driven, by the ring round the field; in one of 6.5 m the second one
+// works 0.5 m.
 TEST(Headland, DrivesThroughNecksAtLeastOnce) {
-  const auto neck = [](double width) {
+  const auto with_passage = [](double width) {
     const double low = 60 - 0.5 * width, high = 60 + 0.5 * width;
     return field_of({{0, 0},
                      {120, 0},
@@ -412,11 +413,11 @@ TEST(Headland, DrivesThroughNecksAtLeastOnce) {
   };
   for (const double width : {8.0, 9.0, 10.0})
     for (const int passes : {1, 2}) {
-      const HeadlandAndBody headland = made(neck(width), {6, 6, passes, {}});
+      const HeadlandAndBody headland = made(with_passage(width), {6, 6, passes, {}});
       const Region left = intersection(unworked_ground(headland, 6), {{box(125, 0, 195, 120), {}}});
       EXPECT_LT(area(left), 1) << width;
     }
-  const HeadlandAndBody narrow = made(neck(6.5), {6, 6, 1, {}});
+  const HeadlandAndBody narrow = made(with_passage(6.5), {6, 6, 1, {}});
   const Region left = intersection(unworked_ground(narrow, 6), {{box(125, 0, 195, 120), {}}});
   EXPECT_NEAR(area(left), 70 * 0.5, 1);
 }

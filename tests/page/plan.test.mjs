@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
 import { flow, realFile } from './support/flow.mjs';
-import { drawn, figure, goTo, makePlan, newPlan, openField, panel, visible } from './support/page.mjs';
+import { clickMap, drawn, figure, goTo, makePlan, newPlan, openField, panel, visible } from './support/page.mjs';
 import { example, tramline } from './support/server.mjs';
 
 const check = (file, field) => execFileSync(tramline, ['check', file, ...(field ? ['--field', field] : [])], { encoding: 'utf8' });
@@ -122,6 +122,44 @@ flow('tracks along an edge of the field, picked from the list', {}, async ({ pag
   const direction = Number(/tracks towards ([\d.]+)°/.exec(await panel(page).innerText())[1]);
   const off = Math.abs(((direction - towards + 270) % 180) - 90);
   assert.ok(off < 0.3, `tracks towards ${direction}°, the edge ${towards}°`);
+});
+
+/** The rows of a table by their first cell: count, length and time of a kind of legs. */
+const rowsOf = (page, name) =>
+  page.getByRole('table', { name }).locator('tbody tr').evaluateAll((rows) => Object.fromEntries(rows.map((row) => [row.cells[0].innerText.trim(), [...row.cells].slice(1).map((cell) => cell.innerText)])));
+
+/** "1,234 m" → 1234, "12.3 km" → 12300. */
+const inMetres = (text) => Number(text.replace(/[^\d.]/g, '')) * (text.includes('km') ? 1000 : 1);
+
+flow('the whole route: legs by kind on the map, their sums, a gate', {}, async ({ page }) => {
+  await openField(page, example('terrace.kml'));
+  await goTo(page, 'Plan');
+  await page.getByLabel('Headland passes').fill('2');
+  await page.getByRole('switch', { name: /^Plan every metre/ }).check({ force: true });
+  await makePlan(page);
+  const rows = await rowsOf(page, 'The route');
+  assert.ok(['Along tracks', 'Along headland passes', 'All'].every((row) => row in rows), Object.keys(rows).join());
+  const parts = Object.entries(rows).filter(([name]) => name !== 'All').map(([, cells]) => cells);
+  assert.equal(parts.reduce((sum, [legs]) => sum + Number(legs.replace(',', '')), 0), Number(rows.All[0].replace(',', '')), 'legs of all kinds are all legs');
+  const whole = inMetres(rows.All[1]);
+  assert.ok(Math.abs(parts.reduce((sum, [, metres]) => sum + inMetres(metres), 0) - whole) < 0.02 * whole, JSON.stringify(rows));
+  assert.ok((await drawn(page, 'plan:route-forward')) > 0, 'ways between tracks are on the map');
+  assert.equal(await drawn(page, 'plan:route-ends'), 2);
+  const kinds = await page.evaluate(() => [...new Set(window.tramlineMap.queryRenderedFeatures({ layers: ['plan:route-forward'] }).map((leg) => leg.properties.kind))]);
+  assert.ok(kinds.every((kind) => ['turn', 'transit', 'back_out'].includes(kind)), kinds.join());
+  const row = page.locator('.legend .switch', { hasText: /^Route/ });
+  await row.getByRole('switch').uncheck({ force: true });
+  assert.equal(await visible(page, 'plan:route-ends'), false);
+  await row.getByRole('switch').check({ force: true });
+
+  const gate = await page.evaluate(() => window.tramlineMap.getCenter().toArray());
+  const hash = new URL(page.url()).hash;
+  await page.getByRole('button', { name: 'Set the start on the map' }).click();
+  await clickMap(page, gate);
+  await page.getByRole('button', { name: 'Take this place' }).click();
+  await newPlan(page, hash);
+  const start = await page.evaluate(() => window.tramlineMap.querySourceFeatures('plan:route_ends').find((end) => end.properties.end === 'start').geometry.coordinates);
+  assert.ok(Math.hypot((start[0] - gate[0]) * Math.cos((gate[1] * Math.PI) / 180), start[1] - gate[1]) * 111_000 < 2, `${start}, not ${gate}`);
 });
 
 const real = realFile('fields', 'fields.geojson');

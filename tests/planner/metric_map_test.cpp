@@ -399,7 +399,7 @@ TEST(MetricMap, LandGivenUpInAHeadlandIsNoObstacle) {
 }
 
 /// Round so small a part of the ground no curve is wide enough for the machine.
-TEST(MetricMap, a_line_all_round_that_smoothing_leaves_nothing_of_is_refused) {
+TEST(MetricMap, ALineAllRoundThatSmoothingLeavesNothingOfIsRefused) {
   const Machine machine{"", 12, 6, 0};
   PlanSettings settings;
   settings.shape = TrackShape::kCurved;

@@ -112,11 +112,11 @@ TEST(BestSearchProperties, BruteForceFindsNothingBetterThanTheGapAllows) {
   });
 }
 
-TEST(BestSearchProperties, IsNeverDearerThanTheSweep) {
+TEST(BestSearchProperties, IsNeverCostlierThanTheSweep) {
   testing::for_each_seed(25, [](std::mt19937_64& random, int) {
     const Field field = testing::random_field(random, 3);
     const double turn =
-        random() % 3 == 0 ? 1e5 : between(random, 0, 3);  // too dear for the land to be worth it
+        random() % 3 == 0 ? 1e5 : between(random, 0, 3);  // too expensive for the land to be worth it
     const Objective objective{between(random, 0, 1), between(random, 0, 1), turn, between(random, 0, 5)};
     PlanSettings settings;
     settings.end_rule = static_cast<EndRule>(random() % 4);
@@ -183,9 +183,9 @@ TEST(BestSearch, DividesAnEllWhereTurnsCost) {
   EXPECT_EQ(plan.tally.pieces, 14);
 }
 
-// 200 m x 14 m, 8 m wide, and a turn dearer than all the land. Along, one track is 200 m long and works 1600
-// of 2800 m^2; the least that a plan can do, and the best.
-TEST(BestSearch, WorksWhereTurnsAreDearerThanTheLand) {
+// 200 m x 14 m, 8 m wide, and a turn more expensive than all the land. Along, one track is 200 m long and
+// works 1600 of 2800 m^2; the least that a plan can do, and the best.
+TEST(BestSearch, WorksWhereTurnsAreCostlierThanTheLand) {
   Field field;
   field.id = "narrow";
   field.outer = {{0, 0}, {200, 0}, {200, 14}, {0, 14}};

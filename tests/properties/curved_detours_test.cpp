@@ -69,8 +69,8 @@ int detours_in(const Plan& plan) {
 }
 
 // Every plan holds before the verifier, which knows radii, obstacles, boundaries, tally and encounters; and
-// it is no dearer than the one with all tracks cut.
-TEST(CurvedDetours, of_random_sectors_hold) {
+// it is no more expensive than the one with all tracks cut.
+TEST(CurvedDetours, OfRandomSectorsHold) {
   const char* more = std::getenv("TRAMLINE_SCENES");
   const int scenes = more != nullptr ? std::atoi(more) : 12;
   int detours = 0, crossings = 0, both_ways = 0;
@@ -124,7 +124,7 @@ TEST(CurvedDetours, of_random_sectors_hold) {
 }
 
 // What the verifier says of detours that are not what they say.
-TEST(CurvedDetours, falsified_are_found_out) {
+TEST(CurvedDetours, FalsifiedAreFoundOut) {
   const Sector sector{};
   Field field = field_of(sector);
   add(field, pole(on(84, 0.8), 1, 6), ObstacleKind::kObstacle);

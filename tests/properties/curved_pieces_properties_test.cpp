@@ -10,6 +10,7 @@
 #include "planner/prepared.h"
 #include "properties/draws.h"
 #include "properties/random_field.h"
+#include "properties/random_reference.h"
 #include "properties/seeds.h"
 #include "tramline/cost/strip_tally.h"
 #include "tramline/cost/tally_by_booleans.h"
@@ -47,15 +48,9 @@ std::optional<Scene> random_scene(std::mt19937_64& random) {
   const auto n = static_cast<int>(body.outer.size());
   const int first = any_of(random, 0, n - 1), count = any_of(random, 1, std::max(1, n / 2));
   for (int i = 0; i <= count; ++i) line.push_back(body.outer[static_cast<std::size_t>((first + i) % n)]);
-  try {
-    const Path path = smoothed(line, out.limits.least_radius_m(), 0.1).path;
-    const Extended whole = extended(path, bounds(out.body).grown(1));
-    if (whole.blocked_at_start || whole.blocked_at_end) return std::nullopt;
-    out.reference = whole.path;
-  } catch (const Error& error) {
-    if (error.kind() != ErrorKind::kBadInput) throw;
-    return std::nullopt;
-  }
+  const auto reference = reference_beyond(bounds(out.body).grown(1), line, out.limits.least_radius_m(), 0.1);
+  if (!reference) return std::nullopt;
+  out.reference = *reference;
   return out;
 }
 
@@ -248,12 +243,12 @@ TEST(CurvedPiecesProperties, AreGivenUpOnlyWhereTheyCostMore) {
       const Candidate again = plain_candidate(task, ground, subfield, whole.cost());
       EXPECT_EQ(again.cost(), whole.cost());
       EXPECT_EQ(again.avoided.tally.pieces, whole.avoided.tally.pieces);
-      const Candidate dearer = plain_candidate(task, ground, subfield, 0.5 * whole.cost());
-      if (!dearer.works()) {
+      const Candidate costlier = plain_candidate(task, ground, subfield, 0.5 * whole.cost());
+      if (!costlier.works()) {
         ++given_up;
         EXPECT_FALSE(asks_for_detours(task));
       } else {
-        EXPECT_EQ(dearer.cost(), whole.cost());
+        EXPECT_EQ(costlier.cost(), whole.cost());
       }
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::kBadInput) throw;

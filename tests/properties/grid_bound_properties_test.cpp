@@ -36,8 +36,8 @@ struct Case {
   }
 };
 
-// Whatever the grid within the box: dearer than the bound. Obstacles cut tracks here, which is one of the
-// things that detours may be.
+// Whatever the grid within the box: more expensive than the bound. Obstacles cut tracks here, which is one of
+// the things that detours may be.
 TEST(GridBound, NoGridOfTheBoxCostsLess) {
   const int cases = testing::case_count(300);
   for (int i = 0; i < cases; ++i) {

@@ -10,6 +10,7 @@
 #include "geometry/drivable.h"
 #include "properties/draws.h"
 #include "properties/random_field.h"
+#include "properties/random_reference.h"
 #include "properties/seeds.h"
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/offset/parallel.h"
@@ -44,16 +45,12 @@ std::optional<Scene> random_scene(std::mt19937_64& random, bool as_wide_as_it_tu
   out.limits.width_m = uniform(random, 1, 8);
   out.limits.radius_m = as_wide_as_it_turns ? 0 : uniform(random, 0, 9);
   if (as_wide_as_it_turns) out.limits.sharpest_corner = Angle::degrees(180);
-  try {
-    const double tolerance = any_of(random, 0, 1) * uniform(random, 0, 1);
-    const Path path = smoothed(random_line(random), out.limits.least_radius_m(), tolerance).path;
-    const Extended whole = extended(path, kWindow.grown(margin));
-    if (whole.blocked_at_start || whole.blocked_at_end) return std::nullopt;
-    out.reference = whole.path;
-  } catch (const Error& error) {
-    if (error.kind() != ErrorKind::kBadInput) throw;
-    return std::nullopt;
-  }
+  const double tolerance = any_of(random, 0, 1) * uniform(random, 0, 1);
+  const std::vector<Point> line = random_line(random);
+  const auto reference =
+      reference_beyond(kWindow.grown(margin), line, out.limits.least_radius_m(), tolerance);
+  if (!reference) return std::nullopt;
+  out.reference = *reference;
   return out;
 }
 

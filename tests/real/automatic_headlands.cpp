@@ -15,7 +15,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
-#include <string_view>
 
 #include "real/real_fields.h"
 #include "support/off_the_land.h"
@@ -75,12 +74,12 @@ Fared plan_and_look(const Field& field, const Machine& machine) {
       fmt::print("  {}: {}\n", field.id, error.what());
       return out;
     }
-    faults.emplace_back(std::string("the run failed: ") + error.what());
+    add_failure(error, faults);
   }
   std::error_code ignored;
   fs::remove(file, ignored);
   out.faults = static_cast<int>(faults.size());
-  for (const std::string& fault : faults) fmt::print("  {}: {}\n", field.id, fault);
+  print_faults(field, faults);
   if (out.stops + out.without_room + out.outside > 0)
     fmt::print("  {}: {} turns, {} stops, {} without room (up to {:.1f} m missing), {} apart, {} outside\n",
                field.id, out.turns, out.stops, out.without_room, out.missing_m, out.apart, out.outside);
@@ -119,12 +118,8 @@ int run(const Machine& machine, const std::string& prefix) {
 }  // namespace tramline::testing
 
 int main(int count, char** words) {
-  const std::string_view gears = count > 3 ? words[3] : "";
-  if (gears != "forward" && gears != "reversing") {
-    std::fprintf(stderr, "usage: automatic_headlands WIDTH RADIUS forward|reversing [PREFIX]\n");
-    return 2;
-  }
-  tramline::Machine machine{"", std::atof(words[1]), std::atof(words[2]), -1};
-  machine.turning.reverse = gears == "reversing";
-  return tramline::testing::run(machine, count > 4 ? words[4] : "");
+  const auto machine = tramline::testing::machine_in_words(
+      count, words, "automatic_headlands WIDTH RADIUS forward|reversing [PREFIX]");
+  if (!machine) return 2;
+  return tramline::testing::run(*machine, count > 4 ? words[4] : "");
 }

@@ -3,8 +3,8 @@
 //   best_real [--scenario N] [--width W]
 //
 // Scenarios 1 to 3 are Versleijen's; 0, the default, are the default prices. Prints a line for everything
-// that is not well and a row for docs/performance.md; exit code 1 when a plan fails, is dearer than the
-// sweep's or lies below its bound.
+// that is not well and a row for docs/performance.md; exit code 1 when a plan fails, is more expensive than
+// the sweep's or lies below its bound.
 
 #include <fmt/format.h>
 
@@ -52,10 +52,9 @@ Comparison compare(const Field& field, const Request& request) {
     out.undivided = best.cost >= best.proof.one_direction_cost;
     out.hindered = !field.obstacles.empty();
   } catch (const Error& error) {
-    if (error.kind() != ErrorKind::kBadInput)
-      out.faults.push_back(std::string("the run failed: ") + error.what());
+    add_failure(error, out.faults);
   }
-  for (const std::string& fault : out.faults) fmt::print("  {}: {}\n", field.id, fault);
+  print_faults(field, out.faults);
   return out;
 }
 

@@ -56,7 +56,7 @@ Fared plan_and_verify(const Field& field, double width_m, Passes passes) {
     faults = faults_of_file(file, field);
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::kBadInput) return Fared::kRefused;
-    faults.emplace_back(std::string("the run failed: ") + error.what());
+    add_failure(error, faults);
   }
   std::error_code ignored;
   fs::remove(file, ignored);

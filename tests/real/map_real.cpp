@@ -57,10 +57,9 @@ Outcome map(const Field& field, const Request& request) {
       out.faults.push_back(fmt::format("auto costs {:.6f}, straight {:.6f}", best.cost, straight.cost));
     out.planned = true;
   } catch (const Error& error) {
-    if (error.kind() != ErrorKind::kBadInput)
-      out.faults.push_back(std::string("the run failed: ") + error.what());
+    add_failure(error, out.faults);
   }
-  for (const std::string& fault : out.faults) fmt::print("  {}: {}\n", field.id, fault);
+  print_faults(field, out.faults);
   return out;
 }
 

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <string_view>
 
 #include "tramline/admission/admit.h"
 #include "tramline/check/file/compare_fields.h"
@@ -17,6 +19,26 @@
 #include "tramline/planner/plan_field.h"
 
 namespace tramline::testing {
+
+std::optional<Machine> machine_in_words(int count, char** words, const char* usage) {
+  const std::string_view gears = count > 3 ? words[3] : "";
+  if (gears != "forward" && gears != "reversing") {
+    std::fprintf(stderr, "usage: %s\n", usage);
+    return std::nullopt;
+  }
+  Machine machine{"", std::atof(words[1]), std::atof(words[2]), -1};
+  machine.turning.reverse = gears == "reversing";
+  return machine;
+}
+
+void add_failure(const Error& error, std::vector<std::string>& faults) {
+  if (error.kind() != ErrorKind::kBadInput) faults.push_back(std::string("the run failed: ") + error.what());
+}
+
+void print_faults(const Field& field, const std::vector<std::string>& faults) {
+  for (const std::string& fault : faults) fmt::print("  {}: {}\n", field.id, fault);
+}
+
 namespace {
 
 PlanSettings settings_with(EndRule end_rule) {
@@ -70,10 +92,8 @@ Outcome outcome_of(const Field& field, const Field& input, int scenario_number, 
     outcome.violations = faults_of_file(scratch, input);
     std::filesystem::remove(scratch);
   } catch (const Error& error) {
-    if (error.kind() == ErrorKind::kBadInput)
-      outcome.refused = error.what();
-    else
-      outcome.violations.push_back(std::string("the run failed: ") + error.what());
+    if (error.kind() == ErrorKind::kBadInput) outcome.refused = error.what();
+    add_failure(error, outcome.violations);
   }
   return outcome;
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tramline/geodesy/crs.h"
+#include "tramline/geometry/error.h"
 #include "tramline/model/field.h"
 #include "tramline/model/plan.h"
 #include "tramline/model/raw_feature.h"
@@ -57,6 +58,15 @@ auto for_each_field(const RealFields& fields, const Look& look) {
 std::vector<std::string> faults_of(const Plan& plan);
 /// The same of a plan file: also where it contradicts itself, and whether its field is that of the input.
 std::vector<std::string> faults_of_file(const std::string& file, const Field& input);
+
+/// The machine of a program's words WIDTH RADIUS forward|reversing; nullopt, with the usage on stderr, where
+/// they are none of these.
+std::optional<Machine> machine_in_words(int count, char** words, const char* usage);
+
+/// Adds the failure of a run to the faults; that a field was refused is not a fault.
+void add_failure(const Error& error, std::vector<std::string>& faults);
+/// Prints a line for each fault of a field.
+void print_faults(const Field& field, const std::vector<std::string>& faults);
 
 /// Versleijen table 2: 1 least overlap, 2 least uncovered, 3 fewest turns.
 Objective scenario(int number);

@@ -18,7 +18,6 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <string_view>
 
 #include "real/real_fields.h"
 #include "support/off_the_land.h"
@@ -124,12 +123,12 @@ Fared plan_and_look(const Field& field, const Machine& machine, const std::strin
       fmt::print("  {}: {}\n", field.id, error.what());
       return out;
     }
-    faults.emplace_back(std::string("the run failed: ") + error.what());
+    add_failure(error, faults);
   }
   std::error_code ignored;
   fs::remove(file, ignored);
   out.faults = faults.size();
-  for (const std::string& fault : faults) fmt::print("  {}: {}\n", field.id, fault);
+  print_faults(field, faults);
   std::fflush(stdout);
   return out;
 }
@@ -181,12 +180,8 @@ int run(const Machine& machine, const std::string& prefix, const std::string& fo
 }  // namespace tramline::testing
 
 int main(int count, char** words) {
-  const std::string_view gears = count > 3 ? words[3] : "";
-  if (gears != "forward" && gears != "reversing") {
-    std::fprintf(stderr, "usage: route_real WIDTH RADIUS forward|reversing [PREFIX [DUMP]]\n");
-    return 2;
-  }
-  tramline::Machine machine{"", std::atof(words[1]), std::atof(words[2]), -1};
-  machine.turning.reverse = gears == "reversing";
-  return tramline::testing::run(machine, count > 4 ? words[4] : "", count > 5 ? words[5] : "");
+  const auto machine = tramline::testing::machine_in_words(
+      count, words, "route_real WIDTH RADIUS forward|reversing [PREFIX [DUMP]]");
+  if (!machine) return 2;
+  return tramline::testing::run(*machine, count > 4 ? words[4] : "", count > 5 ? words[5] : "");
 }

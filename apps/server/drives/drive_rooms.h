@@ -25,7 +25,7 @@ struct DriveRooms {
   DriveStore store;
   ReplayCache replays;
   FeedBoard feeds;
-  std::mutex partfields;  ///< held while a field is looked for, and kept where there is none
+  std::mutex partfields;  ///< held while a partfield is looked up, and while it is stored if it is new
 };
 
 }  // namespace tramline::server

@@ -38,14 +38,17 @@ class FeedBoard {
  public:
   FeedBoard(const StoreFolder& folder, std::size_t most) : folder_(folder), most_(most) {}
 
-  /// A place for one more, until it is given back. Throws HttpError(kBusy) where there are too many already.
+  /// A permit for one more feed, valid until it is destroyed. Throws HttpError(kBusy) where there are too
+  /// many feeds already.
   std::shared_ptr<void> take_room();
-  /// Begins to read. `room`: of take_room(). `ground`: empty without a field. Throws kBadInput, failure.
+  /// Begins to read. `room`: the permit from take_room(). `ground`: empty without a field. Throws kBadInput,
+  /// failure.
   OpenFeed open(const FeedNote& note, std::unique_ptr<io::Feed> source, const app::WorkGround& ground,
                 std::shared_ptr<void> room);
-  /// The latest first.
+  /// All feeds, the latest first.
   std::vector<OpenFeed> list() const;
-  /// Throw HttpError(kNotFound). take(): it is no more to be found; its files stay.
+  /// The feed of that id; take() also removes it from the board, but keeps its files. Both throw
+  /// HttpError(kNotFound).
   OpenFeed get(const std::string& id) const;
   OpenFeed take(const std::string& id);
 

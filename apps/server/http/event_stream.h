@@ -21,7 +21,7 @@ class StreamPermits {
   void stop() { stopping_ = true; }
   bool stopping() const { return stopping_; }
 
-  /// Gives one back when it goes. Throws HttpError(kBusy) where there is none left.
+  /// A permit for one stream, returned when it is destroyed. Throws HttpError(kBusy) where none is left.
   std::shared_ptr<void> take();
 
  private:
@@ -34,11 +34,11 @@ class StreamPermits {
 class EventSink {
  public:
   explicit EventSink(httplib::DataSink& sink) : sink_(sink) {}
-  /// Sends an event. False where nobody listens any more.
+  /// Sends an event. False where the client has gone.
   bool send(const std::string& event, const nlohmann::ordered_json& data);
   /// `data`: JSON in one line.
   bool send_text(const std::string& event, const std::string& data);
-  /// Sends an empty message to find out whether somebody still listens.
+  /// Sends an empty message to find out whether the client is still there.
   bool ping();
 
  private:
@@ -46,9 +46,9 @@ class EventSink {
   httplib::DataSink& sink_;
 };
 
-/// Answers with a stream: `more` is called again and again by a thread of the server, sends what there is,
-/// waits for at most a second, and gives false at the end. The stream also ends when nobody listens or the
-/// server stops. Throws HttpError(kBusy).
+/// Answers with a stream. A thread of the server calls `more` repeatedly; `more` sends the events that are
+/// ready, waits for at most a second, and returns false at the end. The stream also ends when the client goes
+/// or the server stops. Throws HttpError(kBusy).
 void stream_events(StreamPermits& permits, httplib::Response& response, std::function<bool(EventSink&)> more);
 
 }  // namespace tramline::server

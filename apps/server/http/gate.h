@@ -12,9 +12,10 @@ namespace tramline::server {
 /// Whether a server on this host is reachable only from this computer.
 bool is_loopback(const std::string& host);
 
-/// Keeps out what other pages in the same browser send here: names that somebody has led to this computer
-/// (Host), and requests of other pages (Origin); and, where there is a token, whoever does not have it. The
-/// page itself is shown without the token: it holds nothing, and asks for it.
+/// Refuses requests that other pages in the same browser send: those addressed to a foreign name that
+/// resolves to this computer (Host), and those with a foreign origin (Origin). Where there is a token, it
+/// also refuses requests without it. The page itself is served without the token: it contains no data, and
+/// asks for it.
 class Gate {
  public:
   Gate(const std::string& host, int port, std::string token);

@@ -10,7 +10,7 @@ namespace tramline::server {
 namespace {
 
 /// Whole phrases first, then the options by themselves.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 59> kWords = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 65> kWords = {{
     {"take all with --all or choose one with --id", "choose one of them"},
     {"give it a width with --width", "give the working width"},
     {"give the field's CRS with --crs", "say which coordinate reference system the field is in"},
@@ -51,7 +51,13 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 59> kWords =
     {"--min-area", "the least area"},
     {"--guide-where", "the choice of a line"},
     {"--log-crs", "the coordinate reference system of the log"},
+    {"--pass-sequence", "the sequence of headland passes"},
+    {"--headland-time", "the time of headland passes"},
     {"--headlands", "the number of headland passes"},
+    {"--spacing", "the spacing of tracks driven"},
+    {"--order", "the order of tracks"},
+    {"--start", "the start of the route"},
+    {"--end", "the end of the route"},
     {"--clearance", "the clearance"},
     {"--obstacles", "the file of obstacles"},
     {"--passable", "the file of passable strips"},

@@ -1,5 +1,5 @@
 #pragma once
-// JSON of a request as values, with a sentence for everything that is not as it should be.
+// JSON of a request as values, with a sentence for every fault.
 
 #include <nlohmann/json.hpp>
 #include <optional>

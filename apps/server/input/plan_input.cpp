@@ -40,6 +40,23 @@ void take_number(const JsonInput& input, const char* key, double& number) {
   if (input.has(key)) number = input.number(key);
 }
 
+/// The keys of a route but for its gates.
+void take_route(const JsonInput& input, app::PlanOptions& options) {
+  options.route = input.flag_if("route").value_or(false) ? "whole" : "none";
+  take_word(input, "order", options.order);
+  take_word(input, "headland_time", options.headland_time);
+  take_word(input, "pass_sequence", options.pass_sequence);
+  if (options.route != "none") return;
+  for (const char* key : {"headland_time", "pass_sequence", "start", "end"})
+    if (input.has(key))
+      throw bad_input(fmt::format("{} is for a route; set settings.route to true", input.place_of(key)));
+}
+
+std::optional<Point> gate_in(const JsonInput& input, const char* key) {
+  if (!input.has(key)) return std::nullopt;
+  return position_of(input.value(key), input.place_of(key));
+}
+
 std::vector<const char*> turning_keys() {
   std::vector<const char*> out{kReverseKey, kImplementKey};
   for (const TurningNumber& number : kTurningNumbers) out.push_back(number.key);
@@ -61,6 +78,12 @@ Turning turning_in(const ordered_json& json, const std::string& place) {
   if (const std::string fault = turning_fault(out); !fault.empty())
     throw bad_input(fmt::format("{}.{}", place, fault));
   return out;
+}
+
+/// A place on the map as the files of the field have it: longitude and latitude, or plain metres.
+Point as_in_files(Point shown, const LocalFrame& frame) {
+  if (frame.geodetic) return shown;
+  return ShownPlace(frame).to_local(shown) + Point{frame.origin_x_m, frame.origin_y_m};
 }
 
 }  // namespace
@@ -97,18 +120,36 @@ Objective objective_in(const ordered_json& json) {
 
 SettingsInput settings_in(const ordered_json& json) {
   if (json.is_null()) return {};
-  const JsonInput input(json, "settings", {"like",           "strategy",
-                                           "end_rule",       "boundary",
-                                           "headlands",      "obstacle_headlands",
-                                           "curved",         "line",
-                                           "avoid",          "avoid_threshold_m",
-                                           "avoid_room_m",   "clearance_m",
-                                           "merge_deg",      "decomposition_deg",
-                                           "short_edge_m",   "direction_tolerance_deg",
-                                           "cell_direction", "tracks",
-                                           "ab_anchor",      "turns",
-                                           "spacing",        "turn_room_m",
-                                           "towing_error_m"});
+  const JsonInput input(json, "settings",
+                        {"like",
+                         "strategy",
+                         "end_rule",
+                         "boundary",
+                         "headlands",
+                         "obstacle_headlands",
+                         "curved",
+                         "line",
+                         "avoid",
+                         "avoid_threshold_m",
+                         "avoid_room_m",
+                         "clearance_m",
+                         "merge_deg",
+                         "decomposition_deg",
+                         "short_edge_m",
+                         "direction_tolerance_deg",
+                         "cell_direction",
+                         "tracks",
+                         "ab_anchor",
+                         "turns",
+                         "spacing",
+                         "turn_room_m",
+                         "towing_error_m",
+                         "route",
+                         "order",
+                         "headland_time",
+                         "pass_sequence",
+                         "start",
+                         "end"});
   app::PlanOptions options;
   take_word(input, "like", options.like);
   for (const app::Convention& convention : app::conventions_like(options.like)) convention.take(options);
@@ -129,6 +170,7 @@ SettingsInput settings_in(const ordered_json& json) {
   take_number(input, "towing_error_m", options.towing_error_m);
   options.turns = input.flag_if("turns").value_or(false);
   options.turn_room_m = input.number_if("turn_room_m");
+  take_route(input, options);
   options.avoid_threshold_m = input.number_if("avoid_threshold_m");
   options.avoid_room_m = input.number_if("avoid_room_m");
   if (input.has("headlands")) options.headlands = passes_in(input, "headlands");
@@ -136,7 +178,7 @@ SettingsInput settings_in(const ordered_json& json) {
     options.obstacle_headlands = passes_in(input, "obstacle_headlands");
   else if (options.like == "zhou")
     options.obstacle_headlands = options.headlands;
-  SettingsInput out{app::settings_of(options), {}};
+  SettingsInput out{app::settings_of(options), {}, gate_in(input, "start"), gate_in(input, "end")};
   if (!input.has("line")) return out;
   if (!options.curved.empty())
     throw bad_input("settings has both curved and a line to follow; give one of them");
@@ -145,15 +187,19 @@ SettingsInput settings_in(const ordered_json& json) {
 }
 
 PlanSettings settings_on(const SettingsInput& input, const Field& field, const Machine& machine) {
-  if (input.line.empty()) return input.settings;
-  const ShownPlace place(field.frame);
-  GuideLine guide{"the line that was drawn", {}, !field.frame.geodetic};
-  for (const Point p : input.line) {
-    const Point local = place.to_local(p);
-    guide.points.push_back(
-        field.frame.geodetic ? p : local + Point{field.frame.origin_x_m, field.frame.origin_y_m});
+  PlanSettings out = input.settings;
+  if (!input.line.empty()) {
+    GuideLine guide{"the line that was drawn", {}, !field.frame.geodetic};
+    for (const Point p : input.line) guide.points.push_back(as_in_files(p, field.frame));
+    out = app::settings_for(out, guide, field, machine);
   }
-  return app::settings_for(input.settings, guide, field, machine);
+  const auto gate = [&](const std::optional<Point>& at, const char* what) -> std::optional<GatePoints> {
+    if (!at) return std::nullopt;
+    return GatePoints{what, {as_in_files(*at, field.frame)}, !field.frame.geodetic};
+  };
+  app::place_gates({gate(input.start, "the start of the route"), gate(input.end, "the end of the route")},
+                   field, out);
+  return out;
 }
 
 }  // namespace tramline::server

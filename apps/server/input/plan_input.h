@@ -20,11 +20,14 @@ Objective objective_in(const nlohmann::ordered_json& json);
 struct SettingsInput {
   PlanSettings settings;
   std::vector<Point> line;  ///< to follow, longitude and latitude; empty: none
+  // Where the route starts and ends, longitude and latitude.
+  std::optional<Point> start{};
+  std::optional<Point> end{};
 };
 /// Throws bad_input.
 SettingsInput settings_in(const nlohmann::ordered_json& json);
 
-/// The settings for a field: with the line in its metres. Throws bad_input where it does not lie there.
+/// The settings for a field: with line and gates in its metres. Throws bad_input where they do not lie there.
 PlanSettings settings_on(const SettingsInput& input, const Field& field, const Machine& machine);
 
 }  // namespace tramline::server

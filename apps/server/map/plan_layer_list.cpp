@@ -65,6 +65,9 @@ ordered_json layer_list(const io::PlanFile& file) {
   out.push_back(entry(layers::kHeadlandPasses, "Headland passes", plan.headland.passes.size(),
                       plan.headland.worked_m2, length(plan.headland)));
   out.push_back(entry(layers::kTracks, "Tracks", plan.pieces.size(), std::nullopt, tally.track_length_m));
+  if (plan.route.planned())
+    out.push_back(entry(layers::kRouteLegs, "Route", plan.route.legs.size(), std::nullopt,
+                        sums_of(plan.route).length_m));
   out.push_back(detour_entry(plan));
   out.push_back(
       entry(layers::kDropped, "Too short to drive", plan.dropped.size(), std::nullopt, dropped_length(plan)));

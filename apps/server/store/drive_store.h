@@ -39,7 +39,7 @@ struct KeptDrive {
 /// which is written last: without it there is no such drive. Safe for several threads.
 class DriveStore {
  public:
-  /// Files that cannot be read stay where they are and are told of in `warnings`; those of drives that were
+  /// Files that cannot be read stay where they are and are listed in `warnings`; those of drives that were
   /// not finished when a server was killed go.
   DriveStore(const StoreFolder& folder, std::vector<std::string>& warnings);
 

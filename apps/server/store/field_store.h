@@ -25,7 +25,7 @@ using KeptFieldPtr = std::shared_ptr<const KeptField>;
 /// A file for each, fields/ID.gpkg. Safe for several threads.
 class FieldStore {
  public:
-  /// Files that cannot be read stay where they are and are told of in `warnings`.
+  /// Files that cannot be read stay where they are and are listed in `warnings`.
   FieldStore(const StoreFolder& folder, std::vector<std::string>& warnings);
 
   /// The latest first.

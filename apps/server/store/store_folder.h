@@ -34,7 +34,7 @@ class StoreFolder {
 
   const std::filesystem::path& path() const { return path_; }
   /// The folder of that name in this one, made where it is missing. Throws failure where it cannot be made,
-  /// and where this one is gone: another in its place would be nobody's.
+  /// and where the store itself has been removed: a new folder in its place would not be locked by anybody.
   std::filesystem::path part(const char* name) const;
   /// "plans/20260314-081500-k3f9ab.gpkg", the folder of that kind made as part() does. Precondition:
   /// is_id(id).

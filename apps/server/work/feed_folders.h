@@ -7,11 +7,12 @@
 
 namespace tramline::server {
 
-/// Whoever uses the server may have any line of such a file, so that these are named by who starts it.
+/// The folders whose files live feeds may read. Every user of the server can see any line of these files, so
+/// the folders are named by the person who starts the server.
 class FeedFolders {
  public:
   FeedFolders() = default;
-  /// Throws bad_input where one of them is no folder that is there.
+  /// Throws bad_input where one of them is not an existing folder.
   explicit FeedFolders(const std::vector<std::filesystem::path>& folders);
 
   /// Is the file, links resolved, a regular one in one of the folders or below? False where it is not there.

@@ -29,7 +29,8 @@ class InfoCommand : public Command {
     CommandOptions command(program, "info", kHelp);
     add_field_options(command, options_);
     command.begin_group("Output");
-    command.add_flag("--json", json_, "Print JSON: one object, or with --all one object per field and line.");
+    command.add_flag("--json", json_,
+                     "Print one JSON object, or with --all a line with an object for each field.");
     command.begin_group("Run");
     add_unused_threads_option(command, threads_);
     command.footer(kExample);

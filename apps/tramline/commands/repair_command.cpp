@@ -52,7 +52,8 @@ class RepairCommand : public Command {
     add_objective_options(command, options_);
     command.begin_group("Swaths");
     command
-        .add_option("--min-area", min_area_m2_, "Ignore missed land smaller than this, in m²; it is listed.")
+        .add_option("--min-area", min_area_m2_,
+                    "Missed land smaller than this, in m², is listed but not worked.")
         .takes("M2")
         .shows_default();
     command

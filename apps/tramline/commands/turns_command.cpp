@@ -33,9 +33,10 @@ constexpr const char* kExample =
     "  tramline turns --width 3 --radius 6\n"
     "  tramline turns --machine sprayer.toml --angle 60 --picture turns.png\n"
     "  tramline turns --width 3 --radius 6 --reverse --spacing 3 --all\n"
-    "Depths are those of all that machine and implement pass over, square to the border; 'axle' is that of "
-    "the\n"
-    "middle of the rear axle. A headland of so many passes is deep enough.";
+    "Depths are measured square to the border: 'depth' to the farthest land that machine or implement "
+    "passes\n"
+    "over, 'axle' to the farthest place of the middle of the rear axle. 'passes' is the number of headland\n"
+    "passes that is deep enough.";
 
 class TurnsCommand : public Command {
  public:
@@ -52,8 +53,8 @@ class TurnsCommand : public Command {
     command
         .add_option(
             "--angle", border_deg_,
-            "Angle between the tracks and the border on the right of the first, in degrees: at less than "
-            "90 the next track reaches farther, at more it ends earlier.")
+            "Angle between the first track and the border on its right, in degrees: at less than 90 the next "
+            "track reaches farther than the first, at more than 90 it ends earlier.")
         .takes("DEG")
         .shows_default("90");
     command.begin_group("Output");

@@ -72,7 +72,7 @@ class WatchCommand : public Command {
                       "Write the coverage to this GeoPackage (.gpkg), and the lines beside it (.gpkg.log).");
     command
         .add_option("--save-every", output_.save_every_s,
-                    "Write the coverage so often, in seconds, besides at the end.")
+                    "Interval at which the coverage is written, in seconds; it is also written at the end.")
         .takes("S")
         .in_range(1.0, 86400.0)
         .shows_default();
@@ -116,7 +116,8 @@ class WatchCommand : public Command {
     command.begin_group("Sections ahead");
     command.add_flag(
         "--look-ahead", look_ahead_,
-        "Also report what each section comes to at the present speed and heading, and when to switch it.");
+        "Also report whether the land ahead of each section, at the present speed and heading, needs work, "
+        "and when to switch the section.");
     command.add_option("--horizon", rule_.horizon_s, "How far to look ahead, in seconds.")
         .takes("S")
         .in_range(0.1, 60.0)

@@ -32,9 +32,10 @@ void add_log_options(CommandOptions& command, DriveOptions& options) {
       .takes("CRS")
       .shows_default("degrees where they can be, else plain metres");
   command
-      .add_option("--headings", options.headings,
-                  "How headings in the log are meant: 'compass', clockwise from north, 'math', anticlockwise "
-                  "from east, or 'from-track', not at all: they follow from the positions.")
+      .add_option(
+          "--headings", options.headings,
+          "What headings in the log mean: 'compass', angles clockwise from north; 'math', angles "
+          "anticlockwise from east; or 'from-track', nothing, so that they follow from the positions.")
       .takes("WORD")
       .one_of({"compass", "math", "from-track"})
       .shows_default();

@@ -38,7 +38,7 @@ void add_map_options(CommandOptions& command, PlanOptions& o) {
   command.begin_group("Headlands and turns");
   command
       .add_option("--headlands", o.headlands,
-                  "Number of passes round the field, outside the tracks; nothing then leaves the field. "
+                  "Number of passes round the field, outside the tracks; swaths then stay inside the field. "
                   "'auto': as many as the turns of this machine need, along those edges where tracks end.")
       .takes("N")
       .check(headlands_fault)
@@ -55,23 +55,23 @@ void add_map_options(CommandOptions& command, PlanOptions& o) {
                    "land. Automatic headlands imply it.");
   command
       .add_option("--spacing", o.spacing,
-                  "Which track follows: 'adjacent', or 'skip K' for one at least K tracks away, which "
-                  "turns in less room.")
+                  "Which track is driven next: 'adjacent', the one beside it, or 'skip K', one at least K "
+                  "tracks away, so that turns need less room.")
       .takes("WORD")
       .check(spacing_fault)
       .shows_default("adjacent");
   command
       .add_option("--route", o.route,
-                  "'whole' plans the whole route: the order of tracks and headland passes and every metre "
-                  "between them, from the first to the last; so does --route alone.")
+                  "With 'whole', or without a value, plan the whole route: the order of tracks and headland "
+                  "passes, and the way between each two of them.")
       .takes("WORD")
       .value_may_be_left_out()
       .shows_default("none");
   command
       .add_option(
           "--order", o.order,
-          "Which track follows on the route: 'best', the order that takes the least time, 'adjacent', "
-          "or 'skip K' as with --spacing.")
+          "Which track the route takes next: 'best', in the order that takes the least time, 'adjacent', the "
+          "one beside it, or 'skip K' as with --spacing.")
       .takes("WORD")
       .check(order_fault)
       .shows_default("best");
@@ -83,17 +83,17 @@ void add_map_options(CommandOptions& command, PlanOptions& o) {
   command
       .add_option(
           "--pass-sequence", o.pass_sequence,
-          "In which sequence it works the passes along one boundary: 'inwards', 'outwards', or 'any', "
-          "as the way is shortest.")
+          "In which sequence the route works the passes along one boundary: 'inwards', 'outwards', or 'any', "
+          "whichever makes the way shortest.")
       .takes("WORD")
       .shows_default("any");
   command
       .add_option("--start", o.start,
                   "Where the route starts: a point, \"x,y\", in the field's coordinates or in longitude and "
-                  "latitude, or a file of points of which the nearest counts.")
+                  "latitude, or a file of points, of which the one nearest to the field counts.")
       .takes("POINT|FILE")
       .shows_default("at a track or a pass");
-  command.add_option("--end", o.end, "Where the route ends, likewise.")
+  command.add_option("--end", o.end, "Where the route ends, given like --start.")
       .takes("POINT|FILE")
       .shows_default("at a track or a pass");
   command
@@ -103,8 +103,7 @@ void add_map_options(CommandOptions& command, PlanOptions& o) {
       .shows_default("as far as it needs");
   command
       .add_option("--towing-error", o.towing_error_m,
-                  "The most by which a towed implement may be beside its track where the work begins, in "
-                  "metres.")
+                  "Largest distance of a towed implement from its track where the work begins, in metres.")
       .takes("M")
       .shows_default("0.1");
   command.begin_group("Tracks along a line");
@@ -176,16 +175,16 @@ void add_turning_options(CommandOptions& command, TurningOptions& o) {
   command
       .add_option(
           "--implement", o.implement,
-          "How the implement is coupled: 'mounted', it turns with the vehicle, or 'towed', it follows "
-          "on a drawbar.")
+          "How the implement is coupled: 'mounted', so that it turns with the vehicle, or 'towed', so that "
+          "it follows on a drawbar.")
       .takes("WORD")
       .shows_default("mounted");
   add(&Turning::implement_offset_m, "M",
-      "From the rear axle back to the line where a mounted implement works, or to the hitch of a towed one, "
-      "in "
-      "metres; negative for an implement in front of the axle.");
+      "Distance from the rear axle back to the line where a mounted implement works, or to the hitch of a "
+      "towed one, in metres; negative for an implement in front of the axle.");
   add(&Turning::drawbar_m, "M",
-      "With --implement towed: from the hitch to the implement's axle, where it works, in metres.");
+      "With --implement towed: distance from the hitch to the axle of the implement, where it works, in "
+      "metres.");
   add(&Turning::front_overhang_m, "M", "How far the vehicle reaches ahead of its rear axle, in metres.");
   add(&Turning::rear_overhang_m, "M",
       "How far the implement reaches behind the line where it works, in metres.");
@@ -203,7 +202,8 @@ void add_objective_options(CommandOptions& command, PlanOptions& o) {
                          "further subfields (€)]].");
   Option minimise = command.add_option(
       "--minimise", o.minimise,
-      "What to keep least before all else: 'overlap', 'uncovered' or 'turns'. It gets the weight 99999.");
+      "What to minimise before all else: 'overlap', 'uncovered' or 'turns'. It gets the weight 99999, the "
+      "other two the weight 1.");
   weights.takes("NUMBERS").shows_default("the prices").excludes(prices).excludes(minimise);
   prices.takes("NUMBERS").shows_default("0.02,0.10,1,5,5").excludes(minimise);
   minimise.takes("WORD").shows_default("the prices");
@@ -228,8 +228,8 @@ void add_land_options(CommandOptions& command, LandOptions& o) {
   command
       .add_option(
           "--done", o.done_files,
-          "Plan what this leaves: a plan file, whose swaths count as done, a coverage file of 'tramline "
-          "evaluate', or polygons. May be given several times.")
+          "Plan only what has not been done yet. This file says what has: a plan file, whose swaths count as "
+          "done, a coverage file of 'tramline evaluate', or polygons. May be given several times.")
       .takes("FILE")
       .shows_default("nothing is done")
       .one_value_each_time();
@@ -265,7 +265,7 @@ void add_plan_options(CommandOptions& command, PlanOptions& o) {
       .shows_default("best");
   command
       .add_option("--direction-tolerance", o.direction_tolerance_deg,
-                  "With --strategy best: directions nearer to one another than this are taken as one, in "
+                  "With --strategy best: directions nearer to one another than this count as one, in "
                   "degrees.")
       .takes("DEG")
       .shows_default("0.01");
@@ -293,8 +293,9 @@ void add_plan_options(CommandOptions& command, PlanOptions& o) {
   command.begin_group("Swaths");
   command
       .add_option("--end-rule", o.end_rule,
-                  "Where a swath ends at a soft edge that crosses it obliquely: 'cheapest', 'centre', "
-                  "'cover' (nothing is missed) or 'inside' (nothing is overlapped).")
+                  "Where a swath ends at a soft edge that crosses it obliquely: 'cheapest' (where continuing "
+                  "no longer pays), 'centre' (where the centre line meets the edge), 'cover' (nothing is "
+                  "missed) or 'inside' (nothing is overlapped).")
       .takes("WORD")
       .shows_default("cheapest");
   command

@@ -7,25 +7,25 @@
 
 namespace tramline::app {
 
-/// Whoever read stdout has gone (`tramline … | head -1`): nobody is left to tell, so the program ends
-/// quietly.
+/// The reader of stdout has closed the pipe (`tramline … | head -1`). There is nobody to report this to, so
+/// the program ends quietly.
 class OutputClosed : public std::exception {
  public:
   const char* what() const noexcept override { return "stdout is closed"; }
 };
 
-/// Writing to a closed pipe is an error of the write from now on, and no longer the end of the process: files
-/// under way are finished or taken away.
+/// From now on writing to a closed pipe is an error of the write and no longer ends the process, so that
+/// files that are being written are finished or removed.
 void report_closed_pipes();
 
-/// Ends the process as the signal would have that report_closed_pipes() puts off.
+/// Ends the process like the signal (SIGPIPE) that report_closed_pipes() suppresses.
 [[noreturn]] void end_as_by_closed_pipe();
 
-/// Hands over what was printed so far. Throws OutputClosed where nobody reads it, and Error(kFailure) where
-/// it cannot be written otherwise.
+/// Writes everything printed so far to stdout. Throws OutputClosed where the pipe is closed, and
+/// Error(kFailure) where writing fails for another reason.
 void flush_output();
 
-/// Prints the text and hands it over. Throws as flush_output() does.
+/// Prints the text and flushes it. Throws as flush_output() does.
 void print_result(const std::string& text);
 
 /// Prints one JSON result on a line of its own, with `format_version` (docs/json.md) as its first key.

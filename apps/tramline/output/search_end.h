@@ -11,8 +11,8 @@ namespace tramline::app {
 
 void add_seconds_option(CommandOptions& command, std::optional<double>& seconds);
 
-/// While it lives the first Ctrl-C (SIGINT) asks searches to end; a second one ends the program as ever. At
-/// most one of them at a time.
+/// While such an object exists, the first Ctrl-C (SIGINT) asks searches to end, and a second one ends the
+/// program as usual. There may be one such object at a time.
 class InterruptEndsSearches {
  public:
   InterruptEndsSearches();
@@ -21,7 +21,7 @@ class InterruptEndsSearches {
   ~InterruptEndsSearches();
 };
 
-/// What one search is told, whose time begins with the object.
+/// The demand that one search has to follow. Its time limit counts from the construction of the object.
 class SearchEnd {
  public:
   explicit SearchEnd(std::optional<double> seconds) : seconds_(seconds) {}

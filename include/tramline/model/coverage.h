@@ -41,7 +41,7 @@ struct CoverageAreas {
 };
 
 /// The classes of land that an evaluation tells apart.
-enum class Ground {
+enum class LandClass {
   kCovered,
   kRepeated,
   kSliver,

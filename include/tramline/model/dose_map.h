@@ -29,7 +29,8 @@ struct DoseBin {
   double area_m2 = 0;
 };
 
-/// Statistics over all cells (docs/dose.md). `Ground` is the field or, without a field, the covered area.
+/// Statistics over all cells (docs/dose.md). Ground is the land of the field or, without a
+/// field, covered land.
 struct DoseFigures {
   double total = 0;             ///< amount applied, on the ground and off it
   double on_ground = 0;         ///< the part of it on the ground

@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "tramline/admission/lines/point_placer.h"
 #include "tramline/admission/lonlat_reader.h"
-#include "tramline/geodesy/field_projection.h"
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/polygon/boolean.h"
 
@@ -34,33 +34,11 @@ Crs crs_typed(const std::vector<Point>& points, const std::string& crs_definitio
   return degrees ? Crs("EPSG:4326") : std::move(crs);
 }
 
-void require_same_coordinates(bool plain, const std::string& origin, const char* what, const Field& field) {
-  if (plain != field.frame.geodetic) return;
-  throw bad_input(fmt::format("{}: the {} and field '{}' are not in the same coordinates; give --crs", origin,
-                              what, field.id));
-}
-
-std::optional<FrameProjection> projection_of(const Field& field) {
-  std::optional<FrameProjection> out;
-  if (field.frame.geodetic) out.emplace(field.frame);
-  return out;
-}
-
 double distance_to_edge(const Field& field, Point p) {
   double out = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < field.outer.size(); ++i)
     out = std::min(out, distance_to_segment(p, field.outer[i], field.outer[(i + 1) % field.outer.size()]));
   return out;
-}
-
-Point placed(Point p, const std::string& origin, const std::optional<FrameProjection>& projection,
-             const Field& field) {
-  if (!projection) return p - Point{field.frame.origin_x_m, field.frame.origin_y_m};
-  const std::optional<Point> local = projection->from_lonlat(p);
-  if (!local)
-    throw bad_input(
-        fmt::format("{}: ({:.7f}, {:.7f}) lies too far from field '{}'", origin, p.x, p.y, field.id));
-  return *local;
 }
 
 }  // namespace
@@ -95,12 +73,11 @@ GuideLine guide_of_points(Point a, Point b, const std::string& origin, const std
 }
 
 std::vector<Point> placed_guide(const GuideLine& guide, const Field& field, double least_m) {
-  require_same_coordinates(guide.plain, guide.origin, "line", field);
-  const std::optional<FrameProjection> projection = projection_of(field);
+  const PointPlacer placer(field, {guide.plain, guide.origin, "line"});
   std::vector<Point> out;
   double length_m = 0;
   for (const Point p : guide.points) {
-    const Point local = placed(p, guide.origin, projection, field);
+    const Point local = placer.place(p);
     if (!out.empty() && local == out.back()) continue;
     if (!out.empty()) length_m += distance(out.back(), local);
     out.push_back(local);
@@ -144,13 +121,10 @@ GatePoints gate_of_point(Point gate, const std::string& origin, const std::strin
 }
 
 Point placed_gate(const GatePoints& gates, const Field& field) {
-  require_same_coordinates(gates.plain, gates.origin, "gate", field);
-  const std::optional<FrameProjection> projection = projection_of(field);
+  const PointPlacer placer(field, {gates.plain, gates.origin, "gate"});
   std::optional<Point> nearest;
   for (const Point p : gates.points) {
-    const std::optional<Point> local =
-        projection ? projection->from_lonlat(p)
-                   : std::optional(p - Point{field.frame.origin_x_m, field.frame.origin_y_m});
+    const std::optional<Point> local = placer.try_place(p);
     if (local && (!nearest || distance_to_edge(field, *local) < distance_to_edge(field, *nearest)))
       nearest = local;
   }

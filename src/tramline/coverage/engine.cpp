@@ -16,13 +16,13 @@ class ExactEngine : public Engine {
   void add(const WorkedStep& step) override { coverage_.add(step); }
   void add_unrecorded(const std::vector<Quad>& quads) override { coverage_.add_unrecorded(quads); }
   CoverageAreas areas() const override { return coverage_.areas(); }
-  Region region(Ground what) const override { return coverage_.region(what); }
+  Region region(LandClass what) const override { return coverage_.region(what); }
   const TileCoverage* tiles() const override { return &coverage_; }
   std::uint64_t stamp() const override { return coverage_.stamp(); }
   std::vector<TileWork> tiles_since(std::uint64_t stamp, RepeatRule repeat) const override {
-    std::vector<TileCoverage::Change> covered = coverage_.changes_since(stamp, Ground::kCovered);
-    std::vector<TileCoverage::Change> repeated =
-        coverage_.changes_since(stamp, repeat == RepeatRule::kStrict ? Ground::kAgain : Ground::kRepeated);
+    std::vector<TileCoverage::Change> covered = coverage_.changes_since(stamp, LandClass::kCovered);
+    std::vector<TileCoverage::Change> repeated = coverage_.changes_since(
+        stamp, repeat == RepeatRule::kStrict ? LandClass::kAgain : LandClass::kRepeated);
     std::vector<TileWork> out;
     out.reserve(covered.size());
     for (std::size_t i = 0; i < covered.size(); ++i)
@@ -41,8 +41,8 @@ class MeshEngine : public Engine {
   void add_unrecorded(const std::vector<Quad>& quads) override { coverage_.add_unrecorded(quads); }
   CoverageAreas areas() const override { return coverage_.areas(); }
   /// Empty for what meshes do not tell.
-  Region region(Ground what) const override {
-    const bool counted = what == Ground::kTwice || what == Ground::kOften;
+  Region region(LandClass what) const override {
+    const bool counted = what == LandClass::kTwice || what == LandClass::kOften;
     return counted ? Region{} : coverage_.region(what);
   }
   std::optional<Meshes> meshes() const override { return coverage_.meshes(); }

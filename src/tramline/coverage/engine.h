@@ -31,7 +31,7 @@ class Engine {
   /// Adds land that may have been worked and was not recorded.
   virtual void add_unrecorded(const std::vector<Quad>& quads) = 0;
   virtual CoverageAreas areas() const = 0;
-  virtual Region region(Ground what) const = 0;
+  virtual Region region(LandClass what) const = 0;
   /// Only an engine of meshes has them.
   virtual std::optional<Meshes> meshes() const { return std::nullopt; }
 

@@ -34,9 +34,9 @@ class Slices {
     if (every_ == 0 || (fixes % every_ != 0 && !last)) return;
     CoverageSlice slice;
     const auto start = std::chrono::steady_clock::now();
-    for (const Polygon& polygon : engine_.region(Ground::kCovered))
+    for (const Polygon& polygon : engine_.region(LandClass::kCovered))
       slice.covered_rings += 1 + polygon.holes.size();
-    const Region missed = engine_.region(Ground::kMissed);
+    const Region missed = engine_.region(LandClass::kMissed);
     slice.missed_regions = static_cast<std::size_t>(std::count_if(
         missed.begin(), missed.end(), [](const Polygon& p) { return area(p) >= kLeastGap_m2; }));
     regions_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -18,16 +18,16 @@ inline constexpr double kPathRadius_share = 1e-6;
 
 /// A shorter length has no direction and is no part of a path, m: it would be mostly rounding.
 inline constexpr double kShortest_m = 1e-9;
-/// Distances that differ by no more are equal, m: a few times the rounding. With much more there would be
-/// slivers of front, which no corner leads to, where parallels nearly touch.
+/// Distances that differ by no more are equal, m: a few times the rounding. A much larger value would leave
+/// slivers of the offset front, to which no corner leads, where parallels nearly touch.
 inline constexpr double kSameDistance_m = 1e-9;
 /// A point that is no farther from a curve, or beyond its end, is on it, m: the rounding of one crossing.
 inline constexpr double kTouch_m = 1e-9;
 /// Crossings of offset curves that are no farther apart are one node, m: each is inexact by up to kTouch_m,
 /// and more where curves meet at a small angle.
 inline constexpr double kSameNode_m = 1e-8;
-/// Positions along a path that differ by no more are one foot of a front, m: a crossing of two parallels as
-/// computed on either of them.
+/// Positions along a path that differ by no more are the same foot point of an offset front, m: a crossing of
+/// two parallels is computed on either of them.
 inline constexpr double kSameFoot_m = 1e-7;
 /// A shorter straight part between two arcs is left out, m: the rounding of its ends would turn its heading.
 inline constexpr double kShortestStraight_m = 1e-7;
@@ -35,8 +35,9 @@ inline constexpr double kShortestStraight_m = 1e-7;
 /// most about kGridSize · perimeter.
 inline constexpr double kGridSize = 1e-6;
 
-/// Vertices no farther from a ring through the others are none of its corners when it is offset with mitres,
-/// m: on the precision grid collinear vertices are no longer, and their kinks would grow into notches.
+/// Vertices no farther than this from a ring through the others do not count as corners when it is offset
+/// with mitres, m: on the precision grid collinear vertices are no longer, and their kinks would grow into
+/// notches.
 inline constexpr double kMitredIdle_m = 1e-5;
 static_assert(kMitredIdle_m >= 10 * kGridSize);
 /// Points nearer to one another are one, m: the error of the precision grid, and the rounding of coordinates

@@ -57,10 +57,10 @@ inline constexpr std::uint32_t kTurnHex = 0x1E7B4F;
 inline constexpr Colour kTurnColour = rgb(kTurnHex);
 inline constexpr std::uint32_t kNoRoomHex = 0xC62828;
 inline constexpr Colour kNoRoomColour = rgb(kNoRoomHex);
-inline constexpr Colour kTransitColour{0.55, 0.16, 0.62};
-inline constexpr Colour kBackOutColour{0.12, 0.12, 0.16};
-inline constexpr Colour kRouteStartColour{0.10, 0.55, 0.22};
-inline constexpr Colour kRouteEndColour{0.72, 0.12, 0.12};
+inline constexpr Colour kTransitColour = rgb(0x8C299E);
+inline constexpr Colour kBackOutColour = rgb(0x1F1F29);
+inline constexpr Colour kRouteStartColour = rgb(0x1A8C38);
+inline constexpr Colour kRouteEndColour = rgb(0xB81F1F);
 inline constexpr Colour kDroppedColour = rgb(0x6E6E6E);
 // Darker than overlap and uncovered land, and drawn on a white rim: its shape tells it apart from them
 // even where its hue does not.

@@ -92,7 +92,7 @@ double uniform(std::mt19937_64& random, double from, double to) {
   return std::uniform_real_distribution<double>(from, to)(random);
 }
 
-TEST(CurvedDetourPath, on_a_straight_track_is_the_straight_detour) {
+TEST(CurvedDetourPath, OnAStraightTrackIsTheStraightDetour) {
   std::mt19937_64 random(5);
   int met = 0;
   for (int i = 0; i < 300; ++i) {
@@ -124,7 +124,7 @@ double half_turn(double q, double h, double rho, double r, double outwards) {
   return std::acos((middle * middle + leaving * leaving - (rho + r) * (rho + r)) / (2 * middle * leaving));
 }
 
-TEST(CurvedDetourPath, round_a_pole_on_a_circle) {
+TEST(CurvedDetourPath, RoundAPoleOnACircle) {
   for (const double pole : {0.5, 2.0, 5.0})
     for (const Passing side : {Passing::kLeft, Passing::kRight}) {
       const Laid laid(kOuter, {regular(64, pole, {0, 76.5})}, arcs(0, 0), kMachine);
@@ -156,7 +156,7 @@ TEST(CurvedDetourPath, round_a_pole_on_a_circle) {
 }
 
 /// The costs said for each way are those of the whole plan, by booleans over chords.
-TEST(CurvedDetours, cost_what_the_plan_costs) {
+TEST(CurvedDetours, CostWhatThePlanCosts) {
   for (const double off : {0.0, 0.7, 1.4}) {
     const Laid laid(box(-30, 70, 30, 84), {regular(12, 1, {3, 76.5 + off})}, arcs(-3, 2), kMachine);
     const auto task = laid.task();
@@ -191,7 +191,7 @@ TEST(CurvedDetours, cost_what_the_plan_costs) {
 
 /// Two arcs that meet without a kink in the pole's middle, and their neighbours: turned by half a circle
 /// about it everything is as before, and left is right.
-TEST(CurvedDetours, cost_the_same_on_both_sides_of_a_symmetric_curve) {
+TEST(CurvedDetours, CostTheSameOnBothSidesOfASymmetricCurve) {
   const double r = 80, turn = 0.6, x = r * std::sin(turn), y = r * (1 - std::cos(turn));
   const Path s{{{-x, -y}, {0, 0}, -1 / r}, {{0, 0}, {x, y}, 1 / r}};
   std::vector<FamilyTrack> family{{0, {s, false}}};
@@ -211,7 +211,7 @@ TEST(CurvedDetours, cost_the_same_on_both_sides_of_a_symmetric_curve) {
   EXPECT_LT(length(only.at), 1e-6);
 }
 
-TEST(CurvedDetours, too_large_an_obstacle_is_cut) {
+TEST(CurvedDetours, TooLargeAnObstacleIsCut) {
   const Laid laid(kOuter, {box(-14, 62, 14, 90)}, arcs(-7, 6), kMachine, {0.04, 0.10, 0.45, 0.2});
   const Avoided best = choose_detours(laid.task());
   int cut = 0;
@@ -221,7 +221,7 @@ TEST(CurvedDetours, too_large_an_obstacle_is_cut) {
   EXPECT_LE(best.cost, all_cut(laid.task()).cost);
 }
 
-TEST(CurvedDetours, are_driven_where_the_settings_allow_them) {
+TEST(CurvedDetours, AreDrivenWhereTheSettingsAllowThem) {
   PlanSettings settings;
   settings.avoid = Avoidance::kCut;
   const Laid laid(kOuter, {regular(12, 1, {0, 76.5})}, arcs(-5, 4), kMachine, {}, {}, settings);
@@ -234,7 +234,7 @@ TEST(CurvedDetours, are_driven_where_the_settings_allow_them) {
 
 /// A pole 2 m wide, 0.1 m to the outside of the track's line, is passed on the inside: that is the smaller
 /// displacement. Driven anticlockwise the inside is left.
-TEST(CurvedDetours, by_s1_go_round_what_is_narrower_than_the_threshold) {
+TEST(CurvedDetours, ByS1GoRoundWhatIsNarrowerThanTheThreshold) {
   PlanSettings settings;
   settings.avoid = Avoidance::kPaper;
   for (const double threshold_m : {-1.0, 2.5, 1.5})
@@ -264,7 +264,7 @@ TEST(CurvedDetours, by_s1_go_round_what_is_narrower_than_the_threshold) {
 }
 
 /// Beside a hard edge there is room on one side only; and a clearance moves the detour out by as much.
-TEST(CurvedDetours, keep_within_hard_boundaries_and_their_clearance) {
+TEST(CurvedDetours, KeepWithinHardBoundariesAndTheirClearance) {
   PlanSettings settings;
   settings.boundary = EdgeKind::kHard;
   const Laid laid(box(-45, 55, 45, 81), {regular(12, 0.5, {0, 79.2})}, arcs(-5, 2), kMachine, {}, {},
@@ -286,7 +286,7 @@ TEST(CurvedDetours, keep_within_hard_boundaries_and_their_clearance) {
 }
 
 /// Ditches like spokes: each track is interrupted twice, and goes on.
-TEST(CurvedTracksAndPassables, are_crossed) {
+TEST(CurvedTracksAndPassables, AreCrossed) {
   const std::vector<Ring> ditches{box(-12, 50, -10, 100), box(8, 50, 11, 100)};
   const Laid laid(kOuter, {}, arcs(-3, 2), kMachine, {}, ditches);
   const Avoided laid_out = choose_detours(laid.task());

@@ -92,7 +92,7 @@ Scene worked_by_chance(std::vector<TrackFamily> families, WorkedGround& ground, 
   return out;
 }
 
-TEST(WorkedGround, is_what_polygon_booleans_find_whatever_the_families) {
+TEST(WorkedGround, IsWhatPolygonBooleansFindWhateverTheFamilies) {
   const Polygon west{ring_of({-45, 55, 0, 95}), {}}, east{ring_of({0, 55, 45, 95}), {}};
   const std::uint64_t seed = std::random_device{}();
   SCOPED_TRACE(seed);

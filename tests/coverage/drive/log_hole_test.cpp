@@ -109,8 +109,8 @@ TEST(LogHole, WorkedGroundIsCoveredWhicheverCameFirst) {
   EXPECT_NEAR(engine.areas().not_recorded_m2, 40, 1e-6);
   EXPECT_NEAR(engine.areas().covered_m2, 40, 1e-6);
   EXPECT_NEAR(engine.areas().repeated_m2, 0, 1e-6) << "what was not recorded was not worked";
-  EXPECT_NEAR(area(engine.region(Ground::kUnrecorded)), 40, 1e-4);
-  EXPECT_NEAR(area(engine.region(Ground::kMissed)), 600 - 80, 1e-4);
+  EXPECT_NEAR(area(engine.region(LandClass::kUnrecorded)), 40, 1e-4);
+  EXPECT_NEAR(area(engine.region(LandClass::kMissed)), 600 - 80, 1e-4);
 }
 
 TEST(LogHole, MeshesKnowItToo) {

@@ -64,12 +64,12 @@ TEST(MeshCoverage, TwoRowsByHand) {
   EXPECT_DOUBLE_EQ(areas.worked_times_m2[1], 87);
   EXPECT_TRUE(std::isnan(areas.worked_times_m2[2]) && std::isnan(areas.worked_times_m2[3]));
   const double half = 0.25;  // centres of meshes lie half a mesh beyond lines of the grid
-  EXPECT_EQ(engine.region(Ground::kRepeated),
+  EXPECT_EQ(engine.region(LandClass::kRepeated),
             (Region{{ring(quad_box(3 + half, 5 + half, 4 + half, 10 + half)), {}}}));
-  EXPECT_DOUBLE_EQ(area(engine.region(Ground::kOutside)), 32);
-  EXPECT_DOUBLE_EQ(area(engine.region(Ground::kMissed)), 40);
-  EXPECT_DOUBLE_EQ(area(engine.region(Ground::kOnce)), 87);
-  EXPECT_TRUE(engine.region(Ground::kSliver).empty());
+  EXPECT_DOUBLE_EQ(area(engine.region(LandClass::kOutside)), 32);
+  EXPECT_DOUBLE_EQ(area(engine.region(LandClass::kMissed)), 40);
+  EXPECT_DOUBLE_EQ(area(engine.region(LandClass::kOnce)), 87);
+  EXPECT_TRUE(engine.region(LandClass::kSliver).empty());
 }
 
 // The way through the meshes of a boundary goes from centre to centre, a side of a mesh at a time: there are
@@ -106,8 +106,8 @@ TEST(MeshCoverage, WhatWasNotRecordedByHand) {
   EXPECT_EQ(engine.areas().not_recorded_m2, 6 * 2);
   EXPECT_EQ(engine.areas().missed_m2, 100 - 40 - 12);
   EXPECT_EQ(engine.areas().covered_inside_m2, 40);
-  EXPECT_EQ(area(engine.region(Ground::kUnrecorded)), 12);
-  EXPECT_EQ(area(engine.region(Ground::kMissed)), 48);
+  EXPECT_EQ(area(engine.region(LandClass::kUnrecorded)), 12);
+  EXPECT_EQ(area(engine.region(LandClass::kMissed)), 48);
   MeshCoverage anywhere({}, 0.5);
   anywhere.add(step({quad_box(0, 0, 2, 10)}));
   anywhere.add_unrecorded({quad_box(-2, 4, 12, 6)});
@@ -129,8 +129,8 @@ TEST(MeshCoverage, WhatItCannotDoIsRefusedAndChangesNothing) {
   EXPECT_REFUSED(MeshCoverage({}, 0));
   EXPECT_REFUSED(MeshCoverage({}, std::nan("")));
   MeshCoverage engine({}, 0.05);
-  EXPECT_REFUSED(engine.region(Ground::kTwice));
-  EXPECT_REFUSED(engine.region(Ground::kOften));
+  EXPECT_REFUSED(engine.region(LandClass::kTwice));
+  EXPECT_REFUSED(engine.region(LandClass::kOften));
   EXPECT_REFUSED(engine.add(step({quad_box(0, 0, 1, 1), quad_box(1e7, 0, 1e7 + 1, 1)})));
   EXPECT_EQ(engine.areas().gross_m2, 0);
 }
@@ -168,12 +168,12 @@ TEST(MeshCoverage, RandomQuadsCornerByCorner) {
     EXPECT_EQ(areas.covered_inside_m2, static_cast<double>(inside.count()));
     EXPECT_EQ(areas.missed_m2, static_cast<double>(wanted.count() - inside.count()));
     EXPECT_EQ(areas.outside_m2, static_cast<double>(covered.count() - inside.count()));
-    EXPECT_NEAR(area(engine.region(Ground::kRepeated)), areas.repeated_m2, 1e-9);
-    EXPECT_NEAR(area(engine.region(Ground::kMissed)), areas.missed_m2, 1e-9);
+    EXPECT_NEAR(area(engine.region(LandClass::kRepeated)), areas.repeated_m2, 1e-9);
+    EXPECT_NEAR(area(engine.region(LandClass::kMissed)), areas.missed_m2, 1e-9);
     // What is kept up to date quad by quad is what comes out anew.
     const MeshRegion anew = combined(mesh_region({field[0]}, 1), engine.covered(), MeshOperation::kResidual);
     EXPECT_EQ(engine.missed().meshes(), anew.meshes());
-    EXPECT_EQ(engine.region(Ground::kMissed), region_of(anew, 1));
+    EXPECT_EQ(engine.region(LandClass::kMissed), region_of(anew, 1));
   }
 }
 
@@ -199,7 +199,7 @@ TEST(MeshCoverage, AStraightDriveRepeatsNothing) {
     EXPECT_EQ(engine.areas().covered_m2, engine.areas().gross_m2);
     // Half a mesh along an end and a side at most, both along the grid.
     EXPECT_NEAR(engine.areas().covered_m2, 4 * travel_m, kMesh_m * (4 + travel_m));
-    EXPECT_EQ(engine.region(Ground::kCovered).size(), 1U);
+    EXPECT_EQ(engine.region(LandClass::kCovered).size(), 1U);
   }
 }
 
@@ -222,7 +222,7 @@ TEST(MeshCoverage, ASpiralRepeatsWhatItsQuadsHaveInCommon) {
   EXPECT_GT(repeated_m2, 20);
   EXPECT_NEAR(engine.areas().covered_m2, covered_m2, 1e-3 * covered_m2);
   EXPECT_NEAR(engine.areas().repeated_m2, repeated_m2, 7e-3 * repeated_m2);
-  const Region covered = engine.region(Ground::kCovered);
+  const Region covered = engine.region(LandClass::kCovered);
   EXPECT_LT(area(symmetric_difference(covered, unite(quads))),
             kFineMesh_m * perimeter(covered.front().outer));
 }

@@ -24,40 +24,40 @@ using coverage::TileCoverage;
 using coverage::WorkedStep;
 using testing::Drive;
 
-constexpr std::array kGrounds = {Ground::kCovered,    Ground::kRepeated, Ground::kSliver, Ground::kMissed,
-                                 Ground::kUnrecorded, Ground::kOutside,  Ground::kOnce,   Ground::kTwice,
-                                 Ground::kOften,      Ground::kAgain};
+constexpr std::array kLandClasses = {
+    LandClass::kCovered, LandClass::kRepeated, LandClass::kSliver, LandClass::kMissed, LandClass::kUnrecorded,
+    LandClass::kOutside, LandClass::kOnce,     LandClass::kTwice,  LandClass::kOften,  LandClass::kAgain};
 
-double area_of(const CoverageAreas& areas, Ground what) {
+double area_of(const CoverageAreas& areas, LandClass what) {
   switch (what) {
-    case Ground::kCovered:
+    case LandClass::kCovered:
       return areas.covered_m2;
-    case Ground::kRepeated:
+    case LandClass::kRepeated:
       return areas.repeated_m2;
-    case Ground::kSliver:
+    case LandClass::kSliver:
       return areas.sliver_m2;
-    case Ground::kMissed:
+    case LandClass::kMissed:
       return areas.missed_m2;
-    case Ground::kUnrecorded:
+    case LandClass::kUnrecorded:
       return areas.not_recorded_m2;
-    case Ground::kOutside:
+    case LandClass::kOutside:
       return areas.outside_m2;
-    case Ground::kOnce:
+    case LandClass::kOnce:
       return areas.worked_times_m2[1];
-    case Ground::kTwice:
+    case LandClass::kTwice:
       return areas.worked_times_m2[2];
-    case Ground::kOften:
+    case LandClass::kOften:
       return areas.worked_times_m2[3];
-    case Ground::kAgain:
+    case LandClass::kAgain:
       return areas.worked_times_m2[2] + areas.worked_times_m2[3];
   }
   return 0;
 }
 
-std::string name(Ground what) {
+std::string name(LandClass what) {
   constexpr std::array kNames = {"covered", "repeated", "sliver", "missed", "not recorded",
                                  "outside", "once",     "twice",  "often",  "again"};
-  static_assert(kNames.size() == kGrounds.size());
+  static_assert(kNames.size() == kLandClasses.size());
   return kNames[static_cast<std::size_t>(what)];
 }
 
@@ -71,7 +71,7 @@ TileCoverage evaluated(const Drive& drive, const TileCoverage::Settings& setting
 double worked(const CoverageAreas& areas) { return std::max(areas.covered_m2, 1.0); }
 
 void expect_same(const CoverageAreas& got, const CoverageAreas& expected, double tolerance) {
-  for (const Ground what : kGrounds)
+  for (const LandClass what : kLandClasses)
     EXPECT_NEAR(area_of(got, what), area_of(expected, what), tolerance) << name(what);
   EXPECT_NEAR(got.covered_inside_m2, expected.covered_inside_m2, tolerance);
 }
@@ -134,7 +134,7 @@ TEST(TileCoverageProperties, AgreesWithPolygonBooleans) {
 TEST(TileCoverageProperties, RegionsAreValidAndMeasureWhatTheAreasSay) {
   for_random_drives(150, 150, [](const Drive& drive, std::mt19937_64&) {
     const TileCoverage engine = evaluated(drive);
-    for (const Ground what : kGrounds) {
+    for (const LandClass what : kLandClasses) {
       SCOPED_TRACE(name(what));
       const Region region = engine.region(what);
       EXPECT_NEAR(area(region), area_of(engine.areas(), what), 1e-6 * worked(engine.areas()));
@@ -159,7 +159,7 @@ double perimeter_of(const Region& region) {
 TEST(TileCoverageProperties, RegionsDoNotOverlap) {
   for_random_drives(20, 60, [](const Drive& drive, std::mt19937_64&) {
     const TileCoverage engine = evaluated(drive);
-    const Region covered = engine.region(Ground::kCovered), missed = engine.region(Ground::kMissed);
+    const Region covered = engine.region(LandClass::kCovered), missed = engine.region(LandClass::kMissed);
     EXPECT_NEAR(area(unite(covered)), area(covered), 1e-6 * perimeter_of(covered));
     EXPECT_NEAR(area(unite(missed)), area(missed), 1e-6 * perimeter_of(missed));
     EXPECT_NEAR(area(intersection(covered, missed)), 0, 1e-6 * perimeter_of(covered));
@@ -201,7 +201,7 @@ TEST(TileCoverageProperties, DoesNotDependOnTheSizeOfTiles) {
       const TileCoverage engine = evaluated(drive, {tile_m, true});
       expect_same(engine.areas(), expected,
                   1e-6 * worked(expected) + edges_moved_by_a_unit(drive, std::max(tile_m, 8.0)));
-      for (const Ground what : {Ground::kCovered, Ground::kMissed}) {
+      for (const LandClass what : {LandClass::kCovered, LandClass::kMissed}) {
         const Region region = engine.region(what);
         EXPECT_NEAR(area(region), area_of(expected, what),
                     1e-6 * std::max(worked(expected), area_of(expected, what)));
@@ -214,8 +214,8 @@ TEST(TileCoverageProperties, DoesNotDependOnTheSizeOfTiles) {
 TEST(TileCoverageProperties, WithoutMultiplicityAllElseIsTheSame) {
   for_random_drives(60, 80, [](const Drive& drive, std::mt19937_64&) {
     const CoverageAreas expected = evaluated(drive).areas(), got = evaluated(drive, {8, false}).areas();
-    for (const Ground what :
-         {Ground::kCovered, Ground::kRepeated, Ground::kSliver, Ground::kMissed, Ground::kOutside})
+    for (const LandClass what : {LandClass::kCovered, LandClass::kRepeated, LandClass::kSliver,
+                                 LandClass::kMissed, LandClass::kOutside})
       EXPECT_NEAR(area_of(got, what), area_of(expected, what), 1e-6 * worked(expected)) << name(what);
     EXPECT_TRUE(std::isnan(got.worked_times_m2[2]));
   });
@@ -224,7 +224,7 @@ TEST(TileCoverageProperties, WithoutMultiplicityAllElseIsTheSame) {
 TEST(TileCoverageProperties, RegionsAreTheSameOnAnyNumberOfThreads) {
   for_random_drives(20, 150, [](const Drive& drive, std::mt19937_64&) {
     const TileCoverage engine = evaluated(drive);
-    for (const Ground what : kGrounds) {
+    for (const LandClass what : kLandClasses) {
       Region alone, together;
       tbb::task_arena(1).execute([&] { alone = engine.region(what); });
       tbb::task_arena(2).execute([&] { together = engine.region(what); });
@@ -240,7 +240,7 @@ TEST(TileCoverageProperties, ChangesAddUp) {
     std::map<std::pair<double, double>, double> kept;
     std::uint64_t stamp = 0;
     const auto take = [&] {
-      for (const TileCoverage::Change& change : engine.changes_since(stamp, Ground::kCovered)) {
+      for (const TileCoverage::Change& change : engine.changes_since(stamp, LandClass::kCovered)) {
         kept[{change.tile.min_x, change.tile.min_y}] = area(change.ground);
         const Box ground = bounds(change.ground);
         EXPECT_TRUE(change.ground.empty() ||
@@ -254,7 +254,7 @@ TEST(TileCoverageProperties, ChangesAddUp) {
       if (std::bernoulli_distribution(0.1)(random)) take();
     }
     take();
-    EXPECT_TRUE(engine.changes_since(stamp, Ground::kCovered).empty());
+    EXPECT_TRUE(engine.changes_since(stamp, LandClass::kCovered).empty());
     double sum = 0;
     for (const auto& [tile, size] : kept) sum += size;
     EXPECT_NEAR(sum, engine.areas().covered_m2, 1e-6 * worked(engine.areas()));

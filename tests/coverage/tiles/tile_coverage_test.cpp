@@ -74,11 +74,11 @@ TEST(TileCoverage, BeforeAnythingIsWorkedTheWholeFieldIsMissed) {
   EXPECT_NEAR(engine.areas().missed_m2, 5000, kTolerance);
   EXPECT_EQ(engine.areas().covered_m2, 0);
   EXPECT_EQ(engine.stamp(), 0U);
-  const Region missed = engine.region(Ground::kMissed);
+  const Region missed = engine.region(LandClass::kMissed);
   ASSERT_EQ(missed.size(), 1U);
   EXPECT_NEAR(area(missed), 5000, kTolerance);
   EXPECT_EQ(missed[0].outer.size(), 4U);
-  EXPECT_TRUE(engine.region(Ground::kCovered).empty());
+  EXPECT_TRUE(engine.region(LandClass::kCovered).empty());
 }
 
 TEST(TileCoverage, OneRectangleInAField) {
@@ -95,7 +95,7 @@ TEST(TileCoverage, OneRectangleInAField) {
   EXPECT_NEAR(areas.worked_times_m2[0], 4880, kTolerance);
   EXPECT_NEAR(areas.worked_twice_m2(), 0, kTolerance);
   EXPECT_NEAR(areas.outside_m2, 0, kTolerance);
-  const Region missed = engine.region(Ground::kMissed);
+  const Region missed = engine.region(LandClass::kMissed);
   ASSERT_EQ(missed.size(), 1U);
   EXPECT_EQ(missed[0].holes.size(), 1U);
   EXPECT_NEAR(area(missed), 4880, kTolerance);
@@ -114,8 +114,9 @@ TEST(TileCoverage, TwoPassesThatCross) {
   EXPECT_NEAR(areas.sliver_m2, 0, kTolerance);
   EXPECT_NEAR(areas.worked_times_m2[1], 208, kTolerance);
   EXPECT_NEAR(areas.worked_times_m2[2], 16, kTolerance);
-  EXPECT_NEAR(area(symmetric_difference(engine.region(Ground::kRepeated), {{rectangle(18, 18, 22, 22), {}}})),
-              0, 1e-4);
+  EXPECT_NEAR(
+      area(symmetric_difference(engine.region(LandClass::kRepeated), {{rectangle(18, 18, 22, 22), {}}})), 0,
+      1e-4);
 }
 
 TEST(TileCoverage, NeighboursThatOverlapAreRepeatedAllAlong) {
@@ -139,8 +140,8 @@ TEST(TileCoverage, NeighboursThatTouchAreNot) {
   machine.straight(30, 41);
   EXPECT_NEAR(engine.areas().worked_twice_m2(), 0, kTolerance);
   EXPECT_NEAR(engine.areas().covered_m2, 240, kTolerance);
-  EXPECT_EQ(engine.region(Ground::kCovered).size(), 1U);
-  EXPECT_TRUE(engine.region(Ground::kRepeated).empty());
+  EXPECT_EQ(engine.region(LandClass::kCovered).size(), 1U);
+  EXPECT_TRUE(engine.region(LandClass::kRepeated).empty());
 }
 
 // Its own ground again within w of travel is sliver: backwards over 3 of 20 m, 4 m wide. The front of the
@@ -203,7 +204,7 @@ TEST(TileCoverage, StandingStillIsNothing) {
   for (int i = 0; i < 100; ++i) machine.turn(0);
   EXPECT_EQ(engine.areas().covered_m2, 0);
   EXPECT_EQ(engine.stamp(), 0U);
-  EXPECT_TRUE(engine.changes_since(0, Ground::kCovered).empty());
+  EXPECT_TRUE(engine.changes_since(0, LandClass::kCovered).empty());
 }
 
 TEST(TileCoverage, AcrossTheBoundary) {
@@ -214,8 +215,8 @@ TEST(TileCoverage, AcrossTheBoundary) {
   EXPECT_NEAR(engine.areas().covered_inside_m2, 10 * 3, kTolerance);
   EXPECT_NEAR(engine.areas().outside_m2, 60 - 30, kTolerance);
   EXPECT_NEAR(engine.areas().missed_m2, 5000 - 30, kTolerance);
-  EXPECT_NEAR(area(engine.region(Ground::kOutside)), 30, kTolerance);
-  EXPECT_NEAR(area(engine.region(Ground::kMissed)), 4970, kTolerance);
+  EXPECT_NEAR(area(engine.region(LandClass::kOutside)), 30, kTolerance);
+  EXPECT_NEAR(area(engine.region(LandClass::kMissed)), 4970, kTolerance);
 }
 
 TEST(TileCoverage, AHoleOfTheFieldIsOutside) {
@@ -225,7 +226,7 @@ TEST(TileCoverage, AHoleOfTheFieldIsOutside) {
   machine.straight(30, 10);
   EXPECT_NEAR(engine.areas().outside_m2, 40, kTolerance);
   EXPECT_NEAR(engine.areas().missed_m2, 4900 - 80, kTolerance);
-  EXPECT_NEAR(area(engine.region(Ground::kMissed)), 4820, kTolerance);
+  EXPECT_NEAR(area(engine.region(LandClass::kMissed)), 4820, kTolerance);
 }
 
 // Two passes with a gap, and two across that close it: missed within as a hole of the covered ground.
@@ -243,11 +244,11 @@ TEST(TileCoverage, MissedGroundIsAHoleOfTheCovered) {
   // A frame 30 × 14 round a hole 22 × 6; the four corners of 4 × 4 are worked twice.
   EXPECT_NEAR(engine.areas().covered_m2, 30 * 14 - 22 * 6, kTolerance);
   EXPECT_NEAR(engine.areas().repeated_m2, 4 * 16, kTolerance);
-  const Region covered = engine.region(Ground::kCovered);
+  const Region covered = engine.region(LandClass::kCovered);
   ASSERT_EQ(covered.size(), 1U);
   ASSERT_EQ(covered[0].holes.size(), 1U);
   EXPECT_NEAR(signed_area(covered[0].holes[0]), -22 * 6, kTolerance);
-  const Region missed = engine.region(Ground::kMissed);
+  const Region missed = engine.region(LandClass::kMissed);
   ASSERT_EQ(missed.size(), 2U);
   EXPECT_NEAR(area(missed), 5000 - 288, kTolerance);
 }
@@ -263,7 +264,7 @@ TEST(TileCoverage, CountsUpToThree) {
   EXPECT_NEAR(engine.areas().worked_times_m2[2], 0, kTolerance);
   EXPECT_NEAR(engine.areas().repeated_m2, 40, kTolerance);
   EXPECT_NEAR(engine.areas().gross_m2, 200, kTolerance);
-  EXPECT_NEAR(area(engine.region(Ground::kOften)), 40, kTolerance);
+  EXPECT_NEAR(area(engine.region(LandClass::kOften)), 40, kTolerance);
 }
 
 TEST(TileCoverage, WhatIsSaturatedStaysAsItIs) {
@@ -277,10 +278,10 @@ TEST(TileCoverage, WhatIsSaturatedStaysAsItIs) {
   machine.begin({12, 20}, kEast);
   machine.straight(3, 2);  // all of it worked three times, and repeated
   EXPECT_EQ(engine.stamp(), stamp);
-  EXPECT_TRUE(engine.changes_since(stamp, Ground::kCovered).empty());
+  EXPECT_TRUE(engine.changes_since(stamp, LandClass::kCovered).empty());
   machine.straight(6, 2);  // a metre beyond
   EXPECT_GT(engine.stamp(), stamp);
-  const std::vector<TileCoverage::Change> changes = engine.changes_since(stamp, Ground::kOnce);
+  const std::vector<TileCoverage::Change> changes = engine.changes_since(stamp, LandClass::kOnce);
   ASSERT_EQ(changes.size(), 1U);  // the tile from 16 to 24 in both directions has all of it
   EXPECT_EQ(changes[0].tile.min_x, 16);
   EXPECT_EQ(changes[0].tile.max_y, 24);
@@ -290,7 +291,7 @@ TEST(TileCoverage, WhatIsSaturatedStaysAsItIs) {
 TEST(TileCoverage, WithoutMultiplicityNothingIsCounted) {
   TileCoverage engine(field(), {8, false});
   EXPECT_TRUE(std::isnan(engine.areas().worked_times_m2[0]));
-  EXPECT_TRUE(engine.region(Ground::kTwice).empty());
+  EXPECT_TRUE(engine.region(LandClass::kTwice).empty());
 }
 
 TEST(TileCoverage, RefusesSenselessTiles) {
@@ -313,8 +314,8 @@ TEST(TileCoverage, StandingWithNoiseStaysSmall) {
   }
   EXPECT_LT(engine.size().cells, 2 * cells_at_a_tenth);
   EXPECT_LT(engine.areas().covered_m2, 3);
-  EXPECT_NEAR(area(engine.region(Ground::kCovered)), engine.areas().covered_m2, kTolerance);
-  for (const Polygon& polygon : engine.region(Ground::kCovered)) EXPECT_FALSE(find_invalidity(polygon));
+  EXPECT_NEAR(area(engine.region(LandClass::kCovered)), engine.areas().covered_m2, kTolerance);
+  for (const Polygon& polygon : engine.region(LandClass::kCovered)) EXPECT_FALSE(find_invalidity(polygon));
 }
 
 // Wherever the bar has come out a little further than before there is a new rim, so the number of cells does

@@ -18,7 +18,7 @@ constexpr Box kLargeBody{-100, -100, 100, 100};
 // A line, two quarter turns of radius 2 and a line: 6 m to the left and 4 + 4 + 5 m up.
 const Path kS{{{0, -3}, {0, 0}, 0}, {{0, 0}, {-2, 2}, 0.5}, {{-2, 2}, {-4, 4}, -0.5}, {{-4, 4}, {-4, 9}, 0}};
 
-RisingCurves boxed(const Box& body = kLargeBody) {
+RisingCurves curves_in(const Box& body = kLargeBody) {
   RisingCurves out;
   append_box(body, Layer::kBody, kEverywhere, out);
   return out;
@@ -54,7 +54,7 @@ double lens(double r, double s, double d) {
 
 TEST(LayeredArea, OfNothingIsNothing) {
   EXPECT_EQ(newly_covered_area({}), 0);
-  EXPECT_EQ(newly_covered_area(boxed()), 0);
+  EXPECT_EQ(newly_covered_area(curves_in()), 0);
   RisingCurves curves;
   append_box({0, 0, 1, 1}, Layer::kNew, kEverywhere, curves);
   EXPECT_EQ(newly_covered_area(curves), 0) << "no body";
@@ -62,17 +62,17 @@ TEST(LayeredArea, OfNothingIsNothing) {
 
 TEST(LayeredArea, OfADiscHalfInTheBody) {
   for (const double centre : {0.0, 3.0, -7.0}) {
-    RisingCurves curves = boxed({centre, -100, 100, 100});
+    RisingCurves curves = curves_in({centre, -100, 100, 100});
     append_disc({centre, 1}, 3, Layer::kNew, curves);
     EXPECT_NEAR(newly_covered_area(curves), kPi * 9 / 2, 1e-12);
-    curves = boxed({centre, -100, 100, 100});
+    curves = curves_in({centre, -100, 100, 100});
     append_halves({centre, 1}, 3, Layer::kNew, curves);
     EXPECT_NEAR(newly_covered_area(curves), kPi * 9 / 2, 1e-12);
   }
 }
 
 TEST(LayeredArea, OfTheCapAboveALevelEdge) {
-  RisingCurves curves = boxed({-100, 1, 100, 100});
+  RisingCurves curves = curves_in({-100, 1, 100, 100});
   append_disc({0, 0}, 2, Layer::kNew, curves);
   EXPECT_NEAR(newly_covered_area(curves), 4 * std::acos(0.5) - std::sqrt(3.0), 1e-12);
 }
@@ -87,7 +87,7 @@ TEST(LayeredArea, OfTheLensOfTwoDiscs) {
       append_disc(other, s, Layer::kNew, both);
       EXPECT_NEAR(newly_covered_area(both), lens(3, s, d), 1e-12) << s << ", " << angle;
 
-      RisingCurves crescent = boxed();
+      RisingCurves crescent = curves_in();
       append_disc({0, 0}, 3, Layer::kCovered, crescent);
       append_disc(other, s, Layer::kNew, crescent);
       EXPECT_NEAR(newly_covered_area(crescent), kPi * s * s - lens(3, s, d), 1e-12) << s << ", " << angle;
@@ -97,7 +97,7 @@ TEST(LayeredArea, OfTheLensOfTwoDiscs) {
 TEST(LayeredArea, OfDiscsThatTouchCoincideOrShareACentre) {
   // Of halves, so that some touch in the middle of a slab.
   const auto outside_taken = [](Point centre, double radius) {
-    RisingCurves curves = boxed();
+    RisingCurves curves = curves_in();
     append_halves({0, 0}, 2, Layer::kCovered, curves);
     append_halves(centre, radius, Layer::kNew, curves);
     return newly_covered_area(curves);
@@ -116,7 +116,7 @@ TEST(LayeredArea, OfDiscsThatTouchCoincideOrShareACentre) {
 
 TEST(LayeredArea, OfADiscThatTouchesLines) {
   for (const double by : {0.0, 0.1, -1.0 / 3}) {
-    RisingCurves curves = boxed({by - 2, -100, by + 2, 100});
+    RisingCurves curves = curves_in({by - 2, -100, by + 2, 100});
     append_halves({by, 7}, 2, Layer::kNew, curves);
     EXPECT_NEAR(newly_covered_area(curves), 4 * kPi, 1e-6) << "between two lines";
     append_box({by + 2, -50, by + 5, 50}, Layer::kCovered, kEverywhere, curves);
@@ -129,11 +129,11 @@ TEST(LayeredArea, OfADiscThatTouchesLines) {
 
 TEST(LayeredArea, OfABandIsItsWidthTimesItsLength) {
   for (const double width : {0.5, 2.0, 4.0}) {
-    RisingCurves curves = boxed();
+    RisingCurves curves = curves_in();
     append_band(kS, width, Layer::kNew, curves);
     EXPECT_NEAR(newly_covered_area(curves), width * length(kS), 1e-12);
     // The machine may drive it the other way.
-    curves = boxed();
+    curves = curves_in();
     append_band(reversed(kS), width, Layer::kNew, curves);
     EXPECT_NEAR(newly_covered_area(curves), width * length(kS), 1e-12);
   }
@@ -145,12 +145,12 @@ TEST(LayeredArea, OfABandInAnyDirection) {
     const double angle = i * kPi / 12 + 0.01, c = std::cos(angle), s = std::sin(angle);
     const auto turn = [c, s](Point p) { return Point{c * p.x - s * p.y, s * p.x + c * p.y}; };
     for (const double width : {1.0, 4.0}) {
-      RisingCurves curves = boxed();
+      RisingCurves curves = curves_in();
       append_band(moved(kS, turn), width, Layer::kNew, curves);
       EXPECT_NEAR(newly_covered_area(curves), width * length(kS), 1e-12) << i;
     }
     const Path circle{{{0, 0}, {-4, 0}, 0.5}, {{-4, 0}, {0, 0}, 0.5}};
-    RisingCurves curves = boxed();
+    RisingCurves curves = curves_in();
     append_band(moved(circle, turn), 1, Layer::kNew, curves);
     // Half a circle given by chord and curvature knows its centre to √(1e-16) of its radius only.
     EXPECT_NEAR(newly_covered_area(curves), 4 * kPi, 1e-6) << i;
@@ -159,12 +159,12 @@ TEST(LayeredArea, OfABandInAnyDirection) {
 
 TEST(LayeredArea, OfAnAlmostStraightArcIsThatOfALine) {
   for (const double curvature : {1e-5, 1e-8, -1e-11, 1e-14, -1e-300}) {
-    RisingCurves curves = boxed();
+    RisingCurves curves = curves_in();
     append_band({{{0, 0}, {3, 40}, curvature}}, 2, Layer::kNew, curves);
     EXPECT_NEAR(newly_covered_area(curves), 2 * length(PathSegment{{0, 0}, {3, 40}, curvature}), 1e-9)
         << curvature;
     // A line beside it crosses it at both ends: between them lies the arc's segment.
-    curves = boxed();
+    curves = curves_in();
     append_ring({{0, 0}, {3, 40}, {-20, 20}}, Layer::kCovered, kEverywhere, curves);
     append_ring({{3, 40}, {-20, 20}, {0, 0}}, Layer::kNew, kEverywhere, curves);
     EXPECT_NEAR(newly_covered_area(curves), 0, 1e-12);
@@ -174,7 +174,7 @@ TEST(LayeredArea, OfAnAlmostStraightArcIsThatOfALine) {
 // The path's axis runs along the body's edge up to the turn, so half of the lower line counts, the
 // ring sector inside the body (left of x = 0) of the first turn, and all of the rest.
 TEST(LayeredArea, OfABandAcrossTheEdgeOfTheBody) {
-  RisingCurves curves = boxed({-100, -100, 0, 100});
+  RisingCurves curves = curves_in({-100, -100, 0, 100});
   append_band(kS, 2, Layer::kNew, curves);
   // Between the circle of radius 3 about (−2, 0) and x = 0, in the upper half.
   const double beyond = 0.5 * (9 * std::acos(2.0 / 3) - 2 * std::sqrt(5.0));
@@ -182,14 +182,14 @@ TEST(LayeredArea, OfABandAcrossTheEdgeOfTheBody) {
 }
 
 TEST(LayeredArea, LeavesOutHolesOfTheBody) {
-  RisingCurves curves = boxed();
+  RisingCurves curves = curves_in();
   append_ring(reversed(corners({-1, 0, 3, 5})), Layer::kBody, kEverywhere, curves);
   append_box({0, 1, 4, 10}, Layer::kNew, kEverywhere, curves);
   EXPECT_NEAR(newly_covered_area(curves), 36 - 12, 1e-12);
 }
 
 TEST(LayeredArea, CountsGroundInSeveralNewShapesOnce) {
-  RisingCurves curves = boxed();
+  RisingCurves curves = curves_in();
   append_disc({0, 0}, 3, Layer::kNew, curves);
   append_disc({3, 0}, 3, Layer::kNew, curves);
   append_disc({0, 0}, 3, Layer::kNew, curves);
@@ -198,7 +198,7 @@ TEST(LayeredArea, CountsGroundInSeveralNewShapesOnce) {
 }
 
 TEST(LayeredArea, LeavesOutWhatIsTaken) {
-  RisingCurves curves = boxed();
+  RisingCurves curves = curves_in();
   append_box({0, 0, 10, 10}, Layer::kNew, kEverywhere, curves);
   append_box({0, 0, 2, 10}, Layer::kCovered, kEverywhere, curves);       // along the left edge
   append_box({2, 0, 4, 7}, Layer::kCovered, kEverywhere, curves);        // its neighbour
@@ -210,7 +210,7 @@ TEST(LayeredArea, LeavesOutWhatIsTaken) {
 }
 
 TEST(LayeredArea, NeighboursLeaveNoGapBetweenThem) {
-  RisingCurves curves = boxed();
+  RisingCurves curves = curves_in();
   for (int i = 0; i < 7; ++i)
     append_box({i * 0.1, i % 2 * 0.3, (i + 1) * 0.1, 9.1}, Layer::kCovered, kEverywhere, curves);
   append_box({0, 0.3, 0.7, 9.1}, Layer::kNew, kEverywhere, curves);
@@ -276,7 +276,7 @@ TEST(LayeredArea, ClockwiseRingsTakeAway) {
 }
 
 TEST(LayeredArea, PutsUpWithDegenerateShapes) {
-  RisingCurves curves = boxed();
+  RisingCurves curves = curves_in();
   append_band({{{1, 1}, {1, 1}, 0}}, 2, Layer::kNew, curves);
   append_band({}, 2, Layer::kNew, curves);
   append_box({3, 3, 3, 5}, Layer::kNew, kEverywhere, curves);

@@ -20,6 +20,19 @@ inline PathSegment random_segment(RandomCase& random) {
   return arc_onwards(from, direction, random.between(4, 40), turn);
 }
 
+/// A random region, and the swath along a random segment through it.
+struct RandomSection {
+  explicit RandomSection(RandomCase& random)
+      : region(random_region(random)),
+        segment(random_segment(random)),
+        width(random.between(1, 8)),
+        frame(segment, 0.5 * width) {}
+  Region region;
+  PathSegment segment;
+  double width;
+  SegmentFrame frame;
+};
+
 inline SegmentProfile shape_of(const SegmentFrame& frame) {
   SegmentProfile out;
   out.length = frame.length();

@@ -113,10 +113,7 @@ TEST(SectionParts, AreTheEdgesThatEachCrossSectionMeets) {
   int met = 0, beside = 0;
   for (int number = 0; number < 1000; ++number) {
     RandomCase random(number);
-    const Region region = testing::random_region(random);
-    const PathSegment segment = testing::random_segment(random);
-    const double width = random.between(1, 8);
-    const SegmentFrame frame(segment, 0.5 * width);
+    const auto [region, segment, width, frame] = testing::RandomSection(random);
     const Parts found = parts_of(region, segment, width);
     for (int i = 0; i < 20; ++i) {
       const double along = random.between(0, frame.length());
@@ -143,10 +140,7 @@ TEST(RightEnds, CrossTheBoundaryWhereTheyEnterAndLeave) {
   int crossed = 0;
   for (int number = 0; number < 1000; ++number) {
     RandomCase random(number);
-    const Region region = testing::random_region(random);
-    const PathSegment segment = testing::random_segment(random);
-    const double width = random.between(1, 8);
-    const SegmentFrame frame(segment, 0.5 * width);
+    const auto [region, segment, width, frame] = testing::RandomSection(random);
     const Parts found = parts_of(region, segment, width);
     const int at_start = contains(region, frame.point_at(0, width)) ? 1 : 0;
     for (int i = 0; i < 20; ++i) {

@@ -90,10 +90,7 @@ TEST(SectionSlabs, HoldWhatEachCrossSectionMeets) {
   std::size_t several = 0;
   for (int number = 0; number < 400; ++number) {
     RandomCase random(number);
-    const Region region = testing::random_region(random);
-    const PathSegment segment = testing::random_segment(random);
-    const double width = random.between(1, 8);
-    const SegmentFrame frame(segment, 0.5 * width);
+    const auto [region, segment, width, frame] = testing::RandomSection(random);
     const Slabs found = slabs_of(region, segment, width);
     const SegmentProfile& profile = found.profile;
     ASSERT_FALSE(profile.slabs.empty());

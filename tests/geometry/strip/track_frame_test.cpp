@@ -5,7 +5,7 @@
 namespace tramline {
 namespace {
 
-TEST(TrackFrame, that_is_not_turned_is_the_fields_own) {
+TEST(TrackFrame, ThatIsNotTurnedIsTheFieldsOwn) {
   const TrackFrame frame;
   for (const Point p : {Point{0, 0}, Point{3.25, -7.5}, Point{-1e6 / 3, 1e-7}}) {
     EXPECT_EQ(frame.to_track(p), p);
@@ -14,7 +14,7 @@ TEST(TrackFrame, that_is_not_turned_is_the_fields_own) {
 }
 
 /// Tracks that lie due east run up the turned plane; what is south of them lies to the right.
-TEST(TrackFrame, has_the_direction_as_its_y_and_its_right_as_x) {
+TEST(TrackFrame, HasTheDirectionAsItsYAndItsRightAsX) {
   const TrackFrame frame(Direction::clockwise_from_north(Angle::degrees(90)));
   const Point p = frame.to_track(Point{5, -2});
   EXPECT_NEAR(p.x, 2, 1e-12);

@@ -117,7 +117,7 @@ void expect_same_numbers(const Coverage& a, const Coverage& b) {
   }
 }
 
-TEST_F(CoverageFileTest, comes_back_to_the_bit) {
+TEST_F(CoverageFileTest, ComesBackToTheBit) {
   const Coverage coverage = odd_passes();
   io::write_coverage(coverage, file());
   const Coverage read = io::read_coverage(file());
@@ -147,7 +147,7 @@ TEST_F(CoverageFileTest, comes_back_to_the_bit) {
   }
 }
 
-TEST_F(CoverageFileTest, a_plain_frame_is_written_in_the_input_plane) {
+TEST_F(CoverageFileTest, APlainFrameIsWrittenInTheInputPlane) {
   Coverage coverage = odd_passes();
   coverage.frame = {false, 0, 0, 500123.4, 5800456.7};
   io::write_coverage(coverage, file());
@@ -168,7 +168,7 @@ TEST_F(CoverageFileTest, a_plain_frame_is_written_in_the_input_plane) {
 }
 
 /// What GDAL, which knows nothing of ours, measures and counts.
-TEST_F(CoverageFileTest, gdal_finds_the_layers_and_their_figures) {
+TEST_F(CoverageFileTest, GdalFindsTheLayersAndTheirFigures) {
   io::write_coverage(two_passes(), file());
   RegisterOGRGeoPackage();
   const GDALDatasetUniquePtr data(GDALDataset::Open(file().c_str(), GDAL_OF_VECTOR));
@@ -225,7 +225,7 @@ TEST_F(CoverageFileTest, gdal_finds_the_layers_and_their_figures) {
 
 /// M = a(1 − e²) / (1 − e² sin²φ)^1.5 metres of northing make a radian of latitude. Over 20 m M changes by
 /// 1e-8 of itself, so the formula is good to a micrometre.
-TEST_F(CoverageFileTest, gaps_have_a_place_on_earth) {
+TEST_F(CoverageFileTest, GapsHaveAPlaceOnEarth) {
   Coverage coverage = two_passes();
   coverage.gaps[0].centre = {0, 20};
   io::write_coverage(coverage, file());
@@ -240,7 +240,7 @@ TEST_F(CoverageFileTest, gaps_have_a_place_on_earth) {
   EXPECT_EQ(gap->GetFieldAsDouble("widest_m"), 4);
 }
 
-TEST_F(CoverageFileTest, polygons_are_sorted_by_size_then_from_west_and_south) {
+TEST_F(CoverageFileTest, PolygonsAreSortedBySizeThenFromWestAndSouth) {
   const Polygon large{box_ring(50, 50, 53, 53), {}}, east{box_ring(9, 0, 11, 1), {}},
       north{box_ring(3, 8, 5, 9), {}}, south{box_ring(3, 1, 4, 3), {}};
   for (const Region& given : {Region{east, south, large, north}, Region{north, large, south, east}}) {
@@ -256,7 +256,7 @@ TEST_F(CoverageFileTest, polygons_are_sorted_by_size_then_from_west_and_south) {
   }
 }
 
-TEST_F(CoverageFileTest, an_evaluation_of_nothing_has_every_layer) {
+TEST_F(CoverageFileTest, AnEvaluationOfNothingHasEveryLayer) {
   io::write_coverage(Coverage{}, file());
   const Coverage read = io::read_coverage(file());
   EXPECT_TRUE(read.field.empty());
@@ -270,7 +270,7 @@ TEST_F(CoverageFileTest, an_evaluation_of_nothing_has_every_layer) {
   }
 }
 
-TEST_F(CoverageFileTest, what_is_not_known_comes_back_as_not_known) {
+TEST_F(CoverageFileTest, WhatIsNotKnownComesBackAsNotKnown) {
   Coverage coverage = two_passes();
   coverage.worked_s = kNan;
   coverage.areas.worked_times_m2.fill(kNan);
@@ -287,7 +287,7 @@ TEST_F(CoverageFileTest, what_is_not_known_comes_back_as_not_known) {
 }
 
 /// Areas that were counted without their shapes make features all the same.
-TEST_F(CoverageFileTest, counted_areas_need_no_shape) {
+TEST_F(CoverageFileTest, CountedAreasNeedNoShape) {
   Coverage coverage = two_passes();
   coverage.worked_times = {};
   io::write_coverage(coverage, file());
@@ -298,7 +298,7 @@ TEST_F(CoverageFileTest, counted_areas_need_no_shape) {
   EXPECT_EQ(OGRFeatureUniquePtr(layer->GetNextFeature())->GetFieldAsDouble("area_m2"), 1380);
 }
 
-TEST_F(CoverageFileTest, a_machine_that_stood_has_its_place) {
+TEST_F(CoverageFileTest, AMachineThatStoodHasItsPlace) {
   Coverage coverage = two_passes();
   coverage.lines = {{0, {{3, 4}}, 0, 1}, {-1, {}, 1, 2}};
   io::write_coverage(coverage, file());
@@ -308,7 +308,7 @@ TEST_F(CoverageFileTest, a_machine_that_stood_has_its_place) {
   EXPECT_TRUE(read.lines[1].line.empty());
 }
 
-TEST_F(CoverageFileTest, the_same_evaluation_gives_the_same_bytes) {
+TEST_F(CoverageFileTest, TheSameEvaluationGivesTheSameBytes) {
   io::write_coverage(odd_passes(), file());
   usleep(5000);
   io::write_coverage(odd_passes(), folder_ / "other.gpkg");
@@ -318,14 +318,14 @@ TEST_F(CoverageFileTest, the_same_evaluation_gives_the_same_bytes) {
   EXPECT_EQ(folder_.entries(), 3u);
 }
 
-TEST_F(CoverageFileTest, time_stamps_follow_source_date_epoch) {
+TEST_F(CoverageFileTest, TimeStampsFollowSourceDateEpoch) {
   setenv("SOURCE_DATE_EPOCH", "1700000000", 1);
   io::write_coverage(two_passes(), file());
   EXPECT_NE(bytes_of(file()).find("2023-11-14T22:13:20.000Z"), std::string::npos);
   unsetenv("SOURCE_DATE_EPOCH");
 }
 
-TEST_F(CoverageFileTest, only_geopackages) {
+TEST_F(CoverageFileTest, OnlyGeopackages) {
   for (const char* name : {"coverage.shp", "coverage", "coverage.gpkg.zip"}) {
     const Error error = error_of([&] { io::write_coverage(two_passes(), folder_ / name); });
     EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
@@ -336,7 +336,7 @@ TEST_F(CoverageFileTest, only_geopackages) {
   EXPECT_EQ(io::read_coverage(folder_ / "COVERAGE.GPKG").covered, two_passes().covered);
 }
 
-TEST_F(CoverageFileTest, what_cannot_be_written_leaves_nothing_behind) {
+TEST_F(CoverageFileTest, WhatCannotBeWrittenLeavesNothingBehind) {
   const Error error = error_of([&] { io::write_coverage(two_passes(), folder_ / "missing/coverage.gpkg"); });
   EXPECT_EQ(error.kind(), ErrorKind::kFailure);
   EXPECT_EQ(folder_.entries(), 0u);

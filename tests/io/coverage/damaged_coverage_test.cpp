@@ -6,13 +6,11 @@
 
 #include <filesystem>
 #include <fstream>
-#include <functional>
-#include <iterator>
-#include <random>
+#include <string>
 
+#include "io/changed_file.h"
 #include "io/coverage/two_passes.h"
 #include "support/refusals.h"
-#include "support/temporary_folder.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/coverage/read_coverage.h"
 #include "tramline/io/coverage/write_coverage.h"
@@ -22,9 +20,10 @@
 namespace tramline {
 namespace {
 
-using testing_support::bytes_of;
-using testing_support::damaged;
 using testing_support::mentions;
+using testing_support::read_damaged_copies;
+using testing_support::refusal_of_file;
+using testing_support::run_sql;
 
 namespace fs = std::filesystem;
 
@@ -43,35 +42,22 @@ class DamagedCoverage : public testing::Test {
   void TearDown() override { fs::remove(file_); }
 
   /// What reading says after a change made through GDAL; "" when it says nothing.
-  std::string after_sql(const char* statement) const {
+  std::string after_sql(const std::string& statement) const {
     io::write_coverage(with_slices(), file_);
-    {
-      CPLPushErrorHandler(CPLQuietErrorHandler);
-      const GDALDatasetUniquePtr data(GDALDataset::Open(file_.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
-      data->ExecuteSQL(statement, nullptr, nullptr);
-      CPLPopErrorHandler();
-    }
+    run_sql(file_, statement);
     return read();
   }
   std::string read() const {
-    try {
-      io::read_coverage(file_);
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::kBadInput) << error.what();
-      EXPECT_NE(std::string(error.what()).find(file_.filename().string()), std::string::npos) << error.what();
-      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-      return error.what();
-    }
-    return "";
+    return refusal_of_file(file_, [this] { io::read_coverage(file_); });
   }
   fs::path file_;
 };
 
-TEST_F(DamagedCoverage, missing_parts_are_named) {
+TEST_F(DamagedCoverage, MissingPartsAreNamed) {
   EXPECT_EQ(read(), "");
   for (const std::string layer :
        {"field", "covered", "repeated", "missed", "not_recorded", "multiplicity", "gaps", "track"})
-    EXPECT_TRUE(mentions(after_sql(("DROP TABLE " + layer).c_str()), "'" + layer + "'")) << layer;
+    EXPECT_TRUE(mentions(after_sql("DROP TABLE " + layer), "'" + layer + "'")) << layer;
   EXPECT_EQ(after_sql("DROP TABLE layer_styles"), "");
   EXPECT_EQ(after_sql("DROP TABLE slices"), "");
   EXPECT_TRUE(mentions(after_sql("DELETE FROM metadata WHERE key = 'areas.missed_m2'"), "'areas.missed_m2'"));
@@ -93,16 +79,13 @@ TEST_F(DamagedCoverage, missing_parts_are_named) {
 }
 
 // Version 1 knew nothing of ground that was not recorded.
-TEST_F(DamagedCoverage, older_files_are_read) {
+TEST_F(DamagedCoverage, OlderFilesAreRead) {
   io::write_coverage(with_slices(), file_);
-  {
-    const GDALDatasetUniquePtr data(GDALDataset::Open(file_.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
-    for (const char* statement :
-         {"DROP TABLE not_recorded", "DELETE FROM metadata WHERE key = 'areas.not_recorded_m2'",
-          "ALTER TABLE slices DROP COLUMN not_recorded_m2",
-          "UPDATE metadata SET value = '1' WHERE key = 'format_version'"})
-      data->ExecuteSQL(statement, nullptr, nullptr);
-  }
+  for (const char* statement :
+       {"DROP TABLE not_recorded", "DELETE FROM metadata WHERE key = 'areas.not_recorded_m2'",
+        "ALTER TABLE slices DROP COLUMN not_recorded_m2",
+        "UPDATE metadata SET value = '1' WHERE key = 'format_version'"})
+    run_sql(file_, statement);
   const Coverage read = io::read_coverage(file_);
   EXPECT_TRUE(read.not_recorded.empty());
   EXPECT_EQ(read.areas.not_recorded_m2, 0);
@@ -110,7 +93,7 @@ TEST_F(DamagedCoverage, older_files_are_read) {
   EXPECT_EQ(read.areas.missed_m2, with_slices().areas.missed_m2);
 }
 
-TEST_F(DamagedCoverage, files_of_another_kind_are_told_apart) {
+TEST_F(DamagedCoverage, FilesOfAnotherKindAreToldApart) {
   Plan plan;
   plan.field.outer = {{0, 0}, {10, 0}, {10, 10}};
   io::write_plan(plan, file_);
@@ -140,19 +123,14 @@ TEST_F(DamagedCoverage, files_of_another_kind_are_told_apart) {
   EXPECT_TRUE(mentions(read(), "coverage file written by tramline evaluate")) << read();
 }
 
-TEST_F(DamagedCoverage, a_file_cut_off_is_known_at_once) {
+TEST_F(DamagedCoverage, AFileCutOffIsKnownAtOnce) {
   fs::resize_file(file_, fs::file_size(file_) - 5000);
   EXPECT_TRUE(mentions(read(), "cut off"));
 }
 
 /// Whatever the bytes, reading ends in an evaluation or in one sentence.
-TEST_F(DamagedCoverage, random_bytes_never_crash_the_reader) {
-  const std::string whole = bytes_of(file_);
-  std::mt19937 random(3);
-  for (int i = 0; i < 150; ++i) {
-    std::ofstream(file_, std::ios::binary) << damaged(whole, 1 + i, random);
-    read();
-  }
+TEST_F(DamagedCoverage, RandomBytesNeverCrashTheReader) {
+  read_damaged_copies(file_, [this] { read(); });
 }
 
 }  // namespace

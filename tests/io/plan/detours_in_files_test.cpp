@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "io/changed_file.h"
 #include "support/temporary_folder.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/plan/detour_text.h"
@@ -18,6 +19,8 @@ namespace tramline {
 namespace {
 
 using testing_support::bytes_of;
+using testing_support::refusal_of_file;
+using testing_support::run_sql;
 
 namespace fs = std::filesystem;
 
@@ -66,19 +69,8 @@ class DetoursInFiles : public testing::Test {
   /// What reading says after a change; "" when it says nothing.
   std::string after(const std::string& statement) const {
     io::write_plan(detour_plan(), file_);
-    {
-      CPLPushErrorHandler(CPLQuietErrorHandler);
-      const GDALDatasetUniquePtr data(GDALDataset::Open(file_.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
-      data->ExecuteSQL(statement.c_str(), nullptr, nullptr);
-      CPLPopErrorHandler();
-    }
-    try {
-      io::read_plan_file(file_);
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::kBadInput) << error.what();
-      return error.what();
-    }
-    return "";
+    run_sql(file_, statement);
+    return refusal_of_file(file_, [this] { io::read_plan_file(file_); });
   }
   /// Is the column of the piece with detours named when it holds this?
   testing::AssertionResult refused(const std::string& column, const std::string& text) const {
@@ -101,7 +93,7 @@ void expect_same_piece(const TrackPiece& a, const TrackPiece& b) {
   }
 }
 
-TEST_F(DetoursInFiles, come_back_to_the_bit) {
+TEST_F(DetoursInFiles, ComeBackToTheBit) {
   const Plan plan = detour_plan();
   const io::PlanFile read = io::read_plan_file(file_);
   ASSERT_EQ(read.plan.pieces.size(), 2u);
@@ -119,7 +111,7 @@ TEST_F(DetoursInFiles, come_back_to_the_bit) {
       << "kinds, sides and obstacles of two pieces, and what settings repeat";
 }
 
-TEST_F(DetoursInFiles, encounters_come_back) {
+TEST_F(DetoursInFiles, EncountersComeBack) {
   const Plan plan = detour_plan();
   const std::vector<Encounter> read = io::read_plan(file_).encounters;
   ASSERT_EQ(read.size(), 2u);
@@ -138,7 +130,7 @@ TEST_F(DetoursInFiles, encounters_come_back) {
   }
 }
 
-TEST_F(DetoursInFiles, a_plain_frame_moves_paths_too) {
+TEST_F(DetoursInFiles, APlainFrameMovesPathsToo) {
   Plan plan = detour_plan();
   plan.field.frame = {false, 0, 0, 500123.4, 5800456.7};
   io::write_plan(plan, file_);
@@ -154,7 +146,7 @@ TEST_F(DetoursInFiles, a_plain_frame_moves_paths_too) {
 }
 
 /// A tight half circle far from the origin: its chord is longer than its diameter by rounding.
-TEST_F(DetoursInFiles, half_circles_are_not_refused_for_their_last_digits) {
+TEST_F(DetoursInFiles, HalfCirclesAreNotRefusedForTheirLastDigits) {
   for (int i = 0; i < 200; ++i) {
     const Point a{0.1 * i, 0.7}, b{a.x + std::cos(0.1 * i), a.y + std::sin(0.1 * i)},
         far{500123.4, 5800456.7};
@@ -163,14 +155,14 @@ TEST_F(DetoursInFiles, half_circles_are_not_refused_for_their_last_digits) {
   }
 }
 
-TEST_F(DetoursInFiles, equal_plans_are_equal_bytes) {
+TEST_F(DetoursInFiles, EqualPlansAreEqualBytes) {
   const std::string bytes = bytes_of(file_);
   const Plan read = io::read_plan(file_);
   io::write_plan(read, file_);
   EXPECT_EQ(bytes_of(file_), bytes);
 }
 
-TEST_F(DetoursInFiles, columns_are_for_people_too) {
+TEST_F(DetoursInFiles, ColumnsAreForPeopleToo) {
   io::write_plan(detour_plan(), file_);
   const GDALDatasetUniquePtr data(GDALDataset::Open(file_.c_str(), GDAL_OF_VECTOR));
   OGRLayer* layer = data->GetLayerByName("tracks");
@@ -191,7 +183,7 @@ TEST_F(DetoursInFiles, columns_are_for_people_too) {
   EXPECT_STREQ(cut->GetFieldAsString("chosen"), "cut");
 }
 
-TEST_F(DetoursInFiles, corrupt_paths_are_named) {
+TEST_F(DetoursInFiles, CorruptPathsAreNamed) {
   for (const char* text :
        {"", "1", "1 2", "1 2;", "1 2; 3 4", "1 2; 3 4 ", "1 2; 3 4 0;", "1 2; 3 4 0 5", "1 2, 3 4 0",
         "1 2; 3 4 x", "nan 2; 3 4 0", "1 2; inf 4 0", "1 2; 3 4 nan", "1 2; 3 1e999 0", " 1 2; 3 4 0"})
@@ -201,7 +193,7 @@ TEST_F(DetoursInFiles, corrupt_paths_are_named) {
   EXPECT_TRUE(refused("detours", "[]"));
 }
 
-TEST_F(DetoursInFiles, corrupt_lists_of_detours_are_named) {
+TEST_F(DetoursInFiles, CorruptListsOfDetoursAreNamed) {
   const auto item = [](const char* first, const char* last, const char* side, const char* obstacles) {
     return std::string("{\"first\":") + first + ",\"last\":" + last + ",\"side\":\"" + side +
            "\",\"obstacles\":" + obstacles + "}";
@@ -220,7 +212,7 @@ TEST_F(DetoursInFiles, corrupt_lists_of_detours_are_named) {
   EXPECT_EQ(after("UPDATE tracks SET detours = '[" + item("0", "7", "left", "[1]") + "]' WHERE fid = 2"), "");
 }
 
-TEST_F(DetoursInFiles, other_faults_are_named) {
+TEST_F(DetoursInFiles, OtherFaultsAreNamed) {
   const auto mentions = [](const std::string& sentence, const std::string& words) {
     return sentence.find(words) != std::string::npos;
   };
@@ -236,7 +228,7 @@ TEST_F(DetoursInFiles, other_faults_are_named) {
 }
 
 /// Columns for people that contradict the path are read beside what it says.
-TEST_F(DetoursInFiles, contradictions_are_kept_for_the_verifier) {
+TEST_F(DetoursInFiles, ContradictionsAreKeptForTheVerifier) {
   EXPECT_EQ(after("UPDATE tracks SET kind = 'straight', sides = '', smallest_radius_m = NULL WHERE fid = 2"),
             "");
   const io::PlanFile file = io::read_plan_file(file_);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "io/changed_file.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/plan/read_plan.h"
 #include "tramline/io/plan/write_plan.h"
@@ -45,13 +46,7 @@ class FrontInFiles : public ::testing::Test {
     fs::remove(path_, ignored);
   }
 
-  /// Runs SQL on the file.
-  void change(const std::string& sql) const {
-    GDALAllRegister();
-    const GDALDatasetUniquePtr file(GDALDataset::Open(path_.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
-    ASSERT_NE(file, nullptr);
-    file->ReleaseResultSet(file->ExecuteSQL(sql.c_str(), nullptr, nullptr));
-  }
+  void change(const std::string& sql) const { testing_support::run_sql(path_, sql); }
 
   const fs::path path_ = fs::temp_directory_path() / ("tramline-front-" + std::to_string(getpid()) + ".gpkg");
 };

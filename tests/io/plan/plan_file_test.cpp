@@ -100,7 +100,7 @@ void expect_same_settings(const Plan& a, const Plan& b) {
   EXPECT_EQ(a.warnings, b.warnings);
 }
 
-TEST_F(PlanFileTest, comes_back_to_the_bit) {
+TEST_F(PlanFileTest, ComesBackToTheBit) {
   const Plan plan = odd_plan();
   io::write_plan(plan, file());
   const io::PlanFile read = io::read_plan_file(file());
@@ -136,7 +136,7 @@ TEST_F(PlanFileTest, comes_back_to_the_bit) {
     EXPECT_NEAR(number.stored, number.from_shape, 1e-9) << number.where;
 }
 
-TEST_F(PlanFileTest, values_for_turning_come_back_and_ask_for_a_version_of_their_own) {
+TEST_F(PlanFileTest, ValuesForTurningComeBackAndAskForAVersionOfTheirOwn) {
   Plan plan = odd_plan();
   EXPECT_EQ(io::metadata_of(plan).at("format_version"), "6");
   EXPECT_EQ(io::metadata_of(plan).count("machine.lift_m"), 0U);
@@ -149,7 +149,7 @@ TEST_F(PlanFileTest, values_for_turning_come_back_and_ask_for_a_version_of_their
   EXPECT_EQ(io::read_plan(file()).machine.turning, plan.machine.turning);
 }
 
-TEST_F(PlanFileTest, one_value_for_turning_is_enough_and_all_are_written) {
+TEST_F(PlanFileTest, OneValueForTurningIsEnoughAndAllAreWritten) {
   Plan plan = odd_plan();
   plan.machine.turning.lift_m = 0.5;
   const io::Metadata metadata = io::metadata_of(plan);
@@ -160,7 +160,7 @@ TEST_F(PlanFileTest, one_value_for_turning_is_enough_and_all_are_written) {
   EXPECT_EQ(read.machine.turning, plan.machine.turning);
 }
 
-TEST_F(PlanFileTest, values_for_turning_that_no_machine_has_are_bad_input) {
+TEST_F(PlanFileTest, ValuesForTurningThatNoMachineHasAreBadInput) {
   Plan plan = odd_plan();
   plan.machine.turning.lift_m = 0.5;
   for (const auto& [key, value] : {std::pair{"machine.turning_speed_mps", "0"},
@@ -186,7 +186,7 @@ TEST_F(PlanFileTest, values_for_turning_that_no_machine_has_are_bad_input) {
             std::string::npos);
 }
 
-TEST_F(PlanFileTest, a_plain_frame_is_written_in_the_input_plane) {
+TEST_F(PlanFileTest, APlainFrameIsWrittenInTheInputPlane) {
   Plan plan = odd_plan();
   plan.field.frame = {false, 0, 0, 500123.4, 5800456.7};
   io::write_plan(plan, file());
@@ -196,7 +196,7 @@ TEST_F(PlanFileTest, a_plain_frame_is_written_in_the_input_plane) {
     EXPECT_LT(distance(read.field.outer[i], plan.field.outer[i]), 1e-8);
 }
 
-TEST_F(PlanFileTest, an_empty_plan_has_every_layer) {
+TEST_F(PlanFileTest, AnEmptyPlanHasEveryLayer) {
   Plan plan;
   plan.field.outer = {{0, 0}, {10, 0}, {10, 10}};
   io::write_plan(plan, file());
@@ -205,7 +205,7 @@ TEST_F(PlanFileTest, an_empty_plan_has_every_layer) {
   EXPECT_TRUE(read.subfields.empty());
 }
 
-TEST_F(PlanFileTest, the_same_plan_gives_the_same_bytes) {
+TEST_F(PlanFileTest, TheSamePlanGivesTheSameBytes) {
   io::write_plan(odd_plan(), file());
   usleep(5000);
   io::write_plan(odd_plan(), folder_ / "other.gpkg");
@@ -215,7 +215,7 @@ TEST_F(PlanFileTest, the_same_plan_gives_the_same_bytes) {
   EXPECT_EQ(folder_.entries(), 3u);
 }
 
-TEST_F(PlanFileTest, time_stamps_follow_source_date_epoch) {
+TEST_F(PlanFileTest, TimeStampsFollowSourceDateEpoch) {
   setenv("SOURCE_DATE_EPOCH", "1700000000", 1);
   io::write_plan(odd_plan(), file());
   EXPECT_NE(bytes_of(file()).find("2023-11-14T22:13:20.000Z"), std::string::npos);
@@ -224,18 +224,18 @@ TEST_F(PlanFileTest, time_stamps_follow_source_date_epoch) {
   unsetenv("SOURCE_DATE_EPOCH");
 }
 
-TEST_F(PlanFileTest, only_geopackages) {
+TEST_F(PlanFileTest, OnlyGeopackages) {
   const Error error = error_of([&] { io::write_plan(odd_plan(), folder_ / "plan.shp"); });
   EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
   EXPECT_EQ(folder_.entries(), 0u);
 }
 
-TEST_F(PlanFileTest, the_extension_may_be_in_capitals) {
+TEST_F(PlanFileTest, TheExtensionMayBeInCapitals) {
   io::write_plan(odd_plan(), folder_ / "PLAN.GPKG");
   EXPECT_EQ(io::read_plan(folder_ / "PLAN.GPKG").field.outer, odd_plan().field.outer);
 }
 
-TEST_F(PlanFileTest, nothing_is_left_of_a_failed_write) {
+TEST_F(PlanFileTest, NothingIsLeftOfAFailedWrite) {
   const Error missing = error_of([&] { io::write_plan(odd_plan(), folder_ / "no" / "plan.gpkg"); });
   EXPECT_EQ(missing.kind(), ErrorKind::kFailure);
   EXPECT_NE(std::string(missing.what()).find("plan.gpkg"), std::string::npos);
@@ -247,7 +247,7 @@ TEST_F(PlanFileTest, nothing_is_left_of_a_failed_write) {
 }
 
 /// A limit on file sizes stands for a full disk: the write fails half way.
-TEST_F(PlanFileTest, a_full_disk_is_a_failed_run_that_leaves_the_older_plan) {
+TEST_F(PlanFileTest, AFullDiskIsAFailedRunThatLeavesTheOlderPlan) {
   io::write_plan(odd_plan(), file());
   const std::string before = bytes_of(file());
   rlimit limit{};
@@ -263,7 +263,7 @@ TEST_F(PlanFileTest, a_full_disk_is_a_failed_run_that_leaves_the_older_plan) {
   EXPECT_EQ(folder_.entries(), 1u);
 }
 
-TEST_F(PlanFileTest, missing_foreign_and_cut_off_files_are_bad_input) {
+TEST_F(PlanFileTest, MissingForeignAndCutOffFilesAreBadInput) {
   EXPECT_EQ(error_of([&] { io::read_plan(folder_ / "none.gpkg"); }).kind(), ErrorKind::kBadInput);
   EXPECT_EQ(error_of([&] { io::read_plan(folder_.path()); }).kind(), ErrorKind::kBadInput);
   std::ofstream(folder_ / "text.gpkg") << "this is not a database at all, but it is long enough\n";
@@ -277,7 +277,7 @@ TEST_F(PlanFileTest, missing_foreign_and_cut_off_files_are_bad_input) {
   }
 }
 
-TEST_F(PlanFileTest, a_number_that_is_not_finite_is_bad_input) {
+TEST_F(PlanFileTest, ANumberThatIsNotFiniteIsBadInput) {
   Plan plan = odd_plan();
   plan.cost = std::numeric_limits<double>::quiet_NaN();
   io::write_plan(plan, file());

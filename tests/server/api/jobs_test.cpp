@@ -33,11 +33,16 @@ void wait_until_running(const Served& served, const std::string& id) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
 }
 
+/// Until a search of the job has reported that it has done something, 10 s at most.
+void wait_until_searching(const Served& served, const std::string& id) {
+  for (int i = 0; i < 1000 && served.get("/jobs/" + id).json["done"] == 0; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+}
+
 TEST_F(ServerTest, ALongJobIsCancelledAtOnce) {
   const std::string id = served.post("/jobs", long_job(served)).json["id"];
   wait_until_running(served, id);
-  // Into the searches themselves.
-  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  wait_until_searching(served, id);
   ASSERT_EQ(served.get("/jobs/" + id).json["state"], "running") << "the job is too short for this test";
   const auto start = steady_clock::now();
   EXPECT_EQ(served.remove("/jobs/" + id).status, 200);

@@ -1,6 +1,6 @@
 // Drawing a shape: from the first place to what becomes of it.
 import type { Geometry, Place } from '../api/types';
-import { closed, drawing, least, type Purpose } from '../state/drawing';
+import { closed, drawing, least, single, type Purpose } from '../state/drawing';
 import { attempt } from './notices';
 
 type Done = (geometry: Geometry) => Promise<void>;
@@ -20,12 +20,12 @@ export const stop = () => drawing.set({ purpose: null, places: [] });
 export function add(place: Place): void {
   const { purpose, places } = drawing.get();
   if (!purpose || purpose === 'edge') return;
-  drawing.set({ places: purpose === 'obstacle-point' ? [place] : [...places, place] });
+  drawing.set({ places: single(purpose) ? [place] : [...places, place] });
 }
 export const undo = () => drawing.set({ places: drawing.get().places.slice(0, -1) });
 
 function geometry(purpose: Purpose, places: Place[]): Geometry {
-  if (purpose === 'obstacle-point') return { type: 'Point', coordinates: places[0]! };
+  if (single(purpose)) return { type: 'Point', coordinates: places[0]! };
   if (closed(purpose)) return { type: 'Polygon', coordinates: [[...places, places[0]!]] };
   return { type: 'LineString', coordinates: places };
 }

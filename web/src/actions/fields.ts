@@ -4,7 +4,7 @@ import { ApiError } from '../api/errors';
 import type { FieldFull, Geometry, ObstacleDrawn, Upload, UploadedFeature } from '../api/types';
 import { plural, sentence } from '../format';
 import { fields } from '../state/fields';
-import { form } from '../state/plan_form';
+import { form, OF_THE_FIELD } from '../state/plan_form';
 import { review } from '../state/review';
 import { complain, note } from './notices';
 import { closePlan, loadPlans } from './plans';
@@ -17,7 +17,7 @@ export async function loadFields(): Promise<void> {
 async function opened(field: FieldFull): Promise<void> {
   if (fields.get().open?.id !== field.id) {
     closePlan();
-    form.set({ line: null }); // an edge of the other field, or a line over it
+    form.set(OF_THE_FIELD);
     if (review.get().drive?.field !== field.id) review.set({ drive: null });
   }
   fields.set({ open: field });
@@ -49,7 +49,7 @@ const storeFeature = (upload: Upload, { fid, layer }: UploadedFeature) =>
 let stopped = false;
 export const stopTaking = () => void (stopped = true);
 
-/** Stores them in turn, without opening any. What cannot be stored is told of, and the others are stored all the same. */
+/** Stores them in turn, without opening any. What cannot be stored is reported, and the others are stored all the same. */
 export async function takeFeatures(upload: Upload, features: UploadedFeature[]): Promise<void> {
   const [only] = features;
   if (features.length === 1 && only) return takeFeature(upload, only);

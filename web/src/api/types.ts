@@ -117,6 +117,12 @@ export interface PlanSettings {
   line?: Place[];
   avoid?: 'cheapest' | 'paper' | 'cut';
   clearance_m?: number;
+  /** The whole route; what follows is about it. */
+  route?: boolean;
+  order?: string;
+  headland_time?: 'first' | 'last';
+  start?: Place;
+  end?: Place;
 }
 export interface PlanRequest {
   field: string;
@@ -195,6 +201,29 @@ export interface PlanItem extends Tally {
   kind: string;
   draft: boolean;
 }
+export type LegKind = 'work' | 'headland' | 'turn' | 'transit' | 'back_out';
+export interface Leg {
+  seq: number;
+  kind: LegKind;
+  gear: 'forward' | 'reverse';
+  work: boolean;
+  length_m: number;
+  time_s: number;
+  missing_m?: number;
+}
+export interface Route {
+  legs: Leg[];
+  length_m: number;
+  reverse_m: number;
+  time_s: number;
+  /** No route over the same tracks and passes takes this machine less. */
+  bound_s: number;
+  gap: number;
+  without_room: number;
+  over_worked_m: number;
+  over_unworked_m: number;
+  over_tracks_m: number;
+}
 export interface PlanSummary extends Tally {
   area_m2: number;
   body_m2: number;
@@ -213,6 +242,8 @@ export interface PlanSummary extends Tally {
   bound: number | null;
   gap: number | null;
   kind: string;
+  /** Only of plans that were asked for one. */
+  route?: Route;
   seconds?: number;
   repairs?: Repair[];
   skipped?: Skipped[];

@@ -4,7 +4,7 @@ import type { Colours } from './palette';
 
 export const drawingLayers = (c: Colours): LayerSpecification[] => [
   {
-    id: 'edges', type: 'line', source: 'edges', layout: { 'line-cap': 'round', 'line-join': 'round' },
+    id: 'edges', type: 'line', source: 'edges', filter: ['==', ['geometry-type'], 'LineString'], layout: { 'line-cap': 'round', 'line-join': 'round' },
     paint: {
       'line-color': c.Reference, 'line-width': ['case', ['get', 'chosen'], 5, 3], 'line-opacity': ['case', ['get', 'chosen'], 1, 0.45],
     },
@@ -12,6 +12,13 @@ export const drawingLayers = (c: Colours): LayerSpecification[] => [
   {
     id: 'edges-arrow', type: 'symbol', source: 'edges', filter: ['==', ['get', 'chosen'], true],
     layout: { 'symbol-placement': 'line', 'symbol-spacing': 120, 'icon-image': 'arrow:guide', 'icon-allow-overlap': true },
+  },
+  {
+    id: 'edges-gate', type: 'circle', source: 'edges', filter: ['==', ['geometry-type'], 'Point'],
+    paint: {
+      'circle-radius': 8, 'circle-color': c.Background, 'circle-stroke-width': 3,
+      'circle-stroke-color': ['case', ['==', ['get', 'gate'], 'start'], c.RouteStart, c.RouteEnd],
+    },
   },
   {
     id: 'drawing-fill', type: 'fill', source: 'drawing', filter: ['==', ['geometry-type'], 'Polygon'],

@@ -59,7 +59,7 @@ function keepTheme(map: GlMap): void {
 const GROUND = ['field-ground', 'plan:headland', 'plan:subfields'];
 const SEEN_THROUGH = 0.35;
 
-/** A background that does not come is told of once, until it is switched on anew. */
+/** A background that cannot be loaded is reported once, until it is switched on again. */
 function keepTiles(map: GlMap, visible: LiveMap['visible']): void {
   let told = false;
   // What the map still asks for while the page is being left fails, and is no fault.

@@ -7,6 +7,36 @@ const tint = (c: Colours): ExpressionSpecification =>
   ['at', ['%', ['-', ['to-number', ['get', 'number'], 1], 1], c.Tints.length], ['literal', [...c.Tints]]] as never;
 const thin: ExpressionSpecification = ['interpolate', ['linear'], ['zoom'], 14, 0.6, 17, 1.3, 20, 2.4];
 
+/** Legs with the work on lie on tracks and passes, which are drawn already. */
+const OFF: ExpressionSpecification = ['in', ['get', 'kind'], ['literal', ['turn', 'transit', 'back_out']]];
+const inGear = (gear: string): ExpressionSpecification => ['all', OFF, ['==', ['get', 'gear'], gear]];
+
+/** By kind, in reverse dashed, and where the machine has no room in red. */
+function routeLayers(c: Colours): LayerSpecification[] {
+  const colour: ExpressionSpecification = [
+    'case', ['>', ['to-number', ['get', 'missing_m'], 0], 0], c.NoRoom,
+    ['match', ['get', 'kind'], 'turn', c.Turn, 'transit', c.Transit, c.BackOut],
+  ];
+  const width: ExpressionSpecification = ['interpolate', ['linear'], ['zoom'], 14, 0.9, 17, 1.8, 20, 3.2];
+  return [
+    {
+      id: 'plan:route-forward', type: 'line', source: 'plan:route_legs', filter: inGear('forward'), layout: { 'line-join': 'round' },
+      paint: { 'line-color': colour, 'line-width': width },
+    },
+    {
+      id: 'plan:route-reverse', type: 'line', source: 'plan:route_legs', filter: inGear('reverse'), layout: { 'line-join': 'round' },
+      paint: { 'line-color': colour, 'line-width': width, 'line-dasharray': [2, 1.5] },
+    },
+    {
+      id: 'plan:route-ends', type: 'circle', source: 'plan:route_ends',
+      paint: {
+        'circle-radius': 6, 'circle-stroke-width': 2, 'circle-stroke-color': c.Rim,
+        'circle-color': ['case', ['==', ['get', 'end'], 'start'], c.RouteStart, c.RouteEnd],
+      },
+    },
+  ];
+}
+
 export function planLayers(c: Colours): { areas: LayerSpecification[]; lines: LayerSpecification[] } {
   const fill = (name: string, paint: Record<string, unknown>): LayerSpecification =>
     ({ id: `plan:${name}`, type: 'fill', source: `plan:${name}`, paint }) as LayerSpecification;
@@ -53,6 +83,7 @@ export function planLayers(c: Colours): { areas: LayerSpecification[]; lines: La
         id: 'plan:tracks', type: 'line', source: 'plan:tracks', layout: { 'line-join': 'round' },
         paint: { 'line-color': c.Track, 'line-opacity': 0.85, 'line-width': thin },
       },
+      ...routeLayers(c),
       {
         id: 'plan:detours-rim', type: 'line', source: 'plan:detours', layout: { 'line-cap': 'round', 'line-join': 'round' },
         paint: { 'line-color': c.Rim, 'line-opacity': 0.9, 'line-width': 5 },
@@ -83,6 +114,7 @@ export const PARTS_OF: Record<string, string[]> = {
   tracks: ['plan:tracks', 'plan:tracks-arrow', 'plan:tracks-number'],
   swaths: ['plan:swaths', 'plan:swaths-edge'],
   headland_passes: ['plan:headland_passes', 'plan:headland_passes-arrow'],
+  route_legs: ['plan:route-forward', 'plan:route-reverse', 'plan:route-ends'],
   detours: ['plan:detours-rim', 'plan:detours'],
   subfields: ['plan:subfields', 'plan:subfields-edge'],
   headland: ['plan:headland'],

@@ -19,6 +19,14 @@ const guideFeature = (line: Place[], chosen: boolean): Feature => ({
   type: 'Feature', properties: { chosen }, geometry: { type: 'LineString', coordinates: line },
 });
 
+/** Gates that a route is asked for. */
+function gates(): Feature[] {
+  const { route, start, end } = form.get();
+  const gate = (place: Place | null, name: string): Feature[] =>
+    route && place ? [{ type: 'Feature', properties: { gate: name }, geometry: { type: 'Point', coordinates: place } }] : [];
+  return [...gate(end, 'end'), ...gate(start, 'start')];
+}
+
 export function followDrawing({ map, fill }: LiveMap): void {
   const sync = () => {
     const { purpose, places } = drawing.get();
@@ -36,7 +44,7 @@ export function followDrawing({ map, fill }: LiveMap): void {
     const here = session.get().view === 'plan' || picking;
     const offered = picking ? openEdges().map((edge) => guideFeature(edge.line, false)) : [];
     const chosen = here && line ? [guideFeature(line, true)] : [];
-    fill('edges', collection([...offered, ...chosen]));
+    fill('edges', collection([...offered, ...chosen, ...(here ? gates() : [])]));
   };
   for (const from of [drawing, form, session]) from.listen(guide);
   guide();

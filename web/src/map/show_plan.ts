@@ -4,6 +4,7 @@ import { session } from '../state/session';
 import { NOTHING, type LiveMap } from './live_map';
 import { degreeLengths } from './metres';
 import { PARTS_OF } from './plan_layers';
+import { endsOf } from './route_ends';
 
 /** Lines nearer to one another than this are a grey area, and cost as much to draw as if they were seen, px. */
 const LEAST_APART_PX = 3;
@@ -38,6 +39,7 @@ export function followPlan({ map, fill, visible }: LiveMap): void {
       if (on && data !== filled[name]) {
         filled[name] = data;
         fill(`plan:${name}`, data ?? NOTHING);
+        if (name === 'route_legs') fill('plan:route_ends', data ? endsOf(data) : NOTHING);
       }
       visible(parts, on && data !== undefined);
     }

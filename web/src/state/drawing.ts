@@ -2,10 +2,12 @@
 import type { Place } from '../api/types';
 import { store } from './store';
 
-export type Purpose = 'field' | 'obstacle-point' | 'obstacle-line' | 'obstacle-area' | 'guide' | 'edge';
+export type Purpose = 'field' | 'obstacle-point' | 'obstacle-line' | 'obstacle-area' | 'guide' | 'edge' | 'gate';
 export const drawing = store<{ purpose: Purpose | null; places: Place[] }>({ purpose: null, places: [] });
 
+/** Whether it is a single place, which each click sets anew. */
+export const single = (purpose: Purpose | null) => purpose === 'obstacle-point' || purpose === 'gate';
 /** How many places a shape needs at least. */
 export const least = (purpose: Purpose) =>
-  purpose === 'obstacle-point' ? 1 : purpose === 'guide' || purpose === 'obstacle-line' ? 2 : 3;
+  single(purpose) ? 1 : purpose === 'guide' || purpose === 'obstacle-line' ? 2 : 3;
 export const closed = (purpose: Purpose | null) => purpose === 'field' || purpose === 'obstacle-area';

@@ -18,6 +18,12 @@ export interface PlanForm {
   avoid: 'cheapest' | 'cut';
   boundary: 'soft' | 'hard';
   again: boolean;
+  /** The whole route, and how. Gates belong to the open field. */
+  route: boolean;
+  order: string;
+  headland_time: 'first' | 'last';
+  start: Place | null;
+  end: Place | null;
 }
 
 export const USUAL: Prices = { overlap: 0.02, uncovered: 0.1, turn: 1, stop: 5, subfield: 5 };
@@ -25,6 +31,8 @@ export const USUAL: Prices = { overlap: 0.02, uncovered: 0.1, turn: 1, stop: 5, 
 export const MIDDLE = 5;
 export const priceAt = (notch: number, usual: number) => (notch === 0 ? 0 : usual * 2 ** ((notch - MIDDLE) / 0.75));
 
+/** What is drawn on a field, and means nothing on another. */
+export const OF_THE_FIELD = { line: null, start: null, end: null };
 const KEEP = 'tramline-plan-form';
 const first: PlanForm = {
   machine: { width_m: 6, radius_m: 6 },
@@ -35,23 +43,26 @@ const first: PlanForm = {
   headlands: 0,
   obstacle_headlands: 0,
   shape: 'straight',
-  line: null,
   clearance_m: 0,
   avoid: 'cheapest',
   boundary: 'soft',
   again: true,
+  route: false,
+  order: 'best',
+  headland_time: 'last',
+  ...OF_THE_FIELD,
 };
 
 function kept(): PlanForm {
   try {
     const own = JSON.parse(localStorage.getItem(KEEP) ?? '{}') as Partial<PlanForm>;
-    return { ...first, ...own, prices: { ...USUAL, ...own.prices }, line: null };
+    return { ...first, ...own, prices: { ...USUAL, ...own.prices }, ...OF_THE_FIELD };
   } catch {
     return first;
   }
 }
 export const form = store<PlanForm>(kept());
-form.listen(() => localStorage.setItem(KEEP, JSON.stringify({ ...form.get(), line: null })));
+form.listen(() => localStorage.setItem(KEEP, JSON.stringify({ ...form.get(), ...OF_THE_FIELD })));
 
 export function pricesOf(value: PlanForm): Prices {
   if (value.by === 'prices') return value.prices;
@@ -78,6 +89,15 @@ export function costOf(counts: Counts, value: PlanForm = form.get()): number {
     + prices.subfield * (counts.further_subfields ?? 0);
 }
 
+function routeOf(value: PlanForm): PlanSettings {
+  const out: PlanSettings = { route: true };
+  if (value.order !== 'best') out.order = value.order;
+  if (value.headland_time !== 'last') out.headland_time = value.headland_time;
+  if (value.start) out.start = value.start;
+  if (value.end) out.end = value.end;
+  return out;
+}
+
 export function requestOf(value: PlanForm, field: string): PlanRequest {
   const settings: PlanSettings = { end_rule: value.end_rule };
   if (value.headlands > 0) settings.headlands = value.headlands;
@@ -93,6 +113,7 @@ export function requestOf(value: PlanForm, field: string): PlanRequest {
     settings.line = value.shape === 'straight' ? [begin, end] : value.line;
     delete settings.curved;
   }
+  if (value.route) Object.assign(settings, routeOf(value));
   const { name, width_m, radius_m, min_length_m, turning } = value.machine;
   const machine: Machine = { width_m, radius_m };
   if (name) machine.name = name;

@@ -17,5 +17,5 @@ export const plans = store<{
 }>({ list: [], open: null, before: null, layers: [], shown: {}, shapes: {}, job: null, checking: null, checked: null, machines: [] });
 
 /** On when a plan is opened; everything else is switched on by the user, and stays so. */
-const FIRST_SHOWN = ['tracks', 'headland_passes', 'headland', 'headland_unworked', 'detours', 'overlap', 'uncovered', 'obstacles', 'subfields'];
+const FIRST_SHOWN = ['tracks', 'route_legs', 'headland_passes', 'headland', 'headland_unworked', 'detours', 'overlap', 'uncovered', 'obstacles', 'subfields'];
 export const isShown = (layer: string) => plans.get().shown[layer] ?? FIRST_SHOWN.includes(layer);

@@ -9,7 +9,7 @@
 
 namespace tramline::io {
 
-/// What is wanted of a file: layers with other shapes are left aside where none is named.
+/// The shapes to read from a file. Where no layer is named, layers with other shapes are ignored.
 enum class WantedShapes { kPolygons, kLines };
 
 /// What to read. `file` is a path (a .zip may hold the files in folders) or a database string ("PG:…").

@@ -52,7 +52,7 @@ class Placing {
 };
 
 /// Land that a feature has taken.
-struct Taken {
+struct PlacedLand {
   Region land;
   std::string origin;
 };
@@ -83,14 +83,14 @@ class Placer {
     Region land = placing_.land(drawn.feature);
     if (area(land) <= kNoArea_m2) return;
     used_[index] = 1;
-    for (const Taken& before : taken_) {
+    for (const PlacedLand& before : placed_) {
       const Region common = intersection(land, before.land);
       if (area(common) <= kNoArea_m2) continue;
       remark_overlap(before.origin, drawn.feature.origin, common);
       land = difference(land, before.land);
     }
     if (area(land) <= kNoArea_m2) return;
-    taken_.push_back({land, drawn.feature.origin});
+    placed_.push_back({land, drawn.feature.origin});
     if (drawn.left_out)
       given_.left_out.insert(given_.left_out.end(), land.begin(), land.end());
     else
@@ -139,7 +139,7 @@ class Placer {
   std::vector<char>& used_;
   GivenLand& given_;
   Placing placing_;
-  std::vector<Taken> taken_;
+  std::vector<PlacedLand> placed_;
 };
 
 }  // namespace

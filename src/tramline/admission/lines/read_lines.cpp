@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "tramline/admission/lines/point_placer.h"
 #include "tramline/admission/lonlat_reader.h"
 #include "tramline/geodesy/crs.h"
 #include "tramline/geodesy/field_projection.h"
@@ -121,23 +122,9 @@ DrawnLines read_lines(const RawDataset& dataset, const std::string& fields_crs) 
 }
 
 std::vector<Point> placed_line(const DrawnLine& line, const Field& field) {
-  if (line.plain == field.frame.geodetic)
-    throw bad_input(fmt::format("{}: the line and field '{}' are not in the same coordinates; give --crs",
-                                line.origin, field.id));
-  std::optional<FrameProjection> projection;
-  if (field.frame.geodetic) projection.emplace(field.frame);
+  const PointPlacer placer(field, {line.plain, line.origin, "line"});
   std::vector<Point> out;
-  for (const Point p : line.points) {
-    if (!projection) {
-      out.push_back(p - Point{field.frame.origin_x_m, field.frame.origin_y_m});
-      continue;
-    }
-    const std::optional<Point> local = projection->from_lonlat(p);
-    if (!local)
-      throw bad_input(
-          fmt::format("{}: ({:.7f}, {:.7f}) lies too far from field '{}'", line.origin, p.x, p.y, field.id));
-    out.push_back(*local);
-  }
+  for (const Point p : line.points) out.push_back(placer.place(p));
   return out;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The obstacles and boundaries that detours have to heed, in the plane of one family of tracks.
+// The obstacles and boundaries that detours have to respect, in the plane of one family of tracks.
 
 #include <optional>
 #include <vector>

@@ -11,7 +11,7 @@
 #include <limits>
 #include <string>
 
-#include "tramline/check/measure/ground_cells.h"
+#include "tramline/check/measure/overlay_cells.h"
 #include "tramline/check/rules/rules.h"
 
 namespace tramline::check {
@@ -94,10 +94,10 @@ Expected of_overrun(const Plan& plan) {
     for (const Point p : part.outer)
       if (!contains(plan.field.outer, p))
         farthest_m = std::max(farthest_m, distance_to_outline(plan.field.outer, p));
-  GroundEdges ground;
-  ground.add(Polygon{plan.field.outer, {}}, kField);
-  ground.add(plan.overlap, kOverlap);
-  each_cell(ground, [&](const GroundCell& cell) {
+  OverlayEdges overlay;
+  overlay.add(Polygon{plan.field.outer, {}}, kField);
+  overlay.add(plan.overlap, kOverlap);
+  each_cell(overlay, [&](const OverlayCell& cell) {
     if (cell.covers.front().shape == kOverlap) outside_m2 += cell.area_m2;
   });
   return {"pass the field boundary by",

@@ -14,7 +14,7 @@ struct WorkedLand {
 };
 
 /// The areas of land that the parts work, by owner (piece or headland pass), `owners` in all. Land that
-/// several work counts for the first. Computed from the cells of ground_cells.h. O(n log n) for n edges.
+/// several work counts for the first. Computed from the cells of overlay_cells.h. O(n log n) for n edges.
 WorkedLand worked_on(const Region& land, const std::vector<WorkedPart>& parts, std::size_t owners);
 
 }  // namespace tramline::check

@@ -27,7 +27,7 @@ void gather_windows(std::span<BoundaryPart> parts, double width_m, double margin
                     std::vector<BoundaryWindow>& out);
 
 /// Cost of a passage where each piece of land across is worked or left unworked, whichever costs less: min
-/// over the end y of λo·(worked in vain) + λu·(left unworked), between 0 and width_m across. Precondition:
+/// over the end y of λo·(worked outside) + λu·(left unworked), between 0 and width_m across. Precondition:
 /// window.passes. O(p).
 double passage_cost(const BoundaryWindow& window, double width_m, double over_price, double under_price);
 

@@ -1,5 +1,6 @@
 #pragma once
-// The passages of a boundary through a strip, and the area that a swath ending there works in vain.
+// The passages of a boundary through a strip, and the area outside the region that a swath ending
+// there works.
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 #pragma once
-// The area each swath works in vain where tracks are made one from another, with kinks (Zhou §2.3.5).
+// The overlap of each swath where tracks are made one from another, with kinks (Zhou §2.3.5).
 
 #include <vector>
 

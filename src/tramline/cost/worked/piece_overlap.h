@@ -1,5 +1,5 @@
 #pragma once
-// The area each swath of a plan works in vain (Zhou §2.3.5).
+// The overlap of each swath of a plan (Zhou §2.3.5).
 
 #include <vector>
 

@@ -45,8 +45,8 @@ class HeadingCheck {
   /// The next fix of its unit. Amortised O(1).
   void add(const Fix& fix, Continuity continuity);
   /// The finding for headings that are read so; nullopt where they do not contradict the way, or are ignored.
-  /// The better reading is the one with fewest steps off, if that is none of a contradiction; else
-  /// from-track.
+  /// The suggested reading is the one with the fewest steps off if that reading does not contradict the way,
+  /// and from-track otherwise.
   std::optional<HeadingContradiction> contradiction(HeadingReading reading) const;
 
  private:

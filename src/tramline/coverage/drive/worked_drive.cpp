@@ -15,19 +15,24 @@
 namespace tramline::coverage {
 namespace {
 
+/// "1 hole", "2 holes".
+std::string counted(std::size_t number, const char* what) {
+  return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+}
+
 std::vector<std::string> notes_on(const Breaks& breaks, const DriveSettings& drive) {
   std::vector<std::string> out;
   if (breaks.gaps > 0)
-    out.push_back(
-        fmt::format("nothing is worked over {} gaps of more than {:g} s", breaks.gaps, drive.max_gap_s));
+    out.push_back(fmt::format("no land counts as worked in {} of more than {:g} s in the log",
+                              counted(breaks.gaps, "interruption"), drive.max_gap_s));
   if (breaks.jumps > 0)
-    out.push_back(
-        fmt::format("nothing is worked over {} jumps of more than {:g} m", breaks.jumps, drive.max_step_m));
+    out.push_back(fmt::format("no land counts as worked over {} of more than {:g} m in the log",
+                              counted(breaks.jumps, "jump"), drive.max_step_m));
   if (breaks.holes > 0)
     out.push_back(fmt::format(
-        "the log has {} {} with the machine at work before and behind: what nothing else covers of the "
-        "straight way between counts as not recorded",
-        breaks.holes, breaks.holes == 1 ? "hole" : "holes"));
+        "the log has {} with the machine at work before and after: land on the straight way between "
+        "that nothing else covers counts as not recorded",
+        counted(breaks.holes, "hole")));
   if (breaks.without_width > 0)
     out.push_back(
         fmt::format("{} fixes do not say how wide the machine is: nothing is worked there without --width",
@@ -36,10 +41,10 @@ std::vector<std::string> notes_on(const Breaks& breaks, const DriveSettings& dri
 }
 
 void add_shapes(Coverage& coverage, const Engine& engine, RepeatRule repeat) {
-  coverage.covered = engine.region(Ground::kCovered);
-  coverage.repeated = engine.region(repeat == RepeatRule::kStrict ? Ground::kAgain : Ground::kRepeated);
-  coverage.worked_times = {Region{}, engine.region(Ground::kOnce), engine.region(Ground::kTwice),
-                           engine.region(Ground::kOften)};
+  coverage.covered = engine.region(LandClass::kCovered);
+  coverage.repeated = engine.region(repeat == RepeatRule::kStrict ? LandClass::kAgain : LandClass::kRepeated);
+  coverage.worked_times = {Region{}, engine.region(LandClass::kOnce), engine.region(LandClass::kTwice),
+                           engine.region(LandClass::kOften)};
 }
 
 }  // namespace
@@ -91,10 +96,10 @@ CoverageAreas reported(CoverageAreas areas, RepeatRule repeat) {
 }
 
 void add_regions(Coverage& out, const Engine& engine, const EvaluateSettings& settings) {
-  out.missed = engine.region(Ground::kMissed);
-  out.not_recorded = engine.region(Ground::kUnrecorded);
+  out.missed = engine.region(LandClass::kMissed);
+  out.not_recorded = engine.region(LandClass::kUnrecorded);
   out.gaps = gaps_of(out.missed);
-  if (settings.covered && !settings.shapes) out.covered = engine.region(Ground::kCovered);
+  if (settings.covered && !settings.shapes) out.covered = engine.region(LandClass::kCovered);
   if (settings.shapes) add_shapes(out, engine, settings.repeat);
 }
 

@@ -88,25 +88,25 @@ CoverageAreas MeshCoverage::areas() const {
   return out;
 }
 
-Region MeshCoverage::region(Ground what) const {
+Region MeshCoverage::region(LandClass what) const {
   switch (what) {
-    case Ground::kCovered:
+    case LandClass::kCovered:
       return region_of(coverage_, mesh_m_);
-    case Ground::kRepeated:
-    case Ground::kAgain:
+    case LandClass::kRepeated:
+    case LandClass::kAgain:
       return region_of(repeated_, mesh_m_);
-    case Ground::kSliver:
+    case LandClass::kSliver:
       return {};
-    case Ground::kMissed:
+    case LandClass::kMissed:
       return region_of(missed_, mesh_m_);
-    case Ground::kUnrecorded:
+    case LandClass::kUnrecorded:
       return region_of(unrecorded_, mesh_m_);
-    case Ground::kOutside:
+    case LandClass::kOutside:
       return region_of(combined(coverage_, field_, MeshOperation::kResidual), mesh_m_);
-    case Ground::kOnce:
+    case LandClass::kOnce:
       return region_of(combined(coverage_, repeated_, MeshOperation::kResidual), mesh_m_);
-    case Ground::kTwice:
-    case Ground::kOften:
+    case LandClass::kTwice:
+    case LandClass::kOften:
       break;
   }
   throw bad_input(

@@ -46,7 +46,7 @@ class MeshCoverage {
 
   /// All land of this class: rings through centres of meshes, simple, holes inside. O(meshes log meshes).
   /// Throws Error(kBadInput) for land worked exactly twice or more often, which is not counted here.
-  Region region(Ground what) const;
+  Region region(LandClass what) const;
 
   double mesh_m() const { return mesh_m_; }
   const MeshRegion& covered() const { return coverage_; }

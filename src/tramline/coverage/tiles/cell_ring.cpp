@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kBoxShift = 15;
 
-std::uint16_t boxed(std::int64_t coordinate, std::int64_t side) {
+std::uint16_t coarse_units(std::int64_t coordinate, std::int64_t side) {
   return static_cast<std::uint16_t>(std::clamp<std::int64_t>(coordinate, 0, side) >> kBoxShift);
 }
 
@@ -110,8 +110,8 @@ void see(const ConvexPiece& piece, GridPoint corner, std::int64_t side, TilePiec
   for (std::size_t i = 1; i < out.lines.size(); ++i)
     for (std::size_t k = i; k > 0 && squared(out.lines[k]) > squared(out.lines[k - 1]); --k)
       std::swap(out.lines[k], out.lines[k - 1]);
-  out.box = {boxed(least.x - corner.x, side), boxed(least.y - corner.y, side), boxed(most.x - corner.x, side),
-             boxed(most.y - corner.y, side)};
+  out.box = {coarse_units(least.x - corner.x, side), coarse_units(least.y - corner.y, side),
+             coarse_units(most.x - corner.x, side), coarse_units(most.y - corner.y, side)};
 }
 
 void split(const TileRing& ring, const std::vector<double>& distance, const TileLine& line, std::int64_t side,

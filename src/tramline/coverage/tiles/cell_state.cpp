@@ -12,28 +12,28 @@ CellState worked(CellState state, int times) {
   return static_cast<CellState>((state & kUnworkedField) | times << 1);
 }
 
-bool is(Ground what, CellState state) {
+bool is(LandClass what, CellState state) {
   const int times = times_worked(state);
   switch (what) {
-    case Ground::kCovered:
+    case LandClass::kCovered:
       return times > 0;
-    case Ground::kRepeated:
+    case LandClass::kRepeated:
       return is_repeated(state);
-    case Ground::kSliver:
+    case LandClass::kSliver:
       return times > 1 && !is_repeated(state);
-    case Ground::kMissed:
+    case LandClass::kMissed:
       return times == 0 && in_field(state) && !is_unrecorded(state);
-    case Ground::kUnrecorded:
+    case LandClass::kUnrecorded:
       return is_unrecorded(state);
-    case Ground::kOutside:
+    case LandClass::kOutside:
       return times > 0 && !in_field(state);
-    case Ground::kOnce:
+    case LandClass::kOnce:
       return times == 1;
-    case Ground::kTwice:
+    case LandClass::kTwice:
       return times == 2;
-    case Ground::kOften:
+    case LandClass::kOften:
       return times == kMostCounted;
-    case Ground::kAgain:
+    case LandClass::kAgain:
       return times > 1;
   }
   return false;
@@ -69,7 +69,7 @@ Transition made_unrecorded_in_field() {
   return out;
 }
 
-StateSet states_of(Ground what) {
+StateSet states_of(LandClass what) {
   unsigned out = 0;
   for (CellState s = 0; s < kCellStates; ++s) out |= (is(what, s) ? 1U : 0U) << s;
   return static_cast<StateSet>(out);

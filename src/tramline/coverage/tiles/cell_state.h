@@ -39,7 +39,7 @@ Transition made_unrecorded_in_field();
 /// A set of states: bit s says whether state s is one of them.
 using StateSet = std::uint16_t;
 constexpr bool holds(StateSet set, CellState state) { return (set >> state & 1) != 0; }
-StateSet states_of(Ground what);
+StateSet states_of(LandClass what);
 /// The states that `next` changes.
 StateSet changed_by(const Transition& next);
 

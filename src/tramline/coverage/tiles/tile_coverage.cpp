@@ -44,7 +44,7 @@ struct TileCoverage::Impl {
   bool meets_worked(const ConvexPiece& piece);
   void work(const ConvexPiece& piece, const Transition& next);
   void sum_up();
-  Region region(Ground what) const;
+  Region region(LandClass what) const;
   void append_open(const TilePiece& piece, TileIndex index, const CellStore& cells,
                    std::vector<Ring>& out) const;
 
@@ -128,12 +128,12 @@ void TileCoverage::Impl::sum_up() {
   for (std::size_t n = 1; n < times.size(); ++n) areas.worked_times_m2[n] = frame.area_m2(times[n]);
 }
 
-Region TileCoverage::Impl::region(Ground what) const {
+Region TileCoverage::Impl::region(LandClass what) const {
   std::vector<const Tile*> tiles;
   for (const Tile& tile : map.tiles()) tiles.push_back(&tile);
   std::sort(tiles.begin(), tiles.end(), [](const Tile* a, const Tile* b) { return a->index < b->index; });
   UntouchedGround untouched;
-  if (what == Ground::kMissed) {
+  if (what == LandClass::kMissed) {
     std::vector<TileIndex> touched;
     for (const Tile* tile : tiles) touched.push_back(tile->index);
     untouched = untouched_ground(field, touched, frame);
@@ -208,8 +208,8 @@ void TileCoverage::add_unrecorded(const std::vector<Quad>& quads) {
 
 const CoverageAreas& TileCoverage::areas() const { return impl_->areas; }
 
-Region TileCoverage::region(Ground what) const {
-  if (!impl_->settings.multiplicity && (what == Ground::kTwice || what == Ground::kOften)) return {};
+Region TileCoverage::region(LandClass what) const {
+  if (!impl_->settings.multiplicity && (what == LandClass::kTwice || what == LandClass::kOften)) return {};
   return impl_->region(what);
 }
 
@@ -233,7 +233,7 @@ std::vector<Ring> TileCoverage::open_ground(const Ring& convex) const {
   return out;
 }
 
-std::vector<TileCoverage::Change> TileCoverage::changes_since(std::uint64_t stamp, Ground what) const {
+std::vector<TileCoverage::Change> TileCoverage::changes_since(std::uint64_t stamp, LandClass what) const {
   const TileFrame& frame = impl_->frame;
   const auto metres = [&](std::int64_t units) { return static_cast<double>(units) * frame.unit_m; };
   std::vector<const Tile*> changed;

@@ -51,7 +51,7 @@ class TileCoverage {
   /// thinner on average than two of those (1 µm for tiles of 8 m) are left out: the area equals that of
   /// areas() up to about 1 µm times the perimeter. Empty for land that is not counted (kTwice, kOften without
   /// multiplicity). The order is the same on any number of threads. O(cells of such land).
-  Region region(Ground what) const;
+  Region region(LandClass what) const;
 
   /// Land of the field (without a field: all land) not worked yet near a convex ring, as convex,
   /// counter-clockwise rings that do not overlap: each such cell that reaches into the ring, as a whole.
@@ -68,7 +68,7 @@ class TileCoverage {
   /// in. In all other tiles the missed land is the whole field. In the order in which tiles were first worked
   /// in. O(tiles), and O(cells) of those that changed; on several threads, with the same result on any
   /// number.
-  std::vector<Change> changes_since(std::uint64_t stamp, Ground what) const;
+  std::vector<Change> changes_since(std::uint64_t stamp, LandClass what) const;
   /// A number that grows with every step that changes anything.
   std::uint64_t stamp() const;
 

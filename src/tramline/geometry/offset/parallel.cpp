@@ -109,7 +109,7 @@ class TrackMaker {
       done[i] = true;
       for (std::size_t p = 0; p < parts_[i].size(); ++p) {
         // Only a stretch's free end is ever worked by other tracks, but the rest may be in several parts.
-        if (p > 0) whole = !flush(path, left, wanted, from, out) && whole;
+        if (p > 0) whole = !end_open_track(path, left, wanted, from, out) && whole;
         if (path.empty()) from = parts_[i][p].from;
         append_parallel(contour_, parts_[i][p].from, parts_[i][p].to, distance_, path);
       }
@@ -121,7 +121,7 @@ class TrackMaker {
         return;
       }
     }
-    flush(path, left, wanted, from, out);
+    end_open_track(path, left, wanted, from, out);
   }
 
   void append_arc(const TrackJoin& join, Path& path) const {
@@ -139,7 +139,7 @@ class TrackMaker {
     if (wanted) out.push_back({from, {left ? reversed(path) : path, closed}});
   }
 
-  bool flush(Path& path, bool left, bool wanted, double from, std::vector<Placed>& out) const {
+  bool end_open_track(Path& path, bool left, bool wanted, double from, std::vector<Placed>& out) const {
     const bool any = !path.empty() && length(path) > kShortestStretch_m;
     if (any && wanted) out.push_back({from, {left ? reversed(path) : path, false}});
     path.clear();

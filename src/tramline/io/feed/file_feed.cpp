@@ -18,7 +18,8 @@
 namespace tramline::io {
 namespace {
 
-/// Changes that are not told of (network file systems), and another file of the name, show so soon.
+/// How soon a change is noticed that the system does not announce (network file systems), or another file of
+/// the same name.
 constexpr int kLook_ms = 1000;
 
 using MayRead = std::function<bool(const std::string& opened)>;

@@ -17,11 +17,11 @@ bool is_small_part(const DeviceElement& element) {
 }  // namespace
 
 LoggedMachine::LoggedMachine(const TimeLogHeader& header, const std::vector<DeviceElement>& elements)
-    : telling_(telling_devices(header, elements)),
-      tree_(telling_.elements),
+    : logged_(logged_devices(header, elements)),
+      tree_(logged_.elements),
       values_(header, tree_),
       states_(tree_, values_),
-      rate_(header, telling_.elements),
+      rate_(header, logged_.elements),
       parts_logged_(tree_.size()) {
   for (std::size_t i = 0; i < tree_.size(); ++i) parts_logged_[i] = parts_are_logged(i);
 }
@@ -181,7 +181,7 @@ void LoggedMachine::describe_anew(Fix& fix, BoomList& booms) {
 }
 
 std::vector<std::string> LoggedMachine::notes() const {
-  std::vector<std::string> out = telling_.notes;
+  std::vector<std::string> out = logged_.notes;
   out.insert(out.end(), notes_.begin(), notes_.end());
   if (!rate_.note().empty()) out.push_back(rate_.note());
   return out;

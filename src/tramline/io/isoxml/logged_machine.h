@@ -10,10 +10,10 @@
 
 #include "tramline/io/fixes/boom_list.h"
 #include "tramline/io/isoxml/device_tree.h"
+#include "tramline/io/isoxml/logged_devices.h"
 #include "tramline/io/isoxml/logged_rate.h"
 #include "tramline/io/isoxml/logged_values.h"
 #include "tramline/io/isoxml/part_states.h"
-#include "tramline/io/isoxml/telling_devices.h"
 #include "tramline/io/isoxml/time_log_header.h"
 #include "tramline/io/isoxml/time_log_records.h"
 #include "tramline/io/isoxml/working_parts.h"
@@ -21,7 +21,7 @@
 
 namespace tramline::io {
 
-/// The machine of one time log, which may be several devices (telling_devices.h). Its boom consists of the
+/// The machine of one time log, which may be several devices (logged_devices.h). Its boom consists of the
 /// stretches that its parts work (working_parts.h), section by section where their states differ
 /// (part_states.h). A part without a logged state works when anything does, unless the log has states of
 /// other parts of the same whole. Setpoints (290-305) are requests, not results, and are not read.
@@ -39,9 +39,9 @@ class LoggedMachine {
   /// The unit of the rates.
   AmountUnit rate_unit() const { return rate_.unit(); }
   /// Ids of the relevant devices.
-  const std::vector<std::string>& devices() const { return telling_.devices; }
+  const std::vector<std::string>& devices() const { return logged_.devices; }
   /// The elements of these devices.
-  const std::vector<DeviceElement>& elements() const { return telling_.elements; }
+  const std::vector<DeviceElement>& elements() const { return logged_.elements; }
   /// The assumptions made, one sentence each.
   std::vector<std::string> notes() const;
 
@@ -67,7 +67,7 @@ class LoggedMachine {
   std::vector<std::size_t> without_width() const;
   void describe_anew(Fix& fix, BoomList& booms);
 
-  TellingDevices telling_;
+  LoggedDevices logged_;
   DeviceTree tree_;
   LoggedValues values_;
   PartStates states_;

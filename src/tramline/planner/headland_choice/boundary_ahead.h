@@ -19,7 +19,7 @@ struct BoundaryPlace {
 };
 
 /// The boundary that the line of a track crosses nearest to its end, at most `behind_m` behind it and
-/// `ahead_m` ahead; passable obstacles are none. nullopt where there is none. O(n).
+/// `ahead_m` ahead; passable obstacles do not count. nullopt where there is none. O(n).
 std::optional<BoundaryPlace> boundary_ahead(const Field& field, const Pose& end, double behind_m,
                                             double ahead_m);
 

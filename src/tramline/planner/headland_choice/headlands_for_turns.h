@@ -10,8 +10,8 @@
 
 namespace tramline {
 
-/// A layout in the directions that are best where so many passes go all round the field, or as many of these
-/// as leave room for tracks; nothing where none does.
+/// A layout in the directions that are best where this number of passes goes all round the field, or fewer
+/// where these leave no room for tracks; nothing where even one leaves none.
 using OtherLayout = std::function<std::optional<Plan>(int passes)>;
 
 /// The plan with the layout of `layout`, which is a plan of the same problem without the headlands to be

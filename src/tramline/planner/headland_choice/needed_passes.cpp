@@ -24,7 +24,7 @@ int passes_for(double depth_m, double width_m) {
 
 /// A stretch of the outer ring, from one place to another anticlockwise along its vertices, and the passes
 /// that a turn needs there.
-struct TakenUp {
+struct PassesAlong {
   double from_m = 0;
   double to_m = 0;  ///< beyond the ring's length where it goes on past its first vertex
   int passes = 0;
@@ -39,40 +39,40 @@ class Sides {
     }
   }
 
-  void take_up(double a_m, double b_m, int passes) {
+  void require(double a_m, double b_m, int passes) {
     if (passes == 0) return;
     double from_m = std::min(a_m, b_m), to_m = std::max(a_m, b_m);
     if (to_m - from_m > 0.5 * whole_m_) {
       std::swap(from_m, to_m);
       to_m += whole_m_;
     }
-    taken_.push_back({from_m, to_m, passes});
+    stretches_.push_back({from_m, to_m, passes});
   }
 
   /// Between two turns that are no farther apart than `gap_m` the passes run on.
   std::vector<int> by_edge() {
-    std::sort(taken_.begin(), taken_.end(),
-              [](const TakenUp& a, const TakenUp& b) { return a.from_m < b.from_m; });
-    std::vector<TakenUp> all = taken_;
-    for (std::size_t i = 0; i < taken_.size(); ++i) {
-      const TakenUp& next = taken_[(i + 1) % taken_.size()];
-      const double next_m = next.from_m + (i + 1 == taken_.size() ? whole_m_ : 0);
-      const double gap = next_m - taken_[i].to_m;
+    std::sort(stretches_.begin(), stretches_.end(),
+              [](const PassesAlong& a, const PassesAlong& b) { return a.from_m < b.from_m; });
+    std::vector<PassesAlong> all = stretches_;
+    for (std::size_t i = 0; i < stretches_.size(); ++i) {
+      const PassesAlong& next = stretches_[(i + 1) % stretches_.size()];
+      const double next_m = next.from_m + (i + 1 == stretches_.size() ? whole_m_ : 0);
+      const double gap = next_m - stretches_[i].to_m;
       if (gap > 0 && gap <= gap_m_)
-        all.push_back({taken_[i].to_m, next_m, std::max(taken_[i].passes, next.passes)});
+        all.push_back({stretches_[i].to_m, next_m, std::max(stretches_[i].passes, next.passes)});
     }
     std::vector<int> out(ring_.size(), 0);
-    for (const TakenUp& taken : all) mark(taken, out);
+    for (const PassesAlong& stretch : all) mark(stretch, out);
     return out;
   }
 
  private:
-  void mark(const TakenUp& taken, std::vector<int>& out) const {
+  void mark(const PassesAlong& stretch, std::vector<int>& out) const {
     for (std::size_t i = 0; i < ring_.size(); ++i) {
       const double begin_m = begins_m_[i], end_m = i + 1 < ring_.size() ? begins_m_[i + 1] : whole_m_;
       for (const double shift_m : {0.0, whole_m_})
-        if (taken.from_m < end_m + shift_m && taken.to_m > begin_m + shift_m)
-          out[i] = std::max(out[i], taken.passes);
+        if (stretch.from_m < end_m + shift_m && stretch.to_m > begin_m + shift_m)
+          out[i] = std::max(out[i], stretch.passes);
     }
   }
 
@@ -80,7 +80,7 @@ class Sides {
   double gap_m_;
   double whole_m_ = 0;
   std::vector<double> begins_m_;
-  std::vector<TakenUp> taken_;
+  std::vector<PassesAlong> stretches_;
 };
 
 /// How far the line of a track may run on beyond a soft edge, in widths, and the boundary be ahead of an end.
@@ -160,7 +160,7 @@ class Needs {
     }
     if (from && to && !from->obstacle && !to->obstacle) {
       if (distance(hop.end.at, hop.start.at) <= turn_width_m(plan_))
-        sides_.take_up(from->along_m, to->along_m, std::max(at_end, at_start));
+        sides_.require(from->along_m, to->along_m, std::max(at_end, at_start));
       return;
     }
     take(from, at_end);
@@ -172,7 +172,7 @@ class Needs {
     if (place->obstacle)
       out_.obstacles[*place->obstacle] = std::max(out_.obstacles[*place->obstacle], passes);
     else
-      sides_.take_up(place->along_m, place->along_m + kSameDepth_m, passes);
+      sides_.require(place->along_m, place->along_m + kSameDepth_m, passes);
   }
 
   /// Before the first piece and after the last one the machine needs room to get onto the track and off it.

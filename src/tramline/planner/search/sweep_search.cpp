@@ -61,7 +61,7 @@ void bring_forward(std::vector<std::size_t>& order, std::size_t rank, const Cost
 }
 
 /// The candidates that are cheapest with all tracks cut and by the one rule of Versleijen are always among
-/// those tried: otherwise a search for ways past obstacles could end in a dearer plan than no search.
+/// those tried: otherwise a search for ways past obstacles could end in a more expensive plan than no search.
 std::vector<std::size_t> order_of_trial(const SearchTask& task, const std::vector<SweptCandidate>& swept,
                                         double known) {
   constexpr std::size_t kBroughtForward = 2;

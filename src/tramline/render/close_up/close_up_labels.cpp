@@ -13,8 +13,8 @@
 #include "tramline/render/close_up/close_up_content.h"
 #include "tramline/render/close_up/close_up_layers.h"
 #include "tramline/render/page/labels.h"
-#include "tramline/render/page/seen_stretches.h"
 #include "tramline/render/page/text.h"
+#include "tramline/render/page/visible_stretches.h"
 
 namespace tramline::render {
 namespace {

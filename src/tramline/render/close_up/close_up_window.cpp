@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tramline/render/page/seen_stretches.h"
+#include "tramline/render/page/visible_stretches.h"
 
 namespace tramline::render {
 namespace {

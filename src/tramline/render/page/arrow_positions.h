@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tramline/model/track.h"
-#include "tramline/render/page/seen_stretches.h"
+#include "tramline/render/page/visible_stretches.h"
 
 namespace tramline::render {
 

@@ -30,7 +30,7 @@ class Canvas {
 
   cairo_t* cr() const { return context_.get(); }
   const MapView& view() const { return view_; }
-  /// Factor on every size of text and furniture.
+  /// Factor on every size of text and map decorations.
   double scale() const { return scale_; }
   void use(const MapView& view, double scale);
 

@@ -40,15 +40,15 @@ function Told({ explain }: { explain: Explain }) {
       </ul>
       <h3>The next best plans</h3>
       {explain.runner_ups.length === 0 ? <p class="hint">No plan of another kind was considered.</p> : (
-        <ul class="plain">{explain.runner_ups.map((other, i) => <li key={i}>{told(other)}</li>)}</ul>
+        <ul class="plain">{explain.runner_ups.map((other, i) => <li key={i}>{sentence_of(other)}</li>)}</ul>
       )}
     </>
   );
 }
 
-function told(other: RunnerUp): string {
+function sentence_of(other: RunnerUp): string {
   const towards = other.direction_deg.slice(0, 3).map(degrees).join(', ');
   const how = other.subfields > 1 ? `${other.subfields} subfields, towards ${towards}` : `Tracks towards ${towards}`;
   const saved = Object.entries(other.more_by).filter(([, more]) => more < -0.005).map(([what]) => (what === 'uncovered' ? 'uncovered land' : what));
-  return `${how}: ${money(other.more)} dearer, mostly because of ${REASONS[other.main_reason] ?? other.main_reason}${saved.length > 0 ? `, although it saves ${saved.join(' and ')}` : ''}.`;
+  return `${how}: ${money(other.more)} more expensive, mostly because of ${REASONS[other.main_reason] ?? other.main_reason}${saved.length > 0 ? `, although it saves ${saved.join(' and ')}` : ''}.`;
 }

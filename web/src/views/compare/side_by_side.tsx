@@ -98,12 +98,12 @@ const WORDS: { label: string; of: (summary: PlanSummary) => string }[] = [
 function Differences({ a, b }: { a: PlanFull; b: PlanFull }) {
   const [one, two] = [a.summary, b.summary];
   const [cost1, cost2] = [costOf(one), costOf(two)];
-  const dearer = cost1 - cost2;
-  const cheaper = dearer > 0 ? 'second' : 'first';
+  const difference = cost1 - cost2;
+  const cheaper = difference > 0 ? 'second' : 'first';
   return (
     <>
-      {money(Math.abs(dearer)) !== money(0) && (
-        <p>The <strong>{cheaper} plan is cheaper by {money(Math.abs(dearer))}</strong>{cost1 > 0 && `, ${percent(Math.abs(dearer) / Math.max(cost1, cost2))}`}, at the prices under Plan.</p>
+      {money(Math.abs(difference)) !== money(0) && (
+        <p>The <strong>{cheaper} plan is cheaper by {money(Math.abs(difference))}</strong>{cost1 > 0 && `, ${percent(Math.abs(difference) / Math.max(cost1, cost2))}`}, at the prices under Plan.</p>
       )}
       <div class="wide-table" tabIndex={0} role="region" aria-label="Differences of the two plans">
         <table class="differences">

@@ -16,6 +16,7 @@ const WORDS: Record<Purpose, { title: string; done: string }> = {
   'obstacle-line': { title: 'Click or tap the points of the line.', done: 'Add the obstacle' },
   'obstacle-area': { title: 'Click or tap the corners of the obstacle.', done: 'Add the obstacle' },
   guide: { title: 'Click or tap the points of the line that the tracks are to follow.', done: 'Follow this line' },
+  gate: { title: 'Click or tap the gate of the field.', done: 'Take this place' },
   edge: { title: 'Click or tap an edge of the field. With the keyboard: move the map until the edge is nearest to its middle, then press Enter.', done: '' },
 };
 

@@ -15,6 +15,7 @@ const KNOWN: Record<string, { title: string; mark: Mark }> = {
   overlap: { title: 'Overlap', mark: { colour: 'Overlap', form: 'area' } },
   uncovered: { title: 'Uncovered', mark: { colour: 'Uncovered', form: 'area' } },
   tracks: { title: 'Tracks', mark: { colour: 'Track', form: 'line' } },
+  route_legs: { title: 'Route', mark: { colour: 'Turn', form: 'line' } },
   swaths: { title: 'Swaths', mark: { colour: 'Rule', form: 'area' } },
   detours: { title: 'Detours', mark: { colour: 'Detour', form: 'line' } },
   headland_passes: { title: 'Headland passes', mark: { colour: 'HeadlandPass', form: 'line' } },

@@ -14,6 +14,8 @@ import { MachineForm } from './machine_form';
 import { PlanFigures } from './plan_figures';
 import { PlanFiles } from './plan_files';
 import { PlanHead } from './plan_head';
+import { RouteFigures } from './route_figures';
+import { RouteForm } from './route_form';
 import { TracksForm } from './tracks_form';
 
 export function PlanView() {
@@ -26,11 +28,13 @@ export function PlanView() {
     <>
       {open && <PlanHead plan={open} />}
       {open && <PlanFigures plan={open} />}
+      {open?.summary.route && <RouteFigures route={open.summary.route} />}
       <form onSubmit={(event) => { event.preventDefault(); void attempt(() => makePlan()); }}>
         <MachineForm />
         <CostsForm />
         <EndsForm />
         <TracksForm />
+        <RouteForm />
         <div class={open && !job ? 'sticky' : 'sticky foot'}>
           {job ? (
             <Progress job={job} title="Planning" cancel={() => void attempt(cancelPlan)} />

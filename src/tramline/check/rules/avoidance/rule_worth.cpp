@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tramline/check/measure/bands.h"
-#include "tramline/check/measure/ground_cells.h"
+#include "tramline/check/measure/overlay_cells.h"
 #include "tramline/check/rules/rules.h"
 #include "tramline/geometry/tolerances.h"
 
@@ -44,14 +44,14 @@ std::vector<Slice> slices_of(const Plan& plan) {
 void find_worths(const Case& c, std::vector<Slice>& slices) {
   enum Over : std::size_t { kHeadland, kPassables, kFirstSlice };
   const double width_m = c.plan.machine.width_m;
-  GroundEdges ground;
-  ground.add(c.plan.headland.ground, kHeadland);
-  for (const BoundedPolygon& land : c.passables) ground.add(*land.shape, kPassables);
+  OverlayEdges overlay;
+  overlay.add(c.plan.headland.ground, kHeadland);
+  for (const BoundedPolygon& land : c.passables) overlay.add(*land.shape, kPassables);
   for (std::size_t i = 0; i < slices.size(); ++i) {
-    ground.add(flat_bands_along(slices[i].path, width_m, kLayerSagitta), kFirstSlice + i);
+    overlay.add(flat_bands_along(slices[i].path, width_m, kLayerSagitta), kFirstSlice + i);
     slices[i].worth_m2 = -width_m * length(slices[i].path);
   }
-  each_cell(ground, [&](const GroundCell& cell) {
+  each_cell(overlay, [&](const OverlayCell& cell) {
     bool headland = false, passable = false, first = true;
     for (const Cover& cover : cell.covers) {
       headland = headland || cover.shape == kHeadland;

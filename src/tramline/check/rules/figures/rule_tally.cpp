@@ -8,7 +8,7 @@
 
 #include "tramline/check/measure/bands.h"
 #include "tramline/check/measure/comparison.h"
-#include "tramline/check/measure/ground_cells.h"
+#include "tramline/check/measure/overlay_cells.h"
 #include "tramline/check/rules/rules.h"
 #include "tramline/check/tolerances.h"
 
@@ -113,7 +113,7 @@ enum TalliedShape : std::size_t { kLand, kLayer, kFirstPart };
 /// An area of land, and the middle of its largest cell.
 class Amount {
  public:
-  void add(const GroundCell& cell) {
+  void add(const OverlayCell& cell) {
     sum_m2_ += cell.area_m2;
     if (cell.area_m2 <= largest_m2_) return;
     largest_m2_ = cell.area_m2;
@@ -157,11 +157,11 @@ class LayersOfLand {
 
  private:
   void look_at_uncovered() {
-    GroundEdges ground;
-    ground.add(counted_land(c_), kLand);
-    ground.add(c_.plan.uncovered, kLayer);
-    for (const WorkedPart& part : counted_parts(c_)) ground.add(part.ground, kFirstPart);
-    each_cell(ground, [this](const GroundCell& cell) {
+    OverlayEdges overlay;
+    overlay.add(counted_land(c_), kLand);
+    overlay.add(c_.plan.uncovered, kLayer);
+    for (const WorkedPart& part : counted_parts(c_)) overlay.add(part.ground, kFirstPart);
+    each_cell(overlay, [this](const OverlayCell& cell) {
       const Cover& last = cell.covers.back();
       const bool land = cell.covers.front().shape == kLand, worked = last.shape == kFirstPart;
       int times = 0;
@@ -173,11 +173,11 @@ class LayersOfLand {
   }
 
   void look_at_overlap() {
-    GroundEdges ground;
-    ground.add(counted_land(c_), kLand);
-    ground.add(c_.plan.overlap, kLayer);
-    for (std::size_t i = 0; i < parts_.size(); ++i) ground.add(parts_[i].ground, kFirstPart + i);
-    each_cell(ground, [this](const GroundCell& cell) {
+    OverlayEdges overlay;
+    overlay.add(counted_land(c_), kLand);
+    overlay.add(c_.plan.overlap, kLayer);
+    for (std::size_t i = 0; i < parts_.size(); ++i) overlay.add(parts_[i].ground, kFirstPart + i);
+    each_cell(overlay, [this](const OverlayCell& cell) {
       int times = 0;
       bool land = false, twice = false;
       const Cover* first = nullptr;

@@ -2,7 +2,7 @@
 
 #include "tramline/check/measure/bands.h"
 #include "tramline/check/measure/comparison.h"
-#include "tramline/check/measure/ground_cells.h"
+#include "tramline/check/measure/overlay_cells.h"
 #include "tramline/check/measure/worked_parts.h"
 #include "tramline/check/rules/rules.h"
 #include "tramline/check/tolerances.h"
@@ -24,18 +24,18 @@ struct HeadlandWork {
 HeadlandWork work(const Case& c) {
   enum Over : std::size_t { kHeadland, kUnworkedLayer, kPassables, kFirstPart };
   HeadlandWork out;
-  GroundEdges ground;
-  ground.add(c.plan.headland.ground, kHeadland);
-  ground.add(c.plan.headland.unworked, kUnworkedLayer);
-  for (const BoundedPolygon& land : c.passables) ground.add(*land.shape, kPassables);
+  OverlayEdges overlay;
+  overlay.add(c.plan.headland.ground, kHeadland);
+  overlay.add(c.plan.headland.unworked, kUnworkedLayer);
+  for (const BoundedPolygon& land : c.passables) overlay.add(*land.shape, kPassables);
   std::size_t parts = kFirstPart;
   for (const HeadlandPass& pass : c.plan.headland.passes) {
     out.worked_m2 += c.plan.machine.width_m * length(pass.path);
     out.arcs_m += arcs_m(pass.path);
-    for (const Polygon& band : pass_bands(c.plan, pass, kChordSagitta)) ground.add(band, parts++);
+    for (const Polygon& band : pass_bands(c.plan, pass, kChordSagitta)) overlay.add(band, parts++);
   }
   double largest_m2 = 0;
-  each_cell(ground, [&](const GroundCell& cell) {
+  each_cell(overlay, [&](const OverlayCell& cell) {
     bool headland = false, drawn = false, passable = false;
     std::size_t bands = 0;
     for (const Cover& cover : cell.covers) {

@@ -18,7 +18,7 @@ namespace {
 
 /// The last metres before the end, seen along the heading there. No swath that lies flat turns by a right
 /// angle on them.
-SwathClearance end_lane(const Path& path, double half_width_m) {
+SwathClearance end_clearance(const Path& path, double half_width_m) {
   const double part_m = 1.5 * half_width_m;
   const Path last = begun_later(path, std::max(0.0, length(path) - part_m));
   const Point end = last.back().to, along = direction_at_end(last.back());
@@ -36,7 +36,7 @@ std::vector<SwathClearance> pass_clearances(const HeadlandPass& pass, double wid
     return SwathClearance(PieceFrame(part.front().from, part.front().to), part, half_m);
   };
   if (is_closed(pass)) return {as_a_whole(path)};
-  std::vector<SwathClearance> out{end_lane(path, half_m), end_lane(reversed(path), half_m)};
+  std::vector<SwathClearance> out{end_clearance(path, half_m), end_clearance(reversed(path), half_m)};
   // The ends of the rest lie within the land of the pass.
   if (const Path middle = shortened(path, half_m); !middle.empty()) out.push_back(as_a_whole(middle));
   return out;
@@ -52,11 +52,11 @@ class PassCheck {
       : c_(c),
         pass_(c.plan.headland.passes[index]),
         name_(pass_name(index)),
-        lanes_(pass_clearances(pass_, c.plan.machine.width_m)),
+        clearances_(pass_clearances(pass_, c.plan.machine.width_m)),
         out_(out) {}
 
   void run() const {
-    for (const SwathClearance& swath : lanes_)
+    for (const SwathClearance& swath : clearances_)
       if (const auto point = swath.point_outside(c_.plan.field.outer)) {
         out_.push_back({Rule::kSwaths, name_ + " leaves the field", *point, 0});
         return;
@@ -85,7 +85,7 @@ class PassCheck {
   template <class Approaching>
   Approach nearest(Approaching to) const {
     Approach out;
-    for (const SwathClearance& swath : lanes_)
+    for (const SwathClearance& swath : clearances_)
       if (const Approach found = to(swath); found.gap_m < out.gap_m) out = found;
     return out;
   }
@@ -181,7 +181,7 @@ class PassCheck {
   const Case& c_;
   const HeadlandPass& pass_;
   std::string name_;
-  std::vector<SwathClearance> lanes_;
+  std::vector<SwathClearance> clearances_;
   Violations& out_;
 };
 

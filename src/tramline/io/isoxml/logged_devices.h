@@ -9,7 +9,7 @@
 
 namespace tramline::io {
 
-struct TellingDevices {
+struct LoggedDevices {
   std::vector<DeviceElement> elements;  ///< of the relevant devices
   std::vector<std::string> devices;     ///< their ids; "" for elements that no device describes
   std::vector<std::string> notes;       ///< the assumptions made, one sentence each
@@ -19,6 +19,6 @@ struct TellingDevices {
 /// width are relevant and, if the log has no work states of them, the first one with states; where no width
 /// is known, the device with the most logged values. Elements that no device describes count as one device,
 /// each a separate part. O(elements + values, · log).
-TellingDevices telling_devices(const TimeLogHeader& header, const std::vector<DeviceElement>& elements);
+LoggedDevices logged_devices(const TimeLogHeader& header, const std::vector<DeviceElement>& elements);
 
 }  // namespace tramline::io

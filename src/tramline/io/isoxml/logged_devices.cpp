@@ -1,4 +1,4 @@
-#include "tramline/io/isoxml/telling_devices.h"
+#include "tramline/io/isoxml/logged_devices.h"
 
 #include <fmt/format.h>
 
@@ -99,9 +99,9 @@ std::vector<DeviceElement> undescribed(const TimeLogHeader& header, const Tellin
 
 }  // namespace
 
-TellingDevices telling_devices(const TimeLogHeader& header, const std::vector<DeviceElement>& elements) {
+LoggedDevices logged_devices(const TimeLogHeader& header, const std::vector<DeviceElement>& elements) {
   const Telling telling(header, elements);
-  TellingDevices out;
+  LoggedDevices out;
   out.devices = telling.that_count();
   std::vector<std::string> counting;
   for (const std::string& device : out.devices) counting.push_back(shown(device));

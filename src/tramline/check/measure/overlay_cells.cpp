@@ -1,4 +1,4 @@
-#include "tramline/check/measure/ground_cells.h"
+#include "tramline/check/measure/overlay_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 namespace tramline::check {
 namespace {
 
-using GroundEdge = GroundEdges::Edge;
-using Edges = std::vector<GroundEdge>;
+using OverlayEdge = OverlayEdges::Edge;
+using Edges = std::vector<OverlayEdge>;
 
 /// Windows with no more edges are cut into slabs.
 constexpr std::size_t kFewEdges = 24;
@@ -21,18 +21,18 @@ constexpr int kMostHalvings = 48;
 constexpr int kMostInVain = 6;
 constexpr std::size_t kNotTooMany = 8 * kFewEdges;
 
-double x_at(const GroundEdge& edge, double y) {
+double x_at(const OverlayEdge& edge, double y) {
   if (y <= edge.low.y) return edge.low.x;
   if (y >= edge.high.y) return edge.high.x;
   return edge.low.x + (y - edge.low.y) / (edge.high.y - edge.low.y) * (edge.high.x - edge.low.x);
 }
 
-double y_at(const GroundEdge& edge, double x) {
+double y_at(const OverlayEdge& edge, double x) {
   const double y = edge.low.y + (x - edge.low.x) / (edge.high.x - edge.low.x) * (edge.high.y - edge.low.y);
   return std::clamp(y, edge.low.y, edge.high.y);
 }
 
-void append(GroundEdge edge, Point low, Point high, Edges& out) {
+void append(OverlayEdge edge, Point low, Point high, Edges& out) {
   if (!(high.y > low.y)) return;
   edge.low = low;
   edge.high = high;
@@ -42,7 +42,7 @@ void append(GroundEdge edge, Point low, Point high, Edges& out) {
 /// Edges along the left side of a window stand for all there is to the left of it. Those of one shape become
 /// one for each stretch of one count.
 void merge_along(double left, Edges& edges) {
-  const auto first = std::partition(edges.begin(), edges.end(), [left](const GroundEdge& edge) {
+  const auto first = std::partition(edges.begin(), edges.end(), [left](const OverlayEdge& edge) {
     return edge.low.x != left || edge.high.x != left;
   });
   if (edges.end() - first < 2) return;
@@ -77,21 +77,21 @@ void merge_along(double left, Edges& edges) {
 
 Edges below(const Edges& edges, double y) {
   Edges out;
-  for (const GroundEdge& edge : edges)
+  for (const OverlayEdge& edge : edges)
     if (edge.low.y < y) append(edge, edge.low, edge.high.y <= y ? edge.high : Point{x_at(edge, y), y}, out);
   return out;
 }
 
 Edges above(const Edges& edges, double y) {
   Edges out;
-  for (const GroundEdge& edge : edges)
+  for (const OverlayEdge& edge : edges)
     if (edge.high.y > y) append(edge, edge.low.y >= y ? edge.low : Point{x_at(edge, y), y}, edge.high, out);
   return out;
 }
 
 Edges left_of(const Edges& edges, double x) {
   Edges out;
-  for (const GroundEdge& edge : edges) {
+  for (const OverlayEdge& edge : edges) {
     const bool low_in = edge.low.x <= x, high_in = edge.high.x <= x;
     if (low_in && high_in) {
       out.push_back(edge);
@@ -105,7 +105,7 @@ Edges left_of(const Edges& edges, double x) {
 
 Edges right_of(const Edges& edges, double x) {
   Edges out;
-  for (const GroundEdge& edge : edges) {
+  for (const OverlayEdge& edge : edges) {
     const bool low_in = edge.low.x >= x, high_in = edge.high.x >= x;
     if (low_in && high_in) {
       out.push_back(edge);
@@ -122,7 +122,7 @@ Edges right_of(const Edges& edges, double x) {
 }
 
 /// Appends the height at which two edges cross.
-void append_crossing(const GroundEdge& a, const GroundEdge& b, std::vector<double>& heights) {
+void append_crossing(const OverlayEdge& a, const OverlayEdge& b, std::vector<double>& heights) {
   const double from = std::max(a.low.y, b.low.y), to = std::min(a.high.y, b.high.y);
   if (!(from < to)) return;
   const double before = x_at(a, from) - x_at(b, from), behind = x_at(a, to) - x_at(b, to);
@@ -131,7 +131,7 @@ void append_crossing(const GroundEdge& a, const GroundEdge& b, std::vector<doubl
 }
 
 /// The counts of all shapes, ascending, on the way through a slab.
-void count_in(const GroundEdge& edge, std::vector<Cover>& covers) {
+void count_in(const OverlayEdge& edge, std::vector<Cover>& covers) {
   const auto at = std::lower_bound(covers.begin(), covers.end(), edge.shape,
                                    [](const Cover& cover, std::size_t shape) { return cover.shape < shape; });
   if (at == covers.end() || at->shape != edge.shape) {
@@ -144,7 +144,7 @@ void count_in(const GroundEdge& edge, std::vector<Cover>& covers) {
 
 class Halving {
  public:
-  explicit Halving(const std::function<void(const GroundCell&)>& visit) : visit_(visit) {}
+  explicit Halving(const std::function<void(const OverlayCell&)>& visit) : visit_(visit) {}
 
   void visit(const Edges& edges, const Box& window) { visit(edges, window, {}); }
 
@@ -181,9 +181,9 @@ class Halving {
   }
 
   static std::size_t inner(const Edges& edges, double left) {
-    return static_cast<std::size_t>(std::count_if(edges.begin(), edges.end(), [left](const GroundEdge& edge) {
-      return edge.low.x != left || edge.high.x != left;
-    }));
+    return static_cast<std::size_t>(
+        std::count_if(edges.begin(), edges.end(),
+                      [left](const OverlayEdge& edge) { return edge.low.x != left || edge.high.x != left; }));
   }
 
   void cut(const Edges& edges, const Box& window) {
@@ -202,13 +202,13 @@ class Halving {
   struct Wall {
     double bottom;
     double top;
-    const GroundEdge* edge;
+    const OverlayEdge* edge;
   };
 
   void visit_slab(const Edges& edges, double bottom, double top, const Box& window) {
     walls_.clear();
     covers_.clear();
-    for (const GroundEdge& edge : edges)
+    for (const OverlayEdge& edge : edges)
       if (edge.low.y <= bottom && edge.high.y >= top)
         walls_.push_back({x_at(edge, bottom), x_at(edge, top), &edge});
     std::stable_sort(walls_.begin(), walls_.end(),
@@ -231,14 +231,14 @@ class Halving {
     visit_({0.5 * twice_wide * (top - bottom), middle, inside_});
   }
 
-  const std::function<void(const GroundCell&)>& visit_;
+  const std::function<void(const OverlayCell&)>& visit_;
   std::vector<Wall> walls_;
   std::vector<Cover> covers_, inside_;
 };
 
 }  // namespace
 
-void GroundEdges::add_ring(const Ring& ring, int sign, std::size_t shape) {
+void OverlayEdges::add_ring(const Ring& ring, int sign, std::size_t shape) {
   // Going up along a counter-clockwise ring its inside is on the left.
   const int up = signed_area(ring) > 0 ? -sign : sign;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -249,17 +249,17 @@ void GroundEdges::add_ring(const Ring& ring, int sign, std::size_t shape) {
   }
 }
 
-void GroundEdges::add(const Polygon& polygon, std::size_t shape) {
+void OverlayEdges::add(const Polygon& polygon, std::size_t shape) {
   add_ring(polygon.outer, 1, shape);
   for (const Ring& hole : polygon.holes) add_ring(hole, -1, shape);
 }
 
-void GroundEdges::add(const Region& region, std::size_t shape) {
+void OverlayEdges::add(const Region& region, std::size_t shape) {
   for (const Polygon& polygon : region) add(polygon, shape);
 }
 
-void each_cell(const GroundEdges& ground, const std::function<void(const GroundCell&)>& visit) {
-  Halving(visit).visit(ground.edges(), ground.bounds());
+void each_cell(const OverlayEdges& overlay, const std::function<void(const OverlayCell&)>& visit) {
+  Halving(visit).visit(overlay.edges(), overlay.bounds());
 }
 
 }  // namespace tramline::check

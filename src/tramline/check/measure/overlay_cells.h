@@ -16,14 +16,14 @@ struct Cover {
 };
 
 /// A trapezium that no edge crosses.
-struct GroundCell {
+struct OverlayCell {
   double area_m2 = 0;
   Point middle;
   const std::vector<Cover>& covers;  ///< all shapes that contain it, ascending
 };
 
 /// The edges of any number of shapes, each of any number of polygons, which may overlap.
-class GroundEdges {
+class OverlayEdges {
  public:
   /// Outer rings count 1 inside and holes −1, whichever way they run.
   void add(const Polygon& polygon, std::size_t shape);
@@ -50,6 +50,6 @@ class GroundEdges {
 /// a window holds few edges, and the window is cut into slabs between the heights where edges begin, end and
 /// cross. So the areas of cells add up to those of the shapes but for rounding, 1e-16 of the window for each
 /// cell. O(n log n) for n edges of which only a few cross any one spot.
-void each_cell(const GroundEdges& ground, const std::function<void(const GroundCell&)>& visit);
+void each_cell(const OverlayEdges& overlay, const std::function<void(const OverlayCell&)>& visit);
 
 }  // namespace tramline::check

@@ -1,4 +1,4 @@
-#include "tramline/render/page/seen_stretches.h"
+#include "tramline/render/page/visible_stretches.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,0 +1,58 @@
+// The route in numbers, kind by kind, in the colours of the map.
+import type { LegKind, Route } from '../../api/types';
+import { clock, count, length, percent, plural } from '../../format';
+import { DAY, NIGHT, type Colours } from '../../map/palette';
+import { MarkOf, type Mark } from '../../parts/mark';
+import { sumsByKind } from '../../state/route_sums';
+import { isNight, session } from '../../state/session';
+import { useStore } from '../../state/store';
+
+const KINDS: Record<LegKind, { title: string; colour: keyof Colours & string; form: Mark['form'] }> = {
+  work: { title: 'Along tracks', colour: 'Track', form: 'line' },
+  headland: { title: 'Along headland passes', colour: 'HeadlandPass', form: 'line' },
+  turn: { title: 'Turns', colour: 'Turn', form: 'line' },
+  transit: { title: 'Other ways', colour: 'Transit', form: 'line' },
+  back_out: { title: 'Backing out', colour: 'BackOut', form: 'dashed' },
+};
+
+export function RouteFigures({ route }: { route: Route }) {
+  useStore(session, (value) => value.theme);
+  const colours = isNight() ? NIGHT : DAY;
+  const sums = sumsByKind(route.legs);
+  const idle = sums.filter(({ kind }) => kind !== 'work' && kind !== 'headland').reduce((all, { length_m }) => all + length_m, 0);
+  return (
+    <section aria-labelledby="route-title">
+      <h2 id="route-title">The route</h2>
+      <table aria-labelledby="route-title">
+        <thead><tr><th>Legs</th><th>Count</th><th>Length</th><th>Time</th></tr></thead>
+        <tbody>
+          {sums.map((sum) => {
+            const { title, colour, form } = KINDS[sum.kind];
+            return (
+              <tr key={sum.kind}>
+                <th scope="row"><span class="marked"><MarkOf mark={{ colour: String(colours[colour]), form }} />{title}</span></th>
+                <td>{count(sum.legs)}</td>
+                <td>{length(sum.length_m)}</td>
+                <td>{clock(sum.time_s)}</td>
+              </tr>
+            );
+          })}
+          <tr class="total">
+            <th scope="row">All</th>
+            <td>{count(route.legs.length)}</td>
+            <td>{length(route.length_m)}</td>
+            <td>{clock(route.time_s)}</td>
+          </tr>
+        </tbody>
+      </table>
+      <p class="hint">
+        {`On ${percent(route.length_m > 0 ? idle / route.length_m : 0)} of the way the work is off`}
+        {route.reverse_m > 0 && `, and ${length(route.reverse_m)} are driven in reverse`}.
+        {` No route over these tracks and passes can be quicker by more than ${percent(Math.max(0, route.gap))}.`}
+      </p>
+      {route.without_room > 0 && (
+        <p class="notice error">{`${plural(route.without_room, 'leg has', 'legs have')} no room on the land: red on the map.`}</p>
+      )}
+    </section>
+  );
+}
