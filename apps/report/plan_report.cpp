@@ -9,6 +9,7 @@
 #include "report/front_report.h"
 #include "report/obstacle_report.h"
 #include "report/report_parts.h"
+#include "report/route_report.h"
 #include "report/turning_report.h"
 #include "tramline/geometry/path/kinked_line.h"
 #include "tramline/headland/body.h"
@@ -161,7 +162,7 @@ std::string tally_rows(const Plan& plan) {
                   plain_zero(plan.track_tally.uncovered_m2));
   out += fmt::format("turns        {}\n", tally.turns);
   out += fmt::format("stops        {}\n", tally.stops);
-  out += turning_rows(plan);
+  out += turning_rows(plan) + route_rows(plan);
   out += obstacle_rows(plan);
   if (tally.crossings > 0) out += fmt::format("crossings    {}\n", tally.crossings);
   out += fmt::format("cost         {:.2f} = {}\n", plan.cost, prices_text(plan.objective));
@@ -200,6 +201,7 @@ ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, do
   out["stops"] = tally.stops;
   out["crossings"] = tally.crossings;
   if (!plan.turns.empty()) out["planned_turns"] = planned_turns_json(plan);
+  if (plan.route.planned()) out["route"] = route_json(plan);
   out["track_length_m"] = tally.track_length_m;
   out["overlap_m2"] = tally.overlap_m2;
   out["uncovered_m2"] = tally.uncovered_m2;

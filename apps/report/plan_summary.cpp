@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "report/report_parts.h"
+#include "report/route_report.h"
 #include "report/turning_report.h"
 #include "tramline/model/plain_zero.h"
 #include "tramline/planner/warnings.h"
@@ -98,7 +99,7 @@ std::string front_row(const Plan& plan) {
 std::string figure_rows(const Plan& plan) {
   return ground_row(plan) + passes_row(plan) +
          fmt::format("distance     {:.3f} km at work\n", distance_km(plan)) + turning_rows(plan) +
-         fmt::format("worked twice {}\n", share_text(plan, plan.tally.overlap_m2)) +
+         route_rows(plan) + fmt::format("worked twice {}\n", share_text(plan, plan.tally.overlap_m2)) +
          fmt::format("missed       {}\n", share_text(plan, plan.tally.uncovered_m2));
 }
 

@@ -178,14 +178,17 @@ class EvaluateCommand : public Command {
     return out;
   }
 
-  /// The way that the plan plans, a run for each piece and headland pass.
+  /// The way that the plan plans, a run for each piece and headland pass, and the other ways of its route.
   static std::vector<DrivenLine> lines_of(const Plan& plan, bool tracks_alone) {
     std::vector<DrivenLine> out;
     constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
-    const coverage::FurtherWork work = work_of(plan, plan.field.frame);
-    const std::size_t count = tracks_alone ? plan.pieces.size() : work.lines.size();
-    for (std::size_t i = 0; i < count; ++i)
-      out.push_back({static_cast<int>(i), work.lines[i], kNever, kNever});
+    for (const coverage::PlanRun& run : coverage::runs_of(plan))
+      if (!tracks_alone || run.run < std::ssize(plan.pieces))
+        out.push_back({run.run, chords(run.path), kNever, kNever});
+    constexpr int kNoRun = -1;
+    for (const RouteLeg& leg : plan.route.legs)
+      if (const Path way = trace(leg.path); !leg.work && !leg.pass && !way.empty())
+        out.push_back({kNoRun, chords(way), kNever, kNever});
     return out;
   }
 

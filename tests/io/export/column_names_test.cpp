@@ -24,6 +24,7 @@ TEST(ColumnNames, LayersHaveTitles) {
   EXPECT_EQ(title_of("tracks", 12), "Track 12");
   EXPECT_EQ(title_of("headland_passes", 2), "Headland pass 2");
   EXPECT_EQ(title_of("uncovered", 3), "Uncovered 3");
+  EXPECT_EQ(title_of("route_legs", 4), "Leg 4");
 }
 
 TEST(Utf8Prefix, SplitsNoCharacter) {

@@ -110,7 +110,8 @@ TEST_F(ExportTest, ShapefileNamesAreShortAndNoneIsTakenTwice) {
     std::set<std::string> taken;
     for (int i = 0; i < layer->GetLayerDefn()->GetFieldCount(); ++i) {
       const OGRFieldDefn* column = layer->GetLayerDefn()->GetFieldDefn(i);
-      if (layer->GetGeomType() == wkbNone || stays_in_plan_file(column->GetNameRef())) continue;
+      if (layer->GetGeomType() == wkbNone || stays_in_plan_file(layer->GetName(), column->GetNameRef()))
+        continue;
       ++columns;
       const std::string name = shapefile_name(column->GetNameRef());
       EXPECT_LE(name.size(), 10u);

@@ -113,7 +113,7 @@ TEST_F(HeadlandsInFiles, PassesByEdgeComeBack) {
   EXPECT_EQ(read.plan.field.outer.size(), 4U);
   // The numbers are those of the edges still: the ring begins where it began.
   EXPECT_LT(distance(read.plan.field.outer.front(), plan.field.outer.front()), 1e-6);
-  EXPECT_TRUE(says(metadata("format_version", "10"), {"format_version"}, plan));
+  EXPECT_TRUE(says(metadata("format_version", "11"), {"format_version"}, plan));
   EXPECT_TRUE(says(metadata("headland.edge_passes", "[1,-2]"), {"headland.edge_passes"}, plan));
   EXPECT_TRUE(says(metadata("settings.headland_edges", "many"), {"settings.headland_edges"}, plan));
 
@@ -265,7 +265,7 @@ TEST_F(HeadlandsInFiles, SubfieldsMayFollowLinesOfTheirOwn) {
 }
 
 TEST_F(HeadlandsInFiles, OtherVersionsAreRefused) {
-  for (const char* version : {"1", "10", "-3", "3.0", ""})
+  for (const char* version : {"1", "11", "-3", "3.0", ""})
     EXPECT_TRUE(says(metadata("format_version", version), {"format_version", "metadata"}));
 }
 

@@ -13,8 +13,8 @@ struct ExportRequest {
   std::filesystem::path plan;  ///< a plan file
   std::filesystem::path file;  ///< its extension chooses the format
   std::string crs;  ///< "source", "wgs84" or a definition for Crs; empty: the format's default, see below
-  /// Layers of the plan file; empty: tracks and headland passes, or all with shapes in
-  /// Shapefiles.
+  /// Layers of the plan file, the legs of its route as `route`; empty: tracks and headland passes, in KML the
+  /// route too, or all with shapes in Shapefiles.
   std::vector<std::string> layers;
   double tolerance_m = 0.02;  ///< see below; 0: every vertex is kept
   std::string field{};        ///< key or id of a field in a file of many plans; empty: all of them

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tramline/coverage/drive/interrupted.h"
+#include "tramline/coverage/drive/plan_runs.h"
 #include "tramline/geometry/path/path.h"
 
 namespace tramline::coverage {
@@ -72,6 +73,19 @@ void append(const Path& path, double width_m, int run, std::vector<WorkedStep>& 
   }
 }
 
+Region passables(const Field& field) {
+  Region out;
+  for (const Obstacle& obstacle : field.obstacles)
+    if (obstacle.kind == ObstacleKind::kPassable) out.push_back(obstacle.shape);
+  return out;
+}
+
+/// Of the steps from `first` on.
+void interrupt(std::vector<WorkedStep>& steps, std::size_t first, const Region& passable) {
+  if (passable.empty()) return;
+  for (std::size_t i = first; i < steps.size(); ++i) steps[i].quads = interrupted(steps[i].quads, passable);
+}
+
 }  // namespace
 
 std::vector<WorkedStep> plan_steps(const Plan& plan) {
@@ -85,19 +99,18 @@ std::vector<WorkedStep> headland_steps(const Plan& plan, int first_run) {
   std::vector<WorkedStep> out;
   int run = first_run;
   for (const HeadlandPass& pass : plan.headland.passes) append(pass.path, plan.machine.width_m, run++, out);
-  Region passable;
-  for (const Obstacle& obstacle : plan.field.obstacles)
-    if (obstacle.kind == ObstacleKind::kPassable) passable.push_back(obstacle.shape);
-  if (!passable.empty())
-    for (WorkedStep& step : out) step.quads = interrupted(step.quads, passable);
+  interrupt(out, 0, passables(plan.field));
   return out;
 }
 
 std::vector<WorkedStep> steps_of(const Plan& plan) {
-  std::vector<WorkedStep> out = plan_steps(plan);
-  for (WorkedStep& step : headland_steps(plan, static_cast<int>(plan.pieces.size())))
-    out.push_back(std::move(step));
-  for (std::size_t i = 0; i < out.size(); ++i) out[i].fix = i;
+  std::vector<WorkedStep> out;
+  const Region passable = passables(plan.field);
+  for (const PlanRun& run : runs_of(plan)) {
+    const std::size_t first = out.size();
+    append(run.path, plan.machine.width_m, run.run, out);
+    if (is_of_pass(plan, run)) interrupt(out, first, passable);
+  }
   return out;
 }
 

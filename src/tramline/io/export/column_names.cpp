@@ -13,7 +13,7 @@ namespace {
 
 using Words = std::pair<std::string_view, std::string_view>;
 
-constexpr std::array<Words, 11> kShortNames{{{"direction_deg", "dir_deg"},
+constexpr std::array<Words, 12> kShortNames{{{"direction_deg", "dir_deg"},
                                              {"direction_rad", "dir_rad"},
                                              {"heading_deg", "heading"},
                                              {"smallest_radius_m", "min_radius"},
@@ -22,18 +22,20 @@ constexpr std::array<Words, 11> kShortNames{{{"direction_deg", "dir_deg"},
                                              {"after_crossing", "after_x"},
                                              {"around_field", "round_fld"},
                                              {"detour_count", "detours"},
+                                             {"lateral_error_m", "lat_err_m"},
                                              {"why_not_left", "not_left"},
                                              {"why_not_right", "not_right"}}};
 
-constexpr std::array<Words, 9> kTitles{{{plan_layers::kTracks, "Track"},
-                                        {plan_layers::kHeadlandPasses, "Headland pass"},
-                                        {plan_layers::kHeadlandUnworked, "Unworked headland"},
-                                        {plan_layers::kSubfields, "Subfield"},
-                                        {plan_layers::kSwaths, "Swath"},
-                                        {plan_layers::kObstacles, "Obstacle"},
-                                        {plan_layers::kEncounters, "Encounter"},
-                                        {plan_layers::kGivenUp, "Given up"},
-                                        {plan_layers::kDropped, "Dropped piece"}}};
+constexpr std::array<Words, 10> kTitles{{{plan_layers::kTracks, "Track"},
+                                         {plan_layers::kHeadlandPasses, "Headland pass"},
+                                         {plan_layers::kHeadlandUnworked, "Unworked headland"},
+                                         {plan_layers::kRouteLegs, "Leg"},
+                                         {plan_layers::kSubfields, "Subfield"},
+                                         {plan_layers::kSwaths, "Swath"},
+                                         {plan_layers::kObstacles, "Obstacle"},
+                                         {plan_layers::kEncounters, "Encounter"},
+                                         {plan_layers::kGivenUp, "Given up"},
+                                         {plan_layers::kDropped, "Dropped piece"}}};
 
 template <std::size_t n>
 std::string_view found(const std::array<Words, n>& words, std::string_view key) {
@@ -49,7 +51,18 @@ std::string shapefile_name(std::string_view column) {
   return std::string(name.empty() ? column.substr(0, 10) : name);
 }
 
-bool stays_in_plan_file(std::string_view column) { return column == "path" || column == "detours"; }
+bool stays_in_plan_file(std::string_view layer, std::string_view column) {
+  return column == "path" || column == "detours" ||
+         (layer == plan_layers::kRouteLegs && column == "stretches");
+}
+
+std::string exported_layer(std::string_view in_plan_file) {
+  return std::string(in_plan_file == plan_layers::kRouteLegs ? kRoute : in_plan_file);
+}
+
+std::string layer_in_plan_file(std::string_view exported) {
+  return std::string(exported == kRoute ? plan_layers::kRouteLegs : exported);
+}
 
 std::string title_of(std::string_view layer, int number) {
   assert(number > 0);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "tramline/geometry/error.h"
+#include "tramline/io/export/column_names.h"
 #include "tramline/io/export/layer_copy.h"
 #include "tramline/io/export/target_crs.h"
 #include "tramline/io/export/zip_folder.h"
@@ -31,11 +32,15 @@ std::string listed(const std::vector<std::string>& names) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// The layers of the plan file that have shapes, in its order.
+OGRLayer& stored(GDALDataset& plan, const std::string& name) {
+  return *plan.GetLayerByName(layer_in_plan_file(name).c_str());
+}
+
+/// The layers of the plan file that have shapes, in its order, as they are called in exports.
 std::vector<std::string> layers_with_shapes(GDALDataset& plan) {
   std::vector<std::string> out;
   for (OGRLayer* layer : plan.GetLayers())
-    if (layer->GetGeomType() != wkbNone) out.emplace_back(layer->GetName());
+    if (layer->GetGeomType() != wkbNone) out.push_back(exported_layer(layer->GetName()));
   return out;
 }
 
@@ -55,7 +60,13 @@ bool are_lines(const std::vector<std::string>& layers) {
 
 std::vector<std::string> chosen_layers(GDALDataset& plan, const ExportRequest& request, ExportFormat format) {
   const std::vector<std::string> all = layers_with_shapes(plan);
-  if (request.layers.empty()) return format == ExportFormat::kShapefiles ? all : lines_of(plan);
+  if (request.layers.empty()) {
+    if (format == ExportFormat::kShapefiles) return all;
+    std::vector<std::string> out = lines_of(plan);
+    if (!single_layer(format) && std::find(all.begin(), all.end(), kRoute) != all.end())
+      out.emplace_back(kRoute);
+    return out;
+  }
   std::vector<std::string> out;
   for (const std::string& name : request.layers) {
     if (std::find(all.begin(), all.end(), name) == all.end())
@@ -72,7 +83,7 @@ std::vector<std::string> chosen_layers(GDALDataset& plan, const ExportRequest& r
 void require_something(GDALDataset& plan, const ExportRequest& request,
                        const std::vector<std::string>& layers) {
   for (const std::string& name : layers)
-    if (plan.GetLayerByName(name.c_str())->GetFeatureCount() > 0) return;
+    if (stored(plan, name).GetFeatureCount() > 0) return;
   throw bad_input(fmt::format("{}: there is nothing in {} {}, so there is nothing to export",
                               request.plan.string(), layers.size() == 1 ? "layer" : "the layers",
                               listed(layers)));
@@ -143,8 +154,7 @@ void write_layers(GDALDataset& from, const Chosen& plan, const std::vector<std::
     return;
   }
   for (const std::string& layer : layers)
-    report.layers.push_back(
-        {layer, copy_layer(*from.GetLayerByName(layer.c_str()), *file, way, report.shortened)});
+    report.layers.push_back({layer, copy_layer(stored(from, layer), *file, way, report.shortened)});
 }
 
 void require_tolerance(double tolerance_m) {

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -18,6 +20,7 @@
 #include "tramline/io/plan/exact_path.h"
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/model/palette.h"
+#include "tramline/model/route.h"
 
 namespace tramline::io {
 namespace {
@@ -51,16 +54,44 @@ CPLStringList layer_options(ExportFormat format, std::time_t time) {
   return out;
 }
 
+std::uint32_t hex_of(Colour colour) {
+  const auto byte = [](double part) { return static_cast<std::uint32_t>(std::lround(255 * part)); };
+  return byte(colour.red) << 16 | byte(colour.green) << 8 | byte(colour.blue);
+}
+
+/// As in pictures.
+std::uint32_t colour_of_leg(const OGRFeature& leg) {
+  if (leg.GetFieldAsDouble("missing_m") > 0) return kNoRoomHex;
+  switch (leg_kind_named(leg.GetFieldAsString("kind")).value_or(LegKind::kTransit)) {
+    case LegKind::kWork:
+      return kTrackHex;
+    case LegKind::kHeadland:
+      return kHeadlandPassHex;
+    case LegKind::kTurn:
+      return kTurnHex;
+    case LegKind::kBackOut:
+      return hex_of(kBackOutColour);
+    case LegKind::kTransit:
+      break;
+  }
+  return hex_of(kTransitColour);
+}
+
 /// How a line is drawn where the format says such things (KML).
-std::string pen_of(std::string_view layer, bool detour) {
+std::string pen_of(std::string_view layer, const OGRFeature& source, bool detour) {
   const bool headland = layer == plan_layers::kHeadlandPasses;
-  return fmt::format("PEN(c:#{:06X},w:2px)", headland ? kHeadlandPassHex : detour ? kDetourHex : kTrackHex);
+  const std::uint32_t colour = layer == plan_layers::kRouteLegs ? colour_of_leg(source)
+                               : headland                       ? kHeadlandPassHex
+                               : detour                         ? kDetourHex
+                                                                : kTrackHex;
+  return fmt::format("PEN(c:#{:06X},w:2px)", colour);
 }
 
 OGRLayer* made_layer(OGRLayer& like, GDALDataset& file, const LayerWay& way) {
   OGRSpatialReference reference(way.target.reference());
   CPLStringList options = layer_options(way.format, way.time);
-  return file.CreateLayer(like.GetName(), &reference, like.GetGeomType(), options.List());
+  return file.CreateLayer(exported_layer(like.GetName()).c_str(), &reference, like.GetGeomType(),
+                          options.List());
 }
 
 /// One layer on its way from the plan file to a layer of the export, which another may share.
@@ -74,7 +105,8 @@ class LayerCopy {
     if (way_.format == ExportFormat::kKml) title_ = add(OGRFieldDefn("Name", OFTString));
     const OGRFeatureDefn& columns = *from_.GetLayerDefn();
     for (int i = 0; i < columns.GetFieldCount(); ++i)
-      if (!stays_in_plan_file(columns.GetFieldDefn(i)->GetNameRef())) kept_.push_back({i, add_like(i)});
+      if (!stays_in_plan_file(from_.GetName(), columns.GetFieldDefn(i)->GetNameRef()))
+        kept_.push_back({i, add_like(i)});
     detours_ = columns.GetFieldIndex("detours");
     if (detours_ >= 0) detour_count_ = add(OGRFieldDefn(shown(kDetourCount).c_str(), OFTInteger));
     path_ = columns.GetFieldIndex("path");
@@ -144,7 +176,7 @@ class LayerCopy {
     if (title_ >= 0) {
       out.SetField(title_, title_of(from_.GetName(), number).c_str());
       const int detour = detour_count_ >= 0 ? out.GetFieldAsInteger(detour_count_) : 0;
-      out.SetStyleString(pen_of(from_.GetName(), detour > 0).c_str());
+      out.SetStyleString(pen_of(from_.GetName(), source, detour > 0).c_str());
     }
     if (const OGRGeometry* shape = source.GetGeometryRef())
       out.SetGeometryDirectly(exported(*shape).release());

@@ -15,6 +15,7 @@
 #include "tramline/io/geopackage/local_crs.h"
 #include "tramline/io/plan/path_text.h"
 #include "tramline/io/plan/plan_layers.h"
+#include "tramline/io/plan/route_rows.h"
 #include "tramline/model/plain_zero.h"
 #include "tramline/model/turning_values.h"
 
@@ -22,7 +23,7 @@ namespace tramline::io {
 namespace {
 
 constexpr const char* kFormat = "tramline plan";
-constexpr int kNewestVersion = kVersionWithTurning, kOldestVersion = 2;
+constexpr int kNewestVersion = kVersionWithRoute, kOldestVersion = 2;
 constexpr const char* kTracks = "settings.tracks";
 constexpr const char* kAvoidRoom = "settings.avoid_room_m";  // only where there is a limit
 constexpr const char* kAbAnchor = "settings.ab_anchor";
@@ -340,6 +341,7 @@ void write_edge_passes(const Plan& plan, const Writer& writer) {
 }
 
 int version_for(const Plan& plan) {
+  if (has_route(plan)) return kVersionWithRoute;
   if (plan.machine.turning != Turning{} || !plan.settings.headland_edges.empty() ||
       !plan.headland.edge_passes.empty() || !plan.turns.empty())
     return kVersionWithTurning;
@@ -364,6 +366,7 @@ Metadata metadata_of(const Plan& plan) {
   writer(kHeadlandConstruction, plan.headland.construction);
   if (is_of_lines(plan)) writer(kOrigin, plan.origin);
   write_turning_values(plan, out);
+  if (has_route(plan)) write_route_values(plan, out);
   if (plan.stop_rule == StopRule::kNoWayOff) out[kStopRule] = kNoWayOff;
   write_references(plan, writer);
   write_given_land(plan, writer);
@@ -386,7 +389,7 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   int version = 0;
   reader("format_version", version);
   if (version < kOldestVersion || version > kNewestVersion)
-    throw reader.wrong("format_version", "from 2 to 9: read it with the tramline that wrote it");
+    throw reader.wrong("format_version", "from 2 to 10: read it with the tramline that wrote it");
   each_value(plan, reader);
   reader.shift_by(offset_of(plan.field.frame));
   if (version >= kVersionWithHeadlands) each_value_since_headlands(plan, reader);
@@ -410,6 +413,7 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
   if (metadata.contains(kOrigin)) reader(kOrigin, plan.origin);
   PresentKeys present(metadata, reader);
   each_turning_value(plan, present);
+  if (version >= kVersionWithRoute) apply_route_values(metadata, file, plan);
   plan.stop_rule = metadata.contains(kStopRule) ? StopRule::kNoWayOff : StopRule::kTouching;
   if (metadata.contains(kHeadlandEdges)) reader(kHeadlandEdges, plan.settings.headland_edges);
   if (metadata.contains(kEdgePasses)) reader(kEdgePasses, plan.headland.edge_passes);

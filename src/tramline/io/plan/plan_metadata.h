@@ -29,6 +29,8 @@ inline constexpr int kVersionWithGivenLand = 8;
 /// and of those with different numbers of headland passes along the edges of the field. It may have whatever
 /// the versions before it have.
 inline constexpr int kVersionWithTurning = 9;
+/// The version of plans with a route, or that were asked for one. It may have whatever version 9 has.
+inline constexpr int kVersionWithRoute = 10;
 
 /// Machine, objective, settings, tally, local frame, source and remarks of a plan. The source file is
 /// named without its folder: a plan must not contain paths of the machine it was made on. Guide line and

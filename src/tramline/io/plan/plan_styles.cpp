@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "tramline/io/field/field_styles.h"
 #include "tramline/io/geopackage/qml.h"
 #include "tramline/io/plan/plan_layers.h"
+#include "tramline/io/plan/route_rows.h"
 #include "tramline/model/palette.h"
 #include "tramline/model/plain_zero.h"
 
@@ -21,7 +23,7 @@ using qml::Shape;
 using qml::Symbol;
 
 constexpr double kTrackLine_mm = mm(1.1), kDetourLine_mm = mm(2.2), kRim_mm = mm(4.4), kArrow_mm = mm(9);
-constexpr double kHeadlandLine_mm = mm(1.4);
+constexpr double kHeadlandLine_mm = mm(1.4), kRouteLine_mm = mm(1.4);
 constexpr double kSliver_mm = mm(1.5);
 
 Symbol symbol(Shape shape, std::vector<qml::SymbolLayer> layers) { return {shape, std::move(layers)}; }
@@ -135,6 +137,31 @@ std::string encounters_style() {
                         {"\"chosen\" <> 'cut'", "passed on the left or right", dot(kDetourColour)}});
 }
 
+/// By kind; legs along tracks and passes lie on those. In reverse dashed, and above all of them those that
+/// leave the land.
+LayerStyle route_style() {
+  const auto rule = [](const std::string& filter, const char* label, Colour colour) {
+    const Symbol forward = symbol(Shape::kLine, {qml::simple_line(colour, kRouteLine_mm)});
+    const Symbol reverse = symbol(Shape::kLine, {qml::simple_line(colour, kRouteLine_mm, "dash")});
+    return std::vector<Rule>{
+        {filter + " AND \"gear\" = 'forward'", label, forward},
+        {filter + " AND \"gear\" = 'reverse'", fmt::format("{} in reverse", label), reverse}};
+  };
+  std::vector<Rule> rules;
+  for (const auto& [kind, label, colour] :
+       {std::tuple{LegKind::kWork, "along a track", kTrackColour},
+        std::tuple{LegKind::kHeadland, "along a headland pass", kHeadlandPassColour},
+        std::tuple{LegKind::kTurn, "turn", kTurnColour},
+        std::tuple{LegKind::kTransit, "way with the work off", kTransitColour},
+        std::tuple{LegKind::kBackOut, "backing out or in", kBackOutColour}})
+    for (Rule& part : rule(fmt::format("\"kind\" = '{}' AND \"missing_m\" = 0", name(kind)), label, colour))
+      rules.push_back(std::move(part));
+  for (Rule& part : rule("\"missing_m\" > 0", "leaves the land", kNoRoomColour))
+    rules.push_back(std::move(part));
+  return {plan_layers::kRouteLegs, "every way of the machine, by its kind",
+          qml::document(Shape::kLine, rules)};
+}
+
 /// Those that all plans have.
 std::vector<LayerStyle> styles_with(std::string subfields, std::string tracks) {
   namespace layers = plan_layers;
@@ -162,17 +189,21 @@ std::vector<LayerStyle> styles_with(std::string subfields, std::string tracks) {
 
 std::vector<LayerStyle> styles_of(const Plan& plan) {
   std::vector<LayerStyle> out = styles_with(subfields_style(plan), tracks_style(Detours::kFromColumns));
+  if (has_route(plan)) out.push_back(route_style());
   if (!plan.worked.empty())
     out.push_back({plan_layers::kWorked, "worked before, or left for good",
                    fill_style(qml::simple_fill(kCoveredColour, kCoveredEdge, mm(1)))});
   return out;
 }
 
-std::vector<LayerStyle> styles_of_many(std::size_t most_subfields) {
+std::vector<LayerStyle> styles_of_many(std::size_t most_subfields, bool with_routes) {
   std::vector<Rule> rules;
   for (std::size_t i = 0; i < std::max<std::size_t>(1, most_subfields); ++i)
     rules.push_back(tinted(i, fmt::format("subfield {} of its field", i + 1)));
-  return styles_with(qml::document(Shape::kPolygon, rules), tracks_style(Detours::kWholeTrack));
+  std::vector<LayerStyle> out =
+      styles_with(qml::document(Shape::kPolygon, rules), tracks_style(Detours::kWholeTrack));
+  if (with_routes) out.push_back(route_style());
+  return out;
 }
 
 }  // namespace tramline::io

@@ -9,11 +9,13 @@
 namespace tramline::io {
 
 /// A style for each layer with shapes. Field, body and swaths hide nothing in whatever order the layers are
-/// added: only land that the picture fills is filled. Depends on the subfields and their directions alone.
+/// added: only land that the picture fills is filled. Depends on the subfields, their
+/// directions and whether there is a route alone.
 std::vector<LayerStyle> styles_of(const Plan& plan);
 
-/// The same for the layers of many plans, of which none has more subfields than that. Tracks with detours are
+/// The same for the layers of many plans, of which none has more subfields than that, and some have routes or
+/// none has. Tracks with detours are
 /// marked as a whole: their paths are in the planes of their fields, in which QGIS does not draw them.
-std::vector<LayerStyle> styles_of_many(std::size_t most_subfields);
+std::vector<LayerStyle> styles_of_many(std::size_t most_subfields, bool with_routes);
 
 }  // namespace tramline::io

@@ -15,6 +15,7 @@
 #include "tramline/io/geopackage/remarks.h"
 #include "tramline/io/geopackage/rows.h"
 #include "tramline/io/plan/common_frame.h"
+#include "tramline/io/plan/derived_values.h"
 #include "tramline/io/plan/detour_text.h"
 #include "tramline/io/plan/fields_in.h"
 #include "tramline/io/plan/front_text.h"
@@ -22,6 +23,7 @@
 #include "tramline/io/plan/plan_collection.h"
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/io/plan/plan_metadata.h"
+#include "tramline/io/plan/route_rows.h"
 #include "tramline/io/plan/turn_text.h"
 
 namespace tramline::io {
@@ -29,15 +31,6 @@ namespace {
 
 namespace fs = std::filesystem;
 namespace layers = plan_layers;
-
-/// "layer tracks, feature 12, length_m"
-std::string place_in_file(const Row& row, const char* column) {
-  return row.place().substr(row.place().find(": layer ") + 2) + ", " + column;
-}
-
-void derive(PlanFile& out, const Row& row, const char* column, double from_shape, Point at) {
-  out.derived.push_back({place_in_file(row, column), row.number(column), from_shape, at});
-}
 
 /// A file of many plans keeps corners in another plane than the one areas were measured in.
 void derive_area(PlanFile& out, const Row& row, const Polygon& polygon) {
@@ -328,6 +321,7 @@ PlanFile read_plan_file(const fs::path& path, const std::string& field) {
   apply_given_land(metadata, path, out.plan);
   read_tracks(file, out);
   read_turns(file, out);
+  read_route_legs(file, out);
   read_swaths(file, out);
   read_region(file, layers::kOverlap, out.plan.overlap, out);
   read_region(file, layers::kUncovered, out.plan.uncovered, out);

@@ -17,6 +17,7 @@
 #include "tramline/io/plan/plan_metadata.h"
 #include "tramline/io/plan/plan_rows.h"
 #include "tramline/io/plan/plan_styles.h"
+#include "tramline/io/plan/route_rows.h"
 #include "tramline/io/plan/turn_text.h"
 
 namespace tramline::io {
@@ -191,6 +192,7 @@ void write_plan_rows(const Target& target, const Plan& plan, const Metadata& rem
   write_headland_passes(target, plan.headland);
   write_tracks(target, plan);
   write_turns(target, plan);
+  write_route_legs(target, plan);
   write_swaths(target, plan);
   write_region(target, layers::kOverlap, plan.overlap);
   write_region(target, layers::kUncovered, plan.uncovered);

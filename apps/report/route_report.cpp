@@ -1,0 +1,101 @@
+#include "report/route_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "tramline/model/plain_zero.h"
+
+namespace tramline::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json leg_json(const RouteLeg& leg, std::size_t seq) {
+  ordered_json out{{"seq", seq},           {"kind", name(leg.kind)},   {"gear", name(leg.gear)},
+                   {"work", leg.work},     {"length_m", length(leg)}, {"time_s", leg.time_s}};
+  if (leg.piece) out["piece"] = *leg.piece + 1;
+  if (leg.pass) out["pass"] = *leg.pass + 1;
+  if (leg.missing_m > 0) out["missing_m"] = leg.missing_m;
+  return out;
+}
+
+/// What it takes at the most beyond the quickest of all routes, of that one's time. A bound of 0 says
+/// nothing.
+std::string proof_text(const Route& route, double time_s) {
+  const double bound_s = route.proof.bound_s;
+  if (bound_s <= 0) return "";
+  return fmt::format("; at most {:.1f} % longer than the quickest",
+                     plain_zero(std::max(0.0, 100 * (time_s - bound_s) / bound_s)));
+}
+
+std::string speeds_text(const Turning& turning, const RouteSums& sums) {
+  std::string out = fmt::format("{:g} m/s, {:g} m/s with the work off", turning.working_speed_mps,
+                                turning.turning_speed_mps);
+  if (sums.reverse_m > 0) out += fmt::format(", {:g} m/s in reverse", turning.reverse_speed_mps);
+  return out;
+}
+
+std::string first_row(const Plan& plan, const RouteSums& sums) {
+  const double share = sums.length_m > 0 ? 100 * sums.not_working_m() / sums.length_m : 0;
+  return fmt::format("route        {:.3f} km in {:.2f} h ({}), {:.1f} % of it not working{}\n",
+                     sums.length_m / 1e3, sums.time_s / 3600, speeds_text(plan.machine.turning, sums), share,
+                     proof_text(plan.route, sums.time_s));
+}
+
+/// Which legs leave the land, and where they begin, in local metres.
+std::string room_row(const Route& route, const RouteSums& sums) {
+  if (sums.without_room == 0) return "";
+  constexpr std::size_t kShown = 3;
+  double most_m = 0;
+  std::vector<std::string> where;
+  for (std::size_t i = 0; i < route.legs.size(); ++i) {
+    const RouteLeg& leg = route.legs[i];
+    most_m = std::max(most_m, leg.missing_m);
+    if (leg.missing_m <= 0 || where.size() == kShown) continue;
+    std::string text = fmt::format("leg {}", i + 1);
+    if (!leg.path.empty()) {
+      const Point at = leg.path.front().start.at;
+      text += fmt::format(" from ({:.1f}, {:.1f})", plain_zero(at.x), plain_zero(at.y));
+    }
+    where.push_back(std::move(text));
+  }
+  const std::string more =
+      sums.without_room > kShown ? fmt::format(" and {} more", sums.without_room - kShown) : "";
+  return fmt::format("no room      for {} {}, which {} the land by up to {:.1f} m: {}{}\n", sums.without_room,
+                     sums.without_room == 1 ? "leg" : "legs", sums.without_room == 1 ? "leaves" : "leave",
+                     most_m, fmt::join(where, ", "), more);
+}
+
+}  // namespace
+
+ordered_json route_json(const Plan& plan) {
+  const Route& route = plan.route;
+  const RouteSums sums = sums_of(route);
+  ordered_json legs = ordered_json::array();
+  for (const RouteLeg& leg : route.legs) legs.push_back(leg_json(leg, legs.size() + 1));
+  return {{"legs", std::move(legs)},
+          {"length_m", sums.length_m},
+          {"working_m", sums.working_m},
+          {"headland_m", sums.headland_m},
+          {"turning_m", sums.turning_m},
+          {"transit_m", sums.transit_m},
+          {"reverse_m", sums.reverse_m},
+          {"time_s", sums.time_s},
+          {"bound_s", route.proof.bound_s},
+          {"gap", gap(sums.time_s, route.proof.bound_s)},
+          {"without_room", sums.without_room},
+          {"over_worked_m", route.over_worked_m},
+          {"over_unworked_m", route.over_unworked_m},
+          {"over_tracks_m", route.over_tracks_m}};
+}
+
+std::string route_rows(const Plan& plan) {
+  if (!plan.route.planned()) return "";
+  const RouteSums sums = sums_of(plan.route);
+  return first_row(plan, sums) + room_row(plan.route, sums);
+}
+
+}  // namespace tramline::app
