@@ -213,7 +213,7 @@ void regions_of_a_day(benchmark::State& state) {
   const Work work{4, 10, 2.5, 0.05, 400000, 1};
   TileCoverage engine(field_of(work), {tile_of(work), true});
   for (const WorkedStep& step : boustrophedon(work)) engine.add(step);
-  const auto what = static_cast<Ground>(state.range(0));
+  const auto what = static_cast<LandClass>(state.range(0));
   std::size_t vertices = 0, polygons = 0;
   for (auto _ : state) {
     const Region region = engine.region(what);

@@ -14,8 +14,8 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json leg_json(const RouteLeg& leg, std::size_t seq) {
-  ordered_json out{{"seq", seq},           {"kind", name(leg.kind)},   {"gear", name(leg.gear)},
-                   {"work", leg.work},     {"length_m", length(leg)}, {"time_s", leg.time_s}};
+  ordered_json out{{"seq", seq},       {"kind", name(leg.kind)},  {"gear", name(leg.gear)},
+                   {"work", leg.work}, {"length_m", length(leg)}, {"time_s", leg.time_s}};
   if (leg.piece) out["piece"] = *leg.piece + 1;
   if (leg.pass) out["pass"] = *leg.pass + 1;
   if (leg.missing_m > 0) out["missing_m"] = leg.missing_m;

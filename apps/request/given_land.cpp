@@ -22,18 +22,22 @@
 namespace tramline::app {
 namespace {
 
-RawDataset dataset_of(const std::string& file, std::vector<std::string> columns) {
+RawDataset dataset_of(const std::string& file, std::vector<std::string> columns, LandCrs crs) {
   io::VectorQuery query;
   query.file = file;
   query.all_layers = true;
   query.attributes = std::move(columns);
-  return io::read_vector(query);
+  RawDataset out = io::read_vector(query);
+  if (crs == LandCrs::kPlain)
+    for (RawLayer& layer : out.layers) layer.crs.clear();
+  return out;
 }
 
 /// The polygons of a file, for an option that takes nothing else.
 std::vector<LooseObstacle> polygons_of(const std::string& file, const char* option,
-                                       const std::string& fields_crs) {
-  std::vector<LooseObstacle> out = read_obstacles(dataset_of(file, {}), ObstacleKind::kObstacle, fields_crs);
+                                       const std::string& fields_crs, LandCrs crs) {
+  std::vector<LooseObstacle> out =
+      read_obstacles(dataset_of(file, {}, crs), ObstacleKind::kObstacle, fields_crs);
   for (const LooseObstacle& feature : out)
     if (feature.polygons.empty())
       throw bad_input(fmt::format("{}: {} takes polygons, and this is none", feature.origin, option));
@@ -104,14 +108,17 @@ void append_text(const Region& region, std::string& out) {
 
 }  // namespace
 
-LandFiles::LandFiles(const LandOptions& options, const std::string& fields_crs) : options_(options) {
+LandFiles::LandFiles(const LandOptions& options, const std::string& fields_crs, LandCrs land_crs)
+    : options_(options) {
   if (!options.subfields_file.empty())
-    subfields_ = read_subfields(
-        dataset_of(options.subfields_file, {kDirectionColumn, kGuideColumn, kSkipColumn, kNameColumn}),
-        fields_crs);
+    subfields_ =
+        read_subfields(dataset_of(options.subfields_file,
+                                  {kDirectionColumn, kGuideColumn, kSkipColumn, kNameColumn}, land_crs),
+                       fields_crs);
   used_.assign(subfields_.size(), 0);
   if (!options.only_file.empty()) {
-    only_ = Shapes{"--only", options.only_file, polygons_of(options.only_file, "--only", fields_crs), {}};
+    only_ = Shapes{
+        "--only", options.only_file, polygons_of(options.only_file, "--only", fields_crs, land_crs), {}};
     only_->used.assign(only_->features.size(), 0);
   }
   for (const std::string& file : options.done_files) {
@@ -121,7 +128,7 @@ LandFiles::LandFiles(const LandOptions& options, const std::string& fields_crs) 
     } else if (io::is_plan_file(file)) {
       for (DoneLand& land : done_by_plans(file)) done_lands_.push_back(std::move(land));
     } else {
-      done_shapes_.push_back({"--done", file, polygons_of(file, "--done", fields_crs), {}});
+      done_shapes_.push_back({"--done", file, polygons_of(file, "--done", fields_crs, land_crs), {}});
       done_shapes_.back().used.assign(done_shapes_.back().features.size(), 0);
     }
   }

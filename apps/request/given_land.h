@@ -26,11 +26,15 @@ struct DoneLand {
   LocalFrame frame;
 };
 
+/// Which coordinates the files of LandOptions are in: as each says, or plain metres whatever it says, because
+/// the user said so of the fields.
+enum class LandCrs { kOfEachFile, kPlain };
+
 /// The files of LandOptions, read once for all fields.
 class LandFiles {
  public:
   /// `fields_crs`: the CRS of files that do not say theirs, as accepted by Crs. Throws kBadInput.
-  LandFiles(const LandOptions& options, const std::string& fields_crs);
+  LandFiles(const LandOptions& options, const std::string& fields_crs, LandCrs land_crs);
 
   /// What the files say about a field, in its local metres. Throws kBadInput for a faulty shape.
   GivenLand given_for(const Field& field);

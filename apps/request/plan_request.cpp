@@ -188,6 +188,16 @@ void set_order(const PlanOptions& o, PlanSettings& settings) {
   settings.route.order = TrackOrder::kBySpacing;
 }
 
+void set_avoidance(const PlanOptions& o, PlanSettings& settings) {
+  settings.avoid = chosen(avoidance_named(o.avoid), "--avoid", o.avoid, "cheapest, paper or cut");
+  if (settings.avoid != Avoidance::kPaper && (o.avoid_threshold_m || o.avoid_room_m))
+    throw bad_input(fmt::format("{} belongs to --avoid paper: give that too, or leave it out",
+                                o.avoid_threshold_m ? "--avoid-threshold" : "--avoid-room"));
+  if (o.avoid_threshold_m) settings.avoid_threshold_m = length_typed(*o.avoid_threshold_m, kAvoidThreshold);
+  if (o.avoid_room_m) settings.avoid_room_m = length_typed(*o.avoid_room_m, kAvoidRoom);
+  settings.clearance_m = o.clearance_m;
+}
+
 }  // namespace
 
 std::string order_fault(const std::string& text) {
@@ -295,10 +305,7 @@ PlanSettings settings_of(const PlanOptions& o) {
   settings.boundary = chosen(edge_kind_named(o.boundary), "--boundary", o.boundary, "soft or hard");
   settings.cell_direction = chosen(cell_direction_named(o.cell_direction), "--cell-direction",
                                    o.cell_direction, "rectangle or width");
-  settings.avoid = chosen(avoidance_named(o.avoid), "--avoid", o.avoid, "cheapest, paper or cut");
-  if (o.avoid_threshold_m) settings.avoid_threshold_m = length_typed(*o.avoid_threshold_m, kAvoidThreshold);
-  if (o.avoid_room_m) settings.avoid_room_m = length_typed(*o.avoid_room_m, kAvoidRoom);
-  settings.clearance_m = o.clearance_m;
+  set_avoidance(o, settings);
   settings.merge_threshold = Angle::degrees(o.merge_deg);
   settings.decomposition_threshold = Angle::degrees(o.decomposition_deg);
   settings.short_edge_m = o.short_edge_m;

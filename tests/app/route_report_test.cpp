@@ -83,8 +83,9 @@ TEST(RouteReport, JsonHasSumsAndLegs) {
   EXPECT_EQ(json.at("over_unworked_m"), 20);
   EXPECT_EQ(json.at("over_tracks_m"), 10);
   EXPECT_EQ(json.at("legs").size(), 5U);
-  EXPECT_EQ(json.at("legs").at(0).dump(),
-            R"({"seq":1,"kind":"work","gear":"forward","work":true,"length_m":600.0,"time_s":300.0,"piece":1})");
+  EXPECT_EQ(
+      json.at("legs").at(0).dump(),
+      R"({"seq":1,"kind":"work","gear":"forward","work":true,"length_m":600.0,"time_s":300.0,"piece":1})");
   EXPECT_EQ(json.at("legs").at(1).at("missing_m"), 0.5);
   EXPECT_EQ(json.at("legs").at(2).at("gear"), "reverse");
   EXPECT_FALSE(json.at("legs").at(2).contains("missing_m"));

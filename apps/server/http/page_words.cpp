@@ -10,7 +10,7 @@ namespace tramline::server {
 namespace {
 
 /// Whole phrases first, then the options by themselves.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 63> kWords = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 65> kWords = {{
     {"take all with --all or choose one with --id", "choose one of them"},
     {"give it a width with --width", "give the working width"},
     {"give the field's CRS with --crs", "say which coordinate reference system the field is in"},
@@ -37,8 +37,11 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 63> kWords =
     {"give --headings math", "read the headings as mathematical angles"},
     {"give --headings compass", "read the headings as compass angles"},
     {"without --engine mesh", "with the exact engine"},
+    {"belongs to --avoid paper: give that too",
+     "belongs to the rule of Versleijen at obstacles: choose that"},
     {"--direction-tolerance", "the direction tolerance"},
     {"--avoid-threshold", "the avoid threshold"},
+    {"--avoid-room", "the room for detours"},
     {"--obstacle-headlands", "the number of passes round obstacles"},
     {"--obstacle-size", "the size of points and lines"},
     {"--cell-direction", "the direction of cells"},

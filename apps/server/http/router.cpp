@@ -153,7 +153,8 @@ nlohmann::ordered_json Call::json() const {
   if (out.is_discarded())
     throw HttpError(Fault::kBadInput, "the body of the request is no JSON; send an object in braces");
   if (!out.is_object())
-    throw HttpError(Fault::kBadInput, "the body of the request is JSON, but not an object; send an object in braces");
+    throw HttpError(Fault::kBadInput,
+                    "the body of the request is JSON, but not an object; send an object in braces");
   return out;
 }
 

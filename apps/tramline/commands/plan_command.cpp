@@ -25,6 +25,7 @@
 #include "report/plan_summary.h"
 #include "request/field_key.h"
 #include "request/output_names.h"
+#include "tramline/geodesy/crs.h"
 #include "tramline/geometry/error.h"
 #include "tramline/io/geopackage/whole_file.h"
 #include "tramline/planner/pareto/trade_off.h"
@@ -229,7 +230,8 @@ class PlanCommand : public Command {
   }
 
   void read_land(const std::string& crs, FieldInput& input) {
-    LandFiles files(land_options_, crs);
+    LandFiles files(land_options_, crs,
+                    input.crs_given && Crs(crs).plain() ? LandCrs::kPlain : LandCrs::kOfEachFile);
     for (const Field& field : input.fields) given_[field_key(field)] = files.given_for(field);
     const std::string fields = input.fields.size() == 1
                                    ? fmt::format("field '{}'", input.fields.front().id)

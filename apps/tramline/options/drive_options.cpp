@@ -103,20 +103,21 @@ void add_worked_land_options(CommandOptions& command, DriveOptions& options) {
       .takes("WORD")
       .one_of({"run", "strict"})
       .shows_default();
-  command
-      .add_option(
-          "--engine", options.engine,
-          "How areas are found: 'exact', or 'mesh', the algorithm of Zhang et al. 2023, which is right to a "
-          "few per mille.")
-      .takes("WORD")
-      .one_of({"exact", "mesh"})
-      .shows_default();
+  const Option engine =
+      command
+          .add_option("--engine", options.engine,
+                      "How areas are found: 'exact', or 'mesh', the algorithm of Zhang et al. 2023, which is "
+                      "right to a few per mille.")
+          .takes("WORD")
+          .one_of({"exact", "mesh"})
+          .shows_default();
   command
       .add_option("--mesh", options.mesh_m,
                   "With --engine mesh: side of one square mesh of the grid, in metres.")
       .takes("M")
       .in_range(kLeastMesh_m, kLargestMesh_m)
-      .shows_default();
+      .shows_default()
+      .needs(engine);
 }
 
 }  // namespace

@@ -28,6 +28,11 @@ enum class Rule : std::uint8_t {
   kParallel,
   kPieces,
   kProof,
+  kRouteAreas,
+  kRouteBound,
+  kRouteLegs,
+  kRouteOrder,
+  kRouteRoom,
   kShapes,
   kStops,
   kSubfields,
@@ -56,7 +61,8 @@ struct Verdict {
   std::vector<Violation> violations;
   /// What the plan would break were it tramline's own, but does not promise: tracks made as a paper makes
   /// them, and lines of others, may be tighter than the machine's radius, or have kinks; lines of others may
-  /// work obstacles. Their areas are verified all the same.
+  /// work obstacles. Their areas are verified all the same. Also what a route drives without room, where it
+  /// says so, and swaths that leave a soft boundary farther than the machine may turn.
   std::vector<Violation> findings;
   /// Statements of the plan, by key or column, that cannot be verified: `violations` would be the same
   /// whether they are true or not (not_verified.h).

@@ -74,6 +74,14 @@ void add_swaths(const Plan& plan, Names& out) {
     out.emplace_back("swaths.overlap_m2");
 }
 
+/// The bound of a route is proven with any prices; a lower one proves less.
+void add_route(const Plan& plan, Names& out) {
+  if (!plan.route.planned()) return;
+  for (const char* name : {"route.over_worked_m", "route.over_unworked_m", "route.over_tracks_m",
+                           "route_legs.lateral_error_m", "settings.route.order", "settings.route.sequence"})
+    out.emplace_back(name);
+}
+
 constexpr const char* kRepairs = "field.repairs";
 constexpr const char* kFieldWarnings = "field.warnings";
 constexpr const char* kFrame = "frame";
@@ -87,6 +95,7 @@ std::vector<std::string> not_verified(const Plan& plan) {
   add_encounters(plan, out);
   add_front(plan, out);
   add_swaths(plan, out);
+  add_route(plan, out);
   if (!plan.given_up.empty()) out.emplace_back("given_up");
   if (!plan.worked.empty() && !is_repair(plan)) out.emplace_back("worked");
   if (std::any_of(plan.subfields.begin(), plan.subfields.end(),

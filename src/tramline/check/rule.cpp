@@ -32,6 +32,16 @@ std::string_view name(Rule rule) {
       return "pieces";
     case Rule::kProof:
       return "proof";
+    case Rule::kRouteAreas:
+      return "route areas";
+    case Rule::kRouteBound:
+      return "route bound";
+    case Rule::kRouteLegs:
+      return "route legs";
+    case Rule::kRouteOrder:
+      return "route order";
+    case Rule::kRouteRoom:
+      return "route room";
     case Rule::kShapes:
       return "shapes";
     case Rule::kStops:

@@ -27,6 +27,12 @@ inline constexpr double kAreaShare = 1e-6;
 inline constexpr double kSaidTwice = 1e-6;
 /// Gap between the end of a segment of a path and the beginning of the next, m: that of the precision grid.
 inline constexpr double kJoint_m = 1e-6;
+/// Outlines are looked at in places so far apart, m, and may leave the land by the second, which they do
+/// unseen between two of these.
+inline constexpr double kPoses_m = 0.05;
+inline constexpr double kOutside_m = 0.005;
+/// Of times and of the rate of steering, as a share.
+inline constexpr double kTimeShare = 1e-6;
 
 // What counts as zero.
 

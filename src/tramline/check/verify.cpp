@@ -25,6 +25,15 @@ void check_lines(const Case& c, Verdict& verdict) {
   verdict.complete = true;
 }
 
+void check_route(const Case& c, Verdict& verdict) {
+  if (!check_route_is_sound(c.plan, verdict.violations)) return;
+  check_route_order(c, verdict.violations);
+  check_route_legs(c, verdict.violations);
+  check_route_room(c, verdict.violations, verdict.findings);
+  check_route_bound(c, verdict.violations);
+  check_route_areas(c, verdict.violations);
+}
+
 }  // namespace
 
 Verdict verify(const Plan& plan) {
@@ -59,6 +68,7 @@ Verdict verify(const Plan& plan) {
   check_length(c, verdict.violations);
   const int stops = check_stops(c, verdict.violations);
   check_turns(c, verdict.violations);
+  check_route(c, verdict);
   check_crossings(c, verdict.violations);
   check_encounters(c, verdict.violations);
   check_detours(c, verdict.violations);

@@ -44,7 +44,7 @@ Ground ground_of(const Sprayer& sprayer) {
 }
 
 /// The headland, sprayed before.
-WorkedStep headland(const LandClass& ground, double width_m) {
+WorkedStep headland(const Ground& ground, double width_m) {
   const Ring outer = ground.ring(0, 0), inner = ground.ring(width_m, ground.headland_m);
   WorkedStep out;
   for (std::size_t i = 0; i < 4; ++i)
@@ -69,7 +69,7 @@ struct Pass {
   Heading heading() const { return Heading::from_to(from, at(1)); }
 };
 
-std::vector<Pass> passes(const Sprayer& sprayer, const LandClass& ground) {
+std::vector<Pass> passes(const Sprayer& sprayer, const Ground& ground) {
   std::vector<Pass> out;
   // As far out as the whole boom lies over the headland.
   const double beyond_m = 0.5 * sprayer.width_m * ground.slope + 3;
@@ -103,7 +103,7 @@ void spray(TileCoverage& engine, const Pass& pass, double from_m, double to_m, c
 }  // namespace
 
 Sprayed sprayed_looking_ahead(const Sprayer& sprayer, int sections) {
-  const LandClass ground = ground_of(sprayer);
+  const Ground ground = ground_of(sprayer);
   const Region field{{ground.ring(0, 0), {}}};
   const Boom boom = boom_of(sections, sprayer.width_m);
   TileCoverage engine(field, {});
@@ -138,7 +138,7 @@ Sprayed sprayed_looking_ahead(const Sprayer& sprayer, int sections) {
 }
 
 Sprayed sprayed_by_hand(const Sprayer& sprayer, Driver driver) {
-  const LandClass ground = ground_of(sprayer);
+  const Ground ground = ground_of(sprayer);
   TileCoverage engine({{ground.ring(0, 0), {}}}, {});
   engine.add(headland(ground, sprayer.width_m));
   const Boom boom = boom_of(1, sprayer.width_m);

@@ -45,7 +45,8 @@ Plan plan_with_route() {
   auto& legs = plan.route.legs;
   legs.push_back(leg(LegKind::kWork, true, {straight({0, 1.5}, 90, 100)}, 100.0 / 3));
   legs.back().piece = 0;
-  const SteeredStretch turn = arc_from(end_of(legs.back().path.back()), half_circle_m, 1 / 1.5, Gear::kForward);
+  const SteeredStretch turn =
+      arc_from(end_of(legs.back().path.back()), half_circle_m, 1 / 1.5, Gear::kForward);
   legs.push_back(leg(LegKind::kTurn, false, {turn}, 1.7));
   legs.back().missing_m = 1.0 / 7;
   legs.back().lateral_error_m = 0.01;
@@ -143,8 +144,8 @@ TEST_F(RouteInFiles, SettingsAreThereOnlyWhereTheyAreOthers) {
   EXPECT_EQ(metadata(plan, "settings.route.order"), "(none)");
   EXPECT_EQ(metadata(plan, "settings.route.start"), "(none)");
   EXPECT_EQ(metadata(plan, "format_version"), "10");
-  plan.settings.route = {TrackOrder::kBySpacing, PassTime::kFirst, PassSequence::kOutwards,
-                         Point{0.25, 1.5}, Point{100, 1.0 / 3}};
+  plan.settings.route = {TrackOrder::kBySpacing, PassTime::kFirst, PassSequence::kOutwards, Point{0.25, 1.5},
+                         Point{100, 1.0 / 3}};
   EXPECT_EQ(metadata(plan, "settings.route.passes"), "first");
   EXPECT_EQ(metadata(plan, "settings.route.start"), "0.25 1.5");
   const RouteSettings read = io::read_plan(file()).settings.route;
@@ -225,11 +226,13 @@ TEST_F(RouteInFiles, DamageIsNamed) {
   EXPECT_EQ(after("UPDATE route_legs SET seq = seq"), "");
   EXPECT_TRUE(mentions(after("UPDATE route_legs SET kind = 'hop' WHERE seq = 2"), at("2", "kind is 'hop'")));
   EXPECT_TRUE(mentions(after("UPDATE route_legs SET gear = 'up' WHERE seq = 4"), at("4", "gear is 'up'")));
-  EXPECT_TRUE(mentions(after("UPDATE route_legs SET stretches = '1 2 3' WHERE seq = 1"), at("1", "stretches")));
+  EXPECT_TRUE(
+      mentions(after("UPDATE route_legs SET stretches = '1 2 3' WHERE seq = 1"), at("1", "stretches")));
   EXPECT_TRUE(mentions(after("UPDATE route_legs SET time_s = NULL WHERE seq = 3"), "time_s"));
   EXPECT_TRUE(mentions(after("DELETE FROM route_legs WHERE seq = 3"), "number 3 is not there"));
   EXPECT_TRUE(mentions(after("UPDATE route_legs SET seq = 2 WHERE seq = 1"), "number 1 is not there"));
-  EXPECT_TRUE(mentions(after("DELETE FROM metadata WHERE key = 'route.over_tracks_m'"), "route.over_tracks_m"));
+  EXPECT_TRUE(
+      mentions(after("DELETE FROM metadata WHERE key = 'route.over_tracks_m'"), "route.over_tracks_m"));
   EXPECT_TRUE(mentions(after("UPDATE metadata SET value = '[1, null]' WHERE key = 'route.node_prices_s'"),
                        "route.node_prices_s"));
   EXPECT_TRUE(mentions(after("INSERT INTO metadata (key, value) VALUES ('settings.route.start', '1 2; 3 4')"),

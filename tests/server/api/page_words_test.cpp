@@ -18,6 +18,9 @@ TEST(PageWords, OptionsBecomeWords) {
   EXPECT_EQ(in_page_words("none; give --obstacle-headlands"),
             "none; give the number of passes round obstacles");
   EXPECT_EQ(in_page_words("it names --obstacle-headlands"), "it names the number of passes round obstacles");
+  EXPECT_EQ(
+      in_page_words("--avoid-room belongs to --avoid paper: give that too, or leave it out"),
+      "the room for detours belongs to the rule of Versleijen at obstacles: choose that, or leave it out");
 }
 
 TEST(PageWords, WarningsOfASummaryAreTakenAlong) {

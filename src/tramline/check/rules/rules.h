@@ -82,6 +82,31 @@ int check_stops(const Case& c, Violations& out);
 /// it can; and where it is said to fit, its outline stays on the land, at places 5 cm apart. Its time is that
 /// of its lengths, speeds and changes of gear.
 void check_turns(const Case& c, Violations& out);
+/// Every leg of the route has a path of sound numbers; else the other rules of routes cannot be checked, and
+/// it returns false.
+bool check_route_is_sound(const Plan& plan, Violations& out);
+/// The route drives every piece once, in the order of the plan, and every headland pass once, in one go,
+/// either way round and from any place where it is closed; before all pieces or after them, as the settings
+/// ask. Each work leg is where the axle is while the implement works its piece. The work is on along pieces
+/// and passes, off on passable obstacles, and off everywhere else.
+void check_route_order(const Case& c, Violations& out);
+/// Each leg begins in the pose in which the one before it ends, the first at the start gate; the last ends at
+/// the end gate, or as near to it as the machine has room. A leg has one gear. Ways between works are no
+/// tighter than the machine's radius and steered no faster than it can. Reverse is driven out of works and
+/// into them, elsewhere only where the machine may, and never with a drawbar in tow. Times are those of
+/// lengths, speeds and changes of gear.
+void check_route_legs(const Case& c, Violations& out);
+/// Along every leg the outline stays on the land, at places 5 cm apart. Passable obstacles are land except to
+/// turn on. A leg that says that it lacks room is a finding, and lacks no more than it says; so are works
+/// that leave a soft boundary farther than turns may: rules of tracks say how far they reach.
+void check_route_room(const Case& c, Violations& out, Violations& findings);
+/// No bound of the route exceeds its time, nor what the prices of its nodes prove: a least spanning tree over
+/// its lines and gates, between whose ends no way is shorter than those of Dubins, Reeds and Shepp.
+/// O(n²) for n lines.
+void check_route_bound(const Case& c, Violations& out);
+/// What the route drives amounts to the areas of the tally, by the coverage engine. Not checked where tracks
+/// or passes have kinks by construction, nor where figures count tracks alone.
+void check_route_areas(const Case& c, Violations& out);
 /// A piece after a crossing continues the line beyond a passable, with nothing else in the gap. Where tracks
 /// follow a curve the line between two pieces is not known: the second begins ahead of the first. In a repair
 /// the crossed land is worked land within the field.

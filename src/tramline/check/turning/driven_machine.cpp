@@ -12,6 +12,9 @@ constexpr double kDrawn_m = 0.005;
 /// 1e-8 of the step at the most.
 constexpr double kTurned_rad = 0.1;
 
+/// A drawbar that deviates no more from the machine's heading is in line with it, rad.
+constexpr double kInLine = 1e-9;
+
 struct Motion {
   Point at;
   double heading = 0;  ///< anticlockwise from east, rad
@@ -44,6 +47,7 @@ class Drawn {
   }
 
   const MachinePlace& place() const { return place_; }
+  bool in_line() const { return std::abs(cross(place_.ahead, place_.implement_ahead)) < kInLine; }
 
   void move(const Motion& to) {
     place_.axle = to.at;
@@ -95,8 +99,10 @@ std::vector<MachinePlace> places_along(const SteeredPath& path, const Machine& m
         std::max(std::abs(stretch.curvature_at_start), std::abs(stretch.curvature_at_end));
     const double even_m = std::min(step_m, tightest > 0 ? kTurned_rad / tightest : step_m);
     const double steps = std::max(1.0, std::ceil(stretch.length_m / even_m));
-    const double within = towed ? std::max(1.0, std::ceil(stretch.length_m / steps / kDrawn_m)) : 1;
     if (!(stretch.length_m > 0)) continue;
+    // Straight on behind the machine an implement follows in one step.
+    const bool follows = !towed || (tightest == 0 && drawn.in_line());
+    const double within = follows ? 1 : std::max(1.0, std::ceil(stretch.length_m / steps / kDrawn_m));
     const double each_m = stretch.length_m / (steps * within);
     for (double i = 0; i < steps; ++i) {
       for (double k = 0; k < within; ++k) {

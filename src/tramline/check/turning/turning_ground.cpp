@@ -1,6 +1,7 @@
 #include "tramline/check/turning/turning_ground.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -33,18 +34,44 @@ std::optional<double> crossing(const Side& side, Point a, Point b) {
   return at;
 }
 
+/// So many places are compared with the edges near them together.
+constexpr std::size_t kTogether = 200;
+/// Long lines and arcs are looked at in sections of this length, m.
+constexpr double kSection_m = 10;
+
+std::vector<SteeredStretch> sections_of(const SteeredStretch& stretch) {
+  if (stretch.clothoid() || stretch.length_m <= kSection_m) return {stretch};
+  const double count = std::ceil(stretch.length_m / kSection_m);
+  std::vector<SteeredStretch> out;
+  for (double i = 0; i < count; ++i) {
+    SteeredStretch section = stretch;
+    section.start = pose_after(stretch, i / count * stretch.length_m);
+    section.length_m = stretch.length_m / count;
+    out.push_back(section);
+  }
+  return out;
+}
+
+/// No point of the outline is farther from the axle.
+double reach_m(const Machine& machine) {
+  const Turning& turning = machine.turning;
+  return std::abs(turning.implement_offset_m) + turning.drawbar_m + turning.rear_overhang_m +
+         turning.front_overhang_m + machine.width_m + turning.vehicle_width_m;
+}
+
 }  // namespace
 
-TurningGround::TurningGround(const Plan& plan) {
+TurningGround::TurningGround(const Plan& plan, Passables passables, Beyond beyond) {
   const PlanSettings& settings = plan.settings;
   const bool inside = settings.headland_rule == HeadlandRule::kTurns && settings.turn_room_m < 0;
   const bool hard = settings.boundary == EdgeKind::kHard || settings.headlands > 0 || inside;
-  if (hard || settings.turn_room_m >= 0) {
+  if (beyond == Beyond::kAsForTurns && (hard || settings.turn_room_m >= 0)) {
     rings_.push_back({plan.field.outer, bounds(plan.field.outer), true});
     if (!hard) beyond_m_ = settings.turn_room_m;
   }
   for (const Obstacle& obstacle : plan.field.obstacles)
-    rings_.push_back({obstacle.shape.outer, bounds(obstacle.shape.outer), false});
+    if (obstacle.kind != ObstacleKind::kPassable || passables == Passables::kAreObstacles)
+      rings_.push_back({obstacle.shape.outer, bounds(obstacle.shape.outer), false});
 }
 
 void TurningGround::measure(const BoundedRing& ring, const std::vector<Side>& near_edges, const Side& side,
@@ -81,17 +108,56 @@ void TurningGround::measure(const BoundedRing& ring, const std::vector<Outline>&
     for (const Side& side : outline) measure(ring, near_edges, side, deepest);
 }
 
-Excursion TurningGround::deepest(const SteeredPath& path, const Machine& machine, double step_m) const {
-  std::vector<Outline> outlines;
-  Box reach;
-  for (const MachinePlace& place : places_along(path, machine, step_m)) {
-    outlines.push_back(outline_at(place, machine));
-    for (const Side& side : outlines.back())
-      for (const Point corner : side) reach.extend(corner);
+/// Whether no edge is near enough for the outline, which reaches `outline_m` from the axle, to touch it.
+bool TurningGround::clear_of_edges(const SteeredStretch& stretch, double outline_m) const {
+  const double bent =
+      std::max(std::abs(stretch.curvature_at_start), std::abs(stretch.curvature_at_end)) * stretch.length_m;
+  // An arc of angle `bent` and this length is no farther from its chord.
+  const double aside_m = std::min(1.0, bent) * stretch.length_m;
+  const Box reach = bounds(stretch.start.at, end_of(stretch).at).grown(aside_m + outline_m);
+  return std::all_of(rings_.begin(), rings_.end(), [&](const BoundedRing& ring) {
+    if (!intersects(reach, ring.box)) return !ring.field;
+    for (std::size_t i = 0; i < ring.ring.size(); ++i)
+      if (intersects(bounds(ring.ring[i], ring.ring[(i + 1) % ring.ring.size()]), reach)) return false;
+    return inside(ring.ring, stretch.start.at) == ring.field;
+  });
+}
+
+void TurningGround::measure(const std::vector<MachinePlace>& places, const Machine& machine,
+                            Excursion& deepest) const {
+  for (std::size_t from = 0; from < places.size(); from += kTogether) {
+    std::vector<Outline> outlines;
+    Box reach;
+    for (std::size_t i = from; i < std::min(places.size(), from + kTogether); ++i) {
+      outlines.push_back(outline_at(places[i], machine));
+      for (const Side& side : outlines.back())
+        for (const Point corner : side) reach.extend(corner);
+    }
+    if (outlines.front().empty()) return;
+    for (const BoundedRing& ring : rings_) measure(ring, outlines, reach, deepest);
   }
+}
+
+Excursion TurningGround::deepest(const SteeredPath& path, const Machine& machine, double step_m) const {
   Excursion out;
-  if (outlines.empty() || outlines.front().empty()) return out;
-  for (const BoundedRing& ring : rings_) measure(ring, outlines, reach, out);
+  if (rings_.empty() || path.empty()) return out;
+  const double outline_m = reach_m(machine);
+  const bool swings = machine.turning.implement == Coupling::kTowed && machine.turning.drawbar_m > 0;
+  const bool straight = std::all_of(path.begin(), path.end(), [](const SteeredStretch& stretch) {
+    return stretch.curvature_at_start == 0 && stretch.curvature_at_end == 0;
+  });
+  if (swings && !straight) {
+    // A drawbar stays within its length of the hitch, wherever it points.
+    const bool clear = std::all_of(path.begin(), path.end(), [&](const SteeredStretch& stretch) {
+      return clear_of_edges(stretch, outline_m);
+    });
+    if (!clear) measure(places_along(path, machine, step_m), machine, out);
+    return out;
+  }
+  for (const SteeredStretch& whole : path)
+    for (const SteeredStretch& stretch : sections_of(whole))
+      if (!clear_of_edges(stretch, outline_m))
+        measure(places_along({stretch}, machine, step_m), machine, out);
   return out;
 }
 

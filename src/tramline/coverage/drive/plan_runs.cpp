@@ -89,13 +89,15 @@ std::pair<double, Path> entered(const Path& path, const tramline::Pose& axle, do
   return {least, std::move(out)};
 }
 
-/// The path of a piece or a pass as the leg drives it: in its sense, and a closed one from where it enters it.
+/// The path of a piece or a pass as the leg drives it: in its sense, and a closed one from where it enters
+/// it.
 Path as_driven(const Path& path, bool closed, const RouteLeg& leg, const Turning& turning) {
   if (leg.path.empty()) return path;
   const tramline::Pose& axle = leg.path.front().start;
   const double ahead = ahead_m(turning);
   const Path back = reversed(path);
-  if (!closed) return misfit(place_on(path, ahead), axle) <= misfit(place_on(back, ahead), axle) ? path : back;
+  if (!closed)
+    return misfit(place_on(path, ahead), axle) <= misfit(place_on(back, ahead), axle) ? path : back;
   auto [along_misfit, along] = entered(path, axle, ahead);
   auto [against_misfit, against] = entered(back, axle, ahead);
   return along_misfit <= against_misfit ? std::move(along) : std::move(against);
@@ -131,8 +133,8 @@ std::vector<PlanRun> runs_of(const Plan& plan) {
     const std::optional<std::size_t> number = run_of(plan, leg);
     if (!number || driven[*number]) continue;
     driven[*number] = true;
-    const bool closed = is_of_pass(plan, all[*number]) &&
-                        is_closed(plan.headland.passes[*number - plan.pieces.size()]);
+    const bool closed =
+        is_of_pass(plan, all[*number]) && is_closed(plan.headland.passes[*number - plan.pieces.size()]);
     out.push_back({all[*number].run, as_driven(all[*number].path, closed, leg, plan.machine.turning)});
   }
   for (std::size_t i = 0; i < all.size(); ++i)

@@ -70,9 +70,10 @@ void sort_legs(std::vector<Numbered>& rows, const std::string& place) {
   int expected = 0;
   for (const auto& [number, leg] : rows)
     if (number != ++expected)
-      throw bad_input(fmt::format("{}: legs are numbered from 1 on, and number {} is not there; write the "
-                                  "plan again",
-                                  place, expected));
+      throw bad_input(
+          fmt::format("{}: legs are numbered from 1 on, and number {} is not there; write the "
+                      "plan again",
+                      place, expected));
 }
 
 }  // namespace
@@ -83,10 +84,10 @@ bool has_route(const Plan& plan) {
 
 void write_route_legs(const Target& target, const Plan& plan) {
   if (!has_route(plan)) return;
-  Table table(target, layers::kRouteLegs, wkbLineString,
-              {integer("seq"), text("kind"), text("gear"), flag("work"), integer("piece"), integer("pass"),
-               real("length_m"), real("time_s"), real("missing_m"), real("lateral_error_m"),
-               text("stretches")});
+  Table table(
+      target, layers::kRouteLegs, wkbLineString,
+      {integer("seq"), text("kind"), text("gear"), flag("work"), integer("piece"), integer("pass"),
+       real("length_m"), real("time_s"), real("missing_m"), real("lateral_error_m"), text("stretches")});
   long long seq = 0;
   Point at = plan.field.outer.empty() ? Point{} : plan.field.outer.front();
   for (const RouteLeg& leg : plan.route.legs) {

@@ -61,8 +61,7 @@ class Values {
       if (!list.is_array()) throw nlohmann::json::other_error::create(0, "no list", nullptr);
       for (const nlohmann::json& item : list) {
         out.push_back(item.get<double>());
-        if (!std::isfinite(out.back()))
-          throw nlohmann::json::other_error::create(0, "not finite", nullptr);
+        if (!std::isfinite(out.back())) throw nlohmann::json::other_error::create(0, "not finite", nullptr);
       }
     });
     return out;

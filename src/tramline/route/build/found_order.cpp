@@ -1,6 +1,7 @@
 #include "tramline/route/build/found_order.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "tramline/route/certificate/best_bound.h"
 #include "tramline/route/search/best_order_exactly.h"
@@ -47,6 +48,7 @@ void keep_cheapest(std::vector<Tour>& tours, const EndCosts& costs) {
 
 Tour found_order(const EndCosts& costs, const Neighbours& neighbours, const std::vector<Tour>& given,
                  Effort effort) {
+  assert(costs.lines() > 0);
   if (costs.lines() <= kMostLinesExactly) return best_order_exactly(costs);
   std::vector<Tour> tours = given;
   keep_cheapest(tours, costs);

@@ -12,8 +12,8 @@ namespace tramline::order {
 enum class Effort { kWhole, kAgain };
 
 /// Up to kMostLinesExactly lines the best order. Of more lines the best of a few tours that are shortened:
-/// those given that cost least, and two greedy ones. Deterministic. Preconditions: there is a line; neighbours
-/// are those of the ends of the lines, tours have every line once.
+/// those given that cost least, and two greedy ones. Deterministic. Preconditions: there is a line;
+/// neighbours are those of the ends of the lines, tours have every line once.
 Tour found_order(const EndCosts& costs, const Neighbours& neighbours, const std::vector<Tour>& given,
                  Effort effort);
 

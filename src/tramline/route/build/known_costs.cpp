@@ -1,6 +1,7 @@
 #include "tramline/route/build/known_costs.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "tramline/turns/turn_off.h"
 
@@ -77,6 +78,7 @@ order::Neighbours KnownCosts::neighbours() const {
 }
 
 const Way& KnownCosts::way(order::End left, order::End entered) {
+  assert(order::line_of(left) != order::line_of(entered));
   const auto found = ways_.find(key(left, entered));
   if (found != ways_.end()) return found->second;
   between_.erase(key(std::min(left, entered), std::max(left, entered)));

@@ -10,12 +10,6 @@
 namespace tramline::check {
 namespace {
 
-/// The outline of a turn may leave the land by this, m: poses are a few centimetres apart.
-constexpr double kOutside_m = 0.005;
-constexpr double kPoses_m = 0.05;
-/// Of times and of the rate of steering, as a share.
-constexpr double kTimeShare = 1e-6;
-
 class TurnCheck {
  public:
   TurnCheck(const Case& c, const PlannedTurn& turn, const TurningGround& ground, Violations& out)

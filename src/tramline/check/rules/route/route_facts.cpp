@@ -1,0 +1,40 @@
+#include "tramline/check/rules/route/route_facts.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace tramline::check {
+
+std::string leg_name(const Plan& plan, std::size_t leg) {
+  return fmt::format("leg {} ({})", leg + 1, name(plan.route.legs[leg].kind));
+}
+
+std::vector<std::size_t> legs_of_pass(const Plan& plan, std::size_t pass) {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < plan.route.legs.size(); ++i)
+    if (plan.route.legs[i].pass == pass) out.push_back(i);
+  return out;
+}
+
+std::vector<std::size_t> work_legs(const Plan& plan) {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < plan.route.legs.size(); ++i)
+    if (plan.route.legs[i].kind == LegKind::kWork) out.push_back(i);
+  return out;
+}
+
+WorkedCourse course_of_piece(const Plan& plan, std::size_t piece) {
+  return {centre_line(plan.pieces[piece]), false, plan.machine};
+}
+
+WorkedCourse course_of_pass(const Plan& plan, std::size_t pass, bool against) {
+  const HeadlandPass& of = plan.headland.passes[pass];
+  return {against ? reversed(of.path) : of.path, is_closed(of), plan.machine};
+}
+
+double turned_deg(Point ahead, Point other) {
+  return Angle::radians(std::abs(std::atan2(cross(ahead, other), dot(ahead, other)))).degrees();
+}
+
+}  // namespace tramline::check

@@ -1,0 +1,47 @@
+#pragma once
+// What several rules about the route need.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "tramline/check/turning/axle_line.h"
+#include "tramline/model/plan.h"
+
+namespace tramline::check {
+
+/// "leg 12 (turn)": legs are numbered for people from 1, in driving order.
+std::string leg_name(const Plan& plan, std::size_t leg);
+
+/// The legs along one headland pass, in driving order: with the work on, and off on passable obstacles.
+std::vector<std::size_t> legs_of_pass(const Plan& plan, std::size_t pass);
+/// The work legs, in driving order.
+std::vector<std::size_t> work_legs(const Plan& plan);
+
+/// The axle's places while the implement works along a path that begins at its start.
+class WorkedCourse {
+ public:
+  /// `closed`: the path ends where it begins.
+  WorkedCourse(const Path& path, bool closed, const Machine& machine)
+      : line_(path, closed), ahead_m_(ahead_of_work_m(machine)) {}
+
+  double length_m() const { return line_.length_m(); }
+  /// Where the axle is when the implement has worked so much of the path, m.
+  LinePlace axle(double worked_m) const { return line_.place(worked_m + ahead_m_); }
+  Point implement(double worked_m) const { return line_.place(worked_m).at; }
+  const AxleLine& line() const { return line_; }
+  double ahead_m() const { return ahead_m_; }
+
+ private:
+  AxleLine line_;
+  double ahead_m_;
+};
+
+WorkedCourse course_of_piece(const Plan& plan, std::size_t piece);
+/// `against`: driven from the end of the pass to its beginning.
+WorkedCourse course_of_pass(const Plan& plan, std::size_t pass, bool against);
+
+/// How far the heading is from a direction, degrees.
+double turned_deg(Point ahead, Point other);
+
+}  // namespace tramline::check

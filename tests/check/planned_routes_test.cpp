@@ -1,0 +1,127 @@
+// Routes that the planner makes hold.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "tramline/check/verify.h"
+#include "tramline/planner/plan_field.h"
+
+namespace tramline {
+namespace {
+
+Ring box(double min_x, double min_y, double max_x, double max_y) {
+  return {{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}};
+}
+
+PlanSettings whole_route(int headlands) {
+  PlanSettings settings;
+  settings.turns = TurnPlanning::kRoute;
+  settings.headlands = settings.obstacle_headlands = headlands;
+  return settings;
+}
+
+Field field_of(Ring outer) {
+  Field field;
+  field.id = "drawn";
+  field.outer = std::move(outer);
+  return field;
+}
+
+Field l_shape() { return field_of({{0, 0}, {300, 0}, {300, 140}, {160, 140}, {160, 260}, {0, 260}}); }
+
+Field with(Field field, Ring ring, ObstacleKind kind) {
+  field.obstacles.push_back({{std::move(ring), {}}, kind, "drawn"});
+  return field;
+}
+
+Machine machine(double width_m, double radius_m) {
+  Machine out;
+  out.width_m = width_m;
+  out.radius_m = radius_m;
+  return out;
+}
+
+void expect_route_holds(const Field& field, const Machine& of, const PlanSettings& settings) {
+  const Plan plan = plan_field(field, of, {}, settings);
+  ASSERT_TRUE(plan.route.planned());
+  const check::Verdict verdict = check::verify(plan);
+  EXPECT_TRUE(verdict.complete);
+  for (const check::Violation& v : verdict.violations) ADD_FAILURE() << name(v.rule) << ": " << v.what;
+}
+
+TEST(PlannedRoutes, hold_on_a_rectangle) {
+  for (const int headlands : {0, 1, 2}) {
+    SCOPED_TRACE(headlands);
+    expect_route_holds(field_of(box(0, 0, 200, 100)), machine(6, 6), whole_route(headlands));
+  }
+}
+
+TEST(PlannedRoutes, hold_on_an_l_with_a_pond) {
+  const Field field = with(l_shape(), box(60, 60, 90, 85), ObstacleKind::kObstacle);
+  for (const bool first : {false, true}) {
+    PlanSettings settings = whole_route(2);
+    settings.route.passes = first ? PassTime::kFirst : PassTime::kLast;
+    expect_route_holds(field, machine(6, 5), settings);
+  }
+}
+
+TEST(PlannedRoutes, hold_across_a_ditch) {
+  const Field field = with(field_of(box(0, 0, 200, 100)), box(90, -5, 95, 105), ObstacleKind::kPassable);
+  Field clipped = field;
+  clipped.obstacles[0].shape.outer = box(90, 0, 95, 100);
+  expect_route_holds(clipped, machine(6, 6), whole_route(2));
+}
+
+TEST(PlannedRoutes, hold_between_gates) {
+  PlanSettings settings = whole_route(2);
+  settings.route.start = Point{0, 40};
+  settings.route.end = Point{150, 50};
+  expect_route_holds(field_of(box(0, 0, 200, 100)), machine(6, 6), settings);
+}
+
+Machine with_tractor(Machine of) {
+  of.turning.implement_offset_m = 2;
+  of.turning.rear_overhang_m = 1;
+  of.turning.front_overhang_m = 3;
+  of.turning.vehicle_width_m = 2.5;
+  of.turning.lift_m = 1;
+  of.turning.lower_m = 2;
+  return of;
+}
+
+TEST(PlannedRoutes, hold_for_machines_that_carry_tow_and_reverse) {
+  Machine of = with_tractor(machine(6, 6));
+  for (const bool reverse : {false, true}) {
+    of.turning.reverse = reverse;
+    expect_route_holds(l_shape(), of, whole_route(0));
+  }
+  of.turning.reverse = false;
+  of.turning.implement = Coupling::kTowed;
+  of.turning.drawbar_m = 4;
+  expect_route_holds(l_shape(), of, whole_route(0));
+}
+
+// Its implement works behind the axle: where the axle comes out of the corner of a pass, r = 6 m, the rear
+// corner of the bar, 3 m behind and 3 m beside it, is farther from the middle of the arc than the boundary, 6
+// m + 3 m.
+TEST(PlannedRoutes, say_where_an_implement_swings_out_at_corners) {
+  const Plan plan =
+      plan_field(field_of(box(0, 0, 200, 100)), with_tractor(machine(6, 6)), {}, whole_route(3));
+  const check::Verdict verdict = check::verify(plan);
+  std::vector<check::Violation> all = verdict.violations;
+  all.insert(all.end(), verdict.findings.begin(), verdict.findings.end());
+  const double swung_m = std::hypot(6 + 3, 2 + 1) - (6 + 3);
+  int swings = 0;
+  for (const check::Violation& v : all) {
+    EXPECT_EQ(v.rule, check::Rule::kRouteRoom) << v.what;
+    if (v.what.find("(headland)") == std::string::npos) continue;
+    EXPECT_NEAR(v.amount, swung_m, 0.01) << v.what;
+    ++swings;
+  }
+  EXPECT_EQ(swings, 1);
+}
+
+}  // namespace
+}  // namespace tramline
