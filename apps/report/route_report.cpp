@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -72,6 +73,7 @@ std::string room_row(const Route& route, const RouteSums& sums) {
 }  // namespace
 
 ordered_json route_json(const Plan& plan) {
+  assert(plan.route.planned());
   const Route& route = plan.route;
   const RouteSums sums = sums_of(route);
   ordered_json legs = ordered_json::array();

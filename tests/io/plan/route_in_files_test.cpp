@@ -248,8 +248,8 @@ TEST_F(RouteInFiles, OnlyPlansWithARouteHaveItsStyle) {
   };
   EXPECT_TRUE(has(io::styles_of(plan_with_route())));
   EXPECT_FALSE(has(io::styles_of(testing_support::small_plan())));
-  EXPECT_TRUE(has(io::styles_of_many(1, true)));
-  EXPECT_FALSE(has(io::styles_of_many(1, false)));
+  EXPECT_TRUE(has(io::styles_of_many(1, io::Routes::kSome)));
+  EXPECT_FALSE(has(io::styles_of_many(1, io::Routes::kNone)));
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ double ahead_of_work_m(const Machine& machine) {
   return turning.implement_offset_m + (turning.implement == Coupling::kTowed ? turning.drawbar_m : 0);
 }
 
-AxleLine::AxleLine(const Path& path, bool closed) : closed_(closed) {
+AxleLine::AxleLine(const Path& path, PathEnds ends) : ends_(ends) {
   for (const PathSegment& segment : path) {
     if (segment.from == segment.to) continue;
     path_.push_back(segment);
@@ -48,7 +48,7 @@ AxleLine::AxleLine(const Path& path, bool closed) : closed_(closed) {
 }
 
 LinePlace AxleLine::place(double at_m) const {
-  if (closed_) {
+  if (ends_ == PathEnds::kMeet) {
     at_m = std::fmod(at_m, length_m_);
     if (at_m < 0) at_m += length_m_;
   }

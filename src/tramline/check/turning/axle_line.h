@@ -17,10 +17,12 @@ struct LinePlace {
   Point ahead;  ///< unit vector
 };
 
-/// A path that goes straight on beyond both ends, or round and round where it is closed.
+enum class PathEnds { kApart, kMeet };
+
+/// A path that goes straight on beyond both ends, or round and round where they meet.
 class AxleLine {
  public:
-  AxleLine(const Path& path, bool closed);
+  AxleLine(const Path& path, PathEnds ends);
 
   double length_m() const { return length_m_; }
   LinePlace place(double at_m) const;
@@ -31,7 +33,7 @@ class AxleLine {
   Path path_;
   std::vector<double> begins_m_;
   double length_m_ = 0;
-  bool closed_ = false;
+  PathEnds ends_;
 };
 
 /// Places along a steered path, and how far along it they are.

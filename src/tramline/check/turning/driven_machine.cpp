@@ -13,7 +13,7 @@ constexpr double kDrawn_m = 0.005;
 constexpr double kTurned_rad = 0.1;
 
 /// A drawbar that deviates no more from the machine's heading is in line with it, rad.
-constexpr double kInLine = 1e-9;
+constexpr double kInLine = 1e-6;
 
 struct Motion {
   Point at;
@@ -32,6 +32,7 @@ Motion stepped(const Motion& from, const SteeredStretch& stretch, double done_m,
     return from.heading + sense * way * (curvature + 0.5 * growth * way);
   };
   const auto unit = [](double angle) { return Point{std::cos(angle), std::sin(angle)}; };
+  if (curvature == 0 && growth == 0) return {from.at + sense * step_m * unit(from.heading), from.heading};
   const double last = heading_after(step_m);
   const Point mean = (1.0 / 6) * (unit(from.heading) + 4 * unit(heading_after(0.5 * step_m)) + unit(last));
   return {from.at + sense * step_m * mean, last};

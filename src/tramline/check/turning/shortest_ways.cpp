@@ -1,6 +1,7 @@
 #include "tramline/check/turning/shortest_ways.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -185,11 +186,13 @@ double least_reversing_beginning_left(const Goal& goal) {
 }  // namespace
 
 double least_forward_m(const Pose& from, const Pose& to, double radius_m) {
+  assert(radius_m > 0);
   const Goal goal = goal_of(from, to, radius_m);
   return radius_m * std::min(least_beginning_left(goal), least_beginning_left(goal.mirrored()));
 }
 
 double least_with_reversing_m(const Pose& from, const Pose& to, double radius_m) {
+  assert(radius_m > 0);
   const Goal goal = goal_of(from, to, radius_m), back = goal.back();
   return radius_m *
          std::min({least_reversing_beginning_left(goal), least_reversing_beginning_left(goal.mirrored()),

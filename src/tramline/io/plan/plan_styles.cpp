@@ -196,13 +196,13 @@ std::vector<LayerStyle> styles_of(const Plan& plan) {
   return out;
 }
 
-std::vector<LayerStyle> styles_of_many(std::size_t most_subfields, bool with_routes) {
+std::vector<LayerStyle> styles_of_many(std::size_t most_subfields, Routes routes) {
   std::vector<Rule> rules;
   for (std::size_t i = 0; i < std::max<std::size_t>(1, most_subfields); ++i)
     rules.push_back(tinted(i, fmt::format("subfield {} of its field", i + 1)));
   std::vector<LayerStyle> out =
       styles_with(qml::document(Shape::kPolygon, rules), tracks_style(Detours::kWholeTrack));
-  if (with_routes) out.push_back(route_style());
+  if (routes == Routes::kSome) out.push_back(route_style());
   return out;
 }
 

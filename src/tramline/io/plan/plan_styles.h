@@ -13,9 +13,11 @@ namespace tramline::io {
 /// directions and whether there is a route alone.
 std::vector<LayerStyle> styles_of(const Plan& plan);
 
-/// The same for the layers of many plans, of which none has more subfields than that, and some have routes or
-/// none has. Tracks with detours are
+/// Whether any plan of a file has a route, and so the file the layer of its legs.
+enum class Routes { kNone, kSome };
+
+/// The same for the layers of many plans, of which none has more subfields than that. Tracks with detours are
 /// marked as a whole: their paths are in the planes of their fields, in which QGIS does not draw them.
-std::vector<LayerStyle> styles_of_many(std::size_t most_subfields, bool with_routes);
+std::vector<LayerStyle> styles_of_many(std::size_t most_subfields, Routes routes);
 
 }  // namespace tramline::io

@@ -52,7 +52,7 @@ void make_indexes(GDALDataset& file) {
 
 void write_all(const std::vector<KeptPlan>& plans, const LocalFrame& common, const Target& file) {
   std::size_t most_subfields = 0;
-  bool with_routes = false;
+  Routes routes = Routes::kNone;
   for (const KeptPlan& kept : plans) {
     const PlanFile part = read_plan_file(kept.file);
     const LocalFrame& frame = part.plan.field.frame;
@@ -60,13 +60,13 @@ void write_all(const std::vector<KeptPlan>& plans, const LocalFrame& common, con
     write_plan_rows({file.file, file.crs, offset_of(frame), Shapes(way_between(frame, common)), &names},
                     part.plan, part.remarks);
     most_subfields = std::max(most_subfields, part.plan.subfields.size());
-    with_routes = with_routes || has_route(part.plan);
+    if (has_route(part.plan)) routes = Routes::kSome;
   }
   const FieldNames nobody;
   Table metadata({file.file, file.crs, {}, Shapes(Point{}), &nobody}, kMetadataTable, wkbNone,
                  {text("key"), text("value")});
   metadata.add(nullptr, {std::string(kCollectionKey), collection_text(common)});
-  write_styles(file.file, styles_of_many(most_subfields, with_routes));
+  write_styles(file.file, styles_of_many(most_subfields, routes));
   make_indexes(file.file);
 }
 

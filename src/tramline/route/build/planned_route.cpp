@@ -11,6 +11,7 @@
 #include "tramline/route/build/pass_tour.h"
 #include "tramline/route/build/route_proof.h"
 #include "tramline/route/build/track_tour.h"
+#include "tramline/turns/track_ends.h"
 
 namespace tramline {
 namespace {
@@ -23,6 +24,13 @@ std::vector<TrackPiece> pieces_of(const std::vector<order::WorkedLine>& lines) {
   std::vector<TrackPiece> out;
   for (const order::WorkedLine& line : lines) out.insert(out.end(), line.begin(), line.end());
   return out;
+}
+
+/// Whether all there is of the machine is a bar at its axle: then it works all that it sweeps.
+bool machine_is_its_bar(const Machine& machine) {
+  const Turning& turning = machine.turning;
+  return reach_back_m(turning) == 0 && turning.drawbar_m == 0 && turning.front_overhang_m == 0 &&
+         turning.rear_overhang_m == 0;
 }
 
 /// What follows lines on the route: other lines, or the gate at its end, if any.
@@ -51,11 +59,20 @@ class RoutePlanner {
     if (!first) add_passes();
     if (out_.end && !left_.empty()) legs_.add(connector_.to_gate(left_, *out_.end));
     out_.legs = std::move(legs_).finished();
+    measure_room_at_work();
     out_.proof = route_proof(task_, lines_, out_, least_);
     return std::move(out_);
   }
 
  private:
+  /// What lies ahead of the work or behind it may swing off the land in corners of passes and at the ends of
+  /// tracks, where the implement itself does not.
+  void measure_room_at_work() {
+    if (machine_is_its_bar(task_.machine)) return;
+    for (RouteLeg& leg : out_.legs)
+      if (leg.work) leg.missing_m = ground_.lacking_along_m(leg.path);
+  }
+
   Roadmap roadmap() const {
     const double spacing_m = std::max(kLeastSpacing_m, kRoadmapSpacing_radii * ground_.machine().radius_m);
     return {followed_lines(task_.headland, pieces_of(lines_), task_.field, ground_), spacing_m};

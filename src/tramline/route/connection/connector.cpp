@@ -102,6 +102,7 @@ std::vector<WayEnd> Connector::ways_out(const SteeredPath& left) const {
   std::vector<WayEnd> out{straight_out(end_of(left))};
   if (ground_.outline().tows()) return out;
   const double length_m = length(left);
+  if (!ground_.can_follow(left)) return out;
   for (const double steps : kBackSteps) {
     const double back_m = std::min(steps * step_back_m(machine), length_m);
     const SteeredPath back = retraced(part_of(left, length_m - back_m, length_m));
@@ -117,6 +118,7 @@ std::vector<WayEnd> Connector::ways_in(const SteeredPath& entered) const {
   std::vector<WayEnd> out{straight_in(entered.front().start)};
   if (ground_.outline().tows()) return out;
   const double length_m = length(entered);
+  if (!ground_.can_follow(entered)) return out;
   for (const double steps : kBackSteps) {
     const double back_m = std::min(steps * step_back_m(machine), length_m);
     const SteeredPath back = retraced(part_of(entered, 0, back_m));
@@ -142,7 +144,10 @@ std::optional<Way> Connector::searched(const std::vector<WayEnd>& begins, const 
 }
 
 Way Connector::without_room(const Pose& from, const Pose& to) const {
-  Way out = finished(LegKind::kTransit, shortest_dubins(from, to, ground_.machine().radius_m).path);
+  const std::vector<Manoeuvre> words = ground_.words(from, to);
+  Way out =
+      finished(LegKind::kTransit, words.empty() ? shortest_dubins(from, to, ground_.machine().radius_m).path
+                                                : words.front().path);
   if (!out.path.empty()) out.missing_m = ground_.turning().missing_m(out.path, ground_.outline());
   return out;
 }
@@ -155,7 +160,7 @@ Way Connector::between(const SteeredPath& left, const SteeredPath& entered) cons
 
 std::optional<Way> Connector::direct(const SteeredPath& left, const SteeredPath& entered) const {
   const WayEnd out = straight_out(end_of(left)), in = straight_in(entered.front().start);
-  for (const Manoeuvre& word : dubins_words(out.pose, in.pose, ground_.machine().radius_m)) {
+  for (const Manoeuvre& word : ground_.words(out.pose, in.pose)) {
     SteeredPath path = joined(out.path, word.path, in.path);
     if (path.empty() || ground_.has_room(path)) return finished(LegKind::kTransit, std::move(path));
   }

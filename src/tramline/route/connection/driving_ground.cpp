@@ -5,6 +5,7 @@
 
 #include "tramline/geometry/polygon/boolean.h"
 #include "tramline/route/connection/way.h"
+#include "tramline/turns/manoeuvres/dubins.h"
 
 namespace tramline {
 namespace {
@@ -21,6 +22,11 @@ std::optional<AllowedLand> with_passables(const AllowedLand& land, const Field& 
 
 constexpr double kMoreAcross = 3, kMoreAlongTrack = 0.5;
 
+Machine drivable(Machine machine) {
+  machine.radius_m = std::max(machine.radius_m, kLeastRadius_m);
+  return machine;
+}
+
 Region oriented_all(const Region& region) {
   Region out;
   for (const Polygon& polygon : region) out.push_back(oriented(polygon));
@@ -32,15 +38,31 @@ Region oriented_all(const Region& region) {
 DrivingGround::DrivingGround(const AllowedLand& turning_land, const Field& field, const Machine& machine,
                              const Region& body)
     : turning_(turning_land),
-      machine_(machine),
+      machine_(drivable(machine)),
       outline_(outline_of(machine)),
+      curve_(turn_curves(drivable(machine)).forward),
       with_passables_(with_passables(turning_land, field)),
-      crop_(oriented_all(body)) {
-  machine_.radius_m = std::max(machine.radius_m, kLeastRadius_m);
+      crop_(oriented_all(body)) {}
+
+std::vector<Manoeuvre> DrivingGround::words(const Pose& from, const Pose& to) const {
+  return curve_.at_once() ? dubins_words(from, to, machine_.radius_m) : dubins_words(from, to, curve_);
 }
 
 bool DrivingGround::has_room_along(const SteeredPath& path) const {
   return with_passables_ ? with_passables_->fits(path, outline_) : turning_.fits(path, outline_);
+}
+
+bool DrivingGround::can_follow(const SteeredPath& path) const {
+  return steers_at_once() || std::ranges::all_of(path, [](const SteeredStretch& stretch) {
+           return stretch.curvature_at_start == 0 && stretch.curvature_at_end == 0;
+         });
+}
+
+double DrivingGround::lacking_along_m(const SteeredPath& path) const {
+  if (has_room_along(path)) return 0;
+  const AllowedLand& land = with_passables_ ? *with_passables_ : turning_;
+  const double missing_m = land.missing_m(path, outline_);
+  return missing_m > kNoticed_m ? missing_m : 0;
 }
 
 double DrivingGround::over_crop_m(const SteeredPath& path) const {

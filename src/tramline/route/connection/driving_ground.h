@@ -3,8 +3,11 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
+#include "tramline/model/manoeuvre.h"
 #include "tramline/model/plan.h"
+#include "tramline/turns/manoeuvres/turn_curve.h"
 #include "tramline/turns/outline/outline.h"
 #include "tramline/turns/room/allowed_land.h"
 
@@ -22,10 +25,22 @@ class DrivingGround {
   const Outline& outline() const { return outline_; }
   const AllowedLand& turning() const { return turning_; }
 
+  /// The shortest ways forward between two poses, the shortest first; with clothoids where the wheels take
+  /// time to be steered, and then there may be none.
+  std::vector<Manoeuvre> words(const Pose& from, const Pose& to) const;
+  bool steers_at_once() const { return curve_.at_once(); }
+  /// Whether the wheels can be steered along lines and arcs that meet at once, with the work off: without
+  /// arcs always.
+  bool can_follow(const SteeredPath& path) const;
+
   /// Whether the outline has room on a way that turns.
   bool has_room(const SteeredPath& path) const { return turning_.fits(path, outline_); }
   /// The same for a way along a pass or a track, which may lead across passable obstacles.
   bool has_room_along(const SteeredPath& path) const;
+
+  /// How far the outline leaves the land on a way along a pass or a track, m; 0 where it does not by more
+  /// than kNoticed_m.
+  double lacking_along_m(const SteeredPath& path) const;
 
   /// The length of the path over land of the tracks, in steps of kCropStep_m, m.
   double over_crop_m(const SteeredPath& path) const;
@@ -34,11 +49,13 @@ class DrivingGround {
   const AllowedLand& turning_;
   Machine machine_;
   Outline outline_;
+  TurnCurve curve_;
   std::optional<AllowedLand> with_passables_{};
   LandEdges crop_;
 };
 
 inline constexpr double kCropStep_m = 2;
+inline constexpr double kNoticed_m = 0.005;
 
 /// What driving over crop counts besides its time, as a multiple of it: along a track, whose lines are there
 /// anyway, less than across the tracks.

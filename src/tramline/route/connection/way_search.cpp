@@ -162,15 +162,16 @@ class WaySearch {
     const std::size_t from = proposal.from, to = proposal.to;
     if (proposal.step == Step::kAlong) {
       const SteeredPath& way = on_roadmap(from).to_next;
-      if (ground_.has_room_along(way))
+      if (ground_.can_follow(way) && ground_.has_room_along(way))
         propose(from, to, Step::kAlong, cost_seconds(way, ground_, driven_along(from)), Known::kSettled, way);
       return;
     }
-    if (settle_word(proposal, shortest_dubins(pose(from), pose(to), radius_m_))) return;
+    if (ground_.steers_at_once() && settle_word(proposal, shortest_dubins(pose(from), pose(to), radius_m_)))
+      return;
     // Between two lines there are others that lead on.
-    if (!is_begin(from) && !is_end(to)) return;
-    const std::vector<Manoeuvre> words = dubins_words(pose(from), pose(to), radius_m_);
-    for (std::size_t i = 1; i < words.size(); ++i)
+    if (ground_.steers_at_once() && !is_begin(from) && !is_end(to)) return;
+    const std::vector<Manoeuvre> words = ground_.words(pose(from), pose(to));
+    for (std::size_t i = ground_.steers_at_once() ? 1 : 0; i < words.size(); ++i)
       if (settle_word(proposal, words[i])) return;
   }
 

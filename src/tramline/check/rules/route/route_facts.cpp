@@ -25,12 +25,13 @@ std::vector<std::size_t> work_legs(const Plan& plan) {
 }
 
 WorkedCourse course_of_piece(const Plan& plan, std::size_t piece) {
-  return {centre_line(plan.pieces[piece]), false, plan.machine};
+  return {centre_line(plan.pieces[piece]), PathEnds::kApart, plan.machine};
 }
 
-WorkedCourse course_of_pass(const Plan& plan, std::size_t pass, bool against) {
+WorkedCourse course_of_pass(const Plan& plan, std::size_t pass, PassSense sense) {
   const HeadlandPass& of = plan.headland.passes[pass];
-  return {against ? reversed(of.path) : of.path, is_closed(of), plan.machine};
+  return {sense == PassSense::kAgainst ? reversed(of.path) : of.path,
+          is_closed(of) ? PathEnds::kMeet : PathEnds::kApart, plan.machine};
 }
 
 double turned_deg(Point ahead, Point other) {

@@ -21,9 +21,8 @@ std::vector<std::size_t> work_legs(const Plan& plan);
 /// The axle's places while the implement works along a path that begins at its start.
 class WorkedCourse {
  public:
-  /// `closed`: the path ends where it begins.
-  WorkedCourse(const Path& path, bool closed, const Machine& machine)
-      : line_(path, closed), ahead_m_(ahead_of_work_m(machine)) {}
+  WorkedCourse(const Path& path, PathEnds ends, const Machine& machine)
+      : line_(path, ends), ahead_m_(ahead_of_work_m(machine)) {}
 
   double length_m() const { return line_.length_m(); }
   /// Where the axle is when the implement has worked so much of the path, m.
@@ -38,8 +37,9 @@ class WorkedCourse {
 };
 
 WorkedCourse course_of_piece(const Plan& plan, std::size_t piece);
-/// `against`: driven from the end of the pass to its beginning.
-WorkedCourse course_of_pass(const Plan& plan, std::size_t pass, bool against);
+/// From the beginning of the pass to its end, or the other way.
+enum class PassSense { kAlong, kAgainst };
+WorkedCourse course_of_pass(const Plan& plan, std::size_t pass, PassSense sense);
 
 /// How far the heading is from a direction, degrees.
 double turned_deg(Point ahead, Point other);

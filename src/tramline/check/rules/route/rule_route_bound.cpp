@@ -71,7 +71,7 @@ class Bound {
     for (std::size_t first = 0, next = 0; first < count; first = next) {
       for (next = first + 1; next < count && plan_.pieces[next].after_crossing;) ++next;
       const auto back = [&](std::size_t i) {
-        return WorkedCourse(reversed(centre_line(plan_.pieces[i])), false, plan_.machine);
+        return WorkedCourse(reversed(centre_line(plan_.pieces[i])), PathEnds::kApart, plan_.machine);
       };
       add_line(course_of_piece(plan_, first), back(first), course_of_piece(plan_, next - 1), back(next - 1),
                nodes_);
@@ -86,7 +86,8 @@ class Bound {
   void add_passes() {
     for (std::size_t i = 0; i < plan_.headland.passes.size(); ++i) {
       if (is_closed(plan_.headland.passes[i])) continue;
-      const WorkedCourse pass = course_of_pass(plan_, i, false), back = course_of_pass(plan_, i, true);
+      const WorkedCourse pass = course_of_pass(plan_, i, PassSense::kAlong),
+                         back = course_of_pass(plan_, i, PassSense::kAgainst);
       add_line(pass, back, pass, back, nodes_);
       members_.push_back({nodes_.size() - 2, 2});
     }

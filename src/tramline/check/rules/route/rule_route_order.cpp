@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "tramline/check/rules/route/route_facts.h"
@@ -120,7 +121,7 @@ class OrderCheck {
     SteeredPath whole;
     for (const std::size_t leg : legs)
       whole.insert(whole.end(), legs_[leg].path.begin(), legs_[leg].path.end());
-    const double longer_m = length(whole) - course_of_pass(plan_, pass, false).length_m();
+    const double longer_m = length(whole) - course_of_pass(plan_, pass, PassSense::kAlong).length_m();
     if (std::abs(longer_m) > kLengthTolerance_m)
       return add_pass(fmt::format("is {:.3f} m shorter than what is driven of it", longer_m), longer_m);
     Deviation least{std::numeric_limits<double>::infinity(), begins};
@@ -136,8 +137,8 @@ class OrderCheck {
 
   /// Either way round, and where the pass is closed from any place.
   std::optional<Driven> course_driven(std::size_t pass, const SteeredPath& whole, Deviation& least) const {
-    for (const bool against : {false, true}) {
-      const WorkedCourse course = course_of_pass(plan_, pass, against);
+    for (const PassSense sense : {PassSense::kAlong, PassSense::kAgainst}) {
+      const WorkedCourse course = course_of_pass(plan_, pass, sense);
       std::vector<double> entries{0};
       if (is_closed(plan_.headland.passes[pass])) {
         entries = course.line().positions_near(whole.front().start.at, kLengthTolerance_m);
@@ -204,7 +205,13 @@ class OrderCheck {
 }  // namespace
 
 void check_route_order(const Case& c, Violations& out) {
-  if (c.plan.route.planned()) OrderCheck(c, out).run();
+  if (c.plan.route.planned()) return OrderCheck(c, out).run();
+  const bool asked = c.plan.settings.turns == TurnPlanning::kRoute;
+  if (!asked || c.plan.pieces.empty()) return;
+  out.push_back(
+      {Rule::kRouteOrder,
+       fmt::format("there is no route, although one was asked for over {} pieces", c.plan.pieces.size()),
+       c.plan.pieces.front().start, static_cast<double>(c.plan.pieces.size())});
 }
 
 }  // namespace tramline::check

@@ -183,6 +183,14 @@ TEST(CheckedRoute, leaves_no_piece_out_and_drives_none_twice) {
   expect_found(timed(plan), "route areas");
 }
 
+TEST(CheckedRoute, is_there_where_it_was_asked_for) {
+  Plan plan = route_plan();
+  plan.route = {};
+  expect_only(plan, "route order");
+  plan.settings.turns = TurnPlanning::kNone;
+  EXPECT_EQ(texts(plan), "");
+}
+
 TEST(CheckedRoute, keeps_to_the_order_of_the_pieces) {
   Plan plan = route_plan();
   std::swap(plan.pieces[1], plan.pieces[2]);
