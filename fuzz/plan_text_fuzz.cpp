@@ -1,8 +1,9 @@
-// Any text in the place of the texts of a plan file: paths, detours, numbers of obstacles, a front's
-// directions and marks, and the table of keys and values. What is read has to be written back to what reads
-// the same.
+// Any text in the place of the texts of a plan file: paths, stretches of turns and routes, detours, numbers
+// of obstacles, a front's directions and marks, and the table of keys and values. What is read has to be
+// written back to what reads the same.
 //
-// The first byte picks the reader. Two texts of one reader are parted by a line of three dashes.
+// The first byte picks the reader, '0' the first. Two texts of one reader are parted by a line of three
+// dashes.
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,7 @@
 #include "tramline/io/plan/front_text.h"
 #include "tramline/io/plan/path_text.h"
 #include "tramline/io/plan/plan_metadata.h"
+#include "tramline/io/plan/turn_text.h"
 
 namespace {
 
@@ -42,6 +44,15 @@ void read_path(const std::string& text) {
 void read_points(const std::string& text) {
   const std::vector<Point> points = io::points_from_text(text, {}, kPlace);
   demand(io::points_from_text(io::points_text(points, {}), {}, kPlace) == points);
+}
+
+/// They can be drawn, whatever the file says.
+void read_stretches(const std::string& text) {
+  const SteeredPath path = io::steered_from_text(text, {}, kPlace);
+  const std::string written = io::steered_text(path, {});
+  demand(io::steered_text(io::steered_from_text(written, {}, kPlace), {}) == written);
+  constexpr std::size_t kMostDrawn = 20;
+  if (path.size() <= kMostDrawn) trace(path, 0.01);
 }
 
 /// What a file counts from 1 fits an int.
@@ -130,8 +141,10 @@ void read_any(int reader, const std::string& text) {
       return read_numbers(text);
     case 4:
       return read_front(first, second);
-    default:
+    case 5:
       return read_metadata(text);
+    default:
+      return read_stretches(text);
   }
 }
 
@@ -140,7 +153,9 @@ void read_any(int reader, const std::string& text) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   try {
-    read_any(data[0] % 6, {reinterpret_cast<const char*>(data) + 1, size - 1});
+    constexpr int kReaders = 7;
+    read_any((data[0] + kReaders - '0' % kReaders) % kReaders,
+             {reinterpret_cast<const char*>(data) + 1, size - 1});
   } catch (const tramline::Error&) {
     // A refusal is an answer; any other exception is a fault.
   }

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "server/http/router.h"
@@ -52,7 +53,9 @@ void plan(const ordered_json& json) {
   const Objective objective = objective_in(input.value("objective"));
   const SettingsInput settings = settings_in(input.value("settings"));
   validate_request(machine, objective, settings.settings);
-  settings_on(settings, small_field(), machine);
+  const PlanSettings placed = settings_on(settings, small_field(), machine);
+  for (const std::optional<Point>& gate : {placed.route.start, placed.route.end})
+    demand(!gate || (std::isfinite(gate->x) && std::isfinite(gate->y)));
 }
 
 void draw(const ordered_json& json) {

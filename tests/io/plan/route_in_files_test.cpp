@@ -241,6 +241,21 @@ TEST_F(RouteInFiles, DamageIsNamed) {
                        "'worst'"));
 }
 
+// To draw or to follow some of these would take more memory than there is.
+TEST_F(RouteInFiles, StretchesThatNobodyDrivesAreRefused) {
+  const auto with = [&](const std::string& numbers) {
+    const std::string change =
+        "UPDATE route_legs SET stretches = '0 1.5 1.5 " + numbers + " forward' WHERE seq = 1";
+    return after(change.c_str());
+  };
+  for (const char* wrong : {"-0.001 0 0", "100001 0 0", "1e300 0 0", "1e9 0.2 0.2", "10 10.1 10.1",
+                            "10 0 -10.1", "18 -1e6 1e6", "1 1e308 -1e308"})
+    EXPECT_TRUE(mentions(with(wrong), "route_legs, feature 1: stretches has a stretch of less than 0 m"))
+        << wrong;
+  for (const char* right : {"0 0 0", "100000 0 0", "10 10 10", "10 -10 10", "0 1e9 1e9"})
+    EXPECT_EQ(with(right), "") << right;
+}
+
 TEST_F(RouteInFiles, OnlyPlansWithARouteHaveItsStyle) {
   const auto has = [](const std::vector<io::LayerStyle>& styles) {
     return std::ranges::any_of(

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <iterator>
@@ -24,6 +25,15 @@ std::vector<std::string_view> parted(std::string_view text, std::string_view by)
   }
 }
 
+/// Longer stretches, and those that turn farther, 16 times round, are damage: nobody drives them, and to draw
+/// one or to follow it could take all memory there is.
+constexpr double kLongestStretch_m = 1e5, kFarthestTurn_rad = 100;
+
+bool drivable(double length_m, double curvature_at_start, double curvature_at_end) {
+  const double sharpest = std::max(std::abs(curvature_at_start), std::abs(curvature_at_end));
+  return length_m >= 0 && length_m <= kLongestStretch_m && sharpest * length_m <= kFarthestTurn_rad;
+}
+
 SteeredStretch stretch_from(std::string_view text, Point offset, const std::string& place) {
   const std::vector<std::string_view> words = parted(text, " ");
   const auto other_form = [&] {
@@ -39,6 +49,11 @@ SteeredStretch stretch_from(std::string_view text, Point offset, const std::stri
   }
   const bool reverse = words.back() == name(Gear::kReverse);
   if (!reverse && words.back() != name(Gear::kForward)) throw other_form();
+  if (!drivable(n[3], n[4], n[5]))
+    throw bad_input(
+        fmt::format("{} has a stretch of less than 0 m, of more than {:g} m or of more than {:g} rad, '{}'; "
+                    "write the plan again",
+                    place, kLongestStretch_m, kFarthestTurn_rad, text));
   return {{Point{n[0], n[1]} - offset, Heading::clockwise_from_north(Angle::radians(n[2]))},
           n[3],
           n[4],

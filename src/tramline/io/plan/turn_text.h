@@ -14,7 +14,7 @@ namespace tramline::io {
 std::string steered_text(const SteeredPath& path, Point offset);
 
 /// The inverse: `offset` is subtracted. Throws Error(kBadInput) that begins with `place` where the text is of
-/// another form. O(n).
+/// another form, or a stretch has a length below 0, above 100 km, or that turns farther than 100 rad. O(n).
 SteeredPath steered_from_text(const std::string& text, Point offset, const std::string& place);
 
 }  // namespace tramline::io

@@ -8,8 +8,8 @@ import { isNight, session } from '../../state/session';
 import { useStore } from '../../state/store';
 
 const KINDS: Record<LegKind, { title: string; colour: keyof Colours & string; form: Mark['form'] }> = {
-  work: { title: 'Along tracks', colour: 'Track', form: 'line' },
-  headland: { title: 'Along headland passes', colour: 'HeadlandPass', form: 'line' },
+  work: { title: 'Tracks', colour: 'Track', form: 'line' },
+  headland: { title: 'Headland passes', colour: 'HeadlandPass', form: 'line' },
   turn: { title: 'Turns', colour: 'Turn', form: 'line' },
   transit: { title: 'Other ways', colour: 'Transit', form: 'line' },
   back_out: { title: 'Backing out', colour: 'BackOut', form: 'dashed' },
@@ -23,7 +23,7 @@ export function RouteFigures({ route }: { route: Route }) {
   return (
     <section aria-labelledby="route-title">
       <h2 id="route-title">The route</h2>
-      <table aria-labelledby="route-title">
+      <table class="legs" aria-labelledby="route-title">
         <thead><tr><th>Legs</th><th>Count</th><th>Length</th><th>Time</th></tr></thead>
         <tbody>
           {sums.map((sum) => {
