@@ -30,6 +30,7 @@ enum class Rule : std::uint8_t {
   kProof,
   kRouteAreas,
   kRouteBound,
+  kRouteDrivenOver,
   kRouteLegs,
   kRouteOrder,
   kRouteRoom,

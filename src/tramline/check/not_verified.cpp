@@ -77,9 +77,10 @@ void add_swaths(const Plan& plan, Names& out) {
 /// The bound of a route is proven with any prices; a lower one proves less.
 void add_route(const Plan& plan, Names& out) {
   if (!plan.route.planned()) return;
-  for (const char* name : {"route.over_worked_m", "route.over_unworked_m", "route.over_tracks_m",
-                           "route_legs.lateral_error_m", "settings.route.order", "settings.route.sequence"})
-    out.emplace_back(name);
+  out.emplace_back("settings.route.order");
+  const Turning& turning = plan.machine.turning;
+  if (turning.implement != Coupling::kTowed || !(turning.drawbar_m > 0))
+    out.emplace_back("route_legs.lateral_error_m");
 }
 
 constexpr const char* kRepairs = "field.repairs";

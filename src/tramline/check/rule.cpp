@@ -36,6 +36,8 @@ std::string_view name(Rule rule) {
       return "route areas";
     case Rule::kRouteBound:
       return "route bound";
+    case Rule::kRouteDrivenOver:
+      return "route driven over";
     case Rule::kRouteLegs:
       return "route legs";
     case Rule::kRouteOrder:

@@ -29,9 +29,12 @@ void check_route(const Case& c, Verdict& verdict) {
   if (!check_route_is_sound(c.plan, verdict.violations)) return;
   check_route_order(c, verdict.violations);
   check_route_legs(c, verdict.violations);
+  check_route_backing(c, verdict.violations);
+  check_route_towing(c, verdict.violations);
   check_route_room(c, verdict.violations, verdict.findings);
   check_route_bound(c, verdict.violations);
   check_route_areas(c, verdict.violations);
+  check_route_driven_over(c, verdict.violations);
 }
 
 }  // namespace

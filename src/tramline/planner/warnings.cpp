@@ -77,6 +77,15 @@ void warn_of_short_pieces(const Plan& plan, std::vector<std::string>& out) {
                   count, plan.pieces.size(), count == 1 ? "is" : "are", least_m));
 }
 
+void warn_of_legs_without_room(const Plan& plan, std::vector<std::string>& out) {
+  const std::size_t without_room = sums_of(plan.route).without_room;
+  if (without_room == 0) return;
+  double most_m = 0;
+  for (const RouteLeg& leg : plan.route.legs) most_m = std::max(most_m, leg.missing_m);
+  out.push_back(fmt::format("the route leaves the land on {} of its {} legs, by up to {:.2f} m: no way has room there",
+                            without_room, plan.route.legs.size(), most_m));
+}
+
 }  // namespace
 
 std::string unworked_land_warning(const Plan& plan) {
@@ -96,8 +105,8 @@ void add_limits(const SweepLimits& limits, std::vector<std::string>& warnings) {
     all.push_back(fmt::format(
         "the sweep did not look for ways past obstacles in {} of its directions, which look more expensive",
         limits.without_detours));
-  // Before the sentence that every plan has.
-  const auto last = warnings.empty() ? warnings.end() : warnings.end() - 1;
+  // Before the sentence that every plan without a route has.
+  const auto last = std::find(warnings.begin(), warnings.end(), kConnectionsUnplanned);
   warnings.insert(last, all.begin(), all.end());
 }
 
@@ -121,7 +130,10 @@ std::vector<std::string> warnings_about(const Plan& plan) {
   warn_of_narrow_ground(plan, out);
   warn_of_dropped_pieces(plan, out);
   warn_of_short_pieces(plan, out);
-  out.emplace_back(kConnectionsUnplanned);
+  if (!plan.route.planned())
+    out.emplace_back(kConnectionsUnplanned);
+  else
+    warn_of_legs_without_room(plan, out);
   return out;
 }
 

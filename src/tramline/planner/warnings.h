@@ -9,13 +9,13 @@
 
 namespace tramline {
 
-/// The warning of every plan.
+/// The warning of every plan without a route.
 inline constexpr const char* kConnectionsUnplanned =
     "connections between tracks are not planned yet: only the order of the pieces is";
 
 /// The warnings about a plan, one line each: much land that stays unworked, warnings about the field, swaths
 /// past the boundary and by how much, land given up between obstacles, dropped and short pieces, and
-/// kConnectionsUnplanned.
+/// kConnectionsUnplanned or, with a route, the legs on which it leaves the land.
 std::vector<std::string> warnings_about(const Plan& plan);
 
 /// Adds what the sweep left out to the warnings of warnings_about().

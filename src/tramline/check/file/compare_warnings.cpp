@@ -161,7 +161,22 @@ Expected of_cut_short(const Plan& plan) {
   return {"the search was ended before it was through", plan.proof.cut_short, false, {}};
 }
 
-Expected of_connections() { return {"connections between tracks are not planned", true, false, {}}; }
+Expected of_connections(const Plan& plan) {
+  return {"connections between tracks are not planned", !plan.route.planned(), false, {}};
+}
+
+Expected of_legs_without_room(const Plan& plan) {
+  std::ptrdiff_t count = 0;
+  double most_m = 0;
+  for (const RouteLeg& leg : plan.route.legs) {
+    if (leg.missing_m > 0) ++count;
+    most_m = std::max(most_m, leg.missing_m);
+  }
+  return {"the route leaves the land on",
+          count > 0,
+          false,
+          {counted(count), counted(std::ssize(plan.route.legs)), amount(most_m)}};
+}
 
 /// Of lines of others only the warning about land is ours to repeat.
 std::vector<Expected> all_expected(const Plan& plan) {
@@ -169,7 +184,7 @@ std::vector<Expected> all_expected(const Plan& plan) {
   return {
       of_unworked_land(plan),       of_overrun(plan),      of_given_up_land(plan),  of_left_out_land(plan),
       of_passes_without_room(plan), of_passes_alone(plan), of_dropped_pieces(plan), of_short_pieces(plan),
-      of_cut_short(plan),           of_connections()};
+      of_cut_short(plan),           of_connections(plan),  of_legs_without_room(plan)};
 }
 
 }  // namespace

@@ -86,16 +86,25 @@ void check_turns(const Case& c, Violations& out);
 /// it returns false.
 bool check_route_is_sound(const Plan& plan, Violations& out);
 /// The route drives every piece once, in the order of the plan, and every headland pass once, in one go,
-/// either way round and from any place where it is closed; before all pieces or after them, as the settings
-/// ask. Each work leg is where the axle is while the implement works its piece. The work is on along pieces
-/// and passes, off on passable obstacles, and off everywhere else.
+/// either way round and from any place where it is closed; before all pieces or after them, and in the
+/// sequence, as the settings ask. Crossings are driven straight on. Each work leg is where the axle is while
+/// the implement works its piece. The work is on along pieces and passes, off on passable obstacles, and off
+/// everywhere else.
 void check_route_order(const Case& c, Violations& out);
 /// Each leg begins in the pose in which the one before it ends, the first at the start gate; the last ends at
-/// the end gate, or as near to it as the machine has room. A leg has one gear. Ways between works are no
-/// tighter than the machine's radius and steered no faster than it can. Reverse is driven out of works and
-/// into them, elsewhere only where the machine may, and never with a drawbar in tow. Times are those of
-/// lengths, speeds and changes of gear.
+/// the end gate, or as near to it as the machine has room; without gates both are at work. A leg has one
+/// gear. Ways between works are no tighter than the machine's radius and steered no faster than it can.
+/// Reverse is driven out of works and into them, elsewhere only where the machine may, and never with a
+/// drawbar in tow. Times are those of lengths, speeds and changes of gear.
 void check_route_legs(const Case& c, Violations& out);
+/// To back out is to drive back along the works before the leg, or behind it, and nothing else: by that name
+/// a machine reverses that otherwise may not.
+void check_route_backing(const Case& c, Violations& out);
+/// Where work begins a towed implement is no farther beside its line than the leg before states.
+void check_route_towing(const Case& c, Violations& out);
+/// What the legs with the work off lead over is as long as the plan states, but for what lies within 2 cm of
+/// the borders of worked land and of the tracks.
+void check_route_driven_over(const Case& c, Violations& out);
 /// Along every leg the outline stays on the land, at places 5 cm apart. Passable obstacles are land except to
 /// turn on. A leg that says that it lacks room is a finding, and lacks no more than it says; so are works
 /// that leave a soft boundary farther than turns may: rules of tracks say how far they reach.

@@ -17,6 +17,10 @@ namespace {
 constexpr double kMostBesideGate_m = 100;
 constexpr int kGateHeadings = 8;
 constexpr double kDrivesOn_m = 1;
+/// Where legs and their stretches meet the machine may be turned by this, degrees. Works, and ways back along
+/// them, may have small kinks.
+constexpr double kTurnedAtJoint_deg = 0.1;
+constexpr double kAny_deg = 360;
 
 bool is_sound(const RouteLeg& leg) {
   const double own = leg.time_s + leg.missing_m + leg.lateral_error_m;
@@ -44,6 +48,8 @@ class LegsCheck {
     }
     check_gate("start", plan_.settings.route.start, legs_.front().path.front().start.at);
     check_gate("end", plan_.settings.route.end, last_place(legs_.back().path).at);
+    if (!plan_.settings.route.start) require_work(0, "begins");
+    if (!plan_.settings.route.end) require_work(legs_.size() - 1, "ends");
   }
 
  private:
@@ -51,18 +57,33 @@ class LegsCheck {
     out_.push_back({Rule::kRouteLegs, fmt::format("{} {}", leg_name(plan_, leg), what), at, amount});
   }
 
-  void check_joint(std::size_t leg, const LinePlace& is, const LinePlace& before) {
+  /// Without a gate there is nowhere to come from or to go to.
+  void require_work(std::size_t leg, const char* what) {
+    if (!legs_[leg].work && !legs_[leg].pass)
+      add(leg, fmt::format("{} the route without a gate", what), legs_[leg].path.front().start.at,
+          length(legs_[leg]));
+  }
+
+  void check_joint(std::size_t leg, const LinePlace& is, const LinePlace& before, double most_deg) {
     const double off_m = distance(is.at, before.at), turned = turned_deg(is.ahead, before.ahead);
     if (off_m > kLengthTolerance_m) add(leg, fmt::format("jumps by {:.3f} m", off_m), is.at, off_m);
-    if (turned > kHeadingTolerance_deg && !may_have_kinks(leg))
-      add(leg, fmt::format("turns by {:.1f}° on the spot", turned), is.at, turned);
+    if (turned > most_deg) add(leg, fmt::format("turns by {:.2f}° on the spot", turned), is.at, turned);
   }
+
+  static bool along_work(const RouteLeg& leg) { return leg.work || leg.pass; }
 
   void check_joints(std::size_t i) {
     const SteeredPath& path = legs_[i].path;
-    if (i > 0) check_joint(i, first_place(path), last_place(legs_[i - 1].path));
+    if (i > 0) {
+      const bool goes_on = along_work(legs_[i - 1]) && along_work(legs_[i]);
+      check_joint(i, first_place(path), last_place(legs_[i - 1].path),
+                  goes_on ? kAny_deg : kTurnedAtJoint_deg);
+    }
+    const double within_deg = may_have_kinks(i) ? kAny_deg : kTurnedAtJoint_deg;
     for (std::size_t k = 0; k + 1 < path.size(); ++k)
-      check_joint(i, {path[k + 1].start.at, path[k + 1].start.heading.unit()}, last_place({path[k]}));
+      check_joint(
+          i, {path[k + 1].start.at, path[k + 1].start.heading.unit()}, last_place({path[k]}),
+          legs_[i].kind == LegKind::kBackOut ? std::max(within_deg, kHeadingTolerance_deg) : within_deg);
   }
 
   /// Tracks and passes made as papers make them have kinks, which the rule of drivable paths reports.

@@ -44,6 +44,7 @@ class OrderCheck {
     check_pieces_in_order();
     for (std::size_t pass = 0; pass < plan_.headland.passes.size(); ++pass) check_pass(pass);
     check_when_passes();
+    check_sequence();
   }
 
  private:
@@ -106,7 +107,10 @@ class OrderCheck {
   void check_crossing(std::size_t before, std::size_t after) {
     const bool one = after == before + 2;
     if (!one || legs_[before + 1].kind != LegKind::kTransit || legs_[before + 1].gear != Gear::kForward)
-      add(after, "follows a crossing that is more than one way across");
+      return add(after, "follows a crossing that is more than one way across");
+    for (const SteeredStretch& stretch : legs_[before + 1].path)
+      if (stretch.curvature_at_start != 0 || stretch.curvature_at_end != 0)
+        return add(before + 1, "is not driven straight on", length(legs_[before + 1]));
   }
 
   void check_pass(std::size_t pass) {
@@ -194,6 +198,30 @@ class OrderCheck {
     for (std::size_t i = 0; i < legs_.size(); ++i)
       if (legs_[i].pass && (first ? i > works.front() : i < works.back()))
         add(i, first ? "follows a pass after the tracks" : "follows a pass before the tracks are done");
+  }
+
+  static bool along_one_boundary(const HeadlandPass& a, const HeadlandPass& b) {
+    return (a.around_field && b.around_field) ||
+           std::find_first_of(a.obstacles.begin(), a.obstacles.end(), b.obstacles.begin(),
+                              b.obstacles.end()) != a.obstacles.end();
+  }
+
+  /// Of passes along one boundary the outer ones come first, or the inner ones, where the settings ask.
+  void check_sequence() {
+    const PassSequence sequence = plan_.settings.route.sequence;
+    if (sequence == PassSequence::kAny) return;
+    const std::vector<HeadlandPass>& passes = plan_.headland.passes;
+    for (std::size_t one = 0; one < passes.size(); ++one)
+      for (std::size_t other = 0; other < passes.size(); ++other) {
+        const bool later = sequence == PassSequence::kInwards ? passes[one].number > passes[other].number
+                                                              : passes[one].number < passes[other].number;
+        if (!later || !along_one_boundary(passes[one], passes[other])) continue;
+        const std::vector<std::size_t> too_early = legs_of_pass(plan_, one),
+                                       late = legs_of_pass(plan_, other);
+        if (!too_early.empty() && !late.empty() && too_early.front() < late.front())
+          add(too_early.front(),
+              fmt::format("comes before {}, though passes go {}", pass_name(other), name(sequence)));
+      }
   }
 
   const Plan& plan_;
