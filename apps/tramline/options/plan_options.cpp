@@ -63,7 +63,7 @@ void add_map_options(CommandOptions& command, PlanOptions& o) {
   command
       .add_option("--route", o.route,
                   "With 'whole', or without a value, plan the whole route: the order of tracks and headland "
-                  "passes, and the way between each two of them. By default, and with 'none', there is no route.")
+                  "passes, and the way between each two of them. Default: none.")
       .takes("WORD")
       .value_may_be_left_out();  // a default for --help to show would stand for the value left out
   command
