@@ -106,6 +106,7 @@ std::vector<WayEnd> Connector::ways_out(const SteeredPath& left) const {
   for (const double steps : kBackSteps) {
     const double back_m = std::min(steps * step_back_m(machine), length_m);
     const SteeredPath back = retraced(part_of(left, length_m - back_m, length_m));
+    if (!ground_.has_room_along(back)) break;  // swaths may lead over a soft edge, idle machines do not
     out.push_back({end_of(back), back, backing_seconds(back_m, turning)});
     if (back_m >= length_m) break;
   }
@@ -122,6 +123,7 @@ std::vector<WayEnd> Connector::ways_in(const SteeredPath& entered) const {
   for (const double steps : kBackSteps) {
     const double back_m = std::min(steps * step_back_m(machine), length_m);
     const SteeredPath back = retraced(part_of(entered, 0, back_m));
+    if (!ground_.has_room_along(back)) break;
     out.push_back({back.front().start, back, backing_seconds(back_m, turning)});
     if (back_m >= length_m) break;
   }
