@@ -1,12 +1,11 @@
-// Plans the whole route over real fields with headlands as the turns need them, writes each plan to a file,
-// reads it back and verifies it; and looks for places where the machine leaves the land, by a road of its
-// own.
+// Plans the whole route over real fields, writes each plan to a file, reads it back and verifies it; and
+// looks for places where the machine leaves the land, by a road of its own.
 //
-//   route_real WIDTH RADIUS forward|reversing [PREFIX [DUMP]]
+//   route_real WIDTH RADIUS forward|reversing [PASSES [PREFIX [DUMP]]]
 //
-// Fields whose id begins with PREFIX alone, where it is given. Prints a line for every field, and a summary;
-// exit code 1 where a plan does not hold or a leg that is said to fit leaves the land. DUMP: a folder for the
-// legs as text.
+// PASSES: of the headlands of field and obstacles, or auto, which is the default. Fields whose id begins with
+// PREFIX alone, where it is given. Prints a line for every field, and a summary; exit code 1 where a plan
+// does not hold or a leg that is said to fit leaves the land. DUMP: a folder for the legs as text.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -93,12 +92,20 @@ void look_at(const Plan& plan, Fared& out) {
   out.gap = gap(sums.time_s, plan.route.proof.bound_s);
 }
 
-Fared plan_and_look(const Field& field, const Machine& machine, const std::string& folder) {
+/// What is planned, of which fields, and where legs are written to.
+struct Words {
+  std::string passes = "auto";
+  std::string prefix{};
+  std::string folder{};
+};
+
+Fared plan_and_look(const Field& field, const Machine& machine, const Words& words) {
+  const std::string& folder = words.folder;
   PlanSettings settings;
-  if (const char* h = std::getenv("HEADLANDS"))
-    settings.headlands = settings.obstacle_headlands = std::atoi(h);
-  else
+  if (words.passes == "auto")
     settings.headland_rule = settings.obstacle_headland_rule = HeadlandRule::kTurns;
+  else
+    settings.headlands = settings.obstacle_headlands = std::atoi(words.passes.c_str());
   settings.turns = TurnPlanning::kRoute;
   Fared out;
   std::vector<std::string> faults;
@@ -145,11 +152,11 @@ void print_gaps(const char* what, const std::vector<double>& gaps) {
              100 * quantile(gaps, 0.5), 100 * quantile(gaps, 0.95));
 }
 
-int run(const Machine& machine, const std::string& prefix, const std::string& folder) {
+int run(const Machine& machine, const Words& words) {
   const auto fields = read_or_say();
   if (!fields) return 0;
   const std::vector<Fared> all = for_each_field(*fields, [&](const Field& field) {
-    return field.id.rfind(prefix, 0) == 0 ? plan_and_look(field, machine, folder) : Fared{};
+    return field.id.rfind(words.prefix, 0) == 0 ? plan_and_look(field, machine, words) : Fared{};
   });
   Fared sum;
   std::size_t planned = 0, faulty = 0, with_room = 0;
@@ -181,7 +188,8 @@ int run(const Machine& machine, const std::string& prefix, const std::string& fo
 
 int main(int count, char** words) {
   const auto machine = tramline::testing::machine_in_words(
-      count, words, "route_real WIDTH RADIUS forward|reversing [PREFIX [DUMP]]");
+      count, words, "route_real WIDTH RADIUS forward|reversing [PASSES [PREFIX [DUMP]]]");
   if (!machine) return 2;
-  return tramline::testing::run(*machine, count > 4 ? words[4] : "", count > 5 ? words[5] : "");
+  return tramline::testing::run(
+      *machine, {count > 4 ? words[4] : "auto", count > 5 ? words[5] : "", count > 6 ? words[6] : ""});
 }

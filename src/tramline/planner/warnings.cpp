@@ -82,8 +82,9 @@ void warn_of_legs_without_room(const Plan& plan, std::vector<std::string>& out) 
   if (without_room == 0) return;
   double most_m = 0;
   for (const RouteLeg& leg : plan.route.legs) most_m = std::max(most_m, leg.missing_m);
-  out.push_back(fmt::format("the route leaves the land on {} of its {} legs, by up to {:.2f} m: no way has room there",
-                            without_room, plan.route.legs.size(), most_m));
+  out.push_back(
+      fmt::format("the route leaves the land on {} of its {} legs, by up to {:.2f} m: no way has room there",
+                  without_room, plan.route.legs.size(), most_m));
 }
 
 }  // namespace

@@ -223,8 +223,8 @@ TEST(Route, JoinsLegsOfImplementsBehindTheAxle) {
   const Plan plan = plan_field(rectangle(300, 150), machine, {}, whole_route(4));
   expect_sound(plan);
   for (const RouteLeg& leg : plan.route.legs) {
-    // On the arcs of the outermost passes, r = 5, the outer end of the bar, 3 m to the side and 5 m behind, is on a
-    // circle of √(8² + 5²) = 9.43 m, 1.43 m beyond the swath, which touches the edge.
+    // On the arcs of the outermost passes, r = 5, the outer end of the bar, 3 m to the side and 5 m behind,
+    // is on a circle of √(8² + 5²) = 9.43 m, 1.43 m beyond the swath, which touches the edge.
     if (leg.missing_m > 0) {
       EXPECT_EQ(leg.kind, LegKind::kHeadland);
     }

@@ -182,8 +182,8 @@ Expected of_legs_without_room(const Plan& plan) {
 std::vector<Expected> all_expected(const Plan& plan) {
   if (is_of_lines(plan)) return {of_unworked_land(plan)};
   return {
-      of_unworked_land(plan),       of_overrun(plan),      of_given_up_land(plan),  of_left_out_land(plan),
-      of_passes_without_room(plan), of_passes_alone(plan), of_dropped_pieces(plan), of_short_pieces(plan),
+      of_unworked_land(plan),       of_overrun(plan),      of_given_up_land(plan),    of_left_out_land(plan),
+      of_passes_without_room(plan), of_passes_alone(plan), of_dropped_pieces(plan),   of_short_pieces(plan),
       of_cut_short(plan),           of_connections(plan),  of_legs_without_room(plan)};
 }
 
