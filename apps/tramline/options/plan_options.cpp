@@ -34,7 +34,7 @@ void add_avoidance_options(CommandOptions& command, PlanOptions& o) {
       .shows_default("0");
 }
 
-void add_map_options(CommandOptions& command, PlanOptions& o) {
+void add_headland_options(CommandOptions& command, PlanOptions& o) {
   command.begin_group("Headlands and turns");
   command
       .add_option("--headlands", o.headlands,
@@ -60,6 +60,9 @@ void add_map_options(CommandOptions& command, PlanOptions& o) {
       .takes("WORD")
       .check(spacing_fault)
       .shows_default("adjacent");
+}
+
+void add_route_options(CommandOptions& command, PlanOptions& o) {
   command
       .add_option("--route", o.route,
                   "With 'whole', or without a value, plan the whole route: the order of tracks and headland "
@@ -105,6 +108,9 @@ void add_map_options(CommandOptions& command, PlanOptions& o) {
                   "Largest distance of a towed implement from its track where the work begins, in metres.")
       .takes("M")
       .shows_default("0.1");
+}
+
+void add_line_options(CommandOptions& command, PlanOptions& o) {
   command.begin_group("Tracks along a line");
   Option ab = command.add_option("--ab", o.ab,
                                  "Straight tracks along the line through two points, \"x1,y1 x2,y2\", in the "
@@ -303,7 +309,9 @@ void add_plan_options(CommandOptions& command, PlanOptions& o) {
       .takes("WORD")
       .shows_default("soft");
   add_avoidance_options(command, o);
-  add_map_options(command, o);
+  add_headland_options(command, o);
+  add_route_options(command, o);
+  add_line_options(command, o);
 }
 
 }  // namespace tramline::app

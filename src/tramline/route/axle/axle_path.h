@@ -28,4 +28,9 @@ SteeredPath closed_axle_path(const Path& path, double entered_m, const Turning& 
 /// The pose in which a path that has a stretch ends.
 Pose end_of(const SteeredPath& path);
 
+/// The pose straight on from another, m; negative: straight back.
+inline Pose moved_on(const Pose& pose, double by_m) {
+  return {pose.at + by_m * pose.heading.unit(), pose.heading};
+}
+
 }  // namespace tramline

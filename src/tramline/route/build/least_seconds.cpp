@@ -2,16 +2,11 @@
 
 #include <algorithm>
 
+#include "tramline/route/axle/axle_path.h"
 #include "tramline/turns/manoeuvres/dubins.h"
 #include "tramline/turns/manoeuvres/reeds_shepp.h"
 
 namespace tramline {
-namespace {
-
-Pose moved_on(const Pose& pose, double by_m) { return {pose.at + by_m * pose.heading.unit(), pose.heading}; }
-
-}  // namespace
-
 LeastSeconds::LeastSeconds(const Machine& machine)
     : turning_(machine.turning),
       radius_m_(std::max(machine.radius_m, kLeastRadius_m)),

@@ -31,8 +31,6 @@ SteeredPath straight(const Pose& from, double length_m) {
   return {arc_from(from, length_m, 0, Gear::kForward)};
 }
 
-Pose moved_on(const Pose& pose, double by_m) { return {pose.at + by_m * pose.heading.unit(), pose.heading}; }
-
 /// Where the implement is while the axle is in this pose in line with the work.
 Pose implement_pose(const Pose& axle, const Turning& turning) {
   return moved_on(axle, -reach_back_m(turning));
