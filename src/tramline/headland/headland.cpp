@@ -60,14 +60,16 @@ ChainsByNumber chains_of(const Field& field, const HeadlandTerms& terms) {
 
 double least_track_m(const HeadlandTerms& terms) { return std::max(terms.min_length_m, 2 * terms.width_m); }
 
-/// Takes the ground of chains off the body, and the parts of it beside them where no track fits.
-void take_chains_off(const ChainsByNumber& chains, const HeadlandTerms& terms, Region& body) {
+/// Takes the ground of chains off the body, and the parts of it beside them where no track fits. Returns
+/// these parts.
+Region take_chains_off(const ChainsByNumber& chains, const HeadlandTerms& terms, Region& body) {
   const Region ground = chains.ground();
-  if (ground.empty()) return;
+  if (ground.empty()) return {};
   body = difference(body, ground);
   Region narrow = without_room_for_tracks(body, terms.width_m, least_track_m(terms));
   std::erase_if(narrow, [&](const Polygon& part) { return distance_between({part}, ground) > kSamePlace_m; });
   if (!narrow.empty()) body = difference(body, narrow);
+  return narrow;
 }
 
 /// The land where tracks may end in any direction, a width from every boundary that has passes, and where
@@ -94,12 +96,15 @@ ClearLand clear_of_boundaries(std::vector<Boundary> boundaries, const ChainsByNu
   return out;
 }
 
-void leave_to_tracks(const Field& field, const Region& land, const ClearLand& clear,
+/// Leaves ground that no pass works to tracks. Parts of the land taken off the body for want of room go back
+/// to it whole where a track has room on them together with such ground.
+void leave_to_tracks(const Field& field, const Region& land, const ClearLand& clear, Region taken_off,
                      const HeadlandTerms& terms, HeadlandAndBody& out) {
   const double w = terms.width_m;
   const Region ceded = ceded_to_tracks(out, clear, w, least_track_m(terms));
   if (ceded.empty()) return;
-  out.body = unite(out.body, ceded);
+  std::erase_if(taken_off, [&](const Polygon& part) { return intersection({part}, ceded).empty(); });
+  out.body = unite(out.body, taken_off.empty() ? ceded : unite(ceded, taken_off));
   out.ground = difference(land, out.body);
   tally_passes(obstacle_shapes(field, ObstacleKind::kPassable), w, out);
 }
@@ -135,7 +140,7 @@ HeadlandAndBody headland_of(const Field& field, const HeadlandTerms& asked) {
     return out;
   }
   out.body = body_behind(field, land, boundaries, terms.width_m);
-  take_chains_off(chains, terms, out.body);
+  Region taken_off = take_chains_off(chains, terms, out.body);
   out.ground = difference(land, out.body);
   const Region passable = obstacle_shapes(field, ObstacleKind::kPassable);
   const auto add = [&](std::vector<HeadlandPass> passes) {
@@ -149,7 +154,8 @@ HeadlandAndBody headland_of(const Field& field, const HeadlandTerms& asked) {
   }
   tally_passes(passable, terms.width_m, out);
   if (out.uncovered_m2 > 0)
-    leave_to_tracks(field, land, clear_of_boundaries(boundaries, chains, terms.width_m), terms, out);
+    leave_to_tracks(field, land, clear_of_boundaries(boundaries, chains, terms.width_m), std::move(taken_off),
+                    terms, out);
   return out;
 }
 

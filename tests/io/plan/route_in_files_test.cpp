@@ -189,6 +189,13 @@ TEST_F(RouteInFiles, LegsAreDrawnWithinACentimetre) {
   }
 }
 
+TEST_F(RouteInFiles, LegsTooShortForAChordAreDrawnToo) {
+  Plan plan = plan_with_route();
+  plan.route.legs[4].path = {straight({7.0 / 3, 4.5}, 270, 1e-9)};
+  io::write_plan(plan, file());
+  expect_equal(io::read_plan(file()).route.legs[4].path, plan.route.legs[4].path);
+}
+
 TEST_F(RouteInFiles, RowsMayStandInAnyOrder) {
   change("UPDATE route_legs SET seq = 7 - seq");
   const Route read = io::read_plan(file()).route;

@@ -16,10 +16,15 @@ namespace {
 
 namespace layers = plan_layers;
 
-/// Where the leg is drawn: chords of the way of the axle's middle. A leg without length is a point, twice.
+/// Where the leg is drawn: chords of the way of the axle's middle. A leg too short for a chord is a point,
+/// twice.
 std::vector<Point> drawn(const RouteLeg& leg, Point before) {
   const Path path = trace(leg.path);
-  if (!path.empty()) return chords(path);
+  if (!path.empty()) {
+    std::vector<Point> out = chords(path);
+    if (out.size() == 1) out.push_back(out.front());
+    return out;
+  }
   const Point at = leg.path.empty() ? before : leg.path.front().start.at;
   return {at, at};
 }

@@ -37,6 +37,16 @@ Region without_room(const Region& parts, const Plan& plan) {
   return out;
 }
 
+/// With headlands along some edges: the parts of the body far from boundaries that are too small for a track
+/// by themselves. They are left to tracks together with the headland ground beside them.
+Region small_parts_of_body(const Case& c) {
+  if (c.plan.headland.edge_passes.empty()) return {};
+  // Parts that hang together by less than twice this, m, are apart: chords of arcs may join them.
+  constexpr double kNeck_m = 0.1;
+  const Region far = difference(c.plan.body, c.near_boundaries);
+  return without_room(buffered(buffered(far, -kNeck_m), 1.1 * kNeck_m), c.plan);
+}
+
 /// The land that remains after it is made narrower by more than a swath on all sides, where it is long enough
 /// for a track by itself.
 Region with_ample_room(const Region& ground, const Plan& plan) {
@@ -71,8 +81,8 @@ void check_ceded_to_tracks(const Case& c, Violations& out) {
               "headland passes work {:.3f} m² that are left to tracks", out);
   report_land(Rule::kBody, intersection(left, c.along_boundaries), drawn_m2,
               "{:.3f} m² left to tracks lie next to a boundary", out);
-  report_land(Rule::kBody, without_room(left, c.plan), drawn_m2,
-              "{:.3f} m² are left to tracks where none has room", out);
+  report_land(Rule::kBody, intersection(without_room(unite(left, small_parts_of_body(c)), c.plan), left),
+              drawn_m2, "{:.3f} m² are left to tracks where none has room", out);
   const Region idle = difference(difference(c.plan.headland.ground, worked), c.along_boundaries);
   report_land(Rule::kBody, with_ample_room(idle, c.plan), 0,
               "tracks have room in {:.3f} m² of the headland that no pass works", out);
