@@ -15,7 +15,7 @@ namespace tramline {
 namespace {
 
 /// Ground smaller than this is no subfield by itself, where it adjoins another one, m²; and as little is
-/// rounding.
+/// rounding, where it adjoins none.
 constexpr double kSliver_m2 = 1, kRounding_m2 = 1e-3;
 
 bool same_lines(const Subfield& a, const Subfield& b) {
@@ -35,7 +35,8 @@ const Subfield& nearest_of(const std::vector<Subfield>& layout, const Polygon& p
   return *nearest;
 }
 
-/// Each sliver becomes part of the first subfield that it adjoins along an edge; else one of its own.
+/// Each sliver becomes part of the first subfield that it adjoins along an edge; else one of its own, unless
+/// it is rounding.
 void join_slivers(std::vector<Subfield> slivers, std::vector<Subfield>& subfields) {
   for (Subfield& sliver : slivers) {
     const bool joined = std::any_of(subfields.begin(), subfields.end(), [&](Subfield& subfield) {
@@ -44,7 +45,7 @@ void join_slivers(std::vector<Subfield> slivers, std::vector<Subfield>& subfield
       subfield.shape = std::move(both.front());
       return true;
     });
-    if (!joined) subfields.push_back(std::move(sliver));
+    if (!joined && area(sliver.shape) >= kRounding_m2) subfields.push_back(std::move(sliver));
   }
 }
 
@@ -62,7 +63,7 @@ std::vector<Subfield> parts_of(const Region& ground, const std::vector<Subfield>
   }
   std::vector<Subfield> slivers;
   const auto add = [&](const Polygon& part, const Subfield& like) {
-    if (area(part) >= kRounding_m2) (area(part) >= kSliver_m2 ? out : slivers).push_back(as(part, like));
+    (area(part) >= kSliver_m2 ? out : slivers).push_back(as(part, like));
   };
   Region rest = ground;
   for (const Subfield& subfield : layout) {
