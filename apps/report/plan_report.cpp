@@ -80,8 +80,8 @@ std::string proof_rows(const Plan& plan) {
 
 /// Was there a search that tells what no plan undercuts?
 bool is_proven(const Plan& plan) {
-  return plan.settings.strategy == Strategy::kBest && references(plan).empty() && !is_repair(plan) &&
-         given_subfields(plan) == 0;
+  return plan.settings.aim == Aim::kCost && plan.settings.strategy == Strategy::kBest &&
+         references(plan).empty() && !is_repair(plan) && given_subfields(plan) == 0;
 }
 
 /// Of tracks and headland passes; infinite where all is straight, and 0 at a kink, m.
@@ -201,7 +201,10 @@ ordered_json plan_json(const Plan& plan, const std::vector<Skipped>& skipped, do
   out["stops"] = tally.stops;
   out["crossings"] = tally.crossings;
   if (!plan.turns.empty()) out["planned_turns"] = planned_turns_json(plan);
-  if (plan.route.planned()) out["route"] = route_json(plan);
+  if (plan.route.planned()) {
+    out["route"] = route_json(plan);
+    out["whole_cost"] = whole_cost_json(plan);
+  }
   out["track_length_m"] = tally.track_length_m;
   out["overlap_m2"] = tally.overlap_m2;
   out["uncovered_m2"] = tally.uncovered_m2;

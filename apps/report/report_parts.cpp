@@ -10,6 +10,7 @@
 
 #include "request/field_key.h"
 #include "tramline/model/plain_zero.h"
+#include "tramline/model/rate_values.h"
 #include "tramline/model/turning_values.h"
 
 namespace tramline::app {
@@ -108,6 +109,13 @@ std::string prices_text(const Objective& prices) {
 ordered_json turning_json(const Turning& turning) {
   ordered_json out{{kReverseKey, turning.reverse}, {kImplementKey, name(turning.implement)}};
   for (const TurningNumber& number : kTurningNumbers) out[number.key] = turning.*number.value;
+  return out;
+}
+
+ordered_json given_rates_json(const Rates& rates) {
+  ordered_json out{{kOperationKey, name(rates.operation)}};
+  for (const RateNumber& number : kRateNumbers)
+    if (rates.*number.value >= 0) out[number.key] = rates.*number.value;
   return out;
 }
 

@@ -49,6 +49,8 @@ std::string directions_text(const std::vector<Direction>& directions, std::size_
 std::string prices_text(const Objective& prices);
 /// The object `turning` of docs/json.md: all values, under the keys of the machine file.
 nlohmann::ordered_json turning_json(const Turning& turning);
+/// The operation, and those numbers that are not left to what is usual for it.
+nlohmann::ordered_json given_rates_json(const Rates& rates);
 /// The object `weights` of docs/json.md.
 nlohmann::ordered_json weights_json(const Objective& prices);
 

@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "report/report_parts.h"
 #include "tramline/model/plain_zero.h"
+#include "tramline/model/rate_values.h"
 
 namespace tramline::app {
 namespace {
@@ -72,6 +74,69 @@ std::string room_row(const Route& route, const RouteSums& sums) {
 
 }  // namespace
 
+ordered_json rates_json(const Machine& machine) {
+  const Rates rates = rates_of(machine);
+  ordered_json out{{kOperationKey, name(rates.operation)}};
+  for (const RateNumber& number : kRateNumbers) out[number.key] = rates.*number.value;
+  return out;
+}
+
+ordered_json whole_cost_json(const Plan& plan) {
+  assert(plan.route.planned());
+  const WholeCost cost = whole_cost(plan);
+  constexpr double kHour_s = 3600;
+  const double time_s = cost.time_s();
+  return {{"euros", cost.euros()},
+          {"hours", time_s / kHour_s},
+          {"litres", cost.fuel_l},
+          {"working_h", cost.working_s / kHour_s},
+          {"headland_h", cost.headland_s / kHour_s},
+          {"turning_h", cost.turning_s / kHour_s},
+          {"transit_h", cost.transit_s / kHour_s},
+          {"not_working_share", time_s > 0 ? cost.not_working_s() / time_s : 0},
+          {"field_efficiency", cost.field_efficiency},
+          {"euros_hours", cost.hours},
+          {"euros_fuel", cost.fuel},
+          {"euros_overlap", cost.overlap},
+          {"euros_missed", cost.missed},
+          {"euros_driven_over", cost.driven_over},
+          {"rates", rates_json(plan.machine)}};
+}
+
+ordered_json compared_routes_json(const std::vector<RouteAlternative>& routes) {
+  ordered_json out = ordered_json::array();
+  for (const RouteAlternative& route : routes) {
+    ordered_json directions = ordered_json::array();
+    for (const Direction direction : route.directions) directions.push_back(direction.degrees());
+    out.push_back({{"directions_deg", std::move(directions)},
+                   {"headlands", route.headlands},
+                   {"all_round", route.all_round},
+                   {"hours", route.cost.time_s() / 3600},
+                   {"euros", route.cost.euros()},
+                   {"without_room", route.without_room}});
+  }
+  return out;
+}
+
+std::string compared_routes_rows(const std::vector<RouteAlternative>& routes) {
+  if (routes.empty()) return "";
+  constexpr std::size_t kShown = 3;
+  std::string out = "compared     route by route; the first is the plan whose tracks alone cost least\n";
+  for (const RouteAlternative& route : routes) {
+    const std::string passes =
+        route.headlands == 0
+            ? "no headland"
+            : fmt::format("{} {} {}", route.headlands, route.headlands == 1 ? "pass" : "passes",
+                          route.all_round ? "all round" : "where tracks end");
+    out += fmt::format("             {:.2f} €, {:.2f} h: tracks at {}, {}{}\n", route.cost.euros(),
+                       route.cost.time_s() / 3600, directions_text(route.directions, kShown), passes,
+                       route.without_room == 0 ? ""
+                                               : fmt::format(", {} {} without room", route.without_room,
+                                                             route.without_room == 1 ? "leg" : "legs"));
+  }
+  return out;
+}
+
 ordered_json route_json(const Plan& plan) {
   assert(plan.route.planned());
   const Route& route = plan.route;
@@ -98,6 +163,19 @@ std::string route_rows(const Plan& plan) {
   if (!plan.route.planned()) return "";
   const RouteSums sums = sums_of(plan.route);
   return first_row(plan, sums) + room_row(plan.route, sums);
+}
+
+std::string whole_cost_row(const Plan& plan) {
+  if (!plan.route.planned()) return "";
+  const WholeCost cost = whole_cost(plan);
+  const Rates rates = rates_of(plan.machine);
+  std::string out = fmt::format("whole cost   {:.2f} €: {:.2f} h at {:g} €/h", plain_zero(cost.euros()),
+                                cost.time_s() / 3600, rates.price_per_hour);
+  if (cost.fuel_l > 0) out += fmt::format(", {:.1f} l at {:g} €/l", cost.fuel_l, rates.fuel_price);
+  out += fmt::format(", worked twice {:.2f} €, missed {:.2f} €", plain_zero(cost.overlap),
+                     plain_zero(cost.missed));
+  if (cost.driven_over > 0) out += fmt::format(", crop driven over {:.2f} €", cost.driven_over);
+  return out + fmt::format("; field efficiency {:.1f} %\n", 100 * cost.field_efficiency);
 }
 
 }  // namespace tramline::app

@@ -151,6 +151,28 @@ Turning turning_typed(const TurningOptions& typed, const Turning& turning) {
   return out;
 }
 
+/// `machine` with what was typed about its operation and its prices. The speed is then the one usual for that
+/// operation, unless it is typed too.
+Machine with_rates_typed(const PlanOptions& o, Machine machine) {
+  const RateOptions& typed = o.rates;
+  if (!typed.operation.empty()) {
+    const auto operation = operation_named(typed.operation);
+    if (!operation)
+      throw bad_input(
+          fmt::format("--operation takes one of {}, not '{}'", operation_words(), typed.operation));
+    machine.rates.operation = *operation;
+    machine.turning.working_speed_mps = usual_speed_mps(*operation);
+  }
+  for (std::size_t i = 0; i < kRateNumbers.size(); ++i) {
+    if (!typed.numbers[i]) continue;
+    const RateNumber& number = kRateNumbers[i];
+    if (const std::string fault = fault_of(number, *typed.numbers[i]); !fault.empty())
+      throw bad_input(fmt::format("{} {}", option_of(number), fault));
+    machine.rates.*number.value = *typed.numbers[i];
+  }
+  return machine;
+}
+
 /// "x,y" or the points of a file; nothing where nothing was typed.
 std::optional<GatePoints> gate_of(const std::string& text, const char* option,
                                   const std::string& crs_definition) {
@@ -163,6 +185,11 @@ std::optional<GatePoints> gate_of(const std::string& text, const char* option,
   query.file = text;
   query.all_layers = true;
   return read_gates(io::read_vector(query), crs_definition);
+}
+
+/// Whether the user has said what tracks are to cost, or plans as a paper does.
+bool is_priced_otherwise(const PlanOptions& o) {
+  return !(o.weights.empty() && o.prices.empty() && o.minimise.empty() && o.like.empty());
 }
 
 constexpr const char* kBestOrder = "best";
@@ -224,6 +251,12 @@ std::string option_of(const TurningNumber& number) {
   return out;
 }
 
+std::string option_of(const RateNumber& number) {
+  std::string out = std::string("--") + number.key;
+  std::replace(out.begin(), out.end(), '_', '-');
+  return out;
+}
+
 std::optional<GuideLine> guide_of(const PlanOptions& o, const std::string& crs_definition) {
   if (!o.ab.empty()) {
     const std::vector<double> n = four_numbers(o.ab);
@@ -262,6 +295,7 @@ Machine machine_of(const PlanOptions& o) {
   // Zhou drops no piece.
   if (machine.min_length_m < 0 && o.tracks == name(TrackConstruction::kPaper)) machine.min_length_m = 0;
   if (o.min_length_m) machine.min_length_m = length_typed(*o.min_length_m, kLeastTrackLength);
+  machine = with_rates_typed(o, std::move(machine));
   machine.turning = turning_typed(o.turning, machine.turning);
   return machine;
 }
@@ -286,6 +320,7 @@ PlanSettings settings_of(const PlanOptions& o) {
   settings.direction_tolerance = Angle::degrees(o.direction_tolerance_deg);
   set_headlands(o, settings);
   settings.turns = turns_typed(o, settings);
+  if (settings.turns == TurnPlanning::kRoute && !is_priced_otherwise(o)) settings.aim = Aim::kWholeCost;
   set_order(o, settings);
   settings.route.passes =
       chosen(pass_time_named(o.headland_time), "--headland-time", o.headland_time, "first or last");

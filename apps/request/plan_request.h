@@ -7,6 +7,7 @@
 
 #include "tramline/admission/read_guide.h"
 #include "tramline/model/plan.h"
+#include "tramline/model/rate_values.h"
 #include "tramline/model/turning_values.h"
 
 namespace tramline::app {
@@ -18,10 +19,17 @@ struct TurningOptions {
   std::array<std::optional<double>, kTurningNumbers.size()> numbers{};  ///< in the order of kTurningNumbers
 };
 
+/// What the work of the machine costs, as typed; empty or unset where the user gave nothing.
+struct RateOptions {
+  std::string operation;
+  std::array<std::optional<double>, kRateNumbers.size()> numbers{};  ///< in the order of kRateNumbers
+};
+
 /// The options as typed; empty or unset where the user gave none.
 struct PlanOptions {
   std::optional<double> width_m, radius_m, min_length_m;
   TurningOptions turning;
+  RateOptions rates;
   std::string machine_file;
   std::string like;  ///< a paper: what was not typed is as there (paper_conventions.h)
   std::string weights, prices, minimise;
@@ -52,6 +60,8 @@ struct PlanOptions {
 
 /// "--turning-speed", the option for a number of kTurningNumbers.
 std::string option_of(const TurningNumber& number);
+/// "--price-per-hour", the option for a number of kRateNumbers.
+std::string option_of(const RateNumber& number);
 /// The machine file, overruled by --width, --radius, --min-length and the options for turning. Throws
 /// kBadInput.
 Machine machine_of(const PlanOptions& options);

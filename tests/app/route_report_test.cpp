@@ -59,6 +59,17 @@ TEST(RouteReport, NamesLegsWithoutRoom) {
 
 TEST(RouteReport, WithoutARouteThereIsNothingToSay) { EXPECT_EQ(route_rows(Plan{}), ""); }
 
+// 0.25 h at 90 €/h; at 5 l/ha · 3 m · 2 m/s = 10.8 l/h, half of it with the work off.
+TEST(RouteReport, WholeCostIsOneRow) {
+  const std::string row = whole_cost_row(routed());
+  EXPECT_EQ(row.find("whole cost   "), 0U) << row;
+  EXPECT_NE(row.find(": 0.25 h at 90 €/h, "), std::string::npos) << row;
+  EXPECT_NE(row.find(" l at 1.2 €/l, worked twice 0.00 €, missed 0.00 €; field efficiency "),
+            std::string::npos)
+      << row;
+  EXPECT_EQ(whole_cost_row(Plan{}), "");
+}
+
 TEST(RouteReport, NoBoundProvesNothing) {
   Plan unproven = routed();
   unproven.route.proof.bound_s = 0;

@@ -11,6 +11,7 @@
 #include "server/input/json_input.h"
 #include "server/map/shown_place.h"
 #include "tramline/geometry/error.h"
+#include "tramline/model/rate_values.h"
 #include "tramline/model/turning_values.h"
 #include "tramline/planner/validate_request.h"
 
@@ -63,9 +64,32 @@ std::vector<const char*> turning_keys() {
   return out;
 }
 
-Turning turning_in(const ordered_json& json, const std::string& place) {
+Rates rates_in(const ordered_json& json, const std::string& place) {
+  std::vector<const char*> keys{kOperationKey};
+  for (const RateNumber& number : kRateNumbers) keys.push_back(number.key);
+  const JsonInput input(json, place, keys);
+  Rates out;
+  if (input.has(kOperationKey)) {
+    const auto operation = operation_named(input.text(kOperationKey));
+    if (!operation)
+      throw bad_input(
+          fmt::format("{} has to be one of {}", input.place_of(kOperationKey), operation_words()));
+    out.operation = *operation;
+  }
+  for (const RateNumber& number : kRateNumbers) {
+    const std::optional<double> value = input.number_if(number.key);
+    if (!value) continue;
+    if (const std::string fault = fault_of(number, *value); !fault.empty())
+      throw bad_input(fmt::format("{} {}", input.place_of(number.key), fault));
+    out.*number.value = *value;
+  }
+  return out;
+}
+
+Turning turning_in(const ordered_json& json, const std::string& place, Operation operation) {
   const JsonInput input(json, place, turning_keys());
   Turning out;
+  out.working_speed_mps = usual_speed_mps(operation);
   out.reverse = input.flag_if(kReverseKey).value_or(out.reverse);
   if (input.has(kImplementKey)) {
     const auto coupling = coupling_named(input.text(kImplementKey));
@@ -89,14 +113,19 @@ Point as_in_files(Point shown, const LocalFrame& frame) {
 }  // namespace
 
 Machine machine_in(const ordered_json& json, const std::string& place) {
-  const JsonInput input(json, place, {"id", "name", "width_m", "radius_m", "min_length_m", "turning"});
+  const JsonInput input(json, place,
+                        {"id", "name", "width_m", "radius_m", "min_length_m", "turning", "rates"});
   app::PlanOptions options;
   options.width_m = input.number("width_m");
   options.radius_m = input.number("radius_m");
   options.min_length_m = input.number_if("min_length_m");
   Machine machine = app::machine_of(options);
   machine.name = name_of(input, "name");
-  if (input.has("turning")) machine.turning = turning_in(input.value("turning"), input.place_of("turning"));
+  if (input.has("rates")) machine.rates = rates_in(input.value("rates"), input.place_of("rates"));
+  const Operation operation = machine.rates.operation;
+  machine.turning.working_speed_mps = usual_speed_mps(operation);
+  if (input.has("turning"))
+    machine.turning = turning_in(input.value("turning"), input.place_of("turning"), operation);
   validate_request(machine, {}, {});
   return machine;
 }

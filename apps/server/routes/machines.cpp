@@ -20,6 +20,7 @@ ordered_json json_of(const io::ListedMachine& listed) {
                    {"radius_m", machine.radius_m},
                    {"min_length_m", shortest}};
   if (machine.turning != Turning{}) out["turning"] = app::turning_json(machine.turning);
+  if (machine.rates != Rates{}) out["rates"] = app::given_rates_json(machine.rates);
   return out;
 }
 

@@ -42,7 +42,9 @@ PlanRequest plan_request(App& app, const ordered_json& json) {
   out.objective = objective_in(input.value("objective"));
   const SettingsInput settings = settings_in(input.value("settings"));
   validate_request(out.machine, out.objective, settings.settings);
+  const bool priced_by_user = input.has("objective") && !input.value("objective").is_null();
   out.settings = settings_on(settings, out.field->field, out.machine);
+  if (out.settings.turns == TurnPlanning::kRoute && !priced_by_user) out.settings.aim = Aim::kWholeCost;
   out.explain = input.flag_if("explain").value_or(false);
   out.draft = input.flag_if("draft").value_or(false);
   out.seconds = input.number_if("seconds");

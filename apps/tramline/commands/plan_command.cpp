@@ -23,6 +23,7 @@
 #include "report/map_table_report.h"
 #include "report/plan_report.h"
 #include "report/plan_summary.h"
+#include "report/route_report.h"
 #include "request/field_key.h"
 #include "request/output_names.h"
 #include "tramline/geodesy/crs.h"
@@ -295,6 +296,7 @@ class PlanCommand : public Command {
   struct Planned {
     Plan plan;
     std::optional<Explanation> why;
+    std::vector<RouteAlternative> routes{};  ///< with --explain
     double seconds = 0;
   };
 
@@ -310,6 +312,7 @@ class PlanCommand : public Command {
           plan_and_explain(field, machine_, objective_, settings, threads_, shown(field, progress));
       out.plan = std::move(both.plan);
       out.why = std::move(both.why);
+      out.routes = std::move(both.routes);
     } else {
       out.plan = plan_field(field, machine_, objective_, settings, threads_, shown(field, progress));
     }
@@ -320,14 +323,16 @@ class PlanCommand : public Command {
   nlohmann::ordered_json json_of(const Planned& planned, const std::vector<Skipped>& skipped) const {
     nlohmann::ordered_json out = plan_json(planned.plan, skipped, planned.seconds);
     if (explain_) out["explain"] = planned.why ? explain_json(*planned.why) : nlohmann::ordered_json();
+    if (!planned.routes.empty()) out["compared_routes"] = compared_routes_json(planned.routes);
     return out;
   }
 
   std::string explanation_of(const Planned& planned, const std::vector<Skipped>& skipped) const {
     if (!explain_) return "";
-    return plan_details(planned.plan, skipped, planned.seconds) +
-           (planned.why ? explain_rows(*planned.why, planned.plan.cost)
-                        : "cost by cause  is known of straight tracks only\n");
+    const std::string details = plan_details(planned.plan, skipped, planned.seconds);
+    if (!planned.routes.empty()) return details + compared_routes_rows(planned.routes);
+    return details + (planned.why ? explain_rows(*planned.why, planned.plan.cost)
+                                  : "cost by cause  is known of straight tracks only\n");
   }
 
   Progress shown(const Field& field, ProgressLine& progress) const {

@@ -196,6 +196,34 @@ void add_turning_options(CommandOptions& command, TurningOptions& o) {
   add(&Turning::vehicle_width_m, "M", "Width of the vehicle, in metres.");
 }
 
+void add_rate_options(CommandOptions& command, RateOptions& o) {
+  const auto add = [&](double Rates::*value, const char* unit, const char* help, const char* usual) {
+    for (std::size_t i = 0; i < kRateNumbers.size(); ++i)
+      if (kRateNumbers[i].value == value)
+        command.add_option(option_of(kRateNumbers[i]), o.numbers[i], help).takes(unit).shows_default(usual);
+  };
+  const char* const usual = "as usual for the operation";
+  command.begin_group("Prices of the whole route");
+  command
+      .add_option("--operation", o.operation,
+                  fmt::format("What the machine does: {}. It decides the usual prices, and the speed at work "
+                              "where --working-speed is not given.",
+                              operation_words()))
+      .takes("WORD")
+      .shows_default("general");
+  add(&Rates::price_per_hour, "€", "Machine and driver per hour, without fuel, in euros.", usual);
+  add(&Rates::fuel_l_per_h, "L", "Fuel at work, in litres per hour; with the work off half of it counts.",
+      usual);
+  add(&Rates::fuel_price, "€", "Fuel, in euros per litre.", "1.2");
+  add(&Rates::sections, "N",
+      "Sections of the implement that switch off by themselves over worked land: overlap takes an N-th of "
+      "the input.",
+      "1");
+  add(&Rates::input_price_per_ha, "€",
+      "Seed, spray or fertiliser, in euros per hectare: land worked twice gets it twice.", usual);
+  add(&Rates::margin_per_ha, "€", "What a hectare left unworked loses, in euros.", usual);
+}
+
 void add_objective_options(CommandOptions& command, PlanOptions& o) {
   command.begin_group("Objective");
   Option weights = command.add_option("--weights", o.weights,
@@ -260,6 +288,7 @@ void add_plan_options(CommandOptions& command, PlanOptions& o) {
       .shows_default("the program's own");
   add_machine_options(command, o, "twice the working width");
   add_turning_options(command, o.turning);
+  add_rate_options(command, o.rates);
   add_objective_options(command, o);
   command.begin_group("Search");
   command

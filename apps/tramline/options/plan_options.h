@@ -16,6 +16,8 @@ void add_land_options(CommandOptions& command, LandOptions& options);
 void add_machine_options(CommandOptions& command, PlanOptions& options, const char* least_length);
 /// What the machine needs to turn: --reverse, --working-speed … --vehicle-width.
 void add_turning_options(CommandOptions& command, TurningOptions& options);
+/// What the work of the machine costs.
+void add_rate_options(CommandOptions& command, RateOptions& options);
 /// Only --weights, --prices and --minimise.
 void add_objective_options(CommandOptions& command, PlanOptions& options);
 

@@ -33,6 +33,37 @@ struct Turning {
   bool operator==(const Turning& other) const = default;
 };
 
+/// What a machine does on a field. It decides the usual prices and the usual speed at work.
+enum class Operation {
+  kGeneral,
+  kSeeding,
+  kSpraying,
+  kSpreading,
+  kTillage,
+  kMowing,
+  kHarvest,
+  kWeeding,  ///< by a robot
+  kDrone     ///< spraying from the air
+};
+/// general, seeding, spraying, spreading, tillage, mowing, harvest, robot weeding, drone
+const char* name(Operation operation);
+std::optional<Operation> operation_named(std::string_view word);
+/// docs/machine.md says where it is from; of kGeneral the default of Turning.
+double usual_speed_mps(Operation operation);
+
+/// What the work of a machine costs, in euros. A negative number stands for what is usual for the operation.
+struct Rates {
+  Operation operation = Operation::kGeneral;
+  double price_per_hour = -1;      ///< of machine and driver, without fuel
+  double fuel_l_per_h = -1;        ///< at work; half of it with the work off
+  double fuel_price = -1;          ///< per litre
+  double sections = -1;            ///< that switch off by themselves where the land is worked already
+  double input_price_per_ha = -1;  ///< seed, spray or fertiliser, which land worked twice gets twice
+  double margin_per_ha = -1;       ///< lost where land is missed, and where standing crop is driven over
+
+  bool operator==(const Rates& other) const = default;
+};
+
 /// Lengths in metres. width_m is the working width w, radius_m the least turning radius r of the axle.
 struct Machine {
   std::string name;
@@ -40,7 +71,13 @@ struct Machine {
   double radius_m = 6;
   double min_length_m = -1;  ///< shortest piece worth driving; negative: the default, 2 w (Versleijen §2.2.1)
   Turning turning{};
+  Rates rates{};
 };
+
+/// The machine's rates with what is usual for its operation in the place of negative numbers.
+Rates rates_of(const Machine& machine);
+/// Whether what the operation works on stands as a crop: then driving over it costs.
+bool works_standing_crop(Operation operation);
 
 /// Machines that turn on the spot are planned as if this were the radius of their turns, m.
 inline constexpr double kLeastRadius_m = 0.01;

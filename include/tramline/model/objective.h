@@ -1,9 +1,11 @@
 #pragma once
-// The cost of a plan: S = λo·o + λu·u + λt·t + λs·stops + λd·(subfields − 1). With the last two prices at 0
-// it is the cost of Versleijen (2019), eq. 1.
+// What a plan costs. Of its tracks alone: S = λo·o + λu·u + λt·t + λs·stops + λd·(subfields − 1), which with
+// the last two prices at 0 is the cost of Versleijen (2019), eq. 1. Of its whole route: hours, litres and
+// euros.
 
 namespace tramline {
 
+struct Plan;
 struct Tally;
 
 /// Prices per m² of overlap, per m² uncovered, per turn, per stop, and per subfield after the first. In euros
@@ -29,5 +31,32 @@ double cost(const Objective& objective, const Tally& tally);
 /// The share of the working width at which running on past a soft edge stops paying:
 /// λo/(λo+λu), ½ when both are 0 (glossary: end rule `cheapest`).
 double cheapest_share(const Objective& objective);
+
+/// What it takes to drive the whole route of a plan and what the plan does to the land, priced by the rates
+/// of its machine (docs/prices.md).
+struct WholeCost {
+  // Seconds. Changes of gear count where they happen, backing out as turning.
+  double working_s = 0;
+  double headland_s = 0;
+  double turning_s = 0;
+  double transit_s = 0;
+  double fuel_l = 0;
+  // Euros.
+  double hours = 0;        ///< of machine and driver
+  double fuel = 0;         ///< all litres
+  double overlap = 0;      ///< input on land worked twice
+  double missed = 0;       ///< margin of land not worked
+  double driven_over = 0;  ///< margin of standing crop under the wheels of ways with the work off
+  /// Land worked per hour, of what the machine would work at working speed over its whole width without ever
+  /// turning: the field efficiency of ASABE S495.
+  double field_efficiency = 0;
+
+  double time_s() const { return working_s + headland_s + turning_s + transit_s; }
+  double not_working_s() const { return turning_s + transit_s; }
+  double euros() const { return hours + fuel + overlap + missed + driven_over; }
+};
+
+/// Of a plan that has a route. O(n) for n legs.
+WholeCost whole_cost(const Plan& plan);
 
 }  // namespace tramline

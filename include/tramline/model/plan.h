@@ -79,8 +79,13 @@ enum class HeadlandRule { kPasses, kTurns };
 /// headland passes and gates included.
 enum class TurnPlanning { kNone, kTurns, kRoute };
 
+/// What the planner makes least. kCost: the cost of tracks and passes by the objective (Plan::cost).
+/// kWholeCost: the euros of the whole route (WholeCost), with TurnPlanning::kRoute.
+enum class Aim { kCost, kWholeCost };
+
 /// Everything besides field, machine and objective that shapes a plan.
 struct PlanSettings {
+  Aim aim = Aim::kCost;
   Strategy strategy = Strategy::kBest;
   EndRule end_rule = EndRule::kCheapest;
   EdgeKind boundary = EdgeKind::kSoft;  ///< kind of the field's outer ring; obstacles are hard
@@ -128,6 +133,7 @@ struct PlanSettings {
 /// The anchor that the settings amount to: never kDefault.
 AbAnchor anchor_of(const PlanSettings& settings);
 
+const char* name(Aim aim);                ///< cost, whole_cost
 const char* name(EndRule rule);           ///< centre, cover, inside, cheapest
 const char* name(EdgeKind kind);          ///< soft, hard
 const char* name(Strategy strategy);      ///< best, sweep
@@ -141,6 +147,7 @@ const char* name(PlanOrigin origin);      ///< planned, lines
 const char* name(HeadlandRule rule);      ///< passes, auto
 const char* name(TurnPlanning choice);    ///< none, planned, route
 /// The inverse of name(); nullopt for any other word.
+std::optional<Aim> aim_named(std::string_view word);
 std::optional<EndRule> end_rule_named(std::string_view word);
 std::optional<EdgeKind> edge_kind_named(std::string_view word);
 std::optional<Strategy> strategy_named(std::string_view word);

@@ -2,6 +2,7 @@
 // Planning a field for a machine and an objective.
 
 #include <optional>
+#include <vector>
 
 #include "tramline/model/explanation.h"
 #include "tramline/model/plan.h"
@@ -17,10 +18,22 @@ namespace tramline {
 Plan plan_field(const Field& field, const Machine& machine, const Objective& objective,
                 const PlanSettings& settings, int threads = 0, const Progress& progress = {});
 
+/// A plan that was compared by its whole route.
+struct RouteAlternative {
+  std::vector<Direction> directions;  ///< of its subfields
+  int headlands = 0;                  ///< the most passes along an edge of the field
+  bool all_round = true;              ///< as many along all edges
+  WholeCost cost;
+  std::size_t without_room = 0;  ///< legs that leave the land
+};
+
 struct ExplainedPlan {
   Plan plan;
   /// For straight tracks only: costs of curved tracks are not split into causes.
   std::optional<Explanation> why;
+  /// With Aim::kWholeCost: all plans whose routes were compared, the first of them the one that costs least
+  /// without its route.
+  std::vector<RouteAlternative> routes{};
 };
 
 /// The same plan and, where its tracks are straight, the explanation why it was chosen. Takes longer:

@@ -1,8 +1,11 @@
 #include "tramline/check/not_verified.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "tramline/check/rules/rules.h"
+#include "tramline/model/rate_values.h"
 #include "tramline/model/turning_values.h"
 
 namespace tramline::check {
@@ -48,8 +51,18 @@ void add_settings(const Plan& plan, Names& out) {
 void add_turning(const Plan& plan, Names& out) {
   const Turning& turning = plan.machine.turning;
   if (turning == Turning{}) return;
-  for (const char* key : {kReverseKey, kImplementKey}) out.push_back(std::string("machine.") + key);
-  for (const TurningNumber& number : kTurningNumbers) out.push_back(std::string("machine.") + number.key);
+  for (const char* key : {kReverseKey, kImplementKey}) out.push_back(fmt::format("machine.{}", key));
+  for (const TurningNumber& number : kTurningNumbers) out.push_back(fmt::format("machine.{}", number.key));
+}
+
+/// Prices price a plan, whatever it is; that no other plan costs less is not verified.
+void add_rates(const Plan& plan, Names& out) {
+  if (plan.settings.aim != Aim::kCost) out.emplace_back("settings.aim");
+  const Rates& rates = plan.machine.rates;
+  if (rates == Rates{}) return;
+  out.push_back(fmt::format("machine.{}", kOperationKey));
+  for (const RateNumber& number : kRateNumbers)
+    if (rates.*number.value >= 0) out.push_back(fmt::format("machine.{}", number.key));
 }
 
 void add_encounters(const Plan& plan, Names& out) {
@@ -107,6 +120,7 @@ std::vector<std::string> not_verified(const Plan& plan) {
   if (plan.figures == PlanFigures::kTracks) out.emplace_back("warnings");
   add_prices(plan, out);
   add_settings(plan, out);
+  add_rates(plan, out);
   add_turning(plan, out);
   return out;
 }

@@ -1,6 +1,73 @@
 #include "tramline/model/machine.h"
 
+#include <array>
+
 namespace tramline {
+namespace {
+
+/// What is usual for an operation: prices of docs/prices.md, speeds near the typical ones of ASAE D497.7
+/// (table 3), fuel near Iowa State University Extension A3-27 (gallons per acre).
+struct Usual {
+  Operation operation;
+  const char* name;
+  double speed_mps;
+  double price_per_hour;
+  double fuel_l_per_ha;
+  double input_price_per_ha;
+  double margin_per_ha;
+  bool standing_crop;
+};
+
+constexpr std::array<Usual, 9> kUsual{{
+    {Operation::kGeneral, "general", 2.5, 90, 5, 200, 1000, false},
+    {Operation::kSeeding, "seeding", 2.2, 90, 3.5, 110, 1000, false},
+    {Operation::kSpraying, "spraying", 2.9, 120, 1, 60, 400, true},
+    {Operation::kSpreading, "spreading", 3.1, 100, 1.5, 150, 500, true},
+    {Operation::kTillage, "tillage", 3.1, 110, 6, 0, 100, false},
+    {Operation::kMowing, "mowing", 3.1, 80, 5.5, 0, 700, true},
+    {Operation::kHarvest, "harvest", 1.4, 250, 10, 0, 1500, true},
+    {Operation::kWeeding, "robot weeding", 1, 15, 0, 0, 800, true},
+    {Operation::kDrone, "drone", 5, 60, 0, 60, 400, false},
+}};
+constexpr double kUsualFuelPrice = 1.2;  // euros per litre
+
+const Usual& usual_of(Operation operation) {
+  for (const Usual& usual : kUsual)
+    if (usual.operation == operation) return usual;
+  return kUsual.front();
+}
+
+void fill_in(double& value, double usual) {
+  if (value < 0) value = usual;
+}
+
+}  // namespace
+
+const char* name(Operation operation) { return usual_of(operation).name; }
+
+std::optional<Operation> operation_named(std::string_view word) {
+  for (const Usual& usual : kUsual)
+    if (word == usual.name) return usual.operation;
+  return std::nullopt;
+}
+
+double usual_speed_mps(Operation operation) { return usual_of(operation).speed_mps; }
+
+bool works_standing_crop(Operation operation) { return usual_of(operation).standing_crop; }
+
+Rates rates_of(const Machine& machine) {
+  const Usual& usual = usual_of(machine.rates.operation);
+  constexpr double kHaPerHour = 3600 / 1e4;  // in a m²/s
+  Rates out = machine.rates;
+  fill_in(out.price_per_hour, usual.price_per_hour);
+  fill_in(out.fuel_l_per_h,
+          usual.fuel_l_per_ha * machine.width_m * machine.turning.working_speed_mps * kHaPerHour);
+  fill_in(out.fuel_price, kUsualFuelPrice);
+  fill_in(out.sections, 1);
+  fill_in(out.input_price_per_ha, usual.input_price_per_ha);
+  fill_in(out.margin_per_ha, usual.margin_per_ha);
+  return out;
+}
 
 const char* name(Coupling coupling) { return coupling == Coupling::kTowed ? "towed" : "mounted"; }
 

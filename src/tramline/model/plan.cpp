@@ -31,6 +31,8 @@ const char* name(EndRule rule) {
   return "";
 }
 
+const char* name(Aim aim) { return aim == Aim::kCost ? "cost" : "whole_cost"; }
+
 const char* name(EdgeKind kind) { return kind == EdgeKind::kSoft ? "soft" : "hard"; }
 
 const char* name(Strategy strategy) { return strategy == Strategy::kBest ? "best" : "sweep"; }
@@ -113,6 +115,7 @@ std::optional<EndRule> end_rule_named(std::string_view word) {
 std::optional<EdgeKind> edge_kind_named(std::string_view word) {
   return named(word, {EdgeKind::kSoft, EdgeKind::kHard});
 }
+std::optional<Aim> aim_named(std::string_view word) { return named(word, {Aim::kCost, Aim::kWholeCost}); }
 std::optional<Strategy> strategy_named(std::string_view word) {
   return named(word, {Strategy::kBest, Strategy::kSweep});
 }

@@ -23,6 +23,7 @@
 #include "tramline/planner/prepare_field.h"
 #include "tramline/planner/search/straight_search.h"
 #include "tramline/planner/warnings.h"
+#include "tramline/planner/whole/cheapest_route.h"
 
 namespace tramline {
 namespace {
@@ -101,7 +102,7 @@ ExplainedPlan cheapest_shape(const PlanningProblem& problem, const SearchContext
   std::optional<Candidate> along_edge;
   if (for_curves) along_edge = along_best_edge(SearchTask(curved, for_curves->field), context);
   const double curved_cost =
-      along_edge ? whole_cost(SearchTask(curved, for_curves->field), *along_edge) : kAnyCost;
+      along_edge ? cost_with_headland(SearchTask(curved, for_curves->field), *along_edge) : kAnyCost;
 
   const bool shared = settings_decide_headlands(straight);
   std::optional<Preparation> own = shared ? std::nullopt : prepare_field(straight, context);
@@ -110,10 +111,11 @@ ExplainedPlan cheapest_shape(const PlanningProblem& problem, const SearchContext
   const SearchTask task(straight, for_straight->field);
   const double no_more_than = explain == Explain::kYes ? kAnyCost : curved_cost - least_by_headland(task);
   SearchResult found = found_on(task, *for_straight, context, no_more_than);
-  const double straight_cost = found.best.works() ? whole_cost(task, found.best) : kAnyCost;
+  const double straight_cost = found.best.works() ? cost_with_headland(task, found.best) : kAnyCost;
   std::optional<Candidate> mixed;
   if (!as_in_the_paper(problem.settings)) mixed = mixed_search(task, found, context);
-  const bool is_mixed = mixed && costs_less(whole_cost(task, *mixed), std::min(straight_cost, curved_cost));
+  const bool is_mixed =
+      mixed && costs_less(cost_with_headland(task, *mixed), std::min(straight_cost, curved_cost));
 
   ExplainedPlan out;
   if (is_mixed)
@@ -232,6 +234,12 @@ ExplainedPlan planned(const PlanningProblem& problem, const SearchContext& conte
     out = planned_with_headlands_for_turns(problem, context);
   else
     out = searched(problem, context, explain);
+  if (compares_routes(problem.settings) && out.plan.route.planned()) {
+    ComparedRoutes compared = cheapest_route(problem, std::move(out.plan), context);
+    out.plan = std::move(compared.plan);
+    out.routes = std::move(compared.all);
+    out.why.reset();  // it explains the cost of tracks
+  }
   if (!out.plan.turns.empty() && out.plan.settings.boundary == EdgeKind::kSoft)
     out.plan.room_beyond_m = room_beyond_edges(out.plan);
   if (context.cut_short()) mark_cut_short(out.plan);

@@ -7,6 +7,7 @@
 
 #include "tramline/geometry/error.h"
 #include "tramline/model/limits.h"
+#include "tramline/model/rate_values.h"
 #include "tramline/model/turning_values.h"
 
 namespace tramline {
@@ -78,6 +79,8 @@ void validate_request(const Machine& machine, const Objective& objective, const 
   require_metres(machine.radius_m, 0, kFarthest_m, "turning radius");
   require_metres_or_default(machine.min_length_m, kLeastTrackLength);
   if (const std::string fault = turning_fault(machine.turning); !fault.empty())
+    throw bad_input("the machine's " + fault);
+  if (const std::string fault = rates_fault(machine.rates); !fault.empty())
     throw bad_input("the machine's " + fault);
   require_weight(objective.overlap, "overlap");
   require_weight(objective.uncovered, "uncovered land");

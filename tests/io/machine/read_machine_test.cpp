@@ -172,12 +172,17 @@ TEST_F(MachineFile, ListsKeepAllValues) {
   sprayer.turning.implement = Coupling::kTowed;
   double value = 1.1;
   for (const TurningNumber& number : kTurningNumbers) sprayer.turning.*number.value = value += 1.0 / 3;
+  sprayer.rates.operation = Operation::kSpraying;
+  sprayer.rates.sections = 36;
+  sprayer.rates.fuel_price = 1.0 / 3;
   const std::vector<io::ListedMachine> machines{{"a", {"plain", 3, 6, 0, {}}}, {"b", sprayer}};
   io::write_machines(machines, folder_ / "machines.gpkg");
   const auto read_back = io::read_machines(folder_ / "machines.gpkg");
   ASSERT_EQ(read_back.size(), 2U);
   EXPECT_EQ(read_back[0].machine.turning, Turning{});
   EXPECT_EQ(read_back[1].machine.turning, sprayer.turning);
+  EXPECT_EQ(read_back[0].machine.rates, Rates{});
+  EXPECT_EQ(read_back[1].machine.rates, sprayer.rates);
   EXPECT_EQ(read_back[1].machine.name, "sprayer");
 }
 

@@ -149,6 +149,19 @@ TEST_F(PlanFileTest, ValuesForTurningComeBackAndAskForAVersionOfTheirOwn) {
   EXPECT_EQ(io::read_plan(file()).machine.turning, plan.machine.turning);
 }
 
+TEST_F(PlanFileTest, RatesAndAimComeBackAndAreThereOnlyWhereTheyAreOthers) {
+  Plan plan = odd_plan();
+  EXPECT_EQ(io::metadata_of(plan).count("machine.operation"), 0U);
+  EXPECT_EQ(io::metadata_of(plan).count("settings.aim"), 0U);
+  plan.settings.aim = Aim::kWholeCost;
+  plan.machine.rates.operation = Operation::kWeeding;
+  plan.machine.rates.price_per_hour = 1.0 / 3;
+  io::write_plan(plan, file());
+  const Plan read = io::read_plan(file());
+  EXPECT_EQ(read.machine.rates, plan.machine.rates);
+  EXPECT_EQ(read.settings.aim, Aim::kWholeCost);
+}
+
 TEST_F(PlanFileTest, OneValueForTurningIsEnoughAndAllAreWritten) {
   Plan plan = odd_plan();
   plan.machine.turning.lift_m = 0.5;

@@ -14,6 +14,7 @@
 
 #include "tramline/geometry/error.h"
 #include "tramline/model/limits.h"
+#include "tramline/model/rate_values.h"
 #include "tramline/model/turning_values.h"
 
 namespace tramline::io {
@@ -73,8 +74,9 @@ Source parse(const std::filesystem::path& path) {
 
 std::vector<std::string_view> known_keys() {
   std::vector<std::string_view> out(kKeys.begin(), kKeys.end());
-  out.insert(out.end(), {kReverseKey, kImplementKey});
+  out.insert(out.end(), {kReverseKey, kImplementKey, kOperationKey});
   for (const TurningNumber& number : kTurningNumbers) out.emplace_back(number.key);
+  for (const RateNumber& number : kRateNumbers) out.emplace_back(number.key);
   return out;
 }
 
@@ -98,14 +100,16 @@ std::optional<double> length_m(const Source& source, std::string_view key, bool 
   return value;
 }
 
-void take_number(const Source& source, const TurningNumber& number, Turning& turning) {
+/// A number of Turning or of Rates.
+template <class Number, class Values>
+void take_number(const Source& source, const Number& number, Values& values) {
   const toml::node* node = source.table.get(number.key);
   if (node == nullptr) return;
   if (!node->is_number()) refuse(source, node->source(), fmt::format("{} must be a number", number.key));
   const double value = node->value<double>().value_or(std::nan(""));
   if (const std::string fault = fault_of(number, value); !fault.empty())
     refuse(source, node->source(), fmt::format("{} {}", number.key, fault));
-  turning.*number.value = value;
+  values.*number.value = value;
 }
 
 void take_reverse(const Source& source, Turning& turning) {
@@ -130,8 +134,22 @@ void take_implement(const Source& source, Turning& turning) {
   refuse(source, (drawbar != nullptr ? drawbar : node)->source(), fmt::format("{} {}", kDrawbarKey, fault));
 }
 
-Turning turning_in(const Source& source) {
+Rates rates_in(const Source& source) {
+  Rates out;
+  if (const toml::node* node = source.table.get(kOperationKey)) {
+    const auto operation = operation_named(node->value<std::string>().value_or(""));
+    if (!operation)
+      refuse(source, node->source(),
+             fmt::format("operation must be one of these, in quotes: {}", operation_words()));
+    out.operation = *operation;
+  }
+  for (const RateNumber& number : kRateNumbers) take_number(source, number, out);
+  return out;
+}
+
+Turning turning_in(const Source& source, Operation operation) {
   Turning out;
+  out.working_speed_mps = usual_speed_mps(operation);
   take_reverse(source, out);
   for (const TurningNumber& number : kTurningNumbers) take_number(source, number, out);
   take_implement(source, out);
@@ -154,7 +172,8 @@ Machine read_machine(const std::filesystem::path& path) {
   machine.width_m = *width;
   machine.radius_m = length_m(source, "turning_radius_m", true).value_or(machine.radius_m);
   machine.min_length_m = length_m(source, "min_track_length_m", true).value_or(machine.min_length_m);
-  machine.turning = turning_in(source);
+  machine.rates = rates_in(source);
+  machine.turning = turning_in(source, machine.rates.operation);
   return machine;
 }
 

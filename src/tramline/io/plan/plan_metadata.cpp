@@ -17,6 +17,7 @@
 #include "tramline/io/plan/plan_layers.h"
 #include "tramline/io/plan/route_rows.h"
 #include "tramline/model/plain_zero.h"
+#include "tramline/model/rate_values.h"
 #include "tramline/model/turning_values.h"
 
 namespace tramline::io {
@@ -28,6 +29,7 @@ constexpr const char* kTracks = "settings.tracks";
 constexpr const char* kAvoidRoom = "settings.avoid_room_m";  // only where there is a limit
 constexpr const char* kAbAnchor = "settings.ab_anchor";
 constexpr const char* kHeadlandEdges = "settings.headland_edges";
+constexpr const char* kAim = "settings.aim";
 constexpr const char* kEdgePasses = "headland.edge_passes";
 constexpr const char* kHeadlandConstruction = "headland.construction";
 constexpr const char* kOrigin = "origin";          // only where it is not `planned`
@@ -38,7 +40,7 @@ constexpr const char* kRepair = "repair";
 constexpr const char* kGivenBy = "subfields.given_by";  // by subfield, where any was drawn
 constexpr const char* kLeftOut = "given_up.left_out";   // how many of the last polygons
 
-std::string turning_key(const char* key) { return std::string("machine.") + key; }
+std::string machine_key(const char* key) { return std::string("machine.") + key; }
 
 /// The one list of keys, walked by the writer (const plan) and by the reader.
 template <class PlanOrConst, class Visitor>
@@ -312,27 +314,56 @@ void write_given_land(const Plan& plan, const Writer& writer) {
 /// All of them where any differs from the default: those who read the file need not know the defaults.
 void write_turning(const Turning& turning, const Writer& writer) {
   if (turning == Turning{}) return;
-  writer(turning_key(kReverseKey), turning.reverse);
-  writer(turning_key(kImplementKey), std::string(name(turning.implement)));
-  for (const TurningNumber& number : kTurningNumbers) writer(turning_key(number.key), turning.*number.value);
+  writer(machine_key(kReverseKey), turning.reverse);
+  writer(machine_key(kImplementKey), std::string(name(turning.implement)));
+  for (const TurningNumber& number : kTurningNumbers) writer(machine_key(number.key), turning.*number.value);
 }
 
 Turning read_turning(const Reader& reader) {
   Turning out;
-  reader(turning_key(kReverseKey), out.reverse);
-  const std::string implement = turning_key(kImplementKey);
+  reader(machine_key(kReverseKey), out.reverse);
+  const std::string implement = machine_key(kImplementKey);
   const auto coupling = coupling_named(reader.text(implement));
   if (!coupling) throw reader.wrong(implement, "mounted or towed");
   out.implement = *coupling;
   for (const TurningNumber& number : kTurningNumbers) {
-    const std::string key = turning_key(number.key);
+    const std::string key = machine_key(number.key);
     reader(key, out.*number.value);
     if (!fault_of(number, out.*number.value).empty()) throw reader.wrong(key, "a value that machines have");
   }
   if (!drawbar_fault(out).empty())
-    throw reader.wrong(turning_key(kDrawbarKey),
+    throw reader.wrong(machine_key(kDrawbarKey),
                        "a length of a towed implement's drawbar, 0 for a mounted one");
   return out;
+}
+
+/// Those that differ from what is usual for the operation.
+void write_rates(const Rates& rates, const Writer& writer) {
+  if (rates == Rates{}) return;
+  writer(machine_key(kOperationKey), std::string(name(rates.operation)));
+  for (const RateNumber& number : kRateNumbers)
+    if (rates.*number.value >= 0) writer(machine_key(number.key), rates.*number.value);
+}
+
+Rates read_rates(const Reader& reader, const Metadata& metadata) {
+  Rates out;
+  const std::string operation = machine_key(kOperationKey);
+  const auto named = operation_named(reader.text(operation));
+  if (!named) throw reader.wrong(operation, "an operation that this version of tramline knows");
+  out.operation = *named;
+  for (const RateNumber& number : kRateNumbers) {
+    const std::string key = machine_key(number.key);
+    if (!metadata.contains(key)) continue;
+    reader(key, out.*number.value);
+    if (!fault_of(number, out.*number.value).empty()) throw reader.wrong(key, "a value that machines have");
+  }
+  return out;
+}
+
+Aim read_aim(const Reader& reader) {
+  const auto aim = aim_named(reader.text(kAim));
+  if (!aim) throw reader.wrong(kAim, "cost or whole_cost");
+  return *aim;
 }
 
 void write_edge_passes(const Plan& plan, const Writer& writer) {
@@ -371,6 +402,8 @@ Metadata metadata_of(const Plan& plan) {
   write_references(plan, writer);
   write_given_land(plan, writer);
   write_turning(plan.machine.turning, writer);
+  write_rates(plan.machine.rates, writer);
+  if (plan.settings.aim != Aim::kCost) writer(kAim, std::string(name(plan.settings.aim)));
   write_edge_passes(plan, writer);
   out["format"] = kFormat;
   out["format_version"] = std::to_string(version_for(plan));
@@ -399,8 +432,10 @@ int apply_metadata(const Metadata& metadata, const std::filesystem::path& file, 
     plan.objective.subfield = 0;  // it had no price
     plan.figures = PlanFigures::kTracks;
   }
-  if (version >= kVersionWithTurning && metadata.contains(turning_key(kReverseKey)))
+  if (version >= kVersionWithTurning && metadata.contains(machine_key(kReverseKey)))
     plan.machine.turning = read_turning(reader);
+  if (metadata.contains(kAim)) plan.settings.aim = read_aim(reader);
+  if (metadata.contains(machine_key(kOperationKey))) plan.machine.rates = read_rates(reader, metadata);
   if (version >= kVersionWithSearchEnd) reader(kCutShort, plan.proof.cut_short);
   complete_track_tally(version, plan);
   // Files from before there were these keys are as good plans.

@@ -28,7 +28,7 @@ double worked_of_body_m2(const SearchTask& task) {
 /// The cost of the best plan found that leaves the land undivided.
 double undivided_cost(const SearchTask& task, const SearchResult& found, const Plan& plan) {
   if (found.undivided.empty()) return plan.cost;
-  return whole_cost(task, candidate_on(task, found.undivided));
+  return cost_with_headland(task, candidate_on(task, found.undivided));
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ Tally whole_tally_of(const SearchTask& task, const Candidate& candidate) {
                      task.machine.width_m);
 }
 
-double whole_cost(const SearchTask& task, const Candidate& candidate) {
+double cost_with_headland(const SearchTask& task, const Candidate& candidate) {
   return cost(task.objective, whole_tally_of(task, candidate));
 }
 

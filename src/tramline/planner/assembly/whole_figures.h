@@ -9,7 +9,7 @@ namespace tramline {
 Tally whole_tally_of(const SearchTask& task, const Candidate& candidate);
 
 /// The cost of a candidate together with the headland of its task.
-double whole_cost(const SearchTask& task, const Candidate& candidate);
+double cost_with_headland(const SearchTask& task, const Candidate& candidate);
 
 /// Tallies and cost of a plan whose pieces are settled, from the tally of its tracks.
 void set_figures(Plan& plan, const Tally& tracks);

@@ -96,11 +96,21 @@ class HeadlandsForTurns {
   Plan finished(Tried best) {
     if (problem_.settings.obstacle_headland_rule == HeadlandRule::kTurns) leave_out_obstacles(best);
     move_to_best_offset(best);
-    best.problem.settings.turns = asked_;
-    return finished_plan(SearchTask(best.problem, best.prepared), std::move(best.found), context_);
+    return as_asked(std::move(best));
+  }
+
+  std::optional<Plan> with(const PassesByBoundary& passes) {
+    std::optional<Tried> tried = tried_with(passes, Offset::kBest);
+    if (!tried) return std::nullopt;
+    return as_asked(std::move(*tried));
   }
 
  private:
+  Plan as_asked(Tried tried) {
+    tried.problem.settings.turns = asked_;
+    return finished_plan(SearchTask(tried.problem, tried.prepared), std::move(tried.found), context_);
+  }
+
   /// Passes where turns need them, and these with a pass along the bare edges too: that costs less where much
   /// land would be left beside tracks that end inside.
   std::vector<PassesByBoundary> ways_round(PassesByBoundary passes) const {
@@ -276,6 +286,11 @@ Plan plan_with_headlands_for_turns(const PlanningProblem& problem, const Plan& l
   }
   if (!best) throw no_room(problem);
   return search.finished(std::move(*best));
+}
+
+std::optional<Plan> plan_with_passes(const PlanningProblem& problem, const Plan& layout,
+                                     const PassesByBoundary& passes, const SearchContext& context) {
+  return HeadlandsForTurns(problem, layout, context).with(passes);
 }
 
 }  // namespace tramline

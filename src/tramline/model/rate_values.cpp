@@ -1,0 +1,34 @@
+#include "tramline/model/rate_values.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace tramline {
+
+std::string fault_of(const RateNumber& number, double value) {
+  // Written so that NaN is a fault.
+  const bool in_range = value >= number.least && value <= number.most;
+  if (in_range && !(number.whole && value != std::floor(value))) return "";
+  return fmt::format("is {:g}, but must be {}at least {:g} and at most {:g} {}", value,
+                     number.whole ? "a whole number, " : "", number.least, number.most, number.unit);
+}
+
+std::string rates_fault(const Rates& rates) {
+  for (const RateNumber& number : kRateNumbers) {
+    const double value = rates.*number.value;
+    if (value < 0) continue;
+    if (const std::string fault = fault_of(number, value); !fault.empty())
+      return fmt::format("{} {}", number.key, fault);
+  }
+  return "";
+}
+
+std::string operation_words() {
+  std::string out;
+  for (int i = 0; i <= static_cast<int>(Operation::kDrone); ++i)
+    out += fmt::format("{}{}", i == 0 ? "" : ", ", name(static_cast<Operation>(i)));
+  return out;
+}
+
+}  // namespace tramline

@@ -1,0 +1,42 @@
+#pragma once
+// The values of Rates one by one: what they are called in files and requests, and which are allowed.
+
+#include <array>
+#include <string>
+
+#include "tramline/model/machine.h"
+
+namespace tramline {
+
+/// A number of Rates.
+struct RateNumber {
+  const char* key;  ///< "price_per_hour", in machine files, plan files and requests
+  double Rates::*value;
+  double least, most;
+  bool whole;        ///< a number of things
+  const char* unit;  ///< "€/h"
+};
+
+inline constexpr const char* kOperationKey = "operation";
+
+inline constexpr std::array<RateNumber, 6> kRateNumbers{{
+    {"price_per_hour", &Rates::price_per_hour, 0, 1e5, false, "€/h"},
+    {"fuel_l_per_h", &Rates::fuel_l_per_h, 0, 1e4, false, "l/h"},
+    {"fuel_price", &Rates::fuel_price, 0, 1e3, false, "€/l"},
+    {"sections", &Rates::sections, 1, 1e4, true, "sections"},
+    {"input_price_per_ha", &Rates::input_price_per_ha, 0, 1e6, false, "€/ha"},
+    {"margin_per_ha", &Rates::margin_per_ha, 0, 1e6, false, "€/ha"},
+}};
+
+/// What is wrong with a value of this number, as the rest of a sentence after its name; empty where nothing
+/// is. NaN and infinity are faults.
+std::string fault_of(const RateNumber& number, double value);
+
+/// What is wrong with any of the values that are given, a sentence that begins with its key; empty where
+/// nothing is. O(1).
+std::string rates_fault(const Rates& rates);
+
+/// "seeding, spraying, …": the words of all operations.
+std::string operation_words();
+
+}  // namespace tramline

@@ -1,0 +1,113 @@
+// What a whole route costs, by hand, and that the planner takes the cheaper of two.
+
+#include <gtest/gtest.h>
+
+#include "tramline/planner/plan_field.h"
+
+namespace tramline {
+namespace {
+
+Field bare_field(double width_m, double height_m) {
+  Field field;
+  field.id = "bare";
+  field.outer = {{0, 0}, {width_m, 0}, {width_m, height_m}, {0, height_m}};
+  return field;
+}
+
+RouteLeg timed(LegKind kind, bool work, double time_s) {
+  RouteLeg out;
+  out.kind = kind;
+  out.work = work;
+  out.time_s = time_s;
+  return out;
+}
+
+PlanSettings automatic_headlands() {
+  PlanSettings settings;
+  settings.turns = TurnPlanning::kRoute;
+  settings.headland_rule = HeadlandRule::kTurns;
+  return settings;
+}
+
+// Half an hour at work, a quarter of an hour on the headland, 10 minutes of turns and 5 of transit: 1 h.
+// Fuel 20 l/h · (45 + 15/2) min = 17.5 l. 200 m² twice with 4 sections: 200/10,000 · 100/4 = 0.50 €; 50 m²
+// missed at 1,000 €/ha: 5 €. 100 m over crop: 100 · 1.2/10,000 · 1,000 = 12 €.
+TEST(WholeCost, IsWhatIsCalculatedByHand) {
+  Plan plan;
+  plan.field = bare_field(100, 100);
+  plan.body = {{plan.field.outer, {}}};
+  plan.machine.width_m = 3;
+  plan.machine.rates = {Operation::kSpraying, 60, 20, 1.5, 4, 100, 1000};
+  plan.tally.overlap_m2 = 200;
+  plan.tally.uncovered_m2 = 50;
+  plan.route.over_tracks_m = 100;
+  plan.route.legs = {timed(LegKind::kWork, true, 1800), timed(LegKind::kTurn, false, 400),
+                     timed(LegKind::kHeadland, true, 900), timed(LegKind::kBackOut, false, 200),
+                     timed(LegKind::kTransit, false, 300)};
+  const WholeCost cost = whole_cost(plan);
+  EXPECT_DOUBLE_EQ(cost.time_s(), 3600);
+  EXPECT_DOUBLE_EQ(cost.turning_s, 600);
+  EXPECT_DOUBLE_EQ(cost.not_working_s(), 900);
+  EXPECT_DOUBLE_EQ(cost.hours, 60);
+  EXPECT_DOUBLE_EQ(cost.fuel_l, 17.5);
+  EXPECT_DOUBLE_EQ(cost.fuel, 26.25);
+  EXPECT_DOUBLE_EQ(cost.overlap, 0.5);
+  EXPECT_DOUBLE_EQ(cost.missed, 5);
+  EXPECT_DOUBLE_EQ(cost.driven_over, 12);
+  EXPECT_DOUBLE_EQ(cost.euros(), 60 + 26.25 + 0.5 + 5 + 12);
+  // 9,950 m² in an hour, and 3 m · 2.5 m/s · 3,600 s = 27,000 m² without a turn.
+  EXPECT_NEAR(cost.field_efficiency, 9950.0 / 27000, 1e-12);
+}
+
+// A seeder presses no crop, and what is not given is usual: 3.5 l/ha · 3 m · 2.5 m/s = 9.45 l/h.
+TEST(WholeCost, TakesUsualRatesWhereNoneAreGiven) {
+  Machine machine;
+  machine.rates.operation = Operation::kSeeding;
+  const Rates rates = rates_of(machine);
+  EXPECT_NEAR(rates.fuel_l_per_h, 9.45, 1e-12);
+  EXPECT_EQ(rates.sections, 1);
+  EXPECT_EQ(rates.price_per_hour, 90);
+  EXPECT_FALSE(works_standing_crop(Operation::kSeeding));
+  for (int i = 0; i <= static_cast<int>(Operation::kDrone); ++i) {
+    const auto operation = static_cast<Operation>(i);
+    EXPECT_EQ(operation_named(name(operation)), operation);
+  }
+}
+
+TEST(CheapestRoute, CostsNoMoreThanThePlanOfLeastCost) {
+  for (const Field& field : {bare_field(300, 120), bare_field(90, 70)}) {
+    PlanSettings settings = automatic_headlands();
+    const Plan least = plan_field(field, {}, {}, settings, 1);
+    settings.aim = Aim::kWholeCost;
+    const ExplainedPlan whole = plan_and_explain(field, {}, {}, settings, 1);
+    EXPECT_LE(whole_cost(whole.plan).euros(), whole_cost(least).euros() + 1e-9);
+    EXPECT_EQ(whole.plan.proof.bound, 0);
+    ASSERT_GE(whole.routes.size(), 2U);
+    EXPECT_DOUBLE_EQ(whole.routes.front().cost.euros(), whole_cost(least).euros());
+    for (const RouteAlternative& other : whole.routes) {
+      if (other.without_room > 0) continue;
+      EXPECT_GE(other.cost.euros(), whole_cost(whole.plan).euros() - 1e-9);
+    }
+  }
+}
+
+// 600 m by 40 m: along its length it has some ten tracks, crosswise two hundred.
+TEST(CheapestRoute, DrivesALongFieldLengthwise) {
+  PlanSettings settings = automatic_headlands();
+  settings.aim = Aim::kWholeCost;
+  const Plan plan = plan_field(bare_field(600, 40), {}, {}, settings, 1);
+  for (const Subfield& subfield : plan.subfields) EXPECT_NEAR(subfield.direction.degrees(), 90, 1e-6);
+  EXPECT_EQ(sums_of(plan.route).without_room, 0U);
+}
+
+TEST(CheapestRoute, IsTheSameForAnyNumberOfThreads) {
+  PlanSettings settings = automatic_headlands();
+  settings.aim = Aim::kWholeCost;
+  const Plan one = plan_field(bare_field(200, 110), {}, {}, settings, 1),
+             two = plan_field(bare_field(200, 110), {}, {}, settings, 2);
+  EXPECT_EQ(whole_cost(one).euros(), whole_cost(two).euros());
+  EXPECT_EQ(one.route.legs.size(), two.route.legs.size());
+}
+
+}  // namespace
+}  // namespace tramline
