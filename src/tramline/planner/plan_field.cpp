@@ -228,7 +228,8 @@ ExplainedPlan planned_with_headlands_for_turns(const PlanningProblem& problem, c
   return {plan_with_headlands_for_turns(problem, layout, behind_passes, context), std::nullopt};
 }
 
-ExplainedPlan planned(const PlanningProblem& problem, const SearchContext& context, Explain explain) {
+ExplainedPlan planned(PlanningProblem problem, const SearchContext& context, Explain explain) {
+  if (!compares_routes(problem.settings)) problem.settings.aim = Aim::kCost;
   ExplainedPlan out;
   if (headlands_follow_turns(problem.settings))
     out = planned_with_headlands_for_turns(problem, context);

@@ -100,6 +100,16 @@ TEST(CheapestRoute, DrivesALongFieldLengthwise) {
   EXPECT_EQ(sums_of(plan.route).without_room, 0U);
 }
 
+// A line that was given leaves nothing to compare: the plan is the one of least cost, and says so.
+TEST(CheapestRoute, AlongAGivenLineTheAimIsTheCostOfTracks) {
+  PlanSettings settings = automatic_headlands();
+  settings.aim = Aim::kWholeCost;
+  settings.guide = {{0, 10}, {200, 10}};
+  const ExplainedPlan plan = plan_and_explain(bare_field(200, 110), {}, {}, settings, 1);
+  EXPECT_EQ(plan.plan.settings.aim, Aim::kCost);
+  EXPECT_TRUE(plan.routes.empty());
+}
+
 TEST(CheapestRoute, IsTheSameForAnyNumberOfThreads) {
   PlanSettings settings = automatic_headlands();
   settings.aim = Aim::kWholeCost;

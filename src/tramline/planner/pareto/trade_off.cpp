@@ -163,6 +163,7 @@ TradeOff trade_off(const Field& field, const Machine& machine, const Objective& 
   auto searches = std::make_shared<TradeOffSearches>();
   TradeOffSearches& all = *searches;
   all.problem = planning_problem(field, machine, prices, settings);
+  all.problem.settings.aim = Aim::kCost;  // plans are compared by their tracks
   require_straight_tracks(settings);
   if (settings.given.divides())
     throw bad_input(
