@@ -1,11 +1,12 @@
 // Plans the whole route over real fields, writes each plan to a file, reads it back and verifies it; and
 // looks for places where the machine leaves the land, by a road of its own.
 //
-//   route_real WIDTH RADIUS forward|reversing [PASSES [PREFIX [DUMP]]]
+//   route_real WIDTH RADIUS forward|reversing [curated|sixth [PASSES [PREFIX [DUMP]]]]
 //
-// PASSES: of the headlands of field and obstacles, or auto, which is the default. Fields whose id begins with
-// PREFIX alone, where it is given. Prints a line for every field, and a summary; exit code 1 where a plan
-// does not hold or a leg that is said to fit leaves the land. DUMP: a folder for the legs as text.
+// The curated fields, or every sixth of all. PASSES: of the headlands of field and obstacles, or auto, which
+// is the default. Fields whose id begins with PREFIX alone, where it is given. Prints a line for every field,
+// and a summary; exit code 1 where a plan does not hold or a leg that is said to fit leaves the land. DUMP: a
+// folder for the legs as text.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -34,7 +35,8 @@ constexpr double kOff_m = 0.005;
 struct Fared {
   bool planned = false;
   std::size_t legs = 0, back_outs = 0, without_room = 0, outside = 0, faults = 0;
-  double gap = 0;
+  double gap = 0, field_ha = 0, plan_s = 0;
+  std::size_t corners = 0;
   bool plain = false;  ///< convex and without obstacles
 };
 
@@ -44,6 +46,12 @@ bool is_convex(const Ring& ring) {
     if (cross(b - a, c - b) < 0) return false;
   }
   return true;
+}
+
+std::size_t corners_of(const Field& field) {
+  std::size_t out = field.outer.size();
+  for (const Obstacle& obstacle : field.obstacles) out += obstacle.shape.outer.size();
+  return out;
 }
 
 std::string plain_name(const Field& field) {
@@ -94,6 +102,7 @@ void look_at(const Plan& plan, Fared& out) {
 
 /// What is planned, of which fields, and where legs are written to.
 struct Words {
+  std::string fields = "curated";
   std::string passes = "auto";
   std::string prefix{};
   std::string folder{};
@@ -107,22 +116,27 @@ Fared plan_and_look(const Field& field, const Machine& machine, const Words& wor
   else
     settings.headlands = settings.obstacle_headlands = std::atoi(words.passes.c_str());
   settings.turns = TurnPlanning::kRoute;
+  settings.aim = Aim::kWholeCost;
   Fared out;
   std::vector<std::string> faults;
   const std::string file = scratch_file(field);
   try {
+    const auto began = std::chrono::steady_clock::now();
     const Plan plan = plan_field(field, machine, {}, settings, 1);
+    out.plan_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     out.planned = true;
+    out.field_ha = 1e-4 * area_m2(field);
+    out.corners = corners_of(field);
     out.plain = field.obstacles.empty() && is_convex(field.outer);
     look_at(plan, out);
     if (!folder.empty()) dump(plan, folder);
     const RouteSums sums = sums_of(plan.route);
     fmt::print(
         "  {}: {} pieces, {} passes, {} legs, {:.0f} m working, {:.0f} m headland, {:.0f} m turning, {:.0f} "
-        "m "
-        "transit, {} back-outs, {} without room, gap {:.1f} %\n",
+        "m transit, {} back-outs, {} without room, gap {:.1f} %, {:.2f} €, {:.0f} ms\n",
         field.id, plan.pieces.size(), plan.headland.passes.size(), out.legs, sums.working_m, sums.headland_m,
-        sums.turning_m, sums.transit_m, out.back_outs, out.without_room, 100 * out.gap);
+        sums.turning_m, sums.transit_m, out.back_outs, out.without_room, 100 * out.gap,
+        whole_cost(plan).euros(), 1000 * out.plan_s);
     io::write_plan(plan, file);
     faults = faults_of_file(file, field);
   } catch (const Error& error) {
@@ -152,8 +166,31 @@ void print_gaps(const char* what, const std::vector<double>& gaps) {
              100 * quantile(gaps, 0.5), 100 * quantile(gaps, 0.95));
 }
 
+std::optional<RealFields> fields_of(const Words& words) {
+  if (words.fields == "curated") return read_or_say();
+  std::optional<RealFields> out = read_all_real_fields();
+  if (!out) {
+    fmt::print("{}\n", no_real_fields());
+    return out;
+  }
+  std::vector<RawFeature>& features = out->dataset.layers.front().features;
+  std::vector<RawFeature> sixth;
+  for (std::size_t i = 0; i < features.size(); i += 6) sixth.push_back(std::move(features[i]));
+  features = std::move(sixth);
+  return out;
+}
+
+/// Of fields of at most 20 ha and 150 corners.
+void print_times(const std::vector<Fared>& all) {
+  std::vector<double> times_ms;
+  for (const Fared& one : all)
+    if (one.planned && one.field_ha <= 20 && one.corners <= 150) times_ms.push_back(1000 * one.plan_s);
+  fmt::print("{} plans of at most 20 ha and 150 corners: median {:.0f} ms, 95th of 100 {:.0f} ms\n",
+             times_ms.size(), quantile(times_ms, 0.5), quantile(times_ms, 0.95));
+}
+
 int run(const Machine& machine, const Words& words) {
-  const auto fields = read_or_say();
+  const auto fields = fields_of(words);
   if (!fields) return 0;
   const std::vector<Fared> all = for_each_field(*fields, [&](const Field& field) {
     return field.id.rfind(words.prefix, 0) == 0 ? plan_and_look(field, machine, words) : Fared{};
@@ -174,10 +211,10 @@ int run(const Machine& machine, const Words& words) {
   }
   print_gaps("convex fields without obstacles", plain_gaps);
   print_gaps("other fields", other_gaps);
+  print_times(all);
   fmt::print(
       "w {:g} m, r {:g} m{}: {} routes, {} faulty, {} with room everywhere; {} legs, {} back-outs, {} "
-      "without "
-      "room, {} outside the land\n",
+      "without room, {} outside the land\n",
       machine.width_m, machine.radius_m, machine.turning.reverse ? ", reversing" : "", planned, faulty,
       with_room, sum.legs, sum.back_outs, sum.without_room, sum.outside);
   return faulty == 0 && sum.outside == 0 ? 0 : 1;
@@ -188,8 +225,8 @@ int run(const Machine& machine, const Words& words) {
 
 int main(int count, char** words) {
   const auto machine = tramline::testing::machine_in_words(
-      count, words, "route_real WIDTH RADIUS forward|reversing [PASSES [PREFIX [DUMP]]]");
+      count, words, "route_real WIDTH RADIUS forward|reversing [curated|sixth [PASSES [PREFIX [DUMP]]]]");
   if (!machine) return 2;
-  return tramline::testing::run(
-      *machine, {count > 4 ? words[4] : "auto", count > 5 ? words[5] : "", count > 6 ? words[6] : ""});
+  return tramline::testing::run(*machine, {count > 4 ? words[4] : "curated", count > 5 ? words[5] : "auto",
+                                           count > 6 ? words[6] : "", count > 7 ? words[7] : ""});
 }

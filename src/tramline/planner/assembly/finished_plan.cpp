@@ -77,13 +77,7 @@ Error no_tracks(const SearchTask& task) {
       min_length_m(task.machine), kept_clear ? ", a smaller --clearance" : ""));
 }
 
-}  // namespace
-
-void require_tracks(const SearchTask& task, const Tally& tally) {
-  const bool worked_by_passes = task.headland.worked_m2 > area(task.ground.body);
-  if (tally.pieces == 0 && !worked_by_passes) throw no_tracks(task);
-}
-
+/// Everything that the task determines: no tracks.
 Plan bare_plan(const SearchTask& task) {
   Plan plan;
   plan.field = task.field;
@@ -97,41 +91,64 @@ Plan bare_plan(const SearchTask& task) {
   std::vector<std::string>& remarks = plan.settings.given.remarks;
   remarks.insert(remarks.end(), task.given.remarks.begin(), task.given.remarks.end());
   plan.headland = task.headland;
-  if (!plan.headland.ground.empty())
-    plan.headland.unworked = unworked_ground(plan.headland, task.machine.width_m);
   return plan;
 }
 
-Plan finished_plan(const SearchTask& task, SearchResult found, const SearchContext& context) {
+}  // namespace
+
+void require_tracks(const SearchTask& task, const Tally& tally) {
+  const bool worked_by_passes = task.headland.worked_m2 > area(task.ground.body);
+  if (tally.pieces == 0 && !worked_by_passes) throw no_tracks(task);
+}
+
+PlanDraft drafted(const SearchTask& task, const SearchResult& found) {
   require_tracks(task, found.best.avoided.tally);
-  Plan plan = bare_plan(task);
-  Driven driven = driven_tracks(task, found.best);
-  plan.pieces = std::move(driven.pieces);
+  PlanDraft out;
+  Plan& plan = out.plan;
+  plan = bare_plan(task);
+  out.driven = driven_tracks(task, found.best);
+  plan.pieces = std::move(out.driven.pieces);
   plan.directions_tried = found.directions_tried;
-  if (context.wants_layout_only()) {
-    plan.subfields = std::move(found.best.subfields);
-    if (task.given.parts.empty()) add_guide(task, plan.subfields);
-    return plan;
-  }
+  plan.subfields = found.best.subfields;
+  Tally tracks = found.best.avoided.tally;
+  if (plan.settings.turns == TurnPlanning::kTurns) tracks.stops = plan_turns(task.turning_land, plan);
+  if (out.driven.route)
+    tracks.stops = add_route(task.turning_land, *std::exchange(out.driven.route, std::nullopt), plan);
+  set_figures(plan, tracks);
+  return out;
+}
+
+Plan finished(const SearchTask& task, SearchResult found, PlanDraft draft, const SearchContext& context) {
+  Plan plan = std::move(draft.plan);
   plan.dropped = dropped_pieces(found.best);
-  Tally tally = found.best.avoided.tally;
-  if (plan.settings.turns == TurnPlanning::kTurns) tally.stops = plan_turns(task.turning_land, plan);
-  if (driven.route) tally.stops = add_route(task.turning_land, std::move(*driven.route), plan);
+  if (!plan.headland.ground.empty())
+    plan.headland.unworked = unworked_ground(plan.headland, task.machine.width_m);
   context.report();
   settle_overlaps(plan, found.best.subfields);
   context.report();
-  plan.encounters = encounters_as_driven(task, found.best, driven);
+  plan.encounters = encounters_as_driven(task, found.best, draft.driven);
   context.report();
-  plan.subfields = found.best.subfields;
   TrackGround ground = track_ground(plan, found.best);
   if (task.given.parts.empty()) add_guide(task, plan.subfields);
-  set_figures(plan, tally);
-  context.report();
   plan.proof = whole_proof(task, found, plan);
   context.report();
   add_layers(plan, std::move(ground));
   plan.warnings = warnings_about(plan);
   add_limits(found.limits, plan.warnings);
+  return plan;
+}
+
+Plan finished_plan(const SearchTask& task, SearchResult found, const SearchContext& context) {
+  if (!context.wants_layout_only()) {
+    PlanDraft draft = drafted(task, found);
+    return finished(task, std::move(found), std::move(draft), context);
+  }
+  require_tracks(task, found.best.avoided.tally);
+  Plan plan = bare_plan(task);
+  plan.pieces = driven_tracks(task, found.best).pieces;
+  plan.directions_tried = found.directions_tried;
+  plan.subfields = std::move(found.best.subfields);
+  if (task.given.parts.empty()) add_guide(task, plan.subfields);
   return plan;
 }
 

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "tramline/model/plan.h"
-#include "tramline/planner/headland_choice/needed_passes.h"
 #include "tramline/planner/planning_problem.h"
 #include "tramline/planner/search_context.h"
 
@@ -25,10 +24,5 @@ using OtherLayout = std::function<std::optional<Plan>(int passes)>;
 /// other layout is tried too: a turn without room costs what two stops do. Throws as finished_plan().
 Plan plan_with_headlands_for_turns(const PlanningProblem& problem, const Plan& layout,
                                    const OtherLayout& behind_passes, const SearchContext& context);
-
-/// The plan with the layout of `layout` behind just these passes, at the offsets that cost least. nullopt
-/// where no track is left.
-std::optional<Plan> plan_with_passes(const PlanningProblem& problem, const Plan& layout,
-                                     const PassesByBoundary& passes, const SearchContext& context);
 
 }  // namespace tramline

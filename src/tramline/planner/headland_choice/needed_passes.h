@@ -1,20 +1,11 @@
 #pragma once
 // How many headland passes the turns between tracks need, and where.
 
-#include <vector>
-
 #include "tramline/model/plan.h"
+#include "tramline/planner/headland_choice/passes_by_boundary.h"
 #include "tramline/turns/room/allowed_land.h"
 
 namespace tramline {
-
-/// Headland passes by edge of the field's outer ring and by obstacle.
-struct PassesByBoundary {
-  std::vector<int> edges;
-  std::vector<int> obstacles;
-
-  friend bool operator==(const PassesByBoundary&, const PassesByBoundary&) = default;
-};
 
 /// The passes that the turns of a plan without headlands need: for each turn the manoeuvre that needs the
 /// fewest at both of its ends, and of those the quickest. A turn takes up the boundary between its two ends;

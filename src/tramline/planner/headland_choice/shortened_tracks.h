@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tramline/model/plan.h"
-#include "tramline/planner/headland_choice/needed_passes.h"
+#include "tramline/planner/headland_choice/passes_by_boundary.h"
 
 namespace tramline {
 

@@ -13,6 +13,7 @@
 #include "tramline/cost/worked/kinked_overlap.h"
 #include "tramline/geometry/error.h"
 #include "tramline/geometry/polygon/boolean.h"
+#include "tramline/geometry/tolerances.h"
 #include "tramline/headland/body.h"
 #include "tramline/planner/price/given_layers.h"
 #include "tramline/planner/price/given_pieces.h"

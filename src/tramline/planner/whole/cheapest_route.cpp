@@ -10,7 +10,7 @@
 #include "tramline/geometry/polygon/bounding_rectangle.h"
 #include "tramline/planner/explain/longest_side.h"
 #include "tramline/planner/for_each_index.h"
-#include "tramline/planner/headland_choice/headlands_for_turns.h"
+#include "tramline/planner/headland_choice/headland_trial.h"
 
 namespace tramline {
 namespace {
@@ -132,7 +132,10 @@ class Comparison {
   std::optional<Plan> plan_on(const Plan& layout, const PassesByBoundary& passes) const {
     if (context_.cut_short()) return std::nullopt;
     try {
-      return plan_with_passes(problem_, layout, passes, context_.uncounted());
+      std::optional<HeadlandTrial> trial =
+          headland_trial(problem_, layout, passes, Offset::kBest, context_.uncounted());
+      if (!trial) return std::nullopt;
+      return finished(std::move(*trial), TurnPlanning::kRoute, context_.uncounted());
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::kBadInput) throw;
       return std::nullopt;

@@ -1,0 +1,52 @@
+#include "tramline/planner/headland_choice/headland_trial.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "tramline/planner/prepare_field.h"
+
+namespace tramline {
+
+PassesByBoundary as_set(const PlanningProblem& problem, PassesByBoundary passes) {
+  const PlanSettings& settings = problem.settings;
+  if (settings.headland_rule == HeadlandRule::kPasses)
+    std::fill(passes.edges.begin(), passes.edges.end(), settings.headlands);
+  if (settings.obstacle_headland_rule == HeadlandRule::kPasses)
+    for (std::size_t i = 0; i < passes.obstacles.size(); ++i)
+      passes.obstacles[i] =
+          problem.field.obstacles[i].kind == ObstacleKind::kObstacle ? settings.obstacle_headlands : 0;
+  return passes;
+}
+
+PlanningProblem problem_with(const PlanningProblem& problem, const PassesByBoundary& passes) {
+  PlanSettings settings = problem.settings;
+  settings.headland_edges = passes.edges;
+  return planning_problem(problem.field, problem.machine, problem.objective, settings);
+}
+
+std::optional<HeadlandTrial> headland_trial(const PlanningProblem& problem, const Plan& layout,
+                                            const PassesByBoundary& passes, Offset offset,
+                                            const SearchContext& context) {
+  PlanningProblem with_passes = problem_with(problem, passes);
+  std::optional<PreparedField> prepared = field_behind(with_passes, passes.obstacles);
+  if (!prepared) return std::nullopt;
+  return headland_trial_on(std::move(with_passes), std::move(*prepared), layout, passes, offset, context);
+}
+
+std::optional<HeadlandTrial> headland_trial_on(PlanningProblem problem, PreparedField prepared,
+                                               const Plan& layout, const PassesByBoundary& passes,
+                                               Offset offset, const SearchContext& context) {
+  if (area(prepared.ground.plannable) == 0) return std::nullopt;
+  SearchResult found = relaid(problem, prepared, layout, offset, context.uncounted());
+  if (!found.best.works()) return std::nullopt;
+  found.directions_tried = layout.directions_tried;
+  PlanDraft draft = drafted(SearchTask(problem, prepared), found);
+  return HeadlandTrial{passes, std::move(problem), std::move(prepared), std::move(found), std::move(draft)};
+}
+
+Plan finished(HeadlandTrial trial, TurnPlanning turns, const SearchContext& context) {
+  trial.problem.settings.turns = turns;
+  return finished_plan(SearchTask(trial.problem, trial.prepared), std::move(trial.found), context);
+}
+
+}  // namespace tramline
