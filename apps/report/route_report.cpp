@@ -99,6 +99,7 @@ ordered_json whole_cost_json(const Plan& plan) {
           {"euros_fuel", cost.fuel},
           {"euros_overlap", cost.overlap},
           {"euros_missed", cost.missed},
+          {"euros_stops", cost.stops},
           {"euros_driven_over", cost.driven_over},
           {"rates", rates_json(plan.machine)}};
 }
@@ -174,6 +175,7 @@ std::string whole_cost_row(const Plan& plan) {
   if (cost.fuel_l > 0) out += fmt::format(", {:.1f} l at {:g} €/l", cost.fuel_l, rates.fuel_price);
   out += fmt::format(", worked twice {:.2f} €, missed {:.2f} €", plain_zero(cost.overlap),
                      plain_zero(cost.missed));
+  if (cost.stops > 0) out += fmt::format(", stops {:.2f} €", cost.stops);
   if (cost.driven_over > 0) out += fmt::format(", crop driven over {:.2f} €", cost.driven_over);
   return out + fmt::format("; field efficiency {:.1f} %\n", 100 * cost.field_efficiency);
 }

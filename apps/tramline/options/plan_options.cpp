@@ -222,6 +222,8 @@ void add_rate_options(CommandOptions& command, RateOptions& o) {
   add(&Rates::input_price_per_ha, "€",
       "Seed, spray or fertiliser, in euros per hectare: land worked twice gets it twice.", usual);
   add(&Rates::margin_per_ha, "€", "What a hectare left unworked loses, in euros.", usual);
+  add(&Rates::price_per_stop, "€",
+      "What it costs, besides time, to back out of an end that has no way off, in euros.", "5");
 }
 
 void add_objective_options(CommandOptions& command, PlanOptions& o) {

@@ -60,6 +60,7 @@ struct Rates {
   double sections = -1;            ///< that switch off by themselves where the land is worked already
   double input_price_per_ha = -1;  ///< seed, spray or fertiliser, which land worked twice gets twice
   double margin_per_ha = -1;       ///< lost where land is missed, and where standing crop is driven over
+  double price_per_stop = -1;      ///< of backing out of an end without a way off, besides its time
 
   bool operator==(const Rates& other) const = default;
 };

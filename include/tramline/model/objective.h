@@ -46,6 +46,7 @@ struct WholeCost {
   double fuel = 0;         ///< all litres
   double overlap = 0;      ///< input on land worked twice
   double missed = 0;       ///< margin of land not worked
+  double stops = 0;        ///< backing out of ends without a way off, besides its time
   double driven_over = 0;  ///< margin of standing crop under the wheels of ways with the work off
   /// Land worked per hour, of what the machine would work at working speed over its whole width without ever
   /// turning: the field efficiency of ASABE S495.
@@ -53,7 +54,7 @@ struct WholeCost {
 
   double time_s() const { return working_s + headland_s + turning_s + transit_s; }
   double not_working_s() const { return turning_s + transit_s; }
-  double euros() const { return hours + fuel + overlap + missed + driven_over; }
+  double euros() const { return hours + fuel + overlap + missed + stops + driven_over; }
 };
 
 /// Of a plan that has a route. O(n) for n legs.

@@ -18,8 +18,23 @@ namespace tramline {
 Plan plan_field(const Field& field, const Machine& machine, const Objective& objective,
                 const PlanSettings& settings, int threads = 0, const Progress& progress = {});
 
+/// Why a plan was among those that were compared by their whole routes.
+enum class Alternative {
+  kSearched,      ///< its tracks are those of least cost by the rates of the machine (track_prices())
+  kLongestSide,   ///< its tracks run along the longest side of the field
+  kLength,        ///< along its length
+  kUndivided,     ///< in one direction, where the searched ones have several
+  kNoHeadland,    ///< without headland passes
+  kAdjacent,      ///< in order, each track beside the one before
+  kRoomForTurns,  ///< with headlands deepened where turns lacked room
+};
+/// "as searched", "along the longest side", "along the length", "undivided", "no headland", "adjacent order",
+/// "room for turns"
+const char* name(Alternative alternative);
+
 /// A plan that was compared by its whole route.
 struct RouteAlternative {
+  Alternative kind = Alternative::kSearched;
   std::vector<Direction> directions;  ///< of its subfields
   int headlands = 0;                  ///< the most passes along an edge of the field
   bool all_round = true;              ///< as many along all edges
@@ -31,8 +46,8 @@ struct ExplainedPlan {
   Plan plan;
   /// For straight tracks only: costs of curved tracks are not split into causes.
   std::optional<Explanation> why;
-  /// With Aim::kWholeCost: all plans whose routes were compared, the first of them the one that costs least
-  /// without its route.
+  /// With Aim::kWholeCost: all plans whose routes were compared, from the cheapest, which is the plan. A leg
+  /// without room counts ten stops there.
   std::vector<RouteAlternative> routes{};
 };
 

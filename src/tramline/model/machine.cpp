@@ -30,6 +30,7 @@ constexpr std::array<Usual, 9> kUsual{{
     {Operation::kDrone, "drone", 5, 60, 0, 60, 400, false},
 }};
 constexpr double kUsualFuelPrice = 1.2;  // euros per litre
+constexpr double kUsualStopPrice = 5;    // euros, as Objective::stop
 
 const Usual& usual_of(Operation operation) {
   for (const Usual& usual : kUsual)
@@ -66,6 +67,7 @@ Rates rates_of(const Machine& machine) {
   fill_in(out.sections, 1);
   fill_in(out.input_price_per_ha, usual.input_price_per_ha);
   fill_in(out.margin_per_ha, usual.margin_per_ha);
+  fill_in(out.price_per_stop, kUsualStopPrice);
   return out;
 }
 

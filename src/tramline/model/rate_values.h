@@ -19,14 +19,24 @@ struct RateNumber {
 
 inline constexpr const char* kOperationKey = "operation";
 
-inline constexpr std::array<RateNumber, 6> kRateNumbers{{
+inline constexpr std::array<RateNumber, 7> kRateNumbers{{
     {"price_per_hour", &Rates::price_per_hour, 0, 1e5, false, "€/h"},
     {"fuel_l_per_h", &Rates::fuel_l_per_h, 0, 1e4, false, "l/h"},
     {"fuel_price", &Rates::fuel_price, 0, 1e3, false, "€/l"},
     {"sections", &Rates::sections, 1, 1e4, true, "sections"},
     {"input_price_per_ha", &Rates::input_price_per_ha, 0, 1e6, false, "€/ha"},
     {"margin_per_ha", &Rates::margin_per_ha, 0, 1e6, false, "€/ha"},
+    {"price_per_stop", &Rates::price_per_stop, 0, 1e5, false, "€"},
 }};
+
+/// With the work off an engine takes about so much of the fuel that it takes at work.
+inline constexpr double kIdleFuelShare = 0.5;
+
+/// Euros per m² of land worked twice, and of land missed, of rates without negative numbers (rates_of()).
+inline double overlap_price_per_m2(const Rates& rates) {
+  return rates.input_price_per_ha / rates.sections / 1e4;
+}
+inline double missed_price_per_m2(const Rates& rates) { return rates.margin_per_ha / 1e4; }
 
 /// What is wrong with a value of this number, as the rest of a sentence after its name; empty where nothing
 /// is. NaN and infinity are faults.

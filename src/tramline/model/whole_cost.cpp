@@ -1,13 +1,12 @@
 #include <cassert>
 
 #include "tramline/model/plan.h"
+#include "tramline/model/rate_values.h"
 
 namespace tramline {
 namespace {
 
-constexpr double kM2PerHa = 1e4, kSecondsPerHour = 3600;
-/// With the work off an engine takes about so much of the fuel that it takes at work.
-constexpr double kIdleFuelShare = 0.5;
+constexpr double kSecondsPerHour = 3600;
 /// Width of the land under the wheels of a machine, m: two wheel tracks of 0.6 m.
 constexpr double kWheelTracks_m = 1.2;
 
@@ -38,15 +37,16 @@ WholeCost whole_cost(const Plan& plan) {
   double fuel_s = 0;
   for (const RouteLeg& leg : plan.route.legs) {
     add_time(leg, out);
+    if (leg.kind == LegKind::kBackOut) out.stops += rates.price_per_stop;
     fuel_s += leg.work ? leg.time_s : kIdleFuelShare * leg.time_s;
   }
   out.hours = rates.price_per_hour * out.time_s() / kSecondsPerHour;
   out.fuel_l = rates.fuel_l_per_h * fuel_s / kSecondsPerHour;
   out.fuel = rates.fuel_price * out.fuel_l;
-  out.overlap = rates.input_price_per_ha * plan.tally.overlap_m2 / kM2PerHa / rates.sections;
-  out.missed = rates.margin_per_ha * plan.tally.uncovered_m2 / kM2PerHa;
+  out.overlap = overlap_price_per_m2(rates) * plan.tally.overlap_m2;
+  out.missed = missed_price_per_m2(rates) * plan.tally.uncovered_m2;
   if (works_standing_crop(rates.operation))
-    out.driven_over = rates.margin_per_ha * kWheelTracks_m * plan.route.over_tracks_m / kM2PerHa;
+    out.driven_over = missed_price_per_m2(rates) * kWheelTracks_m * plan.route.over_tracks_m;
   const double ideal_m2 = plan.machine.width_m * plan.machine.turning.working_speed_mps * out.time_s();
   if (ideal_m2 > 0) out.field_efficiency = (land_m2(plan) - plan.tally.uncovered_m2) / ideal_m2;
   return out;

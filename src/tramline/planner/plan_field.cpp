@@ -228,19 +228,35 @@ ExplainedPlan planned_with_headlands_for_turns(const PlanningProblem& problem, c
   return {plan_with_headlands_for_turns(problem, layout, behind_passes, context), std::nullopt};
 }
 
+/// Subfields and pieces of least cost, without the headlands that are to follow from turns, if any do.
+Plan layout_to_begin_with(const PlanningProblem& problem, const SearchContext& context) {
+  PlanningProblem bare = headlands_follow_turns(problem.settings) ? without_headlands_for_turns(problem) : problem;
+  bare.settings.turns = TurnPlanning::kNone;
+  return searched(bare, context.for_layout().without_bound(), Explain::kNo).plan;
+}
+
+ExplainedPlan planned_by_routes(const PlanningProblem& asked, const SearchContext& context, Explain explain) {
+  const PlanningProblem problem = with_track_prices(asked);
+  const Plan layout = layout_to_begin_with(problem, context);
+  const auto room_for_turns = [&] {
+    return headlands_follow_turns(problem.settings)
+               ? planned_with_headlands_for_turns(problem, context).plan
+               : searched(problem, context, Explain::kNo).plan;
+  };
+  const Compare compare = explain == Explain::kYes ? Compare::kAll : Compare::kWhatMayWin;
+  ComparedRoutes compared = cheapest_route(problem, layout, room_for_turns, compare, context);
+  return {std::move(compared.plan), std::nullopt, std::move(compared.all)};
+}
+
 ExplainedPlan planned(PlanningProblem problem, const SearchContext& context, Explain explain) {
   if (!compares_routes(problem.settings)) problem.settings.aim = Aim::kCost;
   ExplainedPlan out;
-  if (headlands_follow_turns(problem.settings))
+  if (compares_routes(problem.settings))
+    out = planned_by_routes(problem, context, explain);
+  else if (headlands_follow_turns(problem.settings))
     out = planned_with_headlands_for_turns(problem, context);
   else
     out = searched(problem, context, explain);
-  if (compares_routes(problem.settings) && out.plan.route.planned()) {
-    ComparedRoutes compared = cheapest_route(problem, std::move(out.plan), context);
-    out.plan = std::move(compared.plan);
-    out.routes = std::move(compared.all);
-    out.why.reset();  // it explains the cost of tracks
-  }
   if (!out.plan.turns.empty() && out.plan.settings.boundary == EdgeKind::kSoft)
     out.plan.room_beyond_m = room_beyond_edges(out.plan);
   if (context.cut_short()) mark_cut_short(out.plan);

@@ -84,6 +84,12 @@ SearchContext SearchContext::for_layout() const {
   return out;
 }
 
+SearchContext SearchContext::without_bound() const {
+  SearchContext out = *this;
+  out.bound_ = false;
+  return out;
+}
+
 void SearchContext::count(int done, int total) const {
   if (shared_ && counts_) shared_->count(done, total);
 }

@@ -9,7 +9,8 @@ namespace tramline {
 
 /// Passed down to everything that takes long. Copies belong to the same search: they share its progress and
 /// the request to end it. Safe to use from several threads at once. It does not change what a search finds,
-/// unless the progress callback ends the search, but how much of the plan is filled in (for_layout()).
+/// unless the progress callback ends the search, but how much of the plan is filled in (for_layout())
+/// and whether a bound is proven (without_bound()).
 class SearchContext {
  public:
   /// `threads` 0: as many as there are cores. Without a progress callback the search runs to its end.
@@ -26,6 +27,11 @@ class SearchContext {
   /// overlaps, encounters, figures, a bound and layers.
   SearchContext for_layout() const;
   bool wants_layout_only() const { return layout_only_; }
+
+  /// A context for a search that need not prove how near its result is to the best: it leaves out branch and
+  /// bound, which rarely finds anything cheaper.
+  SearchContext without_bound() const;
+  bool wants_bound() const { return bound_; }
 
   /// Sets how many of all steps are done and calls the callback at once.
   void count(int done, int total) const;
@@ -44,6 +50,7 @@ class SearchContext {
   int threads_;
   bool counts_ = true;
   bool layout_only_ = false;
+  bool bound_ = true;
   std::shared_ptr<SharedProgress> shared_;  ///< null: there is no callback
 };
 

@@ -200,6 +200,7 @@ class BestSearch {
       effort.polished = 1;
       effort.exact_offset = false;
     }
+    if (!context_.wants_bound()) effort.most_boxes = 0;
     return effort;
   }
 

@@ -1,6 +1,7 @@
 #pragma once
-// The plan whose whole route costs least, of several that a person would think of.
+// The plan whose whole route costs least.
 
+#include <functional>
 #include <vector>
 
 #include "tramline/planner/plan_field.h"
@@ -9,20 +10,35 @@
 
 namespace tramline {
 
-/// Whether other plans than the one of least cost are to be compared by their routes.
+/// Whether plans are to be compared by their routes.
 bool compares_routes(const PlanSettings& settings);
+
+/// The problem with the prices of tracks that follow from the rates of its machine (track_prices()).
+PlanningProblem with_track_prices(PlanningProblem problem);
 
 struct ComparedRoutes {
   Plan plan;                          ///< the cheapest
-  std::vector<RouteAlternative> all;  ///< `found` first, then as they were planned
+  std::vector<RouteAlternative> all;  ///< from the cheapest
 };
 
-/// Compares `found`, the plan of least cost with its route, with plans whose tracks all run along the longest
-/// side of the field or along its length, and, where headlands follow from turns, with headlands of equal
-/// depth all round: as many passes as the shallowest turn of the machine needs, and one more or less as long
-/// as that costs less. Each is planned with its whole route. The cheapest in euros (whole_cost()) is taken,
-/// where a leg without room costs what ten stops do; among equals the first. Deterministic for any number of
-/// threads. Precondition: compares_routes(), and `found` has a route.
-ComparedRoutes cheapest_route(const PlanningProblem& problem, Plan found, const SearchContext& context);
+/// All plans that are compared, or those that may be the cheapest.
+enum class Compare { kWhatMayWin, kAll };
+
+/// The plan with headlands as the turns of the problem need them, wherever tracks end.
+using RoomForTurns = std::function<Plan()>;
+
+/// Compares plans by what their whole routes cost (whole_cost(), where a leg without room counts ten stops):
+/// the tracks of `layout`, those of least cost behind the headlands, and tracks along the longest side and
+/// along the length of the field. Where headlands follow from turns they go all round the field, as many as
+/// the shallowest turn of the machine needs, and one more or less as long as that costs less; or only where
+/// tracks of the layout end. Obstacles have their headlands if that costs less. Routes are planned in the
+/// order of route_floor(), and not at all where that is above the cheapest so far, except to compare all. If
+/// the cheapest has legs without room or stops, the plan of `room_for_turns` is compared as well. The first
+/// among equals is taken. Deterministic for any number of threads. `layout`: subfields and pieces, without
+/// the headlands that follow from turns. Throws kBadInput where no plan has a track. Precondition:
+/// compares_routes().
+ComparedRoutes cheapest_route(const PlanningProblem& problem, const Plan& layout,
+                              const RoomForTurns& room_for_turns, Compare compare,
+                              const SearchContext& context);
 
 }  // namespace tramline

@@ -43,7 +43,7 @@ class RoutePlanner {
         lines_(lines),
         turning_(task.machine.turning),
         ground_(task.turning_land, task.field, task.machine, task.body),
-        roadmap_([this] { return roadmap(); }),
+        roadmap_([this] { return roadmap(); }, ground_),
         connector_(ground_, roadmap_, task.settings.towing_error_m),
         least_(task.machine),
         legs_(task.field, turning_) {

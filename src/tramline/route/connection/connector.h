@@ -5,17 +5,17 @@
 #include <vector>
 
 #include "tramline/route/connection/driving_ground.h"
-#include "tramline/route/connection/roadmap.h"
+#include "tramline/route/connection/roadmap_ways.h"
 #include "tramline/route/connection/way.h"
 #include "tramline/route/connection/way_search.h"
 
 namespace tramline {
 
-/// Finds ways. Safe to use from any number of threads.
+/// Finds ways. One object serves one thread (RoadmapWays).
 class Connector {
  public:
-  /// `towing_error_m`: as PlanSettings. Both references outlive the connector.
-  Connector(const DrivingGround& ground, const RoadmapOnDemand& roadmap, double towing_error_m)
+  /// `towing_error_m`: as PlanSettings. Ground and roadmap outlive the connector.
+  Connector(const DrivingGround& ground, RoadmapOnDemand& roadmap, double towing_error_m)
       : ground_(ground), roadmap_(roadmap), towing_error_m_(towing_error_m) {}
 
   /// The way from the end of one axle path to the beginning of another. In this order: a turn before the ends
@@ -62,7 +62,7 @@ class Connector {
   std::vector<WayEnd> ways_in(const SteeredPath& entered) const;
 
   const DrivingGround& ground_;
-  const RoadmapOnDemand& roadmap_;
+  RoadmapOnDemand& roadmap_;
   double towing_error_m_;
 };
 

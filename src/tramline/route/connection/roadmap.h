@@ -2,8 +2,6 @@
 // Lines that a machine can follow from one part of a field to another.
 
 #include <cstddef>
-#include <functional>
-#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -49,22 +47,6 @@ class Roadmap {
 
   std::vector<RoadmapPose> poses_;
   BoxGrid grid_;
-};
-
-/// A roadmap that is built when it is first asked for: most fields do without. Safe to use from any number of
-/// threads.
-class RoadmapOnDemand {
- public:
-  explicit RoadmapOnDemand(std::function<Roadmap()> build) : build_(std::move(build)) {}
-  const Roadmap& get() const {
-    std::call_once(once_, [this] { roadmap_ = build_(); });
-    return *roadmap_;
-  }
-
- private:
-  std::function<Roadmap()> build_;
-  mutable std::once_flag once_;
-  mutable std::optional<Roadmap> roadmap_;
 };
 
 }  // namespace tramline

@@ -13,13 +13,8 @@ namespace {
 
 /// So many poses are left at the most; what is farther is not found.
 constexpr std::size_t kMostPoses = 4000;
-/// Lines of the roadmap are reached from so far, in radii and widths.
-constexpr double kReach_radii = 4, kReach_widths = 1;
 /// From the place where it begins a way may turn round: words up to the reach and so many circles.
 constexpr double kLongest_circles = 1;
-/// Between two lines words lead on: no more than this longer than the straight line, and a share of the
-/// radius.
-constexpr double kLeadsOn = 1.25, kLeadsOn_radii = 0.5;
 /// What remains is taken to be this much longer than the straight line: the search is far shorter, and what
 /// it finds at most as much worse.
 constexpr double kHaste = 1.2;
@@ -45,17 +40,17 @@ struct Proposal {
 
 class WaySearch {
  public:
-  WaySearch(const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends, const Roadmap& roadmap,
-            const DrivingGround& ground, double no_more_than_s)
+  WaySearch(const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends,
+            RoadmapWays& on_roadmap, const DrivingGround& ground, double no_more_than_s)
       : no_more_than_s_(no_more_than_s),
         begins_(begins),
         ends_(ends),
-        roadmap_(roadmap),
+        ways_on_(on_roadmap),
+        roadmap_(on_roadmap.roadmap()),
         ground_(ground),
         radius_m_(ground.machine().radius_m),
         speed_(ground.machine().turning.turning_speed_mps),
-        reach_m_(kReach_radii * radius_m_ + kReach_widths * ground.machine().width_m),
-        visits_(begins.size() + roadmap.poses().size() + ends.size()) {}
+        visits_(begins.size() + roadmap_.poses().size() + ends.size()) {}
 
   std::optional<FoundWay> run() {
     for (std::size_t i = 0; i < begins_.size(); ++i) {
@@ -131,7 +126,7 @@ class WaySearch {
   }
 
   void leave(std::size_t place) {
-    const double longest_m = reach_m_ + kLongest_circles * 2 * std::numbers::pi * radius_m_;
+    const double longest_m = ways_on_.reach_m() + kLongest_circles * 2 * std::numbers::pi * radius_m_;
     for (std::size_t end = 0; end < ends_.size(); ++end)
       propose_word(place, place_of_end(end), std::numeric_limits<double>::infinity());
     const bool on_line = !is_begin(place);
@@ -141,35 +136,30 @@ class WaySearch {
     if (on_line)
       change_lines(place);
     else
-      roadmap_.each_near(pose(place).at, reach_m_,
+      roadmap_.each_near(pose(place).at, ways_on_.reach_m(),
                          [&](std::size_t i) { propose_word(place, begins_.size() + i, longest_m); });
   }
 
   /// Words from a place on a line to others ahead that lead on.
   void change_lines(std::size_t place) {
-    const RoadmapPose& from = on_roadmap(place);
-    const Point ahead = from.pose.heading.unit();
-    roadmap_.each_near(from.pose.at, reach_m_, [&](std::size_t i) {
-      const RoadmapPose& to = roadmap_.poses()[i];
-      const Point way = to.pose.at - from.pose.at;
-      if (to.line == from.line || dot(way, ahead) <= 0 || dot(way, to.pose.heading.unit()) <= 0) return;
-      propose_word(place, begins_.size() + i, kLeadsOn * tramline::length(way) + kLeadsOn_radii * radius_m_);
-    });
+    for (const RoadmapWays::Change& change : ways_on_.changes(place - begins_.size()))
+      if (const std::size_t to = begins_.size() + change.to; !visits_[to].reached)
+        propose(place, to, Step::kWord, change.length_m / speed_, Known::kAtLeast, {});
   }
 
   /// Replaces a proposal by the first word with room, at its own cost, or by nothing.
   void settle(const Proposal& proposal) {
     const std::size_t from = proposal.from, to = proposal.to;
-    if (proposal.step == Step::kAlong) {
-      const SteeredPath& way = on_roadmap(from).to_next;
-      if (ground_.can_follow(way) && ground_.has_room_along(way))
-        propose(from, to, Step::kAlong, cost_seconds(way, ground_, driven_along(from)), Known::kSettled, way);
+    if (!is_begin(from) && !is_end(to)) {
+      const std::size_t pose = from - begins_.size();
+      const RoadmapWays::Way* way = proposal.step == Step::kAlong
+                                        ? ways_on_.along(pose)
+                                        : ways_on_.change(pose, to - begins_.size());
+      if (way != nullptr) propose(from, to, proposal.step, way->cost_s, Known::kSettled, way->path);
       return;
     }
     if (ground_.steers_at_once() && settle_word(proposal, shortest_dubins(pose(from), pose(to), radius_m_)))
       return;
-    // Between two lines there are others that lead on.
-    if (ground_.steers_at_once() && !is_begin(from) && !is_end(to)) return;
     const std::vector<Manoeuvre> words = ground_.words(pose(from), pose(to));
     for (std::size_t i = ground_.steers_at_once() ? 1 : 0; i < words.size(); ++i)
       if (settle_word(proposal, words[i])) return;
@@ -181,10 +171,6 @@ class WaySearch {
     propose(proposal.from, proposal.to, Step::kWord, cost_seconds(word.path, ground_), Known::kSettled,
             word.path);
     return true;
-  }
-
-  CropDriven driven_along(std::size_t place) const {
-    return on_roadmap(place).track ? CropDriven::kAlongTrack : CropDriven::kAcross;
   }
 
   FoundWay found(std::size_t place) const {
@@ -203,11 +189,11 @@ class WaySearch {
   double no_more_than_s_;
   const std::vector<WayEnd>& begins_;
   const std::vector<WayEnd>& ends_;
+  RoadmapWays& ways_on_;
   const Roadmap& roadmap_;
   const DrivingGround& ground_;
   double radius_m_;
   double speed_;
-  double reach_m_;
   std::vector<Visit> visits_;
   std::vector<SteeredPath> ways_;  ///< by number of proposal; empty until settled
   std::priority_queue<Proposal, std::vector<Proposal>, std::greater<>> open_;
@@ -216,9 +202,9 @@ class WaySearch {
 }  // namespace
 
 std::optional<FoundWay> quickest_way(const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends,
-                                     const Roadmap& roadmap, const DrivingGround& ground,
+                                     RoadmapWays& on_roadmap, const DrivingGround& ground,
                                      double no_more_than_s) {
-  return WaySearch(begins, ends, roadmap, ground, no_more_than_s).run();
+  return WaySearch(begins, ends, on_roadmap, ground, no_more_than_s).run();
 }
 
 }  // namespace tramline

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tramline/route/connection/driving_ground.h"
-#include "tramline/route/connection/roadmap.h"
+#include "tramline/route/connection/roadmap_ways.h"
 
 namespace tramline {
 
@@ -34,7 +34,7 @@ struct FoundWay {
 /// found within a fixed effort, or none costs less than `no_more_than_s`. Forward, but for the paths of the
 /// ends. Deterministic.
 std::optional<FoundWay> quickest_way(const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends,
-                                     const Roadmap& roadmap, const DrivingGround& ground,
+                                     RoadmapWays& on_roadmap, const DrivingGround& ground,
                                      double no_more_than_s = kAnyCost_s);
 
 }  // namespace tramline

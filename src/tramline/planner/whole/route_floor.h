@@ -1,0 +1,16 @@
+#pragma once
+// What a plan costs at the least, whatever its route.
+
+#include "tramline/model/plan.h"
+#include "tramline/turns/room/allowed_land.h"
+
+namespace tramline {
+
+/// A lower bound of whole_cost() in euros for a plan whose route is not known yet: all pieces and passes at
+/// working speed, overlap and missed land, and for every two tracks that no pass and no change of subfield
+/// can come between half a circle, since parallel tracks are left and entered in opposite directions. Every
+/// end without a way off has to be backed out of, or into, unless the route begins or ends there; all other
+/// stops and transit count nothing. O(pieces + passes), and the room at every end.
+double route_floor(const Plan& plan, const AllowedLand& turning_land);
+
+}  // namespace tramline

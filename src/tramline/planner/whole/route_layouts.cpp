@@ -1,0 +1,197 @@
+#include "tramline/planner/whole/route_layouts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "tramline/geometry/error.h"
+#include "tramline/geometry/polygon/bounding_rectangle.h"
+#include "tramline/planner/explain/longest_side.h"
+#include "tramline/planner/for_each_index.h"
+#include "tramline/planner/headland_choice/foreseen_passes.h"
+#include "tramline/planner/headland_choice/needed_passes.h"
+#include "tramline/planner/prepare_field.h"
+#include "tramline/planner/search/straight_search.h"
+
+namespace tramline {
+namespace {
+
+/// Directions nearer to one another are one.
+constexpr double kSameDirection_deg = 1;
+constexpr double kAlmostWhole = 1e-9;
+/// Passes beyond those that the deepest turn of the layout needs: round corners turns reach deeper.
+constexpr int kMorePasses = 2;
+
+int least_passes_of(const Machine& machine) {
+  const double depth_m =
+      machine.radius_m + std::max(0.5 * machine.width_m, machine.turning.front_overhang_m);
+  return std::max(1, static_cast<int>(std::ceil(depth_m / machine.width_m - kAlmostWhole)));
+}
+
+/// A layout of tracks in one direction; where they lie is found with the headlands.
+Plan layout_along(const PlanningProblem& problem, Direction direction) {
+  Plan out;
+  out.machine = problem.machine;
+  out.subfields.push_back({{problem.field.outer, {}}, direction});
+  return out;
+}
+
+bool all_in(const Plan& plan, Direction direction) {
+  return std::all_of(plan.subfields.begin(), plan.subfields.end(), [&](const Subfield& subfield) {
+    return subfield.reference.empty() &&
+           angle_between(subfield.direction, direction).degrees() < kSameDirection_deg;
+  });
+}
+
+bool has_curves(const Plan& plan) {
+  return std::any_of(plan.subfields.begin(), plan.subfields.end(),
+                     [](const Subfield& subfield) { return !subfield.reference.empty(); });
+}
+
+std::vector<int> passes_asked(const PlanningProblem& problem) {
+  const PlanSettings& settings = problem.settings;
+  if (!settings.headland_edges.empty()) return settings.headland_edges;
+  return std::vector<int>(problem.field.outer.size(), settings.headlands);
+}
+
+}  // namespace
+
+bool same_directions(const Plan& a, const Plan& b) {
+  if (a.subfields.size() != b.subfields.size()) return false;
+  return std::all_of(a.subfields.begin(), a.subfields.end(), [&](const Subfield& of_a) {
+    return std::any_of(b.subfields.begin(), b.subfields.end(), [&](const Subfield& of_b) {
+      return of_a.reference.empty() && of_b.reference.empty() &&
+             angle_between(of_a.direction, of_b.direction).degrees() < kSameDirection_deg;
+    });
+  });
+}
+
+RouteLayouts::RouteLayouts(const PlanningProblem& problem, const Plan& layout, const SearchContext& context)
+    : problem_(problem), layout_(layout), context_(context), least_passes_(least_passes_of(problem.machine)) {
+  problem_.settings.turns = TurnPlanning::kNone;
+  obstacle_passes_ = layout.headland.obstacle_passes;
+  obstacle_passes_.resize(problem.field.obstacles.size(), 0);
+  if (problem.settings.obstacle_headland_rule == HeadlandRule::kTurns)
+    obstacle_passes_ = where_tracks_end(layout).obstacles;
+}
+
+PassesByBoundary RouteLayouts::where_tracks_end(const Plan& layout) const {
+  const PassesByBoundary needed = as_set(problem_, needed_passes(layout));
+  return foreseen_passes(problem_, layout, needed, deepest(needed) + kMorePasses, context_);
+}
+
+std::optional<LaidOut> RouteLayouts::behind_open_passes(Alternative kind, const Plan& layout) const {
+  if (context_.cut_short()) return std::nullopt;
+  if (!layout.pieces.empty()) return laid_out(kind, layout, where_tracks_end(layout));
+  PlanningProblem bare = problem_;
+  bare.settings.headland_rule = bare.settings.obstacle_headland_rule = HeadlandRule::kPasses;
+  bare.settings.headlands = bare.settings.obstacle_headlands = 0;
+  PreparedField prepared = field_without_headlands(bare);
+  const PassesByBoundary none{std::vector<int>(problem_.field.outer.size(), 0),
+                              std::vector<int>(problem_.field.obstacles.size(), 0)};
+  const auto laid = headland_trial_on(bare, std::move(prepared), layout, none, Offset::kBest, context_);
+  if (!laid) return std::nullopt;
+  const Plan& with_pieces = laid->draft.plan;
+  return laid_out(kind, with_pieces, where_tracks_end(with_pieces));
+}
+
+PassesByBoundary RouteLayouts::all_round(int passes, const std::vector<int>& obstacles) const {
+  return as_set(problem_, {std::vector<int>(problem_.field.outer.size(), passes), obstacles});
+}
+
+std::optional<LaidOut> RouteLayouts::laid_out(Alternative kind, const Plan& like,
+                                              const PassesByBoundary& passes) const {
+  if (context_.cut_short()) return std::nullopt;
+  std::optional<HeadlandTrial> trial = headland_trial(problem_, like, passes, Offset::kBest, context_);
+  if (!trial) return std::nullopt;
+  return LaidOut{kind, std::move(*trial)};
+}
+
+std::vector<LaidOut> RouteLayouts::searched(const PassesByBoundary& passes) const {
+  std::vector<LaidOut> out;
+  if (context_.cut_short()) return out;
+  const PlanningProblem problem = problem_with(problem_, passes);
+  const std::optional<PreparedField> prepared = field_behind(problem, passes.obstacles);
+  if (!prepared || area(prepared->ground.plannable) == 0) return out;
+  PlanningProblem straight = problem;
+  straight.settings.shape = TrackShape::kStraight;
+  const SearchTask task(straight, *prepared);
+  SearchResult found = straight_search(task, context_.uncounted().without_bound());
+  if (!found.best.works()) return out;
+  const auto add = [&](Alternative kind, SearchResult result) {
+    PlanDraft draft = drafted(SearchTask(problem, *prepared), result);
+    out.push_back({kind, {passes, problem, *prepared, std::move(result), std::move(draft)}});
+  };
+  if (!found.undivided.empty()) {
+    SearchResult undivided;
+    undivided.best = candidate_on(task, found.undivided);
+    undivided.directions_tried = found.directions_tried;
+    if (undivided.best.works()) add(Alternative::kUndivided, std::move(undivided));
+  }
+  add(Alternative::kSearched, std::move(found));
+  return out;
+}
+
+std::vector<RouteLayouts::Job> RouteLayouts::along_the_field(const std::vector<LaidOut>& known) const {
+  std::vector<Job> out;
+  const auto add = [&](Alternative kind, Direction direction) {
+    const bool is_new = std::none_of(known.begin(), known.end(),
+                                     [&](const LaidOut& laid) { return all_in(laid.trial.draft.plan, direction); }) &&
+                        std::none_of(out.begin(), out.end(),
+                                     [&](const Job& job) { return all_in(job.layout, direction); });
+    if (is_new) out.push_back({kind, layout_along(problem_, direction), {}});
+  };
+  add(Alternative::kLongestSide, longest_side(problem_.field, problem_.machine.width_m));
+  add(Alternative::kLength, across_least_width(problem_.field.outer));
+  return out;
+}
+
+std::vector<LaidOut> RouteLayouts::to_begin_with() const {
+  const bool by_turns = problem_.settings.headland_rule == HeadlandRule::kTurns;
+  std::vector<std::vector<int>> round_obstacles{obstacle_passes_};
+  const std::vector<int> none(obstacle_passes_.size(), 0);
+  if (problem_.settings.obstacle_headland_rule == HeadlandRule::kTurns && obstacle_passes_ != none)
+    round_obstacles.push_back(none);
+  std::vector<LaidOut> out;
+  std::vector<Job> jobs;
+  for (const std::vector<int>& obstacles : round_obstacles) {
+    const PassesByBoundary passes =
+        by_turns ? all_round(least_passes_, obstacles) : PassesByBoundary{passes_asked(problem_), obstacles};
+    std::vector<LaidOut> found = searched(passes);
+    for (Job& job : along_the_field(found)) jobs.push_back({job.kind, std::move(job.layout), passes});
+    if (has_curves(layout_)) jobs.push_back({Alternative::kSearched, layout_, passes});
+    std::move(found.begin(), found.end(), std::back_inserter(out));
+  }
+  if (by_turns) {
+    std::vector<Job> open = along_the_field({});
+    if (std::none_of(open.begin(), open.end(),
+                     [&](const Job& job) { return same_directions(job.layout, layout_); }))
+      open.push_back({Alternative::kSearched, layout_, {}});
+    std::move(open.begin(), open.end(), std::back_inserter(jobs));
+  }
+  std::vector<std::optional<LaidOut>> laid(jobs.size());
+  for_each_index(laid.size(), context_, [&](std::size_t i) {
+    const Job& job = jobs[i];
+    laid[i] = job.passes ? laid_out(job.kind, job.layout, *job.passes)
+                         : behind_open_passes(job.kind, job.layout);
+  });
+  for (std::optional<LaidOut>& one : laid)
+    if (one) out.push_back(std::move(*one));
+  return out;
+}
+
+std::vector<LaidOut> RouteLayouts::behind(int passes_all_round, const std::vector<int>& obstacle_passes,
+                                          const Plan& like) const {
+  const PassesByBoundary passes = all_round(passes_all_round, obstacle_passes);
+  std::vector<LaidOut> out = searched(passes);
+  const bool known = std::any_of(out.begin(), out.end(), [&](const LaidOut& laid) {
+    return same_directions(laid.trial.draft.plan, like);
+  });
+  if (known) return out;
+  if (std::optional<LaidOut> laid = laid_out(Alternative::kSearched, like, passes))
+    out.push_back(std::move(*laid));
+  return out;
+}
+
+}  // namespace tramline

@@ -1,0 +1,71 @@
+#pragma once
+// The plans whose routes are worth comparing, without their routes.
+
+#include <optional>
+#include <vector>
+
+#include "tramline/planner/headland_choice/headland_trial.h"
+#include "tramline/planner/plan_field.h"
+#include "tramline/planner/planning_problem.h"
+#include "tramline/planner/search_context.h"
+
+namespace tramline {
+
+/// Tracks behind headlands, without a route.
+struct LaidOut {
+  Alternative kind = Alternative::kSearched;
+  HeadlandTrial trial;
+};
+
+/// Whether two plans have as many subfields with the same straight directions, in whatever order.
+bool same_directions(const Plan& a, const Plan& b);
+
+/// Lays tracks out for one problem. All functions are deterministic for any number of threads.
+class RouteLayouts {
+ public:
+  /// `layout` as of cheapest_route(). The problem, the layout and the context outlive this.
+  RouteLayouts(const PlanningProblem& problem, const Plan& layout, const SearchContext& context);
+
+  /// Passes round the field as deep as half a circle of the machine and what reaches ahead of its axle.
+  int least_passes() const { return least_passes_; }
+  /// By obstacle: as many as turns need, 0 where all tracks go round it.
+  const std::vector<int>& obstacle_passes() const { return obstacle_passes_; }
+
+  /// The layout, the tracks of least cost, and those along the longest side and the length of the field,
+  /// behind the passes asked for, or behind the least passes all round; the same without the headlands of
+  /// obstacles that follow from turns; and each of these but the searched ones behind passes where their
+  /// tracks end.
+  std::vector<LaidOut> to_begin_with() const;
+
+  /// The tracks of least cost behind these passes, and those of another plan laid anew there.
+  std::vector<LaidOut> behind(int passes_all_round, const std::vector<int>& obstacle_passes,
+                              const Plan& like) const;
+
+  /// The directions and curves of a plan laid anew behind these passes; nullopt where no track fits.
+  std::optional<LaidOut> laid_out(Alternative kind, const Plan& like, const PassesByBoundary& passes) const;
+
+ private:
+  struct Job {
+    Alternative kind;
+    Plan layout;
+    std::optional<PassesByBoundary> passes;  ///< none: where its tracks end
+  };
+
+  PassesByBoundary all_round(int passes, const std::vector<int>& obstacles) const;
+  /// The passes that turns need where the tracks of a layout on the bare field end.
+  PassesByBoundary where_tracks_end(const Plan& layout) const;
+  std::optional<LaidOut> behind_open_passes(Alternative kind, const Plan& layout) const;
+  /// One layout along the longest side of the field and one along its length, without tracks, as far as none
+  /// of the known ones is the same.
+  std::vector<Job> along_the_field(const std::vector<LaidOut>& known) const;
+  /// The tracks of least cost, and the undivided ones where these are several subfields.
+  std::vector<LaidOut> searched(const PassesByBoundary& passes) const;
+
+  PlanningProblem problem_;  ///< without turns
+  const Plan& layout_;
+  const SearchContext& context_;
+  int least_passes_ = 0;
+  std::vector<int> obstacle_passes_;
+};
+
+}  // namespace tramline
