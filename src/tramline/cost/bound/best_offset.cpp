@@ -11,11 +11,13 @@ namespace {
 /// Largest number of intervals evaluated; boundaries of thousands of corners, such as rounded ones, would
 /// take too long.
 constexpr int kMostLooks = 1000;
+/// The same where the best need not be found.
+constexpr int kFewLooks = 60;
 
 class OffsetSearch {
  public:
-  OffsetSearch(const GridTally& tally, const BoundTerms& terms, const PricedOrigin& known)
-      : tally_(tally), terms_(terms), best_(known) {
+  OffsetSearch(const GridTally& tally, const BoundTerms& terms, const PricedOrigin& known, double near_enough)
+      : tally_(tally), terms_(terms), best_(known), near_enough_(near_enough) {
     list_breaks();
     look_between(0, breaks_.size() - 1);
   }
@@ -49,10 +51,11 @@ class OffsetSearch {
   }
 
   void look_between(std::size_t first, std::size_t last) {
-    if (looks_++ >= kMostLooks) return;
+    if (looks_++ >= (near_enough_ > 0 ? kFewLooks : kMostLooks)) return;
     const double from = breaks_[first], to = breaks_[last];
     const GridBox box{0.5 * (from + to), 0.5 * (to - from), 0};
-    if (least_cost(tally_, terms_, box, best_.cost) >= best_.cost) return;
+    const double worth_it = best_.cost - near_enough_ * std::abs(best_.cost);
+    if (least_cost(tally_, terms_, box, worth_it) >= worth_it) return;
     if (last - first > 1) {
       const std::size_t middle = (first + last) / 2;
       look_between(first, middle);
@@ -70,6 +73,7 @@ class OffsetSearch {
   const GridTally& tally_;
   const BoundTerms& terms_;
   PricedOrigin best_;
+  double near_enough_;
   std::vector<double> breaks_;
   int looks_ = 0;
 };
@@ -81,8 +85,9 @@ double separate_cost(const Objective& objective, const Tally& tally) {
          objective.turn * (tally.pieces - tally.crossings) + objective.stop * tally.stops;
 }
 
-PricedOrigin best_offset(const GridTally& tally, const BoundTerms& terms, const PricedOrigin& known) {
-  return OffsetSearch(tally, terms, known).best();
+PricedOrigin best_offset(const GridTally& tally, const BoundTerms& terms, const PricedOrigin& known,
+                         double near_enough) {
+  return OffsetSearch(tally, terms, known, near_enough).best();
 }
 
 }  // namespace tramline

@@ -19,6 +19,9 @@ double separate_cost(const Objective& objective, const Tally& tally);
 /// line at which swaths end, the cost is quadratic where strips are plain: each such
 /// interval is evaluated at its ends and at the minimum of the parabola through three of its points, except
 /// where its bound shows that it holds nothing better than `known`. O(n² log n) at worst, mostly O(n log n).
-PricedOrigin best_offset(const GridTally& tally, const BoundTerms& terms, const PricedOrigin& known);
+/// `near_enough`: a share of the cost by which another offset may be cheaper than the one found; where it is
+/// not 0 fewer intervals are looked at, and the share is no promise.
+PricedOrigin best_offset(const GridTally& tally, const BoundTerms& terms, const PricedOrigin& known,
+                         double near_enough = 0);
 
 }  // namespace tramline

@@ -1,5 +1,6 @@
 #include "tramline/route/connection/roadmap_ways.h"
 
+#include <functional>
 #include <utility>
 
 #include "tramline/route/connection/way.h"
@@ -48,22 +49,39 @@ const std::vector<RoadmapWays::Change>& RoadmapWays::changes(std::size_t pose) {
   return *out;
 }
 
-std::optional<RoadmapWays::Way> RoadmapWays::first_with_room(const Pose& from, const Pose& to) const {
+std::optional<RoadmapWays::Way> RoadmapWays::first_with_room(const Pose& from, const Pose& to,
+                                                             Words words) const {
+  const auto with_room = [this](const Manoeuvre& word) -> std::optional<Way> {
+    if (!word.path.empty() && !ground_.has_room(word.path)) return std::nullopt;
+    return Way{word.path, cost_seconds(word.path, ground_)};
+  };
+  const bool at_once = ground_.steers_at_once();
+  if (at_once)
+    if (auto way = with_room(shortest_dubins(from, to, ground_.machine().radius_m))) return way;
   // Where the wheels are steered at once no other word leads on.
-  const std::vector<Manoeuvre> words =
-      ground_.steers_at_once()
-          ? std::vector<Manoeuvre>{shortest_dubins(from, to, ground_.machine().radius_m)}
-          : ground_.words(from, to);
-  for (const Manoeuvre& word : words)
-    if (word.path.empty() || ground_.has_room(word.path))
-      return Way{word.path, cost_seconds(word.path, ground_)};
+  if (at_once && words == Words::kLeadOn) return std::nullopt;
+  const std::vector<Manoeuvre> all = ground_.words(from, to);
+  for (std::size_t i = at_once ? 1 : 0; i < all.size(); ++i)
+    if (auto way = with_room(all[i])) return way;
   return std::nullopt;
+}
+
+std::size_t RoadmapWays::PosePairHash::operator()(const PosePair& pair) const {
+  std::size_t out = 0;
+  for (const double number : pair) out = out * 1099511628211U + std::hash<double>{}(number);
+  return out;
+}
+
+const RoadmapWays::Way* RoadmapWays::word(const Pose& from, const Pose& to) {
+  const PosePair key{from.at.x, from.at.y, from.heading.angle().radians(),
+                     to.at.x,   to.at.y,   to.heading.angle().radians()};
+  return known(by_word_, key, [&] { return first_with_room(from, to, Words::kAll); });
 }
 
 const RoadmapWays::Way* RoadmapWays::change(std::size_t from, std::size_t to) {
   const std::uint64_t key = static_cast<std::uint64_t>(from) * roadmap_.poses().size() + to;
   return known(by_change_, key, [&] {
-    return first_with_room(roadmap_.poses()[from].pose, roadmap_.poses()[to].pose);
+    return first_with_room(roadmap_.poses()[from].pose, roadmap_.poses()[to].pose, Words::kLeadOn);
   });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // The ways between poses of a roadmap that have room.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -39,11 +40,21 @@ class RoadmapWays {
   };
   /// The first word with room of a change; null where none has. Valid until the next call.
   const Way* change(std::size_t from, std::size_t to);
+  /// The first word with room between any two poses; null where none has. Valid until the next call.
+  const Way* word(const Pose& from, const Pose& to);
   /// The way along the line to the pose that follows; null where it has no room. Valid until the next call.
   const Way* along(std::size_t pose);
 
  private:
-  std::optional<Way> first_with_room(const Pose& from, const Pose& to) const;
+  /// Of the words that lead on; or, between any poses, of all.
+  enum class Words { kLeadOn, kAll };
+  std::optional<Way> first_with_room(const Pose& from, const Pose& to, Words words) const;
+
+  /// x, y and heading of two poses.
+  using PosePair = std::array<double, 6>;
+  struct PosePairHash {
+    std::size_t operator()(const PosePair& pair) const;
+  };
 
   Roadmap roadmap_;
   const DrivingGround& ground_;
@@ -51,6 +62,7 @@ class RoadmapWays {
   std::vector<std::optional<std::vector<Change>>> changes_;
   std::unordered_map<std::uint64_t, std::optional<Way>> by_change_;
   std::unordered_map<std::size_t, std::optional<Way>> along_;
+  std::unordered_map<PosePair, std::optional<Way>, PosePairHash> by_word_;
 };
 
 /// The ways of a roadmap that is built when it is first asked for: most fields do without. One object serves

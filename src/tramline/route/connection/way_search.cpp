@@ -40,8 +40,8 @@ struct Proposal {
 
 class WaySearch {
  public:
-  WaySearch(const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends,
-            RoadmapWays& on_roadmap, const DrivingGround& ground, double no_more_than_s)
+  WaySearch(const std::vector<WayEnd>& begins, const std::vector<WayEnd>& ends, RoadmapWays& on_roadmap,
+            const DrivingGround& ground, double no_more_than_s)
       : no_more_than_s_(no_more_than_s),
         begins_(begins),
         ends_(ends),
@@ -127,9 +127,10 @@ class WaySearch {
 
   void leave(std::size_t place) {
     const double longest_m = ways_on_.reach_m() + kLongest_circles * 2 * std::numbers::pi * radius_m_;
-    for (std::size_t end = 0; end < ends_.size(); ++end)
-      propose_word(place, place_of_end(end), std::numeric_limits<double>::infinity());
     const bool on_line = !is_begin(place);
+    // Lines lead near the ends; a long word from every pose on them would be one too many.
+    const double to_end_m = on_line ? longest_m : std::numeric_limits<double>::infinity();
+    for (std::size_t end = 0; end < ends_.size(); ++end) propose_word(place, place_of_end(end), to_end_m);
     if (on_line && on_roadmap(place).next)
       propose(place, begins_.size() + *on_roadmap(place).next, Step::kAlong,
               length(on_roadmap(place).to_next) / speed_, Known::kAtLeast, {});
@@ -147,30 +148,17 @@ class WaySearch {
         propose(place, to, Step::kWord, change.length_m / speed_, Known::kAtLeast, {});
   }
 
-  /// Replaces a proposal by the first word with room, at its own cost, or by nothing.
+  /// Replaces a proposal by the way with room, at its own cost, or by nothing.
   void settle(const Proposal& proposal) {
     const std::size_t from = proposal.from, to = proposal.to;
-    if (!is_begin(from) && !is_end(to)) {
-      const std::size_t pose = from - begins_.size();
-      const RoadmapWays::Way* way = proposal.step == Step::kAlong
-                                        ? ways_on_.along(pose)
-                                        : ways_on_.change(pose, to - begins_.size());
-      if (way != nullptr) propose(from, to, proposal.step, way->cost_s, Known::kSettled, way->path);
-      return;
-    }
-    if (ground_.steers_at_once() && settle_word(proposal, shortest_dubins(pose(from), pose(to), radius_m_)))
-      return;
-    const std::vector<Manoeuvre> words = ground_.words(pose(from), pose(to));
-    for (std::size_t i = ground_.steers_at_once() ? 1 : 0; i < words.size(); ++i)
-      if (settle_word(proposal, words[i])) return;
-  }
-
-  /// Proposes the word where it has room, and says whether it has.
-  bool settle_word(const Proposal& proposal, const Manoeuvre& word) {
-    if (!word.path.empty() && !ground_.has_room(word.path)) return false;
-    propose(proposal.from, proposal.to, Step::kWord, cost_seconds(word.path, ground_), Known::kSettled,
-            word.path);
-    return true;
+    const RoadmapWays::Way* way = nullptr;
+    if (is_begin(from) || is_end(to))
+      way = ways_on_.word(pose(from), pose(to));
+    else if (proposal.step == Step::kAlong)
+      way = ways_on_.along(from - begins_.size());
+    else
+      way = ways_on_.change(from - begins_.size(), to - begins_.size());
+    if (way != nullptr) propose(from, to, proposal.step, way->cost_s, Known::kSettled, way->path);
   }
 
   FoundWay found(std::size_t place) const {
